@@ -1,0 +1,120 @@
+"""The angular-contact ball bearing: what it is, and the door to its equilibrium."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+from bearings.errors import InvalidBearing
+from bearings.materials import SILICON_NITRIDE, STEEL, Material
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from bearings.state import BearingState
+
+
+@dataclass(frozen=True, slots=True)
+class AngularContactBallBearing:
+    """A single-row angular-contact ball bearing with rigid rings.
+
+    Parameters
+    ----------
+    ball_diameter, pitch_diameter : D, dm [m]
+    balls : number of balls, at least 3
+    contact_angle : free contact angle α [rad]
+    inner_conformity, outer_conformity : groove radius over ball diameter, above 0.5
+    ball_material, ring_material : elastic constants and density
+
+    Raises
+    ------
+    InvalidBearing : the geometry is impossible (balls overlap, groove tighter than the ball …)
+    """
+
+    ball_diameter: float
+    pitch_diameter: float
+    balls: int
+    contact_angle: float
+    inner_conformity: float = 0.52
+    outer_conformity: float = 0.52
+    ball_material: Material = SILICON_NITRIDE
+    ring_material: Material = STEEL
+
+    def __post_init__(self) -> None:
+        for fault in self._faults():
+            raise InvalidBearing(fault)
+
+    def _faults(self) -> list[str]:
+        lengths = (self.ball_diameter, self.pitch_diameter)
+        if not all(math.isfinite(v) and v > 0.0 for v in lengths):
+            return [f"ball and pitch diameter must be positive lengths, got {lengths} m"]
+        faults = []
+        if self.ball_diameter > 0.2:
+            faults.append(f"a ball of {self.ball_diameter:g} m: is the unit right?")
+        if self.balls != int(self.balls) or self.balls < 3:
+            faults.append(f"balls must be a whole number from 3 up, got {self.balls!r}")
+        elif self.ball_diameter >= self.pitch_diameter * math.sin(math.pi / self.balls):
+            faults.append(
+                f"{self.balls} balls of {self.ball_diameter * 1e3:g} mm overlap on a pitch circle "
+                f"of {self.pitch_diameter * 1e3:g} mm"
+            )
+        if not 0.0 <= self.contact_angle <= math.radians(60.0):
+            faults.append(
+                "contact_angle must lie between 0 and 60° (in rad), got "
+                f"{self.contact_angle!r} rad"
+            )
+        for key in ("inner_conformity", "outer_conformity"):
+            value = getattr(self, key)
+            if not 0.5 < value <= 0.7:
+                faults.append(f"{key} must lie above 0.5 and at most at 0.7, got {value!r}")
+        return faults
+
+    def equilibrium(
+        self,
+        *,
+        load: ArrayLike | None = None,
+        displacement: ArrayLike | None = None,
+        speed: ArrayLike = 0.0,
+        static_growth: ArrayLike = 0.0,
+        growth: ArrayLike | None = None,
+        kinematics: str = "hybrid",
+        moment_sharing: str = "equal",
+        start: BearingState | None = None,
+    ) -> BearingState:
+        """The physical state under a load or a displacement of the inner ring.
+
+        Parameters
+        ----------
+        load, displacement : exactly one of them, shape (…, 5): (Fx, Fy, Fz, My, Mz) [N, N·m] or
+            (δx, δy, δz, θy, θz) [m, rad]; zero displacement is zero load at rest
+        speed : of the inner ring, shape (…) [rad/s]
+        static_growth : Δu0, radial growth of the inner groove centre at rest, shape (…) [m]
+        growth : Δu, total growth at ``speed``, static part included; None = ``static_growth``
+        kinematics : "hybrid", "outer", "inner" or "geometric"
+        moment_sharing : "equal", "outer", "inner" or "hybrid"
+        start : a state of the same batch shape close to the one sought; only speeds the search up
+
+        Returns
+        -------
+        BearingState with leading shape (…), the broadcast of all arguments
+
+        Raises
+        ------
+        InvalidBearing : shapes, non-finite numbers, unknown names
+        NoEquilibrium : a single state (no leading dimensions) does not exist; batches carry an
+            ``outcome`` per state instead
+        """
+        from bearings.request import answer
+
+        return answer(
+            self,
+            load=load,
+            displacement=displacement,
+            speed=speed,
+            static_growth=static_growth,
+            growth=growth,
+            kinematics=kinematics,
+            moment_sharing=moment_sharing,
+            start=start,
+        )

@@ -1,0 +1,334 @@
+"""The physical state of a bearing under a given load, a given displacement, or a mix of both.
+
+Two stages (theory: solving). With the gyroscopic moment off and the centrifugal force frozen the
+problem is convex: damped Newton finds its one solution from anywhere. The real angle dependence
+and the gyroscopic moment are then switched on by a blend t = 0 … 1, and the state is followed; a
+path that folds back before t = 1 has no physical end, which is an outcome, not a number.
+
+All states of a batch advance together; those that are done drop out.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.ball import (
+    Balance,
+    BallModel,
+    convex_energy,
+    resting_balance,
+    resting_energy,
+    turning_balance,
+)
+from bearings.ring import Ring
+
+Array = NDArray[np.float64]
+Index = NDArray[np.intp]
+
+TOLERANCE = 1e-11  # of the largest ball load (ball balance) and ring load (ring balance)
+LONGEST_TURN = 0.15  # rad a contact angle may move in one step of the blend
+SHORTEST_BLEND = 1.0 / 512.0
+EPS = float(np.finfo(float).eps)
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """States to find: all at rest or all turning.
+
+    ``origin`` (2, s): A at zero displacement; ``speed`` (s,) [rad/s]; ``load`` (s, 5) is met on
+    the freedoms where ``free`` (5,) is true, the displacement is kept on the others.
+    """
+
+    model: BallModel
+    ring: Ring
+    origin: Array
+    speed: Array
+    load: Array
+    free: NDArray[np.bool_]
+    turning: bool
+
+    def take(self, index: Index) -> Problem:
+        """The same problem for some of its states."""
+        return replace(
+            self,
+            origin=self.origin[:, index],
+            speed=self.speed[index],
+            load=self.load[index],
+        )
+
+    @property
+    def scale(self) -> Array:
+        """What makes the five freedoms lengths: 1, 1, 1, Ri, Ri [m]."""
+        radius = self.model.geometry.centre_radius
+        return np.array([1.0, 1.0, 1.0, radius, radius])
+
+
+@dataclass(frozen=True, slots=True)
+class Linear:
+    """A problem linearised at (d, X): the Newton step follows from it.
+
+    ``ring_load`` (s, 5) at the point itself; ``stiffness`` (s, 5, 5) with the balls following;
+    ``correction`` (s, 5): change of load while the balls settle at fixed d; ``fold`` (s,): the
+    smallest ball determinant, positive on the physical branch; ``error`` (s,): scaled residual.
+    """
+
+    balance: Balance
+    ball_inverse: Array
+    ring_load: Array
+    stiffness: Array
+    correction: Array
+    fold: Array
+    error: Array
+
+
+@dataclass(frozen=True, slots=True)
+class Solution:
+    """d (s, 5), X (2, s, n), the linearisation there, and an outcome word per state."""
+
+    displacement: Array
+    ball: Array
+    linear: Linear
+    outcome: NDArray[np.str_]
+
+
+def solve(problem: Problem, displacement: Array, guess: Array | None = None) -> Solution:
+    """The physical state of every problem, started at ``displacement`` (s, 5).
+
+    ``guess`` (2, s, n): ball centres near the solution at full blend (a previous state of a
+    sweep); where following from it fails, the two-stage solve decides.
+    """
+    states = len(problem.speed)
+    outcome = np.full(states, "", dtype="<U16")
+    d = displacement.copy()
+    if not problem.turning:
+        x = np.zeros((2, states, problem.ring.balls))
+        done = _convex(problem, d, x)
+    else:
+        done = np.zeros(states, dtype=bool)
+        x = _seated(problem, d)
+        if guess is not None:
+            done = _near(problem, d, x, guess)
+        cold = np.flatnonzero(~done)
+        if cold.size:
+            done[cold] = _from_convex(problem, d, x, cold)
+    outcome[~done] = "no equilibrium"
+    return Solution(d, x, linearise(problem, d, x, np.ones(states)), outcome)
+
+
+def linearise(problem: Problem, d: Array, x: Array, blend: Array) -> Linear:
+    """Balance, tangent and scaled error at (d, X); at rest X is written to its own place."""
+    centre = problem.ring.centres(problem.origin, d)
+    if problem.turning:
+        balance = turning_balance(
+            problem.model, centre, x, problem.speed[:, None], blend[:, None]
+        )
+    else:
+        balance, seat = resting_balance(problem.model, centre)
+        x[...] = seat
+    inverse, determinant = _inverse(balance.dresidual_dx)
+    follow = -np.einsum("abs...,bcs...->acs...", inverse, balance.dresidual_da)
+    by_centre = balance.daction_da + np.einsum(
+        "abs...,bcs...->acs...", balance.daction_dx, follow
+    )
+    settle = -np.einsum("abs...,bs...->as...", inverse, balance.residual)
+    ring_load = problem.ring.load(balance.action)
+    correction = problem.ring.load(np.einsum("abs...,bs...->as...", balance.daction_dx, settle))
+    return Linear(
+        balance=balance,
+        ball_inverse=inverse,
+        ring_load=ring_load,
+        stiffness=problem.ring.stiffness(by_centre),
+        correction=correction,
+        fold=determinant.min(axis=-1),
+        error=_error(problem, balance, ring_load),
+    )
+
+
+def _error(problem: Problem, balance: Balance, ring_load: Array) -> Array:
+    """Largest scaled residual of balls and ring; rounding of the lengths is not counted."""
+    g = problem.model.geometry
+    largest = np.maximum(balance.outer_load, balance.inner_load).max(axis=-1)
+    reach = g.inner_reach + g.outer_reach
+    slope = 1.5 * (g.inner.stiffness**2 * np.maximum(largest, 1e-300)) ** (1.0 / 3.0)
+    noise = 16.0 * EPS * reach * slope
+    ball = np.abs(balance.residual).max(axis=(0, -1)) / (largest + noise / TOLERANCE + 1e-300)
+    miss = np.abs((ring_load - problem.load) / problem.scale)[:, problem.free]
+    if not miss.size:
+        return ball
+    count = g.balls
+    size = np.abs(problem.load / problem.scale).max(axis=-1) + 1e-3 * count * largest
+    ring = miss.max(axis=-1) / (size + count * noise / TOLERANCE + 1e-300)
+    return np.maximum(ball, ring)
+
+
+def _inverse(matrix: Array) -> tuple[Array, Array]:
+    """Inverse and determinant of 2×2 matrices, component first; singular ones give zero."""
+    (a, b), (c, d) = matrix
+    determinant = a * d - b * c
+    safe = np.where(determinant != 0.0, determinant, np.inf)
+    return np.array([[d, -b], [-c, a]]) / safe, determinant
+
+
+def _step(problem: Problem, linear: Linear, *, convex: bool) -> tuple[Array, Array]:
+    """Newton step (dd, dX); in the convex stage always downhill."""
+    balance = linear.balance
+    dd = np.zeros_like(problem.load)
+    free = problem.free
+    if free.any():
+        scale = problem.scale[free]
+        gap = (problem.load - linear.ring_load - linear.correction)[:, free] / scale
+        k = linear.stiffness[:, free][:, :, free] / scale / scale[:, None]
+        dd[:, free] = (_downhill(problem, k, gap) if convex else _solve(k, gap)) / scale
+    moved = np.einsum("cjn,sj->csn", problem.ring.spread, dd)
+    pull = balance.residual + np.einsum("abs...,bs...->as...", balance.dresidual_da, moved)
+    return dd, -np.einsum("abs...,bs...->as...", linear.ball_inverse, pull)
+
+
+def _solve(k: Array, gap: Array) -> Array:
+    """K⁻¹ gap, zero where K is singular to rounding."""
+    singular = np.abs(np.linalg.det(k / (np.abs(k).max(axis=(1, 2), keepdims=True) + 1e-300)))
+    eye = np.eye(k.shape[-1])
+    ok = singular > 1e-14
+    return np.where(ok[:, None], np.linalg.solve(np.where(ok[:, None, None], k, eye), gap[..., None])[..., 0], 0.0)
+
+
+def _downhill(problem: Problem, k: Array, gap: Array) -> Array:
+    """Newton direction of the convex stage with soft directions stiffened, its length bounded."""
+    g = problem.model.geometry
+    values, vectors = np.linalg.eigh(0.5 * (k + k.swapaxes(1, 2)))
+    reference = g.balls * g.series_stiffness * np.sqrt(1e-3 * g.free_distance)
+    values = np.maximum(values, 1e-7 * reference)
+    step = (vectors @ ((vectors.swapaxes(1, 2) @ gap[..., None]) / values[..., None]))[..., 0]
+    longest = np.abs(step).max(axis=1, keepdims=True)
+    return step * np.minimum(1.0, 0.2 * g.free_distance / np.maximum(longest, 1e-300))
+
+
+def _seated(problem: Problem, d: Array) -> Array:
+    """Ball centres to start from: as at rest where loaded, else pressed on the outer race by Fc."""
+    centre = problem.ring.centres(problem.origin, d)
+    balance, x = resting_balance(problem.model, centre)
+    g = problem.model.geometry
+    push = problem.model.nominal_centrifugal(problem.speed)[:, None]
+    seat = g.outer_reach + (push / g.outer.stiffness) ** (2.0 / 3.0)
+    riding = balance.inner_load <= 0.0
+    x[0] = np.where(riding, 0.0, x[0])
+    x[1] = np.where(riding, seat, x[1])
+    return x
+
+
+def _energy(problem: Problem, d: Array, x: Array) -> Array:
+    """Total potential of the convex stage (s,) [J]."""
+    centre = problem.ring.centres(problem.origin, d)
+    if problem.turning:
+        push = problem.model.nominal_centrifugal(problem.speed)[:, None]
+        balls = convex_energy(problem.model, centre, x, push)
+    else:
+        balls = resting_energy(problem.model, centre)
+    count = problem.model.geometry.balls / problem.ring.balls
+    work = (problem.load * d)[:, problem.free].sum(axis=-1)
+    return count * balls.sum(axis=-1) - work
+
+
+def _convex(problem: Problem, d: Array, x: Array) -> NDArray[np.bool_]:
+    """Solve the convex stage in place; true where it converged (it always should)."""
+    done = np.zeros(len(d), dtype=bool)
+    for _ in range(100):
+        todo = np.flatnonzero(~done)
+        part, pd, px = problem.take(todo), d[todo], x[:, todo]
+        linear = linearise(part, pd, px, np.zeros(len(todo)))
+        x[:, todo] = px
+        converged = linear.error < TOLERANCE
+        done[todo[converged]] = True
+        left = np.flatnonzero(~converged)
+        if not left.size:
+            break
+        dd, dx = _step(part, linear, convex=True)
+        length = _search(part.take(left), pd[left], px[:, left], dd[left], dx[:, left])
+        d[todo[left]] += length[:, None] * dd[left]
+        x[:, todo[left]] += length[:, None] * dx[:, left]
+    return done
+
+
+def _search(problem: Problem, d: Array, x: Array, dd: Array, dx: Array) -> Array:
+    """Step lengths that lower the potential and keep every ball on the outer race."""
+    reach = problem.model.geometry.outer_reach
+    before = _energy(problem, d, x)
+    noise = 1e-13 * (np.abs(before) + np.abs(problem.load * d).sum(axis=-1))
+    approach = np.hypot(x[0], x[1]) - reach
+    length = np.ones(len(d))
+    for _ in range(40):
+        trial = x + length[:, None] * dx
+        after = _energy(problem, d + length[:, None] * dd, trial)
+        good = after <= before + noise
+        if problem.turning:
+            good &= (np.hypot(trial[0], trial[1]) - reach > 0.1 * approach).all(axis=-1)
+        if good.all():
+            break
+        length = np.where(good, length, 0.5 * length)
+    return length
+
+
+def _correct(problem: Problem, d: Array, x: Array, blend: Array) -> tuple[Array, Array, NDArray[np.bool_], int]:
+    """Plain Newton at ``blend`` from a point close by: new (d, X), success, iterations used."""
+    start = _angles(problem, d, x)
+    d, x = d.copy(), x.copy()
+    limit, used = 8, 0
+    for used in range(limit + 1):
+        linear = linearise(problem, d, x, blend)
+        moving = linear.error >= TOLERANCE
+        if not moving.any() or used == limit:
+            break
+        dd, dx = _step(problem, linear, convex=False)
+        d += np.where(moving[:, None], dd, 0.0)
+        x += np.where(moving[:, None], dx, 0.0)
+    turned = np.abs(_angles(problem, d, x) - start).max(axis=(0, -1))
+    good = ~moving & (linear.fold > 0.0) & (turned < LONGEST_TURN)
+    good &= (linear.balance.outer_load > 0.0).all(axis=-1)
+    if problem.free.any():
+        free = problem.free
+        good &= np.linalg.det(_relative(linear.stiffness[:, free][:, :, free], problem.scale[free])) > 0.0
+    return d, x, good, used
+
+
+def _relative(k: Array, scale: Array) -> Array:
+    """K with all freedoms as lengths, divided by its largest entry."""
+    k = k / scale / scale[:, None]
+    return k / (np.abs(k).max(axis=(1, 2), keepdims=True) + 1e-300)
+
+
+def _angles(problem: Problem, d: Array, x: Array) -> Array:
+    """Outer angle, and inner angle where the ball is loaded (else 0): (2, s, n)."""
+    inner = problem.ring.centres(problem.origin, d) - x
+    loaded = np.hypot(inner[0], inner[1]) > problem.model.geometry.inner_reach
+    return np.array(
+        [np.arctan2(x[0], x[1]), np.where(loaded, np.arctan2(inner[0], inner[1]), 0.0)]
+    )
+
+
+def _near(problem: Problem, d: Array, x: Array, guess: Array) -> NDArray[np.bool_]:
+    """Try the full problem straight from ``guess``; success writes (d, X)."""
+    new_d, new_x, good, _ = _correct(problem, d, guess, np.ones(len(d)))
+    d[good], x[:, good] = new_d[good], new_x[:, good]
+    return good
+
+
+def _from_convex(problem: Problem, d: Array, x: Array, cold: Index) -> NDArray[np.bool_]:
+    """Both stages for the states ``cold``; writes (d, X) and returns success."""
+    part, pd, px = problem.take(cold), d[cold], x[:, cold]
+    done = _convex(part, pd, px)
+    blend, stride = np.zeros(len(cold)), np.full(len(cold), 0.5)
+    while True:
+        todo = np.flatnonzero(done & (blend < 1.0) & (stride >= SHORTEST_BLEND))
+        if not todo.size:
+            break
+        target = np.minimum(1.0, blend[todo] + stride[todo])
+        new_d, new_x, good, used = _correct(part.take(todo), pd[todo], px[:, todo], target)
+        won = todo[good]
+        pd[won], px[:, won], blend[won] = new_d[good], new_x[:, good], target[good]
+        stride[won] *= 2.0 if used <= 5 else 1.0
+        stride[todo[~good]] *= 0.25
+    d[cold], x[:, cold] = pd, px
+    return done & (blend >= 1.0)

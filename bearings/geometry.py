@@ -1,0 +1,85 @@
+"""What a bearing's description implies: grooves, contacts, ball mass. Computed once a bearing."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+
+from bearings.angular_contact import AngularContactBallBearing
+from bearings.hertz import HertzContact, contact
+
+
+@dataclass(frozen=True, slots=True)
+class Geometry:
+    """Derived constants of one bearing (SI); symbols as in the theory page.
+
+    ``free_distance`` BD between unloaded groove centres; ``inner_reach``, ``outer_reach``:
+    distance of the ball centre to each groove centre when it just touches; ``centre_radius`` Ri of
+    the circle of inner groove centres; ``size_ratio`` γ = D/dm; ``race_ratio`` c in
+    C = c (δi/δo)², the weight of the two races in the hybrid kinematics.
+    """
+
+    ball_diameter: float
+    pitch_diameter: float
+    balls: int
+    contact_angle: float
+    free_distance: float
+    inner_reach: float
+    outer_reach: float
+    centre_radius: float
+    inner_conformity: float
+    size_ratio: float
+    ball_mass: float
+    ball_inertia: float
+    inner: HertzContact
+    outer: HertzContact
+    series_stiffness: float
+    race_ratio: float
+
+
+@lru_cache(maxsize=256)
+def geometry(bearing: AngularContactBallBearing) -> Geometry:
+    """Derived constants of ``bearing``."""
+    diameter, pitch = bearing.ball_diameter, bearing.pitch_diameter
+    inner_f, outer_f = bearing.inner_conformity, bearing.outer_conformity
+    mass = bearing.ball_material.density * math.pi * diameter**3 / 6.0
+    inner = _race_contact(bearing, inner_f, +1.0)
+    outer = _race_contact(bearing, outer_f, -1.0)
+    pull = (inner_f - 0.5) * diameter * math.cos(bearing.contact_angle)
+    return Geometry(
+        ball_diameter=diameter,
+        pitch_diameter=pitch,
+        balls=int(bearing.balls),
+        contact_angle=bearing.contact_angle,
+        free_distance=(inner_f + outer_f - 1.0) * diameter,
+        inner_reach=(inner_f - 0.5) * diameter,
+        outer_reach=(outer_f - 0.5) * diameter,
+        centre_radius=pitch / 2.0 + pull,
+        inner_conformity=inner_f,
+        size_ratio=diameter / pitch,
+        ball_mass=mass,
+        ball_inertia=mass * diameter**2 / 10.0,
+        inner=inner,
+        outer=outer,
+        series_stiffness=(inner.stiffness ** (-2 / 3) + outer.stiffness ** (-2 / 3)) ** -1.5,
+        race_ratio=_race_weight(inner) / _race_weight(outer),
+    )
+
+
+def _race_contact(bearing: AngularContactBallBearing, conformity: float, side: float) -> HertzContact:
+    """Ball on one race; ``side`` +1 inner (convex along the rolling direction), −1 outer."""
+    ball = 2.0 / bearing.ball_diameter
+    gamma = bearing.ball_diameter * math.cos(bearing.contact_angle) / bearing.pitch_diameter
+    rolling = side * ball * gamma / (1.0 - side * gamma)
+    groove = -1.0 / (conformity * bearing.ball_diameter)
+    total = 2.0 * ball + rolling + groove
+    compliance = (
+        bearing.ball_material.contact_compliance + bearing.ring_material.contact_compliance
+    )
+    return contact(total, (rolling - groove) / total, compliance)
+
+
+def _race_weight(race: HertzContact) -> float:
+    """Q a E of a race per (δ²): Q a E = k^(4/3) a₁ E δ², a₁ the major semi-axis at unit load."""
+    return race.stiffness ** (4.0 / 3.0) * race.semi_axis_major * race.second_integral

@@ -1,0 +1,55 @@
+"""Isotropic elastic materials."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from bearings.errors import InvalidBearing
+
+
+@dataclass(frozen=True, slots=True)
+class Material:
+    """An isotropic elastic material.
+
+    Parameters
+    ----------
+    name : shown in tables
+    young_modulus : E [Pa]
+    poisson_ratio : ν, above -1 and below 0.5
+    density : ρ [kg/m³]
+
+    Raises
+    ------
+    InvalidBearing : a value is not finite or out of its range
+    """
+
+    name: str
+    young_modulus: float
+    poisson_ratio: float
+    density: float
+
+    def __post_init__(self) -> None:
+        for key in ("young_modulus", "density"):
+            value = getattr(self, key)
+            if not (math.isfinite(value) and value > 0.0):
+                raise InvalidBearing(f"material {self.name}: {key} must be positive, got {value!r}")
+        if not -1.0 < self.poisson_ratio < 0.5:
+            raise InvalidBearing(
+                f"material {self.name}: poisson_ratio must lie between -1 and 0.5, "
+                f"got {self.poisson_ratio!r}"
+            )
+
+    @property
+    def shear_modulus(self) -> float:
+        """G = E / (2 (1 + ν)) [Pa]."""
+        return self.young_modulus / (2.0 * (1.0 + self.poisson_ratio))
+
+    @property
+    def contact_compliance(self) -> float:
+        """(1 − ν²) / E, the share of this body in a Hertzian contact [1/Pa]."""
+        return (1.0 - self.poisson_ratio**2) / self.young_modulus
+
+
+STEEL = Material("bearing steel", 206e9, 0.3, 7800.0)
+SILICON_NITRIDE = Material("silicon nitride", 315e9, 0.26, 3190.0)

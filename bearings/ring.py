@@ -1,0 +1,99 @@
+"""How the balls around a ring add up: groove centres from ring displacement, ring load from balls.
+
+A ring's displacement is d = (δx, δy, δz, θy, θz), its load f = (Fx, Fy, Fz, My, Mz); ball k sits
+at ψ = 2πk/z, from y towards z.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.geometry import Geometry
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Ring:
+    """The balls that need solving and how they map to the five freedoms.
+
+    ``spread`` (2, 5, n): A = A₀ + spread·d. ``gather`` (5, 3, n): f = Σ gather·action.
+    ``pairs`` (6·n, 25): K = Σ action-by-A (6·n) · pairs. With ``balls`` = 1 the one ball stands for
+    all of an axially loaded bearing.
+    """
+
+    spread: Array
+    gather: Array
+    pairs: Array
+
+    @property
+    def balls(self) -> int:
+        """Balls that are solved."""
+        return self.spread.shape[-1]
+
+    def centres(self, start: Array, displacement: Array) -> Array:
+        """A (2, states, balls) from A₀ (2, states) and d (states, 5)."""
+        moved = np.einsum("cjn,sj->csn", self.spread, displacement)
+        return start[:, :, None] + moved
+
+    def load(self, action: Array) -> Array:
+        """f (states, 5) from ball actions (3, states, balls)."""
+        return np.einsum("ikn,ksn->si", self.gather, action)
+
+    def stiffness(self, action_by_centre: Array) -> Array:
+        """K (states, 5, 5) from ∂action/∂A (3, 2, states, balls)."""
+        states = action_by_centre.shape[2]
+        rows = action_by_centre.transpose(2, 0, 1, 3).reshape(states, -1)
+        return (rows @ self.pairs).reshape(states, 5, 5)
+
+
+@lru_cache(maxsize=256)
+def full_ring(geometry: Geometry) -> Ring:
+    """Every ball on its own."""
+    spread, gather = _maps(geometry)
+    return Ring(spread, gather, _pairs(spread, gather))
+
+
+@lru_cache(maxsize=256)
+def axial_ring(geometry: Geometry) -> Ring:
+    """One ball for all: the displacement is purely axial, the tangent is not.
+
+    Sums over the ball angles that vanish for three balls or more are set to exactly zero.
+    """
+    spread, gather = _maps(geometry)
+    rows = _pairs(spread, gather).reshape(6, geometry.balls, 25)
+    total = gather.sum(axis=2, keepdims=True)
+    one = np.zeros((2, 5, 1))
+    one[0, 0] = 1.0
+    return Ring(one, _without_noise(total), _without_noise(rows.sum(axis=1)))
+
+
+def _maps(geometry: Geometry) -> tuple[Array, Array]:
+    angle = 2.0 * np.pi * np.arange(geometry.balls) / geometry.balls
+    sin, cos, zero = np.sin(angle), np.cos(angle), np.zeros_like(angle)
+    one, radius = zero + 1.0, geometry.centre_radius
+    spread = np.array(
+        [[one, zero, zero, radius * sin, -radius * cos], [zero, cos, sin, zero, zero]]
+    )
+    gather = np.array(
+        [
+            [one, zero, zero],
+            [zero, cos, zero],
+            [zero, sin, zero],
+            [zero, zero, sin],
+            [zero, zero, -cos],
+        ]
+    )
+    return spread, gather
+
+
+def _pairs(spread: Array, gather: Array) -> Array:
+    return np.einsum("ikn,cjn->kcnij", gather, spread).reshape(-1, 25)
+
+
+def _without_noise(sums: Array) -> Array:
+    return np.where(np.abs(sums) > 1e-9 * np.abs(sums).max(), sums, 0.0)

@@ -1,0 +1,132 @@
+"""What the analyses answer: frozen arrays that know their dimensions and units, nothing else.
+
+Dimensions: ``speed`` [rad/s], ``bearing``, ``sleeve``, ``body``, ``mode``, ``frequency`` [Hz],
+``pair``, ``variant``, ``force`` [N], ``node``, ``dof``. A value that does not exist is NaN only
+where an ``outcome`` of the same speed, or the label of the same mode, says why.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis.result import coordinate, quantity
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Flags = NDArray[np.bool_]
+Words = tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class PreloadResult:
+    """The dynamic preload state; bearings in their own frames (x loads the balls)."""
+
+    speed: Array = coordinate("speed", unit="rad/s", label="speed")
+    bearing: Words = coordinate("bearing", unit="", label="bearing")
+    sleeve: Words = coordinate("sleeve", unit="", label="sleeve")
+    body: Words = coordinate("body", unit="", label="body")
+    dof: Words = coordinate("dof", unit="", label="freedom")
+    dof_other: Words = coordinate("dof_other", unit="", label="freedom")
+    outcome: Words = quantity("speed", unit="", label="outcome")
+    axial_load: Array = quantity("speed", "bearing", unit="N", label="axial load")
+    deflection: Array = quantity("speed", "bearing", unit="m", label="axial deflection")
+    stiffness: Array = quantity(
+        "speed", "bearing", "dof", "dof_other", unit="N/m, N/rad, N·m/rad", label="stiffness"
+    )
+    inner_angle: Array = quantity("speed", "bearing", unit="rad", label="inner contact angle")
+    outer_angle: Array = quantity("speed", "bearing", unit="rad", label="outer contact angle")
+    inner_load: Array = quantity("speed", "bearing", unit="N", label="inner ball load")
+    outer_load: Array = quantity("speed", "bearing", unit="N", label="outer ball load")
+    inner_pressure: Array = quantity("speed", "bearing", unit="Pa", label="inner peak pressure")
+    outer_pressure: Array = quantity("speed", "bearing", unit="Pa", label="outer peak pressure")
+    centrifugal_force: Array = quantity("speed", "bearing", unit="N", label="centrifugal force")
+    gyroscopic_moment: Array = quantity("speed", "bearing", unit="N·m", label="gyroscopic moment")
+    inner_grip: Array = quantity("speed", "bearing", unit="1", label="grip needed, inner race")
+    outer_grip: Array = quantity("speed", "bearing", unit="1", label="grip needed, outer race")
+    growth: Array = quantity("speed", "bearing", unit="m", label="ring growth")
+    speed_factor: Array = quantity("speed", "bearing", unit="mm/min", label="speed factor n·dm")
+    position: Array = quantity("speed", "body", unit="m", label="axial shift from rest")
+    spring_force: Array = quantity("speed", "sleeve", unit="N", label="spring force")
+    stop_force: Array = quantity("speed", "sleeve", unit="N", label="stop force")
+    stop_reached: Flags = quantity("speed", "sleeve", unit="", label="stop reached")
+    stop_speed: Array = quantity("sleeve", unit="rad/s", label="speed at which the stop is reached")
+
+
+@dataclass(frozen=True)
+class CampbellResult:
+    """Damped modes over speed, each followed by its shape.
+
+    ``whirl``: +1 forward, −1 backward, 0 none (axial, torsion, or planar motion).
+    ``kind``: ``"bending"``, ``"axial"`` or ``"torsion"``. ``shape``: displacements of the nodes at
+    the speeds ``shape_speed``, scaled to a largest translation (or rotation) of 1, complex.
+    """
+
+    speed: Array = coordinate("speed", unit="rad/s", label="speed")
+    mode: Words = coordinate("mode", unit="", label="mode")
+    node: Array = coordinate("node", unit="m", label="station")
+    dof: Words = coordinate("dof", unit="", label="freedom")
+    shape_speed: Array = coordinate("shape_speed", unit="rad/s", label="speed of the shapes")
+    critical: Words = coordinate("critical", unit="", label="critical speed")
+    outcome: Words = quantity("speed", unit="", label="outcome")
+    frequency: Array = quantity("speed", "mode", unit="Hz", label="damped frequency")
+    damping_ratio: Array = quantity("speed", "mode", unit="1", label="damping ratio")
+    whirl: Array = quantity("speed", "mode", unit="1", label="whirl direction")
+    kind: Words = quantity("mode", unit="", label="kind")
+    shape: Complex = quantity("shape_speed", "mode", "node", "dof", unit="1", label="mode shape")
+    critical_speed: Array = quantity("critical", unit="rad/s", label="critical speed, 1× rotation")
+
+
+@dataclass(frozen=True)
+class FrfResult:
+    """Complex receptance at independent speed and frequency; ``pair`` reads ``out / in``."""
+
+    speed: Array = coordinate("speed", unit="rad/s", label="speed")
+    frequency: Array = coordinate("frequency", unit="Hz", label="frequency")
+    pair: Words = coordinate("pair", unit="", label="response / excitation")
+    outcome: Words = quantity("speed", unit="", label="outcome")
+    receptance: Complex = quantity(
+        "speed", "pair", "frequency", unit="m/N, rad/N, rad/(N·m)", label="receptance"
+    )
+    is_slice: Flags = quantity("speed", unit="", label="drawn as slice")
+
+
+@dataclass(frozen=True)
+class StiffnessResult:
+    """Deflection of a point under a radial force, for each way of modelling the bearings."""
+
+    speed: Array = coordinate("speed", unit="rad/s", label="speed")
+    variant: Words = coordinate("variant", unit="", label="bearing model")
+    force: Array = coordinate("force", unit="N", label="radial force")
+    outcome: Words = quantity("speed", unit="", label="outcome")
+    deflection: Array = quantity("speed", "variant", "force", unit="m", label="deflection")
+    tangent: Array = quantity("speed", "variant", unit="N/m", label="tangent stiffness at no load")
+    secant: Array = quantity("speed", "variant", unit="N/m", label="secant stiffness at full load")
+
+
+@dataclass(frozen=True)
+class BearingMapResult:
+    """A single bearing under axial load and speed, its tilts blocked."""
+
+    speed: Array = coordinate("speed", unit="rad/s", label="speed")
+    load: Array = coordinate("load", unit="N", label="axial load")
+    dof: Words = coordinate("dof", unit="", label="freedom")
+    dof_other: Words = coordinate("dof_other", unit="", label="freedom")
+    outcome: NDArray[np.str_] = quantity("speed", "load", unit="", label="outcome")
+    deflection: Array = quantity("speed", "load", unit="m", label="axial deflection")
+    stiffness: Array = quantity(
+        "speed", "load", "dof", "dof_other", unit="N/m, N/rad, N·m/rad", label="stiffness"
+    )
+    inner_angle: Array = quantity("speed", "load", unit="rad", label="inner contact angle")
+    outer_angle: Array = quantity("speed", "load", unit="rad", label="outer contact angle")
+    inner_load: Array = quantity("speed", "load", unit="N", label="inner ball load")
+    outer_load: Array = quantity("speed", "load", unit="N", label="outer ball load")
+    inner_pressure: Array = quantity("speed", "load", unit="Pa", label="inner peak pressure")
+    outer_pressure: Array = quantity("speed", "load", unit="Pa", label="outer peak pressure")
+    centrifugal_force: Array = quantity("speed", "load", unit="N", label="centrifugal force")
+    gyroscopic_moment: Array = quantity("speed", "load", unit="N·m", label="gyroscopic moment")
+
+
+Result = PreloadResult | CampbellResult | FrfResult | StiffnessResult | BearingMapResult

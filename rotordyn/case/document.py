@@ -1,0 +1,221 @@
+"""Reads one YAML file into nodes that know their line and column.
+
+The composer works on parse events and holds its own stack limit, so that neither deep nesting nor
+an alias that multiplies itself can exhaust the machine. Duplicate keys, tags, further documents
+and anything that is not text are faults.
+"""
+
+from __future__ import annotations
+
+import os
+import stat
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import yaml
+
+from rotordyn.case.node import Node, set_paths
+from rotordyn.case.scalars import resolve
+from rotordyn.errors import Fault
+
+MAX_BYTES = 4_000_000
+MAX_DEPTH = 40
+MAX_VALUES = 200_000
+
+_LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
+
+
+def read_document(path: Path, faults: list[Fault], contents: dict[Path, bytes]) -> Node | None:
+    """The root mapping of a YAML file, or None when ``faults`` says why there is none.
+
+    ``contents`` receives the bytes read, by path.
+    """
+    file = shown(path)
+    try:
+        raw = _bytes(path)
+        contents[path] = raw
+        return _Composer(file, faults).root(_text(raw))
+    except _Refused as refusal:
+        faults.append(Fault(file, refusal.line, refusal.column, "", refusal.message))
+    return None
+
+
+def shown(path: Path) -> str:
+    """A path as printed: relative to the working directory where it lies below it."""
+    try:
+        return str(path.absolute().relative_to(Path.cwd()))
+    except (ValueError, OSError):
+        return str(path)
+
+
+class _Refused(Exception):
+    def __init__(self, message: str, line: int = 0, column: int = 0) -> None:
+        self.message, self.line, self.column = message, line, column
+
+
+def _bytes(path: Path) -> bytes:
+    try:
+        status = os.stat(path)
+        if stat.S_ISDIR(status.st_mode):
+            raise _Refused("is a directory: a YAML file is needed")
+        if not stat.S_ISREG(status.st_mode):
+            raise _Refused("is not a regular file: a YAML file is needed")
+        if status.st_size > MAX_BYTES:
+            raise _Refused(f"has {status.st_size} bytes: allowed are up to {MAX_BYTES}")
+        return path.read_bytes()
+    except FileNotFoundError:
+        raise _Refused(f"no such file{_neighbour(path)}") from None
+    except (OSError, ValueError) as error:
+        reason = getattr(error, "strerror", None) or "not a usable file name"
+        raise _Refused(f"cannot be read: {reason}") from None
+
+
+def _neighbour(path: Path) -> str:
+    import difflib
+
+    try:
+        names = [entry.name for entry in path.parent.iterdir() if entry.suffix == ".yaml"]
+    except (OSError, ValueError):
+        return ""
+    close = difflib.get_close_matches(path.name, names, n=1)
+    return f" (did you mean {shown(path.parent / close[0])}?)" if close else ""
+
+
+def _text(raw: bytes) -> str:
+    try:
+        text = raw.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = raw.count(b"\n", 0, error.start) + 1
+        raise _Refused(
+            f"is not text in UTF-8: byte 0x{raw[error.start]:02x} cannot be read", line, 1
+        ) from None
+    if "\0" in text:
+        raise _Refused("is a binary file: a YAML text file is needed")
+    if not text.strip():
+        raise _Refused("the file is empty: a mapping (key: value) is needed")
+    return text
+
+
+class _Composer:
+    """Builds nodes from the parse events of one document."""
+
+    def __init__(self, file: str, faults: list[Fault]) -> None:
+        self.file = file
+        self.faults = faults
+        self.anchors: dict[str, Node | None] = {}
+
+    def root(self, text: str) -> Node | None:
+        """The root node, a mapping; raises _Refused where the text is not usable."""
+        try:
+            self.events = iter(list(yaml.parse(text, Loader=_LOADER)))
+        except (yaml.YAMLError, RecursionError) as error:
+            raise self._not_yaml(error) from None
+        root = self._document()
+        if root is None:
+            raise _Refused("the file is empty: a mapping (key: value) is needed")
+        if not isinstance(root.value, dict):
+            raise self._refused(f"the file must hold a mapping (key: value), not {_kind(root)}", root)
+        set_paths(root)
+        return root
+
+    def _document(self) -> Node | None:
+        root = None
+        for event in self.events:
+            if isinstance(event, yaml.DocumentStartEvent):
+                if root is not None:
+                    raise self._refused("only one YAML document per file is allowed", event)
+                root = self._node(next(self.events), 0)
+        return root
+
+    def _node(self, event: Any, depth: int) -> Node:
+        if depth > MAX_DEPTH:
+            raise self._refused(f"nested deeper than {MAX_DEPTH} levels", event)
+        if isinstance(event, yaml.AliasEvent):
+            return self._alias(event)
+        if event.tag is not None and event.tag != "!":
+            self._fault(f"tags are not allowed: given '{event.tag}'", event)
+        if event.anchor:
+            self.anchors[event.anchor] = None
+        node = self._content(event, depth)
+        if event.anchor:
+            self.anchors[event.anchor] = node
+        return node
+
+    def _content(self, event: Any, depth: int) -> Node:
+        mark = event.start_mark
+        node = Node(None, self.file, mark.line + 1, mark.column + 1)
+        if isinstance(event, yaml.ScalarEvent):
+            node.raw = event.value
+            node.value = resolve(event.value) if event.implicit[0] else event.value
+        elif isinstance(event, yaml.MappingStartEvent):
+            node.value = self._mapping(depth)
+        else:
+            node.value = self._sequence(depth)
+        node.size += sum(child.size for _, child in node.items())
+        if node.size > MAX_VALUES:
+            raise self._refused(f"holds more than {MAX_VALUES} values", event)
+        return node
+
+    def _mapping(self, depth: int) -> dict[str, Node]:
+        entries: dict[str, Node] = {}
+        while not isinstance(event := next(self.events), yaml.MappingEndEvent):
+            key = self._key(event, depth)
+            child = self._node(next(self.events), depth + 1)
+            child.key = (event.start_mark.line + 1, event.start_mark.column + 1)
+            if key in entries:
+                first = (entries[key].key or (0, 0))[0]
+                self._fault(f"duplicate key '{key}': already given in line {first}", event)
+            else:
+                entries[key] = child
+        return entries
+
+    def _key(self, event: Any, depth: int) -> str:
+        if isinstance(event, yaml.ScalarEvent):
+            return str(event.value)
+        self._fault("a key must be a plain word", event)
+        self._node(event, depth + 1)
+        return "?"
+
+    def _sequence(self, depth: int) -> list[Node]:
+        items = []
+        while not isinstance(event := next(self.events), yaml.SequenceEndEvent):
+            items.append(self._node(event, depth + 1))
+        return items
+
+    def _alias(self, event: Any) -> Node:
+        node = self.anchors.get(event.anchor)
+        if node is None:
+            known = event.anchor in self.anchors
+            why = "refers to itself" if known else "has no anchor before it"
+            raise self._refused(f"alias '*{event.anchor}' {why}", event)
+        return replace(node)
+
+    def _refused(self, message: str, place: Any) -> _Refused:
+        return _Refused(message, *_position(place))
+
+    def _fault(self, message: str, place: Any) -> None:
+        self.faults.append(Fault(self.file, *_position(place), "", message))
+
+    def _not_yaml(self, error: Exception) -> _Refused:
+        mark = getattr(error, "problem_mark", None)
+        if mark is None:
+            return _Refused("is not YAML: " + _first_line(error), 1, 1)
+        problem = getattr(error, "problem", None) or "cannot be parsed"
+        context = getattr(error, "context", None)
+        what = f"{problem}, {context}" if context else str(problem)
+        return _Refused(f"is not YAML: {what}", mark.line + 1, mark.column + 1)
+
+
+def _position(place: Any) -> tuple[int, int]:
+    if isinstance(place, Node):
+        return place.line, place.column
+    return place.start_mark.line + 1, place.start_mark.column + 1
+
+
+def _kind(node: Node) -> str:
+    return "a list" if isinstance(node.value, list) else f"'{node.raw[:40]}'"
+
+
+def _first_line(error: Exception) -> str:
+    return (str(error) or "cannot be parsed").splitlines()[0]

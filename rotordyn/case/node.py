@@ -1,0 +1,87 @@
+"""A value read from a file, together with the place it was written at."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+Key = str | int
+
+
+class Unknown:
+    """Stands for a value whose fault is already reported, so that the rest can be checked."""
+
+    def __repr__(self) -> str:
+        return "UNKNOWN"
+
+
+UNKNOWN = Unknown()
+
+
+@dataclass(slots=True)
+class Node:
+    """A scalar, mapping or list of a file.
+
+    ``value``: a scalar, ``dict[str, Node]``, ``list[Node]`` or ``UNKNOWN``. ``line`` and
+    ``column`` count from 1; ``key``: line and column of its key, where it has one; ``path``: its
+    dotted path in ``file``; ``raw``: a scalar as it was written; ``size``: number of values in it.
+    """
+
+    value: Any
+    file: str
+    line: int
+    column: int
+    path: str = ""
+    raw: str = ""
+    key: tuple[int, int] | None = None
+    size: int = 1
+
+    def items(self) -> Iterator[tuple[Key, Node]]:
+        """Children with the key or index each is found by."""
+        if isinstance(self.value, dict):
+            yield from self.value.items()
+        elif isinstance(self.value, list):
+            yield from enumerate(self.value)
+
+    def child(self, key: object) -> Node | None:
+        """The child found by ``key``, or None."""
+        if isinstance(self.value, dict) and isinstance(key, str):
+            return self.value.get(key)
+        if isinstance(self.value, list) and isinstance(key, int) and 0 <= key < len(self.value):
+            return self.value[key]
+        return None
+
+    def at(self, *keys: object) -> Node:
+        """The deepest node on the way ``keys``; a key that does not exist is passed over."""
+        node = self
+        for key in keys:
+            node = node.child(key) or node
+        return node
+
+    def plain(self) -> Any:
+        """The bare value: scalars, dicts and lists, for validation."""
+        if isinstance(self.value, dict):
+            return {key: child.plain() for key, child in self.value.items()}
+        if isinstance(self.value, list):
+            return [child.plain() for child in self.value]
+        return self.value
+
+
+def joined(path: str, key: Key) -> str:
+    """``path`` extended by a key or by an index in brackets."""
+    if isinstance(key, int):
+        return f"{path}[{key}]"
+    return f"{path}.{key}" if path else key
+
+
+def set_paths(node: Node, path: str = "") -> None:
+    """Write into each node its path; items of a list go by their ``name`` where they have one."""
+    node.path = path
+    for key, child in node.items():
+        set_paths(child, joined(path, _label(child, key)))
+
+
+def _label(child: Node, key: Key) -> Key:
+    name = child.at("name").value if isinstance(key, int) else None
+    return name if isinstance(name, str) and name else key

@@ -1,0 +1,61 @@
+"""What can go wrong, and which exit code it becomes.
+
+RotordynError
+├── InvalidInput      exit 2   every fault found in the input, all at once
+│   └── OutputRefused exit 2   the results folder is not ours to replace
+└── NoSolution        exit 3   no speed of the case has a physical solution
+
+Errors of the ``bearings`` package pass through; ``exit_code`` knows them too. Anything else is a
+bug of ours and exits with 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+from bearings.errors import BearingError, InvalidBearing
+
+
+@dataclass(frozen=True, slots=True)
+class Fault:
+    """One thing wrong with an input file: ``file:line:column: path: message``."""
+
+    file: str
+    line: int
+    column: int
+    path: str
+    message: str
+
+    def __str__(self) -> str:
+        where = f"{self.file}:{self.line}:{self.column}" if self.line else self.file
+        return f"{where}: {self.path}: {self.message}" if self.path else f"{where}: {self.message}"
+
+
+class RotordynError(Exception):
+    """Root of every error raised on purpose by ``rotordyn``."""
+
+
+class InvalidInput(RotordynError):
+    """The input cannot be used; ``faults`` lists every reason found."""
+
+    def __init__(self, faults: Sequence[Fault] | str) -> None:
+        self.faults: tuple[Fault, ...] = () if isinstance(faults, str) else tuple(faults)
+        super().__init__(faults if isinstance(faults, str) else "\n".join(map(str, faults)))
+
+
+class OutputRefused(InvalidInput):
+    """The results folder exists and was not made by rotordyn."""
+
+
+class NoSolution(RotordynError):
+    """No speed asked for has a physical solution."""
+
+
+def exit_code(error: BaseException) -> int:
+    """Process exit code for an error (0 is never returned)."""
+    if isinstance(error, InvalidInput | InvalidBearing):
+        return 2
+    if isinstance(error, NoSolution | BearingError):
+        return 3
+    return 1

@@ -1,0 +1,213 @@
+"""Quantities with units: the only door between what people write and SI numbers.
+
+``"24000 rpm"`` becomes 2513.27 (rad/s) where a speed is wanted and is refused where a frequency is.
+A unit is a product of named units with powers; each is a power of ten, a factor and a dimension
+over (metre, kilogram, second, radian, cycle). Radian and cycle are dimensions here, so that
+speed [rad/s] and frequency [cycle/s = Hz], or N/m and N/rad, cannot be mistaken for one another.
+"""
+
+from __future__ import annotations
+
+import difflib
+import math
+import re
+from dataclasses import dataclass
+from functools import lru_cache
+
+from rotordyn.errors import InvalidInput
+
+Dimension = tuple[int, int, int, int, int]
+
+NONE: Dimension = (0, 0, 0, 0, 0)
+
+
+@dataclass(frozen=True, slots=True)
+class Unit:
+    """One SI-coherent scale: value [SI] = number · 10^``exponent`` · ``factor``."""
+
+    exponent: int
+    factor: float
+    dimension: Dimension
+
+    @property
+    def scale(self) -> float:
+        """SI value of one of this unit."""
+        return float(f"1e{self.exponent}") * self.factor
+
+
+_NAMED: dict[str, Unit] = {
+    "m": Unit(0, 1.0, (1, 0, 0, 0, 0)),
+    "g": Unit(-3, 1.0, (0, 1, 0, 0, 0)),
+    "s": Unit(0, 1.0, (0, 0, 1, 0, 0)),
+    "min": Unit(0, 60.0, (0, 0, 1, 0, 0)),
+    "rad": Unit(0, 1.0, (0, 0, 0, 1, 0)),
+    "deg": Unit(0, math.pi / 180.0, (0, 0, 0, 1, 0)),
+    "rpm": Unit(0, math.pi / 30.0, (0, 0, -1, 1, 0)),
+    "Hz": Unit(0, 1.0, (0, 0, -1, 0, 1)),
+    "N": Unit(0, 1.0, (1, 1, -2, 0, 0)),
+    "Pa": Unit(0, 1.0, (-1, 1, -2, 0, 0)),
+    "%": Unit(-2, 1.0, NONE),
+}
+_PREFIXES = {"G": 9, "M": 6, "k": 3, "c": -2, "m": -3, "u": -6, "n": -9}
+_PREFIXED = ("m", "g", "s", "rad", "Hz", "N", "Pa")
+_WHOLE = {"1/min": "rpm", "min^-1": "rpm", "r/min": "rpm", "rev/min": "rpm"}
+_SPELLING = str.maketrans({"µ": "u", "μ": "u", "·": "*", "⋅": "*", "×": "*", "°": "deg"})
+_POWERS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
+
+# What may be asked for, and the units an error message offers; the dimension follows from them.
+KINDS: dict[str, tuple[str, ...]] = {
+    "number": ("",),
+    "ratio": ("%", ""),
+    "length": ("m", "mm", "um"),
+    "angle": ("deg", "rad"),
+    "speed": ("rpm", "rad/s", "1/min"),
+    "frequency": ("Hz", "kHz"),
+    "force": ("N", "kN"),
+    "mass": ("kg", "g"),
+    "inertia": ("kg m^2", "kg mm^2"),
+    "pressure": ("Pa", "MPa", "GPa"),
+    "density": ("kg/m^3", "g/cm^3"),
+    "stiffness": ("N/m", "N/mm", "N/um", "kN/mm", "MN/m"),
+    "coupling stiffness": ("N/rad", "kN/rad", "N"),
+    "tilt stiffness": ("N m/rad", "kN m/rad"),
+    "damping": ("N s/m", "kN s/m"),
+    "coupling damping": ("N s/rad", "N s"),
+    "tilt damping": ("N m s/rad",),
+}
+
+_NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+))(?:[eE]([+-]?\d{1,4}))?(?![\d.,eE])\s*(.*)", re.S)
+_FACTOR = re.compile(r"\s*([*/]?)\s*([A-Za-z]+|%)(?:(?:\^|\*\*)([+-]?\d{1,2}))?")
+
+
+def parse(given: object, kind: str) -> float:
+    """SI value of ``given`` (text such as ``"6.2 N/um"``, or a number) as a quantity of ``kind``.
+
+    ``kind`` is a key of ``KINDS``. Raises InvalidInput with a sentence that names what was given
+    and what is allowed: no number, no unit, an unknown one, one of another kind, not finite.
+    """
+    if isinstance(given, bool) or not isinstance(given, str | int | float):
+        raise InvalidInput(f"expected {kind}: given {_shown(given)}; {_allowed(kind)}")
+    match = _NUMBER.fullmatch(str(given))
+    if match is None:
+        raise InvalidInput(f"not a finite number: given {_shown(given)}; {_allowed(kind)}")
+    mantissa, exponent, text = match.groups()
+    unit = _unit_for(kind, text.strip(), given)
+    value = float(f"{mantissa}e{int(exponent or 0) + unit.exponent}") * unit.factor
+    if not math.isfinite(value):
+        raise InvalidInput(f"too large a number: given {_shown(given)}")
+    return value
+
+
+def _unit_for(kind: str, text: str, given: object) -> Unit:
+    if not text and "" not in KINDS[kind]:
+        raise InvalidInput(f"unit missing ({kind}): given {_shown(given)}; {_allowed(kind)}")
+    try:
+        unit = parse_unit(text)
+    except InvalidInput:
+        raise InvalidInput(
+            f"unknown unit '{text}': given {_shown(given)}; {_allowed(kind)}{_hint(text, kind)}"
+        ) from None
+    if unit.dimension not in _dimensions(kind):
+        raise InvalidInput(
+            f"'{text}' is not a unit of {kind}: given {_shown(given)}; {_allowed(kind)}"
+        )
+    return unit
+
+
+@lru_cache(maxsize=256)
+def parse_unit(text: str) -> Unit:
+    """The unit spelled by ``text``; raises InvalidInput where it has none or an unknown one.
+
+    A slash divides by the one factor after it; µ, μ or u, a dot, star or space, ² or ^2 all do.
+    """
+    spelling = _normal(text)
+    spelling = _WHOLE.get(spelling.replace(" ", ""), spelling)
+    exponent, factor, dimension, position = 0, 1.0, NONE, 0
+    while position < len(spelling):
+        match = _FACTOR.match(spelling, position)
+        if match is None or (position == 0 and match[1]):
+            raise InvalidInput(f"unknown unit '{text}'")
+        named = _named(match[2], text)
+        power = int(match[3] or 1) * (-1 if match[1] == "/" else 1)
+        exponent += power * named.exponent
+        factor *= named.factor**power
+        dimension = _plus(dimension, named.dimension, power)
+        position = match.end()
+    return Unit(exponent, factor, dimension)
+
+
+def _named(name: str, whole: str) -> Unit:
+    if name in _NAMED:
+        return _NAMED[name]
+    prefix, stem = name[:1], name[1:]
+    if prefix in _PREFIXES and stem in _PREFIXED:
+        base = _NAMED[stem]
+        return Unit(base.exponent + _PREFIXES[prefix], base.factor, base.dimension)
+    raise InvalidInput(f"unknown unit '{name}' in '{whole}'")
+
+
+def in_unit(value: float, unit: str) -> float:
+    """``value`` [SI] counted in ``unit``: ``in_unit(2513.27, "rpm")`` is 24000."""
+    return value / parse_unit(unit).scale
+
+
+def format_quantity(value: float, unit: str, digits: int = 4) -> str:
+    """``value`` [SI] as people write it, to so many significant digits: ``"56.30 N/µm"``."""
+    number = in_unit(value, unit)
+    return f"{_significant(number, digits)} {pretty_unit(unit)}".rstrip()
+
+
+def pretty_unit(unit: str) -> str:
+    """A unit as printed on an axis: ``"kg mm^2"`` becomes ``"kg·mm²"``."""
+    text = re.sub(r"\bu(?=[a-zA-Z])", "µ", _normal(unit)).replace("*", "·").replace(" ", "·")
+    return re.sub(r"\^([23])", lambda m: "²" if m[1] == "2" else "³", text)
+
+
+def _significant(number: float, digits: int) -> str:
+    if number == 0.0 or not math.isfinite(number):
+        return f"{number:g}"
+    magnitude = math.floor(math.log10(abs(number)))
+    if not -4 <= magnitude < 9:
+        return f"{number:.{digits - 1}e}"
+    return f"{number:.{max(0, digits - 1 - magnitude)}f}"
+
+
+def _normal(text: str) -> str:
+    marked = re.sub(r"([⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)", lambda m: "^" + m[1].translate(_POWERS), text)
+    return re.sub(r"\s+", " ", marked.translate(_SPELLING)).strip()
+
+
+def _plus(left: Dimension, right: Dimension, power: int) -> Dimension:
+    m, kg, s, rad, cycle = (a + power * b for a, b in zip(left, right, strict=True))
+    return m, kg, s, rad, cycle
+
+
+@lru_cache(maxsize=None)
+def _dimensions(kind: str) -> frozenset[Dimension]:
+    return frozenset(parse_unit(unit).dimension for unit in KINDS[kind])
+
+
+def _allowed(kind: str) -> str:
+    names = [unit or "a plain number" for unit in KINDS[kind]]
+    return f"allowed: {', '.join(names)}"
+
+
+def _hint(text: str, kind: str) -> str:
+    units = {unit.lower(): unit for unit in KINDS[kind]}
+    close = difflib.get_close_matches(_normal(text).lower(), list(units), n=1, cutoff=0.5)
+    return f" (did you mean {units[close[0]]}?)" if close else ""
+
+
+def _shown(given: object) -> str:
+    if given is None:
+        return "nothing"
+    text = given if isinstance(given, str) else _words(given)
+    return f"'{text if len(text) <= 40 else text[:37] + '...'}'"
+
+
+def _words(given: object) -> str:
+    if isinstance(given, bool):
+        return "true" if given else "false"
+    if isinstance(given, dict):
+        return "a mapping"
+    return "a list" if isinstance(given, list | tuple) else str(given)
