@@ -86,30 +86,30 @@ def parse(given: object, kind: str) -> float:
     and what is allowed: no number, no unit, an unknown one, one of another kind, not finite.
     """
     if isinstance(given, bool) or not isinstance(given, str | int | float):
-        raise InvalidInput(f"expected {kind}: given {_shown(given)}; {_allowed(kind)}")
+        raise InvalidInput(f"expected {kind}: given {shown(given)}; {_allowed(kind)}")
     match = _NUMBER.fullmatch(str(given))
     if match is None:
-        raise InvalidInput(f"not a finite number: given {_shown(given)}; {_allowed(kind)}")
+        raise InvalidInput(f"not a finite number: given {shown(given)}; {_allowed(kind)}")
     mantissa, exponent, text = match.groups()
     unit = _unit_for(kind, text.strip(), given)
     value = float(f"{mantissa}e{int(exponent or 0) + unit.exponent}") * unit.factor
     if not math.isfinite(value):
-        raise InvalidInput(f"too large a number: given {_shown(given)}")
+        raise InvalidInput(f"too large a number: given {shown(given)}")
     return value
 
 
 def _unit_for(kind: str, text: str, given: object) -> Unit:
     if not text and "" not in KINDS[kind]:
-        raise InvalidInput(f"unit missing ({kind}): given {_shown(given)}; {_allowed(kind)}")
+        raise InvalidInput(f"unit missing ({kind}): given {shown(given)}; {_allowed(kind)}")
     try:
         unit = parse_unit(text)
     except InvalidInput:
         raise InvalidInput(
-            f"unknown unit '{text}': given {_shown(given)}; {_allowed(kind)}{_hint(text, kind)}"
+            f"unknown unit '{text}': given {shown(given)}; {_allowed(kind)}{_hint(text, kind)}"
         ) from None
     if unit.dimension not in _dimensions(kind):
         raise InvalidInput(
-            f"'{text}' is not a unit of {kind}: given {_shown(given)}; {_allowed(kind)}"
+            f"'{text}' is not a unit of {kind}: given {shown(given)}; {_allowed(kind)}"
         )
     return unit
 
@@ -198,16 +198,13 @@ def _hint(text: str, kind: str) -> str:
     return f" (did you mean {units[close[0]]}?)" if close else ""
 
 
-def _shown(given: object) -> str:
+def shown(given: object) -> str:
+    """A value as quoted in a message, cut to a readable length."""
     if given is None:
         return "nothing"
-    text = given if isinstance(given, str) else _words(given)
-    return f"'{text if len(text) <= 40 else text[:37] + '...'}'"
-
-
-def _words(given: object) -> str:
-    if isinstance(given, bool):
-        return "true" if given else "false"
     if isinstance(given, dict):
         return "a mapping"
-    return "a list" if isinstance(given, list | tuple) else str(given)
+    if isinstance(given, list | tuple):
+        return "a list"
+    text = str(given).lower() if isinstance(given, bool) else str(given)
+    return f"'{text if len(text) <= 40 else text[:37] + '...'}'"

@@ -7,26 +7,27 @@ and anything that is not text are faults.
 
 from __future__ import annotations
 
+import difflib
 import os
 import stat
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import yaml
 
+from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node, set_paths
 from rotordyn.case.scalars import resolve
 from rotordyn.errors import Fault
 
 MAX_BYTES = 4_000_000
 MAX_DEPTH = 40
-MAX_VALUES = 200_000
+MAX_VALUES = 100_000
 
 _LOADER: Any = getattr(yaml, "CSafeLoader", yaml.SafeLoader)
 
 
-def read_document(path: Path, faults: list[Fault], contents: dict[Path, bytes]) -> Node | None:
+def read_document(path: Path, faults: Faults, contents: dict[Path, bytes]) -> Node | None:
     """The root mapping of a YAML file, or None when ``faults`` says why there is none.
 
     ``contents`` receives the bytes read, by path.
@@ -37,7 +38,7 @@ def read_document(path: Path, faults: list[Fault], contents: dict[Path, bytes]) 
         contents[path] = raw
         return _Composer(file, faults).root(_text(raw))
     except _Refused as refusal:
-        faults.append(Fault(file, refusal.line, refusal.column, "", refusal.message))
+        faults.add(Fault(file, refusal.line, refusal.column, "", refusal.message))
     return None
 
 
@@ -72,8 +73,6 @@ def _bytes(path: Path) -> bytes:
 
 
 def _neighbour(path: Path) -> str:
-    import difflib
-
     try:
         names = [entry.name for entry in path.parent.iterdir() if entry.suffix == ".yaml"]
     except (OSError, ValueError):
@@ -100,19 +99,20 @@ def _text(raw: bytes) -> str:
 class _Composer:
     """Builds nodes from the parse events of one document."""
 
-    def __init__(self, file: str, faults: list[Fault]) -> None:
+    def __init__(self, file: str, faults: Faults) -> None:
         self.file = file
         self.faults = faults
         self.anchors: dict[str, Node | None] = {}
+        self.values = 0
 
     def root(self, text: str) -> Node | None:
         """The root node, a mapping; raises _Refused where the text is not usable."""
+        self.events = yaml.parse(text, Loader=_LOADER)
         try:
-            self.events = iter(list(yaml.parse(text, Loader=_LOADER)))
-        except (yaml.YAMLError, RecursionError) as error:
-            raise self._not_yaml(error) from None
-        root = self._document()
-        if root is None:
+            root = self._document()
+        except yaml.YAMLError as error:
+            raise _not_yaml(error) from None
+        if root is None or root.value is None:
             raise _Refused("the file is empty: a mapping (key: value) is needed")
         if not isinstance(root.value, dict):
             raise self._refused(f"the file must hold a mapping (key: value), not {_kind(root)}", root)
@@ -153,9 +153,13 @@ class _Composer:
         else:
             node.value = self._sequence(depth)
         node.size += sum(child.size for _, child in node.items())
-        if node.size > MAX_VALUES:
-            raise self._refused(f"holds more than {MAX_VALUES} values", event)
+        self._count(1, event)
         return node
+
+    def _count(self, values: int, event: Any) -> None:
+        self.values += values
+        if self.values > MAX_VALUES:
+            raise self._refused(f"holds more than {MAX_VALUES} values", event)
 
     def _mapping(self, depth: int) -> dict[str, Node]:
         entries: dict[str, Node] = {}
@@ -189,22 +193,24 @@ class _Composer:
             known = event.anchor in self.anchors
             why = "refers to itself" if known else "has no anchor before it"
             raise self._refused(f"alias '*{event.anchor}' {why}", event)
-        return replace(node)
+        self._count(node.size, event)
+        return node.copy()
 
     def _refused(self, message: str, place: Any) -> _Refused:
         return _Refused(message, *_position(place))
 
     def _fault(self, message: str, place: Any) -> None:
-        self.faults.append(Fault(self.file, *_position(place), "", message))
+        self.faults.add(Fault(self.file, *_position(place), "", message))
 
-    def _not_yaml(self, error: Exception) -> _Refused:
-        mark = getattr(error, "problem_mark", None)
-        if mark is None:
-            return _Refused("is not YAML: " + _first_line(error), 1, 1)
-        problem = getattr(error, "problem", None) or "cannot be parsed"
-        context = getattr(error, "context", None)
-        what = f"{problem}, {context}" if context else str(problem)
-        return _Refused(f"is not YAML: {what}", mark.line + 1, mark.column + 1)
+
+def _not_yaml(error: Exception) -> _Refused:
+    mark = getattr(error, "problem_mark", None)
+    if mark is None:
+        return _Refused("is not YAML: " + (str(error) or "cannot be parsed").splitlines()[0], 1, 1)
+    problem = getattr(error, "problem", None) or "cannot be parsed"
+    context = getattr(error, "context", None)
+    what = f"{problem}, {context}" if context else str(problem)
+    return _Refused(f"is not YAML: {what}", mark.line + 1, mark.column + 1)
 
 
 def _position(place: Any) -> tuple[int, int]:
@@ -215,7 +221,3 @@ def _position(place: Any) -> tuple[int, int]:
 
 def _kind(node: Node) -> str:
     return "a list" if isinstance(node.value, list) else f"'{node.raw[:40]}'"
-
-
-def _first_line(error: Exception) -> str:
-    return (str(error) or "cannot be parsed").splitlines()[0]

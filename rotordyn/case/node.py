@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 Key = str | int
@@ -58,6 +58,15 @@ class Node:
         for key in keys:
             node = node.child(key) or node
         return node
+
+    def copy(self) -> Node:
+        """The same with mappings and lists of its own, free to be changed."""
+        value = self.value
+        if isinstance(value, dict):
+            value = {key: child.copy() for key, child in value.items()}
+        elif isinstance(value, list):
+            value = [child.copy() for child in value]
+        return replace(self, value=value)
 
     def plain(self) -> Any:
         """The bare value: scalars, dicts and lists, for validation."""

@@ -157,8 +157,10 @@ class BallBearingOracle:
 
     def azimuths(self, single: bool = False) -> NDArray:
         """ψ of the balls, or of one ball that stands for all."""
-        return np.zeros(1) if single else 2 * np.pi / self.bearing.balls * np.arange(
-            self.bearing.balls
+        return (
+            np.zeros(1)
+            if single
+            else 2 * np.pi / self.bearing.balls * np.arange(self.bearing.balls)
         )
 
     def centres(self, d: NDArray, psi: NDArray) -> tuple[NDArray, NDArray]:
@@ -174,8 +176,10 @@ class BallBearingOracle:
         qi = self.inner.k * np.maximum(di, 0.0) ** 1.5
         qo = self.outer.k * np.maximum(do, 0.0) ** 1.5
         # C = Qi ai Ei / (Qo ao Eo), a = a1 Q^(1/3)
-        c = (qi / np.maximum(qo, 1e-30)) ** (4 / 3) * (self.inner.a1 * self.inner.e) / (
-            self.outer.a1 * self.outer.e
+        c = (
+            (qi / np.maximum(qo, 1e-30)) ** (4 / 3)
+            * (self.inner.a1 * self.inner.e)
+            / (self.outer.a1 * self.outer.e)
         )
         orbit, spin, beta = rolling(ai, ao, self.g, c, self.kinematics)
         lost = qi <= 0.0
@@ -198,12 +202,15 @@ class BallBearingOracle:
         si, ci, so, co = np.sin(b["ai"]), np.cos(b["ai"]), np.sin(b["ao"]), np.cos(b["ao"])
         axial = b["qi"] * si - b["qo"] * so + t * (li * ci - lo * co)
         radial = b["qi"] * ci - b["qo"] * co - t * (li * si - lo * so) + b["fc"]
-        return np.array([
-            ((a1 - x1) ** 2 + (a2 - x2) ** 2 - (self.li + di) ** 2) / (2 * self.li * MICROMETRE),
-            (x1**2 + x2**2 - (self.lo + do) ** 2) / (2 * self.lo * MICROMETRE),
-            axial / FORCE,
-            radial / FORCE,
-        ])
+        return np.array(
+            [
+                ((a1 - x1) ** 2 + (a2 - x2) ** 2 - (self.li + di) ** 2)
+                / (2 * self.li * MICROMETRE),
+                (x1**2 + x2**2 - (self.lo + do) ** 2) / (2 * self.lo * MICROMETRE),
+                axial / FORCE,
+                radial / FORCE,
+            ]
+        )
 
     def ring_load(self, b: dict[str, NDArray], psi: NDArray) -> NDArray:
         """(Fx, Fy, Fz, My, Mz) on the inner ring, summed ball by ball as forces and moments."""
@@ -336,10 +343,16 @@ class BallBearingOracle:
         b = self.ball(x, a1, a2, speed)
         count = self.bearing.balls / len(psi)
         return OracleState(
-            load=count * self.ring_load(b, psi), displacement=d,
-            inner_load=b["qi"], outer_load=b["qo"], inner_angle=b["ai"], outer_angle=b["ao"],
-            centrifugal_force=b["fc"], gyroscopic_moment=b["mg"],
-            outer_ring_load=count * self.outer_ring_load(b, psi), unknowns=x,
+            load=count * self.ring_load(b, psi),
+            displacement=d,
+            inner_load=b["qi"],
+            outer_load=b["qo"],
+            inner_angle=b["ai"],
+            outer_angle=b["ao"],
+            centrifugal_force=b["fc"],
+            gyroscopic_moment=b["mg"],
+            outer_ring_load=count * self.outer_ring_load(b, psi),
+            unknowns=x,
         )
 
     def stiffness(self, at: OracleState, speed: float) -> NDArray:
@@ -393,8 +406,13 @@ def _rest_march(fault: Any, u: NDArray, load: NDArray, thrust: NDArray) -> NDArr
     """At rest the load is brought on from pure thrust in twenty steps."""
     for n in range(21):
         blend = (thrust + (load - thrust) * n / 20) / np.where(load == 0.0, 1.0, load)
-        found = root(fault, u, args=(np.where(load == 0.0, 1.0, blend),), method="hybr",
-                     options={"xtol": 1e-13})
+        found = root(
+            fault,
+            u,
+            args=(np.where(load == 0.0, 1.0, blend),),
+            method="hybr",
+            options={"xtol": 1e-13},
+        )
         if np.abs(found.fun).max() > 1e-8:
             raise OracleFailure("no equilibrium at rest")
         u = found.x

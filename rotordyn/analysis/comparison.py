@@ -1,0 +1,90 @@
+"""What was computed, at the speeds of what was published or measured."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis.results import CampbellResult, PreloadResult
+from rotordyn.machine.reference import Reference
+from rotordyn.machine.spindle import Spindle
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class Comparison:
+    """A reference and our ``values`` (SI) for it, one per value of the reference."""
+
+    reference: Reference
+    values: tuple[float, ...]
+
+
+def compare(
+    references: Sequence[Reference], results: Mapping[str, Any], spindle: Spindle | None
+) -> list[Comparison]:
+    """Every reference for which the results hold something to put beside it."""
+    found = []
+    for reference in dict.fromkeys(references):
+        values = _computed(reference, results, spindle)
+        if values is not None and np.isfinite(values).any():
+            found.append(Comparison(reference, tuple(float(v) for v in values)))
+    return found
+
+
+def preload_sum(result: PreloadResult, spindle: Spindle) -> Array:
+    """Axial load [N] that the sleeves carry together, shape (speed,).
+
+    Without sleeves: half the sum over all bearings, which is the load of either direction.
+    """
+    carried = {name for sleeve in spindle.sleeves for name in sleeve.bearings}
+    if not carried:
+        return np.asarray(result.axial_load.sum(axis=1) / 2.0)
+    chosen = [result.bearing.index(name) for name in result.bearing if name in carried]
+    return np.asarray(result.axial_load[:, chosen].sum(axis=1))
+
+
+def bending_frequencies(result: CampbellResult, speed: float) -> Array:
+    """One frequency [Hz] per bending mode at the nearest ``speed``: twins at rest count once."""
+    at = int(np.argmin(np.abs(result.speed - speed)))
+    bending = np.array([kind == "bending" for kind in result.kind], bool)
+    forward = result.whirl[at] >= 0.0
+    moving = result.speed[at] > 0.0
+    values = np.sort(result.frequency[at, bending & (forward | (not moving))])
+    values = values[np.isfinite(values)]
+    return values[np.diff(values, prepend=-np.inf) > 1e-4 * values]
+
+
+def _computed(
+    reference: Reference, results: Mapping[str, Any], spindle: Spindle | None
+) -> Array | None:
+    speeds, subject = np.asarray(reference.speeds, float), reference.subject
+    preload, stiffness = results.get("preload"), results.get("stiffness")
+    match reference.quantity:
+        case "radial_stiffness" if stiffness is not None:
+            return _column(speeds, stiffness, "tangent", "variant", subject or "nonlinear")
+        case "preload_sum" if preload is not None and spindle is not None:
+            return np.interp(speeds, preload.speed, preload_sum(preload, spindle))
+        case "sleeve_displacement" if preload is not None:
+            return _column(speeds, preload, "position", "body", subject)
+        case "bending_frequency" if "campbell" in results:
+            return _modes(results["campbell"], speeds)
+    return None
+
+
+def _column(speeds: Array, result: Any, name: str, dim: str, word: str) -> Array | None:
+    words = getattr(result, dim)
+    if word not in words:
+        return None
+    inside = (speeds >= result.speed[0] - 1e-9) & (speeds <= result.speed[-1] + 1e-9)
+    values = np.interp(speeds, result.speed, getattr(result, name)[:, words.index(word)])
+    return np.where(inside, values, np.nan)
+
+
+def _modes(result: CampbellResult, speeds: Array) -> Array:
+    found = bending_frequencies(result, float(speeds[0]))[: speeds.size]
+    return np.concatenate([found, np.full(speeds.size - found.size, np.nan)])

@@ -1,0 +1,60 @@
+"""The unit in which an engineer reads each SI quantity: for tables and figures only."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True, slots=True)
+class Shown:
+    """A printed unit; a value in SI times ``factor`` is the value printed."""
+
+    unit: str
+    factor: float = 1.0
+
+
+RPM = Shown("rpm", 30.0 / math.pi)
+MILLIMETRE = Shown("mm", 1e3)
+MICROMETRE = Shown("µm", 1e6)
+STIFFNESS = Shown("N/µm", 1e-6)
+DEGREE = Shown("deg", 180.0 / math.pi)
+GIGAPASCAL = Shown("GPa", 1e-9)
+_ENGINEERING = {
+    "rad/s": RPM,
+    "m": MICROMETRE,
+    "N/m": STIFFNESS,
+    "rad": DEGREE,
+    "Pa": GIGAPASCAL,
+    "m/N": Shown("µm/N", 1e6),
+    "mm/min": Shown("1e6 mm/min", 1e-6),
+    "1": Shown("-"),
+    "": Shown(""),
+}
+
+
+def shown(unit: str) -> Shown:
+    """How a value of SI ``unit`` is printed; unknown units stay as they are."""
+    return _ENGINEERING.get(unit, Shown(unit))
+
+
+def is_rotation(freedom: str) -> bool:
+    """Whether a freedom (``y``, ``thz`` …) is an angle."""
+    return freedom.startswith("th")
+
+
+def stiffness_unit(freedom: str, other: str) -> str:
+    """SI unit of the stiffness entry that gives the load on ``freedom`` from a move of ``other``.
+
+    >>> stiffness_unit("y", "thz")
+    'N/rad'
+    """
+    load = "N·m" if is_rotation(freedom) else "N"
+    return f"{load}/{'rad' if is_rotation(other) else 'm'}"
+
+
+def receptance_unit(pair: str) -> str:
+    """SI unit of the receptance of a pair written ``tip.y / tip.thz``."""
+    response, excitation = (port.rpartition(".")[2] for port in pair.split(" / "))
+    load = "(N·m)" if is_rotation(excitation) else "N"
+    return f"{'rad' if is_rotation(response) else 'm'}/{load}"

@@ -1,0 +1,1 @@
+"""From checked entries to the frozen descriptions of ``machine`` and ``analysis``."""

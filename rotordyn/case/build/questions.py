@@ -1,0 +1,63 @@
+"""The questions of a case and the conditions they share."""
+
+from __future__ import annotations
+
+from rotordyn.analysis.specs import (
+    BearingMapSpec,
+    CampbellSpec,
+    Conditions,
+    FrfSpec,
+    PreloadSpec,
+    Spec,
+    StiffnessSpec,
+)
+from rotordyn.case.build.sweep import values
+from rotordyn.case.schema.analyses import (
+    AnalysesEntry,
+    BearingMapEntry,
+    CampbellEntry,
+    FrfEntry,
+    PreloadEntry,
+    StiffnessEntry,
+)
+from rotordyn.case.schema.case import ConditionsEntry
+
+
+def conditions(entry: ConditionsEntry) -> Conditions:
+    """How the machine is modelled."""
+    given = entry.model_dump()
+    given["gravity"] = "" if entry.gravity == "none" else entry.gravity
+    return Conditions(**given)
+
+
+def questions(entry: AnalysesEntry) -> dict[str, Spec]:
+    """Spec by name, in the order of the registry of keys."""
+    asked = {name: getattr(entry, name) for name in type(entry).model_fields}
+    return {name: _spec(question) for name, question in asked.items() if question is not None}
+
+
+def _spec(
+    entry: PreloadEntry | CampbellEntry | FrfEntry | StiffnessEntry | BearingMapEntry,
+) -> Spec:
+    match entry:
+        case CampbellEntry():
+            return CampbellSpec(entry.max_frequency, tuple(entry.teeth), entry.shapes)
+        case FrfEntry():
+            pairs = tuple((pair.response, pair.excitation) for pair in entry.pairs)
+            return FrfSpec(values(entry.frequencies), pairs, tuple(entry.slices))
+        case StiffnessEntry():
+            return _stiffness(entry)
+        case BearingMapEntry():
+            return BearingMapSpec(tuple(entry.loads), entry.static_growth)
+        case PreloadEntry():
+            return PreloadSpec()
+
+
+def _stiffness(entry: StiffnessEntry) -> StiffnessSpec:
+    return StiffnessSpec(
+        point=entry.point,
+        max_force=entry.max_force,
+        steps=entry.steps,
+        variants=tuple(entry.variants),
+        second_stop=dict(entry.second_stop),
+    )

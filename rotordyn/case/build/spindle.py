@@ -1,0 +1,169 @@
+"""The spindle and the tool."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+from rotordyn import units
+from rotordyn.case.build.bearing import bearing, material
+from rotordyn.case.schema.material import MaterialEntry
+from rotordyn.case.schema.reference import KIND_OF_UNIT, ReferenceEntry
+from rotordyn.case.schema.shaft import DiscEntry, MassEntry, SectionEntry, ToolEntry
+from rotordyn.case.schema.spindle import SpindleEntry
+from rotordyn.case.schema.support import (
+    ENTRIES,
+    GrowthEntry,
+    QuadraticEntry,
+    SeatEntry,
+    ShorteningEntry,
+    SleeveEntry,
+    SupportEntry,
+)
+from rotordyn.machine.growth import (
+    ComputedShortening,
+    InterferenceFit,
+    PrescribedShortening,
+    QuadraticInSpeed,
+    RingGrowth,
+)
+from rotordyn.machine.lumped import Disc, PointMass
+from rotordyn.machine.reference import QUANTITIES, Reference
+from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.spindle import Spindle, Tool
+from rotordyn.machine.support import BearingSeat, LinearSupport, Sleeve, Spring
+
+
+def spindle(entry: SpindleEntry, name: str) -> Spindle:
+    """The spindle of a checked file, without a tool."""
+    shaft = entry.shaft
+    return Spindle(
+        name=name,
+        shaft=Shaft(shaft.start, _sections(shaft.sections, shaft.material), shaft.shear_coefficient),
+        masses=tuple(_mass(mass) for mass in entry.masses),
+        discs=tuple(_disc(disc) for disc in entry.discs),
+        seats=tuple(_seat(seat, entry) for seat in entry.bearings),
+        sleeves=tuple(_sleeve(sleeve) for sleeve in entry.sleeves),
+        supports=tuple(_support(support) for support in entry.supports),
+        points=dict(entry.points),
+        shortening=_shortening(entry.shortening),
+        rotor_damping=tuple(entry.damping.rotor),
+        title=entry.title,
+        note=entry.note,
+        references=references(entry.references),
+    )
+
+
+def tool(entry: ToolEntry, name: str) -> Tool:
+    """The tool of a checked file."""
+    return Tool(
+        name=name,
+        sections=_sections(entry.sections, entry.material),
+        masses=tuple(_mass(mass) for mass in entry.masses),
+        points=dict(entry.points),
+        references=references(entry.references),
+    )
+
+
+def references(entries: Sequence[ReferenceEntry]) -> tuple[Reference, ...]:
+    """Known values in SI; a single speed is repeated for every value."""
+    return tuple(_reference(entry) for entry in entries)
+
+
+def _reference(entry: ReferenceEntry) -> Reference:
+    kind = KIND_OF_UNIT[QUANTITIES[entry.quantity]]
+    speeds = tuple(entry.speeds)
+    return Reference(
+        quantity=entry.quantity,
+        kind=entry.kind,
+        source=entry.source,
+        speeds=speeds if len(speeds) > 1 else speeds * len(entry.values),
+        values=tuple(units.parse(value, kind) for value in entry.values),
+        subject=entry.subject,
+        remark=entry.remark,
+    )
+
+
+def _sections(
+    entries: Sequence[SectionEntry], common: MaterialEntry | None
+) -> tuple[Section, ...]:
+    return tuple(
+        Section(s.length, s.outer_diameter, s.inner_diameter, material(s.material or common), s.name)
+        for s in entries
+    )
+
+
+def _mass(entry: MassEntry) -> PointMass:
+    return PointMass(
+        entry.name, entry.x, entry.mass, entry.polar_inertia, entry.diametral_inertia
+    )
+
+
+def _disc(entry: DiscEntry) -> Disc:
+    return Disc(
+        entry.name,
+        entry.x,
+        entry.outer_diameter,
+        entry.inner_diameter,
+        entry.width,
+        material(entry.material),
+    )
+
+
+def _seat(entry: SeatEntry, whole: SpindleEntry) -> BearingSeat:
+    model, damping = entry.model, entry.damping or whole.damping.bearings
+    if model is None:
+        raise ValueError(f"the model of bearing {entry.name} was not read")
+    return BearingSeat(
+        name=entry.name,
+        bearing=bearing(model),
+        x=entry.x,
+        thrust=1 if entry.thrust == "+x" else -1,
+        growth=_growth(entry.growth or whole.growth, model.bore_diameter),
+        radial_damping=damping.radial,
+        axial_damping=damping.axial,
+        model=model.name,
+    )
+
+
+def _growth(entry: GrowthEntry, bore_diameter: float | None) -> RingGrowth:
+    if isinstance(entry.centrifugal, QuadraticEntry):
+        law = QuadraticInSpeed(entry.centrifugal.value, entry.centrifugal.at)
+        return RingGrowth(entry.static, law)
+    if entry.centrifugal is None or entry.fit is None:
+        return RingGrowth(entry.static)
+    bore = entry.fit.bore_diameter or bore_diameter
+    if bore is None:
+        raise ValueError("the bore of a bearing was not read")
+    return RingGrowth(entry.static, InterferenceFit(bore, entry.fit.interference))
+
+
+def _shortening(
+    entry: ShorteningEntry | None,
+) -> PrescribedShortening | ComputedShortening | None:
+    if entry is None:
+        return None
+    if isinstance(entry.shift, str):
+        return ComputedShortening(entry.reference or 0.0)
+    return PrescribedShortening(entry.at or 0.0, dict(entry.shift))
+
+
+def _sleeve(entry: SleeveEntry) -> Sleeve:
+    return Sleeve(
+        name=entry.name,
+        bearings=tuple(entry.bearings),
+        spring=Spring(entry.spring.preload, entry.spring.stiffness),
+        stop_travel=entry.stop_travel,
+        mass=entry.mass,
+        radial_stiffness=entry.radial_stiffness,
+    )
+
+
+def _support(entry: SupportEntry) -> LinearSupport:
+    return LinearSupport(
+        entry.name, entry.x, _entries(entry.stiffness), _entries(entry.damping)
+    )
+
+
+def _entries(matrix: object) -> dict[tuple[str, str], float]:
+    given = {pair: getattr(matrix, key) for key, pair in ENTRIES.items()}
+    return {pair: value for pair, value in given.items() if value is not None}

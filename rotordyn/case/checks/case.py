@@ -1,0 +1,102 @@
+"""A case against its machine: questions that can be asked, points and speeds that exist."""
+
+from __future__ import annotations
+
+from rotordyn.case.build.sweep import values
+from rotordyn.case.checks.names import exists
+from rotordyn.case.checks.references import references
+from rotordyn.case.checks.sweep import ascending, sweep
+from rotordyn.case.faults import Faults
+from rotordyn.case.node import Node
+from rotordyn.case.schema.analyses import FrfEntry, StiffnessEntry
+from rotordyn.case.schema.case import CaseEntry
+from rotordyn.case.schema.shaft import ToolEntry
+from rotordyn.case.schema.spindle import SpindleEntry
+
+_NEEDS_BEARINGS = ("preload", "stiffness")
+
+
+def machine_named(root: Node, faults: Faults) -> None:
+    """Exactly one of spindle and bearing is named, and a tool only with a spindle."""
+    spindle, bearing = (root.child(key) for key in ("spindle", "bearing"))
+    if spindle is None and bearing is None:
+        faults.missing(root, ("spindle",), "missing key: a case needs a spindle, or a bearing")
+    if spindle is not None and bearing is not None:
+        faults.at_key(root, ("bearing",), "a case has either a spindle or a bearing: given both")
+    if root.child("tool") is not None and spindle is None:
+        faults.at_key(root, ("tool",), "a tool needs a spindle: given none")
+
+
+def questions(entry: CaseEntry, root: Node, faults: Faults) -> None:
+    """What can be said of speeds and analyses without the machine."""
+    sweep(entry.speeds, "rpm", root, ("speeds",), faults)
+    references(entry.references, root, faults)
+    asked = entry.analyses.model_fields_set
+    if not asked:
+        faults.at(root, ("analyses",), "nothing is asked: name at least one analysis")
+    single = root.child("bearing") is not None
+    for name in sorted(asked):
+        if (name == "bearing") != single and (single or root.child("spindle") is not None):
+            kind = "single bearing" if single else "spindle"
+            faults.at_key(root, ("analyses", name), f"this question does not apply to a {kind}")
+    _lists(entry, root, faults)
+
+
+def _lists(entry: CaseEntry, root: Node, faults: Faults) -> None:
+    way, analyses = ("analyses",), entry.analyses
+    if analyses.bearing is not None:
+        ascending(analyses.bearing.loads, root, (*way, "bearing", "loads"), faults)
+    if analyses.campbell is not None:
+        ascending(analyses.campbell.teeth, root, (*way, "campbell", "teeth"), faults)
+    if analyses.frf is not None:
+        sweep(analyses.frf.frequencies, "Hz", root, (*way, "frf", "frequencies"), faults)
+        ascending(analyses.frf.slices, root, (*way, "frf", "slices"), faults)
+        _slices(analyses.frf, entry, root, faults)
+    if analyses.stiffness is not None:
+        _variants(analyses.stiffness, root, faults)
+
+
+def _slices(entry: FrfEntry, case: CaseEntry, root: Node, faults: Faults) -> None:
+    speeds = values(case.speeds)
+    for index, speed in enumerate(entry.slices):
+        if speeds and (speed < speeds[0] - 1e-6 or speed > speeds[-1] + 1e-6):
+            way = ("analyses", "frf", "slices", index)
+            faults.at(root, way, f"not within the speeds of the case: given '{root.at(*way).raw}'")
+
+
+def _variants(entry: StiffnessEntry, root: Node, faults: Faults) -> None:
+    for index, name in enumerate(entry.variants):
+        if name and name in entry.variants[:index]:
+            way = ("analyses", "stiffness", "variants", index)
+            faults.at(root, way, f"repeated: given '{name}'")
+
+
+def against_machine(
+    entry: CaseEntry,
+    spindle: SpindleEntry,
+    tool: ToolEntry | None,
+    root: Node,
+    faults: Faults,
+) -> None:
+    """Points, sleeves and bearings that the questions name exist."""
+    points = [*spindle.points, *(tool.points if tool else {})]
+    for name in _NEEDS_BEARINGS:
+        if getattr(entry.analyses, name) is not None and not spindle.bearings:
+            faults.at_key(root, ("analyses", name), "needs bearings: this spindle has none")
+    if entry.analyses.frf is not None:
+        for index, pair in enumerate(entry.analyses.frf.pairs):
+            for key in ("response", "excitation"):
+                way = ("analyses", "frf", "pairs", index, key)
+                exists(getattr(pair, key).point, points, "point", root, way, faults)
+    if entry.analyses.stiffness is not None:
+        _stiffness(entry.analyses.stiffness, points, spindle, root, faults)
+
+
+def _stiffness(
+    entry: StiffnessEntry, points: list[str], spindle: SpindleEntry, root: Node, faults: Faults
+) -> None:
+    way = ("analyses", "stiffness")
+    exists(entry.point, points, "point", root, (*way, "point"), faults)
+    sleeves = [sleeve.name for sleeve in spindle.sleeves]
+    for name in entry.second_stop:
+        exists(name, sleeves, "sleeve", root, (*way, "second_stop", name), faults)

@@ -1,0 +1,105 @@
+"""A spindle and its tool: everything on the shaft, and the shaft held."""
+
+from __future__ import annotations
+
+from rotordyn.case.checks.bearing import seats, sleeves
+from rotordyn.case.checks.names import exists, unique
+from rotordyn.case.checks.references import references
+from rotordyn.case.checks.shaft import (
+    Span,
+    masses,
+    on_shaft,
+    points_on_shaft,
+    sections,
+    span,
+    wall,
+)
+from rotordyn.case.faults import Faults
+from rotordyn.case.node import Node
+from rotordyn.case.schema.shaft import ToolEntry
+from rotordyn.case.schema.spindle import SpindleEntry
+
+
+def spindle(entry: SpindleEntry, root: Node, tool: ToolEntry | None, faults: Faults) -> None:
+    """All checks of a spindle file; its points may lie on the tool as well."""
+    reach = span(entry.shaft.start, entry.shaft.sections)
+    sections(entry.shaft.sections, root, ("shaft", "sections"), faults)
+    masses(entry.masses, root, faults)
+    seats(entry, root, faults)
+    sleeves(entry, root, faults)
+    _stations(entry, reach, root, faults)
+    points_on_shaft(entry.points, (reach[0] - _length(tool), reach[1]), root, faults)
+    _lumped(entry, root, faults)
+    _shortening(entry, reach, root, faults)
+    _held(entry, root, faults)
+    references(entry.references, root, faults)
+
+
+def tool(entry: ToolEntry, root: Node, machine: SpindleEntry | None, faults: Faults) -> None:
+    """All checks of a tool file, in front of ``machine`` where that is known."""
+    sections(entry.sections, root, ("sections",), faults)
+    masses(entry.masses, root, faults)
+    references(entry.references, root, faults)
+    if machine is None:
+        return
+    nose = machine.shaft.start
+    reach = (nose - _length(entry), nose)
+    points_on_shaft(entry.points, reach, root, faults)
+    for index, mass in enumerate(entry.masses):
+        on_shaft(mass.x, reach, "mass", root, ("masses", index, "x"), faults)
+    for name in entry.points:
+        if name in machine.points:
+            faults.at_key(root, ("points", name), "name already taken by a point of the spindle")
+
+
+def _length(tool: ToolEntry | None) -> float:
+    return 0.0 if tool is None else span(0.0, tool.sections)[1]
+
+
+def _stations(entry: SpindleEntry, reach: Span, root: Node, faults: Faults) -> None:
+    for key, what in (("bearings", "bearing"), ("masses", "mass"), ("discs", "disc")):
+        for index, item in enumerate(getattr(entry, key)):
+            on_shaft(item.x, reach, what, root, (key, index, "x"), faults)
+    unique([support.name for support in entry.supports], root, ("supports",), faults)
+    for index, support in enumerate(entry.supports):
+        on_shaft(support.x, reach, "support", root, ("supports", index, "x"), faults)
+
+
+def _lumped(entry: SpindleEntry, root: Node, faults: Faults) -> None:
+    taken = [mass.name for mass in entry.masses]
+    unique([disc.name for disc in entry.discs], root, ("discs",), faults)
+    for index, disc in enumerate(entry.discs):
+        wall(disc, root, ("discs", index), faults)
+        if disc.name and disc.name in taken:
+            faults.at(root, ("discs", index, "name"), f"name taken by a mass: '{disc.name}'")
+
+
+def _shortening(entry: SpindleEntry, reach: Span, root: Node, faults: Faults) -> None:
+    given, way = entry.shortening, ("shortening",)
+    if given is None:
+        return
+    if given.reference is not None:
+        on_shaft(given.reference, reach, "reference", root, (*way, "reference"), faults)
+    if isinstance(given.shift, str):
+        if given.shift and given.reference is None:
+            faults.missing(
+                root, (*way, "reference"), "missing key: the station that does not shift"
+            )
+        return
+    if given.at is None:
+        faults.missing(root, (*way, "at"), "missing key: the speed of these shifts")
+    names = [seat.name for seat in entry.bearings]
+    for name in given.shift:
+        exists(name, names, "bearing", root, (*way, "shift", name), faults)
+
+
+def _held(entry: SpindleEntry, root: Node, faults: Faults) -> None:
+    if entry.bearings:
+        return
+    for key in ("yy", "zz"):
+        if not any(getattr(support.stiffness, key) for support in entry.supports):
+            faults.at(
+                root,
+                ("supports",),
+                f"the shaft is not held: no bearings, and no support with a stiffness {key}",
+            )

@@ -1,0 +1,127 @@
+"""Replaces the names of models in a file by what their files hold."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from pathlib import Path
+
+from rotordyn.case.document import read_document
+from rotordyn.case.faults import Faults
+from rotordyn.case.library import UnknownModel, find
+from rotordyn.case.node import UNKNOWN, Node
+from rotordyn.case.override import apply
+
+_MATERIALS_OF_BEARING = (("ball_material",), ("ring_material",))
+_MATERIALS_OF_SPINDLE = (
+    ("shaft", "material"),
+    ("shaft", "sections", "*", "material"),
+    ("discs", "*", "material"),
+)
+_MATERIALS_OF_TOOL = (("material",), ("sections", "*", "material"))
+
+
+@dataclass
+class Reader:
+    """Reads the files of one case, each once.
+
+    ``folders``: of each file as printed, the path that its own references are relative to.
+    """
+
+    faults: Faults
+    contents: dict[Path, bytes] = field(default_factory=dict)
+    folders: dict[str, Path] = field(default_factory=dict)
+    trees: dict[Path, Node | None] = field(default_factory=dict)
+
+    def document(self, path: Path) -> Node | None:
+        """A tree of the file, free to be changed; None where the file cannot be used."""
+        if path not in self.trees:
+            self.trees[path] = read_document(path, self.faults, self.contents)
+        root = self.trees[path]
+        if root is None:
+            return None
+        self.folders[root.file] = path
+        return root.copy()
+
+    def model(self, kind: str, reference: Node) -> Node | None:
+        """What ``reference`` names or holds: a mapping in place is taken as it is."""
+        if isinstance(reference.value, dict):
+            return reference
+        if not isinstance(reference.value, str):
+            self.faults.at(reference, (), "not a model: a name, a path or a mapping is needed")
+            return None
+        try:
+            path = find(kind, reference.value, self.folders[reference.file])
+        except UnknownModel as error:
+            self.faults.at(reference, (), str(error))
+            return None
+        return self._referred(path, reference)
+
+    def _referred(self, path: Path, reference: Node) -> Node | None:
+        if not os.path.exists(path):
+            self.faults.at(reference, (), f"no such file: given '{reference.value}'")
+            return None
+        return self.document(path)
+
+
+def spindle(reference: Node, override: Node | None, reader: Reader) -> Node | None:
+    """The spindle with overrides, bearing models and materials filled in."""
+    root = reader.model("spindles", reference)
+    if root is None:
+        return None
+    apply(override, root, reader.faults)
+    _fill(root, _MATERIALS_OF_SPINDLE, "materials", reader)
+    for holder in _matching(root, ("bearings", "*")):
+        _bearing_of_seat(root, holder, reader)
+    return root
+
+
+def tool(reference: Node, reader: Reader) -> Node | None:
+    """The tool with its materials filled in."""
+    root = reader.model("tools", reference)
+    if root is not None:
+        _fill(root, _MATERIALS_OF_TOOL, "materials", reader)
+    return root
+
+
+def bearing(reference: Node, override: tuple[Node | None, ...], reader: Reader) -> Node | None:
+    """The bearing model with overrides and materials filled in."""
+    root = reader.model("bearings", reference)
+    if root is None:
+        return None
+    for changes in override:
+        apply(changes, root, reader.faults)
+    _fill(root, _MATERIALS_OF_BEARING, "materials", reader)
+    return root
+
+
+def _bearing_of_seat(root: Node, seat: Node, reader: Reader) -> None:
+    reference = seat.child("model")
+    if reference is not None:
+        override = (root.child("bearing_override"), seat.child("model_override"))
+        _set(seat, "model", bearing(reference, override, reader))
+
+
+def _fill(root: Node, places: tuple[tuple[str, ...], ...], kind: str, reader: Reader) -> None:
+    for *way, key in places:
+        for holder in _matching(root, tuple(way)):
+            reference = holder.child(key)
+            if reference is not None and reference.value is not UNKNOWN:
+                _set(holder, key, reader.model(kind, reference))
+
+
+def _set(holder: Node, key: str, model: Node | None) -> None:
+    reference = holder.value[key]
+    holder.value[key] = model or replace(reference, value=UNKNOWN)
+
+
+def _matching(root: Node, way: tuple[str, ...]) -> Iterator[Node]:
+    """Mappings reached by ``way``, where ``*`` stands for every item of a list."""
+    if not way:
+        if isinstance(root.value, dict):
+            yield root
+        return
+    for key, child in root.items():
+        if way[0] == key or (way[0] == "*" and isinstance(key, int)):
+            yield from _matching(child, way[1:])

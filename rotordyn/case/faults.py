@@ -1,0 +1,45 @@
+"""Collects what is wrong, each fault at the place in a file where it can be put right."""
+
+from __future__ import annotations
+
+from rotordyn.case.node import Node, joined
+from rotordyn.errors import Fault
+
+
+class Faults:
+    """The faults of one case, in the order found; the same one is kept once."""
+
+    def __init__(self) -> None:
+        self.found: list[Fault] = []
+
+    def at(self, root: Node, keys: tuple[object, ...], message: str) -> None:
+        """A fault of the value reached from ``root`` by ``keys`` (as far as they exist)."""
+        node = root.at(*keys)
+        self.add(Fault(node.file, node.line, node.column, node.path, message))
+
+    def at_key(self, root: Node, keys: tuple[object, ...], message: str) -> None:
+        """A fault of a key itself, not of its value."""
+        node = root.at(*keys)
+        line, column = node.key or (node.line, node.column)
+        self.add(Fault(node.file, line, column, node.path, message))
+
+    def missing(self, root: Node, keys: tuple[object, ...], message: str) -> None:
+        """A fault of a key that is not there, at the mapping that should hold it."""
+        node = root.at(*keys[:-1])
+        line, column = node.key or (node.line, node.column)
+        self.add(Fault(node.file, line, column, joined(node.path, str(keys[-1])), message))
+
+    def add(self, fault: Fault) -> None:
+        """Keeps ``fault`` on one line, unless it is known."""
+        line = Fault(
+            fault.file, fault.line, fault.column, _printable(fault.path), _printable(fault.message)
+        )
+        if line not in self.found:
+            self.found.append(line)
+
+    def __bool__(self) -> bool:
+        return bool(self.found)
+
+
+def _printable(text: str) -> str:
+    return "".join(c if c.isprintable() else " " for c in text)

@@ -1,0 +1,75 @@
+"""The door for case files: one call, either a whole case or every fault in it."""
+
+from __future__ import annotations
+
+import hashlib
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rotordyn.case.case import Case
+from rotordyn.case.faults import Faults
+from rotordyn.errors import Fault, InvalidInput
+
+if TYPE_CHECKING:
+    from rotordyn.case.parts import Parts
+    from rotordyn.machine.spindle import Spindle
+
+
+def load(path: str | Path) -> Case:
+    """The case in a YAML file, with every model it names, in SI units.
+
+    Raises InvalidInput with all faults of the case, its models and its overrides at once, in the
+    order of their files and lines.
+    """
+    from rotordyn.case.expand import Reader
+    from rotordyn.case.parts import read_parts
+
+    reader = Reader(Faults())
+    root = reader.document(Path(path))
+    parts = None if root is None else read_parts(root, reader)
+    if parts is None or reader.faults:
+        raise InvalidInput(_in_order(reader.faults.found))
+    return _build(Path(path), parts, reader.contents)
+
+
+def _in_order(faults: list[Fault]) -> list[Fault]:
+    files = [fault.file for fault in faults]
+    return sorted(faults, key=lambda f: (files.index(f.file), f.line, f.column))
+
+
+def _build(path: Path, parts: Parts, contents: dict[Path, bytes]) -> Case:
+    from rotordyn.case.build.bearing import bearing
+    from rotordyn.case.build.questions import conditions, questions
+    from rotordyn.case.build.spindle import references
+    from rotordyn.case.build.sweep import values
+
+    entry = parts.case
+    machine = _machine(parts)
+    return Case(
+        name=path.stem,
+        title=entry.title,
+        speeds=values(entry.speeds),
+        analyses=questions(entry.analyses),
+        conditions=conditions(entry.conditions),
+        spindle=machine,
+        bearing=bearing(parts.bearing) if parts.bearing else None,
+        references=(machine.references if machine else ()) + references(entry.references),
+        files=tuple(contents),
+        digest=_digest(contents),
+    )
+
+
+def _machine(parts: Parts) -> Spindle | None:
+    from rotordyn.case.build.spindle import spindle, tool
+
+    if parts.spindle is None:
+        return None
+    machine = spindle(parts.spindle, parts.spindle_name)
+    return machine.with_tool(tool(parts.tool, parts.tool_name)) if parts.tool else machine
+
+
+def _digest(contents: dict[Path, bytes]) -> str:
+    total = hashlib.sha256()
+    for content in contents.values():
+        total.update(hashlib.sha256(content).digest())
+    return total.hexdigest()

@@ -1,0 +1,106 @@
+"""What a case may ask, and the keys of each question."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+from pydantic import BeforeValidator, Field, PlainValidator
+
+from rotordyn.analysis.specs import DIRECTIONS, VARIANTS, Port
+from rotordyn.case.library import suggestion
+from rotordyn.case.node import UNKNOWN
+from rotordyn.case.schema.base import Entry
+from rotordyn.case.schema.sweep import Frequencies
+from rotordyn.case.schema.values import (
+    Flag,
+    Frequency,
+    Growth,
+    Load,
+    Name,
+    Speed,
+    choice,
+    given,
+    quantity,
+    whole,
+    wrong,
+)
+
+
+class PreloadEntry(Entry):
+    """The preload table has no choices."""
+
+
+class CampbellEntry(Entry):
+    """Modes over speed."""
+
+    max_frequency: Frequency = 4000.0
+    teeth: list[Annotated[int, whole(1, 1000)]] = []
+    shapes: Flag = True
+
+
+def _port(value: Any) -> Port:
+    if value is UNKNOWN:
+        return Port("", "")
+    point, _, direction = value.rpartition(".") if isinstance(value, str) else ("", "", "")
+    if not point:
+        raise wrong(f"not a place: given {given(value)}; allowed: POINT.DIRECTION such as tip.y")
+    if direction not in DIRECTIONS:
+        raise wrong(
+            f"unknown direction: given {given(value)}; allowed: {', '.join(DIRECTIONS)}"
+            + suggestion(direction, DIRECTIONS)
+        )
+    return Port(point, direction)
+
+
+PortText = Annotated[Port, PlainValidator(_port, json_schema_input_type=str)]
+
+
+class PairEntry(Entry):
+    """Where the response is taken and where the force acts."""
+
+    response: PortText
+    excitation: PortText
+
+
+class FrfEntry(Entry):
+    """Receptances over speed and frequency."""
+
+    frequencies: Frequencies
+    pairs: Annotated[list[PairEntry], Field(min_length=1)]
+    slices: list[Speed] = []
+
+
+class StiffnessEntry(Entry):
+    """Radial stiffness of a point."""
+
+    point: Name
+    max_force: Load = 500.0
+    steps: Annotated[int, whole(1, 1000)] = 10
+    variants: Annotated[list[Annotated[str, choice(*VARIANTS)]], Field(min_length=1)] = [*VARIANTS]
+    second_stop: dict[
+        Name, Annotated[float, quantity("length", at_least="0 um", at_most="100 mm")]
+    ] = {}
+
+
+class BearingMapEntry(Entry):
+    """A single bearing under a list of axial loads."""
+
+    loads: Annotated[list[Load], Field(min_length=1)]
+    static_growth: Growth = 0.0
+
+
+def _empty_if_bare(value: Any) -> Any:
+    return {} if value is None else value
+
+
+_BARE = BeforeValidator(_empty_if_bare)
+
+
+class AnalysesEntry(Entry):
+    """One key per question; what is not named is not computed."""
+
+    preload: Annotated[PreloadEntry | None, _BARE] = None
+    campbell: Annotated[CampbellEntry | None, _BARE] = None
+    frf: Annotated[FrfEntry | None, _BARE] = None
+    stiffness: Annotated[StiffnessEntry | None, _BARE] = None
+    bearing: Annotated[BearingMapEntry | None, _BARE] = None

@@ -1,0 +1,26 @@
+"""Published and measured values kept beside a machine."""
+
+from __future__ import annotations
+
+from typing import Annotated, Any
+
+from pydantic import Field
+
+from rotordyn.case.schema.base import Entry
+from rotordyn.case.schema.values import Speed, Text, choice
+from rotordyn.machine.reference import QUANTITIES
+
+# The kind of quantity read for the unit in which a reference is kept.
+KIND_OF_UNIT = {"N/m": "stiffness", "N": "force", "m": "length", "Hz": "frequency"}
+
+
+class ReferenceEntry(Entry):
+    """A series of known values; one speed serves all values where only one is given."""
+
+    quantity: Annotated[str, choice(*QUANTITIES)]
+    subject: Text = ""
+    kind: Annotated[str, choice("published", "measured")]
+    source: Text
+    speeds: Annotated[list[Speed], Field(min_length=1)]
+    values: Annotated[list[Any], Field(min_length=1)]
+    remark: Text = ""

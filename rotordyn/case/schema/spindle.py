@@ -1,0 +1,49 @@
+"""A spindle: ``models/spindles/*.yaml``."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from rotordyn.case.schema.base import Entry
+from rotordyn.case.schema.reference import ReferenceEntry
+from rotordyn.case.schema.shaft import DiscEntry, MassEntry, ShaftEntry
+from rotordyn.case.schema.support import (
+    BearingDampingEntry,
+    GrowthEntry,
+    SeatEntry,
+    ShorteningEntry,
+    SleeveEntry,
+    SupportEntry,
+)
+from rotordyn.case.schema.values import DampingRatio, Name, Station, Text
+
+
+class DampingEntry(Entry):
+    """Damping of all bearings that give none of their own, and of the rotor's modes."""
+
+    bearings: BearingDampingEntry = BearingDampingEntry()
+    rotor: list[DampingRatio] = []
+
+
+class SpindleEntry(Entry):
+    """A rotor and what holds it.
+
+    ``growth``, ``damping`` and ``bearing_override`` serve every bearing; a bearing's own ``growth``
+    or ``damping`` replaces them, its ``model_override`` goes on top.
+    """
+
+    title: Text = ""
+    note: Text = ""
+    sources: list[Text] = []
+    shaft: ShaftEntry
+    masses: list[MassEntry] = []
+    discs: list[DiscEntry] = []
+    bearings: list[SeatEntry] = []
+    bearing_override: dict[str, Any] = {}
+    growth: GrowthEntry = GrowthEntry()
+    shortening: ShorteningEntry | None = None
+    sleeves: list[SleeveEntry] = []
+    supports: list[SupportEntry] = []
+    damping: DampingEntry = DampingEntry()
+    points: dict[Name, Station] = {}
+    references: list[ReferenceEntry] = []

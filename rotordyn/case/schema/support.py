@@ -1,0 +1,146 @@
+"""What holds the shaft: bearings, their growth, sleeves, linear supports."""
+
+from __future__ import annotations
+
+import math
+from itertools import product
+from typing import Annotated, Any
+
+from pydantic import BeforeValidator, Discriminator, Field, Tag, create_model
+
+from rotordyn.case.schema.base import Entry, form
+from rotordyn.case.schema.bearing import BearingEntry
+from rotordyn.case.schema.material import none_if_unknown
+from rotordyn.case.schema.values import (
+    Damping,
+    Diameter,
+    Growth,
+    Mass,
+    Name,
+    Station,
+    TopSpeed,
+    choice,
+    quantity,
+)
+
+FREEDOMS = ("x", "y", "z", "thx", "thy", "thz")
+
+
+class QuadraticEntry(Entry):
+    """A displacement at a speed, growing with speed²."""
+
+    value: Growth
+    at: TopSpeed
+
+
+class FitEntry(Entry):
+    """The fit of inner ring and shaft; the bore is that of the bearing model unless given."""
+
+    interference: Annotated[float, quantity("length", at_least="0 um", at_most="1 mm")]
+    bore_diameter: Diameter | None = None
+
+
+CentrifugalGrowth = Annotated[
+    Annotated[str, choice("computed"), Tag("<word>")] | Annotated[QuadraticEntry, Tag("<mapping>")],
+    Discriminator(form),
+]
+
+
+class GrowthEntry(Entry):
+    """Radial growth of the inner groove; ``fit`` serves where the growth is ``computed``."""
+
+    static: Growth = 0.0
+    centrifugal: CentrifugalGrowth | None = None
+    fit: FitEntry | None = None
+
+
+class BearingDampingEntry(Entry):
+    """Viscous damping between the rings of a bearing."""
+
+    radial: Damping = 0.0
+    axial: Damping = 0.0
+
+
+class SeatEntry(Entry):
+    """A bearing on the shaft; ``model_override`` is merged into the model before it is read."""
+
+    name: Name
+    model: Annotated[BearingEntry | None, BeforeValidator(none_if_unknown)]
+    model_override: dict[str, Any] = {}
+    x: Station
+    thrust: Annotated[str, choice("+x", "-x")]
+    growth: GrowthEntry | None = None
+    damping: BearingDampingEntry | None = None
+
+
+class SpringEntry(Entry):
+    """Force at rest and stiffness of a preload spring."""
+
+    preload: Annotated[float, quantity("force", at_least="0 N", at_most="10000 kN")]
+    stiffness: Annotated[
+        float, quantity("stiffness", above="0 N/m", at_most="1e6 MN/m", words={"rigid": math.inf})
+    ]
+
+
+class SleeveEntry(Entry):
+    """A sliding sleeve, its spring and its end stop."""
+
+    name: Name
+    bearings: Annotated[list[Name], Field(min_length=1)]
+    spring: SpringEntry
+    stop_travel: Annotated[
+        float, quantity("length", at_least="0 um", at_most="100 mm", words={"none": math.inf})
+    ] = math.inf
+    mass: Mass = 0.0
+    radial_stiffness: Annotated[
+        float, quantity("stiffness", above="0 N/m", at_most="1e6 MN/m", words={"rigid": math.inf})
+    ] = math.inf
+
+
+def entry_name(row: str, column: str) -> str:
+    """Key of a matrix entry: ``yy``, ``y_thz``."""
+    return row + column if len(row) == len(column) == 1 else f"{row}_{column}"
+
+
+ENTRIES = {entry_name(r, c): (r, c) for r, c in product(FREEDOMS, FREEDOMS)}
+
+
+def _matrix(title: str, kind: str, bound: str) -> Any:
+    """An entry with one optional key per place of a 6×6 matrix."""
+    kinds = (kind, f"coupling {kind}", f"tilt {kind}")
+    limits = tuple(f"{bound} {unit}" for unit in _UNITS[kind])
+    types = [
+        Annotated[float, quantity(k, at_least=f"-{limit}", at_most=limit)]
+        for k, limit in zip(kinds, limits, strict=True)
+    ]
+    rank = {key: sum(len(freedom) > 1 for freedom in pair) for key, pair in ENTRIES.items()}
+    fields: dict[str, Any] = {key: (types[rank[key]] | None, None) for key in ENTRIES}
+    return create_model(title, __base__=Entry, **fields)
+
+
+_UNITS = {"stiffness": ("N/m", "N/rad", "N m/rad"), "damping": ("N s/m", "N s/rad", "N m s/rad")}
+StiffnessMatrixEntry: Any = _matrix("StiffnessMatrixEntry", "stiffness", "1e13")
+DampingMatrixEntry: Any = _matrix("DampingMatrixEntry", "damping", "1e10")
+
+
+class SupportEntry(Entry):
+    """A linear support: entries of its matrices, those not named are zero."""
+
+    name: Name
+    x: Station
+    stiffness: StiffnessMatrixEntry
+    damping: DampingMatrixEntry = DampingMatrixEntry()
+
+
+class ShorteningEntry(Entry):
+    """Axial shift of the bearing seats: prescribed ``at`` a speed, or computed from ``reference``."""
+
+    shift: Annotated[
+        Annotated[str, choice("computed"), Tag("<word>")]
+        | Annotated[dict[Name, Growth], Tag("<mapping>")],
+        Discriminator(form),
+    ]
+    at: TopSpeed | None = None
+    reference: Station | None = None
+
+

@@ -1,0 +1,1 @@
+"""Local matrices: numbers in, small arrays out; no node numbers, no speed."""

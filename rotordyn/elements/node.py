@@ -1,0 +1,15 @@
+"""The freedoms of one node, in the order of every 6×6 and 12×12 matrix of this package."""
+
+from __future__ import annotations
+
+FREEDOMS = ("x", "y", "z", "thx", "thy", "thz")
+
+
+def position(freedom: str) -> int:
+    """Row of a freedom in a node's 6×6 matrix.
+
+    Raises
+    ------
+    ValueError : there is no freedom of that name
+    """
+    return FREEDOMS.index(freedom)

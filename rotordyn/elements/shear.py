@@ -1,0 +1,55 @@
+"""Shear coefficient κ of the hollow circular section (shear stiffness κ G A)."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rotordyn.errors import InvalidInput
+
+Array = NDArray[np.float64]
+
+
+def cowper(poisson_ratio: ArrayLike, diameter_ratio: ArrayLike) -> Array:
+    """Cowper (1966), J. Appl. Mech. 33, 335; ``diameter_ratio`` = inner / outer [1]."""
+    nu, square = np.asarray(poisson_ratio), np.square(diameter_ratio)
+    plus = (1.0 + square) ** 2
+    return 6.0 * (1.0 + nu) * plus / ((7.0 + 6.0 * nu) * plus + (20.0 + 12.0 * nu) * square)
+
+
+def hutchinson(poisson_ratio: ArrayLike, diameter_ratio: ArrayLike) -> Array:
+    """Hutchinson (2001), J. Appl. Mech. 68, 87; ``diameter_ratio`` = inner / outer [1]."""
+    nu, square = np.asarray(poisson_ratio), np.square(diameter_ratio)
+    plus, fourth = (1.0 + square) ** 2, 1.0 + square**2
+    below = (
+        7.0 * fourth
+        + 34.0 * square
+        + nu * (12.0 * fourth + 48.0 * square)
+        + nu**2 * (4.0 * fourth + 16.0 * square)
+    )
+    return 6.0 * (1.0 + nu) ** 2 * plus / below
+
+
+FORMULAS = {"cowper": cowper, "hutchinson": hutchinson}
+
+
+def shear_coefficient(
+    choice: str | float, poisson_ratio: ArrayLike, diameter_ratio: ArrayLike
+) -> Array:
+    """κ by the name of a formula, or the number itself.
+
+    Raises
+    ------
+    InvalidInput : the name is unknown, or the number not positive and finite
+    """
+    if isinstance(choice, str):
+        if choice not in FORMULAS:
+            known = ", ".join(FORMULAS)
+            raise InvalidInput(f"unknown shear coefficient {choice!r}: one of {known}, or a number")
+        return FORMULAS[choice](poisson_ratio, diameter_ratio)
+    if not (math.isfinite(choice) and choice > 0.0):
+        raise InvalidInput(f"a shear coefficient must be positive, got {choice!r}")
+    shape = np.broadcast_shapes(np.shape(poisson_ratio), np.shape(diameter_ratio))
+    return np.full(shape, float(choice))

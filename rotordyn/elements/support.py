@@ -1,0 +1,43 @@
+"""What holds a node: linear supports and bearings as 6×6 matrices in the spindle's frame."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from rotordyn.elements.node import position
+
+Array = NDArray[np.float64]
+
+BEARING_FREEDOMS = ("x", "y", "z", "thy", "thz")
+_HALF_TURN_ABOUT_Y = np.array([-1.0, 1.0, -1.0, 1.0, -1.0])
+_PLACES = np.array([position(freedom) for freedom in BEARING_FREEDOMS])
+
+
+def node_matrix(entries: Mapping[tuple[str, str], float]) -> Array:
+    """Matrix (6, 6) of a linear support's entries by pair of freedoms; nothing is symmetrised.
+
+    Raises
+    ------
+    ValueError : a name is none of x, y, z, thx, thy, thz
+    """
+    matrix = np.zeros((6, 6))
+    for (row, column), value in entries.items():
+        matrix[position(row), position(column)] = value
+    return matrix
+
+
+def turn(matrix: ArrayLike, thrust: int) -> Array:
+    """A bearing's matrix (…, 5, 5) in its own frame, as (…, 6, 6) in the spindle's.
+
+    ``thrust`` −1 means that the bearing's own x is −x of the spindle: a half turn about y,
+    R = diag(−1, 1, −1, 1, −1) and K → R K R, so that K[y, thz] and K[z, thy] change sign.
+    The bearing does not resist spin: row and column thx are zero.
+    """
+    own = np.asarray(matrix, dtype=np.float64)
+    signs = _HALF_TURN_ABOUT_Y if thrust < 0 else np.ones(5)
+    turned = np.zeros((*own.shape[:-2], 6, 6))
+    turned[..., _PLACES[:, None], _PLACES] = signs[:, None] * own * signs
+    return turned

@@ -1,0 +1,1 @@
+"""Algorithms that know no rotor: small dense eigenproblems and modal sums, batched over speed."""

@@ -1,0 +1,48 @@
+"""Eigenvalues of q̈ + D q̇ + K q = f, many at once, and the receptances they sum up to."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+
+@dataclass(frozen=True, slots=True)
+class Modes:
+    """Poles and vectors of a batch of systems of order n with unit mass.
+
+    ``pole`` (…, 2n) [rad/s]; ``vector`` (…, n, 2n): displacement part of the right vectors;
+    ``participation`` (…, 2n, n): what each pole takes from a force on each coordinate, so that the
+    receptance at s is vector · diag(1/(s − pole)) · participation.
+    """
+
+    pole: Complex
+    vector: Complex
+    participation: Complex
+
+    def receptance(self, s: Complex, responses: Array, excitations: Array) -> Complex:
+        """Receptance (…, pairs, len(s)) of paired ``responses`` and ``excitations`` (pairs, n)."""
+        out = responses @ self.vector
+        into = (self.participation @ excitations.T).swapaxes(-1, -2)
+        kernel = 1.0 / (s[:, None] - self.pole[..., None, :])
+        return np.asarray((out * into) @ kernel.swapaxes(-1, -2))
+
+
+def modes(stiffness: NDArray, damping: NDArray) -> Modes:
+    """Modes of q̈ + D q̇ + K q = f; ``stiffness``, ``damping`` (…, n, n), real or complex."""
+    shape = np.broadcast_shapes(stiffness.shape, damping.shape)
+    n = shape[-1]
+    matrix = np.zeros((*shape[:-2], 2 * n, 2 * n), dtype=np.result_type(stiffness, damping))
+    matrix[..., :n, n:] = np.eye(n)
+    matrix[..., n:, :n] = -stiffness
+    matrix[..., n:, n:] = -damping
+    scale = float(np.sqrt(np.abs(stiffness).max())) or 1.0  # balances displacement and velocity
+    matrix[..., :n, n:] *= scale
+    matrix[..., n:, :n] /= scale
+    pole, vectors = np.linalg.eig(matrix)
+    forces = np.linalg.inv(vectors)[..., n:] / scale
+    return Modes(pole, vectors[..., :n, :], forces)

@@ -1,0 +1,171 @@
+"""Campbell diagram: damped eigenfrequencies over speed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis.display import RPM
+from rotordyn.analysis.results import CampbellResult
+from rotordyn.machine.reference import Reference
+from rotordyn.plots.labels import spread
+from rotordyn.plots.style import (
+    BLACK,
+    BLUE,
+    FONT_SIZE,
+    GREEN,
+    GREY,
+    PURPLE,
+    RED,
+    add_axes,
+    legend,
+    new_figure,
+    speed_ticks,
+)
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+LOOKS: dict[str, tuple[str, Any, str]] = {
+    "forward": (BLUE, "-", "forward whirl"),
+    "backward": (RED, (0, (5, 2)), "backward whirl"),
+    "planar": (BLACK, (0, (1, 1)), "bending without whirl"),
+    "axial": (GREEN, (0, (6, 2, 1, 2)), "axial"),
+    "torsion": (PURPLE, (0, (6, 2, 1, 2, 1, 2)), "torsion"),
+}
+Segments = dict[str, list[NDArray[np.float64]]]
+
+
+def campbell_figure(
+    result: CampbellResult,
+    teeth: Sequence[int] = (),
+    references: Sequence[Reference] = (),
+    max_frequency: float = 0.0,
+) -> Figure:
+    """Modes with their whirl, 1× and tooth-passing lines, critical speeds, known frequencies."""
+    figure = new_figure(168.0, 115.0)
+    axes = add_axes(figure, (15.0, 11.0, 128.0, 92.0), "speed [rpm]", "damped frequency [Hz]")
+    rpm = result.speed * RPM.factor
+    known = [r for r in references if r.quantity == "bending_frequency"]
+    top = max_frequency or float(np.nanmax(result.frequency)) * 1.04
+    speed_ticks(axes, float(rpm[-1]))
+    axes.set_ylim(0.0, top)
+    draw_modes(axes, result)
+    excitation = _excitation(axes, (1, *teeth), float(rpm[-1]), top)
+    _criticals(axes, result)
+    for reference in known:
+        axes.plot(
+            np.asarray(reference.speeds) * RPM.factor, reference.values, "D", mfc="none", mec=BLACK,
+            ms=5.0, mew=0.9, ls="none", label=reference.kind, zorder=6, clip_on=False,
+        )
+    _name_modes(axes, result, excitation, top)
+    legend(
+        axes, loc="lower left", bbox_to_anchor=(-0.01, 1.0), ncols=6, columnspacing=1.2,
+        borderaxespad=0.2,
+    )
+    return figure
+
+
+def whirl_segments(result: CampbellResult) -> Segments:
+    """Curves of (rpm, Hz) by look; a mode that changes its whirl is cut there."""
+    rpm, found = result.speed * RPM.factor, {}
+    for column, kind in enumerate(result.kind):
+        frequency, whirl = result.frequency[:, column], result.whirl[:, column]
+        looks = [_look(kind, w) for w in whirl]
+        if len(looks) > 1:
+            looks[0] = looks[1]
+        start = 0
+        for end in range(1, len(looks) + 1):
+            if end == len(looks) or looks[end] != looks[start]:
+                first = max(start - 1, 0)
+                curve = np.column_stack([rpm[first:end], frequency[first:end]])
+                curve = curve[np.isfinite(curve).all(axis=1)]
+                found.setdefault(looks[start], []).append(curve)
+                start = end
+    return found
+
+
+def draw_modes(axes: Axes, result: CampbellResult, colour: str = "") -> None:
+    """One collection of curves per look; all in ``colour`` when given."""
+    from matplotlib.collections import LineCollection
+
+    curves = whirl_segments(result)
+    for look, (own, dashes, label) in LOOKS.items():
+        if look in curves:
+            lines = LineCollection(
+                curves[look], colors=colour or own, linestyles=[dashes],
+                linewidths=0.7 if colour else 1.3, label=None if colour else label, zorder=4,
+            )
+            axes.add_collection(lines, autolim=False)
+
+
+def _look(kind: str, whirl: float) -> str:
+    if kind != "bending":
+        return kind if kind in LOOKS else "planar"
+    return {1: "forward", -1: "backward"}.get(int(whirl) if whirl == whirl else 0, "planar")
+
+
+def _excitation(
+    axes: Axes, orders: Sequence[int], rpm: float, top: float
+) -> list[tuple[float, str]]:
+    """Lines f = k n; returns height [Hz] and name of those that leave on the right."""
+    from matplotlib.collections import LineCollection
+
+    lines, right = [], []
+    for order in dict.fromkeys(orders):
+        end = order * rpm / 60.0
+        name = "1×" if order == 1 else f"{order}× (teeth)"
+        lines.append([(0.0, 0.0), (rpm, end)])
+        if end <= top:
+            right.append((end, name))
+            continue
+        axes.text(
+            top * 60.0 / order, top * 0.985, f" {name}", ha="left", va="top", color=GREY,
+            fontsize=FONT_SIZE - 1.0,
+        )
+    axes.add_collection(
+        LineCollection(lines, colors=GREY, linewidths=0.8, zorder=2), autolim=False
+    )
+    return right
+
+
+def _criticals(axes: Axes, result: CampbellResult) -> None:
+    speeds = result.critical_speed[np.isfinite(result.critical_speed)] * RPM.factor
+    speeds = speeds[speeds <= result.speed[-1] * RPM.factor]
+    if speeds.size:
+        axes.plot(
+            speeds, speeds / 60.0, "o", mfc="white", mec=RED, mew=1.2, ls="none",
+            label="critical speed", zorder=7,
+        )
+
+
+def _name_modes(
+    axes: Axes, result: CampbellResult, excitation: Sequence[tuple[float, str]], top: float
+) -> None:
+    """Names at the right edge, moved apart where modes are close, joined to their curves."""
+    from matplotlib.collections import LineCollection
+
+    last = result.frequency[-1]
+    shown = [k for k in range(last.size) if np.isfinite(last[k]) and last[k] <= top]
+    labels = [(float(last[k]), f"{result.mode[k]}  {last[k]:.0f}") for k in shown]
+    looks = [LOOKS[_look(result.kind[k], result.whirl[-1, k])][0] for k in shown]
+    labels += list(excitation)
+    looks += [GREY] * len(excitation)
+    heights = [y for y, _ in labels]
+    placed = spread(heights, [top * 0.037] * len(labels), 0.0, top)
+    edge, frame = float(axes.get_xlim()[1]), axes.get_xlim()[1]
+    leaders = [
+        [(edge, y), (edge + 0.012 * frame, y), (edge + 0.03 * frame, at), (edge + 0.04 * frame, at)]
+        for y, at in zip(heights, placed, strict=True)
+    ]
+    axes.add_collection(
+        LineCollection(leaders, colors=looks, linewidths=0.5, clip_on=False), autolim=False
+    )
+    for at, (_, name), colour in zip(placed, labels, looks, strict=True):
+        axes.text(
+            edge + 0.046 * frame, at, name, va="center", color=colour, fontsize=FONT_SIZE - 1.0
+        )

@@ -1,0 +1,241 @@
+"""Half-section of the machine to scale."""
+
+from __future__ import annotations
+
+import math
+from itertools import groupby
+from typing import TYPE_CHECKING
+
+from rotordyn.machine.lumped import PointMass
+from rotordyn.machine.shaft import Section
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import Sleeve
+from rotordyn.plots.labels import spread
+from rotordyn.plots.sketch import Sketch
+from rotordyn.plots.style import BLACK, BLUE, FONT_SIZE, add_axes, new_figure, round_ticks
+from rotordyn.plots.symbols import (
+    bearing_width,
+    draw_bearing,
+    draw_ground,
+    draw_sleeve,
+    spring,
+)
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+SHADES = ("#B9C4CE", "#D8C3A5", "#B5CDB8", "#CBB9D1", "#E3D9A9", "#C7C7C7")
+_WIDTH, _SIDE = 168.0, 4.0
+
+
+def machine_figure(spindle: Spindle) -> Figure:
+    """The shaft cut above its axis, bearings with contact lines, sleeves, masses, points [mm]."""
+    left, right = _extent(spindle)
+    reach = _reach(spindle)
+    scale = (_WIDTH - 2.0 * _SIDE) / (right - left)
+    above, below = reach + 15.0 / scale, reach + 20.0 / scale
+    height = (above + below) * scale
+    figure = new_figure(_WIDTH, height + 22.0, spindle.title or spindle.name)
+    axes = add_axes(figure, (_SIDE, 13.0, _WIDTH - 2.0 * _SIDE, height), "axial position x [mm]")
+    axes.set(xlim=(left, right), ylim=(-below, above), aspect="equal")
+    axes.set_xticks(round_ticks(left, right, 12))
+    axes.set_yticks([])
+    axes.grid(visible=False)
+    for side in ("left", "right", "top"):
+        axes.spines[side].set_visible(False)
+    sketch = Sketch()
+    _draw_shaft(sketch, spindle, left, right)
+    _draw_discs(sketch, spindle)
+    for seat in spindle.seats:
+        radius = spindle.shaft.section_at(seat.x).outer_diameter / 2.0
+        draw_bearing(sketch, seat, bearing_width(seat, spindle.seats), radius)
+    _hold(sketch, axes, spindle, reach + 3.0 / scale, (left, right), scale)
+    _supports(sketch, spindle)
+    _name_below(sketch, axes, spindle, reach, scale, (left, right))
+    sketch.draw(axes)
+    _material_legend(axes, spindle)
+    return figure
+
+
+def _extent(spindle: Spindle) -> tuple[float, float]:
+    start, end = spindle.shaft.start * 1e3, spindle.shaft.end * 1e3
+    room = 0.04 * (end - start)
+    return start - room, end + room
+
+
+def _reach(spindle: Spindle) -> float:
+    """Largest radius of anything drawn [mm]."""
+    radii = [s.outer_diameter / 2.0 for s in spindle.shaft.sections]
+    radii += [d.outer_diameter / 2.0 for d in spindle.discs]
+    radii += [(s.bearing.pitch_diameter + 2.1 * s.bearing.ball_diameter) / 2 for s in spindle.seats]
+    sleeves = 9.0 if spindle.sleeves else 0.0
+    return max(radii) * 1e3 + max(sleeves, 12.0 if spindle.supports else 2.0)
+
+
+def _draw_shaft(sketch: Sketch, spindle: Spindle, left: float, right: float) -> None:
+    shades = _shades(spindle)
+    edges = [x * 1e3 for x in spindle.shaft.boundaries]
+    for section, a, b in zip(spindle.shaft.sections, edges, edges[1:], strict=False):
+        _draw_section(sketch, section, a, b, shades[section.material.name])
+    sketch.line([(left, 0.0), (right, 0.0)], BLACK, 0.5, "dashdot", z=6)
+
+
+def _draw_section(sketch: Sketch, section: Section, a: float, b: float, shade: str) -> None:
+    """The wall cut above the axis with the bore open behind it; the outside below."""
+    outer, inner = section.outer_diameter * 500.0, section.inner_diameter * 500.0
+    sketch.box(a, b, inner, outer, shade)
+    if inner > 0.0:
+        sketch.box(a, b, 0.0, inner, "#F7F7F7", width=0.35, edge="#999999")
+    sketch.box(a, b, -outer, 0.0, "#ECEFF1", width=0.7)
+
+
+def _shades(spindle: Spindle) -> dict[str, str]:
+    names = [s.material.name for s in spindle.shaft.sections]
+    names += [d.material.name for d in spindle.discs]
+    return {n: SHADES[k % len(SHADES)] for k, n in enumerate(dict.fromkeys(names))}
+
+
+def _draw_discs(sketch: Sketch, spindle: Spindle) -> None:
+    shades = _shades(spindle)
+    for disc in spindle.discs:
+        a, b = (disc.x - disc.width / 2) * 1e3, (disc.x + disc.width / 2) * 1e3
+        inner, outer = disc.inner_diameter * 500.0, disc.outer_diameter * 500.0
+        sketch.box(a, b, inner, outer, shades[disc.material.name], z=3)
+        sketch.box(a, b, -outer, -inner, "#ECEFF1", z=3)
+
+
+def _hold(
+    sketch: Sketch,
+    axes: Axes,
+    spindle: Spindle,
+    lane: float,
+    limits: tuple[float, float],
+    scale: float,
+) -> None:
+    """Housing or sleeve above every bearing, with the names over it."""
+    labels: list[tuple[float, str]] = []
+    for seat in spindle.seats:
+        if spindle.sleeve_of(seat.name) is None:
+            top = (seat.bearing.pitch_diameter / 2 + 1.05 * seat.bearing.ball_diameter) * 1e3
+            half = bearing_width(seat, spindle.seats) * 500.0
+            draw_ground(sketch, seat.x * 1e3, top, half, upright=False, side=1.0)
+        labels.append((seat.x * 1e3, seat.name))
+    for at, (x, name) in zip(
+        spread([x for x, _ in labels], [_text(n, scale) for _, n in labels], *limits),
+        labels,
+        strict=True,
+    ):
+        axes.text(at, lane, name, ha="center", va="bottom", fontsize=FONT_SIZE, weight="bold")
+        del x
+    for sleeve in spindle.sleeves:
+        _hold_sleeve(sketch, spindle, sleeve)
+    words = [_sleeve_words(s) for s in spindle.sleeves]
+    middles = [_sleeve_middle(spindle, s) for s in spindle.sleeves]
+    sizes = [_text(w, scale) for w in words]
+    for x, text in zip(spread(middles, sizes, *limits), words, strict=True):
+        axes.text(
+            x, lane + 5.5 / scale, text, ha="center", va="bottom", fontsize=FONT_SIZE, color=BLUE
+        )
+
+
+def _hold_sleeve(sketch: Sketch, spindle: Spindle, sleeve: Sleeve) -> None:
+    seats = [s for s in spindle.seats if s.name in sleeve.bearings]
+    widths = [bearing_width(s, spindle.seats) / 2 for s in seats]
+    left = min(s.x - w for s, w in zip(seats, widths, strict=True)) * 1e3
+    right = max(s.x + w for s, w in zip(seats, widths, strict=True)) * 1e3
+    base = max(s.bearing.pitch_diameter / 2 + 1.05 * s.bearing.ball_diameter for s in seats) * 1e3
+    draw_sleeve(
+        sketch, left, right, base, seats[0].thrust, stop=math.isfinite(sleeve.stop_travel)
+    )
+
+
+def _sleeve_middle(spindle: Spindle, sleeve: Sleeve) -> float:
+    places = [s.x for s in spindle.seats if s.name in sleeve.bearings]
+    return sum(places) / len(places) * 1e3
+
+
+def _sleeve_words(sleeve: Sleeve) -> str:
+    parts = [f"{sleeve.spring.preload:g} N"]
+    if math.isfinite(sleeve.spring.stiffness):
+        parts.append(f"{sleeve.spring.stiffness / 1e6:g} N/µm")
+    if math.isfinite(sleeve.stop_travel):
+        parts.append(f"stop after {sleeve.stop_travel * 1e6:g} µm")
+    return f"{sleeve.name}: {', '.join(parts)}"
+
+
+def _supports(sketch: Sketch, spindle: Spindle) -> None:
+    """Linear supports as a spring from the shaft down to the ground."""
+    for support in spindle.supports:
+        x = support.x * 1e3
+        radius = spindle.shaft.section_at(support.x).outer_diameter * 500.0
+        sketch.line(spring((x, -radius), (x, -radius - 10.0), 2.0), BLUE, 1.0)
+        draw_ground(sketch, x, -radius - 10.0, 4.0, upright=False, side=-1.0)
+
+
+def _name_below(
+    sketch: Sketch,
+    axes: Axes,
+    spindle: Spindle,
+    reach: float,
+    scale: float,
+    limits: tuple[float, float],
+) -> None:
+    """Masses, supports and named points under the shaft, joined to their places by leaders."""
+    marks = _marks(sketch, spindle, 1.6 / scale)
+    sizes = [max(_text(line, scale) for line in text.split("\n")) for _, _, text in marks]
+    places = spread([x for x, _, _ in marks], sizes, *limits)
+    upper, lower = -reach - 2.0 / scale, -reach - 8.5 / scale
+    for at, (x, y, text) in zip(places, marks, strict=True):
+        sketch.line([(x, y), (x, upper), (at, lower)], "#777777", 0.4, z=7)
+        axes.text(
+            at, lower - 0.8 / scale, text, ha="center", va="top", fontsize=FONT_SIZE - 1.5,
+            linespacing=1.05,
+        )
+
+
+def _marks(sketch: Sketch, spindle: Spindle, size: float) -> list[tuple[float, float, str]]:
+    """What is to be named: place of the leader's start [mm] and the words."""
+    marks = []
+    for _, alike in groupby(spindle.masses, key=lambda m: (m.name, m.mass)):
+        row = list(alike)
+        for mass in row:
+            _mass_symbol(sketch, mass, size)
+        middle = row[len(row) // 2]
+        times = f"{len(row)} × " if len(row) > 1 else ""
+        words = f"{middle.name.replace('_', ' ')}\n{times}{middle.mass:.3g} kg"
+        marks.append((middle.x * 1e3, 0.0, words))
+    for name, x in spindle.points.items():
+        sketch.circle(x * 1e3, 0.0, 0.55 * size, "#FFFFFF", edge=BLACK, z=8)
+        marks.append((x * 1e3, 0.0, f"{name}\n{x * 1e3:.1f}"))
+    for each in (*spindle.supports, *spindle.discs):
+        marks.append((each.x * 1e3, -_reach(spindle), each.name))
+    return marks
+
+
+def _mass_symbol(sketch: Sketch, mass: PointMass, size: float) -> None:
+    """The quartered circle of a centre of gravity on the axis."""
+    x = mass.x * 1e3
+    sketch.circle(x, 0.0, size, "#FFFFFF", edge=BLACK, z=7)
+    for start in (0.0, math.pi):
+        turn = [start + k * math.pi / 16.0 for k in range(9)]
+        arc = [(x + size * math.cos(t), size * math.sin(t)) for t in turn]
+        sketch.polygon([(x, 0.0), *arc], BLACK, edge=BLACK, width=0.3, z=7)
+
+
+def _text(words: str, scale: float) -> float:
+    """Width of a line of text in axis units [mm of machine], with room to its neighbour."""
+    return (len(words) * 0.56 * (FONT_SIZE - 1.0) * 25.4 / 72.0 + 2.5) / scale
+
+
+def _material_legend(axes: Axes, spindle: Spindle) -> None:
+    shades = _shades(spindle)
+    if len(shades) < 2:
+        return
+    from matplotlib.patches import Patch
+
+    handles = [Patch(facecolor=c, edgecolor="#333333", lw=0.5, label=n) for n, c in shades.items()]
+    axes.legend(
+        handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.99), frameon=False,
+        fontsize=FONT_SIZE - 1.0, ncols=len(handles), handlelength=1.2,
+    )

@@ -1,0 +1,135 @@
+"""One report style for every figure: A4 width, fixed margins, colours that all eyes can tell."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+DPI = 110
+BLUE, RED, GREEN, PURPLE = "#0072B2", "#D55E00", "#009E73", "#9A5B8B"
+ORANGE, SKY, BLACK, GREY = "#E69F00", "#56B4E9", "#222222", "#8A8A8A"
+CYCLE = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
+DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 1)), (0, (7, 2)))
+FONT_SIZE = 8.0
+_RC: dict[str, Any] = {
+    "font.size": FONT_SIZE,
+    "axes.titlesize": FONT_SIZE,
+    "axes.linewidth": 0.6,
+    "axes.edgecolor": "#444444",
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "axes.autolimit_mode": "data",
+    "axes.xmargin": 0.0,
+    "grid.color": "#E3E3E3",
+    "grid.linewidth": 0.5,
+    "lines.linewidth": 1.2,
+    "lines.markersize": 5.0,
+    "xtick.direction": "in",
+    "ytick.direction": "in",
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+    "legend.frameon": False,
+    "legend.fontsize": FONT_SIZE - 1.0,
+    "legend.handlelength": 2.4,
+    "svg.fonttype": "none",
+    "svg.hashsalt": "rotordyn",
+    "axes.formatter.use_mathtext": False,
+}
+
+
+def new_figure(width: float = 168.0, height: float = 105.0, title: str = "") -> Figure:
+    """An empty figure of ``width`` × ``height`` [mm]."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(width / 25.4, height / 25.4), dpi=DPI)
+    FigureCanvasAgg(figure)
+    if title:
+        high = 1.0 - 4.5 / height
+        figure.text(0.5, high, title, ha="center", va="center", fontsize=FONT_SIZE + 1.0)
+    return figure
+
+
+def add_axes(
+    figure: Figure, box: Sequence[float], x_label: str = "", y_label: str = "", **kwargs: Any
+) -> Axes:
+    """Axes in ``box`` = left, bottom, width, height [mm from the lower left corner]."""
+    from matplotlib import rc_context
+
+    width, height = figure.get_size_inches() * 25.4
+    left, bottom, wide, tall = box
+    with rc_context(_RC):
+        axes = figure.add_axes(
+            (left / width, bottom / height, wide / width, tall / height), **kwargs
+        )
+        axes.set_xlabel(x_label, fontsize=FONT_SIZE)
+        axes.set_ylabel(y_label, fontsize=FONT_SIZE)
+        axes.tick_params(labelsize=FONT_SIZE - 0.5)
+    return axes
+
+
+def grid_boxes(
+    figure: Figure,
+    rows: int,
+    columns: int,
+    *,
+    margins: Sequence[float] = (15.0, 4.0, 12.0, 9.0),
+    gaps: Sequence[float] = (17.0, 15.0),
+) -> list[tuple[float, float, float, float]]:
+    """Boxes [mm] of equal panels, row by row from the top; margins: left, right, bottom, top."""
+    width, height = figure.get_size_inches() * 25.4
+    left, right, bottom, top = margins
+    wide = (width - left - right - gaps[0] * (columns - 1)) / columns
+    tall = (height - bottom - top - gaps[1] * (rows - 1)) / rows
+    return [
+        (left + c * (wide + gaps[0]), height - top - (r + 1) * tall - r * gaps[1], wide, tall)
+        for r in range(rows)
+        for c in range(columns)
+    ]
+
+
+def legend(axes: Axes, **kwargs: Any) -> None:
+    """A legend in the report style, where the lines leave room unless ``loc`` is given."""
+    if axes.get_legend_handles_labels()[0]:
+        axes.legend(
+            frameon=True, framealpha=0.85, edgecolor="none", fontsize=FONT_SIZE - 1.0, **kwargs
+        )
+
+
+def speed_ticks(axes: Axes, top: float) -> None:
+    """Speed axis from 0 to ``top`` [rpm] with ticks at a step of 1, 2, 3 or 5 times a decade."""
+    axes.set_xlim(0.0, max(top, 1.0))
+    axes.set_xticks(round_ticks(0.0, max(top, 1.0), 6))
+
+
+def round_ticks(low: float, high: float, most: int) -> list[float]:
+    """At most ``most`` + 1 round values between ``low`` and ``high``.
+
+    >>> round_ticks(0.0, 24000.0, 6)
+    [0.0, 4000.0, 8000.0, 12000.0, 16000.0, 20000.0, 24000.0]
+    """
+    import math
+
+    span = high - low
+    decade = 10.0 ** math.floor(math.log10(span / most))
+    step = next(s * decade for s in (1, 2, 4, 5, 10, 20) if span / (s * decade) <= most + 1e-9)
+    first = math.ceil(low / step - 1e-9)
+    last = math.floor(high / step + 1e-9)
+    return [float(k * step) for k in range(first, last + 1)]
+
+
+def save(figure: Figure, folder: Path, name: str) -> list[str]:
+    """Write ``name``.png and ``name``.svg into ``folder``; returns the file names."""
+    from matplotlib import rc_context
+
+    with rc_context(_RC):
+        figure.savefig(
+            folder / f"{name}.png", dpi=DPI, pil_kwargs={"compress_level": 3}, metadata={}
+        )
+        figure.savefig(folder / f"{name}.svg", dpi=2 * DPI, metadata={"Date": None})
+    return [f"{name}.png", f"{name}.svg"]

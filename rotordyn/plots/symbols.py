@@ -1,0 +1,99 @@
+"""How bearings, sleeves, springs and supports are drawn [mm]."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from rotordyn.machine.support import BearingSeat
+from rotordyn.plots.sketch import Sketch
+from rotordyn.plots.style import BLUE, RED
+
+RING, BALL, SLEEVE, GROUND = "#C9D3DC", "#FFFFFF", "#E9DFC7", "#555555"
+Line = list[tuple[float, float]]
+
+
+def contact_line(seat: BearingSeat) -> Line:
+    """From the pressure centre on the axis through the ball centre to the outer ring [m].
+
+    Pushing the inner ring the way of ``thrust`` presses the ball against the outer race ahead of
+    it: the line leans forward, and meets the axis ``thrust`` · r · tan α behind the bearing.
+    """
+    bearing = seat.bearing
+    lean = seat.thrust * math.tan(bearing.contact_angle)
+    ball = bearing.pitch_diameter / 2.0
+    outside = ball + 1.1 * bearing.ball_diameter
+    return [(seat.x - lean * ball, 0.0), (seat.x + lean * (outside - ball), outside)]
+
+
+def bearing_width(seat: BearingSeat, seats: Sequence[BearingSeat]) -> float:
+    """A likely ring width [m], less where the neighbours are close."""
+    gaps = [abs(seat.x - other.x) for other in seats if other.x != seat.x]
+    return min(1.7 * seat.bearing.ball_diameter, 0.92 * min(gaps, default=math.inf))
+
+
+def draw_bearing(sketch: Sketch, seat: BearingSeat, width: float, shaft_radius: float) -> None:
+    """Upper half cut with ball and contact line, lower half as a crossed box; [m] in, [mm] out."""
+    ball, pitch = seat.bearing.ball_diameter * 1e3, seat.bearing.pitch_diameter * 500.0
+    left, right, x = (seat.x - width / 2.0) * 1e3, (seat.x + width / 2.0) * 1e3, seat.x * 1e3
+    bore = min(shaft_radius * 1e3, pitch - 0.35 * ball)
+    outside = pitch + 1.05 * ball
+    sketch.box(left, right, bore, pitch - 0.18 * ball, RING, z=4)
+    sketch.box(left, right, pitch + 0.18 * ball, outside, RING, z=4)
+    sketch.circle(x, pitch, ball / 2.0, BALL, z=5)
+    sketch.box(left, right, -outside, -bore, RING, z=4)
+    sketch.line([(left, -outside), (right, -bore)], width=0.4, z=5)
+    sketch.line([(left, -bore), (right, -outside)], width=0.4, z=5)
+    line = [(a * 1e3, r * 1e3) for a, r in contact_line(seat)]
+    sketch.line(line, RED, 0.9, "dashdot", z=6)
+    sketch.circle(*line[0], 0.9, RED, edge=RED, z=6)
+
+
+def spring(start: tuple[float, float], end: tuple[float, float], half: float) -> Line:
+    """A zigzag of half-height ``half`` between two points."""
+    a, b = np.array(start), np.array(end)
+    along, across = b - a, np.array([a[1] - b[1], b[0] - a[0]])
+    across = across / np.hypot(*across) * half
+    steps = [(0.0, 0.0), (0.12, 0.0)]
+    steps += [(0.12 + 0.76 * (k + 0.5) / 6.0, (-1.0) ** k) for k in range(6)]
+    steps += [(0.88, 0.0), (1.0, 0.0)]
+    places = [a + along * s + across * t for s, t in steps]
+    return [(float(p[0]), float(p[1])) for p in places]
+
+
+def draw_ground(
+    sketch: Sketch, x: float, y: float, half: float, *, upright: bool, side: float
+) -> None:
+    """A hatched wall through (x, y), its hatching towards ``side`` (+1 or −1)."""
+    count, depth = max(round(2.0 * half / 2.2), 2), 1.8
+    if upright:
+        sketch.line([(x, y - half), (x, y + half)], GROUND, 1.0)
+    else:
+        sketch.line([(x - half, y), (x + half, y)], GROUND, 1.0)
+    for at in np.linspace(-half, half - 1.2, count):
+        start = (x, y + at) if upright else (x + at, y)
+        end = (x + side * depth, y + at + 1.2) if upright else (x + at + 1.2, y + side * depth)
+        sketch.line([start, end], GROUND, 0.5)
+
+
+def draw_sleeve(
+    sketch: Sketch, left: float, right: float, base: float, thrust: int, *, stop: bool
+) -> tuple[float, float]:
+    """A sleeve over its bearings, its spring, and its stop; returns the middle of the spring.
+
+    The spring pushes against ``thrust``, so it stands on the ``thrust`` side; the stop waits there.
+    """
+    top = base + 9.0
+    sketch.box(left, right, base, top, SLEEVE, z=4)
+    face = right if thrust > 0 else left
+    wall = face + thrust * 13.0
+    sketch.line(spring((face, base + 2.8), (wall, base + 2.8), 1.7), BLUE, 1.0)
+    draw_ground(sketch, wall, base + 2.8, 2.8, upright=True, side=float(thrust))
+    if stop:
+        near = face + thrust * 2.4
+        sketch.line([(near, base + 7.3), (wall, base + 7.3)], GROUND, 1.0)
+        sketch.line([(near, base + 5.9), (near, base + 8.7)], GROUND, 1.8)
+        draw_ground(sketch, wall, base + 7.3, 1.7, upright=True, side=float(thrust))
+    return (face + wall) / 2.0, base + 2.8

@@ -1,0 +1,40 @@
+"""Radial growth of the inner groove centres at speed."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.machine.growth import InterferenceFit, QuadraticInSpeed
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import BearingSeat
+
+Array = NDArray[np.float64]
+
+
+def ring_growth(spindle: Spindle, seat: BearingSeat, speed: Array) -> Array:
+    """Total growth Δu of a seat's inner groove centre at every speed, static part included [m]."""
+    rule = seat.growth.centrifugal
+    if isinstance(rule, QuadraticInSpeed):
+        return seat.growth.static + rule.value * (speed / rule.speed) ** 2
+    if isinstance(rule, InterferenceFit):
+        return seat.growth.static + fit_growth(spindle, seat, rule, speed)
+    return np.full_like(speed, seat.growth.static)
+
+
+def fit_growth(spindle: Spindle, seat: BearingSeat, fit: InterferenceFit, speed: Array) -> Array:
+    """Growth by rotation of the inner raceway of a ring fitted on the shaft, from rest [m].
+
+    Shaft section and inner ring are compound thick cylinders in plane stress; the ring reaches to
+    the raceway contact radius (dm − D cos α)/2.
+    """
+    from bearings.rings import Cylinder, centrifugal_growth, raceway_radius
+
+    section, bearing = spindle.shaft.section_at(seat.x), seat.bearing
+    race = raceway_radius(bearing.pitch_diameter, bearing.ball_diameter, bearing.contact_angle)
+    bore = fit.bore_diameter / 2.0
+    bodies = (
+        Cylinder(section.inner_diameter / 2.0, bore, section.material),
+        Cylinder(bore, race, bearing.ring_material),
+    )
+    return centrifugal_growth(bodies, [fit.interference], race, speed)

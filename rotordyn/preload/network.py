@@ -1,0 +1,188 @@
+"""Axial equilibrium of the arrangement, at all speeds at once.
+
+Positions x (speeds, bodies) are measured from where every bearing is just unloaded at rest. The
+state at rest, with the springs at their stated preload, fixes where each spring and stop is.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.angular_contact import AngularContactBallBearing
+from bearings.state import BearingState
+from rotordyn.preload.arrangement import HOUSING, SHAFT, Arrangement
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+TOLERANCE = 1e-11  # of the largest force
+ITERATIONS = 60
+LONGEST_STEP = 50e-6  # m
+
+
+@dataclass(frozen=True, slots=True)
+class Law:
+    """How the bearings answer a deflection: the hypotheses of the ball model."""
+
+    kinematics: str
+    moment_sharing: str
+
+
+@dataclass(frozen=True, slots=True)
+class Springs:
+    """Forces on the bodies towards +x: ``force`` − ``stiffness``·(x − ``rest``), all (bodies,).
+
+    ``fixed`` bodies cannot move from ``rest``.
+    """
+
+    force: Array
+    stiffness: Array
+    rest: Array
+    fixed: Flags
+
+
+@dataclass(frozen=True, slots=True)
+class Response:
+    """Joint loads and slopes (speeds, joints) [N, N/m], and the bearing states behind them."""
+
+    load: Array
+    slope: Array
+    states: dict[AngularContactBallBearing, BearingState]
+
+
+@dataclass(frozen=True, slots=True)
+class Network:
+    """An arrangement with the law of its bearings and its springs."""
+
+    arrangement: Arrangement
+    law: Law
+    springs: Springs
+
+    @property
+    def twins(self) -> Array:
+        """How many bearings each joint stands for (joints,)."""
+        return np.array([float(len(joint.seats)) for joint in self.arrangement.joints])
+
+    @property
+    def incidence(self) -> Array:
+        """B (joints, bodies): δ = B x + s·shift; bearings push the bodies by −Bᵀ (twins·F)."""
+        b = np.zeros((len(self.arrangement.joints), len(self.arrangement.bodies)))
+        for k, joint in enumerate(self.arrangement.joints):
+            b[k, SHAFT] = joint.thrust
+            if joint.outer != HOUSING:
+                b[k, joint.outer] = -joint.thrust
+        return b
+
+    def deflection(self, x: Array) -> Array:
+        """Axial deflection of every joint (speeds, joints) [m]."""
+        shift = np.stack([j.thrust * j.shift for j in self.arrangement.joints], axis=1)
+        return x @ self.incidence.T + shift
+
+    def respond(self, x: Array, near: Response | None = None) -> Response:
+        """Loads and slopes at positions ``x``; each bearing model is solved in one call."""
+        deflection = self.deflection(x)
+        load, slope = np.empty_like(deflection), np.empty_like(deflection)
+        states = {}
+        for bearing, index in groups(self.arrangement).items():
+            joints = [self.arrangement.joints[k] for k in index]
+            displacement = np.zeros((*deflection[:, index].shape, 5))
+            displacement[..., 0] = deflection[:, index]
+            state = bearing.equilibrium(
+                displacement=displacement,
+                speed=self.arrangement.speed[:, None],
+                static_growth=np.array([j.static_growth for j in joints]),
+                growth=np.stack([j.growth for j in joints], axis=1),
+                kinematics=self.law.kinematics,
+                moment_sharing=self.law.moment_sharing,
+                start=None if near is None else near.states[bearing],
+            )
+            load[:, index] = state.load[..., 0]
+            slope[:, index] = state.complete_stiffness[..., 0, 0]
+            states[bearing] = state
+        return Response(load, slope, states)
+
+    def forces(self, x: Array, response: Response) -> Array:
+        """Sum of forces on each body towards +x (speeds, bodies) [N]."""
+        springs = self.springs
+        total = springs.force - springs.stiffness * (x - springs.rest)
+        total = total - (self.twins * response.load) @ self.incidence
+        total[:, SHAFT] += self.arrangement.force
+        return total
+
+    def error(self, x: Array, response: Response, fixed: Flags) -> tuple[Array, Array]:
+        """Unbalanced forces of the free bodies, and the largest over the largest force."""
+        miss = np.where(fixed, 0.0, self.forces(x, response))
+        size = (self.twins * np.abs(response.load)).max(axis=1)
+        size = size + np.abs(self.springs.force).max() + 1e-9
+        return miss, np.abs(miss).max(axis=1) / size
+
+
+def groups(arrangement: Arrangement) -> dict[AngularContactBallBearing, list[int]]:
+    """Joint indices by bearing model."""
+    found: dict[AngularContactBallBearing, list[int]] = {}
+    for k, joint in enumerate(arrangement.joints):
+        found.setdefault(joint.bearing, []).append(k)
+    return found
+
+
+@dataclass(frozen=True, slots=True)
+class NetworkState:
+    """``position`` (speeds, bodies), bodies ``held`` by a stop, ``error`` and ``found`` (speeds,)."""
+
+    position: Array
+    held: Flags
+    response: Response
+    error: Array
+    found: Flags
+
+
+def solve(network: Network, position: Array, held: Flags, limit: Array) -> NetworkState:
+    """Newton with shortened steps from ``position``; bodies ``held`` stay at ``limit``."""
+    springs = network.springs
+    fixed = held | springs.fixed
+    x = np.where(held, limit, np.where(springs.fixed, springs.rest, position))
+    response = network.respond(x)
+    for _ in range(ITERATIONS):
+        miss, error = network.error(x, response, fixed)
+        moving = np.isfinite(error) & (error >= TOLERANCE)
+        if not moving.any():
+            break
+        step = np.where(moving[:, None], _newton(network, response, miss, fixed), 0.0)
+        x, response = _advance(network, x, step, response, fixed, error)
+    response = network.respond(x)  # from the convex start: no neighbour was trusted
+    error = network.error(x, response, fixed)[1]
+    return NetworkState(x, held, response, error, error < 1e3 * TOLERANCE)
+
+
+def _newton(network: Network, response: Response, miss: Array, fixed: Flags) -> Array:
+    """Step that balances the linearised forces; what nothing holds gets a soft spring."""
+    b, stiffness = network.incidence, network.springs.stiffness
+    slope = network.twins * np.nan_to_num(np.maximum(response.slope, 0.0))
+    k = np.einsum("jn,sj,jm->snm", b, slope, b)
+    diagonal = np.arange(k.shape[-1])
+    soft = 1e-9 * np.abs(k).max(axis=(1, 2)) + 1e3
+    k[:, diagonal, diagonal] += stiffness + soft[:, None] * (stiffness == 0.0)
+    k = np.where(fixed[:, :, None] | fixed[:, None, :], 0.0, k)
+    k[:, diagonal, diagonal] += fixed
+    step = np.linalg.solve(k, np.nan_to_num(miss)[..., None])[..., 0]
+    longest = np.abs(step).max(axis=1, keepdims=True)
+    return step * np.minimum(1.0, LONGEST_STEP / np.maximum(longest, 1e-300))
+
+
+def _advance(
+    network: Network, x: Array, step: Array, near: Response, fixed: Flags, error: Array
+) -> tuple[Array, Response]:
+    """Take the step, halved at the speeds where the balance would get worse or no state exists."""
+    length = np.ones(len(x))
+    idle = (np.abs(step).max(axis=1) < 1e-16) | ~np.isfinite(error)
+    for _ in range(12):
+        trial = x + length[:, None] * step
+        response = network.respond(trial, near)
+        after = network.error(trial, response, fixed)[1]
+        good = idle | (after < error)
+        if good.all():
+            break
+        length = np.where(good, length, 0.5 * length)
+    return trial, response

@@ -1,0 +1,59 @@
+"""Why a speed has no usable preload state, in words a designer can act on."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from rotordyn.machine.spindle import Spindle
+from rotordyn.preload.network import Network, NetworkState, groups
+
+LEAST_LOAD = 1e-6  # of the largest joint load: below it a bearing counts as unloaded
+HIGHEST_PRESSURE = 10e9  # Pa: beyond any contact that stays elastic
+
+
+def outcomes(spindle: Spindle, network: Network, net: NetworkState) -> tuple[str, ...]:
+    """One word per speed: empty where the state is usable."""
+    return tuple(_outcome(spindle, network, net, row) for row in range(len(net.found)))
+
+
+def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int) -> str:
+    rpm = network.arrangement.speed[row] * 30.0 / math.pi
+    load = net.response.load[row]
+    names = [
+        ", ".join(spindle.seats[k].name for k in joint.seats)
+        for joint in network.arrangement.joints
+    ]
+    for k in np.flatnonzero(~np.isfinite(load)):
+        return (
+            f"bearing {names[k]} has no equilibrium at {rpm:.0f} rpm: raise its preload or lower "
+            "the speed"
+        )
+    if not net.found[row]:
+        return f"the axial arrangement finds no equilibrium at {rpm:.0f} rpm: raise the preload"
+    for k in np.flatnonzero(load <= LEAST_LOAD * np.abs(load).max()):
+        return (
+            f"bearing {names[k]} is unloaded at {rpm:.0f} rpm (preload lost): raise the preload of "
+            "its spring or lower the axial force"
+        )
+    return _overload(names, network, net, row, rpm)
+
+
+def _overload(
+    names: list[str], network: Network, net: NetworkState, row: int, rpm: float
+) -> str:
+    for bearing, index in groups(network.arrangement).items():
+        state = net.response.states[bearing]
+        for column, k in enumerate(index):
+            peak = max(
+                float(state.inner_pressure[row, column].max()),
+                float(state.outer_pressure[row, column].max()),
+            )
+            if peak > HIGHEST_PRESSURE:
+                return (
+                    f"bearing {names[k]} is overloaded at {rpm:.0f} rpm (peak pressure "
+                    f"{peak / 1e9:.1f} GPa, at most 10 GPa): lower its preload"
+                )
+    return ""
+

@@ -1,0 +1,1 @@
+"""Results into files: datasets, NetCDF, tables, UFF, the run record and the summary."""

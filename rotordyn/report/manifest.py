@@ -1,0 +1,91 @@
+"""The record of a run, ``run.json``: what was computed from what, how well, how long it took."""
+
+from __future__ import annotations
+
+import json
+import math
+import platform
+import sys
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field, fields
+from pathlib import Path
+from typing import Any
+
+import rotordyn
+from rotordyn.report.folder import MARKER, RECORD
+
+FORMAT = 1
+_LIBRARIES = ("numpy", "scipy", "pydantic", "xarray", "h5py", "h5netcdf", "matplotlib", "pyuff")
+
+
+@dataclass(frozen=True, slots=True)
+class RunRecord:
+    """What a run leaves behind besides its numbers.
+
+    ``digest``: hash of all ``inputs`` read. ``outcomes``: analysis -> outcome word -> speeds [rpm]
+    with it. ``tolerances``: name -> the residual reached. ``stages`` and ``figures``: seconds.
+    ``skipped``: what was not made -> why. ``warnings``: sentences.
+    """
+
+    case: str
+    digest: str
+    inputs: tuple[str, ...] = ()
+    title: str = ""
+    settings: Mapping[str, Any] = field(default_factory=dict)
+    outcomes: Mapping[str, Mapping[str, list[float]]] = field(default_factory=dict)
+    tolerances: Mapping[str, float] = field(default_factory=dict)
+    stages: Mapping[str, float] = field(default_factory=dict)
+    figures: Mapping[str, float] = field(default_factory=dict)
+    skipped: Mapping[str, str] = field(default_factory=dict)
+    warnings: tuple[str, ...] = ()
+
+
+def versions() -> dict[str, str]:
+    """Python, platform, rotordyn and the libraries this process has loaded."""
+    found = {
+        "python": platform.python_version(),
+        "platform": f"{sys.platform} {platform.machine()}",
+        "rotordyn": rotordyn.__version__,
+    }
+    loaded = {name: sys.modules[name] for name in _LIBRARIES if name in sys.modules}
+    return found | {n: str(getattr(m, "__version__", "unknown")) for n, m in loaded.items()}
+
+
+def outcomes(results: Mapping[str, Any]) -> dict[str, dict[str, list[float]]]:
+    """For each analysis: every outcome word and the speeds [rpm] that ended with it."""
+    table: dict[str, dict[str, list[float]]] = {}
+    for name, result in results.items():
+        words: dict[str, list[float]] = table.setdefault(name, {})
+        for speed, word in zip(result.speed, result.outcome, strict=True):
+            each = {str(word)} if isinstance(word, str) else set(map(str, word))
+            for one in sorted(each):
+                words.setdefault(one, []).append(round(float(speed) * 30.0 / math.pi, 3))
+    return table
+
+
+def content(record: RunRecord, files: Iterable[str]) -> dict[str, Any]:
+    """The record as plain values, ready for JSON; ``files`` are those of the results folder."""
+    own = {f.name: getattr(record, f.name) for f in fields(record)}
+    head = {MARKER: FORMAT, "versions": versions(), "files": sorted({*files, RECORD})}
+    return {key: _plain(value) for key, value in (head | own).items()}
+
+
+def write_record(folder: Path, record: RunRecord) -> None:
+    """Write the record into ``folder``, listing the files that are there; do it last."""
+    files = [p.relative_to(folder).as_posix() for p in folder.rglob("*") if p.is_file()]
+    text = json.dumps(content(record, files), indent=1, ensure_ascii=False, allow_nan=False)
+    (folder / RECORD).write_text(text + "\n", encoding="utf-8")
+
+
+def _plain(value: Any) -> Any:
+    """Values JSON knows: numbers that are not finite become words, seconds lose noise digits."""
+    if isinstance(value, Mapping):
+        return {str(k): _plain(v) for k, v in value.items()}
+    if isinstance(value, list | tuple | set | frozenset):
+        return [_plain(v) for v in value]
+    if isinstance(value, bool | int | str) or value is None:
+        return value
+    if isinstance(value, float) or hasattr(value, "__float__"):
+        number = float(value)
+        return float(f"{number:.6g}") if math.isfinite(number) else str(number)
+    return str(value)

@@ -1,0 +1,106 @@
+"""All results of a run in one NetCDF-4 file, one group per analysis.
+
+NetCDF has no complex numbers that every reader agrees on: a complex ``x`` is stored as ``x_re``
+and ``x_im``, each naming the variable it is part of. Truth values are bytes 0 and 1 with the
+attribute ``dtype = "bool"``, as xarray writes them. ``read_results`` undoes both.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from rotordyn.report.variables import Variable, variables
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+
+def write_results(
+    path: Path, results: Mapping[str, Any], attributes: Mapping[str, str] | None = None
+) -> None:
+    """Write ``results`` (analysis name -> result) to ``path``; ``attributes`` describe the run."""
+    import h5netcdf
+
+    with h5netcdf.File(path, "w") as file:
+        file.attrs.update(attributes or {})
+        for name, result in results.items():
+            _write_group(file.create_group(name), result)
+
+
+def read_results(path: Path) -> dict[str, xr.Dataset]:
+    """The groups of a results file by analysis name, complex variables put together again."""
+    import h5netcdf
+    import xarray as xr
+
+    with h5netcdf.File(path, "r") as file:
+        names = list(file.groups)
+    found = {}
+    for name in names:
+        with xr.open_dataset(path, group=name, engine="h5netcdf") as opened:
+            found[name] = _restored(opened.load())
+    return found
+
+
+def _write_group(group: Any, result: Any) -> None:
+    group.attrs["result"] = type(result).__name__
+    parts = [half for variable in variables(result) for half in _storable(variable)]
+    group.dimensions = {d: n for v in parts for d, n in zip(v.dims, v.values.shape, strict=True)}
+    auxiliary = " ".join(v.name for v in parts if v.role == "auxiliary")
+    for v in parts:
+        kind = str if v.values.dtype.kind == "U" else v.values.dtype
+        stored = group.create_variable(v.name, v.dims, dtype=kind)
+        if v.values.size:
+            stored[...] = v.values.astype(object) if kind is str else v.values
+        stored.attrs.update(v.attrs)
+        if auxiliary and v.role == "quantity":
+            stored.attrs["coordinates"] = _covered(auxiliary, v, parts)
+
+
+def _covered(auxiliary: str, variable: Variable, parts: list[Variable]) -> str:
+    """Names of the auxiliary coordinates, which xarray then does not take for data."""
+    dims = {v.name: v.dims for v in parts}
+    fitting = [name for name in auxiliary.split() if set(dims[name]) <= set(variable.dims)]
+    return " ".join(fitting)
+
+
+def _storable(variable: Variable) -> list[Variable]:
+    """The variable in the types NetCDF has: complex in two halves, truth values as bytes."""
+    values, attrs = variable.values, variable.attrs
+    if values.dtype.kind == "b":
+        return [variable._replace(values=values.astype(np.int8), attrs=attrs | {"dtype": "bool"})]
+    if values.dtype.kind != "c":
+        return [variable]
+    halves = (("re", "real", values.real), ("im", "imaginary", values.imag))
+    return [
+        variable._replace(
+            name=f"{variable.name}_{ending}",
+            values=np.ascontiguousarray(half),
+            attrs=attrs | {"complex_part": part, "complex_name": variable.name},
+        )
+        for ending, part, half in halves
+    ]
+
+
+def _restored(stored: xr.Dataset) -> xr.Dataset:
+    """A dataset as it was in memory: complex joined, words as strings, no file encodings."""
+    for name in list(stored.data_vars):
+        if stored[name].attrs.get("complex_part") == "real":
+            stored = _joined(stored, stored[name].attrs["complex_name"])
+    words = [n for n, v in stored.variables.items() if v.dtype.kind == "O"]
+    stored = stored.assign({n: stored[n].astype(str) for n in words})
+    auxiliary = [str(n) for n in stored.data_vars if str(n).endswith("speed_rpm")]
+    return stored.set_coords(auxiliary).drop_encoding()
+
+
+def _joined(stored: xr.Dataset, name: str) -> xr.Dataset:
+    real, imaginary = stored[f"{name}_re"], stored[f"{name}_im"]
+    values = np.empty(real.shape, complex)
+    values.real, values.imag = real.values, imaginary.values
+    attrs = {k: v for k, v in real.attrs.items() if not k.startswith("complex_")}
+    joined = real.variable.copy(data=values)
+    joined.attrs = attrs
+    return stored.drop_vars([real.name, imaginary.name]).assign({name: joined})

@@ -1,0 +1,175 @@
+"""One screen of plain text about a run: at most 40 lines of 100 columns."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any, Protocol
+
+import numpy as np
+
+from rotordyn.analysis.comparison import Comparison, compare
+from rotordyn.analysis.display import RPM, STIFFNESS, shown
+from rotordyn.analysis.results import CampbellResult, PreloadResult, StiffnessResult
+from rotordyn.machine.mass import mass_properties
+from rotordyn.machine.reference import QUANTITIES, Reference
+from rotordyn.machine.spindle import Spindle
+
+WIDTH, HEIGHT = 100, 40
+PRESSURE_WARNING = 4.2e9
+_WHIRL = {1: "fw", -1: "bw", 0: ""}
+
+
+class Described(Protocol):
+    """What the summary needs to know of a case."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def title(self) -> str: ...
+    @property
+    def spindle(self) -> Spindle | None: ...
+    @property
+    def references(self) -> Sequence[Reference]: ...
+
+
+def summary(case: Described, results: Mapping[str, Any], warnings: Iterable[str] = ()) -> str:
+    """The summary; ``warnings`` come first, joined by those the results call for."""
+    lines = [f"WARNING: {w}" for w in (*warnings, *pressure_warnings(results))][:6]
+    lines += [f"{case.name}: {case.title}" if case.title else case.name]
+    if case.spindle:
+        lines += _machine(case.spindle)
+    if "campbell" in results:
+        lines += _modes(results["campbell"])
+    if "preload" in results:
+        lines += _preload(results["preload"])
+    if "stiffness" in results:
+        lines += _stiffness(results["stiffness"])
+    lines = [part for line in lines for part in _wrapped(line)]
+    own = case.spindle.references if case.spindle else ()
+    compared = compare((*case.references, *own), results, case.spindle)
+    return "\n".join((lines + _references(compared, HEIGHT - len(lines)))[:HEIGHT])
+
+
+def pressure_warnings(results: Mapping[str, Any]) -> list[str]:
+    """A sentence per bearing whose contact pressure passes the limit of usual ring steel."""
+    result = results.get("preload")
+    if not isinstance(result, PreloadResult):
+        return []
+    peak = np.fmax(result.inner_pressure, result.outer_pressure)
+    found = []
+    for column, name in enumerate(result.bearing):
+        over = np.flatnonzero(peak[:, column] > PRESSURE_WARNING)
+        if over.size:
+            rpm = result.speed[over[0]] * RPM.factor
+            value = np.nanmax(peak[:, column]) / 1e9
+            found.append(
+                f"bearing {name}: contact pressure {value:.2f} GPa is above "
+                f"{PRESSURE_WARNING / 1e9:g} GPa, from {rpm:.0f} rpm on"
+            )
+    return found
+
+
+def _machine(spindle: Spindle) -> list[str]:
+    m = mass_properties(spindle)
+    lines = [
+        f"rotor      {m.mass:.2f} kg, centre of gravity at {m.centre * 1e3:.1f} mm, inertia polar "
+        f"{m.polar_inertia:.5f}, diametral {m.diametral_inertia:.4f} kg m²"
+    ]
+    if spindle.seats:
+        rows = ", ".join(
+            f"{s.name} {s.x * 1e3:.1f} mm ({'+' if s.thrust > 0 else '−'})" for s in spindle.seats
+        )
+        lines.append(f"bearings   {rows}; (+): loaded by a push towards +x")
+    for sleeve in spindle.sleeves:
+        spring = sleeve.spring
+        stiff = f"{spring.stiffness / 1e6:g} N/µm" if math.isfinite(spring.stiffness) else "rigid"
+        stop = f", stop after {sleeve.stop_travel * 1e6:g} µm"
+        lines.append(
+            f"sleeve     {sleeve.name} with {', '.join(sleeve.bearings)}: {spring.preload:g} N, "
+            f"{stiff}{stop if math.isfinite(sleeve.stop_travel) else ''}"
+        )
+    return lines
+
+
+def _modes(result: CampbellResult) -> list[str]:
+    rest, top = result.frequency[0], result.frequency[-1]
+    entries = [
+        f"{name} {_number(a)} → {_number(b)} {_WHIRL[round(float(w)) if w == w else 0]}".strip()
+        for name, a, b, w in zip(result.mode, rest, top, result.whirl[-1], strict=True)
+    ]
+    first, last = result.speed[[0, -1]] * RPM.factor
+    lines = [f"modes [Hz] {first:.0f} → {last:.0f} rpm: " + "; ".join(entries)]
+    known = [
+        f"{name} {speed * RPM.factor:.0f} rpm ({(speed / result.speed[-1] - 1.0) * 100.0:+.0f} %)"
+        for name, speed in zip(result.critical, result.critical_speed, strict=True)
+        if math.isfinite(speed) and result.speed[-1] > 0.0
+    ]
+    none = f"none up to {last:.0f} rpm"
+    return [*lines, f"critical   1×, margin to top speed: {', '.join(known) or none}"]
+
+
+def _preload(result: PreloadResult) -> list[str]:
+    loads = ", ".join(
+        f"{name} {_number(a, 0)} → {_number(b, 0)}"
+        for name, a, b in zip(result.bearing, *result.axial_load[[0, -1]], strict=True)
+    )
+    lines = [f"preload    [N] {loads}"]
+    for name, speed in zip(result.sleeve, result.stop_speed, strict=True):
+        when = f"reached at {speed * RPM.factor:.0f} rpm" if math.isfinite(speed) else "not reached"
+        lines.append(f"stop       {name}: {when}")
+    return lines
+
+
+def _stiffness(result: StiffnessResult) -> list[str]:
+    values = ", ".join(
+        f"{name.replace('_', ' ')} {_number(a)} → {_number(b)}"
+        for name, a, b in zip(
+            result.variant, *(result.tangent[[0, -1]] * STIFFNESS.factor), strict=True
+        )
+    )
+    return [f"stiffness  radial, tangent [N/µm] {values}"]
+
+
+def _references(compared: Sequence[Comparison], room: int) -> list[str]:
+    """Reference against ours, then its remark, as many as fit whole."""
+    lines: list[str] = []
+    for index, each in enumerate(compared):
+        block = _comparison(each)
+        if len(lines) + len(block) + 1 > room:
+            left = len(compared) - index
+            lines.append(f"… and {left} more published or measured values in the figures and docs")
+            break
+        lines += block
+    return lines
+
+
+def _comparison(compared: Comparison) -> list[str]:
+    reference = compared.reference
+    to = shown(QUANTITIES.get(reference.quantity, ""))
+    digits = 0 if to.unit in ("N", "Hz") else 1
+    one_speed = len(set(reference.speeds)) == 1
+    pairs = [
+        f"{_number(known * to.factor, digits)} | {_number(ours * to.factor, digits)}"
+        + ("" if one_speed else f" @ {speed * RPM.factor:.0f}")
+        for speed, known, ours in zip(
+            reference.speeds, reference.values, compared.values, strict=True
+        )
+    ]
+    at = f" at {reference.speeds[0] * RPM.factor:.0f} rpm" if one_speed else ""
+    subject = f" {reference.subject}".replace("_", " ") if reference.subject else ""
+    what = f"{reference.quantity.replace('_', ' ')}{subject}{at} [{to.unit}]"
+    where = "" if one_speed else " @ rpm"
+    head = f"{reference.kind:10s} {what}: {reference.kind} | ours{where}: {', '.join(pairs)}"
+    return [*_wrapped(head)[:3], *_wrapped(" " * 11 + reference.remark)[:2]]
+
+
+def _wrapped(line: str) -> list[str]:
+    return textwrap.wrap(
+        line, WIDTH, subsequent_indent=" " * 11, drop_whitespace=True, break_on_hyphens=False
+    )
+
+
+def _number(value: float, digits: int = 1) -> str:
+    return f"{value:.{digits}f}" if math.isfinite(value) else "none"

@@ -1,0 +1,150 @@
+"""Tidy CSV tables in engineering units, laid out from the declaration of each result."""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import product
+from math import prod
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis.display import (
+    MILLIMETRE,
+    RPM,
+    Shown,
+    receptance_unit,
+    shown,
+    stiffness_unit,
+)
+from rotordyn.analysis.result import declared
+from rotordyn.analysis.results import FrfResult
+from rotordyn.report.variables import as_array
+
+
+@dataclass(frozen=True, slots=True)
+class Layout:
+    """One file: a line per combination of ``rows``, the dimensions ``across`` side by side."""
+
+    name: str
+    rows: tuple[str, ...]
+    across: tuple[str, ...] = ()
+
+
+LAYOUTS = {
+    "preload": (
+        Layout("preload", ("speed", "bearing"), ("dof", "dof_other")),
+        Layout("preload_bodies", ("speed", "body")),
+        Layout("preload_sleeves", ("speed", "sleeve")),
+        Layout("preload_stops", ("sleeve",)),
+    ),
+    "campbell": (
+        Layout("campbell", ("speed",), ("mode",)),
+        Layout("campbell_modes", ("mode",)),
+        Layout("campbell_critical", ("critical",)),
+        Layout("campbell_shapes", ("shape_speed", "mode", "node"), ("dof",)),
+    ),
+    "stiffness": (
+        Layout("stiffness", ("speed", "variant")),
+        Layout("stiffness_curves", ("speed", "variant", "force")),
+    ),
+    "bearing": (Layout("bearing", ("speed", "load"), ("dof", "dof_other")),),
+}
+Column = tuple[str, list[Any]]
+
+
+def write_tables(folder: Path, results: Mapping[str, Any]) -> list[str]:
+    """Write the tables of every result into ``folder``; returns the names of the files."""
+    names = []
+    for analysis, result in results.items():
+        for layout in LAYOUTS.get(analysis, ()):
+            columns = tidy_columns(result, layout)
+            if columns[0][1]:
+                names.append(_write(folder / f"{layout.name}.csv", columns))
+        if isinstance(result, FrfResult):
+            names += _write_slices(folder, result)
+    return names
+
+
+def tidy_columns(result: Any, layout: Layout) -> list[Column]:
+    """Header and values of every column: the coordinates of a row, then its quantities."""
+    fields = {name: f.metadata for name, f in declared(result).items()}
+    coordinates = {m["dims"][0]: n for n, m in fields.items() if m["role"] == "coordinate"}
+    sizes = {d: len(getattr(result, n)) for d, n in coordinates.items()}
+    shape = tuple(sizes[d] for d in layout.rows)
+    columns = []
+    for axis, dim in enumerate(layout.rows):
+        values = as_array(getattr(result, coordinates[dim]))
+        spread = values.reshape([-1 if a == axis else 1 for a in range(len(shape))])
+        label, unit = fields[coordinates[dim]]["label"], fields[coordinates[dim]]["unit"]
+        to = MILLIMETRE if dim == "node" else shown(unit)
+        columns.append(_column(label, to, np.broadcast_to(spread, shape)))
+    for name, info in fields.items():
+        if info["role"] == "quantity" and _belongs(info["dims"], layout):
+            columns += _quantity_columns(result, name, layout, shape)
+    return columns
+
+
+def _belongs(dims: tuple[str, ...], layout: Layout) -> bool:
+    rows, own = set(layout.rows), set(dims)
+    repeated = dims == ("speed",) and "speed" in rows and len(rows) <= 2
+    return repeated or (rows <= own <= rows | set(layout.across))
+
+
+def _quantity_columns(
+    result: Any, name: str, layout: Layout, shape: tuple[int, ...]
+) -> Iterator[Column]:
+    """The columns of one quantity: one, or one per place ``across`` it."""
+    info, values = declared(result)[name].metadata, as_array(getattr(result, name))
+    across = [d for d in info["dims"] if d not in layout.rows]
+    if len(info["dims"]) - len(across) < len(layout.rows):
+        values = values.reshape(values.shape + (1,) * (len(shape) - values.ndim))
+        yield _column(info["label"], shown(info["unit"]), np.broadcast_to(values, shape))
+        return
+    order = [info["dims"].index(d) for d in (*layout.rows, *across)]
+    flat = values.transpose(order).reshape(prod(shape), -1)
+    words = list(product(*(getattr(result, d) for d in across)))
+    for place, word in enumerate(words):
+        unit = stiffness_unit(*word) if across == ["dof", "dof_other"] else info["unit"]
+        label = f"{info['label']} {','.join(word)}" if word else info["label"]
+        yield from _parts(label, shown(unit), flat[:, place])
+
+
+def _parts(label: str, to: Shown, values: NDArray[Any]) -> Iterator[Column]:
+    if values.dtype.kind != "c":
+        yield _column(label, to, values)
+        return
+    yield _column(f"{label} real", to, values.real)
+    yield _column(f"{label} imaginary", to, values.imag)
+
+
+def _column(label: str, to: Shown, values: NDArray[Any]) -> Column:
+    header = f"{label} [{to.unit}]" if to.unit else label
+    if values.dtype.kind != "f":
+        return header, values.ravel().tolist()
+    return header, [f"{v:.7g}" for v in (values.ravel() * to.factor).tolist()]
+
+
+def _write(path: Path, columns: list[Column]) -> str:
+    with path.open("w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file)
+        writer.writerow([header for header, _ in columns])
+        writer.writerows(zip(*(values for _, values in columns), strict=True))
+    return path.name
+
+
+def _write_slices(folder: Path, result: FrfResult) -> list[str]:
+    """One table per slice: a line per frequency, real and imaginary part of every pair."""
+    names = []
+    for index in np.flatnonzero(result.is_slice).tolist():
+        columns = [_column("frequency", shown("Hz"), result.frequency)]
+        for place, pair in enumerate(result.pair):
+            values = result.receptance[index, place]
+            columns += _parts(f"receptance {pair}", shown(receptance_unit(pair)), values)
+        rpm = round(float(result.speed[index]) * RPM.factor)
+        names.append(_write(folder / f"frf_{rpm}rpm.csv", columns))
+    return names

@@ -1,0 +1,51 @@
+"""A result as a list of named arrays, read off its declaration: what every file is made from."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis.result import declared
+
+
+class Variable(NamedTuple):
+    """An array over named dimensions.
+
+    ``role``: ``"coordinate"`` (the values of a dimension), ``"auxiliary"`` (the same values in
+    another unit) or ``"quantity"``. ``attrs``: ``units`` and ``long_name``.
+    """
+
+    name: str
+    role: str
+    dims: tuple[str, ...]
+    values: NDArray[Any]
+    attrs: dict[str, str]
+
+
+def variables(result: Any) -> list[Variable]:
+    """Every declared field of ``result``; a speed is followed by itself in rpm."""
+    return [variable for name in declared(result) for variable in _variables(result, name)]
+
+
+def as_array(value: Any) -> NDArray[Any]:
+    """``value`` as an array; a tuple is words."""
+    return np.array(value, dtype=str) if isinstance(value, tuple) else np.asarray(value)
+
+
+def _variables(result: Any, name: str) -> Iterator[Variable]:
+    info = declared(result)[name].metadata
+    values, attrs = as_array(getattr(result, name)), {"long_name": info["label"]}
+    if info["unit"]:
+        attrs["units"] = info["unit"]
+    dims = info["dims"]
+    if info["role"] == "quantity":
+        yield Variable(name, "quantity", dims, values, attrs)
+        return
+    yield Variable(dims[0], "coordinate", dims, values, attrs)
+    if info["unit"] == "rad/s":
+        rpm = {"long_name": info["label"], "units": "rpm"}
+        yield Variable(f"{dims[0]}_rpm", "auxiliary", dims, values * (30.0 / math.pi), rpm)

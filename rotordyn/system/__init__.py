@@ -1,0 +1,1 @@
+"""The rotor as a whole: mesh, order of freedoms, assembled matrices."""

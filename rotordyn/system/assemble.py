@@ -1,0 +1,179 @@
+"""From elements to the rotor's matrices, with cost linear in the number of elements.
+
+M q̈ + Ω G q̇ + (K − Ω² M_ω) q = f, where M_ω ("spin softening") has no place in the inertial frame and
+is used only to reproduce codes that subtract it there. Bearings and supports are not included: they
+are added node by node with ``add_at_nodes``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.elements.lumped import LumpedElement, lumped_element
+from rotordyn.elements.plane_bending import plane_bending
+from rotordyn.elements.rod import rod
+from rotordyn.elements.shear import shear_coefficient
+from rotordyn.elements.timoshenko import shaft_element
+from rotordyn.machine.cross_section import area, second_moment
+from rotordyn.machine.spindle import Spindle
+from rotordyn.system.dofs import ALL, AXIAL, PLANE_Y, PLANE_Z, TORSION, Selection
+from rotordyn.system.mesh import Mesh
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class RotorMatrices:
+    """Free rotor, each of shape (width·nodes, width·nodes); ``gyroscopic`` per unit of spin."""
+
+    mass: Array
+    gyroscopic: Array
+    stiffness: Array
+    spin_softening: Array
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class BendingPlane:
+    """One lateral plane of the free rotor, each of shape (2·nodes, 2·nodes), symmetric.
+
+    Order (r, φ) node by node; whirl at ω (its sign the direction) obeys
+    (K + ω Ω Jp − ω² M) φ = 0 with ``polar`` Jp ≥ 0.
+    """
+
+    mass: Array
+    polar: Array
+    stiffness: Array
+    spin_softening: Array
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class RodMatrices:
+    """Axial or torsional motion of the free rotor, each of shape (nodes, nodes)."""
+
+    mass: Array
+    stiffness: Array
+
+
+def rotor_matrices(spindle: Spindle, mesh: Mesh, selection: Selection = ALL) -> RotorMatrices:
+    """The freedoms of ``selection`` only, assembled directly (never sliced from 6 per node)."""
+    element = shaft_element(*_sections(spindle, mesh))
+    lumped = _Lumped.of(spindle, mesh)
+    return RotorMatrices(
+        mass=_joined(selection.take(element.mass), lumped, lumped.mass(selection)),
+        gyroscopic=_joined(
+            selection.take(element.gyroscopic), lumped, lumped.gyroscopic(selection, selection)
+        ),
+        stiffness=chain(selection.take(element.stiffness)),
+        spin_softening=_joined(
+            selection.take(element.translational_mass), lumped, lumped.translational(selection)
+        ),
+    )
+
+
+def bending_plane(spindle: Spindle, mesh: Mesh) -> BendingPlane:
+    """The half-size complex form of an isotropic rotor (``dofs.PLANE_Y`` order)."""
+    element = plane_bending(*_sections(spindle, mesh))
+    lumped = _Lumped.of(spindle, mesh)
+    return BendingPlane(
+        mass=_joined(element.mass, lumped, lumped.mass(PLANE_Y)),
+        polar=_joined(element.polar, lumped, lumped.gyroscopic(PLANE_Y, PLANE_Z)),
+        stiffness=chain(element.stiffness),
+        spin_softening=_joined(element.translational_mass, lumped, lumped.translational(PLANE_Y)),
+    )
+
+
+def axial_rod(spindle: Spindle, mesh: Mesh) -> RodMatrices:
+    """Axial motion: freedoms x."""
+    ring = area(mesh.outer_diameter, mesh.inner_diameter)
+    element = rod(mesh.length, mesh.young_modulus * ring, mesh.density * ring)
+    lumped = _Lumped.of(spindle, mesh)
+    return RodMatrices(_joined(element.mass, lumped, lumped.mass(AXIAL)), chain(element.stiffness))
+
+
+def torsion_rod(spindle: Spindle, mesh: Mesh) -> RodMatrices:
+    """Torsion: freedoms thx."""
+    polar = 2.0 * second_moment(mesh.outer_diameter, mesh.inner_diameter)
+    element = rod(mesh.length, mesh.shear_modulus * polar, mesh.density * polar)
+    lumped = _Lumped.of(spindle, mesh)
+    return RodMatrices(
+        _joined(element.mass, lumped, lumped.mass(TORSION)), chain(element.stiffness)
+    )
+
+
+def chain(blocks: Array) -> Array:
+    """Elements in a row, (elements, 2w, 2w), each sharing a node with the next -> (N, N)."""
+    elements, width = len(blocks), blocks.shape[-1] // 2
+    nodes = elements + 1
+    whole = np.zeros((nodes, width, nodes, width))
+    left = np.arange(elements)
+    for rows, row_half in ((left, slice(None, width)), (left + 1, slice(width, None))):
+        for columns, column_half in ((left, slice(None, width)), (left + 1, slice(width, None))):
+            whole[rows, :, columns, :] += blocks[:, row_half, column_half]
+    return whole.reshape(nodes * width, nodes * width)
+
+
+def add_at_nodes(matrix: Array, nodes: Sequence[int], blocks: Array) -> Array:
+    """``matrix`` (…, N, N) plus blocks (…, k, w, w) on the diagonal at k nodes; a new array.
+
+    Leading dimensions broadcast; a node may be named more than once.
+    """
+    width = blocks.shape[-1]
+    leading = np.broadcast_shapes(matrix.shape[:-2], blocks.shape[:-3])
+    total = np.broadcast_to(matrix, (*leading, *matrix.shape[-2:])).copy()
+    for place, node in enumerate(nodes):
+        rows = slice(width * node, width * (node + 1))
+        total[..., rows, rows] += blocks[..., place, :, :]
+    return total
+
+
+@dataclass(frozen=True, slots=True)
+class _Lumped:
+    """Point masses and discs with the nodes they sit on."""
+
+    nodes: tuple[int, ...]
+    elements: tuple[LumpedElement, ...]
+
+    @classmethod
+    def of(cls, spindle: Spindle, mesh: Mesh) -> _Lumped:
+        bodies = spindle.lumped
+        return cls(
+            tuple(mesh.node_of(body.x) for body in bodies),
+            tuple(lumped_element(body) for body in bodies),
+        )
+
+    def mass(self, selection: Selection) -> Array:
+        return selection.take(_stack([e.mass for e in self.elements]))
+
+    def translational(self, selection: Selection) -> Array:
+        return selection.take(_stack([e.translational_mass for e in self.elements]))
+
+    def gyroscopic(self, rows: Selection, columns: Selection) -> Array:
+        return rows.take(_stack([e.gyroscopic for e in self.elements]), columns)
+
+
+def _stack(matrices: list[Array]) -> Array:
+    return np.array(matrices).reshape(-1, 6, 6)
+
+
+def _joined(blocks: Array, lumped: _Lumped, at_nodes: Array) -> Array:
+    return add_at_nodes(chain(blocks), lumped.nodes, at_nodes)
+
+
+def _sections(
+    spindle: Spindle, mesh: Mesh
+) -> tuple[Array, Array, Array, Array, Array, Array, Array]:
+    """The arguments of a beam element, for all elements at once."""
+    ratio = mesh.inner_diameter / mesh.outer_diameter
+    return (
+        mesh.length,
+        mesh.outer_diameter,
+        mesh.inner_diameter,
+        mesh.young_modulus,
+        mesh.shear_modulus,
+        mesh.density,
+        shear_coefficient(spindle.shaft.shear_coefficient, mesh.poisson_ratio, ratio),
+    )

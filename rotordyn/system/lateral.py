@@ -1,0 +1,143 @@
+"""Bending of the rotor on its supports, at many speeds.
+
+Where every support answers alike in all directions, both planes fit into one complex coordinate
+r = y + i z (rotation θz − i θy), forward whirl turning with +ω; otherwise the two real planes
+stand side by side.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.elements.support import node_matrix, turn
+from rotordyn.machine.spindle import Spindle
+from rotordyn.system.dofs import Selection
+from rotordyn.system.lateral_rotor import LateralRotor
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+BOTH_PLANES = Selection(("y", "thz", "z", "thy"), (1, 1, 1, -1))
+ALIKE = 1e-9  # of the largest entry: below that a difference between planes is rounding
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class LateralSystem:
+    """q̈ + ``damping`` q̇ + ``stiffness`` q = f, arrays (speeds, n, n).
+
+    Complex with n = m where ``isotropic``, else real with n = 2m: plane y, then plane z.
+    """
+
+    rotor: LateralRotor
+    isotropic: bool
+    stiffness: NDArray[np.inexact]
+    damping: NDArray[np.inexact]
+
+    def row(self, node: int, freedom: str) -> Array:
+        """A node's real freedom y, z, thy or thz in the n coordinates of the real form (2m,)."""
+        plane = 0 if freedom in ("y", "thz") else 1
+        sign = -1.0 if freedom == "thy" else 1.0
+        row = np.zeros(2 * self.rotor.size)
+        local = self.rotor.row(node, "y" if freedom in ("y", "z") else "thz")
+        row[plane * self.rotor.size : (plane + 1) * self.rotor.size] = sign * local
+        return row
+
+
+def lateral_system(
+    spindle: Spindle,
+    rotor: LateralRotor,
+    speed: Array,
+    seat_stiffness: Array,
+    *,
+    spin_softening: bool = False,
+) -> LateralSystem:
+    """Rotor, bearings and supports at every ``speed`` (speeds,) [rad/s].
+
+    ``seat_stiffness`` (speeds, seats, 5, 5): tangents in the bearings' own frames.
+    """
+    k = np.concatenate(
+        [_seat_blocks(spindle, seat_stiffness), _support_blocks(spindle, len(speed), "stiffness")],
+        axis=1,
+    )
+    c = np.concatenate(
+        [_seat_dampers(spindle, len(speed)), _support_blocks(spindle, len(speed), "damping")],
+        axis=1,
+    )
+    rows = np.concatenate([rotor.seats, rotor.supports])
+    own_stiffness = np.diag(rotor.stiffness) - (
+        (speed**2)[:, None, None] * rotor.softening if spin_softening else 0.0
+    )
+    own_damping = np.diag(2.0 * rotor.damping_ratio * np.sqrt(rotor.stiffness))
+    gyroscopic = speed[:, None, None] * rotor.polar
+    if _alike(k) and _alike(c):
+        return LateralSystem(
+            rotor,
+            True,
+            own_stiffness + _gathered(rows, _complex(k)),
+            own_damping - 1j * gyroscopic + _gathered(rows, _complex(c)),
+        )
+    zero = np.zeros_like(gyroscopic)
+    turning = _two_by_two(zero, gyroscopic, -gyroscopic, zero)
+    return LateralSystem(
+        rotor,
+        False,
+        _both(own_stiffness + zero) + _gathered(_both(rows), k),
+        _both(own_damping + zero) + turning + _gathered(_both(rows), c),
+    )
+
+
+def _seat_blocks(spindle: Spindle, stiffness: Array) -> Array:
+    """(speeds, seats, 4, 4) over (y, θz, z, −θy) in the spindle's frame."""
+    blocks = [
+        BOTH_PLANES.take(turn(stiffness[:, k], seat.thrust))
+        for k, seat in enumerate(spindle.seats)
+    ]
+    return np.stack(blocks, axis=1) if blocks else np.zeros((len(stiffness), 0, 4, 4))
+
+
+def _seat_dampers(spindle: Spindle, speeds: int) -> Array:
+    """Radial dampers between the rings; tilt is not damped."""
+    radial = np.array([seat.radial_damping for seat in spindle.seats])
+    blocks = radial[:, None, None] * np.diag([1.0, 0.0, 1.0, 0.0])
+    return np.broadcast_to(blocks, (speeds, *blocks.shape))
+
+
+def _support_blocks(spindle: Spindle, speeds: int, which: str) -> Array:
+    blocks = [BOTH_PLANES.take(node_matrix(getattr(s, which))) for s in spindle.supports]
+    stacked = np.array(blocks).reshape(-1, 4, 4)
+    return np.broadcast_to(stacked, (speeds, *stacked.shape))
+
+
+def _alike(blocks: Array) -> bool:
+    """True where both planes answer alike: blocks of the form [[P, Q], [−Q, P]]."""
+    size = np.abs(blocks).max(initial=0.0)
+    direct = blocks[..., :2, :2] - blocks[..., 2:, 2:]
+    cross = blocks[..., :2, 2:] + blocks[..., 2:, :2]
+    return bool(max(np.abs(direct).max(initial=0.0), np.abs(cross).max(initial=0.0)) <= ALIKE * size)
+
+
+def _complex(blocks: Array) -> Complex:
+    """P − i Q of blocks [[P, Q], [−Q, P]] acting on r = y + i z."""
+    return blocks[..., :2, :2] - 1j * blocks[..., :2, 2:]
+
+
+def _gathered(rows: Array, blocks: NDArray[np.inexact]) -> NDArray[np.inexact]:
+    """Σ rowᵀ block row over the connections: rows (c, k, n), blocks (speeds, c, k, k)."""
+    n = rows.shape[-1]
+    half = np.einsum("scij,cjn->scin", blocks, rows, optimize=True)
+    flat = half.reshape(len(blocks), -1, n)
+    return np.asarray(rows.reshape(-1, n).T @ flat)
+
+
+def _both(matrix: Array) -> Array:
+    """Block diagonal of two copies."""
+    zero = np.zeros_like(matrix)
+    return _two_by_two(matrix, zero, zero, matrix)
+
+
+def _two_by_two(a: Array, b: Array, c: Array, d: Array) -> Array:
+    return np.concatenate(
+        [np.concatenate([a, b], axis=-1), np.concatenate([c, d], axis=-1)], axis=-2
+    )

@@ -1,0 +1,128 @@
+"""Where the nodes of a rotor are, and what the shaft is between them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.errors import InvalidInput
+from rotordyn.machine.shaft import Shaft
+from rotordyn.machine.spindle import Spindle
+
+Array = NDArray[np.float64]
+
+COINCIDENT = 1e-9  # of the shaft's length: stations closer than that are one node
+ELEMENTS_OVER_LENGTH = 50  # k h below 0.06 n for the n-th bending mode of any shaft
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Mesh:
+    """Nodes ``x`` (nodes,) [m], ascending; all else per element, shape (nodes − 1,), SI."""
+
+    x: Array
+    outer_diameter: Array
+    inner_diameter: Array
+    young_modulus: Array
+    poisson_ratio: Array
+    density: Array
+
+    @property
+    def nodes(self) -> int:
+        """Number of nodes."""
+        return len(self.x)
+
+    @property
+    def length(self) -> Array:
+        """Element lengths [m]."""
+        return np.diff(self.x)
+
+    @property
+    def shear_modulus(self) -> Array:
+        """G = E / (2 (1 + ν)) of each element [Pa]."""
+        return self.young_modulus / (2.0 * (1.0 + self.poisson_ratio))
+
+    def node_of(self, x: float) -> int:
+        """The node at station ``x`` [m].
+
+        Raises
+        ------
+        InvalidInput : no node is there
+        """
+        node = int(np.abs(self.x - x).argmin())
+        if abs(float(self.x[node]) - x) > 2.0 * COINCIDENT * float(self.x[-1] - self.x[0]):
+            raise InvalidInput(f"no node at x = {x:g} m; the nearest is at {self.x[node]:g} m")
+        return node
+
+
+def build_mesh(spindle: Spindle, element_length: float | None = None) -> Mesh:
+    """Nodes at every station, and between them so that no element exceeds ``element_length``.
+
+    Stations are section boundaries, seats, supports, points, masses and discs. ``element_length``
+    None is 1/50 of the shaft, whatever its diameter: the error of the element, at most (k h)²/24
+    with k h ≈ n π/50 for the n-th bending mode, depends on the diameter only through the shear
+    share that it is multiplied by.
+
+    Raises
+    ------
+    InvalidInput : something sits off the shaft, or ``element_length`` is not positive
+    """
+    shaft = spindle.shaft
+    longest = _longest(shaft, element_length)
+    stations = _merged(shaft, _stations(spindle))
+    x = np.concatenate([*(_divided(*ends, longest) for ends in pairwise(stations)), stations[-1:]])
+    sections = [shaft.section_at(float(middle)) for middle in (x[1:] + x[:-1]) / 2.0]
+    return Mesh(
+        x=x,
+        outer_diameter=np.array([s.outer_diameter for s in sections]),
+        inner_diameter=np.array([s.inner_diameter for s in sections]),
+        young_modulus=np.array([s.material.young_modulus for s in sections]),
+        poisson_ratio=np.array([s.material.poisson_ratio for s in sections]),
+        density=np.array([s.material.density for s in sections]),
+    )
+
+
+def _longest(shaft: Shaft, element_length: float | None) -> float:
+    if element_length is None:
+        return (shaft.end - shaft.start) / ELEMENTS_OVER_LENGTH
+    if not (math.isfinite(element_length) and element_length > 0.0):
+        raise InvalidInput(f"element_length must be a positive length, got {element_length!r} m")
+    return element_length
+
+
+def _stations(spindle: Spindle) -> Mapping[str, float]:
+    """What sits on the shaft, by a name to complain with."""
+    return dict(_named_stations(spindle))
+
+
+def _named_stations(spindle: Spindle) -> Iterator[tuple[str, float]]:
+    for kind in ("seats", "supports", "masses", "discs"):
+        for number, item in enumerate(getattr(spindle, kind), start=1):
+            yield f"{kind} {number} ({item.name})", item.x
+    for name, x in spindle.points.items():
+        yield f"point {name}", x
+
+
+def _merged(shaft: Shaft, placed: Mapping[str, float]) -> Array:
+    """All stations in order, those that coincide only once; section boundaries have precedence."""
+    tolerance = COINCIDENT * (shaft.end - shaft.start)
+    for name, x in placed.items():
+        if not shaft.start - tolerance <= x <= shaft.end + tolerance:
+            raise InvalidInput(
+                f"{name} at x = {x:g} m is off the shaft ({shaft.start:g} to {shaft.end:g} m)"
+            )
+    kept: list[float] = []
+    for x in (shaft.start, shaft.end, *shaft.boundaries, *sorted(placed.values())):
+        if all(abs(x - other) > tolerance for other in kept):
+            kept.append(x)
+    return np.array(sorted(kept))
+
+
+def _divided(left: float, right: float, longest: float) -> Array:
+    """Nodes from ``left`` on, ``right`` excluded."""
+    parts = max(1, math.ceil((right - left) / longest * (1.0 - COINCIDENT)))
+    return left + (right - left) / parts * np.arange(parts)

@@ -1,0 +1,78 @@
+"""What is imported when: each face of the project pays only for what it uses.
+
+Every check runs in an interpreter of its own, so that nothing another test imported can hide here.
+"""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections.abc import Iterable
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+SCIENCE = {"scipy", "numba", "matplotlib", "pyvista", "vtkmodules", "meshio", "xarray", "h5py"}
+ANYTHING_BIG = SCIENCE | {"numpy", "pandas", "pydantic", "yaml"}
+
+# Writes the names of all modules of the process to the file named first, at exit.
+PROBE = """
+import atexit, pathlib, sys
+out = pathlib.Path(sys.argv.pop(1))
+atexit.register(lambda: out.write_text("\\n".join(sorted(sys.modules))))
+"""
+COMMAND_LINE = "import runpy; runpy.run_module('rotordyn', run_name='__main__', alter_sys=True)"
+EVERY_MODULE_OF_BEARINGS = """
+import bearings, importlib, pkgutil
+for module in pkgutil.walk_packages(bearings.__path__, "bearings."):
+    importlib.import_module(module.name)
+"""
+
+
+def modules_after(code: str, folder: Path, *argv: str) -> set[str]:
+    """Names of the modules loaded when ``code`` has run with ``argv``; it must succeed."""
+    found = folder / "modules.txt"
+    command = [sys.executable, "-c", PROBE + code, str(found), *argv]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stdout + done.stderr
+    return set(found.read_text().splitlines())
+
+
+def packages(modules: Iterable[str]) -> set[str]:
+    """The top-level names among ``modules``."""
+    return {name.partition(".")[0] for name in modules}
+
+
+@pytest.mark.parametrize("package", ["rotordyn", "bearings"])
+def test_importing_a_package_imports_nothing_big(package: str, tmp_path: Path) -> None:
+    loaded = packages(modules_after(f"import {package}", tmp_path))
+    assert package in loaded
+    assert not loaded & ANYTHING_BIG
+
+
+@pytest.mark.parametrize("option", ["--help", "--version"])
+def test_help_and_version_import_nothing_big(option: str, tmp_path: Path) -> None:
+    loaded = modules_after(COMMAND_LINE, tmp_path, option)
+    assert "rotordyn.cli" in loaded
+    assert not packages(loaded) & ANYTHING_BIG
+
+
+def test_check_reads_a_case_without_numerical_libraries(tmp_path: Path) -> None:
+    loaded = modules_after(COMMAND_LINE, tmp_path, "check", "cases/mfw2310.yaml")
+    assert "yaml" in loaded
+    assert not packages(loaded) & SCIENCE
+
+
+def test_run_needs_neither_compiled_kernels_nor_3d_nor_pyplot(tmp_path: Path) -> None:
+    argv = ("run", "cases/mfw2310.yaml", "--only", "preload", "-o", str(tmp_path / "out"))
+    loaded = modules_after(COMMAND_LINE, tmp_path, *argv)
+    assert "rotordyn.preload" in loaded
+    assert not packages(loaded) & {"numba", "pyvista", "vtkmodules", "meshio"}
+    assert "matplotlib.pyplot" not in loaded
+
+
+def test_bearings_stands_alone(tmp_path: Path) -> None:
+    loaded = modules_after(EVERY_MODULE_OF_BEARINGS, tmp_path)
+    assert "bearings.angular_contact" in loaded
+    assert not packages(loaded) & {"rotordyn", "yaml", "pydantic", "matplotlib", "xarray"}
