@@ -12,7 +12,7 @@ import difflib
 import math
 import re
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache, lru_cache
 
 from rotordyn.errors import InvalidInput
 
@@ -75,7 +75,9 @@ KINDS: dict[str, tuple[str, ...]] = {
     "tilt damping": ("N m s/rad",),
 }
 
-_NUMBER = re.compile(r"\s*([+-]?(?:\d+\.?\d*|\.\d+))(?:[eE]([+-]?\d{1,4}))?(?![\d.,eE])\s*(.*)", re.S)
+_NUMBER = re.compile(
+    r"\s*([+-]?(?:\d+\.?\d*|\.\d+))(?:[eE]([+-]?\d{1,4}))?(?![\d.,eE])\s*(.*)", re.S
+)
 _FACTOR = re.compile(r"\s*([*/]?)\s*([A-Za-z]+|%)(?:(?:\^|\*\*)([+-]?\d{1,2}))?")
 
 
@@ -122,7 +124,8 @@ def parse_unit(text: str) -> Unit:
     """
     spelling = _normal(text)
     spelling = _WHOLE.get(spelling.replace(" ", ""), spelling)
-    exponent, factor, dimension, position = 0, 1.0, NONE, 0
+    exponent, factor, dimension = 0, 1.0, NONE
+    position = 1 if re.match(r"1 ?/", spelling) else 0
     while position < len(spelling):
         match = _FACTOR.match(spelling, position)
         if match is None or (position == 0 and match[1]):
@@ -182,7 +185,7 @@ def _plus(left: Dimension, right: Dimension, power: int) -> Dimension:
     return m, kg, s, rad, cycle
 
 
-@lru_cache(maxsize=None)
+@cache
 def _dimensions(kind: str) -> frozenset[Dimension]:
     return frozenset(parse_unit(unit).dimension for unit in KINDS[kind])
 

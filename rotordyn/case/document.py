@@ -16,7 +16,7 @@ from typing import Any
 import yaml
 
 from rotordyn.case.faults import Faults
-from rotordyn.case.node import Node, set_paths
+from rotordyn.case.node import Node, joined, set_paths
 from rotordyn.case.scalars import resolve
 from rotordyn.errors import Fault
 
@@ -104,6 +104,7 @@ class _Composer:
         self.faults = faults
         self.anchors: dict[str, Node | None] = {}
         self.values = 0
+        self.duplicates: list[tuple[Node, str, Any]] = []
 
     def root(self, text: str) -> Node | None:
         """The root node, a mapping; raises _Refused where the text is not usable."""
@@ -115,9 +116,18 @@ class _Composer:
         if root is None or root.value is None:
             raise _Refused("the file is empty: a mapping (key: value) is needed")
         if not isinstance(root.value, dict):
-            raise self._refused(f"the file must hold a mapping (key: value), not {_kind(root)}", root)
+            raise self._refused(
+                f"the file must hold a mapping (key: value), not {_kind(root)}", root
+            )
         set_paths(root)
+        self._report_duplicates()
         return root
+
+    def _report_duplicates(self) -> None:
+        for node, key, event in self.duplicates:
+            first = node.at(key).key or (0, 0)
+            message = f"duplicate key: given again, first in line {first[0]}; allowed: once"
+            self.faults.add(Fault(self.file, *_position(event), joined(node.path, key), message))
 
     def _document(self) -> Node | None:
         root = None
@@ -149,7 +159,7 @@ class _Composer:
             node.raw = event.value
             node.value = resolve(event.value) if event.implicit[0] else event.value
         elif isinstance(event, yaml.MappingStartEvent):
-            node.value = self._mapping(depth)
+            self._mapping(node, depth)
         else:
             node.value = self._sequence(depth)
         node.size += sum(child.size for _, child in node.items())
@@ -161,18 +171,17 @@ class _Composer:
         if self.values > MAX_VALUES:
             raise self._refused(f"holds more than {MAX_VALUES} values", event)
 
-    def _mapping(self, depth: int) -> dict[str, Node]:
+    def _mapping(self, node: Node, depth: int) -> None:
         entries: dict[str, Node] = {}
+        node.value = entries
         while not isinstance(event := next(self.events), yaml.MappingEndEvent):
             key = self._key(event, depth)
             child = self._node(next(self.events), depth + 1)
             child.key = (event.start_mark.line + 1, event.start_mark.column + 1)
             if key in entries:
-                first = (entries[key].key or (0, 0))[0]
-                self._fault(f"duplicate key '{key}': already given in line {first}", event)
+                self.duplicates.append((node, key, event))
             else:
                 entries[key] = child
-        return entries
 
     def _key(self, event: Any, depth: int) -> str:
         if isinstance(event, yaml.ScalarEvent):
@@ -204,7 +213,7 @@ class _Composer:
 
 
 def _not_yaml(error: Exception) -> _Refused:
-    mark = getattr(error, "problem_mark", None)
+    mark: Any = getattr(error, "problem_mark", None)
     if mark is None:
         return _Refused("is not YAML: " + (str(error) or "cannot be parsed").splitlines()[0], 1, 1)
     problem = getattr(error, "problem", None) or "cannot be parsed"

@@ -47,9 +47,11 @@ class Node:
     def child(self, key: object) -> Node | None:
         """The child found by ``key``, or None."""
         if isinstance(self.value, dict) and isinstance(key, str):
-            return self.value.get(key)
+            found: Node | None = self.value.get(key)
+            return found
         if isinstance(self.value, list) and isinstance(key, int) and 0 <= key < len(self.value):
-            return self.value[key]
+            item: Node = self.value[key]
+            return item
         return None
 
     def at(self, *keys: object) -> Node:
@@ -58,6 +60,12 @@ class Node:
         for key in keys:
             node = node.child(key) or node
         return node
+
+    @property
+    def name(self) -> str:
+        """The text under its key ``name``, empty where there is none."""
+        named = self.child("name")
+        return named.value if named is not None and isinstance(named.value, str) else ""
 
     def copy(self) -> Node:
         """The same with mappings and lists of its own, free to be changed."""
@@ -92,5 +100,4 @@ def set_paths(node: Node, path: str = "") -> None:
 
 
 def _label(child: Node, key: Key) -> Key:
-    name = child.at("name").value if isinstance(key, int) else None
-    return name if isinstance(name, str) and name else key
+    return child.name or key if isinstance(key, int) else key

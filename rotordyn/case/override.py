@@ -40,13 +40,15 @@ def _step(value: Node, step: str, target: Node, faults: Faults) -> Node | None:
         _no_way(value, step, target, faults)
         return None
     if step not in target.value or target.value[step].value is None:
-        target.value[step] = Node({}, value.file, value.line, value.column, value.path, key=value.key)
+        target.value[step] = Node(
+            {}, value.file, value.line, value.column, value.path, key=value.key
+        )
     child: Node = target.value[step]
     return child
 
 
 def _item(value: Node, step: str, target: Node, faults: Faults) -> Node | None:
-    names = [str(item.at("name").value) for item in target.value]
+    names = [item.name for item in target.value]
     if step in names:
         found: Node = target.value[names.index(step)]
         return found

@@ -15,6 +15,7 @@ from rotordyn.case.node import UNKNOWN, Node
 
 M = TypeVar("M", bound=BaseModel)
 
+_LISTED = 16
 _SHAPES = {
     "model_type": "a mapping (key: value)",
     "model_attributes_type": "a mapping (key: value)",
@@ -23,6 +24,11 @@ _SHAPES = {
     "list_type": "a list",
     "too_short": "at least one item",
     "too_long": "fewer items",
+}
+
+_FORMS: dict[object, str] = {
+    "<range>": "a range {from, to, step or count}, or a list",
+    "<mapping>": "a mapping (key: value), or computed",
 }
 
 
@@ -52,6 +58,8 @@ def _report(
     if _reach(data, keys)[0] is UNKNOWN:
         return
     if kind == "missing":
+        if root.at(*keys[:-1]).child(keys[-1]) is not None:
+            return
         faults.missing(root, keys, "missing key: it must be given")
     elif kind == "extra_forbidden":
         faults.at_key(root, keys, _unknown_key(model, keys))
@@ -60,16 +68,16 @@ def _report(
     else:
         shown = units.shown(root.at(*keys).value if kind != "too_short" else [])
         given = "an empty list" if kind == "too_short" else shown
-        needed = _SHAPES.get(kind, "another kind of value")
+        needed = _FORMS.get(keys[-1]) or _SHAPES.get(kind, "another kind of value")
         faults.at(root, keys, f"wrong shape: given {given}; allowed: {needed}")
 
 
 def _unknown_key(model: type[BaseModel], keys: tuple[int | str, ...]) -> str:
     allowed = _keys_at(model, keys[:-1])
     given = str(keys[-1])
-    return (
-        f"unknown key: given {units.shown(given)}; allowed: {', '.join(allowed) or 'no keys'}"
-        + suggestion(given, allowed)
+    listed = ", ".join(allowed[:_LISTED]) + (", …" if len(allowed) > _LISTED else "")
+    return f"unknown key: given {units.shown(given)}; allowed: {listed or 'no keys'}" + suggestion(
+        given, allowed
     )
 
 

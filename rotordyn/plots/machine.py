@@ -34,7 +34,7 @@ def machine_figure(spindle: Spindle) -> Figure:
     left, right = _extent(spindle)
     reach = _reach(spindle)
     scale = (_WIDTH - 2.0 * _SIDE) / (right - left)
-    above, below = reach + 15.0 / scale, reach + 20.0 / scale
+    above, below = reach + 13.0 / scale, reach + 21.0 / scale
     height = (above + below) * scale
     figure = new_figure(_WIDTH, height + 22.0, spindle.title or spindle.name)
     axes = add_axes(figure, (_SIDE, 13.0, _WIDTH - 2.0 * _SIDE, height), "axial position x [mm]")
@@ -121,13 +121,9 @@ def _hold(
             half = bearing_width(seat, spindle.seats) * 500.0
             draw_ground(sketch, seat.x * 1e3, top, half, upright=False, side=1.0)
         labels.append((seat.x * 1e3, seat.name))
-    for at, (x, name) in zip(
-        spread([x for x, _ in labels], [_text(n, scale) for _, n in labels], *limits),
-        labels,
-        strict=True,
-    ):
-        axes.text(at, lane, name, ha="center", va="bottom", fontsize=FONT_SIZE, weight="bold")
-        del x
+    sizes = [_text(name, scale) for _, name in labels]
+    for x, (_, name) in zip(spread([x for x, _ in labels], sizes, *limits), labels, strict=True):
+        axes.text(x, lane, name, ha="center", va="bottom", fontsize=FONT_SIZE, weight="bold")
     for sleeve in spindle.sleeves:
         _hold_sleeve(sketch, spindle, sleeve)
     words = [_sleeve_words(s) for s in spindle.sleeves]
@@ -236,6 +232,6 @@ def _material_legend(axes: Axes, spindle: Spindle) -> None:
 
     handles = [Patch(facecolor=c, edgecolor="#333333", lw=0.5, label=n) for n, c in shades.items()]
     axes.legend(
-        handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.99), frameon=False,
-        fontsize=FONT_SIZE - 1.0, ncols=len(handles), handlelength=1.2,
+        handles=handles, loc="lower right", bbox_to_anchor=(1.0, 0.0), frameon=False,
+        fontsize=FONT_SIZE - 1.0, ncols=len(handles), handlelength=1.2, borderaxespad=0.0,
     )

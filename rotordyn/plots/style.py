@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -11,6 +12,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 DPI = 110
+RASTER_DPI = 160
 BLUE, RED, GREEN, PURPLE = "#0072B2", "#D55E00", "#009E73", "#9A5B8B"
 ORANGE, SKY, BLACK, GREY = "#E69F00", "#56B4E9", "#222222", "#8A8A8A"
 CYCLE = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
@@ -101,10 +103,43 @@ def legend(axes: Axes, **kwargs: Any) -> None:
         )
 
 
-def speed_ticks(axes: Axes, top: float) -> None:
-    """Speed axis from 0 to ``top`` [rpm] with ticks at a step of 1, 2, 3 or 5 times a decade."""
+def top_legend(figure: Figure, axes: Axes) -> None:
+    """What the lines of ``axes`` mean, in one row at the top of the figure."""
+    handles, names = axes.get_legend_handles_labels()
+    if handles:
+        figure.legend(
+            handles, names, loc="upper center", ncols=len(handles), frameon=False,
+            fontsize=FONT_SIZE - 1.0, borderaxespad=0.3, columnspacing=1.4, handlelength=2.4,
+        )
+
+
+def speed_ticks(axes: Axes, top: float, most: int = 6) -> None:
+    """Speed axis from 0 to ``top`` [rpm] with round ticks, at most ``most`` + 1."""
     axes.set_xlim(0.0, max(top, 1.0))
-    axes.set_xticks(round_ticks(0.0, max(top, 1.0), 6))
+    axes.set_xticks(round_ticks(0.0, max(top, 1.0), most))
+
+
+def log_ticks(low: float, high: float) -> list[tuple[float, str]]:
+    """Values for a logarithmic axis and how they are printed: decades, or 1-2-5 when few.
+
+    >>> log_ticks(0.005, 1.2)
+    [(0.01, '0.01'), (0.1, '0.1'), (1.0, '1')]
+    >>> [name for _, name in log_ticks(0.9e-6, 6e-6)]
+    ['1e-6', '2e-6', '5e-6']
+    """
+    decades = math.log10(high / low)
+    steps = (1.0,) if decades > 2.2 else (1.0, 2.0, 5.0)
+    first, last = math.floor(math.log10(low)), math.ceil(math.log10(high))
+    values = [s * 10.0**d for d in range(first, last + 1) for s in steps]
+    inside = [v for v in values if low * (1 - 1e-9) <= v <= high * (1 + 1e-9)]
+    return [(float(f"{v:.3g}"), _short(v)) for v in inside]
+
+
+def _short(value: float) -> str:
+    if 0.999e-3 <= value < 1e4:
+        return f"{value:.3g}"
+    mantissa, exponent = f"{value:.0e}".split("e")
+    return f"{mantissa}e{int(exponent)}"
 
 
 def round_ticks(low: float, high: float, most: int) -> list[float]:
@@ -113,8 +148,6 @@ def round_ticks(low: float, high: float, most: int) -> list[float]:
     >>> round_ticks(0.0, 24000.0, 6)
     [0.0, 4000.0, 8000.0, 12000.0, 16000.0, 20000.0, 24000.0]
     """
-    import math
-
     span = high - low
     decade = 10.0 ** math.floor(math.log10(span / most))
     step = next(s * decade for s in (1, 2, 4, 5, 10, 20) if span / (s * decade) <= most + 1e-9)
@@ -131,5 +164,5 @@ def save(figure: Figure, folder: Path, name: str) -> list[str]:
         figure.savefig(
             folder / f"{name}.png", dpi=DPI, pil_kwargs={"compress_level": 3}, metadata={}
         )
-        figure.savefig(folder / f"{name}.svg", dpi=2 * DPI, metadata={"Date": None})
+        figure.savefig(folder / f"{name}.svg", dpi=RASTER_DPI, metadata={"Date": None})
     return [f"{name}.png", f"{name}.svg"]

@@ -56,6 +56,14 @@ class Arrangement:
     speed: Array
     force: float
 
+    def at(self, index: NDArray[np.intp]) -> Arrangement:
+        """The arrangement at some of its speeds."""
+        joints = tuple(
+            replace(joint, growth=joint.growth[index], shift=joint.shift[index])
+            for joint in self.joints
+        )
+        return replace(self, joints=joints, speed=self.speed[index])
+
     def moved_to(self, row: int, speed: Array) -> Arrangement:
         """The arrangement at other speeds near its speed number ``row``.
 

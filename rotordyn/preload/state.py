@@ -89,6 +89,17 @@ class PreloadState:
         columns = [state.complete_stiffness[:, column] for state, column in self.seat_states()]
         return np.stack(columns, axis=1)
 
+    def seat_growth(self) -> Array:
+        """Total radial growth of every inner groove centre (speeds, seats) [m]."""
+        joints = self.network.arrangement.joints
+        place = {seat: joint.growth for joint in joints for seat in joint.seats}
+        return np.stack([place[seat] for seat in sorted(place)], axis=1)
+
+    def rest_loads(self) -> Array:
+        """Axial load of every joint at rest under the stated preloads (joints,) [N]."""
+        still = replace(self.network, arrangement=at_rest(self.network.arrangement))
+        return still.respond(self.rest[None]).load[0]
+
     def stop_speeds(self) -> Array:
         """Speed at which each sleeve first meets its stop (sleeves,) [rad/s]; NaN where it does not."""
         return np.array([_stop_speed(self, push.body) for push in self.network.arrangement.pushes])

@@ -12,7 +12,7 @@ import numpy as np
 from rotordyn.analysis.comparison import Comparison, compare
 from rotordyn.analysis.display import RPM, STIFFNESS, shown
 from rotordyn.analysis.results import CampbellResult, PreloadResult, StiffnessResult
-from rotordyn.machine.mass import mass_properties
+from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.reference import QUANTITIES, Reference
 from rotordyn.machine.spindle import Spindle
 
@@ -72,10 +72,10 @@ def pressure_warnings(results: Mapping[str, Any]) -> list[str]:
 
 
 def _machine(spindle: Spindle) -> list[str]:
-    m = mass_properties(spindle)
+    m = rotor_inertia(spindle)
     lines = [
         f"rotor      {m.mass:.2f} kg, centre of gravity at {m.centre * 1e3:.1f} mm, inertia polar "
-        f"{m.polar_inertia:.5f}, diametral {m.diametral_inertia:.4f} kg m²"
+        f"{m.polar:.5f}, diametral {m.diametral:.4f} kg m²"
     ]
     if spindle.seats:
         rows = ", ".join(

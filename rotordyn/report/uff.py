@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
@@ -32,8 +33,10 @@ def write_uff(
         for place in range(len(result.pair))
         if np.isfinite(result.receptance[index, place]).all()
     ]
-    if sets:
-        pyuff.UFF(str(path)).write_sets(sets, "overwrite")
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", ResourceWarning)  # pyuff leaves closing to the interpreter
+        if sets:
+            pyuff.UFF(str(path)).write_sets(sets, "overwrite")
     return len(sets)
 
 

@@ -1,8 +1,8 @@
 """From elements to the rotor's matrices, with cost linear in the number of elements.
 
-M q̈ + Ω G q̇ + (K − Ω² M_ω) q = f, where M_ω ("spin softening") has no place in the inertial frame and
-is used only to reproduce codes that subtract it there. Bearings and supports are not included: they
-are added node by node with ``add_at_nodes``.
+M q̈ + Ω G q̇ + (K − Ω² M_ω) q = f, where M_ω ("spin softening") has no place in the inertial frame
+and is used only to reproduce codes that subtract it there. Bearings and supports are not included:
+they are added node by node with ``add_at_nodes``.
 """
 
 from __future__ import annotations

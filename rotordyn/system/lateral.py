@@ -91,8 +91,7 @@ def lateral_system(
 def _seat_blocks(spindle: Spindle, stiffness: Array) -> Array:
     """(speeds, seats, 4, 4) over (y, θz, z, −θy) in the spindle's frame."""
     blocks = [
-        BOTH_PLANES.take(turn(stiffness[:, k], seat.thrust))
-        for k, seat in enumerate(spindle.seats)
+        BOTH_PLANES.take(turn(stiffness[:, k], seat.thrust)) for k, seat in enumerate(spindle.seats)
     ]
     return np.stack(blocks, axis=1) if blocks else np.zeros((len(stiffness), 0, 4, 4))
 
@@ -115,7 +114,9 @@ def _alike(blocks: Array) -> bool:
     size = np.abs(blocks).max(initial=0.0)
     direct = blocks[..., :2, :2] - blocks[..., 2:, 2:]
     cross = blocks[..., :2, 2:] + blocks[..., 2:, :2]
-    return bool(max(np.abs(direct).max(initial=0.0), np.abs(cross).max(initial=0.0)) <= ALIKE * size)
+    return bool(
+        max(np.abs(direct).max(initial=0.0), np.abs(cross).max(initial=0.0)) <= ALIKE * size
+    )
 
 
 def _complex(blocks: Array) -> Complex:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.errors import InvalidInput
-from rotordyn.machine.shaft import Shaft
+from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 
 Array = NDArray[np.float64]
@@ -69,11 +69,14 @@ def build_mesh(spindle: Spindle, element_length: float | None = None) -> Mesh:
 
     Raises
     ------
-    InvalidInput : something sits off the shaft, or ``element_length`` is not positive
+    InvalidInput : a section is impossible, something sits off the shaft, or ``element_length`` is
+        not positive
     """
     shaft = spindle.shaft
+    for section in shaft.sections:
+        _check(section)
     longest = _longest(shaft, element_length)
-    stations = _merged(shaft, _stations(spindle))
+    stations = _merged(shaft, dict(_placed(spindle)))
     x = np.concatenate([*(_divided(*ends, longest) for ends in pairwise(stations)), stations[-1:]])
     sections = [shaft.section_at(float(middle)) for middle in (x[1:] + x[:-1]) / 2.0]
     return Mesh(
@@ -94,12 +97,17 @@ def _longest(shaft: Shaft, element_length: float | None) -> float:
     return element_length
 
 
-def _stations(spindle: Spindle) -> Mapping[str, float]:
+def _check(section: Section) -> None:
+    inner, outer = section.inner_diameter, section.outer_diameter
+    if not (section.length > 0.0 and 0.0 <= inner < outer):
+        raise InvalidInput(
+            f"section {section.name!r}: needs a positive length and inner below outer diameter, "
+            f"got {section.length:g} m long, {inner:g} and {outer:g} m"
+        )
+
+
+def _placed(spindle: Spindle) -> Iterator[tuple[str, float]]:
     """What sits on the shaft, by a name to complain with."""
-    return dict(_named_stations(spindle))
-
-
-def _named_stations(spindle: Spindle) -> Iterator[tuple[str, float]]:
     for kind in ("seats", "supports", "masses", "discs"):
         for number, item in enumerate(getattr(spindle, kind), start=1):
             yield f"{kind} {number} ({item.name})", item.x
@@ -125,4 +133,4 @@ def _merged(shaft: Shaft, placed: Mapping[str, float]) -> Array:
 def _divided(left: float, right: float, longest: float) -> Array:
     """Nodes from ``left`` on, ``right`` excluded."""
     parts = max(1, math.ceil((right - left) / longest * (1.0 - COINCIDENT)))
-    return left + (right - left) / parts * np.arange(parts)
+    return np.linspace(left, right, parts, endpoint=False, dtype=np.float64)

@@ -6,10 +6,10 @@ import math
 
 import numpy as np
 import pytest
+
 from bearings import AngularContactBallBearing, Material
 from bearings.geometry import geometry
 from bearings.hertz import curvature_difference, dimensionless, ellipticity
-
 from tests.oracles.ball_bearing import hertz, race
 from tests.oracles.known_bearings import HARRIS_209, HARRIS_218, VEX70
 

@@ -48,7 +48,7 @@ def _positions(
 
 
 def ring_fault(oracle: BallBearingOracle, state: Any) -> NDArray:
-    """Load of the ring, summed ball by ball from the state's ball values, minus the state's load."""
+    """Load of the ring summed from the ball values of a state, minus the load it states."""
     ball = dict(
         qi=state.inner_load,
         qo=state.outer_load,

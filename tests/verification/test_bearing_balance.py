@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 import pytest
-from bearings.state import BearingState
 
+from bearings.state import BearingState
 from tests.oracles.balance import ball_faults, ring_fault
 from tests.oracles.ball_bearing import BallBearingOracle
 from tests.oracles.known_bearings import HARRIS_218, HYPOTHESES, RPM, SHARINGS, VEX70
@@ -93,7 +93,7 @@ def check(batch: BearingState, oracle: BallBearingOracle) -> float:
     ],
 )
 def test_hard_displacements(kinematics: str, sharing: str, least: float) -> None:
-    """Where Mg fades with αo, nearly every displacement has a state; the others may end in a jump."""
+    """Nearly all have a state where Mg fades with αo; the other hypotheses may end in a jump."""
     how = dict(kinematics=kinematics, moment_sharing=sharing, static_growth=4e-6, growth=8e-6)
     given, speed = hard_displacements(1)
     batch = VEX70.equilibrium(displacement=given, speed=speed, **how)

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from bearings import AngularContactBallBearing, NoEquilibrium
 from hypothesis import assume, example, given, settings
 from hypothesis import strategies as st
 
+from bearings import AngularContactBallBearing, NoEquilibrium
 from tests.oracles.ball_bearing import BallBearingOracle
 from tests.oracles.known_bearings import HARRIS_218, HYPOTHESES, RPM, SHARINGS, VEX70
 

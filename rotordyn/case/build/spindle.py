@@ -38,7 +38,9 @@ def spindle(entry: SpindleEntry, name: str) -> Spindle:
     shaft = entry.shaft
     return Spindle(
         name=name,
-        shaft=Shaft(shaft.start, _sections(shaft.sections, shaft.material), shaft.shear_coefficient),
+        shaft=Shaft(
+            shaft.start, _sections(shaft.sections, shaft.material), shaft.shear_coefficient
+        ),
         masses=tuple(_mass(mass) for mass in entry.masses),
         discs=tuple(_disc(disc) for disc in entry.discs),
         seats=tuple(_seat(seat, entry) for seat in entry.bearings),
@@ -83,19 +85,17 @@ def _reference(entry: ReferenceEntry) -> Reference:
     )
 
 
-def _sections(
-    entries: Sequence[SectionEntry], common: MaterialEntry | None
-) -> tuple[Section, ...]:
+def _sections(entries: Sequence[SectionEntry], common: MaterialEntry | None) -> tuple[Section, ...]:
     return tuple(
-        Section(s.length, s.outer_diameter, s.inner_diameter, material(s.material or common), s.name)
+        Section(
+            s.length, s.outer_diameter, s.inner_diameter, material(s.material or common), s.name
+        )
         for s in entries
     )
 
 
 def _mass(entry: MassEntry) -> PointMass:
-    return PointMass(
-        entry.name, entry.x, entry.mass, entry.polar_inertia, entry.diametral_inertia
-    )
+    return PointMass(entry.name, entry.x, entry.mass, entry.polar_inertia, entry.diametral_inertia)
 
 
 def _disc(entry: DiscEntry) -> Disc:
@@ -159,9 +159,7 @@ def _sleeve(entry: SleeveEntry) -> Sleeve:
 
 
 def _support(entry: SupportEntry) -> LinearSupport:
-    return LinearSupport(
-        entry.name, entry.x, _entries(entry.stiffness), _entries(entry.damping)
-    )
+    return LinearSupport(entry.name, entry.x, _entries(entry.stiffness), _entries(entry.damping))
 
 
 def _entries(matrix: object) -> dict[tuple[str, str], float]:

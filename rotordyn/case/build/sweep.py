@@ -16,7 +16,7 @@ def values(entry: SpeedRange | FrequencyRange | Sequence[float]) -> tuple[float,
     if intervals < 1:
         return ()
     span = entry.to - entry.start
-    return tuple(entry.start + span * n / intervals for n in range(intervals)) + (entry.to,)
+    return (*(entry.start + span * n / intervals for n in range(intervals)), entry.to)
 
 
 def _intervals(entry: SpeedRange | FrequencyRange) -> int:

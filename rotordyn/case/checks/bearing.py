@@ -15,9 +15,7 @@ from rotordyn.case.schema.support import GrowthEntry, SeatEntry
 from rotordyn.units import format_quantity
 
 
-def geometry(
-    entry: BearingEntry, root: Node, way: tuple[object, ...], faults: Faults
-) -> None:
+def geometry(entry: BearingEntry, root: Node, way: tuple[object, ...], faults: Faults) -> None:
     """The balls fit on their circle, and the rings around them."""
     if entry.ball_material is None or entry.ring_material is None:
         return
@@ -27,7 +25,7 @@ def geometry(
         values = (entry.ball_diameter, entry.pitch_diameter, entry.contact_angle)
         known = not any(math.isnan(v) for v in (*values, *_conformities(entry)))
         if known:
-            faults.at(root, (*way, "ball_diameter"), f"impossible bearing: {error}")
+            faults.at(root, (*way, "balls"), f"impossible bearing: {error}")
     _rings(entry, root, way, faults)
 
 
@@ -44,9 +42,7 @@ def _rings(entry: BearingEntry, root: Node, way: tuple[object, ...], faults: Fau
         _no_ring(root, (*way, "outside_diameter"), "above", outer, faults)
 
 
-def _no_ring(
-    root: Node, way: tuple[object, ...], side: str, limit: float, faults: Faults
-) -> None:
+def _no_ring(root: Node, way: tuple[object, ...], side: str, limit: float, faults: Faults) -> None:
     faults.at(
         root,
         way,

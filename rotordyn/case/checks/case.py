@@ -34,12 +34,18 @@ def questions(entry: CaseEntry, root: Node, faults: Faults) -> None:
     asked = entry.analyses.model_fields_set
     if not asked:
         faults.at(root, ("analyses",), "nothing is asked: name at least one analysis")
-    single = root.child("bearing") is not None
+    _apply(asked, root, faults)
+    _lists(entry, root, faults)
+
+
+def _apply(asked: set[str], root: Node, faults: Faults) -> None:
+    single, spindle = (root.child(key) is not None for key in ("bearing", "spindle"))
+    if single == spindle:
+        return
     for name in sorted(asked):
-        if (name == "bearing") != single and (single or root.child("spindle") is not None):
+        if (name == "bearing") != single:
             kind = "single bearing" if single else "spindle"
             faults.at_key(root, ("analyses", name), f"this question does not apply to a {kind}")
-    _lists(entry, root, faults)
 
 
 def _lists(entry: CaseEntry, root: Node, faults: Faults) -> None:

@@ -38,7 +38,7 @@ def wall(
         faults.at(
             root,
             (*way, "inner_diameter"),
-            f"no wall left: given inner diameter '{inner}'; allowed: below the outer one, '{outer}'",
+            f"no wall left: given inner diameter '{inner}'; allowed: below the outer, '{outer}'",
         )
 
 
@@ -70,11 +70,7 @@ def on_shaft(
         faults.at(root, way, f"{what} off the shaft: given '{given}'; allowed: {ends}")
 
 
-def points_on_shaft(
-    points: Mapping[str, float], reach: Span, root: Node, faults: Faults
-) -> None:
+def points_on_shaft(points: Mapping[str, float], reach: Span, root: Node, faults: Faults) -> None:
     """Every named point lies on the shaft."""
     for name, x in points.items():
         on_shaft(x, reach, "point", root, ("points", name), faults)
-
-

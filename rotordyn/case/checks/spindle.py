@@ -96,10 +96,14 @@ def _shortening(entry: SpindleEntry, reach: Span, root: Node, faults: Faults) ->
 def _held(entry: SpindleEntry, root: Node, faults: Faults) -> None:
     if entry.bearings:
         return
-    for key in ("yy", "zz"):
-        if not any(getattr(support.stiffness, key) for support in entry.supports):
-            faults.at(
-                root,
-                ("supports",),
-                f"the shaft is not held: no bearings, and no support with a stiffness {key}",
-            )
+    free = [
+        key
+        for key in ("yy", "zz")
+        if not any(getattr(support.stiffness, key) for support in entry.supports)
+    ]
+    if free:
+        faults.at(
+            root,
+            ("supports",),
+            f"the shaft is not held: no bearings, no support with stiffness {' and '.join(free)}",
+        )

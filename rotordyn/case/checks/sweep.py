@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 
 from rotordyn.case.faults import Faults
@@ -24,9 +25,7 @@ def sweep(
         ascending(entry, root, way, faults)
 
 
-def ascending(
-    values: Sequence[float], root: Node, way: tuple[object, ...], faults: Faults
-) -> None:
+def ascending(values: Sequence[float], root: Node, way: tuple[object, ...], faults: Faults) -> None:
     """Each value of the list at ``way`` is above the one before it."""
     for index in range(1, len(values)):
         if values[index] <= values[index - 1]:
@@ -46,13 +45,22 @@ def _range(
         start, to = root.at(*way, "from").raw, root.at(*way, "to").raw
         word = "is empty" if entry.start == entry.to else "is reversed"
         faults.at(
-            root, (*way, "to"), f"the range {word}: given '{start}' to '{to}'; allowed: to above from"
+            root,
+            (*way, "to"),
+            f"the range {word}: given '{start}' to '{to}'; allowed: to above from",
         )
+    elif _has_other_keys(root.at(*way)):
+        return
     elif (entry.step is None) == (entry.count is None):
         given = "neither" if entry.step is None else "both"
         faults.at_key(root, way, f"a range needs either step or count: given {given}")
     elif entry.step is not None:
         _even(entry.to - entry.start, entry.step, entry.start, unit, root, way, faults)
+
+
+def _has_other_keys(node: Node) -> bool:
+    """A misspelt key is reported already; what it leaves out is no second fault."""
+    return isinstance(node.value, dict) and not {"from", "to", "step", "count"} >= set(node.value)
 
 
 def _even(
@@ -65,6 +73,8 @@ def _even(
     faults: Faults,
 ) -> None:
     exact = span / step
+    if not math.isfinite(exact):
+        return
     if exact >= MAX_STEPS:
         given = root.at(*way, "step").raw
         faults.at(root, (*way, "step"), f"more than {MAX_STEPS} steps: given '{given}'")

@@ -8,7 +8,9 @@ from pydantic import BaseModel, ConfigDict
 class Entry(BaseModel):
     """A mapping in a file: its keys are the fields, and no others."""
 
-    model_config = ConfigDict(extra="forbid", frozen=True, hide_input_in_errors=True, defer_build=True)
+    model_config = ConfigDict(
+        extra="forbid", frozen=True, hide_input_in_errors=True, defer_build=True
+    )
 
 
 def form(value: object) -> str:

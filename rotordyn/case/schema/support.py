@@ -133,7 +133,7 @@ class SupportEntry(Entry):
 
 
 class ShorteningEntry(Entry):
-    """Axial shift of the bearing seats: prescribed ``at`` a speed, or computed from ``reference``."""
+    """Axial shift of the seats: prescribed ``at`` a speed, or computed from ``reference``."""
 
     shift: Annotated[
         Annotated[str, choice("computed"), Tag("<word>")]
@@ -142,5 +142,3 @@ class ShorteningEntry(Entry):
     ]
     at: TopSpeed | None = None
     reference: Station | None = None
-
-

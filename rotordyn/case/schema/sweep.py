@@ -32,16 +32,16 @@ class FrequencyRange(Entry):
 
 
 def _range_or_list(value: object) -> str:
-    return "<list>" if form(value) == "<list>" else "<mapping>"
+    return "<list>" if form(value) == "<list>" else "<range>"
 
 
 Speeds = Annotated[
-    Annotated[SpeedRange, Tag("<mapping>")]
+    Annotated[SpeedRange, Tag("<range>")]
     | Annotated[list[Speed], Field(min_length=1, max_length=MAX_STEPS), Tag("<list>")],
     Discriminator(_range_or_list),
 ]
 Frequencies = Annotated[
-    Annotated[FrequencyRange, Tag("<mapping>")]
+    Annotated[FrequencyRange, Tag("<range>")]
     | Annotated[list[Frequency], Field(min_length=1, max_length=MAX_STEPS), Tag("<list>")],
     Discriminator(_range_or_list),
 ]

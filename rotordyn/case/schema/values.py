@@ -94,7 +94,11 @@ def whole(at_least: int, at_most: int) -> PlainValidator:
     def read(value: Any) -> int:
         if value is UNKNOWN:
             return at_least
-        if isinstance(value, bool) or not isinstance(value, int) or not at_least <= value <= at_most:
+        if (
+            isinstance(value, bool)
+            or not isinstance(value, int)
+            or not at_least <= value <= at_most
+        ):
             raise wrong(
                 f"not a whole number in its range: given {given(value)}; "
                 f"allowed: {at_least} to {at_most}"
@@ -118,7 +122,9 @@ def _text(value: Any) -> str:
     if value is UNKNOWN:
         return ""
     if not isinstance(value, str):
-        raise wrong(f"not text: given {given(value)}; allowed: text, in quotes where it is a number")
+        raise wrong(
+            f"not text: given {given(value)}; allowed: text, in quotes where it is a number"
+        )
     return value
 
 

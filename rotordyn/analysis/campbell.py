@@ -1,0 +1,170 @@
+"""Damped eigenfrequencies over speed, each mode followed by its shape."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis.results import CampbellResult
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.shapes import bending_shape, rod_shape, scaled
+from rotordyn.analysis.specs import CampbellSpec
+from rotordyn.elements.node import FREEDOMS
+from rotordyn.numerics.crossing import zero_crossings
+from rotordyn.numerics.follow import follow
+from rotordyn.numerics.modes import Modes
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+OSCILLATING = 1e-6  # of |pole|: less imaginary part than that is no vibration
+LOWEST = 1e-3  # Hz: below it a mode is a free rigid-body motion
+MARGIN = 1.5  # modes up to this multiple of the highest frequency are followed
+
+
+@dataclass(frozen=True, slots=True)
+class Branch:
+    """One mode over the usable speeds: its ``pole``, ``whirl`` and column in the modes (−1: lost)."""
+
+    kind: str
+    pole: Complex
+    whirl: Array
+    column: NDArray[np.intp]
+
+    @property
+    def frequency(self) -> Array:
+        """|Im pole| / 2π [Hz], NaN where the mode is lost."""
+        return np.abs(self.pole.imag) / (2.0 * math.pi)
+
+
+def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
+    """Bending, axial and torsion modes up to ``spec.max_frequency``."""
+    branches = [*_bending(scene, spec), *_axial(scene, spec), *_torsion(scene, spec)]
+    branches = [b for b in branches if np.nanmin(b.frequency) <= spec.max_frequency]
+    branches.sort(key=lambda b: ("bending axial torsion".index(b.kind), b.frequency[0], b.whirl[0]))
+    names = _names(branches)
+    ends = sorted({0, len(scene.usable) - 1}) if spec.shapes else []
+    criticals = _criticals(scene, branches, names)
+    stack = np.stack([b.pole for b in branches], axis=1)
+    return CampbellResult(
+        speed=scene.speed,
+        mode=names,
+        node=scene.mesh.x,
+        dof=FREEDOMS,
+        shape_speed=scene.speed[scene.usable][ends],
+        critical=tuple(name for name, _ in criticals),
+        outcome=scene.outcome,
+        frequency=scene.scattered(np.abs(stack.imag) / (2.0 * math.pi)),
+        damping_ratio=scene.scattered(-stack.real / np.abs(stack)),
+        whirl=scene.scattered(np.stack([b.whirl for b in branches], axis=1)),
+        kind=tuple(b.kind for b in branches),
+        shape=_shapes(scene, branches, ends),
+        critical_speed=np.array([speed for _, speed in criticals]),
+    )
+
+
+def _bending(scene: Scene, spec: CampbellSpec) -> list[Branch]:
+    found = scene.bending_modes
+    if not scene.bending.isotropic:
+        branches = _followed("bending", found, spec, +1.0)
+        return [
+            Branch(b.kind, b.pole, _whirl_of_planes(found, b.column), b.column) for b in branches
+        ]
+    return [
+        Branch(b.kind, b.pole, np.where(b.column < 0, np.nan, side), b.column)
+        for side in (-1.0, +1.0)
+        for b in _followed("bending", found, spec, side)
+    ]
+
+
+def _axial(scene: Scene, spec: CampbellSpec) -> list[Branch]:
+    return _followed("axial", scene.axial_modes, spec, +1.0)
+
+
+def _torsion(scene: Scene, spec: CampbellSpec) -> list[Branch]:
+    once, speeds = scene.torsion_modes, len(scene.usable)
+    every = Modes(*(np.repeat(a, speeds, axis=0) for a in (once.pole, once.vector, once.participation)))
+    return _followed("torsion", every, spec, +1.0)
+
+
+def _followed(kind: str, found: Modes, spec: CampbellSpec, side: float) -> list[Branch]:
+    """Branches of the modes that turn with e^(i·side·ω t), ω > 0."""
+    ceiling = 2.0 * math.pi * MARGIN * spec.max_frequency
+    floor = 2.0 * math.pi * LOWEST
+    chosen = []
+    for pole in found.pole:
+        turning = side * pole.imag
+        keep = (turning > np.maximum(OSCILLATING * np.abs(pole), floor)) & (turning < ceiling)
+        columns = np.flatnonzero(keep)
+        chosen.append(columns[np.argsort(turning[columns])])
+    if not chosen[0].size:
+        return []
+    vectors = [found.vector[s][:, c] for s, c in enumerate(chosen)]
+    values = [side * found.pole[s].imag[c] for s, c in enumerate(chosen)]
+    path = follow(vectors, values)
+    branches = []
+    for mode in range(path.shape[1]):
+        column = np.array([c[p] if p >= 0 else -1 for c, p in zip(chosen, path[:, mode], strict=True)])
+        pole = found.pole[np.arange(len(column)), column]
+        pole = np.where(column >= 0, pole, complex(np.nan, np.nan))
+        branches.append(Branch(kind, pole, np.where(column < 0, np.nan, 0.0), column))
+    return branches
+
+
+def _whirl_of_planes(found: Modes, column: NDArray[np.intp]) -> Array:
+    """+1 forward, −1 backward, 0 planar: which circular part of y, z dominates."""
+    vector = found.vector[np.arange(len(column)), :, column]
+    y, z = np.split(vector, 2, axis=1)
+    forward, backward = np.abs(y + 1j * z), np.abs(y - 1j * z)
+    difference = (forward**2 - backward**2).sum(axis=1)
+    share = difference / (forward**2 + backward**2).sum(axis=1)
+    return np.where(column < 0, np.nan, np.where(np.abs(share) < 1e-6, 0.0, np.sign(share)))
+
+
+def _names(branches: list[Branch]) -> tuple[str, ...]:
+    """Number the modes of each kind (and whirl, where it is one throughout) from below."""
+    counts: dict[str, int] = {}
+    names = []
+    paired = all(np.unique(b.whirl[b.column >= 0]).size == 1 for b in branches)
+    for branch in branches:
+        whirl = {1.0: " forward", -1.0: " backward"}.get(float(branch.whirl[0]), "")
+        family = branch.kind + (whirl if paired else "")
+        counts[family] = counts.get(family, 0) + 1
+        names.append(f"{branch.kind} {counts[family]}{whirl if paired else ''}")
+    return tuple(names)
+
+
+def _criticals(
+    scene: Scene, branches: list[Branch], names: tuple[str, ...]
+) -> list[tuple[str, float]]:
+    """Speeds where a bending mode that unbalance can excite meets the 1× line, ascending."""
+    speed = scene.speed[scene.usable]
+    found = []
+    for branch, name in zip(branches, names, strict=True):
+        excited = branch.kind == "bending" and not (scene.bending.isotropic and branch.whirl[0] < 0)
+        if excited:
+            gap = np.abs(branch.pole.imag) - speed
+            found += [(name, zero) for zero in zero_crossings(speed, gap)]
+    return sorted(found, key=lambda pair: pair[1])
+
+
+def _shapes(scene: Scene, branches: list[Branch], ends: list[int]) -> Complex:
+    """Node displacements (ends, modes, nodes, 6), each scaled to a largest value of 1."""
+    shapes = np.full((len(ends), len(branches), scene.mesh.nodes, 6), np.nan, dtype=complex)
+    for place, row in enumerate(ends):
+        for k, branch in enumerate(branches):
+            if branch.column[row] < 0:
+                continue
+            if branch.kind == "bending":
+                vector = scene.bending_modes.vector[row][:, branch.column[row]]
+                shape = bending_shape(scene.bending, vector, branch.pole[row].imag)
+            elif branch.kind == "axial":
+                vector = scene.axial_modes.vector[row][:, branch.column[row]]
+                shape = rod_shape(scene.axial, vector, "x")
+            else:
+                vector = scene.torsion_modes.vector[0][:, branch.column[row]]
+                shape = rod_shape(scene.torsion, vector, "thx")
+            shapes[place, k] = scaled(shape)
+    return shapes

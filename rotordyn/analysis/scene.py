@@ -1,0 +1,235 @@
+"""What several questions share, computed once and only when one of them asks.
+
+A scene belongs to one case. Each stage is solved on first use and timed; stages nobody asked for
+never run, and ``skipped`` says which.
+"""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable
+from typing import Any, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis.specs import Conditions
+from rotordyn.errors import NoSolution
+from rotordyn.machine.inertia import rotor_inertia
+from rotordyn.machine.spindle import Spindle
+from rotordyn.numerics.modes import Modes, modes
+from rotordyn.preload.network import Law
+from rotordyn.preload.state import PreloadState, dynamic_preload
+from rotordyn.system.lateral import LateralSystem, lateral_system
+from rotordyn.system.lateral_rotor import LateralRotor, lateral_rotor
+from rotordyn.system.longitudinal import RodSystem, axial_system, torsion_system
+from rotordyn.system.mesh import Mesh, build_mesh
+
+Array = NDArray[np.float64]
+T = TypeVar("T")
+GRAVITY = 9.80665  # m/s²
+
+
+class stage(property):  # noqa: N801
+    """A shared result: solved on first use, kept, its own time noted without that of others."""
+
+    def __init__(self, solve: Callable[[Any], Any]) -> None:
+        name = solve.__name__
+
+        def get(scene: Scene) -> Any:
+            if name not in scene.solved:
+                scene.solved[name] = scene.timed(name, lambda: solve(scene))
+            return scene.solved[name]
+
+        super().__init__(get, doc=solve.__doc__)
+        self.name = name
+
+
+class Scene:
+    """A machine under given conditions at given speeds [rad/s], ascending.
+
+    ``max_frequency`` [Hz]: highest frequency any question asks for; ``ports``: stations [m] where
+    forces act or responses are read besides the bearings.
+    """
+
+    def __init__(
+        self,
+        spindle: Spindle,
+        conditions: Conditions,
+        speed: Array,
+        max_frequency: float = 4000.0,
+        ports: tuple[float, ...] = (),
+    ) -> None:
+        self.spindle = spindle
+        self.conditions = conditions
+        self.speed = speed
+        self.max_frequency = max_frequency
+        self.ports = ports
+        self.solved: dict[str, Any] = {}
+        self.seconds: dict[str, float] = {}
+        self._running: list[float] = []
+
+    def timed(self, name: str, work: Callable[[], T]) -> T:
+        """Run ``work`` and add its own seconds, without those of stages inside it, to ``name``."""
+        begin = time.perf_counter()
+        self._running.append(0.0)
+        try:
+            return work()
+        finally:
+            inside = self._running.pop()
+            spent = time.perf_counter() - begin
+            self.seconds[name] = self.seconds.get(name, 0.0) + spent - inside
+            if self._running:
+                self._running[-1] += spent
+
+    @property
+    def skipped(self) -> tuple[str, ...]:
+        """Stages that no question asked for."""
+        return tuple(
+            name
+            for name, value in vars(type(self)).items()
+            if isinstance(value, stage) and name not in self.solved
+        )
+
+    @property
+    def law(self) -> Law:
+        """Hypotheses of the ball model."""
+        return Law(self.conditions.kinematics, self.conditions.moment_sharing)
+
+    @property
+    def rigid(self) -> bool:
+        """True where the rotor does not bend."""
+        return self.conditions.rotor == "rigid"
+
+    @property
+    def bearing_speed(self) -> Array:
+        """Speeds at which bearings are solved: only rest where their state at rest serves all."""
+        return np.zeros(1) if self.conditions.bearings == "static" else self.speed
+
+    @property
+    def bearing_row(self) -> NDArray[np.intp]:
+        """For every speed of the case, its row among ``bearing_speed``."""
+        if self.conditions.bearings == "static":
+            return np.zeros(len(self.speed), dtype=np.intp)
+        return np.arange(len(self.speed))
+
+    @property
+    def axial_force(self) -> float:
+        """External force and weight along the axis [N]."""
+        weight = rotor_inertia(self.spindle).mass * GRAVITY
+        sign = {"": 0.0, "+x": 1.0, "-x": -1.0}[self.conditions.gravity]
+        return self.conditions.axial_force + sign * weight
+
+    @property
+    def outcome(self) -> tuple[str, ...]:
+        """Per speed: empty, or why it has no physical solution."""
+        if not self.spindle.seats:
+            return ("",) * len(self.speed)
+        words = self.preload.outcome
+        return tuple(words[row] for row in self.bearing_row)
+
+    @property
+    def usable(self) -> NDArray[np.intp]:
+        """Speeds with a solution.
+
+        Raises
+        ------
+        NoSolution : there is none
+        """
+        rows = np.flatnonzero([word == "" for word in self.outcome])
+        if not rows.size:
+            raise NoSolution(f"no speed of the case has a physical solution: {self.outcome[0]}")
+        return rows
+
+    def scattered(self, values: NDArray[Any]) -> NDArray[Any]:
+        """Values at the usable speeds (first axis) over all speeds, NaN elsewhere."""
+        if len(values) == len(self.speed):
+            return values
+        whole = np.full((len(self.speed), *values.shape[1:]), np.nan, dtype=values.dtype)
+        whole[self.usable] = values
+        return whole
+
+    @stage
+    def mesh(self) -> Mesh:
+        """Nodes and elements of the shaft."""
+        return build_mesh(self.spindle, self.conditions.element_length)
+
+    @stage
+    def preload(self) -> PreloadState:
+        """Dynamic preload state at ``bearing_speed``."""
+        return dynamic_preload(self.spindle, self.bearing_speed, self.law, self.axial_force)
+
+    @stage
+    def rotor(self) -> LateralRotor:
+        """The rotor's bending in a few coordinates."""
+        ports = tuple(self.mesh.node_of(x) for x in self.ports)
+        return lateral_rotor(
+            self.spindle, self.mesh, self.max_frequency, ports, rigid=self.rigid
+        )
+
+    @property
+    def seat_stiffness(self) -> Array:
+        """Bearing tangents in their own frames at the usable speeds (usable, seats, 5, 5)."""
+        if not self.spindle.seats:
+            return np.zeros((len(self.speed), 0, 5, 5))
+        return self.preload.seat_stiffness()[self.bearing_row[self.usable]]
+
+    @stage
+    def bending(self) -> LateralSystem:
+        """Rotor on its supports at the usable speeds."""
+        return lateral_system(
+            self.spindle,
+            self.rotor,
+            self.speed[self.usable],
+            self.seat_stiffness,
+            spin_softening=self.conditions.spin_softening,
+        )
+
+    @stage
+    def bending_modes(self) -> Modes:
+        """All eigenvalues of the bending system."""
+        return modes(self.bending.stiffness, self.bending.damping)
+
+    @stage
+    def axial(self) -> RodSystem:
+        """Axial motion of shaft and sleeves."""
+        stops = np.zeros((len(self.usable), len(self.spindle.sleeves)), dtype=bool)
+        if self.spindle.seats:
+            stops = self.preload.net.held[self.bearing_row[self.usable], 1:]
+        return axial_system(
+            self.spindle,
+            self.mesh,
+            self.max_frequency,
+            tuple(self.mesh.node_of(x) for x in self.ports),
+            self.seat_stiffness[..., 0, 0],
+            stops,
+            rigid=self.rigid,
+        )
+
+    @stage
+    def axial_modes(self) -> Modes:
+        """All eigenvalues of the axial system."""
+        return modes(self.axial.stiffness, self.axial.damping)
+
+    @stage
+    def torsion(self) -> RodSystem:
+        """Torsion of the shaft."""
+        return torsion_system(
+            self.spindle,
+            self.mesh,
+            self.max_frequency,
+            tuple(self.mesh.node_of(x) for x in self.ports),
+            1,
+            rigid=self.rigid,
+        )
+
+    @stage
+    def torsion_modes(self) -> Modes:
+        """All eigenvalues of the torsion system, the same at every speed."""
+        return modes(self.torsion.stiffness, self.torsion.damping)
+
+
+def rpm(speed: float) -> str:
+    """A speed [rad/s] as words for messages."""
+    return f"{speed * 30.0 / math.pi:.0f} rpm"

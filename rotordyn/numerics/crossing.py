@@ -1,0 +1,40 @@
+"""Where a sampled curve crosses zero."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+def zero_crossings(x: Array, y: Array) -> list[float]:
+    """Zeros of y(x) between neighbouring samples of opposite sign, on the local cubic.
+
+    Samples that are not finite interrupt the curve.
+    """
+    zeros = []
+    for k in range(len(x) - 1):
+        if y[k] == 0.0:
+            zeros.append(float(x[k]))
+        elif y[k] * y[k + 1] < 0.0:
+            zeros.append(_zero(x, y, k))
+    return zeros
+
+
+def _zero(x: Array, y: Array, k: int) -> float:
+    """Bisection on the polynomial through up to four samples around the interval k."""
+    near = np.arange(max(k - 1, 0), min(k + 3, len(x)))
+    near = near[np.isfinite(y[near])]
+    middle, width = 0.5 * (x[k] + x[k + 1]), x[k + 1] - x[k]
+    curve = np.polynomial.Polynomial(
+        np.polynomial.polynomial.polyfit((x[near] - middle) / width, y[near], len(near) - 1)
+    )
+    low, high = -0.5, 0.5
+    for _ in range(60):
+        centre = 0.5 * (low + high)
+        if (curve(centre) > 0.0) == (y[k] > 0.0):
+            low = centre
+        else:
+            high = centre
+    return float(middle + width * 0.5 * (low + high))

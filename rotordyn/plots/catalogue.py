@@ -1,0 +1,115 @@
+"""Which figures each analysis has, as functions that draw them when asked."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
+from typing import TYPE_CHECKING, Any, Protocol
+
+import numpy as np
+
+from rotordyn.machine.reference import Reference
+from rotordyn.machine.spindle import Spindle
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+Job = tuple[str, "Callable[[], Figure]"]
+
+
+class Drawable(Protocol):
+    """What the figures need to know of a case."""
+
+    @property
+    def spindle(self) -> Spindle | None: ...
+    @property
+    def references(self) -> Sequence[Reference]: ...
+    @property
+    def analyses(self) -> Mapping[str, Any]: ...
+
+
+def figures(case: Drawable, results: Mapping[str, Any]) -> list[Job]:
+    """Name and drawing function of every figure that the results allow, the costly ones first.
+
+    Nothing is drawn and matplotlib is not imported before a function is called.
+    """
+    jobs = [] if case.spindle is None else list(_machine(case, results))
+    for name, result in results.items():
+        if name in FIGURES:
+            jobs += FIGURES[name](case, result, results)
+    return sorted(jobs, key=lambda job: -_COST.get(job[0], 0))
+
+
+def _machine(case: Drawable, _: Any) -> Iterator[Job]:
+    yield "machine", partial(_call, "machine", "machine_figure", case.spindle)
+
+
+def _campbell(case: Drawable, result: Any, _: Mapping[str, Any]) -> Iterator[Job]:
+    spec = case.analyses.get("campbell")
+    teeth, highest = getattr(spec, "teeth", ()), getattr(spec, "max_frequency", 0.0)
+    known = _references(case)
+    yield "campbell", partial(
+        _call, "campbell", "campbell_figure", result, teeth, known, highest
+    )
+    if result.shape_speed.size and result.node.size:
+        yield "mode_shapes", partial(_call, "shapes", "shapes_figure", result, case.spindle)
+
+
+def _frf(_: Drawable, result: Any, results: Mapping[str, Any]) -> Iterator[Job]:
+    modes, count = results.get("campbell"), len(result.pair)
+    if result.speed.size > 1:
+        yield "frf_map", partial(_call, "frf_map", "map_figure", result, [0], modes)
+        yield "frf_surface", partial(_call, "frf_surface", "surface_figure", result, 0)
+        if count > 1:
+            others = list(range(1, count))
+            yield "frf_maps", partial(_call, "frf_map", "map_figure", result, others, modes)
+    if not np.any(result.is_slice):
+        return
+    for first in range(0, count, 2):
+        pairs = list(range(first, min(first + 2, count)))
+        number = f"_{first // 2 + 1}" if count > 2 else ""
+        for kind in ("amplitude_phase", "real_imaginary"):
+            draw = partial(_call, "frf_slices", f"{kind}_figure", result, pairs)
+            yield f"frf_{kind}{number}", draw
+
+
+def _stiffness(case: Drawable, result: Any, _: Mapping[str, Any]) -> Iterator[Job]:
+    point = getattr(case.analyses.get("stiffness"), "point", "")
+    known = _references(case)
+    yield "stiffness", partial(_call, "stiffness", "stiffness_figure", result, known, point)
+    yield "stiffness_force", partial(_call, "stiffness", "force_figure", result, point)
+
+
+def _preload(case: Drawable, result: Any, _: Mapping[str, Any]) -> Iterator[Job]:
+    if not result.bearing or case.spindle is None:
+        return
+    known = _references(case)
+    yield "preload", partial(_call, "preload", "preload_figure", result, case.spindle, known)
+    yield "contacts", partial(_call, "preload", "contacts_figure", result)
+
+
+def _bearing(_: Drawable, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
+    yield "bearing", partial(_call, "bearing", "bearing_figure", result)
+
+
+def _references(case: Drawable) -> tuple[Reference, ...]:
+    own = case.spindle.references if case.spindle else ()
+    return tuple(dict.fromkeys((*case.references, *own)))
+
+
+def _call(module: str, function: str, *arguments: Any) -> Figure:
+    """Import the drawing module now, and draw."""
+    from importlib import import_module
+
+    figure: Figure = getattr(import_module(f"rotordyn.plots.{module}"), function)(*arguments)
+    return figure
+
+
+FIGURES: dict[str, Callable[[Drawable, Any, Mapping[str, Any]], Iterator[Job]]] = {
+    "preload": _preload,
+    "campbell": _campbell,
+    "frf": _frf,
+    "stiffness": _stiffness,
+    "bearing": _bearing,
+}
+_COST = {"frf_surface": 9, "mode_shapes": 8, "frf_maps": 7, "preload": 6, "contacts": 6}

@@ -1,0 +1,74 @@
+"""Quantities over speed: one line per bearing, sleeve or model, known values as markers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis.display import RPM, shown
+from rotordyn.machine.reference import QUANTITIES, Reference
+from rotordyn.plots.style import BLACK, CYCLE, DASHES
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+_MARKER = {"measured": "o", "published": "D"}
+
+
+def merged(names: Sequence[str], values: NDArray[np.float64]) -> list[tuple[str, int]]:
+    """Columns that differ, those alike named together: ``("a, b", 0)``."""
+    groups: list[tuple[list[str], int]] = []
+    for column, name in enumerate(names):
+        for known, first in groups:
+            if np.allclose(values[:, column], values[:, first], rtol=1e-6, equal_nan=True):
+                known.append(name)
+                break
+        else:
+            groups.append(([name], column))
+    return [(", ".join(known), first) for known, first in groups]
+
+
+def draw_columns(
+    axes: Axes,
+    rpm: NDArray[np.float64],
+    values: NDArray[np.float64],
+    names: Sequence[str],
+    **style: Any,
+) -> None:
+    """A line per column of ``values`` (speed, name), columns alike drawn once."""
+    for name, column in merged(names, values):
+        axes.plot(
+            rpm,
+            values[:, column],
+            **{
+                "color": CYCLE[column % len(CYCLE)],
+                "ls": DASHES[column % len(DASHES)],
+                "label": name,
+                **style,
+            },
+        )
+
+
+def draw_references(
+    axes: Axes, references: Sequence[Reference], quantity: str, *, subject: bool = False
+) -> None:
+    """Published and measured values of ``quantity`` as open markers, in printed units."""
+    factor = shown(QUANTITIES[quantity]).factor
+    chosen = [r for r in dict.fromkeys(references) if r.quantity == quantity]
+    for reference in chosen:
+        whose = f" {reference.subject}".replace("_", " ") if subject else ""
+        axes.plot(
+            np.asarray(reference.speeds) * RPM.factor,
+            np.asarray(reference.values) * factor,
+            _MARKER.get(reference.kind, "s"),
+            mfc="none",
+            mec=BLACK,
+            mew=0.9,
+            ls="none",
+            clip_on=False,
+            zorder=6,
+            label=f"{reference.kind}{whose}",
+        )

@@ -1,0 +1,124 @@
+"""The receptance over speed and frequency as a heat map."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis.display import RPM, receptance_unit, shown
+from rotordyn.analysis.results import CampbellResult, FrfResult
+from rotordyn.plots.campbell import draw_modes
+from rotordyn.plots.decimate import nearest, peak_bins
+from rotordyn.plots.style import (
+    FONT_SIZE,
+    add_axes,
+    grid_boxes,
+    log_ticks,
+    new_figure,
+    speed_ticks,
+)
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from matplotlib.image import AxesImage
+
+_ROWS, _COLUMNS = 420, 240
+FLOOR_DECADES = 4.0
+COLOURS = "viridis"
+
+
+def map_figure(
+    result: FrfResult, pairs: Sequence[int], campbell: CampbellResult | None = None
+) -> Figure:
+    """|H| of one pair on a full figure, or of several on small ones; mode lines over it."""
+    columns = 1 if len(pairs) == 1 else 2
+    rows = math.ceil(len(pairs) / columns)
+    figure = new_figure(168.0, 110.0 if columns == 1 else 14.0 + 64.0 * rows)
+    boxes = grid_boxes(figure, rows, columns, margins=(15.0, 20.0, 12.0, 9.0), gaps=(32.0, 17.0))
+    for place, (pair, box) in enumerate(zip(pairs, boxes, strict=False)):
+        axes = add_axes(
+            figure, box, "speed [rpm]", "" if place % columns else "frequency [Hz]"
+        )
+        image = _image(axes, result, pair)
+        speed_ticks(axes, max(float(result.speed[-1] * RPM.factor), 1.0), 6 if columns == 1 else 3)
+        if campbell is not None:
+            draw_modes(axes, campbell, colour="white")
+        title = f"receptance {result.pair[pair]}"
+        if campbell is not None:
+            title += ", lines: damped modes" if columns == 1 else ""
+        axes.set_title(title, fontsize=FONT_SIZE, pad=4.0)
+        _colour_bar(figure, image, result, pair, box)
+    return figure
+
+
+def amplitude(result: FrfResult, pair: int) -> NDArray[np.float64]:
+    """|H| of a pair in printed units, shape (speed, frequency)."""
+    return np.abs(result.receptance[:, pair]) * shown(receptance_unit(result.pair[pair])).factor
+
+
+def amplitude_range(values: NDArray[np.float64]) -> tuple[float, float]:
+    """Colour or height limits: the largest value, and the smallest within four decades of it."""
+    known = values[np.isfinite(values) & (values > 0.0)]
+    if not known.size:
+        return 0.1, 1.0
+    high = float(known.max())
+    low = max(float(np.percentile(known, 0.5)), high / 10.0**FLOOR_DECADES)
+    return (low if low < high else high / 10.0), high
+
+
+def _image(axes: Axes, result: FrfResult, pair: int) -> AxesImage:
+    """An even raster: nearest speed across, largest amplitude of each row of pixels up."""
+    from matplotlib.colors import LogNorm
+
+    rpm, frequency = result.speed * RPM.factor, result.frequency
+    top = max(float(rpm[-1]), 1.0)
+    edges = np.linspace(frequency[0], frequency[-1] * (1.0 + 1e-12), _ROWS + 1)
+    values = peak_bins(amplitude(result, pair), frequency, edges)
+    low, high = amplitude_range(values)
+    if not _even(rpm):
+        values = nearest(values, rpm, np.linspace(float(rpm[0]), top, _COLUMNS))
+    half = (top - float(rpm[0])) / max(len(values) - 1, 1) / 2.0
+    image = axes.imshow(
+        values.T, origin="lower", aspect="auto", cmap=COLOURS, interpolation="bilinear",
+        norm=LogNorm(low, high, clip=True), rasterized=True,
+        extent=(float(rpm[0]) - half, top + half, float(edges[0]), float(edges[-1])),
+    )
+    axes.set_ylim(0.0, float(edges[-1]))
+    axes.grid(visible=False)
+    return image
+
+
+def _even(values: NDArray[np.float64]) -> bool:
+    steps = np.diff(values)
+    return bool(steps.size and np.allclose(steps, steps[0], rtol=1e-6))
+
+
+def _colour_bar(
+    figure: Figure,
+    image: AxesImage,
+    result: FrfResult,
+    pair: int,
+    box: tuple[float, float, float, float],
+) -> None:
+    left, bottom, wide, tall = box
+    scale = add_axes(figure, (left + wide + 2.5, bottom, 3.0, tall))
+    low, high = image.get_clim()
+    shades = np.geomspace(low, high, 128)[:, None]
+    scale.imshow(
+        shades, origin="lower", aspect="auto", cmap=COLOURS, norm=image.norm, rasterized=True,
+        extent=(0.0, 1.0, math.log10(low), math.log10(high)),
+    )
+    ticks = log_ticks(low, high)
+    scale.set_yticks([math.log10(v) for v, _ in ticks], [name for _, name in ticks])
+    scale.set_xticks([])
+    scale.yaxis.tick_right()
+    scale.yaxis.set_label_position("right")
+    unit = shown(receptance_unit(result.pair[pair])).unit
+    scale.set_ylabel(f"|H| [{unit}]", fontsize=FONT_SIZE)
+    scale.grid(visible=False)
+    scale.tick_params(labelsize=FONT_SIZE - 0.5)

@@ -1,0 +1,104 @@
+"""The receptance over frequency at chosen speeds."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis.display import RPM, receptance_unit, shown
+from rotordyn.analysis.results import FrfResult
+from rotordyn.plots.style import (
+    CYCLE,
+    FONT_SIZE,
+    add_axes,
+    grid_boxes,
+    log_ticks,
+    new_figure,
+    round_ticks,
+    top_legend,
+)
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+
+
+def amplitude_phase_figure(result: FrfResult, pairs: Sequence[int]) -> Figure:
+    """Amplitude (log) over phase, a column per pair, a line per slice speed."""
+    return _figure(result, pairs, ("amplitude", "phase"))
+
+
+def real_imaginary_figure(result: FrfResult, pairs: Sequence[int]) -> Figure:
+    """Real over imaginary part, a column per pair, a line per slice speed."""
+    return _figure(result, pairs, ("real part", "imaginary part"))
+
+
+def _figure(result: FrfResult, pairs: Sequence[int], parts: tuple[str, str]) -> Figure:
+    figure = new_figure(168.0, 112.0)
+    boxes = grid_boxes(
+        figure, 2, len(pairs), margins=(17.0, 6.0, 12.0, 15.0), gaps=(17.0, 4.0)
+    )
+    for column, pair in enumerate(pairs):
+        for row, part in enumerate(parts):
+            name = _label(part, result.pair[pair])
+            box = boxes[row * len(pairs) + column]
+            axes = add_axes(figure, box, "frequency [Hz]" if row else "", name)
+            axes.tick_params(labelbottom=bool(row))
+            _lines(axes, result, pair, part)
+            if not row:
+                axes.set_title(f"receptance {result.pair[pair]}", fontsize=FONT_SIZE, pad=4.0)
+                if not column:
+                    top_legend(figure, axes)
+    return figure
+
+
+def _label(part: str, pair: str) -> str:
+    return f"{part} [{'deg' if part == 'phase' else shown(receptance_unit(pair)).unit}]"
+
+
+def _lines(axes: Axes, result: FrfResult, pair: int, part: str) -> None:
+    frequency = result.frequency
+    factor = shown(receptance_unit(result.pair[pair])).factor
+    for place, index in enumerate(np.flatnonzero(result.is_slice).tolist()):
+        values = _part(result.receptance[index, pair] * factor, part)
+        axes.plot(
+            frequency, values, color=CYCLE[place % len(CYCLE)], lw=1.1,
+            label=f"{result.speed[index] * RPM.factor:.0f} rpm",
+        )
+    axes.set_xlim(0.0, float(frequency[-1]))
+    axes.set_xticks(round_ticks(0.0, float(frequency[-1]), 4))
+    if part == "phase":
+        axes.set_ylim(-190.0, 190.0)
+        axes.set_yticks([-180.0, -90.0, 0.0, 90.0, 180.0])
+    elif part == "amplitude":
+        _log_axis(axes)
+
+
+def _part(values: NDArray[np.complex128], part: str) -> Array:
+    """The part asked for; a phase does not draw a line where it wraps."""
+    if part == "amplitude":
+        return np.abs(values)
+    if part != "phase":
+        return np.asarray(values.real if part == "real part" else values.imag)
+    phase = np.degrees(np.angle(values))
+    jumps = np.flatnonzero(np.abs(np.diff(phase)) > 270.0) + 1
+    phase[jumps] = np.nan
+    return np.asarray(phase)
+
+
+def _log_axis(axes: Axes) -> None:
+    """Few round ticks, no superscripts."""
+    from matplotlib.ticker import NullFormatter, NullLocator
+
+    axes.set_yscale("log")
+    low, high = axes.get_ylim()
+    ticks = log_ticks(low, high)
+    axes.yaxis.set_minor_locator(NullLocator())
+    axes.yaxis.set_minor_formatter(NullFormatter())
+    axes.set_yticks([v for v, _ in ticks], [name for _, name in ticks])
+    axes.set_ylim(low, high)

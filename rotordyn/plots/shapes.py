@@ -1,0 +1,109 @@
+"""Mode shapes in the plane, at rest and at top speed, as small multiples."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis.display import RPM
+from rotordyn.analysis.results import CampbellResult
+from rotordyn.machine.spindle import Spindle
+from rotordyn.plots.sketch import Sketch
+from rotordyn.plots.style import (
+    BLACK,
+    BLUE,
+    FONT_SIZE,
+    GREY,
+    RED,
+    add_axes,
+    grid_boxes,
+    new_figure,
+    round_ticks,
+)
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+MOST = 9
+_COLUMNS = 3
+_MOTION = {"bending": ("y", "z"), "axial": ("x",), "torsion": ("thx",)}
+
+
+def shapes_figure(result: CampbellResult, spindle: Spindle | None = None) -> Figure:
+    """A panel per mode: the shape at the first and the last speed over the shaft's outline."""
+    modes = _chosen(result)
+    rows = max(math.ceil(len(modes) / _COLUMNS), 1)
+    low, high = result.shape_speed[[0, -1]] * RPM.factor
+    left_out = len(result.mode) - len(modes)
+    note = f"; {left_out} more modes in the results file" if left_out else ""
+    title = f"mode shapes at {low:.0f} rpm (thin) and {high:.0f} rpm (thick), scaled to 1{note}"
+    figure = new_figure(168.0, 26.0 + 30.0 * rows, title)
+    boxes = grid_boxes(figure, rows, _COLUMNS, margins=(9.0, 4.0, 12.0, 13.0), gaps=(6.0, 7.0))
+    for place, (mode, box) in enumerate(zip(modes, boxes, strict=False)):
+        last_row = place + _COLUMNS >= len(modes)
+        axes = add_axes(figure, box, "x [mm]" if last_row else "")
+        _panel(axes, result, mode, spindle)
+        axes.tick_params(labelbottom=last_row, labelleft=place % _COLUMNS == 0)
+    return figure
+
+
+def plane_curve(shape: NDArray[np.complex128]) -> NDArray[np.float64]:
+    """The deflected line at the instant of largest motion, shape (node,), for (node, freedom).
+
+    The freedom that moves most is shown; its sign is that of the largest displacement: positive.
+    """
+    node, freedom = np.unravel_index(int(np.argmax(np.abs(shape))), shape.shape)
+    peak = shape[node, freedom]
+    if peak == 0.0:
+        return np.zeros(len(shape))
+    return np.asarray((shape[:, freedom] * np.conj(peak) / np.abs(peak) ** 2).real)
+
+
+def _chosen(result: CampbellResult) -> list[int]:
+    """The modes shown: those with a shape, lowest first; of a whirling pair both when they fit."""
+    known = [k for k in range(len(result.mode)) if np.isfinite(result.shape[:, k]).any()]
+    known.sort(key=lambda k: float(np.nan_to_num(result.frequency[0, k], nan=np.inf)))
+    if len(known) > MOST:
+        forward = [k for k in known if result.whirl[-1, k] >= 0.0]
+        known = forward or known
+    return known[:MOST]
+
+
+def _panel(axes: Axes, result: CampbellResult, mode: int, spindle: Spindle | None) -> None:
+    node = result.node * 1e3
+    axes.set(xlim=(node[0], node[-1]), ylim=(-1.25, 1.25))
+    axes.set_yticks([-1.0, 0.0, 1.0])
+    axes.set_xticks(round_ticks(node[0], node[-1], 4))
+    axes.grid(visible=False)
+    if spindle is not None:
+        _outline(axes, spindle)
+    columns = [result.dof.index(d) for d in _MOTION.get(result.kind[mode], ("y", "z"))]
+    first = plane_curve(result.shape[0, mode][:, columns])
+    last = plane_curve(result.shape[-1, mode][:, columns])
+    axes.plot(node, first, color=BLACK, lw=0.7)
+    axes.plot(node, np.sign(first @ last or 1.0) * last, color=BLUE, lw=1.5)
+    rest, top = result.frequency[[0, -1], mode]
+    axes.set_title(
+        f"{result.mode[mode]}: {rest:.0f} → {top:.0f} Hz", fontsize=FONT_SIZE - 0.5, pad=3.0
+    )
+
+
+def _outline(axes: Axes, spindle: Spindle) -> None:
+    """The shaft to its own scale along x and a common one across; bearings as marks."""
+    sketch = Sketch()
+    widest = max(s.outer_diameter for s in spindle.shaft.sections)
+    edges = spindle.shaft.boundaries
+    for section, a, b in zip(spindle.shaft.sections, edges, edges[1:], strict=False):
+        half = 0.55 * section.outer_diameter / widest
+        sketch.box(a * 1e3, b * 1e3, -half, half, "#F0F1F2", edge="#D5D8DA", width=0.5, z=1)
+    sketch.line([(edges[0] * 1e3, 0.0), (edges[-1] * 1e3, 0.0)], GREY, 0.5, "dashdot", z=2)
+    for seat in (*spindle.seats, *spindle.supports):
+        for side in (-1.0, 1.0):
+            x, tip, foot = seat.x * 1e3, 0.62 * side, 0.8 * side
+            size = 0.011 * (edges[-1] - edges[0]) * 1e3
+            sketch.polygon([(x, tip), (x - size, foot), (x + size, foot)], RED, edge=RED, z=2)
+    sketch.draw(axes)

@@ -1,0 +1,106 @@
+"""Walks the broken cases: each must be refused with exactly the faults it expects."""
+
+from __future__ import annotations
+
+import os
+import re
+from pathlib import Path
+
+import pytest
+
+import rotordyn
+from rotordyn.errors import Fault, exit_code
+
+FOLDER = Path(__file__).parents[2] / "cases" / "broken"
+_EXPECT = re.compile(r"# expect: (?:(\S+\.yaml):)?(\d+): (\S*?): (.+)")
+
+
+def faults_of(path: Path | str) -> tuple[Fault, ...]:
+    with pytest.raises(rotordyn.InvalidInput) as caught:
+        rotordyn.load(path)
+    assert exit_code(caught.value) == 2
+    assert str(caught.value).splitlines() == [str(fault) for fault in caught.value.faults]
+    return caught.value.faults
+
+
+def expected(path: Path) -> list[tuple[str, int, str, str]]:
+    lines = path.read_text().splitlines()
+    marks = [line for line in lines if line.startswith("# expect:")]
+    found = [_EXPECT.fullmatch(mark) for mark in marks]
+    assert found and all(found), f"{path.name}: no expectation, or one that cannot be read"
+    return [(m[1] or path.name, int(m[2]), m[3], m[4]) for m in found if m]
+
+
+@pytest.mark.parametrize("name", sorted(path.name for path in FOLDER.glob("*.yaml")))
+def test_broken_case(name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(FOLDER)
+    wanted = expected(FOLDER / name)
+    faults = faults_of(name)
+    for fault, (file, line, path, text) in zip(faults, wanted, strict=False):
+        assert (fault.file, fault.line, fault.path) == (file, line, path), str(fault)
+        pattern = ".*".join(re.escape(fragment) for fragment in text.split(" … "))
+        assert re.search(pattern, fault.message), str(fault)
+    assert len(faults) == len(wanted), "\n".join(map(str, faults))
+
+
+def test_missing_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.chdir(tmp_path)
+    Path("mfw2310.yaml").write_text("title: x\n")
+    (fault,) = faults_of("mfw231.yaml")
+    assert str(fault) == "mfw231.yaml: no such file (did you mean mfw2310.yaml?)"
+
+
+def test_directory(tmp_path: Path) -> None:
+    (fault,) = faults_of(tmp_path)
+    assert "is a directory" in fault.message
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no named pipes")
+def test_named_pipe_is_not_waited_for(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "case.yaml")
+    (fault,) = faults_of(tmp_path / "case.yaml")
+    assert "not a regular file" in fault.message
+
+
+@pytest.mark.parametrize("content", [b"\x89PNG\r\n\x1a\n\0\0", b"title: caf\xe9\n"])
+def test_not_utf8(tmp_path: Path, content: bytes) -> None:
+    path = tmp_path / "case.yaml"
+    path.write_bytes(content)
+    (fault,) = faults_of(path)
+    assert fault.line == 1
+    assert "not text in UTF-8" in fault.message
+
+
+def test_binary(tmp_path: Path) -> None:
+    path = tmp_path / "case.yaml"
+    path.write_bytes(b"title: a\0b\n")
+    (fault,) = faults_of(path)
+    assert "binary" in fault.message
+
+
+@pytest.mark.parametrize("content", ["", "\n\n", "---\n", "~\n"])
+def test_empty(tmp_path: Path, content: str) -> None:
+    path = tmp_path / "case.yaml"
+    path.write_text(content)
+    (fault,) = faults_of(path)
+    assert "the file is empty" in fault.message
+
+
+def test_too_long(tmp_path: Path) -> None:
+    path = tmp_path / "case.yaml"
+    path.write_text("# filler\n" * 500_000)
+    (fault,) = faults_of(path)
+    assert "bytes" in fault.message
+
+
+@pytest.mark.parametrize("name", ["a\0b.yaml", "x" * 5000])
+def test_impossible_file_name(name: str) -> None:
+    (fault,) = faults_of(name)
+    assert "cannot be read" in fault.message
+
+
+def test_message_is_one_line(tmp_path: Path) -> None:
+    path = tmp_path / "case.yaml"
+    path.write_text('bearing: vex70\nspeeds: ["1\\n2 rpm"]\nanalyses: {bearing: {loads: [1 N]}}\n')
+    (fault,) = faults_of(path)
+    assert "\n" not in str(fault)

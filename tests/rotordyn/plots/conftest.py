@@ -1,0 +1,19 @@
+"""Fixtures made from the sample results."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from tests.rotordyn.plots import samples
+
+
+@pytest.fixture(scope="session")
+def case() -> samples.SampleCase:
+    return samples.case()
+
+
+@pytest.fixture(scope="session")
+def results() -> dict[str, Any]:
+    return samples.results(count=9, points=300) | {"bearing": samples.bearing(5)}

@@ -1,0 +1,80 @@
+"""Datasets and the results file hold what the result dataclasses hold, bit for bit."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from rotordyn.analysis.result import declared
+from rotordyn.report.datasets import dataset
+from rotordyn.report.netcdf import read_results, write_results
+from rotordyn.report.variables import as_array
+from tests.rotordyn.plots import samples
+
+NAMES = ("preload", "campbell", "frf", "stiffness", "bearing")
+
+
+@pytest.fixture(scope="module")
+def path(tmp_path_factory, results) -> Path:
+    file = tmp_path_factory.mktemp("nc") / "results.nc"
+    write_results(file, results, {"case": "sample"})
+    return file
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_dataset_holds_every_declared_field(results, name):
+    held = dataset(results[name])
+    for key, info in declared(results[name]).items():
+        place = info.metadata["dims"][0] if info.metadata["role"] == "coordinate" else key
+        np.testing.assert_array_equal(held[place].values, as_array(getattr(results[name], key)))
+        assert held[place].attrs.get("units", "") == info.metadata["unit"]
+        assert held[place].attrs["long_name"] == info.metadata["label"]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_speed_comes_in_both_units(results, name):
+    held = dataset(results[name])
+    assert held.speed.attrs["units"] == "rad/s"
+    assert held.speed_rpm.attrs["units"] == "rpm"
+    assert held.speed_rpm.values[-1] == pytest.approx(24000.0)
+    assert "speed_rpm" in held.coords
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_reading_back_is_identical(path, results, name):
+    xr.testing.assert_identical(read_results(path)[name], dataset(results[name]))
+
+
+def test_complex_is_split_only_in_the_file(path, results):
+    with xr.open_dataset(path, group="frf", engine="h5netcdf") as stored:
+        assert "receptance" not in stored
+        assert stored.receptance_re.attrs["complex_part"] == "real"
+        assert stored.receptance_im.attrs["complex_name"] == "receptance"
+        np.testing.assert_array_equal(stored.receptance_im, results["frf"].receptance.imag)
+    assert dataset(results["frf"]).receptance.dtype == complex
+
+
+def test_foreign_readers_see_auxiliary_speed_as_coordinate(path):
+    with xr.open_dataset(path, group="campbell", engine="h5netcdf") as stored:
+        assert {"speed_rpm", "shape_speed_rpm"} <= set(stored.coords)
+
+
+def test_not_a_number_and_negative_zero_survive(tmp_path):
+    result = samples.frf(3, 5)
+    values = result.receptance.copy()
+    values[0, 0, 0], values[0, 0, 1] = complex(np.nan, 1.0), complex(-0.0, np.inf)
+    write_results(tmp_path / "r.nc", {"frf": replace(result, receptance=values)})
+    back = read_results(tmp_path / "r.nc")["frf"].receptance.values
+    assert back.tobytes() == values.tobytes()
+
+
+def test_machine_without_sleeves_and_critical_speeds(tmp_path):
+    result = replace(samples.campbell(3), critical=(), critical_speed=np.array([]))
+    write_results(tmp_path / "r.nc", {"campbell": result})
+    back = read_results(tmp_path / "r.nc")["campbell"]
+    assert back.sizes["critical"] == 0
+    xr.testing.assert_identical(back, dataset(result))

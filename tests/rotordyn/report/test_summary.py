@@ -1,0 +1,75 @@
+"""The summary fits a screen and says what an engineer asks first."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from rotordyn.machine.reference import Reference
+from rotordyn.report.summary import HEIGHT, WIDTH, summary
+from tests.rotordyn.plots import samples
+
+
+@pytest.fixture
+def text(case, results):
+    return summary(case, results)
+
+
+def test_fits_one_screen(text):
+    lines = text.splitlines()
+    assert len(lines) <= HEIGHT
+    assert max(map(len, lines)) <= WIDTH
+
+
+@pytest.mark.parametrize(
+    "words",
+    [
+        "Fischer MFW 2310, reconstructed",
+        "kg, centre of gravity at",
+        "front sleeve with c: 574 N, 6.2 N/µm, stop after 52.2 µm",
+        "1 fw 903.0 → 713.0 fw",
+        "axial 20400 rpm (-15 %)",
+        "a 551 → 1273",
+        "front sleeve: reached at 18000 rpm",
+        "rear sleeve: not reached",
+        "constant preload 142.7 → 52.8",
+        "134.0 |",
+        "The thesis mixes two signs of the gyroscopic moment.",
+        "1750 |",
+    ],
+)
+def test_says(text, words):
+    assert words in " ".join(text.split())
+
+
+def test_published_frequencies_meet_the_modes_in_order(text):
+    assert "903 | 903, 1350 | 1349, 1580 | 1587, 2860 | 2859" in " ".join(text.split())
+
+
+def test_pressure_warning_comes_first(case, results):
+    pressure = results["preload"].inner_pressure.copy()
+    pressure[4:, 2] = 4.5e9
+    hot = results | {"preload": replace(results["preload"], inner_pressure=pressure)}
+    first = summary(case, hot).splitlines()[0]
+    assert first.startswith("WARNING: bearing c: contact pressure 4.50 GPa")
+    assert "from 12000 rpm on" in first
+
+
+def test_many_references_do_not_overflow(case, results):
+    many = tuple(
+        Reference("preload_sum", "measured", f"source {k}", (0.0,), (1000.0 + k,), remark="x" * 150)
+        for k in range(40)
+    )
+    lines = summary(replace(case, references=many), results, ["first"] * 9).splitlines()
+    assert len(lines) <= HEIGHT
+    assert "more published or measured values" in lines[-1]
+
+
+def test_without_spindle_and_with_missing_modes(results):
+    frequency = results["campbell"].frequency.copy()
+    frequency[-1, 0] = np.nan
+    partial = {"campbell": replace(results["campbell"], frequency=frequency)}
+    text = summary(samples.SampleCase(), partial)
+    assert "1 bw 903.0 → none" in text

@@ -1,0 +1,73 @@
+"""CSV tables: tidy rows, engineering units in the header, the right number in the right place."""
+
+from __future__ import annotations
+
+import csv
+import math
+
+import numpy as np
+import pytest
+
+from rotordyn.report.tables import LAYOUTS, write_tables
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory, results):
+    path = tmp_path_factory.mktemp("csv")
+    assert set(write_tables(path, results)) == {p.name for p in path.iterdir()}
+    return path
+
+
+def _rows(path):
+    with path.open(encoding="utf-8", newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def test_every_layout_and_slice_has_its_file(folder):
+    planned = {f"{layout.name}.csv" for layouts in LAYOUTS.values() for layout in layouts}
+    slices = {f"frf_{n}rpm.csv" for n in (0, 12000, 24000)}
+    assert {p.name for p in folder.iterdir()} == planned | slices
+
+
+def test_preload_has_a_row_per_speed_and_bearing(folder, results):
+    rows, result = _rows(folder / "preload.csv"), results["preload"]
+    assert len(rows) == 9 * 5
+    row = rows[8 * 5 + 2]
+    assert (row["speed [rpm]"], row["bearing"], row["outcome"]) == ("24000", "c", "solved")
+    assert float(row["axial load [N]"]) == pytest.approx(result.axial_load[8, 2], rel=1e-6)
+    assert float(row["stiffness y,y [N/µm]"]) == pytest.approx(
+        result.stiffness[8, 2, 1, 1] / 1e6, rel=1e-6
+    )
+    assert float(row["inner peak pressure [GPa]"]) == pytest.approx(
+        result.inner_pressure[8, 2] / 1e9, rel=1e-6
+    )
+    assert float(row["outer contact angle [deg]"]) == pytest.approx(
+        math.degrees(result.outer_angle[8, 2]), rel=1e-6
+    )
+    assert "stiffness y,thz [N/rad]" in row
+    assert "stiffness thz,thz [N·m/rad]" in row
+
+
+def test_campbell_has_a_column_per_mode(folder, results):
+    rows = _rows(folder / "campbell.csv")
+    assert len(rows) == 9
+    assert float(rows[-1]["damped frequency 2 fw [Hz]"]) == pytest.approx(
+        results["campbell"].frequency[-1, 3], rel=1e-6
+    )
+
+
+def test_curves_and_shapes_are_in_printed_units(folder, results):
+    curve = _rows(folder / "stiffness_curves.csv")[-1]
+    assert float(curve["deflection [µm]"]) == pytest.approx(
+        results["stiffness"].deflection[-1, -1, -1] * 1e6, rel=1e-6
+    )
+    shape = _rows(folder / "campbell_shapes.csv")[0]
+    assert float(shape["station [mm]"]) == pytest.approx(-91.8)
+    assert "mode shape y imaginary [-]" in shape
+
+
+def test_slices_hold_both_parts_of_every_pair(folder, results):
+    rows = _rows(folder / "frf_24000rpm.csv")
+    held = np.array([float(r["receptance O3.y / Oc2.y imaginary [µm/N]"]) for r in rows])
+    wanted = results["frf"].receptance[-1, 3].imag * 1e6
+    np.testing.assert_allclose(held, wanted, rtol=1e-6)
