@@ -6,7 +6,6 @@ never run, and ``skipped`` says which.
 
 from __future__ import annotations
 
-import math
 import time
 from collections.abc import Callable
 from typing import Any, TypeVar
@@ -18,7 +17,7 @@ from rotordyn.analysis.specs import Conditions
 from rotordyn.errors import NoSolution
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
-from rotordyn.numerics.modes import Modes, modes
+from rotordyn.numerics.modes import Modes, modes, residual
 from rotordyn.preload.network import Law
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.system.lateral import LateralSystem, lateral_system
@@ -91,6 +90,21 @@ class Scene:
             for name, value in vars(type(self)).items()
             if isinstance(value, stage) and name not in self.solved
         )
+
+    @property
+    def tolerances(self) -> dict[str, float]:
+        """Residuals reached by the stages that were solved."""
+        reached = {}
+        if "preload" in self.solved:
+            state = self.preload
+            reached["preload: unbalanced axial force over largest force"] = float(
+                np.nanmax(state.net.error[state.usable], initial=0.0)
+            )
+        if "bending_modes" in self.solved:
+            reached["bending modes: residual of the eigenpairs"] = residual(
+                self.bending_modes, self.bending.stiffness, self.bending.damping
+            )
+        return reached
 
     @property
     def law(self) -> Law:
@@ -229,7 +243,3 @@ class Scene:
         """All eigenvalues of the torsion system, the same at every speed."""
         return modes(self.torsion.stiffness, self.torsion.damping)
 
-
-def rpm(speed: float) -> str:
-    """A speed [rad/s] as words for messages."""
-    return f"{speed * 30.0 / math.pi:.0f} rpm"

@@ -177,7 +177,7 @@ class _Composer:
         while not isinstance(event := next(self.events), yaml.MappingEndEvent):
             key = self._key(event, depth)
             child = self._node(next(self.events), depth + 1)
-            child.key = (event.start_mark.line + 1, event.start_mark.column + 1)
+            child.key = _position(event)
             if key in entries:
                 self.duplicates.append((node, key, event))
             else:

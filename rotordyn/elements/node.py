@@ -12,4 +12,16 @@ def position(freedom: str) -> int:
     ------
     ValueError : there is no freedom of that name
     """
-    return FREEDOMS.index(freedom)
+    return place_of(freedom, FREEDOMS)
+
+
+def place_of(freedom: str, freedoms: tuple[str, ...]) -> int:
+    """Place of a freedom in an order of them.
+
+    Raises
+    ------
+    ValueError : it is not among them
+    """
+    if freedom not in freedoms:
+        raise ValueError(f"no freedom {freedom!r}: one of {', '.join(freedoms)}")
+    return freedoms.index(freedom)

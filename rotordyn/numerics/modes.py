@@ -46,3 +46,15 @@ def modes(stiffness: NDArray, damping: NDArray) -> Modes:
     pole, vectors = np.linalg.eig(matrix)
     forces = np.linalg.inv(vectors)[..., n:] / scale
     return Modes(pole, vectors[..., :n, :], forces)
+
+
+def residual(found: Modes, stiffness: NDArray, damping: NDArray) -> float:
+    """Largest |(λ² + λ D + K) v| over (|λ|² + |λ D| + |K|) |v| of all eigenpairs."""
+    pole, vector = found.pole[..., None, :], found.vector
+    rest = pole**2 * vector + pole * (damping @ vector) + stiffness @ vector
+    size = np.abs(found.pole) ** 2 + np.abs(found.pole) * _norm(damping) + _norm(stiffness)
+    return float((np.abs(rest).max(axis=-2) / (size * np.abs(vector).max(axis=-2))).max())
+
+
+def _norm(matrix: NDArray) -> NDArray:
+    return np.abs(matrix).sum(axis=-1).max(axis=-1)[..., None]

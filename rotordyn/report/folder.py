@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import shutil
@@ -48,15 +49,20 @@ def check_target(target: Path) -> None:
     OutputRefused, InvalidInput : as for ``results_folder``
     """
     try:
-        if not target.exists():
-            return
-        if not target.is_dir():
-            raise OutputRefused(f"{target} is a file: give a folder for the results with -o")
-        if any(target.iterdir()) and not is_ours(target):
+        while target.exists():
+            if not target.is_dir():
+                raise OutputRefused(f"{target} is a file: give a folder for the results with -o")
+            looked_at = target.stat().st_ino
+            if not any(target.iterdir()) or is_ours(target):
+                return
+            if target.stat().st_ino != looked_at:
+                continue
             raise OutputRefused(
                 f"{target} is not empty and holds no {RECORD} of ours: "
                 "give another folder with -o, or empty this one"
             )
+    except FileNotFoundError:  # another run is just replacing it
+        return
     except OSError as error:
         raise InvalidInput(f"{target} cannot be read: {error.strerror}") from error
 
@@ -104,8 +110,9 @@ def _take_place(partial: Path, target: Path) -> None:
         try:
             os.rename(partial, target)
         except OSError as error:
-            if not target.exists():
-                _bring_back(aside, target)
+            if error.errno not in (errno.ENOTEMPTY, errno.EEXIST):
+                if aside:
+                    os.rename(aside, target)
                 raise InvalidInput(f"{target} cannot be made: {error.strerror}") from error
         else:
             return
@@ -117,14 +124,10 @@ def _take_place(partial: Path, target: Path) -> None:
 
 def _set_aside(target: Path) -> Path | None:
     """Move earlier results to a sibling, so that they never stand there half removed."""
-    if not target.is_dir() or not any(target.iterdir()):
-        return None
+    with suppress(FileNotFoundError):
+        if not target.is_dir() or not any(target.iterdir()):
+            return None
     aside = Path(tempfile.mkdtemp(prefix=f".{target.name}.old.", dir=target.parent))
     with suppress(FileNotFoundError):
         os.rename(target, aside)
     return aside
-
-
-def _bring_back(aside: Path | None, target: Path) -> None:
-    if aside:
-        os.rename(aside, target)

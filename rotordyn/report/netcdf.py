@@ -46,15 +46,18 @@ def read_results(path: Path) -> dict[str, xr.Dataset]:
 
 
 def _write_group(group: Any, result: Any) -> None:
+    import h5py
+
     group.attrs["result"] = type(result).__name__
     parts = [half for variable in variables(result) for half in _storable(variable)]
     group.dimensions = {d: n for v in parts for d, n in zip(v.dims, v.values.shape, strict=True)}
     auxiliary = " ".join(v.name for v in parts if v.role == "auxiliary")
     for v in parts:
-        kind = str if v.values.dtype.kind == "U" else v.values.dtype
+        words = v.values.dtype.kind == "U"
+        kind = h5py.string_dtype() if words else v.values.dtype
         stored = group.create_variable(v.name, v.dims, dtype=kind)
         if v.values.size:
-            stored[...] = v.values.astype(object) if kind is str else v.values
+            stored[...] = v.values.astype(object) if words else v.values
         stored.attrs.update(v.attrs)
         if auxiliary and v.role == "quantity":
             stored.attrs["coordinates"] = _covered(auxiliary, v, parts)
@@ -87,9 +90,9 @@ def _storable(variable: Variable) -> list[Variable]:
 
 def _restored(stored: xr.Dataset) -> xr.Dataset:
     """A dataset as it was in memory: complex joined, words as strings, no file encodings."""
-    for name in list(stored.data_vars):
-        if stored[name].attrs.get("complex_part") == "real":
-            stored = _joined(stored, stored[name].attrs["complex_name"])
+    halves = [v.attrs for v in stored.data_vars.values()]
+    for name in [a["complex_name"] for a in halves if a.get("complex_part") == "real"]:
+        stored = _joined(stored, name)
     words = [n for n, v in stored.variables.items() if v.dtype.kind == "O"]
     stored = stored.assign({n: stored[n].astype(str) for n in words})
     auxiliary = [str(n) for n in stored.data_vars if str(n).endswith("speed_rpm")]

@@ -18,6 +18,7 @@ from rotordyn.machine.spindle import Spindle
 
 WIDTH, HEIGHT = 100, 40
 PRESSURE_WARNING = 4.2e9
+_NO_BREAK = "\u00a0"
 _WHIRL = {1: "fw", -1: "bw", 0: ""}
 
 
@@ -37,7 +38,7 @@ class Described(Protocol):
 def summary(case: Described, results: Mapping[str, Any], warnings: Iterable[str] = ()) -> str:
     """The summary; ``warnings`` come first, joined by those the results call for."""
     lines = [f"WARNING: {w}" for w in (*warnings, *pressure_warnings(results))][:6]
-    lines += [f"{case.name}: {case.title}" if case.title else case.name]
+    lines.append(f"{case.name}: {case.title}" if case.title else case.name)
     if case.spindle:
         lines += _machine(case.spindle)
     if "campbell" in results:
@@ -79,9 +80,10 @@ def _machine(spindle: Spindle) -> list[str]:
     ]
     if spindle.seats:
         rows = ", ".join(
-            f"{s.name} {s.x * 1e3:.1f} mm ({'+' if s.thrust > 0 else '−'})" for s in spindle.seats
+            _whole(f"{s.name} {'+' if s.thrust > 0 else '−'} at {s.x * 1e3:.1f}")
+            for s in spindle.seats
         )
-        lines.append(f"bearings   {rows}; (+): loaded by a push towards +x")
+        lines.append(f"bearings   [mm] {rows}; + is loaded by a push towards +x")
     for sleeve in spindle.sleeves:
         spring = sleeve.spring
         stiff = f"{spring.stiffness / 1e6:g} N/µm" if math.isfinite(spring.stiffness) else "rigid"
@@ -99,20 +101,21 @@ def _modes(result: CampbellResult) -> list[str]:
         f"{name} {_number(a)} → {_number(b)} {_WHIRL[round(float(w)) if w == w else 0]}".strip()
         for name, a, b, w in zip(result.mode, rest, top, result.whirl[-1], strict=True)
     ]
-    first, last = result.speed[[0, -1]] * RPM.factor
-    lines = [f"modes [Hz] {first:.0f} → {last:.0f} rpm: " + "; ".join(entries)]
+    first, last = result.speed[[0, -1]]
+    rpm = f"{first * RPM.factor:.0f} → {last * RPM.factor:.0f} rpm"
+    lines = [f"modes [Hz] {rpm}: " + "; ".join(map(_whole, entries))]
     known = [
-        f"{name} {speed * RPM.factor:.0f} rpm ({(speed / result.speed[-1] - 1.0) * 100.0:+.0f} %)"
+        _whole(f"{name} {speed * RPM.factor:.0f} rpm ({(speed / last - 1.0) * 100.0:+.0f} %)")
         for name, speed in zip(result.critical, result.critical_speed, strict=True)
-        if math.isfinite(speed) and result.speed[-1] > 0.0
+        if math.isfinite(speed) and last > 0.0
     ]
-    none = f"none up to {last:.0f} rpm"
+    none = f"none up to {last * RPM.factor:.0f} rpm"
     return [*lines, f"critical   1×, margin to top speed: {', '.join(known) or none}"]
 
 
 def _preload(result: PreloadResult) -> list[str]:
     loads = ", ".join(
-        f"{name} {_number(a, 0)} → {_number(b, 0)}"
+        _whole(f"{name} {_number(a, 0)} → {_number(b, 0)}")
         for name, a, b in zip(result.bearing, *result.axial_load[[0, -1]], strict=True)
     )
     lines = [f"preload    [N] {loads}"]
@@ -124,7 +127,7 @@ def _preload(result: PreloadResult) -> list[str]:
 
 def _stiffness(result: StiffnessResult) -> list[str]:
     values = ", ".join(
-        f"{name.replace('_', ' ')} {_number(a)} → {_number(b)}"
+        _whole(f"{name.replace('_', ' ')} {_number(a)} → {_number(b)}")
         for name, a, b in zip(
             result.variant, *(result.tangent[[0, -1]] * STIFFNESS.factor), strict=True
         )
@@ -151,8 +154,10 @@ def _comparison(compared: Comparison) -> list[str]:
     digits = 0 if to.unit in ("N", "Hz") else 1
     one_speed = len(set(reference.speeds)) == 1
     pairs = [
-        f"{_number(known * to.factor, digits)} | {_number(ours * to.factor, digits)}"
-        + ("" if one_speed else f" @ {speed * RPM.factor:.0f}")
+        _whole(
+            f"{_number(known * to.factor, digits)} | {_number(ours * to.factor, digits)}"
+            + ("" if one_speed else f" @ {speed * RPM.factor:.0f}")
+        )
         for speed, known, ours in zip(
             reference.speeds, reference.values, compared.values, strict=True
         )
@@ -162,13 +167,18 @@ def _comparison(compared: Comparison) -> list[str]:
     what = f"{reference.quantity.replace('_', ' ')}{subject}{at} [{to.unit}]"
     where = "" if one_speed else " @ rpm"
     head = f"{reference.kind:10s} {what}: {reference.kind} | ours{where}: {', '.join(pairs)}"
-    return [*_wrapped(head)[:3], *_wrapped(" " * 11 + reference.remark)[:2]]
+    note = f"{reference.remark} [{reference.source}]".strip()
+    return [*_wrapped(head)[:3], *_wrapped(" " * 11 + note)[:2]]
+
+
+def _whole(entry: str) -> str:
+    """An entry that is not broken over two lines."""
+    return entry.replace(" ", _NO_BREAK)
 
 
 def _wrapped(line: str) -> list[str]:
-    return textwrap.wrap(
-        line, WIDTH, subsequent_indent=" " * 11, drop_whitespace=True, break_on_hyphens=False
-    )
+    lines = textwrap.wrap(line, WIDTH, subsequent_indent=" " * 11, break_on_hyphens=False)
+    return [part.replace(_NO_BREAK, " ") for part in lines]
 
 
 def _number(value: float, digits: int = 1) -> str:

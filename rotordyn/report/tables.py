@@ -106,8 +106,8 @@ def _quantity_columns(
         yield _column(info["label"], shown(info["unit"]), np.broadcast_to(values, shape))
         return
     order = [info["dims"].index(d) for d in (*layout.rows, *across)]
-    flat = values.transpose(order).reshape(prod(shape), -1)
     words = list(product(*(getattr(result, d) for d in across)))
+    flat = values.transpose(order).reshape(prod(shape), len(words))
     for place, word in enumerate(words):
         unit = stiffness_unit(*word) if across == ["dof", "dof_other"] else info["unit"]
         label = f"{info['label']} {','.join(word)}" if word else info["label"]

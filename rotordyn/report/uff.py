@@ -35,8 +35,9 @@ def write_uff(
     ]
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ResourceWarning)  # pyuff leaves closing to the interpreter
+        path.unlink(missing_ok=True)  # its mode "overwrite" loses the head of a binary record
         if sets:
-            pyuff.UFF(str(path)).write_sets(sets, "overwrite")
+            pyuff.UFF(str(path)).write_sets(sets, "add")
     return len(sets)
 
 
@@ -82,7 +83,7 @@ def _record(
         "orddenom_spec_data_type": _FORCE,
         "orddenom_axis_lab": "excitation",
         "orddenom_axis_units_lab": load,
-        "z_axis_axis_spec_data_type": _RPM,
+        "z_axis_spec_data_type": _RPM,
         "z_axis_axis_lab": "speed",
         "z_axis_axis_units_lab": "rpm",
         "data": result.receptance[index, place],

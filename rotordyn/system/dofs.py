@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.elements.node import FREEDOMS, position
+from rotordyn.elements.node import FREEDOMS, place_of, position
 
 
 @dataclass(frozen=True, slots=True)
@@ -40,15 +40,15 @@ class Selection:
         ------
         ValueError : the freedom is not part of this selection
         """
-        return self.width * node + self.names.index(freedom)
+        return self.width * node + place_of(freedom, self.names)
 
     def rows(self, freedom: str, nodes: int) -> NDArray[np.intp]:
         """Rows of one freedom at all nodes."""
-        return np.arange(nodes) * self.width + self.names.index(freedom)
+        return np.arange(nodes) * self.width + place_of(freedom, self.names)
 
     def sign(self, freedom: str) -> int:
         """−1 where the selected coordinate is minus the freedom."""
-        return self.signs[self.names.index(freedom)]
+        return self.signs[place_of(freedom, self.names)]
 
     def take(self, matrix: NDArray[Any], columns: Selection | None = None) -> NDArray[Any]:
         """The selected part of a node's (…, 6, 6) or an element's (…, 12, 12) matrix.

@@ -77,3 +77,30 @@ def test_from_random_displacements(kinematics: str) -> None:
         assert ours.inner_load[i] == pytest.approx(theirs.inner_load, abs=2e-6 * largest)
         assert ours.outer_load[i] == pytest.approx(theirs.outer_load, abs=2e-6 * largest)
         assert ((ours.status[i] == "lost contact") == (theirs.inner_load == 0.0)).all()
+
+
+LOST_UNDER_LOAD = [
+    ([202.0, -10.7, -188.9, -0.4, 2.9], 11839.0),
+    ([594.9, -402.8, -563.2, 5.0, -7.2], 31219.0),
+    ([1552.8, -387.0, 654.9, 10.5, -28.0], 31967.0),
+    ([760.0, -180.2, 502.6, -15.1, 8.7], 10988.0),
+]
+LOOSE_WHEN_SLOW = [
+    ([2412.4, -2216.8, -890.9, -47.7, 2.1], 146.0),
+    ([627.7, 468.8, -402.5, -5.7, 1.8], 1440.0),
+    ([5021.5, 3688.5, 3946.3, -15.5, 54.6], 1123.0),
+]
+
+
+@pytest.mark.parametrize(("load", "rpm"), LOST_UNDER_LOAD + LOOSE_WHEN_SLOW)
+@pytest.mark.parametrize("kinematics", ["hybrid", "outer"])
+def test_load_that_takes_some_balls_out_of_contact(
+    kinematics: str, load: list[float], rpm: float
+) -> None:
+    """Part of the ring is lost at speed, or held by Fc alone: a state exists all the same."""
+    theirs = BallBearingOracle(VEX70, kinematics=kinematics).from_load(load, rpm * RPM, steps=20)
+    back = VEX70.equilibrium(
+        displacement=theirs.displacement, speed=rpm * RPM, kinematics=kinematics
+    )
+    assert back.load == pytest.approx(theirs.load, rel=1e-5, abs=1e-5 * max(load))
+    assert_same(VEX70.equilibrium(load=load, speed=rpm * RPM, kinematics=kinematics), theirs)

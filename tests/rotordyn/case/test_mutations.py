@@ -20,14 +20,18 @@ SCALARS: Any = st.one_of(
     st.integers(),
     st.floats(),
     st.text(max_size=8),
-    st.sampled_from(["0 rpm", "5 mm", "-1 N", "computed", "front", "vex70", "rigid", "Oc2.y", "+x"]),
+    st.sampled_from(
+        ["0 rpm", "5 mm", "-1 N", "computed", "front", "vex70", "rigid", "Oc2.y", "+x"]
+    ),
 )
 VALUES: Any = st.recursive(
     SCALARS,
-    lambda inner: st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=6), inner, max_size=3),
+    lambda inner: (
+        st.lists(inner, max_size=3) | st.dictionaries(st.text(max_size=6), inner, max_size=3)
+    ),
     max_leaves=6,
 )
-relaxed = settings(max_examples=60, deadline=None, suppress_health_check=[HealthCheck.too_slow])
+relaxed = settings(max_examples=700, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 
 
 @pytest.fixture(scope="module")
@@ -75,7 +79,9 @@ def test_any_value_of_a_spindle_overridden(folder: Path, data: st.DataObject) ->
     (folder / "spindle.yaml").write_text(yaml.safe_dump(spindle))
     case = yaml.safe_load(TEXTS["mfw2310.yaml"])
     case["spindle"] = "./spindle.yaml"
-    case["override"] = {data.draw(st.sampled_from([".".join(map(str, way)), "bearings.a.x"])): "1 mm"}
+    case["override"] = {
+        data.draw(st.sampled_from([".".join(map(str, way)), "bearings.a.x"])): "1 mm"
+    }
     read_or_refused(folder / "case.yaml", yaml.safe_dump(case))
 
 

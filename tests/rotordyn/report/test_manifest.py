@@ -49,7 +49,7 @@ def test_outcomes_are_gathered_by_word():
     result = samples.stiffness(3)
     result = replace(result, outcome=("solved", "solved", "unloaded"))
     grid = samples.bearing(3)
-    words = grid.outcome.copy()
+    words = grid.outcome.astype("U20")
     words[2, 0] = "no equilibrium"
     found = outcomes({"stiffness": result, "bearing": replace(grid, outcome=words)})
     assert found["stiffness"] == {"solved": [0.0, 12000.0], "unloaded": [24000.0]}

@@ -1,0 +1,102 @@
+"""The questions by name, and one call that answers those a case asks."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+
+from bearings.angular_contact import AngularContactBallBearing
+from rotordyn.analysis.results import Result
+from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec, Spec, StiffnessSpec
+from rotordyn.machine.spindle import Spindle
+
+SPINDLE_ANALYSES = {
+    "preload": "rotordyn.analysis.preload",
+    "campbell": "rotordyn.analysis.campbell",
+    "frf": "rotordyn.analysis.frf",
+    "stiffness": "rotordyn.analysis.stiffness",
+}
+BEARING_ANALYSES = {"bearing": "rotordyn.analysis.bearing_map"}
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True, slots=True)
+class Answers:
+    """Results by analysis name, seconds by stage, stages nobody asked for, residuals reached."""
+
+    results: dict[str, Result]
+    seconds: dict[str, float] = field(default_factory=dict)
+    skipped: dict[str, str] = field(default_factory=dict)
+    tolerances: dict[str, float] = field(default_factory=dict)
+
+
+def answer_spindle(
+    spindle: Spindle,
+    conditions: Conditions,
+    speeds: tuple[float, ...],
+    analyses: Mapping[str, Spec],
+    progress: Progress,
+) -> Answers:
+    """Answer ``analyses`` for a spindle at ``speeds`` [rad/s]; shared stages are solved once.
+
+    Raises
+    ------
+    NoSolution : no speed has a physical solution
+    """
+    from rotordyn.analysis.scene import Scene
+
+    scene = Scene(
+        spindle,
+        conditions,
+        np.array(speeds),
+        max_frequency=_highest(analyses),
+        ports=_ports(spindle, analyses),
+    )
+    results = {}
+    for name, spec in analyses.items():
+        progress(name)
+        answer = import_module(SPINDLE_ANALYSES[name]).answer
+        results[name] = scene.timed(name, lambda answer=answer, spec=spec: answer(scene, spec))
+    unasked = {name: "no analysis of this case needs it" for name in scene.skipped}
+    return Answers(results, scene.seconds, unasked, scene.tolerances)
+
+
+def answer_bearing(
+    bearing: AngularContactBallBearing,
+    conditions: Conditions,
+    speeds: tuple[float, ...],
+    analyses: Mapping[str, Spec],
+    progress: Progress,
+) -> Answers:
+    """Answer ``analyses`` for a single bearing at ``speeds`` [rad/s]."""
+    results, seconds = {}, {}
+    for name, spec in analyses.items():
+        progress(name)
+        begin = time.perf_counter()
+        answer: Any = import_module(BEARING_ANALYSES[name]).answer
+        results[name] = answer(bearing, conditions, np.array(speeds), spec)
+        seconds[name] = time.perf_counter() - begin
+    return Answers(results, seconds)
+
+
+def _highest(analyses: Mapping[str, Spec]) -> float:
+    """Highest frequency any question asks for [Hz]."""
+    asked = [s.max_frequency for s in analyses.values() if isinstance(s, CampbellSpec)]
+    asked += [max(s.frequencies) for s in analyses.values() if isinstance(s, FrfSpec)]
+    return max(asked, default=1000.0)
+
+
+def _ports(spindle: Spindle, analyses: Mapping[str, Spec]) -> tuple[float, ...]:
+    """Stations where forces act or responses are read."""
+    names = set()
+    for spec in analyses.values():
+        if isinstance(spec, FrfSpec):
+            names |= {port.point for pair in spec.pairs for port in pair}
+        elif isinstance(spec, StiffnessSpec):
+            names.add(spec.point)
+    return tuple(sorted({spindle.points[name] for name in names}))

@@ -1,0 +1,102 @@
+"""The command line: parse, call, print, exit code. Everything else is imported when needed."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import rotordyn
+from rotordyn.errors import RotordynError, exit_code
+
+if TYPE_CHECKING:
+    from rotordyn.job import Progress
+
+EXIT_CODES = """exit codes: 0 done; 2 bad input, nothing written; 3 no speed of the case has a
+physical solution (with --strict: one has not); 1 a bug of rotordyn"""
+
+
+def main(argv: Sequence[str] | None = None) -> int:
+    """Run the command line and return its exit code."""
+    arguments = _parser().parse_args(argv)
+    from bearings.errors import BearingError
+
+    try:
+        code: int = arguments.command(arguments)
+    except (RotordynError, BearingError) as error:
+        print(error, file=sys.stderr)
+        return exit_code(error)
+    except KeyboardInterrupt:
+        print("interrupted; nothing was written", file=sys.stderr)
+        return 130
+    return code
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(
+        prog="rotordyn",
+        description="Dynamics of high-speed machining spindles.",
+        epilog=EXIT_CODES,
+    )
+    parser.add_argument("--version", action="version", version=f"rotordyn {rotordyn.__version__}")
+    commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
+    run = commands.add_parser("run", help="solve a case and write its results", epilog=EXIT_CODES)
+    run.add_argument("case", metavar="CASE", help="case file (YAML)")
+    run.add_argument("-o", "--output", metavar="DIR", help="results folder (out/<case name>)")
+    run.add_argument("--only", metavar="NAME,…", help="only these analyses of the case")
+    run.add_argument("--quiet", action="store_true", help="print nothing but errors")
+    run.add_argument(
+        "--strict", action="store_true", help="exit with 3 if any speed has no physical solution"
+    )
+    run.set_defaults(command=_run)
+    check = commands.add_parser("check", help="read and validate a case, compute nothing")
+    check.add_argument("case", metavar="CASE", help="case file (YAML)")
+    check.set_defaults(command=_check)
+    return parser
+
+
+def _check(arguments: argparse.Namespace) -> int:
+    case = rotordyn.load(arguments.case)
+    questions = ", ".join(case.analyses)
+    print(f"{arguments.case}: fine ({len(case.speeds)} speeds; {questions})")
+    return 0
+
+
+def _run(arguments: argparse.Namespace) -> int:
+    from rotordyn.job import deliver, restricted
+
+    case = rotordyn.load(arguments.case)
+    if arguments.only:
+        case = restricted(case, tuple(arguments.only.split(",")))
+    target = Path(arguments.output) if arguments.output else Path("out") / case.name
+    with _progress(len(case.analyses) + 1, quiet=arguments.quiet) as progress:
+        delivery = deliver(case, target, progress)
+    if not arguments.quiet:
+        print(delivery.summary)
+        print(f"results in {delivery.folder}")
+    if delivery.unsolved:
+        print(f"not solved: {delivery.unsolved[0]}", file=sys.stderr)
+        return 3 if arguments.strict else 0
+    return 0
+
+
+@contextmanager
+def _progress(steps: int, *, quiet: bool) -> Iterator[Progress]:
+    """A bar on the terminal that names what is being done; silent where nobody watches."""
+    if quiet or not sys.stderr.isatty():
+        yield lambda name: None
+        return
+    from rich.console import Console
+    from rich.progress import Progress as Bar
+
+    with Bar(console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("reading", total=steps)
+
+        def progress(name: str) -> None:
+            bar.update(task, description=name)
+            bar.advance(task)
+
+        yield progress

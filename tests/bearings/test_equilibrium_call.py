@@ -1,0 +1,189 @@
+"""The door of the bearing: what it refuses, and how it says so."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from bearings import AngularContactBallBearing, BearingError, InvalidBearing, NoEquilibrium
+from tests.oracles.known_bearings import HARRIS_209, RPM, VEX70
+
+THRUST = [1000.0, 0.0, 0.0, 0.0, 0.0]
+FAST = 30000.0 * RPM
+
+
+@pytest.mark.parametrize(
+    "wrong",
+    [
+        dict(load=[math.nan, 0, 0, 0, 0]),
+        dict(load=[math.inf, 0, 0, 0, 0]),
+        dict(displacement=[0, 0, -math.inf, 0, 0]),
+        dict(load=THRUST, speed=math.nan),
+        dict(load=THRUST, speed=[1.0, math.inf]),
+        dict(load=THRUST, static_growth=math.nan),
+        dict(load=THRUST, growth=math.inf),
+        dict(load=[1000.0, 0, 0]),
+        dict(load=1000.0),
+        dict(load=[]),
+        dict(displacement=np.zeros((5, 4))),
+        dict(load=np.ones((3, 5)), speed=[1.0, 2.0]),
+        dict(load=np.ones((3, 5)), growth=[1e-6, 2e-6]),
+        dict(load="1000 N"),
+        dict(load=["a", 0, 0, 0, 0]),
+        dict(load=THRUST, speed="fast"),
+        dict(load=[[1.0, 0, 0, 0, 0], [1.0, 0]]),
+        dict(load=THRUST, kinematics=None),
+    ],
+    ids=str,
+)
+def test_impossible_arguments(wrong: dict[str, Any]) -> None:
+    with pytest.raises(InvalidBearing):
+        VEX70.equilibrium(**wrong)
+
+
+def test_exactly_one_of_load_and_displacement() -> None:
+    with pytest.raises(InvalidBearing, match="exactly one"):
+        VEX70.equilibrium(load=THRUST, displacement=np.zeros(5))
+    with pytest.raises(InvalidBearing, match="exactly one"):
+        VEX70.equilibrium(speed=100.0)
+
+
+@pytest.mark.parametrize(
+    ("key", "word", "meant"),
+    [
+        ("kinematics", "hybird", "hybrid"),
+        ("kinematics", "outter", "outer"),
+        ("kinematics", "geometrical", "geometric"),
+        ("moment_sharing", "equall", "equal"),
+        ("moment_sharing", "iner", "inner"),
+    ],
+)
+def test_unknown_word_is_answered_with_the_nearest(key: str, word: str, meant: str) -> None:
+    with pytest.raises(InvalidBearing, match=rf"{key}.*{word}.*did you mean '{meant}'"):
+        VEX70.equilibrium(load=THRUST, **{key: word})
+
+
+def test_unknown_stiffness_method() -> None:
+    with pytest.raises(InvalidBearing, match="method"):
+        VEX70.equilibrium(load=THRUST).stiffness("compleat")
+
+
+def test_errors_are_bearing_errors_and_value_errors() -> None:
+    assert issubclass(InvalidBearing, BearingError)
+    assert issubclass(InvalidBearing, ValueError)
+    assert issubclass(NoEquilibrium, BearingError)
+
+
+def growth_that_eats_the_angle(bearing: AngularContactBallBearing) -> float:
+    free = (bearing.inner_conformity + bearing.outer_conformity - 1.0) * bearing.ball_diameter
+    return free * (1.0 - math.cos(bearing.contact_angle))
+
+
+def test_static_growth_that_takes_the_whole_contact_angle() -> None:
+    limit = growth_that_eats_the_angle(VEX70)
+    fine = VEX70.equilibrium(load=THRUST, static_growth=0.999 * limit)
+    assert np.isfinite(fine.displacement).all()
+    with pytest.raises(NoEquilibrium, match="contact angle") as caught:
+        VEX70.equilibrium(load=THRUST, static_growth=1.001 * limit, speed=100.0)
+    assert caught.value.outcome == "no contact angle"
+    assert caught.value.speed == pytest.approx(100.0)
+    assert caught.value.remedy
+
+
+@pytest.mark.parametrize("speed", [0.0, 1000.0])
+def test_no_load_is_no_definite_state(speed: float) -> None:
+    with pytest.raises(NoEquilibrium) as caught:
+        VEX70.equilibrium(load=np.zeros(5), speed=speed)
+    assert caught.value.outcome == "unloaded"
+    assert caught.value.speed == speed
+    assert caught.value.outcome in str(caught.value)
+    assert caught.value.remedy in str(caught.value)
+
+
+def test_thrust_the_wrong_way_is_named() -> None:
+    """The grooves would carry it, the ring without a shoulder does not: every ball says so."""
+    s = VEX70.equilibrium(load=[[-500.0, 0, 0, 0, 0], THRUST])
+    assert (s.status[0] == "open side").all()
+    assert (s.inner_angle[0] < 0.0).all()
+    assert (s.status[1] == "loaded").all()
+
+
+def test_batch_carries_an_outcome_per_state() -> None:
+    load = [THRUST, [0.0] * 5, THRUST]
+    limit = growth_that_eats_the_angle(VEX70)
+    s = VEX70.equilibrium(load=load, static_growth=[0.0, 0.0, 1.1 * limit], speed=500.0)
+    assert s.outcome[0] == ""
+    assert s.outcome[1] in {"unloaded", "no equilibrium"}
+    assert s.outcome[2] == "no contact angle"
+    assert np.isfinite(s.displacement[0]).all()
+    assert np.isnan(s.displacement[1:]).all()
+    assert np.isnan(s.stiffness()[1:]).all()
+    assert np.isnan(s.inner_load[1:]).all()
+
+
+def test_batch_of_one_does_not_raise() -> None:
+    s = VEX70.equilibrium(load=[[0.0] * 5])
+    assert s.outcome.shape == (1,)
+    assert s.outcome[0]
+
+
+def test_empty_batch() -> None:
+    s = VEX70.equilibrium(load=np.empty((0, 5)), speed=FAST)
+    assert s.load.shape == (0, 5)
+    assert s.outcome.shape == (0,)
+
+
+def test_arguments_are_not_written_to() -> None:
+    load = np.array([THRUST, THRUST])
+    load[1, 1] = 100.0
+    kept = load.copy()
+    VEX70.equilibrium(load=load, speed=FAST / 3)
+    assert np.array_equal(load, kept)
+
+
+def test_growth_defaults_to_the_static_one() -> None:
+    a = VEX70.equilibrium(load=THRUST, speed=FAST, static_growth=8e-6)
+    b = VEX70.equilibrium(load=THRUST, speed=FAST, static_growth=8e-6, growth=8e-6)
+    c = VEX70.equilibrium(load=THRUST, speed=FAST, static_growth=8e-6, growth=14e-6)
+    assert np.array_equal(a.displacement, b.displacement)
+    assert c.displacement[0] != pytest.approx(a.displacement[0], rel=1e-3)
+
+
+def test_defaults_are_hybrid_and_equal() -> None:
+    a = VEX70.equilibrium(load=THRUST, speed=FAST)
+    b = VEX70.equilibrium(load=THRUST, speed=FAST, kinematics="hybrid", moment_sharing="equal")
+    assert np.array_equal(a.inner_load, b.inner_load)
+
+
+def test_zero_contact_angle_carries_thrust_both_ways() -> None:
+    s = HARRIS_209.equilibrium(load=[[800.0, 0, 0, 0, 0], [-800.0, 0, 0, 0, 0]])
+    assert s.displacement[0, 0] == pytest.approx(-s.displacement[1, 0], rel=1e-10)
+
+
+@pytest.mark.parametrize(
+    "change",
+    [
+        dict(ball_diameter=0.0),
+        dict(ball_diameter=9.525),
+        dict(ball_diameter=math.nan),
+        dict(pitch_diameter=-0.09),
+        dict(balls=2),
+        dict(balls=25.5),
+        dict(balls=40),
+        dict(contact_angle=25.0),
+        dict(contact_angle=-0.1),
+        dict(inner_conformity=0.5),
+        dict(outer_conformity=math.nan),
+    ],
+    ids=str,
+)
+def test_impossible_bearings(change: dict[str, float]) -> None:
+    fine: dict[str, Any] = dict(
+        ball_diameter=9.525e-3, pitch_diameter=0.09, balls=25, contact_angle=0.44
+    )
+    AngularContactBallBearing(**fine)
+    with pytest.raises(InvalidBearing):
+        AngularContactBallBearing(**(fine | change))

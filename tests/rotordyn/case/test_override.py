@@ -1,0 +1,98 @@
+"""Single values of a model changed from the case file."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+import rotordyn
+from rotordyn.machine.spindle import Spindle
+
+Override = Callable[..., Spindle]
+CASE = """
+spindle: mfw2310
+override:
+{override}
+speeds: [0 rpm]
+analyses: {{preload: {{}}}}
+"""
+
+
+@pytest.fixture
+def overridden(tmp_path: Path) -> Override:
+    def read(*lines: str) -> Spindle:
+        path = tmp_path / "case.yaml"
+        path.write_text(CASE.format(override="\n".join(f"  {line}" for line in lines)))
+        spindle = rotordyn.load(path).spindle
+        assert spindle is not None
+        return spindle
+
+    return read
+
+
+def test_item_of_a_list_by_name(overridden: Override) -> None:
+    spindle = overridden("sleeves.front.spring.stiffness: 8 N/um")
+    assert [sleeve.spring.stiffness for sleeve in spindle.sleeves] == [8e6, 5.49e6]
+
+
+def test_words_in_place_of_values(overridden: Override) -> None:
+    spindle = overridden("sleeves.rear.spring.stiffness: rigid", "sleeves.front.stop_travel: none")
+    assert spindle.sleeves[1].spring.stiffness == math.inf
+    assert spindle.sleeves[0].stop_travel == math.inf
+
+
+def test_key_that_the_file_leaves_out(overridden: Override) -> None:
+    spindle = overridden("bearings.a.growth.static: 10 um", "sleeves.front.mass: 3 kg")
+    assert [seat.growth.static for seat in spindle.seats] == [10e-6] + [43.2e-6] * 4
+    assert spindle.sleeves[0].mass == 3.0
+
+
+def test_bearing_model_of_one_seat(overridden: Override) -> None:
+    spindle = overridden("bearings.a.model_override: {outer_conformity: 0.54, balls: 24}")
+    assert [seat.bearing.balls for seat in spindle.seats] == [24, 25, 25, 21, 21]
+    assert [seat.bearing.outer_conformity for seat in spindle.seats] == [0.54] + [0.571] * 4
+
+
+def test_bearing_model_of_all_seats(overridden: Override) -> None:
+    spindle = overridden("bearing_override.ball_material: bearing_steel")
+    assert {seat.bearing.ball_material.name for seat in spindle.seats} == {"bearing steel"}
+
+
+def test_another_model(overridden: Override) -> None:
+    spindle = overridden("bearings.d.model: vex70")
+    assert spindle.seats[3].bearing.pitch_diameter == 0.09
+
+
+def test_whole_item_replaced(overridden: Override) -> None:
+    item = "{name: drawbar, x: 200 mm, mass: 1 kg}"
+    spindle = overridden(f"masses.drawbar_middle: {item}")
+    assert [mass.name for mass in spindle.masses][2] == "drawbar"
+
+
+def test_whole_list_replaced(overridden: Override) -> None:
+    assert overridden("masses: []").masses == ()
+
+
+def test_single_bearing(tmp_path: Path) -> None:
+    path = tmp_path / "case.yaml"
+    path.write_text(
+        "bearing: vex70\noverride: {contact_angle: 15 deg}\nspeeds: [0 rpm]\n"
+        "analyses: {bearing: {loads: [100 N]}}\n"
+    )
+    bearing = rotordyn.load(path).bearing
+    assert bearing is not None
+    assert bearing.contact_angle == pytest.approx(math.radians(15.0))
+
+
+def test_an_alias_is_changed_in_one_place_only(tmp_path: Path) -> None:
+    path = tmp_path / "case.yaml"
+    path.write_text(
+        "spindle: lalanne_ferraris\noverride: {supports.left.stiffness.yy: 1 N/um}\n"
+        "speeds: [0 rpm]\nanalyses: {campbell: {}}\n"
+    )
+    spindle = rotordyn.load(path).spindle
+    assert spindle is not None
+    assert [support.stiffness["y", "y"] for support in spindle.supports] == [1e6, 70e6]

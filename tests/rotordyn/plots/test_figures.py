@@ -1,0 +1,170 @@
+"""What the figures of results show: lines, markers and limits from the numbers given."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from matplotlib.collections import LineCollection
+
+from rotordyn.plots.campbell import LOOKS, campbell_figure, whirl_segments
+from rotordyn.plots.decimate import nearest, peak_bins
+from rotordyn.plots.frf_map import map_figure
+from rotordyn.plots.frf_slices import amplitude_phase_figure, real_imaginary_figure
+from rotordyn.plots.frf_surface import surface_figure
+from rotordyn.plots.preload import preload_figure
+from rotordyn.plots.shapes import plane_curve, shapes_figure
+from rotordyn.plots.stiffness import stiffness_figure
+from tests.rotordyn.plots import samples
+
+
+def _labels(axes):
+    return axes.get_legend_handles_labels()[1]
+
+
+def test_whirl_is_told_by_look():
+    curves = whirl_segments(samples.campbell(9))
+    assert {look: len(lines) for look, lines in curves.items()} == {
+        "backward": 4, "forward": 4, "axial": 1, "torsion": 1,
+    }  # fmt: skip
+    assert all(len(line) == 9 for lines in curves.values() for line in lines)
+    assert LOOKS["forward"][1] == "-"
+
+
+def test_a_mode_that_turns_its_whirl_is_cut_without_a_gap():
+    result = samples.campbell(9)
+    whirl = result.whirl.copy()
+    whirl[5:, 0] = 1.0
+    curves = whirl_segments(replace(result, whirl=whirl))
+    first = next(c for c in curves["backward"] if len(c) == 5)
+    second = next(c for c in curves["forward"] if len(c) == 5)
+    np.testing.assert_array_equal(first[-1], second[0])
+
+
+def test_campbell_lines_markers_and_names():
+    axes = campbell_figure(samples.campbell(9), (3, 8), samples.references(), 3500.0).axes[0]
+    words = [t.get_text() for t in axes.texts]
+    assert {"1×", "3× (teeth)", "8× (teeth)"} <= set(words)
+    assert "1 fw  713" in words
+    assert {"forward whirl", "critical speed", "published"} <= set(_labels(axes))
+    critical = next(line for line in axes.lines if line.get_label() == "critical speed")
+    np.testing.assert_allclose(critical.get_xydata(), [[20400.0, 340.0]])
+    known = next(line for line in axes.lines if line.get_label() == "published")
+    np.testing.assert_allclose(known.get_ydata(), [903.0, 1350.0, 1580.0, 2860.0])
+
+
+def test_campbell_names_do_not_overlap():
+    figure = campbell_figure(samples.campbell(9), (1, 2, 3, 4, 5, 6), (), 3500.0)
+    renderer = figure.canvas.get_renderer()
+    boxes = sorted((t.get_window_extent(renderer) for t in figure.axes[0].texts), key=lambda b: b.y0)
+    assert all(low.y1 <= high.y0 + 1.0 for low, high in zip(boxes, boxes[1:], strict=False))
+    assert max(b.x1 for b in boxes) <= figure.bbox.x1
+
+
+def test_a_line_that_leaves_at_the_top_is_named_there():
+    axes = campbell_figure(samples.campbell(9), (20,), (), 3500.0).axes[0]
+    text = next(t for t in axes.texts if "20×" in t.get_text())
+    assert text.get_position()[0] == pytest.approx(3500.0 * 60.0 / 20.0)
+
+
+def test_plane_curve_follows_the_phase():
+    shape = np.exp(0.4j) * np.array([[0.0, 0.0], [0.5, 0.1j], [-2.0, 0.2j]])
+    np.testing.assert_allclose(plane_curve(shape), [0.0, -0.25, 1.0])
+    np.testing.assert_array_equal(plane_curve(np.zeros((3, 2), complex)), np.zeros(3))
+
+
+def test_a_panel_per_mode_with_both_speeds():
+    result = samples.campbell(3)
+    few = replace(
+        result, mode=result.mode[:4], kind=result.kind[:4], frequency=result.frequency[:, :4],
+        whirl=result.whirl[:, :4], shape=result.shape[:, :4],
+    )
+    axes = shapes_figure(few, samples.spindle()).axes
+    assert [a.get_title().split(":")[0] for a in axes] == ["1 bw", "1 fw", "2 bw", "2 fw"]
+    assert all(len(a.lines) == 2 for a in axes)
+
+
+def test_modes_left_out_are_counted():
+    figure = shapes_figure(samples.campbell(3))
+    assert "4 more modes in the results file" in figure.texts[0].get_text()
+
+
+def test_map_covers_the_axes_and_carries_the_modes():
+    axes = map_figure(samples.frf(9, 100), [0], samples.campbell(9)).axes[0]
+    assert axes.get_xlim() == (0.0, pytest.approx(24000.0))
+    assert sum(isinstance(c, LineCollection) for c in axes.collections) == 4
+    assert not map_figure(samples.frf(9, 100), [0]).axes[0].collections
+
+
+def test_map_keeps_the_largest_amplitude():
+    frf = samples.frf(9, 2000)
+    image = map_figure(frf, [0]).axes[0].images[0]
+    assert np.nanmax(image.get_array()) == pytest.approx(np.abs(frf.receptance[:, 0]).max() * 1e6)
+
+
+def test_uneven_speeds_are_put_where_they_belong():
+    frf = samples.frf(9, 50)
+    uneven = replace(frf, speed=frf.speed**2 / frf.speed[-1])
+    values = map_figure(uneven, [0]).axes[0].images[0].get_array()
+    assert values.shape[1] == 240
+    assert np.ptp(values[:, :2], axis=1).max() == 0.0
+
+
+def test_surface_keeps_peaks_and_leaves_out_missing_speeds():
+    frf = samples.frf(9, 2000)
+    values = frf.receptance.copy()
+    values[4] = np.nan
+    figure = surface_figure(replace(frf, receptance=values), 0)
+    surface = next(c for c in figure.axes[0].collections if c.get_rasterized())
+    assert len(surface.get_paths()) == 7 * 259
+
+
+def test_slices_have_a_line_per_speed():
+    frf = samples.frf(9, 100)
+    figure = amplitude_phase_figure(frf, [0, 3])
+    assert [len(a.lines) for a in figure.axes] == [3, 3, 3, 3]
+    assert [t.get_text() for t in figure.legends[0].get_texts()] == [
+        "0 rpm", "12000 rpm", "24000 rpm",
+    ]  # fmt: skip
+    real = real_imaginary_figure(frf, [1]).axes[0].lines[2].get_ydata()
+    np.testing.assert_allclose(real, frf.receptance[-1, 1].real * 1e6)
+
+
+def test_phase_does_not_draw_its_jumps():
+    frf = samples.frf(3, 2000)
+    figure = amplitude_phase_figure(frf, [1])
+    phase = figure.axes[1].lines[0].get_ydata()
+    steps = np.abs(np.diff(phase))
+    assert np.isnan(phase).any()
+    assert np.nanmax(steps) < 200.0
+
+
+def test_references_stand_beside_the_stiffness():
+    axes = stiffness_figure(samples.stiffness(9), samples.references(), "Oc2").axes[0]
+    assert axes.get_ylabel() == "radial stiffness at Oc2 [N/µm]"
+    assert _labels(axes)[0] == "nonlinear, full"
+    measured = next(line for line in axes.lines if line.get_label() == "measured")
+    np.testing.assert_allclose(measured.get_xydata(), [[4000.0, 134.0], [24000.0, 56.3]])
+
+
+def test_preload_sum_is_what_the_sleeves_carry():
+    result = samples.preload(9)
+    axes = preload_figure(result, samples.spindle(), samples.references()).axes
+    assert _labels(axes[0]) == ["a, b", "c", "d, e"]
+    computed, published = axes[1].lines[:2]
+    np.testing.assert_allclose(computed.get_ydata(), result.axial_load[:, 2:].sum(axis=1))
+    np.testing.assert_allclose(published.get_xydata(), [[24000.0, 1750.0]])
+    assert "measured rear sleeve" in _labels(axes[2])
+
+
+def test_peak_bins_keep_the_peak_and_fill_gaps():
+    coordinate, values = np.array([0.0, 1.0, 2.0, 10.0]), np.array([[1.0, 5.0, 2.0, 10.0]])
+    found = peak_bins(values, coordinate, np.array([0.0, 3.0, 5.0, 9.0, 11.0]))
+    np.testing.assert_allclose(found, [[5.0, 4.0, 7.0, 10.0]])
+
+
+def test_nearest_takes_whole_rows():
+    rows = np.arange(6.0).reshape(3, 2)
+    found = nearest(rows, np.array([0.0, 1.0, 4.0]), np.array([0.4, 0.6, 2.4, 2.6, 9.0]))
+    np.testing.assert_array_equal(found[:, 0], [0.0, 2.0, 2.0, 4.0, 4.0])

@@ -1,0 +1,90 @@
+"""The half-section: directions of contact lines, and labels that do not overlap."""
+
+from __future__ import annotations
+
+import itertools
+import math
+
+import numpy as np
+import pytest
+
+from rotordyn.machine.support import BearingSeat
+from rotordyn.plots.labels import spread
+from rotordyn.plots.machine import machine_figure
+from rotordyn.plots.symbols import contact_line
+from tests.rotordyn.plots import samples
+
+
+def _seat(thrust):
+    return BearingSeat("a", samples.ball_bearing(0.09, 25), 0.1, thrust)
+
+
+@pytest.mark.parametrize("thrust", [1, -1])
+def test_contact_line_meets_the_axis_behind_the_thrust(thrust):
+    (foot, on_axis), (tip, outside) = contact_line(_seat(thrust))
+    assert on_axis == 0.0
+    assert foot == pytest.approx(0.1 - thrust * 0.045 * math.tan(math.radians(25.0)))
+    assert outside > 0.045
+    assert (tip - 0.1) * thrust > 0.0
+
+
+@pytest.mark.parametrize("thrust", [1, -1])
+def test_contact_line_passes_the_ball_centre(thrust):
+    (x0, r0), (x1, r1) = contact_line(_seat(thrust))
+    assert np.interp(0.045, [r0, r1], [x0, x1]) == pytest.approx(0.1)
+
+
+def test_front_plus_rear_minus_is_an_o_arrangement():
+    front, rear = contact_line(_seat(1))[0][0], contact_line(_seat(-1))[0][0]
+    assert front < 0.1 < rear
+
+
+def test_labels_do_not_overlap_each_other():
+    figure = machine_figure(samples.spindle())
+    renderer = figure.canvas.get_renderer()
+    texts = [*figure.axes[0].texts, *figure.texts]
+    boxes = [(t.get_text(), t.get_window_extent(renderer)) for t in texts]
+    legend = figure.axes[0].get_legend()
+    boxes.append(("legend", legend.get_window_extent(renderer)))
+    clashes = [(a, b) for (a, p), (b, q) in itertools.combinations(boxes, 2) if p.overlaps(q)]
+    assert clashes == []
+    inside = figure.bbox
+    assert all(inside.x0 <= b.x0 and b.x1 <= inside.x1 for _, b in boxes)
+
+
+def test_everything_is_named():
+    words = " ".join(t.get_text() for t in machine_figure(samples.spindle()).axes[0].texts)
+    for name in ("a", "e", "Oc2", "nose", "drawbar\n3 × 0.2 kg", "release unit\n2.19 kg"):
+        assert name in words
+    assert "front sleeve: 574 N, 6.2 N/µm, stop after 52.2 µm" in words
+
+
+def test_drawn_to_scale():
+    axes = machine_figure(samples.spindle()).axes[0]
+    assert axes.get_aspect() == 1.0
+    box = axes.get_window_extent()
+    across = box.width / np.ptp(axes.get_xlim())
+    assert box.height / np.ptp(axes.get_ylim()) == pytest.approx(across, rel=1e-2)
+
+
+@pytest.mark.parametrize("seed", range(5))
+def test_spread_keeps_order_and_distance(seed):
+    rng = np.random.default_rng(seed)
+    wanted, sizes = rng.uniform(0.0, 10.0, 8), rng.uniform(0.2, 1.0, 8)
+    placed = spread(wanted, sizes, 0.0, 10.0)
+    order = np.argsort(wanted)
+    gaps = np.diff(placed[order]) - (sizes[order][1:] + sizes[order][:-1]) / 2.0
+    assert gaps.min() > -1e-9
+    assert (placed - sizes / 2).min() > -1e-9
+    assert (placed + sizes / 2).max() < 10.0 + 1e-9
+
+
+def test_spread_leaves_what_has_room():
+    np.testing.assert_allclose(spread([5.0, 1.0], [1.0, 1.0], 0.0, 10.0), [5.0, 1.0])
+
+
+def test_spread_of_too_many_stays_inside():
+    placed = spread([5.0] * 6, [3.0] * 6, 0.0, 10.0)
+    assert placed.min() >= 0.0
+    assert placed.max() <= 10.0
+    assert np.diff(np.sort(placed)).min() > 0.0
