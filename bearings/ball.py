@@ -19,8 +19,10 @@ from bearings.kinematics import (
     SHARINGS,
     Angles,
     Partial,
+    hybrid,
     masked,
     orbit_and_spin,
+    share_hybrid,
 )
 
 Array = NDArray[np.float64]
@@ -33,6 +35,11 @@ class BallModel:
     geometry: Geometry
     hypothesis: Callable[[Angles], Partial]
     sharing: Callable[[Any], tuple[Any, Any]]
+
+    @property
+    def weighted(self) -> bool:
+        """True where kinematics or sharing depend on the race loads."""
+        return self.hypothesis is hybrid or self.sharing is share_hybrid
 
     @classmethod
     def named(cls, geometry: Geometry, kinematics: str, moment_sharing: str) -> BallModel:
@@ -90,20 +97,24 @@ def turning_balance(model: BallModel, centre: Array, ball: Array, speed: Array, 
     share, share_c = model.sharing(weight)
     share, share_c = np.broadcast_to(share, qi.shape), np.broadcast_to(share_c, qi.shape)
 
-    # rows: fa, fr, outer axial, outer radial, inner moment share; columns: αi, ℓi, αo, ℓo
     d = g.ball_diameter
     mi, mo = share * moment, (2.0 - share) * moment
     fa, fr = qi * si + mi * ci / d, qi * ci - mi * si / d
     oa, orad = qo * so + mo * co / d, qo * co - mo * so / d
-    weights = (np.zeros_like(qi), weight_li, np.zeros_like(qi), weight_lo)
-    columns = []
-    for k in range(4):
-        m_k = moment_p[k] + moment_p[4] * weights[k]
-        s_k = share_c * weights[k]
-        mi_k, mo_k = share * m_k + s_k * moment, (2.0 - share) * m_k - s_k * moment
-        fc_k = fc_p[k] + fc_p[4] * weights[k]
-        columns.append([mi_k * ci / d, -mi_k * si / d, mo_k * co / d, -mo_k * so / d, mi_k, fc_k])
-    table = np.array(columns).swapaxes(0, 1)  # (6, 4, …)
+    # rows: fa, fr, outer axial, outer radial, inner moment share, Fc; columns: αi, ℓi, αo, ℓo
+    table = np.zeros((6, 4, *qi.shape))
+
+    def inertia(column: int, moment_k: Any, fc_k: Any, share_k: Any) -> None:
+        """Derivatives that come from Mg, its sharing, and Fc."""
+        mi_k = share * moment_k + share_k * moment
+        mo_k = (2.0 - share) * moment_k - share_k * moment
+        table[:, column] = mi_k * ci / d, -mi_k * si / d, mo_k * co / d, -mo_k * so / d, mi_k, fc_k
+
+    inertia(0, moment_p.by_inner, fc_p.by_inner, 0.0)
+    inertia(2, moment_p.by_outer, fc_p.by_outer, 0.0)
+    if model.weighted:
+        for column, slope in ((1, weight_li), (3, weight_lo)):
+            inertia(column, moment_p.by_weight * slope, fc_p.by_weight * slope, share_c * slope)
     table[0, 0] += fr
     table[1, 0] -= fa
     table[0, 1] += qi_l * si
@@ -213,17 +224,18 @@ def _hertz(stiffness: float, approach: Array) -> tuple[Array, Array]:
 
 def _inertia_loads(
     model: BallModel, orbit: Partial, spin: Partial, speed: Array, blend: Array
-) -> tuple[Array, Array, list[Any], list[Any]]:
-    """Fc and Mg at ``blend``, each with partial derivatives by (αi, ℓi, αo, ℓo, C)."""
+) -> tuple[Array, Array, Partial, Partial]:
+    """Fc and Mg at ``blend``, and their partial derivatives by αi, αo and C."""
     g = model.geometry
     full = 0.5 * g.ball_mass * g.pitch_diameter * speed**2
     nominal = model.nominal_centrifugal(speed)
-    fc = nominal + blend * (full * orbit.value**2 - nominal)
     slope = 2.0 * blend * full * orbit.value
     turn = blend * g.ball_inertia * speed**2
-    fc_p = [slope * orbit.by_inner, 0.0, slope * orbit.by_outer, 0.0, slope * orbit.by_weight]
-    moment_p = [turn * spin.by_inner, 0.0, turn * spin.by_outer, 0.0, turn * spin.by_weight]
-    return fc, turn * spin.value, fc_p, moment_p
+    fc = Partial(
+        nominal + blend * (full * orbit.value**2 - nominal), *(slope * part for part in orbit[1:])
+    )
+    moment = Partial(*(turn * part for part in spin))
+    return fc.value, moment.value, fc, moment
 
 
 def _chain(by_angle: Array, by_length: Array, sin: Array, cos: Array, length: Array) -> Array:

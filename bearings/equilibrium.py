@@ -31,6 +31,7 @@ Index = NDArray[np.intp]
 TOLERANCE = 1e-11  # of the largest ball load (ball balance) and ring load (ring balance)
 LONGEST_TURN = 0.15  # rad a contact angle may move in one step of the blend
 SHORTEST_BLEND = 1.0 / 512.0
+NEWTON_STEPS = 8
 EPS = float(np.finfo(float).eps)
 
 
@@ -68,29 +69,28 @@ class Problem:
 
 @dataclass(frozen=True, slots=True)
 class Linear:
-    """A problem linearised at (d, X): the Newton step follows from it.
+    """Balls linearised at (d, X): the Newton step follows from it.
 
-    ``ring_load`` (s, 5) at the point itself; ``stiffness`` (s, 5, 5) with the balls following;
-    ``correction`` (s, 5): change of load while the balls settle at fixed d; ``fold`` (s,): the
-    smallest ball determinant, positive on the physical branch; ``error`` (s,): scaled residual.
+    ``ring_load`` (s, 5) at the point itself; ``fold`` (s,): the smallest ball determinant, positive
+    on the physical branch; ``error`` (s,): scaled residual of balls and ring.
     """
 
     balance: Balance
     ball_inverse: Array
     ring_load: Array
-    stiffness: Array
-    correction: Array
     fold: Array
     error: Array
 
 
 @dataclass(frozen=True, slots=True)
 class Solution:
-    """d (s, 5), X (2, s, n), the linearisation there, and an outcome word per state."""
+    """d (s, 5), X (2, s, n), the balance there, the tangent (s, 5, 5), an outcome word per state."""
 
     displacement: Array
     ball: Array
-    linear: Linear
+    balance: Balance
+    ring_load: Array
+    stiffness: Array
     outcome: NDArray[np.str_]
 
 
@@ -101,25 +101,35 @@ def solve(problem: Problem, displacement: Array, guess: Array | None = None) -> 
     sweep); where following from it fails, the two-stage solve decides.
     """
     states = len(problem.speed)
-    outcome = np.full(states, "", dtype="<U16")
-    d = displacement.copy()
+    d, linear = displacement.copy(), None
     if not problem.turning:
         x = np.zeros((2, states, problem.ring.balls))
         done = _convex(problem, d, x)
-    else:
-        done = np.zeros(states, dtype=bool)
+    elif guess is None:
         x = _seated(problem, d)
-        if guess is not None:
-            done = _near(problem, d, x, guess)
+        done = _from_convex(problem, d, x, np.arange(states))
+    else:
+        d, x, done, linear = _correct(problem, d, guess, np.ones(states))[:4]
         cold = np.flatnonzero(~done)
         if cold.size:
+            linear = None
+            d[cold] = displacement[cold]
+            x[:, cold] = _seated(problem.take(cold), d[cold])
             done[cold] = _from_convex(problem, d, x, cold)
-    outcome[~done] = "no equilibrium"
-    return Solution(d, x, linearise(problem, d, x, np.ones(states)), outcome)
+    if linear is None:
+        linear = linearise(problem, d, x, np.ones(states))
+    return Solution(
+        displacement=d,
+        ball=x,
+        balance=linear.balance,
+        ring_load=linear.ring_load,
+        stiffness=tangent(problem, linear),
+        outcome=np.where(done, "", "no equilibrium").astype("<U16"),
+    )
 
 
 def linearise(problem: Problem, d: Array, x: Array, blend: Array) -> Linear:
-    """Balance, tangent and scaled error at (d, X); at rest X is written to its own place."""
+    """Balance and scaled error at (d, X); at rest X is written to its own place."""
     centre = problem.ring.centres(problem.origin, d)
     if problem.turning:
         balance = turning_balance(
@@ -129,22 +139,31 @@ def linearise(problem: Problem, d: Array, x: Array, blend: Array) -> Linear:
         balance, seat = resting_balance(problem.model, centre)
         x[...] = seat
     inverse, determinant = _inverse(balance.dresidual_dx)
-    follow = -np.einsum("abs...,bcs...->acs...", inverse, balance.dresidual_da)
-    by_centre = balance.daction_da + np.einsum(
-        "abs...,bcs...->acs...", balance.daction_dx, follow
-    )
-    settle = -np.einsum("abs...,bs...->as...", inverse, balance.residual)
     ring_load = problem.ring.load(balance.action)
-    correction = problem.ring.load(np.einsum("abs...,bs...->as...", balance.daction_dx, settle))
     return Linear(
         balance=balance,
         ball_inverse=inverse,
         ring_load=ring_load,
-        stiffness=problem.ring.stiffness(by_centre),
-        correction=correction,
         fold=determinant.min(axis=-1),
         error=_error(problem, balance, ring_load),
     )
+
+
+def tangent(problem: Problem, linear: Linear) -> Array:
+    """∂f/∂d with the balls following the ring, all of Fc and Mg included (s, 5, 5)."""
+    balance = linear.balance
+    follow = _product(linear.ball_inverse, balance.dresidual_da)
+    return problem.ring.stiffness(balance.daction_da - _product(balance.daction_dx, follow))
+
+
+def _product(a: Array, b: Array) -> Array:
+    """Matrix product of component-first small matrices."""
+    return np.einsum("ab...,bc...->ac...", a, b)
+
+
+def _applied(a: Array, v: Array) -> Array:
+    """Component-first matrix times vector."""
+    return np.einsum("ab...,b...->a...", a, v)
 
 
 def _error(problem: Problem, balance: Balance, ring_load: Array) -> Array:
@@ -174,25 +193,26 @@ def _inverse(matrix: Array) -> tuple[Array, Array]:
 
 def _step(problem: Problem, linear: Linear, *, convex: bool) -> tuple[Array, Array]:
     """Newton step (dd, dX); in the convex stage always downhill."""
-    balance = linear.balance
+    balance, free = linear.balance, problem.free
     dd = np.zeros_like(problem.load)
-    free = problem.free
     if free.any():
         scale = problem.scale[free]
-        gap = (problem.load - linear.ring_load - linear.correction)[:, free] / scale
-        k = linear.stiffness[:, free][:, :, free] / scale / scale[:, None]
+        settle = -_applied(linear.ball_inverse, balance.residual)
+        correction = problem.ring.load(_applied(balance.daction_dx, settle))
+        gap = (problem.load - linear.ring_load - correction)[:, free] / scale
+        k = tangent(problem, linear)[:, free][:, :, free] / scale / scale[:, None]
         dd[:, free] = (_downhill(problem, k, gap) if convex else _solve(k, gap)) / scale
     moved = np.einsum("cjn,sj->csn", problem.ring.spread, dd)
-    pull = balance.residual + np.einsum("abs...,bs...->as...", balance.dresidual_da, moved)
-    return dd, -np.einsum("abs...,bs...->as...", linear.ball_inverse, pull)
+    pull = balance.residual + _applied(balance.dresidual_da, moved)
+    return dd, -_applied(linear.ball_inverse, pull)
 
 
 def _solve(k: Array, gap: Array) -> Array:
     """K⁻¹ gap, zero where K is singular to rounding."""
-    singular = np.abs(np.linalg.det(k / (np.abs(k).max(axis=(1, 2), keepdims=True) + 1e-300)))
-    eye = np.eye(k.shape[-1])
-    ok = singular > 1e-14
-    return np.where(ok[:, None], np.linalg.solve(np.where(ok[:, None, None], k, eye), gap[..., None])[..., 0], 0.0)
+    largest = np.abs(k).max(axis=(1, 2), keepdims=True) + 1e-300
+    regular = np.abs(np.linalg.det(k / largest)) > 1e-14
+    safe = np.where(regular[:, None, None], k, np.eye(k.shape[-1]))
+    return np.where(regular[:, None], np.linalg.solve(safe, gap[..., None])[..., 0], 0.0)
 
 
 def _downhill(problem: Problem, k: Array, gap: Array) -> Array:
@@ -271,15 +291,20 @@ def _search(problem: Problem, d: Array, x: Array, dd: Array, dx: Array) -> Array
     return length
 
 
-def _correct(problem: Problem, d: Array, x: Array, blend: Array) -> tuple[Array, Array, NDArray[np.bool_], int]:
-    """Plain Newton at ``blend`` from a point close by: new (d, X), success, iterations used."""
+def _correct(
+    problem: Problem, d: Array, x: Array, blend: Array
+) -> tuple[Array, Array, NDArray[np.bool_], Linear, int]:
+    """Plain Newton at ``blend`` from a point close by.
+
+    Returns new (d, X), success, the linearisation there, and the iterations used. Success means:
+    converged, no angle turned far, every ball on the outer race, no fold passed.
+    """
     start = _angles(problem, d, x)
     d, x = d.copy(), x.copy()
-    limit, used = 8, 0
-    for used in range(limit + 1):
+    for used in range(NEWTON_STEPS + 1):
         linear = linearise(problem, d, x, blend)
         moving = linear.error >= TOLERANCE
-        if not moving.any() or used == limit:
+        if not moving.any() or used == NEWTON_STEPS:
             break
         dd, dx = _step(problem, linear, convex=False)
         d += np.where(moving[:, None], dd, 0.0)
@@ -287,10 +312,11 @@ def _correct(problem: Problem, d: Array, x: Array, blend: Array) -> tuple[Array,
     turned = np.abs(_angles(problem, d, x) - start).max(axis=(0, -1))
     good = ~moving & (linear.fold > 0.0) & (turned < LONGEST_TURN)
     good &= (linear.balance.outer_load > 0.0).all(axis=-1)
-    if problem.free.any():
-        free = problem.free
-        good &= np.linalg.det(_relative(linear.stiffness[:, free][:, :, free], problem.scale[free])) > 0.0
-    return d, x, good, used
+    free = problem.free
+    if free.any():
+        k = tangent(problem, linear)[:, free][:, :, free]
+        good &= np.linalg.det(_relative(k, problem.scale[free])) > 0.0
+    return d, x, good, linear, used
 
 
 def _relative(k: Array, scale: Array) -> Array:
@@ -308,13 +334,6 @@ def _angles(problem: Problem, d: Array, x: Array) -> Array:
     )
 
 
-def _near(problem: Problem, d: Array, x: Array, guess: Array) -> NDArray[np.bool_]:
-    """Try the full problem straight from ``guess``; success writes (d, X)."""
-    new_d, new_x, good, _ = _correct(problem, d, guess, np.ones(len(d)))
-    d[good], x[:, good] = new_d[good], new_x[:, good]
-    return good
-
-
 def _from_convex(problem: Problem, d: Array, x: Array, cold: Index) -> NDArray[np.bool_]:
     """Both stages for the states ``cold``; writes (d, X) and returns success."""
     part, pd, px = problem.take(cold), d[cold], x[:, cold]
@@ -325,7 +344,7 @@ def _from_convex(problem: Problem, d: Array, x: Array, cold: Index) -> NDArray[n
         if not todo.size:
             break
         target = np.minimum(1.0, blend[todo] + stride[todo])
-        new_d, new_x, good, used = _correct(part.take(todo), pd[todo], px[:, todo], target)
+        new_d, new_x, good, _, used = _correct(part.take(todo), pd[todo], px[:, todo], target)
         won = todo[good]
         pd[won], px[:, won], blend[won] = new_d[good], new_x[:, good], target[good]
         stride[won] *= 2.0 if used <= 5 else 1.0

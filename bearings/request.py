@@ -235,13 +235,12 @@ def _store(
     """Write the states that exist; note the outcome of the others."""
     states["outcome"][index] = solution.outcome
     good = solution.outcome == ""
-    into, linear, g = index[good], solution.linear, problem.model.geometry
-    b = linear.balance
+    into, b, g = index[good], solution.balance, problem.model.geometry
     qi, qo, mg = b.inner_load[good], b.outer_load[good], b.gyroscopic_moment[good]
     share = np.broadcast_to(b.inner_share[good], qi.shape)
-    states["load"][into] = problem.load[good] if problem.free.any() else linear.ring_load[good]
+    states["load"][into] = problem.load[good] if problem.free.any() else solution.ring_load[good]
     states["displacement"][into] = solution.displacement[good]
-    states["complete_stiffness"][into] = linear.stiffness[good]
+    states["complete_stiffness"][into] = solution.stiffness[good]
     states["ball_centre"][into] = solution.ball[:, good].swapaxes(0, 1)
     values = (
         qi,

@@ -28,8 +28,8 @@ if TYPE_CHECKING:
 def bearing_figure(result: BearingMapResult) -> Figure:
     """Axial and radial stiffness, contact angles and peak pressures, a colour per axial load."""
     figure = new_figure(168.0, 118.0)
-    names = ("stiffness Kxx [N/µm]", "stiffness Kyy [N/µm]")
-    names += ("contact angle [deg]", "peak pressure [GPa]")
+    names = ["stiffness Kxx [N/µm]", "stiffness Kyy [N/µm]"]
+    names += ["contact angle [deg]", "peak pressure [GPa]"]
     boxes = grid_boxes(figure, 2, 2, margins=(15.0, 6.0, 12.0, 8.0), gaps=(18.0, 5.0))
     axes = [
         add_axes(figure, box, "speed [rpm]" if place > 1 else "", name)
@@ -72,6 +72,9 @@ def _per_load(
 ) -> None:
     for place, load in enumerate(result.load):
         axes.plot(
-            result.speed * RPM.factor, values[:, place], color=CYCLE[place % len(CYCLE)],
-            ls=DASHES[dash], label=f"{load:g} N axial" if label else None,
+            result.speed * RPM.factor,
+            values[:, place],
+            color=CYCLE[place % len(CYCLE)],
+            ls=DASHES[dash],
+            label=f"{load:g} N axial" if label else None,
         )

@@ -59,12 +59,25 @@ def campbell_figure(
     _criticals(axes, result)
     for reference in known:
         axes.plot(
-            np.asarray(reference.speeds) * RPM.factor, reference.values, "D", mfc="none", mec=BLACK,
-            ms=5.0, mew=0.9, ls="none", label=reference.kind, zorder=6, clip_on=False,
+            np.asarray(reference.speeds) * RPM.factor,
+            reference.values,
+            "D",
+            mfc="none",
+            mec=BLACK,
+            ms=5.0,
+            mew=0.9,
+            ls="none",
+            label=reference.kind,
+            zorder=6,
+            clip_on=False,
         )
     _name_modes(axes, result, excitation, top)
     legend(
-        axes, loc="lower left", bbox_to_anchor=(-0.01, 1.0), ncols=6, columnspacing=1.2,
+        axes,
+        loc="lower left",
+        bbox_to_anchor=(-0.01, 1.0),
+        ncols=6,
+        columnspacing=1.2,
         borderaxespad=0.2,
     )
     return figure
@@ -72,7 +85,8 @@ def campbell_figure(
 
 def whirl_segments(result: CampbellResult) -> Segments:
     """Curves of (rpm, Hz) by look; a mode that changes its whirl is cut there."""
-    rpm, found = result.speed * RPM.factor, {}
+    rpm = result.speed * RPM.factor
+    found: Segments = {}
     for column, kind in enumerate(result.kind):
         frequency, whirl = result.frequency[:, column], result.whirl[:, column]
         looks = [_look(kind, w) for w in whirl]
@@ -97,8 +111,12 @@ def draw_modes(axes: Axes, result: CampbellResult, colour: str = "") -> None:
     for look, (own, dashes, label) in LOOKS.items():
         if look in curves:
             lines = LineCollection(
-                curves[look], colors=colour or own, linestyles=[dashes],
-                linewidths=0.7 if colour else 1.3, label=None if colour else label, zorder=4,
+                curves[look],
+                colors=colour or own,
+                linestyles=[dashes],
+                linewidths=0.7 if colour else 1.3,
+                label=None if colour else label,
+                zorder=4,
             )
             axes.add_collection(lines, autolim=False)
 
@@ -124,12 +142,15 @@ def _excitation(
             right.append((end, name))
             continue
         axes.text(
-            top * 60.0 / order, top * 0.985, f" {name}", ha="left", va="top", color=GREY,
+            top * 60.0 / order,
+            top * 0.985,
+            f" {name}",
+            ha="left",
+            va="top",
+            color=GREY,
             fontsize=FONT_SIZE - 1.0,
         )
-    axes.add_collection(
-        LineCollection(lines, colors=GREY, linewidths=0.8, zorder=2), autolim=False
-    )
+    axes.add_collection(LineCollection(lines, colors=GREY, linewidths=0.8, zorder=2), autolim=False)
     return right
 
 
@@ -138,8 +159,15 @@ def _criticals(axes: Axes, result: CampbellResult) -> None:
     speeds = speeds[speeds <= result.speed[-1] * RPM.factor]
     if speeds.size:
         axes.plot(
-            speeds, speeds / 60.0, "o", mfc="white", mec=RED, mew=1.2, ls="none",
-            label="critical speed", zorder=7,
+            speeds,
+            speeds / 60.0,
+            "o",
+            mfc="white",
+            mec=RED,
+            mew=1.2,
+            ls="none",
+            label="critical speed",
+            zorder=7,
         )
 
 

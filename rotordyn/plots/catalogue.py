@@ -48,9 +48,7 @@ def _campbell(case: Drawable, result: Any, _: Mapping[str, Any]) -> Iterator[Job
     spec = case.analyses.get("campbell")
     teeth, highest = getattr(spec, "teeth", ()), getattr(spec, "max_frequency", 0.0)
     known = _references(case)
-    yield "campbell", partial(
-        _call, "campbell", "campbell_figure", result, teeth, known, highest
-    )
+    yield "campbell", partial(_call, "campbell", "campbell_figure", result, teeth, known, highest)
     if result.shape_speed.size and result.node.size:
         yield "mode_shapes", partial(_call, "shapes", "shapes_figure", result, case.spindle)
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import json
 import os
-import sys
 import time
 import warnings
 from collections.abc import Callable, Sequence
+from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -31,6 +31,8 @@ class Drawing:
         os.write(fill, bytes(range(min(len(self._jobs), _MOST))))
         os.close(fill)
         count = min(workers, _processors(), len(self._jobs)) - 1 if hasattr(os, "fork") else 0
+        if count > 0:
+            _load_once()
         self._workers = [self._start() for _ in range(max(count, 0))]
 
     def finish(self) -> dict[str, float]:
@@ -88,8 +90,14 @@ def draw_one(name: str, draw: Callable[[], Figure], folder: Path) -> float:
     return time.perf_counter() - start
 
 
+def _load_once() -> None:
+    """Import before forking what every process needs; the font list is then built only once."""
+    for name in ("figure", "backends.backend_agg", "backends.backend_svg", "collections"):
+        import_module(f"matplotlib.{name}")
+
+
 def _processors() -> int:
     """Processors this process may use."""
-    if sys.platform == "linux":
+    if hasattr(os, "sched_getaffinity"):
         return len(os.sched_getaffinity(0))
     return os.cpu_count() or 1

@@ -41,9 +41,7 @@ def map_figure(
     figure = new_figure(168.0, 110.0 if columns == 1 else 14.0 + 64.0 * rows)
     boxes = grid_boxes(figure, rows, columns, margins=(15.0, 20.0, 12.0, 9.0), gaps=(32.0, 17.0))
     for place, (pair, box) in enumerate(zip(pairs, boxes, strict=False)):
-        axes = add_axes(
-            figure, box, "speed [rpm]", "" if place % columns else "frequency [Hz]"
-        )
+        axes = add_axes(figure, box, "speed [rpm]", "" if place % columns else "frequency [Hz]")
         image = _image(axes, result, pair)
         speed_ticks(axes, max(float(result.speed[-1] * RPM.factor), 1.0), 6 if columns == 1 else 3)
         if campbell is not None:
@@ -73,19 +71,24 @@ def amplitude_range(values: NDArray[np.float64]) -> tuple[float, float]:
 
 def _image(axes: Axes, result: FrfResult, pair: int) -> AxesImage:
     """An even raster: nearest speed across, largest amplitude of each row of pixels up."""
-    from matplotlib.colors import LogNorm
-
     rpm, frequency = result.speed * RPM.factor, result.frequency
     top = max(float(rpm[-1]), 1.0)
     edges = np.linspace(frequency[0], frequency[-1] * (1.0 + 1e-12), _ROWS + 1)
     values = peak_bins(amplitude(result, pair), frequency, edges)
+    values[values <= 0.0] = np.nan
     low, high = amplitude_range(values)
     if not _even(rpm):
         values = nearest(values, rpm, np.linspace(float(rpm[0]), top, _COLUMNS))
     half = (top - float(rpm[0])) / max(len(values) - 1, 1) / 2.0
     image = axes.imshow(
-        values.T, origin="lower", aspect="auto", cmap=COLOURS, interpolation="bilinear",
-        norm=LogNorm(low, high, clip=True), rasterized=True,
+        np.log10(values.T),
+        origin="lower",
+        aspect="auto",
+        cmap=COLOURS,
+        vmin=math.log10(low),
+        vmax=math.log10(high),
+        interpolation="bilinear",
+        rasterized=True,
         extent=(float(rpm[0]) - half, top + half, float(edges[0]), float(edges[-1])),
     )
     axes.set_ylim(0.0, float(edges[-1]))
@@ -108,12 +111,15 @@ def _colour_bar(
     left, bottom, wide, tall = box
     scale = add_axes(figure, (left + wide + 2.5, bottom, 3.0, tall))
     low, high = image.get_clim()
-    shades = np.geomspace(low, high, 128)[:, None]
     scale.imshow(
-        shades, origin="lower", aspect="auto", cmap=COLOURS, norm=image.norm, rasterized=True,
-        extent=(0.0, 1.0, math.log10(low), math.log10(high)),
+        np.linspace(low, high, 128)[:, None],
+        origin="lower",
+        aspect="auto",
+        cmap=COLOURS,
+        rasterized=True,
+        extent=(0.0, 1.0, low, high),
     )
-    ticks = log_ticks(low, high)
+    ticks = log_ticks(10.0**low, 10.0**high)
     scale.set_yticks([math.log10(v) for v, _ in ticks], [name for _, name in ticks])
     scale.set_xticks([])
     scale.yaxis.tick_right()

@@ -40,9 +40,7 @@ def real_imaginary_figure(result: FrfResult, pairs: Sequence[int]) -> Figure:
 
 def _figure(result: FrfResult, pairs: Sequence[int], parts: tuple[str, str]) -> Figure:
     figure = new_figure(168.0, 112.0)
-    boxes = grid_boxes(
-        figure, 2, len(pairs), margins=(17.0, 6.0, 12.0, 15.0), gaps=(17.0, 4.0)
-    )
+    boxes = grid_boxes(figure, 2, len(pairs), margins=(17.0, 6.0, 12.0, 15.0), gaps=(17.0, 4.0))
     for column, pair in enumerate(pairs):
         for row, part in enumerate(parts):
             name = _label(part, result.pair[pair])
@@ -67,7 +65,10 @@ def _lines(axes: Axes, result: FrfResult, pair: int, part: str) -> None:
     for place, index in enumerate(np.flatnonzero(result.is_slice).tolist()):
         values = _part(result.receptance[index, pair] * factor, part)
         axes.plot(
-            frequency, values, color=CYCLE[place % len(CYCLE)], lw=1.1,
+            frequency,
+            values,
+            color=CYCLE[place % len(CYCLE)],
+            lw=1.1,
             label=f"{result.speed[index] * RPM.factor:.0f} rpm",
         )
     axes.set_xlim(0.0, float(frequency[-1]))

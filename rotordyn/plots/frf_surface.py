@@ -7,7 +7,7 @@ strips painted from back to front, and text and frame stay under control.
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
+Corners = list[tuple[float, float, float]]
 STRIPS, STEPS = 60, 260
 _RIGHT = np.array([1.0, -0.13])
 _BACK = np.array([0.52, 0.42])
@@ -84,8 +85,12 @@ def _surface(axes: Axes, frequency: Array, rpm: Array, height: Array) -> None:
         colours = np.clip(colours * shade, 0.0, 1.0)
         axes.add_collection(
             PolyCollection(
-                cells.reshape(-1, 4, 2), facecolors=colours, edgecolors="face", linewidths=0.3,
-                rasterized=True, zorder=2,
+                list(cells.reshape(-1, 4, 2)),
+                facecolors=colours,
+                edgecolors="face",
+                linewidths=0.3,
+                rasterized=True,
+                zorder=2,
             ),
             autolim=False,
         )
@@ -103,16 +108,17 @@ def _frame(axes: Axes, result: FrfResult, pair: int, limits: tuple[float, float]
     deep = [(n / rpm, f"{n:.0f}") for n in round_ticks(0.0, rpm, 6)]
     low, span = math.log10(limits[0]), math.log10(limits[1] / limits[0])
     tall = [((math.log10(v) - low) / span, name) for v, name in log_ticks(*limits)]
-    lines = [[(a, 0, 0), (a, 1, 0), (a, 1, 1)] for a, _ in across]
+    lines: list[Corners] = [[(a, 0, 0), (a, 1, 0), (a, 1, 1)] for a, _ in across]
     lines += [[(0, b, 1), (0, b, 0), (1, b, 0)] for b, _ in deep]
     lines += [[(0, 0, c), (0, 1, c), (1, 1, c)] for c, _ in tall]
     grid = [project(*np.array(line, float).T) for line in lines]
     axes.add_collection(LineCollection(grid, colors="#DDDDDD", linewidths=0.5), autolim=False)
-    box = [[(0, 0, 0), (1, 0, 0), (1, 1, 0)], [(0, 0, 0), (0, 0, 1)], [(0, 1, 0), (0, 1, 1)]]
+    box: list[Corners] = [[(0, 0, 0), (1, 0, 0), (1, 1, 0)], [(0, 0, 0), (0, 0, 1)]]
+    box += [[(0, 1, 0), (0, 1, 1)]]
     box += [[(0, 0, 0), (0, 1, 0), (1, 1, 0), (1, 1, 1), (0, 1, 1), (0, 0, 1)]]
     frame = [project(*np.array(line, float).T) for line in box]
     axes.add_collection(LineCollection(frame, colors="#777777", linewidths=0.6), autolim=False)
-    small: dict[str, float] = {"fontsize": FONT_SIZE - 0.5}
+    small: dict[str, Any] = {"fontsize": FONT_SIZE - 0.5}
     for a, name in across:
         x, y = a * _RIGHT
         axes.text(x + 0.01, y - 0.02, name, ha="right", va="top", **small)
@@ -128,15 +134,30 @@ def _frame(axes: Axes, result: FrfResult, pair: int, limits: tuple[float, float]
 def _axis_names(axes: Axes, pair: str, unit: str) -> None:
     middle, edge = 0.5 * _RIGHT, _RIGHT + 0.5 * _BACK
     axes.text(
-        middle[0], middle[1] - 0.1, "frequency [Hz]", ha="center", va="top", fontsize=FONT_SIZE,
+        middle[0],
+        middle[1] - 0.1,
+        "frequency [Hz]",
+        ha="center",
+        va="top",
+        fontsize=FONT_SIZE,
         rotation=-7.0,
     )
     axes.text(
-        edge[0] + 0.17, edge[1] - 0.06, "speed [rpm]", ha="center", va="center",
-        fontsize=FONT_SIZE, rotation=37.0,
+        edge[0] + 0.17,
+        edge[1] - 0.06,
+        "speed [rpm]",
+        ha="center",
+        va="center",
+        fontsize=FONT_SIZE,
+        rotation=37.0,
     )
     axes.text(
-        -0.15, 0.5 * _UP[1], f"|H| [{unit}]", ha="center", va="center", rotation=90.0,
+        -0.15,
+        0.5 * _UP[1],
+        f"|H| [{unit}]",
+        ha="center",
+        va="center",
+        rotation=90.0,
         fontsize=FONT_SIZE,
     )
     axes.set_title(f"receptance {pair}", fontsize=FONT_SIZE, y=0.97)

@@ -141,9 +141,7 @@ def _hold_sleeve(sketch: Sketch, spindle: Spindle, sleeve: Sleeve) -> None:
     left = min(s.x - w for s, w in zip(seats, widths, strict=True)) * 1e3
     right = max(s.x + w for s, w in zip(seats, widths, strict=True)) * 1e3
     base = max(s.bearing.pitch_diameter / 2 + 1.05 * s.bearing.ball_diameter for s in seats) * 1e3
-    draw_sleeve(
-        sketch, left, right, base, seats[0].thrust, stop=math.isfinite(sleeve.stop_travel)
-    )
+    draw_sleeve(sketch, left, right, base, seats[0].thrust, stop=math.isfinite(sleeve.stop_travel))
 
 
 def _sleeve_middle(spindle: Spindle, sleeve: Sleeve) -> float:
@@ -185,7 +183,12 @@ def _name_below(
     for at, (x, y, text) in zip(places, marks, strict=True):
         sketch.line([(x, y), (x, upper), (at, lower)], "#777777", 0.4, z=7)
         axes.text(
-            at, lower - 0.8 / scale, text, ha="center", va="top", fontsize=FONT_SIZE - 1.5,
+            at,
+            lower - 0.8 / scale,
+            text,
+            ha="center",
+            va="top",
+            fontsize=FONT_SIZE - 1.5,
             linespacing=1.05,
         )
 
@@ -204,8 +207,9 @@ def _marks(sketch: Sketch, spindle: Spindle, size: float) -> list[tuple[float, f
     for name, x in spindle.points.items():
         sketch.circle(x * 1e3, 0.0, 0.55 * size, "#FFFFFF", edge=BLACK, z=8)
         marks.append((x * 1e3, 0.0, f"{name}\n{x * 1e3:.1f}"))
-    for each in (*spindle.supports, *spindle.discs):
-        marks.append((each.x * 1e3, -_reach(spindle), each.name))
+    foot = -_reach(spindle)
+    marks += [(support.x * 1e3, foot, support.name) for support in spindle.supports]
+    marks += [(disc.x * 1e3, foot, disc.name) for disc in spindle.discs]
     return marks
 
 
@@ -232,6 +236,12 @@ def _material_legend(axes: Axes, spindle: Spindle) -> None:
 
     handles = [Patch(facecolor=c, edgecolor="#333333", lw=0.5, label=n) for n, c in shades.items()]
     axes.legend(
-        handles=handles, loc="lower right", bbox_to_anchor=(1.0, 0.0), frameon=False,
-        fontsize=FONT_SIZE - 1.0, ncols=len(handles), handlelength=1.2, borderaxespad=0.0,
+        handles=handles,
+        loc="lower right",
+        bbox_to_anchor=(1.0, 0.0),
+        frameon=False,
+        fontsize=FONT_SIZE - 1.0,
+        ncols=len(handles),
+        handlelength=1.2,
+        borderaxespad=0.0,
     )

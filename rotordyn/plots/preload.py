@@ -117,6 +117,6 @@ def _finish(axes: Sequence[Axes], result: PreloadResult) -> None:
     places = ("upper left", "lower right", "lower left", "upper left")
     for each, place in zip(axes, places, strict=True):
         legend(each, loc=place)
-    for place in np.flatnonzero(np.isfinite(result.stop_speed)):
+    for speed in result.stop_speed[np.isfinite(result.stop_speed)]:
         for each in axes[:3]:
-            each.axvline(result.stop_speed[place] * RPM.factor, color=GREY, lw=0.8, ls=":")
+            each.axvline(speed * RPM.factor, color=GREY, lw=0.8, ls=":")

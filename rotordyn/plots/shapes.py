@@ -101,9 +101,9 @@ def _outline(axes: Axes, spindle: Spindle) -> None:
         half = 0.55 * section.outer_diameter / widest
         sketch.box(a * 1e3, b * 1e3, -half, half, "#F0F1F2", edge="#D5D8DA", width=0.5, z=1)
     sketch.line([(edges[0] * 1e3, 0.0), (edges[-1] * 1e3, 0.0)], GREY, 0.5, "dashdot", z=2)
-    for seat in (*spindle.seats, *spindle.supports):
+    for x in [s.x * 1e3 for s in spindle.seats] + [s.x * 1e3 for s in spindle.supports]:
         for side in (-1.0, 1.0):
-            x, tip, foot = seat.x * 1e3, 0.62 * side, 0.8 * side
+            tip, foot = 0.62 * side, 0.8 * side
             size = 0.011 * (edges[-1] - edges[0]) * 1e3
             sketch.polygon([(x, tip), (x - size, foot), (x + size, foot)], RED, edge=RED, z=2)
     sketch.draw(axes)

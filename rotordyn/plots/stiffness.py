@@ -57,8 +57,10 @@ def force_figure(result: StiffnessResult, point: str = "", speeds: int = 3) -> F
         axes = add_axes(figure, box, f"deflection{where} [µm]", label)
         for variant, name in enumerate(result.variant):
             axes.plot(
-                result.deflection[index, variant] * MICROMETRE.factor, result.force,
-                color=CYCLE[variant % len(CYCLE)], ls=DASHES[variant % len(DASHES)],
+                result.deflection[index, variant] * MICROMETRE.factor,
+                result.force,
+                color=CYCLE[variant % len(CYCLE)],
+                ls=DASHES[variant % len(DASHES)],
                 label=name.replace("_", " "),
             )
         axes.set(xlim=(0.0, largest * 1.04), ylim=(0.0, float(result.force[-1])))

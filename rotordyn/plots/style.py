@@ -18,7 +18,7 @@ ORANGE, SKY, BLACK, GREY = "#E69F00", "#56B4E9", "#222222", "#8A8A8A"
 CYCLE = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
 DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 1)), (0, (7, 2)))
 FONT_SIZE = 8.0
-_RC: dict[str, Any] = {
+_RC: Any = {
     "font.size": FONT_SIZE,
     "axes.titlesize": FONT_SIZE,
     "axes.linewidth": 0.6,
@@ -41,6 +41,7 @@ _RC: dict[str, Any] = {
     "svg.fonttype": "none",
     "svg.hashsalt": "rotordyn",
     "axes.formatter.use_mathtext": False,
+    "text.parse_math": False,
 }
 
 
@@ -108,8 +109,15 @@ def top_legend(figure: Figure, axes: Axes) -> None:
     handles, names = axes.get_legend_handles_labels()
     if handles:
         figure.legend(
-            handles, names, loc="upper center", ncols=len(handles), frameon=False,
-            fontsize=FONT_SIZE - 1.0, borderaxespad=0.3, columnspacing=1.4, handlelength=2.4,
+            handles,
+            names,
+            loc="upper center",
+            ncols=len(handles),
+            frameon=False,
+            fontsize=FONT_SIZE - 1.0,
+            borderaxespad=0.3,
+            columnspacing=1.4,
+            handlelength=2.4,
         )
 
 

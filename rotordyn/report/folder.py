@@ -6,6 +6,7 @@ import errno
 import json
 import os
 import shutil
+import stat
 import tempfile
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
@@ -49,22 +50,31 @@ def check_target(target: Path) -> None:
     OutputRefused, InvalidInput : as for ``results_folder``
     """
     try:
-        while target.exists():
-            if not target.is_dir():
-                raise OutputRefused(f"{target} is a file: give a folder for the results with -o")
-            looked_at = target.stat().st_ino
-            if not any(target.iterdir()) or is_ours(target):
-                return
-            if target.stat().st_ino != looked_at:
-                continue
-            raise OutputRefused(
-                f"{target} is not empty and holds no {RECORD} of ours: "
-                "give another folder with -o, or empty this one"
-            )
-    except FileNotFoundError:  # another run is just replacing it
-        return
+        while (held := _held_by(target)) == "moved":
+            pass
     except OSError as error:
         raise InvalidInput(f"{target} cannot be read: {error.strerror}") from error
+    if held == "file":
+        raise OutputRefused(f"{target} is a file: give a folder for the results with -o")
+    if held == "other":
+        raise OutputRefused(
+            f"{target} is not empty and holds no {RECORD} of ours: "
+            "give another folder with -o, or empty this one"
+        )
+
+
+def _held_by(target: Path) -> str:
+    """``nothing``, ``us``, ``other``, ``file``, or ``moved`` when replaced while being read."""
+    try:
+        before = target.stat()
+        if not stat.S_ISDIR(before.st_mode):
+            return "file"
+        if not any(target.iterdir()):
+            return "nothing"
+        holder = "us" if is_ours(target) else "other"
+        return holder if target.stat().st_ino == before.st_ino else "moved"
+    except FileNotFoundError:
+        return "nothing"
 
 
 def is_ours(folder: Path) -> bool:

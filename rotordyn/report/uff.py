@@ -92,7 +92,7 @@ def _record(
 
 
 def _even_step(frequency: NDArray[np.float64]) -> float:
-    """The step of an evenly spaced axis [Hz]; 0 where the six digits of the header would bend it."""
+    """The step of an even axis [Hz]; 0 where the six digits of the header would bend it."""
     if frequency.size < 2:
         return 0.0
     first, step = (float(f"{v:.5e}") for v in (frequency[0], frequency[1] - frequency[0]))

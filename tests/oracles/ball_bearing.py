@@ -403,17 +403,18 @@ def _march(fault: Any, start: NDArray, speed: float, steps: int) -> NDArray:
 
 
 def _rest_march(fault: Any, u: NDArray, load: NDArray, thrust: NDArray) -> NDArray:
-    """At rest the load is brought on from pure thrust in twenty steps."""
-    for n in range(21):
-        blend = (thrust + (load - thrust) * n / 20) / np.where(load == 0.0, 1.0, load)
-        found = root(
-            fault,
-            u,
-            args=(np.where(load == 0.0, 1.0, blend),),
-            method="hybr",
-            options={"xtol": 1e-13},
-        )
-        if np.abs(found.fun).max() > 1e-8:
+    """At rest the load is brought on from pure thrust, in steps as small as it needs."""
+    names = np.where(load == 0.0, 1.0, load)
+    done, stride, first = 0.0, 0.05, True
+    while first or done < 1.0:
+        target = done if first else min(1.0, done + stride)
+        share = np.where(load == 0.0, 1.0, (thrust + (load - thrust) * target) / names)
+        found = root(fault, u, args=(share,), method="hybr", options={"xtol": 1e-13})
+        if np.abs(found.fun).max() < 1e-8:
+            u, done, first = found.x, target, False
+            stride *= 1.5
+        elif first or stride < 1e-4:
             raise OracleFailure("no equilibrium at rest")
-        u = found.x
+        else:
+            stride /= 3
     return u

@@ -66,7 +66,7 @@ class PinnedBeam:
         return -roots[1], roots[2]
 
     def element_error(self, mode: int, spin: float, frequency: float, h: float) -> float:
-        """Relative frequency error of elements of length ``h``, signed ``frequency``; leading order.
+        """Relative error of signed ``frequency`` by elements of length ``h``, to leading order.
 
         The element's shape functions are its static solutions: constant shear force Q_h, moment of
         slope −Q_h. The energy projection of a mode is therefore its nodal interpolant, and

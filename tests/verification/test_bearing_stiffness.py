@@ -72,6 +72,8 @@ def test_complete_stiffness_equals_differences(
         assume(False)
     contact = s.inner_load[s.status == "loaded"]
     assume(contact.min(initial=np.inf) > 1.0)  # beside a kink differences prove nothing
+    jumps = kinematics in ("inner", "geometric")  # their loaded branch ends before Qi = 0
+    assume(not (jumps and (s.status == "lost contact").any()))
     k = s.stiffness("complete")
     assert fault(VEX70, differences(VEX70, s.displacement, rpm * RPM, **how), k) < TOLERANCE
 

@@ -27,7 +27,8 @@ def expected(path: Path) -> list[tuple[str, int, str, str]]:
     lines = path.read_text().splitlines()
     marks = [line for line in lines if line.startswith("# expect:")]
     found = [_EXPECT.fullmatch(mark) for mark in marks]
-    assert found and all(found), f"{path.name}: no expectation, or one that cannot be read"
+    assert found, f"{path.name}: no expectation"
+    assert all(found), f"{path.name}: an expectation cannot be read"
     return [(m[1] or path.name, int(m[2]), m[3], m[4]) for m in found if m]
 
 

@@ -89,7 +89,12 @@ def spindle() -> Spindle:
             Sleeve("rear sleeve", ("d", "e"), Spring(528.0, 5.49e6)),
         ),
         points={
-            "Oc2": -0.0524, "Oc1": -0.0721, "nose": 0.0, "O1": 0.0386, "O2": 0.0844, "O3": 0.39165
+            "Oc2": -0.0524,
+            "Oc1": -0.0721,
+            "nose": 0.0,
+            "O1": 0.0386,
+            "O2": 0.0844,
+            "O3": 0.39165,
         },
         references=references(),
     )
@@ -101,21 +106,35 @@ def references() -> tuple[Reference, ...]:
 
     published = (
         Reference(
-            "radial_stiffness", "published", SOURCE, at(0, 6000, 12000, 18000, 24000),
+            "radial_stiffness",
+            "published",
+            SOURCE,
+            at(0, 6000, 12000, 18000, 24000),
             (142e6, 138e6, 110e6, 84e6, 73.5e6),
             remark="The thesis mixes two signs of the gyroscopic moment.",
         ),
         Reference(
-            "radial_stiffness", "measured", SOURCE, at(4000, 24000), (134e6, 56.3e6),
+            "radial_stiffness",
+            "measured",
+            SOURCE,
+            at(4000, 24000),
+            (134e6, 56.3e6),
             remark="Measured on the real spindle, model-free.",
         ),
         Reference("preload_sum", "published", SOURCE, at(24000), (1750.0,)),
         Reference(
-            "sleeve_displacement", "measured", SOURCE, at(16000, 24000), (-37.0e-6, -80.2e-6),
+            "sleeve_displacement",
+            "measured",
+            SOURCE,
+            at(16000, 24000),
+            (-37.0e-6, -80.2e-6),
             subject="rear sleeve",
         ),
         Reference(
-            "bending_frequency", "published", SOURCE, at(0, 0, 0, 0),
+            "bending_frequency",
+            "published",
+            SOURCE,
+            at(0, 0, 0, 0),
             (903.0, 1350.0, 1580.0, 2860.0),
         ),
     )

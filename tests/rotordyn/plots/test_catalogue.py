@@ -69,8 +69,9 @@ def test_nothing_to_draw_without_results():
 
 
 def test_bearing_alone(case):
-    jobs = figures(samples.SampleCase(bearing=samples.ball_bearing(0.09, 25)),
-                   {"bearing": samples.bearing(3)})
+    jobs = figures(
+        samples.SampleCase(bearing=samples.ball_bearing(0.09, 25)), {"bearing": samples.bearing(3)}
+    )
     assert [name for name, _ in jobs] == ["bearing"]
 
 
@@ -90,7 +91,10 @@ def test_bare_rotor_on_linear_supports(tmp_path):
 
     spindle = samples.spindle()
     bare = replace(
-        spindle, seats=(), sleeves=(), references=(),
+        spindle,
+        seats=(),
+        sleeves=(),
+        references=(),
         supports=(LinearSupport("left", 0.0, {("y", "y"): 1e7}),),
     )
     empty = samples.preload(2)

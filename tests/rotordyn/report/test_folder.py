@@ -18,6 +18,12 @@ def _fill(folder, word="new"):
     (folder / RECORD).write_text(json.dumps({MARKER: 1}))
 
 
+def _break(target):
+    with results_folder(target) as folder:
+        _fill(folder)
+        raise ZeroDivisionError
+
+
 def _write(target, word="new"):
     with results_folder(target) as folder:
         _fill(folder, word)
@@ -71,9 +77,8 @@ def test_file_is_refused(tmp_path):
 def test_an_error_leaves_no_trace(tmp_path):
     _write(tmp_path / "kept", "old")
     for target in (tmp_path / "kept", tmp_path / "a" / "b" / "c"):
-        with pytest.raises(ZeroDivisionError), results_folder(target) as folder:
-            _fill(folder)
-            raise ZeroDivisionError
+        with pytest.raises(ZeroDivisionError):
+            _break(target)
     assert os.listdir(tmp_path) == ["kept"]
     assert (tmp_path / "kept" / "data.txt").read_text() == "old"
 
