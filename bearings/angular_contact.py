@@ -61,8 +61,7 @@ class AngularContactBallBearing:
             )
         if not 0.0 <= self.contact_angle <= math.radians(60.0):
             faults.append(
-                "contact_angle must lie between 0 and 60° (in rad), got "
-                f"{self.contact_angle!r} rad"
+                f"contact_angle must lie between 0 and 60° (in rad), got {self.contact_angle!r} rad"
             )
         for key in ("inner_conformity", "outer_conformity"):
             value = getattr(self, key)

@@ -77,7 +77,9 @@ class Balance:
     inner_share: Array
 
 
-def turning_balance(model: BallModel, centre: Array, ball: Array, speed: Array, blend: Array) -> Balance:
+def turning_balance(
+    model: BallModel, centre: Array, ball: Array, speed: Array, blend: Array
+) -> Balance:
     """Balance of balls on a turning ring (theory: one ball).
 
     ``blend`` t in [0, 1] leads from the convex problem (Mg = 0, Fc at the nominal angle) to the

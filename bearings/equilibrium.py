@@ -132,9 +132,7 @@ def linearise(problem: Problem, d: Array, x: Array, blend: Array) -> Linear:
     """Balance and scaled error at (d, X); at rest X is written to its own place."""
     centre = problem.ring.centres(problem.origin, d)
     if problem.turning:
-        balance = turning_balance(
-            problem.model, centre, x, problem.speed[:, None], blend[:, None]
-        )
+        balance = turning_balance(problem.model, centre, x, problem.speed[:, None], blend[:, None])
     else:
         balance, seat = resting_balance(problem.model, centre)
         x[...] = seat
@@ -329,9 +327,7 @@ def _angles(problem: Problem, d: Array, x: Array) -> Array:
     """Outer angle, and inner angle where the ball is loaded (else 0): (2, s, n)."""
     inner = problem.ring.centres(problem.origin, d) - x
     loaded = np.hypot(inner[0], inner[1]) > problem.model.geometry.inner_reach
-    return np.array(
-        [np.arctan2(x[0], x[1]), np.where(loaded, np.arctan2(inner[0], inner[1]), 0.0)]
-    )
+    return np.array([np.arctan2(x[0], x[1]), np.where(loaded, np.arctan2(inner[0], inner[1]), 0.0)])
 
 
 def _from_convex(problem: Problem, d: Array, x: Array, cold: Index) -> NDArray[np.bool_]:

@@ -67,16 +67,16 @@ def geometry(bearing: AngularContactBallBearing) -> Geometry:
     )
 
 
-def _race_contact(bearing: AngularContactBallBearing, conformity: float, side: float) -> HertzContact:
+def _race_contact(
+    bearing: AngularContactBallBearing, conformity: float, side: float
+) -> HertzContact:
     """Ball on one race; ``side`` +1 inner (convex along the rolling direction), −1 outer."""
     ball = 2.0 / bearing.ball_diameter
     gamma = bearing.ball_diameter * math.cos(bearing.contact_angle) / bearing.pitch_diameter
     rolling = side * ball * gamma / (1.0 - side * gamma)
     groove = -1.0 / (conformity * bearing.ball_diameter)
     total = 2.0 * ball + rolling + groove
-    compliance = (
-        bearing.ball_material.contact_compliance + bearing.ring_material.contact_compliance
-    )
+    compliance = bearing.ball_material.contact_compliance + bearing.ring_material.contact_compliance
     return contact(total, (rolling - groove) / total, compliance)
 
 

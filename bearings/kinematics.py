@@ -145,6 +145,4 @@ SHARINGS: dict[str, Callable[[Any], tuple[Any, Any]]] = {
 
 def masked(tan_beta: Partial, rolling: Any) -> Partial:
     """tan β where the ball touches both races, 0 where it rides the outer race alone."""
-    return Partial(
-        *(np.where(rolling, part, 0.0) if np.ndim(part) else part for part in tan_beta)
-    )
+    return Partial(*(np.where(rolling, part, 0.0) if np.ndim(part) else part for part in tan_beta))

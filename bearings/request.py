@@ -172,9 +172,9 @@ def _first(problem: Problem, request: Request, index: NDArray[np.intp]) -> Array
     if not request.by_load:
         return request.given[index].copy()
     g = problem.model.geometry
-    thrust = np.abs(problem.load[:, :3]).max(axis=1) + np.abs(problem.load[:, 3:]).max(
-        axis=1
-    ) / (g.pitch_diameter / 2.0)
+    thrust = np.abs(problem.load[:, :3]).max(axis=1) + np.abs(problem.load[:, 3:]).max(axis=1) / (
+        g.pitch_diameter / 2.0
+    )
     share = thrust / (g.balls * max(np.sin(g.contact_angle), 0.2))
     length = g.free_distance + (share / g.series_stiffness) ** (2.0 / 3.0)
     radial = np.minimum(np.abs(problem.origin[1]), 0.999 * length)
@@ -193,12 +193,12 @@ def _neighbour(
 ) -> tuple[Array, Array | None]:
     """(d, X) of a neighbouring state as a start, or (first, None) where it has no such state."""
     near = start.ball_centre.reshape(2, len(request.speed), -1)[:, index]
-    if near.shape[-1] not in (1, problem.ring.balls) or not np.isfinite(near).all():
+    near = near[..., : problem.ring.balls]  # of an axial state all balls are alike
+    if not np.isfinite(near).all():
         return first, None
     if request.by_load:
         first = start.displacement.reshape(-1, 5)[index].copy()
-    shape = (2, index.size, problem.ring.balls)
-    return first, np.broadcast_to(near, shape).copy()
+    return first, near.copy()
 
 
 BALL_FIELDS = (

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import argparse
+import os
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -10,11 +11,13 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import rotordyn
+from bearings.errors import BearingError
 from rotordyn.errors import RotordynError, exit_code
 
 if TYPE_CHECKING:
     from rotordyn.job import Progress
 
+BLAS_THREADS = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")  # more slow small matrices down
 EXIT_CODES = """exit codes: 0 done; 2 bad input, nothing written; 3 no speed of the case has a
 physical solution (with --strict: one has not); 1 a bug of rotordyn"""
 
@@ -22,8 +25,8 @@ physical solution (with --strict: one has not); 1 a bug of rotordyn"""
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code."""
     arguments = _parser().parse_args(argv)
-    from bearings.errors import BearingError
-
+    for name in BLAS_THREADS:
+        os.environ.setdefault(name, "1")
     try:
         code: int = arguments.command(arguments)
     except (RotordynError, BearingError) as error:

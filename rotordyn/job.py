@@ -49,9 +49,7 @@ def run(case: Case) -> Mapping[str, xr.Dataset]:
 def solve(case: Case, progress: Progress = lambda name: None) -> Answers:
     """Answer every question of ``case`` with frozen results."""
     if case.spindle is not None:
-        return answer_spindle(
-            case.spindle, case.conditions, case.speeds, case.analyses, progress
-        )
+        return answer_spindle(case.spindle, case.conditions, case.speeds, case.analyses, progress)
     if case.bearing is None:
         raise InvalidInput(f"case {case.name} has neither a spindle nor a bearing")
     return answer_bearing(case.bearing, case.conditions, case.speeds, case.analyses, progress)

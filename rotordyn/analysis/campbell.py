@@ -85,7 +85,9 @@ def _axial(scene: Scene, spec: CampbellSpec) -> list[Branch]:
 
 def _torsion(scene: Scene, spec: CampbellSpec) -> list[Branch]:
     once, speeds = scene.torsion_modes, len(scene.usable)
-    every = Modes(*(np.repeat(a, speeds, axis=0) for a in (once.pole, once.vector, once.participation)))
+    every = Modes(
+        *(np.repeat(a, speeds, axis=0) for a in (once.pole, once.vector, once.participation))
+    )
     return _followed("torsion", every, spec, +1.0)
 
 
@@ -106,7 +108,9 @@ def _followed(kind: str, found: Modes, spec: CampbellSpec, side: float) -> list[
     path = follow(vectors, values)
     branches = []
     for mode in range(path.shape[1]):
-        column = np.array([c[p] if p >= 0 else -1 for c, p in zip(chosen, path[:, mode], strict=True)])
+        column = np.array(
+            [c[p] if p >= 0 else -1 for c, p in zip(chosen, path[:, mode], strict=True)]
+        )
         pole = found.pole[np.arange(len(column)), column]
         pole = np.where(column >= 0, pole, complex(np.nan, np.nan))
         branches.append(Branch(kind, pole, np.where(column < 0, np.nan, 0.0), column))

@@ -24,7 +24,9 @@ def answer(scene: Scene, spec: FrfSpec) -> FrfResult:
     if lateral:
         values[:, lateral] = _lateral(scene, [spec.pairs[k] for k in lateral], frequency)
     for direction in ("x", "thx"):
-        along = [k for k, pair in enumerate(spec.pairs) if all(p.direction == direction for p in pair)]
+        along = [
+            k for k, pair in enumerate(spec.pairs) if all(p.direction == direction for p in pair)
+        ]
         if along:
             values[:, along] = _rod(scene, [spec.pairs[k] for k in along], direction, frequency)
     slices = {int(np.abs(scene.speed - wanted).argmin()) for wanted in spec.slices}
@@ -47,29 +49,16 @@ def _lateral(scene: Scene, pairs: list[tuple[Port, Port]], frequency: Array) -> 
     system = scene.bending
     rows = [[system.row(_node(scene, p), p.direction) for p in pair] for pair in pairs]
     response, excitation = np.array(rows).swapaxes(0, 1)
-    s = 2j * math.pi * frequency
+    omega = 2.0 * math.pi * frequency
     if not system.isotropic:
-        return _summed(scene, s, response, excitation)
+        return scene.bending_modes.receptance(omega, response, excitation)
     m = system.rotor.size
     folded = [r[:, :m] + r[:, m:] for r in (response, excitation)]
-    both = _summed(scene, np.concatenate([s, -s]), *folded)
-    plus, minus = both[..., : len(s)], both[..., len(s) :].conj()
+    both = scene.bending_modes.receptance(np.concatenate([omega, -omega]), *folded)
+    plus, minus = both[..., : len(omega)], both[..., len(omega) :].conj()
     turn = np.array([_quarter_turns(*pair) for pair in pairs])[:, None]
     same, across = 0.5 * (plus + minus), -0.5j * (plus - minus)
     return np.where(turn == 0, same, turn * across)
-
-
-def _summed(scene: Scene, s: Complex, response: Array, excitation: Array) -> Complex:
-    """Modal sums speed by speed: the work array of all speeds at once would be large."""
-    found = scene.bending_modes
-    return np.stack(
-        [
-            type(found)(pole, vector, share).receptance(s, response, excitation)
-            for pole, vector, share in zip(
-                found.pole, found.vector, found.participation, strict=True
-            )
-        ]
-    )
 
 
 def _quarter_turns(response: Port, excitation: Port) -> int:
@@ -78,16 +67,14 @@ def _quarter_turns(response: Port, excitation: Port) -> int:
     return plane[response.direction] - plane[excitation.direction]
 
 
-def _rod(
-    scene: Scene, pairs: list[tuple[Port, Port]], direction: str, frequency: Array
-) -> Complex:
+def _rod(scene: Scene, pairs: list[tuple[Port, Port]], direction: str, frequency: Array) -> Complex:
     """Receptance along or about the axis (speeds, pairs, frequencies)."""
     axial = direction == "x"
     system = scene.axial if axial else scene.torsion
     found = scene.axial_modes if axial else scene.torsion_modes
     rows = [[system.row(_node(scene, p)) for p in pair] for pair in pairs]
     response, excitation = np.array(rows).swapaxes(0, 1)
-    values = found.receptance(2j * math.pi * frequency, response, excitation)
+    values = found.receptance(2.0 * math.pi * frequency, response, excitation)
     return np.broadcast_to(values, (len(scene.usable), *values.shape[1:]))
 
 

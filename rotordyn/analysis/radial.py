@@ -51,7 +51,9 @@ class RadialProblem:
     limit: Array
 
     @classmethod
-    def at(cls, state: PreloadState, rotor: CondensedRotor, index: NDArray[np.intp]) -> RadialProblem:
+    def at(
+        cls, state: PreloadState, rotor: CondensedRotor, index: NDArray[np.intp]
+    ) -> RadialProblem:
         """The problem at some of a preload state's speeds."""
         network = state.network
         part = replace(network, arrangement=network.arrangement.at(index))
@@ -67,7 +69,7 @@ class RadialProblem:
     def curve(self, force: Array) -> tuple[Array, Array]:
         """Deflection of the point (speeds, loads) [m] and its tangent at no load (speeds,) [N/m].
 
-        Loads ascend from zero; each starts from the last by its tangent.
+        Loads ascend evenly from zero; each starts from the parabola through the last three.
 
         Raises
         ------
@@ -76,11 +78,14 @@ class RadialProblem:
         p = len(self.rotor.point)
         start = np.concatenate([np.zeros((len(self.position), p)), self.position], axis=1)
         problem, here = self, self.evaluate(start, None)
+        slope = problem._per_newton(here)
+        tangent = 1.0 / slope[:, :p].dot(self.rotor.point)
+        path = [start, start - (force[1] - force[0]) * slope]  # a point before the first
         deflection = np.zeros((len(start), len(force)))
-        tangent = 1.0 / problem._per_newton(here)[:, :p].dot(self.rotor.point)
         for k in range(1, len(force)):
-            step = (force[k] - force[k - 1]) * problem._per_newton(here)
-            problem, here = problem._solved(here, step, float(force[k]))
+            guess = 2.0 * path[0] - path[1] if k == 1 else 3.0 * (path[0] - path[1]) + path[2]
+            problem, here = problem._solved(guess, here, float(force[k]))
+            path = [here.coordinates, *path[:2]]
             deflection[:, k] = here.coordinates[:, :p] @ self.rotor.point
         return deflection, tangent
 
@@ -147,10 +152,10 @@ class RadialProblem:
         unit[:, : len(self.rotor.point), 0] = self.rotor.point
         return np.asarray(np.linalg.solve(self._matrix(here), unit)[..., 0])
 
-    def _solved(self, here: Point, step: Array, force: float) -> tuple[RadialProblem, Point]:
-        """Equilibrium under ``force`` from the last one; stops close and open as they must."""
+    def _solved(self, guess: Array, near: Point, force: float) -> tuple[RadialProblem, Point]:
+        """Equilibrium under ``force`` from a guess; stops close and open as they must."""
         problem = self
-        there = problem.evaluate(here.coordinates + step, here.states)
+        there = problem.evaluate(guess, near.states)
         for _ in range(ITERATIONS):
             miss = problem._unbalanced(there, force)
             error = np.abs(miss).max(axis=1)

@@ -178,9 +178,7 @@ class Scene:
     def rotor(self) -> LateralRotor:
         """The rotor's bending in a few coordinates."""
         ports = tuple(self.mesh.node_of(x) for x in self.ports)
-        return lateral_rotor(
-            self.spindle, self.mesh, self.max_frequency, ports, rigid=self.rigid
-        )
+        return lateral_rotor(self.spindle, self.mesh, self.max_frequency, ports, rigid=self.rigid)
 
     @property
     def seat_stiffness(self) -> Array:
@@ -242,4 +240,3 @@ class Scene:
     def torsion_modes(self) -> Modes:
         """All eigenvalues of the torsion system, the same at every speed."""
         return modes(self.torsion.stiffness, self.torsion.damping)
-

@@ -20,6 +20,7 @@ from rotordyn.system.condensed import CondensedRotor, condensed_rotor
 
 Array = NDArray[np.float64]
 SHORT_STOP = "short_stop"
+Curve = tuple[Array, Array]
 
 
 def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
@@ -27,35 +28,34 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
     force = np.linspace(0.0, spec.max_force, spec.steps + 1)
     point = scene.spindle.points[spec.point]
     rotor = condensed_rotor(scene.spindle, scene.mesh, point, rigid=scene.rigid)
-    variants = (*spec.variants, *((SHORT_STOP,) if spec.second_stop else ()))
-    curves, tangents = [], []
-    for name in variants:
-        deflection, tangent = scene.timed(
-            f"stiffness: {name}", lambda name=name: _variant(scene, spec, rotor, name, force)
+    curves: dict[str, Curve] = {}
+    for name in spec.variants:
+        curves[name] = scene.timed(
+            f"stiffness: {name}", lambda name=name: _variant(scene, rotor, name, force)
         )
-        curves.append(deflection)
-        tangents.append(tangent)
-    deflection = np.stack(curves, axis=1)
+    if spec.second_stop:
+        curves[SHORT_STOP] = scene.timed(
+            f"stiffness: {SHORT_STOP}",
+            lambda: _short_stop(scene, spec, rotor, force, curves.get("nonlinear")),
+        )
+    deflection = np.stack([curve for curve, _ in curves.values()], axis=1)
+    tangent = np.stack([slope for _, slope in curves.values()], axis=1)
     return StiffnessResult(
         speed=scene.speed,
-        variant=variants,
+        variant=tuple(curves),
         force=force,
         outcome=scene.outcome,
         deflection=scene.scattered(deflection),
-        tangent=scene.scattered(np.stack(tangents, axis=1)),
+        tangent=scene.scattered(tangent),
         secant=scene.scattered(force[-1] / deflection[..., -1]),
     )
 
 
-def _variant(
-    scene: Scene, spec: StiffnessSpec, rotor: CondensedRotor, name: str, force: Array
-) -> tuple[Array, Array]:
+def _variant(scene: Scene, rotor: CondensedRotor, name: str, force: Array) -> Curve:
     """Deflection (usable, loads) and tangent at no load (usable,) of one variant."""
     rows = scene.bearing_row[scene.usable]
     if name == "nonlinear":
         return _nonlinear(scene.preload, rotor, rows, force)
-    if name == SHORT_STOP:
-        return _short_stop(scene, spec, rotor, rows, force)
     if name == "constant_preload":
         stiffness = _constant_preload(scene)[rows]
     else:
@@ -69,11 +69,10 @@ def _variant(
 
 def _nonlinear(
     state: PreloadState, rotor: CondensedRotor, rows: NDArray[np.intp], force: Array
-) -> tuple[Array, Array]:
+) -> Curve:
     """The full bearing model at every load; equal rows are solved once."""
     distinct, place = np.unique(rows, return_inverse=True)
-    problem = RadialProblem.at(state, rotor, distinct)
-    deflection, tangent = problem.curve(force)
+    deflection, tangent = RadialProblem.at(state, rotor, distinct).curve(force)
     return deflection[place], tangent[place]
 
 
@@ -81,18 +80,41 @@ def _short_stop(
     scene: Scene,
     spec: StiffnessSpec,
     rotor: CondensedRotor,
-    rows: NDArray[np.intp],
     force: Array,
-) -> tuple[Array, Array]:
-    """The nonlinear variant with other stop travels."""
-    spindle = scene.spindle
-    sleeves = tuple(
-        replace(s, stop_travel=spec.second_stop.get(s.name, s.stop_travel)) for s in spindle.sleeves
-    )
-    state = dynamic_preload(
-        replace(spindle, sleeves=sleeves), scene.bearing_speed, scene.law, scene.axial_force
-    )
-    return _nonlinear(state, rotor, rows, force)
+    usual: Curve | None,
+) -> Curve:
+    """The nonlinear variant with other stop travels; solved anew only where they are reached."""
+    rows = scene.bearing_row[scene.usable]
+    if usual is None:
+        usual = _nonlinear(scene.preload, rotor, rows, force)
+    deflection, tangent = usual[0].copy(), usual[1].copy()
+    reached = np.flatnonzero(_overrun(scene, spec)[rows])
+    if reached.size:
+        sleeves = tuple(
+            replace(s, stop_travel=spec.second_stop.get(s.name, s.stop_travel))
+            for s in scene.spindle.sleeves
+        )
+        other = dynamic_preload(
+            replace(scene.spindle, sleeves=sleeves),
+            scene.bearing_speed[rows[reached]],
+            scene.law,
+            scene.axial_force,
+        )
+        every = np.arange(reached.size)
+        deflection[reached], tangent[reached] = _nonlinear(other, rotor, every, force)
+    return deflection, tangent
+
+
+def _overrun(scene: Scene, spec: StiffnessSpec) -> NDArray[np.bool_]:
+    """Rows of the preload state where another stop travel would change it."""
+    state = scene.preload
+    differs = np.zeros(len(state.speed), dtype=bool)
+    for push, sleeve in zip(state.network.arrangement.pushes, scene.spindle.sleeves, strict=True):
+        travel = spec.second_stop.get(sleeve.name, sleeve.stop_travel)
+        moved = -push.direction * state.shift[:, push.body]
+        if travel != sleeve.stop_travel:
+            differs |= state.net.held[:, push.body] | (moved > travel)
+    return differs
 
 
 def _constant_preload(scene: Scene) -> Array:

@@ -24,12 +24,26 @@ class Modes:
     vector: Complex
     participation: Complex
 
-    def receptance(self, s: Complex, responses: Array, excitations: Array) -> Complex:
-        """Receptance (…, pairs, len(s)) of paired ``responses`` and ``excitations`` (pairs, n)."""
-        out = responses @ self.vector
-        into = (self.participation @ excitations.T).swapaxes(-1, -2)
-        kernel = 1.0 / (s[:, None] - self.pole[..., None, :])
-        return np.asarray((out * into) @ kernel.swapaxes(-1, -2))
+    def receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
+        """Receptance at i·``omega`` (f,) of paired rows: (…, pairs, f).
+
+        ``responses`` and ``excitations`` (pairs, n). With λ = σ + iν, 1/(iω − λ) is
+        (iν − σ − iω)/(σ² + (ω − ν)²): one real table per batch entry serves all pairs.
+        """
+        residues = (responses @ self.vector) * (self.participation @ excitations.T).swapaxes(-1, -2)
+        batch = residues.shape[:-2]
+        total = np.empty((*batch, len(responses), len(omega)), dtype=complex)
+        for place in np.ndindex(*batch):
+            pole, residue = self.pole[place], residues[place]
+            table = 1.0 / (pole.real[:, None] ** 2 + (omega - pole.imag[:, None]) ** 2)
+            turned = residue * (1j * pole.imag - pole.real)
+            total[place] = _summed(turned, table) - 1j * omega * _summed(residue, table)
+        return total
+
+
+def _summed(residues: Complex, table: Array) -> Complex:
+    """Complex times real matrix without making the real one complex."""
+    return residues.real @ table + 1j * (residues.imag @ table)
 
 
 def modes(stiffness: NDArray, damping: NDArray) -> Modes:

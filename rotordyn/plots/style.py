@@ -170,7 +170,7 @@ def save(figure: Figure, folder: Path, name: str) -> list[str]:
 
     with rc_context(_RC):
         figure.savefig(
-            folder / f"{name}.png", dpi=DPI, pil_kwargs={"compress_level": 3}, metadata={}
+            folder / f"{name}.png", dpi=DPI, pil_kwargs={"compress_level": 1}, metadata={}
         )
         figure.savefig(folder / f"{name}.svg", dpi=RASTER_DPI, metadata={"Date": None})
     return [f"{name}.png", f"{name}.svg"]

@@ -138,12 +138,17 @@ class NetworkState:
     found: Flags
 
 
-def solve(network: Network, position: Array, held: Flags, limit: Array) -> NetworkState:
-    """Newton with shortened steps from ``position``; bodies ``held`` stay at ``limit``."""
+def solve(
+    network: Network, position: Array, held: Flags, limit: Array, near: Response | None = None
+) -> NetworkState:
+    """Newton with shortened steps from ``position``; bodies ``held`` stay at ``limit``.
+
+    ``near``: bearing states close to those sought, which only speed the search up.
+    """
     springs = network.springs
     fixed = held | springs.fixed
     x = np.where(held, limit, np.where(springs.fixed, springs.rest, position))
-    response = network.respond(x)
+    response = network.respond(x, near)
     for _ in range(ITERATIONS):
         miss, error = network.error(x, response, fixed)
         moving = np.isfinite(error) & (error >= TOLERANCE)
@@ -151,9 +156,18 @@ def solve(network: Network, position: Array, held: Flags, limit: Array) -> Netwo
             break
         step = np.where(moving[:, None], _newton(network, response, miss, fixed), 0.0)
         x, response = _advance(network, x, step, response, fixed, error)
-    response = network.respond(x)  # from the convex start: no neighbour was trusted
     error = network.error(x, response, fixed)[1]
-    return NetworkState(x, held, response, error, error < 1e3 * TOLERANCE)
+    return NetworkState(x, held, response, error, error < TOLERANCE)
+
+
+def confirmed(network: Network, net: NetworkState) -> NetworkState:
+    """The same equilibrium with every bearing solved anew from its convex start.
+
+    What was found by following neighbours stands only if no neighbour is needed to find it again.
+    """
+    response = network.respond(net.position)
+    error = network.error(net.position, response, net.held | network.springs.fixed)[1]
+    return NetworkState(net.position, net.held, response, error, error < 1e3 * TOLERANCE)
 
 
 def _newton(network: Network, response: Response, miss: Array, fixed: Flags) -> Array:

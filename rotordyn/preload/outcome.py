@@ -40,9 +40,7 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int) ->
     return _overload(names, network, net, row, rpm)
 
 
-def _overload(
-    names: list[str], network: Network, net: NetworkState, row: int, rpm: float
-) -> str:
+def _overload(names: list[str], network: Network, net: NetworkState, row: int, rpm: float) -> str:
     for bearing, index in groups(network.arrangement).items():
         state = net.response.states[bearing]
         for column, k in enumerate(index):
@@ -56,4 +54,3 @@ def _overload(
                     f"{peak / 1e9:.1f} GPa, at most 10 GPa): lower its preload"
                 )
     return ""
-

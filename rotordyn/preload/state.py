@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from bearings.state import BearingState
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.arrangement import Arrangement, arrangement, at_rest, rigid
-from rotordyn.preload.network import Law, Network, NetworkState, Springs, groups, solve
+from rotordyn.preload.network import Law, Network, NetworkState, Springs, confirmed, groups, solve
 from rotordyn.preload.outcome import outcomes
 
 Array = NDArray[np.float64]
@@ -56,7 +56,8 @@ class PreloadState:
         springs, pushes = self.network.springs, self.network.arrangement.pushes
         elastic = springs.force - springs.stiffness * self.shift
         forces = [
-            push.direction * (elastic[:, push.body] - (rigid(push) * self._rest_of_forces(push.body)))
+            push.direction
+            * (elastic[:, push.body] - (rigid(push) * self._rest_of_forces(push.body)))
             for push in pushes
         ]
         return np.stack(forces, axis=1) if forces else np.zeros((len(self.speed), 0))
@@ -117,7 +118,7 @@ def dynamic_preload(
     rest = _rest(joined, law)
     springs, limit = _springs(joined, rest)
     network = Network(joined, law, springs)
-    net = _with_stops(network, np.repeat(rest[None], len(speed), axis=0), limit)
+    net = confirmed(network, _with_stops(network, rest, limit))
     return PreloadState(network, rest, limit, net, outcomes(spindle, network, net))
 
 
@@ -166,11 +167,12 @@ def _springs(joined: Arrangement, rest: Array) -> tuple[Springs, Array]:
     return Springs(_preloads(joined), stiffness, rest, fixed), limit
 
 
-def _with_stops(network: Network, start: Array, limit: Array) -> NetworkState:
+def _with_stops(network: Network, rest: Array, limit: Array) -> NetworkState:
     """Close stops that would be overrun, open those that would have to pull, until neither is."""
     direction = np.zeros_like(limit)
     for push in network.arrangement.pushes:
         direction[push.body] = push.direction
+    start = np.repeat(rest[None], len(network.arrangement.speed), axis=0)
     held = np.zeros(start.shape, dtype=bool)
     net = solve(network, start, held, limit)
     for _ in range(2 * len(limit) + 2):
@@ -180,7 +182,7 @@ def _with_stops(network: Network, start: Array, limit: Array) -> NetworkState:
         if (wanted == held).all():
             break
         held = wanted
-        net = solve(network, net.position, held, limit)
+        net = solve(network, net.position, held, limit, net.response)
     return net
 
 
@@ -194,19 +196,18 @@ def _stop_speed(state: PreloadState, body: int) -> float:
     if not held.size:
         return float("nan")
     first = int(held[0])
-    low, high = (state.speed[max(first - 1, 0)] ** 2, state.speed[first] ** 2)
-    for _ in range(2):
-        if high - low <= 1e-9 * high:
-            break
+    low, high = state.speed[max(first - 1, 0)] ** 2, state.speed[first] ** 2
+    for narrow in (False, True):
         squares = np.linspace(low, high, 5)
         gap = _released_gap(state, body, first, np.sqrt(squares))
-        if gap[0] <= 0.0 or gap[-1] >= 0.0:
+        if not (np.isfinite(gap).all() and gap[0] > 0.0 > gap[-1]):
             break
         zero = _zero(squares, gap)
-        low, high = max(low, zero - 0.02 * (high - low)), min(high, zero + 0.02 * (high - low))
-    else:
-        return float(zero**0.5)
-    return float((0.5 * (low + high)) ** 0.5)
+        if narrow or high - low < 0.2 * high:
+            return float(zero**0.5)
+        margin = 0.02 * (high - low)
+        low, high = max(low, zero - margin), min(high, zero + margin)
+    return float(state.speed[first])
 
 
 def _released_gap(state: PreloadState, body: int, row: int, speeds: Array) -> Array:

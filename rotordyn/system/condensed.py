@@ -67,9 +67,7 @@ def _schur(stiffness: Array, kept: list[int]) -> Array:
     return stiffness[np.ix_(kept, kept)] - stiffness[np.ix_(kept, others)] @ inner
 
 
-def _with_sleeves(
-    spindle: Spindle, stiffness: Array, seats: Array, point: Array
-) -> CondensedRotor:
+def _with_sleeves(spindle: Spindle, stiffness: Array, seats: Array, point: Array) -> CondensedRotor:
     """Add the deflection of every sprung sleeve as one more coordinate."""
     sprung = [s for s in spindle.sleeves if math.isfinite(s.radial_stiffness)]
     more = len(sprung)

@@ -121,7 +121,11 @@ def _carried(spindle: Spindle, sliding: list[Sleeve], axial_stiffness: Array) ->
     """Stiffness of the bearings on each sliding sleeve (speeds, sleeves) [N/m]."""
     columns = [
         sum(
-            (axial_stiffness[:, k] for k, seat in enumerate(spindle.seats) if seat.name in s.bearings),
+            (
+                axial_stiffness[:, k]
+                for k, seat in enumerate(spindle.seats)
+                if seat.name in s.bearings
+            ),
             np.zeros(len(axial_stiffness)),
         )
         for s in sliding
