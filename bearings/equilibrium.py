@@ -84,7 +84,7 @@ class Linear:
 
 @dataclass(frozen=True, slots=True)
 class Solution:
-    """d (s, 5), X (2, s, n), the balance there, the tangent (s, 5, 5), an outcome word per state."""
+    """d (s, 5), X (2, s, n), the balance there, tangent (s, 5, 5), an outcome word per state."""
 
     displacement: Array
     ball: Array

@@ -11,7 +11,10 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
+    import numpy as np
     from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
@@ -28,7 +31,7 @@ class HertzContact:
     semi_axis_major: float
     semi_axis_minor: float
 
-    def peak_pressure(self, load: NDArray) -> NDArray:
+    def peak_pressure(self, load: Array) -> Array:
         """Largest pressure p = 3 Q / (2 π a b) under ``load`` Q ≥ 0 [Pa]."""
         return 1.5 / (math.pi * self.semi_axis_major * self.semi_axis_minor) * load ** (1.0 / 3.0)
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -32,7 +33,7 @@ REMEDIES = {
 
 @dataclass(frozen=True, slots=True)
 class Request:
-    """What is asked, flattened to a list of states: ``given`` (s, 5) is a load or a displacement."""
+    """What is asked, as a list of states: ``given`` (s, 5) is a load or a displacement."""
 
     by_load: bool
     given: Array
@@ -215,10 +216,12 @@ BALL_FIELDS = (
 )
 
 
-def _blank(g: Geometry, request: Request, outcome: NDArray[np.str_]) -> dict[str, NDArray]:
+def _blank(g: Geometry, request: Request, outcome: NDArray[np.str_]) -> dict[str, NDArray[Any]]:
     """Arrays for every field, NaN until a state is found."""
     count = len(request.speed)
-    states: dict[str, NDArray] = {name: np.full((count, g.balls), np.nan) for name in BALL_FIELDS}
+    states: dict[str, NDArray[Any]] = {
+        name: np.full((count, g.balls), np.nan) for name in BALL_FIELDS
+    }
     states["load"] = np.full((count, 5), np.nan)
     states["displacement"] = np.full((count, 5), np.nan)
     states["complete_stiffness"] = np.full((count, 5, 5), np.nan)
@@ -230,7 +233,7 @@ def _blank(g: Geometry, request: Request, outcome: NDArray[np.str_]) -> dict[str
 
 
 def _store(
-    states: dict[str, NDArray], index: NDArray[np.intp], problem: Problem, solution: Solution
+    states: dict[str, NDArray[Any]], index: NDArray[np.intp], problem: Problem, solution: Solution
 ) -> None:
     """Write the states that exist; note the outcome of the others."""
     states["outcome"][index] = solution.outcome
@@ -266,7 +269,7 @@ def _grip(moment: Array, load: Array, diameter: float) -> Array:
     return np.where(load > 0.0, np.abs(moment) / (diameter * np.where(load > 0.0, load, 1.0)), 0.0)
 
 
-def _state(states: dict[str, NDArray], shape: tuple[int, ...]) -> BearingState:
+def _state(states: dict[str, NDArray[Any]], shape: tuple[int, ...]) -> BearingState:
     """Fields back in the caller's shape."""
     centre = states.pop("ball_centre")
     shaped = {name: value.reshape((*shape, *value.shape[1:])) for name, value in states.items()}

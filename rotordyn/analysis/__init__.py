@@ -1,1 +1,1 @@
-"""The questions: each file holds a Spec (what is asked), a frozen Result, and how it is answered."""
+"""The questions: what is asked (specs), what is answered (results), and how, one file each."""

@@ -26,7 +26,7 @@ MARGIN = 1.5  # modes up to this multiple of the highest frequency are followed
 
 @dataclass(frozen=True, slots=True)
 class Branch:
-    """One mode over the usable speeds: its ``pole``, ``whirl`` and column in the modes (−1: lost)."""
+    """One mode over the usable speeds: ``pole``, ``whirl``, column in the modes (−1: lost)."""
 
     kind: str
     pole: Complex

@@ -25,9 +25,9 @@ States = dict[AngularContactBallBearing, BearingState]
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Point:
-    """A state: coordinates (speeds, p + bodies), bearing states, loads and tangents in plane y.
+    """Coordinates (speeds, p + bodies), bearing states, loads and tangents in plane y.
 
-    ``load`` (speeds, seats, 3) and ``tangent`` (speeds, seats, 3, 3) over (x, y, θz) of the spindle.
+    ``load`` (speeds, seats, 3), ``tangent`` (speeds, seats, 3, 3): (x, y, θz) of the spindle.
     """
 
     coordinates: Array

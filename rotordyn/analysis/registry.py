@@ -5,6 +5,7 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
+from functools import partial
 from importlib import import_module
 from typing import Any
 
@@ -61,8 +62,8 @@ def answer_spindle(
     for name, spec in analyses.items():
         progress(name)
         answer = import_module(SPINDLE_ANALYSES[name]).answer
-        results[name] = scene.timed(name, lambda answer=answer, spec=spec: answer(scene, spec))
-    unasked = {name: "no analysis of this case needs it" for name in scene.skipped}
+        results[name] = scene.timed(name, partial(answer, scene, spec))
+    unasked = dict.fromkeys(scene.skipped, "no analysis of this case needs it")
     return Answers(results, scene.seconds, unasked, scene.tolerances)
 
 

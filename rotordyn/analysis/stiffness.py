@@ -7,6 +7,7 @@ arrangement are free to follow.
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,7 +32,7 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
     curves: dict[str, Curve] = {}
     for name in spec.variants:
         curves[name] = scene.timed(
-            f"stiffness: {name}", lambda name=name: _variant(scene, rotor, name, force)
+            f"stiffness: {name}", partial(_variant, scene, rotor, name, force)
         )
     if spec.second_stop:
         curves[SHORT_STOP] = scene.timed(

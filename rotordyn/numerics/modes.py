@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+Matrix = NDArray[np.inexact[Any]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,7 +48,7 @@ def _summed(residues: Complex, table: Array) -> Complex:
     return residues.real @ table + 1j * (residues.imag @ table)
 
 
-def modes(stiffness: NDArray, damping: NDArray) -> Modes:
+def modes(stiffness: Matrix, damping: Matrix) -> Modes:
     """Modes of q̈ + D q̇ + K q = f; ``stiffness``, ``damping`` (…, n, n), real or complex."""
     shape = np.broadcast_shapes(stiffness.shape, damping.shape)
     n = shape[-1]
@@ -57,12 +59,12 @@ def modes(stiffness: NDArray, damping: NDArray) -> Modes:
     scale = float(np.sqrt(np.abs(stiffness).max())) or 1.0  # balances displacement and velocity
     matrix[..., :n, n:] *= scale
     matrix[..., n:, :n] /= scale
-    pole, vectors = np.linalg.eig(matrix)
-    forces = np.linalg.inv(vectors)[..., n:] / scale
+    pole, vectors = (part.astype(complex) for part in np.linalg.eig(matrix))
+    forces = np.asarray(np.linalg.inv(vectors)[..., n:] / scale)
     return Modes(pole, vectors[..., :n, :], forces)
 
 
-def residual(found: Modes, stiffness: NDArray, damping: NDArray) -> float:
+def residual(found: Modes, stiffness: Matrix, damping: Matrix) -> float:
     """Largest |(λ² + λ D + K) v| over (|λ|² + |λ D| + |K|) |v| of all eigenpairs."""
     pole, vector = found.pole[..., None, :], found.vector
     rest = pole**2 * vector + pole * (damping @ vector) + stiffness @ vector
@@ -70,5 +72,5 @@ def residual(found: Modes, stiffness: NDArray, damping: NDArray) -> float:
     return float((np.abs(rest).max(axis=-2) / (size * np.abs(vector).max(axis=-2))).max())
 
 
-def _norm(matrix: NDArray) -> NDArray:
+def _norm(matrix: Matrix) -> Array:
     return np.abs(matrix).sum(axis=-1).max(axis=-1)[..., None]

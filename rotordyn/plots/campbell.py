@@ -48,7 +48,7 @@ def campbell_figure(
 ) -> Figure:
     """Modes with their whirl, 1× and tooth-passing lines, critical speeds, known frequencies."""
     figure = new_figure(168.0, 115.0)
-    axes = add_axes(figure, (15.0, 11.0, 128.0, 92.0), "speed [rpm]", "damped frequency [Hz]")
+    axes = add_axes(figure, (15.0, 11.0, 112.0, 92.0), "speed [rpm]", "damped frequency [Hz]")
     rpm = result.speed * RPM.factor
     known = [r for r in references if r.quantity == "bending_frequency"]
     top = max_frequency or float(np.nanmax(result.frequency)) * 1.04

@@ -37,7 +37,7 @@ class Joint:
 
 @dataclass(frozen=True, slots=True)
 class Push:
-    """A sleeve's spring and stop: ``direction`` ±1 along x, ``preload`` [N], ``stiffness`` [N/m]."""
+    """Spring and stop of a sleeve: ``direction`` ±1, ``preload`` [N], ``stiffness`` [N/m]."""
 
     body: int
     direction: int
@@ -48,7 +48,7 @@ class Push:
 
 @dataclass(frozen=True, slots=True)
 class Arrangement:
-    """Bodies (the shaft first, then the sleeves), joints and springs; ``force`` [N] on the shaft."""
+    """Bodies (shaft first, then sleeves), joints and springs; ``force`` [N] on the shaft."""
 
     bodies: tuple[str, ...]
     joints: tuple[Joint, ...]
@@ -82,7 +82,7 @@ class Arrangement:
 
 
 def arrangement(spindle: Spindle, speed: Array, force: float = 0.0) -> Arrangement:
-    """The axial arrangement of ``spindle`` with growth and shortening at every ``speed`` [rad/s]."""
+    """The axial arrangement of ``spindle``, rings and shaft deformed by every ``speed`` [rad/s]."""
     sleeves = {sleeve.name: k + 1 for k, sleeve in enumerate(spindle.sleeves)}
     shifts = seat_shifts(spindle, speed)
     joints: list[Joint] = []

@@ -129,7 +129,7 @@ def groups(arrangement: Arrangement) -> dict[AngularContactBallBearing, list[int
 
 @dataclass(frozen=True, slots=True)
 class NetworkState:
-    """``position`` (speeds, bodies), bodies ``held`` by a stop, ``error`` and ``found`` (speeds,)."""
+    """``position`` (speeds, bodies), bodies ``held`` by a stop; ``error``, ``found`` (speeds,)."""
 
     position: Array
     held: Flags

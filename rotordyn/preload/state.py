@@ -49,7 +49,7 @@ class PreloadState:
 
     @property
     def spring_force(self) -> Array:
-        """Force of each sleeve's spring, positive where it loads the bearings (speeds, sleeves) [N].
+        """Spring forces, positive where they load the bearings (speeds, sleeves) [N].
 
         A rigid preload carries what its bearings ask for.
         """
@@ -102,7 +102,7 @@ class PreloadState:
         return still.respond(self.rest[None]).load[0]
 
     def stop_speeds(self) -> Array:
-        """Speed at which each sleeve first meets its stop (sleeves,) [rad/s]; NaN where it does not."""
+        """Speed at which each sleeve meets its stop (sleeves,) [rad/s]; NaN: it does not."""
         return np.array([_stop_speed(self, push.body) for push in self.network.arrangement.pushes])
 
 

@@ -35,7 +35,7 @@ def condensed_rotor(spindle: Spindle, mesh: Mesh, x: float, *, rigid: bool) -> C
 
     A ``rigid`` rotor keeps deflection at x = 0 and tilt. Supports act with their y–θz part.
     """
-    stations = [mesh.node_of(item.x) for item in (*spindle.seats, *spindle.supports)]
+    stations = mesh.nodes_of(spindle.seats, spindle.supports)
     point = mesh.node_of(x)
     if rigid:
         rows = np.zeros((mesh.nodes, 2, 2))
@@ -58,13 +58,13 @@ def _schur(stiffness: Array, kept: list[int]) -> Array:
     """Kept freedoms with all others left to themselves."""
     from scipy.linalg import solve
 
-    others = np.setdiff1d(np.arange(len(stiffness)), kept)
+    chosen = np.array(kept)
+    others = np.setdiff1d(np.arange(len(stiffness)), chosen)
+    own = stiffness[chosen][:, chosen]
     if not others.size:
-        return stiffness[np.ix_(kept, kept)]
-    inner = solve(
-        stiffness[np.ix_(others, others)], stiffness[np.ix_(others, kept)], assume_a="pos"
-    )
-    return stiffness[np.ix_(kept, kept)] - stiffness[np.ix_(kept, others)] @ inner
+        return own
+    across = stiffness[others][:, chosen]
+    return own - across.T @ solve(stiffness[others][:, others], across, assume_a="pos")
 
 
 def _with_sleeves(spindle: Spindle, stiffness: Array, seats: Array, point: Array) -> CondensedRotor:

@@ -53,9 +53,9 @@ def lateral_rotor(
 ) -> LateralRotor:
     """Reduce the rotor's bending plane.
 
-    Kept are the free-free modes up to ``CUTOFF`` times ``max_frequency`` [Hz] and the static answers
-    to forces and moments at bearings, supports and the nodes ``ports``; a ``rigid`` rotor keeps the
-    two motions of a rigid body.
+    Kept are the free-free modes up to ``CUTOFF`` times ``max_frequency`` [Hz] and the static
+    answers to forces and moments at bearings, supports and the nodes ``ports``; a ``rigid`` rotor
+    keeps the two motions of a rigid body.
     """
     plane = bending_plane(spindle, mesh)
     if rigid:
@@ -88,7 +88,7 @@ def lateral_rotor(
 
 
 def damping_ratios(values: Array, given: tuple[float, ...]) -> Array:
-    """Modal damping of each coordinate: none for rigid motion, then ``given``, the last repeated."""
+    """Modal damping: none for rigid motion, then ``given`` in order, the last repeated."""
     ratios = np.zeros(len(values))
     if given:
         order = np.arange(len(values)) - int((values == 0.0).sum())
@@ -106,7 +106,7 @@ def _rigid_body(mesh: Mesh, plane: BendingPlane) -> Array:
 
 def _loads(spindle: Spindle, mesh: Mesh, ports: tuple[int, ...]) -> Array:
     """Unit forces and moments where something acts on the rotor (2·nodes, l)."""
-    stations = [mesh.node_of(item.x) for item in (*spindle.seats, *spindle.supports)]
+    stations = mesh.nodes_of(spindle.seats, spindle.supports)
     rows = sorted({PLANE_Y.row(n, f) for n in (*stations, *ports) for f in PLANE_Y.names})
     return np.eye(2 * mesh.nodes)[:, rows]
 

@@ -49,8 +49,8 @@ def axial_system(
     *,
     rigid: bool,
 ) -> RodSystem:
-    """Axial motion; ``axial_stiffness`` (speeds, seats) [N/m], ``stops`` (speeds, sleeves) closed."""
-    nodes = [mesh.node_of(item.x) for item in (*spindle.seats, *spindle.supports)]
+    """Axial motion; ``axial_stiffness`` (speeds, seats), closed ``stops`` (speeds, sleeves)."""
+    nodes = mesh.nodes_of(spindle.seats, spindle.supports)
     basis, values = _rod_basis(axial_rod(spindle, mesh), max_frequency, (*nodes, *ports), rigid)
     sliding = [s for s in spindle.sleeves if math.isfinite(s.spring.stiffness)]
     carried = _carried(spindle, sliding, axial_stiffness)
@@ -60,13 +60,13 @@ def axial_system(
     modal, size = basis.shape[1], basis.shape[1] + len(sliding)
     rows = np.zeros((len(nodes), size))
     rows[:, :modal] = basis[nodes]
-    for k, seat in enumerate(spindle.seats):
+    for row, seat in enumerate(spindle.seats):
         for place, sleeve in enumerate(sliding):
             if seat.name in sleeve.bearings:
-                rows[k, modal + place] = -scale[place]
+                rows[row, modal + place] = -scale[place]
     held = np.array([node_matrix(s.stiffness)[0, 0] for s in spindle.supports])
-    k = np.concatenate([axial_stiffness, np.tile(held, (len(axial_stiffness), 1))], axis=1)
-    stiffness = np.einsum("sc,ci,cj->sij", k, rows, rows, optimize=True)
+    springs = np.concatenate([axial_stiffness, np.tile(held, (len(axial_stiffness), 1))], axis=1)
+    stiffness = np.einsum("sc,ci,cj->sij", springs, rows, rows, optimize=True)
     dampers = [seat.axial_damping for seat in spindle.seats]
     dampers += [node_matrix(s.damping)[0, 0] for s in spindle.supports]
     damping = np.einsum("c,ci,cj->ij", np.array(dampers), rows, rows, optimize=True)

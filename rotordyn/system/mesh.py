@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from itertools import pairwise
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +19,13 @@ Array = NDArray[np.float64]
 
 COINCIDENT = 1e-9  # of the shaft's length: stations closer than that are one node
 ELEMENTS_OVER_LENGTH = 50  # k h below 0.06 n for the n-th bending mode of any shaft
+
+
+class HasStation(Protocol):
+    """Something that sits on the shaft."""
+
+    @property
+    def x(self) -> float: ...
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -57,6 +65,10 @@ class Mesh:
         if abs(float(self.x[node]) - x) > 2.0 * COINCIDENT * float(self.x[-1] - self.x[0]):
             raise InvalidInput(f"no node at x = {x:g} m; the nearest is at {self.x[node]:g} m")
         return node
+
+    def nodes_of(self, *groups: Iterable[HasStation]) -> list[int]:
+        """The nodes of everything in ``groups``, in order."""
+        return [self.node_of(item.x) for group in groups for item in group]
 
 
 def build_mesh(spindle: Spindle, element_length: float | None = None) -> Mesh:
