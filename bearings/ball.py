@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from bearings.convex import resting_reaction, resting_seat
 from bearings.geometry import Geometry
 from bearings.kinematics import (
     HYPOTHESES,
@@ -151,36 +152,21 @@ def turning_balance(
 
 
 def resting_balance(model: BallModel, centre: Array) -> tuple[Balance, Array]:
-    """Balance of balls at rest with the ball centre eliminated; also returns that centre.
-
-    Q = kn (|A| − BD)₊^1.5 along A. A ball without load has no place of its own: it is put where it
-    touches the outer race, on the line to the inner groove centre.
-    """
+    """Balance of balls at rest with the ball centre eliminated; also returns that centre."""
     g = model.geometry
-    length = np.hypot(centre[0], centre[1])
-    s, c = centre / length
-    approach = np.maximum(length - g.free_distance, 0.0)
-    load, slope = _hertz(g.series_stiffness, approach)
-    outer_approach = (load / g.outer.stiffness) ** (2.0 / 3.0)
-    ball = np.stack([s, c]) * (g.outer_reach + outer_approach)
+    answer, ball = resting_reaction(g, centre), resting_seat(g, centre)
+    load, angle = np.hypot(*answer.force), np.arctan2(centre[0], centre[1])
     zero = np.zeros_like(load)
-    force = load * np.stack([s, c])
-    forces = np.stack(
-        [
-            np.stack([slope * s * s + load * c * c / length, (slope - load / length) * s * c]),
-            np.stack([(slope - load / length) * s * c, slope * c * c + load * s * s / length]),
-        ]
-    )
-    nothing = np.zeros((2, 2, *load.shape))
-    nothing[0, 0] = nothing[1, 1] = 1.0
-    angle = np.arctan2(s, c)
+    nothing = np.zeros((3, 2, *load.shape))
+    one = nothing[:2] + np.eye(2).reshape(2, 2, *(1,) * load.ndim)
+    moment = g.centre_radius * answer.force[:1]
     balance = Balance(
-        residual=np.zeros_like(force),
-        action=np.concatenate([force, g.centre_radius * force[:1]]),
-        dresidual_dx=nothing,
-        dresidual_da=np.zeros_like(nothing),
-        daction_dx=np.zeros((3, 2, *load.shape)),
-        daction_da=np.concatenate([forces, g.centre_radius * forces[:1]]),
+        residual=np.zeros_like(ball),
+        action=np.concatenate([answer.force, moment]),
+        dresidual_dx=one,
+        dresidual_da=nothing[:2],
+        daction_dx=nothing,
+        daction_da=np.concatenate([answer.slope, g.centre_radius * answer.slope[:1]]),
         inner_load=load,
         outer_load=load,
         inner_angle=angle,
@@ -190,25 +176,6 @@ def resting_balance(model: BallModel, centre: Array) -> tuple[Balance, Array]:
         inner_share=zero + 1.0,
     )
     return balance, ball
-
-
-def convex_energy(model: BallModel, centre: Array, ball: Array, centrifugal: Array) -> Array:
-    """Potential of the convex problem per ball: Σ 0.4 k δ₊^2.5 − Fc X₂ [J]."""
-    g = model.geometry
-    outer = np.hypot(ball[0], ball[1])
-    inner = np.hypot(centre[0] - ball[0], centre[1] - ball[1])
-    return (
-        0.4 * g.inner.stiffness * np.maximum(inner - g.inner_reach, 0.0) ** 2.5
-        + 0.4 * g.outer.stiffness * np.maximum(outer - g.outer_reach, 0.0) ** 2.5
-        - centrifugal * (ball[1] - g.outer_reach)
-    )
-
-
-def resting_energy(model: BallModel, centre: Array) -> Array:
-    """Potential of a ball at rest, 0.4 kn (|A| − BD)₊^2.5 [J]."""
-    g = model.geometry
-    approach = np.maximum(np.hypot(centre[0], centre[1]) - g.free_distance, 0.0)
-    return 0.4 * g.series_stiffness * approach**2.5
 
 
 def _directions(centre: Array, ball: Array) -> tuple[Array, ...]:

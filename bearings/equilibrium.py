@@ -15,14 +15,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball import (
-    Balance,
-    BallModel,
-    convex_energy,
-    resting_balance,
-    resting_energy,
-    turning_balance,
-)
+from bearings.ball import Balance, BallModel, resting_balance, turning_balance
+from bearings.convex import Reaction, reaction, resting_reaction, resting_seat, seat
 from bearings.ring import Ring
 
 Array = NDArray[np.float64]
@@ -101,21 +95,17 @@ def solve(problem: Problem, displacement: Array, guess: Array | None = None) -> 
     sweep); where following from it fails, the two-stage solve decides.
     """
     states = len(problem.speed)
-    d, linear = displacement.copy(), None
-    if not problem.turning:
-        x = np.zeros((2, states, problem.ring.balls))
-        done = _convex(problem, d, x)
-    elif guess is None:
-        x = _seated(problem, d)
-        done = _from_convex(problem, d, x, np.arange(states))
-    else:
+    d, x = displacement.copy(), np.zeros((2, states, problem.ring.balls))
+    done, linear = np.zeros(states, dtype=bool), None
+    if problem.turning and guess is not None:
         d, x, done, linear = _correct(problem, d, guess, np.ones(states))[:4]
+    if not done.all():
         cold = np.flatnonzero(~done)
-        if cold.size:
-            linear = None
-            d[cold] = displacement[cold]
-            x[:, cold] = _seated(problem.take(cold), d[cold])
-            done[cold] = _from_convex(problem, d, x, cold)
+        part = problem.take(cold)
+        d[cold], x[:, cold], done[cold] = _convex(part, displacement[cold])
+        if problem.turning:
+            d[cold], x[:, cold], done[cold] = _blended(part, d[cold], x[:, cold], done[cold])
+        linear = None
     if linear is None:
         linear = linearise(problem, d, x, np.ones(states))
     return Solution(
@@ -189,8 +179,8 @@ def _inverse(matrix: Array) -> tuple[Array, Array]:
     return np.array([[d, -b], [-c, a]]) / safe, determinant
 
 
-def _step(problem: Problem, linear: Linear, *, convex: bool) -> tuple[Array, Array]:
-    """Newton step (dd, dX); in the convex stage always downhill."""
+def _step(problem: Problem, linear: Linear) -> tuple[Array, Array]:
+    """Newton step (dd, dX) of balls and ring together."""
     balance, free = linear.balance, problem.free
     dd = np.zeros_like(problem.load)
     if free.any():
@@ -199,7 +189,7 @@ def _step(problem: Problem, linear: Linear, *, convex: bool) -> tuple[Array, Arr
         correction = problem.ring.load(_applied(balance.daction_dx, settle))
         gap = (problem.load - linear.ring_load - correction)[:, free] / scale
         k = tangent(problem, linear)[:, free][:, :, free] / scale / scale[:, None]
-        dd[:, free] = (_downhill(problem, k, gap) if convex else _solve(k, gap)) / scale
+        dd[:, free] = _solve(k, gap) / scale
     moved = np.einsum("cjn,sj->csn", problem.ring.spread, dd)
     pull = balance.residual + _applied(balance.dresidual_da, moved)
     return dd, -_applied(linear.ball_inverse, pull)
@@ -224,69 +214,76 @@ def _downhill(problem: Problem, k: Array, gap: Array) -> Array:
     return step * np.minimum(1.0, 0.2 * g.free_distance / np.maximum(longest, 1e-300))
 
 
-def _seated(problem: Problem, d: Array) -> Array:
-    """Ball centres to start from: as at rest where loaded, else pressed on the outer race by Fc."""
-    centre = problem.ring.centres(problem.origin, d)
-    balance, x = resting_balance(problem.model, centre)
-    g = problem.model.geometry
-    push = problem.model.nominal_centrifugal(problem.speed)[:, None]
-    seat = g.outer_reach + (push / g.outer.stiffness) ** (2.0 / 3.0)
-    riding = balance.inner_load <= 0.0
-    x[0] = np.where(riding, 0.0, x[0])
-    x[1] = np.where(riding, seat, x[1])
-    return x
-
-
-def _energy(problem: Problem, d: Array, x: Array) -> Array:
-    """Total potential of the convex stage (s,) [J]."""
-    centre = problem.ring.centres(problem.origin, d)
-    if problem.turning:
-        push = problem.model.nominal_centrifugal(problem.speed)[:, None]
-        balls = convex_energy(problem.model, centre, x, push)
-    else:
-        balls = resting_energy(problem.model, centre)
-    count = problem.model.geometry.balls / problem.ring.balls
-    work = (problem.load * d)[:, problem.free].sum(axis=-1)
-    return count * balls.sum(axis=-1) - work
-
-
-def _convex(problem: Problem, d: Array, x: Array) -> NDArray[np.bool_]:
-    """Solve the convex stage in place; true where it converged (it always should)."""
+def _convex(problem: Problem, start: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """(d, X) of the convex stage and whether it was reached (it always should)."""
+    d = start.copy()
+    x, answer = _settled(problem, d, None)
+    if not problem.free.any():
+        return d, x, np.ones(len(d), dtype=bool)
     done = np.zeros(len(d), dtype=bool)
     for _ in range(100):
+        gap, k, done = _ring_balance(problem, answer)
         todo = np.flatnonzero(~done)
-        part, pd, px = problem.take(todo), d[todo], x[:, todo]
-        linear = linearise(part, pd, px, np.zeros(len(todo)))
-        x[:, todo] = px
-        converged = linear.error < TOLERANCE
-        done[todo[converged]] = True
-        left = np.flatnonzero(~converged)
-        if not left.size:
+        if not todo.size:
             break
-        dd, dx = _step(part, linear, convex=True)
-        length = _search(part.take(left), pd[left], px[:, left], dd[left], dx[:, left])
-        d[todo[left]] += length[:, None] * dd[left]
-        x[:, todo[left]] += length[:, None] * dx[:, left]
-    return done
+        part = problem.take(todo)
+        step = np.zeros((todo.size, 5))
+        scale = problem.scale[problem.free]
+        step[:, problem.free] = _downhill(problem, k[todo], gap[todo]) / scale
+        d[todo], x[:, todo] = _searched(part, d[todo], x[:, todo], answer.energy[todo], step)
+        x[:, todo], fresh = _settled(part, d[todo], x[:, todo])
+        for old, new in zip(answer, fresh, strict=True):
+            old[..., todo, :] = new
+    return d, x, done
 
 
-def _search(problem: Problem, d: Array, x: Array, dd: Array, dx: Array) -> Array:
-    """Step lengths that lower the potential and keep every ball on the outer race."""
-    reach = problem.model.geometry.outer_reach
-    before = _energy(problem, d, x)
-    noise = 1e-13 * (np.abs(before) + np.abs(problem.load * d).sum(axis=-1))
-    approach = np.hypot(x[0], x[1]) - reach
+def _settled(problem: Problem, d: Array, near: Array | None) -> tuple[Array, Reaction]:
+    """Ball centres at displacement d with the push frozen, and what the balls do to the ring."""
+    g, centre = problem.model.geometry, problem.ring.centres(problem.origin, d)
+    if not problem.turning:
+        return resting_seat(g, centre), resting_reaction(g, centre)
+    push = problem.model.nominal_centrifugal(problem.speed)[:, None]
+    x = seat(g, centre, push, near)
+    return x, reaction(g, centre, x, push)
+
+
+def _ring_balance(problem: Problem, answer: Reaction) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """Load still missing and tangent, freedoms as lengths; and where nothing is missing."""
+    g, free, scale = problem.model.geometry, problem.free, problem.scale[problem.free]
+    action = np.concatenate([answer.force, g.centre_radius * answer.force[:1]])
+    slope = np.concatenate([answer.slope, g.centre_radius * answer.slope[:1]])
+    gap = (problem.load - problem.ring.load(action))[:, free] / scale
+    k = problem.ring.stiffness(slope)[:, free][:, :, free] / scale / scale[:, None]
+    carried = g.balls * np.hypot(*answer.force).max(axis=-1)
+    size = np.abs(problem.load / problem.scale).max(axis=-1) + 1e-3 * carried
+    noise = 16.0 * EPS * (g.inner_reach + g.outer_reach) * np.abs(k).max(axis=(1, 2))
+    needed = 1e-6 if problem.turning else 0.1 * TOLERANCE
+    return gap, k, np.abs(gap).max(axis=-1) < needed * size + noise
+
+
+def _searched(
+    problem: Problem, d: Array, x: Array, energy: Array, step: Array
+) -> tuple[Array, Array]:
+    """A step along ``step``, halved until the potential falls; balls settle at every try."""
+    count = problem.model.geometry.balls / problem.ring.balls
+
+    def potential(energy: Array, d: Array) -> Array:
+        work = (problem.load * d)[:, problem.free].sum(axis=-1)
+        return np.asarray(count * energy.sum(axis=-1) - work)
+
+    g, before = problem.model.geometry, potential(energy, d)
+    largest = np.abs(problem.load / problem.scale).max(axis=-1)
+    slack = 64.0 * EPS * (np.abs(before) + largest * (g.inner_reach + g.outer_reach))
     length = np.ones(len(d))
+    trial = d
     for _ in range(40):
-        trial = x + length[:, None] * dx
-        after = _energy(problem, d + length[:, None] * dd, trial)
-        good = after <= before + noise
-        if problem.turning:
-            good &= (np.hypot(trial[0], trial[1]) - reach > 0.1 * approach).all(axis=-1)
+        trial = d + length[:, None] * step
+        x, answer = _settled(problem, trial, x)
+        good = potential(answer.energy, trial) <= before + slack
         if good.all():
             break
         length = np.where(good, length, 0.5 * length)
-    return length
+    return trial, x
 
 
 def _correct(
@@ -304,7 +301,7 @@ def _correct(
         moving = linear.error >= TOLERANCE
         if not moving.any() or used == NEWTON_STEPS:
             break
-        dd, dx = _step(problem, linear, convex=False)
+        dd, dx = _step(problem, linear)
         d += np.where(moving[:, None], dd, 0.0)
         x += np.where(moving[:, None], dx, 0.0)
     turned = np.abs(_angles(problem, d, x) - start).max(axis=(0, -1))
@@ -324,26 +321,24 @@ def _relative(k: Array, scale: Array) -> Array:
 
 
 def _angles(problem: Problem, d: Array, x: Array) -> Array:
-    """Outer angle, and inner angle where the ball is loaded (else 0): (2, s, n)."""
+    """Outer angle, and direction from the ball to the inner groove centre: (2, s, n)."""
     inner = problem.ring.centres(problem.origin, d) - x
-    loaded = np.hypot(inner[0], inner[1]) > problem.model.geometry.inner_reach
-    return np.array([np.arctan2(x[0], x[1]), np.where(loaded, np.arctan2(inner[0], inner[1]), 0.0)])
+    return np.array([np.arctan2(x[0], x[1]), np.arctan2(inner[0], inner[1])])
 
 
-def _from_convex(problem: Problem, d: Array, x: Array, cold: Index) -> NDArray[np.bool_]:
-    """Both stages for the states ``cold``; writes (d, X) and returns success."""
-    part, pd, px = problem.take(cold), d[cold], x[:, cold]
-    done = _convex(part, pd, px)
-    blend, stride = np.zeros(len(cold)), np.full(len(cold), 0.5)
+def _blended(
+    problem: Problem, d: Array, x: Array, done: NDArray[np.bool_]
+) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """Follow the states that are ``done`` at blend 0 to the full problem."""
+    blend, stride = np.zeros(len(d)), np.full(len(d), 0.5)
     while True:
         todo = np.flatnonzero(done & (blend < 1.0) & (stride >= SHORTEST_BLEND))
         if not todo.size:
             break
         target = np.minimum(1.0, blend[todo] + stride[todo])
-        new_d, new_x, good, _, used = _correct(part.take(todo), pd[todo], px[:, todo], target)
+        new_d, new_x, good, _, used = _correct(problem.take(todo), d[todo], x[:, todo], target)
         won = todo[good]
-        pd[won], px[:, won], blend[won] = new_d[good], new_x[:, good], target[good]
+        d[won], x[:, won], blend[won] = new_d[good], new_x[:, good], target[good]
         stride[won] *= 2.0 if used <= 5 else 1.0
         stride[todo[~good]] *= 0.25
-    d[cold], x[:, cold] = pd, px
-    return done & (blend >= 1.0)
+    return d, x, done & (blend >= 1.0)
