@@ -74,6 +74,9 @@ def test_complete_stiffness_equals_differences(
     assume(contact.min(initial=np.inf) > 1.0)  # beside a kink differences prove nothing
     jumps = kinematics in ("inner", "geometric")  # their loaded branch ends before Qi = 0
     assume(not (jumps and (s.status == "lost contact").any()))
+    back = VEX70.equilibrium(displacement=s.displacement, speed=rpm * RPM, **how)
+    # with these two a light ball may be loaded or lost at the same displacement: compare like
+    assume(not (jumps and (back.status != s.status).any()))
     k = s.stiffness("complete")
     assert fault(VEX70, differences(VEX70, s.displacement, rpm * RPM, **how), k) < TOLERANCE
 

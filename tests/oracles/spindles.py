@@ -1,0 +1,88 @@
+"""The flagship spindle and its questions, as the tests ask them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from rotordyn.analysis.registry import answer_spindle
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import Conditions, Port, Spec
+from rotordyn.case.case import Case
+from rotordyn.case.read import load
+from rotordyn.machine.spindle import Spindle
+
+ROOT = Path(__file__).resolve().parents[2]
+CASES = ROOT / "cases"
+RPM = math.pi / 30.0
+TOP = 24000.0 * RPM
+
+
+@cache
+def case(name: str = "mfw2310") -> Case:
+    """A case of the project, by name."""
+    return load(CASES / f"{name}.yaml")
+
+
+def mfw2310(**changes: Any) -> Spindle:
+    """The flagship with its tool, some of its fields replaced."""
+    return replace(case().spindle, **changes)
+
+
+def conditions(**changes: Any) -> Conditions:
+    """The flagship's: outer control, equal sharing."""
+    return replace(case().conditions, **changes)
+
+
+def undamped(spindle: Spindle) -> Spindle:
+    """Neither bearings nor supports nor rotor damp."""
+    seats = tuple(replace(s, radial_damping=0.0, axial_damping=0.0) for s in spindle.seats)
+    supports = tuple(replace(s, damping={}) for s in spindle.supports)
+    return replace(spindle, seats=seats, supports=supports, rotor_damping=())
+
+
+def with_sleeve(spindle: Spindle, name: str, **changes: Any) -> Spindle:
+    """One sleeve with some of its fields replaced."""
+    sleeves = tuple(replace(s, **changes) if s.name == name else s for s in spindle.sleeves)
+    return replace(spindle, sleeves=sleeves)
+
+
+def with_springs(spindle: Spindle, stiffness: float) -> Spindle:
+    """All preload springs with another stiffness [N/m], stops away."""
+    sleeves = tuple(
+        replace(s, spring=replace(s.spring, stiffness=stiffness), stop_travel=math.inf)
+        for s in spindle.sleeves
+    )
+    return replace(spindle, sleeves=sleeves)
+
+
+def scene(
+    spindle: Spindle,
+    rpm: Sequence[float],
+    max_frequency: float = 4000.0,
+    ports: tuple[float, ...] = (),
+    **changes: Any,
+) -> Scene:
+    """A scene of ``spindle`` at speeds in rpm."""
+    return Scene(spindle, conditions(**changes), np.array(rpm) * RPM, max_frequency, ports)
+
+
+def answers(
+    spindle: Spindle, rpm: Sequence[float], analyses: Mapping[str, Spec], **changes: Any
+) -> dict[str, Any]:
+    """Results by name at speeds in rpm."""
+    speeds = tuple(float(n) * RPM for n in rpm)
+    found = answer_spindle(spindle, conditions(**changes), speeds, analyses, lambda name: None)
+    return found.results
+
+
+def pairs(*names: str) -> tuple[tuple[Port, Port], ...]:
+    """Pairs of ports written ``"Oc2.z/Oc2.y"``, response first."""
+    ends = [[Port(*port.split(".")) for port in name.split("/")] for name in names]
+    return tuple((response, excitation) for response, excitation in ends)
