@@ -92,7 +92,7 @@ def deliver(case: Case, target: Path, progress: Progress = lambda name: None) ->
         drawing = Drawing(figures(case, results), folder)
         with _timed(seconds, "write"):
             _write_numbers(case, results, folder)
-            text = summary(case, results)
+            text = summary(case, results, answers.warnings)
             (folder / "summary.txt").write_text(text + "\n", encoding="utf-8")
         with _timed(seconds, "draw"):
             drawn = drawing.finish()
@@ -153,6 +153,6 @@ def _write_record(
         stages={**seconds, **answers.seconds},
         figures=drawn,
         skipped={**unasked, **answers.skipped},
-        warnings=tuple(pressure_warnings(answers.results)),
+        warnings=(*answers.warnings, *pressure_warnings(answers.results)),
     )
     write_record(folder, record)

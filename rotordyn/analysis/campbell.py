@@ -43,7 +43,7 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     """Bending, axial and torsion modes up to ``spec.max_frequency``."""
     branches = [*_bending(scene, spec), *_axial(scene, spec), *_torsion(scene, spec)]
     branches = [b for b in branches if np.nanmin(b.frequency) <= spec.max_frequency]
-    branches.sort(key=lambda b: ("bending axial torsion".index(b.kind), b.frequency[0], b.whirl[0]))
+    branches.sort(key=_place)
     names = _names(branches)
     ends = sorted({0, len(scene.usable) - 1}) if spec.shapes else []
     criticals = _criticals(scene, branches, names)
@@ -125,6 +125,12 @@ def _whirl_of_planes(found: Modes, column: NDArray[np.intp]) -> Array:
     difference = (forward**2 - backward**2).sum(axis=1)
     share = difference / (forward**2 + backward**2).sum(axis=1)
     return np.where(column < 0, np.nan, np.where(np.abs(share) < 1e-6, 0.0, np.sign(share)))
+
+
+def _place(branch: Branch) -> tuple[str, float, float]:
+    """Bending, axial, torsion; from below; of twins the backward one first."""
+    kind = {"bending": "0", "axial": "1", "torsion": "2"}[branch.kind]
+    return kind, float(f"{branch.frequency[0]:.8g}"), float(branch.whirl[0])
 
 
 def _names(branches: list[Branch]) -> tuple[str, ...]:

@@ -49,12 +49,10 @@ def preload_sum(result: PreloadResult, spindle: Spindle) -> Array:
 
 
 def bending_frequencies(result: CampbellResult, speed: float) -> Array:
-    """One frequency [Hz] per bending mode at the nearest ``speed``: twins at rest count once."""
+    """Bending frequencies [Hz] at the nearest ``speed``, ascending; equal ones count once."""
     at = int(np.argmin(np.abs(result.speed - speed)))
     bending = np.array([kind == "bending" for kind in result.kind], bool)
-    forward = result.whirl[at] >= 0.0
-    moving = result.speed[at] > 0.0
-    values = np.sort(result.frequency[at, bending & (forward | (not moving))])
+    values = np.sort(result.frequency[at, bending])
     values = values[np.isfinite(values)]
     return values[np.diff(values, prepend=-np.inf) > 1e-4 * values]
 

@@ -58,6 +58,9 @@ def _lateral(scene: Scene, pairs: list[tuple[Port, Port]], frequency: Array) -> 
     plus, minus = both[..., : len(omega)], both[..., len(omega) :].conj()
     turn = np.array([_quarter_turns(*pair) for pair in pairs])[:, None]
     same, across = 0.5 * (plus + minus), -0.5j * (plus - minus)
+    planar = (system.stiffness.imag == 0.0).all(axis=(1, 2))
+    planar &= (system.damping.imag == 0.0).all(axis=(1, 2))
+    across[planar] = 0.0  # nothing couples the planes: not even rounding
     return np.where(turn == 0, same, turn * across)
 
 

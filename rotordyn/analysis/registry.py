@@ -28,12 +28,13 @@ Progress = Callable[[str], None]
 
 @dataclass(frozen=True, slots=True)
 class Answers:
-    """Results by analysis name, seconds by stage, stages nobody asked for, residuals reached."""
+    """Results by analysis name; seconds by stage, unasked stages, residuals, warnings."""
 
     results: dict[str, Result]
     seconds: dict[str, float] = field(default_factory=dict)
     skipped: dict[str, str] = field(default_factory=dict)
     tolerances: dict[str, float] = field(default_factory=dict)
+    warnings: tuple[str, ...] = ()
 
 
 def answer_spindle(
@@ -64,7 +65,7 @@ def answer_spindle(
         answer = import_module(SPINDLE_ANALYSES[name]).answer
         results[name] = scene.timed(name, partial(answer, scene, spec))
     unasked = dict.fromkeys(scene.skipped, "no analysis of this case needs it")
-    return Answers(results, scene.seconds, unasked, scene.tolerances)
+    return Answers(results, scene.seconds, unasked, scene.tolerances, scene.warnings)
 
 
 def answer_bearing(

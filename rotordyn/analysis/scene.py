@@ -6,6 +6,7 @@ never run, and ``skipped`` says which.
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable
 from typing import Any, TypeVar
@@ -18,6 +19,7 @@ from rotordyn.errors import NoSolution
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.modes import Modes, modes, residual
+from rotordyn.preload.growth import released_fits
 from rotordyn.preload.network import Law
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.system.lateral import LateralSystem, lateral_system
@@ -105,6 +107,15 @@ class Scene:
                 self.bending_modes, self.bending.stiffness, self.bending.damping
             )
         return reached
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What a designer should know about the machine at these speeds."""
+        return tuple(
+            f"bearing {name}: the fit of its inner ring lets go at "
+            f"{speed * 30.0 / math.pi:.0f} rpm; raise its interference"
+            for name, speed in released_fits(self.spindle, float(self.speed[-1]))
+        )
 
     @property
     def law(self) -> Law:

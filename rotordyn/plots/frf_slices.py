@@ -63,6 +63,8 @@ def _lines(axes: Axes, result: FrfResult, pair: int, part: str) -> None:
     frequency = result.frequency
     factor = shown(receptance_unit(result.pair[pair])).factor
     for place, index in enumerate(np.flatnonzero(result.is_slice).tolist()):
+        if not np.any(result.receptance[index, pair]):
+            continue  # planes that nothing couples have no phase and no place on a log axis
         values = _part(result.receptance[index, pair] * factor, part)
         axes.plot(
             frequency,

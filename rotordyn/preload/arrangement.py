@@ -64,22 +64,6 @@ class Arrangement:
         )
         return replace(self, joints=joints, speed=self.speed[index])
 
-    def moved_to(self, row: int, speed: Array) -> Arrangement:
-        """The arrangement at other speeds near its speed number ``row``.
-
-        Growth and shortening vary with Ω²: they are scaled from that speed.
-        """
-        ratio = (speed / self.speed[row]) ** 2 if self.speed[row] > 0.0 else np.zeros_like(speed)
-        joints = tuple(
-            replace(
-                joint,
-                growth=joint.static_growth + ratio * (joint.growth[row] - joint.static_growth),
-                shift=ratio * joint.shift[row],
-            )
-            for joint in self.joints
-        )
-        return replace(self, joints=joints, speed=speed)
-
 
 def arrangement(spindle: Spindle, speed: Array, force: float = 0.0) -> Arrangement:
     """The axial arrangement of ``spindle``, rings and shaft deformed by every ``speed`` [rad/s]."""

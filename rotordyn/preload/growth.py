@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.machine.growth import InterferenceFit, QuadraticInSpeed
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import BearingSeat
+
+if TYPE_CHECKING:
+    from bearings.rings import Cylinder
 
 Array = NDArray[np.float64]
 
@@ -28,13 +33,34 @@ def fit_growth(spindle: Spindle, seat: BearingSeat, fit: InterferenceFit, speed:
     Shaft section and inner ring are compound thick cylinders in plane stress; the ring reaches to
     the raceway contact radius (dm − D cos α)/2.
     """
-    from bearings.rings import Cylinder, centrifugal_growth, raceway_radius
+    from bearings.rings import centrifugal_growth
+
+    bodies = _fitted(spindle, seat, fit)
+    return centrifugal_growth(bodies, [fit.interference], bodies[-1].outer_radius, speed)
+
+
+def released_fits(spindle: Spindle, speed: float) -> list[tuple[str, float]]:
+    """Bearings whose inner ring lets go of the shaft up to ``speed``, and where [rad/s]."""
+    found = []
+    for seat in spindle.seats:
+        fit = seat.growth.centrifugal
+        if isinstance(fit, InterferenceFit):
+            from bearings.rings import release_speed
+
+            limit = float(release_speed(_fitted(spindle, seat, fit), [fit.interference])[0])
+            if limit <= speed:
+                found.append((seat.name, limit))
+    return found
+
+
+def _fitted(spindle: Spindle, seat: BearingSeat, fit: InterferenceFit) -> tuple[Cylinder, Cylinder]:
+    """Shaft and inner ring as cylinders."""
+    from bearings.rings import Cylinder, raceway_radius
 
     section, bearing = spindle.shaft.section_at(seat.x), seat.bearing
     race = raceway_radius(bearing.pitch_diameter, bearing.ball_diameter, bearing.contact_angle)
     bore = fit.bore_diameter / 2.0
-    bodies = (
+    return (
         Cylinder(section.inner_diameter / 2.0, bore, section.material),
         Cylinder(bore, race, bearing.ring_material),
     )
-    return centrifugal_growth(bodies, [fit.interference], race, speed)

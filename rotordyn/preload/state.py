@@ -21,11 +21,13 @@ Flags = NDArray[np.bool_]
 class PreloadState:
     """Axial equilibrium at every speed.
 
-    ``rest`` and ``limit`` (bodies,): positions at rest, and where a stop ends the travel (NaN
-    without one); ``net``: the solved network; ``outcome`` per speed: empty, or why there is no
-    usable state.
+    ``force``: external axial force [N]; ``rest`` and ``limit`` (bodies,): positions at rest, and
+    where a stop ends the travel (NaN without one); ``net``: the solved network; ``outcome`` per
+    speed: empty, or why there is no usable state.
     """
 
+    spindle: Spindle
+    force: float
     network: Network
     rest: Array
     limit: Array
@@ -119,7 +121,8 @@ def dynamic_preload(
     springs, limit = _springs(joined, rest)
     network = Network(joined, law, springs)
     net = confirmed(network, _with_stops(network, rest, limit))
-    return PreloadState(network, rest, limit, net, outcomes(spindle, network, net))
+    words = outcomes(spindle, network, net)
+    return PreloadState(spindle, axial_force, network, rest, limit, net, words)
 
 
 def _rest(joined: Arrangement, law: Law) -> Array:
@@ -213,7 +216,7 @@ def _stop_speed(state: PreloadState, body: int) -> float:
 def _released_gap(state: PreloadState, body: int, row: int, speeds: Array) -> Array:
     """Distance of ``body`` from its stop at ``speeds`` if the stop were not there [m]."""
     network = state.network
-    moved = replace(network, arrangement=network.arrangement.moved_to(row, speeds))
+    moved = replace(network, arrangement=arrangement(state.spindle, speeds, state.force))
     others = np.repeat(state.net.held[row : row + 1], len(speeds), axis=0)
     others[:, body] = False
     start = np.repeat(state.net.position[row : row + 1], len(speeds), axis=0)

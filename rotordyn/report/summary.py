@@ -11,7 +11,12 @@ import numpy as np
 
 from rotordyn.analysis.comparison import Comparison, compare
 from rotordyn.analysis.display import RPM, STIFFNESS, shown
-from rotordyn.analysis.results import CampbellResult, PreloadResult, StiffnessResult
+from rotordyn.analysis.results import (
+    BearingMapResult,
+    CampbellResult,
+    PreloadResult,
+    StiffnessResult,
+)
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.reference import QUANTITIES, Reference
 from rotordyn.machine.spindle import Spindle
@@ -19,7 +24,7 @@ from rotordyn.machine.spindle import Spindle
 WIDTH, HEIGHT = 100, 40
 PRESSURE_WARNING = 4.2e9
 _NO_BREAK = "\u00a0"
-_WHIRL = {1: "fw", -1: "bw", 0: ""}
+_WHIRL = {1: " fw", -1: " bw", 0: ""}
 
 
 class Described(Protocol):
@@ -45,6 +50,8 @@ def summary(case: Described, results: Mapping[str, Any], warnings: Iterable[str]
         lines += _modes(results["campbell"])
     if "preload" in results:
         lines += _preload(results["preload"])
+    if "bearing" in results:
+        lines += _bearing(results["bearing"])
     if "stiffness" in results:
         lines += _stiffness(results["stiffness"])
     lines = [part for line in lines for part in _wrapped(line)]
@@ -98,7 +105,7 @@ def _machine(spindle: Spindle) -> list[str]:
 def _modes(result: CampbellResult) -> list[str]:
     rest, top = result.frequency[0], result.frequency[-1]
     entries = [
-        f"{name} {_number(a)} → {_number(b)} {_WHIRL[round(float(w)) if w == w else 0]}".strip()
+        f"{name} {_number(a)} → {_number(b)}{_turning(name, w)}"
         for name, a, b, w in zip(result.mode, rest, top, result.whirl[-1], strict=True)
     ]
     first, last = result.speed[[0, -1]]
@@ -111,6 +118,29 @@ def _modes(result: CampbellResult) -> list[str]:
     ]
     none = f"none up to {last * RPM.factor:.0f} rpm"
     return [*lines, f"critical   1×, margin to top speed: {', '.join(known) or none}"]
+
+
+def _turning(name: str, whirl: float) -> str:
+    """Whirl at the top speed, where the name does not say it."""
+    known = "forward" in name or "backward" in name or not math.isfinite(whirl)
+    return "" if known else _WHIRL[round(whirl)]
+
+
+def _bearing(result: BearingMapResult) -> list[str]:
+    """Axial and radial stiffness at each load, at the first and the last speed."""
+    first, last = (f"{v * RPM.factor:.0f}" for v in result.speed[[0, -1]])
+    lines = [f"stiffness  [N/µm] of the bearing, tilts blocked, at {first} → {last} rpm"]
+    ends = result.stiffness[[0, -1]] * STIFFNESS.factor
+    for k, load in enumerate(result.load):
+        axial, radial = (
+            f"{_number(ends[0, k, i, i])} → {_number(ends[1, k, i, i])}" for i in (0, 1)
+        )
+        pressure = np.nanmax(np.fmax(result.inner_pressure, result.outer_pressure)[:, k]) / 1e9
+        lines.append(
+            f"           {load:.0f} N: axial {axial}, radial {radial}; pressure up to "
+            f"{pressure:.2f} GPa"
+        )
+    return lines
 
 
 def _preload(result: PreloadResult) -> list[str]:
@@ -151,11 +181,10 @@ def _references(compared: Sequence[Comparison], room: int) -> list[str]:
 def _comparison(compared: Comparison) -> list[str]:
     reference = compared.reference
     to = shown(QUANTITIES.get(reference.quantity, ""))
-    digits = 0 if to.unit in ("N", "Hz") else 1
     one_speed = len(set(reference.speeds)) == 1
     pairs = [
         _whole(
-            f"{_number(known * to.factor, digits)} | {_number(ours * to.factor, digits)}"
+            f"{known * to.factor:.4g} | {ours * to.factor:.4g}"
             + ("" if one_speed else f" @ {speed * RPM.factor:.0f}")
         )
         for speed, known, ours in zip(
@@ -167,8 +196,7 @@ def _comparison(compared: Comparison) -> list[str]:
     what = f"{reference.quantity.replace('_', ' ')}{subject}{at} [{to.unit}]"
     where = "" if one_speed else " @ rpm"
     head = f"{reference.kind:10s} {what}: {reference.kind} | ours{where}: {', '.join(pairs)}"
-    note = f"{reference.remark} [{reference.source}]".strip()
-    return [*_wrapped(head)[:3], *_wrapped(" " * 11 + note)[:2]]
+    return [*_wrapped(head), *_wrapped(" " * 11 + reference.remark)]
 
 
 def _whole(entry: str) -> str:

@@ -8,7 +8,6 @@ coarser. Frequencies of that table are undamped.
 
 from __future__ import annotations
 
-from dataclasses import replace
 from functools import cache
 from typing import Any
 
@@ -169,15 +168,3 @@ def test_spin_softening_in_the_fixed_frame_is_ten_percent_wrong() -> None:
         found[option] = result.frequency[1, rows]
     assert found[False] == pytest.approx([900, 906], abs=0.6)
     assert found[True] == pytest.approx([808, 814], abs=0.6)
-
-
-def test_without_tool_it_is_another_rotor() -> None:
-    """The tool is part of the reconstructed rotor: without it the modes are elsewhere."""
-    bare = replace(
-        mfw2310(),
-        shaft=replace(mfw2310().shaft, start=0.0, sections=mfw2310().shaft.sections[3:]),
-        points={},
-    )
-    asked = {"campbell": CampbellSpec(4000.0)}
-    found = answers(bare, (0,), asked)["campbell"]
-    assert abs(found.frequency[0].min() / 903.4 - 1) > 0.05

@@ -1,0 +1,125 @@
+"""What a key of a file accepts, asked from the readers of the schema themselves.
+
+Each reader is handed values it must refuse, and its own message says what is allowed: this page
+and the messages a user sees cannot disagree.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+import types
+from typing import Annotated, Any, Union, get_args, get_origin
+
+from pydantic import PlainValidator, TypeAdapter, ValidationError
+from pydantic.fields import FieldInfo
+from pydantic_core import PydanticUndefined
+
+from rotordyn import units
+from rotordyn.analysis.specs import Port
+from rotordyn.case.schema.base import Entry
+
+_KIND = re.compile(r"expected (.+?): given")
+
+
+def accepted(field: FieldInfo) -> str:
+    """The type, range and unit of a field in words."""
+    return _accepted(field.annotation, tuple(field.metadata))
+
+
+def default(field: FieldInfo) -> str:
+    """The default as one would write it, or ``required``."""
+    if field.is_required():
+        return "required"
+    value = field.get_default(call_default_factory=True)
+    if value is None or value in ("", [], {}) or value is PydanticUndefined:
+        return "–"
+    if isinstance(value, Entry):
+        return "its defaults"
+    if isinstance(value, bool | str | int):
+        return f"`{str(value).lower() if isinstance(value, bool) else value}`"
+    if isinstance(value, list):
+        return "all"
+    return f"`{_written(field, float(value))}`"
+
+
+def _written(field: FieldInfo, value: float) -> str:
+    reader = _reader(tuple(field.metadata))
+    kind = _kind(reader) if reader else ""
+    if math.isinf(value):
+        return _message(reader, True).rpartition(", or ")[2]
+    coherent = [u for u in units.KINDS.get(kind, ("",)) if units.parse_unit(u).scale == 1.0]
+    return f"{value:g} {coherent[0]}".strip() if coherent else f"{value:g}"
+
+
+def _accepted(annotation: Any, metadata: tuple[Any, ...] = ()) -> str:
+    if get_origin(annotation) is Annotated:
+        first, *rest = get_args(annotation)
+        return _accepted(first, (*metadata, *rest))
+    reader = _reader(metadata)
+    if reader is not None:
+        return _read_by(reader, annotation)
+    arguments = [a for a in get_args(annotation) if a is not type(None)]
+    origin = get_origin(annotation)
+    if origin in (types.UnionType, Union):
+        return ", or ".join(_accepted(a) for a in arguments)
+    if origin is list:
+        return f"list: {_accepted(arguments[0])}"
+    if origin is dict:
+        return f"mapping of names to: {_accepted(arguments[1])}"
+    if isinstance(annotation, type) and issubclass(annotation, Entry):
+        return f"[{title(annotation)}](#{anchor(annotation)})"
+    return "see meaning"
+
+
+def title(entry: type[Entry]) -> str:
+    """``SleeveEntry`` -> ``sleeve``."""
+    words = re.sub(r"(?<!^)(?=[A-Z])", " ", entry.__name__.removesuffix("Entry"))
+    return words.lower()
+
+
+def anchor(entry: type[Entry]) -> str:
+    """The heading's link target."""
+    return title(entry).replace(" ", "-")
+
+
+def _reader(metadata: tuple[Any, ...]) -> PlainValidator | None:
+    return next((m for m in metadata if isinstance(m, PlainValidator)), None)
+
+
+def _read_by(reader: PlainValidator, annotation: Any) -> str:
+    if annotation is Port:
+        return "`POINT.DIRECTION`"
+    refusal = _message(reader, True)
+    if not refusal:
+        return "`true` or `false`"
+    allowed = refusal.partition("allowed: ")[2]
+    if refusal.startswith("not one of its choices"):
+        words = [f"`{word}`" for word in allowed.split(", ")]
+        return words[0] if len(words) == 1 else "one of " + ", ".join(words)
+    if refusal.startswith("not a whole number"):
+        return f"whole number, {allowed}"
+    if refusal.startswith(("not a name", "not text")):
+        return "name" if refusal.startswith("not a name") else "text"
+    return _quantity(reader, refusal)
+
+
+def _quantity(reader: PlainValidator, refusal: str) -> str:
+    kind = _kind(reader)
+    far = _message(reader, f"1e290 {units.KINDS[kind][0]}".strip()).partition("allowed: ")[2]
+    words = refusal.rpartition(", or ")[2] if ", or " in refusal else ""
+    return f"{kind}, {far}" + (f", or `{words}`" if words else "")
+
+
+def _kind(reader: PlainValidator) -> str:
+    match = _KIND.search(_message(reader, True))
+    return match[1] if match else ""
+
+
+def _message(reader: PlainValidator | None, value: object) -> str:
+    """What the reader says to ``value``; empty where it takes it."""
+    try:
+        TypeAdapter(Annotated[Any, reader]).validate_python(value)
+    except ValidationError as error:
+        return error.errors()[0]["msg"]
+    return ""

@@ -1,0 +1,142 @@
+"""The MFW 2310 solved once, rigid and flexible, and what its tables and rows are made of."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+
+import rotordyn
+from docs.generate.places import ROOT
+from docs.generate.rows import Row
+from rotordyn.analysis.comparison import bending_frequencies
+from rotordyn.case.case import Case
+from rotordyn.job import solve
+from rotordyn.machine.spindle import Spindle
+from rotordyn.preload.shortening import strain_integral
+
+RPM = math.pi / 30.0
+TOP = 24000.0 * RPM
+KNOWN = "independent code, the same rotor"
+
+
+@dataclass(frozen=True, slots=True)
+class Flagship:
+    """The case with its results, and those of a rotor that does not bend."""
+
+    case: Case
+    results: Mapping[str, Any]
+    rigid: Mapping[str, Any]
+
+    @property
+    def spindle(self) -> Spindle:
+        """The machine of the case."""
+        if self.case.spindle is None:
+            raise ValueError("the case has no spindle")
+        return self.case.spindle
+
+    def tangent(self, rpm: float, variant: str = "full", *, rigid: bool = False) -> float:
+        """Radial stiffness at no load [N/µm]."""
+        found = (self.rigid if rigid else self.results)["stiffness"]
+        column = found.variant.index(variant)
+        return float(np.interp(rpm * RPM, found.speed, found.tangent[:, column])) / 1e6
+
+    def deviation(self, rpm: float, variant: str) -> float:
+        """A variant beside the full tangent [%]."""
+        return 100.0 * (self.tangent(rpm, variant) / self.tangent(rpm) - 1.0)
+
+    def shift(self, station: str) -> float:
+        """Shift of a point at top speed by centrifugal shortening [µm], from midway of a and b."""
+        points = self.spindle.points
+        strain = strain_integral(self.spindle.shaft, points["O1"], points[station])
+        return strain * TOP**2 * 1e6
+
+
+@cache
+def flagship() -> Flagship:
+    """Solve the case as it stands, and with a rigid rotor at rest and at top speed."""
+    case = rotordyn.load(ROOT / "cases" / "mfw2310.yaml")
+    asked = {name: spec for name, spec in case.analyses.items() if name != "frf"}
+    stiff = replace(
+        case,
+        speeds=(0.0, TOP),
+        conditions=replace(case.conditions, rotor="rigid"),
+        analyses=asked,
+    )
+    return Flagship(case, solve(case).results, solve(stiff).results)
+
+
+def rest_rows() -> list[Row]:
+    """At rest, where the bearing model leaves no room."""
+    known = flagship()
+    return [
+        _row("rigid rotor, radial modes [Hz]", _modes(known.rigid, 0.0), (1083.0, 1523.0)),
+        _row("rigid rotor, stiffness at Oc2 [N/µm]", (known.tangent(0, rigid=True),), (458.0,)),
+        _row("bending modes [Hz]", _modes(known.results, 0.0)[:4], (903.4, 1349.0, 1587.0, 2859.0)),
+        _row("stiffness at Oc2, full K [N/µm]", (known.tangent(0),), (142.7,)),
+        _row("diagonal K instead [%]", (known.deviation(0, "diagonal"),), (-14.6,)),
+        _row("torsion, free-free [Hz]", (_torsion(known.results),), (2974.0,)),
+    ]
+
+
+def speed_rows() -> list[Row]:
+    """At speed, with the physical sign of the gyroscopic moment."""
+    known, preload = flagship(), flagship().results["preload"]
+    sleeves = [preload.bearing.index(b) for s in known.spindle.sleeves for b in s.bearings]
+    total = float(preload.axial_load[-1, sleeves].sum())
+    rear = 1e6 * float(preload.position[-1, preload.body.index("rear")])
+    stiff = tuple(known.tangent(rpm) for rpm in (6000, 12000, 18000, 24000))
+    variants = tuple(known.deviation(24000, v) for v in ("diagonal", "constant_preload"))
+    return [
+        _row(
+            "stiffness at Oc2 at 6, 12, 18, 24 krpm [N/µm]", stiff, (138.0, 106.8, 83.3, 88.4), 0.01
+        ),
+        _row(
+            "24 krpm: sum of preloads [N], rear sleeve [µm]", (total, rear), (2550.0, -115.2), 0.01
+        ),
+        _row(
+            "24 krpm, rigid rotor: stiffness at Oc2 [N/µm]",
+            (known.tangent(24000, rigid=True),),
+            (166.3,),
+            0.01,
+        ),
+        _row(
+            "24 krpm, rigid rotor: radial modes, mean of both whirls [Hz]",
+            _modes(known.rigid, TOP),
+            (475.2, 946.7),
+            0.01,
+        ),
+        _row("24 krpm: diagonal K, constant preload [%]", variants, (-11.95, -63.4), 0.01),
+        _row(
+            "24 krpm, shift by shortening at d/e, c, nose [µm]",
+            tuple(known.shift(point) for point in ("O3", "O2", "nose_face")),
+            (-29.4, -3.1, 2.9),
+            0.02,
+        ),
+    ]
+
+
+def _row(
+    what: str, found: tuple[float, ...], expected: tuple[float, ...], allowed: float = 0.005
+) -> Row:
+    return Row(f"MFW 2310, {what}", found, allowed, KNOWN, expected)
+
+
+def _modes(results: Mapping[str, Any], speed: float) -> tuple[float, ...]:
+    """Bending frequencies [Hz], forward and backward in one."""
+    found = results["campbell"]
+    if speed == 0.0:
+        return tuple(float(f) for f in bending_frequencies(found, 0.0))
+    at = int(np.argmin(np.abs(found.speed - speed)))
+    bending = np.array([kind == "bending" for kind in found.kind])
+    both = [np.sort(found.frequency[at, bending & (found.whirl[at] == w)]) for w in (-1.0, 1.0)]
+    return tuple(float(f) for f in (both[0] + both[1]) / 2.0)
+
+
+def _torsion(results: Mapping[str, Any]) -> float:
+    found = results["campbell"]
+    return float(found.frequency[0, found.kind.index("torsion")])

@@ -1,0 +1,65 @@
+"""The reference of all keys, from the schema of the files."""
+
+from __future__ import annotations
+
+from importlib import import_module
+
+from docs.generate.accepted import accepted, default, title
+from docs.generate.marked import table
+from docs.generate.meanings import MEANINGS
+from rotordyn.case.schema.base import Entry
+
+# Part of the page -> the entries it lists, in order of reading.
+PAGES = {
+    "case": (
+        "case.CaseEntry case.ConditionsEntry sweep.SpeedRange analyses.AnalysesEntry "
+        "analyses.CampbellEntry analyses.FrfEntry sweep.FrequencyRange analyses.PairEntry "
+        "analyses.StiffnessEntry analyses.BearingMapEntry"
+    ),
+    "spindle": (
+        "spindle.SpindleEntry shaft.ShaftEntry shaft.SectionEntry shaft.MassEntry shaft.DiscEntry "
+        "support.SeatEntry support.GrowthEntry support.QuadraticEntry support.FitEntry "
+        "support.ShorteningEntry support.SleeveEntry support.SpringEntry support.SupportEntry "
+        "spindle.DampingEntry support.BearingDampingEntry"
+    ),
+    "tool": "shaft.ToolEntry",
+    "bearing": "bearing.BearingEntry",
+    "material": "material.MaterialEntry",
+    "reference": "reference.ReferenceEntry",
+}
+HEAD = ("key", "takes", "default", "meaning")
+
+
+def key_tables() -> dict[str, str]:
+    """Every part of the page, by name."""
+    return {name: _part(listed.split()) for name, listed in PAGES.items()}
+
+
+def entries() -> list[type[Entry]]:
+    """All entries of the page."""
+    return [_entry(place) for listed in PAGES.values() for place in listed.split()]
+
+
+def keys(entry: type[Entry]) -> list[str]:
+    """The keys of an entry as written in a file."""
+    return [field.alias or name for name, field in entry.model_fields.items()]
+
+
+def _part(places: list[str]) -> str:
+    return "\n\n".join(_section(_entry(place)) for place in places)
+
+
+def _entry(place: str) -> type[Entry]:
+    module, name = place.split(".")
+    found: type[Entry] = getattr(import_module(f"rotordyn.case.schema.{module}"), name)
+    return found
+
+
+def _section(entry: type[Entry]) -> str:
+    words = MEANINGS[title(entry)]
+    rows = [
+        (f"`{key}`", accepted(field), default(field), words[key])
+        for key, field in zip(keys(entry), entry.model_fields.values(), strict=True)
+    ]
+    about = " ".join((entry.__doc__ or "").split()).replace("``", "`")
+    return f"### {title(entry)}\n\n{about}\n\n{table(HEAD, rows)}"

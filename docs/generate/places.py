@@ -1,0 +1,11 @@
+"""Where the documents are."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+README = ROOT / "README.md"
+DOCS = ROOT / "docs"
+FIGURES = DOCS / "figures"
+MEASURED = ROOT / "benchmarks" / "results.json"

@@ -1,0 +1,97 @@
+"""Who is joined to whom: twins, springs, what is asked of the bearings."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from bearings import AngularContactBallBearing
+from rotordyn.machine.growth import QuadraticInSpeed, RingGrowth
+from rotordyn.preload.arrangement import HOUSING, arrangement, rigid
+from rotordyn.preload.network import Law
+from rotordyn.preload.state import dynamic_preload
+from tests.oracles.spindles import RPM, TOP, mfw2310, with_springs
+
+SPEED = np.array([0.0, 0.5, 1.0]) * TOP
+LAW = Law("outer", "equal")
+
+
+def test_tandem_twins_are_one_joint() -> None:
+    joints = arrangement(mfw2310(), SPEED).joints
+    assert [j.seats for j in joints] == [(0, 1), (2,), (3, 4)]
+    assert [j.thrust for j in joints] == [1, -1, -1]
+    assert [j.outer for j in joints] == [HOUSING, 1, 2]
+
+
+def test_twins_with_different_growth_are_not_alike() -> None:
+    seats = list(mfw2310().seats)
+    seats[1] = replace(seats[1], growth=RingGrowth(43.2e-6, QuadraticInSpeed(9e-6, TOP)))
+    joints = arrangement(mfw2310(seats=tuple(seats)), SPEED).joints
+    assert [j.seats for j in joints] == [(0,), (1,), (2,), (3, 4)]
+
+
+def test_growth_and_shift_at_speed() -> None:
+    joints = arrangement(mfw2310(), SPEED).joints
+    assert joints[0].growth == pytest.approx(43.2e-6 + 7.3e-6 * np.array([0, 0.25, 1]))
+    assert joints[2].shift == pytest.approx(-42.8e-6 * np.array([0, 0.25, 1]))
+
+
+def test_springs_push_so_that_bearings_load() -> None:
+    pushes = arrangement(mfw2310(), SPEED).pushes
+    assert [p.direction for p in pushes] == [1, 1]
+    assert not any(rigid(p) for p in pushes)
+    assert all(rigid(p) for p in arrangement(with_springs(mfw2310(), math.inf), SPEED).pushes)
+
+
+def test_part_of_the_speeds() -> None:
+    whole = arrangement(mfw2310(), SPEED, 100.0)
+    part = whole.at(np.array([2]))
+    assert part.speed == pytest.approx([TOP])
+    assert part.joints[2].shift == pytest.approx([-42.8e-6])
+    assert part.force == 100.0
+
+
+def test_moved_to_other_speeds_follows_the_square() -> None:
+    moved = arrangement(mfw2310(), SPEED).moved_to(2, np.array([18000 * RPM]))
+    direct = arrangement(mfw2310(), np.array([18000 * RPM]))
+    for a, b in zip(moved.joints, direct.joints, strict=True):
+        assert a.growth == pytest.approx(b.growth, rel=1e-12)
+        assert a.shift == pytest.approx(b.shift, rel=1e-12)
+
+
+def test_states_asked_of_the_bearings(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Per speed three bearings of five are ever solved: one of each tandem."""
+    widths: set[int] = set()
+    original = AngularContactBallBearing.equilibrium
+
+    def counted(self: Any, **request: Any) -> Any:
+        if "displacement" in request:
+            widths.add(np.shape(request["displacement"])[-2])
+        return original(self, **request)
+
+    monkeypatch.setattr(AngularContactBallBearing, "equilibrium", counted)
+    dynamic_preload(mfw2310(), SPEED, LAW)
+    vex70_joints, vex60_joints = 2, 1
+    assert widths == {vex70_joints, vex60_joints}
+
+
+def test_all_speeds_are_asked_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The number of calls does not grow with the number of speeds."""
+    calls = []
+    original = AngularContactBallBearing.equilibrium
+
+    def counted(self: Any, **request: Any) -> Any:
+        calls.append(1)
+        return original(self, **request)
+
+    monkeypatch.setattr(AngularContactBallBearing, "equilibrium", counted)
+    counts = []
+    for speeds in (3, 30):
+        calls.clear()
+        dynamic_preload(mfw2310(), np.linspace(0.0, TOP, speeds), LAW)
+        counts.append(len(calls))
+    assert counts[1] <= counts[0] + 10
