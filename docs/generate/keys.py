@@ -12,7 +12,7 @@ from rotordyn.case.schema.base import Entry
 # Part of the page -> the entries it lists, in order of reading.
 PAGES = {
     "case": (
-        "case.CaseEntry case.ConditionsEntry sweep.SpeedRange analyses.AnalysesEntry "
+        "case.CaseEntry case.ConditionsEntry sweep.SpeedRange analyses.AnalysesEntry analyses.PreloadEntry "
         "analyses.CampbellEntry analyses.FrfEntry sweep.FrequencyRange analyses.PairEntry "
         "analyses.StiffnessEntry analyses.BearingMapEntry"
     ),
@@ -62,4 +62,5 @@ def _section(entry: type[Entry]) -> str:
         for key, field in zip(keys(entry), entry.model_fields.values(), strict=True)
     ]
     about = " ".join((entry.__doc__ or "").split()).replace("``", "`")
-    return f"### {title(entry)}\n\n{about}\n\n{table(HEAD, rows)}"
+    head = f"### {title(entry)}\n\n{about}"
+    return f"{head}\n\n{table(HEAD, rows)}" if rows else head

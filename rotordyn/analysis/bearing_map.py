@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
 from bearings.angular_contact import AngularContactBallBearing
+from bearings.state import BearingState
 from rotordyn.analysis.preload import BALL_QUANTITIES, FREEDOMS
 from rotordyn.analysis.results import Array, BearingMapResult
 from rotordyn.analysis.specs import BearingMapSpec, Conditions
 from rotordyn.errors import NoSolution
+from rotordyn.machine.limits import HIGHEST_PRESSURE
 
 
 def answer(
@@ -29,17 +32,31 @@ def answer(
         kinematics=conditions.kinematics,
         moment_sharing=conditions.moment_sharing,
     )
-    if (state.outcome != "").all():
-        raise NoSolution(f"no load and speed of the case has a state: {state.outcome.flat[0]}")
-    kept = {"inner_grip", "outer_grip"}
-    balls = {n: getattr(state, n)[..., 0] for n in BALL_QUANTITIES if n not in kept}
+    outcome = _outcomes(state)
+    if (outcome != "").all():
+        raise NoSolution(f"no load and speed of the case has a state: {outcome.flat[0]}")
+    shown = [name for name in BALL_QUANTITIES if not name.endswith("_grip")]
+    balls = {name: _where(outcome, getattr(state, name)[..., 0]) for name in shown}
     return BearingMapResult(
         speed=speed,
         load=np.array(spec.loads),
         dof=FREEDOMS,
         dof_other=FREEDOMS,
-        outcome=state.outcome,
-        deflection=state.displacement[..., 0],
-        stiffness=state.stiffness("complete"),
+        outcome=outcome,
+        deflection=_where(outcome, state.displacement[..., 0]),
+        stiffness=_where(outcome, state.stiffness("complete")),
         **balls,
     )
+
+
+def _outcomes(state: BearingState) -> NDArray[np.str_]:
+    """The bearing's own outcome, or that its balls are overloaded (speeds, loads)."""
+    peak = np.fmax(state.inner_pressure, state.outer_pressure)[..., 0]
+    over = f"overloaded: peak pressure above {HIGHEST_PRESSURE / 1e9:g} GPa"
+    return np.where(peak > HIGHEST_PRESSURE, over, state.outcome)
+
+
+def _where(outcome: NDArray[np.str_], values: Array) -> Array:
+    """Values where the state counts, NaN where the outcome says why it does not."""
+    good = (outcome == "").reshape(outcome.shape + (1,) * (values.ndim - outcome.ndim))
+    return np.where(good, values, np.nan)

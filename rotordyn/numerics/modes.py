@@ -60,7 +60,7 @@ def modes(stiffness: Matrix, damping: Matrix) -> Modes:
     matrix[..., :n, n:] *= scale
     matrix[..., n:, :n] /= scale
     pole, vectors = (part.astype(complex) for part in np.linalg.eig(matrix))
-    forces: Complex = np.linalg.inv(vectors).astype(complex)[..., n:] / scale
+    forces = np.asarray(np.linalg.inv(vectors)[..., n:] / scale, dtype=complex)
     return Modes(pole, vectors[..., :n, :], forces)
 
 

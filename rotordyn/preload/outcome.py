@@ -6,11 +6,11 @@ import math
 
 import numpy as np
 
+from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.network import Network, NetworkState, groups
 
 LEAST_LOAD = 1e-6  # of the largest joint load: below it a bearing counts as unloaded
-HIGHEST_PRESSURE = 10e9  # Pa: beyond any contact that stays elastic
 
 
 def outcomes(spindle: Spindle, network: Network, net: NetworkState) -> tuple[str, ...]:
@@ -51,6 +51,6 @@ def _overload(names: list[str], network: Network, net: NetworkState, row: int, r
             if peak > HIGHEST_PRESSURE:
                 return (
                     f"bearing {names[k]} is overloaded at {rpm:.0f} rpm (peak pressure "
-                    f"{peak / 1e9:.1f} GPa, at most 10 GPa): lower its preload"
+                    f"{peak / 1e9:.1f} GPa, at most {HIGHEST_PRESSURE / 1e9:g} GPa): lower its preload"
                 )
     return ""

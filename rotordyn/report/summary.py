@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rotordyn.analysis.comparison import Comparison, compare
 from rotordyn.analysis.display import RPM, STIFFNESS, shown
@@ -18,11 +19,11 @@ from rotordyn.analysis.results import (
     StiffnessResult,
 )
 from rotordyn.machine.inertia import rotor_inertia
+from rotordyn.machine.limits import WARNING_PRESSURE
 from rotordyn.machine.reference import QUANTITIES, Reference
 from rotordyn.machine.spindle import Spindle
 
 WIDTH, HEIGHT = 100, 40
-PRESSURE_WARNING = 4.2e9
 _NO_BREAK = "\u00a0"
 _WHIRL = {1: " fw", -1: " bw", 0: ""}
 
@@ -62,21 +63,27 @@ def summary(case: Described, results: Mapping[str, Any], warnings: Iterable[str]
 
 def pressure_warnings(results: Mapping[str, Any]) -> list[str]:
     """A sentence per bearing whose contact pressure passes the limit of usual ring steel."""
-    result = results.get("preload")
-    if not isinstance(result, PreloadResult):
-        return []
-    peak = np.fmax(result.inner_pressure, result.outer_pressure)
     found = []
-    for column, name in enumerate(result.bearing):
-        over = np.flatnonzero(peak[:, column] > PRESSURE_WARNING)
-        if over.size:
-            rpm = result.speed[over[0]] * RPM.factor
-            value = np.nanmax(peak[:, column]) / 1e9
-            found.append(
-                f"bearing {name}: contact pressure {value:.2f} GPa is above "
-                f"{PRESSURE_WARNING / 1e9:g} GPa, from {rpm:.0f} rpm on"
-            )
-    return found
+    if isinstance(result := results.get("preload"), PreloadResult):
+        peak = np.fmax(result.inner_pressure, result.outer_pressure)
+        named = zip(result.bearing, peak.T, strict=True)
+        found = [_pressed(f"bearing {name}", result.speed, own) for name, own in named]
+    if isinstance(single := results.get("bearing"), BearingMapResult):
+        peak = np.fmax(single.inner_pressure, single.outer_pressure)
+        loaded = zip(single.load, peak.T, strict=True)
+        found += [_pressed(f"under {load:g} N", single.speed, own) for load, own in loaded]
+    return [sentence for sentence in found if sentence]
+
+
+def _pressed(what: str, speed: NDArray[np.float64], peak: NDArray[np.float64]) -> str:
+    """A warning where the pressure passes the limit at some speed, else nothing."""
+    over = np.flatnonzero(peak > WARNING_PRESSURE)
+    if not over.size:
+        return ""
+    return (
+        f"{what}: contact pressure {np.nanmax(peak) / 1e9:.2f} GPa is above "
+        f"{WARNING_PRESSURE / 1e9:g} GPa, from {speed[over[0]] * RPM.factor:.0f} rpm on"
+    )
 
 
 def _machine(spindle: Spindle) -> list[str]:

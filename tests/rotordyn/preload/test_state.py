@@ -200,14 +200,29 @@ def test_seat_states_are_in_the_order_of_the_seats() -> None:
     assert balls == [25, 25, 25, 21, 21]
 
 
-@pytest.mark.parametrize(("force", "name"), [(-3000.0, "a, b"), (6000.0, "d, e")])
-def test_unloaded_bearing_is_named_with_speed_and_remedy(force: float, name: str) -> None:
-    found = state(mfw2310(), [0, 6000], force)
-    assert not found.usable.any()
-    word = found.outcome[1]
-    assert f"bearing {name} is unloaded" in word
-    assert "6000 rpm" in word
-    assert "raise the preload" in word
+def test_pulled_shaft_unloads_the_front_pair_at_rest() -> None:
+    found = state(mfw2310(), [0, 6000], -3000.0)
+    assert found.usable.tolist() == [False, True]
+    assert "bearing a, b is unloaded at 0 rpm" in found.outcome[0]
+    assert "raise the preload" in found.outcome[0]
+
+
+def test_lost_preload_names_bearing_speed_and_remedy() -> None:
+    """Seats that shift further than the rear spring can follow (528 N / 5.49 N/µm = 96.2 µm)."""
+    far = PrescribedShortening(6000 * RPM, {"d": 300e-6, "e": 300e-6})
+    found = state(mfw2310(shortening=far), [0, 3000, 6000])
+    assert found.usable.tolist() == [True, True, False]
+    assert "bearing d, e is unloaded at 6000 rpm" in found.outcome[2]
+    assert "raise the preload" in found.outcome[2]
+    assert found.spring_force[2, 1] == pytest.approx(0.0, abs=1e-6)
+    assert found.shift[2, 2] == pytest.approx(528 / 5.49e6, rel=1e-9)
+
+
+def test_spring_without_preload_leaves_its_bearing_unloaded_at_rest() -> None:
+    idle = with_sleeve(mfw2310(), "front", spring=replace(mfw2310().sleeves[0].spring, preload=0.0))
+    found = state(idle, [0, 12000])
+    assert found.usable.tolist() == [False, True]
+    assert "bearing c is unloaded at 0 rpm" in found.outcome[0]
 
 
 def test_overloaded_bearing_is_named() -> None:
@@ -223,4 +238,15 @@ def test_no_preload_at_all_is_an_outcome() -> None:
     nothing = tuple(replace(s, spring=replace(s.spring, preload=0.0)) for s in mfw2310().sleeves)
     found = state(mfw2310(sleeves=nothing), [0, 12000])
     assert not found.usable[0]
-    assert "unloaded at 0 rpm" in found.outcome[0]
+    assert "0 rpm: raise the preload" in found.outcome[0]
+
+
+def test_bearings_between_shaft_and_housing_only() -> None:
+    """Without sleeves nothing preloads; a force loads one direction, rotation both."""
+    found = state(mfw2310(sleeves=()), [0, 12000], 500.0)
+    assert "bearing c is unloaded at 0 rpm" in found.outcome[0]
+    assert found.usable[1]
+    assert 2 * loads(found)[1, 0] - loads(found)[1, 1] - 2 * loads(found)[1, 2] == (
+        pytest.approx(500.0, rel=1e-9)
+    )
+    assert found.spring_force.shape == found.stop_force.shape == (2, 0)

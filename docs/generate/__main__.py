@@ -1,0 +1,35 @@
+"""``python -m docs.generate [--measure]``: see ``scripts/document``."""
+
+from __future__ import annotations
+
+import argparse
+import sys
+from collections.abc import Callable
+
+
+def main() -> int:
+    """Rewrite every generated part; with ``--measure`` take the times anew first."""
+    parser = argparse.ArgumentParser(prog="scripts/document", description=__doc__)
+    parser.add_argument(
+        "--measure", action="store_true", help="measure times first (benchmarks/main_job.py)"
+    )
+    if parser.parse_args().measure:
+        from benchmarks.main_job import measure
+
+        _step("times measured", measure)
+    from docs.generate import pages
+    from docs.generate.figures import draw_figures
+
+    for name, work in pages.PAGES.items():
+        _step(name, work)
+    _step("docs/figures", draw_figures)
+    return 0
+
+
+def _step(name: str, work: Callable[[], None]) -> None:
+    work()
+    sys.stdout.write(f"{name}\n")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,55 @@
+"""Which page gets which generated parts."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from docs.generate.bearing_rows import bearing_rows
+from docs.generate.comparison import comparison_table, left_out
+from docs.generate.flagship import flagship, rest_rows, speed_rows
+from docs.generate.keys import key_tables
+from docs.generate.marked import rewrite, table
+from docs.generate.places import DOCS, README
+from docs.generate.rotor_rows import rotor_rows
+from docs.generate.rows import HEAD, Row
+from docs.generate.times import benchmark_parts, measured, short_table
+
+
+def write_readme() -> None:
+    """Accuracy and times."""
+    rows = [*bearing_rows(), *rotor_rows(), *rest_rows(), *speed_rows()]
+    rewrite(README, {"accuracy": _accuracy(rows), "times": short_table(measured())})
+
+
+def write_flagship() -> None:
+    """The flagship beside what is published, measured, and found by others."""
+    known = flagship()
+    fresh = {
+        "comparison": comparison_table(known),
+        "left-out": left_out(known),
+        "rest": _accuracy(rest_rows()),
+        "speed": _accuracy(speed_rows()),
+    }
+    rewrite(DOCS / "mfw2310.md", fresh)
+
+
+def write_keys() -> None:
+    """The reference of keys."""
+    rewrite(DOCS / "keys.md", key_tables())
+
+
+def write_benchmarks() -> None:
+    """Times, from what was measured last."""
+    rewrite(DOCS / "benchmarks.md", benchmark_parts(measured()))
+
+
+PAGES: dict[str, Callable[[], None]] = {
+    "docs/keys.md": write_keys,
+    "docs/benchmarks.md": write_benchmarks,
+    "docs/mfw2310.md": write_flagship,
+    "README.md": write_readme,
+}
+
+
+def _accuracy(rows: list[Row]) -> str:
+    return table(HEAD, [row.cells for row in rows])

@@ -1,0 +1,125 @@
+"""What was measured last (``benchmarks/results.json``) as tables; targets stand beside figures."""
+
+from __future__ import annotations
+
+import json
+from typing import Any
+
+from docs.generate.marked import table
+from docs.generate.places import MEASURED
+
+Measured = dict[str, Any]
+# Name of a process measured -> target of its wall time [s].
+WALL_TARGETS = {
+    "run, the first ever": 5.0,
+    "run": 5.0,
+    "check": 0.4,
+    "--help": 0.08,
+}
+SOLVE_TARGET, MEMORY_TARGET = 1.0, 350.0
+
+
+def measured() -> Measured:
+    """The last measurement."""
+    found: Measured = json.loads(MEASURED.read_text(encoding="utf-8"))
+    return found
+
+
+def short_table(found: Measured) -> str:
+    """What a user feels, each beside its target."""
+    walls = {p["name"]: p for p in found["processes"]}
+    rows = [_timed("all solve stages together", found["solve"], SOLVE_TARGET)]
+    rows += [_timed(f"`{_command(n)}`", walls[n]["wall"], t) for n, t in WALL_TARGETS.items()]
+    peak = found["memory"]["tree"] or walls["run"]["memory"]
+    rows.append(("peak memory of the run", f"{peak:.0f} MB", *_verdict(peak, MEMORY_TARGET, "MB")))
+    if found.get("install"):
+        taken = found["install"]
+        size = f"{taken['seconds']:.0f} s, {taken['megabytes']:.0f} MB"
+        rows.append(("installing from nothing (`scripts/environment run`)", size, "–", "stated"))
+    text = table(("what", "measured:", "target:", ""), rows)
+    return f"{text}\n\nMeasured on {machine(found)}."
+
+
+def benchmark_parts(found: Measured) -> dict[str, str]:
+    """The parts of the page on times."""
+    return {
+        "machine": f"Measured on {machine(found)}.",
+        "targets": short_table(found).rpartition("\n\n")[0],
+        "processes": _processes(found),
+        "stages": _stages(found),
+        "bearing": _bearing(found),
+        "frf": _frf(found),
+        "element-length": _trade("longest element", found["element_length"]),
+        "cutoff": _trade("modes kept up to × highest frequency", found["cutoff"]),
+    }
+
+
+def machine(found: Measured) -> str:
+    """The machine in one phrase."""
+    m = found["machine"]
+    libraries = ", ".join(f"{name} {version}" for name, version in m["libraries"].items())
+    return f"{m['processors']} processors, {m['system']}, Python {m['python']}, {libraries}"
+
+
+def _command(name: str) -> str:
+    return {"run": "rotordyn run", "run, the first ever": "rotordyn run, the first time ever"}.get(
+        name, f"rotordyn {name}"
+    )
+
+
+def _timed(what: str, value: float, target: float) -> tuple[str, ...]:
+    return (what, f"{value:.3g} s", *_verdict(value, target, "s"))
+
+
+def _verdict(value: float, target: float, unit: str) -> tuple[str, str]:
+    missed = f"**missed by {100.0 * (value / target - 1.0):.0f} %**"
+    return f"{target:g} {unit}", "met" if value <= target else missed
+
+
+def _processes(found: Measured) -> str:
+    rows = [
+        (p["name"], f"{p['wall']:.3f}", f"{p['cpu']:.3f}", f"{p['memory']:.0f}", str(p["runs"]))
+        for p in found["processes"]
+    ]
+    return table(("process", "wall [s]:", "CPU [s]:", "largest process [MB]:", "runs:"), rows)
+
+
+def _stages(found: Measured) -> str:
+    rows = [(name, f"{1e3 * seconds:.1f}") for name, seconds in found["stages"].items()]
+    return table(("stage", "time [ms]:"), rows)
+
+
+def _bearing(found: Measured) -> str:
+    rows = [
+        (b["name"], str(b["states"]), f"{b['state']:.1f}", f"{b['ball']:.2f}", f"{b['error']:.0e}")
+        for b in found["bearing"]
+    ]
+    head = ("solve", "states:", "µs per state:", "µs per ball:", "largest relative residual:")
+    return table(head, rows)
+
+
+def _frf(found: Measured) -> str:
+    f = found["frf"]
+    rows = [
+        ("speeds × frequencies × pairs", f"{f['speeds']} × {f['frequencies']} × {f['pairs']}"),
+        ("eigenvalues, once per speed", f"{f['modes']:.0f} µs per speed"),
+        ("map", f"{f['point']:.3f} µs per speed and frequency, {f['pairs']} pairs together"),
+        ("against solving the same matrices anew", f"{f['error']:.0e} of the largest receptance"),
+    ]
+    return table(("", "FRF map"), rows)
+
+
+def _trade(name: str, rows: list[dict[str, Any]]) -> str:
+    head = (name, "unknowns kept:", "frequencies:", "static stiffness:", "FRF map:", "time [ms]:")
+    lines = [
+        (
+            str(r["setting"]),
+            str(r["size"]),
+            f"{r['frequency']:.1e}",
+            f"{r['stiffness']:.1e}",
+            f"{r['receptance']:.1e}",
+            f"{1e3 * r['seconds']:.0f}",
+        )
+        for r in rows
+    ]
+    return table(head, lines)

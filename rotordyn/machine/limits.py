@@ -1,0 +1,6 @@
+"""What a ball contact stands [Pa]."""
+
+# ISO 76: at 4.2 GPa the permanent dent of a ball bearing reaches 1e-4 of the ball diameter.
+WARNING_PRESSURE = 4.2e9
+# Far beyond any elastic contact of hardened steel: results there would mean nothing.
+HIGHEST_PRESSURE = 10e9
