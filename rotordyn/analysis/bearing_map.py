@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -32,7 +34,7 @@ def answer(
         kinematics=conditions.kinematics,
         moment_sharing=conditions.moment_sharing,
     )
-    outcome = _outcomes(state)
+    outcome = _outcomes(speed, spec.loads, state)
     if (outcome != "").all():
         raise NoSolution(f"no load and speed of the case has a state: {outcome.flat[0]}")
     shown = [name for name in BALL_QUANTITIES if not name.endswith("_grip")]
@@ -49,11 +51,18 @@ def answer(
     )
 
 
-def _outcomes(state: BearingState) -> NDArray[np.str_]:
-    """The bearing's own outcome, or that its balls are overloaded (speeds, loads)."""
+def _outcomes(speed: Array, loads: tuple[float, ...], state: BearingState) -> NDArray[np.str_]:
+    """Empty where a state counts, else a sentence with its speed and load (speeds, loads)."""
     peak = np.fmax(state.inner_pressure, state.outer_pressure)[..., 0]
-    over = f"overloaded: peak pressure above {HIGHEST_PRESSURE / 1e9:g} GPa"
-    return np.where(peak > HIGHEST_PRESSURE, over, state.outcome)
+    words = np.where(
+        peak > HIGHEST_PRESSURE,
+        f"overloaded (peak pressure above {HIGHEST_PRESSURE / 1e9:g} GPa)",
+        state.outcome,
+    ).astype(object)
+    for row, column in np.argwhere(words != ""):
+        rpm = speed[row] * 30.0 / math.pi
+        words[row, column] += f" at {rpm:.0f} rpm under {loads[column]:g} N"
+    return words.astype(str)
 
 
 def _where(outcome: NDArray[np.str_], values: Array) -> Array:

@@ -10,6 +10,7 @@ import numpy as np
 from rotordyn.analysis.comparison import preload_sum
 from rotordyn.analysis.display import DEGREE, GIGAPASCAL, MICROMETRE, RPM
 from rotordyn.analysis.results import PreloadResult
+from rotordyn.machine.limits import WARNING_PRESSURE
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
 from rotordyn.plots.curves import draw_columns, draw_references, merged
@@ -30,7 +31,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-PRESSURE_LIMIT = 4.2
 _MARGINS = (15.0, 6.0, 12.0, 8.0)
 
 
@@ -66,8 +66,8 @@ def contacts_figure(result: PreloadResult) -> Figure:
     _inner_outer(axes[1], result, result.inner_pressure * giga, result.outer_pressure * giga)
     _inner_outer(axes[2], result, result.inner_load, result.outer_load)
     _inner_outer(axes[3], result, result.inner_grip, result.outer_grip)
-    if np.nanmax(result.outer_pressure * giga, initial=0.0) > 0.8 * PRESSURE_LIMIT:
-        axes[1].axhline(PRESSURE_LIMIT, color=GREY, lw=0.9, ls="--", label="limit 4.2 GPa")
+    if np.nanmax(result.outer_pressure * giga, initial=0.0) > 0.8 * WARNING_PRESSURE * giga:
+        axes[1].axhline(WARNING_PRESSURE * giga, color=GREY, lw=0.9, ls="--", label="limit 4.2 GPa")
     for each in axes:
         each.set_ylim(0.0, each.get_ylim()[1] * 1.05)
     top_legend(figure, axes[0])

@@ -98,9 +98,17 @@ def grid_boxes(
 
 def legend(axes: Axes, **kwargs: Any) -> None:
     """A legend in the report style, where the lines leave room unless ``loc`` is given."""
-    if axes.get_legend_handles_labels()[0]:
+    handles, names = axes.get_legend_handles_labels()
+    once = dict(zip(names, handles, strict=True))  # a name shared by several curves is shown once
+    if once:
         axes.legend(
-            frameon=True, framealpha=0.85, edgecolor="none", fontsize=FONT_SIZE - 1.0, **kwargs
+            once.values(),
+            once.keys(),
+            frameon=True,
+            framealpha=0.85,
+            edgecolor="none",
+            fontsize=FONT_SIZE - 1.0,
+            **kwargs,
         )
 
 

@@ -51,6 +51,7 @@ def _overload(names: list[str], network: Network, net: NetworkState, row: int, r
             if peak > HIGHEST_PRESSURE:
                 return (
                     f"bearing {names[k]} is overloaded at {rpm:.0f} rpm (peak pressure "
-                    f"{peak / 1e9:.1f} GPa, at most {HIGHEST_PRESSURE / 1e9:g} GPa): lower its preload"
+                    f"{peak / 1e9:.1f} GPa, at most {HIGHEST_PRESSURE / 1e9:g} GPa): lower its "
+                    "preload"
                 )
     return ""

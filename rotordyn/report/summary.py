@@ -139,6 +139,10 @@ def _bearing(result: BearingMapResult) -> list[str]:
     lines = [f"stiffness  [N/µm] of the bearing, tilts blocked, at {first} → {last} rpm"]
     ends = result.stiffness[[0, -1]] * STIFFNESS.factor
     for k, load in enumerate(result.load):
+        words = [word for word in result.outcome[:, k] if word]
+        if len(words) == len(result.speed):
+            lines.append(f"           {load:.0f} N: {words[0]}")
+            continue
         axial, radial = (
             f"{_number(ends[0, k, i, i])} → {_number(ends[1, k, i, i])}" for i in (0, 1)
         )

@@ -55,14 +55,6 @@ def test_part_of_the_speeds() -> None:
     assert part.force == 100.0
 
 
-def test_moved_to_other_speeds_follows_the_square() -> None:
-    moved = arrangement(mfw2310(), SPEED).moved_to(2, np.array([18000 * RPM]))
-    direct = arrangement(mfw2310(), np.array([18000 * RPM]))
-    for a, b in zip(moved.joints, direct.joints, strict=True):
-        assert a.growth == pytest.approx(b.growth, rel=1e-12)
-        assert a.shift == pytest.approx(b.shift, rel=1e-12)
-
-
 def test_states_asked_of_the_bearings(monkeypatch: pytest.MonkeyPatch) -> None:
     """Per speed three bearings of five are ever solved: one of each tandem."""
     widths: set[int] = set()

@@ -1,0 +1,114 @@
+"""Whole processes from outside: wall time, processor time, memory."""
+
+from __future__ import annotations
+
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from statistics import median
+
+ROOT = Path(__file__).resolve().parents[1]
+MEGABYTE = 1e6
+POLL = 0.01  # s between two looks at memory
+
+
+@dataclass(frozen=True, slots=True)
+class Cost:
+    """``wall`` and ``cpu`` [s], ``memory`` of the largest process of the tree [MB]."""
+
+    wall: float
+    cpu: float
+    memory: float
+
+
+def python(*arguments: str) -> list[str]:
+    """A command that runs this interpreter."""
+    return [sys.executable, *arguments]
+
+
+def cost(command: Sequence[str], environment: Mapping[str, str] | None = None) -> Cost:
+    """Run ``command`` from the root of the project once; it must succeed.
+
+    The memory of a child counts from before it became the command: keep this process small.
+
+    Raises
+    ------
+    CalledProcessError : it does not succeed
+    """
+    begin = time.perf_counter()
+    child = _started(command, environment)
+    _, status, used = os.wait4(child.pid, 0)
+    wall = time.perf_counter() - begin
+    child.returncode = os.waitstatus_to_exitcode(status)
+    if child.returncode:
+        raise subprocess.CalledProcessError(child.returncode, list(command))
+    per_unit = 1.0 if sys.platform == "darwin" else 1024.0
+    return Cost(wall, used.ru_utime + used.ru_stime, used.ru_maxrss * per_unit / MEGABYTE)
+
+
+def typical(command: Sequence[str], runs: int) -> Cost:
+    """Median of each cost over ``runs`` after one that is not counted."""
+    cost(command)
+    return _median([cost(command) for _ in range(runs)])
+
+
+def typical_first(command: Sequence[str], runs: int) -> Cost:
+    """The same with nothing left by an earlier run: an empty cache of matplotlib each time."""
+    found = []
+    for _ in range(runs):
+        with tempfile.TemporaryDirectory() as empty:
+            found.append(cost(command, {"MPLCONFIGDIR": empty}))
+    return _median(found)
+
+
+def tree_memory(command: Sequence[str]) -> float | None:
+    """Peak memory of the command and its children together [MB], shared pages counted once.
+
+    None where the system does not tell (it needs ``/proc``).
+    """
+    if not Path("/proc/self/smaps_rollup").exists():
+        return None
+    peak, child = 0.0, _started(command, None)
+    while child.poll() is None:
+        peak = max(peak, sum(_proportional(pid) for pid in (child.pid, *_children(child.pid))))
+        time.sleep(POLL)
+    return peak * 1024.0 / MEGABYTE
+
+
+def _started(
+    command: Sequence[str], environment: Mapping[str, str] | None
+) -> subprocess.Popen[bytes]:
+    return subprocess.Popen(
+        command,
+        cwd=ROOT,
+        env={**os.environ, **(environment or {})},
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+
+
+def _median(found: Sequence[Cost]) -> Cost:
+    return Cost(
+        median(c.wall for c in found), median(c.cpu for c in found), median(c.memory for c in found)
+    )
+
+
+def _children(pid: int) -> list[int]:
+    try:
+        return [int(p) for p in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
+    except OSError:
+        return []
+
+
+def _proportional(pid: int) -> float:
+    """Proportional set size of a process [kB], 0 once it has ended."""
+    try:
+        lines = Path(f"/proc/{pid}/smaps_rollup").read_text().splitlines()
+    except OSError:
+        return 0.0
+    return next((float(line.split()[1]) for line in lines if line.startswith("Pss:")), 0.0)
