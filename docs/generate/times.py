@@ -110,14 +110,21 @@ def _frf(found: Measured) -> str:
 
 
 def _trade(name: str, rows: list[dict[str, Any]]) -> str:
-    head = (name, "unknowns kept:", "frequencies:", "static stiffness:", "FRF map:", "time [ms]:")
+    head = (
+        name,
+        "elements:",
+        "unknowns kept:",
+        "frequencies:",
+        "receptance at 2 Hz:",
+        "whole map:",
+        "time [ms]:",
+    )
     lines = [
         (
             str(r["setting"]),
+            str(r["elements"]),
             str(r["size"]),
-            f"{r['frequency']:.1e}",
-            f"{r['stiffness']:.1e}",
-            f"{r['receptance']:.1e}",
+            *(f"{r[key]:.1e}" for key in ("frequency", "low", "receptance")),
             f"{1e3 * r['seconds']:.0f}",
         )
         for r in rows

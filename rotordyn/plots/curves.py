@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -53,20 +53,28 @@ def draw_columns(
 
 
 def draw_references(
-    axes: Axes, references: Sequence[Reference], quantity: str, *, subject: bool = False
+    axes: Axes,
+    references: Sequence[Reference],
+    quantity: str,
+    *,
+    subject: bool = False,
+    colours: Mapping[str, str] | None = None,
 ) -> None:
-    """Published and measured values of ``quantity`` as open markers, in printed units."""
+    """Published and measured values of ``quantity`` as open markers, in printed units.
+
+    ``subject``: the label says what the values belong to; ``colours`` by subject, else black.
+    """
     factor = shown(QUANTITIES[quantity]).factor
     chosen = [r for r in dict.fromkeys(references) if r.quantity == quantity]
     for reference in chosen:
-        whose = f" {reference.subject}".replace("_", " ") if subject else ""
+        whose = f" {reference.subject}".replace("_", " ").rstrip() if subject else ""
         axes.plot(
             np.asarray(reference.speeds) * RPM.factor,
             np.asarray(reference.values) * factor,
             _MARKER.get(reference.kind, "s"),
             mfc="none",
-            mec=BLACK,
-            mew=0.9,
+            mec=(colours or {}).get(reference.subject, BLACK),
+            mew=1.1,
             ls="none",
             clip_on=False,
             zorder=6,

@@ -38,7 +38,8 @@ def stiffness_figure(
     rpm = result.speed * RPM.factor
     names = [name.replace("_", " ") for name in result.variant]
     draw_columns(axes, rpm, result.tangent * STIFFNESS.factor, names)
-    draw_references(axes, references, "radial_stiffness", subject=True)
+    colours = {name: CYCLE[k % len(CYCLE)] for k, name in enumerate(result.variant)}
+    draw_references(axes, references, "radial_stiffness", subject=True, colours=colours)
     speed_ticks(axes, float(rpm[-1]))
     axes.set_ylim(0.0, axes.get_ylim()[1] * 1.05)
     legend(axes, loc="lower left")

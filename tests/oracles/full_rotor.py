@@ -7,14 +7,13 @@ from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.linalg import eigh
+from scipy.linalg import cholesky, eigh, eigvals, solve_triangular
 
 from rotordyn.elements.support import node_matrix, turn
 from rotordyn.machine.spindle import Spindle
 from rotordyn.system.assemble import add_at_nodes, rotor_matrices
 from rotordyn.system.dofs import LATERAL
 from rotordyn.system.mesh import Mesh
-from tests.oracles.whirl import eigenvalues
 
 Array = NDArray[np.float64]
 
@@ -44,8 +43,13 @@ class FullRotor:
 
     def poles(self, highest: float) -> NDArray[np.complex128]:
         """Oscillating poles up to ``highest`` [Hz], by imaginary part."""
-        found = eigenvalues(self.mass, self.damping, self.stiffness)
-        return found[(found.imag > 1.0) & (found.imag < 2.0 * math.pi * highest)]
+        lower = cholesky(self.mass, lower=True)
+        k, c = (_unit_mass(lower, matrix) for matrix in (self.stiffness, self.damping))
+        size, scale = len(k), math.sqrt(np.abs(k).max())
+        zero, one = np.zeros_like(k), np.eye(size)
+        found = scale * eigvals(np.block([[zero, one], [-k / scale**2, -c / scale]]))
+        found = found[(found.imag > 1.0) & (found.imag < 2.0 * math.pi * highest)]
+        return found[np.argsort(found.imag)]
 
     def receptance(
         self, ends: Sequence[tuple[int, int]], frequency: Array
@@ -59,6 +63,12 @@ class FullRotor:
             answer = np.linalg.solve(dynamic, unit)
             values[:, k] = [answer[row, columns.index(column)] for row, column in ends]
         return values
+
+
+def _unit_mass(lower: Array, matrix: Array) -> Array:
+    """L⁻¹ A L⁻ᵀ."""
+    half = solve_triangular(lower, matrix, lower=True)
+    return solve_triangular(lower, half.T, lower=True).T
 
 
 def _modal_damping(free: object, ratios: tuple[float, ...]) -> Array:
