@@ -13,7 +13,6 @@ from typing import Annotated, Any, Union, get_args, get_origin
 
 from pydantic import PlainValidator, TypeAdapter, ValidationError
 from pydantic.fields import FieldInfo
-from pydantic_core import PydanticUndefined
 
 from rotordyn import units
 from rotordyn.analysis.specs import Port
@@ -32,18 +31,18 @@ def default(field: FieldInfo) -> str:
     if field.is_required():
         return "required"
     value = field.get_default(call_default_factory=True)
-    if value is None or value in ("", [], {}) or value is PydanticUndefined:
+    if value is None or value in ("", [], {}):
         return "–"
     if isinstance(value, Entry):
         return "its defaults"
-    if isinstance(value, bool | str | int):
-        return f"`{str(value).lower() if isinstance(value, bool) else value}`"
     if isinstance(value, list):
         return "all"
-    return f"`{_written(field, float(value))}`"
+    return f"`{_written(field, value)}`"
 
 
-def _written(field: FieldInfo, value: float) -> str:
+def _written(field: FieldInfo, value: Any) -> str:
+    if isinstance(value, bool | str | int):
+        return str(value).lower() if isinstance(value, bool) else str(value)
     reader = _reader(tuple(field.metadata))
     kind = _kind(reader) if reader else ""
     if math.isinf(value):
@@ -91,17 +90,19 @@ def _read_by(reader: PlainValidator, annotation: Any) -> str:
     if annotation is Port:
         return "`POINT.DIRECTION`"
     refusal = _message(reader, True)
-    if not refusal:
-        return "`true` or `false`"
     allowed = refusal.partition("allowed: ")[2]
+    plain = {"not a name": "name", "not text": "text", "not a whole": f"whole number, {allowed}"}
+    for start, words in plain.items():
+        if refusal.startswith(start):
+            return words
     if refusal.startswith("not one of its choices"):
-        words = [f"`{word}`" for word in allowed.split(", ")]
-        return words[0] if len(words) == 1 else "one of " + ", ".join(words)
-    if refusal.startswith("not a whole number"):
-        return f"whole number, {allowed}"
-    if refusal.startswith(("not a name", "not text")):
-        return "name" if refusal.startswith("not a name") else "text"
-    return _quantity(reader, refusal)
+        return _choices(allowed.split(", "))
+    return _quantity(reader, refusal) if refusal else "`true` or `false`"
+
+
+def _choices(words: list[str]) -> str:
+    quoted = [f"`{word}`" for word in words]
+    return quoted[0] if len(quoted) == 1 else "one of " + ", ".join(quoted)
 
 
 def _quantity(reader: PlainValidator, refusal: str) -> str:

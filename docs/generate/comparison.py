@@ -26,7 +26,7 @@ def comparison_table(known: Flagship) -> str:
 def _lines(item: Comparison) -> list[tuple[str, ...]]:
     reference, unit = item.reference, shown(QUANTITIES[item.reference.quantity])
     name = f"{reference.quantity.replace('_', ' ')} {reference.subject}".strip().replace("_", " ")
-    lines = []
+    lines: list[tuple[str, ...]] = []
     for k, (speed, value, ours) in enumerate(
         zip(reference.speeds, reference.values, item.values, strict=True)
     ):

@@ -12,9 +12,9 @@ from rotordyn.case.schema.base import Entry
 # Part of the page -> the entries it lists, in order of reading.
 PAGES = {
     "case": (
-        "case.CaseEntry case.ConditionsEntry sweep.SpeedRange analyses.AnalysesEntry analyses.PreloadEntry "
-        "analyses.CampbellEntry analyses.FrfEntry sweep.FrequencyRange analyses.PairEntry "
-        "analyses.StiffnessEntry analyses.BearingMapEntry"
+        "case.CaseEntry case.ConditionsEntry sweep.SpeedRange "
+        "analyses.AnalysesEntry analyses.PreloadEntry analyses.CampbellEntry analyses.FrfEntry "
+        "sweep.FrequencyRange analyses.PairEntry analyses.StiffnessEntry analyses.BearingMapEntry"
     ),
     "spindle": (
         "spindle.SpindleEntry shaft.ShaftEntry shaft.SectionEntry shaft.MassEntry shaft.DiscEntry "

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from pathlib import Path
 
 _PART = "<!-- begin {name} -->\n{text}\n<!-- end {name} -->"
@@ -33,7 +34,7 @@ def rewrite(path: Path, fresh: dict[str, str]) -> None:
     path.write_text(_ANY.sub(renewed, page), encoding="utf-8")
 
 
-def table(head: tuple[str, ...], rows: list[tuple[str, ...]]) -> str:
+def table(head: tuple[str, ...], rows: Sequence[tuple[str, ...]]) -> str:
     """A Markdown table; a column whose head ends in ``:`` is set flush right."""
     names = [name.rstrip(":") for name in head]
     rule = ["---:" if name.endswith(":") else "---" for name in head]

@@ -1,4 +1,4 @@
-"""What each key of a file means, one phrase a key; its type, range and default come from the schema."""
+"""What each key of a file means, one phrase a key; all else about it comes from the schema."""
 
 from __future__ import annotations
 

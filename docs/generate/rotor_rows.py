@@ -10,6 +10,7 @@ import rotordyn
 from bearings import Material
 from docs.generate.places import ROOT
 from docs.generate.rows import Row
+from rotordyn.analysis.results import CampbellResult
 from rotordyn.job import solve
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
@@ -57,7 +58,8 @@ def _beam_error(elements: int) -> Array:
     )
     found = _whirl(mass, SPIN * polar, stiffness)
     exact = np.array(BEAM.bending_whirl(1, SPIN))
-    return np.array([-found[found < 0.0].max(), found[found > 0.0].min()]) / exact - 1.0
+    first = np.array([-found[found < 0.0].max(), found[found > 0.0].min()])
+    return np.asarray(first / exact - 1.0)
 
 
 def _whirl(mass: Array, turning: Array, stiffness: Array) -> Array:
@@ -76,6 +78,8 @@ def _material() -> Material:
 def _lalanne_ferraris() -> list[Row]:
     case = rotordyn.load(ROOT / "cases" / "lalanne_ferraris.yaml")
     found = solve(case).results["campbell"]
+    if not isinstance(found, CampbellResult):
+        raise TypeError(type(found))
     bending = [kind == "bending" for kind in found.kind]
     rows = []
     for reference, when, allowed in zip(

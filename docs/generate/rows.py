@@ -11,7 +11,7 @@ HEAD = ("what", "reference", "ours", "largest difference:", "allowed:", "source 
 
 @dataclass(frozen=True, slots=True)
 class Row:
-    """``expected`` values beside ``found`` ones; without ``expected``, ``found`` is an error itself.
+    """``expected`` values beside ``found`` ones; without ``expected``, ``found`` is an error.
 
     ``allowed``: largest relative difference, the gate of the test of the same name.
     """

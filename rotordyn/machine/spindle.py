@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from itertools import pairwise
 
 from rotordyn.machine.growth import ComputedShortening, PrescribedShortening
 from rotordyn.machine.lumped import Disc, PointMass
@@ -52,6 +53,20 @@ class Spindle:
     def lumped(self) -> tuple[PointMass, ...]:
         """Point masses and discs, all as point masses."""
         return self.masses + tuple(disc.as_point_mass() for disc in self.discs)
+
+    @property
+    def pairings(self) -> tuple[tuple[str, str, str], ...]:
+        """Neighbours of opposite thrust from front to rear: (front, rear, "O" or "X").
+
+        "O" (back to back): the contact lines meet the axis outside the pair, so that tilt is held
+        with a long base; "X" (face to face): inside.
+        """
+        row = sorted(self.seats, key=lambda seat: seat.x)
+        return tuple(
+            (front.name, rear.name, "O" if front.thrust > 0 else "X")
+            for front, rear in pairwise(row)
+            if front.thrust != rear.thrust
+        )
 
     def sleeve_of(self, seat_name: str) -> Sleeve | None:
         """The sleeve that carries a bearing's outer ring, or None where the housing does."""

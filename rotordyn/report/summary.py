@@ -97,7 +97,8 @@ def _machine(spindle: Spindle) -> list[str]:
             _whole(f"{s.name} {'+' if s.thrust > 0 else '−'} at {s.x * 1e3:.1f}")
             for s in spindle.seats
         )
-        lines.append(f"bearings   [mm] {rows}; + is loaded by a push towards +x")
+        pairs = ", ".join(f"{a} and {b} in {word}" for a, b, word in spindle.pairings)
+        lines.append(f"bearings   [mm] {rows} (+: a push towards +x loads it); {pairs}")
     for sleeve in spindle.sleeves:
         spring = sleeve.spring
         stiff = f"{spring.stiffness / 1e6:g} N/µm" if math.isfinite(spring.stiffness) else "rigid"

@@ -67,7 +67,7 @@ def dense(found: Scene, row: int, names: tuple[str, ...] = PAIRS) -> np.ndarray:
 def gap(ours: np.ndarray, exact: np.ndarray) -> float:
     """Largest difference over the peak, worst pair; pairs that must be zero over the others'."""
     peak = np.abs(exact).max(axis=-1)
-    floor = np.where(peak > 0.0, peak, np.abs(exact).max())
+    floor = np.where(peak > 1e-12 * peak.max(), peak, peak.max())
     return float((np.abs(ours - exact).max(axis=-1) / floor).max())
 
 
@@ -94,7 +94,7 @@ def test_receptance_with_modal_damping(row: int) -> None:
 
 
 def test_complex_and_real_form_agree() -> None:
-    """The same rotor in both forms; one support 1e-5 stiffer in z makes the real one necessary."""
+    """The same rotor in both forms; one tangent 1e-8 stiffer in z asks for the real one."""
     ours = solved((0.01, 0.02, 0.05))
     tangents = ours.seat_stiffness.copy()
     tangents[:, 0, 2, 2] *= 1.0 + 1e-8
