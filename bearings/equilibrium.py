@@ -10,55 +10,20 @@ All states of a batch advance together; those that are done drop out.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball import Balance, BallModel, resting_balance, turning_balance
-from bearings.convex import Reaction, reaction, resting_reaction, resting_seat, seat
-from bearings.ring import Ring
+from bearings.ball import Balance, resting_balance, turning_balance
+from bearings.convex_stage import convex_state
+from bearings.problem import EPS, TOLERANCE, Problem
 
 Array = NDArray[np.float64]
-Index = NDArray[np.intp]
 
-TOLERANCE = 1e-11  # of the largest ball load (ball balance) and ring load (ring balance)
 LONGEST_TURN = 0.15  # rad a contact angle may move in one step of the blend
 SHORTEST_BLEND = 1.0 / 512.0
 NEWTON_STEPS = 8
-EPS = float(np.finfo(float).eps)
-
-
-@dataclass(frozen=True, slots=True)
-class Problem:
-    """States to find: all at rest or all turning.
-
-    ``origin`` (2, s): A at zero displacement; ``speed`` (s,) [rad/s]; ``load`` (s, 5) is met on
-    the freedoms where ``free`` (5,) is true, the displacement is kept on the others.
-    """
-
-    model: BallModel
-    ring: Ring
-    origin: Array
-    speed: Array
-    load: Array
-    free: NDArray[np.bool_]
-    turning: bool
-
-    def take(self, index: Index) -> Problem:
-        """The same problem for some of its states."""
-        return replace(
-            self,
-            origin=self.origin[:, index],
-            speed=self.speed[index],
-            load=self.load[index],
-        )
-
-    @property
-    def scale(self) -> Array:
-        """What makes the five freedoms lengths: 1, 1, 1, Ri, Ri [m]."""
-        radius = self.model.geometry.centre_radius
-        return np.array([1.0, 1.0, 1.0, radius, radius])
 
 
 @dataclass(frozen=True, slots=True)
@@ -102,7 +67,7 @@ def solve(problem: Problem, displacement: Array, guess: Array | None = None) -> 
     if not done.all():
         cold = np.flatnonzero(~done)
         part = problem.take(cold)
-        d[cold], x[:, cold], done[cold] = _convex(part, displacement[cold])
+        d[cold], x[:, cold], done[cold] = convex_state(part, displacement[cold])
         if problem.turning:
             d[cold], x[:, cold], done[cold] = _blended(part, d[cold], x[:, cold], done[cold])
         linear = None
@@ -201,89 +166,6 @@ def _solve(k: Array, gap: Array) -> Array:
     regular = np.abs(np.linalg.det(k / largest)) > 1e-14
     safe = np.where(regular[:, None, None], k, np.eye(k.shape[-1]))
     return np.where(regular[:, None], np.linalg.solve(safe, gap[..., None])[..., 0], 0.0)
-
-
-def _downhill(problem: Problem, k: Array, gap: Array) -> Array:
-    """Newton direction of the convex stage with soft directions stiffened, its length bounded."""
-    g = problem.model.geometry
-    values, vectors = np.linalg.eigh(0.5 * (k + k.swapaxes(1, 2)))
-    reference = g.balls * g.series_stiffness * np.sqrt(1e-3 * g.free_distance)
-    values = np.maximum(values, 1e-7 * reference)
-    step = (vectors @ ((vectors.swapaxes(1, 2) @ gap[..., None]) / values[..., None]))[..., 0]
-    longest = np.abs(step).max(axis=1, keepdims=True)
-    return step * np.minimum(1.0, 0.2 * g.free_distance / np.maximum(longest, 1e-300))
-
-
-def _convex(problem: Problem, start: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
-    """(d, X) of the convex stage and whether it was reached (it always should)."""
-    d = start.copy()
-    x, answer = _settled(problem, d, None)
-    if not problem.free.any():
-        return d, x, np.ones(len(d), dtype=bool)
-    done = np.zeros(len(d), dtype=bool)
-    for _ in range(100):
-        gap, k, done = _ring_balance(problem, answer)
-        todo = np.flatnonzero(~done)
-        if not todo.size:
-            break
-        part = problem.take(todo)
-        step = np.zeros((todo.size, 5))
-        scale = problem.scale[problem.free]
-        step[:, problem.free] = _downhill(problem, k[todo], gap[todo]) / scale
-        d[todo], x[:, todo] = _searched(part, d[todo], x[:, todo], answer.energy[todo], step)
-        x[:, todo], fresh = _settled(part, d[todo], x[:, todo])
-        for old, new in zip(answer, fresh, strict=True):
-            old[..., todo, :] = new
-    return d, x, done
-
-
-def _settled(problem: Problem, d: Array, near: Array | None) -> tuple[Array, Reaction]:
-    """Ball centres at displacement d with the push frozen, and what the balls do to the ring."""
-    g, centre = problem.model.geometry, problem.ring.centres(problem.origin, d)
-    if not problem.turning:
-        return resting_seat(g, centre), resting_reaction(g, centre)
-    push = problem.model.nominal_centrifugal(problem.speed)[:, None]
-    x = seat(g, centre, push, near)
-    return x, reaction(g, centre, x, push)
-
-
-def _ring_balance(problem: Problem, answer: Reaction) -> tuple[Array, Array, NDArray[np.bool_]]:
-    """Load still missing and tangent, freedoms as lengths; and where nothing is missing."""
-    g, free, scale = problem.model.geometry, problem.free, problem.scale[problem.free]
-    action = np.concatenate([answer.force, g.centre_radius * answer.force[:1]])
-    slope = np.concatenate([answer.slope, g.centre_radius * answer.slope[:1]])
-    gap = (problem.load - problem.ring.load(action))[:, free] / scale
-    k = problem.ring.stiffness(slope)[:, free][:, :, free] / scale / scale[:, None]
-    carried = g.balls * np.hypot(*answer.force).max(axis=-1)
-    size = np.abs(problem.load / problem.scale).max(axis=-1) + 1e-3 * carried
-    noise = 16.0 * EPS * (g.inner_reach + g.outer_reach) * np.abs(k).max(axis=(1, 2))
-    needed = 1e-6 if problem.turning else 0.1 * TOLERANCE
-    return gap, k, np.abs(gap).max(axis=-1) < needed * size + noise
-
-
-def _searched(
-    problem: Problem, d: Array, x: Array, energy: Array, step: Array
-) -> tuple[Array, Array]:
-    """A step along ``step``, halved until the potential falls; balls settle at every try."""
-    count = problem.model.geometry.balls / problem.ring.balls
-
-    def potential(energy: Array, d: Array) -> Array:
-        work = (problem.load * d)[:, problem.free].sum(axis=-1)
-        return np.asarray(count * energy.sum(axis=-1) - work)
-
-    g, before = problem.model.geometry, potential(energy, d)
-    largest = np.abs(problem.load / problem.scale).max(axis=-1)
-    slack = 64.0 * EPS * (np.abs(before) + largest * (g.inner_reach + g.outer_reach))
-    length = np.ones(len(d))
-    trial = d
-    for _ in range(40):
-        trial = d + length[:, None] * step
-        x, answer = _settled(problem, trial, x)
-        good = potential(answer.energy, trial) <= before + slack
-        if good.all():
-            break
-        length = np.where(good, length, 0.5 * length)
-    return trial, x
 
 
 def _correct(

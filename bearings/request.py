@@ -12,10 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from bearings.angular_contact import AngularContactBallBearing
 from bearings.ball import BallModel
-from bearings.equilibrium import Problem, Solution, solve
+from bearings.equilibrium import Solution, solve
 from bearings.errors import InvalidBearing, NoEquilibrium
 from bearings.geometry import Geometry, geometry
 from bearings.kinematics import HYPOTHESES, SHARINGS
+from bearings.problem import Problem
 from bearings.ring import axial_ring, full_ring
 from bearings.state import BearingState
 

@@ -12,6 +12,7 @@ from scipy.linalg import eigh
 from rotordyn.analysis import campbell, frf
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, FrfSpec
+from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
 from rotordyn.system.assemble import axial_rod, torsion_rod
 from tests.oracles.spindles import mfw2310, pairs, scene, undamped, with_sleeve
@@ -147,13 +148,28 @@ def test_torsion_is_free_and_does_not_know_the_speed(spindle: Spindle) -> None:
     assert modes.damping_ratio[0, torsion] == pytest.approx(damping, abs=1e-9)
 
 
-def test_axial_and_lateral_do_not_mix() -> None:
+def test_axial_and_lateral_pairs_in_one_question() -> None:
     found = scene(BARE, (0, 24000), ports=(-0.0524,))
     spec = FrfSpec((100.0, 900.0), pairs("Oc2.y/Oc2.y", "Oc2.x/Oc2.x", "Oc2.thx/Oc2.thx"))
     h = frf.answer(found, spec).receptance
     assert np.isfinite(h).all()
     alone = FrfSpec((100.0, 900.0), pairs("Oc2.x/Oc2.x"))
     assert (frf.answer(found, alone).receptance[:, 0] == h[:, 1]).all()
-    torsional = h[:, 2]
-    inertia = 1.0 / (-((2 * math.pi * 100.0) ** 2) * torsional[0, 0].real)
-    assert inertia == pytest.approx(0.0211, rel=0.01)
+
+
+def test_free_spin_answers_a_torque_with_its_inertia() -> None:
+    """Far below the first torsion mode H = −1/(J ω²); above, all modes of the rod count."""
+    found = scene(mfw2310(), (0, 24000), ports=(-0.0524,))
+    frequency = np.array([10.0, 100.0, 1000.0, 2900.0])
+    spec = FrfSpec(tuple(frequency), pairs("Oc2.thx/Oc2.thx"))
+    h = frf.answer(found, spec).receptance[:, 0]
+    polar = rotor_inertia(found.spindle).polar
+    assert h[:, 0] == pytest.approx(np.full(2, -1.0 / (polar * (20 * math.pi) ** 2)), rel=1e-3)
+    rod = torsion_rod(found.spindle, found.mesh)
+    squares, shapes = eigh(rod.stiffness, rod.mass)
+    squares[0] = 0.0
+    amplitude = shapes[found.mesh.node_of(-0.0524)] ** 2
+    ratio = np.where(squares > 0.0, found.spindle.rotor_damping[-1], 0.0)
+    omega = 2 * math.pi * frequency[:, None]
+    exact = (amplitude / (squares - omega**2 + 2j * ratio * np.sqrt(squares) * omega)).sum(axis=1)
+    assert h[0] == pytest.approx(exact, rel=1e-4)

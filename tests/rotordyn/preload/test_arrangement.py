@@ -14,7 +14,7 @@ from rotordyn.machine.growth import QuadraticInSpeed, RingGrowth
 from rotordyn.preload.arrangement import HOUSING, arrangement, rigid
 from rotordyn.preload.network import Law
 from rotordyn.preload.state import dynamic_preload
-from tests.oracles.spindles import RPM, TOP, mfw2310, with_springs
+from tests.oracles.spindles import TOP, mfw2310, with_springs
 
 SPEED = np.array([0.0, 0.5, 1.0]) * TOP
 LAW = Law("outer", "equal")

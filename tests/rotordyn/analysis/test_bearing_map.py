@@ -1,0 +1,51 @@
+"""A single bearing over load and speed."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from rotordyn.analysis.bearing_map import answer
+from rotordyn.analysis.specs import BearingMapSpec, Conditions
+from rotordyn.errors import NoSolution
+from tests.oracles.known_bearings import RPM, VEX70
+
+SPEED = np.array([0.0, 15000.0, 30000.0]) * RPM
+
+
+def test_each_entry_is_the_bearing_alone() -> None:
+    found = answer(VEX70, Conditions(), SPEED, BearingMapSpec((250.0, 1220.0), 2e-6))
+    assert (found.outcome == "").all()
+    for row, speed in enumerate(SPEED):
+        for column, load in enumerate((250.0, 1220.0)):
+            alone = VEX70.equilibrium(load=[load, 0, 0, 0, 0], speed=speed, static_growth=2e-6)
+            assert found.deflection[row, column] == pytest.approx(alone.displacement[0], rel=1e-9)
+            assert found.inner_load[row, column] == pytest.approx(alone.inner_load[0], rel=1e-9)
+            assert found.stiffness[row, column] == pytest.approx(
+                alone.stiffness("complete"), rel=1e-7, abs=1e-3
+            )
+
+
+def test_known_stiffness_at_30000_rpm() -> None:
+    """Noël (2013), Fig. 2.21 with the physical sign: 23.9 and 32.6 N/µm at 1000 N, hybrid."""
+    found = answer(VEX70, Conditions(moment_sharing="hybrid"), SPEED[2:], BearingMapSpec((1000.0,)))
+    equal = answer(VEX70, Conditions(), SPEED[2:], BearingMapSpec((1000.0,)))
+    values = [np.diag(f.stiffness[0, 0])[:2] / 1e6 for f in (found, equal)]
+    expected = np.array([23.9, 32.6])
+    assert min(np.abs(v / expected - 1).max() for v in values) < 5e-3
+
+
+def test_static_bearing_does_not_know_the_speed() -> None:
+    found = answer(VEX70, Conditions(bearings="static"), SPEED, BearingMapSpec((500.0,)))
+    assert found.deflection.shape == (3, 1)
+    assert (found.deflection == found.deflection[0]).all()
+    assert (found.centrifugal_force == 0).all()
+
+
+def test_growth_that_takes_the_whole_contact_angle() -> None:
+    """arccos(cos α + Δu0/BD) without a value: nothing can be solved."""
+    limit = 0.1 * 9.525e-3 * (1 - math.cos(math.radians(25)))
+    with pytest.raises(NoSolution):
+        answer(VEX70, Conditions(), SPEED, BearingMapSpec((500.0,), 1.05 * limit))

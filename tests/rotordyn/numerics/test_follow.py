@@ -1,0 +1,80 @@
+"""Modes followed by shape through a sweep."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from rotordyn.numerics.follow import LEAST_LIKENESS, follow, likeness
+
+
+def unit(size: int, *columns: int) -> np.ndarray:
+    return np.eye(size, dtype=complex)[:, columns]
+
+
+def test_likeness() -> None:
+    a = np.array([[1.0, 0.0], [0.0, 1.0]], dtype=complex)
+    b = np.array([[2j, 1.0], [0.0, 1.0]], dtype=complex)
+    assert likeness(a, b) == pytest.approx(np.array([[1.0, 0.5], [0.0, 0.5]]))
+
+
+def test_crossing_values_do_not_swap_shapes() -> None:
+    """Two orthogonal shapes whose values cross: columns are sorted by value, paths are not."""
+    values = [np.array([1.0 + 0.1 * k, 2.0 - 0.1 * k]) for k in range(11)]
+    vectors, sorted_values = [], []
+    for pair in values:
+        order = np.argsort(pair)
+        vectors.append(unit(2, *order))
+        sorted_values.append(pair[order])
+    path = follow(vectors, sorted_values)
+    found = np.array([v[p] for v, p in zip(sorted_values, path, strict=True)])
+    assert found == pytest.approx(np.array(values))
+
+
+@settings(max_examples=50)
+@given(st.integers(0, 10**6), st.integers(2, 6))
+def test_shuffled_columns_and_phases_are_undone(seed: int, count: int) -> None:
+    draw = np.random.default_rng(seed)
+    base, _ = np.linalg.qr(draw.normal(size=(8, count)) + 1j * draw.normal(size=(8, count)))
+    value = draw.uniform(1, 2, count)
+    orders = [np.arange(count), *(draw.permutation(count) for _ in range(4))]
+    vectors = [base[:, o] * np.exp(2j * np.pi * draw.random(count)) for o in orders]
+    path = follow(vectors, [value[o] for o in orders])
+    for order, row in zip(orders, path, strict=True):
+        assert (order[row] == np.arange(count)).all()
+
+
+def test_slow_rotation_is_followed_further_than_any_single_step() -> None:
+    """A shape that turns by 90° in small steps is still the same mode."""
+    turns = np.linspace(0.0, np.pi / 2, 12)
+    vectors = [
+        np.array([[np.cos(t), -np.sin(t)], [np.sin(t), np.cos(t)]], dtype=complex) for t in turns
+    ]
+    path = follow(vectors, [np.array([1.0, 1.1])] * 12)
+    assert (path == [0, 1]).all()
+
+
+def test_vector_that_leaves_is_lost_and_found_again() -> None:
+    vectors = [unit(3, 0, 1), unit(3, 0), unit(3, 1, 0)]
+    path = follow(vectors, [np.array([1.0, 2.0]), np.array([1.0]), np.array([2.0, 1.0])])
+    assert path.tolist() == [[0, 1], [0, -1], [1, 0]]
+
+
+def test_nothing_at_a_step_loses_all_for_that_step() -> None:
+    vectors = [unit(2, 0, 1), unit(2), unit(2, 0, 1)]
+    path = follow(vectors, [np.array([1.0, 2.0]), np.array([]), np.array([1.0, 2.0])])
+    assert path.tolist() == [[0, 1], [-1, -1], [0, 1]]
+
+
+def test_unlike_vectors_are_not_matched() -> None:
+    assert LEAST_LIKENESS > 0.0
+    path = follow([unit(3, 0), unit(3, 1)], [np.array([1.0]), np.array([1.0])])
+    assert path.tolist() == [[0], [-1]]
+
+
+def test_equally_alike_goes_to_the_nearer_value() -> None:
+    both = np.ones((1, 2), dtype=complex)
+    path = follow([both[:, :1], both], [np.array([1.0]), np.array([5.0, 1.1])])
+    assert path[1, 0] == 1

@@ -1,0 +1,98 @@
+"""Eigenvalues of damped systems and the receptances they sum up to, on random systems."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from rotordyn.numerics.modes import Modes, modes, residual
+
+OMEGA = np.array([0.0, 0.7, 3.0, 11.0, -4.0])
+
+
+def system(seed: int, size: int, kind: str) -> tuple[np.ndarray, np.ndarray]:
+    """A batch of two stable systems: symmetric, with gyroscopic coupling, or complex."""
+    draw = np.random.default_rng(seed)
+    root = draw.normal(size=(2, size, size))
+    stiffness = root @ root.swapaxes(1, 2) + 0.5 * np.eye(size)
+    half = draw.normal(size=(2, size, size))
+    damping = 0.05 * half @ half.swapaxes(1, 2) + 0.01 * np.eye(size)
+    if kind == "gyroscopic":
+        damping = damping + (half - half.swapaxes(1, 2))
+    if kind == "complex":
+        damping = damping - 1j * (half + half.swapaxes(1, 2))
+    return stiffness, damping
+
+
+def direct(
+    stiffness: np.ndarray, damping: np.ndarray, omega: float, out: np.ndarray, into: np.ndarray
+) -> np.ndarray:
+    """rᵀ (K + iωD − ω²)⁻¹ e of paired rows, (batch, pairs)."""
+    dynamic = stiffness + 1j * omega * damping - omega**2 * np.eye(stiffness.shape[-1])
+    return np.einsum("pn,bnm,pm->bp", out, np.linalg.inv(dynamic), into)
+
+
+@settings(max_examples=40)
+@given(
+    st.integers(0, 10**6), st.integers(1, 7), st.sampled_from(["plain", "gyroscopic", "complex"])
+)
+def test_receptance_equals_direct_solution(seed: int, size: int, kind: str) -> None:
+    stiffness, damping = system(seed, size, kind)
+    out, into = np.random.default_rng(seed + 1).normal(size=(2, 3, size))
+    found = modes(stiffness, damping)
+    ours = found.receptance(OMEGA, out, into)
+    assert ours.shape == (2, 3, len(OMEGA))
+    for k, omega in enumerate(OMEGA):
+        exact = direct(stiffness, damping, omega, out, into)
+        assert np.abs(ours[..., k] - exact).max() < 1e-8 * max(1.0, np.abs(exact).max())
+
+
+@settings(max_examples=40)
+@given(
+    st.integers(0, 10**6), st.integers(1, 7), st.sampled_from(["plain", "gyroscopic", "complex"])
+)
+def test_every_eigenpair_satisfies_its_equation(seed: int, size: int, kind: str) -> None:
+    stiffness, damping = system(seed, size, kind)
+    found = modes(stiffness, damping)
+    assert found.pole.shape == (2, 2 * size)
+    assert found.vector.shape == (2, size, 2 * size)
+    assert residual(found, stiffness, damping) < 1e-11
+    assert (found.pole.real < 0.0).all()
+
+
+def test_sum_and_product_of_poles() -> None:
+    """Σ λ = −trace D, Π λ = det K."""
+    stiffness, damping = system(7, 4, "gyroscopic")
+    found = modes(stiffness, damping)
+    assert found.pole.sum(axis=1) == pytest.approx(-np.trace(damping, axis1=1, axis2=2))
+    assert found.pole.prod(axis=1) == pytest.approx(np.linalg.det(stiffness))
+
+
+def test_residual_notices_a_wrong_pole() -> None:
+    stiffness, damping = system(3, 3, "plain")
+    found = modes(stiffness, damping)
+    wrong = Modes(found.pole * 1.01, found.vector, found.participation)
+    assert residual(wrong, stiffness, damping) > 1e-4
+
+
+def test_single_oscillator() -> None:
+    """ω = 10, ζ = 0.1: pole −1 ± i √99."""
+    found = modes(np.array([[100.0]]), np.array([[2.0]]))
+    assert np.sort_complex(found.pole) == pytest.approx([-1 - 1j * 99**0.5, -1 + 1j * 99**0.5])
+
+
+def test_one_damping_for_many_stiffnesses() -> None:
+    stiffness, damping = system(5, 3, "plain")
+    found = modes(stiffness, damping[0])
+    assert found.pole[1] == pytest.approx(modes(stiffness[1], damping[0]).pole)
+
+
+def test_free_body_answers_with_its_inertia() -> None:
+    """A coordinate without spring and damper moves by −f/ω² beside the others."""
+    stiffness, damping = np.diag([0.0, 100.0]), np.diag([0.0, 0.1])
+    rows = np.array([[1.0, 1.0]])
+    ours = modes(stiffness, damping).receptance(np.array([3.0, 20.0]), rows, rows)[0]
+    exact = [-1 / 9 + 1 / (91 + 0.3j), -1 / 400 + 1 / (-300 + 2j)]
+    assert ours == pytest.approx(exact, rel=1e-9)

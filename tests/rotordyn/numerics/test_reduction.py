@@ -1,0 +1,83 @@
+"""The Ritz basis: what it promises about modes, statics and scaling."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.linalg import eigh
+
+from rotordyn.numerics.reduction import LEAST_MODES, ritz_basis
+
+
+def free_chain(seed: int, size: int) -> tuple[np.ndarray, np.ndarray]:
+    """Random masses between random springs, free at both ends."""
+    draw = np.random.default_rng(seed)
+    springs = draw.uniform(0.5, 2.0, size - 1)
+    stiffness = np.diag(np.r_[springs, 0.0] + np.r_[0.0, springs])
+    stiffness -= np.diag(springs, 1) + np.diag(springs, -1)
+    root = np.diag(draw.uniform(0.5, 1.5, size)) + 0.1 * np.diag(np.ones(size - 1), 1)
+    return root @ root.T, stiffness
+
+
+SEEDS = st.integers(0, 10**6)
+
+
+@settings(max_examples=25)
+@given(SEEDS, st.integers(15, 40), st.floats(0.2, 1.5))
+def test_unit_mass_and_diagonal_stiffness(seed: int, size: int, cutoff: float) -> None:
+    mass, stiffness = free_chain(seed, size)
+    loads = np.eye(size)[:, [0, size // 2, size - 1]]
+    basis, values = ritz_basis(mass, stiffness, cutoff, loads, 1)
+    count = basis.shape[1]
+    assert values.shape == (count,)
+    assert basis.T @ mass @ basis == pytest.approx(np.eye(count), abs=1e-9)
+    assert basis.T @ stiffness @ basis == pytest.approx(np.diag(values), abs=1e-8)
+    assert (np.diff(values) >= -1e-12).all()
+    assert values[0] == 0.0
+
+
+@settings(max_examples=25)
+@given(SEEDS, st.integers(15, 40), st.floats(0.2, 1.5))
+def test_modes_up_to_the_cutoff_are_exact(seed: int, size: int, cutoff: float) -> None:
+    mass, stiffness = free_chain(seed, size)
+    exact = eigh(stiffness, mass, eigvals_only=True)
+    _, values = ritz_basis(mass, stiffness, cutoff, np.eye(size)[:, [0]], 1)
+    below = max(int((exact < cutoff**2).sum()), LEAST_MODES)
+    assert values[:below] == pytest.approx(exact[:below], rel=1e-8, abs=1e-10)
+
+
+@settings(max_examples=25)
+@given(SEEDS, st.floats(0.1, 10.0))
+def test_statics_at_the_loaded_freedoms(seed: int, spring: float) -> None:
+    """Held by springs where loads may act, the reduced system is as flexible as the whole."""
+    mass, stiffness = free_chain(seed, 30)
+    places = [2, 14, 27]
+    loads = np.eye(30)[:, places]
+    basis, values = ritz_basis(mass, stiffness, 0.3, loads, 1)
+    held = np.diag(loads.sum(axis=1)) * spring
+    whole = np.linalg.inv(stiffness + held)[np.ix_(places, places)]
+    reduced = basis[places] @ np.linalg.inv(np.diag(values) + basis.T @ held @ basis)
+    assert reduced @ basis[places].T == pytest.approx(whole, abs=2e-6 * whole.max())
+
+
+def test_loads_already_spanned_add_nothing() -> None:
+    """As many loads as freedoms: the basis is the whole space and no more."""
+    mass, stiffness = free_chain(1, 12)
+    basis, values = ritz_basis(mass, stiffness, 10.0, np.eye(12), 1)
+    exact = eigh(stiffness, mass, eigvals_only=True)
+    assert basis.shape == (12, 12)
+    assert basis.T @ mass @ basis == pytest.approx(np.eye(12), abs=1e-9)
+    assert values == pytest.approx(exact, abs=1e-9)
+
+
+def test_two_rigid_motions() -> None:
+    """A free beam on unit springs between second differences keeps translation and tilt at zero."""
+    size = 20
+    second = np.diff(np.eye(size), 2, axis=0)
+    basis, values = ritz_basis(np.eye(size), second.T @ second, 0.5, np.eye(size)[:, [0]], 2)
+    assert (values[:2] == 0.0).all()
+    assert values[2] > 0.0
+    slope = np.polyfit(np.arange(size), basis[:, :2], 1)
+    assert np.outer(np.arange(size), slope[0]) + slope[1] == pytest.approx(basis[:, :2], abs=1e-6)

@@ -1,0 +1,212 @@
+"""The documents say what is so: their code runs, their numbers are ours, their links lead on."""
+
+from __future__ import annotations
+
+import os
+import re
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import rotordyn
+from docs.generate.bearing_rows import bearing_rows
+from docs.generate.comparison import comparison_table
+from docs.generate.figures import SHOWN
+from docs.generate.flagship import flagship, rest_rows, speed_rows
+from docs.generate.keys import entries, key_tables, keys
+from docs.generate.marked import parts, rewrite
+from docs.generate.places import DOCS, FIGURES, README, ROOT
+from docs.generate.rotor_rows import rotor_rows
+from docs.generate.rows import Row
+from docs.generate.times import benchmark_parts, measured, short_table
+from rotordyn.analysis.specs import FrfSpec
+
+PAGES = sorted(
+    [README, *DOCS.rglob("*.md"), *(ROOT / d / "README.md" for d in ("cases", "models"))]
+)
+GENERATED = {
+    "README.md": {"accuracy", "times"},
+    "docs/keys.md": {"case", "spindle", "tool", "bearing", "material", "reference"},
+    "docs/mfw2310.md": {"comparison", "left-out", "rest", "speed"},
+    "docs/benchmarks.md": {
+        *("machine", "targets", "processes", "stages", "bearing", "frf", "element-length"),
+        "cutoff",
+    },
+}
+by_name = pytest.mark.parametrize("page", PAGES, ids=lambda p: p.relative_to(ROOT).as_posix())
+
+
+def text(page: Path) -> str:
+    return page.read_text(encoding="utf-8")
+
+
+def blocks(language: str) -> list[str]:
+    """Code blocks of the README in one language."""
+    return re.findall(rf"```{language}\n(.*?)```", text(README), re.S)
+
+
+def cells(table: str) -> list[list[str]]:
+    """Body of a Markdown table."""
+    lines = [line for line in table.splitlines() if line.startswith("|")][2:]
+    return [[cell.strip() for cell in line.split("|")[1:-1]] for line in lines]
+
+
+def numbers(cell: str) -> list[float]:
+    return [float(n) for n in re.findall(r"-?\d+\.?\d*", cell.replace("−", "-"))]
+
+
+@pytest.mark.parametrize("code", blocks("python"), ids=["bearing", "case"])
+def test_python_of_the_readme_runs(
+    code: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(ROOT)
+    exec(compile(code, "README.md", "exec"), {})
+    printed = capsys.readouterr().out
+    assert len(printed.splitlines()) >= code.count("print(")
+    assert "nan" not in printed
+
+
+def test_case_of_the_readme_runs(tmp_path: Path) -> None:
+    (case_file,) = blocks("yaml")
+    path = tmp_path / "example.yaml"
+    path.write_text(case_file, encoding="utf-8")
+    case = rotordyn.load(path)
+    assert case.spindle is not None
+    assert case.spindle.sleeves[0].stop_travel == pytest.approx(45e-6)
+    map_spec = case.analyses["frf"]
+    assert isinstance(map_spec, FrfSpec)
+    thin = replace(map_spec, frequencies=map_spec.frequencies[::60])
+    results = rotordyn.run(
+        replace(case, speeds=case.speeds[::3], analyses={**case.analyses, "frf": thin})
+    )
+    assert set(results) == set(case.analyses)
+    assert (results["preload"].outcome == "").all()
+    assert np.isfinite(results["frf"].receptance).all()
+
+
+def test_readme_shows_exactly_two_commands_that_set_up() -> None:
+    (shell,) = blocks("sh")
+    commands = [line.split()[0] for line in shell.splitlines()]
+    assert commands == ["scripts/run", "scripts/test"]
+    assert all(os.access(ROOT / command, os.X_OK) for command in commands)
+
+
+def test_readme_names_the_options_that_there_are() -> None:
+    (usage,) = re.findall(r"^    (rotordyn run CASE .*)$", text(README), re.M)
+    command = [sys.executable, "-m", "rotordyn", "run", "--help"]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+    options = set(re.findall(r"(?<![\w-])--?[a-z]+", done.stdout)) - {"-h", "--help", "--output"}
+    assert set(re.findall(r"--?[a-z]+", usage)) == options
+
+
+@by_name
+def test_links_lead_somewhere(page: Path) -> None:
+    for target in re.findall(r"\]\(([^)\s]+)\)", text(page)):
+        if target.startswith("http"):
+            continue
+        path, _, anchor = target.partition("#")
+        there = (page.parent / path).resolve() if path else page
+        assert there.exists(), f"{page.name}: {target}"
+        headings = re.findall(r"^#+ (.+)$", text(there), re.M) if anchor else []
+        assert not anchor or anchor in {h.lower().replace(" ", "-") for h in headings}, target
+
+
+@by_name
+def test_generated_parts_are_there_and_filled(page: Path) -> None:
+    found = parts(text(page))
+    assert set(found) == GENERATED.get(page.relative_to(ROOT).as_posix(), set())
+    assert text(page).count("<!-- ") == 2 * len(found)
+    for name, part in found.items():
+        assert part.strip(), name
+        assert not re.search(r"\b(nan|None|inf|TODO)\b", part), name
+
+
+def test_reference_of_keys_is_that_of_the_schema() -> None:
+    assert parts(text(DOCS / "keys.md")) == key_tables()
+
+
+def test_reference_of_keys_leaves_no_entry_out() -> None:
+    from rotordyn.case.schema import (
+        analyses,
+        bearing,
+        case,
+        material,
+        reference,
+        shaft,
+        spindle,
+        support,
+        sweep,
+    )
+    from rotordyn.case.schema.base import Entry
+
+    modules = (analyses, bearing, case, material, reference, shaft, spindle, support, sweep)
+    declared = {
+        value
+        for module in modules
+        for value in vars(module).values()
+        if isinstance(value, type) and issubclass(value, Entry) and value is not Entry
+    }
+    matrices = {support.StiffnessMatrixEntry, support.DampingMatrixEntry}
+    assert set(entries()) == declared - matrices
+    assert "interference" in keys(support.FitEntry)
+
+
+def test_times_are_those_measured() -> None:
+    assert parts(text(README))["times"] == short_table(measured())
+    assert parts(text(DOCS / "benchmarks.md")) == benchmark_parts(measured())
+
+
+def test_a_missed_target_stays_visible() -> None:
+    found = measured()
+    found["solve"] = 1.5
+    line = cells(short_table(found))[0]
+    assert line[1:] == ["1.5 s", "1 s", "**missed by 50 %**"]
+    found["solve"] = 0.5
+    assert cells(short_table(found))[0][-1] == "met"
+
+
+@pytest.fixture(scope="module")
+def rows() -> list[Row]:
+    return [*bearing_rows(), *rotor_rows(), *rest_rows(), *speed_rows()]
+
+
+def test_accuracy_table_is_what_we_find_now(rows: list[Row]) -> None:
+    printed = cells(parts(text(README))["accuracy"])
+    assert [line[0] for line in printed] == [row.what for row in rows]
+    for line, row in zip(printed, rows, strict=True):
+        assert row.difference <= row.allowed, row.what
+        if row.expected:
+            assert numbers(line[1]) == pytest.approx(row.expected, rel=6e-4), row.what
+            assert numbers(line[2]) == pytest.approx(row.found, rel=1e-3), row.what
+
+
+def test_comparison_of_the_flagship_is_what_we_find_now() -> None:
+    printed = cells(parts(text(DOCS / "mfw2310.md"))["comparison"])
+    now = cells(comparison_table(flagship()))
+    assert [[*line[:4], line[5]] for line in printed] == [[*line[:4], line[5]] for line in now]
+    for old, new in zip(printed, now, strict=True):
+        assert numbers(old[4]) == pytest.approx(numbers(new[4]), rel=2e-3)
+        assert bool(old[0]) == bool(old[5]), "a reason for every series"
+
+
+def test_figures_are_there_and_small() -> None:
+    images = {path.name: path for path in FIGURES.iterdir()}
+    assert set(images) == {f"mfw2310_{name}.png" for name in SHOWN}
+    assert sum(path.stat().st_size for path in images.values()) < 400_000
+    assert all(path.read_bytes().startswith(b"\x89PNG") for path in images.values())
+
+
+def test_rewriting_touches_nothing_but_the_part(tmp_path: Path) -> None:
+    page = tmp_path / "page.md"
+    page.write_text(
+        "a\n<!-- begin x -->\nold\n<!-- end x -->\nb\n<!-- begin y -->\n<!-- end y -->\n"
+    )
+    rewrite(page, {"x": "new\nlines"})
+    assert page.read_text().startswith("a\n<!-- begin x -->\nnew\nlines\n<!-- end x -->\nb\n")
+    assert parts(page.read_text()) == {"x": "new\nlines", "y": ""}
+    with pytest.raises(KeyError, match="has no part z"):
+        rewrite(page, {"z": ""})

@@ -1,0 +1,254 @@
+"""Radial stiffness of the spindle against all freedoms of the rotor and one bearing at a time."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.optimize import root
+
+from rotordyn.analysis.specs import PreloadSpec, StiffnessSpec
+from rotordyn.elements.support import turn
+from rotordyn.machine.shaft import Shaft
+from rotordyn.system.assemble import add_at_nodes, bending_plane
+from rotordyn.system.dofs import PLANE_Y
+from rotordyn.system.mesh import build_mesh
+from tests.oracles.spindles import RPM, TOP, answers, mfw2310, scene, with_sleeve, with_springs
+
+SPEEDS = (0, 12000, 24000)
+
+
+@cache
+def stiffness(rotor: str = "flexible") -> Any:
+    return answers(mfw2310(), SPEEDS, {"stiffness": StiffnessSpec("Oc2", 500.0, 5)}, rotor=rotor)[
+        "stiffness"
+    ]
+
+
+def curve(result: Any, variant: str) -> np.ndarray:
+    return result.deflection[:, result.variant.index(variant)]
+
+
+def tangent(result: Any, variant: str) -> np.ndarray:
+    return result.tangent[:, result.variant.index(variant)]
+
+
+def test_tangent_at_no_load_is_the_full_matrix() -> None:
+    """By symmetry the axial network does not move to first order."""
+    for rotor in ("flexible", "rigid"):
+        full = tangent(stiffness(rotor), "full")
+        assert tangent(stiffness(rotor), "nonlinear") == pytest.approx(full, rel=1e-6)
+
+
+def test_full_matrix_against_all_freedoms() -> None:
+    found = scene(mfw2310(), SPEEDS)
+    plane = bending_plane(found.spindle, found.mesh)
+    nodes = [found.mesh.node_of(s.x) for s in found.spindle.seats]
+    tip = PLANE_Y.row(found.mesh.node_of(-0.0524), "y")
+    for row in range(3):
+        for variant, mask in (("full", np.ones(5)), ("diagonal", None)):
+            blocks = found.seat_stiffness[row]
+            blocks = blocks * (np.eye(5) if mask is None else 1.0)
+            turned = [turn(k, s.thrust) for k, s in zip(blocks, found.spindle.seats, strict=True)]
+            whole = add_at_nodes(plane.stiffness, nodes, PLANE_Y.take(np.array(turned)))
+            expected = 1.0 / np.linalg.inv(whole)[tip, tip]
+            assert tangent(stiffness(), variant)[row] == pytest.approx(expected, rel=1e-7)
+
+
+def test_linear_variants_are_straight_lines() -> None:
+    for variant in ("full", "diagonal", "constant_preload"):
+        line = stiffness().force / tangent(stiffness(), variant)[:, None]
+        assert curve(stiffness(), variant) == pytest.approx(line, rel=1e-9)
+        column = stiffness().variant.index(variant)
+        assert stiffness().secant[:, column] == pytest.approx(tangent(stiffness(), variant))
+
+
+def test_secant_is_full_load_over_deflection() -> None:
+    last = curve(stiffness(), "nonlinear")[:, -1]
+    assert stiffness().secant[:, 0] == pytest.approx(500.0 / last)
+
+
+@pytest.mark.parametrize(("rpm", "rigid"), [(12000, False), (24000, False), (12000, True)])
+def test_curve_against_an_independent_equilibrium(rpm: int, rigid: bool) -> None:
+    """Bodies found by MINPACK; bearings solved one at a time; the rotor by its flexibility.
+
+    Unknowns: forces and moments of the bearings on the shaft follow from (x, y, θz) at the seats;
+    the elastic shaft answers with the flexibility of its free-free stiffness about the motion of
+    bearing a, all freedoms kept. Loads are in the spindle's frame.
+    """
+    spindle = mfw2310()
+    expected = [_equilibrium(spindle, rpm * RPM, force, rigid) for force in (200.0, 500.0)]
+    result = stiffness("rigid" if rigid else "flexible")
+    ours = curve(result, "nonlinear")[SPEEDS.index(rpm)]
+    at = [int(np.abs(result.force - f).argmin()) for f in (200.0, 500.0)]
+    assert ours[at] == pytest.approx(expected, rel=2e-6)
+
+
+def _equilibrium(spindle: Any, speed: float, force: float, rigid: bool) -> float:
+    mesh = build_mesh(spindle, None)
+    nodes = [mesh.node_of(s.x) for s in spindle.seats]
+    tip = mesh.node_of(-0.0524)
+    reach = mesh.x
+    plane = bending_plane(spindle, mesh).stiffness
+    flexibility = np.zeros_like(plane)
+    if not rigid:
+        inner = np.arange(2, len(plane))  # first node held: the rest is the elastic shaft
+        flexibility[np.ix_(inner, inner)] = np.linalg.inv(plane[np.ix_(inner, inner)])
+    growth = 43.2e-6 + 7.3e-6 * (speed / TOP) ** 2
+    shift = np.array([0, 0, -0.305e-6, -42.8e-6, -42.8e-6]) * (speed / TOP) ** 2
+    rest = [
+        float(s.bearing.equilibrium(load=[p, 0, 0, 0, 0], static_growth=43.2e-6).displacement[0])
+        for s, p in zip(spindle.seats, (551, 551, 574, 264, 264), strict=True)
+    ]
+    sleeve = np.array([-1, -1, 0, 1, 1])
+    push, spring = np.array([574.0, 528.0]), np.array([6.20e6, 5.49e6])
+
+    def load(k: int, place: np.ndarray) -> np.ndarray:
+        seat = spindle.seats[k]
+        sign = np.array([seat.thrust, 1.0, seat.thrust])
+        d = np.zeros(5)
+        d[[0, 1, 4]] = place * sign
+        d[0] += rest[k]
+        state = seat.bearing.equilibrium(
+            displacement=d, speed=speed, static_growth=43.2e-6, growth=growth, kinematics="outer"
+        )
+        return state.load[[0, 1, 4]] * sign
+
+    def answer(unknown: np.ndarray) -> tuple[np.ndarray, np.ndarray, float]:
+        """(forces on bodies, shaft placement errors, deflection of the tip)."""
+        x, ups = unknown[0] * 1e-6, unknown[1:3] * 1e-6
+        rigid_motion = unknown[3:5] * np.array([1e-6, 1e-5])
+        seats = unknown[5:].reshape(5, 2) * np.array([1e-6, 1e-5])
+        loads = np.array([
+            load(k, np.array([x + shift[k] - (ups[s] if s >= 0 else 0.0), *seats[k]]))
+            for k, s in enumerate(sleeve)
+        ])  # fmt: skip
+        acting = np.zeros(len(plane))
+        acting[2 * tip] += force
+        for node, (_, fy, mz) in zip(nodes, loads, strict=True):
+            acting[2 * node] -= fy
+            acting[2 * node + 1] -= mz
+        motion = flexibility @ acting
+        motion[0::2] += rigid_motion[0] + rigid_motion[1] * (reach - reach[0])
+        motion[1::2] += rigid_motion[1]
+        balance = [
+            -loads[:, 0].sum(),
+            push[0] - spring[0] * ups[0] + loads[2, 0],
+            push[1] - spring[1] * ups[1] + loads[3:, 0].sum(),
+            acting[0::2].sum(),
+            (acting[1::2] + acting[0::2] * (reach - 0.2)).sum() * 10.0,
+        ]
+        if held:
+            balance[1] = (ups[0] + 52.2e-6) * 1e8
+        wrong = (seats - motion.reshape(-1, 2)[nodes]) / np.array([1e-6, 1e-5])
+        return np.array(balance) / 100.0, wrong.ravel(), float(motion[2 * tip])
+
+    held = False
+    start = np.zeros(15)
+    for _ in range(2):
+        found = root(lambda u: np.concatenate(answer(u)[:2]), start, tol=1e-12)
+        assert np.abs(found.fun).max() < 1e-7, found.message
+        if held or found.x[1] >= -52.2:
+            break
+        held, start = True, found.x
+    return answer(found.x)[2]
+
+
+def test_turning_the_force_by_180_degrees_turns_the_deflection() -> None:
+    """With the shaft turned end for end the curve stays; the sign of y cannot matter."""
+    ours = mfw2310()
+    rule = ours.shortening
+    other = replace(
+        ours,
+        shaft=Shaft(-ours.shaft.end, ours.shaft.sections[::-1]),
+        seats=tuple(replace(s, x=-s.x, thrust=-s.thrust) for s in ours.seats),
+        masses=tuple(replace(m, x=-m.x) for m in ours.masses),
+        shortening=replace(rule, shift={n: -v for n, v in rule.shift.items()}),
+        points={n: -x for n, x in ours.points.items()},
+    )
+    asked = {"stiffness": StiffnessSpec("Oc2", 500.0, 5)}
+    found = answers(other, SPEEDS, asked)["stiffness"]
+    assert found.deflection == pytest.approx(stiffness().deflection, rel=1e-7, abs=1e-15)
+    assert found.tangent == pytest.approx(stiffness().tangent, rel=1e-7)
+
+
+def test_number_of_steps_does_not_matter() -> None:
+    asked = {"stiffness": StiffnessSpec("Oc2", 500.0, 1, ("nonlinear",))}
+    found = answers(mfw2310(), SPEEDS, asked)["stiffness"].deflection[:, 0, -1]
+    assert found == pytest.approx(curve(stiffness(), "nonlinear")[:, -1], rel=1e-8)
+
+
+def test_slope_of_the_curve_is_the_tangent() -> None:
+    asked = {"stiffness": StiffnessSpec("Oc2", 1.0, 1, ("nonlinear",))}
+    found = answers(mfw2310(), SPEEDS, asked)["stiffness"]
+    assert found.secant[:, 0] == pytest.approx(found.tangent[:, 0], rel=1e-5)
+
+
+def test_deflection_is_odd_in_the_load() -> None:
+    """The axial network moves with the square of the load: no quadratic term in the deflection."""
+    asked = {"stiffness": StiffnessSpec("Oc2", 40.0, 4, ("nonlinear",))}
+    result = answers(mfw2310(), (0, 12000), asked)["stiffness"]
+    excess = result.deflection[:, 0] - result.force / result.tangent[:, :1]
+    assert excess[:, 4] / excess[:, 2] == pytest.approx(8.0, rel=0.05)
+
+
+def test_bearings_as_at_rest_serve_every_speed() -> None:
+    asked = {"stiffness": StiffnessSpec("Oc2", 500.0, 5)}
+    found = answers(mfw2310(), SPEEDS, asked, bearings="static")["stiffness"]
+    for row in range(3):
+        assert found.deflection[row] == pytest.approx(stiffness().deflection[0], rel=1e-9)
+
+
+def test_second_stop_equals_a_spindle_that_has_it() -> None:
+    asked = {"stiffness": StiffnessSpec("Oc2", 500.0, 5, ("nonlinear",), {"front": 45e-6})}
+    found = answers(mfw2310(), (0, 18000, 22000), asked)["stiffness"]
+    short = with_sleeve(mfw2310(), "front", stop_travel=45e-6)
+    plain = {"stiffness": StiffnessSpec("Oc2", 500.0, 5, ("nonlinear",))}
+    expected = answers(short, (0, 18000, 22000), plain)["stiffness"]
+    assert curve(found, "short_stop") == pytest.approx(curve(expected, "nonlinear"), rel=1e-8)
+    assert tangent(found, "short_stop") == pytest.approx(tangent(expected, "nonlinear"), rel=1e-8)
+    assert tangent(found, "short_stop")[2] > 1.005 * tangent(found, "nonlinear")[2]
+
+
+def test_second_stop_alone_and_longer_than_the_first() -> None:
+    asked = {"stiffness": StiffnessSpec("Oc2", 500.0, 2, (), {"front": 80e-6})}
+    found = answers(mfw2310(), (0, 24000), asked)["stiffness"]
+    longer = with_sleeve(mfw2310(), "front", stop_travel=80e-6)
+    plain = {"stiffness": StiffnessSpec("Oc2", 500.0, 2, ("nonlinear",))}
+    expected = answers(longer, (0, 24000), plain)["stiffness"]
+    assert found.variant == ("short_stop",)
+    assert found.deflection == pytest.approx(expected.deflection, rel=1e-8)
+
+
+def test_constant_preload_is_soft_springs_at_every_speed() -> None:
+    """Springs of no stiffness hold each bearing's load at its value at rest."""
+    asked = {"stiffness": StiffnessSpec("Oc2", 500.0, 1, ("full", "constant_preload"))}
+    found = answers(with_springs(mfw2310(), 1.0), (0, 18000), asked)["stiffness"]
+    assert found.tangent[:, 1] == pytest.approx(found.tangent[:, 0], rel=1e-5)
+
+
+def test_sprung_sleeve_softens_and_stiff_sleeve_does_not() -> None:
+    asked = {"stiffness": StiffnessSpec("Oc2", 500.0, 1, ("full", "nonlinear"))}
+    limit = answers(mfw2310(), (0,), asked)["stiffness"].tangent
+    found = [
+        answers(with_sleeve(mfw2310(), "front", radial_stiffness=k), (0,), asked)[
+            "stiffness"
+        ].tangent
+        for k in (1e8, 1e12)
+    ]
+    assert (found[0] < 0.9997 * limit).all()
+    assert found[1] == pytest.approx(limit, rel=1e-3)
+    assert found[0][:, 0] == pytest.approx(found[0][:, 1], rel=1e-6)
+
+
+def test_external_force_acts_on_the_stiffness_too() -> None:
+    asked = {"preload": PreloadSpec(), "stiffness": StiffnessSpec("Oc2", 500.0, 1)}
+    plain, pushed = (answers(mfw2310(), (6000,), asked, axial_force=f) for f in (0.0, 400.0))
+    ratio = pushed["stiffness"].tangent[0] / plain["stiffness"].tangent[0]
+    assert np.abs(ratio[:3] - 1.0).min() > 1e-3
+    assert ratio[3] == pytest.approx(1.0, rel=1e-9), "constant preload is that at rest, unforced"
+    assert math.isfinite(pushed["preload"].axial_load.sum())
