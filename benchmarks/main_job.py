@@ -12,6 +12,8 @@ import json
 import os
 import sys
 import tempfile
+from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from statistics import median
 from typing import Any
@@ -20,7 +22,15 @@ ROOT = Path(__file__).resolve().parents[1]
 if str(ROOT) not in sys.path:
     sys.path.insert(0, str(ROOT))
 
-from benchmarks.processes import Cost, cost, python, tree_memory, typical, typical_first  # noqa: E402
+from benchmarks.processes import (  # noqa: E402
+    Cost,
+    cost,
+    first_cost,
+    in_turn,
+    python,
+    summary,
+    tree_memory,
+)
 
 CASE = "cases/mfw2310.yaml"
 RESULTS = ROOT / "benchmarks" / "results.json"
@@ -37,16 +47,16 @@ SHORT = {
 
 def measure(runs: int = 7, *, install: bool = False) -> None:
     """Measure everything and write it down; an installation measured earlier is kept."""
+    busy = os.getloadavg()[0] if hasattr(os, "getloadavg") else None
     with tempfile.TemporaryDirectory() as made:
-        processes, memory = _processes(Path(made), runs)
-        stages = _stages(Path(made), runs)
+        processes, stages, memory = _processes(Path(made) / "out", runs)
     from benchmarks.bearing import measure_bearing
     from benchmarks.rotor import cutoffs, element_lengths, measure_frf
 
     found = {
-        "machine": _machine(),
+        "machine": _machine(busy),
         "solve": stages.pop(SOLVE),
-        "memory": memory,
+        "memory": {"tree": memory},
         "processes": processes,
         "stages": stages,
         "bearing": measure_bearing(),
@@ -58,42 +68,32 @@ def measure(runs: int = 7, *, install: bool = False) -> None:
     RESULTS.write_text(json.dumps(_rounded(found), indent=1, ensure_ascii=False) + "\n")
 
 
-def _processes(folder: Path, runs: int) -> tuple[list[dict[str, Any]], dict[str, Any]]:
-    """Every process as a user starts it, and the memory of the run with its helpers."""
-    run = python("-m", "rotordyn", "run", CASE, "--quiet", "-o", str(folder / "out"))
-    found = [
-        _named("run, the first ever", typical_first(run, min(runs, 5)), min(runs, 5)),
-        _named("run", typical(run, runs), runs),
-        _named("the same from Python, no files and no figures", _of(("-c", LIBRARY), runs), runs),
-    ]
-    found += [_named(name, _of(what, 2 * runs), 2 * runs) for name, what in SHORT.items()]
-    return found, {"tree": tree_memory(run)}
-
-
-def _of(arguments: tuple[str, ...], runs: int) -> Cost:
-    return typical(python(*arguments), runs)
-
-
-def _named(name: str, found: Cost, runs: int) -> dict[str, Any]:
-    return {
-        "name": name,
-        "wall": found.wall,
-        "cpu": found.cpu,
-        "memory": found.memory,
-        "runs": runs,
-    }
-
-
-def _stages(folder: Path, runs: int) -> dict[str, float]:
-    """Median seconds of every stage, as the run's own record states them."""
+def _processes(
+    folder: Path, runs: int
+) -> tuple[list[dict[str, Any]], dict[str, float], float | None]:
+    """Every process as a user starts it, stages of the run [s], its memory with its children."""
+    run = python("-m", "rotordyn", "run", CASE, "--quiet", "-o", str(folder))
     records: list[dict[str, float]] = []
-    for _ in range(runs):
-        cost(python("-m", "rotordyn", "run", CASE, "--quiet", "-o", str(folder / "out")))
-        records.append(json.loads((folder / "out" / "run.json").read_text())["stages"])
-    return {name: median(record[name] for record in records) for name in records[0]}
+
+    def recorded() -> Cost:
+        found = cost(run)
+        records.append(json.loads((folder / "run.json").read_text())["stages"])
+        return found
+
+    long: dict[str, Callable[[], Cost]] = {
+        "run, the first ever": partial(first_cost, run),
+        "run": recorded,
+        "the same from Python, no files and no figures": partial(cost, python("-c", LIBRARY)),
+    }
+    short: dict[str, Callable[[], Cost]] = {
+        name: partial(cost, python(*what)) for name, what in SHORT.items()
+    }
+    found = {**in_turn(long, runs), **in_turn(short, 2 * runs)}
+    stages = {name: median(r[name] for r in records[1:]) for name in records[0]}
+    return [summary(*item) for item in found.items()], stages, tree_memory(run)
 
 
-def _machine() -> dict[str, Any]:
+def _machine(busy: float | None) -> dict[str, Any]:
     import platform
     from importlib.metadata import version
 
@@ -101,6 +101,7 @@ def _machine() -> dict[str, Any]:
     count = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
     return {
         "processors": count,
+        "busy": busy,
         "system": f"{platform.system()} {platform.machine()}",
         "python": platform.python_version(),
         "libraries": {name: version(name) for name in libraries},

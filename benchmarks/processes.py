@@ -7,10 +7,11 @@ import subprocess
 import sys
 import tempfile
 import time
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from statistics import median
+from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
 MEGABYTE = 1e6
@@ -51,19 +52,31 @@ def cost(command: Sequence[str], environment: Mapping[str, str] | None = None) -
     return Cost(wall, used.ru_utime + used.ru_stime, used.ru_maxrss * per_unit / MEGABYTE)
 
 
-def typical(command: Sequence[str], runs: int) -> Cost:
-    """Median of each cost over ``runs`` after one that is not counted."""
-    cost(command)
-    return _median([cost(command) for _ in range(runs)])
+def first_cost(command: Sequence[str]) -> Cost:
+    """The same with nothing left by an earlier run: an empty cache of matplotlib."""
+    with tempfile.TemporaryDirectory() as empty:
+        return cost(command, {"MPLCONFIGDIR": empty})
 
 
-def typical_first(command: Sequence[str], runs: int) -> Cost:
-    """The same with nothing left by an earlier run: an empty cache of matplotlib each time."""
-    found = []
-    for _ in range(runs):
-        with tempfile.TemporaryDirectory() as empty:
-            found.append(cost(command, {"MPLCONFIGDIR": empty}))
-    return _median(found)
+def in_turn(jobs: Mapping[str, Callable[[], Cost]], runs: int) -> dict[str, list[Cost]]:
+    """Costs of every job, one of each after the other, so that a busy moment meets all alike.
+
+    A first round is not counted.
+    """
+    rounds = [{name: job() for name, job in jobs.items()} for _ in range(runs + 1)]
+    return {name: [each[name] for each in rounds[1:]] for name in jobs}
+
+
+def summary(name: str, found: Sequence[Cost]) -> dict[str, Any]:
+    """Median of each cost, and the shortest wall time."""
+    return {
+        "name": name,
+        "wall": median(c.wall for c in found),
+        "fastest": min(c.wall for c in found),
+        "cpu": median(c.cpu for c in found),
+        "memory": median(c.memory for c in found),
+        "runs": len(found),
+    }
 
 
 def tree_memory(command: Sequence[str]) -> float | None:
@@ -89,12 +102,6 @@ def _started(
         env={**os.environ, **(environment or {})},
         stdout=subprocess.DEVNULL,
         stderr=subprocess.DEVNULL,
-    )
-
-
-def _median(found: Sequence[Cost]) -> Cost:
-    return Cost(
-        median(c.wall for c in found), median(c.cpu for c in found), median(c.memory for c in found)
     )
 
 

@@ -58,17 +58,20 @@ def _accepted(annotation: Any, metadata: tuple[Any, ...] = ()) -> str:
     reader = _reader(metadata)
     if reader is not None:
         return _read_by(reader, annotation)
-    arguments = [a for a in get_args(annotation) if a is not type(None)]
-    origin = get_origin(annotation)
-    if origin in (types.UnionType, Union):
-        return ", or ".join(_accepted(a) for a in arguments)
-    if origin is list:
-        return f"list: {_accepted(arguments[0])}"
-    if origin is dict:
-        return f"mapping of names to: {_accepted(arguments[1])}"
     if isinstance(annotation, type) and issubclass(annotation, Entry):
         return f"[{title(annotation)}](#{anchor(annotation)})"
-    return "see meaning"
+    return _composed(annotation)
+
+
+def _composed(annotation: Any) -> str:
+    """A list, a mapping, or one of several forms."""
+    parts = [_accepted(a) for a in get_args(annotation) if a is not type(None)]
+    origin = get_origin(annotation)
+    if origin in (types.UnionType, Union):
+        return ", or ".join(parts)
+    if origin is list:
+        return f"list: {parts[0]}"
+    return f"mapping of names to: {parts[1]}" if origin is dict else "see meaning"
 
 
 def title(entry: type[Entry]) -> str:

@@ -10,7 +10,7 @@ from docs.generate.places import FIGURES, ROOT
 from rotordyn.job import deliver
 
 SHOWN = ("machine", "campbell", "frf_map", "stiffness", "preload")
-COLOURS = 96
+COLOURS = 192
 
 
 def draw_figures() -> None:

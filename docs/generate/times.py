@@ -29,7 +29,7 @@ def short_table(found: Measured) -> str:
     """What a user feels, each beside its target."""
     walls = {p["name"]: p for p in found["processes"]}
     rows = [_timed("all solve stages together", found["solve"], SOLVE_TARGET)]
-    rows += [_timed(f"`{_command(n)}`", walls[n]["wall"], t) for n, t in WALL_TARGETS.items()]
+    rows += [_timed(_command(n), walls[n]["wall"], t) for n, t in WALL_TARGETS.items()]
     peak = found["memory"]["tree"] or walls["run"]["memory"]
     rows.append(("peak memory of the run", f"{peak:.0f} MB", *_verdict(peak, MEMORY_TARGET, "MB")))
     if found.get("install"):
@@ -58,13 +58,13 @@ def machine(found: Measured) -> str:
     """The machine in one phrase."""
     m = found["machine"]
     libraries = ", ".join(f"{name} {version}" for name, version in m["libraries"].items())
-    return f"{m['processors']} processors, {m['system']}, Python {m['python']}, {libraries}"
+    busy = "" if m["busy"] is None else f" (load average {m['busy']:.1f} at the start)"
+    return f"{m['processors']} processors{busy}, {m['system']}, Python {m['python']}, {libraries}"
 
 
 def _command(name: str) -> str:
-    return {"run": "rotordyn run", "run, the first ever": "rotordyn run, the first time ever"}.get(
-        name, f"rotordyn {name}"
-    )
+    command, comma, when = name.partition(", ")
+    return f"`rotordyn {command}`{comma}{when}"
 
 
 def _timed(what: str, value: float, target: float) -> tuple[str, ...]:
@@ -78,10 +78,16 @@ def _verdict(value: float, target: float, unit: str) -> tuple[str, str]:
 
 def _processes(found: Measured) -> str:
     rows = [
-        (p["name"], f"{p['wall']:.3f}", f"{p['cpu']:.3f}", f"{p['memory']:.0f}", str(p["runs"]))
+        (
+            p["name"],
+            *(f"{p[key]:.3f}" for key in ("wall", "fastest", "cpu")),
+            f"{p['memory']:.0f}",
+            str(p["runs"]),
+        )
         for p in found["processes"]
     ]
-    return table(("process", "wall [s]:", "CPU [s]:", "largest process [MB]:", "runs:"), rows)
+    head = ("process", "wall [s]:", "fastest:", "CPU [s]:", "largest process [MB]:", "runs:")
+    return table(head, rows)
 
 
 def _stages(found: Measured) -> str:

@@ -29,7 +29,8 @@ def answer(scene: Scene, spec: FrfSpec) -> FrfResult:
         ]
         if along:
             values[:, along] = _rod(scene, [spec.pairs[k] for k in along], direction, frequency)
-    slices = {int(np.abs(scene.speed - wanted).argmin()) for wanted in spec.slices}
+    ends = scene.speed[scene.usable[[0, -1]]]
+    slices = {int(np.abs(scene.speed - wanted).argmin()) for wanted in spec.slices or ends}
     return FrfResult(
         speed=scene.speed,
         frequency=frequency,

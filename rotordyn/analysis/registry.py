@@ -60,6 +60,8 @@ def answer_spindle(
         ports=_ports(spindle, analyses),
     )
     results = {}
+    progress("usable speeds")
+    scene.usable  # noqa: B018  (refuses a case without any before anything else is solved)
     for name, spec in analyses.items():
         progress(name)
         answer = import_module(SPINDLE_ANALYSES[name]).answer

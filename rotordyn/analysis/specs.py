@@ -65,7 +65,7 @@ class FrfSpec:
     """Receptance between ``pairs`` (response, excitation) at every speed and frequency [Hz].
 
     ``slices``: speeds [rad/s] at which curves are drawn and UFF58 records written (nearest speed
-    of the case).
+    of the case); none given = the lowest and the highest.
     """
 
     frequencies: tuple[float, ...]

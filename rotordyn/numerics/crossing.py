@@ -19,6 +19,8 @@ def zero_crossings(x: Array, y: Array) -> list[float]:
             zeros.append(float(x[k]))
         elif y[k] * y[k + 1] < 0.0:
             zeros.append(_zero(x, y, k))
+    if len(y) and y[-1] == 0.0:
+        zeros.append(float(x[-1]))
     return zeros
 
 

@@ -11,41 +11,60 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Matrix = NDArray[np.inexact[Any]]
+WELL_CONDITIONED = 1e7  # of unit vectors: the sum over poles then keeps nine digits
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False, slots=True)
 class Modes:
     """Poles and vectors of a batch of systems of order n with unit mass.
 
-    ``pole`` (…, 2n) [rad/s]; ``vector`` (…, n, 2n): displacement part of the right vectors;
-    ``participation`` (…, 2n, n): what each pole takes from a force on each coordinate, so that the
-    receptance at s is vector · diag(1/(s − pole)) · participation.
+    ``stiffness``, ``damping`` (…, n, n): the systems. ``pole`` (…, 2n) [rad/s]; ``vector``
+    (…, n, 2n): displacement part of the right vectors; ``participation`` (…, 2n, n): what each pole
+    takes from a force on each coordinate, so that the receptance at s is
+    vector · diag(1/(s − pole)) · participation. ``condition`` (…): of the vectors, very large where
+    poles coincide and share one vector (a free body at rest).
     """
 
+    stiffness: Matrix
+    damping: Matrix
     pole: Complex
     vector: Complex
     participation: Complex
+    condition: Array
 
     def receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
         """Receptance at i·``omega`` (f,) of paired rows: (…, pairs, f).
 
-        ``responses`` and ``excitations`` (pairs, n). With λ = σ + iν, 1/(iω − λ) is
-        (iν − σ − iω)/(σ² + (ω − ν)²): one real table per batch entry serves all pairs.
+        ``responses`` and ``excitations`` (pairs, n).
         """
-        residues = (responses @ self.vector) * (self.participation @ excitations.T).swapaxes(-1, -2)
-        batch = residues.shape[:-2]
+        batch = self.pole.shape[:-1]
         total = np.empty((*batch, len(responses), len(omega)), dtype=complex)
         for place in np.ndindex(*batch):
-            pole, residue = self.pole[place], residues[place]
-            table = 1.0 / (pole.real[:, None] ** 2 + (omega - pole.imag[:, None]) ** 2)
-            turned = residue * (1j * pole.imag - pole.real)
-            total[place] = _summed(turned, table) - 1j * omega * _summed(residue, table)
+            answer = self._summed if self.condition[place] < WELL_CONDITIONED else self._solved
+            total[place] = answer(place, omega, responses, excitations)
         return total
 
+    def _summed(
+        self, place: tuple[int, ...], omega: Array, responses: Array, excitations: Array
+    ) -> Complex:
+        """Sum over the poles: with λ = σ + iν, 1/(iω − λ) is (iν − σ − iω)/(σ² + (ω − ν)²).
 
-def _summed(residues: Complex, table: Array) -> Complex:
-    """Complex times real matrix without making the real one complex."""
-    return residues.real @ table + 1j * (residues.imag @ table)
+        One real table serves all pairs.
+        """
+        pole = self.pole[place]
+        residue = (responses @ self.vector[place]) * (self.participation[place] @ excitations.T).T
+        table = 1.0 / (pole.real[:, None] ** 2 + (omega - pole.imag[:, None]) ** 2)
+        turned = residue * (1j * pole.imag - pole.real)
+        return _times_real(turned, table) - 1j * omega * _times_real(residue, table)
+
+    def _solved(
+        self, place: tuple[int, ...], omega: Array, responses: Array, excitations: Array
+    ) -> Complex:
+        """The dynamic stiffness solved at every frequency."""
+        k, d = self.stiffness[place], self.damping[place]
+        w = omega[:, None, None]
+        answer = np.linalg.solve(k + 1j * w * d - w**2 * np.eye(len(k)), excitations.T + 0j)
+        return np.asarray(np.einsum("pn,fnp->pf", responses, answer))
 
 
 def modes(stiffness: Matrix, damping: Matrix) -> Modes:
@@ -60,8 +79,30 @@ def modes(stiffness: Matrix, damping: Matrix) -> Modes:
     matrix[..., :n, n:] *= scale
     matrix[..., n:, :n] /= scale
     pole, vectors = (part.astype(complex) for part in np.linalg.eig(matrix))
-    forces = np.asarray(np.linalg.inv(vectors)[..., n:] / scale, dtype=complex)
-    return Modes(pole, vectors[..., :n, :], forces)
+    left = _inverse(vectors)
+    return Modes(
+        stiffness=np.broadcast_to(stiffness, shape),
+        damping=np.broadcast_to(damping, shape),
+        pole=pole,
+        vector=vectors[..., :n, :],
+        participation=left[..., n:] / scale,
+        condition=np.abs(left).sum(axis=-1).max(axis=-1),
+    )
+
+
+def _inverse(vectors: Complex) -> Complex:
+    """Left vectors; where the right ones are dependent to the last bit, infinite."""
+    try:
+        return np.asarray(np.linalg.inv(vectors), dtype=complex)
+    except np.linalg.LinAlgError:
+        regular = np.linalg.matrix_rank(vectors) == vectors.shape[-1]
+        safe = np.where(regular[..., None, None], vectors, np.eye(vectors.shape[-1]))
+        return np.where(regular[..., None, None], np.linalg.inv(safe), np.inf)
+
+
+def _times_real(matrix: Complex, table: Array) -> Complex:
+    """Complex times real matrix without making the real one complex."""
+    return matrix.real @ table + 1j * (matrix.imag @ table)
 
 
 def residual(found: Modes, stiffness: Matrix, damping: Matrix) -> float:

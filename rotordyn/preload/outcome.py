@@ -10,6 +10,7 @@ from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.network import Network, NetworkState, groups
 
+NOTHING = 1e-3  # N
 LEAST_LOAD = 1e-6  # of the largest joint load: below it a bearing counts as unloaded
 
 
@@ -25,6 +26,8 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int) ->
         ", ".join(spindle.seats[k].name for k in joint.seats)
         for joint in network.arrangement.joints
     ]
+    if np.nanmax(np.abs(load), initial=0.0) < NOTHING:
+        return f"no bearing is preloaded at {rpm:.0f} rpm: give the springs a preload"
     for k in np.flatnonzero(~np.isfinite(load)):
         return (
             f"bearing {names[k]} has no equilibrium at {rpm:.0f} rpm: raise its preload or lower "
@@ -35,7 +38,7 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int) ->
     for k in np.flatnonzero(load <= LEAST_LOAD * np.abs(load).max()):
         return (
             f"bearing {names[k]} is unloaded at {rpm:.0f} rpm (preload lost): raise the preload of "
-            "its spring or lower the axial force"
+            "the springs or lower the axial force"
         )
     return _overload(names, network, net, row, rpm)
 

@@ -54,8 +54,8 @@ def lateral_rotor(
     """Reduce the rotor's bending plane.
 
     Kept are the free-free modes up to ``CUTOFF`` times ``max_frequency`` [Hz] and the static
-    answers to forces and moments at bearings, supports and the nodes ``ports``; a ``rigid`` rotor
-    keeps the two motions of a rigid body.
+    answers to forces and moments at bearings, supports and the nodes ``ports`` and to the
+    gyroscopic moments of the lowest modes; a ``rigid`` rotor keeps the two motions of a rigid body.
     """
     plane = bending_plane(spindle, mesh)
     if rigid:
@@ -63,7 +63,7 @@ def lateral_rotor(
     else:
         loads = _loads(spindle, mesh, ports)
         cutoff = 2.0 * math.pi * CUTOFF * max_frequency
-        basis, values = ritz_basis(plane.mass, plane.stiffness, cutoff, loads, 2)
+        basis, values = ritz_basis(plane.mass, plane.stiffness, cutoff, loads, 2, plane.polar)
     sprung = [s for s in spindle.sleeves if math.isfinite(s.radial_stiffness)]
     masses = np.array([_sleeve_mass(s, max_frequency) for s in sprung])
     held = np.array([s.radial_stiffness for s in sprung]) / masses

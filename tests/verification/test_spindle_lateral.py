@@ -67,7 +67,7 @@ def dense(found: Scene, row: int, names: tuple[str, ...] = PAIRS) -> np.ndarray:
 def gap(ours: np.ndarray, exact: np.ndarray) -> float:
     """Largest difference over the peak, worst pair; pairs that must be zero over the others'."""
     peak = np.abs(exact).max(axis=-1)
-    floor = np.where(peak > 1e-12 * peak.max(), peak, peak.max())
+    floor = np.where(peak > 1e-9 * peak.max(), peak, peak.max())
     return float((np.abs(ours - exact).max(axis=-1) / floor).max())
 
 

@@ -126,7 +126,7 @@ def test_forward_and_backward_of_different_modes_cross_without_swapping() -> Non
 
 
 def test_planes_of_an_uneven_rotor_cross() -> None:
-    """At rest with supports of one plane softer: planes do not couple, so modes keep their plane."""
+    """Without polar inertia the planes do not couple: every mode keeps its plane."""
     disc = PointMass("disc", 0.25, 30.0, 1e-6, 1e-6)
     held = tuple(support(n, x, (4e7, 2e7)) for n, x in (("a", 0.0), ("b", 0.5)))
     rotor = uniform(0.5, 0.05, STEEL, masses=(disc,), supports=held)

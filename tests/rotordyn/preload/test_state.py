@@ -12,6 +12,7 @@ import pytest
 from rotordyn.machine.growth import PrescribedShortening
 from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import Spring
 from rotordyn.preload.network import Law
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from tests.oracles.spindles import RPM, TOP, mfw2310, with_sleeve, with_springs
@@ -150,6 +151,24 @@ def test_stop_speed_agrees_with_bisection_by_plain_runs() -> None:
 def test_stop_speed_does_not_depend_on_the_speeds_asked(step: int) -> None:
     found = state(mfw2310(), np.arange(0, 24001, step)).stop_speeds()[0]
     assert found / RPM == pytest.approx(20401.56, rel=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("preload", "stiffness", "travel", "top"),
+    [(50.0, 1e6, 5e-6, 24000), (200.0, 1e6, 2e-6, 12000), (200.0, 5e6, 4.5e-5, 24000)],
+)
+def test_stop_speeds_of_two_stops_from_few_speeds(
+    preload: float, stiffness: float, travel: float, top: int
+) -> None:
+    """Two speeds tell the same as sixty; each stop is met with the other one as it then is."""
+    soft = mfw2310(
+        sleeves=tuple(
+            replace(s, spring=Spring(preload, stiffness), stop_travel=travel)
+            for s in mfw2310().sleeves
+        )
+    )
+    fine = state(soft, np.linspace(0, top, 61)).stop_speeds()
+    assert state(soft, [0, top]).stop_speeds() == pytest.approx(fine, rel=1e-4)
 
 
 def test_stop_is_closed_exactly_where_the_open_sleeve_would_overrun() -> None:

@@ -1,0 +1,80 @@
+"""Every case of the project is read and run whole; its outcomes are looked at."""
+
+from __future__ import annotations
+
+import json
+import math
+import warnings
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import rotordyn
+from rotordyn.job import deliver
+from rotordyn.report.netcdf import read_results
+from tests.oracles.spindles import CASES
+
+FILES = sorted(CASES.glob("*.yaml"))
+NAMES = [path.stem for path in FILES]
+
+
+def test_cases_of_the_main_job_are_there() -> None:
+    assert {"mfw2310", "mfw2310_computed", "vex70", "lalanne_ferraris"} <= set(NAMES)
+
+
+def test_every_case_is_in_the_table_of_the_folder() -> None:
+    table = (CASES / "README.md").read_text(encoding="utf-8")
+    assert [name for name in NAMES if f"`{name}.yaml`" not in table] == []
+
+
+@pytest.mark.parametrize("path", FILES, ids=NAMES)
+def test_case_runs(path: Path, tmp_path: Path) -> None:
+    """No warning, every speed solved, every number finite, every figure drawn twice."""
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        case = rotordyn.load(path)
+        assert case.name == path.stem
+        assert case.title
+        delivery = deliver(case, tmp_path / "out")
+    assert delivery.unsolved == ()
+    record = json.loads((delivery.folder / "run.json").read_text(encoding="utf-8"))
+    assert set(record["outcomes"]) == set(case.analyses)
+    for name, words in record["outcomes"].items():
+        assert set(words) == {""}, name
+    assert len(delivery.summary.splitlines()) <= 60
+    assert not record["warnings"]
+    figures = {p.stem for p in delivery.folder.glob("*.png")}
+    assert figures
+    assert figures == {p.stem for p in delivery.folder.glob("*.svg")}
+    _look_at_numbers(delivery.folder / "results.nc", set(case.analyses), len(case.speeds))
+
+
+def _look_at_numbers(path: Path, analyses: set[str], speeds: int) -> None:
+    found = read_results(path)
+    assert set(found) == analyses
+    for name, data in found.items():
+        assert data.sizes["speed"] == speeds
+        for variable, values in data.data_vars.items():
+            if values.dtype.kind in "fc" and variable != "stop_speed":
+                assert np.isfinite(values.values).all(), f"{name}: {variable}"
+
+
+def test_computed_growth_and_shortening_differ_from_the_identified_ones() -> None:
+    """Rings: what shaft, ring and fit give; seats d, e: near −29.4 µm instead of −42.8 µm."""
+    loaded = [rotordyn.load(CASES / f"{n}.yaml") for n in ("mfw2310", "mfw2310_computed")]
+    top = 24000 * math.pi / 30
+    from rotordyn.preload.growth import ring_growth
+    from rotordyn.preload.shortening import seat_shifts
+
+    growth, shift = [], []
+    for case in loaded:
+        assert case.spindle is not None
+        speed = np.array([0.0, top])
+        growth.append(ring_growth(case.spindle, case.spindle.seats[0], speed) * 1e6)
+        shift.append(seat_shifts(case.spindle, speed)[1] * 1e6)
+    assert growth[0] == pytest.approx([43.2, 50.5])
+    assert growth[1][0] == pytest.approx(43.2)
+    assert 3.0 < growth[1][1] - growth[1][0] < 15.0
+    assert shift[0] == pytest.approx([0, 0, -0.305, -42.8, -42.8])
+    assert shift[1][3:].mean() == pytest.approx(-29.4, abs=0.05)

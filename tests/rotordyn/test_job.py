@@ -1,0 +1,178 @@
+"""From a case to Datasets and to a results folder."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+
+import rotordyn
+from rotordyn.analysis.specs import CampbellSpec, FrfSpec, PreloadSpec, StiffnessSpec
+from rotordyn.case.case import Case
+from rotordyn.errors import InvalidInput, NoSolution, OutputRefused
+from rotordyn.job import deliver, restricted, run, solve, unsolved
+from rotordyn.machine.growth import PrescribedShortening
+from rotordyn.report.netcdf import read_results
+from tests.oracles.spindles import RPM, case, mfw2310, pairs
+
+
+def small(**changes: object) -> Case:
+    """The flagship at three speeds and few frequencies."""
+    analyses = {
+        "preload": PreloadSpec(),
+        "campbell": CampbellSpec(3000.0),
+        "frf": FrfSpec(
+            tuple(np.linspace(10, 3000, 40)), pairs("Oc2.y/Oc2.y", "Oc2.z/Oc2.y"), (0.0,)
+        ),
+        "stiffness": StiffnessSpec("Oc2", 500.0, 2),
+    }
+    speeds = (0.0, 12000 * RPM, 24000 * RPM)
+    return replace(case(), **{"speeds": speeds, "analyses": analyses, **changes})
+
+
+def losing(rpm: float) -> Case:
+    """Preload of the rear pair is lost at ``rpm`` and above."""
+    far = PrescribedShortening(rpm * RPM, {"d": 300e-6, "e": 300e-6})
+    return small(spindle=mfw2310(shortening=far))
+
+
+def test_run_returns_datasets_with_complex_values() -> None:
+    found = rotordyn.run(small())
+    assert set(found) == {"preload", "campbell", "frf", "stiffness"}
+    frf = found["frf"]
+    assert isinstance(frf, xr.Dataset)
+    assert np.iscomplexobj(frf["receptance"])
+    assert frf["receptance"].dims == ("speed", "pair", "frequency")
+    assert frf["speed_rpm"].values == pytest.approx([0, 12000, 24000])
+    assert frf["speed"].attrs["units"] == "rad/s"
+    picked = found["stiffness"]["tangent"].sel(variant="full", speed=0.0)
+    assert float(picked) == pytest.approx(142.7e6, rel=5e-3)
+    assert np.iscomplexobj(found["campbell"]["shape"])
+    assert found["preload"]["axial_load"].sel(bearing="c")[0] == pytest.approx(574.0)
+
+
+def test_run_is_the_function_of_the_job() -> None:
+    assert rotordyn.run is run
+
+
+def test_only_what_is_asked() -> None:
+    kept = restricted(small(), ("stiffness",))
+    assert list(kept.analyses) == ["stiffness"]
+    assert set(run(kept)) == {"stiffness"}
+    with pytest.raises(InvalidInput, match="preload, campbell, frf, stiffness"):
+        restricted(small(), ("stiffness", "modal"))
+
+
+def test_case_without_a_machine() -> None:
+    with pytest.raises(InvalidInput, match="neither a spindle nor a bearing"):
+        solve(small(spindle=None))
+
+
+def test_folder_holds_numbers_tables_figures_and_record(tmp_path: Path) -> None:
+    delivery = deliver(small(), tmp_path / "out")
+    names = {p.name for p in delivery.folder.iterdir()}
+    assert {"results.nc", "run.json", "summary.txt", "frf.uff", "preload.csv"} <= names
+    for figure in ("machine", "campbell", "frf_map", "frf_surface", "stiffness", "preload"):
+        assert {f"{figure}.png", f"{figure}.svg"} <= names
+    assert all(p.stat().st_size > 0 for p in delivery.folder.iterdir())
+    assert list(tmp_path.iterdir()) == [delivery.folder], "nothing beside the folder"
+    record = json.loads((delivery.folder / "run.json").read_text(encoding="utf-8"))
+    assert set(record["files"]) == names
+    assert record["digest"] == case().digest
+    assert set(record["outcomes"]) == {"preload", "campbell", "frf", "stiffness"}
+    assert max(record["tolerances"].values()) < 1e-8
+    assert {"numpy", "scipy", "rotordyn"} <= set(record["versions"])
+    assert set(record["stages"]) >= {"preload", "frf", "write"}
+    assert delivery.unsolved == ()
+    assert (delivery.folder / "summary.txt").read_text(encoding="utf-8").strip() in (
+        delivery.summary + "\n"
+    )
+
+
+def test_file_holds_what_run_returns(tmp_path: Path) -> None:
+    asked = restricted(small(), ("preload", "frf"))
+    deliver(asked, tmp_path / "out")
+    written, direct = read_results(tmp_path / "out" / "results.nc"), run(asked)
+    assert set(written) == set(direct)
+    for name in direct:
+        for variable in direct[name].data_vars:
+            a, b = written[name][variable].values, direct[name][variable].values
+            if a.dtype.kind in "fc":
+                assert np.array_equal(a, b, equal_nan=True), variable
+    with xr.open_dataset(tmp_path / "out" / "results.nc", group="frf", engine="h5netcdf") as opened:
+        assert {"receptance_re", "receptance_im"} <= set(opened.data_vars)
+        assert opened["frequency"].attrs["units"] == "Hz"
+
+
+def test_two_runs_give_equal_numbers() -> None:
+    first, second = run(small()), run(small())
+    for name in first:
+        xr.testing.assert_equal(first[name], second[name])
+
+
+def test_second_delivery_replaces_the_first_whole(tmp_path: Path) -> None:
+    deliver(restricted(small(), ("preload", "stiffness")), tmp_path / "out")
+    assert (tmp_path / "out" / "stiffness.csv").exists()
+    deliver(restricted(small(), ("preload",)), tmp_path / "out")
+    assert not (tmp_path / "out" / "stiffness.csv").exists()
+    assert (tmp_path / "out" / "preload.csv").exists()
+
+
+def test_foreign_folder_is_refused_before_anything_is_solved(tmp_path: Path) -> None:
+    (tmp_path / "thesis.tex").write_text("mine")
+    seen: list[str] = []
+    with pytest.raises(OutputRefused):
+        deliver(small(), tmp_path, seen.append)
+    assert seen == []
+    assert [p.name for p in tmp_path.iterdir()] == ["thesis.tex"]
+
+
+def test_failure_leaves_nothing_and_keeps_the_old(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    asked = restricted(small(), ("preload",))
+    deliver(asked, tmp_path / "out")
+    before = (tmp_path / "out" / "run.json").read_text(encoding="utf-8")
+
+    def full_disk(*_: object) -> None:
+        raise OSError("no space left on device")
+
+    monkeypatch.setattr("rotordyn.report.manifest.write_record", full_disk)
+    for target in ("out", "new"):
+        with pytest.raises(OSError, match="no space"):
+            deliver(asked, tmp_path / target)
+    assert [p.name for p in tmp_path.iterdir()] == ["out"]
+    assert (tmp_path / "out" / "run.json").read_text(encoding="utf-8") == before
+
+
+def test_no_solution_writes_nothing(tmp_path: Path) -> None:
+    lost = replace(losing(100.0), speeds=(12000 * RPM, 24000 * RPM))
+    for only in (("preload",), ("campbell",), ("preload", "frf", "stiffness")):
+        with pytest.raises(NoSolution, match="unloaded at 12000 rpm"):
+            deliver(restricted(lost, only), tmp_path / "out")
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_part_of_the_speeds_is_delivered_and_the_rest_named(tmp_path: Path) -> None:
+    delivery = deliver(losing(24000.0), tmp_path / "out")
+    assert len(delivery.unsolved) == 1
+    assert "d, e is unloaded at 24000 rpm" in delivery.unsolved[0]
+    record = json.loads((delivery.folder / "run.json").read_text(encoding="utf-8"))
+    words = record["outcomes"]["frf"]
+    assert words[""] == [0.0, 12000.0]
+    assert any("unloaded" in word and rpm == [24000.0] for word, rpm in words.items() if word)
+
+
+def test_unsolved_lists_each_reason_once() -> None:
+    reasons = unsolved(solve(losing(24000.0)).results)
+    assert len(reasons) == len(set(reasons)) == 1
+
+
+def test_progress_names_every_question_and_the_figures(tmp_path: Path) -> None:
+    seen: list[str] = []
+    deliver(restricted(small(), ("preload", "stiffness")), tmp_path / "out", seen.append)
+    assert seen == ["preload", "stiffness", "figures"]
