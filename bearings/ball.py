@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.convex import resting_reaction, resting_seat
+from bearings.convex import resting_reaction
 from bearings.geometry import Geometry
 from bearings.kinematics import (
     HYPOTHESES,
@@ -29,7 +29,7 @@ from bearings.kinematics import (
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False, slots=True)
 class BallModel:
     """A bearing's constants with the chosen kinematics and sharing of the gyroscopic moment."""
 
@@ -54,7 +54,7 @@ class BallModel:
         return 0.5 * g.ball_mass * g.pitch_diameter * (orbit * speed) ** 2
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False, slots=True)
 class Balance:
     """State of balls at given A and X, linearised.
 
@@ -151,17 +151,17 @@ def turning_balance(
     )
 
 
-def resting_balance(model: BallModel, centre: Array) -> tuple[Balance, Array]:
-    """Balance of balls at rest with the ball centre eliminated; also returns that centre."""
+def resting_balance(model: BallModel, centre: Array) -> Balance:
+    """Balance of balls at rest, the ball centre eliminated."""
     g = model.geometry
-    answer, ball = resting_reaction(g, centre), resting_seat(g, centre)
+    answer = resting_reaction(g, centre)
     load, angle = np.hypot(*answer.force), np.arctan2(centre[0], centre[1])
     zero = np.zeros_like(load)
     nothing = np.zeros((3, 2, *load.shape))
     one = nothing[:2] + np.eye(2).reshape(2, 2, *(1,) * load.ndim)
     moment = g.centre_radius * answer.force[:1]
-    balance = Balance(
-        residual=np.zeros_like(ball),
+    return Balance(
+        residual=np.zeros_like(answer.force),
         action=np.concatenate([answer.force, moment]),
         dresidual_dx=one,
         dresidual_da=nothing[:2],
@@ -175,7 +175,6 @@ def resting_balance(model: BallModel, centre: Array) -> tuple[Balance, Array]:
         gyroscopic_moment=zero,
         inner_share=zero + 1.0,
     )
-    return balance, ball
 
 
 def _directions(centre: Array, ball: Array) -> tuple[Array, ...]:

@@ -26,7 +26,7 @@ SHORTEST_BLEND = 1.0 / 512.0
 NEWTON_STEPS = 8
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False, slots=True)
 class Linear:
     """Balls linearised at (d, X): the Newton step follows from it.
 
@@ -41,7 +41,7 @@ class Linear:
     error: Array
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False, slots=True)
 class Solution:
     """d (s, 5), X (2, s, n), the balance there, tangent (s, 5, 5), an outcome word per state."""
 
@@ -84,13 +84,12 @@ def solve(problem: Problem, displacement: Array, guess: Array | None = None) -> 
 
 
 def linearise(problem: Problem, d: Array, x: Array, blend: Array) -> Linear:
-    """Balance and scaled error at (d, X); at rest X is written to its own place."""
+    """Balance and scaled error at (d, X); at rest X plays no part."""
     centre = problem.ring.centres(problem.origin, d)
     if problem.turning:
         balance = turning_balance(problem.model, centre, x, problem.speed[:, None], blend[:, None])
     else:
-        balance, seat = resting_balance(problem.model, centre)
-        x[...] = seat
+        balance = resting_balance(problem.model, centre)
     inverse, determinant = _inverse(balance.dresidual_dx)
     ring_load = problem.ring.load(balance.action)
     return Linear(
@@ -170,7 +169,7 @@ def _solve(k: Array, gap: Array) -> Array:
 
 def _correct(
     problem: Problem, d: Array, x: Array, blend: Array
-) -> tuple[Array, Array, NDArray[np.bool_], Linear, int]:
+) -> tuple[Array, Array, NDArray[np.bool_], Linear, NDArray[np.int_]]:
     """Plain Newton at ``blend`` from a point close by.
 
     Returns new (d, X), success, the linearisation there, and the iterations used. Success means:
@@ -178,11 +177,13 @@ def _correct(
     """
     start = _angles(problem, d, x)
     d, x = d.copy(), x.copy()
-    for used in range(NEWTON_STEPS + 1):
+    used = np.zeros(len(d), dtype=int)
+    for step in range(NEWTON_STEPS + 1):
         linear = linearise(problem, d, x, blend)
         moving = linear.error >= TOLERANCE
-        if not moving.any() or used == NEWTON_STEPS:
+        if not moving.any() or step == NEWTON_STEPS:
             break
+        used += moving
         dd, dx = _step(problem, linear)
         d += np.where(moving[:, None], dd, 0.0)
         x += np.where(moving[:, None], dx, 0.0)
@@ -221,6 +222,6 @@ def _blended(
         new_d, new_x, good, _, used = _correct(problem.take(todo), d[todo], x[:, todo], target)
         won = todo[good]
         d[won], x[:, won], blend[won] = new_d[good], new_x[:, good], target[good]
-        stride[won] *= 2.0 if used <= 5 else 1.0
+        stride[won] *= np.where(used[good] <= 5, 2.0, 1.0)
         stride[todo[~good]] *= 0.25
     return d, x, done & (blend >= 1.0)

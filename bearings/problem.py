@@ -17,7 +17,7 @@ TOLERANCE = 1e-11  # of the largest ball load (ball balance) and ring load (ring
 EPS = float(np.finfo(float).eps)
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False, slots=True)
 class Problem:
     """States to find: all at rest or all turning.
 

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from bearings.angular_contact import AngularContactBallBearing
 from bearings.ball import BallModel
+from bearings.convex import resting_seat
 from bearings.equilibrium import Solution, solve
 from bearings.errors import InvalidBearing, NoEquilibrium
 from bearings.geometry import Geometry, geometry
@@ -21,6 +22,7 @@ from bearings.ring import axial_ring, full_ring
 from bearings.state import BearingState
 
 Array = NDArray[np.float64]
+SLOW = 2e-9  # of the groove reach: a ball pressed in less by its own motion is at rest
 
 REMEDIES = {
     "unloaded": "no load presses the rings together; give a load, or a displacement",
@@ -32,7 +34,7 @@ REMEDIES = {
 }
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False, slots=True)
 class Request:
     """What is asked, as a list of states: ``given`` (s, 5) is a load or a displacement."""
 
@@ -43,9 +45,16 @@ class Request:
     growth: Array
     shape: tuple[int, ...]
 
-    def groups(self, outcome: NDArray[np.str_]) -> Iterator[tuple[NDArray[np.intp], bool, bool]]:
-        """States alike in what must be solved: (index, axial?, turning?)."""
-        is_axial, is_turning = (self.given[:, 1:] == 0.0).all(axis=1), self.speed > 0.0
+    def groups(
+        self, model: BallModel, outcome: NDArray[np.str_]
+    ) -> Iterator[tuple[NDArray[np.intp], bool, bool]]:
+        """States alike in what must be solved: (index, axial?, turning?).
+
+        A speed whose centrifugal force does not press a ball measurably into its race is rest.
+        """
+        g = model.geometry
+        depth = (model.nominal_centrifugal(self.speed) / g.outer.stiffness) ** (2.0 / 3.0)
+        is_axial, is_turning = (self.given[:, 1:] == 0.0).all(axis=1), depth > SLOW * g.outer_reach
         for axial in (True, False):
             for turning in (True, False):
                 chosen = (is_axial == axial) & (is_turning == turning) & (outcome == "")
@@ -72,7 +81,7 @@ def answer(
     model = BallModel.named(geometry(bearing), kinematics, moment_sharing)
     origin, outcome = _origin(model.geometry, request)
     states = _blank(model.geometry, request, outcome)
-    for index, axial, turning in request.groups(outcome):
+    for index, axial, turning in request.groups(model, outcome):
         problem = _problem(model, request, origin, index, axial=axial, turning=turning)
         first = _first(problem, request, index)
         near = None
@@ -194,13 +203,21 @@ def _neighbour(
     first: Array,
 ) -> tuple[Array, Array | None]:
     """(d, X) of a neighbouring state as a start, or (first, None) where it has no such state."""
+    if start.outcome.shape != request.shape or start.inner_load.shape[-1] != (
+        problem.model.geometry.balls
+    ):
+        raise InvalidBearing(
+            f"start must be a state of this bearing with batch shape {request.shape}, got "
+            f"{start.outcome.shape}"
+        )
     near = start.ball_centre.reshape(2, len(request.speed), -1)[:, index]
     near = near[..., : problem.ring.balls]  # of an axial state all balls are alike
-    if not np.isfinite(near).all():
-        return first, None
+    known = np.asarray(np.isfinite(near).all(axis=(0, 2)))
     if request.by_load:
-        first = start.displacement.reshape(-1, 5)[index].copy()
-    return first, near.copy()
+        there = start.displacement.reshape(-1, 5)[index]
+        first = np.where(known[:, None], there, first)
+    centre = problem.ring.centres(problem.origin, first)
+    return first, np.where(known[:, None], near, resting_seat(problem.model.geometry, centre))
 
 
 BALL_FIELDS = (

@@ -17,7 +17,7 @@ from bearings.geometry import Geometry
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False, slots=True)
 class Ring:
     """The balls that need solving and how they map to the five freedoms.
 

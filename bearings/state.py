@@ -16,12 +16,13 @@ Array = NDArray[np.float64]
 class BearingState:
     """Physical state of a bearing, or of a batch of states with leading shape (…).
 
-    ``load`` (…, 5) [N, N·m], ``displacement`` (…, 5) [m, rad], ``speed`` (…) [rad/s]. Ball values
-    (…, balls): ``inner_load``, ``outer_load`` [N]; ``inner_angle``, ``outer_angle`` [rad];
-    ``inner_pressure``, ``outer_pressure`` [Pa]; ``centrifugal_force`` [N], ``gyroscopic_moment``
-    [N·m]; ``inner_grip``, ``outer_grip``: friction coefficient that each race needs to carry its
-    share of the gyroscopic moment; ``status``: ``"loaded"``, ``"open side"`` (loaded against the
-    side without a shoulder), ``"lost contact"`` (rides the outer race), ``"unloaded"`` (at rest).
+    ``load`` (…, 5) [N, N·m], ``displacement`` (…, 5) [m, rad], ``speed`` (…) [rad/s] without its
+    sign. Ball values (…, balls): ``inner_load``, ``outer_load`` [N]; ``inner_angle``,
+    ``outer_angle`` [rad]; ``inner_pressure``, ``outer_pressure`` [Pa]; ``centrifugal_force`` [N],
+    ``gyroscopic_moment`` [N·m]; ``inner_grip``, ``outer_grip``: friction coefficient that each race
+    needs to carry its share of the gyroscopic moment; ``status``: ``"loaded"``, ``"open side"``
+    (loaded against the side without a shoulder), ``"lost contact"`` (rides the outer race),
+    ``"unloaded"`` (at rest).
     ``outcome`` (…): ``""`` where the state exists; where it does not, all numbers are NaN.
     ``ball_centre`` (2, …, balls or 1): a start for neighbouring states.
     """

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import dataclasses
 import math
 from dataclasses import dataclass
 
@@ -38,6 +39,11 @@ class Branch:
         """|Im pole| / 2π [Hz], NaN where the mode is lost."""
         return np.abs(self.pole.imag) / (2.0 * math.pi)
 
+    @property
+    def born(self) -> int:
+        """First speed at which it is there."""
+        return int((self.column >= 0).argmax())
+
 
 def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     """Bending, axial and torsion modes up to ``spec.max_frequency``."""
@@ -47,7 +53,9 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     names = _names(branches)
     ends = sorted({0, len(scene.usable) - 1}) if spec.shapes else []
     criticals = _criticals(scene, branches, names)
-    stack = np.stack([b.pole for b in branches], axis=1)
+    shape = (len(scene.usable), len(branches))
+    pole = np.array([b.pole for b in branches], dtype=complex).reshape(shape[::-1]).T
+    whirl = np.array([b.whirl for b in branches]).reshape(shape[::-1]).T
     return CampbellResult(
         speed=scene.speed,
         mode=names,
@@ -56,9 +64,9 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         shape_speed=scene.speed[scene.usable][ends],
         critical=tuple(name for name, _ in criticals),
         outcome=scene.outcome,
-        frequency=scene.scattered(np.abs(stack.imag) / (2.0 * math.pi)),
-        damping_ratio=scene.scattered(-stack.real / np.abs(stack)),
-        whirl=scene.scattered(np.stack([b.whirl for b in branches], axis=1)),
+        frequency=scene.scattered(np.abs(pole.imag) / (2.0 * math.pi)),
+        damping_ratio=scene.scattered(-pole.real / np.abs(pole)),
+        whirl=scene.scattered(whirl),
         kind=tuple(b.kind for b in branches),
         shape=_shapes(scene, branches, ends),
         critical_speed=np.array([speed for _, speed in criticals]),
@@ -85,9 +93,8 @@ def _axial(scene: Scene, spec: CampbellSpec) -> list[Branch]:
 
 def _torsion(scene: Scene, spec: CampbellSpec) -> list[Branch]:
     once, speeds = scene.torsion_modes, len(scene.usable)
-    every = Modes(
-        *(np.repeat(a, speeds, axis=0) for a in (once.pole, once.vector, once.participation))
-    )
+    fields = (getattr(once, f.name) for f in dataclasses.fields(once))
+    every = Modes(*(np.repeat(values, speeds, axis=0) for values in fields))
     return _followed("torsion", every, spec, +1.0)
 
 
@@ -101,8 +108,6 @@ def _followed(kind: str, found: Modes, spec: CampbellSpec, side: float) -> list[
         keep = (turning > np.maximum(OSCILLATING * np.abs(pole), floor)) & (turning < ceiling)
         columns = np.flatnonzero(keep)
         chosen.append(columns[np.argsort(turning[columns])])
-    if not chosen[0].size:
-        return []
     vectors = [found.vector[s][:, c] for s, c in enumerate(chosen)]
     values = [side * found.pole[s].imag[c] for s, c in enumerate(chosen)]
     path = follow(vectors, values)
@@ -130,7 +135,8 @@ def _whirl_of_planes(found: Modes, column: NDArray[np.intp]) -> Array:
 def _place(branch: Branch) -> tuple[str, float, float]:
     """Bending, axial, torsion; from below; of twins the backward one first."""
     kind = {"bending": "0", "axial": "1", "torsion": "2"}[branch.kind]
-    return kind, float(f"{branch.frequency[0]:.8g}"), float(branch.whirl[0])
+    first = branch.born
+    return kind, float(f"{branch.frequency[first]:.8g}"), float(branch.whirl[first])
 
 
 def _names(branches: list[Branch]) -> tuple[str, ...]:
@@ -139,7 +145,7 @@ def _names(branches: list[Branch]) -> tuple[str, ...]:
     names = []
     paired = all(np.unique(b.whirl[b.column >= 0]).size == 1 for b in branches)
     for branch in branches:
-        whirl = {1.0: " forward", -1.0: " backward"}.get(float(branch.whirl[0]), "")
+        whirl = {1.0: " forward", -1.0: " backward"}.get(float(branch.whirl[branch.born]), "")
         family = branch.kind + (whirl if paired else "")
         counts[family] = counts.get(family, 0) + 1
         names.append(f"{branch.kind} {counts[family]}{whirl if paired else ''}")
@@ -150,13 +156,15 @@ def _criticals(
     scene: Scene, branches: list[Branch], names: tuple[str, ...]
 ) -> list[tuple[str, float]]:
     """Speeds where a bending mode that unbalance can excite meets the 1× line, ascending."""
-    speed = scene.speed[scene.usable]
     found = []
     for branch, name in zip(branches, names, strict=True):
-        excited = branch.kind == "bending" and not (scene.bending.isotropic and branch.whirl[0] < 0)
+        excited = branch.kind == "bending" and not (
+            scene.bending.isotropic and branch.whirl[branch.born] < 0
+        )
         if excited:
-            gap = np.abs(branch.pole.imag) - speed
-            found += [(name, zero) for zero in zero_crossings(speed, gap)]
+            turning = scene.scattered(np.abs(branch.pole.imag))
+            crossings = zero_crossings(scene.speed, turning - scene.speed)
+            found += [(name, zero) for zero in crossings]
     return sorted(found, key=lambda pair: pair[1])
 
 

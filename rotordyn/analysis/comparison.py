@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
@@ -16,9 +16,12 @@ from rotordyn.machine.spindle import Spindle
 Array = NDArray[np.float64]
 
 
+SAME_SPEED = 1e-3  # of the highest speed: frequencies are not interpolated between speeds
+
+
 @dataclass(frozen=True, slots=True)
 class Comparison:
-    """A reference and our ``values`` (SI) for it, one per value of the reference."""
+    """A reference, cut down to what can be compared, and our ``values`` (SI) for it."""
 
     reference: Reference
     values: tuple[float, ...]
@@ -27,12 +30,19 @@ class Comparison:
 def compare(
     references: Sequence[Reference], results: Mapping[str, Any], spindle: Spindle | None
 ) -> list[Comparison]:
-    """Every reference for which the results hold something to put beside it."""
+    """Every reference, at the speeds for which the results hold something to put beside it."""
     found = []
     for reference in dict.fromkeys(references):
         values = _computed(reference, results, spindle)
-        if values is not None and np.isfinite(values).any():
-            found.append(Comparison(reference, tuple(float(v) for v in values)))
+        if values is None or not np.isfinite(values).any():
+            continue
+        kept = np.flatnonzero(np.isfinite(values))
+        known = replace(
+            reference,
+            speeds=tuple(reference.speeds[k] for k in kept),
+            values=tuple(reference.values[k] for k in kept),
+        )
+        found.append(Comparison(known, tuple(float(values[k]) for k in kept)))
     return found
 
 
@@ -60,13 +70,14 @@ def bending_frequencies(result: CampbellResult, speed: float) -> Array:
 def _computed(
     reference: Reference, results: Mapping[str, Any], spindle: Spindle | None
 ) -> Array | None:
+    """Our value for every value of the reference, NaN outside the speeds computed."""
     speeds, subject = np.asarray(reference.speeds, float), reference.subject
     preload, stiffness = results.get("preload"), results.get("stiffness")
     match reference.quantity:
         case "radial_stiffness" if stiffness is not None:
             return _column(speeds, stiffness, "tangent", "variant", subject or "nonlinear")
         case "preload_sum" if preload is not None and spindle is not None:
-            return np.interp(speeds, preload.speed, preload_sum(preload, spindle))
+            return _between(speeds, preload.speed, preload_sum(preload, spindle))
         case "sleeve_displacement" if preload is not None:
             return _column(speeds, preload, "position", "body", subject)
         case "bending_frequency" if "campbell" in results:
@@ -78,11 +89,19 @@ def _column(speeds: Array, result: Any, name: str, dim: str, word: str) -> Array
     words = getattr(result, dim)
     if word not in words:
         return None
-    inside = (speeds >= result.speed[0] - 1e-9) & (speeds <= result.speed[-1] + 1e-9)
-    values = np.interp(speeds, result.speed, getattr(result, name)[:, words.index(word)])
-    return np.where(inside, values, np.nan)
+    return _between(speeds, result.speed, getattr(result, name)[:, words.index(word)])
+
+
+def _between(speeds: Array, known: Array, values: Array) -> Array:
+    """Values at ``speeds`` by interpolation, NaN outside the range of ``known``."""
+    slack = SAME_SPEED * known[-1]
+    inside = (speeds >= known[0] - slack) & (speeds <= known[-1] + slack)
+    return np.where(inside, np.interp(speeds, known, values), np.nan)
 
 
 def _modes(result: CampbellResult, speeds: Array) -> Array:
+    """Bending frequencies at the one speed of a list of modes, NaN where it was not computed."""
+    if np.abs(result.speed - speeds[0]).min() > SAME_SPEED * result.speed[-1]:
+        return np.full(speeds.size, np.nan)
     found = bending_frequencies(result, float(speeds[0]))[: speeds.size]
     return np.concatenate([found, np.full(speeds.size - found.size, np.nan)])

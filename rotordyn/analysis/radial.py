@@ -9,17 +9,20 @@ from numpy.typing import NDArray
 
 from bearings.angular_contact import AngularContactBallBearing
 from bearings.state import BearingState
-from rotordyn.errors import NoSolution
+from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.preload.arrangement import HOUSING, SHAFT
 from rotordyn.preload.network import Network
 from rotordyn.preload.state import PreloadState
+from rotordyn.preload.stops import stops_wanted
 from rotordyn.system.condensed import CondensedRotor
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
+Words = NDArray[np.str_]
 PLANE = [0, 1, 4]  # x, y, θz of a bearing's five freedoms
-TOLERANCE = 1e-9  # of the radial force
-ITERATIONS = 30
+TOLERANCE = 1e-9  # of the largest force in the balance
+ITERATIONS = 40
+HALVINGS = 8
 States = dict[AngularContactBallBearing, BearingState]
 
 
@@ -27,28 +30,47 @@ States = dict[AngularContactBallBearing, BearingState]
 class Point:
     """Coordinates (speeds, p + bodies), bearing states, loads and tangents in plane y.
 
-    ``load`` (speeds, seats, 3), ``tangent`` (speeds, seats, 3, 3): (x, y, θz) of the spindle.
+    ``load`` (speeds, seats, 3), ``tangent`` (speeds, seats, 3, 3): (x, y, θz) of the spindle;
+    ``pressure`` (speeds,): largest contact pressure [Pa].
     """
 
     coordinates: Array
     states: States
     load: Array
     tangent: Array
+    pressure: Array
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class RadialCurve:
+    """``deflection`` of the loaded point (speeds, loads), ``tangent`` at no load (speeds,) [N/m].
+
+    ``outcome`` (speeds,): empty, or why the curve ends early (then NaN from there on). ``reach``
+    (speeds, bodies): furthest position of each body against its spring along the curve, as travel
+    from rest [m].
+    """
+
+    deflection: Array
+    tangent: Array
+    outcome: Words
+    reach: Array
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class RadialProblem:
     """Unknowns: p coordinates of the condensed rotor, then the positions of the bodies.
 
-    ``rows`` (seats, 3, unknowns) give (x, y, θz) between the rings; ``held`` (speeds, bodies).
+    ``rows`` (seats, 3, unknowns) give (x, y, θz) between the rings; ``rest`` and ``limit``
+    (bodies,); ``held`` (speeds, bodies): standing at their stops.
     """
 
     network: Network
     rotor: CondensedRotor
     rows: Array
+    rest: Array
+    limit: Array
     position: Array
     held: Flags
-    limit: Array
 
     @classmethod
     def at(
@@ -61,33 +83,36 @@ class RadialProblem:
             network=part,
             rotor=rotor,
             rows=_rows(part, rotor),
+            rest=state.rest,
+            limit=state.limit,
             position=state.net.position[index],
             held=state.net.held[index],
-            limit=state.limit,
         )
 
-    def curve(self, force: Array) -> tuple[Array, Array]:
-        """Deflection of the point (speeds, loads) [m] and its tangent at no load (speeds,) [N/m].
+    def curve(self, force: Array) -> RadialCurve:
+        """Deflection under loads that ascend evenly from zero.
 
-        Loads ascend evenly from zero; each starts from the parabola through the last three.
-
-        Raises
-        ------
-        NoSolution : a load is more than the arrangement can carry
+        Each load starts from the parabola through the last three; every speed stands on its own.
         """
         p = len(self.rotor.point)
         start = np.concatenate([np.zeros((len(self.position), p)), self.position], axis=1)
         problem, here = self, self.evaluate(start, None)
         slope = problem._per_newton(here)
-        tangent = 1.0 / slope[:, :p].dot(self.rotor.point)
         path = [start, start - (force[1] - force[0]) * slope]  # a point before the first
         deflection = np.zeros((len(start), len(force)))
+        outcome = np.full(len(start), "", dtype=object)
+        reach = problem._travel(start)
         for k in range(1, len(force)):
             guess = 2.0 * path[0] - path[1] if k == 1 else 3.0 * (path[0] - path[1]) + path[2]
-            problem, here = problem._solved(guess, here, float(force[k]))
+            problem, here, found = problem._solved(guess, here, float(force[k]))
+            lost = (outcome == "") & ~found
+            outcome[lost] = [_why(point, force[k]) for point in here.pressure[lost]]
             path = [here.coordinates, *path[:2]]
             deflection[:, k] = here.coordinates[:, :p] @ self.rotor.point
-        return deflection, tangent
+            deflection[outcome != "", k] = np.nan
+            reach = np.fmax(reach, problem._travel(here.coordinates))
+        tangent = 1.0 / slope[:, :p].dot(self.rotor.point)
+        return RadialCurve(deflection, tangent, outcome.astype(str), reach)
 
     def evaluate(self, coordinates: Array, near: States | None) -> Point:
         """Bearing loads and tangents at given coordinates."""
@@ -95,6 +120,7 @@ class RadialProblem:
         moved = np.einsum("kiu,su->ski", self.rows, coordinates)
         load, tangent = np.empty_like(moved), np.empty((*moved.shape, 3))
         states: States = {}
+        pressure = np.zeros(len(moved))
         for bearing, members in _members(self.network).items():
             seats = [seat for seat, _ in members]
             owners = [joints[joint] for _, joint in members]
@@ -116,7 +142,9 @@ class RadialProblem:
             load[:, seats] = state.load[..., PLANE] * sign
             tangent[:, seats] = k * sign[:, :, None] * sign[:, None, :]
             states[bearing] = state
-        return Point(coordinates, states, load, tangent)
+            peak = np.fmax(state.inner_pressure, state.outer_pressure)
+            pressure = np.maximum(pressure, peak.max(axis=(1, 2)))
+        return Point(coordinates, states, load, tangent, pressure)
 
     @property
     def _fixed(self) -> Flags:
@@ -141,7 +169,7 @@ class RadialProblem:
         """Forces not balanced at the free unknowns (speeds, unknowns)."""
         p, springs = len(self.rotor.point), self.network.springs
         total = -np.einsum("kiu,ski->su", self.rows, here.load)
-        total[:, :p] += force * self.rotor.point - here.coordinates[:, :p] @ self.rotor.stiffness
+        total[:, :p] += force * self.rotor.point - here.coordinates[:, :p] @ self.rotor.stiffness.T
         total[:, p:] += springs.force - springs.stiffness * (here.coordinates[:, p:] - springs.rest)
         total[:, p + SHAFT] += self.network.arrangement.force
         return np.where(self._fixed, 0.0, total)
@@ -152,46 +180,84 @@ class RadialProblem:
         unit[:, : len(self.rotor.point), 0] = self.rotor.point
         return np.asarray(np.linalg.solve(self._matrix(here), unit)[..., 0])
 
-    def _solved(self, guess: Array, near: Point, force: float) -> tuple[RadialProblem, Point]:
-        """Equilibrium under ``force`` from a guess; stops close and open as they must."""
-        problem = self
-        there = problem.evaluate(guess, near.states)
-        for _ in range(ITERATIONS):
-            miss = problem._unbalanced(there, force)
-            error = np.abs(miss).max(axis=1)
-            if not np.isfinite(error).all():
-                raise NoSolution(
-                    f"a bearing has no equilibrium under a radial force of {force:.0f} N; lower "
-                    "max_force or raise the preload"
-                )
-            if (error < TOLERANCE * force).all():
-                changed = problem._stops(there)
-                if changed is problem:
-                    return problem, there
-                problem = changed
-                continue
-            move = np.linalg.solve(problem._matrix(there), miss[..., None])[..., 0]
-            there = problem.evaluate(there.coordinates + move, there.states)
-        raise NoSolution(
-            f"the spindle finds no equilibrium under a radial force of {force:.0f} N; lower "
-            "max_force or raise the preload"
-        )
+    def _error(self, here: Point, force: float) -> tuple[Array, Array]:
+        """Unbalanced forces, and the largest over the largest force of the balance (speeds,)."""
+        miss = self._unbalanced(here, force)
+        size = np.maximum(np.abs(here.load[..., :2]).max(axis=(1, 2)), abs(force))
+        return miss, np.abs(miss).max(axis=1) / (size + np.abs(self.network.springs.force).max())
 
-    def _stops(self, here: Point) -> RadialProblem:
-        """This problem with stops closed where overrun and opened where they would pull."""
-        p, pushes = len(self.rotor.point), self.network.arrangement.pushes
-        direction = np.zeros(self.held.shape[1])
-        for push in pushes:
-            direction[push.body] = push.direction
-        position = here.coordinates[:, p:]
-        overrun = direction * (position - self.limit) < -1e-13
+    def _placed(self, coordinates: Array) -> Array:
+        """Coordinates with every body that cannot move where it stands."""
+        p, springs = len(self.rotor.point), self.network.springs
+        position = np.where(self.held, self.limit, coordinates[:, p:])
+        position = np.where(springs.fixed, springs.rest, position)
+        return np.concatenate([coordinates[:, :p], position], axis=1)
+
+    def _solved(
+        self, guess: Array, near: Point, force: float
+    ) -> tuple[RadialProblem, Point, Flags]:
+        """Equilibrium under ``force`` from a guess, and where there is one (speeds,).
+
+        Stops close and open as they must.
+        """
+        problem = self
+        there = problem.evaluate(problem._placed(guess), near.states)
+        found = np.zeros(len(guess), dtype=bool)
+        for _ in range(ITERATIONS):
+            miss, error = problem._error(there, force)
+            found = (error < TOLERANCE) & (there.pressure <= HIGHEST_PRESSURE)
+            wanted = problem._stops(there)
+            changed = found & (wanted != problem.held).any(axis=1)
+            if changed.any():
+                problem = replace(problem, held=np.where(changed[:, None], wanted, problem.held))
+                there = problem.evaluate(problem._placed(there.coordinates), there.states)
+                continue
+            moving = np.isfinite(error) & ~(error < TOLERANCE)
+            if not moving.any():
+                break
+            there = problem._moved(there, miss, error, moving, force)
+        return problem, there, found
+
+    def _stops(self, here: Point) -> Flags:
+        """Bodies that belong at their stops (speeds, bodies)."""
+        p = len(self.rotor.point)
         free = replace(self, held=np.zeros_like(self.held))
-        pulls = self.held & (direction * free._unbalanced(here, 0.0)[:, p:] > 0.0)
-        wanted = (self.held | overrun) & ~pulls
-        if (wanted == self.held).all():
-            return self
-        here.coordinates[:, p:] = np.where(wanted & ~self.held, self.limit, position)
-        return replace(self, held=wanted)
+        force = free._unbalanced(here, 0.0)[:, p:]
+        return stops_wanted(self.network, here.coordinates[:, p:], force, self.held, self.limit)
+
+    def _moved(self, here: Point, miss: Array, error: Array, moving: Flags, force: float) -> Point:
+        """A Newton step at the speeds still moving, shortened where the balance gets worse."""
+        matrix = np.where(moving[:, None, None], self._matrix(here), np.eye(miss.shape[1]))
+        step = np.linalg.solve(matrix, np.where(moving[:, None], miss, 0.0)[..., None])[..., 0]
+        length = moving.astype(float)
+        there = here
+        for _ in range(HALVINGS):
+            there = self.evaluate(here.coordinates + length[:, None] * step, here.states)
+            worse = moving & ~(self._error(there, force)[1] < error)
+            if not worse.any():
+                break
+            length = np.where(worse, 0.5 * length, length)
+        return there
+
+    def _travel(self, coordinates: Array) -> Array:
+        """How far each body has moved from rest against its spring (speeds, bodies) [m]."""
+        moved = coordinates[:, len(self.rotor.point) :] - self.rest
+        direction = np.zeros(len(self.rest))
+        for push in self.network.arrangement.pushes:
+            direction[push.body] = push.direction
+        return -direction * moved
+
+
+def _why(pressure: float, force: float) -> str:
+    """Why a curve ends at ``force`` [N]."""
+    if pressure > HIGHEST_PRESSURE:
+        return (
+            f"bearings are overloaded under a radial force of {force:g} N (peak pressure "
+            f"{pressure / 1e9:.1f} GPa, at most {HIGHEST_PRESSURE / 1e9:g} GPa): lower max_force"
+        )
+    return (
+        f"no equilibrium under a radial force of {force:g} N: lower max_force or raise the preload"
+    )
 
 
 def _members(network: Network) -> dict[AngularContactBallBearing, list[tuple[int, int]]]:

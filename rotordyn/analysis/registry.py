@@ -59,13 +59,12 @@ def answer_spindle(
         max_frequency=_highest(analyses),
         ports=_ports(spindle, analyses),
     )
-    results = {}
-    progress("usable speeds")
-    scene.usable  # noqa: B018  (refuses a case without any before anything else is solved)
+    results: dict[str, Result] = {}
+    scene.require_solution()
     for name, spec in analyses.items():
         progress(name)
         answer = import_module(SPINDLE_ANALYSES[name]).answer
-        results[name] = scene.timed(name, partial(answer, scene, spec))
+        results[name] = scene.timed(f"answer {name}", partial(answer, scene, spec))
     unasked = dict.fromkeys(scene.skipped, "no analysis of this case needs it")
     return Answers(results, scene.seconds, unasked, scene.tolerances, scene.warnings)
 

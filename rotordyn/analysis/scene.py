@@ -114,7 +114,7 @@ class Scene:
         return tuple(
             f"bearing {name}: the fit of its inner ring lets go at "
             f"{speed * 30.0 / math.pi:.0f} rpm; raise its interference"
-            for name, speed in released_fits(self.spindle, float(self.speed[-1]))
+            for name, speed in released_fits(self.spindle, float(self.bearing_speed.max()))
         )
 
     @property
@@ -154,18 +154,21 @@ class Scene:
         words = self.preload.outcome
         return tuple(words[row] for row in self.bearing_row)
 
-    @property
-    def usable(self) -> NDArray[np.intp]:
-        """Speeds with a solution.
+    def require_solution(self) -> None:
+        """Go on only where some speed has a solution.
 
         Raises
         ------
-        NoSolution : there is none
+        NoSolution : none has
         """
-        rows = np.flatnonzero([word == "" for word in self.outcome])
-        if not rows.size:
+        if all(self.outcome):
             raise NoSolution(f"no speed of the case has a physical solution: {self.outcome[0]}")
-        return rows
+
+    @property
+    def usable(self) -> NDArray[np.intp]:
+        """Rows of the speeds with a solution; NoSolution where there is none."""
+        self.require_solution()
+        return np.flatnonzero([word == "" for word in self.outcome])
 
     def scattered(self, values: NDArray[Any]) -> NDArray[Any]:
         """Values at the usable speeds (first axis) over all speeds, NaN elsewhere."""

@@ -6,13 +6,14 @@ arrangement are free to follow.
 
 from __future__ import annotations
 
-from dataclasses import replace
+import math
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.radial import PLANE, RadialProblem
+from rotordyn.analysis.radial import PLANE, RadialCurve, RadialProblem
 from rotordyn.analysis.results import StiffnessResult
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import StiffnessSpec
@@ -20,8 +21,20 @@ from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.system.condensed import CondensedRotor, condensed_rotor
 
 Array = NDArray[np.float64]
+REACHED = 1e-12  # m
 SHORT_STOP = "short_stop"
-Curve = tuple[Array, Array]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Variant:
+    """One way of modelling the bearings at the usable speeds.
+
+    ``deflection`` (usable, loads), ``tangent`` at no load and ``outcome`` (usable,).
+    """
+
+    deflection: Array
+    tangent: Array
+    outcome: NDArray[np.str_]
 
 
 def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
@@ -29,106 +42,123 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
     force = np.linspace(0.0, spec.max_force, spec.steps + 1)
     point = scene.spindle.points[spec.point]
     rotor = condensed_rotor(scene.spindle, scene.mesh, point, rigid=scene.rigid)
-    curves: dict[str, Curve] = {}
+    found: dict[str, Variant] = {}
+    curves = partial(_nonlinear, scene.preload, rotor, scene.bearing_row[scene.usable], force)
+    usual = None
+    if "nonlinear" in spec.variants or spec.second_stop:
+        usual = scene.timed("stiffness: nonlinear", curves)
     for name in spec.variants:
-        curves[name] = scene.timed(
-            f"stiffness: {name}", partial(_variant, scene, rotor, name, force)
-        )
-    if spec.second_stop:
-        curves[SHORT_STOP] = scene.timed(
-            f"stiffness: {SHORT_STOP}",
-            lambda: _short_stop(scene, spec, rotor, force, curves.get("nonlinear")),
-        )
-    deflection = np.stack([curve for curve, _ in curves.values()], axis=1)
-    tangent = np.stack([slope for _, slope in curves.values()], axis=1)
+        if name == "nonlinear" and usual is not None:
+            found[name] = _as_variant(usual)
+        else:
+            work = partial(_linear, scene, rotor, name, force)
+            found[name] = scene.timed(f"stiffness: {name}", work)
+    if usual is not None and spec.second_stop:
+        short = partial(_short_stop, scene, spec, rotor, force, usual)
+        found[SHORT_STOP] = scene.timed(f"stiffness: {SHORT_STOP}", short)
+    deflection = np.stack([variant.deflection for variant in found.values()], axis=1)
     return StiffnessResult(
         speed=scene.speed,
-        variant=tuple(curves),
+        variant=tuple(found),
         force=force,
-        outcome=scene.outcome,
+        outcome=_outcome(scene, found),
         deflection=scene.scattered(deflection),
-        tangent=scene.scattered(tangent),
+        tangent=scene.scattered(np.stack([v.tangent for v in found.values()], axis=1)),
         secant=scene.scattered(force[-1] / deflection[..., -1]),
     )
 
 
-def _variant(scene: Scene, rotor: CondensedRotor, name: str, force: Array) -> Curve:
-    """Deflection (usable, loads) and tangent at no load (usable,) of one variant."""
-    rows = scene.bearing_row[scene.usable]
-    if name == "nonlinear":
-        return _nonlinear(scene.preload, rotor, rows, force)
-    if name == "constant_preload":
-        stiffness = _constant_preload(scene)[rows]
-    else:
-        stiffness = scene.preload.seat_stiffness()[rows]
-    block = _plane_blocks(scene, stiffness)
-    if name == "diagonal":
-        block = block * np.eye(2)
-    flexibility = _flexibility(rotor, block)
-    return flexibility[:, None] * force, 1.0 / flexibility
+def _outcome(scene: Scene, found: dict[str, Variant]) -> tuple[str, ...]:
+    """Per speed: why the machine, or else the first variant that fails, has no solution."""
+    words = list(scene.outcome)
+    for place, row in enumerate(scene.usable):
+        rpm = scene.speed[row] * 30.0 / math.pi
+        for name, variant in found.items():
+            if variant.outcome[place] and not words[row]:
+                words[row] = f"{name} at {rpm:.0f} rpm: {variant.outcome[place]}"
+    return tuple(words)
 
 
 def _nonlinear(
     state: PreloadState, rotor: CondensedRotor, rows: NDArray[np.intp], force: Array
-) -> Curve:
+) -> RadialCurve:
     """The full bearing model at every load; equal rows are solved once."""
     distinct, place = np.unique(rows, return_inverse=True)
-    deflection, tangent = RadialProblem.at(state, rotor, distinct).curve(force)
-    return deflection[place], tangent[place]
+    curve = RadialProblem.at(state, rotor, distinct).curve(force)
+    return RadialCurve(
+        curve.deflection[place], curve.tangent[place], curve.outcome[place], curve.reach[place]
+    )
+
+
+def _as_variant(curve: RadialCurve) -> Variant:
+    return Variant(curve.deflection, curve.tangent, curve.outcome)
 
 
 def _short_stop(
-    scene: Scene,
-    spec: StiffnessSpec,
-    rotor: CondensedRotor,
-    force: Array,
-    usual: Curve | None,
-) -> Curve:
-    """The nonlinear variant with other stop travels; solved anew only where they are reached."""
+    scene: Scene, spec: StiffnessSpec, rotor: CondensedRotor, force: Array, usual: RadialCurve
+) -> Variant:
+    """The nonlinear variant with other stop travels; solved anew only where they matter."""
     rows = scene.bearing_row[scene.usable]
-    if usual is None:
-        usual = _nonlinear(scene.preload, rotor, rows, force)
-    deflection, tangent = usual[0].copy(), usual[1].copy()
-    reached = np.flatnonzero(_overrun(scene, spec)[rows])
-    if reached.size:
+    other = _as_variant(usual)
+    deflection, tangent = other.deflection.copy(), other.tangent.copy()
+    outcome = other.outcome.astype(object)
+    differs = np.zeros(len(rows), dtype=bool)
+    for push, sleeve in zip(
+        scene.preload.network.arrangement.pushes, scene.spindle.sleeves, strict=True
+    ):
+        travel = spec.second_stop.get(sleeve.name, sleeve.stop_travel)
+        if travel != sleeve.stop_travel:
+            nearer = min(travel, sleeve.stop_travel)
+            differs |= ~(usual.reach[:, push.body] < nearer - REACHED) | (other.outcome != "")
+    anew = np.flatnonzero(differs)
+    if anew.size:
         sleeves = tuple(
             replace(s, stop_travel=spec.second_stop.get(s.name, s.stop_travel))
             for s in scene.spindle.sleeves
         )
-        other = dynamic_preload(
+        state = dynamic_preload(
             replace(scene.spindle, sleeves=sleeves),
-            scene.bearing_speed[rows[reached]],
+            scene.bearing_speed[rows[anew]],
             scene.law,
             scene.axial_force,
         )
-        every = np.arange(reached.size)
-        deflection[reached], tangent[reached] = _nonlinear(other, rotor, every, force)
-    return deflection, tangent
+        curve = _nonlinear(state, rotor, np.arange(anew.size), force)
+        good = state.usable
+        deflection[anew] = np.where(good[:, None], curve.deflection, np.nan)
+        tangent[anew] = np.where(good, curve.tangent, np.nan)
+        outcome[anew] = np.where(good, curve.outcome, np.array(state.outcome, dtype=object))
+    return Variant(deflection, tangent, outcome.astype(str))
 
 
-def _overrun(scene: Scene, spec: StiffnessSpec) -> NDArray[np.bool_]:
-    """Rows of the preload state where another stop travel would change it."""
-    state = scene.preload
-    differs = np.zeros(len(state.speed), dtype=bool)
-    for push, sleeve in zip(state.network.arrangement.pushes, scene.spindle.sleeves, strict=True):
-        travel = spec.second_stop.get(sleeve.name, sleeve.stop_travel)
-        moved = -push.direction * state.shift[:, push.body]
-        if travel != sleeve.stop_travel:
-            differs |= state.net.held[:, push.body] | (moved > travel)
-    return differs
+def _linear(scene: Scene, rotor: CondensedRotor, name: str, force: Array) -> Variant:
+    """A variant with constant bearing tangents."""
+    rows = scene.bearing_row[scene.usable]
+    outcome = np.full(len(scene.preload.speed), "", dtype=object)
+    if name == "constant_preload":
+        stiffness, outcome = _constant_preload(scene)
+    else:
+        stiffness = scene.preload.seat_stiffness()
+    block = _plane_blocks(scene, stiffness[rows])
+    if name == "diagonal":
+        block = block * np.eye(2)
+    flexibility = _flexibility(rotor, block)
+    return Variant(flexibility[:, None] * force, 1.0 / flexibility, outcome[rows].astype(str))
 
 
-def _constant_preload(scene: Scene) -> Array:
-    """Bearing tangents under the axial load each carries at rest, speed effects acting."""
+def _constant_preload(scene: Scene) -> tuple[Array, NDArray[np.object_]]:
+    """Bearing tangents under the axial load each carries at rest, speed effects acting.
+
+    Also an outcome per bearing speed.
+    """
     state = scene.preload
     rest = state.rest_loads()
-    arrangement = state.network.arrangement
     blocks = np.empty((len(state.speed), len(scene.spindle.seats), 5, 5))
-    for k, joint in enumerate(arrangement.joints):
-        load = np.zeros(5)
-        load[0] = rest[k]
+    outcome = np.full(len(state.speed), "", dtype=object)
+    for k, joint in enumerate(state.network.arrangement.joints):
+        load = np.zeros((len(state.speed), 5))
+        load[:, 0] = rest[k]
         held = joint.bearing.equilibrium(
-            load=np.broadcast_to(load, (len(state.speed), 5)),
+            load=load,
             speed=state.speed,
             static_growth=joint.static_growth,
             growth=joint.growth,
@@ -136,7 +166,10 @@ def _constant_preload(scene: Scene) -> Array:
             moment_sharing=scene.law.moment_sharing,
         )
         blocks[:, list(joint.seats)] = held.stiffness("complete")[:, None]
-    return blocks
+        names = ", ".join(scene.spindle.seats[seat].name for seat in joint.seats)
+        lost = (held.outcome != "") & (outcome == "")
+        outcome[lost] = f"bearing {names} has no equilibrium under its load at rest"
+    return blocks, outcome
 
 
 def _plane_blocks(scene: Scene, stiffness: Array) -> Array:

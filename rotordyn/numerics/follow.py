@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 Complex = NDArray[np.complex128]
 LEAST_LIKENESS = 0.2
+NEARNESS = 0.3  # of likeness that the farthest value costs
 
 
 def likeness(a: Complex, b: Complex) -> NDArray[np.float64]:
@@ -19,26 +20,28 @@ def likeness(a: Complex, b: Complex) -> NDArray[np.float64]:
 
 
 def follow(vectors: list[Complex], values: list[NDArray[np.float64]]) -> NDArray[np.intp]:
-    """For every vector of the first step, its column at every step, −1 where it is lost.
+    """Paths through the steps: column of each path at every step (steps, paths), −1 where absent.
 
-    ``vectors``: one (n, k_s) array per step; ``values`` (k_s,): ties between vectors equally alike
-    go to the nearer value. The most alike pairs are matched first, each vector once.
+    ``vectors``: one (n, k_s) array per step; ``values`` (k_s,): of vectors equally alike the nearer
+    value is taken. The most alike pairs are matched first, each vector once; a vector that nobody
+    claims begins a path of its own.
     """
-    start = vectors[0].shape[1]
-    path = np.full((len(vectors), start), -1, dtype=np.intp)
-    path[0] = np.arange(start)
-    last, at = vectors[0], values[0].copy()
-    for step in range(1, len(vectors)):
-        if not vectors[step].shape[1]:
-            continue
-        score = likeness(last, vectors[step])
-        distance = np.abs(values[step] - at[:, None])
-        score = score - 0.3 * distance / (np.abs(at[:, None]) + np.abs(values[step]) + 1e-300)
-        path[step] = _matched(score)
-        found = path[step] >= 0
-        last = last.copy()
-        last[:, found] = vectors[step][:, path[step][found]]
-        at[found] = values[step][path[step][found]]
+    last = np.zeros((vectors[0].shape[0], 0), dtype=complex)
+    at = np.zeros(0)
+    path = np.zeros((len(vectors), 0), dtype=np.intp)
+    for step, (fresh, value) in enumerate(zip(vectors, values, strict=True)):
+        if last.shape[1] and fresh.shape[1]:
+            distance = np.abs(value - at[:, None])
+            apart = distance / (np.abs(at[:, None]) + np.abs(value) + 1e-300)
+            column = _matched(likeness(last, fresh) - NEARNESS * apart)
+        else:
+            column = np.full(last.shape[1], -1, dtype=np.intp)
+        found = column >= 0
+        born = np.setdiff1d(np.arange(fresh.shape[1]), column[found])
+        last[:, found], at[found] = fresh[:, column[found]], value[column[found]]
+        last, at = np.concatenate([last, fresh[:, born]], axis=1), np.append(at, value[born])
+        path = np.pad(path, ((0, 0), (0, born.size)), constant_values=-1)
+        path[step] = np.append(column, born)
     return path
 
 

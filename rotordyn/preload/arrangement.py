@@ -18,7 +18,7 @@ HOUSING = -1
 SHAFT = 0
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False, slots=True)
 class Joint:
     """One bearing, or several alike side by side, between the shaft and a body.
 
@@ -35,7 +35,7 @@ class Joint:
     shift: Array
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False, slots=True)
 class Push:
     """Spring and stop of a sleeve: ``direction`` ±1, ``preload`` [N], ``stiffness`` [N/m]."""
 
@@ -46,7 +46,7 @@ class Push:
     travel: float
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False, slots=True)
 class Arrangement:
     """Bodies (shaft first, then sleeves), joints and springs; ``force`` [N] on the shaft."""
 

@@ -19,10 +19,11 @@ Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 TOLERANCE = 1e-11  # of the largest force
 ITERATIONS = 60
+HALVINGS = 12
 LONGEST_STEP = 50e-6  # m
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False, slots=True)
 class Law:
     """How the bearings answer a deflection: the hypotheses of the ball model."""
 
@@ -30,7 +31,7 @@ class Law:
     moment_sharing: str
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False, slots=True)
 class Springs:
     """Forces on the bodies towards +x: ``force`` − ``stiffness``·(x − ``rest``), all (bodies,).
 
@@ -43,7 +44,7 @@ class Springs:
     fixed: Flags
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False, slots=True)
 class Response:
     """Joint loads and slopes (speeds, joints) [N, N/m], and the bearing states behind them."""
 
@@ -52,7 +53,7 @@ class Response:
     states: dict[AngularContactBallBearing, BearingState]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False, slots=True)
 class Network:
     """An arrangement with the law of its bearings and its springs."""
 
@@ -127,7 +128,7 @@ def groups(arrangement: Arrangement) -> dict[AngularContactBallBearing, list[int
     return found
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False, slots=True)
 class NetworkState:
     """``position`` (speeds, bodies), bodies ``held`` by a stop; ``error``, ``found`` (speeds,)."""
 
@@ -191,12 +192,12 @@ def _advance(
     """Take the step, halved at the speeds where the balance would get worse or no state exists."""
     length = np.ones(len(x))
     idle = (np.abs(step).max(axis=1) < 1e-16) | ~np.isfinite(error)
-    for _ in range(12):
+    for left in range(HALVINGS, -1, -1):
         trial = x + length[:, None] * step
         response = network.respond(trial, near)
         after = network.error(trial, response, fixed)[1]
         good = idle | (after < error)
         if good.all():
             break
-        length = np.where(good, length, 0.5 * length)
+        length = np.where(good, length, 0.5 * length if left > 1 else 0.0)
     return trial, response

@@ -11,11 +11,22 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.network import Network, NetworkState, groups
 
 NOTHING = 1e-3  # N
-LEAST_LOAD = 1e-6  # of the largest joint load: below it a bearing counts as unloaded
+LEAST_LOAD = 1e-6  # of the largest axial force: below it a bearing counts as unloaded
 
 
-def outcomes(spindle: Spindle, network: Network, net: NetworkState) -> tuple[str, ...]:
-    """One word per speed: empty where the state is usable."""
+def outcomes(
+    spindle: Spindle, network: Network, rest: NetworkState, net: NetworkState
+) -> tuple[str, ...]:
+    """One sentence per speed: empty where the state is usable.
+
+    ``rest``: the state under the stated preloads that everything else is measured from.
+    """
+    if not rest.found[0] and np.abs(network.springs.force).max() >= NOTHING:
+        sentence = (
+            "the stated preloads are not in balance at rest: the springs must push against "
+            "bearings that sit in the housing"
+        )
+        return (sentence,) * len(net.found)
     return tuple(_outcome(spindle, network, net, row) for row in range(len(net.found)))
 
 
@@ -26,20 +37,21 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int) ->
         ", ".join(spindle.seats[k].name for k in joint.seats)
         for joint in network.arrangement.joints
     ]
-    if np.nanmax(np.abs(load), initial=0.0) < NOTHING:
+    pushed = float(np.abs(network.springs.force).max() + abs(network.arrangement.force))
+    if max(pushed, float(np.nanmax(np.abs(load), initial=0.0))) < NOTHING:
         return f"no bearing is preloaded at {rpm:.0f} rpm: give the springs a preload"
     for k in np.flatnonzero(~np.isfinite(load)):
         return (
             f"bearing {names[k]} has no equilibrium at {rpm:.0f} rpm: raise its preload or lower "
             "the speed"
         )
-    if not net.found[row]:
-        return f"the axial arrangement finds no equilibrium at {rpm:.0f} rpm: raise the preload"
-    for k in np.flatnonzero(load <= LEAST_LOAD * np.abs(load).max()):
+    for k in np.flatnonzero(load <= LEAST_LOAD * max(pushed, float(np.abs(load).max()))):
         return (
             f"bearing {names[k]} is unloaded at {rpm:.0f} rpm (preload lost): raise the preload of "
             "the springs or lower the axial force"
         )
+    if not net.found[row]:
+        return f"the axial arrangement finds no equilibrium at {rpm:.0f} rpm: raise the preload"
     return _overload(names, network, net, row, rpm)
 
 

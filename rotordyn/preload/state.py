@@ -9,15 +9,23 @@ from numpy.typing import NDArray
 
 from bearings.state import BearingState
 from rotordyn.machine.spindle import Spindle
-from rotordyn.preload.arrangement import Arrangement, arrangement, at_rest, rigid
+from rotordyn.preload.arrangement import (
+    SHAFT,
+    Arrangement,
+    Push,
+    arrangement,
+    at_rest,
+    rigid,
+)
 from rotordyn.preload.network import Law, Network, NetworkState, Springs, confirmed, groups, solve
 from rotordyn.preload.outcome import outcomes
+from rotordyn.preload.stops import meeting_speed, with_stops
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, eq=False, slots=True)
 class PreloadState:
     """Axial equilibrium at every speed.
 
@@ -105,7 +113,23 @@ class PreloadState:
 
     def stop_speeds(self) -> Array:
         """Speed at which each sleeve meets its stop (sleeves,) [rad/s]; NaN: it does not."""
-        return np.array([_stop_speed(self, push.body) for push in self.network.arrangement.pushes])
+        return np.array([self._stop_speed(push) for push in self.network.arrangement.pushes])
+
+    def _stop_speed(self, push: Push) -> float:
+        held = np.flatnonzero(self.net.held[:, push.body])
+        if not held.size:
+            return float("nan")
+        first = int(held[0])
+        before = float(self.speed[first - 1]) if first else 0.0
+        return meeting_speed(
+            lambda speed: replace(
+                self.network, arrangement=arrangement(self.spindle, speed, self.force)
+            ),
+            self.rest,
+            self.limit,
+            push,
+            (before, float(self.speed[first])),
+        )
 
 
 def dynamic_preload(
@@ -117,16 +141,17 @@ def dynamic_preload(
     from there springs act with their stiffness and stops stand at their travel.
     """
     joined = arrangement(spindle, speed, axial_force)
-    rest = _rest(joined, law)
-    springs, limit = _springs(joined, rest)
+    still = _rest(joined, law)
+    rest = still.position[0]
+    springs, limit = _springs(spindle, joined, rest)
     network = Network(joined, law, springs)
-    net = confirmed(network, _with_stops(network, rest, limit))
-    words = outcomes(spindle, network, net)
+    net = confirmed(network, with_stops(network, rest, limit))
+    words = outcomes(spindle, network, still, net)
     return PreloadState(spindle, axial_force, network, rest, limit, net, words)
 
 
-def _rest(joined: Arrangement, law: Law) -> Array:
-    """Positions at rest under the stated preloads alone (bodies,)."""
+def _rest(joined: Arrangement, law: Law) -> NetworkState:
+    """Equilibrium at rest under the stated preloads alone (one speed)."""
     still = at_rest(joined)
     count = len(still.bodies)
     nothing = np.zeros(count)
@@ -134,7 +159,7 @@ def _rest(joined: Arrangement, law: Law) -> Array:
     springs = Springs(_preloads(still), nothing, nothing, none)
     network = Network(still, law, springs)
     start = _seated(network)
-    return solve(network, start[None], none[None], start[None]).position[0]
+    return solve(network, start[None], none[None], start[None])
 
 
 def _preloads(joined: Arrangement) -> Array:
@@ -158,74 +183,17 @@ def _seated(network: Network) -> Array:
     return np.linalg.lstsq(b, np.array(deflection), rcond=None)[0]
 
 
-def _springs(joined: Arrangement, rest: Array) -> tuple[Springs, Array]:
-    """Springs acting about the place at rest, and where each stop ends the travel (bodies,)."""
+def _springs(spindle: Spindle, joined: Arrangement, rest: Array) -> tuple[Springs, Array]:
+    """Springs acting about the place at rest, and where each stop ends the travel (bodies,).
+
+    Linear supports hold the shaft along the axis without force at rest.
+    """
     stiffness, limit = np.zeros_like(rest), np.full_like(rest, np.nan)
     fixed = np.zeros(len(rest), dtype=bool)
+    stiffness[SHAFT] = sum(s.stiffness.get(("x", "x"), 0.0) for s in spindle.supports)
     for push in joined.pushes:
         fixed[push.body] = rigid(push)
         stiffness[push.body] = 0.0 if rigid(push) else push.stiffness
         if np.isfinite(push.travel) and not rigid(push):
             limit[push.body] = rest[push.body] - push.direction * push.travel
     return Springs(_preloads(joined), stiffness, rest, fixed), limit
-
-
-def _with_stops(network: Network, rest: Array, limit: Array) -> NetworkState:
-    """Close stops that would be overrun, open those that would have to pull, until neither is."""
-    direction = np.zeros_like(limit)
-    for push in network.arrangement.pushes:
-        direction[push.body] = push.direction
-    start = np.repeat(rest[None], len(network.arrangement.speed), axis=0)
-    held = np.zeros(start.shape, dtype=bool)
-    net = solve(network, start, held, limit)
-    for _ in range(2 * len(limit) + 2):
-        overrun = direction * (net.position - limit) < -1e-13
-        pulls = held & (direction * network.forces(net.position, net.response) > 0.0)
-        wanted = (held | overrun) & ~pulls
-        if (wanted == held).all():
-            break
-        held = wanted
-        net = solve(network, net.position, held, limit, net.response)
-    return net
-
-
-def _stop_speed(state: PreloadState, body: int) -> float:
-    """First speed at which ``body`` stands at its stop [rad/s]; NaN where it never does.
-
-    The gap of the released body is sampled between the last speed with the stop open and the first
-    with it closed, and its zero in Ω² is taken from the interpolating polynomial, twice.
-    """
-    held = np.flatnonzero(state.net.held[:, body])
-    if not held.size:
-        return float("nan")
-    first = int(held[0])
-    low, high = state.speed[max(first - 1, 0)] ** 2, state.speed[first] ** 2
-    for narrow in (False, True):
-        squares = np.linspace(low, high, 5)
-        gap = _released_gap(state, body, first, np.sqrt(squares))
-        if not (np.isfinite(gap).all() and gap[0] > 0.0 > gap[-1]):
-            break
-        zero = _zero(squares, gap)
-        if narrow or high - low < 0.2 * high:
-            return float(zero**0.5)
-        margin = 0.02 * (high - low)
-        low, high = max(low, zero - margin), min(high, zero + margin)
-    return float(state.speed[first])
-
-
-def _released_gap(state: PreloadState, body: int, row: int, speeds: Array) -> Array:
-    """Distance of ``body`` from its stop at ``speeds`` if the stop were not there [m]."""
-    network = state.network
-    moved = replace(network, arrangement=arrangement(state.spindle, speeds, state.force))
-    others = np.repeat(state.net.held[row : row + 1], len(speeds), axis=0)
-    others[:, body] = False
-    start = np.repeat(state.net.position[row : row + 1], len(speeds), axis=0)
-    direction = next(p.direction for p in network.arrangement.pushes if p.body == body)
-    net = solve(moved, start, others, state.limit)
-    return direction * (net.position[:, body] - state.limit[body])
-
-
-def _zero(x: Array, y: Array) -> float:
-    """Zero of the polynomial through the points, found where ``y`` changes sign."""
-    inverse = np.polynomial.Polynomial.fit(y, x, len(x) - 1)  # y falls steadily: invert
-    return float(inverse(0.0))

@@ -124,7 +124,9 @@ def _modes(result: CampbellResult) -> list[str]:
         for name, speed in zip(result.critical, result.critical_speed, strict=True)
         if math.isfinite(speed) and last > 0.0
     ]
-    none = f"none up to {last * RPM.factor:.0f} rpm"
+    if len(result.speed) == 1:
+        return lines
+    none = f"none from {rpm.replace('→', 'to')}"
     return [*lines, f"critical   1×, margin to top speed: {', '.join(known) or none}"]
 
 

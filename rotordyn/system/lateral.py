@@ -20,7 +20,7 @@ from rotordyn.system.lateral_rotor import LateralRotor
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 BOTH_PLANES = Selection(("y", "thz", "z", "thy"), (1, 1, 1, -1))
-ALIKE = 1e-9  # of the largest entry: below that a difference between planes is rounding
+ALIKE = 1e-9  # of an entry: below that its difference between the planes is rounding
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -110,13 +110,14 @@ def _support_blocks(spindle: Spindle, speeds: int, which: str) -> Array:
 
 
 def _alike(blocks: Array) -> bool:
-    """True where both planes answer alike: blocks of the form [[P, Q], [−Q, P]]."""
-    size = np.abs(blocks).max(initial=0.0)
-    direct = blocks[..., :2, :2] - blocks[..., 2:, 2:]
-    cross = blocks[..., :2, 2:] + blocks[..., 2:, :2]
-    return bool(
-        max(np.abs(direct).max(initial=0.0), np.abs(cross).max(initial=0.0)) <= ALIKE * size
+    """True where both planes answer alike: blocks of the form [[P, Q], [−Q, P]], entry by entry."""
+    return _equal(blocks[..., :2, :2], blocks[..., 2:, 2:]) and _equal(
+        blocks[..., :2, 2:], -blocks[..., 2:, :2]
     )
+
+
+def _equal(a: Array, b: Array) -> bool:
+    return bool((np.abs(a - b) <= ALIKE * np.maximum(np.abs(a), np.abs(b))).all())
 
 
 def _complex(blocks: Array) -> Complex:

@@ -127,5 +127,6 @@ def _bordered(matrix: Array, more: int) -> Array:
 
 def _sleeve_mass(sleeve: Sleeve, max_frequency: float) -> float:
     """Its mass, or what lifts its own frequency far above the band where none is given."""
-    least = sleeve.radial_stiffness / (2.0 * math.pi * SLEEVE_CUTOFF * max_frequency) ** 2
-    return max(sleeve.mass, least)
+    if sleeve.mass > 0.0:
+        return sleeve.mass
+    return sleeve.radial_stiffness / (2.0 * math.pi * SLEEVE_CUTOFF * max_frequency) ** 2

@@ -135,5 +135,7 @@ def _carried(spindle: Spindle, sliding: list[Sleeve], axial_stiffness: Array) ->
 
 def _mass(sleeve: Sleeve, carried: Array, max_frequency: float) -> float:
     """Its mass, or what lifts its own frequency far above the band where none is given."""
+    if sleeve.mass > 0.0:
+        return sleeve.mass
     held = sleeve.spring.stiffness + float(carried.max(initial=0.0))
-    return max(sleeve.mass, held / (2.0 * math.pi * SLEEVE_CUTOFF * max_frequency) ** 2)
+    return held / (2.0 * math.pi * SLEEVE_CUTOFF * max_frequency) ** 2

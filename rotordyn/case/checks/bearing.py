@@ -61,6 +61,7 @@ def seats(entry: SpindleEntry, root: Node, faults: Faults) -> None:
             own = seat.growth is not None
             place = (*way, "growth") if own else ("growth",)
             _growth(seat.growth or entry.growth, seat, root, place, faults)
+            _bore(entry, seat, root, (*place, "fit"), faults)
 
 
 def _growth(
@@ -87,6 +88,37 @@ def _growth(
             (*way, "fit", "bore_diameter"),
             f"missing key: the model of bearing {seat.name} gives no bore_diameter",
         )
+
+
+def _bore(
+    entry: SpindleEntry, seat: SeatEntry, root: Node, way: tuple[object, ...], faults: Faults
+) -> None:
+    """A computed growth has shaft inside the bore and ring between bore and balls."""
+    growth, model = seat.growth or entry.growth, seat.model
+    if growth.centrifugal != "computed" or growth.fit is None or model is None:
+        return
+    bore = growth.fit.bore_diameter or model.bore_diameter
+    hole = _hole(entry, seat.x)
+    race = model.pitch_diameter - model.ball_diameter * math.cos(model.contact_angle)
+    if bore is not None and hole is not None and not (hole < bore < race or math.isnan(bore)):
+        given = format_quantity(bore, "mm")
+        allowed = " to ".join(format_quantity(limit, "mm") for limit in (hole, race))
+        faults.at(
+            root,
+            way,
+            f"the bore of bearing {seat.name} leaves no shaft or no ring: given {given}; allowed: "
+            f"inside {allowed}",
+        )
+
+
+def _hole(entry: SpindleEntry, x: float) -> float | None:
+    """Inner diameter of the shaft at station ``x``; None off the shaft."""
+    left = entry.shaft.start
+    for section in entry.shaft.sections:
+        if left <= x < left + section.length:
+            return section.inner_diameter
+        left += section.length
+    return None
 
 
 def _static(

@@ -117,7 +117,7 @@ def test_computed_growth_and_shortening() -> None:
     assert spindle is not None
     assert spindle.shortening == ComputedShortening(0.0386)
     fits = [seat.growth.centrifugal for seat in spindle.seats]
-    assert fits == [InterferenceFit(0.07, 5e-6)] * 3 + [InterferenceFit(0.06, 5e-6)] * 2
+    assert fits == [InterferenceFit(0.07, 2e-5)] * 3 + [InterferenceFit(0.06, 2e-5)] * 2
 
 
 def test_single_bearing() -> None:

@@ -68,10 +68,10 @@ def test_nothing_at_a_step_loses_all_for_that_step() -> None:
     assert path.tolist() == [[0, 1], [-1, -1], [0, 1]]
 
 
-def test_unlike_vectors_are_not_matched() -> None:
+def test_unlike_vectors_begin_a_path_of_their_own() -> None:
     assert LEAST_LIKENESS > 0.0
     path = follow([unit(3, 0), unit(3, 1)], [np.array([1.0]), np.array([1.0])])
-    assert path.tolist() == [[0], [-1]]
+    assert path.tolist() == [[0, -1], [-1, 0]]
 
 
 def test_equally_alike_goes_to_the_nearer_value() -> None:

@@ -257,7 +257,7 @@ def test_no_preload_at_all_is_an_outcome() -> None:
     nothing = tuple(replace(s, spring=replace(s.spring, preload=0.0)) for s in mfw2310().sleeves)
     found = state(mfw2310(sleeves=nothing), [0, 12000])
     assert not found.usable[0]
-    assert "0 rpm: raise the preload" in found.outcome[0]
+    assert "no bearing is preloaded at 0 rpm" in found.outcome[0]
 
 
 def test_bearings_between_shaft_and_housing_only() -> None:

@@ -1,0 +1,108 @@
+"""End stops: which are closed at every speed, and at which speed one is met."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.numerics.crossing import zero_crossings
+from rotordyn.preload.arrangement import Push
+from rotordyn.preload.network import Network, NetworkState, solve
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+OVERRUN = 1e-13  # m
+PULL = 1e-10  # of the largest preload: a stop that pulls less than that stays closed
+SAMPLES = 5
+ROUNDS = 24
+CLOSE = 1e-9  # relative width of the bracket in Ω² at which the search ends
+
+
+def with_stops(network: Network, rest: Array, limit: Array) -> NetworkState:
+    """Equilibrium with unilateral stops at ``limit`` (bodies,), NaN where there is none.
+
+    Stops that would be overrun are closed and those that would have to pull are opened, until
+    neither happens; a speed where that never ends is not ``found``.
+    """
+    start = np.repeat(rest[None], len(network.arrangement.speed), axis=0)
+    held = np.zeros(start.shape, dtype=bool)
+    net = solve(network, start, held, limit)
+    for _ in range(2 * len(limit) + 2):
+        force = network.forces(net.position, net.response)
+        wanted = stops_wanted(network, net.position, force, held, limit)
+        if (wanted == held).all():
+            return net
+        held = wanted
+        net = solve(network, net.position, held, limit, net.response)
+    force = network.forces(net.position, net.response)
+    settled = stops_wanted(network, net.position, force, held, limit) == held
+    return replace(net, found=net.found & settled.all(axis=1))
+
+
+def stops_wanted(
+    network: Network, position: Array, force: Array, held: Flags, limit: Array
+) -> Flags:
+    """Bodies (speeds, bodies) that belong at their stops.
+
+    Those that stand there and are pressed on, and those that have run past. ``force`` on the bodies
+    [N] without what the stops carry.
+    """
+    direction = np.zeros_like(limit)
+    for push in network.arrangement.pushes:
+        direction[push.body] = push.direction
+    overrun = direction * (position - limit) < -OVERRUN
+    slack = PULL * np.abs(network.springs.force).max()
+    pulls = held & (direction * force > slack)
+    return (held | overrun) & ~pulls
+
+
+def meeting_speed(
+    at: Callable[[Array], Network],
+    rest: Array,
+    limit: Array,
+    push: Push,
+    between: tuple[float, float],
+) -> float:
+    """First speed within ``between`` [rad/s] at which the sleeve of ``push`` meets its stop.
+
+    ``at`` gives the network at any speeds. The sleeve's own stop is taken away and its gap followed
+    over Ω², all other stops acting; the bracket around its zero is narrowed by local cubics. A
+    speed that has no equilibrium without the stop counts as overrun.
+    """
+    released = limit.copy()
+    released[push.body] = np.nan
+
+    def gaps(squares: Array) -> Array:
+        net = with_stops(at(np.sqrt(squares)), rest, released)
+        gap = push.direction * (net.position[:, push.body] - limit[push.body])
+        return np.where(net.found, gap, -np.inf)
+
+    low, high = between[0] ** 2, between[1] ** 2
+    guess = (low, high)
+    for _ in range(ROUNDS):
+        squares = np.linspace(*guess, SAMPLES)
+        gap = gaps(squares)
+        past = np.flatnonzero(gap <= 0.0)
+        if past.size and past[0] == 0:
+            high = min(high, squares[0])
+        elif past.size:
+            low, high = max(low, squares[past[0] - 1]), squares[past[0]]
+        else:
+            low = max(low, squares[-1])
+        if high - low <= CLOSE * high:
+            break
+        guess = _closer(squares, gap, low, high)
+    return math.sqrt(0.5 * (low + high))
+
+
+def _closer(squares: Array, gap: Array, low: float, high: float) -> tuple[float, float]:
+    """Where to look next within the bracket: around the zero of the local cubic if there is one."""
+    zeros = [z for z in zero_crossings(squares, gap) if low < z < high]
+    if not zeros:
+        return low, high
+    margin = 1e-3 * (high - low)
+    return max(low, zeros[0] - margin), min(high, zeros[0] + margin)
