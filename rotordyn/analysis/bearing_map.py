@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
 from bearings.angular_contact import AngularContactBallBearing
 from bearings.state import BearingState
+from rotordyn.analysis.display import RPM
 from rotordyn.analysis.preload import BALL_QUANTITIES, FREEDOMS
 from rotordyn.analysis.results import Array, BearingMapResult
 from rotordyn.analysis.specs import BearingMapSpec, Conditions
@@ -60,7 +59,7 @@ def _outcomes(speed: Array, loads: tuple[float, ...], state: BearingState) -> ND
         state.outcome,
     ).astype(object)
     for row, column in np.argwhere(words != ""):
-        rpm = speed[row] * 30.0 / math.pi
+        rpm = speed[row] * RPM.factor
         words[row, column] += f" at {rpm:.0f} rpm under {loads[column]:g} N"
     return words.astype(str)
 

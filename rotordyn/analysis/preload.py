@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.analysis.display import RPM
 from rotordyn.analysis.results import PreloadResult
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import PreloadSpec
@@ -44,7 +43,7 @@ def answer(scene: Scene, spec: PreloadSpec) -> PreloadResult:
         for name in BALL_QUANTITIES
     }
     pitch = np.array([seat.bearing.pitch_diameter for seat in scene.spindle.seats])
-    factor = np.outer(scene.speed * 30.0 / math.pi, pitch * 1e3)
+    factor = np.outer(scene.speed * RPM.factor, pitch * 1e3)
     return PreloadResult(
         speed=scene.speed,
         bearing=tuple(seat.name for seat in scene.spindle.seats),

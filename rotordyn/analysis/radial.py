@@ -7,11 +7,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.angular_contact import AngularContactBallBearing
-from bearings.state import BearingState
 from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.preload.arrangement import HOUSING, SHAFT
-from rotordyn.preload.network import Network
+from rotordyn.preload.network import Network, States
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.stops import stops_wanted
 from rotordyn.system.condensed import CondensedRotor
@@ -23,7 +21,6 @@ PLANE = [0, 1, 4]  # x, y, θz of a bearing's five freedoms
 TOLERANCE = 1e-9  # of the largest force in the balance
 ITERATIONS = 40
 HALVINGS = 8
-States = dict[AngularContactBallBearing, BearingState]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -60,12 +57,14 @@ class RadialCurve:
 class RadialProblem:
     """Unknowns: p coordinates of the condensed rotor, then the positions of the bodies.
 
-    ``rows`` (seats, 3, unknowns) give (x, y, θz) between the rings; ``rest`` and ``limit``
+    ``joints``: the joint of every seat; ``rows`` (seats, 3, unknowns) give (x, y, θz) between the
+    rings; ``rest`` and ``limit``
     (bodies,); ``held`` (speeds, bodies): standing at their stops.
     """
 
     network: Network
     rotor: CondensedRotor
+    joints: tuple[int, ...]
     rows: Array
     rest: Array
     limit: Array
@@ -82,6 +81,7 @@ class RadialProblem:
         return cls(
             network=part,
             rotor=rotor,
+            joints=_joint_of_seats(part),
             rows=_rows(part, rotor),
             rest=state.rest,
             limit=state.limit,
@@ -116,32 +116,20 @@ class RadialProblem:
 
     def evaluate(self, coordinates: Array, near: States | None) -> Point:
         """Bearing loads and tangents at given coordinates."""
-        joints = self.network.arrangement.joints
+        joints = [self.network.arrangement.joints[k] for k in self.joints]
+        sign = np.array([[j.thrust, 1.0, j.thrust] for j in joints], dtype=float)
         moved = np.einsum("kiu,su->ski", self.rows, coordinates)
+        displacement = np.zeros((*moved.shape[:2], 5))
+        displacement[..., PLANE] = moved * sign
+        displacement[..., 0] += sign[:, 0] * np.stack([j.shortening for j in joints], axis=1)
+        states = self.network.solve_bearings(self.joints, displacement, near)
         load, tangent = np.empty_like(moved), np.empty((*moved.shape, 3))
-        states: States = {}
         pressure = np.zeros(len(moved))
-        for bearing, members in _members(self.network).items():
-            seats = [seat for seat, _ in members]
-            owners = [joints[joint] for _, joint in members]
-            sign = np.array([[j.thrust, 1.0, j.thrust] for j in owners], dtype=float)
-            shift = np.stack([j.shift for j in owners], axis=1)
-            displacement = np.zeros((len(moved), len(seats), 5))
-            displacement[..., PLANE] = moved[:, seats] * sign
-            displacement[..., 0] += sign[:, 0] * shift
-            state = bearing.equilibrium(
-                displacement=displacement,
-                speed=self.network.arrangement.speed[:, None],
-                static_growth=np.array([j.static_growth for j in owners]),
-                growth=np.stack([j.growth for j in owners], axis=1),
-                kinematics=self.network.law.kinematics,
-                moment_sharing=self.network.law.moment_sharing,
-                start=None if near is None else near[bearing],
-            )
+        for solved in states.values():
+            state, own = solved.state, sign[solved.places]
             k = state.complete_stiffness[..., PLANE, :][..., PLANE]
-            load[:, seats] = state.load[..., PLANE] * sign
-            tangent[:, seats] = k * sign[:, :, None] * sign[:, None, :]
-            states[bearing] = state
+            load[:, solved.places] = state.load[..., PLANE] * own
+            tangent[:, solved.places] = k * own[:, :, None] * own[:, None, :]
             peak = np.fmax(state.inner_pressure, state.outer_pressure)
             pressure = np.maximum(pressure, peak.max(axis=(1, 2)))
         return Point(coordinates, states, load, tangent, pressure)
@@ -260,12 +248,14 @@ def _why(pressure: float, force: float) -> str:
     )
 
 
-def _members(network: Network) -> dict[AngularContactBallBearing, list[tuple[int, int]]]:
-    """(seat, joint) of every seat, by bearing model."""
-    found: dict[AngularContactBallBearing, list[tuple[int, int]]] = {}
-    for index, joint in enumerate(network.arrangement.joints):
-        found.setdefault(joint.bearing, []).extend((seat, index) for seat in joint.seats)
-    return found
+def _joint_of_seats(network: Network) -> tuple[int, ...]:
+    """The joint that stands for every seat."""
+    owner = {
+        seat: index
+        for index, joint in enumerate(network.arrangement.joints)
+        for seat in joint.seats
+    }
+    return tuple(owner[seat] for seat in sorted(owner))
 
 
 def _rows(network: Network, rotor: CondensedRotor) -> Array:

@@ -6,7 +6,6 @@ never run, and ``skipped`` says which.
 
 from __future__ import annotations
 
-import math
 import time
 from collections.abc import Callable
 from typing import Any, TypeVar
@@ -14,6 +13,7 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.analysis.display import RPM
 from rotordyn.analysis.specs import Conditions
 from rotordyn.errors import NoSolution
 from rotordyn.machine.inertia import rotor_inertia
@@ -113,7 +113,7 @@ class Scene:
         """What a designer should know about the machine at these speeds."""
         return tuple(
             f"bearing {name}: the fit of its inner ring lets go at "
-            f"{speed * 30.0 / math.pi:.0f} rpm; raise its interference"
+            f"{speed * RPM.factor:.0f} rpm; raise its interference"
             for name, speed in released_fits(self.spindle, float(self.bearing_speed.max()))
         )
 

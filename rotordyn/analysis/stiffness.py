@@ -6,13 +6,13 @@ arrangement are free to follow.
 
 from __future__ import annotations
 
-import math
 from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.analysis.display import RPM
 from rotordyn.analysis.radial import PLANE, RadialCurve, RadialProblem
 from rotordyn.analysis.results import StiffnessResult
 from rotordyn.analysis.scene import Scene
@@ -72,7 +72,7 @@ def _outcome(scene: Scene, found: dict[str, Variant]) -> tuple[str, ...]:
     """Per speed: why the machine, or else the first variant that fails, has no solution."""
     words = list(scene.outcome)
     for place, row in enumerate(scene.usable):
-        rpm = scene.speed[row] * 30.0 / math.pi
+        rpm = scene.speed[row] * RPM.factor
         for name, variant in found.items():
             if variant.outcome[place] and not words[row]:
                 words[row] = f"{name} at {rpm:.0f} rpm: {variant.outcome[place]}"

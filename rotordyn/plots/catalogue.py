@@ -47,7 +47,7 @@ def _machine(case: Drawable, _: Any) -> Iterator[Job]:
 def _campbell(case: Drawable, result: Any, _: Mapping[str, Any]) -> Iterator[Job]:
     spec = case.analyses.get("campbell")
     teeth, highest = getattr(spec, "teeth", ()), getattr(spec, "max_frequency", 0.0)
-    known = _references(case)
+    known = case.references
     yield "campbell", partial(_call, "campbell", "campbell_figure", result, teeth, known, highest)
     if result.shape_speed.size and result.node.size:
         yield "mode_shapes", partial(_call, "shapes", "shapes_figure", result, case.spindle)
@@ -73,7 +73,7 @@ def _frf(_: Drawable, result: Any, results: Mapping[str, Any]) -> Iterator[Job]:
 
 def _stiffness(case: Drawable, result: Any, _: Mapping[str, Any]) -> Iterator[Job]:
     point = getattr(case.analyses.get("stiffness"), "point", "")
-    known = _references(case)
+    known = case.references
     yield "stiffness", partial(_call, "stiffness", "stiffness_figure", result, known, point)
     yield "stiffness_force", partial(_call, "stiffness", "force_figure", result, point)
 
@@ -81,18 +81,13 @@ def _stiffness(case: Drawable, result: Any, _: Mapping[str, Any]) -> Iterator[Jo
 def _preload(case: Drawable, result: Any, _: Mapping[str, Any]) -> Iterator[Job]:
     if not result.bearing or case.spindle is None:
         return
-    known = _references(case)
+    known = case.references
     yield "preload", partial(_call, "preload", "preload_figure", result, case.spindle, known)
     yield "contacts", partial(_call, "preload", "contacts_figure", result)
 
 
 def _bearing(_: Drawable, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
     yield "bearing", partial(_call, "bearing", "bearing_figure", result)
-
-
-def _references(case: Drawable) -> tuple[Reference, ...]:
-    own = case.spindle.references if case.spindle else ()
-    return tuple(dict.fromkeys((*case.references, *own)))
 
 
 def _call(module: str, function: str, *arguments: Any) -> Figure:

@@ -23,7 +23,7 @@ class Joint:
     """One bearing, or several alike side by side, between the shaft and a body.
 
     ``seats``: indices of the twins it stands for; ``thrust`` ±1; ``outer``: body of the outer ring;
-    ``static_growth`` [m]; ``growth`` and ``shift`` (speeds,) [m].
+    ``static_growth`` [m]; ``growth`` and ``shortening`` of the shaft there (speeds,) [m].
     """
 
     seats: tuple[int, ...]
@@ -32,7 +32,7 @@ class Joint:
     outer: int
     static_growth: float
     growth: Array
-    shift: Array
+    shortening: Array
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -59,7 +59,7 @@ class Arrangement:
     def at(self, index: NDArray[np.intp]) -> Arrangement:
         """The arrangement at some of its speeds."""
         joints = tuple(
-            replace(joint, growth=joint.growth[index], shift=joint.shift[index])
+            replace(joint, growth=joint.growth[index], shortening=joint.shortening[index])
             for joint in self.joints
         )
         return replace(self, joints=joints, speed=self.speed[index])
@@ -79,7 +79,7 @@ def arrangement(spindle: Spindle, speed: Array, force: float = 0.0) -> Arrangeme
             outer=HOUSING if sleeve is None else sleeves[sleeve.name],
             static_growth=seat.growth.static,
             growth=ring_growth(spindle, seat, speed),
-            shift=shifts[:, k],
+            shortening=shifts[:, k],
         )
         twin = next((i for i, other in enumerate(joints) if _alike(other, joint)), None)
         if twin is None:
@@ -99,7 +99,7 @@ def _alike(a: Joint, b: Joint) -> bool:
     """True where the two bearings must carry the same load at every speed."""
     same = (a.bearing, a.thrust, a.outer, a.static_growth)
     return same == (b.bearing, b.thrust, b.outer, b.static_growth) and bool(
-        np.array_equal(a.growth, b.growth) and np.array_equal(a.shift, b.shift)
+        np.array_equal(a.growth, b.growth) and np.array_equal(a.shortening, b.shortening)
     )
 
 
@@ -123,6 +123,7 @@ def rigid(push: Push) -> bool:
 def at_rest(joined: Arrangement) -> Arrangement:
     """The arrangement standing still, without external force: what defines the preload."""
     joints = tuple(
-        replace(j, growth=np.array([j.static_growth]), shift=np.zeros(1)) for j in joined.joints
+        replace(j, growth=np.array([j.static_growth]), shortening=np.zeros(1))
+        for j in joined.joints
     )
     return replace(joined, joints=joints, speed=np.zeros(1), force=0.0)

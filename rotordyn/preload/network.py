@@ -6,6 +6,7 @@ state at rest, with the springs at their stated preload, fixes where each spring
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -45,12 +46,23 @@ class Springs:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
+class Solved:
+    """States of one bearing model: which of the places asked for, the batch (speeds, places)."""
+
+    places: list[int]
+    state: BearingState
+
+
+States = dict[AngularContactBallBearing, Solved]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
 class Response:
     """Joint loads and slopes (speeds, joints) [N, N/m], and the bearing states behind them."""
 
     load: Array
     slope: Array
-    states: dict[AngularContactBallBearing, BearingState]
+    states: States
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -68,7 +80,7 @@ class Network:
 
     @property
     def incidence(self) -> Array:
-        """B (joints, bodies): δ = B x + s·shift; bearings push the bodies by −Bᵀ (twins·F)."""
+        """B (joints, bodies): δ = B x + s·shortening; bearings push the bodies by −Bᵀ (twins·F)."""
         b = np.zeros((len(self.arrangement.joints), len(self.arrangement.bodies)))
         for k, joint in enumerate(self.arrangement.joints):
             b[k, SHAFT] = joint.thrust
@@ -78,31 +90,50 @@ class Network:
 
     def deflection(self, x: Array) -> Array:
         """Axial deflection of every joint (speeds, joints) [m]."""
-        shift = np.stack([j.thrust * j.shift for j in self.arrangement.joints], axis=1)
+        shift = np.stack([j.thrust * j.shortening for j in self.arrangement.joints], axis=1)
         return x @ self.incidence.T + shift
 
     def respond(self, x: Array, near: Response | None = None) -> Response:
-        """Loads and slopes at positions ``x``; each bearing model is solved in one call."""
+        """Loads and slopes of the joints at positions ``x``."""
         deflection = self.deflection(x)
+        displacement = np.zeros((*deflection.shape, 5))
+        displacement[..., 0] = deflection
+        every = range(deflection.shape[1])
+        states = self.solve_bearings(every, displacement, None if near is None else near.states)
         load, slope = np.empty_like(deflection), np.empty_like(deflection)
-        states = {}
-        for bearing, index in groups(self.arrangement).items():
-            joints = [self.arrangement.joints[k] for k in index]
-            displacement = np.zeros((*deflection[:, index].shape, 5))
-            displacement[..., 0] = deflection[:, index]
-            state = bearing.equilibrium(
-                displacement=displacement,
-                speed=self.arrangement.speed[:, None],
-                static_growth=np.array([j.static_growth for j in joints]),
-                growth=np.stack([j.growth for j in joints], axis=1),
-                kinematics=self.law.kinematics,
-                moment_sharing=self.law.moment_sharing,
-                start=None if near is None else near.states[bearing],
-            )
-            load[:, index] = state.load[..., 0]
-            slope[:, index] = state.complete_stiffness[..., 0, 0]
-            states[bearing] = state
+        for solved in states.values():
+            load[:, solved.places] = solved.state.load[..., 0]
+            slope[:, solved.places] = solved.state.complete_stiffness[..., 0, 0]
         return Response(load, slope, states)
+
+    def solve_bearings(
+        self, joints: Sequence[int], displacement: Array, near: States | None
+    ) -> States:
+        """Bearings at given displacements in their own frames (speeds, places, 5).
+
+        ``joints``: the joint of every place. Each bearing model is solved in one call; ``near``,
+        the same places at displacements close by, speeds the search up.
+        """
+        places: dict[AngularContactBallBearing, list[int]] = {}
+        for place, joint in enumerate(joints):
+            places.setdefault(self.arrangement.joints[joint].bearing, []).append(place)
+        return {
+            bearing: Solved(
+                where,
+                bearing.equilibrium(
+                    displacement=displacement[:, where],
+                    speed=self.arrangement.speed[:, None],
+                    static_growth=[self.arrangement.joints[joints[p]].static_growth for p in where],
+                    growth=np.stack(
+                        [self.arrangement.joints[joints[p]].growth for p in where], axis=1
+                    ),
+                    kinematics=self.law.kinematics,
+                    moment_sharing=self.law.moment_sharing,
+                    start=None if near is None else near[bearing].state,
+                ),
+            )
+            for bearing, where in places.items()
+        }
 
     def forces(self, x: Array, response: Response) -> Array:
         """Sum of forces on each body towards +x (speeds, bodies) [N]."""
@@ -118,14 +149,6 @@ class Network:
         size = (self.twins * np.abs(response.load)).max(axis=1)
         size = size + np.abs(self.springs.force).max() + 1e-9
         return miss, np.abs(miss).max(axis=1) / size
-
-
-def groups(arrangement: Arrangement) -> dict[AngularContactBallBearing, list[int]]:
-    """Joint indices by bearing model."""
-    found: dict[AngularContactBallBearing, list[int]] = {}
-    for k, joint in enumerate(arrangement.joints):
-        found.setdefault(joint.bearing, []).append(k)
-    return found
 
 
 @dataclass(frozen=True, eq=False, slots=True)

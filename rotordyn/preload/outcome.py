@@ -8,7 +8,7 @@ import numpy as np
 
 from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.machine.spindle import Spindle
-from rotordyn.preload.network import Network, NetworkState, groups
+from rotordyn.preload.network import Network, NetworkState
 
 NOTHING = 1e-3  # N
 LEAST_LOAD = 1e-6  # of the largest axial force: below it a bearing counts as unloaded
@@ -40,33 +40,31 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int) ->
     pushed = float(np.abs(network.springs.force).max() + abs(network.arrangement.force))
     if max(pushed, float(np.nanmax(np.abs(load), initial=0.0))) < NOTHING:
         return f"no bearing is preloaded at {rpm:.0f} rpm: give the springs a preload"
-    for k in np.flatnonzero(~np.isfinite(load)):
+    lost = np.flatnonzero(~np.isfinite(load))
+    if lost.size:
         return (
-            f"bearing {names[k]} has no equilibrium at {rpm:.0f} rpm: raise its preload or lower "
-            "the speed"
+            f"bearing {names[lost[0]]} has no equilibrium at {rpm:.0f} rpm: raise its preload or "
+            "lower the speed"
         )
-    for k in np.flatnonzero(load <= LEAST_LOAD * max(pushed, float(np.abs(load).max()))):
+    idle = np.flatnonzero(load <= LEAST_LOAD * max(pushed, float(np.abs(load).max())))
+    if idle.size:
         return (
-            f"bearing {names[k]} is unloaded at {rpm:.0f} rpm (preload lost): raise the preload of "
-            "the springs or lower the axial force"
+            f"bearing {names[idle[0]]} is unloaded at {rpm:.0f} rpm (preload lost): raise the "
+            "preload of the springs or lower the axial force"
         )
     if not net.found[row]:
         return f"the axial arrangement finds no equilibrium at {rpm:.0f} rpm: raise the preload"
-    return _overload(names, network, net, row, rpm)
+    return _overload(names, net, row, rpm)
 
 
-def _overload(names: list[str], network: Network, net: NetworkState, row: int, rpm: float) -> str:
-    for bearing, index in groups(network.arrangement).items():
-        state = net.response.states[bearing]
-        for column, k in enumerate(index):
-            peak = max(
-                float(state.inner_pressure[row, column].max()),
-                float(state.outer_pressure[row, column].max()),
+def _overload(names: list[str], net: NetworkState, row: int, rpm: float) -> str:
+    for solved in net.response.states.values():
+        peak = np.fmax(solved.state.inner_pressure, solved.state.outer_pressure)[row].max(axis=-1)
+        over = np.flatnonzero(peak > HIGHEST_PRESSURE)
+        if over.size:
+            return (
+                f"bearing {names[solved.places[over[0]]]} is overloaded at {rpm:.0f} rpm (peak "
+                f"pressure {peak[over[0]] / 1e9:.1f} GPa, at most {HIGHEST_PRESSURE / 1e9:g} GPa): "
+                "lower its preload"
             )
-            if peak > HIGHEST_PRESSURE:
-                return (
-                    f"bearing {names[k]} is overloaded at {rpm:.0f} rpm (peak pressure "
-                    f"{peak / 1e9:.1f} GPa, at most {HIGHEST_PRESSURE / 1e9:g} GPa): lower its "
-                    "preload"
-                )
     return ""

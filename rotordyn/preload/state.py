@@ -17,7 +17,7 @@ from rotordyn.preload.arrangement import (
     at_rest,
     rigid,
 )
-from rotordyn.preload.network import Law, Network, NetworkState, Springs, confirmed, groups, solve
+from rotordyn.preload.network import Law, Network, NetworkState, Springs, confirmed, solve
 from rotordyn.preload.outcome import outcomes
 from rotordyn.preload.stops import meeting_speed, with_stops
 
@@ -66,8 +66,7 @@ class PreloadState:
         springs, pushes = self.network.springs, self.network.arrangement.pushes
         elastic = springs.force - springs.stiffness * self.shift
         forces = [
-            push.direction
-            * (elastic[:, push.body] - (rigid(push) * self._rest_of_forces(push.body)))
+            push.direction * (elastic[:, push.body] - (rigid(push) * self._unbalanced(push.body)))
             for push in pushes
         ]
         return np.stack(forces, axis=1) if forces else np.zeros((len(self.speed), 0))
@@ -77,22 +76,22 @@ class PreloadState:
         """Force of each end stop on its sleeve, 0 while open (speeds, sleeves) [N]."""
         pushes = self.network.arrangement.pushes
         forces = [
-            np.where(self.net.held[:, p.body], np.abs(self._rest_of_forces(p.body)), 0.0)
+            np.where(self.net.held[:, p.body], np.abs(self._unbalanced(p.body)), 0.0)
             for p in pushes
         ]
         return np.stack(forces, axis=1) if forces else np.zeros((len(self.speed), 0))
 
-    def _rest_of_forces(self, body: int) -> Array:
+    def _unbalanced(self, body: int) -> Array:
         return self.network.forces(self.net.position, self.net.response)[:, body]
 
     def seat_states(self) -> list[tuple[BearingState, int]]:
         """For every seat, its bearing model's batched state and its column there."""
         arrangement = self.network.arrangement
         place: dict[int, tuple[BearingState, int]] = {}
-        for bearing, index in groups(arrangement).items():
-            for column, k in enumerate(index):
-                for seat in arrangement.joints[k].seats:
-                    place[seat] = (self.net.response.states[bearing], column)
+        for solved in self.net.response.states.values():
+            for column, joint in enumerate(solved.places):
+                for seat in arrangement.joints[joint].seats:
+                    place[seat] = (solved.state, column)
         return [place[seat] for seat in sorted(place)]
 
     def seat_stiffness(self) -> Array:

@@ -56,8 +56,7 @@ def summary(case: Described, results: Mapping[str, Any], warnings: Iterable[str]
     if "stiffness" in results:
         lines += _stiffness(results["stiffness"])
     lines = [part for line in lines for part in _wrapped(line)]
-    own = case.spindle.references if case.spindle else ()
-    compared = compare((*case.references, *own), results, case.spindle)
+    compared = compare(case.references, results, case.spindle)
     return "\n".join((lines + _references(compared, HEIGHT - len(lines)))[:HEIGHT])
 
 

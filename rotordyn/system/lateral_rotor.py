@@ -65,7 +65,7 @@ def lateral_rotor(
         cutoff = 2.0 * math.pi * CUTOFF * max_frequency
         basis, values = ritz_basis(plane.mass, plane.stiffness, cutoff, loads, 2, plane.polar)
     sprung = [s for s in spindle.sleeves if math.isfinite(s.radial_stiffness)]
-    masses = np.array([_sleeve_mass(s, max_frequency) for s in sprung])
+    masses = np.array([sleeve_mass(s, s.radial_stiffness, max_frequency) for s in sprung])
     held = np.array([s.radial_stiffness for s in sprung]) / masses
     nodes = [mesh.node_of(seat.x) for seat in spindle.seats]
     seats = _widened(_rows(basis, nodes), len(sprung))
@@ -125,8 +125,11 @@ def _bordered(matrix: Array, more: int) -> Array:
     return np.pad(matrix, ((0, more), (0, more)))
 
 
-def _sleeve_mass(sleeve: Sleeve, max_frequency: float) -> float:
-    """Its mass, or what lifts its own frequency far above the band where none is given."""
+def sleeve_mass(sleeve: Sleeve, held: float, max_frequency: float) -> float:
+    """Its mass, or what lifts its own frequency far above the band where none is given [kg].
+
+    ``held``: the stiffness that holds it [N/m].
+    """
     if sleeve.mass > 0.0:
         return sleeve.mass
-    return sleeve.radial_stiffness / (2.0 * math.pi * SLEEVE_CUTOFF * max_frequency) ** 2
+    return held / (2.0 * math.pi * SLEEVE_CUTOFF * max_frequency) ** 2

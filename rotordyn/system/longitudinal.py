@@ -18,7 +18,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve
 from rotordyn.numerics.reduction import ritz_basis
 from rotordyn.system.assemble import RodMatrices, axial_rod, torsion_rod
-from rotordyn.system.lateral_rotor import CUTOFF, SLEEVE_CUTOFF, damping_ratios
+from rotordyn.system.lateral_rotor import CUTOFF, damping_ratios, sleeve_mass
 from rotordyn.system.mesh import Mesh
 
 Array = NDArray[np.float64]
@@ -55,7 +55,10 @@ def axial_system(
     sliding = [s for s in spindle.sleeves if math.isfinite(s.spring.stiffness)]
     carried = _carried(spindle, sliding, axial_stiffness)
     scale = np.array(
-        [1.0 / math.sqrt(_mass(s, carried[:, k], max_frequency)) for k, s in enumerate(sliding)]
+        [
+            sleeve_mass(s, s.spring.stiffness + float(carried[:, k].max()), max_frequency) ** -0.5
+            for k, s in enumerate(sliding)
+        ]
     )
     modal, size = basis.shape[1], basis.shape[1] + len(sliding)
     rows = np.zeros((len(nodes), size))
@@ -131,11 +134,3 @@ def _carried(spindle: Spindle, sliding: list[Sleeve], axial_stiffness: Array) ->
         for s in sliding
     ]
     return np.stack(columns, axis=1) if columns else np.zeros((len(axial_stiffness), 0))
-
-
-def _mass(sleeve: Sleeve, carried: Array, max_frequency: float) -> float:
-    """Its mass, or what lifts its own frequency far above the band where none is given."""
-    if sleeve.mass > 0.0:
-        return sleeve.mass
-    held = sleeve.spring.stiffness + float(carried.max(initial=0.0))
-    return held / (2.0 * math.pi * SLEEVE_CUTOFF * max_frequency) ** 2

@@ -316,4 +316,4 @@ def case() -> SampleCase:
         "campbell": CampbellSpec(max_frequency=3500.0, teeth=(3, 8)),
         "stiffness": StiffnessSpec("Oc2"),
     }
-    return SampleCase(spindle=spindle(), analyses=analyses)
+    return SampleCase(spindle=spindle(), references=references(), analyses=analyses)

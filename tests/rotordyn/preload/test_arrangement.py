@@ -37,7 +37,7 @@ def test_twins_with_different_growth_are_not_alike() -> None:
 def test_growth_and_shift_at_speed() -> None:
     joints = arrangement(mfw2310(), SPEED).joints
     assert joints[0].growth == pytest.approx(43.2e-6 + 7.3e-6 * np.array([0, 0.25, 1]))
-    assert joints[2].shift == pytest.approx(-42.8e-6 * np.array([0, 0.25, 1]))
+    assert joints[2].shortening == pytest.approx(-42.8e-6 * np.array([0, 0.25, 1]))
 
 
 def test_springs_push_so_that_bearings_load() -> None:
@@ -51,7 +51,7 @@ def test_part_of_the_speeds() -> None:
     whole = arrangement(mfw2310(), SPEED, 100.0)
     part = whole.at(np.array([2]))
     assert part.speed == pytest.approx([TOP])
-    assert part.joints[2].shift == pytest.approx([-42.8e-6])
+    assert part.joints[2].shortening == pytest.approx([-42.8e-6])
     assert part.force == 100.0
 
 
