@@ -81,12 +81,13 @@ class AngularContactBallBearing:
         moment_sharing: str = "equal",
         start: BearingState | None = None,
     ) -> BearingState:
-        """The physical state under a load or a displacement of the inner ring.
+        """The physical state under a load or a displacement of the inner ring, or a mix of both.
 
         Parameters
         ----------
-        load, displacement : exactly one of them, shape (…, 5): (Fx, Fy, Fz, My, Mz) [N, N·m] or
-            (δx, δy, δz, θy, θz) [m, rad]; zero displacement is zero load at rest
+        load, displacement : shape (…, 5): (Fx, Fy, Fz, My, Mz) [N, N·m] or (δx, δy, δz, θy, θz)
+            [m, rad]; zero displacement is zero load at rest. With both, exactly one of each pair is
+            given and the other is None or NaN, in the same way for every state
         speed : of the inner ring, shape (…) [rad/s]
         static_growth : Δu0, radial growth of the inner groove centre at rest, shape (…) [m]
         growth : Δu, total growth at ``speed``, static part included; None = ``static_growth``
@@ -100,7 +101,7 @@ class AngularContactBallBearing:
 
         Raises
         ------
-        InvalidBearing : shapes, non-finite numbers, unknown names
+        InvalidBearing : over- or under-determined, shapes, non-finite numbers, unknown names
         NoEquilibrium : a single state (no leading dimensions) does not exist; batches carry an
             ``outcome`` per state instead
         """

@@ -1,0 +1,125 @@
+"""What a caller asks of a bearing, checked and laid out as a list of states."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from bearings.errors import InvalidBearing
+
+Array = NDArray[np.float64]
+PAIRS = ("Fx or δx", "Fy or δy", "Fz or δz", "My or θy", "Mz or θz")
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Question:
+    """States to find, one after the other; ``shape`` is the caller's batch shape.
+
+    Where ``free`` (5,) is true ``load`` (s, 5) is given, elsewhere ``displacement`` (s, 5); what is
+    not given is zero. ``speed`` without sign, ``static_growth``, ``growth`` (s,).
+    """
+
+    free: NDArray[np.bool_]
+    load: Array
+    displacement: Array
+    speed: Array
+    static_growth: Array
+    growth: Array
+    shape: tuple[int, ...]
+
+    @property
+    def axial(self) -> NDArray[np.bool_]:
+        """States without radial load or displacement and without tilt or moment (s,)."""
+        return np.asarray(((self.load == 0.0) & (self.displacement == 0.0))[:, 1:].all(axis=1))
+
+    @property
+    def unloaded(self) -> NDArray[np.bool_]:
+        """States whose load is given and zero: any displacement without contact would do (s,)."""
+        return np.asarray(self.free.all() & (self.load == 0.0).all(axis=1))
+
+
+def question(
+    load: ArrayLike | None,
+    displacement: ArrayLike | None,
+    speed: ArrayLike,
+    static_growth: ArrayLike,
+    growth: ArrayLike | None,
+) -> Question:
+    """Check and broadcast; see ``AngularContactBallBearing.equilibrium``.
+
+    Raises
+    ------
+    InvalidBearing : over- or under-determined, shapes, numbers that are not finite
+    """
+    if load is None and displacement is None:
+        raise InvalidBearing("give load or displacement, exactly one of each pair")
+    mixed = load is not None and displacement is not None
+    force, move = (_five(n, v, mixed) for n, v in (("load", load), ("displacement", displacement)))
+    free = _free(force, move)
+    omega, static = _finite("speed", speed), _finite("static_growth", static_growth)
+    total = static if growth is None else _finite("growth", growth)
+    arrays = (omega, static, total)
+    try:
+        shape = np.broadcast_shapes(force.shape[:-1], move.shape[:-1], *(a.shape for a in arrays))
+    except ValueError as error:
+        raise InvalidBearing(f"leading shapes do not fit together: {error}") from error
+    omega, static, total = (np.broadcast_to(a, shape).reshape(-1) for a in arrays)
+    force, move = (
+        np.nan_to_num(np.broadcast_to(a, (*shape, 5)).reshape(-1, 5)) for a in (force, move)
+    )
+    return Question(free, force, move, np.abs(omega), static, total, shape)
+
+
+def check_name(what: str, name: str, known: Iterable[str]) -> None:
+    """Refuse a name that is not among ``known``, with the nearest one."""
+    if name in known:
+        return
+    close = difflib.get_close_matches(str(name), known, n=1)
+    hint = f" (did you mean {close[0]!r}?)" if close else ""
+    raise InvalidBearing(f"{what} must be one of {', '.join(known)}, got {name!r}{hint}")
+
+
+def _five(name: str, value: ArrayLike | None, mixed: bool) -> Array:
+    """Values (…, 5); what is not given is NaN."""
+    if value is None:
+        return np.full(5, np.nan)
+    array = _numbers(name, value)
+    if array.ndim < 1 or array.shape[-1] != 5:
+        raise InvalidBearing(f"load or displacement must have shape (…, 5), got {array.shape}")
+    if np.isinf(array).any() or (np.isnan(array).any() and not mixed):
+        raise InvalidBearing(f"{name} must be finite, got {value!r}")
+    return array
+
+
+def _free(load: Array, displacement: Array) -> NDArray[np.bool_]:
+    """Which of the five pairs are given by their load (5,), the same for every state."""
+    by_load, by_move = (
+        np.isfinite(a).reshape(-1, 5) if a.size else np.ones((1, 5), dtype=bool)
+        for a in (load, displacement)
+    )
+    for k, pair in enumerate(PAIRS):
+        columns = (by_load[:, k], by_move[:, k])
+        if any(column.any() != column.all() for column in columns):
+            raise InvalidBearing(f"{pair}: give the same one for every state of a batch")
+        if columns[0].all() == columns[1].all():
+            count = "both" if columns[0].all() else "neither"
+            raise InvalidBearing(f"{pair}: give exactly one, got {count}")
+    return np.asarray(by_load.all(axis=0))
+
+
+def _finite(name: str, value: ArrayLike) -> Array:
+    array = _numbers(name, value)
+    if not np.isfinite(array).all():
+        raise InvalidBearing(f"{name} must be finite, got {value!r}")
+    return array
+
+
+def _numbers(name: str, value: ArrayLike) -> Array:
+    try:
+        return np.asarray(value, dtype=float)
+    except (TypeError, ValueError) as error:
+        raise InvalidBearing(f"{name} must be numbers, got {value!r}") from error
