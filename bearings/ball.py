@@ -79,12 +79,19 @@ class Balance:
 
 
 def turning_balance(
-    model: BallModel, centre: Array, ball: Array, speed: Array, blend: Array
+    model: BallModel,
+    centre: Array,
+    ball: Array,
+    speed: Array,
+    blend: Array,
+    *,
+    frozen: bool = False,
 ) -> Balance:
     """Balance of balls on a turning ring (theory: one ball).
 
     ``blend`` t in [0, 1] leads from the convex problem (Mg = 0, Fc at the nominal angle) to the
     full one; all arguments broadcast against the trailing shape of ``centre`` and ``ball``.
+    ``frozen``: the derivatives leave Fc and Mg as they are.
     """
     g = model.geometry
     si, ci, li, so, co, lo = _directions(centre, ball)
@@ -113,9 +120,10 @@ def turning_balance(
         mo_k = (2.0 - share) * moment_k - share_k * moment
         table[:, column] = mi_k * ci / d, -mi_k * si / d, mo_k * co / d, -mo_k * so / d, mi_k, fc_k
 
-    inertia(0, moment_p.by_inner, fc_p.by_inner, 0.0)
-    inertia(2, moment_p.by_outer, fc_p.by_outer, 0.0)
-    if model.weighted:
+    if not frozen:
+        inertia(0, moment_p.by_inner, fc_p.by_inner, 0.0)
+        inertia(2, moment_p.by_outer, fc_p.by_outer, 0.0)
+    if model.weighted and not frozen:
         for column, slope in ((1, weight_li), (3, weight_lo)):
             inertia(column, moment_p.by_weight * slope, fc_p.by_weight * slope, share_c * slope)
     table[0, 0] += fr

@@ -11,7 +11,7 @@ from bearings.equilibrium import Solution
 from bearings.geometry import Geometry
 from bearings.problem import Problem
 from bearings.question import Question
-from bearings.state import BearingState
+from bearings.state import BearingState, Cause
 
 Array = NDArray[np.float64]
 BALL_FIELDS = (
@@ -81,9 +81,9 @@ def _grip(moment: Array, load: Array, diameter: float) -> Array:
     return np.where(load > 0.0, np.abs(moment) / (diameter * np.where(load > 0.0, load, 1.0)), 0.0)
 
 
-def state(states: dict[str, NDArray[Any]], shape: tuple[int, ...]) -> BearingState:
+def state(states: dict[str, NDArray[Any]], shape: tuple[int, ...], cause: Cause) -> BearingState:
     """Fields back in the caller's shape."""
     centre = states.pop("ball_centre")
     shaped = {name: value.reshape((*shape, *value.shape[1:])) for name, value in states.items()}
     centre = centre.reshape((*shape, *centre.shape[1:]))
-    return BearingState(ball_centre=np.moveaxis(centre, -2, 0), **shaped)
+    return BearingState(cause=cause, ball_centre=np.moveaxis(centre, -2, 0), **shaped)

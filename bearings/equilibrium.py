@@ -90,11 +90,11 @@ def linearise(problem: Problem, d: Array, x: Array, blend: Array) -> Linear:
         balance = turning_balance(problem.model, centre, x, problem.speed[:, None], blend[:, None])
     else:
         balance = resting_balance(problem.model, centre)
-    inverse, determinant = _inverse(balance.dresidual_dx)
+    inverse_dx, determinant = inverse(balance.dresidual_dx)
     ring_load = problem.ring.load(balance.action)
     return Linear(
         balance=balance,
-        ball_inverse=inverse,
+        ball_inverse=inverse_dx,
         ring_load=ring_load,
         fold=determinant.min(axis=-1),
         error=_error(problem, balance, ring_load),
@@ -103,8 +103,12 @@ def linearise(problem: Problem, d: Array, x: Array, blend: Array) -> Linear:
 
 def tangent(problem: Problem, linear: Linear) -> Array:
     """∂f/∂d with the balls following the ring, all of Fc and Mg included (s, 5, 5)."""
-    balance = linear.balance
-    follow = _product(linear.ball_inverse, balance.dresidual_da)
+    return follow_tangent(problem, linear.balance, linear.ball_inverse)
+
+
+def follow_tangent(problem: Problem, balance: Balance, ball_inverse: Array) -> Array:
+    """∂f/∂d of a given linearisation of the balls (s, 5, 5)."""
+    follow = _product(ball_inverse, balance.dresidual_da)
     return problem.ring.stiffness(balance.daction_da - _product(balance.daction_dx, follow))
 
 
@@ -135,7 +139,7 @@ def _error(problem: Problem, balance: Balance, ring_load: Array) -> Array:
     return np.maximum(ball, ring)
 
 
-def _inverse(matrix: Array) -> tuple[Array, Array]:
+def inverse(matrix: Array) -> tuple[Array, Array]:
     """Inverse and determinant of 2×2 matrices, component first; singular ones give zero."""
     (a, b), (c, d) = matrix
     determinant = a * d - b * c

@@ -6,8 +6,13 @@ import math
 from dataclasses import dataclass
 from functools import lru_cache
 
+import numpy as np
+from numpy.typing import NDArray
+
 from bearings.angular_contact import AngularContactBallBearing
 from bearings.hertz import HertzContact, contact
+
+Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,6 +70,18 @@ def geometry(bearing: AngularContactBallBearing) -> Geometry:
         series_stiffness=(inner.stiffness ** (-2 / 3) + outer.stiffness ** (-2 / 3)) ** -1.5,
         race_ratio=_race_weight(inner) / _race_weight(outer),
     )
+
+
+def groove_origin(g: Geometry, static_growth: Array, growth: Array) -> Array:
+    """Inner groove centre A₀ (2, …) at zero displacement, seen from the outer one.
+
+    The axial part is zeroed with the STATIC growth and NaN where that takes the whole contact
+    angle; the radial part carries the growth at speed.
+    """
+    cosine = np.cos(g.contact_angle) + static_growth / g.free_distance
+    possible = np.abs(cosine) <= 1.0
+    axial = g.free_distance * np.sqrt(np.where(possible, 1.0 - cosine**2, np.nan))
+    return np.stack([axial, g.free_distance * np.cos(g.contact_angle) + growth])
 
 
 def _race_contact(

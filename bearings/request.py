@@ -13,12 +13,12 @@ from bearings.collect import blank, state, store
 from bearings.convex import resting_seat
 from bearings.equilibrium import solve
 from bearings.errors import InvalidBearing, NoEquilibrium
-from bearings.geometry import Geometry, geometry
+from bearings.geometry import geometry, groove_origin
 from bearings.kinematics import HYPOTHESES, SHARINGS
 from bearings.problem import Problem
 from bearings.question import Question, check_name, question
 from bearings.ring import axial_ring, full_ring
-from bearings.state import BearingState
+from bearings.state import BearingState, Cause
 
 Array = NDArray[np.float64]
 SLOW = 2e-9  # of the groove reach: a ball pressed in less by its own motion is at rest
@@ -50,7 +50,9 @@ def answer(
     check_name("moment_sharing", moment_sharing, SHARINGS)
     asked = question(load, displacement, speed, static_growth, growth)
     model = BallModel.named(geometry(bearing), kinematics, moment_sharing)
-    origin, outcome = _origin(model.geometry, asked)
+    origin = groove_origin(model.geometry, asked.static_growth, asked.growth)
+    outcome = np.where(np.isfinite(origin[0]), "", "no contact angle").astype("<U16")
+    outcome[asked.unloaded & (outcome == "")] = "unloaded"
     states = blank(model.geometry, asked, outcome)
     for index, axial, turning in _groups(model, asked, outcome):
         problem = _problem(model, asked, origin, index, axial=axial, turning=turning)
@@ -62,7 +64,8 @@ def answer(
     if asked.shape == () and states["outcome"][0]:
         word = str(states["outcome"][0])
         raise NoEquilibrium(word, speed=float(asked.speed[0]), remedy=REMEDIES[word])
-    return state(states, asked.shape)
+    growths = (v.reshape(asked.shape) for v in (asked.static_growth, asked.growth))
+    return state(states, asked.shape, Cause(bearing, kinematics, moment_sharing, *growths))
 
 
 def _groups(
@@ -80,20 +83,6 @@ def _groups(
             chosen = (is_axial == axial) & (is_turning == turning) & (outcome == "")
             if chosen.any():
                 yield np.flatnonzero(chosen), axial, turning
-
-
-def _origin(g: Geometry, asked: Question) -> tuple[Array, NDArray[np.str_]]:
-    """A₀ (2, s) at zero displacement, and the outcome of the states that have none.
-
-    The axial part is zeroed with the STATIC growth, the radial part carries the growth at speed.
-    """
-    cosine = np.cos(g.contact_angle) + asked.static_growth / g.free_distance
-    possible = np.abs(cosine) <= 1.0
-    axial = g.free_distance * np.sqrt(np.where(possible, 1.0 - cosine**2, 0.0))
-    radial = g.free_distance * np.cos(g.contact_angle) + asked.growth
-    outcome = np.where(possible, "", "no contact angle").astype("<U16")
-    outcome[asked.unloaded & possible] = "unloaded"
-    return np.stack([axial, radial]), outcome
 
 
 def _problem(

@@ -7,9 +7,21 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.errors import InvalidBearing
+from bearings.angular_contact import AngularContactBallBearing
+from bearings.question import check_name
 
 Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Cause:
+    """Bearing, hypotheses and growth (…) [m] that a state belongs to."""
+
+    bearing: AngularContactBallBearing
+    kinematics: str
+    moment_sharing: str
+    static_growth: Array
+    growth: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,8 +36,10 @@ class BearingState:
     (loaded against the side without a shoulder), ``"lost contact"`` (rides the outer race),
     ``"unloaded"`` (at rest).
     ``outcome`` (…): ``""`` where the state exists; where it does not, all numbers are NaN.
-    ``ball_centre`` (2, …, balls or 1): a start for neighbouring states.
+    ``ball_centre`` (2, …, balls): a start for neighbouring states; ``cause``: what was asked.
     """
+
+    cause: Cause
 
     load: Array
     displacement: Array
@@ -49,7 +63,16 @@ class BearingState:
         """Tangent K = ∂load/∂displacement, shape (…, 5, 5) [N/m, N/rad, N·m/rad].
 
         ``"complete"`` contains the variation of Fc and Mg; it is not symmetric at speed.
+        ``"frozen"`` keeps Fc and Mg as they are (Cao & Altintas 2004); ``"difference"`` takes
+        central differences of the whole solve.
+
+        Raises
+        ------
+        InvalidBearing : an unknown method
         """
-        if method != "complete":
-            raise InvalidBearing(f"stiffness method must be 'complete', got {method!r}")
-        return self.complete_stiffness
+        if method == "complete":
+            return self.complete_stiffness
+        from bearings.tangents import TANGENTS
+
+        check_name("stiffness method", method, ("complete", *TANGENTS))
+        return TANGENTS[method](self)

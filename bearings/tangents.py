@@ -1,0 +1,73 @@
+"""Other tangents of a solved state, to be seen beside the complete one."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.ball import BallModel, turning_balance
+from bearings.equilibrium import follow_tangent, inverse
+from bearings.geometry import geometry, groove_origin
+from bearings.problem import Problem
+from bearings.ring import full_ring
+from bearings.state import BearingState
+
+Array = NDArray[np.float64]
+STEP = 1e-8  # m, of the central differences
+
+
+def frozen(state: BearingState) -> Array:
+    """Tangent with centrifugal force and gyroscopic moment kept as they are (…, 5, 5).
+
+    Cao & Altintas, J. Mech. Des. 126 (2004) 525. At rest it is the complete one.
+    """
+    cause = state.cause
+    g = geometry(cause.bearing)
+    speed = state.speed.reshape(-1)
+    problem = Problem(
+        model=BallModel.named(g, cause.kinematics, cause.moment_sharing),
+        ring=full_ring(g),
+        origin=groove_origin(g, cause.static_growth.reshape(-1), cause.growth.reshape(-1)),
+        speed=speed,
+        load=np.zeros((len(speed), 5)),
+        free=np.zeros(5, dtype=bool),
+        turning=True,
+    )
+    good = (speed > 0.0) & (state.outcome.reshape(-1) == "")
+    turning = np.flatnonzero(good & (state.gyroscopic_moment.reshape(len(speed), -1) != 0.0).any(1))
+    if not turning.size:
+        return state.complete_stiffness
+    part = problem.take(turning)
+    centre = part.ring.centres(part.origin, state.displacement.reshape(-1, 5)[turning])
+    ball = state.ball_centre.reshape(2, len(speed), -1)[:, turning]
+    whole = np.ones((len(turning), 1))
+    balance = turning_balance(part.model, centre, ball, part.speed[:, None], whole, frozen=True)
+    stiffness = state.complete_stiffness.reshape(-1, 5, 5).copy()
+    stiffness[turning] = follow_tangent(part, balance, inverse(balance.dresidual_dx)[0])
+    return stiffness.reshape(state.complete_stiffness.shape)
+
+
+def difference(state: BearingState) -> Array:
+    """Tangent by five-point differences of the displacement solve (…, 5, 5)."""
+    cause = state.cause
+    radius = geometry(cause.bearing).centre_radius
+    step = STEP * np.diag([1.0, 1.0, 1.0, 1.0 / radius, 1.0 / radius])
+    moved = [state.displacement[..., None, :] + k * step for k in (1.0, -1.0, 2.0, -2.0)]
+    load = cause.bearing.equilibrium(
+        displacement=np.stack(moved),
+        speed=state.speed[..., None],
+        static_growth=cause.static_growth[..., None],
+        growth=cause.growth[..., None],
+        kinematics=cause.kinematics,
+        moment_sharing=cause.moment_sharing,
+    ).load
+    slope = (8.0 * (load[0] - load[1]) - (load[2] - load[3])) / (12.0 * np.diag(step)[:, None])
+    return np.asarray(slope.swapaxes(-1, -2))
+
+
+TANGENTS: dict[str, Callable[[BearingState], Array]] = {
+    "frozen": frozen,
+    "difference": difference,
+}

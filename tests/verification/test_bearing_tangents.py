@@ -1,0 +1,51 @@
+"""Complete, frozen and difference tangent of the same state."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from bearings import InvalidBearing
+from tests.oracles.known_bearings import RPM, VEX70
+
+SCALE = np.array([1.0, 1.0, 1.0, 0.045, 0.045])
+
+
+def apart(a: np.ndarray, b: np.ndarray) -> float:
+    """Largest difference over the largest entry, moments and tilts scaled by dm/2."""
+    weight = SCALE * SCALE[:, None]
+    return float((np.abs(a - b) / weight).max() / (np.abs(b) / weight).max())
+
+
+def test_at_rest_nothing_is_left_to_freeze() -> None:
+    state = VEX70.equilibrium(load=[1000.0, 200.0, 0.0, 1.0, 0.0])
+    assert apart(state.stiffness("frozen"), state.stiffness("complete")) == 0.0
+
+
+@pytest.mark.parametrize("rpm", [0.0, 10000.0, 30000.0])
+def test_differences_confirm_the_complete_tangent(rpm: float) -> None:
+    state = VEX70.equilibrium(load=[1000.0, 200.0, 50.0, 1.0, -2.0], speed=rpm * RPM)
+    assert apart(state.stiffness("difference"), state.stiffness("complete")) < 1e-6
+
+
+def test_frozen_error_grows_with_speed_to_a_sixth_when_lightly_loaded() -> None:
+    """Noël (2013), ch. II: up to about 16 % at 30 000 rpm; there of Kxx, lightly loaded."""
+    speed = np.array([10000.0, 20000.0, 30000.0]) * RPM
+    for load, low, high in ((250.0, 0.14, 0.19), (2000.0, 0.005, 0.03)):
+        state = VEX70.equilibrium(load=[load, 0.0, 0.0, 0.0, 0.0], speed=speed)
+        complete = state.stiffness("complete")[:, 0, 0]
+        error = np.abs(state.stiffness("frozen")[:, 0, 0] / complete - 1.0)
+        assert (np.diff(error) > 0.0).all()
+        assert low < error[-1] < high
+
+
+def test_shapes_follow_the_batch() -> None:
+    load = np.ones((3, 2, 5)) * [1000.0, 1.0, 0.0, 0.0, 0.0]
+    state = VEX70.equilibrium(load=load, speed=np.array([0.0, 1500.0]))
+    for method in ("complete", "frozen", "difference"):
+        assert state.stiffness(method).shape == (3, 2, 5, 5)
+
+
+def test_unknown_method() -> None:
+    with pytest.raises(InvalidBearing, match="did you mean 'frozen'"):
+        VEX70.equilibrium(load=[1000.0, 0, 0, 0, 0]).stiffness("frosen")
