@@ -42,6 +42,9 @@ class AngularContactBallBearing:
     ring_material: Material = STEEL
 
     def __post_init__(self) -> None:
+        for material in (self.ball_material, self.ring_material):
+            if not isinstance(material, Material):
+                raise InvalidBearing(f"materials must be bearings.Material, got {material!r}")
         for fault in self._faults():
             raise InvalidBearing(fault)
 

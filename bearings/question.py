@@ -74,9 +74,9 @@ def question(
     return Question(free, force, move, np.abs(omega), static, total, shape)
 
 
-def check_name(what: str, name: str, known: Iterable[str]) -> None:
+def check_name(what: str, name: object, known: Iterable[str]) -> None:
     """Refuse a name that is not among ``known``, with the nearest one."""
-    if name in known:
+    if isinstance(name, str) and name in known:
         return
     close = difflib.get_close_matches(str(name), known, n=1)
     hint = f" (did you mean {close[0]!r}?)" if close else ""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import argparse
 import os
+import signal
 import sys
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -32,10 +33,21 @@ def main(argv: Sequence[str] | None = None) -> int:
     except (RotordynError, BearingError) as error:
         print(error, file=sys.stderr)
         return exit_code(error)
-    except KeyboardInterrupt:
+    except BaseException as error:
+        if not _interrupted(error):
+            raise
         print("interrupted; nothing was written", file=sys.stderr)
         return 130
     return code
+
+
+def _interrupted(error: BaseException | None) -> bool:
+    """True where Ctrl-C is behind ``error``, even if a library has wrapped it."""
+    while error is not None:
+        if isinstance(error, KeyboardInterrupt):
+            return True
+        error = error.__cause__ or error.__context__
+    return False
 
 
 def _parser() -> argparse.ArgumentParser:
@@ -68,13 +80,19 @@ def _check(arguments: argparse.Namespace) -> int:
     return 0
 
 
+def _stopped(*_: object) -> None:
+    """Leave the way Ctrl-C does, so that nothing half-written stays."""
+    raise KeyboardInterrupt
+
+
 def _run(arguments: argparse.Namespace) -> int:
     from rotordyn.job import deliver, restricted
 
+    signal.signal(signal.SIGTERM, _stopped)
     case = rotordyn.load(arguments.case)
-    if arguments.only:
-        case = restricted(case, tuple(arguments.only.split(",")))
-    target = Path(arguments.output) if arguments.output else Path("out") / case.name
+    if arguments.only is not None:
+        case = restricted(case, tuple(name.strip() for name in arguments.only.split(",")))
+    target = Path("out") / case.name if arguments.output is None else Path(arguments.output)
     with _progress(len(case.analyses) + 1, quiet=arguments.quiet) as progress:
         delivery = deliver(case, target, progress)
     if not arguments.quiet:

@@ -43,6 +43,8 @@ def run(case: Case) -> Mapping[str, xr.Dataset]:
     """
     from rotordyn.report.datasets import dataset
 
+    if not isinstance(case, Case):
+        raise InvalidInput(f"run takes a case, as rotordyn.load gives it; got {case!r}")
     return {name: dataset(result) for name, result in solve(case).results.items()}
 
 
@@ -146,7 +148,7 @@ def _write_record(
         case=case.name,
         title=case.title,
         digest=case.digest,
-        inputs=tuple(path.name for path in case.files),
+        inputs=tuple(f"{path.parent.name}/{path.name}" for path in case.files),
         settings=asdict(case.conditions),
         outcomes=outcomes(answers.results),
         tolerances=answers.tolerances,

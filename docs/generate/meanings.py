@@ -21,7 +21,7 @@ MEANINGS: dict[str, dict[str, str]] = {
         "bearings": "`static`: the state at rest serves every speed",
         "rotor": "`rigid`: the shaft does not bend, stretch or twist",
         "axial_force": "external force on the shaft towards +x",
-        "gravity": "direction of the weight of a vertical spindle",
+        "gravity": "direction of the rotor's weight (vertical spindle); sleeves are not weighed",
         "element_length": "longest element; by default 1/50 of the shaft",
         "spin_softening": "subtract Ω² M_ω in the fixed frame, only to reproduce codes that do",
     },

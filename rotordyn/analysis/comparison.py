@@ -16,7 +16,7 @@ from rotordyn.machine.spindle import Spindle
 Array = NDArray[np.float64]
 
 
-SAME_SPEED = 1e-3  # of the highest speed: frequencies are not interpolated between speeds
+SAME_SPEED = 5e-3  # of the highest speed: nothing is interpolated between speeds
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,7 +77,7 @@ def _computed(
         case "radial_stiffness" if stiffness is not None:
             return _column(speeds, stiffness, "tangent", "variant", subject or "nonlinear")
         case "preload_sum" if preload is not None and spindle is not None:
-            return _between(speeds, preload.speed, preload_sum(preload, spindle))
+            return _at(speeds, preload.speed, preload_sum(preload, spindle))
         case "sleeve_displacement" if preload is not None:
             return _column(speeds, preload, "position", "body", subject)
         case "bending_frequency" if "campbell" in results:
@@ -89,14 +89,14 @@ def _column(speeds: Array, result: Any, name: str, dim: str, word: str) -> Array
     words = getattr(result, dim)
     if word not in words:
         return None
-    return _between(speeds, result.speed, getattr(result, name)[:, words.index(word)])
+    return _at(speeds, result.speed, getattr(result, name)[:, words.index(word)])
 
 
-def _between(speeds: Array, known: Array, values: Array) -> Array:
-    """Values at ``speeds`` by interpolation, NaN outside the range of ``known``."""
-    slack = SAME_SPEED * known[-1]
-    inside = (speeds >= known[0] - slack) & (speeds <= known[-1] + slack)
-    return np.where(inside, np.interp(speeds, known, values), np.nan)
+def _at(speeds: Array, known: Array, values: Array) -> Array:
+    """Values at the computed speeds that are as good as those asked for, NaN for the others."""
+    nearest = np.abs(known - speeds[:, None]).argmin(axis=1)
+    close = np.abs(known[nearest] - speeds) <= SAME_SPEED * known[-1]
+    return np.where(close, values[nearest], np.nan)
 
 
 def _modes(result: CampbellResult, speeds: Array) -> Array:

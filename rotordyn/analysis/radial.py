@@ -19,7 +19,7 @@ Flags = NDArray[np.bool_]
 Words = NDArray[np.str_]
 PLANE = [0, 1, 4]  # x, y, θz of a bearing's five freedoms
 TOLERANCE = 1e-9  # of the largest force in the balance
-ITERATIONS = 40
+ITERATIONS = 20
 HALVINGS = 8
 
 
@@ -103,8 +103,11 @@ class RadialProblem:
         outcome = np.full(len(start), "", dtype=object)
         reach = problem._travel(start)
         for k in range(1, len(force)):
+            if (outcome != "").all():
+                deflection[:, k:] = np.nan
+                break
             guess = 2.0 * path[0] - path[1] if k == 1 else 3.0 * (path[0] - path[1]) + path[2]
-            problem, here, found = problem._solved(guess, here, float(force[k]))
+            problem, here, found = problem._solved(guess, here, float(force[k]), outcome == "")
             lost = (outcome == "") & ~found
             outcome[lost] = [_why(point, force[k]) for point in here.pressure[lost]]
             path = [here.coordinates, *path[:2]]
@@ -182,13 +185,16 @@ class RadialProblem:
         return np.concatenate([coordinates[:, :p], position], axis=1)
 
     def _solved(
-        self, guess: Array, near: Point, force: float
+        self, guess: Array, near: Point, force: float, alive: Flags
     ) -> tuple[RadialProblem, Point, Flags]:
         """Equilibrium under ``force`` from a guess, and where there is one (speeds,).
+
+        Only speeds still ``alive`` are sought; where no step helps any more the search ends.
 
         Stops close and open as they must.
         """
         problem = self
+        guess = np.where(alive[:, None], guess, near.coordinates)
         there = problem.evaluate(problem._placed(guess), near.states)
         found = np.zeros(len(guess), dtype=bool)
         for _ in range(ITERATIONS):
@@ -200,10 +206,12 @@ class RadialProblem:
                 problem = replace(problem, held=np.where(changed[:, None], wanted, problem.held))
                 there = problem.evaluate(problem._placed(there.coordinates), there.states)
                 continue
-            moving = np.isfinite(error) & ~(error < TOLERANCE)
+            alive = alive & (there.pressure <= HIGHEST_PRESSURE)
+            moving = alive & np.isfinite(error) & ~(error < TOLERANCE)
             if not moving.any():
                 break
-            there = problem._moved(there, miss, error, moving, force)
+            there, helped = problem._moved(there, miss, error, moving, force)
+            alive = alive & helped
         return problem, there, found
 
     def _stops(self, here: Point) -> Flags:
@@ -213,19 +221,24 @@ class RadialProblem:
         force = free._unbalanced(here, 0.0)[:, p:]
         return stops_wanted(self.network, here.coordinates[:, p:], force, self.held, self.limit)
 
-    def _moved(self, here: Point, miss: Array, error: Array, moving: Flags, force: float) -> Point:
-        """A Newton step at the speeds still moving, shortened where the balance gets worse."""
+    def _moved(
+        self, here: Point, miss: Array, error: Array, moving: Flags, force: float
+    ) -> tuple[Point, Flags]:
+        """A Newton step at the speeds still moving, shortened where the balance gets worse.
+
+        Also where it helped, or was not needed.
+        """
         matrix = np.where(moving[:, None, None], self._matrix(here), np.eye(miss.shape[1]))
         step = np.linalg.solve(matrix, np.where(moving[:, None], miss, 0.0)[..., None])[..., 0]
         length = moving.astype(float)
-        there = here
+        there, worse = here, moving
         for _ in range(HALVINGS):
             there = self.evaluate(here.coordinates + length[:, None] * step, here.states)
             worse = moving & ~(self._error(there, force)[1] < error)
             if not worse.any():
                 break
             length = np.where(worse, 0.5 * length, length)
-        return there
+        return there, ~worse
 
     def _travel(self, coordinates: Array) -> Array:
         """How far each body has moved from rest against its spring (speeds, bodies) [m]."""

@@ -17,6 +17,7 @@ from rotordyn.analysis.radial import PLANE, RadialCurve, RadialProblem
 from rotordyn.analysis.results import StiffnessResult
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import StiffnessSpec
+from rotordyn.preload.outcome import LEAST_LOAD
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.system.condensed import CondensedRotor, condensed_rotor
 
@@ -154,7 +155,13 @@ def _constant_preload(scene: Scene) -> tuple[Array, NDArray[np.object_]]:
     rest = state.rest_loads()
     blocks = np.empty((len(state.speed), len(scene.spindle.seats), 5, 5))
     outcome = np.full(len(state.speed), "", dtype=object)
+    largest = float(np.nanmax(np.abs(rest), initial=0.0))
     for k, joint in enumerate(state.network.arrangement.joints):
+        names = ", ".join(scene.spindle.seats[seat].name for seat in joint.seats)
+        if not rest[k] > LEAST_LOAD * largest:
+            blocks[:, list(joint.seats)] = np.nan
+            outcome[outcome == ""] = f"bearing {names} carries no load at rest"
+            continue
         load = np.zeros((len(state.speed), 5))
         load[:, 0] = rest[k]
         held = joint.bearing.equilibrium(
@@ -166,7 +173,6 @@ def _constant_preload(scene: Scene) -> tuple[Array, NDArray[np.object_]]:
             moment_sharing=scene.law.moment_sharing,
         )
         blocks[:, list(joint.seats)] = held.stiffness("complete")[:, None]
-        names = ", ".join(scene.spindle.seats[seat].name for seat in joint.seats)
         lost = (held.outcome != "") & (outcome == "")
         outcome[lost] = f"bearing {names} has no equilibrium under its load at rest"
     return blocks, outcome

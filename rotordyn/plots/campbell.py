@@ -51,6 +51,8 @@ def campbell_figure(
     axes = add_axes(figure, (15.0, 11.0, 112.0, 92.0), "speed [rpm]", "damped frequency [Hz]")
     rpm = result.speed * RPM.factor
     known = [r for r in references if r.quantity == "bending_frequency"]
+    if not result.mode:
+        axes.text(0.5, 0.5, "no mode in this band", transform=axes.transAxes, ha="center")
     top = max_frequency or float(np.nanmax(result.frequency)) * 1.04
     speed_ticks(axes, float(rpm[-1]))
     axes.set_ylim(0.0, top)
@@ -109,7 +111,10 @@ def draw_modes(axes: Axes, result: CampbellResult, colour: str = "") -> None:
 
     curves = whirl_segments(result)
     for look, (own, dashes, label) in LOOKS.items():
-        if look in curves:
+        if look in curves and len(result.speed) == 1:
+            points = np.concatenate(curves[look])
+            axes.plot(*points.T, "o", color=colour or own, ms=4.0, label=label, clip_on=False)
+        elif look in curves:
             lines = LineCollection(
                 curves[look],
                 colors=colour or own,

@@ -58,7 +58,7 @@ def plane_curve(shape: NDArray[np.complex128]) -> NDArray[np.float64]:
     """
     node, freedom = np.unravel_index(int(np.argmax(np.abs(shape))), shape.shape)
     peak = shape[node, freedom]
-    if peak == 0.0:
+    if not np.isfinite(peak) or peak == 0.0:
         return np.zeros(len(shape))
     return np.asarray((shape[:, freedom] * np.conj(peak) / np.abs(peak) ** 2).real)
 

@@ -173,13 +173,15 @@ def solve(
     fixed = held | springs.fixed
     x = np.where(held, limit, np.where(springs.fixed, springs.rest, position))
     response = network.respond(x, near)
+    stuck = np.zeros(len(x), dtype=bool)
     for _ in range(ITERATIONS):
         miss, error = network.error(x, response, fixed)
-        moving = np.isfinite(error) & (error >= TOLERANCE)
+        moving = np.isfinite(error) & (error >= TOLERANCE) & ~stuck
         if not moving.any():
             break
         step = np.where(moving[:, None], _newton(network, response, miss, fixed), 0.0)
-        x, response = _advance(network, x, step, response, fixed, error)
+        x, response, helped = _advance(network, x, step, response, fixed, error)
+        stuck |= moving & ~helped
     error = network.error(x, response, fixed)[1]
     return NetworkState(x, held, response, error, error < TOLERANCE)
 
@@ -211,8 +213,11 @@ def _newton(network: Network, response: Response, miss: Array, fixed: Flags) -> 
 
 def _advance(
     network: Network, x: Array, step: Array, near: Response, fixed: Flags, error: Array
-) -> tuple[Array, Response]:
-    """Take the step, halved at the speeds where the balance would get worse or no state exists."""
+) -> tuple[Array, Response, Flags]:
+    """Take the step, halved at the speeds where the balance would get worse or no state exists.
+
+    Also the speeds where it helped; at the others nothing moved.
+    """
     length = np.ones(len(x))
     idle = (np.abs(step).max(axis=1) < 1e-16) | ~np.isfinite(error)
     for left in range(HALVINGS, -1, -1):
@@ -223,4 +228,4 @@ def _advance(
         if good.all():
             break
         length = np.where(good, length, 0.5 * length if left > 1 else 0.0)
-    return trial, response
+    return trial, response, length > 0.0

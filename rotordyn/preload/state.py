@@ -106,9 +106,10 @@ class PreloadState:
         return np.stack([place[seat] for seat in sorted(place)], axis=1)
 
     def rest_loads(self) -> Array:
-        """Axial load of every joint at rest under the stated preloads (joints,) [N]."""
-        still = replace(self.network, arrangement=at_rest(self.network.arrangement))
-        return still.respond(self.rest[None]).load[0]
+        """Axial load of every joint at rest, external force included (joints,) [N]; NaN: none."""
+        still = replace(at_rest(self.network.arrangement), force=self.force)
+        net = with_stops(replace(self.network, arrangement=still), self.rest, self.limit)
+        return np.where(net.found[0], net.response.load[0], np.nan)
 
     def stop_speeds(self) -> Array:
         """Speed at which each sleeve meets its stop (sleeves,) [rad/s]; NaN: it does not."""

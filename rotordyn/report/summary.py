@@ -89,7 +89,7 @@ def _machine(spindle: Spindle) -> list[str]:
     m = rotor_inertia(spindle)
     lines = [
         f"rotor      {m.mass:.2f} kg, centre of gravity at {m.centre * 1e3:.1f} mm, inertia polar "
-        f"{m.polar:.5f}, diametral {m.diametral:.4f} kg m²"
+        f"{m.polar:.4g}, diametral {m.diametral:.4g} kg m²"
     ]
     if spindle.seats:
         rows = ", ".join(
@@ -97,7 +97,9 @@ def _machine(spindle: Spindle) -> list[str]:
             for s in spindle.seats
         )
         pairs = ", ".join(f"{a} and {b} in {word}" for a, b, word in spindle.pairings)
-        lines.append(f"bearings   [mm] {rows} (+: a push towards +x loads it); {pairs}")
+        lines.append(f"bearings   [mm] {rows} (+: a push towards +x loads it)")
+        if pairs:
+            lines[-1] += f"; {pairs}"
     for sleeve in spindle.sleeves:
         spring = sleeve.spring
         stiff = f"{spring.stiffness / 1e6:g} N/µm" if math.isfinite(spring.stiffness) else "rigid"
@@ -125,8 +127,23 @@ def _modes(result: CampbellResult) -> list[str]:
     ]
     if len(result.speed) == 1:
         return lines
-    none = f"none from {rpm.replace('→', 'to')}"
+    none = f"none from {rpm.replace('→', 'to')}{_nearest(result)}"
     return [*lines, f"critical   1×, margin to top speed: {', '.join(known) or none}"]
+
+
+def _nearest(result: CampbellResult) -> str:
+    """The bending mode nearest to the 1× line at the top speed, and how far it is."""
+    hertz = result.speed[-1] / (2.0 * math.pi)
+    chosen = [
+        k
+        for k, kind in enumerate(result.kind)
+        if kind == "bending" and result.whirl[-1, k] >= 0.0 and hertz > 0.0
+    ]
+    if not chosen:
+        return ""
+    near = min(chosen, key=lambda k: abs(float(result.frequency[-1, k]) - hertz))
+    ratio = float(result.frequency[-1, near]) / hertz
+    return f"; {result.mode[near]} is nearest, {ratio:.2f} × the top speed"
 
 
 def _turning(name: str, whirl: float) -> str:

@@ -31,7 +31,7 @@ def write_uff(
         _record(result, index, place, case=case, nodes=nodes, binary=binary)
         for index in np.flatnonzero(result.is_slice).tolist()
         for place in range(len(result.pair))
-        if np.isfinite(result.receptance[index, place]).all()
+        if len(result.frequency) > 1 and np.isfinite(result.receptance[index, place]).all()
     ]
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ResourceWarning)  # pyuff leaves closing to the interpreter

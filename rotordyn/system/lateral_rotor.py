@@ -92,7 +92,8 @@ def damping_ratios(values: Array, given: tuple[float, ...]) -> Array:
     ratios = np.zeros(len(values))
     if given:
         order = np.arange(len(values)) - int((values == 0.0).sum())
-        ratios = np.where(order < 0, 0.0, np.array(given)[np.minimum(order, len(given) - 1)])
+        flexible = np.array(given)[np.clip(order, 0, len(given) - 1)]
+        ratios = np.where(order < 0, 0.0, flexible)
     return ratios
 
 

@@ -247,8 +247,9 @@ def test_sprung_sleeve_softens_and_stiff_sleeve_does_not() -> None:
 
 def test_external_force_acts_on_the_stiffness_too() -> None:
     asked = {"preload": PreloadSpec(), "stiffness": StiffnessSpec("Oc2", 500.0, 1)}
-    plain, pushed = (answers(mfw2310(), (6000,), asked, axial_force=f) for f in (0.0, 400.0))
-    ratio = pushed["stiffness"].tangent[0] / plain["stiffness"].tangent[0]
-    assert np.abs(ratio[:3] - 1.0).min() > 1e-3
-    assert ratio[3] == pytest.approx(1.0, rel=1e-9), "constant preload is that at rest, unforced"
+    plain, pushed = (answers(mfw2310(), (0, 6000), asked, axial_force=f) for f in (0.0, 400.0))
+    ratio = pushed["stiffness"].tangent / plain["stiffness"].tangent
+    assert np.abs(ratio - 1.0).min() > 1e-3
+    still = pushed["stiffness"].tangent[0]
+    assert still[3] == pytest.approx(still[1], rel=1e-8), "at rest the preload is what it is"
     assert math.isfinite(pushed["preload"].axial_load.sum())

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 from rotordyn.case.build.sweep import values
 from rotordyn.case.checks.names import exists
 from rotordyn.case.checks.references import references
@@ -12,8 +14,12 @@ from rotordyn.case.schema.analyses import FrfEntry, StiffnessEntry
 from rotordyn.case.schema.case import CaseEntry
 from rotordyn.case.schema.shaft import ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
+from rotordyn.case.schema.support import ENTRIES
+from rotordyn.units import format_quantity
 
 _NEEDS_BEARINGS = ("preload", "stiffness")
+MOST_ELEMENTS = 1000
+PLANES = {"y": 0, "thz": 0, "z": 1, "thy": 1}  # which bending plane a freedom belongs to
 
 
 def machine_named(root: Node, faults: Faults) -> None:
@@ -85,6 +91,7 @@ def against_machine(
     faults: Faults,
 ) -> None:
     """Points, sleeves and bearings that the questions name exist."""
+    _elements(entry, spindle, tool, root, faults)
     points = [*spindle.points, *(tool.points if tool else {})]
     for name in _NEEDS_BEARINGS:
         if getattr(entry.analyses, name) is not None and not spindle.bearings:
@@ -94,8 +101,68 @@ def against_machine(
             for key in ("response", "excitation"):
                 way = ("analyses", "frf", "pairs", index, key)
                 exists(getattr(pair, key).point, points, "point", root, way, faults)
+        _pairs(entry.analyses.frf, root, faults)
     if entry.analyses.stiffness is not None:
         _stiffness(entry.analyses.stiffness, points, spindle, root, faults)
+        _supports(spindle, root, faults)
+
+
+def _pairs(entry: FrfEntry, root: Node, faults: Faults) -> None:
+    """Every pair once, and both ends in motions that are coupled."""
+    seen: set[str] = set()
+    for index, pair in enumerate(entry.pairs):
+        way = ("analyses", "frf", "pairs", index)
+        text = f"{pair.response} / {pair.excitation}"
+        if text in seen:
+            faults.at(root, way, f"repeated: given '{text}'")
+        seen.add(text)
+        motions = [_motion(port.direction) for port in (pair.response, pair.excitation)]
+        if motions[0] != motions[1]:
+            faults.at(
+                root,
+                way,
+                f"nothing couples {motions[0]} and {motions[1]}: given '{text}'; allowed: both "
+                "ends in one of x; thx; y, z, thy, thz",
+            )
+
+
+def _motion(direction: str) -> str:
+    return {"x": "axial motion", "thx": "torsion"}.get(direction, "bending")
+
+
+def _supports(spindle: SpindleEntry, root: Node, faults: Faults) -> None:
+    """The radial stiffness is solved in one plane: no support may couple it to the other."""
+    for support in spindle.supports:
+        across = [
+            key
+            for key, ends in ENTRIES.items()
+            if getattr(support.stiffness, key)
+            and PLANES.get(ends[0], 2) + PLANES.get(ends[1], 2) == 1
+        ]
+        if across:
+            faults.at_key(
+                root,
+                ("analyses", "stiffness"),
+                f"support '{support.name}' couples the planes ({', '.join(across)}): the radial "
+                "stiffness is solved in plane y alone; ask frf at a low frequency instead",
+            )
+
+
+def _elements(
+    entry: CaseEntry, spindle: SpindleEntry, tool: ToolEntry | None, root: Node, faults: Faults
+) -> None:
+    """Not more elements than a run can solve."""
+    longest = entry.conditions.element_length
+    sections = [*spindle.shaft.sections, *(tool.sections if tool else [])]
+    least = math.fsum(section.length for section in sections) / MOST_ELEMENTS
+    if longest is not None and longest < least:
+        way = ("conditions", "element_length")
+        faults.at(
+            root,
+            way,
+            f"more than {MOST_ELEMENTS} elements: given '{root.at(*way).raw}'; allowed: from "
+            f"{format_quantity(least, 'mm')}",
+        )
 
 
 def _stiffness(

@@ -35,7 +35,6 @@ def test_fits_one_screen(text):
         "front sleeve: reached at 18000 rpm",
         "rear sleeve: not reached",
         "constant preload 142.7 → 52.8",
-        "134 |",
         "The thesis mixes two signs of the gyroscopic moment.",
         "1750 |",
     ],
