@@ -19,7 +19,9 @@ OVERRUN = 1e-13  # m
 PULL = 1e-10  # of the largest preload: a stop that pulls less than that stays closed
 SAMPLES = 5
 ROUNDS = 24
-CLOSE = 1e-9  # relative width of the bracket in Ω² at which the search ends
+CLOSE = 1e-5  # relative width of the bracket in Ω² within which the local cubic is exact
+CLOSER = 1e-4  # share of the bracket that is searched next around the zero of the cubic
+EPS = 1e-12
 
 
 def with_stops(network: Network, rest: Array, limit: Array) -> NetworkState:
@@ -93,16 +95,11 @@ def meeting_speed(
             low, high = max(low, squares[past[0] - 1]), squares[past[0]]
         else:
             low = max(low, squares[-1])
-        if high - low <= CLOSE * high:
+        zero = next((z for z in zero_crossings(squares, gap) if low < z < high), None)
+        if zero is not None and high - low <= CLOSE * high:
+            return math.sqrt(zero)
+        if high - low <= EPS * high:
             break
-        guess = _closer(squares, gap, low, high)
+        margin = CLOSER * (high - low)
+        guess = (low, high) if zero is None else (max(low, zero - margin), min(high, zero + margin))
     return math.sqrt(0.5 * (low + high))
-
-
-def _closer(squares: Array, gap: Array, low: float, high: float) -> tuple[float, float]:
-    """Where to look next within the bracket: around the zero of the local cubic if there is one."""
-    zeros = [z for z in zero_crossings(squares, gap) if low < z < high]
-    if not zeros:
-        return low, high
-    margin = 1e-3 * (high - low)
-    return max(low, zeros[0] - margin), min(high, zeros[0] + margin)
