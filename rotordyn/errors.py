@@ -19,7 +19,10 @@ from bearings.errors import BearingError, InvalidBearing
 
 @dataclass(frozen=True, slots=True)
 class Fault:
-    """One thing wrong with an input file: ``file:line:column: path: message``."""
+    """One thing wrong with an input file: ``file:line:column: path: message``.
+
+    Line and column count from 1; 0 where the whole file is meant, printed as its beginning.
+    """
 
     file: str
     line: int
@@ -28,7 +31,7 @@ class Fault:
     message: str
 
     def __str__(self) -> str:
-        where = f"{self.file}:{self.line}:{self.column}" if self.line else self.file
+        where = f"{self.file}:{max(self.line, 1)}:{max(self.column, 1)}"
         return f"{where}: {self.path}: {self.message}" if self.path else f"{where}: {self.message}"
 
 

@@ -48,7 +48,7 @@ def test_missing_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.chdir(tmp_path)
     Path("mfw2310.yaml").write_text("title: x\n")
     (fault,) = faults_of("mfw231.yaml")
-    assert str(fault) == "mfw231.yaml: no such file (did you mean mfw2310.yaml?)"
+    assert str(fault) == "mfw231.yaml:1:1: no such file (did you mean mfw2310.yaml?)"
 
 
 def test_directory(tmp_path: Path) -> None:
