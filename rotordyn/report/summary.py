@@ -112,13 +112,17 @@ def _machine(spindle: Spindle) -> list[str]:
 
 
 def _modes(result: CampbellResult) -> list[str]:
-    rest, top = result.frequency[0], result.frequency[-1]
-    entries = [
-        f"{name} {_number(a)} → {_number(b)}{_turning(name, w)}"
-        for name, a, b, w in zip(result.mode, rest, top, result.whirl[-1], strict=True)
-    ]
     first, last = result.speed[[0, -1]]
-    rpm = f"{first * RPM.factor:.0f} → {last * RPM.factor:.0f} rpm"
+    if not result.mode:
+        return ["modes      none in the band asked for"]
+    single = len(result.speed) == 1
+    rpm = f"{first * RPM.factor:.0f}" + ("" if single else f" → {last * RPM.factor:.0f}") + " rpm"
+    entries = [
+        f"{name} {_number(a)}{'' if single else f' → {_number(b)}'}{_turning(name, w)}"
+        for name, a, b, w in zip(
+            result.mode, result.frequency[0], result.frequency[-1], result.whirl[-1], strict=True
+        )
+    ]
     lines = [f"modes [Hz] {rpm}: " + "; ".join(map(_whole, entries))]
     known = [
         _whole(f"{name} {speed * RPM.factor:.0f} rpm ({(speed / last - 1.0) * 100.0:+.0f} %)")

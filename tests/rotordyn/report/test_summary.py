@@ -72,3 +72,16 @@ def test_without_spindle_and_with_missing_modes(results):
     partial = {"campbell": replace(results["campbell"], frequency=frequency)}
     text = summary(samples.SampleCase(), partial)
     assert "1 bw 903.0 → none" in text
+
+
+def test_one_speed_and_no_mode_are_said_plainly(case, results):
+    campbell = results["campbell"]
+    names = ("speed", "frequency", "damping_ratio", "whirl")
+    one = replace(
+        campbell, outcome=campbell.outcome[-1:], **{n: getattr(campbell, n)[-1:] for n in names}
+    )
+    line = next(x for x in summary(case, {"campbell": one}).splitlines() if x.startswith("modes"))
+    assert "→" not in line
+    assert "24000 rpm: " in line
+    bare = replace(campbell, mode=(), kind=())
+    assert "none in the band asked for" in summary(case, {"campbell": bare})
