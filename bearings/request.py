@@ -129,8 +129,8 @@ def _neighbour(
     start: BearingState,
     index: NDArray[np.intp],
     first: Array,
-) -> tuple[Array, Array | None]:
-    """(d, X) of a neighbouring state as a start, or (first, None) where it has no such state."""
+) -> tuple[Array, Array]:
+    """(d, X) of the neighbouring states; ``first`` and seats at rest where one is missing."""
     if start.outcome.shape != asked.shape or start.inner_load.shape[-1] != (
         problem.model.geometry.balls
     ):

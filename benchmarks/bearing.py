@@ -5,26 +5,21 @@ from __future__ import annotations
 import math
 import time
 from collections.abc import Callable
+from pathlib import Path
 from statistics import median
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings import AngularContactBallBearing
+import rotordyn
 from bearings.state import BearingState
 
 Array = NDArray[np.float64]
 BATCH = 1000
 SPEED = 24000.0 * math.pi / 30.0
-VEX70 = AngularContactBallBearing(
-    ball_diameter=9.525e-3,
-    pitch_diameter=90e-3,
-    balls=25,
-    contact_angle=math.radians(25.0),
-    inner_conformity=0.56,
-    outer_conformity=0.54,
-)
+VEX70 = rotordyn.load(Path(__file__).parents[1] / "cases" / "vex70.yaml").bearing
+assert VEX70 is not None
 
 
 def measure_bearing() -> list[dict[str, Any]]:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from bearings import STEEL, AngularContactBallBearing, Material
 from bearings.geometry import geometry
 from bearings.state import BearingState
+from benchmarks.bearing import VEX70
 from docs.generate.rows import Row
 
 Array = NDArray[np.float64]
@@ -19,14 +20,6 @@ HYPOTHESES = ("hybrid", "outer", "inner", "geometric")
 TWO_CODES = "two independent codes; geometry of Harris, *Rolling Bearing Analysis*"
 NOEL = "independent recomputation of Noël (2013); published: "
 
-VEX70 = AngularContactBallBearing(
-    ball_diameter=9.525e-3,
-    pitch_diameter=90e-3,
-    balls=25,
-    contact_angle=math.radians(25.0),
-    inner_conformity=0.56,
-    outer_conformity=0.54,
-)
 HARRIS_218 = AngularContactBallBearing(
     ball_diameter=22.23e-3,
     pitch_diameter=125.3e-3,

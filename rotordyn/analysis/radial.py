@@ -58,8 +58,7 @@ class RadialProblem:
     """Unknowns: p coordinates of the condensed rotor, then the positions of the bodies.
 
     ``joints``: the joint of every seat; ``rows`` (seats, 3, unknowns) give (x, y, θz) between the
-    rings; ``rest`` and ``limit``
-    (bodies,); ``held`` (speeds, bodies): standing at their stops.
+    rings; ``rest`` and ``limit`` (bodies,); ``held`` (speeds, bodies): standing at their stops.
     """
 
     network: Network
@@ -189,9 +188,8 @@ class RadialProblem:
     ) -> tuple[RadialProblem, Point, Flags]:
         """Equilibrium under ``force`` from a guess, and where there is one (speeds,).
 
-        Only speeds still ``alive`` are sought; where no step helps any more the search ends.
-
-        Stops close and open as they must.
+        Only speeds still ``alive`` are sought; where no step helps any more the search ends. Stops
+        close and open as they must.
         """
         problem = self
         guess = np.where(alive[:, None], guess, near.coordinates)
