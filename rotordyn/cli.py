@@ -62,6 +62,7 @@ def _parser() -> argparse.ArgumentParser:
     run.add_argument("case", metavar="CASE", help="case file (YAML)")
     run.add_argument("-o", "--output", metavar="DIR", help="results folder (out/<case name>)")
     run.add_argument("--only", metavar="NAME,…", help="only these analyses of the case")
+    run.add_argument("--variant", metavar="NAME", help="only this variant of a case that compares")
     run.add_argument("--quiet", action="store_true", help="print nothing but errors")
     run.add_argument(
         "--strict", action="store_true", help="exit with 3 if any speed has no physical solution"
@@ -76,7 +77,8 @@ def _parser() -> argparse.ArgumentParser:
 def _check(arguments: argparse.Namespace) -> int:
     case = rotordyn.load(arguments.case)
     questions = ", ".join(case.analyses)
-    print(f"{arguments.case}: fine ({len(case.speeds)} speeds; {questions})")
+    compared = f"; {len(case.variants)} variants" if case.variants else ""
+    print(f"{arguments.case}: fine ({len(case.speeds)} speeds; {questions}{compared})")
     return 0
 
 
@@ -86,14 +88,17 @@ def _stopped(*_: object) -> None:
 
 
 def _run(arguments: argparse.Namespace) -> int:
-    from rotordyn.job import deliver, restricted
+    from rotordyn.job import deliver, one_variant, restricted
 
     signal.signal(signal.SIGTERM, _stopped)
     case = rotordyn.load(arguments.case)
+    if arguments.variant is not None:
+        case = one_variant(case, arguments.variant)
     if arguments.only is not None:
         case = restricted(case, tuple(name.strip() for name in arguments.only.split(",")))
     target = Path("out") / case.name if arguments.output is None else Path(arguments.output)
-    with _progress(len(case.analyses) + 1, quiet=arguments.quiet) as progress:
+    steps = max(len(case.variants), 1) * len(case.analyses) + 1
+    with _progress(steps, quiet=arguments.quiet) as progress:
         delivery = deliver(case, target, progress)
     if not arguments.quiet:
         print(delivery.summary)

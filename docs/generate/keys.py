@@ -12,7 +12,7 @@ from rotordyn.case.schema.base import Entry
 # Part of the page -> the entries it lists, in order of reading.
 PAGES = {
     "case": (
-        "case.CaseEntry case.ConditionsEntry sweep.SpeedRange "
+        "case.CaseEntry case.VariantEntry conditions.ConditionsEntry sweep.SpeedRange "
         "analyses.AnalysesEntry analyses.PreloadEntry analyses.CampbellEntry analyses.FrfEntry "
         "sweep.FrequencyRange analyses.PairEntry analyses.StiffnessEntry analyses.BearingMapEntry"
     ),

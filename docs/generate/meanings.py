@@ -14,6 +14,16 @@ MEANINGS: dict[str, dict[str, str]] = {
         "speeds": "every speed at which the questions are answered",
         "analyses": "what is asked",
         "references": "known values shown beside the computed ones",
+        "compare": "name of a variant -> what it changes; the variants are answered side by side",
+    },
+    "variant": {
+        "title": "what figures and summary call it; by default its name",
+        "spindle": "another spindle",
+        "tool": "another tool",
+        "bearing": "another single bearing",
+        "override": "added to the overrides of the case",
+        "conditions": "added to the conditions of the case",
+        "references": "added to the references of the case",
     },
     "conditions": {
         "kinematics": "how a ball's rotation axis is found ([theory](theory/ball.md))",
@@ -210,5 +220,6 @@ MEANINGS: dict[str, dict[str, str]] = {
         "speeds": "one per value, or one for all",
         "values": "with units of the quantity",
         "remark": "one sentence why it may differ from ours",
+        "conditions": "compared only where these conditions are in force",
     },
 }

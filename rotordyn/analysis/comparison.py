@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -60,11 +60,32 @@ def preload_sum(result: PreloadResult, spindle: Spindle) -> Array:
 
 def bending_frequencies(result: CampbellResult, speed: float) -> Array:
     """Bending frequencies [Hz] at the nearest ``speed``, ascending; equal ones count once."""
-    at = int(np.argmin(np.abs(result.speed - speed)))
-    bending = np.array([kind == "bending" for kind in result.kind], bool)
-    values = np.sort(result.frequency[at, bending])
-    values = values[np.isfinite(values)]
+    values = _frequencies(result, speed, "bending")
     return values[np.diff(values, prepend=-np.inf) > 1e-4 * values]
+
+
+def mean_bending_frequencies(result: CampbellResult, speed: float) -> Array:
+    """Of each bending mode the mean of backward and forward [Hz] at the nearest ``speed``."""
+    backward, forward = (_frequencies(result, speed, "bending", whirl) for whirl in (-1.0, 1.0))
+    pairs = min(backward.size, forward.size)
+    return (backward[:pairs] + forward[:pairs]) / 2.0
+
+
+def torsion_frequencies(result: CampbellResult, speed: float) -> Array:
+    """Torsional frequencies [Hz] at the nearest ``speed``, ascending."""
+    return _frequencies(result, speed, "torsion")
+
+
+def _frequencies(
+    result: CampbellResult, speed: float, kind: str, whirl: float | None = None
+) -> Array:
+    """Frequencies [Hz] of one kind, and of one whirl if given, at the nearest speed, ascending."""
+    at = int(np.argmin(np.abs(result.speed - speed)))
+    chosen = np.array([own == kind for own in result.kind], bool)
+    if whirl is not None:
+        chosen &= result.whirl[at] == whirl
+    values = np.sort(result.frequency[at, chosen])
+    return values[np.isfinite(values)]
 
 
 def _computed(
@@ -80,9 +101,21 @@ def _computed(
             return _at(speeds, preload.speed, preload_sum(preload, spindle))
         case "sleeve_displacement" if preload is not None:
             return _column(speeds, preload, "position", "body", subject)
-        case "bending_frequency" if "campbell" in results:
-            return _modes(results["campbell"], speeds)
+        case quantity if quantity in MODES and "campbell" in results:
+            return _frequencies_of(results["campbell"], reference)
     return None
+
+
+def _frequencies_of(result: CampbellResult, reference: Reference) -> Array | None:
+    """Of the one mode that is the subject at each speed, or of all modes at the one speed."""
+    speeds = np.asarray(reference.speeds, float)
+    if reference.subject:
+        kind = reference.quantity.partition("_")[0]
+        return _column(speeds, result, "frequency", "mode", f"{kind} {reference.subject}")
+    if np.abs(result.speed - speeds[0]).min() > SAME_SPEED * result.speed[-1]:
+        return np.full(speeds.size, np.nan)
+    found = MODES[reference.quantity](result, float(speeds[0]))[: speeds.size]
+    return np.concatenate([found, np.full(speeds.size - found.size, np.nan)])
 
 
 def _column(speeds: Array, result: Any, name: str, dim: str, word: str) -> Array | None:
@@ -99,9 +132,8 @@ def _at(speeds: Array, known: Array, values: Array) -> Array:
     return np.where(close, values[nearest], np.nan)
 
 
-def _modes(result: CampbellResult, speeds: Array) -> Array:
-    """Bending frequencies at the one speed of a list of modes, NaN where it was not computed."""
-    if np.abs(result.speed - speeds[0]).min() > SAME_SPEED * result.speed[-1]:
-        return np.full(speeds.size, np.nan)
-    found = bending_frequencies(result, float(speeds[0]))[: speeds.size]
-    return np.concatenate([found, np.full(speeds.size - found.size, np.nan)])
+MODES: dict[str, Callable[[CampbellResult, float], Array]] = {
+    "bending_frequency": bending_frequencies,
+    "mean_bending_frequency": mean_bending_frequencies,
+    "torsion_frequency": torsion_frequencies,
+}

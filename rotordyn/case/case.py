@@ -19,6 +19,8 @@ class Case:
     Exactly one of ``spindle`` and ``bearing`` is given. ``speeds`` [rad/s] ascend without repeats.
     ``analyses`` maps a name of the registry to its Spec; nothing else is computed. ``references``
     are shown beside the computed values. ``files``: every file read; ``digest``: their hash.
+    ``variants``: other cases with the same speeds and questions, by name; where there are any, they
+    are answered side by side, and the case itself is not.
     """
 
     name: str
@@ -31,3 +33,13 @@ class Case:
     references: tuple[Reference, ...] = ()
     files: tuple[Path, ...] = ()
     digest: str = ""
+    variants: Mapping[str, Case] = field(default_factory=dict)
+
+    @property
+    def known(self) -> tuple[Reference, ...]:
+        """The references that were found under the conditions of this case."""
+        return tuple(r for r in self.references if self._holds(r))
+
+    def _holds(self, reference: Reference) -> bool:
+        own = self.conditions
+        return all(getattr(own, key) == word for key, word in reference.conditions.items())

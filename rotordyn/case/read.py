@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -23,13 +24,18 @@ def load(path: str | Path) -> Case:
     """
     from rotordyn.case.expand import Reader
     from rotordyn.case.parts import read_parts
+    from rotordyn.case.variants import variant_trees
 
     reader = Reader(Faults())
     root = reader.document(Path(path))
     parts = None if root is None else read_parts(root, reader)
+    variants: dict[str, Parts | None] = {}
+    if root is not None and not reader.faults:
+        trees = variant_trees(root)
+        variants = {name: read_parts(tree, reader) for name, tree in trees.items()}
     if parts is None or reader.faults:
         raise InvalidInput(_in_order(reader.faults.found))
-    return _build(Path(path), parts, reader.contents)
+    return _build(Path(path), parts, variants, reader.contents)
 
 
 def _in_order(faults: list[Fault]) -> list[Fault]:
@@ -37,7 +43,25 @@ def _in_order(faults: list[Fault]) -> list[Fault]:
     return sorted(faults, key=lambda f: (files.index(f.file), f.line, f.column))
 
 
-def _build(path: Path, parts: Parts, contents: dict[Path, bytes]) -> Case:
+def _build(
+    path: Path, parts: Parts, variants: dict[str, Parts | None], contents: dict[Path, bytes]
+) -> Case:
+    whole = _case(path.stem, parts, contents)
+    made = {
+        name: replace(_case(name, other, contents), title=_title(name, other, parts))
+        for name, other in variants.items()
+        if other is not None
+    }
+    return replace(whole, variants=made)
+
+
+def _title(name: str, variant: Parts, whole: Parts) -> str:
+    """Its own title, or its name."""
+    own = variant.case.title
+    return own if own != whole.case.title else name.replace("_", " ")
+
+
+def _case(name: str, parts: Parts, contents: dict[Path, bytes]) -> Case:
     from rotordyn.case.build.bearing import bearing
     from rotordyn.case.build.questions import conditions, questions
     from rotordyn.case.build.spindle import references
@@ -46,7 +70,7 @@ def _build(path: Path, parts: Parts, contents: dict[Path, bytes]) -> Case:
     entry = parts.case
     machine = _machine(parts)
     return Case(
-        name=path.stem,
+        name=name,
         title=entry.title,
         speeds=values(entry.speeds),
         analyses=questions(entry.analyses),

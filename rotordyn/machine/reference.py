@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, field
 
 
 @dataclass(frozen=True, slots=True)
@@ -12,7 +13,8 @@ class Reference:
     ``quantity``: what it is, one of ``QUANTITIES``; ``subject``: the sleeve, bearing or variant it
     belongs to (may be empty); ``kind``: ``"measured"`` or ``"published"``; ``speeds`` [rad/s] and
     ``values`` (SI) are of one length; ``source`` cites it, ``remark`` says in one sentence why it
-    may differ from the computed value.
+    may differ from the computed value. ``conditions``: words of the model that it was found with,
+    such as ``{"rotor": "rigid"}``; it is compared only where they are in force.
     """
 
     quantity: str
@@ -22,13 +24,16 @@ class Reference:
     values: tuple[float, ...]
     subject: str = ""
     remark: str = ""
+    conditions: Mapping[str, str] = field(default_factory=dict, hash=False)
 
 
 QUANTITIES = {
     "radial_stiffness": "N/m",  # subject: variant, default nonlinear
     "preload_sum": "N",
     "sleeve_displacement": "m",  # subject: sleeve
-    "bending_frequency": "Hz",  # one value per mode, in order, at one speed
+    "bending_frequency": "Hz",  # per mode, in order, at one speed; or of the mode that is subject
+    "mean_bending_frequency": "Hz",  # of both whirls of a mode, per mode, in order, at one speed
+    "torsion_frequency": "Hz",  # per mode, in order, at one speed
     "axial_stiffness": "N/m",
     "seat_shift": "m",  # subject: bearing
 }

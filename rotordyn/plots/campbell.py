@@ -37,6 +37,11 @@ LOOKS: dict[str, tuple[str, Any, str]] = {
     "axial": (GREEN, (0, (6, 2, 1, 2)), "axial"),
     "torsion": (PURPLE, (0, (6, 2, 1, 2, 1, 2)), "torsion"),
 }
+KNOWN = {
+    "bending_frequency": ("D", ""),
+    "mean_bending_frequency": ("s", ", mean of both whirls"),
+    "torsion_frequency": ("^", ", torsion"),
+}
 Segments = dict[str, list[NDArray[np.float64]]]
 
 
@@ -50,29 +55,15 @@ def campbell_figure(
     figure = new_figure(168.0, 115.0)
     axes = add_axes(figure, (15.0, 11.0, 112.0, 92.0), "speed [rpm]", "damped frequency [Hz]")
     rpm = result.speed * RPM.factor
-    known = [r for r in references if r.quantity == "bending_frequency"]
     if not result.mode:
         axes.text(0.5, 0.5, "no mode in this band", transform=axes.transAxes, ha="center")
     top = max_frequency or float(np.nanmax(result.frequency)) * 1.04
     speed_ticks(axes, float(rpm[-1]))
     axes.set_ylim(0.0, top)
     draw_modes(axes, result)
-    excitation = _excitation(axes, (1, *teeth), float(rpm[-1]), top)
+    excitation = draw_orders(axes, (1, *teeth), float(rpm[-1]), top)
     _criticals(axes, result)
-    for reference in known:
-        axes.plot(
-            np.asarray(reference.speeds) * RPM.factor,
-            reference.values,
-            "D",
-            mfc="none",
-            mec=BLACK,
-            ms=5.0,
-            mew=0.9,
-            ls="none",
-            label=reference.kind,
-            zorder=6,
-            clip_on=False,
-        )
+    draw_known(axes, references)
     _name_modes(axes, result, excitation, top)
     legend(
         axes,
@@ -105,8 +96,8 @@ def whirl_segments(result: CampbellResult) -> Segments:
     return found
 
 
-def draw_modes(axes: Axes, result: CampbellResult, colour: str = "") -> None:
-    """One collection of curves per look; all in ``colour`` when given."""
+def draw_modes(axes: Axes, result: CampbellResult, colour: str = "", width: float = 0.7) -> None:
+    """One collection of curves per look; all in ``colour`` and of ``width`` when given."""
     from matplotlib.collections import LineCollection
 
     curves = whirl_segments(result)
@@ -119,11 +110,32 @@ def draw_modes(axes: Axes, result: CampbellResult, colour: str = "") -> None:
                 curves[look],
                 colors=colour or own,
                 linestyles=[dashes],
-                linewidths=0.7 if colour else 1.3,
+                linewidths=width if colour else 1.3,
                 label=None if colour else label,
                 zorder=4,
             )
             axes.add_collection(lines, autolim=False)
+
+
+def draw_known(axes: Axes, references: Sequence[Reference], edge: str = BLACK) -> None:
+    """Published and measured frequencies: of one whirl, of both together, of torsion."""
+    for reference in references:
+        if reference.quantity not in KNOWN:
+            continue
+        marker, what = KNOWN[reference.quantity]
+        axes.plot(
+            np.asarray(reference.speeds) * RPM.factor,
+            reference.values,
+            marker,
+            mfc="none",
+            mec=edge,
+            ms=5.0,
+            mew=0.9,
+            ls="none",
+            label=f"{reference.kind}{what}",
+            zorder=6,
+            clip_on=False,
+        )
 
 
 def _look(kind: str, whirl: float) -> str:
@@ -132,7 +144,7 @@ def _look(kind: str, whirl: float) -> str:
     return {1: "forward", -1: "backward"}.get(int(whirl) if whirl == whirl else 0, "planar")
 
 
-def _excitation(
+def draw_orders(
     axes: Axes, orders: Sequence[int], rpm: float, top: float
 ) -> list[tuple[float, str]]:
     """Lines f = k n; returns height [Hz] and name of those that leave on the right."""

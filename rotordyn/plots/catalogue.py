@@ -23,7 +23,9 @@ class Drawable(Protocol):
     @property
     def spindle(self) -> Spindle | None: ...
     @property
-    def references(self) -> Sequence[Reference]: ...
+    def title(self) -> str: ...
+    @property
+    def known(self) -> Sequence[Reference]: ...
     @property
     def analyses(self) -> Mapping[str, Any]: ...
 
@@ -41,56 +43,56 @@ def figures(case: Drawable, results: Mapping[str, Any]) -> list[Job]:
 
 
 def _machine(case: Drawable, _: Any) -> Iterator[Job]:
-    yield "machine", partial(_call, "machine", "machine_figure", case.spindle)
+    yield "machine", partial(call, "machine", "machine_figure", case.spindle)
 
 
 def _campbell(case: Drawable, result: Any, _: Mapping[str, Any]) -> Iterator[Job]:
     spec = case.analyses.get("campbell")
     teeth, highest = getattr(spec, "teeth", ()), getattr(spec, "max_frequency", 0.0)
-    known = case.references
-    yield "campbell", partial(_call, "campbell", "campbell_figure", result, teeth, known, highest)
+    known = case.known
+    yield "campbell", partial(call, "campbell", "campbell_figure", result, teeth, known, highest)
     if result.shape_speed.size and result.node.size:
-        yield "mode_shapes", partial(_call, "shapes", "shapes_figure", result, case.spindle)
+        yield "mode_shapes", partial(call, "shapes", "shapes_figure", result, case.spindle)
 
 
 def _frf(_: Drawable, result: Any, results: Mapping[str, Any]) -> Iterator[Job]:
     modes, count = results.get("campbell"), len(result.pair)
     if result.speed.size > 1:
-        yield "frf_map", partial(_call, "frf_map", "map_figure", result, [0], modes)
-        yield "frf_surface", partial(_call, "frf_surface", "surface_figure", result, 0)
+        yield "frf_map", partial(call, "frf_map", "map_figure", result, [0], modes)
+        yield "frf_surface", partial(call, "frf_surface", "surface_figure", result, 0)
         if count > 1:
             others = list(range(1, count))
-            yield "frf_maps", partial(_call, "frf_map", "map_figure", result, others, modes)
+            yield "frf_maps", partial(call, "frf_map", "map_figure", result, others, modes)
     if not np.any(result.is_slice):
         return
     for first in range(0, count, 2):
         pairs = list(range(first, min(first + 2, count)))
         number = f"_{first // 2 + 1}" if count > 2 else ""
         for kind in ("amplitude_phase", "real_imaginary"):
-            draw = partial(_call, "frf_slices", f"{kind}_figure", result, pairs)
+            draw = partial(call, "frf_slices", f"{kind}_figure", result, pairs)
             yield f"frf_{kind}{number}", draw
 
 
 def _stiffness(case: Drawable, result: Any, _: Mapping[str, Any]) -> Iterator[Job]:
     point = getattr(case.analyses.get("stiffness"), "point", "")
-    known = case.references
-    yield "stiffness", partial(_call, "stiffness", "stiffness_figure", result, known, point)
-    yield "stiffness_force", partial(_call, "stiffness", "force_figure", result, point)
+    known = case.known
+    yield "stiffness", partial(call, "stiffness", "stiffness_figure", result, known, point)
+    yield "stiffness_force", partial(call, "stiffness", "force_figure", result, point)
 
 
 def _preload(case: Drawable, result: Any, _: Mapping[str, Any]) -> Iterator[Job]:
     if not result.bearing or case.spindle is None:
         return
-    known = case.references
-    yield "preload", partial(_call, "preload", "preload_figure", result, case.spindle, known)
-    yield "contacts", partial(_call, "preload", "contacts_figure", result)
+    known = case.known
+    yield "preload", partial(call, "preload", "preload_figure", result, case.spindle, known)
+    yield "contacts", partial(call, "preload", "contacts_figure", result)
 
 
 def _bearing(_: Drawable, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
-    yield "bearing", partial(_call, "bearing", "bearing_figure", result)
+    yield "bearing", partial(call, "bearing", "bearing_figure", result)
 
 
-def _call(module: str, function: str, *arguments: Any) -> Figure:
+def call(module: str, function: str, *arguments: Any) -> Figure:
     """Import the drawing module now, and draw."""
     from importlib import import_module
 

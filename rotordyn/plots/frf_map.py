@@ -42,7 +42,7 @@ def map_figure(
     boxes = grid_boxes(figure, rows, columns, margins=(15.0, 20.0, 12.0, 9.0), gaps=(32.0, 17.0))
     for place, (pair, box) in enumerate(zip(pairs, boxes, strict=False)):
         axes = add_axes(figure, box, "speed [rpm]", "" if place % columns else "frequency [Hz]")
-        image = _image(axes, result, pair)
+        image = draw_map(axes, result, pair)
         speed_ticks(axes, max(float(result.speed[-1] * RPM.factor), 1.0), 6 if columns == 1 else 3)
         if campbell is not None:
             draw_modes(axes, campbell, colour="white")
@@ -50,7 +50,7 @@ def map_figure(
         if campbell is not None:
             title += ", lines: damped modes" if columns == 1 else ""
         axes.set_title(title, fontsize=FONT_SIZE, pad=4.0)
-        _colour_bar(figure, image, result, pair, box)
+        draw_scale(figure, image, result, pair, box)
     return figure
 
 
@@ -69,14 +69,19 @@ def amplitude_range(values: NDArray[np.float64]) -> tuple[float, float]:
     return (low if low < high else high / 10.0), high
 
 
-def _image(axes: Axes, result: FrfResult, pair: int) -> AxesImage:
-    """An even raster: nearest speed across, largest amplitude of each row of pixels up."""
+def draw_map(
+    axes: Axes, result: FrfResult, pair: int, limits: tuple[float, float] | None = None
+) -> AxesImage:
+    """An even raster: nearest speed across, largest amplitude of each row of pixels up.
+
+    ``limits`` of the amplitude [printed unit]; by default its own.
+    """
     rpm, frequency = result.speed * RPM.factor, result.frequency
     top = max(float(rpm[-1]), 1.0)
     edges = np.linspace(frequency[0], frequency[-1] * (1.0 + 1e-12), _ROWS + 1)
     values = peak_bins(amplitude(result, pair), frequency, edges)
     values[values <= 0.0] = np.nan
-    low, high = amplitude_range(values)
+    low, high = limits or amplitude_range(values)
     if not _even(rpm):
         values = nearest(values, rpm, np.linspace(float(rpm[0]), top, _COLUMNS))
     half = (top - float(rpm[0])) / max(len(values) - 1, 1) / 2.0
@@ -101,13 +106,14 @@ def _even(values: NDArray[np.float64]) -> bool:
     return bool(steps.size and np.allclose(steps, steps[0], rtol=1e-6))
 
 
-def _colour_bar(
+def draw_scale(
     figure: Figure,
     image: AxesImage,
     result: FrfResult,
     pair: int,
     box: tuple[float, float, float, float],
 ) -> None:
+    """What the colours of ``image`` mean, beside its ``box`` [mm]."""
     left, bottom, wide, tall = box
     scale = add_axes(figure, (left + wide + 2.5, bottom, 3.0, tall))
     low, high = image.get_clim()

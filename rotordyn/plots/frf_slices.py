@@ -79,7 +79,7 @@ def _lines(axes: Axes, result: FrfResult, pair: int, part: str) -> None:
         axes.set_ylim(-190.0, 190.0)
         axes.set_yticks([-180.0, -90.0, 0.0, 90.0, 180.0])
     elif part == "amplitude":
-        _log_axis(axes)
+        log_axis(axes)
 
 
 def _part(values: NDArray[np.complex128], part: str) -> Array:
@@ -94,8 +94,8 @@ def _part(values: NDArray[np.complex128], part: str) -> Array:
     return np.asarray(phase)
 
 
-def _log_axis(axes: Axes) -> None:
-    """Few round ticks, no superscripts."""
+def log_axis(axes: Axes) -> None:
+    """A logarithmic scale with few round ticks and no superscripts."""
     from matplotlib.ticker import NullFormatter, NullLocator
 
     axes.set_yscale("log")

@@ -7,6 +7,7 @@ strips painted from back to front, and text and frame stay under control.
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -14,6 +15,8 @@ from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM, receptance_unit, shown
 from rotordyn.analysis.results import FrfResult
+from rotordyn.machine.reference import Reference
+from rotordyn.plots.campbell import KNOWN
 from rotordyn.plots.decimate import peak_bins
 from rotordyn.plots.frf_map import COLOURS, amplitude, amplitude_range
 from rotordyn.plots.style import BLACK, FONT_SIZE, add_axes, log_ticks, new_figure, round_ticks
@@ -23,6 +26,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
+Limits = tuple[float, float]
 Corners = list[tuple[float, float, float]]
 STRIPS, STEPS = 60, 260
 _RIGHT = np.array([1.0, -0.13])
@@ -34,12 +38,44 @@ def surface_figure(result: FrfResult, pair: int) -> Figure:
     """|H| (log) of one pair; frequency to the right, speed into the depth."""
     figure = new_figure(168.0, 112.0)
     axes = add_axes(figure, (3.0, 3.0, 162.0, 106.0))
-    axes.set_axis_off()
-    frequency, rpm, height, limits = _grid(result, pair)
-    _frame(axes, result, pair, limits)
-    _surface(axes, frequency, rpm, height)
-    axes.set(xlim=(-0.2, 1.62), ylim=(-0.27, 1.14))
+    draw_surface(axes, result, pair, f"receptance {result.pair[pair]}")
     return figure
+
+
+def draw_surface(
+    axes: Axes,
+    result: FrfResult,
+    pair: int,
+    title: str,
+    limits: Limits | None = None,
+    shrink: float = 1.0,
+) -> None:
+    """The surface with its frame.
+
+    ``limits`` of the height [printed unit], by default its own; ``shrink``: by what factor the
+    panel is smaller than a full figure, so that its text finds room.
+    """
+    axes.set_axis_off()
+    frequency, rpm, height, limits = _grid(result, pair, limits)
+    _frame(axes, result, pair, limits, shrink)
+    _surface(axes, frequency, rpm, height)
+    axes.set_title(title, fontsize=FONT_SIZE, y=0.97 if shrink == 1.0 else 0.94)
+    axes.set(
+        xlim=(-0.04 - 0.16 * shrink, 1.5 + 0.12 * shrink),
+        ylim=(-0.13 - 0.14 * shrink, 1.08 + 0.06 * shrink),
+    )
+
+
+def draw_pins(axes: Axes, result: FrfResult, known: Sequence[Reference]) -> None:
+    """Published and measured frequencies as pins through the surface."""
+    rpm, high = max(float(result.speed[-1]), 1.0), float(result.frequency[-1])
+    for reference in (r for r in known if r.quantity in KNOWN):
+        for speed, value in zip(reference.speeds, reference.values, strict=True):
+            foot, head = (
+                np.array(value / high) * _RIGHT + speed / rpm * _BACK + h * _UP for h in (0, 1.05)
+            )
+            axes.plot(*np.array([foot, head]).T, color=BLACK, lw=0.5, ls=(0, (2, 1)), zorder=4)
+            axes.plot(*head, KNOWN[reference.quantity][0], mfc="white", mec=BLACK, ms=4.0, zorder=5)
 
 
 def project(right: Array, back: Array, up: Array) -> Array:
@@ -49,14 +85,16 @@ def project(right: Array, back: Array, up: Array) -> Array:
     )
 
 
-def _grid(result: FrfResult, pair: int) -> tuple[Array, Array, Array, tuple[float, float]]:
+def _grid(
+    result: FrfResult, pair: int, limits: Limits | None
+) -> tuple[Array, Array, Array, Limits]:
     """Frequency and speed from 0 to 1 and log-height from 0 to 1 (strip, step), peaks kept."""
     keep = np.flatnonzero(np.isfinite(result.receptance[:, pair]).all(axis=1))
     keep = keep[np.unique(np.linspace(0, keep.size - 1, min(STRIPS, keep.size)).astype(int))]
     frequency, rpm = result.frequency, result.speed[keep] * RPM.factor
     edges = np.linspace(frequency[0], frequency[-1] * (1.0 + 1e-12), STEPS + 1)
     values = peak_bins(amplitude(result, pair)[keep], frequency, edges)
-    low, high = amplitude_range(values)
+    low, high = limits or amplitude_range(values)
     height = np.log(np.clip(values, low, high) / low) / math.log(high / low)
     across = (edges[:-1] + edges[1:]) / 2.0 / frequency[-1]
     return across, rpm / max(float(result.speed[-1] * RPM.factor), 1.0), height, (low, high)
@@ -98,14 +136,14 @@ def _surface(axes: Axes, frequency: Array, rpm: Array, height: Array) -> None:
     axes.add_collection(front, autolim=False)
 
 
-def _frame(axes: Axes, result: FrfResult, pair: int, limits: tuple[float, float]) -> None:
+def _frame(axes: Axes, result: FrfResult, pair: int, limits: Limits, shrink: float) -> None:
     """Floor and walls with a light grid, ticks and names of the three axes."""
     from matplotlib.collections import LineCollection
 
     rpm = max(float(result.speed[-1] * RPM.factor), 1.0)
     high = float(result.frequency[-1])
-    across = [(f / high, f"{f:.0f}") for f in round_ticks(0.0, high, 5)]
-    deep = [(n / rpm, f"{n:.0f}") for n in round_ticks(0.0, rpm, 6)]
+    across = [(f / high, f"{f:.0f}") for f in round_ticks(0.0, high, round(5 / shrink))]
+    deep = [(n / rpm, f"{n:.0f}") for n in round_ticks(0.0, rpm, round(6 / shrink))]
     low, span = math.log10(limits[0]), math.log10(limits[1] / limits[0])
     tall = [((math.log10(v) - low) / span, name) for v, name in log_ticks(*limits)]
     lines: list[Corners] = [[(a, 0, 0), (a, 1, 0), (a, 1, 1)] for a, _ in across]
@@ -118,24 +156,24 @@ def _frame(axes: Axes, result: FrfResult, pair: int, limits: tuple[float, float]
     box += [[(0, 0, 0), (0, 1, 0), (1, 1, 0), (1, 1, 1), (0, 1, 1), (0, 0, 1)]]
     frame = [project(*np.array(line, float).T) for line in box]
     axes.add_collection(LineCollection(frame, colors="#777777", linewidths=0.6), autolim=False)
-    small: dict[str, Any] = {"fontsize": FONT_SIZE - 0.5}
+    text: dict[str, Any] = {"fontsize": FONT_SIZE - 0.5}
     for a, name in across:
         x, y = a * _RIGHT
-        axes.text(x + 0.01, y - 0.02, name, ha="right", va="top", **small)
+        axes.text(x + 0.01, y - 0.02 * shrink, name, ha="right", va="top", **text)
     for b, name in deep:
         x, y = _RIGHT + b * _BACK
-        axes.text(x + 0.018, y - 0.016, name, ha="left", va="center", **small)
+        axes.text(x + 0.018 * shrink, y - 0.016 * shrink, name, ha="left", va="center", **text)
     for c, name in tall:
-        axes.text(-0.015, c * _UP[1], name, ha="right", va="center", **small)
+        axes.text(-0.015 * shrink, c * _UP[1], name, ha="right", va="center", **text)
     unit = shown(receptance_unit(result.pair[pair])).unit
-    _axis_names(axes, result.pair[pair], unit)
+    _axis_names(axes, unit, shrink)
 
 
-def _axis_names(axes: Axes, pair: str, unit: str) -> None:
+def _axis_names(axes: Axes, unit: str, shrink: float) -> None:
     middle, edge = 0.5 * _RIGHT, _RIGHT + 0.5 * _BACK
     axes.text(
         middle[0],
-        middle[1] - 0.1,
+        middle[1] - 0.1 * shrink,
         "frequency [Hz]",
         ha="center",
         va="top",
@@ -143,8 +181,8 @@ def _axis_names(axes: Axes, pair: str, unit: str) -> None:
         rotation=-7.0,
     )
     axes.text(
-        edge[0] + 0.17,
-        edge[1] - 0.06,
+        edge[0] + 0.17 * shrink,
+        edge[1] - 0.06 * shrink,
         "speed [rpm]",
         ha="center",
         va="center",
@@ -152,7 +190,7 @@ def _axis_names(axes: Axes, pair: str, unit: str) -> None:
         rotation=37.0,
     )
     axes.text(
-        -0.15,
+        -0.15 * shrink,
         0.5 * _UP[1],
         f"|H| [{unit}]",
         ha="center",
@@ -160,4 +198,3 @@ def _axis_names(axes: Axes, pair: str, unit: str) -> None:
         rotation=90.0,
         fontsize=FONT_SIZE,
     )
-    axes.set_title(f"receptance {pair}", fontsize=FONT_SIZE, y=0.97)

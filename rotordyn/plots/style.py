@@ -112,21 +112,30 @@ def legend(axes: Axes, **kwargs: Any) -> None:
         )
 
 
-def top_legend(figure: Figure, axes: Axes) -> None:
-    """What the lines of ``axes`` mean, in one row at the top of the figure."""
-    handles, names = axes.get_legend_handles_labels()
+def top_legend(figure: Figure, *panels: Axes) -> None:
+    """What the lines of ``panels`` mean, each once, at the top of the figure."""
+    handles: dict[str, Any] = {}
+    for axes in panels:
+        for handle, name in zip(*axes.get_legend_handles_labels(), strict=True):
+            handles.setdefault(name, handle)
     if handles:
         figure.legend(
-            handles,
-            names,
+            handles.values(),
+            handles.keys(),
             loc="upper center",
-            ncols=len(handles),
+            ncols=_columns(list(handles), figure.get_size_inches()[0] * 25.4),
             frameon=False,
             fontsize=FONT_SIZE - 1.0,
             borderaxespad=0.3,
             columnspacing=1.4,
             handlelength=2.4,
         )
+
+
+def _columns(names: Sequence[str], width: float) -> int:
+    """How many columns of a legend fit into ``width`` [mm]."""
+    entry = 9.0 + 1.05 * max(map(len, names))
+    return max(1, min(len(names), int(width / entry)))
 
 
 def speed_ticks(axes: Axes, top: float, most: int = 6) -> None:

@@ -1,4 +1,4 @@
-"""All results of a run in one NetCDF-4 file, one group per analysis.
+"""All results of a run in one NetCDF-4 file, a group per analysis (``variant/analysis`` of many).
 
 NetCDF has no complex numbers that every reader agrees on: a complex ``x`` is stored as ``x_re``
 and ``x_im``, each naming the variable it is part of. Truth values are bytes 0 and 1 with the
@@ -37,12 +37,21 @@ def read_results(path: Path) -> dict[str, xr.Dataset]:
     import xarray as xr
 
     with h5netcdf.File(path, "r") as file:
-        names = list(file.groups)
+        names = _held(file)
     found = {}
     for name in names:
         with xr.open_dataset(path, group=name, engine="h5netcdf") as opened:
             found[name] = _restored(opened.load())
     return found
+
+
+def _held(group: Any, above: str = "") -> list[str]:
+    """Names of the groups that hold a result, those in groups included."""
+    names = []
+    for name, inner in group.groups.items():
+        own = f"{above}{name}"
+        names += [own] if "result" in inner.attrs else _held(inner, f"{own}/")
+    return names
 
 
 def _write_group(group: Any, result: Any) -> None:

@@ -38,12 +38,12 @@ class Described(Protocol):
     @property
     def spindle(self) -> Spindle | None: ...
     @property
-    def references(self) -> Sequence[Reference]: ...
+    def known(self) -> Sequence[Reference]: ...
 
 
 def summary(case: Described, results: Mapping[str, Any], warnings: Iterable[str] = ()) -> str:
-    """The summary; ``warnings`` come first, joined by those the results call for."""
-    lines = [f"WARNING: {w}" for w in (*warnings, *pressure_warnings(results))][:6]
+    """The summary; ``warnings`` come first."""
+    lines = [f"WARNING: {w}" for w in warnings][:6]
     lines.append(f"{case.name}: {case.title}" if case.title else case.name)
     if case.spindle:
         lines += _machine(case.spindle)
@@ -55,8 +55,8 @@ def summary(case: Described, results: Mapping[str, Any], warnings: Iterable[str]
         lines += _bearing(results["bearing"])
     if "stiffness" in results:
         lines += _stiffness(results["stiffness"])
-    lines = [part for line in lines for part in _wrapped(line)]
-    compared = compare(case.references, results, case.spindle)
+    lines = [part for line in lines for part in wrapped(line)]
+    compared = compare(case.known, results, case.spindle)
     return "\n".join((lines + _references(compared, HEIGHT - len(lines)))[:HEIGHT])
 
 
@@ -118,7 +118,7 @@ def _modes(result: CampbellResult) -> list[str]:
     single = len(result.speed) == 1
     rpm = f"{first * RPM.factor:.0f}" + ("" if single else f" → {last * RPM.factor:.0f}") + " rpm"
     entries = [
-        f"{name} {_number(a)}{'' if single else f' → {_number(b)}'}{_turning(name, w)}"
+        f"{name} {number(a)}{'' if single else f' → {number(b)}'}{_turning(name, w)}"
         for name, a, b, w in zip(
             result.mode, result.frequency[0], result.frequency[-1], result.whirl[-1], strict=True
         )
@@ -166,9 +166,7 @@ def _bearing(result: BearingMapResult) -> list[str]:
         if len(words) == len(result.speed):
             lines.append(f"           {load:.0f} N: {words[0]}")
             continue
-        axial, radial = (
-            f"{_number(ends[0, k, i, i])} → {_number(ends[1, k, i, i])}" for i in (0, 1)
-        )
+        axial, radial = (f"{number(ends[0, k, i, i])} → {number(ends[1, k, i, i])}" for i in (0, 1))
         pressure = np.nanmax(np.fmax(result.inner_pressure, result.outer_pressure)[:, k]) / 1e9
         lines.append(
             f"           {load:.0f} N: axial {axial}, radial {radial}; pressure up to "
@@ -179,7 +177,7 @@ def _bearing(result: BearingMapResult) -> list[str]:
 
 def _preload(result: PreloadResult) -> list[str]:
     loads = ", ".join(
-        _whole(f"{name} {_number(a, 0)} → {_number(b, 0)}")
+        _whole(f"{name} {number(a, 0)} → {number(b, 0)}")
         for name, a, b in zip(result.bearing, *result.axial_load[[0, -1]], strict=True)
     )
     lines = [f"preload    [N] {loads}"]
@@ -191,7 +189,7 @@ def _preload(result: PreloadResult) -> list[str]:
 
 def _stiffness(result: StiffnessResult) -> list[str]:
     values = ", ".join(
-        _whole(f"{name.replace('_', ' ')} {_number(a)} → {_number(b)}")
+        _whole(f"{name.replace('_', ' ')} {number(a)} → {number(b)}")
         for name, a, b in zip(
             result.variant, *(result.tangent[[0, -1]] * STIFFNESS.factor), strict=True
         )
@@ -213,6 +211,12 @@ def _references(compared: Sequence[Comparison], room: int) -> list[str]:
 
 
 def _comparison(compared: Comparison) -> list[str]:
+    head = f"{compared.reference.kind:10s} {comparison_head(compared)}"
+    return [*wrapped(head), *wrapped(" " * 11 + compared.reference.remark)]
+
+
+def comparison_head(compared: Comparison) -> str:
+    """What is known of a quantity beside what was computed, in printed units."""
     reference = compared.reference
     to = shown(QUANTITIES.get(reference.quantity, ""))
     one_speed = len(set(reference.speeds)) == 1
@@ -229,8 +233,7 @@ def _comparison(compared: Comparison) -> list[str]:
     subject = f" {reference.subject}".replace("_", " ") if reference.subject else ""
     what = f"{reference.quantity.replace('_', ' ')}{subject}{at} [{to.unit}]"
     where = "" if one_speed else " @ rpm"
-    head = f"{reference.kind:10s} {what}: {reference.kind} | ours{where}: {', '.join(pairs)}"
-    return [*_wrapped(head), *_wrapped(" " * 11 + reference.remark)]
+    return f"{what}: {reference.kind} | ours{where}: {', '.join(pairs)}"
 
 
 def _whole(entry: str) -> str:
@@ -238,10 +241,12 @@ def _whole(entry: str) -> str:
     return entry.replace(" ", _NO_BREAK)
 
 
-def _wrapped(line: str) -> list[str]:
+def wrapped(line: str) -> list[str]:
+    """Lines of at most ``WIDTH`` columns, the later ones set in."""
     lines = textwrap.wrap(line, WIDTH, subsequent_indent=" " * 11, break_on_hyphens=False)
     return [part.replace(_NO_BREAK, " ") for part in lines]
 
 
-def _number(value: float, digits: int = 1) -> str:
+def number(value: float, digits: int = 1) -> str:
+    """Printed with ``digits`` decimals; "none" where there is no value."""
     return f"{value:.{digits}f}" if math.isfinite(value) else "none"

@@ -20,7 +20,7 @@ from rotordyn.case.schema.analyses import (
     PreloadEntry,
     StiffnessEntry,
 )
-from rotordyn.case.schema.case import ConditionsEntry
+from rotordyn.case.schema.conditions import ConditionsEntry
 
 
 def conditions(entry: ConditionsEntry) -> Conditions:

@@ -82,6 +82,9 @@ def _reference(entry: ReferenceEntry) -> Reference:
         values=tuple(units.parse(value, kind) for value in entry.values),
         subject=entry.subject,
         remark=entry.remark,
+        conditions={
+            key: getattr(entry.conditions, key) for key in entry.conditions.model_fields_set
+        },
     )
 
 

@@ -2,31 +2,28 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Any
 
 from pydantic import Field
 
 from rotordyn.case.schema.analyses import AnalysesEntry
 from rotordyn.case.schema.base import Entry
+from rotordyn.case.schema.conditions import ConditionsEntry
 from rotordyn.case.schema.reference import ReferenceEntry
 from rotordyn.case.schema.sweep import Speeds
-from rotordyn.case.schema.values import Flag, Force, Length, Text, choice
-
-Kinematics = Annotated[str, choice("hybrid", "outer", "inner", "geometric")]
-MomentSharing = Annotated[str, choice("equal", "outer", "inner", "hybrid")]
+from rotordyn.case.schema.values import Name, Text
 
 
-class ConditionsEntry(Entry):
-    """How the machine is modelled; all optional."""
+class VariantEntry(Entry):
+    """What one variant replaces (machine, title) or adds (overrides, conditions, references)."""
 
-    kinematics: Kinematics = "hybrid"
-    moment_sharing: MomentSharing = "equal"
-    bearings: Annotated[str, choice("dynamic", "static")] = "dynamic"
-    rotor: Annotated[str, choice("flexible", "rigid")] = "flexible"
-    axial_force: Force = 0.0
-    gravity: Annotated[str, choice("none", "+x", "-x")] = "none"
-    element_length: Length | None = None
-    spin_softening: Flag = False
+    title: Text = ""
+    spindle: Any = None
+    tool: Any = None
+    bearing: Any = None
+    override: dict[str, Any] = Field(default_factory=dict)
+    conditions: ConditionsEntry = ConditionsEntry()
+    references: list[ReferenceEntry] = []
 
 
 class CaseEntry(Entry):
@@ -42,3 +39,4 @@ class CaseEntry(Entry):
     speeds: Speeds
     analyses: AnalysesEntry
     references: list[ReferenceEntry] = []
+    compare: dict[Name, VariantEntry] = {}

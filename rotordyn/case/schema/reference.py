@@ -7,6 +7,7 @@ from typing import Annotated, Any
 from pydantic import Field
 
 from rotordyn.case.schema.base import Entry
+from rotordyn.case.schema.conditions import ConditionsEntry
 from rotordyn.case.schema.values import Speed, Text, choice
 from rotordyn.machine.reference import QUANTITIES
 
@@ -24,3 +25,4 @@ class ReferenceEntry(Entry):
     speeds: Annotated[list[Speed], Field(min_length=1)]
     values: Annotated[list[Any], Field(min_length=1)]
     remark: Text = ""
+    conditions: ConditionsEntry = ConditionsEntry()

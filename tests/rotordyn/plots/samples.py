@@ -52,6 +52,10 @@ class SampleCase:
     references: tuple[Reference, ...] = ()
     analyses: dict[str, Any] = field(default_factory=dict)
 
+    @property
+    def known(self) -> tuple[Reference, ...]:
+        return self.references
+
 
 def ball_bearing(pitch: float, balls: int) -> AngularContactBallBearing:
     return AngularContactBallBearing(

@@ -1,0 +1,24 @@
+"""How a machine is modelled."""
+
+from __future__ import annotations
+
+from typing import Annotated
+
+from rotordyn.case.schema.base import Entry
+from rotordyn.case.schema.values import Flag, Force, Length, choice
+
+Kinematics = Annotated[str, choice("hybrid", "outer", "inner", "geometric")]
+MomentSharing = Annotated[str, choice("equal", "outer", "inner", "hybrid")]
+
+
+class ConditionsEntry(Entry):
+    """How the machine is modelled; all optional."""
+
+    kinematics: Kinematics = "hybrid"
+    moment_sharing: MomentSharing = "equal"
+    bearings: Annotated[str, choice("dynamic", "static")] = "dynamic"
+    rotor: Annotated[str, choice("flexible", "rigid")] = "flexible"
+    axial_force: Force = 0.0
+    gravity: Annotated[str, choice("none", "+x", "-x")] = "none"
+    element_length: Length | None = None
+    spin_softening: Flag = False

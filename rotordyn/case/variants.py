@@ -1,0 +1,40 @@
+"""The variants of a case: the same file with some of its entries replaced."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rotordyn.case.node import Node
+
+_MERGED = ("override", "conditions", "references")
+
+
+def variant_trees(root: Node) -> dict[str, Node]:
+    """By name, the tree that each entry of ``compare`` makes of the case in ``root``.
+
+    Machine and title are replaced; overrides and conditions are merged key by key; references are
+    added. Every node keeps its place in the file.
+    """
+    compared = root.child("compare")
+    if compared is None or not isinstance(compared.value, dict):
+        return {}
+    return {name: _changed(root, changes) for name, changes in compared.value.items()}
+
+
+def _changed(root: Node, changes: Node) -> Node:
+    tree = root.copy()
+    del tree.value["compare"]
+    if not isinstance(changes.value, dict):
+        return tree
+    for key, value in changes.value.items():
+        own = tree.child(key)
+        tree.value[key] = _merged(own, value) if own is not None and key in _MERGED else value
+    return tree
+
+
+def _merged(own: Node, more: Node) -> Node:
+    if isinstance(own.value, dict) and isinstance(more.value, dict):
+        return replace(own, value={**own.value, **more.value})
+    if isinstance(own.value, list) and isinstance(more.value, list):
+        return replace(own, value=[*own.value, *more.value])
+    return more

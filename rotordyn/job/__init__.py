@@ -1,0 +1,24 @@
+"""From a case to its results folder."""
+
+from rotordyn.job.delivery import Delivery, deliver
+from rotordyn.job.solving import (
+    Progress,
+    one_variant,
+    restricted,
+    run,
+    solve,
+    solve_variants,
+    unsolved,
+)
+
+__all__ = [
+    "Delivery",
+    "Progress",
+    "deliver",
+    "one_variant",
+    "restricted",
+    "run",
+    "solve",
+    "solve_variants",
+    "unsolved",
+]

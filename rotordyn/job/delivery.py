@@ -1,0 +1,184 @@
+"""A results folder: numbers, tables, figures, record; whole or not at all."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+from typing import Any
+
+from rotordyn.analysis.registry import BEARING_ANALYSES, SPINDLE_ANALYSES, Answers
+from rotordyn.case.case import Case
+from rotordyn.job.solving import Progress, solve, solve_variants, unsolved
+from rotordyn.plots.catalogue import Job, figures
+from rotordyn.plots.compared.catalogue import comparison_figures
+
+
+@dataclass(frozen=True, slots=True)
+class Delivery:
+    """What a run left behind: the folder, its one-screen summary, speeds without a solution."""
+
+    folder: Path
+    summary: str
+    unsolved: tuple[str, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class Parcel:
+    """What goes into a folder: the case and answers of each part, by the name of its subfolder.
+
+    A case without variants is one part in the folder itself (name ``""``). ``lost``: why variants
+    are missing.
+    """
+
+    case: Case
+    parts: dict[str, tuple[Case, Answers]]
+    lost: tuple[str, ...] = ()
+    seconds: dict[str, float] = field(default_factory=dict)
+
+    @property
+    def results(self) -> dict[str, Any]:
+        """Every result by its place in the files: ``analysis`` or ``variant/analysis``."""
+        return {
+            f"{part}/{name}" if part else name: result
+            for part, (_, answers) in self.parts.items()
+            for name, result in answers.results.items()
+        }
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What a designer should know, with the variant it is about."""
+        from rotordyn.report.summary import pressure_warnings
+
+        return tuple(
+            f"{part}: {sentence}" if part else sentence
+            for part, (_, answers) in self.parts.items()
+            for sentence in (*answers.warnings, *pressure_warnings(answers.results))
+        )
+
+    @property
+    def unsolved(self) -> tuple[str, ...]:
+        """Why speeds, or whole variants, have no solution."""
+        found = {
+            f"{part}: {sentence}" if part else sentence: None
+            for part, (_, answers) in self.parts.items()
+            for sentence in unsolved(answers.results)
+        }
+        return (*self.lost, *found)
+
+
+def deliver(case: Case, target: Path, progress: Progress = lambda name: None) -> Delivery:
+    """Solve ``case`` and write everything into ``target``, all or nothing.
+
+    Raises
+    ------
+    OutputRefused : ``target`` holds something that is not ours
+    NoSolution : no speed (of any variant) has a solution; nothing is written
+    """
+    from rotordyn.plots.draw import Drawing
+    from rotordyn.report.folder import check_target, results_folder
+
+    check_target(target)
+    seconds: dict[str, float] = {}
+    with _timed(seconds, "solve, all stages"):
+        parcel = _solved(case, progress, seconds)
+    with results_folder(target) as folder:
+        progress("figures")
+        drawing = Drawing(_figures(parcel), folder)
+        with _timed(seconds, "write"):
+            text = _write(parcel, folder)
+        with _timed(seconds, "draw"):
+            drawn = drawing.finish()
+        _write_record(parcel, drawn, folder)
+    return Delivery(target, text, parcel.unsolved)
+
+
+def _solved(case: Case, progress: Progress, seconds: dict[str, float]) -> Parcel:
+    if not case.variants:
+        return Parcel(case, {"": (case, solve(case, progress))}, (), seconds)
+    found = solve_variants(case, progress)
+    parts = {name: (case.variants[name], answers) for name, answers in found.answers.items()}
+    return Parcel(case, parts, tuple(found.failed.values()), seconds)
+
+
+def _figures(parcel: Parcel) -> list[Job]:
+    if not parcel.case.variants:
+        return figures(parcel.case, parcel.results)
+    shown = [(part, answers.results) for part, answers in parcel.parts.values()]
+    return comparison_figures(shown)
+
+
+@contextmanager
+def _timed(seconds: dict[str, float], name: str) -> Iterator[None]:
+    begin = time.perf_counter()
+    yield
+    seconds[name] = time.perf_counter() - begin
+
+
+def _write(parcel: Parcel, folder: Path) -> str:
+    """Numbers, tables and the summary, which is returned."""
+    from rotordyn.report.netcdf import write_results
+    from rotordyn.report.side_by_side import comparison_summary
+    from rotordyn.report.summary import summary
+
+    case = parcel.case
+    attributes = {"case": case.name, "title": case.title, "digest": case.digest}
+    write_results(folder / "results.nc", parcel.results, attributes)
+    for name, (part, answers) in parcel.parts.items():
+        (folder / name).mkdir(exist_ok=True)
+        _write_tables(part, answers.results, folder / name)
+    if case.variants:
+        shown = [(part, answers.results) for part, answers in parcel.parts.values()]
+        text = comparison_summary(case, shown, (*parcel.lost, *parcel.warnings))
+    else:
+        text = summary(case, parcel.results, parcel.warnings)
+    (folder / "summary.txt").write_text(text + "\n", encoding="utf-8")
+    return text
+
+
+def _write_tables(case: Case, results: Mapping[str, Any], folder: Path) -> None:
+    from rotordyn.report.tables import write_tables
+    from rotordyn.report.uff import write_uff
+
+    write_tables(folder, results)
+    if "frf" in results and case.spindle is not None:
+        nodes = {name: k for k, name in enumerate(case.spindle.points, start=1)}
+        write_uff(folder / "frf.uff", results["frf"], case=case.name, nodes=nodes)
+
+
+def _write_record(parcel: Parcel, drawn: Mapping[str, float], folder: Path) -> None:
+    from rotordyn.report.manifest import RunRecord, outcomes, write_record
+
+    case = parcel.case
+    known = SPINDLE_ANALYSES if case.bearing is None else BEARING_ANALYSES
+    unasked = {name: "the case does not ask for it" for name in known if name not in case.analyses}
+    record = RunRecord(
+        case=case.name,
+        title=case.title,
+        digest=case.digest,
+        inputs=tuple(f"{path.parent.name}/{path.name}" for path in case.files),
+        settings=_settings(parcel),
+        outcomes=outcomes(parcel.results),
+        tolerances=_by_part(parcel, "tolerances"),
+        stages={**parcel.seconds, **_by_part(parcel, "seconds")},
+        figures=drawn,
+        skipped={**unasked, **_by_part(parcel, "skipped")},
+        warnings=(*parcel.lost, *parcel.warnings),
+    )
+    write_record(folder, record)
+
+
+def _settings(parcel: Parcel) -> dict[str, Any]:
+    settings = {part: asdict(case.conditions) for part, (case, _) in parcel.parts.items()}
+    return settings.get("", settings)
+
+
+def _by_part(parcel: Parcel, name: str) -> dict[str, Any]:
+    """A mapping that every part's answers have, the keys led by the name of the variant."""
+    return {
+        f"{part}/{key}" if part else key: value
+        for part, (_, answers) in parcel.parts.items()
+        for key, value in getattr(answers, name).items()
+    }

@@ -1,0 +1,122 @@
+"""The answers to a case: of one machine, or of variants side by side."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from rotordyn.analysis.registry import Answers, answer_bearing, answer_spindle
+from rotordyn.case.case import Case
+from rotordyn.errors import InvalidInput, NoSolution
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True, slots=True)
+class VariantAnswers:
+    """Answers by the name of the variant; ``failed``: why others have none at any speed."""
+
+    answers: dict[str, Answers]
+    failed: dict[str, str] = field(default_factory=dict)
+
+
+def run(case: Case) -> Mapping[str, xr.Dataset]:
+    """Answer every question of ``case``: an xarray Dataset by analysis name, complex in memory.
+
+    For a case with variants the names are ``variant/analysis``.
+
+    Raises
+    ------
+    NoSolution : no speed of the case, or of one of its variants, has a physical solution
+    """
+    from rotordyn.report.datasets import dataset
+
+    if not isinstance(case, Case):
+        raise InvalidInput(f"run takes a case, as rotordyn.load gives it; got {case!r}")
+    if not case.variants:
+        return {name: dataset(result) for name, result in solve(case).results.items()}
+    found = solve_variants(case)
+    for sentence in found.failed.values():
+        raise NoSolution(sentence)
+    return {
+        f"{variant}/{name}": dataset(result)
+        for variant, answers in found.answers.items()
+        for name, result in answers.results.items()
+    }
+
+
+def solve(case: Case, progress: Progress = lambda name: None) -> Answers:
+    """Answer every question of ``case`` with frozen results; its variants are left aside."""
+    if case.spindle is not None:
+        return answer_spindle(case.spindle, case.conditions, case.speeds, case.analyses, progress)
+    if case.bearing is None:
+        raise InvalidInput(f"case {case.name} has neither a spindle nor a bearing")
+    return answer_bearing(case.bearing, case.conditions, case.speeds, case.analyses, progress)
+
+
+def solve_variants(case: Case, progress: Progress = lambda name: None) -> VariantAnswers:
+    """Answer the questions of every variant of ``case``.
+
+    Raises
+    ------
+    NoSolution : no variant has a physical solution at any speed
+    """
+    found = VariantAnswers({})
+    for name, variant in case.variants.items():
+        try:
+            found.answers[name] = solve(variant, partial(_part, progress, name))
+        except NoSolution as error:
+            found.failed[name] = f"variant {name}: {error}"
+    if not found.answers:
+        raise NoSolution("; ".join(found.failed.values()))
+    return found
+
+
+def _part(progress: Progress, variant: str, asked: str) -> None:
+    progress(f"{variant}: {asked}")
+
+
+def restricted(case: Case, only: tuple[str, ...]) -> Case:
+    """``case`` and its variants with only some of the analyses.
+
+    Raises
+    ------
+    InvalidInput : a name is not among the analyses of the case
+    """
+    unknown = [name for name in only if name not in case.analyses]
+    if unknown:
+        known = ", ".join(case.analyses)
+        raise InvalidInput(f"--only {','.join(unknown)}: this case has the analyses {known}")
+    return replace(
+        case,
+        analyses={n: s for n, s in case.analyses.items() if n in only},
+        variants={name: restricted(v, only) for name, v in case.variants.items()},
+    )
+
+
+def one_variant(case: Case, name: str) -> Case:
+    """The variant ``name`` of ``case`` as a case of its own.
+
+    Raises
+    ------
+    InvalidInput : the case has no such variant
+    """
+    if name not in case.variants:
+        known = ", ".join(case.variants) or "none, this case compares nothing"
+        raise InvalidInput(f"--variant {name}: the variants of this case are {known}")
+    return replace(case.variants[name], name=f"{case.name}_{name}")
+
+
+def unsolved(results: Mapping[str, Any]) -> tuple[str, ...]:
+    """Why speeds have no solution, each reason once, in order of speed."""
+    words = [str(w) for r in results.values() for w in _flat(r.outcome) if str(w)]
+    return tuple(dict.fromkeys(words))
+
+
+def _flat(outcome: Any) -> Iterator[Any]:
+    return iter(outcome) if isinstance(outcome, tuple) else iter(outcome.flat)

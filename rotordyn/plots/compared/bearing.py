@@ -1,0 +1,35 @@
+"""A single bearing in variants: stiffness over speed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from rotordyn.analysis.display import RPM, STIFFNESS
+from rotordyn.plots.compared.panels import Shown, colour, dash
+from rotordyn.plots.style import BLACK, add_axes, grid_boxes, new_figure, speed_ticks, top_legend
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+def bearing_figure(variants: Sequence[Shown]) -> Figure:
+    """Kxx and Kyy, tilts blocked: a colour per variant, dashes by axial load."""
+    figure = new_figure(168.0, 90.0)
+    boxes = grid_boxes(figure, 1, 2, margins=(15.0, 6.0, 12.0, 12.0), gaps=(18.0, 0.0))
+    loads = variants[0].result.load
+    for entry, (name, box) in enumerate(zip(("Kxx", "Kyy"), boxes, strict=True)):
+        axes = add_axes(figure, box, "speed [rpm]", f"stiffness {name} [N/µm]")
+        for place, variant in enumerate(variants):
+            rpm = variant.result.speed * RPM.factor
+            values = variant.result.stiffness[..., entry, entry] * STIFFNESS.factor
+            for column in range(len(loads)):
+                look = dash(column if len(loads) > 1 else place)
+                axes.plot(rpm, values[:, column], color=colour(place), ls=look, label=variant.title)
+        if len(loads) > 1:
+            for column, load in enumerate(loads):
+                axes.plot([], [], color=BLACK, ls=dash(column), label=f"{load:g} N axial")
+        speed_ticks(axes, float(variants[0].result.speed[-1] * RPM.factor), 4)
+        axes.set_ylim(0.0, axes.get_ylim()[1] * 1.05)
+    top_legend(figure, *figure.axes)
+    return figure

@@ -1,0 +1,77 @@
+"""Which figures of variants a case gets, and how each is drawn, on demand."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from rotordyn.plots.catalogue import Drawable, Job, call
+from rotordyn.plots.compared.panels import MOST_PANELS, Shown
+
+Variant = tuple[Drawable, Mapping[str, Any]]
+
+
+def comparison_figures(variants: Sequence[Variant]) -> list[Job]:
+    """Name and drawing function of every figure that the results of the variants allow."""
+    jobs: list[Job] = []
+    for name, draw in FIGURES.items():
+        shown = [
+            Shown(case.title, found[name], case.known, case.spindle)
+            for case, found in variants
+            if name in found
+        ]
+        if shown:
+            jobs += draw(variants[0][0].analyses.get(name), shown)
+    return jobs
+
+
+def _campbell(spec: Any, shown: Sequence[Shown]) -> Iterator[Job]:
+    teeth, highest = getattr(spec, "teeth", ()), getattr(spec, "max_frequency", 0.0)
+    if len(shown) <= MOST_PANELS:
+        yield "campbell", partial(_draw, "campbell", "panels_figure", shown, teeth, highest)
+    yield (
+        "campbell_overlay",
+        partial(_draw, "campbell", "overlay_figure", shown, teeth, highest),
+    )
+
+
+def _frf(_: Any, shown: Sequence[Shown]) -> Iterator[Job]:
+    first = shown[0].result
+    few, swept = len(shown) <= MOST_PANELS, first.speed.size > 1
+    if few and swept:
+        yield "frf_surfaces", partial(_draw, "frf", "surfaces_figure", shown, 0)
+        yield "frf_maps", partial(_draw, "frf", "maps_figure", shown, 0)
+    if np.any(first.is_slice):
+        for pair in range(len(first.pair)):
+            number = f"_{pair + 1}" if len(first.pair) > 1 else ""
+            yield f"frf_curves{number}", partial(_draw, "frf", "curves_figure", shown, pair)
+
+
+def _stiffness(spec: Any, shown: Sequence[Shown]) -> Iterator[Job]:
+    point = getattr(spec, "point", "")
+    yield "stiffness", partial(_draw, "stiffness", "stiffness_figure", shown, point)
+
+
+def _preload(_: Any, shown: Sequence[Shown]) -> Iterator[Job]:
+    if shown[0].result.bearing:
+        yield "preload", partial(_draw, "preload", "preload_figure", shown)
+
+
+def _bearing(_: Any, shown: Sequence[Shown]) -> Iterator[Job]:
+    yield "bearing", partial(_draw, "bearing", "bearing_figure", shown)
+
+
+def _draw(module: str, function: str, *arguments: Any) -> Any:
+    return call(f"compared.{module}", function, *arguments)
+
+
+FIGURES: dict[str, Callable[[Any, Sequence[Shown]], Iterator[Job]]] = {
+    "frf": _frf,
+    "campbell": _campbell,
+    "preload": _preload,
+    "stiffness": _stiffness,
+    "bearing": _bearing,
+}

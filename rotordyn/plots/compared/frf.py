@@ -1,0 +1,93 @@
+"""Receptances of variants: curves over one another, maps and surfaces on one scale."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis.display import RPM, receptance_unit, shown
+from rotordyn.analysis.results import FrfResult
+from rotordyn.plots.campbell import draw_known
+from rotordyn.plots.compared.panels import Shown, colour, dash, panels
+from rotordyn.plots.frf_map import amplitude, amplitude_range, draw_map, draw_scale
+from rotordyn.plots.frf_slices import log_axis
+from rotordyn.plots.frf_surface import draw_pins, draw_surface
+from rotordyn.plots.style import (
+    FONT_SIZE,
+    add_axes,
+    new_figure,
+    round_ticks,
+    speed_ticks,
+    top_legend,
+)
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+MOST_SLICES = 3
+
+
+def curves_figure(variants: Sequence[Shown], pair: int) -> Figure:
+    """Amplitude over frequency, a panel per slice speed, a line per variant."""
+    first: FrfResult = variants[0].result
+    slices = np.flatnonzero(first.is_slice)[:MOST_SLICES].tolist()
+    figure = new_figure(168.0, 22.0 + 58.0 * len(slices))
+    unit = shown(receptance_unit(first.pair[pair])).unit
+    tall, gap = 50.0, 8.0
+    for place, index in enumerate(slices):
+        last = place == len(slices) - 1
+        box = (17.0, 12.0 + (len(slices) - 1 - place) * (tall + gap), 145.0, tall)
+        axes = add_axes(figure, box, "frequency [Hz]" if last else "", f"amplitude [{unit}]")
+        for k, variant in enumerate(variants):
+            values = amplitude(variant.result, pair)[index]
+            axes.plot(
+                first.frequency, values, color=colour(k), ls=dash(k), lw=1.0, label=variant.title
+            )
+        top = float(first.frequency[-1])
+        axes.set_xlim(0.0, top)
+        axes.set_xticks(round_ticks(0.0, top, 8))
+        axes.tick_params(labelbottom=last)
+        log_axis(axes)
+        rpm = first.speed[index] * RPM.factor
+        axes.set_title(
+            f"receptance {first.pair[pair]} at {rpm:.0f} rpm", fontsize=FONT_SIZE, pad=4.0
+        )
+    top_legend(figure, *figure.axes)
+    return figure
+
+
+def maps_figure(variants: Sequence[Shown], pair: int) -> Figure:
+    """A heat map per variant, one colour scale for all."""
+    figure, boxes = panels(
+        len(variants), tall=66.0, margins=(15.0, 20.0, 12.0, 9.0), gaps=(8.0, 16.0)
+    )
+    limits = _common_range(variants, pair)
+    for place, (variant, box) in enumerate(zip(variants, boxes, strict=True)):
+        axes = add_axes(figure, box, "speed [rpm]", "" if place % 2 else "frequency [Hz]")
+        image = draw_map(axes, variant.result, pair, limits)
+        draw_known(axes, variant.known, edge="white")
+        speed_ticks(axes, max(float(variant.result.speed[-1] * RPM.factor), 1.0), 4)
+        axes.tick_params(labelleft=not place % 2)
+        axes.set_title(variant.title, fontsize=FONT_SIZE, pad=4.0)
+        if place == min(1, len(variants) - 1):
+            draw_scale(figure, image, variant.result, pair, box)
+    return figure
+
+
+def surfaces_figure(variants: Sequence[Shown], pair: int) -> Figure:
+    """A surface per variant, one height scale for all."""
+    figure, boxes = panels(len(variants), tall=72.0, margins=(1.0, 1.0, 2.0, 2.0), gaps=(3.0, 2.0))
+    limits = _common_range(variants, pair)
+    for variant, box in zip(variants, boxes, strict=True):
+        axes = add_axes(figure, box)
+        draw_surface(axes, variant.result, pair, variant.title, limits, shrink=1.6)
+        draw_pins(axes, variant.result, variant.known)
+    return figure
+
+
+def _common_range(variants: Sequence[Shown], pair: int) -> tuple[float, float]:
+    values: list[NDArray[np.float64]] = [amplitude(v.result, pair).ravel() for v in variants]
+    return amplitude_range(np.concatenate(values))

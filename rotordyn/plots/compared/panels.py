@@ -1,0 +1,47 @@
+"""What every figure of variants shares: who they are, and panels that can be compared."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from rotordyn.machine.reference import Reference
+from rotordyn.machine.spindle import Spindle
+from rotordyn.plots.style import CYCLE, DASHES, grid_boxes, new_figure
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+MOST_PANELS = 6
+Box = tuple[float, float, float, float]
+
+
+class Shown(NamedTuple):
+    """One variant: its title, its result, and what is known of it."""
+
+    title: str
+    result: Any
+    known: Sequence[Reference]
+    spindle: Spindle | None
+
+
+def colour(place: int) -> str:
+    """Colour of the variant at a place."""
+    return CYCLE[place % len(CYCLE)]
+
+
+def dash(place: int) -> Any:
+    """Dashes of the variant at a place: told apart without colour, too."""
+    return DASHES[place % len(DASHES)]
+
+
+def panels(
+    count: int, *, tall: float, margins: Sequence[float], gaps: Sequence[float]
+) -> tuple[Figure, list[Box]]:
+    """A figure with a box [mm] per variant, two beside each other."""
+    columns = min(count, 2)
+    rows = math.ceil(count / columns)
+    height = margins[2] + margins[3] + rows * tall + (rows - 1) * gaps[1]
+    figure = new_figure(168.0, height)
+    return figure, grid_boxes(figure, rows, columns, margins=margins, gaps=gaps)[:count]

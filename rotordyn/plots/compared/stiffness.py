@@ -1,0 +1,44 @@
+"""Radial stiffness of variants over speed."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from rotordyn.analysis.display import RPM, STIFFNESS
+from rotordyn.plots.compared.panels import Shown, colour, dash
+from rotordyn.plots.curves import draw_references
+from rotordyn.plots.style import BLACK, add_axes, legend, new_figure, speed_ticks
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+def stiffness_figure(variants: Sequence[Shown], point: str = "") -> Figure:
+    """Tangent at no load: a colour per variant, dashes by bearing model; known values as marks."""
+    figure = new_figure(168.0, 100.0)
+    where = f" at {point}" if point else ""
+    axes = add_axes(
+        figure, (15.0, 11.0, 147.0, 84.0), "speed [rpm]", f"radial stiffness{where} [N/µm]"
+    )
+    models = variants[0].result.variant
+    for place, variant in enumerate(variants):
+        rpm = variant.result.speed * RPM.factor
+        for column in range(len(models)):
+            axes.plot(
+                rpm,
+                variant.result.tangent[:, column] * STIFFNESS.factor,
+                color=colour(place),
+                ls=dash(column if len(models) > 1 else place),
+                label=variant.title,
+            )
+        subjects = [r for r in variant.known if not r.subject or r.subject in models]
+        own = dict.fromkeys((r.subject for r in subjects), colour(place))
+        draw_references(axes, subjects, "radial_stiffness", subject=True, colours=own)
+    if len(models) > 1:
+        for column, name in enumerate(models):
+            axes.plot([], [], color=BLACK, ls=dash(column), label=name.replace("_", " "))
+    speed_ticks(axes, float(variants[0].result.speed[-1] * RPM.factor))
+    axes.set_ylim(0.0, axes.get_ylim()[1] * 1.05)
+    legend(axes, loc="best")
+    return figure

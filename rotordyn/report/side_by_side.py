@@ -1,0 +1,121 @@
+"""One screen of plain text about variants: a table for every question, a line per variant."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis.comparison import compare, preload_sum
+from rotordyn.analysis.display import RPM, STIFFNESS
+from rotordyn.analysis.results import (
+    BearingMapResult,
+    CampbellResult,
+    PreloadResult,
+    StiffnessResult,
+)
+from rotordyn.report.summary import Described, comparison_head, number, wrapped
+
+MODES = 5  # of the lowest bending modes
+Cells = dict[str, str]
+Variant = tuple[Described, Mapping[str, Any]]
+
+
+def comparison_summary(
+    case: Described, variants: Sequence[Variant], warnings: Iterable[str] = ()
+) -> str:
+    """Key figures at the first and the last speed, then the known values that apply."""
+    lines = [f"WARNING: {w}" for w in warnings][:6]
+    lines.append(f"{case.name}: {case.title}" if case.title else case.name)
+    for name, (title, cells) in TABLES.items():
+        rows = {own.title: cells(found[name], own) for own, found in variants if name in found}
+        if rows:
+            lines += ["", f"{title}, {_ends(variants, name)}", *_aligned(rows)]
+    known = [line for own, found in variants for line in _known(own, found)]
+    return "\n".join([*lines, *([""] if known else []), *known])
+
+
+def _ends(variants: Sequence[Variant], name: str) -> str:
+    speed = next(found[name] for _, found in variants if name in found).speed
+    first, last = speed[[0, -1]] * RPM.factor
+    return f"{first:.0f} → {last:.0f} rpm"
+
+
+def _aligned(rows: Mapping[str, Cells]) -> list[str]:
+    """A head and a line per row; columns as wide as their widest entry."""
+    heads = list(dict.fromkeys(head for cells in rows.values() for head in cells))
+    table = [["", *heads], *([name, *(c.get(h, "–") for h in heads)] for name, c in rows.items())]
+    widths = [max(len(line[k]) for line in table) for k in range(len(heads) + 1)]
+    return ["  ".join(map(str.ljust, line, widths)).rstrip() for line in table]
+
+
+def _known(case: Described, results: Mapping[str, Any]) -> list[str]:
+    compared = compare(case.known, results, case.spindle)
+    heads = (f"{case.title}: {comparison_head(each)}" for each in compared)
+    return [part for head in heads for part in wrapped(head)]
+
+
+def _arrow(ends: NDArray[np.float64], digits: int = 1) -> str:
+    return " → ".join(number(value, digits) for value in ends)
+
+
+def _campbell(result: CampbellResult, _: Described) -> Cells:
+    """Of the lowest bending modes both whirls at rest and at top speed."""
+    at = [_bending(result, row) for row in (0, -1)]
+    return {
+        f"bending {k + 1}": " → ".join(modes[k] if k < len(modes) else "–" for modes in at)
+        for k in range(min(MODES, max(map(len, at))))
+    }
+
+
+def _bending(result: CampbellResult, row: int) -> list[str]:
+    """Backward/forward frequencies of the bending modes at a speed, one number where equal."""
+    chosen = [k for k, kind in enumerate(result.kind) if kind == "bending"]
+    values = result.frequency[row, chosen]
+    whirl = result.whirl[0, chosen]
+    order = np.argsort(values, kind="stable")
+    if not set(whirl) >= {-1.0, 1.0}:
+        return [number(values[k]) for k in order]
+    backward, forward = ([values[k] for k in order if whirl[k] == w] for w in (-1.0, 1.0))
+    return [
+        number(b) if math.isclose(b, f, rel_tol=1e-6) else f"{number(b)}/{number(f)}"
+        for b, f in zip(backward, forward, strict=False)
+    ]
+
+
+def _preload(result: PreloadResult, case: Described) -> Cells:
+    if case.spindle is None:
+        return {}
+    total = preload_sum(result, case.spindle)[[0, -1]]
+    stops = {
+        f"stop {name} [rpm]": number(speed * RPM.factor, 0) if math.isfinite(speed) else "not met"
+        for name, speed in zip(result.sleeve, result.stop_speed, strict=True)
+    }
+    return {"sum [N]": _arrow(total, 0), **stops}
+
+
+def _stiffness(result: StiffnessResult, _: Described) -> Cells:
+    ends = result.tangent[[0, -1]].T * STIFFNESS.factor
+    return {
+        f"{name.replace('_', ' ')} [N/µm]": _arrow(pair)
+        for name, pair in zip(result.variant, ends, strict=True)
+    }
+
+
+def _bearing(result: BearingMapResult, _: Described) -> Cells:
+    ends = result.stiffness[[0, -1]] * STIFFNESS.factor
+    return {
+        f"{load:.0f} N": ", ".join(_arrow(ends[:, k, i, i]) for i in (0, 1))
+        for k, load in enumerate(result.load)
+    }
+
+
+TABLES: dict[str, tuple[str, Callable[[Any, Described], Cells]]] = {
+    "campbell": ("bending modes, backward/forward [Hz]", _campbell),
+    "preload": ("preload", _preload),
+    "stiffness": ("radial stiffness at no load", _stiffness),
+    "bearing": ("axial and radial stiffness, tilts blocked [N/µm]", _bearing),
+}

@@ -1,0 +1,95 @@
+"""A case that compares: what a variant changes, and where its faults are."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+import rotordyn
+from rotordyn.errors import InvalidInput
+
+CASE = """\
+title: whole
+spindle: mfw2310
+tool: mfw2310_exciter
+override:
+  sleeves.front.stop_travel: 45 um
+conditions:
+  kinematics: outer
+speeds: [0 rpm, 24000 rpm]
+analyses:
+  campbell: {{}}
+compare:
+{compare}
+"""
+
+
+def load(tmp_path: Path, compare: str) -> rotordyn.Case:
+    path = tmp_path / "compared.yaml"
+    path.write_text(CASE.format(compare=compare), encoding="utf-8")
+    return rotordyn.load(path)
+
+
+def test_a_variant_adds_overrides_and_conditions_and_replaces_machines(tmp_path: Path) -> None:
+    case = load(
+        tmp_path,
+        "  as_it_is: {}\n"
+        "  changed:\n"
+        "    title: softer and rigid\n"
+        "    override: {sleeves.front.spring.stiffness: 3 N/um}\n"
+        "    conditions: {rotor: rigid}\n",
+    )
+    assert list(case.variants) == ["as_it_is", "changed"]
+    first, second = case.variants.values()
+    assert first.title == "as it is"
+    assert (first.spindle, first.conditions) == (case.spindle, case.conditions)
+    assert second.title == "softer and rigid"
+    assert second.conditions.rotor == "rigid"
+    assert second.conditions.kinematics == "outer"
+    assert second.spindle is not None
+    front = second.spindle.sleeves[0]
+    assert front.spring.stiffness == pytest.approx(3e6)
+    assert front.stop_travel == pytest.approx(45e-6)
+    assert second.speeds == case.speeds
+    assert second.analyses == case.analyses
+    assert not second.variants
+
+
+def test_only_references_of_the_conditions_in_force_are_compared(tmp_path: Path) -> None:
+    case = load(tmp_path, "  rigid: {conditions: {rotor: rigid}}\n  flexible: {}\n")
+    rigid, flexible = case.variants.values()
+    known = {name: {r.values for r in v.known} for name, v in case.variants.items()}
+    assert rigid.references == flexible.references
+    assert (1096.0, 1512.0) in known["rigid"] - known["flexible"]
+    assert (903.0, 1350.0, 1580.0, 2860.0) in known["flexible"] - known["rigid"]
+
+
+@pytest.mark.parametrize(
+    ("compare", "line", "words"),
+    [
+        ("  one:\n    conditions: {rotor: soft}\n", 13, "allowed: flexible, rigid"),
+        ("  one:\n    override:\n      sleeves.middle.stop_travel: 1 um\n", 14, "front, rear"),
+        ("  one:\n    speeds: [0 rpm]\n", 13, "unknown key"),
+        ("  one:\n    tool: nothing\n", 13, "unknown model"),
+        ("  'not a name!': {}\n", 12, "not a name"),
+        ("  one: {}\n  two:\n    override: {shaft.start: 5 m}\n", 14, "shaft"),
+    ],
+)
+def test_a_fault_of_a_variant_is_at_its_line(
+    tmp_path: Path, compare: str, line: int, words: str
+) -> None:
+    with pytest.raises(InvalidInput) as caught:
+        load(tmp_path, compare)
+    assert any(fault.line == line and words in str(fault) for fault in caught.value.faults), str(
+        caught.value
+    )
+
+
+def test_faults_of_the_case_itself_are_told_once(tmp_path: Path) -> None:
+    path = tmp_path / "compared.yaml"
+    text = CASE.format(compare="  one: {}\n  two: {}\n").replace("outer", "outermost")
+    path.write_text(text, encoding="utf-8")
+    with pytest.raises(InvalidInput) as caught:
+        rotordyn.load(path)
+    assert len(caught.value.faults) == 1

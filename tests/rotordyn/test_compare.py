@@ -1,0 +1,137 @@
+"""Variants answered side by side: the same as each alone, in one folder."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import rotordyn
+from rotordyn.analysis.specs import CampbellSpec, FrfSpec, PreloadSpec, StiffnessSpec
+from rotordyn.case.case import Case
+from rotordyn.errors import InvalidInput, NoSolution
+from rotordyn.job import deliver, one_variant, restricted, solve
+from rotordyn.machine.growth import PrescribedShortening
+from rotordyn.report.netcdf import read_results
+from tests.oracles.spindles import RPM, case, mfw2310, pairs
+
+
+def compared(**variants: Case) -> Case:
+    """The flagship at two speeds, as it is and with a rigid rotor."""
+    base = replace(
+        case(),
+        speeds=(0.0, 24000 * RPM),
+        analyses={
+            "preload": PreloadSpec(),
+            "campbell": CampbellSpec(3000.0),
+            "frf": FrfSpec(tuple(np.linspace(10, 3000, 40)), pairs("Oc2.y/Oc2.y"), (0.0,)),
+            "stiffness": StiffnessSpec("Oc2", 500.0, 2, ("full", "diagonal")),
+        },
+    )
+    rigid = replace(base, title="rigid rotor", conditions=replace(base.conditions, rotor="rigid"))
+    own = {"flexible": replace(base, title="flexible rotor"), "rigid": rigid}
+    return replace(base, variants=own | variants)
+
+
+def without_preload() -> Case:
+    """The rear pair is unloaded at every speed but rest; speeds start above it."""
+    far = PrescribedShortening(1000 * RPM, {"d": 300e-6, "e": 300e-6})
+    whole = compared()
+    return replace(whole.variants["flexible"], title="lost", spindle=mfw2310(shortening=far))
+
+
+def test_run_names_variant_and_analysis_and_answers_as_each_alone() -> None:
+    whole = compared()
+    found = rotordyn.run(whole)
+    assert set(found) == {f"{v}/{a}" for v in whole.variants for a in whole.analyses}
+    for name, variant in whole.variants.items():
+        alone = rotordyn.run(variant)
+        for analysis, data in alone.items():
+            assert data.identical(found[f"{name}/{analysis}"])
+
+
+def test_folder_holds_tables_of_each_and_figures_of_all(tmp_path: Path) -> None:
+    whole = compared()
+    delivery = deliver(whole, tmp_path / "out")
+    assert delivery.unsolved == ()
+    read = read_results(tmp_path / "out" / "results.nc")
+    assert set(read) == {f"{v}/{a}" for v in whole.variants for a in whole.analyses}
+    first = solve(whole.variants["rigid"]).results["campbell"].frequency
+    assert np.array_equal(read["rigid/campbell"]["frequency"].values, first)
+    for name in whole.variants:
+        assert {p.name for p in (tmp_path / "out" / name).iterdir()} >= {
+            "campbell.csv",
+            "preload.csv",
+            "stiffness.csv",
+            "frf.uff",
+        }
+    drawn = {p.stem for p in (tmp_path / "out").glob("*.png")}
+    assert drawn == {
+        "campbell",
+        "campbell_overlay",
+        "frf_curves",
+        "frf_maps",
+        "frf_surfaces",
+        "preload",
+        "stiffness",
+    }
+    record = json.loads((tmp_path / "out" / "run.json").read_text(encoding="utf-8"))
+    assert record["settings"]["rigid"]["rotor"] == "rigid"
+    assert record["outcomes"]["rigid/campbell"] == {"": [0.0, 24000.0]}
+
+
+def test_summary_has_a_line_per_variant_and_what_is_known_of_each(tmp_path: Path) -> None:
+    text = deliver(compared(), tmp_path / "out").summary
+    modes = text.split("bending modes")[1].splitlines()
+    assert modes[2].startswith("flexible rotor  903.4 → ")
+    assert modes[3].startswith("rigid rotor     1082.0 → ")
+    assert "rigid rotor: bending frequency at 0 rpm [Hz]: published | ours: 1096 | 1082" in text
+    assert "flexible rotor: bending frequency at 0 rpm [Hz]: published | ours: 903 | 903.4" in text
+
+
+def test_a_variant_without_solution_is_named_and_the_others_are_answered(tmp_path: Path) -> None:
+    whole = compared(lost=without_preload())
+    speeds = (2000 * RPM, 24000 * RPM)
+    whole = replace(
+        whole, variants={n: replace(v, speeds=speeds) for n, v in whole.variants.items()}
+    )
+    delivery = deliver(whole, tmp_path / "out")
+    assert delivery.unsolved[0].startswith("variant lost: no speed of the case")
+    assert "WARNING: variant lost" in delivery.summary
+    assert not (tmp_path / "out" / "lost").exists()
+    with pytest.raises(NoSolution, match="variant lost"):
+        rotordyn.run(whole)
+
+
+def test_nothing_is_written_where_no_variant_has_a_solution(tmp_path: Path) -> None:
+    lost = replace(without_preload(), speeds=(2000 * RPM, 24000 * RPM))
+    with pytest.raises(NoSolution, match=r"variant a: .*; variant b: "):
+        deliver(replace(compared(), variants={"a": lost, "b": lost}), tmp_path / "out")
+    assert not any(tmp_path.iterdir())
+
+
+def test_one_variant_is_a_case_of_its_own() -> None:
+    whole = compared()
+    alone = one_variant(whole, "rigid")
+    assert alone.name == f"{whole.name}_rigid"
+    assert not alone.variants
+    with pytest.raises(InvalidInput, match="variants of this case are flexible, rigid"):
+        one_variant(whole, "stiff")
+    with pytest.raises(InvalidInput, match="compares nothing"):
+        one_variant(alone, "rigid")
+
+
+def test_restriction_holds_for_every_variant() -> None:
+    kept = restricted(compared(), ("campbell",))
+    assert [list(v.analyses) for v in kept.variants.values()] == [["campbell"]] * 2
+
+
+def test_many_variants_are_laid_over_one_another_only(tmp_path: Path) -> None:
+    whole = compared()
+    one = restricted(whole.variants["rigid"], ("campbell", "frf"))
+    many = {f"v{k}": replace(one, title=f"variant {k}") for k in range(7)}
+    deliver(replace(restricted(whole, ("campbell", "frf")), variants=many), tmp_path / "out")
+    assert {p.stem for p in (tmp_path / "out").glob("*.png")} == {"campbell_overlay", "frf_curves"}
