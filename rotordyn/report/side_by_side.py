@@ -17,7 +17,8 @@ from rotordyn.analysis.results import (
     PreloadResult,
     StiffnessResult,
 )
-from rotordyn.report.summary import Described, comparison_head, number, wrapped
+from rotordyn.machine.reference import Reference
+from rotordyn.report.summary import Described, computed_values, known_values, number, wrapped
 
 MODES = 5  # of the lowest bending modes
 Cells = dict[str, str]
@@ -34,7 +35,7 @@ def comparison_summary(
         rows = {own.title: cells(found[name], own) for own, found in variants if name in found}
         if rows:
             lines += ["", f"{title}, {_ends(variants, name)}", *_aligned(rows)]
-    known = [line for own, found in variants for line in _known(own, found)]
+    known = _known(variants)
     return "\n".join([*lines, *([""] if known else []), *known])
 
 
@@ -52,10 +53,22 @@ def _aligned(rows: Mapping[str, Cells]) -> list[str]:
     return ["  ".join(map(str.ljust, line, widths)).rstrip() for line in table]
 
 
-def _known(case: Described, results: Mapping[str, Any]) -> list[str]:
-    compared = compare(case.known, results, case.spindle)
-    heads = (f"{case.title}: {comparison_head(each)}" for each in compared)
-    return [part for head in heads for part in wrapped(head)]
+def _known(variants: Sequence[Variant]) -> list[str]:
+    """Every known value once, and beside it what each variant it applies to gives."""
+    beside: dict[Reference, list[tuple[str, str]]] = {}
+    for case, found in variants:
+        for each in compare(case.known, found, case.spindle):
+            ours = computed_values(each)
+            beside.setdefault(each.reference, []).append((case.title, ours))
+    return [line for reference, ours in beside.items() for line in _beside(reference, ours)]
+
+
+def _beside(reference: Reference, ours: Sequence[tuple[str, str]]) -> list[str]:
+    head = f"{reference.kind}  {known_values(reference)}"
+    if len(ours) > 1 and len({values for _, values in ours}) == 1:
+        ours = [("all of them", ours[0][1])]
+    lines = [head, *(f"    {title}: {values}" for title, values in ours)]
+    return [part for line in lines for part in wrapped(line)]
 
 
 def _arrow(ends: NDArray[np.float64], digits: int = 1) -> str:

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.comparison import Comparison, compare
-from rotordyn.analysis.display import RPM, STIFFNESS, shown
+from rotordyn.analysis.display import RPM, STIFFNESS, Shown, shown
 from rotordyn.analysis.results import (
     BearingMapResult,
     CampbellResult,
@@ -217,23 +217,50 @@ def _comparison(compared: Comparison) -> list[str]:
 
 def comparison_head(compared: Comparison) -> str:
     """What is known of a quantity beside what was computed, in printed units."""
-    reference = compared.reference
-    to = shown(QUANTITIES.get(reference.quantity, ""))
-    one_speed = len(set(reference.speeds)) == 1
+    reference, to = compared.reference, _unit(compared.reference)
+    single = _one_speed(reference)
     pairs = [
         _whole(
             f"{known * to.factor:.4g} | {ours * to.factor:.4g}"
-            + ("" if one_speed else f" @ {speed * RPM.factor:.0f}")
+            + ("" if single else f" @ {speed * RPM.factor:.0f}")
         )
         for speed, known, ours in zip(
             reference.speeds, reference.values, compared.values, strict=True
         )
     ]
-    at = f" at {reference.speeds[0] * RPM.factor:.0f} rpm" if one_speed else ""
+    where = "" if single else " @ rpm"
+    return f"{_what(reference)}: {reference.kind} | ours{where}: {', '.join(pairs)}"
+
+
+def known_values(reference: Reference) -> str:
+    """What is known of a quantity, in printed units."""
+    to, single = _unit(reference), _one_speed(reference)
+    values = [
+        _whole(f"{v * to.factor:.4g}" + ("" if single else f" @ {s * RPM.factor:.0f} rpm"))
+        for s, v in zip(reference.speeds, reference.values, strict=True)
+    ]
+    return f"{_what(reference)}: {', '.join(values)}"
+
+
+def computed_values(compared: Comparison) -> str:
+    """What was computed of it, in the same order and units."""
+    to = _unit(compared.reference)
+    return ", ".join(f"{v * to.factor:.4g}" for v in compared.values)
+
+
+def _unit(reference: Reference) -> Shown:
+    return shown(QUANTITIES.get(reference.quantity, ""))
+
+
+def _one_speed(reference: Reference) -> bool:
+    return len(set(reference.speeds)) == 1
+
+
+def _what(reference: Reference) -> str:
+    """The quantity, its subject, its speed where there is one for all values, its unit."""
     subject = f" {reference.subject}".replace("_", " ") if reference.subject else ""
-    what = f"{reference.quantity.replace('_', ' ')}{subject}{at} [{to.unit}]"
-    where = "" if one_speed else " @ rpm"
-    return f"{what}: {reference.kind} | ours{where}: {', '.join(pairs)}"
+    rpm = f" at {reference.speeds[0] * RPM.factor:.0f} rpm" if _one_speed(reference) else ""
+    return f"{reference.quantity.replace('_', ' ')}{subject}{rpm} [{_unit(reference).unit}]"
 
 
 def _whole(entry: str) -> str:

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from rotordyn.analysis.display import RPM, STIFFNESS
+from rotordyn.machine.reference import Reference
 from rotordyn.plots.compared.panels import Shown, colour, dash
 from rotordyn.plots.curves import draw_references
 from rotordyn.plots.style import BLACK, add_axes, legend, new_figure, speed_ticks
@@ -22,6 +23,7 @@ def stiffness_figure(variants: Sequence[Shown], point: str = "") -> Figure:
         figure, (15.0, 11.0, 147.0, 84.0), "speed [rpm]", f"radial stiffness{where} [N/µm]"
     )
     models = variants[0].result.variant
+    shared = [r for r in variants[0].known if all(r in v.known for v in variants)]
     for place, variant in enumerate(variants):
         rpm = variant.result.speed * RPM.factor
         for column in range(len(models)):
@@ -32,9 +34,11 @@ def stiffness_figure(variants: Sequence[Shown], point: str = "") -> Figure:
                 ls=dash(column if len(models) > 1 else place),
                 label=variant.title,
             )
-        subjects = [r for r in variant.known if not r.subject or r.subject in models]
-        own = dict.fromkeys((r.subject for r in subjects), colour(place))
-        draw_references(axes, subjects, "radial_stiffness", subject=True, colours=own)
+        own = [r for r in variant.known if r not in shared and _drawn(r, models)]
+        colours = dict.fromkeys((r.subject for r in own), colour(place))
+        draw_references(axes, own, "radial_stiffness", subject=True, colours=colours)
+    known = [r for r in shared if _drawn(r, models)]
+    draw_references(axes, known, "radial_stiffness", subject=True)
     if len(models) > 1:
         for column, name in enumerate(models):
             axes.plot([], [], color=BLACK, ls=dash(column), label=name.replace("_", " "))
@@ -42,3 +46,8 @@ def stiffness_figure(variants: Sequence[Shown], point: str = "") -> Figure:
     axes.set_ylim(0.0, axes.get_ylim()[1] * 1.05)
     legend(axes, loc="best")
     return figure
+
+
+def _drawn(reference: Reference, models: Sequence[str]) -> bool:
+    """Whether it belongs to no bearing model, or to one that is drawn."""
+    return not reference.subject or reference.subject in models
