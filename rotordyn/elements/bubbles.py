@@ -1,0 +1,37 @@
+"""Polynomials that vanish at both ends of an element: integrated Legendre polynomials.
+
+ψ_k = (P_k − P_(k−2)) / √(2 (2k − 1)), k ≥ 2, over ξ ∈ [−1, 1]; their slopes are orthonormal
+(Szabó & Babuška, *Finite Element Analysis*, 1991).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.polynomial import legendre
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+def bubbles(last: int, xi: Array) -> tuple[Array, Array, Array]:
+    """∫ψ_k dξ from −1, ψ_k, and dψ_k/dξ for k = 2 … ``last`` at ``xi``, each (points, last − 1).
+
+    The integral of ψ_k vanishes at ξ = 1, too, for k ≥ 3.
+    """
+    k = np.arange(2, last + 1)
+    p = np.asarray(legendre.legvander(xi, last + 1), dtype=np.float64)
+    scale = np.sqrt(2.0 * (2.0 * k - 1.0))
+    value = (p[:, 2:-1] - p[:, : last - 1]) / scale
+    slope = p[:, 1:last] * np.sqrt((2.0 * k - 1.0) / 2.0)
+    return (_integral(p, k) - _integral(p, k - 2)) / scale, value, slope
+
+
+def _integral(p: Array, degree: NDArray[np.intp]) -> Array:
+    """∫ P_k dξ from −1."""
+    before = np.where(degree == 0, -p[:, :1], p[:, np.abs(degree - 1)])
+    return np.asarray((p[:, degree + 1] - before) / (2.0 * degree + 1.0))
+
+
+def points(degree: int) -> tuple[Array, Array]:
+    """Gauss points on [−1, 1] and weights, exact for polynomials up to ``degree``."""
+    return legendre.leggauss(degree // 2 + 1)

@@ -1,0 +1,1 @@
+"""The stepped Timoshenko rotor without discretisation: a truth to measure elements against."""

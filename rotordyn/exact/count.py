@@ -1,0 +1,103 @@
+"""How many modes lie below a frequency: proven, after Wittrick and Williams.
+
+For real ω the dynamic stiffness of a rotor without damping on symmetric isotropic supports is real
+and symmetric; every mode of one whirl direction below ω makes one of its eigenvalues negative,
+since each curve xᵀ(K + ωΩ P − ω² M)x has exactly one positive root. Pieces too short to vibrate
+by themselves add none. (Wittrick & Williams, Q. J. Mech. Appl. Math. 24 (1971) 263.)
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.errors import InvalidInput
+from rotordyn.exact.poles import exact_mode
+from rotordyn.exact.rotor import ExactRotor
+from rotordyn.exact.segment import transfer
+
+Array = NDArray[np.float64]
+FIRST = 10.0  # rad/s, where the search for a frequency with enough modes below begins
+APART = 1e-7  # relative width to which a mode is enclosed before it is refined
+
+
+def modes_below(rotor: ExactRotor, omega: float) -> int:
+    """Modes between 0 and ``omega`` [rad/s]; a negative ``omega`` counts backward whirl.
+
+    Raises
+    ------
+    InvalidInput : damping, supports that tell directions apart, or an unsymmetric stiffness
+    """
+    _require_symmetry(rotor)
+    fine = rotor.up_to(omega)
+    pieces = _piece_stiffness(fine, omega)
+    nodes = fine.terms.at(omega, fine.spin).real.copy()
+    nodes[:-1] += pieces[:, :2, :2]
+    nodes[1:] += pieces[:, 2:, 2:]
+    negative, pivot = 0, nodes[0]
+    for k, across in enumerate(pieces[:, :2, 2:]):
+        negative += _negative(pivot)
+        pivot = nodes[k + 1] - across.T @ np.linalg.solve(pivot, across)
+    return negative + _negative(pivot)
+
+
+def whirl_frequencies(rotor: ExactRotor, number: int, direction: int = 1) -> Array:
+    """The ``number`` lowest frequencies of whirl [rad/s], each proven to be the n-th, ascending.
+
+    ``direction`` +1 forward, −1 backward. Rigid motions at rest frequency zero are left out.
+    """
+    free = modes_below(rotor, direction * FIRST * 1e-3)
+    highest = FIRST
+    while modes_below(rotor, direction * highest) < free + number:
+        highest *= 2.0
+    fine = rotor.up_to(highest)
+    found = []
+    low = FIRST * 1e-3
+    for order in range(free, free + number):
+        low, high = _enclosed(fine, order, low, highest, direction)
+        found.append(_refined(fine, 0.5 * direction * (low + high)))
+    return np.array(found)
+
+
+def _enclosed(
+    rotor: ExactRotor, order: int, low: float, high: float, direction: int
+) -> tuple[float, float]:
+    """An interval of relative width ``APART`` whose lower end has ``order`` modes below it."""
+    while high - low > APART * high:
+        middle = np.sqrt(low * high) if high > 2.0 * low else 0.5 * (low + high)
+        if modes_below(rotor, direction * middle) > order:
+            high = middle
+        else:
+            low = middle
+    return low, high
+
+
+def _refined(rotor: ExactRotor, omega: float) -> float:
+    """The mode within the interval around ``omega``, or its middle where two all but coincide."""
+    close = abs(exact_mode(rotor, omega).omega.real)
+    return close if abs(close / abs(omega) - 1.0) < 2.0 * APART else abs(omega)
+
+
+def _piece_stiffness(rotor: ExactRotor, omega: float) -> Array:
+    """Dynamic stiffness of every piece (pieces, 4, 4) over (r, φ) of both ends."""
+    t = transfer(rotor.segments, omega, rotor.spin)
+    back = np.linalg.inv(t[:, :2, 2:])
+    whole = np.empty_like(t)
+    whole[:, :2, :2] = back @ t[:, :2, :2]
+    whole[:, :2, 2:] = -back
+    whole[:, 2:, 2:] = t[:, 2:, 2:] @ back
+    whole[:, 2:, :2] = -np.swapaxes(back, -1, -2)
+    return np.asarray(whole + np.swapaxes(whole, -1, -2)) / 2.0
+
+
+def _negative(block: Array) -> int:
+    return int((np.linalg.eigvalsh(block) < 0.0).sum())
+
+
+def _require_symmetry(rotor: ExactRotor) -> None:
+    terms = rotor.terms
+    if rotor.planes == 2 or terms.damping.any():
+        raise InvalidInput("modes can be counted only without damping, on isotropic supports")
+    gap = np.abs(terms.stiffness - np.swapaxes(terms.stiffness, -1, -2).conj()).max()
+    if gap > 1e-9 * np.abs(terms.stiffness).max(initial=0.0) or np.any(terms.stiffness.imag):
+        raise InvalidInput("modes can be counted only where every stiffness is symmetric")
