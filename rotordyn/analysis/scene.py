@@ -18,10 +18,12 @@ from rotordyn.analysis.specs import Conditions
 from rotordyn.errors import NoSolution
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import coupled_motions
 from rotordyn.numerics.modes import Modes, modes, residual
 from rotordyn.preload.growth import released_fits
 from rotordyn.preload.network import Law
 from rotordyn.preload.state import PreloadState, dynamic_preload
+from rotordyn.system.coupled import CoupledSystem, coupled_system
 from rotordyn.system.lateral import LateralSystem, lateral_system
 from rotordyn.system.lateral_rotor import LateralRotor, lateral_rotor
 from rotordyn.system.longitudinal import RodSystem, axial_system, torsion_system
@@ -102,10 +104,12 @@ class Scene:
             reached["preload: unbalanced axial force over largest force"] = float(
                 np.nanmax(state.net.error[state.usable], initial=0.0)
             )
-        if "bending_modes" in self.solved:
-            reached["bending modes: residual of the eigenpairs"] = residual(
-                self.bending_modes, self.bending.stiffness, self.bending.damping
-            )
+        for motion in ("bending", "coupled"):
+            if f"{motion}_modes" in self.solved:
+                found: Modes = self.solved[f"{motion}_modes"]
+                reached[f"{motion} modes: residual of the eigenpairs"] = residual(
+                    found, found.stiffness, found.damping
+                )
         return reached
 
     @property
@@ -254,3 +258,29 @@ class Scene:
     def torsion_modes(self) -> Modes:
         """All eigenvalues of the torsion system, the same at every speed."""
         return modes(self.torsion.stiffness, self.torsion.damping)
+
+    @property
+    def coupled_motions(self) -> frozenset[str]:
+        """Those of bending, axial motion and torsion that supports couple to another one."""
+        return coupled_motions(self.spindle.supports)
+
+    @stage
+    def coupled(self) -> CoupledSystem:
+        """The motions that supports couple, in one system."""
+        own: dict[str, Callable[[], LateralSystem | RodSystem]] = {
+            "bending": lambda: self.bending.in_planes,
+            "axial": lambda: self.axial,
+            "torsion": lambda: self.torsion,
+        }
+        parts = {name: part() for name, part in own.items() if name in self.coupled_motions}
+        return coupled_system(self.spindle, self.mesh, parts)
+
+    @stage
+    def coupled_modes(self) -> Modes:
+        """All eigenvalues of the coupled system."""
+        return modes(self.coupled.stiffness, self.coupled.damping)
+
+    def vibration(self, motion: str) -> tuple[LateralSystem | RodSystem | CoupledSystem, Modes]:
+        """The system that ``motion`` is part of, and its modes."""
+        name = "coupled" if motion in self.coupled_motions else motion
+        return getattr(self, name), getattr(self, f"{name}_modes")

@@ -3,11 +3,22 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field
 
 from bearings.angular_contact import AngularContactBallBearing
 from rotordyn.machine.growth import RingGrowth
+
+# The motions that a straight rotor keeps apart, by the freedoms of its nodes.
+MOTIONS = {
+    "x": "axial",
+    "y": "bending",
+    "z": "bending",
+    "thx": "torsion",
+    "thy": "bending",
+    "thz": "bending",
+}
+Entries = Mapping[tuple[str, str], float]
 
 
 @dataclass(frozen=True, slots=True)
@@ -57,12 +68,33 @@ class Sleeve:
 class LinearSupport:
     """Constant stiffness and damping to ground at station ``x``.
 
-    ``stiffness`` [N/m, N/rad …] and ``damping`` map a pair of node freedoms, such as
-    ``("y", "y")`` or ``("y", "thz")``, to the entry of the 6×6 matrix; freedoms are
+    ``stiffness`` [N/m, N/rad …] and ``damping`` map a pair of node freedoms (load, displacement),
+    such as ``("y", "y")`` or ``("y", "thz")``, to the entry of the 6×6 matrix; freedoms are
     x, y, z, thx, thy, thz. Entries not named are zero; nothing is symmetrised.
     """
 
     name: str
     x: float
-    stiffness: Mapping[tuple[str, str], float]
-    damping: Mapping[tuple[str, str], float] = field(default_factory=dict)
+    stiffness: Entries
+    damping: Entries = field(default_factory=dict)
+
+    @property
+    def sideways(self) -> tuple[tuple[str, str], ...]:
+        """Entries of ``stiffness`` that turn a displacement along x into other loads."""
+        return tuple(
+            (row, column)
+            for (row, column), value in self.stiffness.items()
+            if column == "x" and row != "x" and abs(value) > 0.0
+        )
+
+
+def coupled_motions(supports: Iterable[LinearSupport]) -> frozenset[str]:
+    """Those of ``"bending"``, ``"axial"`` and ``"torsion"`` that supports couple to another one."""
+    pairs = (
+        (MOTIONS[row], MOTIONS[column])
+        for support in supports
+        for entries in (support.stiffness, support.damping)
+        for (row, column), value in entries.items()
+        if value != 0.0
+    )
+    return frozenset(motion for pair in pairs if pair[0] != pair[1] for motion in pair)
