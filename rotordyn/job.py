@@ -140,7 +140,7 @@ def _write_record(
     folder: Path,
 ) -> None:
     from rotordyn.report.manifest import RunRecord, outcomes, write_record
-    from rotordyn.report.summary import pressure_warnings
+    from rotordyn.report.warnings import result_warnings
 
     known = SPINDLE_ANALYSES if case.spindle is not None else BEARING_ANALYSES
     unasked = {name: "the case does not ask for it" for name in known if name not in case.analyses}
@@ -155,6 +155,6 @@ def _write_record(
         stages={**seconds, **answers.seconds},
         figures=drawn,
         skipped={**unasked, **answers.skipped},
-        warnings=(*answers.warnings, *pressure_warnings(answers.results)),
+        warnings=(*answers.warnings, *result_warnings(answers.results)),
     )
     write_record(folder, record)

@@ -129,10 +129,10 @@ def _coupled(scene: Scene, spec: CampbellSpec) -> list[Branch]:
 def _followed(kind: str, found: Modes, spec: CampbellSpec, side: float) -> list[Branch]:
     """Branches of the modes that turn with e^(i·side·ω t), ω > 0."""
     ceiling = 2.0 * math.pi * MARGIN * spec.max_frequency
-    floor = 2.0 * math.pi * LOWEST
     chosen = []
-    for pole in found.pole:
+    for pole, noise in zip(found.pole, found.noise, strict=True):
         turning = side * pole.imag
+        floor = max(2.0 * math.pi * LOWEST, float(noise))
         keep = (turning > np.maximum(OSCILLATING * np.abs(pole), floor)) & (turning < ceiling)
         columns = np.flatnonzero(keep)
         chosen.append(columns[np.argsort(turning[columns])])

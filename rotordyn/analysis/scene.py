@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM
 from rotordyn.analysis.specs import Conditions
+from rotordyn.analysis.stability import instability
 from rotordyn.errors import NoSolution
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
@@ -115,11 +116,13 @@ class Scene:
     @property
     def warnings(self) -> tuple[str, ...]:
         """What a designer should know about the machine at these speeds."""
-        return tuple(
+        found = [value for value in self.solved.values() if isinstance(value, Modes)]
+        fits = (
             f"bearing {name}: the fit of its inner ring lets go at "
             f"{speed * RPM.factor:.0f} rpm; raise its interference"
             for name, speed in released_fits(self.spindle, float(self.bearing_speed.max()))
         )
+        return (*fits, *(instability(found, self.speed[self.usable]) if found else ()))
 
     @property
     def law(self) -> Law:

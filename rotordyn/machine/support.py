@@ -21,6 +21,11 @@ MOTIONS = {
 Entries = Mapping[tuple[str, str], float]
 
 
+def entry_name(row: str, column: str) -> str:
+    """An entry of a 6×6 matrix as files write it: ``yy``, ``y_thz``."""
+    return row + column if len(row) == len(column) == 1 else f"{row}_{column}"
+
+
 @dataclass(frozen=True, slots=True)
 class BearingSeat:
     """An angular-contact bearing at station ``x`` [m].
@@ -81,11 +86,17 @@ class LinearSupport:
     @property
     def sideways(self) -> tuple[tuple[str, str], ...]:
         """Entries of ``stiffness`` that turn a displacement along x into other loads."""
-        return tuple(
-            (row, column)
-            for (row, column), value in self.stiffness.items()
-            if column == "x" and row != "x" and abs(value) > 0.0
-        )
+        return tuple(pair for pair in self._stiff if pair[1] == "x" and pair[0] != "x")
+
+    @property
+    def out_of_plane(self) -> tuple[tuple[str, str], ...]:
+        """Entries of ``stiffness`` that couple plane y, the axis and all else to one another."""
+        part = {"y": "plane", "thz": "plane", "x": "axis"}
+        return tuple(pair for pair in self._stiff if part.get(pair[0]) != part.get(pair[1]))
+
+    @property
+    def _stiff(self) -> tuple[tuple[str, str], ...]:
+        return tuple(pair for pair, value in self.stiffness.items() if abs(value) > 0.0)
 
 
 def coupled_motions(supports: Iterable[LinearSupport]) -> frozenset[str]:

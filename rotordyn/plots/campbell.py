@@ -18,6 +18,7 @@ from rotordyn.plots.style import (
     FONT_SIZE,
     GREEN,
     GREY,
+    ORANGE,
     PURPLE,
     RED,
     add_axes,
@@ -57,6 +58,7 @@ def campbell_figure(
     speed_ticks(axes, float(rpm[-1]))
     axes.set_ylim(0.0, top)
     draw_modes(axes, result)
+    _unstable(axes, result)
     excitation = _excitation(axes, (1, *teeth), float(rpm[-1]), top)
     _criticals(axes, result)
     for reference in known:
@@ -124,6 +126,17 @@ def draw_modes(axes: Axes, result: CampbellResult, colour: str = "") -> None:
                 zorder=4,
             )
             axes.add_collection(lines, autolim=False)
+
+
+def _unstable(axes: Axes, result: CampbellResult) -> None:
+    """A broad band behind every mode where it grows by itself."""
+    if not result.unstable.any():
+        return
+    rpm = np.broadcast_to((result.speed * RPM.factor)[:, None], result.frequency.shape)
+    growing = np.where(result.unstable, result.frequency, np.nan)
+    look: dict[str, Any] = dict(color=ORANGE, alpha=0.5, lw=6.0, solid_capstyle="round", zorder=3)
+    lines = axes.plot(rpm, growing, marker="o", ms=6.0, mec="none", **look)
+    lines[0].set_label("unstable")
 
 
 def _look(kind: str, whirl: float) -> str:

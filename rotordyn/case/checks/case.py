@@ -13,16 +13,13 @@ from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
 from rotordyn.case.schema.analyses import FrfEntry, StiffnessEntry
 from rotordyn.case.schema.case import CaseEntry
-from rotordyn.case.schema.matrix import entry_name
 from rotordyn.case.schema.shaft import ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
-from rotordyn.machine.support import MOTIONS, LinearSupport, coupled_motions
+from rotordyn.machine.support import MOTIONS, LinearSupport, coupled_motions, entry_name
 from rotordyn.units import format_quantity
 
 _NEEDS_BEARINGS = ("preload", "stiffness")
 MOST_ELEMENTS = 1000
-# What the radial stiffness solves: plane y (1) and the axis (2), nothing else (0).
-SOLVED = {"y": 1, "thz": 1, "x": 2}
 
 
 def machine_named(root: Node, faults: Faults) -> None:
@@ -139,11 +136,7 @@ _SPOKEN = {"axial": "axial motion"}
 def _one_plane(supports: list[LinearSupport], root: Node, faults: Faults) -> None:
     """The radial stiffness is solved in plane y: no support may couple it to other motions."""
     for held in supports:
-        across = [
-            entry_name(*ends)
-            for ends, value in held.stiffness.items()
-            if abs(value) > 0.0 and SOLVED.get(ends[0], 0) != SOLVED.get(ends[1], 0)
-        ]
+        across = [entry_name(*ends) for ends in held.out_of_plane]
         if across:
             faults.at_key(
                 root,

@@ -22,16 +22,12 @@ from rotordyn.analysis.specs import DIRECTIONS as FREEDOMS
 from rotordyn.case.node import UNKNOWN
 from rotordyn.case.schema.base import Entry
 from rotordyn.case.schema.values import Reader, given, quantity, wrong
+from rotordyn.machine.support import entry_name
 
 _UNITS = {"stiffness": ("N/m", "N/rad", "N m/rad"), "damping": ("N s/m", "N s/rad", "N m s/rad")}
 _BOUND = {"stiffness": "1e13", "damping": "1e10"}
 _KNOWN = set(FREEDOMS)
 _WHOLE = ("freedoms", "matrix")
-
-
-def entry_name(row: str, column: str) -> str:
-    """Key of a matrix entry: ``yy``, ``y_thz``."""
-    return row + column if len(row) == len(column) == 1 else f"{row}_{column}"
 
 
 ENTRIES = {entry_name(r, c): (r, c) for r, c in product(FREEDOMS, FREEDOMS)}

@@ -56,6 +56,21 @@ def test_pressure_warning_comes_first(case, results):
     assert "from 12000 rpm on" in first
 
 
+def test_instability_is_named(case, results):
+    ratio = results["campbell"].damping_ratio.copy()
+    ratio[3:, 1] = -0.01
+    ratio[4, 1] = -0.034
+    wild = results | {"campbell": replace(results["campbell"], damping_ratio=ratio)}
+    text = " ".join(summary(case, wild, ["first of all"]).split())
+    name = results["campbell"].mode[1]
+    assert text.startswith("WARNING: first of all")
+    assert (
+        f"WARNING: {name} is unstable at {results['campbell'].speed[3] * 30 / np.pi:.0f} rpm and"
+        in text
+    )
+    assert "more of the speeds (damping ratio down to -3.4 %)" in text
+
+
 def test_many_references_do_not_overflow(case, results):
     many = tuple(
         Reference("preload_sum", "measured", f"source {k}", (0.0,), (1000.0 + k,), remark="x" * 150)
@@ -83,5 +98,5 @@ def test_one_speed_and_no_mode_are_said_plainly(case, results):
     line = next(x for x in summary(case, {"campbell": one}).splitlines() if x.startswith("modes"))
     assert "→" not in line
     assert "24000 rpm: " in line
-    bare = replace(campbell, mode=(), kind=())
+    bare = replace(campbell, mode=(), kind=(), damping_ratio=campbell.damping_ratio[:, :0])
     assert "none in the band asked for" in summary(case, {"campbell": bare})
