@@ -1,7 +1,7 @@
 """Damped eigenfrequencies over speed, each mode followed by its shape.
 
 A mode of motions that supports couple is named after the one with the largest share of its kinetic
-energy at the first speed.
+energy, on the mean of all speeds: of two modes that veer, what each is over most of the range.
 """
 
 from __future__ import annotations
@@ -114,10 +114,9 @@ def _coupled(scene: Scene, spec: CampbellSpec) -> list[Branch]:
         return []
     branches, places = [], scene.coupled.places
     for branch in _followed("", scene.coupled_modes, spec, +1.0):
-        energy = {
-            motion: (np.abs(branch.vector[branch.born, own]) ** 2).sum()
-            for motion, own in places.items()
-        }
+        squares = np.abs(branch.vector[branch.column >= 0]) ** 2
+        squares = squares / squares.sum(axis=1, keepdims=True)
+        energy = {motion: squares[:, own].sum() for motion, own in places.items()}
         kind = max(energy, key=lambda motion: float(energy[motion]))
         whirl = branch.whirl
         if kind == "bending":

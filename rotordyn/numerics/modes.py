@@ -42,8 +42,8 @@ class Modes:
     @property
     def growing(self) -> NDArray[np.bool_]:
         """Poles of motions that grow by themselves (…, 2n)."""
-        least = np.maximum(self.noise[..., None], NEUTRAL * np.abs(self.pole))
-        return np.asarray(self.pole.real > least)
+        size = np.abs(self.pole)
+        return np.asarray((self.pole.real > NEUTRAL * size) & (size > self.noise[..., None]))
 
     def receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
         """Receptance at i·``omega`` (f,) of paired rows: (…, pairs, f).

@@ -18,7 +18,6 @@ from rotordyn.plots.style import (
     FONT_SIZE,
     GREEN,
     GREY,
-    ORANGE,
     PURPLE,
     RED,
     add_axes,
@@ -38,6 +37,7 @@ LOOKS: dict[str, tuple[str, Any, str]] = {
     "axial": (GREEN, (0, (6, 2, 1, 2)), "axial"),
     "torsion": (PURPLE, (0, (6, 2, 1, 2, 1, 2)), "torsion"),
 }
+PALE = "#F6D78A"  # behind the lines
 Segments = dict[str, list[NDArray[np.float64]]]
 
 
@@ -134,7 +134,7 @@ def _unstable(axes: Axes, result: CampbellResult) -> None:
         return
     rpm = np.broadcast_to((result.speed * RPM.factor)[:, None], result.frequency.shape)
     growing = np.where(result.unstable, result.frequency, np.nan)
-    look: dict[str, Any] = dict(color=ORANGE, alpha=0.5, lw=6.0, solid_capstyle="round", zorder=3)
+    look: dict[str, Any] = dict(color=PALE, lw=6.0, solid_capstyle="round", zorder=3)
     lines = axes.plot(rpm, growing, marker="o", ms=6.0, mec="none", **look)
     lines[0].set_label("unstable")
 

@@ -21,7 +21,7 @@ from rotordyn.system.dofs import ALL
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.matrices import definite, definites, held, turn_about_axis
 from tests.oracles.rotors import STEPPED, support
-from tests.oracles.spindles import RPM, mfw2310, pairs, scene, with_springs
+from tests.oracles.spindles import RPM, case, mfw2310, pairs, scene, with_springs
 
 HIGHEST = 2000.0
 EVERY = tuple(f"nose.{a}/tip.{b}" for a, b in product(FREEDOMS, FREEDOMS))
@@ -250,3 +250,23 @@ def test_rigid_rotation_along_a_screw_is_no_vibration() -> None:
     assert sorted(answer.kind).count("bending") == 4
     assert len(answer.mode) == 5
     assert found.warnings == ()
+
+
+def test_veering_modes_are_named_after_what_they_mostly_are() -> None:
+    """Friswell's rotor, its torsion held near a bending pair: torsion does not depend on speed."""
+    first, second = case("friswell_cross_coupled").spindle.supports
+    even = {("y", "y"): 1e6, ("z", "z"): 1e6}
+    twist = {("y", "thx"): 3e4, ("thx", "y"): 3e4, ("thx", "thx"): 5e4}
+    supports = (
+        replace(first, stiffness={**even, **twist}),
+        replace(second, stiffness=even),
+    )
+    rotor = replace(case("friswell_cross_coupled").spindle, supports=supports)
+    for step in (100, 400):
+        speed = np.arange(0, 4001, step) * RPM
+        found = campbell.answer(Scene(rotor, Conditions(), speed, 150.0), CampbellSpec(150.0))
+        line = dict(zip(found.mode, found.frequency.T, strict=True))
+        assert np.ptp(line["torsion 2"]) < 2.5
+        assert np.ptp(line["bending 5"]) > 15.0
+        assert found.whirl[-1, found.mode.index("bending 5")] == -1.0
+        assert (found.whirl[:, found.mode.index("torsion 2")] == 0.0).all()
