@@ -135,6 +135,7 @@ def test_reference_of_keys_leaves_no_entry_out() -> None:
         bearing,
         case,
         material,
+        matrix,
         reference,
         shaft,
         spindle,
@@ -143,14 +144,14 @@ def test_reference_of_keys_leaves_no_entry_out() -> None:
     )
     from rotordyn.case.schema.base import Entry
 
-    modules = (analyses, bearing, case, material, reference, shaft, spindle, support, sweep)
+    modules = (analyses, bearing, case, material, matrix, reference, shaft, spindle, support, sweep)
     declared = {
         value
         for module in modules
         for value in vars(module).values()
         if isinstance(value, type) and issubclass(value, Entry) and value is not Entry
     }
-    matrices = {support.StiffnessMatrixEntry, support.DampingMatrixEntry}
+    matrices = {matrix.StiffnessMatrixEntry, matrix.DampingMatrixEntry}
     assert set(entries()) == declared - matrices
     assert "interference" in keys(support.FitEntry)
 

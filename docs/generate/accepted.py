@@ -94,7 +94,14 @@ def _read_by(reader: PlainValidator, annotation: Any) -> str:
         return "`POINT.DIRECTION`"
     refusal = _message(reader, True)
     allowed = refusal.partition("allowed: ")[2]
-    plain = {"not a name": "name", "not text": "text", "not a whole": f"whole number, {allowed}"}
+    if annotation == list[list[float]]:
+        return "list of rows, each a list of quantities"
+    plain = {
+        "not freedoms": f"list: {allowed}",
+        "not a name": "name",
+        "not text": "text",
+        "not a whole": f"whole number, {allowed}",
+    }
     for start, words in plain.items():
         if refusal.startswith(start):
             return words

@@ -20,6 +20,7 @@ PAGES = {
         "spindle.SpindleEntry shaft.ShaftEntry shaft.SectionEntry shaft.MassEntry shaft.DiscEntry "
         "support.SeatEntry support.GrowthEntry support.QuadraticEntry support.FitEntry "
         "support.ShorteningEntry support.SleeveEntry support.SpringEntry support.SupportEntry "
+        "matrix.WholeStiffnessEntry matrix.WholeDampingEntry "
         "spindle.DampingEntry support.BearingDampingEntry"
     ),
     "tool": "shaft.ToolEntry",

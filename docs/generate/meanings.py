@@ -167,8 +167,16 @@ MEANINGS: dict[str, dict[str, str]] = {
     "support": {
         "name": "of the support",
         "x": "station",
-        "stiffness": "entries of its 6×6 matrix",
-        "damping": "entries of its 6×6 matrix",
+        "stiffness": "of its node against ground, 6×6",
+        "damping": "of its node against ground, 6×6",
+    },
+    "whole stiffness": {
+        "freedoms": "what rows (loads) and columns (displacements) belong to",
+        "matrix": "N/m, N/rad or N m/rad as the freedoms require; a bare 0 needs no unit",
+    },
+    "whole damping": {
+        "freedoms": "what rows (loads) and columns (velocities) belong to",
+        "matrix": "N s/m, N s/rad or N m s/rad as the freedoms require; a bare 0 needs no unit",
     },
     "damping": {
         "bearings": "of bearings that give none themselves",

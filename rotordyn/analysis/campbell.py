@@ -1,22 +1,27 @@
-"""Damped eigenfrequencies over speed, each mode followed by its shape."""
+"""Damped eigenfrequencies over speed, each mode followed by its shape.
+
+A mode of motions that supports couple is named after the one with the largest share of its kinetic
+energy, on the mean of all speeds: of two modes that veer, what each is over most of the range.
+"""
 
 from __future__ import annotations
 
 import dataclasses
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.results import CampbellResult
 from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.shapes import bending_shape, rod_shape, scaled
+from rotordyn.analysis.shapes import both_planes, scaled
 from rotordyn.analysis.specs import CampbellSpec
 from rotordyn.elements.node import FREEDOMS
 from rotordyn.numerics.crossing import zero_crossings
 from rotordyn.numerics.follow import follow
 from rotordyn.numerics.modes import Modes
+from rotordyn.system.lateral import LateralSystem
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -27,12 +32,16 @@ MARGIN = 1.5  # modes up to this multiple of the highest frequency are followed
 
 @dataclass(frozen=True, slots=True)
 class Branch:
-    """One mode over the usable speeds: ``pole``, ``whirl``, column in the modes (−1: lost)."""
+    """One mode over the usable speeds: ``pole``, ``whirl``, column in the modes (−1: lost).
+
+    ``vector`` (speeds, n): its displacements in the coordinates of its system.
+    """
 
     kind: str
     pole: Complex
     whirl: Array
     column: NDArray[np.intp]
+    vector: Complex
 
     @property
     def frequency(self) -> Array:
@@ -47,7 +56,10 @@ class Branch:
 
 def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     """Bending, axial and torsion modes up to ``spec.max_frequency``."""
-    branches = [*_bending(scene, spec), *_axial(scene, spec), *_torsion(scene, spec)]
+    branches = _coupled(scene, spec)
+    for motion, alone in (("bending", _bending), ("axial", _axial), ("torsion", _torsion)):
+        if motion not in scene.coupled_motions:
+            branches += alone(scene, spec)
     branches = [b for b in branches if np.nanmin(b.frequency) <= spec.max_frequency]
     branches.sort(key=_place)
     names = _names(branches)
@@ -77,11 +89,9 @@ def _bending(scene: Scene, spec: CampbellSpec) -> list[Branch]:
     found = scene.bending_modes
     if not scene.bending.isotropic:
         branches = _followed("bending", found, spec, +1.0)
-        return [
-            Branch(b.kind, b.pole, _whirl_of_planes(found, b.column), b.column) for b in branches
-        ]
+        return [replace(b, whirl=_whirl_of_planes(b.vector, b.column)) for b in branches]
     return [
-        Branch(b.kind, b.pole, np.where(b.column < 0, np.nan, side), b.column)
+        replace(b, whirl=np.where(b.column < 0, np.nan, side))
         for side in (-1.0, +1.0)
         for b in _followed("bending", found, spec, side)
     ]
@@ -98,13 +108,30 @@ def _torsion(scene: Scene, spec: CampbellSpec) -> list[Branch]:
     return _followed("torsion", every, spec, +1.0)
 
 
+def _coupled(scene: Scene, spec: CampbellSpec) -> list[Branch]:
+    """The modes of the motions that supports couple."""
+    if not scene.coupled_motions:
+        return []
+    branches, places = [], scene.coupled.places
+    for branch in _followed("", scene.coupled_modes, spec, +1.0):
+        squares = np.abs(branch.vector[branch.column >= 0]) ** 2
+        squares = squares / squares.sum(axis=1, keepdims=True)
+        energy = {motion: squares[:, own].sum() for motion, own in places.items()}
+        kind = max(energy, key=lambda motion: float(energy[motion]))
+        whirl = branch.whirl
+        if kind == "bending":
+            whirl = _whirl_of_planes(branch.vector[:, places[kind]], branch.column)
+        branches.append(replace(branch, kind=kind, whirl=whirl))
+    return branches
+
+
 def _followed(kind: str, found: Modes, spec: CampbellSpec, side: float) -> list[Branch]:
     """Branches of the modes that turn with e^(i·side·ω t), ω > 0."""
     ceiling = 2.0 * math.pi * MARGIN * spec.max_frequency
-    floor = 2.0 * math.pi * LOWEST
     chosen = []
-    for pole in found.pole:
+    for pole, noise in zip(found.pole, found.noise, strict=True):
         turning = side * pole.imag
+        floor = max(2.0 * math.pi * LOWEST, float(noise))
         keep = (turning > np.maximum(OSCILLATING * np.abs(pole), floor)) & (turning < ceiling)
         columns = np.flatnonzero(keep)
         chosen.append(columns[np.argsort(turning[columns])])
@@ -118,13 +145,13 @@ def _followed(kind: str, found: Modes, spec: CampbellSpec, side: float) -> list[
         )
         pole = found.pole[np.arange(len(column)), column]
         pole = np.where(column >= 0, pole, complex(np.nan, np.nan))
-        branches.append(Branch(kind, pole, np.where(column < 0, np.nan, 0.0), column))
+        vector = found.vector[np.arange(len(column)), :, column]
+        branches.append(Branch(kind, pole, np.where(column < 0, np.nan, 0.0), column, vector))
     return branches
 
 
-def _whirl_of_planes(found: Modes, column: NDArray[np.intp]) -> Array:
+def _whirl_of_planes(vector: Complex, column: NDArray[np.intp]) -> Array:
     """+1 forward, −1 backward, 0 planar: which circular part of y, z dominates."""
-    vector = found.vector[np.arange(len(column)), :, column]
     y, z = np.split(vector, 2, axis=1)
     forward, backward = np.abs(y + 1j * z), np.abs(y - 1j * z)
     difference = (forward**2 - backward**2).sum(axis=1)
@@ -157,10 +184,9 @@ def _criticals(
 ) -> list[tuple[str, float]]:
     """Speeds where a bending mode that unbalance can excite meets the 1× line, ascending."""
     found = []
+    even = "bending" not in scene.coupled_motions and scene.bending.isotropic
     for branch, name in zip(branches, names, strict=True):
-        excited = branch.kind == "bending" and not (
-            scene.bending.isotropic and branch.whirl[branch.born] < 0
-        )
+        excited = branch.kind == "bending" and not (even and branch.whirl[branch.born] < 0)
         if excited:
             turning = scene.scattered(np.abs(branch.pole.imag))
             crossings = zero_crossings(scene.speed, turning - scene.speed)
@@ -175,14 +201,8 @@ def _shapes(scene: Scene, branches: list[Branch], ends: list[int]) -> Complex:
         for k, branch in enumerate(branches):
             if branch.column[row] < 0:
                 continue
-            if branch.kind == "bending":
-                vector = scene.bending_modes.vector[row][:, branch.column[row]]
-                shape = bending_shape(scene.bending, vector, branch.pole[row].imag)
-            elif branch.kind == "axial":
-                vector = scene.axial_modes.vector[row][:, branch.column[row]]
-                shape = rod_shape(scene.axial, vector, "x")
-            else:
-                vector = scene.torsion_modes.vector[0][:, branch.column[row]]
-                shape = rod_shape(scene.torsion, vector, "thx")
-            shapes[place, k] = scaled(shape)
+            system, vector = scene.vibration(branch.kind)[0], branch.vector[row]
+            if isinstance(system, LateralSystem) and system.isotropic:
+                vector = both_planes(vector, branch.pole[row].imag)
+            shapes[place, k] = scaled(system.motion @ vector, branch.kind)
     return shapes

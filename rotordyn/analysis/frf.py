@@ -10,25 +10,30 @@ from numpy.typing import NDArray
 from rotordyn.analysis.results import FrfResult
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import FrfSpec, Port
+from rotordyn.elements.node import FREEDOMS
+from rotordyn.machine.support import MOTIONS
+from rotordyn.numerics.modes import Modes
+from rotordyn.system.lateral import LateralSystem
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-LATERAL = ("y", "z", "thy", "thz")
 
 
 def answer(scene: Scene, spec: FrfSpec) -> FrfResult:
-    """H (speeds, pairs, frequencies): response per unit force or moment, bearing speed included."""
+    """H (speeds, pairs, frequencies): response per unit force or moment, bearing speed included.
+
+    Between motions that nothing couples it is zero.
+    """
     frequency = np.array(spec.frequencies)
     values = np.zeros((len(scene.usable), len(spec.pairs), len(frequency)), dtype=complex)
-    lateral = [k for k, pair in enumerate(spec.pairs) if all(p.direction in LATERAL for p in pair)]
-    if lateral:
-        values[:, lateral] = _lateral(scene, [spec.pairs[k] for k in lateral], frequency)
-    for direction in ("x", "thx"):
-        along = [
-            k for k, pair in enumerate(spec.pairs) if all(p.direction == direction for p in pair)
+    for group in _groups(scene):
+        own = [
+            k
+            for k, pair in enumerate(spec.pairs)
+            if all(MOTIONS[port.direction] in group for port in pair)
         ]
-        if along:
-            values[:, along] = _rod(scene, [spec.pairs[k] for k in along], direction, frequency)
+        if own:
+            values[:, own] = _within(scene, group, [spec.pairs[k] for k in own], frequency)
     ends = scene.speed[scene.usable[[0, -1]]]
     slices = {int(np.abs(scene.speed - wanted).argmin()) for wanted in spec.slices or ends}
     return FrfResult(
@@ -41,21 +46,48 @@ def answer(scene: Scene, spec: FrfSpec) -> FrfResult:
     )
 
 
-def _lateral(scene: Scene, pairs: list[tuple[Port, Port]], frequency: Array) -> Complex:
-    """Receptance of lateral pairs (speeds, pairs, frequencies).
+def _groups(scene: Scene) -> list[frozenset[str]]:
+    """Motions that answer one another's forces."""
+    coupled = scene.coupled_motions
+    alone = [frozenset({m}) for m in ("bending", "axial", "torsion") if m not in coupled]
+    return [coupled, *alone] if coupled else alone
 
-    In the complex form a force in one plane turns both ways: with H± the answers at ±ω,
-    yy and zz are (H₊ + conj H₋)/2, zy is −i (H₊ − conj H₋)/2 and yz its opposite.
-    """
-    system = scene.bending
-    rows = [[system.row(_node(scene, p), p.direction) for p in pair] for pair in pairs]
+
+def _within(
+    scene: Scene, group: frozenset[str], pairs: list[tuple[Port, Port]], frequency: Array
+) -> Complex:
+    """Receptance of pairs whose motions are of one group (speeds, pairs, frequencies)."""
+    system, found = scene.vibration(min(group))
+    rows = [[_row(scene, system.motion, port) for port in pair] for pair in pairs]
     response, excitation = np.array(rows).swapaxes(0, 1)
     omega = 2.0 * math.pi * frequency
-    if not system.isotropic:
-        return scene.bending_modes.receptance(omega, response, excitation)
+    if isinstance(system, LateralSystem) and system.isotropic:
+        return _whirling(system, found, omega, pairs, response, excitation)
+    return found.receptance(omega, response, excitation)  # one speed serves all in torsion
+
+
+def _row(scene: Scene, motion: Array, port: Port) -> Array:
+    """A port's displacement by the coordinates."""
+    node = scene.mesh.node_of(scene.spindle.points[port.point])
+    return np.asarray(motion[node, FREEDOMS.index(port.direction)])
+
+
+def _whirling(
+    system: LateralSystem,
+    found: Modes,
+    omega: Array,
+    pairs: list[tuple[Port, Port]],
+    response: Array,
+    excitation: Array,
+) -> Complex:
+    """Receptance in the complex form, where a force in one plane turns both ways.
+
+    With H± the answers at ±ω, yy and zz are (H₊ + conj H₋)/2, zy is −i (H₊ − conj H₋)/2 and yz
+    its opposite.
+    """
     m = system.rotor.size
     folded = [r[:, :m] + r[:, m:] for r in (response, excitation)]
-    both = scene.bending_modes.receptance(np.concatenate([omega, -omega]), *folded)
+    both = found.receptance(np.concatenate([omega, -omega]), *folded)
     plus, minus = both[..., : len(omega)], both[..., len(omega) :].conj()
     turn = np.array([_quarter_turns(*pair) for pair in pairs])[:, None]
     same, across = 0.5 * (plus + minus), -0.5j * (plus - minus)
@@ -69,18 +101,3 @@ def _quarter_turns(response: Port, excitation: Port) -> int:
     """0 within a plane, +1 from plane y to plane z, −1 back."""
     plane = {"y": 0, "thz": 0, "z": 1, "thy": 1}
     return plane[response.direction] - plane[excitation.direction]
-
-
-def _rod(scene: Scene, pairs: list[tuple[Port, Port]], direction: str, frequency: Array) -> Complex:
-    """Receptance along or about the axis (speeds, pairs, frequencies)."""
-    axial = direction == "x"
-    system = scene.axial if axial else scene.torsion
-    found = scene.axial_modes if axial else scene.torsion_modes
-    rows = [[system.row(_node(scene, p)) for p in pair] for pair in pairs]
-    response, excitation = np.array(rows).swapaxes(0, 1)
-    values = found.receptance(2.0 * math.pi * frequency, response, excitation)
-    return np.broadcast_to(values, (len(scene.usable), *values.shape[1:]))
-
-
-def _node(scene: Scene, port: Port) -> int:
-    return scene.mesh.node_of(scene.spindle.points[port.point])

@@ -18,6 +18,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Flags = NDArray[np.bool_]
 Words = tuple[str, ...]
+ROUNDING = 1e-6  # of a damping ratio
 
 
 @dataclass(frozen=True)
@@ -77,6 +78,11 @@ class CampbellResult:
     kind: Words = quantity("mode", unit="", label="kind")
     shape: Complex = quantity("shape_speed", "mode", "node", "dof", unit="1", label="mode shape")
     critical_speed: Array = quantity("critical", unit="rad/s", label="critical speed, 1× rotation")
+
+    @property
+    def unstable(self) -> Flags:
+        """Where a mode grows by itself (speeds, modes)."""
+        return np.asarray(self.damping_ratio < -ROUNDING)
 
 
 @dataclass(frozen=True)

@@ -15,13 +15,16 @@ from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM
 from rotordyn.analysis.specs import Conditions
+from rotordyn.analysis.stability import instability
 from rotordyn.errors import NoSolution
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import coupled_motions
 from rotordyn.numerics.modes import Modes, modes, residual
 from rotordyn.preload.growth import released_fits
 from rotordyn.preload.network import Law
 from rotordyn.preload.state import PreloadState, dynamic_preload
+from rotordyn.system.coupled import CoupledSystem, coupled_system
 from rotordyn.system.lateral import LateralSystem, lateral_system
 from rotordyn.system.lateral_rotor import LateralRotor, lateral_rotor
 from rotordyn.system.longitudinal import RodSystem, axial_system, torsion_system
@@ -102,20 +105,24 @@ class Scene:
             reached["preload: unbalanced axial force over largest force"] = float(
                 np.nanmax(state.net.error[state.usable], initial=0.0)
             )
-        if "bending_modes" in self.solved:
-            reached["bending modes: residual of the eigenpairs"] = residual(
-                self.bending_modes, self.bending.stiffness, self.bending.damping
-            )
+        for motion in ("bending", "coupled"):
+            if f"{motion}_modes" in self.solved:
+                found: Modes = self.solved[f"{motion}_modes"]
+                reached[f"{motion} modes: residual of the eigenpairs"] = residual(
+                    found, found.stiffness, found.damping
+                )
         return reached
 
     @property
     def warnings(self) -> tuple[str, ...]:
         """What a designer should know about the machine at these speeds."""
-        return tuple(
+        found = [value for value in self.solved.values() if isinstance(value, Modes)]
+        fits = (
             f"bearing {name}: the fit of its inner ring lets go at "
             f"{speed * RPM.factor:.0f} rpm; raise its interference"
             for name, speed in released_fits(self.spindle, float(self.bearing_speed.max()))
         )
+        return (*fits, *(instability(found, self.speed[self.usable]) if found else ()))
 
     @property
     def law(self) -> Law:
@@ -254,3 +261,29 @@ class Scene:
     def torsion_modes(self) -> Modes:
         """All eigenvalues of the torsion system, the same at every speed."""
         return modes(self.torsion.stiffness, self.torsion.damping)
+
+    @property
+    def coupled_motions(self) -> frozenset[str]:
+        """Those of bending, axial motion and torsion that supports couple to another one."""
+        return coupled_motions(self.spindle.supports)
+
+    @stage
+    def coupled(self) -> CoupledSystem:
+        """The motions that supports couple, in one system."""
+        own: dict[str, Callable[[], LateralSystem | RodSystem]] = {
+            "bending": lambda: self.bending.in_planes,
+            "axial": lambda: self.axial,
+            "torsion": lambda: self.torsion,
+        }
+        parts = {name: part() for name, part in own.items() if name in self.coupled_motions}
+        return coupled_system(self.spindle, self.mesh, parts)
+
+    @stage
+    def coupled_modes(self) -> Modes:
+        """All eigenvalues of the coupled system."""
+        return modes(self.coupled.stiffness, self.coupled.damping)
+
+    def vibration(self, motion: str) -> tuple[LateralSystem | RodSystem | CoupledSystem, Modes]:
+        """The system that ``motion`` is part of, and its modes."""
+        name = "coupled" if motion in self.coupled_motions else motion
+        return getattr(self, name), getattr(self, f"{name}_modes")

@@ -17,6 +17,7 @@ from rotordyn.analysis.radial import PLANE, RadialCurve, RadialProblem
 from rotordyn.analysis.results import StiffnessResult
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import StiffnessSpec
+from rotordyn.errors import InvalidInput
 from rotordyn.preload.outcome import LEAST_LOAD
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.system.condensed import CondensedRotor, condensed_rotor
@@ -39,7 +40,18 @@ class Variant:
 
 
 def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
-    """Deflection curves, tangent at no load and secant at full load (speeds, variants, …)."""
+    """Deflection curves, tangent at no load and secant at full load (speeds, variants, …).
+
+    Raises
+    ------
+    InvalidInput : a support couples plane y or the axis to other motions
+    """
+    for support in scene.spindle.supports:
+        if support.out_of_plane:
+            raise InvalidInput(
+                f"support '{support.name}' couples plane y or the axis to other motions: the "
+                "radial stiffness is solved in plane y alone"
+            )
     force = np.linspace(0.0, spec.max_force, spec.steps + 1)
     point = scene.spindle.points[spec.point]
     rotor = condensed_rotor(scene.spindle, scene.mesh, point, rigid=scene.rigid)

@@ -50,12 +50,12 @@ class Parcel:
     @property
     def warnings(self) -> tuple[str, ...]:
         """What a designer should know, with the variant it is about."""
-        from rotordyn.report.summary import pressure_warnings
+        from rotordyn.report.warnings import result_warnings
 
         return tuple(
             f"{part}: {sentence}" if part else sentence
             for part, (_, answers) in self.parts.items()
-            for sentence in (*answers.warnings, *pressure_warnings(answers.results))
+            for sentence in (*answers.warnings, *result_warnings(answers.results))
         )
 
     @property

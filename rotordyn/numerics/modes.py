@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Matrix = NDArray[np.inexact[Any]]
+NOISE = 1e-7  # of the highest own frequency
+NEUTRAL = 1e-6  # of |pole|: less growth or decay than that is rounding
 WELL_CONDITIONED = 1e7  # of unit vectors: the sum over poles then keeps nine digits
 
 
@@ -31,6 +33,17 @@ class Modes:
     vector: Complex
     participation: Complex
     condition: Array
+
+    @property
+    def noise(self) -> Array:
+        """What rounding makes of a pole at zero (…), an upper bound [rad/s]."""
+        return NOISE * np.sqrt(np.abs(self.stiffness).max(axis=(-2, -1)))
+
+    @property
+    def growing(self) -> NDArray[np.bool_]:
+        """Poles of motions that grow by themselves (…, 2n)."""
+        size = np.abs(self.pole)
+        return np.asarray((self.pole.real > NEUTRAL * size) & (size > self.noise[..., None]))
 
     def receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
         """Receptance at i·``omega`` (f,) of paired rows: (…, pairs, f).

@@ -42,6 +42,7 @@ KNOWN = {
     "mean_bending_frequency": ("s", ", mean of both whirls"),
     "torsion_frequency": ("^", ", torsion"),
 }
+PALE = "#F6D78A"  # behind the lines
 Segments = dict[str, list[NDArray[np.float64]]]
 
 
@@ -61,6 +62,7 @@ def campbell_figure(
     speed_ticks(axes, float(rpm[-1]))
     axes.set_ylim(0.0, top)
     draw_modes(axes, result)
+    _unstable(axes, result)
     excitation = draw_orders(axes, (1, *teeth), float(rpm[-1]), top)
     _criticals(axes, result)
     draw_known(axes, references)
@@ -136,6 +138,17 @@ def draw_known(axes: Axes, references: Sequence[Reference], edge: str = BLACK) -
             zorder=6,
             clip_on=False,
         )
+
+
+def _unstable(axes: Axes, result: CampbellResult) -> None:
+    """A broad band behind every mode where it grows by itself."""
+    if not result.unstable.any():
+        return
+    rpm = np.broadcast_to((result.speed * RPM.factor)[:, None], result.frequency.shape)
+    growing = np.where(result.unstable, result.frequency, np.nan)
+    look: dict[str, Any] = dict(color=PALE, lw=6.0, solid_capstyle="round", zorder=3)
+    lines = axes.plot(rpm, growing, marker="o", ms=6.0, mec="none", **look)
+    lines[0].set_label("unstable")
 
 
 def _look(kind: str, whirl: float) -> str:

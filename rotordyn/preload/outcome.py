@@ -8,9 +8,12 @@ import numpy as np
 
 from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import entry_name
+from rotordyn.preload.arrangement import SHAFT
 from rotordyn.preload.network import Network, NetworkState
 
 NOTHING = 1e-3  # N
+STILL = 1e-9  # m
 LEAST_LOAD = 1e-6  # of the largest axial force: below it a bearing counts as unloaded
 
 
@@ -27,7 +30,27 @@ def outcomes(
             "bearings that sit in the housing"
         )
         return (sentence,) * len(net.found)
-    return tuple(_outcome(spindle, network, net, row) for row in range(len(net.found)))
+    return tuple(
+        _outcome(spindle, network, net, row) or _sideways(spindle, network, rest, net, row)
+        for row in range(len(net.found))
+    )
+
+
+def _sideways(
+    spindle: Spindle, network: Network, rest: NetworkState, net: NetworkState, row: int
+) -> str:
+    """Bearings are solved under axial load alone: no support may turn axial shift into more."""
+    shift = float(net.position[row, SHAFT] - rest.position[0, SHAFT])
+    pushing = [support for support in spindle.supports if support.sideways]
+    if not pushing or abs(shift) <= STILL:
+        return ""
+    names = ", ".join(entry_name(*ends) for ends in pushing[0].sideways)
+    rpm = network.arrangement.speed[row] * 30.0 / math.pi
+    return (
+        f"support {pushing[0].name} pushes the shaft aside at {rpm:.0f} rpm, where it stands "
+        f"{shift * 1e6:+.2g} µm from rest ({names}): bearings are solved under axial load alone; "
+        "leave these entries out, or let the state at rest serve every speed"
+    )
 
 
 def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int) -> str:

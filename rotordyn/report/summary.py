@@ -8,7 +8,6 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analysis.comparison import Comparison, compare
 from rotordyn.analysis.display import RPM, STIFFNESS, Shown, shown
@@ -19,7 +18,6 @@ from rotordyn.analysis.results import (
     StiffnessResult,
 )
 from rotordyn.machine.inertia import rotor_inertia
-from rotordyn.machine.limits import WARNING_PRESSURE
 from rotordyn.machine.reference import QUANTITIES, Reference
 from rotordyn.machine.spindle import Spindle
 
@@ -58,31 +56,6 @@ def summary(case: Described, results: Mapping[str, Any], warnings: Iterable[str]
     lines = [part for line in lines for part in wrapped(line)]
     compared = compare(case.known, results, case.spindle)
     return "\n".join((lines + _references(compared, HEIGHT - len(lines)))[:HEIGHT])
-
-
-def pressure_warnings(results: Mapping[str, Any]) -> list[str]:
-    """A sentence per bearing whose contact pressure passes the limit of usual ring steel."""
-    found = []
-    if isinstance(result := results.get("preload"), PreloadResult):
-        peak = np.fmax(result.inner_pressure, result.outer_pressure)
-        named = zip(result.bearing, peak.T, strict=True)
-        found = [_pressed(f"bearing {name}", result.speed, own) for name, own in named]
-    if isinstance(single := results.get("bearing"), BearingMapResult):
-        peak = np.fmax(single.inner_pressure, single.outer_pressure)
-        loaded = zip(single.load, peak.T, strict=True)
-        found += [_pressed(f"under {load:g} N", single.speed, own) for load, own in loaded]
-    return [sentence for sentence in found if sentence]
-
-
-def _pressed(what: str, speed: NDArray[np.float64], peak: NDArray[np.float64]) -> str:
-    """A warning where the pressure passes the limit at some speed, else nothing."""
-    over = np.flatnonzero(peak > WARNING_PRESSURE)
-    if not over.size:
-        return ""
-    return (
-        f"{what}: contact pressure {np.nanmax(peak) / 1e9:.2f} GPa is above "
-        f"{WARNING_PRESSURE / 1e9:g} GPa, from {speed[over[0]] * RPM.factor:.0f} rpm on"
-    )
 
 
 def _machine(spindle: Spindle) -> list[str]:

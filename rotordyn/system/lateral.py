@@ -12,6 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.elements.node import FREEDOMS, position
 from rotordyn.elements.support import node_matrix, turn
 from rotordyn.machine.spindle import Spindle
 from rotordyn.system.dofs import Selection
@@ -35,14 +36,28 @@ class LateralSystem:
     stiffness: NDArray[np.inexact]
     damping: NDArray[np.inexact]
 
-    def row(self, node: int, freedom: str) -> Array:
-        """A node's real freedom y, z, thy or thz in the n coordinates of the real form (2m,)."""
-        plane = 0 if freedom in ("y", "thz") else 1
-        sign = -1.0 if freedom == "thy" else 1.0
-        row = np.zeros(2 * self.rotor.size)
-        local = self.rotor.row(node, "y" if freedom in ("y", "z") else "thz")
-        row[plane * self.rotor.size : (plane + 1) * self.rotor.size] = sign * local
-        return row
+    @property
+    def motion(self) -> Array:
+        """Displacements of the nodes by the coordinates of the real form (nodes, 6, 2m)."""
+        m = self.rotor.size
+        plane = self.rotor.basis.reshape(-1, 2, m)
+        motion = np.zeros((len(plane), len(FREEDOMS), 2 * m))
+        for place, (freedom, sign) in enumerate(
+            zip(BOTH_PLANES.names, BOTH_PLANES.signs, strict=True)
+        ):
+            own = slice(m) if place < 2 else slice(m, None)
+            motion[:, position(freedom), own] = sign * plane[:, place % 2]
+        return motion
+
+    @property
+    def in_planes(self) -> LateralSystem:
+        """The same system in its real form: A + iB on y + iz is [[A, −B], [B, A]] on (y, z)."""
+        if not self.isotropic:
+            return self
+        stiffness, damping = (
+            _two_by_two(k.real, -k.imag, k.imag, k.real) for k in (self.stiffness, self.damping)
+        )
+        return LateralSystem(self.rotor, False, stiffness, damping)
 
 
 def lateral_system(

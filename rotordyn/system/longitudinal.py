@@ -1,7 +1,8 @@
 """Axial motion of shaft and sleeves, and torsion of the shaft, at many speeds.
 
-Both decouple from bending. Along the axis a bearing on a sleeve is in series with the sleeve's
-spring (a stop that is closed grounds the sleeve); nothing but linear supports holds the spin.
+Each is a system of its own unless a support couples it to another motion (``coupled``). Along the
+axis a bearing on a sleeve is in series with the sleeve's spring (a stop that is closed grounds the
+sleeve); nothing but linear supports holds the spin.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.elements.node import position
+from rotordyn.elements.node import FREEDOMS, position
 from rotordyn.elements.support import node_matrix
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve
@@ -28,15 +29,22 @@ CLOSED = 1e3  # stiffness of a closed stop over that of the bearings on its slee
 
 @dataclass(frozen=True, eq=False, slots=True)
 class RodSystem:
-    """q̈ + ``damping`` q̇ + ``stiffness`` q = f, arrays (speeds, n, n); ``basis`` (nodes, n)."""
+    """q̈ + ``damping`` q̇ + ``stiffness`` q = f, arrays (speeds, n, n).
 
+    ``basis`` (nodes, n): the nodes' ``freedom``, x or thx.
+    """
+
+    freedom: str
     basis: Array
     stiffness: Array
     damping: Array
 
-    def row(self, node: int) -> Array:
-        """Displacement of a node in these coordinates (n,)."""
-        return self.basis[node]
+    @property
+    def motion(self) -> Array:
+        """Displacements of the nodes by the coordinates (nodes, 6, n)."""
+        motion = np.zeros((len(self.basis), len(FREEDOMS), self.basis.shape[1]))
+        motion[:, position(self.freedom)] = self.basis
+        return motion
 
 
 def axial_system(
@@ -81,7 +89,7 @@ def axial_system(
     there = modal + np.arange(len(sliding))
     stiffness[:, there, there] += springs * scale**2
     wide = np.concatenate([basis, np.zeros((len(basis), len(sliding)))], axis=1)
-    return RodSystem(wide, stiffness, np.broadcast_to(damping, stiffness.shape))
+    return RodSystem("x", wide, stiffness, np.broadcast_to(damping, stiffness.shape))
 
 
 def torsion_system(
@@ -106,7 +114,7 @@ def torsion_system(
         entries = [node_matrix(getattr(s, which))[spin, spin] for s in spindle.supports]
         held = np.einsum("c,ci,cj->ij", np.array(entries), rows, rows)
         matrices.append(np.broadcast_to(np.diag(diagonal) + held, (speeds, *held.shape)))
-    return RodSystem(basis, matrices[0], matrices[1])
+    return RodSystem("thx", basis, matrices[0], matrices[1])
 
 
 def _rod_basis(

@@ -8,11 +8,13 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 from scipy.linalg import eigh
 
+import rotordyn
 from bearings.materials import Material
 from rotordyn.elements.plane_bending import axial_force_stiffness, shear_parameter
 from rotordyn.elements.shear import shear_coefficient
@@ -22,6 +24,7 @@ from rotordyn.system.assemble import add_at_nodes, bending_plane, chain, rotor_m
 from rotordyn.system.dofs import LATERAL
 from rotordyn.system.mesh import build_mesh
 from tests.oracles.rotors import on_supports, support, uniform
+from tests.oracles.spindles import CASES
 from tests.oracles.whirl import eigenvalues, frequencies_at_rest
 
 HZ = 2 * math.pi
@@ -172,3 +175,51 @@ def test_slender_overhung(rpm: float, expected: list[float]) -> None:
     rotor = uniform(1.5, 0.025, material, masses=(disc,), supports=ends)
     found = roots(rotor, rpm).imag * HZ
     assert found[: len(expected)] == pytest.approx(expected, abs=6e-4)
+
+
+def campbell(path: Path) -> tuple[np.ndarray, np.ndarray]:
+    """Damped frequencies [Hz] and damping ratios of the bending modes, at rest and 4000 rpm."""
+    case = rotordyn.load(path)
+    found = rotordyn.run(replace(case, analyses={"campbell": case.analyses["campbell"]}))
+    modes = found["campbell"].sel(speed=found["campbell"].speed[[0, -1]])
+    bending = modes.isel(mode=np.flatnonzero(modes.kind == "bending"))
+    assert bending.speed_rpm.values == pytest.approx([0, 4000])
+    order = np.argsort(bending.frequency.values, axis=1)
+    return tuple(
+        np.take_along_axis(bending[name].values, order, axis=1)
+        for name in ("frequency", "damping_ratio")
+    )  # type: ignore[return-value]
+
+
+def test_cross_coupled_bearings_from_a_case_file() -> None:
+    """5.9.4, its matrices written whole."""
+    found, _ = campbell(CASES / "friswell_cross_coupled.yaml")
+    assert found[0] == pytest.approx([11.663, 14.802, 33.971, 49.198, 97.969, 126.617], abs=6e-4)
+    assert found[1] == pytest.approx([11.652, 14.789, 33.156, 49.692, 89.417, 133.790], abs=6e-4)
+
+
+DAMPED = """\
+spindle: friswell_two_discs
+override:
+  supports.left.damping: &damping {freedoms: [z, y], matrix: [[3e3 N s/m, 0], [0, 3 kN s/m]]}
+  supports.right.damping: *damping
+conditions: {element_length: 250 mm}
+speeds: [0 rpm, 2000 rpm, 4000 rpm]
+analyses: {campbell: {max_frequency: 120 Hz}}
+"""
+
+
+def test_damped_bearings_from_a_case_file(tmp_path: Path) -> None:
+    """5.9.5: damped and natural frequencies."""
+    path = tmp_path / "damped.yaml"
+    path.write_text(DAMPED, encoding="utf-8")
+    damped, ratio = campbell(path)
+    assert damped[0] == pytest.approx(pairs(13.888, 46.543, 103.225), abs=6e-4)
+    expected = [13.682, 14.072, 41.984, 50.653, 104.233, 105.665]
+    assert damped[1] == pytest.approx(expected, abs=6e-4)
+    natural = damped / np.sqrt(1.0 - ratio**2)
+    assert natural[0] == pytest.approx(pairs(13.906, 48.181, 137.056), abs=1e-3)
+    assert np.sort(natural[1])[:5] == pytest.approx(
+        [13.698, 14.092, 43.610, 52.184, 122.350], abs=1e-3
+    )
+    assert np.sort(natural[1])[5] == pytest.approx(149.81, abs=0.01)

@@ -1,4 +1,4 @@
-"""A spindle's bending without any reduction: every freedom of every node, dense matrices."""
+"""A spindle's motion without any reduction: every freedom of every node, dense matrices."""
 
 from __future__ import annotations
 
@@ -12,34 +12,47 @@ from scipy.linalg import cholesky, eigh, eigvals, solve_triangular
 from rotordyn.elements.support import node_matrix, turn
 from rotordyn.machine.spindle import Spindle
 from rotordyn.system.assemble import add_at_nodes, rotor_matrices
-from rotordyn.system.dofs import LATERAL
+from rotordyn.system.dofs import LATERAL, Selection
 from rotordyn.system.mesh import Mesh
 
 Array = NDArray[np.float64]
 
 
 class FullRotor:
-    """Bending of a spindle at one speed, freedoms (y, z, thy, thz) node by node."""
+    """A spindle at one speed, the freedoms of ``selection`` node by node (bending if not given).
 
-    def __init__(self, spindle: Spindle, mesh: Mesh, tangents: Array, speed: float) -> None:
-        free = rotor_matrices(spindle, mesh, LATERAL)
-        self.mesh = mesh
+    Sleeves are part of the housing.
+    """
+
+    def __init__(
+        self,
+        spindle: Spindle,
+        mesh: Mesh,
+        tangents: Array,
+        speed: float,
+        selection: Selection = LATERAL,
+    ) -> None:
+        free = rotor_matrices(spindle, mesh, selection)
+        self.mesh, self.selection = mesh, selection
         nodes = [mesh.node_of(s.x) for s in (*spindle.seats, *spindle.supports)]
         springs = [turn(k, s.thrust) for k, s in zip(tangents, spindle.seats, strict=True)]
         springs += [node_matrix(s.stiffness) for s in spindle.supports]
-        dampers = [np.diag([0, s.radial_damping, s.radial_damping, 0, 0, 0]) for s in spindle.seats]
+        dampers = [
+            np.diag([s.axial_damping, s.radial_damping, s.radial_damping, 0, 0, 0])
+            for s in spindle.seats
+        ]
         dampers += [node_matrix(s.damping) for s in spindle.supports]
         self.mass = free.mass
-        self.stiffness = add_at_nodes(free.stiffness, nodes, LATERAL.take(np.array(springs)))
+        self.stiffness = add_at_nodes(free.stiffness, nodes, selection.take(np.array(springs)))
         self.damping = add_at_nodes(
             speed * free.gyroscopic + _modal_damping(free, spindle.rotor_damping),
             nodes,
-            LATERAL.take(np.array(dampers)),
+            selection.take(np.array(dampers)),
         )
 
     def row(self, x: float, freedom: str) -> int:
         """Row of a freedom at station ``x`` [m]."""
-        return LATERAL.row(self.mesh.node_of(x), freedom)
+        return self.selection.row(self.mesh.node_of(x), freedom)
 
     def poles(self, highest: float) -> NDArray[np.complex128]:
         """Oscillating poles up to ``highest`` [Hz], by imaginary part."""

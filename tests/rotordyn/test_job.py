@@ -176,3 +176,31 @@ def test_progress_names_every_question_and_the_figures(tmp_path: Path) -> None:
     seen: list[str] = []
     deliver(restricted(small(), ("preload", "stiffness")), tmp_path / "out", seen.append)
     assert seen == ["preload", "stiffness", "figures"]
+
+
+def test_pairs_across_motions_are_delivered(tmp_path: Path) -> None:
+    """A support couples x, thx and bending: files and figures take any pair."""
+    path = tmp_path / "coupled.yaml"
+    path.write_text(
+        "title: coupled\nspindle: friswell_two_discs\noverride:\n"
+        "  supports.left.stiffness:\n    freedoms: [y, z, x, thx]\n    matrix:\n"
+        "      - [1 N/um, 0, 0.2 N/um, 1 kN/rad]\n      - [0, 1 N/um, 0, 0]\n"
+        "      - [0.2 N/um, 0, 2 N/um, 0]\n      - [1 kN/rad, 0, 0, 50 kN m/rad]\n"
+        "  supports.left.damping: {xx: 500 N s/m, yy: 300 N s/m, thx_thx: 2 N m s/rad}\n"
+        "speeds: [0 rpm, 2000 rpm]\nanalyses:\n  campbell: {max_frequency: 150 Hz}\n  frf:\n"
+        "    frequencies: {from: 1 Hz, to: 150 Hz, count: 40}\n    pairs:\n"
+        "      - {response: left_disc.x, excitation: right_disc.y}\n"
+        "      - {response: left_disc.thx, excitation: right_disc.x}\n"
+        "      - {response: left_disc.thz, excitation: right_disc.thx}\n"
+    )
+    delivery = deliver(rotordyn.load(path), tmp_path / "out")
+    found = read_results(delivery.folder / "results.nc")
+    assert set(found["campbell"]["kind"].values.tolist()) == {"bending", "axial", "torsion"}
+    assert (np.abs(found["frf"]["receptance"].values).max(axis=-1) > 0.0).all()
+    header = (delivery.folder / "frf_2000rpm.csv").read_text(encoding="utf-8").splitlines()[0]
+    for unit in ("left_disc.x / right_disc.y real [µm/N]", "[rad/N]", "[rad/(N·m)]"):
+        assert unit in header
+    assert (delivery.folder / "frf.uff").stat().st_size > 0
+    record = json.loads((delivery.folder / "run.json").read_text(encoding="utf-8"))
+    assert record["tolerances"]["coupled modes: residual of the eigenpairs"] < 1e-9
+    assert record["warnings"] == []

@@ -7,11 +7,11 @@ from collections.abc import Sequence
 from rotordyn import units
 from rotordyn.case.build.bearing import bearing, material
 from rotordyn.case.schema.material import MaterialEntry
+from rotordyn.case.schema.matrix import entries
 from rotordyn.case.schema.reference import KIND_OF_UNIT, ReferenceEntry
 from rotordyn.case.schema.shaft import DiscEntry, MassEntry, SectionEntry, ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.case.schema.support import (
-    ENTRIES,
     GrowthEntry,
     QuadraticEntry,
     SeatEntry,
@@ -45,7 +45,7 @@ def spindle(entry: SpindleEntry, name: str) -> Spindle:
         discs=tuple(_disc(disc) for disc in entry.discs),
         seats=tuple(_seat(seat, entry) for seat in entry.bearings),
         sleeves=tuple(_sleeve(sleeve) for sleeve in entry.sleeves),
-        supports=tuple(_support(support) for support in entry.supports),
+        supports=tuple(support(each) for each in entry.supports),
         points=dict(entry.points),
         shortening=_shortening(entry.shortening),
         rotor_damping=tuple(entry.damping.rotor),
@@ -161,10 +161,6 @@ def _sleeve(entry: SleeveEntry) -> Sleeve:
     )
 
 
-def _support(entry: SupportEntry) -> LinearSupport:
-    return LinearSupport(entry.name, entry.x, _entries(entry.stiffness), _entries(entry.damping))
-
-
-def _entries(matrix: object) -> dict[tuple[str, str], float]:
-    given = {pair: getattr(matrix, key) for key, pair in ENTRIES.items()}
-    return {pair: value for pair, value in given.items() if value is not None}
+def support(entry: SupportEntry) -> LinearSupport:
+    """A linear support, its matrices however they are written."""
+    return LinearSupport(entry.name, entry.x, entries(entry.stiffness), entries(entry.damping))

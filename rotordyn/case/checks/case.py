@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from rotordyn.case.build.spindle import support
 from rotordyn.case.build.sweep import values
 from rotordyn.case.checks.names import exists
 from rotordyn.case.checks.references import references
@@ -14,12 +15,11 @@ from rotordyn.case.schema.analyses import FrfEntry, StiffnessEntry
 from rotordyn.case.schema.case import CaseEntry
 from rotordyn.case.schema.shaft import ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
-from rotordyn.case.schema.support import ENTRIES
+from rotordyn.machine.support import MOTIONS, LinearSupport, coupled_motions, entry_name
 from rotordyn.units import format_quantity
 
 _NEEDS_BEARINGS = ("preload", "stiffness")
 MOST_ELEMENTS = 1000
-PLANES = {"y": 0, "thz": 0, "z": 1, "thy": 1}  # which bending plane a freedom belongs to
 
 
 def machine_named(root: Node, faults: Faults) -> None:
@@ -92,6 +92,7 @@ def against_machine(
 ) -> None:
     """Points, sleeves and bearings that the questions name exist."""
     _elements(entry, spindle, tool, root, faults)
+    supports = [support(each) for each in spindle.supports]
     points = [*spindle.points, *(tool.points if tool else {})]
     for name in _NEEDS_BEARINGS:
         if getattr(entry.analyses, name) is not None and not spindle.bearings:
@@ -101,14 +102,16 @@ def against_machine(
             for key in ("response", "excitation"):
                 way = ("analyses", "frf", "pairs", index, key)
                 exists(getattr(pair, key).point, points, "point", root, way, faults)
-        _pairs(entry.analyses.frf, root, faults)
+        _pairs(entry.analyses.frf, coupled_motions(supports), root, faults)
     if entry.analyses.stiffness is not None:
         _stiffness(entry.analyses.stiffness, points, spindle, root, faults)
-        _supports(spindle, root, faults)
+        _one_plane(supports, root, faults)
+    if spindle.bearings:
+        _sideways(entry, supports, root, faults)
 
 
-def _pairs(entry: FrfEntry, root: Node, faults: Faults) -> None:
-    """Every pair once, and both ends in motions that are coupled."""
+def _pairs(entry: FrfEntry, coupled: frozenset[str], root: Node, faults: Faults) -> None:
+    """Every pair once, and both ends in one motion or in motions that supports couple."""
     seen: set[str] = set()
     for index, pair in enumerate(entry.pairs):
         way = ("analyses", "frf", "pairs", index)
@@ -116,35 +119,49 @@ def _pairs(entry: FrfEntry, root: Node, faults: Faults) -> None:
         if text in seen:
             faults.at(root, way, f"repeated: given '{text}'")
         seen.add(text)
-        motions = [_motion(port.direction) for port in (pair.response, pair.excitation)]
-        if motions[0] != motions[1]:
+        motions = [MOTIONS.get(port.direction, "") for port in (pair.response, pair.excitation)]
+        if "" not in motions and motions[0] != motions[1] and not coupled.issuperset(motions):
+            one, other = (_SPOKEN.get(motion, motion) for motion in motions)
             faults.at(
                 root,
                 way,
-                f"nothing couples {motions[0]} and {motions[1]}: given '{text}'; allowed: both "
-                "ends in one of x; thx; y, z, thy, thz",
+                f"nothing couples {one} and {other}: given '{text}'; allowed: both "
+                "ends in one of x; thx; y, z, thy, thz, or a support that couples them",
             )
 
 
-def _motion(direction: str) -> str:
-    return {"x": "axial motion", "thx": "torsion"}.get(direction, "bending")
+_SPOKEN = {"axial": "axial motion"}
 
 
-def _supports(spindle: SpindleEntry, root: Node, faults: Faults) -> None:
-    """The radial stiffness is solved in one plane: no support may couple it to the other."""
-    for support in spindle.supports:
-        across = [
-            key
-            for key, ends in ENTRIES.items()
-            if getattr(support.stiffness, key)
-            and PLANES.get(ends[0], 2) + PLANES.get(ends[1], 2) == 1
-        ]
+def _one_plane(supports: list[LinearSupport], root: Node, faults: Faults) -> None:
+    """The radial stiffness is solved in plane y: no support may couple it to other motions."""
+    for held in supports:
+        across = [entry_name(*ends) for ends in held.out_of_plane]
         if across:
             faults.at_key(
                 root,
                 ("analyses", "stiffness"),
-                f"support '{support.name}' couples the planes ({', '.join(across)}): the radial "
-                "stiffness is solved in plane y alone; ask frf at a low frequency instead",
+                f"support '{held.name}' couples plane y or the axis to other motions "
+                f"({', '.join(across)}): the radial stiffness is solved in plane y alone; ask frf "
+                "at a low frequency instead",
+            )
+
+
+def _sideways(entry: CaseEntry, supports: list[LinearSupport], root: Node, faults: Faults) -> None:
+    """Bearings are solved under axial load alone: what moves along x must not push aside."""
+    conditions = entry.conditions
+    speeds = values(entry.speeds) if conditions.bearings == "dynamic" else ()
+    if not any(speeds) and conditions.axial_force == 0.0 and conditions.gravity == "none":
+        return
+    for held in supports:
+        if held.sideways:
+            names = ", ".join(entry_name(*ends) for ends in held.sideways)
+            faults.at_key(
+                root,
+                ("spindle",),
+                f"support '{held.name}' pushes the shaft aside as its preload state moves it along "
+                f"the axis ({names}): bearings are solved under axial load alone; leave these "
+                "entries out, or set bearings: static without axial force and weight",
             )
 
 

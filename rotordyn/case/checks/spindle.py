@@ -16,6 +16,7 @@ from rotordyn.case.checks.shaft import (
 )
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
+from rotordyn.case.schema.matrix import ENTRIES, entries
 from rotordyn.case.schema.shaft import ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 
@@ -99,7 +100,7 @@ def _held(entry: SpindleEntry, root: Node, faults: Faults) -> None:
     free = [
         key
         for key in ("yy", "zz")
-        if not any(getattr(support.stiffness, key) for support in entry.supports)
+        if not any(entries(support.stiffness).get(ENTRIES[key]) for support in entry.supports)
     ]
     if free:
         faults.at(

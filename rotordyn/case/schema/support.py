@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from itertools import product
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator, Discriminator, Field, Tag, create_model
+from pydantic import BeforeValidator, Discriminator, Field, Tag
 
 from rotordyn.case.schema.base import Entry, form
 from rotordyn.case.schema.bearing import BearingEntry
 from rotordyn.case.schema.material import none_if_unknown
+from rotordyn.case.schema.matrix import DampingMatrix, DampingMatrixEntry, StiffnessMatrix
 from rotordyn.case.schema.values import (
     Damping,
     Diameter,
@@ -22,8 +22,6 @@ from rotordyn.case.schema.values import (
     choice,
     quantity,
 )
-
-FREEDOMS = ("x", "y", "z", "thx", "thy", "thz")
 
 
 class QuadraticEntry(Entry):
@@ -97,39 +95,13 @@ class SleeveEntry(Entry):
     ] = math.inf
 
 
-def entry_name(row: str, column: str) -> str:
-    """Key of a matrix entry: ``yy``, ``y_thz``."""
-    return row + column if len(row) == len(column) == 1 else f"{row}_{column}"
-
-
-ENTRIES = {entry_name(r, c): (r, c) for r, c in product(FREEDOMS, FREEDOMS)}
-
-
-def _matrix(title: str, kind: str, bound: str) -> Any:
-    """An entry with one optional key per place of a 6×6 matrix."""
-    kinds = (kind, f"coupling {kind}", f"tilt {kind}")
-    limits = tuple(f"{bound} {unit}" for unit in _UNITS[kind])
-    types = [
-        Annotated[float, quantity(k, at_least=f"-{limit}", at_most=limit)]
-        for k, limit in zip(kinds, limits, strict=True)
-    ]
-    rank = {key: sum(len(freedom) > 1 for freedom in pair) for key, pair in ENTRIES.items()}
-    fields: dict[str, Any] = {key: (types[rank[key]] | None, None) for key in ENTRIES}
-    return create_model(title, __base__=Entry, **fields)
-
-
-_UNITS = {"stiffness": ("N/m", "N/rad", "N m/rad"), "damping": ("N s/m", "N s/rad", "N m s/rad")}
-StiffnessMatrixEntry: Any = _matrix("StiffnessMatrixEntry", "stiffness", "1e13")
-DampingMatrixEntry: Any = _matrix("DampingMatrixEntry", "damping", "1e10")
-
-
 class SupportEntry(Entry):
-    """A linear support: entries of its matrices, those not named are zero."""
+    """A linear support to ground, by its matrices; nothing is made symmetric."""
 
     name: Name
     x: Station
-    stiffness: StiffnessMatrixEntry
-    damping: DampingMatrixEntry = DampingMatrixEntry()
+    stiffness: StiffnessMatrix
+    damping: DampingMatrix = DampingMatrixEntry()
 
 
 class ShorteningEntry(Entry):

@@ -34,8 +34,10 @@ ASKED = {
 }
 STAGES = {
     "mesh", "preload", "rotor", "bending", "bending_modes",
-    "axial", "axial_modes", "torsion", "torsion_modes",
+    "axial", "axial_modes", "torsion", "torsion_modes", "coupled", "coupled_modes",
 }  # fmt: skip
+JOINED = {"coupled", "coupled_modes"}
+RODS = {"axial", "axial_modes", "torsion", "torsion_modes"}
 
 
 def skipped(analyses: dict[str, Any]) -> set[str]:
@@ -49,9 +51,9 @@ def skipped(analyses: dict[str, Any]) -> set[str]:
     [
         (["preload"], STAGES - {"preload"}),
         (["stiffness"], STAGES - {"preload", "mesh"}),
-        (["frf"], {"axial", "axial_modes", "torsion", "torsion_modes"}),
-        (["campbell"], set()),
-        (["preload", "frf", "stiffness"], {"axial", "axial_modes", "torsion", "torsion_modes"}),
+        (["frf"], RODS | JOINED),
+        (["campbell"], JOINED),
+        (["preload", "frf", "stiffness"], RODS | JOINED),
     ],
 )
 def test_stages_nobody_asks_for_never_run(names: list[str], unused: set[str]) -> None:

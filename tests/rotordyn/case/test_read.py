@@ -136,6 +136,48 @@ def test_linear_supports() -> None:
     assert [support.x for support in spindle.supports] == [0.0, 1.3]
 
 
+NAMED = "{yy: 70 N/um, yz: 9 MN/m, zy: -8 kN/mm, zz: 50e6 N/m, thz_thz: 3 kN m/rad, y_thz: 7 N}"
+WHOLE = """
+    freedoms: [z, thz, y]
+    matrix:
+      - [50 N/um, 0, -8 kN/mm]
+      - [0, 3 kN m/rad, 0]
+      - [9 N/um, 7 N/rad, 70 N/um]
+"""
+
+
+@pytest.mark.parametrize("written", [NAMED, WHOLE], ids=["by entries", "whole"])
+def test_matrix_by_entries_and_whole(tmp_path: Path, written: str) -> None:
+    """The same support both ways: rows are loads, nothing is made symmetric."""
+    path = tmp_path / "case.yaml"
+    path.write_text(
+        f"spindle: lalanne_ferraris\noverride:\n  supports.left.stiffness: {written}\n"
+        "speeds: [0 rpm]\nanalyses: {campbell: {}}\n"
+    )
+    spindle = rotordyn.load(path).spindle
+    assert spindle is not None
+    found = {pair: value for pair, value in spindle.supports[0].stiffness.items() if value}
+    assert found == {
+        ("y", "y"): 70e6, ("z", "z"): 50e6, ("y", "z"): 9e6, ("z", "y"): -8e6,
+        ("thz", "thz"): 3e3, ("y", "thz"): 7.0,
+    }  # fmt: skip
+
+
+def test_entry_of_a_whole_matrix_is_overridden_as_a_whole(tmp_path: Path) -> None:
+    path = tmp_path / "case.yaml"
+    path.write_text(
+        "spindle: friswell_two_discs\noverride:\n"
+        "  supports.left.damping.freedoms: [x, thx]\n"
+        "  supports.left.damping.matrix: [[1 N s/m, 2 N s/rad], [3 N s, 4 N m s/rad]]\n"
+        "speeds: [0 rpm]\nanalyses: {campbell: {}}\n"
+    )
+    spindle = rotordyn.load(path).spindle
+    assert spindle is not None
+    assert spindle.supports[0].damping == {
+        ("x", "x"): 1.0, ("x", "thx"): 2.0, ("thx", "x"): 3.0, ("thx", "thx"): 4.0,
+    }  # fmt: skip
+
+
 def test_digest_follows_every_file(tmp_path: Path) -> None:
     text = (ROOT / "cases/vex70.yaml").read_text()
     model = (ROOT / "models/bearings/vex70.yaml").read_text()

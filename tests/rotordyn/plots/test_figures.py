@@ -55,6 +55,18 @@ def test_campbell_lines_markers_and_names():
     np.testing.assert_allclose(known.get_ydata(), [903.0, 1350.0, 1580.0, 2860.0])
 
 
+def test_campbell_shows_where_a_mode_is_unstable():
+    result = samples.campbell(9)
+    ratio = result.damping_ratio.copy()
+    ratio[6:, 2] = -1e-3
+    axes = campbell_figure(replace(result, damping_ratio=ratio)).axes[0]
+    assert _labels(axes).count("unstable") == 1
+    bands = [line for line in axes.lines if line.get_linewidth() == 6.0]
+    drawn = [np.isfinite(line.get_ydata()) for line in bands]
+    assert [flags.tolist() for flags in drawn if flags.any()] == [[False] * 6 + [True] * 3]
+    assert "unstable" not in _labels(campbell_figure(result).axes[0])
+
+
 def test_campbell_names_do_not_overlap():
     figure = campbell_figure(samples.campbell(9), (1, 2, 3, 4, 5, 6), (), 3500.0)
     renderer = figure.canvas.get_renderer()

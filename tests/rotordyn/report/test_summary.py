@@ -8,7 +8,8 @@ import numpy as np
 import pytest
 
 from rotordyn.machine.reference import Reference
-from rotordyn.report.summary import HEIGHT, WIDTH, pressure_warnings, summary
+from rotordyn.report.summary import HEIGHT, WIDTH, summary
+from rotordyn.report.warnings import result_warnings
 from tests.rotordyn.plots import samples
 
 
@@ -51,9 +52,24 @@ def test_pressure_warning_comes_first(case, results):
     pressure = results["preload"].inner_pressure.copy()
     pressure[4:, 2] = 4.5e9
     hot = results | {"preload": replace(results["preload"], inner_pressure=pressure)}
-    first = summary(case, hot, pressure_warnings(hot)).splitlines()[0]
+    first = summary(case, hot, result_warnings(hot)).splitlines()[0]
     assert first.startswith("WARNING: bearing c: contact pressure 4.50 GPa")
     assert "from 12000 rpm on" in first
+
+
+def test_instability_is_named(case, results):
+    ratio = results["campbell"].damping_ratio.copy()
+    ratio[3:, 1] = -0.01
+    ratio[4, 1] = -0.034
+    wild = results | {"campbell": replace(results["campbell"], damping_ratio=ratio)}
+    text = " ".join(summary(case, wild, ["first of all", *result_warnings(wild)]).split())
+    name = results["campbell"].mode[1]
+    assert text.startswith("WARNING: first of all")
+    assert (
+        f"WARNING: {name} is unstable at {results['campbell'].speed[3] * 30 / np.pi:.0f} rpm and"
+        in text
+    )
+    assert "more of the speeds (damping ratio down to -3.4 %)" in text
 
 
 def test_many_references_do_not_overflow(case, results):
@@ -83,5 +99,5 @@ def test_one_speed_and_no_mode_are_said_plainly(case, results):
     line = next(x for x in summary(case, {"campbell": one}).splitlines() if x.startswith("modes"))
     assert "→" not in line
     assert "24000 rpm: " in line
-    bare = replace(campbell, mode=(), kind=())
+    bare = replace(campbell, mode=(), kind=(), damping_ratio=campbell.damping_ratio[:, :0])
     assert "none in the band asked for" in summary(case, {"campbell": bare})

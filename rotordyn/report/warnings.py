@@ -1,0 +1,60 @@
+"""What results call for attention to, in one sentence each."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis.display import RPM
+from rotordyn.analysis.results import BearingMapResult, CampbellResult, PreloadResult
+from rotordyn.machine.limits import WARNING_PRESSURE
+
+
+def result_warnings(results: Mapping[str, Any]) -> list[str]:
+    """A sentence per unstable mode, and per bearing pressed beyond the limit of ring steel."""
+    return [*_unstable_modes(results), *_pressures(results)]
+
+
+def _unstable_modes(results: Mapping[str, Any]) -> list[str]:
+    result = results.get("campbell")
+    if not isinstance(result, CampbellResult):
+        return []
+    found = []
+    for name, ratio, growing in zip(
+        result.mode, result.damping_ratio.T, result.unstable.T, strict=True
+    ):
+        at = np.flatnonzero(growing)
+        if at.size:
+            found.append(
+                f"{name} is unstable at {result.speed[at[0]] * RPM.factor:.0f} rpm"
+                + (f" and {at.size - 1} more of the speeds" if at.size > 1 else "")
+                + f" (damping ratio down to {np.nanmin(ratio) * 100.0:.2g} %)"
+            )
+    return found
+
+
+def _pressures(results: Mapping[str, Any]) -> list[str]:
+    found = []
+    if isinstance(result := results.get("preload"), PreloadResult):
+        peak = np.fmax(result.inner_pressure, result.outer_pressure)
+        named = zip(result.bearing, peak.T, strict=True)
+        found = [_pressed(f"bearing {name}", result.speed, own) for name, own in named]
+    if isinstance(single := results.get("bearing"), BearingMapResult):
+        peak = np.fmax(single.inner_pressure, single.outer_pressure)
+        loaded = zip(single.load, peak.T, strict=True)
+        found += [_pressed(f"under {load:g} N", single.speed, own) for load, own in loaded]
+    return [sentence for sentence in found if sentence]
+
+
+def _pressed(what: str, speed: NDArray[np.float64], peak: NDArray[np.float64]) -> str:
+    """A warning where the pressure passes the limit at some speed, else nothing."""
+    over = np.flatnonzero(peak > WARNING_PRESSURE)
+    if not over.size:
+        return ""
+    return (
+        f"{what}: contact pressure {np.nanmax(peak) / 1e9:.2f} GPa is above "
+        f"{WARNING_PRESSURE / 1e9:g} GPa, from {speed[over[0]] * RPM.factor:.0f} rpm on"
+    )
