@@ -11,10 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.geometry import geometry
-from bearings.kinematics import HYPOTHESES, Angles, masked
+from bearings.kinematics import HYPOTHESES, Angles
 from bearings.state import BearingState
 
 Array = NDArray[np.float64]
+ROUNDING = 1e-15  # of a ratio
 
 
 def race_weight(state: BearingState) -> Array:
@@ -40,17 +41,21 @@ def control(state: BearingState) -> NDArray[np.str_]:
 def spin_to_roll(state: BearingState) -> tuple[Array, Array]:
     """Spin over roll at the inner and the outer race, each (…, balls); 0 where a ball is not held.
 
-    (1 − γ cos αi) tan(αi − β) + γ sin αi   and   (1 + γ cos αo) tan(αo − β) − γ sin αo,
-    positive where the ball, seen from the race, spins about the contact line from inner to outer
-    race the way it rolls about the inward tangent (Harris, with the signs of this package).
+    Of the ball's rotation against the race: the part along the contact line (sin α, cos α), over
+    that along the tangent (cos α, −sin α), components axial and radial. Without gross slip
+    (1 − γ cos αi) tan(αi − β) + γ sin αi   and   (1 + γ cos αo) tan(αo − β) − γ sin αo (Harris).
     """
     g = geometry(state.cause.bearing).size_ratio
     si, ci = np.sin(state.inner_angle), np.cos(state.inner_angle)
     so, co = np.sin(state.outer_angle), np.cos(state.outer_angle)
-    held = state.inner_load > 0.0
     hypothesis = HYPOTHESES[state.cause.kinematics]
-    t = masked(hypothesis(Angles(si, ci, so, co, g, race_weight(state))), held).value
+    t = hypothesis(Angles(si, ci, so, co, g, race_weight(state))).value
     inner = (1.0 - g * ci) * (si - ci * t) / (ci + si * t) + g * si
     outer = (1.0 + g * co) * (so - co * t) / (co + so * t) - g * so
-    known = held | np.isnan(state.inner_load)
-    return np.where(known, inner, 0.0), np.where(known, outer, 0.0)
+    return _held(state, inner), _held(state, outer)
+
+
+def _held(state: BearingState, ratio: Array) -> Array:
+    """A ratio without its rounding, 0 of balls that carry nothing."""
+    real = (state.inner_load > 0.0) & (np.abs(ratio) > ROUNDING)
+    return np.where(real | np.isnan(state.inner_load), ratio, 0.0)

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.results import CampbellResult, PreloadResult
+from rotordyn.analysis.bearing_map import tangent_error
+from rotordyn.analysis.results import BearingMapResult, CampbellResult, PreloadResult
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
 
@@ -82,7 +83,17 @@ def _computed(
             return _column(speeds, preload, "position", "body", subject)
         case "bending_frequency" if "campbell" in results:
             return _modes(results["campbell"], speeds)
+        case "frozen_error" if "bearing" in results:
+            return _frozen(results["bearing"], speeds)
     return None
+
+
+def _frozen(result: BearingMapResult, speeds: Array) -> Array | None:
+    """Largest error of Kxx by the frozen tangent over the loads."""
+    if not {"complete", "frozen"} <= set(result.tangent):
+        return None
+    largest = np.fmax.reduce(np.abs(tangent_error(result, "frozen", "x")), axis=1)
+    return _at(speeds, result.speed, largest)
 
 
 def _column(speeds: Array, result: Any, name: str, dim: str, word: str) -> Array | None:

@@ -31,4 +31,5 @@ QUANTITIES = {
     "bending_frequency": "Hz",  # one value per mode, in order, at one speed
     "axial_stiffness": "N/m",
     "seat_shift": "m",  # subject: bearing
+    "frozen_error": "1",  # of the axial stiffness of one bearing; largest over its loads
 }

@@ -86,8 +86,11 @@ def _preload(case: Drawable, result: Any, _: Mapping[str, Any]) -> Iterator[Job]
     yield "contacts", partial(_call, "preload", "contacts_figure", result)
 
 
-def _bearing(_: Drawable, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
+def _bearing(case: Drawable, result: Any, _: Mapping[str, Any]) -> Iterator[Job]:
     yield "bearing", partial(_call, "bearing", "bearing_figure", result)
+    if "complete" in result.tangent and len(result.tangent) > 1:
+        known = case.references
+        yield "bearing_tangents", partial(_call, "tangents", "tangents_figure", result, known)
 
 
 def _call(module: str, function: str, *arguments: Any) -> Figure:

@@ -6,7 +6,7 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator, Field, PlainValidator
 
-from rotordyn.analysis.specs import DIRECTIONS, VARIANTS, Port
+from rotordyn.analysis.specs import DIRECTIONS, TANGENTS, VARIANTS, Port
 from rotordyn.case.library import suggestion
 from rotordyn.case.node import UNKNOWN
 from rotordyn.case.schema.base import Entry
@@ -24,6 +24,8 @@ from rotordyn.case.schema.values import (
     whole,
     wrong,
 )
+
+Tangent = Annotated[str, choice(*TANGENTS)]
 
 
 class PreloadEntry(Entry):
@@ -87,6 +89,7 @@ class BearingMapEntry(Entry):
 
     loads: Annotated[list[Load], Field(min_length=1)]
     static_growth: Growth = 0.0
+    tangents: Annotated[list[Tangent], Field(min_length=1)] = [TANGENTS[0]]
 
 
 def _empty_if_bare(value: Any) -> Any:

@@ -6,7 +6,7 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
-from rotordyn.case.schema.analyses import AnalysesEntry
+from rotordyn.case.schema.analyses import AnalysesEntry, Tangent
 from rotordyn.case.schema.base import Entry
 from rotordyn.case.schema.reference import ReferenceEntry
 from rotordyn.case.schema.sweep import Speeds
@@ -21,6 +21,7 @@ class ConditionsEntry(Entry):
 
     kinematics: Kinematics = "hybrid"
     moment_sharing: MomentSharing = "equal"
+    tangent: Tangent = "complete"
     bearings: Annotated[str, choice("dynamic", "static")] = "dynamic"
     rotor: Annotated[str, choice("flexible", "rigid")] = "flexible"
     axial_force: Force = 0.0
