@@ -32,9 +32,7 @@ def solved(draw: Any) -> RigidBalls:
     thrown = np.array([draw(SCALE) for _ in range(5)]) * [80e-6, 60e-6, 60e-6, 1e-3, 1e-3]
     speed = HIGHEST[bearing] * draw(st.one_of(st.just(0.0), st.floats(0.05, 1.0))) * RPM
     try:
-        state = bearing.equilibrium(
-            displacement=thrown + [20e-6, 0, 0, 0, 0], speed=speed, **how
-        )
+        state = bearing.equilibrium(displacement=thrown + [20e-6, 0, 0, 0, 0], speed=speed, **how)
     except NoEquilibrium:
         assume(False)
     return RigidBalls(BallBearingOracle(bearing, **how), state)
