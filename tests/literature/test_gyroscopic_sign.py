@@ -75,11 +75,8 @@ def test_angular_momentum_asks_for_the_physical_sign(kinematics: str) -> None:
     momentum = balls.oracle.inertia * FAST * turning
     needed = FAST * orbit[:, None] * np.cross(AXIS, momentum)
     friction = (state.gyroscopic_moment / balls.oracle.d)[:, None]
-    arms = (
-        0.5
-        * balls.oracle.d
-        * np.array([-balls.line(state.inner_angle), balls.line(state.outer_angle)])
-    )
+    half = 0.5 * balls.oracle.d
+    arms = half * np.array([-balls.line(state.inner_angle), balls.line(state.outer_angle)])
     forces = friction * np.array([balls.slide(state.inner_angle), -balls.slide(state.outer_angle)])
     given = np.cross(arms, forces).sum(axis=0)
     assert given == pytest.approx(needed, rel=1e-9, abs=1e-12)

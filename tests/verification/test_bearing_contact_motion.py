@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import groupby
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -104,10 +106,8 @@ def test_control_goes_from_inner_at_rest_to_outer_at_speed() -> None:
     bearing = AngularContactBallBearing(9.525e-3, 90e-3, 25, 0.4363, 0.52, 0.56)
     speed = np.linspace(0.0, 30000.0, 61) * RPM
     s = bearing.equilibrium(load=[1000.0, 0, 0, 0, 0], speed=speed)
-    words = s.control[:, 0]
-    assert (words[0], words[-1]) == ("inner", "outer")
-    changes = [str(words[0]), *(str(b) for a, b in zip(words, words[1:], strict=False) if a != b)]
-    assert changes == ["inner", "neither", "outer"]
+    words = [word for word, _ in groupby(s.control[:, 0].tolist())]
+    assert words == ["inner", "neither", "outer"]
 
 
 @pytest.mark.parametrize("kinematics", HYPOTHESES)

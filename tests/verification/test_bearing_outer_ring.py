@@ -16,6 +16,7 @@ from tests.oracles.known_bearings import HARRIS_218, HYPOTHESES, RPM, SHARINGS, 
 from tests.oracles.rigid_balls import AXIS, RigidBalls, pair
 
 SCALE = st.floats(-1.0, 1.0)
+AXIAL = np.array([1.0, 0.0, 0.0, 0.0, 0.0])
 HIGHEST = {VEX70: 32000.0, HARRIS_218: 12000.0}  # rpm
 
 
@@ -32,7 +33,7 @@ def solved(draw: Any) -> RigidBalls:
     thrown = np.array([draw(SCALE) for _ in range(5)]) * [80e-6, 60e-6, 60e-6, 1e-3, 1e-3]
     speed = HIGHEST[bearing] * draw(st.one_of(st.just(0.0), st.floats(0.05, 1.0))) * RPM
     try:
-        state = bearing.equilibrium(displacement=thrown + [20e-6, 0, 0, 0, 0], speed=speed, **how)
+        state = bearing.equilibrium(displacement=thrown + 20e-6 * AXIAL, speed=speed, **how)
     except NoEquilibrium:
         assume(False)
     return RigidBalls(BallBearingOracle(bearing, **how), state)
