@@ -11,8 +11,8 @@ from hypothesis import given, settings
 from bearings import AngularContactBallBearing
 from tests.oracles.ball_bearing import BallBearingOracle
 from tests.oracles.known_bearings import HARRIS_218, HYPOTHESES, RPM, VEX70
+from tests.oracles.random_bearings import solved
 from tests.oracles.rigid_balls import AXIS, RigidBalls
-from tests.verification.test_bearing_outer_ring import solved
 
 FAST = {VEX70: 30000.0 * RPM, HARRIS_218: 10000.0 * RPM}
 

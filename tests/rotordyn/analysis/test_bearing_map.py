@@ -8,8 +8,10 @@ import numpy as np
 import pytest
 
 from rotordyn.analysis.bearing_map import answer, tangent_error
+from rotordyn.analysis.comparison import compare
 from rotordyn.analysis.specs import BearingMapSpec, Conditions
 from rotordyn.errors import NoSolution
+from rotordyn.machine.reference import Reference
 from tests.oracles.known_bearings import RPM, VEX70
 
 SPEED = np.array([0.0, 15000.0, 30000.0]) * RPM
@@ -54,6 +56,16 @@ def test_tangents_side_by_side() -> None:
     assert frozen == pytest.approx(found.stiffness[..., 0, 0, 0] / complete - 1.0)
     assert (frozen[0] == 0.0).all()
     assert np.abs(exact).max() < 1e-6 < np.abs(frozen[2]).min()
+
+
+def test_a_published_error_stands_beside_the_largest_of_ours() -> None:
+    known = Reference("frozen_error", "published", "x", (SPEED[2],), (0.16,))
+    spec = BearingMapSpec((250.0, 1000.0), tangents=("complete", "frozen"))
+    found = answer(VEX70, Conditions(kinematics="outer"), SPEED, spec)
+    (beside,) = compare([known], {"bearing": found}, None)
+    assert beside.values == pytest.approx((0.125,), abs=6e-4)
+    alone = answer(VEX70, Conditions(), SPEED, BearingMapSpec((250.0,)))
+    assert compare([known], {"bearing": alone}, None) == []
 
 
 def test_control_that_the_kinematics_assumes_is_checked() -> None:
