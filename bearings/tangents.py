@@ -27,7 +27,7 @@ COUPLED = np.array(  # x alone, y with θz, z with θy
 def frozen(state: BearingState) -> Array:
     """Tangent with centrifugal force and gyroscopic moment kept as they are (…, 5, 5).
 
-    Cao & Altintas, J. Mech. Des. 126 (2004) 525. At rest it is the complete one.
+    Cao & Altintas, J. Mech. Des. 126 (2004) 1089. At rest it is the complete one.
     """
     cause = state.cause
     g = geometry(cause.bearing)
