@@ -20,9 +20,10 @@ class Geometry:
     """Derived constants of one bearing (SI); symbols as in the theory page.
 
     ``free_distance`` BD between unloaded groove centres; ``inner_reach``, ``outer_reach``:
-    distance of the ball centre to each groove centre when it just touches; ``centre_radius`` Ri of
-    the circle of inner groove centres; ``size_ratio`` γ = D/dm; ``race_ratio`` c in
-    C = c (δi/δo)², the weight of the two races in the hybrid kinematics.
+    distance of the ball centre to each groove centre when it just touches; ``centre_radius`` Ri and
+    ``outer_centre_radius`` Ro of the circles of inner and outer groove centres; ``size_ratio``
+    γ = D/dm; ``race_ratio`` c in C = c (δi/δo)², the weight of the two races in the hybrid
+    kinematics.
     """
 
     ball_diameter: float
@@ -33,7 +34,9 @@ class Geometry:
     inner_reach: float
     outer_reach: float
     centre_radius: float
+    outer_centre_radius: float
     inner_conformity: float
+    outer_conformity: float
     size_ratio: float
     ball_mass: float
     ball_inertia: float
@@ -51,7 +54,7 @@ def geometry(bearing: AngularContactBallBearing) -> Geometry:
     mass = bearing.ball_material.density * math.pi * diameter**3 / 6.0
     inner = _race_contact(bearing, inner_f, +1.0)
     outer = _race_contact(bearing, outer_f, -1.0)
-    pull = (inner_f - 0.5) * diameter * math.cos(bearing.contact_angle)
+    cosine = math.cos(bearing.contact_angle)
     return Geometry(
         ball_diameter=diameter,
         pitch_diameter=pitch,
@@ -60,8 +63,10 @@ def geometry(bearing: AngularContactBallBearing) -> Geometry:
         free_distance=(inner_f + outer_f - 1.0) * diameter,
         inner_reach=(inner_f - 0.5) * diameter,
         outer_reach=(outer_f - 0.5) * diameter,
-        centre_radius=pitch / 2.0 + pull,
+        centre_radius=pitch / 2.0 + (inner_f - 0.5) * diameter * cosine,
+        outer_centre_radius=pitch / 2.0 - (outer_f - 0.5) * diameter * cosine,
         inner_conformity=inner_f,
+        outer_conformity=outer_f,
         size_ratio=diameter / pitch,
         ball_mass=mass,
         ball_inertia=mass * diameter**2 / 10.0,

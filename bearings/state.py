@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -76,3 +77,50 @@ class BearingState:
 
         check_name("stiffness method", method, ("complete", *TANGENTS))
         return TANGENTS[method](self)
+
+    @cached_property
+    def outer_ring_load(self) -> Array:
+        """(Fx, Fy, Fz, My, Mz) that the balls put on the outer ring (…, 5) [N, N·m].
+
+        Fx is that of ``load``; Fy and Fz are greater by the centrifugal forces. The moments are
+        about the centre of the circle of *outer* groove centres, which lies BD sin α0 + δx behind
+        that of the inner ones to which those of ``load`` refer.
+        """
+        from bearings.outer_ring import outer_ring_load
+
+        return outer_ring_load(self)
+
+    @cached_property
+    def control(self) -> NDArray[np.str_]:
+        """The race that controls each ball after Jones' criterion (…, balls).
+
+        ``"inner"``, ``"outer"``, ``"neither"``, or ``""`` for a ball that carries nothing.
+        """
+        from bearings.contact_motion import control
+
+        return control(self)
+
+    @property
+    def control_agrees(self) -> NDArray[np.bool_]:
+        """False where the kinematics assumes control by a race that does not have it (…, balls).
+
+        Only "outer" and "inner" assume such a thing, and only of balls that carry load.
+        """
+        named = self.cause.kinematics in ("inner", "outer")
+        return (self.control == self.cause.kinematics) | (self.control == "") | (not named)
+
+    @property
+    def inner_spin_to_roll(self) -> Array:
+        """Spin over rolling of each ball on the inner race (…, balls); 0 where it is not held."""
+        return self._spin_to_roll[0]
+
+    @property
+    def outer_spin_to_roll(self) -> Array:
+        """Spin over rolling of each ball on the outer race (…, balls); 0 where it is not held."""
+        return self._spin_to_roll[1]
+
+    @cached_property
+    def _spin_to_roll(self) -> tuple[Array, Array]:
+        from bearings.contact_motion import spin_to_roll
+
+        return spin_to_roll(self)

@@ -16,12 +16,18 @@ from bearings.state import BearingState
 
 Array = NDArray[np.float64]
 STEP = 1e-8  # m, of the central differences
+QUARTER_TURN = np.array(  # of (x, y, z, θy, θz) about x
+    [[1, 0, 0, 0, 0], [0, 0, 1, 0, 0], [0, -1, 0, 0, 0], [0, 0, 0, 0, 1], [0, 0, 0, -1, 0]]
+)
+COUPLED = np.array(  # x alone, y with θz, z with θy
+    [[1, 0, 0, 0, 0], [0, 1, 0, 0, 1], [0, 0, 1, 1, 0], [0, 0, 1, 1, 0], [0, 1, 0, 0, 1]]
+)
 
 
 def frozen(state: BearingState) -> Array:
     """Tangent with centrifugal force and gyroscopic moment kept as they are (…, 5, 5).
 
-    Cao & Altintas, J. Mech. Des. 126 (2004) 525. At rest it is the complete one.
+    Cao & Altintas, J. Mech. Des. 126 (2004) 1089. At rest it is the complete one.
     """
     cause = state.cause
     g = geometry(cause.bearing)
@@ -46,7 +52,7 @@ def frozen(state: BearingState) -> Array:
     balance = turning_balance(part.model, centre, ball, part.speed[:, None], whole, frozen=True)
     stiffness = state.complete_stiffness.reshape(-1, 5, 5).copy()
     stiffness[turning] = follow_tangent(part, balance, inverse(balance.dresidual_dx)[0])
-    return stiffness.reshape(state.complete_stiffness.shape)
+    return _alike(state, stiffness.reshape(state.complete_stiffness.shape))
 
 
 def difference(state: BearingState) -> Array:
@@ -54,7 +60,9 @@ def difference(state: BearingState) -> Array:
     cause = state.cause
     radius = geometry(cause.bearing).centre_radius
     step = STEP * np.diag([1.0, 1.0, 1.0, 1.0 / radius, 1.0 / radius])
-    moved = [state.displacement[..., None, :] + k * step for k in (1.0, -1.0, 2.0, -2.0)]
+    known = state.outcome == ""
+    middle = np.where(known[..., None], state.displacement, 0.0)
+    moved = [middle[..., None, :] + k * step for k in (1.0, -1.0, 2.0, -2.0)]
     load = cause.bearing.equilibrium(
         displacement=np.stack(moved),
         speed=state.speed[..., None],
@@ -64,7 +72,15 @@ def difference(state: BearingState) -> Array:
         moment_sharing=cause.moment_sharing,
     ).load
     slope = (8.0 * (load[0] - load[1]) - (load[2] - load[3])) / (12.0 * np.diag(step)[:, None])
-    return np.asarray(slope.swapaxes(-1, -2))
+    return _alike(state, np.where(known[..., None, None], slope.swapaxes(-1, -2), np.nan))
+
+
+def _alike(state: BearingState, stiffness: Array) -> Array:
+    """Rounding removed where a state is axial: its planes answer alike and do not couple."""
+    axial = ((state.load == 0.0) & (state.displacement == 0.0))[..., 1:].all(axis=-1)
+    turned = QUARTER_TURN @ stiffness @ QUARTER_TURN.T
+    exact = np.where(COUPLED, 0.5 * (stiffness + turned), 0.0)
+    return np.where(axial[..., None, None], exact, stiffness)
 
 
 TANGENTS: dict[str, Callable[[BearingState], Array]] = {

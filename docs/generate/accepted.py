@@ -36,7 +36,7 @@ def default(field: FieldInfo) -> str:
     if isinstance(value, Entry):
         return "its defaults"
     if isinstance(value, list):
-        return "all"
+        return "all" if len(value) > 1 else f"`[{value[0]}]`"
     return f"`{_written(field, value)}`"
 
 

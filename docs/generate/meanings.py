@@ -28,6 +28,8 @@ MEANINGS: dict[str, dict[str, str]] = {
     "conditions": {
         "kinematics": "how a ball's rotation axis is found ([theory](theory/ball.md))",
         "moment_sharing": "which race carries the gyroscopic moment",
+        "tangent": "stiffness of a spindle's bearings where they act as springs "
+        "([theory](theory/ball.md#the-tangent))",
         "bearings": "`static`: the state at rest serves every speed",
         "rotor": "`rigid`: the shaft does not bend, stretch or twist",
         "axial_force": "external force on the shaft towards +x",
@@ -79,6 +81,7 @@ MEANINGS: dict[str, dict[str, str]] = {
     "bearing map": {
         "loads": "axial loads, ascending",
         "static_growth": "radial growth of the inner groove at rest",
+        "tangents": "stiffness matrices to compute ([theory](theory/ball.md#the-tangent))",
     },
     "spindle": {
         "title": "one line",

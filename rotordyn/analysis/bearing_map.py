@@ -14,6 +14,8 @@ from rotordyn.analysis.specs import BearingMapSpec, Conditions
 from rotordyn.errors import NoSolution
 from rotordyn.machine.limits import HIGHEST_PRESSURE
 
+SHOWN = (*BALL_QUANTITIES, "inner_spin_to_roll", "outer_spin_to_roll")
+
 
 def answer(
     bearing: AngularContactBallBearing, conditions: Conditions, speed: Array, spec: BearingMapSpec
@@ -36,18 +38,29 @@ def answer(
     outcome = _outcomes(speed, spec.loads, state)
     if (outcome != "").all():
         raise NoSolution(f"no load and speed of the case has a state: {outcome.flat[0]}")
-    shown = [name for name in BALL_QUANTITIES if not name.endswith("_grip")]
-    balls = {name: _where(outcome, getattr(state, name)[..., 0]) for name in shown}
+    balls = {name: _where(outcome, getattr(state, name)[..., 0]) for name in SHOWN}
+    good = outcome == ""
     return BearingMapResult(
         speed=speed,
         load=np.array(spec.loads),
+        tangent=spec.tangents,
         dof=FREEDOMS,
         dof_other=FREEDOMS,
         outcome=outcome,
         deflection=_where(outcome, state.displacement[..., 0]),
-        stiffness=_where(outcome, state.stiffness("complete")),
+        stiffness=_where(outcome, np.stack([state.stiffness(t) for t in spec.tangents], axis=2)),
+        control=np.where(good, state.control[..., 0], ""),
+        control_agrees=good & state.control_agrees[..., 0],
         **balls,
     )
+
+
+def tangent_error(result: BearingMapResult, tangent: str, freedom: str) -> Array:
+    """Diagonal entry of ``tangent`` over that of the complete tangent, less 1 (speeds, loads)."""
+    own, complete = (result.tangent.index(name) for name in (tangent, "complete"))
+    place = result.dof.index(freedom)
+    entry = result.stiffness[..., place, place]
+    return np.asarray(entry[..., own] / entry[..., complete] - 1.0)
 
 
 def _outcomes(speed: Array, loads: tuple[float, ...], state: BearingState) -> NDArray[np.str_]:

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.results import CampbellResult, PreloadResult
+from rotordyn.analysis.bearing_map import tangent_error
+from rotordyn.analysis.results import BearingMapResult, CampbellResult, PreloadResult
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
 
@@ -103,6 +104,8 @@ def _computed(
             return _column(speeds, preload, "position", "body", subject)
         case quantity if quantity in MODES and "campbell" in results:
             return _frequencies_of(results["campbell"], reference)
+        case "frozen_error" if "bearing" in results:
+            return _frozen(results["bearing"], speeds)
     return None
 
 
@@ -116,6 +119,14 @@ def _frequencies_of(result: CampbellResult, reference: Reference) -> Array | Non
         return np.full(speeds.size, np.nan)
     found = MODES[reference.quantity](result, float(speeds[0]))[: speeds.size]
     return np.concatenate([found, np.full(speeds.size - found.size, np.nan)])
+
+
+def _frozen(result: BearingMapResult, speeds: Array) -> Array | None:
+    """Largest error of Kxx by the frozen tangent over the loads."""
+    if not {"complete", "frozen"} <= set(result.tangent):
+        return None
+    largest = np.fmax.reduce(np.abs(tangent_error(result, "frozen", "x")), axis=1)
+    return _at(speeds, result.speed, largest)
 
 
 def _column(speeds: Array, result: Any, name: str, dim: str, word: str) -> Array | None:

@@ -1,8 +1,9 @@
 """What the analyses answer: frozen arrays that know their dimensions and units, nothing else.
 
 Dimensions: ``speed`` [rad/s], ``bearing``, ``sleeve``, ``body``, ``mode``, ``frequency`` [Hz],
-``pair``, ``variant``, ``force`` [N], ``node``, ``dof``. A value that does not exist is NaN only
-where an ``outcome`` of the same speed, or the label of the same mode, says why.
+``pair``, ``variant``, ``force`` [N], ``load`` [N], ``tangent``, ``node``, ``dof``. A value that
+does not exist is NaN only where an ``outcome`` of the same speed, or the label of the same mode,
+says why.
 """
 
 from __future__ import annotations
@@ -118,12 +119,15 @@ class BearingMapResult:
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
     load: Array = coordinate("load", unit="N", label="axial load")
+    tangent: Words = coordinate("tangent", unit="", label="tangent")
     dof: Words = coordinate("dof", unit="", label="freedom")
     dof_other: Words = coordinate("dof_other", unit="", label="freedom")
     outcome: NDArray[np.str_] = quantity("speed", "load", unit="", label="outcome")
     deflection: Array = quantity("speed", "load", unit="m", label="axial deflection")
     stiffness: Array = quantity(
-        "speed", "load", "dof", "dof_other", unit="N/m, N/rad, N·m/rad", label="stiffness"
+        *("speed", "load", "tangent", "dof", "dof_other"),
+        unit="N/m, N/rad, N·m/rad",
+        label="stiffness",
     )
     inner_angle: Array = quantity("speed", "load", unit="rad", label="inner contact angle")
     outer_angle: Array = quantity("speed", "load", unit="rad", label="outer contact angle")
@@ -133,6 +137,16 @@ class BearingMapResult:
     outer_pressure: Array = quantity("speed", "load", unit="Pa", label="outer peak pressure")
     centrifugal_force: Array = quantity("speed", "load", unit="N", label="centrifugal force")
     gyroscopic_moment: Array = quantity("speed", "load", unit="N·m", label="gyroscopic moment")
+    inner_grip: Array = quantity("speed", "load", unit="1", label="grip needed, inner race")
+    outer_grip: Array = quantity("speed", "load", unit="1", label="grip needed, outer race")
+    inner_spin_to_roll: Array = quantity(
+        "speed", "load", unit="1", label="spin-to-roll ratio, inner race"
+    )
+    outer_spin_to_roll: Array = quantity(
+        "speed", "load", unit="1", label="spin-to-roll ratio, outer race"
+    )
+    control: NDArray[np.str_] = quantity("speed", "load", unit="", label="controlling race")
+    control_agrees: Flags = quantity("speed", "load", unit="", label="kinematics agrees")
 
 
 Result = PreloadResult | CampbellResult | FrfResult | StiffnessResult | BearingMapResult

@@ -201,12 +201,17 @@ class Scene:
         ports = tuple(self.mesh.node_of(x) for x in self.ports)
         return lateral_rotor(self.spindle, self.mesh, self.max_frequency, ports, rigid=self.rigid)
 
+    @stage
+    def tangents(self) -> Array:
+        """Bearing tangents in their own frames at ``bearing_speed`` (…, seats, 5, 5)."""
+        return self.preload.seat_stiffness(self.conditions.tangent)
+
     @property
     def seat_stiffness(self) -> Array:
         """Bearing tangents in their own frames at the usable speeds (usable, seats, 5, 5)."""
         if not self.spindle.seats:
             return np.zeros((len(self.speed), 0, 5, 5))
-        return self.preload.seat_stiffness()[self.bearing_row[self.usable]]
+        return self.tangents[self.bearing_row[self.usable]]
 
     @stage
     def bending(self) -> LateralSystem:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 
 VARIANTS = ("nonlinear", "full", "diagonal", "constant_preload")
+TANGENTS = ("complete", "frozen", "difference")
 DIRECTIONS = ("x", "y", "z", "thx", "thy", "thz")
 
 
@@ -13,8 +14,10 @@ DIRECTIONS = ("x", "y", "z", "thx", "thy", "thz")
 class Conditions:
     """How the machine is modelled.
 
-    ``kinematics``, ``moment_sharing``: as in ``bearings``. ``bearings``: ``"dynamic"`` (speed acts
-    on the bearings) or ``"static"`` (their state at rest serves every speed). ``rotor``:
+    ``kinematics``, ``moment_sharing``: as in ``bearings``. ``tangent``: of ``TANGENTS``, the
+    stiffness of the bearings of a spindle wherever they act as linear springs. ``bearings``:
+    ``"dynamic"`` (speed acts on the bearings) or ``"static"`` (their state at rest serves every
+    speed). ``rotor``:
     ``"flexible"`` or ``"rigid"``. ``axial_force`` [N] on the shaft towards +x; ``gravity``: ``""``,
     ``"+x"`` or ``"-x"`` for a vertical spindle. ``element_length`` [m]: longest element; None =
     chosen from the shaft. ``spin_softening``: subtract Ω² M_ω in the fixed frame (to reproduce
@@ -23,6 +26,7 @@ class Conditions:
 
     kinematics: str = "hybrid"
     moment_sharing: str = "equal"
+    tangent: str = "complete"
     bearings: str = "dynamic"
     rotor: str = "flexible"
     axial_force: float = 0.0
@@ -90,10 +94,14 @@ class StiffnessSpec:
 
 @dataclass(frozen=True, slots=True)
 class BearingMapSpec:
-    """A single bearing under axial ``loads`` [N] at every speed of the case."""
+    """A single bearing under axial ``loads`` [N] at every speed of the case.
+
+    ``tangents``: of ``TANGENTS``, the stiffness matrices to compute.
+    """
 
     loads: tuple[float, ...]
     static_growth: float = 0.0
+    tangents: tuple[str, ...] = TANGENTS[:1]
 
 
 Spec = PreloadSpec | CampbellSpec | FrfSpec | StiffnessSpec | BearingMapSpec

@@ -150,7 +150,7 @@ def _linear(scene: Scene, rotor: CondensedRotor, name: str, force: Array) -> Var
     if name == "constant_preload":
         stiffness, outcome = _constant_preload(scene)
     else:
-        stiffness = scene.preload.seat_stiffness()
+        stiffness = scene.tangents
     block = _plane_blocks(scene, stiffness[rows])
     if name == "diagonal":
         block = block * np.eye(2)
@@ -184,7 +184,7 @@ def _constant_preload(scene: Scene) -> tuple[Array, NDArray[np.object_]]:
             kinematics=scene.law.kinematics,
             moment_sharing=scene.law.moment_sharing,
         )
-        blocks[:, list(joint.seats)] = held.stiffness("complete")[:, None]
+        blocks[:, list(joint.seats)] = held.stiffness(scene.conditions.tangent)[:, None]
         lost = (held.outcome != "") & (outcome == "")
         outcome[lost] = f"bearing {names} has no equilibrium under its load at rest"
     return blocks, outcome

@@ -28,7 +28,8 @@ if TYPE_CHECKING:
 def bearing_figure(result: BearingMapResult) -> Figure:
     """Axial and radial stiffness, contact angles and peak pressures, a colour per axial load."""
     figure = new_figure(168.0, 118.0)
-    names = ["stiffness Kxx [N/µm]", "stiffness Kyy [N/µm]"]
+    own = "" if result.tangent[0] == "complete" else f", {result.tangent[0]}"
+    names = [f"stiffness Kxx{own} [N/µm]", f"stiffness Kyy{own} [N/µm]"]
     names += ["contact angle [deg]", "peak pressure [GPa]"]
     boxes = grid_boxes(figure, 2, 2, margins=(15.0, 6.0, 12.0, 8.0), gaps=(18.0, 5.0))
     axes = [
@@ -59,7 +60,7 @@ def _entry(
     result: BearingMapResult, stiffness: NDArray[np.float64], freedom: str
 ) -> NDArray[np.float64]:
     at = result.dof.index(freedom)
-    return np.asarray(stiffness[:, :, at, result.dof_other.index(freedom)])
+    return np.asarray(stiffness[:, :, 0, at, result.dof_other.index(freedom)])
 
 
 def _per_load(

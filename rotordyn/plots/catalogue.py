@@ -88,8 +88,11 @@ def _preload(case: Drawable, result: Any, _: Mapping[str, Any]) -> Iterator[Job]
     yield "contacts", partial(call, "preload", "contacts_figure", result)
 
 
-def _bearing(_: Drawable, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
+def _bearing(case: Drawable, result: Any, _: Mapping[str, Any]) -> Iterator[Job]:
     yield "bearing", partial(call, "bearing", "bearing_figure", result)
+    if "complete" in result.tangent and len(result.tangent) > 1:
+        known = case.known
+        yield "bearing_tangents", partial(call, "tangents", "tangents_figure", result, known)
 
 
 def call(module: str, function: str, *arguments: Any) -> Figure:

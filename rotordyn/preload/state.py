@@ -94,10 +94,11 @@ class PreloadState:
                     place[seat] = (solved.state, column)
         return [place[seat] for seat in sorted(place)]
 
-    def seat_stiffness(self) -> Array:
-        """Complete tangent of every bearing in its own frame (speeds, seats, 5, 5)."""
-        columns = [state.complete_stiffness[:, column] for state, column in self.seat_states()]
-        return np.stack(columns, axis=1)
+    def seat_stiffness(self, tangent: str = "complete") -> Array:
+        """A tangent of every bearing in its own frame (speeds, seats, 5, 5)."""
+        seats = self.seat_states()
+        stiffness = {state: state.stiffness(tangent) for state in {state for state, _ in seats}}
+        return np.stack([stiffness[state][:, column] for state, column in seats], axis=1)
 
     def seat_growth(self) -> Array:
         """Total radial growth of every inner groove centre (speeds, seats) [m]."""

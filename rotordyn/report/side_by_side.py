@@ -119,7 +119,7 @@ def _stiffness(result: StiffnessResult, _: Described) -> Cells:
 
 
 def _bearing(result: BearingMapResult, _: Described) -> Cells:
-    ends = result.stiffness[[0, -1]] * STIFFNESS.factor
+    ends = result.stiffness[[0, -1], :, 0] * STIFFNESS.factor
     return {
         f"{load:.0f} N": ", ".join(_arrow(ends[:, k, i, i]) for i in (0, 1))
         for k, load in enumerate(result.load)

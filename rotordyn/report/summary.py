@@ -132,8 +132,9 @@ def _turning(name: str, whirl: float) -> str:
 def _bearing(result: BearingMapResult) -> list[str]:
     """Axial and radial stiffness at each load, at the first and the last speed."""
     first, last = (f"{v * RPM.factor:.0f}" for v in result.speed[[0, -1]])
-    lines = [f"stiffness  [N/µm] of the bearing, tilts blocked, at {first} → {last} rpm"]
-    ends = result.stiffness[[0, -1]] * STIFFNESS.factor
+    name = "" if result.tangent[0] == "complete" else f" ({result.tangent[0]} tangent)"
+    lines = [f"stiffness  [N/µm] of the bearing, tilts blocked, at {first} → {last} rpm{name}"]
+    ends = result.stiffness[[0, -1], :, 0] * STIFFNESS.factor
     for k, load in enumerate(result.load):
         words = [word for word in result.outcome[:, k] if word]
         if len(words) == len(result.speed):

@@ -52,7 +52,10 @@ LAYOUTS = {
         Layout("stiffness", ("speed", "variant")),
         Layout("stiffness_curves", ("speed", "variant", "force")),
     ),
-    "bearing": (Layout("bearing", ("speed", "load"), ("dof", "dof_other")),),
+    "bearing": (
+        Layout("bearing", ("speed", "load")),
+        Layout("bearing_stiffness", ("speed", "load", "tangent"), ("dof", "dof_other")),
+    ),
 }
 Column = tuple[str, list[Any]]
 

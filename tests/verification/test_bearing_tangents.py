@@ -46,6 +46,29 @@ def test_shapes_follow_the_batch() -> None:
         assert state.stiffness(method).shape == (3, 2, 5, 5)
 
 
+@pytest.mark.parametrize("method", ["complete", "frozen", "difference"])
+def test_planes_of_an_axial_state_answer_alike(method: str) -> None:
+    """Nothing couples them, not even rounding: the rotor on top may then fold both into one."""
+    turned = np.array([0, 2, 1, 4, 3])
+    sign = np.array([1.0, 1.0, 1.0, -1.0, -1.0])
+    k = VEX70.equilibrium(load=[1220.0, 0, 0, 0, 0], speed=25000 * RPM).stiffness(method)
+    assert k == pytest.approx((k * sign * sign[:, None])[np.ix_(turned, turned)], rel=1e-13)
+    assert set(zip(*np.nonzero(k), strict=True)) == {
+        (0, 0), (1, 1), (2, 2), (3, 3), (4, 4), (1, 4), (4, 1), (2, 3), (3, 2),
+    }  # fmt: skip
+
+
+def test_states_that_do_not_exist_do_not_disturb_their_neighbours() -> None:
+    load = np.array([[1000.0, 0, 0, 0, 0], [0.0, 0, 0, 0, 0], [1000.0, 50.0, 0, 0, 0]])
+    state = VEX70.equilibrium(load=load, speed=2000.0)
+    for method in ("complete", "frozen", "difference"):
+        k = state.stiffness(method)
+        assert np.isnan(k[1]).all()
+        for place in (0, 2):
+            alone = VEX70.equilibrium(load=load[place], speed=2000.0).stiffness(method)
+            assert apart(k[place], alone) < 1e-7
+
+
 def test_unknown_method() -> None:
     with pytest.raises(InvalidBearing, match="did you mean 'frozen'"):
         VEX70.equilibrium(load=[1000.0, 0, 0, 0, 0]).stiffness("frosen")

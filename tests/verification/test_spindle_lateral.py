@@ -114,7 +114,7 @@ class _Tangents:
     def __init__(self, ours: Scene, tangents: np.ndarray) -> None:
         self.outcome, self._tangents = ours.preload.outcome, tangents
 
-    def seat_stiffness(self) -> np.ndarray:
+    def seat_stiffness(self, tangent: str) -> np.ndarray:
         return self._tangents
 
 

@@ -48,7 +48,7 @@ def _spec(
         case StiffnessEntry():
             return _stiffness(entry)
         case BearingMapEntry():
-            return BearingMapSpec(tuple(entry.loads), entry.static_growth)
+            return BearingMapSpec(tuple(entry.loads), entry.static_growth, tuple(entry.tangents))
         case PreloadEntry():
             return PreloadSpec()
 

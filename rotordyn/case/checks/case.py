@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from rotordyn.case.build.spindle import support
 from rotordyn.case.build.sweep import values
@@ -58,6 +59,7 @@ def _lists(entry: CaseEntry, root: Node, faults: Faults) -> None:
     way, analyses = ("analyses",), entry.analyses
     if analyses.bearing is not None:
         ascending(analyses.bearing.loads, root, (*way, "bearing", "loads"), faults)
+        _once(analyses.bearing.tangents, root, (*way, "bearing", "tangents"), faults)
     if analyses.campbell is not None:
         ascending(analyses.campbell.teeth, root, (*way, "campbell", "teeth"), faults)
     if analyses.frf is not None:
@@ -65,7 +67,7 @@ def _lists(entry: CaseEntry, root: Node, faults: Faults) -> None:
         ascending(analyses.frf.slices, root, (*way, "frf", "slices"), faults)
         _slices(analyses.frf, entry, root, faults)
     if analyses.stiffness is not None:
-        _variants(analyses.stiffness, root, faults)
+        _once(analyses.stiffness.variants, root, (*way, "stiffness", "variants"), faults)
 
 
 def _slices(entry: FrfEntry, case: CaseEntry, root: Node, faults: Faults) -> None:
@@ -76,11 +78,10 @@ def _slices(entry: FrfEntry, case: CaseEntry, root: Node, faults: Faults) -> Non
             faults.at(root, way, f"not within the speeds of the case: given '{root.at(*way).raw}'")
 
 
-def _variants(entry: StiffnessEntry, root: Node, faults: Faults) -> None:
-    for index, name in enumerate(entry.variants):
-        if name and name in entry.variants[:index]:
-            way = ("analyses", "stiffness", "variants", index)
-            faults.at(root, way, f"repeated: given '{name}'")
+def _once(names: Sequence[str], root: Node, way: tuple[str, ...], faults: Faults) -> None:
+    for index, name in enumerate(names):
+        if name and name in names[:index]:
+            faults.at(root, (*way, index), f"repeated: given '{name}'")
 
 
 def against_machine(

@@ -6,10 +6,11 @@ from typing import Annotated, Any
 
 from pydantic import BeforeValidator, Field, PlainValidator
 
-from rotordyn.analysis.specs import DIRECTIONS, VARIANTS, Port
+from rotordyn.analysis.specs import DIRECTIONS, TANGENTS, VARIANTS, Port
 from rotordyn.case.library import suggestion
 from rotordyn.case.node import UNKNOWN
 from rotordyn.case.schema.base import Entry
+from rotordyn.case.schema.conditions import Tangent
 from rotordyn.case.schema.sweep import Frequencies
 from rotordyn.case.schema.values import (
     Flag,
@@ -87,6 +88,7 @@ class BearingMapEntry(Entry):
 
     loads: Annotated[list[Load], Field(min_length=1)]
     static_growth: Growth = 0.0
+    tangents: Annotated[list[Tangent], Field(min_length=1)] = [TANGENTS[0]]
 
 
 def _empty_if_bare(value: Any) -> Any:

@@ -12,7 +12,13 @@ from rotordyn.case.schema.values import Speed, Text, choice
 from rotordyn.machine.reference import QUANTITIES
 
 # The kind of quantity read for the unit in which a reference is kept.
-KIND_OF_UNIT = {"N/m": "stiffness", "N": "force", "m": "length", "Hz": "frequency"}
+KIND_OF_UNIT = {
+    "N/m": "stiffness",
+    "N": "force",
+    "m": "length",
+    "Hz": "frequency",
+    "1": "ratio",
+}
 
 
 class ReferenceEntry(Entry):

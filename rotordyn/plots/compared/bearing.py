@@ -22,7 +22,7 @@ def bearing_figure(variants: Sequence[Shown]) -> Figure:
         axes = add_axes(figure, box, "speed [rpm]", f"stiffness {name} [N/µm]")
         for place, variant in enumerate(variants):
             rpm = variant.result.speed * RPM.factor
-            values = variant.result.stiffness[..., entry, entry] * STIFFNESS.factor
+            values = variant.result.stiffness[:, :, 0, entry, entry] * STIFFNESS.factor
             for column in range(len(loads)):
                 look = dash(column if len(loads) > 1 else place)
                 axes.plot(rpm, values[:, column], color=colour(place), ls=look, label=variant.title)

@@ -33,7 +33,7 @@ ASKED = {
     "stiffness": StiffnessSpec("Oc2", 500.0, 2, second_stop={"front": 45e-6}),
 }
 STAGES = {
-    "mesh", "preload", "rotor", "bending", "bending_modes",
+    "mesh", "preload", "tangents", "rotor", "bending", "bending_modes",
     "axial", "axial_modes", "torsion", "torsion_modes", "coupled", "coupled_modes",
 }  # fmt: skip
 JOINED = {"coupled", "coupled_modes"}
@@ -50,7 +50,7 @@ def skipped(analyses: dict[str, Any]) -> set[str]:
     ("names", "unused"),
     [
         (["preload"], STAGES - {"preload"}),
-        (["stiffness"], STAGES - {"preload", "mesh"}),
+        (["stiffness"], STAGES - {"preload", "tangents", "mesh"}),
         (["frf"], RODS | JOINED),
         (["campbell"], JOINED),
         (["preload", "frf", "stiffness"], RODS | JOINED),
@@ -88,6 +88,34 @@ def test_static_bearings_are_solved_at_rest_only() -> None:
     assert found.preload.speed.tolist() == [0.0]
     assert found.bearing_row.tolist() == [0, 0, 0]
     assert (found.seat_stiffness[0] == found.seat_stiffness[2]).all()
+
+
+@pytest.mark.parametrize("tangent", ["complete", "frozen", "difference"])
+def test_the_tangent_in_force_is_that_of_the_conditions(tangent: str) -> None:
+    """Modes, receptances and linear stiffness all stand on it; the planes stay alike."""
+    found = scene(mfw2310(), (0, 24000), tangent=tangent)
+    expected = found.preload.seat_stiffness(tangent)
+    assert (found.seat_stiffness == expected).all()
+    assert found.bending.isotropic
+    complete = found.preload.seat_stiffness()
+    apart = np.abs(expected[..., 1, 1] / complete[..., 1, 1] - 1.0)
+    assert apart[0].max() < 1e-7
+    assert (apart[1].max() > 0.01) == (tangent == "frozen")
+
+
+def test_tangent_reaches_every_linear_answer() -> None:
+    """At rest all tangents are one; at top speed the frozen one is too stiff in every variant."""
+    linear = StiffnessSpec("Oc2", 500.0, 2, ("full", "diagonal", "constant_preload"))
+    asked = {"campbell": CampbellSpec(2000.0, (), False), "stiffness": linear}
+    found, frozen = (
+        answers(mfw2310(), (0, 24000), asked, tangent=name) for name in ("complete", "frozen")
+    )
+    pairs = (found["stiffness"].tangent, frozen["stiffness"].tangent)
+    assert pairs[1][0] == pytest.approx(pairs[0][0], rel=1e-9)
+    assert (pairs[1][1] > 1.01 * pairs[0][1]).all()
+    modes, stiffer = (f["campbell"].frequency[:, 0] for f in (found, frozen))
+    assert stiffer[0] == pytest.approx(modes[0], rel=1e-9)
+    assert abs(stiffer[1] / modes[1] - 1.0) > 1e-3
 
 
 def test_weight_of_a_vertical_spindle() -> None:

@@ -282,19 +282,22 @@ def stiffness(count: int = 49) -> StiffnessResult:
 
 
 def bearing(count: int = 13) -> BearingMapResult:
-    """K grows with the cube root of the load and falls with speed."""
-    speed, load = speeds(count), np.array([250.0, 500.0, 1000.0, 2000.0])
+    """K grows with the cube root of the load and falls with speed; frozen it errs to −16 %."""
+    speed, load = speeds(count), np.array([250.0, 500.0, 1000.0, 1500.0, 2000.0])
     s = (speed / TOP)[:, None] ** 2
     k = 1.4e8 * (load / 1000.0) ** (1 / 3) / (1.0 + 3.0 * s * 500.0 / load)
     ones = np.ones_like(k)
+    complete = k[..., None, None] * np.diag([1.0, 2.1, 2.1, 1e-3, 1e-3])
+    frozen = complete * (1.0 - 40.0 * s / load)[..., None, None]
     return BearingMapResult(
         speed=speed,
         load=load,
+        tangent=("complete", "frozen"),
         dof=DOFS,
         dof_other=DOFS,
         outcome=np.full((count, load.size), "solved"),
         deflection=load / k,
-        stiffness=k[..., None, None] * np.diag([1.0, 2.1, 2.1, 1e-3, 1e-3]),
+        stiffness=np.stack([complete, frozen], axis=2),
         inner_angle=0.44 + 0.2 * s * ones,
         outer_angle=0.44 - 0.2 * s * ones,
         inner_load=load / 10.0 * ones,
@@ -303,6 +306,12 @@ def bearing(count: int = 13) -> BearingMapResult:
         outer_pressure=1.4e9 * ones + 3e8 * s,
         centrifugal_force=100.0 * s * ones,
         gyroscopic_moment=0.04 * s * ones,
+        inner_grip=0.1 * s * ones,
+        outer_grip=0.06 * s * ones,
+        inner_spin_to_roll=0.08 + 0.2 * s * ones,
+        outer_spin_to_roll=0.01 * s * ones,
+        control=np.full(k.shape, "outer"),
+        control_agrees=np.full(k.shape, True),
     )
 
 

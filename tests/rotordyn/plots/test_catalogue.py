@@ -19,6 +19,7 @@ NAMES = {
     "machine", "campbell", "mode_shapes", "frf_map", "frf_maps", "frf_surface",
     "frf_amplitude_phase_1", "frf_amplitude_phase_2", "frf_real_imaginary_1",
     "frf_real_imaginary_2", "stiffness", "stiffness_force", "preload", "contacts", "bearing",
+    "bearing_tangents",
 }  # fmt: skip
 
 
@@ -72,7 +73,7 @@ def test_bearing_alone(case):
     jobs = figures(
         samples.SampleCase(bearing=samples.ball_bearing(0.09, 25)), {"bearing": samples.bearing(3)}
     )
-    assert [name for name, _ in jobs] == ["bearing"]
+    assert [name for name, _ in jobs] == ["bearing", "bearing_tangents"]
 
 
 def test_one_speed_and_missing_values_can_be_drawn(case, tmp_path):

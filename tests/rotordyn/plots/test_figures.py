@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 from matplotlib.collections import LineCollection
 
+from rotordyn.machine.reference import Reference
 from rotordyn.plots.campbell import LOOKS, campbell_figure, whirl_segments
 from rotordyn.plots.decimate import nearest, peak_bins
 from rotordyn.plots.frf_map import map_figure
@@ -17,6 +18,7 @@ from rotordyn.plots.frf_surface import surface_figure
 from rotordyn.plots.preload import preload_figure
 from rotordyn.plots.shapes import plane_curve, shapes_figure
 from rotordyn.plots.stiffness import stiffness_figure
+from rotordyn.plots.tangents import tangents_figure
 from tests.rotordyn.plots import samples
 
 
@@ -157,6 +159,39 @@ def test_phase_does_not_draw_its_jumps():
     steps = np.abs(np.diff(phase))
     assert np.isnan(phase).any()
     assert np.nanmax(steps) < 200.0
+
+
+def test_tangents_have_a_curve_per_load_and_a_map():
+    known = Reference("frozen_error", "published", "x", (samples.TOP,), (0.16,))
+    result = samples.bearing(9)
+    figure = tangents_figure(result, (known,))
+    curves, chart, _, _ = figure.axes
+    assert [t.get_text() for t in figure.legends[0].get_texts()] == [
+        "250 N", "500 N", "1000 N", "1500 N", "2000 N",
+    ]  # fmt: skip
+    ends = [line.get_ydata()[-1] for line in curves.lines[:5]]
+    np.testing.assert_allclose(ends, [-16.0, -8.0, -4.0, -8.0 / 3.0, -2.0])
+    marker = next(line for line in curves.lines if line.get_label() == "published: size")
+    np.testing.assert_allclose(marker.get_xydata(), [[24000.0, -16.0]])
+    assert "largest -16.0 % at 24000 rpm, 250 N" in chart.get_title()
+
+
+def test_few_loads_have_no_map_and_exact_tangents_no_lines():
+    result = samples.bearing(9)
+    few = replace(result, load=result.load[:4], stiffness=result.stiffness[:, :4])
+    assert len(tangents_figure(few).axes) == 2
+    same = replace(result, stiffness=np.repeat(result.stiffness[:, :, :1], 2, axis=2))
+    chart = tangents_figure(same).axes[1]
+    assert [text.get_text() for text in chart.texts] == ["no difference"]
+
+
+def test_a_missing_state_leaves_a_gap():
+    result = samples.bearing(9)
+    values = result.stiffness.copy()
+    values[-1, 0] = np.nan
+    figure = tangents_figure(replace(result, stiffness=values))
+    assert np.isnan(figure.axes[0].lines[0].get_ydata()[-1])
+    assert "250 N" in figure.axes[1].get_title()
 
 
 def test_references_stand_beside_the_stiffness():
