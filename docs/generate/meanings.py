@@ -20,10 +20,11 @@ MEANINGS: dict[str, dict[str, str]] = {
         "moment_sharing": "which race carries the gyroscopic moment",
         "bearings": "`static`: the state at rest serves every speed",
         "rotor": "`rigid`: the shaft does not bend, stretch or twist",
-        "axial_force": "external force on the shaft towards +x",
+        "axial_force": "external force on the front end of the shaft (of the tool), towards +x",
         "gravity": "direction of the rotor's weight (vertical spindle); sleeves are not weighed",
         "element_length": "longest element; by default 1/50 of the shaft",
-        "spin_softening": "subtract Ω² M_ω in the fixed frame, only to reproduce codes that do",
+        "formulation": "frame in which bending is written ([the three](formulations.md))",
+        "axial_stiffening": "the axial force in the shaft stiffens or softens its bending",
     },
     "speed range": {
         "from": "first speed",

@@ -9,7 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.results import CampbellResult
+from rotordyn.analysis.formulation import ROTATING
+from rotordyn.analysis.results import CampbellResult, TurningCampbellResult
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.shapes import bending_shape, rod_shape, scaled
 from rotordyn.analysis.specs import CampbellSpec
@@ -27,7 +28,10 @@ MARGIN = 1.5  # modes up to this multiple of the highest frequency are followed
 
 @dataclass(frozen=True, slots=True)
 class Branch:
-    """One mode over the usable speeds: ``pole``, ``whirl``, column in the modes (−1: lost)."""
+    """One mode over the usable speeds: ``pole``, ``whirl``, column in the modes (−1: lost).
+
+    Poles are those of the fixed frame, whatever the formulation.
+    """
 
     kind: str
     pole: Complex
@@ -56,7 +60,8 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     shape = (len(scene.usable), len(branches))
     pole = np.array([b.pole for b in branches], dtype=complex).reshape(shape[::-1]).T
     whirl = np.array([b.whirl for b in branches]).reshape(shape[::-1]).T
-    return CampbellResult(
+    kind = TurningCampbellResult if scene.conditions.formulation == ROTATING else CampbellResult
+    return kind(
         speed=scene.speed,
         mode=names,
         node=scene.mesh.x,
@@ -64,7 +69,7 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         shape_speed=scene.speed[scene.usable][ends],
         critical=tuple(name for name, _ in criticals),
         outcome=scene.outcome,
-        frequency=scene.scattered(np.abs(pole.imag) / (2.0 * math.pi)),
+        frequency=scene.scattered(_seen(scene, branches)),
         damping_ratio=scene.scattered(-pole.real / np.abs(pole)),
         whirl=scene.scattered(whirl),
         kind=tuple(b.kind for b in branches),
@@ -73,8 +78,16 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     )
 
 
+def _seen(scene: Scene, branches: list[Branch]) -> Array:
+    """Damped frequencies (usable, modes) [Hz] in the frame of the formulation."""
+    frames = [scene.bending.frame if b.kind == "bending" else 0.0 for b in branches]
+    seen = [np.abs(b.pole.imag - frame) for b, frame in zip(branches, frames, strict=True)]
+    return np.array(seen).reshape(len(branches), len(scene.usable)).T / (2.0 * math.pi)
+
+
 def _bending(scene: Scene, spec: CampbellSpec) -> list[Branch]:
     found = scene.bending_modes
+    found = dataclasses.replace(found, pole=found.pole + 1j * scene.bending.frame[:, None])
     if not scene.bending.isotropic:
         branches = _followed("bending", found, spec, +1.0)
         return [

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM
+from rotordyn.analysis.formulation import ROTATING, SOFTENED, told
 from rotordyn.analysis.specs import Conditions
 from rotordyn.errors import NoSolution
 from rotordyn.machine.inertia import rotor_inertia
@@ -110,8 +111,8 @@ class Scene:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What a designer should know about the machine at these speeds."""
-        return tuple(
+        """What a designer should know about the model and about the machine at these speeds."""
+        return told(self.conditions.formulation) + tuple(
             f"bearing {name}: the fit of its inner ring lets go at "
             f"{speed * RPM.factor:.0f} rpm; raise its interference"
             for name, speed in released_fits(self.spindle, float(self.bearing_speed.max()))
@@ -209,7 +210,8 @@ class Scene:
             self.rotor,
             self.speed[self.usable],
             self.seat_stiffness,
-            spin_softening=self.conditions.spin_softening,
+            softened=self.conditions.formulation == SOFTENED,
+            turning=self.conditions.formulation == ROTATING,
         )
 
     @stage

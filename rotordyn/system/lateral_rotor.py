@@ -24,7 +24,7 @@ SLEEVE_CUTOFF = 30.0  # own frequency given to a sprung sleeve without mass, lik
 class LateralRotor:
     """The rotor's bending plane in m coordinates of unit mass.
 
-    ``basis`` (2·nodes, m); ``stiffness`` (m,); ``polar`` and ``softening`` (m, m);
+    ``basis`` (2·nodes, m); ``stiffness`` (m,); ``polar`` and ``translational_mass`` (m, m);
     ``damping_ratio`` (m,). ``seats`` (seats, 2, m): deflection and tilt between the rings of each
     bearing; ``supports`` (supports, 2, m): those of the node of each linear support. The last
     coordinates are the sprung sleeves, if any.
@@ -33,7 +33,7 @@ class LateralRotor:
     basis: Array
     stiffness: Array
     polar: Array
-    softening: Array
+    translational_mass: Array
     damping_ratio: Array
     seats: Array
     supports: Array
@@ -78,7 +78,7 @@ def lateral_rotor(
         basis=_widened(basis, len(sprung)),
         stiffness=np.concatenate([values, held]),
         polar=_bordered(basis.T @ plane.polar @ basis, len(sprung)),
-        softening=_bordered(basis.T @ plane.spin_softening @ basis, len(sprung)),
+        translational_mass=_bordered(basis.T @ plane.translational_mass @ basis, len(sprung)),
         damping_ratio=np.concatenate(
             [damping_ratios(values, spindle.rotor_damping), np.zeros(len(sprung))]
         ),

@@ -6,6 +6,7 @@ from typing import Annotated, Any
 
 from pydantic import Field
 
+from rotordyn.analysis.formulation import FORMULATIONS
 from rotordyn.case.schema.analyses import AnalysesEntry
 from rotordyn.case.schema.base import Entry
 from rotordyn.case.schema.reference import ReferenceEntry
@@ -26,7 +27,8 @@ class ConditionsEntry(Entry):
     axial_force: Force = 0.0
     gravity: Annotated[str, choice("none", "+x", "-x")] = "none"
     element_length: Length | None = None
-    spin_softening: Flag = False
+    formulation: Annotated[str, choice(*FORMULATIONS)] = "inertial"
+    axial_stiffening: Flag = True
 
 
 class CaseEntry(Entry):
