@@ -20,7 +20,7 @@ PAGES = {
         "spindle.SpindleEntry shaft.ShaftEntry shaft.SectionEntry shaft.MassEntry shaft.DiscEntry "
         "support.SeatEntry support.GrowthEntry support.QuadraticEntry support.FitEntry "
         "support.ShorteningEntry support.SleeveEntry support.SpringEntry support.SupportEntry "
-        "spindle.DampingEntry support.BearingDampingEntry"
+        "support.DrawbarEntry spindle.DampingEntry support.BearingDampingEntry"
     ),
     "tool": "shaft.ToolEntry",
     "bearing": "bearing.BearingEntry",

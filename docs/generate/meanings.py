@@ -84,6 +84,7 @@ MEANINGS: dict[str, dict[str, str]] = {
         "shortening": "axial shift of the seats with speed",
         "sleeves": "sliding sleeves with their springs",
         "supports": "linear supports to ground",
+        "drawbar": "bar in the bore that pulls the tool into the nose",
         "damping": "of bearings and rotor",
         "points": "named stations",
         "references": "known values shown beside the computed ones",
@@ -160,6 +161,12 @@ MEANINGS: dict[str, dict[str, str]] = {
         "x": "station",
         "stiffness": "entries of its 6×6 matrix",
         "damping": "entries of its 6×6 matrix",
+    },
+    "drawbar": {
+        "force": "tension in the bar, which compresses the shaft between `from` and `to`",
+        "from": "front station where it pulls the shaft",
+        "to": "rear station where it pulls the shaft",
+        "guides": "stations between where it touches the bore; in between it runs straight",
     },
     "damping": {
         "bearings": "of bearings that give none themselves",

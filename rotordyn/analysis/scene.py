@@ -16,10 +16,12 @@ from numpy.typing import NDArray
 from rotordyn.analysis.display import RPM
 from rotordyn.analysis.formulation import ROTATING, SOFTENED, told
 from rotordyn.analysis.specs import Conditions
+from rotordyn.analysis.stability import Loading
 from rotordyn.errors import NoSolution
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.modes import Modes, modes, residual
+from rotordyn.preload.axial_force import AxialForce, axial_force
 from rotordyn.preload.growth import released_fits
 from rotordyn.preload.network import Law
 from rotordyn.preload.state import PreloadState, dynamic_preload
@@ -141,18 +143,22 @@ class Scene:
         return np.arange(len(self.speed))
 
     @property
+    def gravity(self) -> float:
+        """Acceleration of gravity along the axis, towards +x [m/s²]."""
+        return {"": 0.0, "+x": GRAVITY, "-x": -GRAVITY}[self.conditions.gravity]
+
+    @property
     def axial_force(self) -> float:
         """External force and weight along the axis [N]."""
-        weight = rotor_inertia(self.spindle).mass * GRAVITY
-        sign = {"": 0.0, "+x": 1.0, "-x": -1.0}[self.conditions.gravity]
-        return self.conditions.axial_force + sign * weight
+        return self.conditions.axial_force + self.gravity * rotor_inertia(self.spindle).mass
 
     @property
     def outcome(self) -> tuple[str, ...]:
         """Per speed: empty, or why it has no physical solution."""
-        if not self.spindle.seats:
-            return ("",) * len(self.speed)
-        words = self.preload.outcome
+        words: tuple[str, ...] = ("",) * len(self.bearing_speed)
+        if self.spindle.seats:
+            words = self.preload.outcome
+        words = tuple(word or more for word, more in zip(words, self.buckling, strict=True))
         return tuple(words[row] for row in self.bearing_row)
 
     def require_solution(self) -> None:
@@ -190,6 +196,50 @@ class Scene:
         return dynamic_preload(self.spindle, self.bearing_speed, self.law, self.axial_force)
 
     @stage
+    def shaft_force(self) -> AxialForce:
+        """Axial force in the shaft at ``bearing_speed``."""
+        return self._along(self._seat_load)
+
+    @stage
+    def buckling(self) -> tuple[str, ...]:
+        """Per speed of ``bearing_speed``: empty, or that the shaft buckles."""
+        seats = self.spindle.seats
+        tangents = self.preload.seat_stiffness() if seats else _no_seats(self.bearing_speed, 5, 5)
+        return self.buckled(self._seat_load, tangents, self.bearing_speed)
+
+    def buckled(self, seat_load: Array, seat_stiffness: Array, speed: Array) -> tuple[str, ...]:
+        """Per state with other loads (states, seats) and tangents of the bearings: as above."""
+        if not self.conditions.axial_stiffening:
+            return ("",) * len(speed)
+        loading = Loading(
+            self.spindle,
+            lambda: self.mesh,
+            seat_load,
+            seat_stiffness,
+            self.conditions.axial_force,
+            self.gravity,
+            self.rigid,
+        )
+        return loading.outcomes(speed)
+
+    def bending_force(self, seat_load: Array | None = None) -> Array | None:
+        """Axial force that acts on bending (states, elements) [N]; None where it shall not.
+
+        At ``bearing_speed``, or under other axial loads of the bearings (states, seats).
+        """
+        if not self.conditions.axial_stiffening:
+            return None
+        along = self.shaft_force if seat_load is None else self._along(seat_load)
+        return along.bending(self.mesh.middle)
+
+    def _along(self, seat_load: Array) -> AxialForce:
+        return axial_force(self.spindle, seat_load, self.conditions.axial_force, self.gravity)
+
+    @property
+    def _seat_load(self) -> Array:
+        return self.preload.seat_load() if self.spindle.seats else _no_seats(self.bearing_speed)
+
+    @stage
     def rotor(self) -> LateralRotor:
         """The rotor's bending in a few coordinates."""
         ports = tuple(self.mesh.node_of(x) for x in self.ports)
@@ -199,17 +249,19 @@ class Scene:
     def seat_stiffness(self) -> Array:
         """Bearing tangents in their own frames at the usable speeds (usable, seats, 5, 5)."""
         if not self.spindle.seats:
-            return np.zeros((len(self.speed), 0, 5, 5))
+            return _no_seats(self.speed, 5, 5)
         return self.preload.seat_stiffness()[self.bearing_row[self.usable]]
 
     @stage
     def bending(self) -> LateralSystem:
         """Rotor on its supports at the usable speeds."""
+        force = self.bending_force()
         return lateral_system(
             self.spindle,
             self.rotor,
             self.speed[self.usable],
             self.seat_stiffness,
+            None if force is None else force[self.bearing_row[self.usable]],
             softened=self.conditions.formulation == SOFTENED,
             turning=self.conditions.formulation == ROTATING,
         )
@@ -256,3 +308,8 @@ class Scene:
     def torsion_modes(self) -> Modes:
         """All eigenvalues of the torsion system, the same at every speed."""
         return modes(self.torsion.stiffness, self.torsion.damping)
+
+
+def _no_seats(speed: Array, *rest: int) -> Array:
+    """Values of no bearing at every speed (speeds, 0, …)."""
+    return np.zeros((len(speed), 0, *rest))

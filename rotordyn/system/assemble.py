@@ -104,6 +104,12 @@ def torsion_rod(spindle: Spindle, mesh: Mesh) -> RodMatrices:
     )
 
 
+def shear_coefficients(spindle: Spindle, mesh: Mesh) -> Array:
+    """κ of every element (elements,)."""
+    ratio = mesh.inner_diameter / mesh.outer_diameter
+    return shear_coefficient(spindle.shaft.shear_coefficient, mesh.poisson_ratio, ratio)
+
+
 def chain(blocks: Array) -> Array:
     """Elements in a row, (elements, 2w, 2w), each sharing a node with the next -> (N, N)."""
     elements, width = len(blocks), blocks.shape[-1] // 2
@@ -167,7 +173,6 @@ def _sections(
     spindle: Spindle, mesh: Mesh
 ) -> tuple[Array, Array, Array, Array, Array, Array, Array]:
     """The arguments of a beam element, for all elements at once."""
-    ratio = mesh.inner_diameter / mesh.outer_diameter
     return (
         mesh.length,
         mesh.outer_diameter,
@@ -175,5 +180,5 @@ def _sections(
         mesh.young_modulus,
         mesh.shear_modulus,
         mesh.density,
-        shear_coefficient(spindle.shaft.shear_coefficient, mesh.poisson_ratio, ratio),
+        shear_coefficients(spindle, mesh),
     )

@@ -52,14 +52,16 @@ def lateral_system(
     rotor: LateralRotor,
     speed: Array,
     seat_stiffness: Array,
+    axial_force: Array | None = None,
     *,
     softened: bool = False,
     turning: bool = False,
 ) -> LateralSystem:
     """Rotor, bearings and supports at every ``speed`` (speeds,) [rad/s].
 
-    ``seat_stiffness`` (speeds, seats, 5, 5): tangents in the bearings' own frames. ``softened``:
-    Ω² M_ω is subtracted from the stiffness in the fixed frame. ``turning``: written in the frame
+    ``seat_stiffness`` (speeds, seats, 5, 5): tangents in the bearings' own frames. ``axial_force``
+    (speeds, elements) [N]: in the shaft, tension positive; None = it and the drawbar do nothing to
+    bending. ``softened``: Ω² M_ω is subtracted from the stiffness in the fixed frame. ``turning``: written in the frame
     that turns with the shaft.
 
     Raises
@@ -75,9 +77,11 @@ def lateral_system(
         axis=1,
     )
     rows = np.concatenate([rotor.seats, rotor.supports])
-    own_stiffness = np.diag(rotor.stiffness) - (
-        (speed**2)[:, None, None] * rotor.translational_mass if softened else 0.0
-    )
+    own_stiffness = np.tile(np.diag(rotor.stiffness), (len(speed), 1, 1))
+    if axial_force is not None:
+        own_stiffness += np.tensordot(axial_force, rotor.per_newton, 1) + rotor.bar
+    if softened:
+        own_stiffness -= (speed**2)[:, None, None] * rotor.translational_mass
     own_damping = np.diag(2.0 * rotor.damping_ratio * np.sqrt(rotor.stiffness))
     gyroscopic = speed[:, None, None] * rotor.polar
     if _alike(k) and _alike(c):

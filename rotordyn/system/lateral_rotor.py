@@ -14,6 +14,7 @@ from rotordyn.numerics.reduction import ritz_basis
 from rotordyn.system.assemble import BendingPlane, bending_plane
 from rotordyn.system.dofs import PLANE_Y
 from rotordyn.system.mesh import Mesh
+from rotordyn.system.stiffening import stiffening
 
 Array = NDArray[np.float64]
 CUTOFF = 4.0  # free-free modes are kept up to this multiple of the highest frequency asked
@@ -25,7 +26,8 @@ class LateralRotor:
     """The rotor's bending plane in m coordinates of unit mass.
 
     ``basis`` (2·nodes, m); ``stiffness`` (m,); ``polar`` and ``translational_mass`` (m, m);
-    ``damping_ratio`` (m,). ``seats`` (seats, 2, m): deflection and tilt between the rings of each
+    ``damping_ratio`` (m,). ``per_newton`` (elements, m, m): stiffness per newton of axial force in each
+    element; ``bar`` (m, m): that of the drawbar. ``seats`` (seats, 2, m): deflection and tilt between the rings of each
     bearing; ``supports`` (supports, 2, m): those of the node of each linear support. The last
     coordinates are the sprung sleeves, if any.
     """
@@ -35,6 +37,8 @@ class LateralRotor:
     polar: Array
     translational_mass: Array
     damping_ratio: Array
+    per_newton: Array
+    bar: Array
     seats: Array
     supports: Array
 
@@ -74,6 +78,8 @@ def lateral_rotor(
             if seat.name in sleeve.bearings:
                 seats[k, 0, basis.shape[1] + place] = -1.0 / math.sqrt(masses[place])
     at_supports = _rows(basis, [mesh.node_of(s.x) for s in spindle.supports])
+    tension = stiffening(spindle, mesh)
+    wide = _widened(_rows(basis, list(range(mesh.nodes))), len(sprung))
     return LateralRotor(
         basis=_widened(basis, len(sprung)),
         stiffness=np.concatenate([values, held]),
@@ -82,6 +88,8 @@ def lateral_rotor(
         damping_ratio=np.concatenate(
             [damping_ratios(values, spindle.rotor_damping), np.zeros(len(sprung))]
         ),
+        per_newton=tension.projected(wide),
+        bar=tension.bar(wide),
         seats=seats,
         supports=_widened(at_supports, len(sprung)),
     )
@@ -108,6 +116,7 @@ def _rigid_body(mesh: Mesh, plane: BendingPlane) -> Array:
 def _loads(spindle: Spindle, mesh: Mesh, ports: tuple[int, ...]) -> Array:
     """Unit forces and moments where something acts on the rotor (2·nodes, l)."""
     stations = mesh.nodes_of(spindle.seats, spindle.supports)
+    stations += [mesh.node_of(x) for x in (spindle.drawbar.stations if spindle.drawbar else ())]
     rows = sorted({PLANE_Y.row(n, f) for n in (*stations, *ports) for f in PLANE_Y.names})
     return np.eye(2 * mesh.nodes)[:, rows]
 

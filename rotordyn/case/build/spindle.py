@@ -12,6 +12,7 @@ from rotordyn.case.schema.shaft import DiscEntry, MassEntry, SectionEntry, ToolE
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.case.schema.support import (
     ENTRIES,
+    DrawbarEntry,
     GrowthEntry,
     QuadraticEntry,
     SeatEntry,
@@ -19,6 +20,7 @@ from rotordyn.case.schema.support import (
     SleeveEntry,
     SupportEntry,
 )
+from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.growth import (
     ComputedShortening,
     InterferenceFit,
@@ -46,6 +48,7 @@ def spindle(entry: SpindleEntry, name: str) -> Spindle:
         seats=tuple(_seat(seat, entry) for seat in entry.bearings),
         sleeves=tuple(_sleeve(sleeve) for sleeve in entry.sleeves),
         supports=tuple(_support(support) for support in entry.supports),
+        drawbar=_drawbar(entry.drawbar),
         points=dict(entry.points),
         shortening=_shortening(entry.shortening),
         rotor_damping=tuple(entry.damping.rotor),
@@ -160,6 +163,13 @@ def _sleeve(entry: SleeveEntry) -> Sleeve:
 
 def _support(entry: SupportEntry) -> LinearSupport:
     return LinearSupport(entry.name, entry.x, _entries(entry.stiffness), _entries(entry.damping))
+
+
+def _drawbar(entry: DrawbarEntry | None) -> Drawbar | None:
+    if entry is None:
+        return None
+    guides = entry.guides if isinstance(entry.guides, str) else tuple(entry.guides)
+    return Drawbar(entry.force, entry.start, entry.to, guides)
 
 
 def _entries(matrix: object) -> dict[tuple[str, str], float]:

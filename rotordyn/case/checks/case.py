@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from rotordyn.case.build.sweep import values
+from rotordyn.case.checks.conditions import conditions
 from rotordyn.case.checks.names import exists
 from rotordyn.case.checks.references import references
 from rotordyn.case.checks.sweep import ascending, sweep
@@ -92,6 +93,7 @@ def against_machine(
 ) -> None:
     """Points, sleeves and bearings that the questions name exist."""
     _elements(entry, spindle, tool, root, faults)
+    conditions(entry.conditions, spindle, root, faults)
     points = [*spindle.points, *(tool.points if tool else {})]
     for name in _NEEDS_BEARINGS:
         if getattr(entry.analyses, name) is not None and not spindle.bearings:

@@ -33,7 +33,7 @@ ASKED = {
     "stiffness": StiffnessSpec("Oc2", 500.0, 2, second_stop={"front": 45e-6}),
 }
 STAGES = {
-    "mesh", "preload", "rotor", "bending", "bending_modes",
+    "mesh", "preload", "shaft_force", "buckling", "rotor", "bending", "bending_modes",
     "axial", "axial_modes", "torsion", "torsion_modes",
 }  # fmt: skip
 
@@ -47,8 +47,8 @@ def skipped(analyses: dict[str, Any]) -> set[str]:
 @pytest.mark.parametrize(
     ("names", "unused"),
     [
-        (["preload"], STAGES - {"preload"}),
-        (["stiffness"], STAGES - {"preload", "mesh"}),
+        (["preload"], STAGES - {"preload", "buckling"}),
+        (["stiffness"], STAGES - {"preload", "buckling", "shaft_force", "mesh"}),
         (["frf"], {"axial", "axial_modes", "torsion", "torsion_modes"}),
         (["campbell"], set()),
         (["preload", "frf", "stiffness"], {"axial", "axial_modes", "torsion", "torsion_modes"}),
