@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.results import CampbellResult, PreloadResult
+from rotordyn.analysis.results import CampbellResult, PreloadResult, TurningCampbellResult
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
 
@@ -100,8 +100,12 @@ def _at(speeds: Array, known: Array, values: Array) -> Array:
 
 
 def _modes(result: CampbellResult, speeds: Array) -> Array:
-    """Bending frequencies at the one speed of a list of modes, NaN where it was not computed."""
-    if np.abs(result.speed - speeds[0]).min() > SAME_SPEED * result.speed[-1]:
+    """Bending frequencies at the one speed of a list of modes, NaN where it was not computed.
+
+    Known ones belong to the fixed frame: a turning one agrees with it at rest only.
+    """
+    turned = isinstance(result, TurningCampbellResult) and speeds[0] != 0.0
+    if turned or np.abs(result.speed - speeds[0]).min() > SAME_SPEED * result.speed[-1]:
         return np.full(speeds.size, np.nan)
     found = bending_frequencies(result, float(speeds[0]))[: speeds.size]
     return np.concatenate([found, np.full(speeds.size - found.size, np.nan)])

@@ -37,10 +37,10 @@ class Loading:
 
     def outcomes(self, speed: Array) -> tuple[str, ...]:
         """Per state: empty, or that the shaft buckles at this ``speed`` and what would hold."""
-        known = np.isfinite(self.seat_load).all(axis=1)
+        known = np.asarray(np.isfinite(self.seat_load).all(axis=1))
         if not known.any() or not self._along(self.spindle, 1.0).compresses:
             return ("",) * len(speed)
-        held = ~known
+        held = np.full(len(known), True)
         held[known] = self.at(np.flatnonzero(known))._withstands(1.0, 1.0)
         return tuple(
             "" if stands else self.at(np.array([row]))._sentence(speed[row] * RPM.factor)
@@ -81,8 +81,8 @@ class Loading:
             )
         most = _largest(lambda share: bool(self._withstands(share, share)[0]))
         return (
-            f"the axial force buckles the shaft at {rpm:.0f} rpm, {most:.3g} of it would not: lower "
-            "axial_force or hold the shaft better"
+            f"the axial force buckles the shaft at {rpm:.0f} rpm, {most:.3g} of it would not: "
+            "lower axial_force or hold the shaft better"
         )
 
 

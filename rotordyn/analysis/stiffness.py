@@ -105,9 +105,7 @@ def _as_variant(curve: RadialCurve) -> Variant:
     return Variant(curve.deflection, curve.tangent, curve.outcome)
 
 
-def _short_stop(
-    scene: Scene, spec: StiffnessSpec, force: Array, usual: RadialCurve
-) -> Variant:
+def _short_stop(scene: Scene, spec: StiffnessSpec, force: Array, usual: RadialCurve) -> Variant:
     """The nonlinear variant with other stop travels; solved anew only where they matter."""
     rows = scene.bearing_row[scene.usable]
     other = _as_variant(usual)

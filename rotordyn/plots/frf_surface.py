@@ -16,6 +16,7 @@ from rotordyn.analysis.display import RPM, receptance_unit, shown
 from rotordyn.analysis.results import FrfResult
 from rotordyn.plots.decimate import peak_bins
 from rotordyn.plots.frf_map import COLOURS, amplitude, amplitude_range
+from rotordyn.plots.labels import axis_label
 from rotordyn.plots.style import BLACK, FONT_SIZE, add_axes, log_ticks, new_figure, round_ticks
 
 if TYPE_CHECKING:
@@ -128,15 +129,15 @@ def _frame(axes: Axes, result: FrfResult, pair: int, limits: tuple[float, float]
     for c, name in tall:
         axes.text(-0.015, c * _UP[1], name, ha="right", va="center", **small)
     unit = shown(receptance_unit(result.pair[pair])).unit
-    _axis_names(axes, result.pair[pair], unit)
+    _axis_names(axes, axis_label(result, "frequency"), result.pair[pair], unit)
 
 
-def _axis_names(axes: Axes, pair: str, unit: str) -> None:
+def _axis_names(axes: Axes, across: str, pair: str, unit: str) -> None:
     middle, edge = 0.5 * _RIGHT, _RIGHT + 0.5 * _BACK
     axes.text(
         middle[0],
         middle[1] - 0.1,
-        "frequency [Hz]",
+        across,
         ha="center",
         va="top",
         fontsize=FONT_SIZE,

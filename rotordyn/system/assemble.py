@@ -82,7 +82,9 @@ def bending_plane(spindle: Spindle, mesh: Mesh) -> BendingPlane:
         mass=_joined(element.mass, lumped, lumped.mass(PLANE_Y)),
         polar=_joined(element.polar, lumped, lumped.gyroscopic(PLANE_Y, PLANE_Z)),
         stiffness=chain(element.stiffness),
-        translational_mass=_joined(element.translational_mass, lumped, lumped.translational(PLANE_Y)),
+        translational_mass=_joined(
+            element.translational_mass, lumped, lumped.translational(PLANE_Y)
+        ),
     )
 
 

@@ -61,8 +61,8 @@ def lateral_system(
 
     ``seat_stiffness`` (speeds, seats, 5, 5): tangents in the bearings' own frames. ``axial_force``
     (speeds, elements) [N]: in the shaft, tension positive; None = it and the drawbar do nothing to
-    bending. ``softened``: Ω² M_ω is subtracted from the stiffness in the fixed frame. ``turning``: written in the frame
-    that turns with the shaft.
+    bending. ``softened``: Ω² M_ω is subtracted from the stiffness in the fixed frame. ``turning``:
+    written in the frame that turns with the shaft.
 
     Raises
     ------
@@ -107,7 +107,12 @@ def lateral_system(
     )
 
 
-def _turned(rotor: LateralRotor, speed: Array, stiffness: Complex, damping: Complex) -> LateralSystem:
+def _turned(
+    rotor: LateralRotor,
+    speed: Array,
+    stiffness: NDArray[np.inexact],
+    damping: NDArray[np.inexact],
+) -> LateralSystem:
     """The complex form in the turning frame, r = ρ e^(iΩt); stiffness and damping act in the fixed.
 
     With M = Mt + Jd, translational and rotary, the kinetic energy gives the Coriolis terms

@@ -79,10 +79,10 @@ class Mesh:
 def build_mesh(spindle: Spindle, element_length: float | None = None) -> Mesh:
     """Nodes at every station, and between them so that no element exceeds ``element_length``.
 
-    Stations are section boundaries, seats, supports, points, masses, discs and those of the drawbar. ``element_length``
-    None is 1/50 of the shaft, whatever its diameter: the error of the element, at most (k h)²/24
-    with k h ≈ n π/50 for the n-th bending mode, depends on the diameter only through the shear
-    share that it is multiplied by.
+    Stations are section boundaries, seats, supports, points, masses, discs and those of the
+    drawbar. ``element_length`` None is 1/50 of the shaft, whatever its diameter: the error of the
+    element, at most (k h)²/24 with k h ≈ n π/50 for the n-th bending mode, depends on the diameter
+    only through the shear share that it is multiplied by.
 
     Raises
     ------

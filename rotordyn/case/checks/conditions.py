@@ -10,9 +10,7 @@ from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.case.schema.support import ENTRIES, SupportEntry
 
 
-def conditions(
-    entry: ConditionsEntry, spindle: SpindleEntry, root: Node, faults: Faults
-) -> None:
+def conditions(entry: ConditionsEntry, spindle: SpindleEntry, root: Node, faults: Faults) -> None:
     """The turning frame needs even supports, an axial force something that holds the shaft."""
     if entry.formulation == ROTATING:
         for support in spindle.supports:
@@ -23,8 +21,9 @@ def conditions(
                 faults.at(
                     root,
                     ("conditions", key),
-                    f"nothing holds the shaft along its axis: given '{root.at('conditions', key).raw}'; "
-                    "allowed: with bearings or a support that has the stiffness xx",
+                    "nothing holds the shaft along its axis: given "
+                    f"'{root.at('conditions', key).raw}'; allowed: with bearings, or with a "
+                    "support that has the stiffness xx",
                 )
 
 
@@ -39,6 +38,6 @@ def _even(support: SupportEntry, root: Node, faults: Faults) -> None:
             faults.at(
                 root,
                 ("conditions", "formulation"),
-                f"the {name} of support '{support.name}' differs between directions about the axis, "
-                "which a turning frame cannot describe: given 'rotating'; allowed: inertial",
+                f"the {name} of support '{support.name}' differs between directions about the "
+                "axis, which a turning frame cannot describe: given 'rotating'; allowed: inertial",
             )
