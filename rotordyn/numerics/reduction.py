@@ -47,7 +47,8 @@ def _completed(mass: Array, low: Array, answers: Array) -> Array:
     answers = answers / _norms(mass, answers)
     for _ in range(2):
         answers = answers - low @ (low.T @ (mass @ answers))
-        answers = answers[:, _norms(mass, answers) > NEW]
+        size = _norms(mass, answers)
+        answers = answers[:, size > NEW] / size[size > NEW]  # small ones may still differ much
         values, turn = np.linalg.eigh(answers.T @ mass @ answers)
         keep = values > NEW**2
         answers = answers @ (turn[:, keep] / np.sqrt(values[keep]))

@@ -89,14 +89,15 @@ def test_two_discs_under_axial_force(tension: float, expected: list[float]) -> N
 def test_pinned_beam(share: float) -> None:
     """f = f0 √(1 + N L²/(π² E I)), shear (2.6e-4 of E I) taken off the buckling force."""
     found = first(beam(), axial_force=-share * CRITICAL)[0]
-    assert found / first(beam())[0] == pytest.approx(math.sqrt(1.0 + share), rel=3e-4)
+    assert found / first(beam())[0] == pytest.approx(math.sqrt(1.0 + share), rel=5e-5)
     assert found == pytest.approx(PINNED * math.sqrt(1.0 + share), rel=5e-4)
 
 
 def test_switched_off() -> None:
     bar = Drawbar(0.5 * EULER, 0.0, LENGTH)
     plain = first(beam())
-    assert first(beam(bar), axial_force=30.0, axial_stiffening=False) == pytest.approx(plain)
+    found = first(beam(bar), axial_force=30.0, axial_stiffening=False)
+    assert found == pytest.approx(plain, rel=1e-7)
     assert first(beam(bar), axial_force=30.0)[0] < 0.9 * plain[0]
 
 
@@ -107,7 +108,7 @@ def test_switched_off() -> None:
 def test_bar_between_the_pins_without_guides(share: float) -> None:
     """Its ends do not move: only the compression of the shaft acts, f = f0 √(1 − P/Pcr)."""
     found = first(beam(Drawbar(share * CRITICAL, 0.0, LENGTH)))[0]
-    assert found / first(beam())[0] == pytest.approx(math.sqrt(1.0 - share), rel=3e-4)
+    assert found / first(beam())[0] == pytest.approx(math.sqrt(1.0 - share), rel=5e-5)
 
 
 def test_guided_everywhere_the_bar_does_nothing() -> None:
@@ -147,6 +148,17 @@ def test_a_bar_in_a_free_part_of_the_shaft_acts_with_its_ends() -> None:
 
 # --- against all freedoms ----------------------------------------------------------------------
 
+
+@pytest.mark.parametrize("share", [0.0, 0.9])
+def test_reduced_wire_between_pins(share: float) -> None:
+    """Pins a hundred thousand times as stiff as the wire, close to buckling."""
+    found = Scene(beam(), Conditions(axial_force=share * EULER), np.zeros(1), 400.0)
+    tangents = np.zeros((0, 5, 5))
+    exact = FullRotor(found.spindle, found.mesh, tangents, 0.0, found.bending_force()[0])
+    lowest = math.sqrt(eigh(exact.stiffness, exact.mass, eigvals_only=True)[0]) / HZ
+    assert first(beam(), axial_force=share * EULER)[0] == pytest.approx(lowest, rel=1e-7)
+
+
 STRONG = Drawbar(9e6, -0.0524, 0.38, (0.15, 0.3))  # half of what buckles the shaft
 
 
@@ -175,14 +187,14 @@ def test_reduced_rotor_under_a_strong_bar(row: int) -> None:
     assert ours == pytest.approx(exact, rel=1e-5)
     plain = Scene(found.spindle, replace(found.conditions, axial_stiffening=False), found.speed)
     before = np.abs(plain.bending_modes.pole[row].imag)
-    before = np.sort(before[(before > 1.0) & (before < HZ * 4100)])[: len(ours)]
+    before = np.sort(before[before > 1.0])[: len(ours)]
     assert (ours / before).min() < 0.99
     frequency = np.linspace(5.0, 4000.0, 60)
     spec = FrfSpec(tuple(frequency), pairs("Oc2.y/Oc2.y", "Oc2.z/Oc2.y"))
     rotor = full(found, row)
     ends = [(rotor.row(-0.0524, f), rotor.row(-0.0524, "y")) for f in ("y", "z")]
     ours_h, exact_h = frf.answer(found, spec).receptance[row], rotor.receptance(ends, frequency)
-    assert np.abs(ours_h - exact_h).max() < 1e-4 * np.abs(exact_h).max()
+    assert np.abs(ours_h - exact_h).max() < 5e-4 * np.abs(exact_h).max()
 
 
 def dense(found: Scene, row: int) -> np.ndarray:
