@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import cache
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -67,11 +68,11 @@ def axial_force_spans() -> str:
     case, spindle = flagship().case, flagship().spindle
     force = Scene(spindle, case.conditions, np.array([0.0, TOP])).shaft_force
     ends = _ends(spindle)
-    middle = np.array([0.5 * (a + b) for (_, a), (_, b) in zip(ends[:-1], ends[1:], strict=True)])
+    middle = np.array([0.5 * (a + b) for (_, a), (_, b) in pairwise(ends)])
     values = force.at(middle)
     rows = [
         (f"{a} to {b}", *(number(v) if abs(v) > 1e-6 else "0" for v in values[:, k]))
-        for k, ((a, _), (b, _)) in enumerate(zip(ends[:-1], ends[1:], strict=True))
+        for k, ((a, _), (b, _)) in enumerate(pairwise(ends))
     ]
     return table(("part of the shaft", "at rest [N]:", "at 24 000 rpm [N]:"), rows)
 

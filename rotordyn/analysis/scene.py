@@ -6,9 +6,7 @@ never run, and ``skipped`` says which.
 
 from __future__ import annotations
 
-import time
-from collections.abc import Callable
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,6 +15,7 @@ from rotordyn.analysis.display import RPM
 from rotordyn.analysis.formulation import ROTATING, SOFTENED, told
 from rotordyn.analysis.specs import Conditions
 from rotordyn.analysis.stability import Loading
+from rotordyn.analysis.stage import Staged, stage
 from rotordyn.errors import NoSolution
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
@@ -31,26 +30,10 @@ from rotordyn.system.longitudinal import RodSystem, axial_system, torsion_system
 from rotordyn.system.mesh import Mesh, build_mesh
 
 Array = NDArray[np.float64]
-T = TypeVar("T")
 GRAVITY = 9.80665  # m/s²
 
 
-class stage(property):  # noqa: N801
-    """A shared result: solved on first use, kept, its own time noted without that of others."""
-
-    def __init__(self, solve: Callable[[Any], Any]) -> None:
-        name = solve.__name__
-
-        def get(scene: Scene) -> Any:
-            if name not in scene.solved:
-                scene.solved[name] = scene.timed(name, lambda: solve(scene))
-            return scene.solved[name]
-
-        super().__init__(get, doc=solve.__doc__)
-        self.name = name
-
-
-class Scene:
+class Scene(Staged):
     """A machine under given conditions at given speeds [rad/s], ascending.
 
     ``max_frequency`` [Hz]: highest frequency any question asks for; ``ports``: stations [m] where
@@ -65,36 +48,12 @@ class Scene:
         max_frequency: float = 4000.0,
         ports: tuple[float, ...] = (),
     ) -> None:
+        super().__init__()
         self.spindle = spindle
         self.conditions = conditions
         self.speed = speed
         self.max_frequency = max_frequency
         self.ports = ports
-        self.solved: dict[str, Any] = {}
-        self.seconds: dict[str, float] = {}
-        self._running: list[float] = []
-
-    def timed(self, name: str, work: Callable[[], T]) -> T:
-        """Run ``work`` and add its own seconds, without those of stages inside it, to ``name``."""
-        begin = time.perf_counter()
-        self._running.append(0.0)
-        try:
-            return work()
-        finally:
-            inside = self._running.pop()
-            spent = time.perf_counter() - begin
-            self.seconds[name] = self.seconds.get(name, 0.0) + spent - inside
-            if self._running:
-                self._running[-1] += spent
-
-    @property
-    def skipped(self) -> tuple[str, ...]:
-        """Stages that no question asked for."""
-        return tuple(
-            name
-            for name, value in vars(type(self)).items()
-            if isinstance(value, stage) and name not in self.solved
-        )
 
     @property
     def tolerances(self) -> dict[str, float]:
