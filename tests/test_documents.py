@@ -14,6 +14,7 @@ import pytest
 
 import rotordyn
 from docs.generate.bearing_rows import bearing_rows
+from docs.generate.bending import axial_force_spans, axial_force_table, formulation_table
 from docs.generate.comparison import comparison_table
 from docs.generate.figures import SHOWN
 from docs.generate.flagship import flagship, rest_rows, speed_rows
@@ -31,6 +32,8 @@ PAGES = sorted(
 GENERATED = {
     "README.md": {"accuracy", "times"},
     "docs/keys.md": {"case", "spindle", "tool", "bearing", "material", "reference"},
+    "docs/formulations.md": {"formulations"},
+    "docs/theory/rotor.md": {"axial-force", "axial-stiffening"},
     "docs/mfw2310.md": {"comparison", "left-out", "rest", "speed"},
     "docs/benchmarks.md": {
         *("machine", "targets", "processes", "stages", "bearing", "frf", "element-length"),
@@ -192,6 +195,23 @@ def test_comparison_of_the_flagship_is_what_we_find_now() -> None:
     for old, new in zip(printed, now, strict=True):
         assert numbers(old[4]) == pytest.approx(numbers(new[4]), rel=2e-3)
         assert bool(old[0]) == bool(old[5]), "a reason for every series"
+
+
+def test_tables_of_bending_are_what_we_find_now() -> None:
+    fresh = {
+        DOCS / "formulations.md": {"formulations": formulation_table()},
+        DOCS / "theory" / "rotor.md": {
+            "axial-force": axial_force_spans(),
+            "axial-stiffening": axial_force_table(),
+        },
+    }
+    for page, tables in fresh.items():
+        for name, now in tables.items():
+            printed = cells(parts(text(page))[name])
+            assert [line[0] for line in printed] == [line[0] for line in cells(now)]
+            for old, new in zip(printed, cells(now), strict=True):
+                ours = [numbers(cell) for cell in old[1:]]
+                assert ours == [pytest.approx(numbers(cell), rel=2e-3, abs=0.2) for cell in new[1:]]
 
 
 def test_figures_are_there_and_small() -> None:

@@ -21,7 +21,7 @@ PAGES = {
         "support.SeatEntry support.GrowthEntry support.QuadraticEntry support.FitEntry "
         "support.ShorteningEntry support.SleeveEntry support.SpringEntry support.SupportEntry "
         "matrix.WholeStiffnessEntry matrix.WholeDampingEntry "
-        "spindle.DampingEntry support.BearingDampingEntry"
+        "support.DrawbarEntry spindle.DampingEntry support.BearingDampingEntry"
     ),
     "tool": "shaft.ToolEntry",
     "bearing": "bearing.BearingEntry",

@@ -32,10 +32,11 @@ MEANINGS: dict[str, dict[str, str]] = {
         "([theory](theory/ball.md#the-tangent))",
         "bearings": "`static`: the state at rest serves every speed",
         "rotor": "`rigid`: the shaft does not bend, stretch or twist",
-        "axial_force": "external force on the shaft towards +x",
+        "axial_force": "external force on the front end of the shaft (of the tool), towards +x",
         "gravity": "direction of the rotor's weight (vertical spindle); sleeves are not weighed",
         "element_length": "longest element; by default 1/50 of the shaft",
-        "spin_softening": "subtract Ω² M_ω in the fixed frame, only to reproduce codes that do",
+        "formulation": "frame in which bending is written ([the three](formulations.md))",
+        "axial_stiffening": "the axial force in the shaft stiffens or softens its bending",
     },
     "speed range": {
         "from": "first speed",
@@ -96,6 +97,7 @@ MEANINGS: dict[str, dict[str, str]] = {
         "shortening": "axial shift of the seats with speed",
         "sleeves": "sliding sleeves with their springs",
         "supports": "linear supports to ground",
+        "drawbar": "bar in the bore that pulls the tool into the nose",
         "damping": "of bearings and rotor",
         "points": "named stations",
         "references": "known values shown beside the computed ones",
@@ -180,6 +182,12 @@ MEANINGS: dict[str, dict[str, str]] = {
     "whole damping": {
         "freedoms": "what rows (loads) and columns (velocities) belong to",
         "matrix": "N s/m, N s/rad or N m s/rad as the freedoms require; a bare 0 needs no unit",
+    },
+    "drawbar": {
+        "force": "tension in the bar, which compresses the shaft between `from` and `to`",
+        "from": "front station where it pulls the shaft",
+        "to": "rear station where it pulls the shaft",
+        "guides": "stations between where it touches the bore; in between it runs straight",
     },
     "damping": {
         "bearings": "of bearings that give none themselves",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from docs.generate.bearing_rows import bearing_rows
+from docs.generate.bending import axial_force_spans, axial_force_table, formulation_table
 from docs.generate.comparison import comparison_table, left_out
 from docs.generate.flagship import flagship, rest_rows, speed_rows
 from docs.generate.keys import key_tables
@@ -38,6 +39,13 @@ def write_keys() -> None:
     rewrite(DOCS / "keys.md", key_tables())
 
 
+def write_bending() -> None:
+    """What formulation and axial force do to the flagship."""
+    rewrite(DOCS / "formulations.md", {"formulations": formulation_table()})
+    fresh = {"axial-force": axial_force_spans(), "axial-stiffening": axial_force_table()}
+    rewrite(DOCS / "theory" / "rotor.md", fresh)
+
+
 def write_benchmarks() -> None:
     """Times, from what was measured last."""
     rewrite(DOCS / "benchmarks.md", benchmark_parts(measured()))
@@ -46,6 +54,7 @@ def write_benchmarks() -> None:
 PAGES: dict[str, Callable[[], None]] = {
     "docs/keys.md": write_keys,
     "docs/benchmarks.md": write_benchmarks,
+    "docs/formulations.md, docs/theory/rotor.md": write_bending,
     "docs/mfw2310.md": write_flagship,
     "README.md": write_readme,
 }

@@ -13,7 +13,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.results import CampbellResult
+from rotordyn.analysis.formulation import ROTATING
+from rotordyn.analysis.results import CampbellResult, TurningCampbellResult
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.shapes import both_planes, scaled
 from rotordyn.analysis.specs import CampbellSpec
@@ -35,6 +36,7 @@ class Branch:
     """One mode over the usable speeds: ``pole``, ``whirl``, column in the modes (−1: lost).
 
     ``vector`` (speeds, n): its displacements in the coordinates of its system.
+    Poles are those of the fixed frame, whatever the formulation.
     """
 
     kind: str
@@ -68,7 +70,8 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     shape = (len(scene.usable), len(branches))
     pole = np.array([b.pole for b in branches], dtype=complex).reshape(shape[::-1]).T
     whirl = np.array([b.whirl for b in branches]).reshape(shape[::-1]).T
-    return CampbellResult(
+    kind = TurningCampbellResult if scene.conditions.formulation == ROTATING else CampbellResult
+    return kind(
         speed=scene.speed,
         mode=names,
         node=scene.mesh.x,
@@ -76,7 +79,7 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         shape_speed=scene.speed[scene.usable][ends],
         critical=tuple(name for name, _ in criticals),
         outcome=scene.outcome,
-        frequency=scene.scattered(np.abs(pole.imag) / (2.0 * math.pi)),
+        frequency=scene.scattered(_seen(scene, branches)),
         damping_ratio=scene.scattered(-pole.real / np.abs(pole)),
         whirl=scene.scattered(whirl),
         kind=tuple(b.kind for b in branches),
@@ -85,8 +88,16 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     )
 
 
+def _seen(scene: Scene, branches: list[Branch]) -> Array:
+    """Damped frequencies (usable, modes) [Hz] in the frame of the formulation."""
+    frames = [scene.bending.frame if b.kind == "bending" else 0.0 for b in branches]
+    seen = [np.abs(b.pole.imag - frame) for b, frame in zip(branches, frames, strict=True)]
+    return np.array(seen).reshape(len(branches), len(scene.usable)).T / (2.0 * math.pi)
+
+
 def _bending(scene: Scene, spec: CampbellSpec) -> list[Branch]:
     found = scene.bending_modes
+    found = dataclasses.replace(found, pole=found.pole + 1j * scene.bending.frame[:, None])
     if not scene.bending.isotropic:
         branches = _followed("bending", found, spec, +1.0)
         return [replace(b, whirl=_whirl_of_planes(b.vector, b.column)) for b in branches]

@@ -10,7 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.bearing_map import tangent_error
-from rotordyn.analysis.results import BearingMapResult, CampbellResult, PreloadResult
+from rotordyn.analysis.results import (
+    BearingMapResult,
+    CampbellResult,
+    PreloadResult,
+    TurningCampbellResult,
+)
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
 
@@ -112,6 +117,8 @@ def _computed(
 def _frequencies_of(result: CampbellResult, reference: Reference) -> Array | None:
     """Of the one mode that is the subject at each speed, or of all modes at the one speed."""
     speeds = np.asarray(reference.speeds, float)
+    if isinstance(result, TurningCampbellResult) and speeds.any():
+        return None  # known ones belong to the fixed frame
     if reference.subject:
         kind = reference.quantity.partition("_")[0]
         return _column(speeds, result, "frequency", "mode", f"{kind} {reference.subject}")

@@ -7,7 +7,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.results import FrfResult
+from rotordyn.analysis.formulation import ROTATING
+from rotordyn.analysis.results import FrfResult, TurningFrfResult
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import FrfSpec, Port
 from rotordyn.elements.node import FREEDOMS
@@ -36,7 +37,8 @@ def answer(scene: Scene, spec: FrfSpec) -> FrfResult:
             values[:, own] = _within(scene, group, [spec.pairs[k] for k in own], frequency)
     ends = scene.speed[scene.usable[[0, -1]]]
     slices = {int(np.abs(scene.speed - wanted).argmin()) for wanted in spec.slices or ends}
-    return FrfResult(
+    kind = TurningFrfResult if scene.conditions.formulation == ROTATING else FrfResult
+    return kind(
         speed=scene.speed,
         frequency=frequency,
         pair=tuple(f"{response} / {excitation}" for response, excitation in spec.pairs),

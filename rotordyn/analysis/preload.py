@@ -52,7 +52,7 @@ def answer(scene: Scene, spec: PreloadSpec) -> PreloadResult:
         dof=FREEDOMS,
         dof_other=FREEDOMS,
         outcome=scene.outcome,
-        axial_load=shown(np.stack([s.load[:, c, 0] for s, c in seats], axis=1)),
+        axial_load=shown(state.seat_load()),
         deflection=shown(np.stack([s.displacement[:, c, 0] for s, c in seats], axis=1)),
         stiffness=shown(state.seat_stiffness()),
         growth=shown(state.seat_growth()),

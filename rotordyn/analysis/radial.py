@@ -79,7 +79,7 @@ class RadialProblem:
         part = replace(network, arrangement=network.arrangement.at(index))
         return cls(
             network=part,
-            rotor=rotor,
+            rotor=rotor.at(index),
             joints=_joint_of_seats(part),
             rows=_rows(part, rotor),
             rest=state.rest,
@@ -159,7 +159,9 @@ class RadialProblem:
         """Forces not balanced at the free unknowns (speeds, unknowns)."""
         p, springs = len(self.rotor.point), self.network.springs
         total = -np.einsum("kiu,ski->su", self.rows, here.load)
-        total[:, :p] += force * self.rotor.point - here.coordinates[:, :p] @ self.rotor.stiffness.T
+        total[:, :p] += force * self.rotor.point - np.einsum(
+            "sij,sj->si", self.rotor.stiffness, here.coordinates[:, :p]
+        )
         total[:, p:] += springs.force - springs.stiffness * (here.coordinates[:, p:] - springs.rest)
         total[:, p + SHAFT] += self.network.arrangement.force
         return np.where(self._fixed, 0.0, total)

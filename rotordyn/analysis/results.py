@@ -87,6 +87,20 @@ class CampbellResult:
 
 
 @dataclass(frozen=True)
+class TurningCampbellResult(CampbellResult):
+    """The same with bending seen from the frame that turns with the shaft.
+
+    A mode that whirls at ω (its sign the direction) in the fixed frame has |ω − Ω| there. Its
+    ``whirl``, ``damping_ratio`` and ``shape`` stay those of the fixed frame, and so do axial motion
+    and torsion. Synchronous forward whirl stands still: a critical speed is where it meets 0.
+    """
+
+    frequency: Array = quantity(
+        "speed", "mode", unit="Hz", label="damped frequency in the turning frame"
+    )
+
+
+@dataclass(frozen=True)
 class FrfResult:
     """Complex receptance at independent speed and frequency; ``pair`` reads ``out / in``."""
 
@@ -98,6 +112,24 @@ class FrfResult:
         "speed", "pair", "frequency", unit="m/N, rad/N, rad/(N·m)", label="receptance"
     )
     is_slice: Flags = quantity("speed", unit="", label="drawn as slice")
+
+
+@dataclass(frozen=True)
+class TurningFrfResult(FrfResult):
+    """The same in the frame that turns with the shaft: y, z, force and frequency belong to it.
+
+    In the complex form H there at ω is H of the fixed frame at ω + Ω. Axial motion and torsion are
+    the same in both.
+    """
+
+    frequency: Array = coordinate("frequency", unit="Hz", label="frequency in the turning frame")
+    receptance: Complex = quantity(
+        "speed",
+        "pair",
+        "frequency",
+        unit="m/N, rad/N, rad/(N·m)",
+        label="receptance in the turning frame",
+    )
 
 
 @dataclass(frozen=True)

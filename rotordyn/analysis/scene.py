@@ -6,21 +6,24 @@ never run, and ``skipped`` says which.
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable
-from typing import Any, TypeVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.analysis.buckling import Loading
 from rotordyn.analysis.display import RPM
+from rotordyn.analysis.formulation import ROTATING, SOFTENED, told
 from rotordyn.analysis.specs import Conditions
 from rotordyn.analysis.stability import instability
-from rotordyn.errors import NoSolution
+from rotordyn.analysis.stage import Staged, stage
+from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import coupled_motions
 from rotordyn.numerics.modes import Modes, modes, residual
+from rotordyn.preload.axial_force import AxialForce, axial_force
 from rotordyn.preload.growth import released_fits
 from rotordyn.preload.network import Law
 from rotordyn.preload.state import PreloadState, dynamic_preload
@@ -31,26 +34,10 @@ from rotordyn.system.longitudinal import RodSystem, axial_system, torsion_system
 from rotordyn.system.mesh import Mesh, build_mesh
 
 Array = NDArray[np.float64]
-T = TypeVar("T")
 GRAVITY = 9.80665  # m/s²
 
 
-class stage(property):  # noqa: N801
-    """A shared result: solved on first use, kept, its own time noted without that of others."""
-
-    def __init__(self, solve: Callable[[Any], Any]) -> None:
-        name = solve.__name__
-
-        def get(scene: Scene) -> Any:
-            if name not in scene.solved:
-                scene.solved[name] = scene.timed(name, lambda: solve(scene))
-            return scene.solved[name]
-
-        super().__init__(get, doc=solve.__doc__)
-        self.name = name
-
-
-class Scene:
+class Scene(Staged):
     """A machine under given conditions at given speeds [rad/s], ascending.
 
     ``max_frequency`` [Hz]: highest frequency any question asks for; ``ports``: stations [m] where
@@ -65,36 +52,12 @@ class Scene:
         max_frequency: float = 4000.0,
         ports: tuple[float, ...] = (),
     ) -> None:
+        super().__init__()
         self.spindle = spindle
         self.conditions = conditions
         self.speed = speed
         self.max_frequency = max_frequency
         self.ports = ports
-        self.solved: dict[str, Any] = {}
-        self.seconds: dict[str, float] = {}
-        self._running: list[float] = []
-
-    def timed(self, name: str, work: Callable[[], T]) -> T:
-        """Run ``work`` and add its own seconds, without those of stages inside it, to ``name``."""
-        begin = time.perf_counter()
-        self._running.append(0.0)
-        try:
-            return work()
-        finally:
-            inside = self._running.pop()
-            spent = time.perf_counter() - begin
-            self.seconds[name] = self.seconds.get(name, 0.0) + spent - inside
-            if self._running:
-                self._running[-1] += spent
-
-    @property
-    def skipped(self) -> tuple[str, ...]:
-        """Stages that no question asked for."""
-        return tuple(
-            name
-            for name, value in vars(type(self)).items()
-            if isinstance(value, stage) and name not in self.solved
-        )
 
     @property
     def tolerances(self) -> dict[str, float]:
@@ -115,14 +78,15 @@ class Scene:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What a designer should know about the machine at these speeds."""
+        """What a designer should know about the model and about the machine at these speeds."""
         found = [value for value in self.solved.values() if isinstance(value, Modes)]
         fits = (
             f"bearing {name}: the fit of its inner ring lets go at "
             f"{speed * RPM.factor:.0f} rpm; raise its interference"
             for name, speed in released_fits(self.spindle, float(self.bearing_speed.max()))
         )
-        return (*fits, *(instability(found, self.speed[self.usable]) if found else ()))
+        grown = instability(found, self.speed[self.usable]) if found else ()
+        return (*told(self.conditions.formulation), *fits, *grown)
 
     @property
     def law(self) -> Law:
@@ -147,18 +111,22 @@ class Scene:
         return np.arange(len(self.speed))
 
     @property
+    def gravity(self) -> float:
+        """Acceleration of gravity along the axis, towards +x [m/s²]."""
+        return {"": 0.0, "+x": GRAVITY, "-x": -GRAVITY}[self.conditions.gravity]
+
+    @property
     def axial_force(self) -> float:
         """External force and weight along the axis [N]."""
-        weight = rotor_inertia(self.spindle).mass * GRAVITY
-        sign = {"": 0.0, "+x": 1.0, "-x": -1.0}[self.conditions.gravity]
-        return self.conditions.axial_force + sign * weight
+        return self.conditions.axial_force + self.gravity * rotor_inertia(self.spindle).mass
 
     @property
     def outcome(self) -> tuple[str, ...]:
         """Per speed: empty, or why it has no physical solution."""
-        if not self.spindle.seats:
-            return ("",) * len(self.speed)
-        words = self.preload.outcome
+        words: tuple[str, ...] = ("",) * len(self.bearing_speed)
+        if self.spindle.seats:
+            words = self.preload.outcome
+        words = tuple(word or more for word, more in zip(words, self.buckling, strict=True))
         return tuple(words[row] for row in self.bearing_row)
 
     def require_solution(self) -> None:
@@ -196,6 +164,50 @@ class Scene:
         return dynamic_preload(self.spindle, self.bearing_speed, self.law, self.axial_force)
 
     @stage
+    def shaft_force(self) -> AxialForce:
+        """Axial force in the shaft at ``bearing_speed``."""
+        return self._along(self._seat_load)
+
+    @stage
+    def buckling(self) -> tuple[str, ...]:
+        """Per speed of ``bearing_speed``: empty, or that the shaft buckles."""
+        seats = self.spindle.seats
+        tangents = self.preload.seat_stiffness() if seats else _no_seats(self.bearing_speed, 5, 5)
+        return self.buckled(self._seat_load, tangents, self.bearing_speed)
+
+    def buckled(self, seat_load: Array, seat_stiffness: Array, speed: Array) -> tuple[str, ...]:
+        """Per state with other loads (states, seats) and tangents of the bearings: as above."""
+        if not self.conditions.axial_stiffening:
+            return ("",) * len(speed)
+        loading = Loading(
+            self.spindle,
+            lambda: self.mesh,
+            seat_load,
+            seat_stiffness,
+            self.conditions.axial_force,
+            self.gravity,
+            self.rigid,
+        )
+        return loading.outcomes(speed)
+
+    def bending_force(self, seat_load: Array | None = None) -> Array | None:
+        """Axial force that acts on bending (states, elements) [N]; None where it shall not.
+
+        At ``bearing_speed``, or under other axial loads of the bearings (states, seats).
+        """
+        if not self.conditions.axial_stiffening:
+            return None
+        along = self.shaft_force if seat_load is None else self._along(seat_load)
+        return along.bending(self.mesh.middle)
+
+    def _along(self, seat_load: Array) -> AxialForce:
+        return axial_force(self.spindle, seat_load, self.conditions.axial_force, self.gravity)
+
+    @property
+    def _seat_load(self) -> Array:
+        return self.preload.seat_load() if self.spindle.seats else _no_seats(self.bearing_speed)
+
+    @stage
     def rotor(self) -> LateralRotor:
         """The rotor's bending in a few coordinates."""
         ports = tuple(self.mesh.node_of(x) for x in self.ports)
@@ -210,18 +222,21 @@ class Scene:
     def seat_stiffness(self) -> Array:
         """Bearing tangents in their own frames at the usable speeds (usable, seats, 5, 5)."""
         if not self.spindle.seats:
-            return np.zeros((len(self.speed), 0, 5, 5))
+            return _no_seats(self.speed, 5, 5)
         return self.tangents[self.bearing_row[self.usable]]
 
     @stage
     def bending(self) -> LateralSystem:
         """Rotor on its supports at the usable speeds."""
+        force = self.bending_force()
         return lateral_system(
             self.spindle,
             self.rotor,
             self.speed[self.usable],
             self.seat_stiffness,
-            spin_softening=self.conditions.spin_softening,
+            None if force is None else force[self.bearing_row[self.usable]],
+            softened=self.conditions.formulation == SOFTENED,
+            turning=self.conditions.formulation == ROTATING,
         )
 
     @stage
@@ -274,7 +289,17 @@ class Scene:
 
     @stage
     def coupled(self) -> CoupledSystem:
-        """The motions that supports couple, in one system."""
+        """The motions that supports couple, in one system.
+
+        Raises
+        ------
+        InvalidInput : bending is among them and written in the turning frame
+        """
+        if self.conditions.formulation == ROTATING and "bending" in self.coupled_motions:
+            raise InvalidInput(
+                "the rotating formulation cannot describe supports that couple bending with "
+                "another motion: use the inertial one"
+            )
         own: dict[str, Callable[[], LateralSystem | RodSystem]] = {
             "bending": lambda: self.bending.in_planes,
             "axial": lambda: self.axial,
@@ -292,3 +317,8 @@ class Scene:
         """The system that ``motion`` is part of, and its modes."""
         name = "coupled" if motion in self.coupled_motions else motion
         return getattr(self, name), getattr(self, f"{name}_modes")
+
+
+def _no_seats(speed: Array, *rest: int) -> Array:
+    """Values of no bearing at every speed (speeds, 0, …)."""
+    return np.zeros((len(speed), 0, *rest))

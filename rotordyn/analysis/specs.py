@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from rotordyn.analysis.formulation import INERTIAL
+
 VARIANTS = ("nonlinear", "full", "diagonal", "constant_preload")
 TANGENTS = ("complete", "frozen", "difference")
 DIRECTIONS = ("x", "y", "z", "thx", "thy", "thz")
@@ -17,11 +19,11 @@ class Conditions:
     ``kinematics``, ``moment_sharing``: as in ``bearings``. ``tangent``: of ``TANGENTS``, the
     stiffness of the bearings of a spindle wherever they act as linear springs. ``bearings``:
     ``"dynamic"`` (speed acts on the bearings) or ``"static"`` (their state at rest serves every
-    speed). ``rotor``:
-    ``"flexible"`` or ``"rigid"``. ``axial_force`` [N] on the shaft towards +x; ``gravity``: ``""``,
-    ``"+x"`` or ``"-x"`` for a vertical spindle. ``element_length`` [m]: longest element; None =
-    chosen from the shaft. ``spin_softening``: subtract Ω² M_ω in the fixed frame (to reproduce
-    codes that do; off by default).
+    speed). ``rotor``: ``"flexible"`` or ``"rigid"``. ``axial_force`` [N] on the front end of the
+    shaft (of the tool) towards +x; ``gravity``: ``""``, ``"+x"`` or ``"-x"`` for a vertical
+    spindle. ``element_length`` [m]: longest element; None = chosen from the shaft.
+    ``formulation``: of ``formulation.FORMULATIONS``, how bending is written.
+    ``axial_stiffening``: the axial force in the shaft acts on its bending.
     """
 
     kinematics: str = "hybrid"
@@ -32,7 +34,8 @@ class Conditions:
     axial_force: float = 0.0
     gravity: str = ""
     element_length: float | None = None
-    spin_softening: bool = False
+    formulation: str = INERTIAL
+    axial_stiffening: bool = True
 
 
 @dataclass(frozen=True, slots=True)

@@ -53,8 +53,7 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
                 "radial stiffness is solved in plane y alone"
             )
     force = np.linspace(0.0, spec.max_force, spec.steps + 1)
-    point = scene.spindle.points[spec.point]
-    rotor = condensed_rotor(scene.spindle, scene.mesh, point, rigid=scene.rigid)
+    rotor = _rotor(scene, spec)
     found: dict[str, Variant] = {}
     curves = partial(_nonlinear, scene.preload, rotor, scene.bearing_row[scene.usable], force)
     usual = None
@@ -64,10 +63,10 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
         if name == "nonlinear" and usual is not None:
             found[name] = _as_variant(usual)
         else:
-            work = partial(_linear, scene, rotor, name, force)
+            work = partial(_linear, scene, spec, rotor, name, force)
             found[name] = scene.timed(f"stiffness: {name}", work)
     if usual is not None and spec.second_stop:
-        short = partial(_short_stop, scene, spec, rotor, force, usual)
+        short = partial(_short_stop, scene, spec, force, usual)
         found[SHORT_STOP] = scene.timed(f"stiffness: {SHORT_STOP}", short)
     deflection = np.stack([variant.deflection for variant in found.values()], axis=1)
     return StiffnessResult(
@@ -78,6 +77,17 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
         deflection=scene.scattered(deflection),
         tangent=scene.scattered(np.stack([v.tangent for v in found.values()], axis=1)),
         secant=scene.scattered(force[-1] / deflection[..., -1]),
+    )
+
+
+def _rotor(scene: Scene, spec: StiffnessSpec, seat_load: Array | None = None) -> CondensedRotor:
+    """The rotor under the axial forces at ``bearing_speed``, or under others (states, seats)."""
+    return condensed_rotor(
+        scene.spindle,
+        scene.mesh,
+        scene.spindle.points[spec.point],
+        scene.bending_force(seat_load),
+        rigid=scene.rigid,
     )
 
 
@@ -107,9 +117,7 @@ def _as_variant(curve: RadialCurve) -> Variant:
     return Variant(curve.deflection, curve.tangent, curve.outcome)
 
 
-def _short_stop(
-    scene: Scene, spec: StiffnessSpec, rotor: CondensedRotor, force: Array, usual: RadialCurve
-) -> Variant:
+def _short_stop(scene: Scene, spec: StiffnessSpec, force: Array, usual: RadialCurve) -> Variant:
     """The nonlinear variant with other stop travels; solved anew only where they matter."""
     rows = scene.bearing_row[scene.usable]
     other = _as_variant(usual)
@@ -135,26 +143,38 @@ def _short_stop(
             scene.law,
             scene.axial_force,
         )
+        rotor = _rotor(scene, spec, state.seat_load())
         curve = _nonlinear(state, rotor, np.arange(anew.size), force)
-        good = state.usable
+        speeds = scene.bearing_speed[rows[anew]]
+        words = np.array(state.outcome, dtype=object)
+        buckled = scene.buckled(state.seat_load(), state.seat_stiffness(), speeds)
+        words = np.where(words == "", np.array(buckled, dtype=object), words)
+        good = words == ""
         deflection[anew] = np.where(good[:, None], curve.deflection, np.nan)
         tangent[anew] = np.where(good, curve.tangent, np.nan)
-        outcome[anew] = np.where(good, curve.outcome, np.array(state.outcome, dtype=object))
+        outcome[anew] = np.where(good, curve.outcome, words)
     return Variant(deflection, tangent, outcome.astype(str))
 
 
-def _linear(scene: Scene, rotor: CondensedRotor, name: str, force: Array) -> Variant:
+def _linear(
+    scene: Scene, spec: StiffnessSpec, rotor: CondensedRotor, name: str, force: Array
+) -> Variant:
     """A variant with constant bearing tangents."""
     rows = scene.bearing_row[scene.usable]
     outcome = np.full(len(scene.preload.speed), "", dtype=object)
     if name == "constant_preload":
         stiffness, outcome = _constant_preload(scene)
+        load = _by_seat(scene.preload, scene.preload.rest_loads())
+        rotor = _rotor(scene, spec, load)
+        load = np.repeat(load, len(outcome), axis=0)
+        buckled = scene.buckled(load, stiffness, scene.preload.speed)
+        outcome = np.where(outcome == "", np.array(buckled, dtype=object), outcome)
     else:
         stiffness = scene.tangents
     block = _plane_blocks(scene, stiffness[rows])
     if name == "diagonal":
         block = block * np.eye(2)
-    flexibility = _flexibility(rotor, block)
+    flexibility = _flexibility(rotor.at(rows), block)
     return Variant(flexibility[:, None] * force, 1.0 / flexibility, outcome[rows].astype(str))
 
 
@@ -188,6 +208,13 @@ def _constant_preload(scene: Scene) -> tuple[Array, NDArray[np.object_]]:
         lost = (held.outcome != "") & (outcome == "")
         outcome[lost] = f"bearing {names} has no equilibrium under its load at rest"
     return blocks, outcome
+
+
+def _by_seat(state: PreloadState, load: Array) -> Array:
+    """A load of every joint as that of every seat (1, seats)."""
+    joints = state.network.arrangement.joints
+    seats = {seat: load[k] for k, joint in enumerate(joints) for seat in joint.seats}
+    return np.array([[seats[seat] for seat in sorted(seats)]])
 
 
 def _plane_blocks(scene: Scene, stiffness: Array) -> Array:

@@ -11,8 +11,12 @@ from rotordyn.elements.node import position
 
 Array = NDArray[np.float64]
 
+ALIKE = 1e-9  # of an entry: below that its difference between the planes is rounding
 BEARING_FREEDOMS = ("x", "y", "z", "thy", "thz")
 _HALF_TURN_ABOUT_Y = np.array([-1.0, 1.0, -1.0, 1.0, -1.0])
+_QUARTER_TURN = np.zeros((6, 6))
+for _row, _column, _sign in ((0, 0, 1), (1, 2, -1), (2, 1, 1), (3, 3, 1), (4, 5, -1), (5, 4, 1)):
+    _QUARTER_TURN[_row, _column] = _sign
 _PLACES = np.array([position(freedom) for freedom in BEARING_FREEDOMS])
 
 
@@ -27,6 +31,16 @@ def node_matrix(entries: Mapping[tuple[str, str], float]) -> Array:
     for (row, column), value in entries.items():
         matrix[position(row), position(column)] = value
     return matrix
+
+
+def answers_alike(matrix: Array) -> bool:
+    """True where a node's (…, 6, 6) matrix is the same in all directions about the axis.
+
+    It must not change under a quarter turn about x: y → z, z → −y, and tilts likewise.
+    """
+    turned = _QUARTER_TURN @ matrix @ _QUARTER_TURN.T
+    size = np.maximum(np.abs(matrix), np.abs(turned))
+    return bool((np.abs(matrix - turned) <= ALIKE * size).all())
 
 
 def turn(matrix: ArrayLike, thrust: int) -> Array:

@@ -6,6 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
+from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.growth import ComputedShortening, PrescribedShortening
 from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.reference import Reference
@@ -42,6 +43,7 @@ class Spindle:
     seats: tuple[BearingSeat, ...] = ()
     sleeves: tuple[Sleeve, ...] = ()
     supports: tuple[LinearSupport, ...] = ()
+    drawbar: Drawbar | None = None
     points: Mapping[str, float] = field(default_factory=dict)
     shortening: PrescribedShortening | ComputedShortening | None = None
     rotor_damping: tuple[float, ...] = ()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -16,13 +18,14 @@ def ritz_basis(
     cutoff: float,
     loads: Array,
     rigid: int,
-    coupling: Array | None = None,
+    couplings: Sequence[Array] = (),
 ) -> tuple[Array, Array]:
     """Basis Φ (n, m) with ΦᵀMΦ = 1 and ΦᵀKΦ diagonal, and that diagonal (m,), ascending.
 
     It spans the eigenvectors of K φ = ω² M φ up to ω = ``cutoff`` exactly, completed by the static
     answers to ``loads`` (n, l), so that forces on those freedoms meet the right flexibility, and to
-    the forces that ``coupling`` (n, n), such as the gyroscopic matrix, makes of the lowest modes.
+    the forces that each of ``couplings`` (n, n), such as the gyroscopic matrix, makes of the lowest
+    modes.
     The ``rigid`` lowest eigenvalues are known to be zero; M must be positive definite.
     """
     from scipy.linalg import eigh, solve
@@ -31,8 +34,7 @@ def ritz_basis(
     kept = max(int(np.searchsorted(values, cutoff**2)), min(LEAST_MODES, len(values)))
     low = vectors[:, :kept]
     shift = values[min(rigid, len(values) - 1)]
-    if coupling is not None:
-        loads = np.concatenate([loads, coupling @ low[:, :LEAST_MODES]], axis=1)
+    loads = np.concatenate([loads, *(c @ low[:, :LEAST_MODES] for c in couplings)], axis=1)
     answers = _completed(mass, low, solve(stiffness + shift * mass, loads, assume_a="pos"))
     basis = np.concatenate([low, answers], axis=1)
     values, turn = eigh(basis.T @ stiffness @ basis, basis.T @ mass @ basis)
@@ -45,7 +47,8 @@ def _completed(mass: Array, low: Array, answers: Array) -> Array:
     answers = answers / _norms(mass, answers)
     for _ in range(2):
         answers = answers - low @ (low.T @ (mass @ answers))
-        answers = answers[:, _norms(mass, answers) > NEW]
+        size = _norms(mass, answers)
+        answers = answers[:, size > NEW] / size[size > NEW]  # small ones may still differ much
         values, turn = np.linalg.eigh(answers.T @ mass @ answers)
         keep = values > NEW**2
         answers = answers @ (turn[:, keep] / np.sqrt(values[keep]))

@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM
-from rotordyn.analysis.results import CampbellResult
+from rotordyn.analysis.results import CampbellResult, TurningCampbellResult
 from rotordyn.machine.reference import Reference
-from rotordyn.plots.labels import spread
+from rotordyn.plots.labels import axis_label, spread
 from rotordyn.plots.style import (
     BLACK,
     BLUE,
@@ -54,7 +54,9 @@ def campbell_figure(
 ) -> Figure:
     """Modes with their whirl, 1× and tooth-passing lines, critical speeds, known frequencies."""
     figure = new_figure(168.0, 115.0)
-    axes = add_axes(figure, (15.0, 11.0, 112.0, 92.0), "speed [rpm]", "damped frequency [Hz]")
+    axes = add_axes(
+        figure, (15.0, 11.0, 112.0, 92.0), "speed [rpm]", axis_label(result, "frequency")
+    )
     rpm = result.speed * RPM.factor
     if not result.mode:
         axes.text(0.5, 0.5, "no mode in this band", transform=axes.transAxes, ha="center")
@@ -63,9 +65,9 @@ def campbell_figure(
     axes.set_ylim(0.0, top)
     draw_modes(axes, result)
     _unstable(axes, result)
-    excitation = draw_orders(axes, (1, *teeth), float(rpm[-1]), top)
+    excitation = draw_orders(axes, orders(result, teeth), float(rpm[-1]), top)
     _criticals(axes, result)
-    draw_known(axes, references)
+    draw_known(axes, () if turning(result) else references)
     _name_modes(axes, result, excitation, top)
     legend(
         axes,
@@ -157,16 +159,35 @@ def _look(kind: str, whirl: float) -> str:
     return {1: "forward", -1: "backward"}.get(int(whirl) if whirl == whirl else 0, "planar")
 
 
+def turning(result: CampbellResult) -> bool:
+    """True where frequencies are those of the turning frame."""
+    return isinstance(result, TurningCampbellResult)
+
+
+def orders(result: CampbellResult, teeth: Sequence[int]) -> dict[int, str]:
+    """Orders of rotation at which something excites, with their names.
+
+    In the turning frame unbalance stands still, and a force of k teeth, fixed in space, comes as
+    (k − 1)× for forward and (k + 1)× for backward whirl.
+    """
+    if not turning(result):
+        return {1: "1×", **{k: f"{k}× (teeth)" for k in teeth if k != 1}}
+    named = {0: "unbalance at 0 Hz"}
+    for k in teeth:
+        named.setdefault(k - 1, f"{k - 1}× ({k} teeth, forward)")
+        named.setdefault(k + 1, f"{k + 1}× ({k} teeth, backward)")
+    return named
+
+
 def draw_orders(
-    axes: Axes, orders: Sequence[int], rpm: float, top: float
+    axes: Axes, orders: Mapping[int, str], rpm: float, top: float
 ) -> list[tuple[float, str]]:
     """Lines f = k n; returns height [Hz] and name of those that leave on the right."""
     from matplotlib.collections import LineCollection
 
     lines, right = [], []
-    for order in dict.fromkeys(orders):
+    for order, name in orders.items():
         end = order * rpm / 60.0
-        name = "1×" if order == 1 else f"{order}× (teeth)"
         lines.append([(0.0, 0.0), (rpm, end)])
         if end <= top:
             right.append((end, name))
@@ -190,7 +211,7 @@ def _criticals(axes: Axes, result: CampbellResult) -> None:
     if speeds.size:
         axes.plot(
             speeds,
-            speeds / 60.0,
+            0.0 * speeds if turning(result) else speeds / 60.0,
             "o",
             mfc="white",
             mec=RED,

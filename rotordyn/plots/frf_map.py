@@ -13,6 +13,7 @@ from rotordyn.analysis.display import RPM, receptance_unit, shown
 from rotordyn.analysis.results import CampbellResult, FrfResult
 from rotordyn.plots.campbell import draw_modes
 from rotordyn.plots.decimate import nearest, peak_bins
+from rotordyn.plots.labels import axis_label
 from rotordyn.plots.style import (
     FONT_SIZE,
     add_axes,
@@ -40,8 +41,9 @@ def map_figure(
     rows = math.ceil(len(pairs) / columns)
     figure = new_figure(168.0, 110.0 if columns == 1 else 14.0 + 64.0 * rows)
     boxes = grid_boxes(figure, rows, columns, margins=(15.0, 20.0, 12.0, 9.0), gaps=(32.0, 17.0))
+    name = axis_label(result, "frequency")
     for place, (pair, box) in enumerate(zip(pairs, boxes, strict=False)):
-        axes = add_axes(figure, box, "speed [rpm]", "" if place % columns else "frequency [Hz]")
+        axes = add_axes(figure, box, "speed [rpm]", "" if place % columns else name)
         image = draw_map(axes, result, pair)
         speed_ticks(axes, max(float(result.speed[-1] * RPM.factor), 1.0), 6 if columns == 1 else 3)
         if campbell is not None:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM, receptance_unit, shown
 from rotordyn.analysis.results import FrfResult
+from rotordyn.plots.labels import axis_label
 from rotordyn.plots.style import (
     CYCLE,
     FONT_SIZE,
@@ -45,7 +46,7 @@ def _figure(result: FrfResult, pairs: Sequence[int], parts: tuple[str, str]) -> 
         for row, part in enumerate(parts):
             name = _label(part, result.pair[pair])
             box = boxes[row * len(pairs) + column]
-            axes = add_axes(figure, box, "frequency [Hz]" if row else "", name)
+            axes = add_axes(figure, box, axis_label(result, "frequency") if row else "", name)
             axes.tick_params(labelbottom=bool(row))
             _lines(axes, result, pair, part)
             if not row:

@@ -19,6 +19,7 @@ from rotordyn.machine.reference import Reference
 from rotordyn.plots.campbell import KNOWN
 from rotordyn.plots.decimate import peak_bins
 from rotordyn.plots.frf_map import COLOURS, amplitude, amplitude_range
+from rotordyn.plots.labels import axis_label
 from rotordyn.plots.style import BLACK, FONT_SIZE, add_axes, log_ticks, new_figure, round_ticks
 
 if TYPE_CHECKING:
@@ -166,15 +167,15 @@ def _frame(axes: Axes, result: FrfResult, pair: int, limits: Limits, shrink: flo
     for c, name in tall:
         axes.text(-0.015 * shrink, c * _UP[1], name, ha="right", va="center", **text)
     unit = shown(receptance_unit(result.pair[pair])).unit
-    _axis_names(axes, unit, shrink)
+    _axis_names(axes, axis_label(result, "frequency"), unit, shrink)
 
 
-def _axis_names(axes: Axes, unit: str, shrink: float) -> None:
+def _axis_names(axes: Axes, across: str, unit: str, shrink: float) -> None:
     middle, edge = 0.5 * _RIGHT, _RIGHT + 0.5 * _BACK
     axes.text(
         middle[0],
         middle[1] - 0.1 * shrink,
-        "frequency [Hz]",
+        across,
         ha="center",
         va="top",
         fontsize=FONT_SIZE,

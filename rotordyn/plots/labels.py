@@ -1,11 +1,21 @@
-"""Labels in a row that do not overlap."""
+"""Labels of axes, and labels in a row that do not overlap."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from rotordyn.analysis.display import shown
+from rotordyn.analysis.result import declared
+
+
+def axis_label(result: Any, name: str) -> str:
+    """Label and printed unit of a quantity or coordinate of ``result``."""
+    info = declared(result)[name].metadata
+    return f"{info['label']} [{shown(info['unit']).unit}]"
 
 
 def spread(

@@ -94,6 +94,11 @@ class PreloadState:
                     place[seat] = (solved.state, column)
         return [place[seat] for seat in sorted(place)]
 
+    def seat_load(self) -> Array:
+        """Axial load of every bearing in its own frame (speeds, seats) [N]."""
+        columns = [state.load[:, column, 0] for state, column in self.seat_states()]
+        return np.stack(columns, axis=1)
+
     def seat_stiffness(self, tangent: str = "complete") -> Array:
         """A tangent of every bearing in its own frame (speeds, seats, 5, 5)."""
         seats = self.seat_states()

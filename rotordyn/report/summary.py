@@ -16,6 +16,7 @@ from rotordyn.analysis.results import (
     CampbellResult,
     PreloadResult,
     StiffnessResult,
+    TurningCampbellResult,
 )
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.reference import QUANTITIES, Reference
@@ -96,7 +97,8 @@ def _modes(result: CampbellResult) -> list[str]:
             result.mode, result.frequency[0], result.frequency[-1], result.whirl[-1], strict=True
         )
     ]
-    lines = [f"modes [Hz] {rpm}: " + "; ".join(map(_whole, entries))]
+    frame = " in the turning frame" if isinstance(result, TurningCampbellResult) else ""
+    lines = [f"modes [Hz]{frame} {rpm}: " + "; ".join(map(_whole, entries))]
     known = [
         _whole(f"{name} {speed * RPM.factor:.0f} rpm ({(speed / last - 1.0) * 100.0:+.0f} %)")
         for name, speed in zip(result.critical, result.critical_speed, strict=True)
@@ -118,6 +120,9 @@ def _nearest(result: CampbellResult) -> str:
     ]
     if not chosen:
         return ""
+    if isinstance(result, TurningCampbellResult):  # the 1× line stands still there, at 0 Hz
+        near = min(chosen, key=lambda k: float(result.frequency[-1, k]))
+        return f"; {result.mode[near]} is nearest, {result.frequency[-1, near]:.0f} Hz away"
     near = min(chosen, key=lambda k: abs(float(result.frequency[-1, k]) - hertz))
     ratio = float(result.frequency[-1, near]) / hertz
     return f"; {result.mode[near]} is nearest, {ratio:.2f} × the top speed"

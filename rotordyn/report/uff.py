@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM, is_rotation, receptance_unit
+from rotordyn.analysis.result import declared
 from rotordyn.analysis.results import FrfResult
 
 _DIRECTION = {"x": 1, "y": 2, "z": 3, "thx": 4, "thy": 5, "thz": 6}
@@ -50,6 +51,7 @@ def _record(
     response = "[rad]" if is_rotation(out_dof) else "[m]"
     load = "[N m]" if is_rotation(in_dof) else "[N]"
     frequency = np.asarray(result.frequency, float)
+    labels = {name: field.metadata["label"] for name, field in declared(result).items()}
     step = _even_step(frequency)
     return {
         "type": 58,
@@ -58,7 +60,7 @@ def _record(
         "id1": f"receptance {pair} [{receptance_unit(pair)}]"[:80],
         "id2": f"case {case}"[:80],
         "id3": f"speed {rpm:.6g} rpm ({float(result.speed[index]):.9g} rad/s)",
-        "id4": "computed by rotordyn, SI units",
+        "id4": f"computed by rotordyn, SI units; {labels['receptance']}",
         "id5": "NONE",
         "load_case_id": 0,
         "ver_num": index + 1,
@@ -75,7 +77,7 @@ def _record(
         "num_pts": frequency.size,
         "z_axis_value": rpm,
         "abscissa_spec_data_type": _FREQUENCY,
-        "abscissa_axis_lab": "frequency",
+        "abscissa_axis_lab": labels["frequency"][:20],
         "abscissa_axis_units_lab": "Hz",
         "ordinate_spec_data_type": _DISPLACEMENT,
         "ordinate_axis_lab": "displacement",

@@ -1,8 +1,8 @@
 """From elements to the rotor's matrices, with cost linear in the number of elements.
 
-M q̈ + Ω G q̇ + (K − Ω² M_ω) q = f, where M_ω ("spin softening") has no place in the inertial frame
-and is used only to reproduce codes that subtract it there. Bearings and supports are not included:
-they are added node by node with ``add_at_nodes``.
+M q̈ + Ω G q̇ + K q = f. ``translational_mass`` is the share of M that belongs to motion across the
+axis, M_ω of what is called spin softening. Bearings and supports are not included: they are added
+node by node with ``add_at_nodes``.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ class RotorMatrices:
     mass: Array
     gyroscopic: Array
     stiffness: Array
-    spin_softening: Array
+    translational_mass: Array
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -47,7 +47,7 @@ class BendingPlane:
     mass: Array
     polar: Array
     stiffness: Array
-    spin_softening: Array
+    translational_mass: Array
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -68,7 +68,7 @@ def rotor_matrices(spindle: Spindle, mesh: Mesh, selection: Selection = ALL) -> 
             selection.take(element.gyroscopic), lumped, lumped.gyroscopic(selection, selection)
         ),
         stiffness=chain(selection.take(element.stiffness)),
-        spin_softening=_joined(
+        translational_mass=_joined(
             selection.take(element.translational_mass), lumped, lumped.translational(selection)
         ),
     )
@@ -82,7 +82,9 @@ def bending_plane(spindle: Spindle, mesh: Mesh) -> BendingPlane:
         mass=_joined(element.mass, lumped, lumped.mass(PLANE_Y)),
         polar=_joined(element.polar, lumped, lumped.gyroscopic(PLANE_Y, PLANE_Z)),
         stiffness=chain(element.stiffness),
-        spin_softening=_joined(element.translational_mass, lumped, lumped.translational(PLANE_Y)),
+        translational_mass=_joined(
+            element.translational_mass, lumped, lumped.translational(PLANE_Y)
+        ),
     )
 
 
@@ -102,6 +104,12 @@ def torsion_rod(spindle: Spindle, mesh: Mesh) -> RodMatrices:
     return RodMatrices(
         _joined(element.mass, lumped, lumped.mass(TORSION)), chain(element.stiffness)
     )
+
+
+def shear_coefficients(spindle: Spindle, mesh: Mesh) -> Array:
+    """κ of every element (elements,)."""
+    ratio = mesh.inner_diameter / mesh.outer_diameter
+    return shear_coefficient(spindle.shaft.shear_coefficient, mesh.poisson_ratio, ratio)
 
 
 def chain(blocks: Array) -> Array:
@@ -167,7 +175,6 @@ def _sections(
     spindle: Spindle, mesh: Mesh
 ) -> tuple[Array, Array, Array, Array, Array, Array, Array]:
     """The arguments of a beam element, for all elements at once."""
-    ratio = mesh.inner_diameter / mesh.outer_diameter
     return (
         mesh.length,
         mesh.outer_diameter,
@@ -175,5 +182,5 @@ def _sections(
         mesh.young_modulus,
         mesh.shear_modulus,
         mesh.density,
-        shear_coefficient(spindle.shaft.shear_coefficient, mesh.poisson_ratio, ratio),
+        shear_coefficients(spindle, mesh),
     )

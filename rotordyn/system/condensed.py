@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,70 +13,106 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.system.assemble import bending_plane
 from rotordyn.system.dofs import PLANE_Y
 from rotordyn.system.mesh import Mesh
+from rotordyn.system.stiffening import Stiffening, stiffening
 
 Array = NDArray[np.float64]
+BAND = 3  # a freedom is coupled to those of its own and of the neighbouring nodes
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class CondensedRotor:
-    """Exact static stiffness (p, p) of rotor, linear supports and sprung sleeves in plane y.
+    """Exact static stiffness (states, p, p) of rotor, drawbar, sprung sleeves and, in plane y,
+    linear supports, a state being an axial force in the shaft.
 
-    ``seats`` (seats, 2, p): deflection and tilt between the rings of each bearing; ``point`` (p,):
-    deflection of the point loaded.
+    ``free``: the same without the supports. NaN where the shaft buckles between the places kept.
+    ``seats`` (seats, 2, p): deflection and tilt between the rings of each bearing; ``supports``
+    (supports, 2, p): those of each support's node; ``point`` (p,): deflection of the point loaded.
     """
 
     stiffness: Array
+    free: Array
     seats: Array
+    supports: Array
     point: Array
 
+    def at(self, index: NDArray[np.intp]) -> CondensedRotor:
+        """The rotor in some of its states; a single one serves all."""
+        taken = index if len(self.free) > 1 else np.zeros_like(index)
+        return replace(self, stiffness=self.stiffness[taken], free=self.free[taken])
 
-def condensed_rotor(spindle: Spindle, mesh: Mesh, x: float, *, rigid: bool) -> CondensedRotor:
-    """Condense the rotor to its bearings, its supports and the node at ``x`` [m].
 
-    A ``rigid`` rotor keeps deflection at x = 0 and tilt. Supports act with their y–θz part.
+def condensed_rotor(
+    spindle: Spindle, mesh: Mesh, x: float, axial_force: Array | None = None, *, rigid: bool
+) -> CondensedRotor:
+    """Condense the rotor to bearings, supports, contacts of the drawbar and the node at ``x`` [m].
+
+    ``axial_force`` (states, elements) [N]: in the shaft, tension positive; None = one state in
+    which it and the drawbar do nothing. Each state is condensed anew, so that it stays exact up to
+    buckling. A ``rigid`` rotor keeps deflection at x = 0 and tilt. Supports act with their y–θz
+    part.
     """
-    stations = mesh.nodes_of(spindle.seats, spindle.supports)
-    point = mesh.node_of(x)
+    stations, point = mesh.nodes_of(spindle.seats, spindle.supports), mesh.node_of(x)
+    contacts = spindle.drawbar.contacts if spindle.drawbar else ()
+    kept = sorted({*stations, point, *map(mesh.node_of, contacts)})
+    tension = stiffening(spindle, mesh)
     if rigid:
         rows = np.zeros((mesh.nodes, 2, 2))
         rows[:, 0, 0], rows[:, 0, 1], rows[:, 1, 1] = 1.0, mesh.x, 1.0
-        stiffness = np.zeros((2, 2))
+        force = np.zeros((1, mesh.nodes - 1)) if axial_force is None else axial_force
+        stiffness = np.tensordot(force, tension.projected(rows), 1)
     else:
-        kept = sorted({*stations, point})
-        freedoms = [PLANE_Y.row(n, f) for n in kept for f in PLANE_Y.names]
-        stiffness = _schur(bending_plane(spindle, mesh).stiffness, freedoms)
-        rows = np.zeros((mesh.nodes, 2, len(freedoms)))
-        rows[kept] = np.eye(len(freedoms)).reshape(len(kept), 2, -1)
-    for support, node in zip(spindle.supports, stations[len(spindle.seats) :], strict=True):
-        block = PLANE_Y.take(node_matrix(support.stiffness))
-        stiffness = stiffness + rows[node].T @ block @ rows[node]
-    seats = rows[stations[: len(spindle.seats)]]
-    return _with_sleeves(spindle, stiffness, seats, rows[point, 0])
+        rows = np.zeros((mesh.nodes, 2, 2 * len(kept)))
+        rows[kept] = np.eye(2 * len(kept)).reshape(len(kept), 2, -1)
+        stiffness = _flexible(bending_plane(spindle, mesh).stiffness, tension, axial_force, kept)
+    if axial_force is not None:
+        stiffness = stiffness + tension.bar(rows)
+    split = len(spindle.seats)
+    seats, supports = rows[stations[:split]], rows[stations[split:]]
+    return _held(spindle, stiffness, seats, supports, rows[point, 0])
 
 
-def _schur(stiffness: Array, kept: list[int]) -> Array:
-    """Kept freedoms with all others left to themselves."""
-    from scipy.linalg import solve
+def _flexible(
+    plane: Array, tension: Stiffening, axial_force: Array | None, kept: list[int]
+) -> Array:
+    """The shaft in every state, condensed to the nodes ``kept`` (states, 2·kept, 2·kept)."""
+    chosen = np.array([PLANE_Y.row(n, f) for n in kept for f in PLANE_Y.names])
+    if axial_force is None:
+        return _schur(plane, chosen)[None]
+    return np.array([_schur(plane + tension.shaft(force), chosen) for force in axial_force])
 
-    chosen = np.array(kept)
+
+def _schur(stiffness: Array, chosen: NDArray[np.intp]) -> Array:
+    """Chosen freedoms with all others left to themselves; NaN where these would buckle."""
+    from scipy.linalg import solveh_banded
+
     others = np.setdiff1d(np.arange(len(stiffness)), chosen)
     own = stiffness[chosen][:, chosen]
     if not others.size:
         return own
-    across = stiffness[others][:, chosen]
-    return own - across.T @ solve(stiffness[others][:, others], across, assume_a="pos")
+    inner, across = stiffness[others][:, others], stiffness[others][:, chosen]
+    bands = np.zeros((BAND + 1, len(others)))
+    for k in range(min(BAND + 1, len(others))):
+        bands[BAND - k, k:] = np.diagonal(inner, k)
+    try:
+        return np.asarray(own - across.T @ solveh_banded(bands, across))
+    except (np.linalg.LinAlgError, ValueError):  # not positive definite, or no axial force known
+        return np.full_like(own, np.nan)
 
 
-def _with_sleeves(spindle: Spindle, stiffness: Array, seats: Array, point: Array) -> CondensedRotor:
-    """Add the deflection of every sprung sleeve as one more coordinate."""
+def _held(
+    spindle: Spindle, stiffness: Array, seats: Array, supports: Array, point: Array
+) -> CondensedRotor:
+    """Add linear supports, and the deflection of every sprung sleeve as one more coordinate."""
     sprung = [s for s in spindle.sleeves if math.isfinite(s.radial_stiffness)]
-    more = len(sprung)
-    seats = np.pad(seats, ((0, 0), (0, 0), (0, more)))
-    stiffness = np.pad(stiffness, ((0, more), (0, more)))
-    for k, sleeve in enumerate(sprung):
-        place = stiffness.shape[0] - more + k
-        stiffness[place, place] = sleeve.radial_stiffness
+    size, more = stiffness.shape[-1], len(sprung)
+    free = np.pad(stiffness, ((0, 0), (0, more), (0, more)))
+    seats, supports = (np.pad(rows, ((0, 0), (0, 0), (0, more))) for rows in (seats, supports))
+    for place, sleeve in enumerate(sprung, start=size):
+        free[:, place, place] = sleeve.radial_stiffness
         for row, seat in enumerate(spindle.seats):
             if seat.name in sleeve.bearings:
                 seats[row, 0, place] = -1.0
-    return CondensedRotor(stiffness, seats, np.pad(point, (0, more)))
+    held = free.copy()
+    for support, rows in zip(spindle.supports, supports, strict=True):
+        held += rows.T @ PLANE_Y.take(node_matrix(support.stiffness)) @ rows
+    return CondensedRotor(held, free, seats, supports, np.pad(point, (0, more)))

@@ -2,7 +2,7 @@
 
 Where every support answers alike in all directions, both planes fit into one complex coordinate
 r = y + i z (rotation θz − i θy), forward whirl turning with +ω; otherwise the two real planes
-stand side by side.
+stand side by side. The complex form may be written in the frame that turns with the shaft.
 """
 
 from __future__ import annotations
@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.elements.node import FREEDOMS, position
-from rotordyn.elements.support import node_matrix, turn
+from rotordyn.elements.support import ALIKE, node_matrix, turn
+from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.system.dofs import Selection
 from rotordyn.system.lateral_rotor import LateralRotor
@@ -21,7 +22,6 @@ from rotordyn.system.lateral_rotor import LateralRotor
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 BOTH_PLANES = Selection(("y", "thz", "z", "thy"), (1, 1, 1, -1))
-ALIKE = 1e-9  # of an entry: below that its difference between the planes is rounding
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -29,12 +29,14 @@ class LateralSystem:
     """q̈ + ``damping`` q̇ + ``stiffness`` q = f, arrays (speeds, n, n).
 
     Complex with n = m where ``isotropic``, else real with n = 2m: plane y, then plane z.
+    ``frame`` (speeds,) [rad/s]: the speed at which the coordinates turn, 0 in the fixed frame.
     """
 
     rotor: LateralRotor
     isotropic: bool
     stiffness: NDArray[np.inexact]
     damping: NDArray[np.inexact]
+    frame: Array
 
     @property
     def motion(self) -> Array:
@@ -57,7 +59,7 @@ class LateralSystem:
         stiffness, damping = (
             _two_by_two(k.real, -k.imag, k.imag, k.real) for k in (self.stiffness, self.damping)
         )
-        return LateralSystem(self.rotor, False, stiffness, damping)
+        return LateralSystem(self.rotor, False, stiffness, damping, self.frame)
 
 
 def lateral_system(
@@ -65,12 +67,21 @@ def lateral_system(
     rotor: LateralRotor,
     speed: Array,
     seat_stiffness: Array,
+    axial_force: Array | None = None,
     *,
-    spin_softening: bool = False,
+    softened: bool = False,
+    turning: bool = False,
 ) -> LateralSystem:
     """Rotor, bearings and supports at every ``speed`` (speeds,) [rad/s].
 
-    ``seat_stiffness`` (speeds, seats, 5, 5): tangents in the bearings' own frames.
+    ``seat_stiffness`` (speeds, seats, 5, 5): tangents in the bearings' own frames. ``axial_force``
+    (speeds, elements) [N]: in the shaft, tension positive; None = it and the drawbar do nothing to
+    bending. ``softened``: Ω² M_ω is subtracted from the stiffness in the fixed frame. ``turning``:
+    written in the frame that turns with the shaft.
+
+    Raises
+    ------
+    InvalidInput : ``turning``, and a support does not answer alike in all directions
     """
     k = np.concatenate(
         [_seat_blocks(spindle, seat_stiffness), _support_blocks(spindle, len(speed), "stiffness")],
@@ -81,25 +92,55 @@ def lateral_system(
         axis=1,
     )
     rows = np.concatenate([rotor.seats, rotor.supports])
-    own_stiffness = np.diag(rotor.stiffness) - (
-        (speed**2)[:, None, None] * rotor.softening if spin_softening else 0.0
-    )
+    own_stiffness = np.tile(np.diag(rotor.stiffness), (len(speed), 1, 1))
+    if axial_force is not None:
+        own_stiffness += np.tensordot(axial_force, rotor.per_newton, 1) + rotor.bar
+    if softened:
+        own_stiffness -= (speed**2)[:, None, None] * rotor.translational_mass
     own_damping = np.diag(2.0 * rotor.damping_ratio * np.sqrt(rotor.stiffness))
     gyroscopic = speed[:, None, None] * rotor.polar
     if _alike(k) and _alike(c):
-        return LateralSystem(
-            rotor,
-            True,
-            own_stiffness + _gathered(rows, _complex(k)),
-            own_damping - 1j * gyroscopic + _gathered(rows, _complex(c)),
+        stiffness = own_stiffness + _gathered(rows, _complex(k))
+        damping = own_damping + _gathered(rows, _complex(c))
+        if turning:
+            return _turned(rotor, speed, stiffness, damping)
+        still = np.zeros_like(speed)
+        return LateralSystem(rotor, True, stiffness, damping - 1j * gyroscopic, still)
+    if turning:
+        raise InvalidInput(
+            "the rotating formulation needs supports that answer alike in all directions, and "
+            "those of this machine do not: use the inertial one"
         )
     zero = np.zeros_like(gyroscopic)
-    turning = _two_by_two(zero, gyroscopic, -gyroscopic, zero)
+    across = _two_by_two(zero, gyroscopic, -gyroscopic, zero)
     return LateralSystem(
         rotor,
         False,
         _both(own_stiffness + zero) + _gathered(_both(rows), k),
-        _both(own_damping + zero) + turning + _gathered(_both(rows), c),
+        _both(own_damping + zero) + across + _gathered(_both(rows), c),
+        np.zeros_like(speed),
+    )
+
+
+def _turned(
+    rotor: LateralRotor,
+    speed: Array,
+    stiffness: NDArray[np.inexact],
+    damping: NDArray[np.inexact],
+) -> LateralSystem:
+    """The complex form in the turning frame, r = ρ e^(iΩt); stiffness and damping act in the fixed.
+
+    With M = Mt + Jd, translational and rotary, the kinetic energy gives the Coriolis terms
+    2Ω (Mt + Jd) − Ω Jp and the centrifugal ones −Ω² Mt + Ω² (Jp − Jd); a damper in the fixed frame
+    answers to ρ̇ + iΩρ.
+    """
+    spin, mass = speed[:, None, None], np.eye(rotor.size)
+    return LateralSystem(
+        rotor,
+        True,
+        stiffness + 1j * spin * damping - spin**2 * (mass - rotor.polar),
+        damping + 1j * spin * (2.0 * mass - rotor.polar),
+        speed,
     )
 
 

@@ -14,6 +14,7 @@ from rotordyn.numerics.reduction import ritz_basis
 from rotordyn.system.assemble import BendingPlane, bending_plane
 from rotordyn.system.dofs import PLANE_Y
 from rotordyn.system.mesh import Mesh
+from rotordyn.system.stiffening import Stiffening, stiffening
 
 Array = NDArray[np.float64]
 CUTOFF = 4.0  # free-free modes are kept up to this multiple of the highest frequency asked
@@ -24,17 +25,20 @@ SLEEVE_CUTOFF = 30.0  # own frequency given to a sprung sleeve without mass, lik
 class LateralRotor:
     """The rotor's bending plane in m coordinates of unit mass.
 
-    ``basis`` (2·nodes, m); ``stiffness`` (m,); ``polar`` and ``softening`` (m, m);
-    ``damping_ratio`` (m,). ``seats`` (seats, 2, m): deflection and tilt between the rings of each
-    bearing; ``supports`` (supports, 2, m): those of the node of each linear support. The last
-    coordinates are the sprung sleeves, if any.
+    ``basis`` (2·nodes, m); ``stiffness`` (m,); ``polar`` and ``translational_mass`` (m, m);
+    ``damping_ratio`` (m,). ``per_newton`` (elements, m, m): stiffness per newton of axial force in
+    each element; ``bar`` (m, m): that of the drawbar. ``seats`` (seats, 2, m): deflection and tilt
+    between the rings of each bearing; ``supports`` (supports, 2, m): those of the node of each
+    linear support. The last coordinates are the sprung sleeves, if any.
     """
 
     basis: Array
     stiffness: Array
     polar: Array
-    softening: Array
+    translational_mass: Array
     damping_ratio: Array
+    per_newton: Array
+    bar: Array
     seats: Array
     supports: Array
 
@@ -54,16 +58,18 @@ def lateral_rotor(
     """Reduce the rotor's bending plane.
 
     Kept are the free-free modes up to ``CUTOFF`` times ``max_frequency`` [Hz] and the static
-    answers to forces and moments at bearings, supports and the nodes ``ports`` and to the
-    gyroscopic moments of the lowest modes; a ``rigid`` rotor keeps the two motions of a rigid body.
+    answers to forces and moments at bearings, supports, contacts of the drawbar and the nodes
+    ``ports``, and to what gyroscopic effect and drawbar make of the lowest modes; a ``rigid`` rotor
+    keeps the two motions of a rigid body.
     """
-    plane = bending_plane(spindle, mesh)
+    plane, tension = bending_plane(spindle, mesh), stiffening(spindle, mesh)
     if rigid:
         basis, values = _rigid_body(mesh, plane), np.zeros(2)
     else:
         loads = _loads(spindle, mesh, ports)
         cutoff = 2.0 * math.pi * CUTOFF * max_frequency
-        basis, values = ritz_basis(plane.mass, plane.stiffness, cutoff, loads, 2, plane.polar)
+        couplings = [plane.polar, *_drawbar(spindle, mesh, tension)]
+        basis, values = ritz_basis(plane.mass, plane.stiffness, cutoff, loads, 2, couplings)
     sprung = [s for s in spindle.sleeves if math.isfinite(s.radial_stiffness)]
     masses = np.array([sleeve_mass(s, s.radial_stiffness, max_frequency) for s in sprung])
     held = np.array([s.radial_stiffness for s in sprung]) / masses
@@ -74,17 +80,30 @@ def lateral_rotor(
             if seat.name in sleeve.bearings:
                 seats[k, 0, basis.shape[1] + place] = -1.0 / math.sqrt(masses[place])
     at_supports = _rows(basis, [mesh.node_of(s.x) for s in spindle.supports])
+    wide = _widened(_rows(basis, list(range(mesh.nodes))), len(sprung))
     return LateralRotor(
         basis=_widened(basis, len(sprung)),
         stiffness=np.concatenate([values, held]),
         polar=_bordered(basis.T @ plane.polar @ basis, len(sprung)),
-        softening=_bordered(basis.T @ plane.spin_softening @ basis, len(sprung)),
+        translational_mass=_bordered(basis.T @ plane.translational_mass @ basis, len(sprung)),
         damping_ratio=np.concatenate(
             [damping_ratios(values, spindle.rotor_damping), np.zeros(len(sprung))]
         ),
+        per_newton=tension.projected(wide),
+        bar=tension.bar(wide),
         seats=seats,
         supports=_widened(at_supports, len(sprung)),
     )
+
+
+def _drawbar(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> list[Array]:
+    """Stiffness by the drawbar alone (2·nodes, 2·nodes), where there is one that acts."""
+    bar = spindle.drawbar
+    if bar is None or not bar.contacts:
+        return []
+    inside = (bar.start < mesh.middle) & (mesh.middle < bar.end)
+    every = np.eye(2 * mesh.nodes).reshape(mesh.nodes, 2, -1)
+    return [tension.bar(every) - tension.shaft(bar.force * inside.astype(float))]
 
 
 def damping_ratios(values: Array, given: tuple[float, ...]) -> Array:
@@ -108,6 +127,7 @@ def _rigid_body(mesh: Mesh, plane: BendingPlane) -> Array:
 def _loads(spindle: Spindle, mesh: Mesh, ports: tuple[int, ...]) -> Array:
     """Unit forces and moments where something acts on the rotor (2·nodes, l)."""
     stations = mesh.nodes_of(spindle.seats, spindle.supports)
+    stations += [mesh.node_of(x) for x in (spindle.drawbar.stations if spindle.drawbar else ())]
     rows = sorted({PLANE_Y.row(n, f) for n in (*stations, *ports) for f in PLANE_Y.names})
     return np.eye(2 * mesh.nodes)[:, rows]
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from itertools import pairwise
 from typing import Protocol
@@ -50,6 +50,11 @@ class Mesh:
         return np.diff(self.x)
 
     @property
+    def middle(self) -> Array:
+        """Middle of each element [m]."""
+        return np.asarray((self.x[1:] + self.x[:-1]) / 2.0)
+
+    @property
     def shear_modulus(self) -> Array:
         """G = E / (2 (1 + ν)) of each element [Pa]."""
         return self.young_modulus / (2.0 * (1.0 + self.poisson_ratio))
@@ -74,10 +79,10 @@ class Mesh:
 def build_mesh(spindle: Spindle, element_length: float | None = None) -> Mesh:
     """Nodes at every station, and between them so that no element exceeds ``element_length``.
 
-    Stations are section boundaries, seats, supports, points, masses and discs. ``element_length``
-    None is 1/50 of the shaft, whatever its diameter: the error of the element, at most (k h)²/24
-    with k h ≈ n π/50 for the n-th bending mode, depends on the diameter only through the shear
-    share that it is multiplied by.
+    Stations are section boundaries, seats, supports, points, masses, discs and those of the
+    drawbar. ``element_length`` None is 1/50 of the shaft, whatever its diameter: the error of the
+    element, at most (k h)²/24 with k h ≈ n π/50 for the n-th bending mode, depends on the diameter
+    only through the shear share that it is multiplied by.
 
     Raises
     ------
@@ -88,7 +93,7 @@ def build_mesh(spindle: Spindle, element_length: float | None = None) -> Mesh:
     for section in shaft.sections:
         _check(section)
     longest = _longest(shaft, element_length)
-    stations = _merged(shaft, dict(_placed(spindle)))
+    stations = _merged(shaft, list(_placed(spindle)))
     x = np.concatenate([*(_divided(*ends, longest) for ends in pairwise(stations)), stations[-1:]])
     sections = [shaft.section_at(float(middle)) for middle in (x[1:] + x[:-1]) / 2.0]
     return Mesh(
@@ -123,20 +128,22 @@ def _placed(spindle: Spindle) -> Iterator[tuple[str, float]]:
     for kind in ("seats", "supports", "masses", "discs"):
         for number, item in enumerate(getattr(spindle, kind), start=1):
             yield f"{kind} {number} ({item.name})", item.x
+    for x in spindle.drawbar.stations if spindle.drawbar else ():
+        yield "drawbar", x
     for name, x in spindle.points.items():
         yield f"point {name}", x
 
 
-def _merged(shaft: Shaft, placed: Mapping[str, float]) -> Array:
+def _merged(shaft: Shaft, placed: Sequence[tuple[str, float]]) -> Array:
     """All stations in order, those that coincide only once; section boundaries have precedence."""
     tolerance = COINCIDENT * (shaft.end - shaft.start)
-    for name, x in placed.items():
+    for name, x in placed:
         if not shaft.start - tolerance <= x <= shaft.end + tolerance:
             raise InvalidInput(
                 f"{name} at x = {x:g} m is off the shaft ({shaft.start:g} to {shaft.end:g} m)"
             )
     kept: list[float] = []
-    for x in (shaft.start, shaft.end, *shaft.boundaries, *sorted(placed.values())):
+    for x in (shaft.start, shaft.end, *shaft.boundaries, *sorted(x for _, x in placed)):
         if all(abs(x - other) > tolerance for other in kept):
             kept.append(x)
     return np.array(sorted(kept))

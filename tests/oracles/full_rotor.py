@@ -4,12 +4,16 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import cholesky, eigh, eigvals, solve_triangular
 
+from rotordyn.elements.plane_bending import axial_force_stiffness, shear_parameter
+from rotordyn.elements.shear import shear_coefficient
 from rotordyn.elements.support import node_matrix, turn
+from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
 from rotordyn.system.assemble import add_at_nodes, rotor_matrices
 from rotordyn.system.dofs import LATERAL, Selection
@@ -21,7 +25,8 @@ Array = NDArray[np.float64]
 class FullRotor:
     """A spindle at one speed, the freedoms of ``selection`` node by node (bending if not given).
 
-    Sleeves are part of the housing.
+    Sleeves are part of the housing. ``axial_force`` (elements,) [N]: in the shaft, tension
+    positive, where the freedoms are those of bending.
     """
 
     def __init__(
@@ -31,6 +36,7 @@ class FullRotor:
         tangents: Array,
         speed: float,
         selection: Selection = LATERAL,
+        axial_force: Array | None = None,
     ) -> None:
         free = rotor_matrices(spindle, mesh, selection)
         self.mesh, self.selection = mesh, selection
@@ -44,11 +50,32 @@ class FullRotor:
         dampers += [node_matrix(s.damping) for s in spindle.supports]
         self.mass = free.mass
         self.stiffness = add_at_nodes(free.stiffness, nodes, selection.take(np.array(springs)))
+        if axial_force is not None:
+            self._stiffen(spindle, axial_force)
         self.damping = add_at_nodes(
             speed * free.gyroscopic + _modal_damping(free, spindle.rotor_damping),
             nodes,
             selection.take(np.array(dampers)),
         )
+
+    def _stiffen(self, spindle: Spindle, axial_force: Array) -> None:
+        """Add K_geo element by element in both planes, and the drawbar between its contacts."""
+        mesh, ring = self.mesh, (self.mesh.outer_diameter, self.mesh.inner_diameter)
+        ratio = mesh.inner_diameter / mesh.outer_diameter
+        kappa = shear_coefficient(spindle.shaft.shear_coefficient, mesh.poisson_ratio, ratio)
+        bending = mesh.young_modulus * second_moment(*ring)
+        phi = shear_parameter(mesh.length, bending, kappa * mesh.shear_modulus * area(*ring))
+        for k, block in enumerate(axial_force_stiffness(mesh.length, phi, axial_force)):
+            for plane in (("y", "thz"), ("z", "thy")):
+                rows = [self.selection.row(n, f) for n in (k, k + 1) for f in plane]
+                signs = np.array([1.0, 1.0 if plane[0] == "y" else -1.0] * 2)
+                self.stiffness[np.ix_(rows, rows)] += block * np.outer(signs, signs)
+        bar = spindle.drawbar
+        for a, b in pairwise(bar.contacts if bar else ()):
+            for freedom in ("y", "z"):
+                rows = [self.row(a, freedom), self.row(b, freedom)]
+                string = bar.force / (b - a) * np.array([[1.0, -1.0], [-1.0, 1.0]])
+                self.stiffness[np.ix_(rows, rows)] += string
 
     def row(self, x: float, freedom: str) -> int:
         """Row of a freedom at station ``x`` [m]."""

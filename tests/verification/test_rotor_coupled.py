@@ -58,7 +58,11 @@ def dense(found: Scene, row: int, names: tuple[str, ...]) -> np.ndarray:
 
 def whole(found: Scene, row: int) -> FullRotor:
     tangents = found.seat_stiffness[row]
-    return FullRotor(found.spindle, found.mesh, tangents, found.speed[row], ALL)
+    force = found.bending_force()
+    pressed = None if force is None else force[found.bearing_row[row]]
+    return FullRotor(
+        found.spindle, found.mesh, tangents, found.speed[row], ALL, axial_force=pressed
+    )
 
 
 def gap(ours: np.ndarray, exact: np.ndarray, driven: np.ndarray) -> float:

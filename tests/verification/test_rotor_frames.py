@@ -25,7 +25,7 @@ SPIN = 2500.0
 
 def turning_frame(spin: float) -> np.ndarray:
     """Frequencies seen from the frame that turns with the rotor, ascending."""
-    translation, rotary = PLANE.spin_softening, PLANE.mass - PLANE.spin_softening
+    translation, rotary = PLANE.translational_mass, PLANE.mass - PLANE.translational_mass
     coriolis = spin * (2 * translation + 2 * rotary - PLANE.polar)
     stiffness = STIFFNESS - spin**2 * translation + spin**2 * (PLANE.polar - rotary)
     zero, one = np.zeros_like(stiffness), np.eye(len(stiffness))
@@ -47,7 +47,7 @@ def test_frequencies_shift_by_the_spin(spin: float) -> None:
 
 def test_without_coriolis_terms_it_is_wrong() -> None:
     """What subtracting −Ω² M_ω alone does to the first mode: several per cent."""
-    softened = STIFFNESS - SPIN**2 * PLANE.spin_softening
+    softened = STIFFNESS - SPIN**2 * PLANE.translational_mass
     wrong = whirl_frequencies(PLANE.mass, PLANE.polar, softened, SPIN)
     right = whirl_frequencies(PLANE.mass, PLANE.polar, STIFFNESS, SPIN)
     first = slice(0, 2)

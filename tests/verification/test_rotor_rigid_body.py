@@ -69,20 +69,20 @@ def test_exactly_six_zero_frequencies() -> None:
     assert found[6] > 1e3
 
 
-def test_spin_softening_has_the_translational_mass_only() -> None:
+def test_translational_mass_is_what_translates_across_the_axis() -> None:
     mesh, inertia = build_mesh(STEPPED), rotor_inertia(STEPPED)
     rotor = rotor_matrices(STEPPED, mesh)
     rigid = motions(mesh.x, inertia.centre)
-    assert rigid["y"] @ rotor.spin_softening @ rigid["y"] == pytest.approx(inertia.mass)
-    assert rigid["z"] @ rotor.spin_softening @ rigid["z"] == pytest.approx(inertia.mass)
-    assert not (rotor.spin_softening @ rigid["x"]).any()
-    assert not (rotor.spin_softening @ rigid["thx"]).any()
+    assert rigid["y"] @ rotor.translational_mass @ rigid["y"] == pytest.approx(inertia.mass)
+    assert rigid["z"] @ rotor.translational_mass @ rigid["z"] == pytest.approx(inertia.mass)
+    assert not (rotor.translational_mass @ rigid["x"]).any()
+    assert not (rotor.translational_mass @ rigid["thx"]).any()
     bodies = sum(m.diametral_inertia for m in STEPPED.lumped)
     rotary = sum(
         s.material.density * s.length * np.pi * (s.outer_diameter**4 - s.inner_diameter**4) / 64
         for s in STEPPED.shaft.sections
     )
-    tilted = rigid["thz"] @ rotor.spin_softening @ rigid["thz"]
+    tilted = rigid["thz"] @ rotor.translational_mass @ rigid["thz"]
     assert tilted == pytest.approx(inertia.diametral - rotary - bodies)
 
 
@@ -127,7 +127,7 @@ def test_any_rotor(spindle: Spindle) -> None:
     length = (spindle.shaft.end - spindle.shaft.start) / 10
     assert_rigid_body(spindle, length)
     plane = bending_plane(spindle, build_mesh(spindle, length))
-    for matrix in (plane.mass, plane.polar, plane.stiffness, plane.spin_softening):
+    for matrix in (plane.mass, plane.polar, plane.stiffness, plane.translational_mass):
         assert (matrix == matrix.T).all()
         assert semi_definite(matrix, 1e-12)
     assert np.linalg.eigvalsh(plane.mass)[0] > 0.0

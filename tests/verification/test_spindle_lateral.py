@@ -38,7 +38,14 @@ def solved(damping: tuple[float, ...] = ()) -> Scene:
 
 
 def full(found: Scene, row: int) -> FullRotor:
-    return FullRotor(found.spindle, found.mesh, found.seat_stiffness[row], found.speed[row])
+    force = found.bending_force()
+    return FullRotor(
+        found.spindle,
+        found.mesh,
+        found.seat_stiffness[row],
+        found.speed[row],
+        axial_force=None if force is None else force[row],
+    )
 
 
 def poles(found: Scene, row: int, highest: float) -> np.ndarray:
@@ -113,8 +120,9 @@ class _Tangents:
 
     def __init__(self, ours: Scene, tangents: np.ndarray) -> None:
         self.outcome, self._tangents = ours.preload.outcome, tangents
+        self.seat_load = ours.preload.seat_load
 
-    def seat_stiffness(self, tangent: str) -> np.ndarray:
+    def seat_stiffness(self, tangent: str = "complete") -> np.ndarray:
         return self._tangents
 
 

@@ -12,6 +12,7 @@ from rotordyn.case.schema.reference import KIND_OF_UNIT, ReferenceEntry
 from rotordyn.case.schema.shaft import DiscEntry, MassEntry, SectionEntry, ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.case.schema.support import (
+    DrawbarEntry,
     GrowthEntry,
     QuadraticEntry,
     SeatEntry,
@@ -19,6 +20,7 @@ from rotordyn.case.schema.support import (
     SleeveEntry,
     SupportEntry,
 )
+from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.growth import (
     ComputedShortening,
     InterferenceFit,
@@ -46,6 +48,7 @@ def spindle(entry: SpindleEntry, name: str) -> Spindle:
         seats=tuple(_seat(seat, entry) for seat in entry.bearings),
         sleeves=tuple(_sleeve(sleeve) for sleeve in entry.sleeves),
         supports=tuple(support(each) for each in entry.supports),
+        drawbar=_drawbar(entry.drawbar),
         points=dict(entry.points),
         shortening=_shortening(entry.shortening),
         rotor_damping=tuple(entry.damping.rotor),
@@ -164,3 +167,10 @@ def _sleeve(entry: SleeveEntry) -> Sleeve:
 def support(entry: SupportEntry) -> LinearSupport:
     """A linear support, its matrices however they are written."""
     return LinearSupport(entry.name, entry.x, entries(entry.stiffness), entries(entry.damping))
+
+
+def _drawbar(entry: DrawbarEntry | None) -> Drawbar | None:
+    if entry is None:
+        return None
+    guides = entry.guides if isinstance(entry.guides, str) else tuple(entry.guides)
+    return Drawbar(entry.force, entry.start, entry.to, guides)

@@ -7,6 +7,7 @@ from collections.abc import Sequence
 
 from rotordyn.case.build.spindle import support
 from rotordyn.case.build.sweep import values
+from rotordyn.case.checks.conditions import conditions
 from rotordyn.case.checks.names import exists
 from rotordyn.case.checks.references import references
 from rotordyn.case.checks.sweep import ascending, sweep
@@ -94,6 +95,7 @@ def against_machine(
     """Points, sleeves and bearings that the questions name exist."""
     _elements(entry, spindle, tool, root, faults)
     supports = [support(each) for each in spindle.supports]
+    conditions(entry.conditions, supports, bool(spindle.bearings), root, faults)
     points = [*spindle.points, *(tool.points if tool else {})]
     for name in _NEEDS_BEARINGS:
         if getattr(entry.analyses, name) is not None and not spindle.bearings:

@@ -14,6 +14,7 @@ from rotordyn.case.checks.shaft import (
     span,
     wall,
 )
+from rotordyn.case.checks.sweep import ascending
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
 from rotordyn.case.schema.matrix import ENTRIES, entries
@@ -32,6 +33,7 @@ def spindle(entry: SpindleEntry, root: Node, tool: ToolEntry | None, faults: Fau
     points_on_shaft(entry.points, (reach[0] - _length(tool), reach[1]), root, faults)
     _lumped(entry, root, faults)
     _shortening(entry, reach, root, faults)
+    _drawbar(entry, reach, root, faults)
     _held(entry, root, faults)
     references(entry.references, root, faults)
 
@@ -92,6 +94,29 @@ def _shortening(entry: SpindleEntry, reach: Span, root: Node, faults: Faults) ->
     names = [seat.name for seat in entry.bearings]
     for name in given.shift:
         exists(name, names, "bearing", root, (*way, "shift", name), faults)
+
+
+def _drawbar(entry: SpindleEntry, reach: Span, root: Node, faults: Faults) -> None:
+    """It lies in the shaft from front to rear, its guides between its ends."""
+    bar, way = entry.drawbar, ("drawbar",)
+    if bar is None:
+        return
+    for key, x in (("from", bar.start), ("to", bar.to)):
+        on_shaft(x, reach, "drawbar", root, (*way, key), faults)
+    if bar.start >= bar.to:
+        start, to = root.at(*way, "from").raw, root.at(*way, "to").raw
+        faults.at(
+            root,
+            (*way, "to"),
+            f"no length left: given '{start}' to '{to}'; allowed: to above from",
+        )
+    elif not isinstance(bar.guides, str):
+        ascending(bar.guides, root, (*way, "guides"), faults)
+        for index, x in enumerate(bar.guides):
+            place = (*way, "guides", index)
+            if not bar.start < x < bar.to:
+                given = root.at(*place).raw
+                faults.at(root, place, f"guide beyond the bar: given '{given}'; allowed: inside it")
 
 
 def _held(entry: SpindleEntry, root: Node, faults: Faults) -> None:

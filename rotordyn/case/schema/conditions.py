@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
+from rotordyn.analysis.formulation import FORMULATIONS
 from rotordyn.analysis.specs import TANGENTS
 from rotordyn.case.schema.base import Entry
 from rotordyn.case.schema.values import Flag, Force, Length, choice
@@ -24,4 +25,5 @@ class ConditionsEntry(Entry):
     axial_force: Force = 0.0
     gravity: Annotated[str, choice("none", "+x", "-x")] = "none"
     element_length: Length | None = None
-    spin_softening: Flag = False
+    formulation: Annotated[str, choice(*FORMULATIONS)] = "inertial"
+    axial_stiffening: Flag = True

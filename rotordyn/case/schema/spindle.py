@@ -9,6 +9,7 @@ from rotordyn.case.schema.reference import ReferenceEntry
 from rotordyn.case.schema.shaft import DiscEntry, MassEntry, ShaftEntry
 from rotordyn.case.schema.support import (
     BearingDampingEntry,
+    DrawbarEntry,
     GrowthEntry,
     SeatEntry,
     ShorteningEntry,
@@ -44,6 +45,7 @@ class SpindleEntry(Entry):
     shortening: ShorteningEntry | None = None
     sleeves: list[SleeveEntry] = []
     supports: list[SupportEntry] = []
+    drawbar: DrawbarEntry | None = None
     damping: DampingEntry = DampingEntry()
     points: dict[Name, Station] = {}
     references: list[ReferenceEntry] = []

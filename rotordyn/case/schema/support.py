@@ -15,6 +15,7 @@ from rotordyn.case.schema.values import (
     Damping,
     Diameter,
     Growth,
+    Load,
     Mass,
     Name,
     Station,
@@ -22,6 +23,7 @@ from rotordyn.case.schema.values import (
     choice,
     quantity,
 )
+from rotordyn.machine.drawbar import EVERYWHERE
 
 
 class QuadraticEntry(Entry):
@@ -102,6 +104,25 @@ class SupportEntry(Entry):
     x: Station
     stiffness: StiffnessMatrix
     damping: DampingMatrix = DampingMatrixEntry()
+
+
+def _guides_form(value: object) -> str:
+    return "<list>" if form(value) == "<list>" else "<word>"
+
+
+Guides = Annotated[
+    Annotated[str, choice(EVERYWHERE), Tag("<word>")] | Annotated[list[Station], Tag("<list>")],
+    Discriminator(_guides_form),
+]
+
+
+class DrawbarEntry(Entry):
+    """The bar in the bore: it pulls the shaft together between two stations."""
+
+    force: Load
+    start: Station = Field(alias="from")
+    to: Station
+    guides: Guides = []
 
 
 class ShorteningEntry(Entry):

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rotordyn.analysis.display import RPM
-from rotordyn.plots.campbell import draw_known, draw_modes, draw_orders
+from rotordyn.plots.campbell import draw_known, draw_modes, draw_orders, orders, turning
 from rotordyn.plots.compared.panels import Shown, colour, panels
 from rotordyn.plots.style import (
     BLACK,
@@ -39,7 +39,7 @@ def panels_figure(
         axes = add_axes(figure, box, below, "" if place % 2 else "damped frequency [Hz]")
         _prepare(axes, variant, top, teeth)
         draw_modes(axes, variant.result)
-        draw_known(axes, variant.known)
+        draw_known(axes, () if turning(variant.result) else variant.known)
         axes.set_title(variant.title, fontsize=FONT_SIZE, pad=4.0)
     top_legend(figure, *figure.axes)
     return figure
@@ -73,7 +73,7 @@ def _prepare(axes: Axes, variant: Shown, top: float, teeth: Sequence[int]) -> No
     rpm = float(variant.result.speed[-1] * RPM.factor)
     speed_ticks(axes, rpm, 4)
     axes.set_ylim(0.0, top)
-    draw_orders(axes, (1, *teeth), rpm, top)
+    draw_orders(axes, orders(variant.result, teeth), rpm, top)
 
 
 def _highest(variants: Sequence[Shown]) -> float:

@@ -33,7 +33,7 @@ ASKED = {
     "stiffness": StiffnessSpec("Oc2", 500.0, 2, second_stop={"front": 45e-6}),
 }
 STAGES = {
-    "mesh", "preload", "tangents", "rotor", "bending", "bending_modes",
+    "mesh", "preload", "shaft_force", "buckling", "tangents", "rotor", "bending", "bending_modes",
     "axial", "axial_modes", "torsion", "torsion_modes", "coupled", "coupled_modes",
 }  # fmt: skip
 JOINED = {"coupled", "coupled_modes"}
@@ -49,8 +49,8 @@ def skipped(analyses: dict[str, Any]) -> set[str]:
 @pytest.mark.parametrize(
     ("names", "unused"),
     [
-        (["preload"], STAGES - {"preload"}),
-        (["stiffness"], STAGES - {"preload", "tangents", "mesh"}),
+        (["preload"], STAGES - {"preload", "buckling"}),
+        (["stiffness"], STAGES - {"preload", "tangents", "mesh", "buckling", "shaft_force"}),
         (["frf"], RODS | JOINED),
         (["campbell"], JOINED),
         (["preload", "frf", "stiffness"], RODS | JOINED),

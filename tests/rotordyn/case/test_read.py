@@ -203,3 +203,25 @@ def test_nothing_heavy_is_imported() -> None:
         cwd=ROOT,
     )
     assert done.stdout.strip() == "[]"
+
+
+@pytest.mark.parametrize(
+    ("guides", "expected"),
+    [("", ()), (", guides: [150 mm, 300 mm]", (0.15, 0.3)), (", guides: everywhere", "everywhere")],
+)
+def test_drawbar_and_formulation(tmp_path: Path, guides: str, expected: object) -> None:
+    path = tmp_path / "bar.yaml"
+    path.write_text(
+        "spindle: mfw2310\n"
+        f"override: {{drawbar: {{force: 25 kN, from: 10 mm, to: 420 mm{guides}}}}}\n"
+        "conditions: {formulation: fixed-frame softening, axial_stiffening: false}\n"
+        "speeds: [0 rpm]\nanalyses: {campbell: {}}\n"
+    )
+    case = rotordyn.load(path)
+    assert case.spindle is not None
+    bar = case.spindle.drawbar
+    assert bar is not None
+    assert (bar.force, bar.start, bar.end) == pytest.approx((25e3, 0.01, 0.42))
+    assert bar.guides == expected
+    assert case.conditions.formulation == "fixed-frame softening"
+    assert not case.conditions.axial_stiffening

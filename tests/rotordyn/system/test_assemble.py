@@ -72,14 +72,14 @@ def test_full_matrices_element_by_element() -> None:
 @pytest.mark.parametrize("selection", [LATERAL, PLANE_Y, PLANE_Z, AXIAL, TORSION])
 def test_selected_freedoms_are_the_part_of_the_whole(selection: Selection) -> None:
     found = rotor_matrices(STEPPED, MESH, selection)
-    for key in ("mass", "gyroscopic", "stiffness", "spin_softening"):
+    for key in ("mass", "gyroscopic", "stiffness", "translational_mass"):
         expected = part(getattr(FULL, key), selection)
         assert getattr(found, key) == pytest.approx(expected, rel=1e-13), key
 
 
 @pytest.mark.parametrize("selection", [PLANE_Y, PLANE_Z])
 def test_both_planes_have_the_same_matrices(selection: Selection) -> None:
-    for key in ("mass", "stiffness", "spin_softening"):
+    for key in ("mass", "stiffness", "translational_mass"):
         expected = part(getattr(FULL, key), selection)
         assert getattr(PLANE, key) == pytest.approx(expected, rel=1e-12, abs=1e-12), key
 

@@ -1,0 +1,95 @@
+"""What is said of a machine whose shaft buckles under its axial force, and what it would stand."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis.display import RPM
+from rotordyn.machine.spindle import Spindle
+from rotordyn.preload.axial_force import AxialForce, axial_force
+from rotordyn.system.buckling import withstands
+from rotordyn.system.condensed import CondensedRotor, condensed_rotor
+from rotordyn.system.mesh import Mesh
+
+Array = NDArray[np.float64]
+HALVINGS = 30
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Loading:
+    """Axial states of a machine: bearing loads (states, seats) [N] and tangents in their frames.
+
+    ``mesh`` is asked for only where the shaft is compressed. ``force`` [N] on the front end and
+    ``gravity`` [m/s²], towards +x.
+    """
+
+    spindle: Spindle
+    mesh: Callable[[], Mesh]
+    seat_load: Array
+    seat_stiffness: Array
+    force: float
+    gravity: float
+    rigid: bool
+
+    def outcomes(self, speed: Array) -> tuple[str, ...]:
+        """Per state: empty, or that the shaft buckles at this ``speed`` and what would hold."""
+        known = np.asarray(np.isfinite(self.seat_load).all(axis=1))
+        if not known.any() or not self._along(self.spindle, 1.0).compresses:
+            return ("",) * len(speed)
+        held = np.full(len(known), True)
+        held[known] = self.at(np.flatnonzero(known))._withstands(1.0, 1.0)
+        return tuple(
+            "" if stands else self.at(np.array([row]))._sentence(speed[row] * RPM.factor)
+            for row, stands in enumerate(held)
+        )
+
+    def at(self, index: NDArray[np.intp]) -> Loading:
+        """Some of the states."""
+        load, stiffness = self.seat_load[index], self.seat_stiffness[index]
+        return replace(self, seat_load=load, seat_stiffness=stiffness)
+
+    def _withstands(self, forces: float, bar: float) -> NDArray[np.bool_]:
+        """States that stand with shares of all axial forces, and of the drawbar's."""
+        spindle = self.spindle
+        if spindle.drawbar:
+            own = replace(spindle.drawbar, force=bar * spindle.drawbar.force)
+            spindle = replace(spindle, drawbar=own)
+        loaded = self._condensed(spindle, self._along(spindle, forces))
+        return withstands(spindle, loaded, self._condensed(spindle, None), self.seat_stiffness)
+
+    def _along(self, spindle: Spindle, share: float) -> AxialForce:
+        load, force, gravity = self.seat_load, self.force, self.gravity
+        return axial_force(spindle, share * load, share * force, share * gravity)
+
+    def _condensed(self, spindle: Spindle, along: AxialForce | None) -> CondensedRotor:
+        force = None if along is None else along.bending(self.mesh().middle)
+        start = spindle.shaft.start
+        return condensed_rotor(spindle, self.mesh(), start, force, rigid=self.rigid)
+
+    def _sentence(self, rpm: float) -> str:
+        """For a single state that buckles."""
+        bar = self.spindle.drawbar
+        if bar and bar.contacts and self._withstands(1.0, 0.0)[0]:
+            most = _largest(lambda share: bool(self._withstands(1.0, share)[0]))
+            return (
+                f"the drawbar force buckles the shaft at {rpm:.0f} rpm: given "
+                f"{bar.force / 1e3:.4g} kN, at most {most * bar.force / 1e3:.4g} kN"
+            )
+        most = _largest(lambda share: bool(self._withstands(share, share)[0]))
+        return (
+            f"the axial force buckles the shaft at {rpm:.0f} rpm, {most:.3g} of it would not: "
+            "lower axial_force or hold the shaft better"
+        )
+
+
+def _largest(stands: Callable[[float], bool]) -> float:
+    """Largest share below 1 that stands, by bisection."""
+    low, high = 0.0, 1.0
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if stands(middle) else (low, middle)
+    return low

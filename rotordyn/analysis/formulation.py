@@ -1,0 +1,24 @@
+"""The frames in which bending may be written, and what a user is told of each."""
+
+from __future__ import annotations
+
+INERTIAL = "inertial"
+ROTATING = "rotating"
+SOFTENED = "fixed-frame softening"
+FORMULATIONS = (INERTIAL, ROTATING, SOFTENED)
+
+_TOLD = {
+    ROTATING: (
+        "formulation rotating: bending frequencies and receptances are those seen from a frame "
+        "that turns with the shaft"
+    ),
+    SOFTENED: (
+        "formulation fixed-frame softening: Ω² M_ω is subtracted in the fixed frame, which no "
+        "physics supports; bending frequencies come out too low at speed"
+    ),
+}
+
+
+def told(formulation: str) -> tuple[str, ...]:
+    """The sentence that says which formulation is in force; none for the inertial one."""
+    return (_TOLD[formulation],) if formulation in _TOLD else ()

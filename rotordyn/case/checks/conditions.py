@@ -1,0 +1,62 @@
+"""Conditions against the machine: a frame its supports allow, a force that something carries."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+from rotordyn.analysis.formulation import ROTATING
+from rotordyn.case.faults import Faults
+from rotordyn.case.node import Node
+from rotordyn.case.schema.conditions import ConditionsEntry
+from rotordyn.machine.support import coupled_motions
+
+if TYPE_CHECKING:
+    from rotordyn.machine.support import LinearSupport
+
+
+def conditions(
+    entry: ConditionsEntry,
+    supports: Sequence[LinearSupport],
+    has_bearings: bool,
+    root: Node,
+    faults: Faults,
+) -> None:
+    """The turning frame needs even supports, an axial force something that holds the shaft."""
+    if entry.formulation == ROTATING:
+        for support in supports:
+            _even(support, root, faults)
+    if has_bearings or any(support.stiffness.get(("x", "x")) for support in supports):
+        return
+    for key, acts in (("axial_force", entry.axial_force), ("gravity", entry.gravity != "none")):
+        if acts:
+            given = root.at("conditions", key).raw
+            faults.at(
+                root,
+                ("conditions", key),
+                f"nothing holds the shaft along its axis: given '{given}'; allowed: with bearings, "
+                "or with a support that has the stiffness xx",
+            )
+
+
+def _even(support: LinearSupport, root: Node, faults: Faults) -> None:
+    """Bearings under axial load are even; supports are where their matrices say so."""
+    from rotordyn.elements.support import answers_alike, node_matrix
+
+    way = ("conditions", "formulation")
+    if "bending" in coupled_motions([support]):
+        faults.at(
+            root,
+            way,
+            f"support '{support.name}' couples bending with another motion, which a turning frame "
+            "cannot describe: given 'rotating'; allowed: inertial",
+        )
+        return
+    for name in ("stiffness", "damping"):
+        if not answers_alike(node_matrix(getattr(support, name))):
+            faults.at(
+                root,
+                way,
+                f"the {name} of support '{support.name}' differs between directions about the "
+                "axis, which a turning frame cannot describe: given 'rotating'; allowed: inertial",
+            )

@@ -1,0 +1,105 @@
+"""The axial force in the shaft, from the dynamic preload state.
+
+The shaft is cut at x and all axial forces on the part in front of the cut are added up: bearings,
+supports, the external force on the front end, weight, the drawbar. Springs of sleeves act on the
+sleeves, and reach the shaft through their bearings only.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.errors import InvalidInput
+from rotordyn.machine.cross_section import area
+from rotordyn.machine.spindle import Spindle
+
+Array = NDArray[np.float64]
+BALANCED = 1e-9  # of the largest force
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class AxialForce:
+    """Forces along the shaft at every state.
+
+    ``station`` (k,) [m] and ``push`` (states, k) [N]: what acts on the shaft there, towards +x;
+    ``edge`` (e,) [m] and ``weight`` (e,) [N]: weight of the sections in front of each edge.
+    """
+
+    spindle: Spindle
+    station: Array
+    push: Array
+    edge: Array
+    weight: Array
+
+    def at(self, x: Array) -> Array:
+        """Force in the wall of the shaft at ``x`` (p,) [m], tension positive, (states, p) [N]."""
+        in_front = (self.station[:, None] < x).astype(float)
+        return -self.push @ in_front - np.interp(x, self.edge, self.weight)
+
+    def bending(self, x: Array) -> Array:
+        """Force that follows the slope of the shaft at ``x``, tension positive, (states, p) [N].
+
+        A drawbar guided everywhere takes part with its tension, which cancels its compression.
+        """
+        bar = self.spindle.drawbar
+        if bar is None or bar.contacts:
+            return self.at(x)
+        return self.at(x) + bar.force * ((bar.start < x) & (x < bar.end))
+
+    @property
+    def compresses(self) -> bool:
+        """True where some state compresses the shaft against its bending somewhere."""
+        ends = np.unique(np.concatenate([self.station, self.edge]))
+        inside = (ends[:-1, None] + np.diff(ends)[:, None] * np.array([1e-6, 1.0 - 1e-6])).ravel()
+        force = self.bending(inside)
+        return bool((force < -BALANCED * np.nanmax(np.abs(self.push), initial=0.0)).any())
+
+
+def axial_force(
+    spindle: Spindle, seat_load: Array, force: float = 0.0, gravity: float = 0.0
+) -> AxialForce:
+    """Axial force in the shaft of ``spindle`` in every state.
+
+    ``seat_load`` (states, seats) [N]: axial loads of the bearings in their own frames, where the
+    shaft pushes the inner ring. ``force`` [N] on the front end of the shaft and ``gravity`` [m/s²],
+    both towards +x. Supports carry what is left, each by its axial stiffness.
+
+    Raises
+    ------
+    InvalidInput : nothing holds the shaft along its axis against ``force`` and weight
+    """
+    states, bar, shaft = len(seat_load), spindle.drawbar, spindle.shaft
+    thrust = np.array([float(seat.thrust) for seat in spindle.seats])
+    alone = [(shaft.start, force), *((body.x, gravity * body.mass) for body in spindle.lumped)]
+    if bar is not None:
+        alone += [(bar.start, bar.force), (bar.end, -bar.force)]
+    masses = [
+        s.material.density * area(s.outer_diameter, s.inner_diameter) * s.length
+        for s in shaft.sections
+    ]
+    weight = gravity * np.concatenate([[0.0], np.cumsum(masses)])
+    push = np.concatenate(
+        [-thrust * seat_load, np.tile([value for _, value in alone], (states, 1))], axis=1
+    )
+    carried = -(push.sum(axis=1) + weight[-1])
+    held = np.array([s.stiffness.get(("x", "x"), 0.0) for s in spindle.supports])
+    if not spindle.seats and not held.any() and (np.abs(carried) > BALANCED).any():
+        raise InvalidInput(
+            "nothing holds the shaft along its axis against the axial force and its weight: give "
+            "a support the stiffness xx"
+        )
+    share = held / held.sum() if held.any() else held
+    return AxialForce(
+        spindle=spindle,
+        station=np.array(
+            [seat.x for seat in spindle.seats]
+            + [x for x, _ in alone]
+            + [support.x for support in spindle.supports]
+        ),
+        push=np.concatenate([push, np.outer(carried, share)], axis=1),
+        edge=np.array(shaft.boundaries),
+        weight=weight,
+    )

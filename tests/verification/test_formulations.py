@@ -1,0 +1,214 @@
+"""Three ways of writing the bending: two are the same physics, the third is not."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import rotordyn
+from rotordyn.analysis import campbell
+from rotordyn.analysis.results import TurningCampbellResult, TurningFrfResult
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec, StiffnessSpec
+from rotordyn.errors import InvalidInput
+from rotordyn.job import solve
+from rotordyn.machine.lumped import PointMass
+from rotordyn.machine.spindle import Spindle
+from rotordyn.system.assemble import add_at_nodes, bending_plane
+from tests.oracles.rotors import STEEL, support, uniform
+from tests.oracles.spindles import RPM, answers, case, mfw2310, pairs, scene
+
+HZ = 2.0 * math.pi
+SPEEDS = (0, 6000, 16000, 24000)
+TURNED = "rotating"
+
+
+def by_imaginary(poles: np.ndarray, highest: float) -> np.ndarray:
+    kept = poles[(np.abs(poles.imag) > 1.0) & (np.abs(poles.imag) < HZ * highest)]
+    return kept[np.lexsort((kept.real, kept.imag))]
+
+
+def both(spindle: Spindle, speed: np.ndarray, highest: float, **changes: Any) -> list[Scene]:
+    ports = (spindle.shaft.start,)
+    return [
+        Scene(spindle, Conditions(formulation=f, **changes), speed, highest, ports)
+        for f in ("inertial", TURNED)
+    ]
+
+
+def assert_same_physics(ours: Scene, turned: Scene, highest: float, rel: float) -> None:
+    """Poles shifted by −iΩ, and H there at ω that of the fixed frame at ω + Ω."""
+    for row, spin in enumerate(ours.speed[ours.usable]):
+        fixed = by_imaginary(ours.bending_modes.pole[row], highest)
+        seen = by_imaginary(turned.bending_modes.pole[row] + 1j * spin, highest)
+        assert len(fixed) == len(seen) >= 4
+        assert np.abs(seen - fixed).max() <= rel * np.abs(fixed).max()
+        omega = HZ * np.array([-0.7, -0.13, 0.011, 0.3, 0.8]) * highest
+        rows = ours.rotor.basis[[0, 1]]
+        ends = np.array([rows[0], rows[1], rows[0]]), np.array([rows[0], rows[0], rows[1]])
+        h = ours.bending_modes.receptance(omega + spin, *ends)[row]
+        there = turned.bending_modes.receptance(omega, *ends)[row]
+        assert np.abs(there / h - 1.0).max() < rel
+
+
+def test_flagship() -> None:
+    """All modes below 4 kHz, damped, up to a speed above the first forward mode."""
+    conditions = case().conditions
+    ours, turned = (
+        Scene(mfw2310(), replace(conditions, formulation=f), np.array(SPEEDS) * RPM, 4000.0,
+              (-0.0524,))
+        for f in ("inertial", TURNED)
+    )  # fmt: skip
+    assert_same_physics(ours, turned, 4000.0, 1e-9)
+    still = [replace(s.conditions, bearings="static") for s in (ours, turned)]
+    fast = [Scene(mfw2310(), c, np.array([60000.0]) * RPM, 4000.0, (-0.0524,)) for c in still]
+    assert_same_physics(*fast, 4000.0, 1e-9)
+    forward = fast[0].bending_modes.pole[0].imag
+    assert (forward[forward > 1.0] < fast[0].speed[0]).any()
+
+
+@st.composite
+def isotropic(draw: Any) -> tuple[Spindle, float]:
+    """A stepped mass on a shaft on two supports with damping and cross-coupling, and a speed."""
+    length, x = draw(st.floats(0.3, 1.0)), draw(st.floats(0.1, 0.9))
+    mass, flat = draw(st.floats(0.5, 30.0)), draw(st.floats(0.0, 2.0))
+    inertia = mass * draw(st.floats(1e-4, 1e-2))
+    disc = PointMass("disc", x * length, mass, flat * inertia, inertia)
+    held = []
+    for name, at in (("a", draw(st.floats(0.0, 0.2))), ("b", draw(st.floats(0.8, 1.0)))):
+        k, c = 10.0 ** draw(st.floats(6.0, 8.5)), 10.0 ** draw(st.floats(1.0, 4.0))
+        cross = draw(st.floats(-0.05, 0.05)) * k
+        even = support(name, at * length, (k, k), c)
+        turning = {("y", "z"): cross, ("z", "y"): -cross}
+        held.append(replace(even, stiffness={**even.stiffness, **turning}))
+    rotor = uniform(length, draw(st.floats(0.03, 0.08)), STEEL, masses=(disc,), supports=held)
+    return replace(rotor, rotor_damping=(0.01, 0.05)), draw(st.floats(0.0, 6000.0))
+
+
+@given(isotropic())
+def test_random_rotors(drawn: tuple[Spindle, float]) -> None:
+    spindle, spin = drawn
+    ours, turned = both(spindle, np.array([spin]), 3000.0, element_length=0.1)
+    assert_same_physics(ours, turned, 3000.0, 1e-8)
+
+
+def test_terms_are_those_of_the_elements() -> None:
+    """2Ω (Mt + Jd) − Ω Jp, K − Ω² Mt + Ω² (Jp − Jd), C (q̇ + iΩq), before any reduction."""
+    spindle, spin = uniform(0.5, 0.06, STEEL, supports=(support("a", 0.1, (1e7, 1e7), 800.0),)), 3e3
+    (turned,) = both(spindle, np.array([spin]), 2000.0, element_length=0.1)[1:]
+    plane, node = bending_plane(spindle, turned.mesh), turned.mesh.node_of(0.1)
+    own = [
+        add_at_nodes(0.0 * plane.mass, (node,), np.array([np.diag([v, 0.0])])) for v in (1e7, 800.0)
+    ]
+    moved, rotary = plane.translational_mass, plane.mass - plane.translational_mass
+    stiffness = plane.stiffness + own[0] + 1j * spin * own[1]
+    stiffness = stiffness - spin**2 * moved + spin**2 * (plane.polar - rotary)
+    coriolis = own[1] + 1j * spin * (2.0 * (moved + rotary) - plane.polar)
+    basis = turned.rotor.basis
+    for found, full in ((turned.bending.stiffness, stiffness), (turned.bending.damping, coriolis)):
+        expected = basis.T @ full @ basis
+        assert np.abs(found[0] - expected).max() < 1e-9 * np.abs(expected).max()
+
+
+# --- what a user gets --------------------------------------------------------------------------
+
+
+def run(formulation: str, **changes: Any) -> dict[str, Any]:
+    asked = {
+        "campbell": CampbellSpec(3000.0),
+        "frf": FrfSpec((120.0, 900.0, 2000.0), pairs("Oc2.y/Oc2.y", "Oc2.z/Oc2.y")),
+        "stiffness": StiffnessSpec("Oc2", 100.0, 1, ("full",)),
+    }
+    return answers(mfw2310(), SPEEDS, asked, formulation=formulation, **changes)
+
+
+def test_same_modes_after_shifting() -> None:
+    """Same names, whirl, damping and shapes; |ω − Ω| in Hz; axial motion and torsion unmoved."""
+    ours, seen = (run(f)["campbell"] for f in ("inertial", TURNED))
+    assert isinstance(seen, TurningCampbellResult)
+    assert seen.mode == ours.mode
+    assert seen.whirl == pytest.approx(ours.whirl, nan_ok=True)
+    assert seen.damping_ratio == pytest.approx(ours.damping_ratio, rel=1e-9)
+    bending = np.array([k == "bending" for k in ours.kind])
+    shifted = np.abs(ours.whirl * ours.frequency - (ours.speed / HZ)[:, None])
+    expected = np.where(bending, shifted, ours.frequency)
+    assert seen.frequency == pytest.approx(expected, rel=1e-9)
+    assert np.abs(seen.shape) == pytest.approx(np.abs(ours.shape), abs=1e-6)
+
+
+def test_stiffness_is_a_load_in_the_fixed_frame() -> None:
+    ours, *others = (
+        run(f)["stiffness"].tangent for f in ("inertial", TURNED, "fixed-frame softening")
+    )
+    for other in others:
+        assert other == pytest.approx(ours, rel=1e-12)
+
+
+def test_receptance_in_shaft_fixed_axes() -> None:
+    """A force that turns with the shaft at ω there is, in space, ω + Ω forward and Ω − ω back."""
+    seen = run(TURNED)["frf"]
+    assert isinstance(seen, TurningFrfResult)
+    found = scene(mfw2310(), SPEEDS, ports=(-0.0524,))
+    node = found.mesh.node_of(-0.0524)
+    row = found.rotor.row(node, "y")[None]
+    for k, spin in enumerate(found.speed):
+        omega = HZ * seen.frequency
+        plus = found.bending_modes.receptance(spin + omega, row, row)[k, 0]
+        minus = found.bending_modes.receptance(spin - omega, row, row)[k, 0].conj()
+        assert seen.receptance[k, 0] == pytest.approx(0.5 * (plus + minus), rel=1e-5)
+        assert seen.receptance[k, 1] == pytest.approx(-0.5j * (plus - minus), rel=1e-5, abs=1e-14)
+
+
+def test_critical_speeds_and_names_do_not_depend_on_the_frame() -> None:
+    """An overhung disc through its criticals: forward modes below Ω keep their names."""
+    disc = PointMass("disc", 0.6, 20.0, 0.1, 0.31)
+    held = (support("a", 0.0, (5e7, 5e7)), support("b", 0.4, (5e7, 5e7)))
+    rotor = uniform(0.6, 0.05, STEEL, masses=(disc,), supports=held)
+    speed = np.arange(0.0, 40001.0, 1000.0) * RPM
+    ours, seen = (campbell.answer(s, CampbellSpec(1500.0)) for s in both(rotor, speed, 1500.0))
+    assert seen.mode == ours.mode
+    assert seen.critical == ours.critical != ()
+    assert seen.critical_speed == pytest.approx(ours.critical_speed, rel=1e-9)
+    for name, critical in zip(seen.critical, seen.critical_speed, strict=True):
+        line = seen.frequency[:, seen.mode.index(name)]
+        assert np.interp(critical, seen.speed, line) < 0.6 * np.abs(np.diff(line)).max()
+
+
+def test_uneven_supports_are_refused() -> None:
+    rotor = uniform(0.5, 0.05, STEEL, supports=(support("a", 0.0, (1e7, 2e7)),))
+    with pytest.raises(InvalidInput, match="alike in all directions"):
+        _ = both(rotor, np.array([100.0]), 500.0)[1].bending
+
+
+@pytest.mark.parametrize("formulation", [TURNED, "fixed-frame softening"])
+def test_user_is_told(formulation: str) -> None:
+    asked = replace(case(), speeds=(0.0,), analyses={"campbell": CampbellSpec(1500.0)})
+    asked = replace(asked, conditions=replace(asked.conditions, formulation=formulation))
+    told = [w for w in solve(asked).warnings if w.startswith(f"formulation {formulation}: ")]
+    assert len(told) == 1
+    assert not any(
+        w.startswith("formulation") for w in solve(replace(asked, conditions=Conditions())).warnings
+    )
+
+
+@pytest.mark.parametrize("formulation", ["inertial", TURNED, "fixed-frame softening"])
+def test_whole_run(formulation: str, tmp_path: Any) -> None:
+    """Files, figures and summary in every formulation; labels name the turning frame."""
+    asked = {
+        "campbell": CampbellSpec(2000.0, (2, 3)),
+        "frf": FrfSpec((100.0, 200.0, 300.0), pairs("Oc2.y/Oc2.y")),
+    }
+    whole = replace(case(), speeds=(0.0, 1000.0, 2000.0), analyses=asked)
+    whole = replace(whole, conditions=replace(whole.conditions, formulation=formulation))
+    delivery = rotordyn.job.deliver(whole, tmp_path / "out")
+    turning = formulation == TURNED
+    header = (tmp_path / "out" / "campbell.csv").read_text().splitlines()[0]
+    assert ("damped frequency in the turning frame" in header) == turning
+    assert ("modes [Hz] in the turning frame" in delivery.summary) == turning
+    assert (f"formulation {formulation}" in delivery.summary) == (formulation != "inertial")
