@@ -57,6 +57,7 @@ def _module(module: ModuleType, seen: set[int]) -> Iterator[str]:
     if not shown:
         return
     seen.update(id(o) for _, o in shown)
+    yield from (module.__name__, "-" * len(module.__name__), "")
     yield from (f".. automodule:: {module.__name__}", "   :no-index:", "")
     for name, thing in shown:
         yield from _entry(f"{module.__name__}.{name}", thing)

@@ -17,17 +17,19 @@ extensions = [
     "docs.site.docstrings",
     "docs.site.mathml",
 ]
-suppress_warnings: list[str] = []
 
 # Documents: formulas between dollars, headings that can be linked as on a code host.
-myst_enable_extensions = ["dollarmath", "amsmath"]
+myst_enable_extensions = ["dollarmath", "colon_fence"]
 myst_heading_anchors = 4
 
 # Types that the site does not document: those of other libraries, and our short names for arrays.
 nitpicky = True
 nitpick_ignore_regex = [
     (r"py:.*", r"(numpy|np|xarray|xr|pathlib|collections|typing)(\..*)?"),
-    (r"py:.*", r"(Array|ArrayLike|NDArray|Complex|Flags|Words|Mapping|Sequence|Path|Fits|.*\.Number)"),
+    (
+        r"py:.*",
+        r"(Array|ArrayLike|NDArray|Complex|Flags|Words|Mapping|Sequence|Path|Fits|.*\.Number)",
+    ),
 ]
 autodoc_type_aliases = {n: n for n in ("Array", "ArrayLike", "Complex", "Flags", "Words", "Fits")}
 autodoc_member_order = "bysource"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import ast
 import posixpath
 from collections.abc import Iterator
 from html import escape
@@ -13,6 +12,7 @@ from docutils import nodes
 from sphinx import addnodes
 from sphinx.transforms.post_transforms import SphinxPostTransform
 
+from docs.generate.modules import first_line
 from docs.generate.places import ROOT
 from docs.site.readme import SECTION_PAGES
 
@@ -88,12 +88,6 @@ def _listing(folder: Path) -> str:
     rows = ((p.name, first_line(p)) for p in sorted(folder.glob("*.py")))
     lines = (f"<dt><code>{escape(n)}</code></dt><dd>{escape(said)}</dd>" for n, said in rows)
     return f"<dl>{''.join(lines)}</dl>"
-
-
-def first_line(path: Path) -> str:
-    """First line of a module's docstring."""
-    said = ast.get_docstring(ast.parse(path.read_text("utf-8"))) or ""
-    return said.partition("\n")[0]
 
 
 def setup(app: Any) -> dict[str, bool]:

@@ -5,7 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 from docutils import nodes
+from docutils.utils.math import MathError
 from docutils.utils.math.latex2mathml import tex2mathml
+from sphinx.util import logging
+
+LOGGER = logging.getLogger(__name__)
 
 
 def setup(app: Any) -> dict[str, bool]:
@@ -15,11 +19,19 @@ def setup(app: Any) -> dict[str, bool]:
 
 
 def _inline(writer: Any, node: nodes.math) -> None:
-    writer.body.append(tex2mathml(node.astext()))
+    writer.body.append(_set(node))
     raise nodes.SkipNode
 
 
 def _block(writer: Any, node: nodes.math_block) -> None:
-    formula = tex2mathml(node.astext(), as_block=True)
-    writer.body.append(f'<div class="math">{formula}</div>\n')
+    writer.body.append(f'<div class="math">{_set(node, block=True)}</div>\n')
     raise nodes.SkipNode
+
+
+def _set(node: nodes.Element, *, block: bool = False) -> str:
+    try:
+        formula: str = tex2mathml(node.astext(), as_block=block)
+    except MathError as error:
+        LOGGER.warning("%s: %s", error, node.astext(), location=node)
+        return ""
+    return formula

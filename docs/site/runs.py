@@ -1,13 +1,18 @@
-"""What the gallery shows is run, and kept as long as nothing has changed that it depends on."""
+"""What the gallery shows is run, and kept as long as nothing has changed that it depends on.
+
+Processes that ask for the same run at once wait for the one that came first.
+"""
 
 from __future__ import annotations
 
+import fcntl
 import hashlib
 import os
 import shutil
 import subprocess
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
@@ -30,11 +35,14 @@ for number in plt.get_fignums():
 
 
 def case_run(case: Path, digest: str, runs: Path) -> Path:
-    """Results folder of a case file whose content, models included, has ``digest``."""
+    """Results folder of a case file whose content, models included, has ``digest``.
+
+    Any warning fails the run.
+    """
     folder = runs / case.stem
 
     def run() -> None:
-        _python("-m", "rotordyn", "run", str(case), "-o", str(folder), "--quiet")
+        _python("-W", "error", "-m", "rotordyn", "run", str(case), "-o", str(folder), "--quiet")
 
     return _kept(folder, _hash([digest.encode()]), run)
 
@@ -61,13 +69,22 @@ def example_run(script: Path, runs: Path) -> Path:
 def _kept(folder: Path, key: str, run: Callable[[], None]) -> Path:
     """``folder``, made by ``run`` unless it was made under the same ``key``."""
     note = folder.with_name(f"{folder.name}.key")
-    if folder.is_dir() and note.exists() and note.read_text(encoding="utf-8") == key:
-        return folder
-    note.unlink(missing_ok=True)
-    note.parent.mkdir(parents=True, exist_ok=True)
-    run()
-    note.write_text(key, encoding="utf-8")
+    with locked(folder):
+        if folder.is_dir() and note.exists() and note.read_text(encoding="utf-8") == key:
+            return folder
+        note.unlink(missing_ok=True)
+        run()
+        note.write_text(key, encoding="utf-8")
     return folder
+
+
+@contextmanager
+def locked(folder: Path) -> Iterator[None]:
+    """Nobody else is in here for the same ``folder``, which need not exist yet."""
+    folder.parent.mkdir(parents=True, exist_ok=True)
+    with folder.with_name(f"{folder.name}.lock").open("w") as lock:
+        fcntl.flock(lock, fcntl.LOCK_EX)
+        yield
 
 
 def _hash(inputs: Iterable[bytes]) -> str:
