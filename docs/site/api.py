@@ -24,8 +24,8 @@ PAGES = {
 INTRODUCTION = """Python interface
 ================
 
-What a designer imports. Everything is in SI units, descriptions and results are frozen; a variant is
-made with ``dataclasses.replace``.
+What a designer imports. All is in SI units, descriptions and results are frozen; a variant is made
+with ``dataclasses.replace``.
 """
 
 
@@ -83,7 +83,7 @@ def _entry(path: str, thing: Any) -> Iterator[str]:
     elif inspect.isfunction(thing):
         yield from (f".. autofunction:: {path}", "")
     else:
-        yield from (f".. autodata:: {path}", "")
+        yield from (f".. py:data:: {path}", f"   :value: {thing!r}", "")
 
 
 def _fields(result: type) -> Iterator[str]:

@@ -1,4 +1,4 @@
-"""What Sphinx needs to know; ``docs.site`` hands it a tree of pages laid out like the repository."""
+"""What Sphinx needs to know; ``docs.site`` hands it pages laid out like the repository."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ from rotordyn.case.library import models_root
 
 CASES = ROOT / "cases"
 EXAMPLES = DOCS / "examples"
-FACES = ("stiffness", "frf_surface", "campbell", "bearing")  # the first of them stands for a case
+FACES = ("campbell_overlay", "stiffness", "campbell", "bearing")  # the first that is there
 THUMBNAIL = (640, 480)
 
 

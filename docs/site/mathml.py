@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any
 
 from docutils import nodes
@@ -10,6 +11,9 @@ from docutils.utils.math.latex2mathml import tex2mathml
 from sphinx.util import logging
 
 LOGGER = logging.getLogger(__name__)
+_FUNCTION = re.compile(r"<mi>(sin|cos|tan|max|min|exp)</mi>")
+# An operator, not a name: the renderer leaves no space before its argument.
+_SPACED = r'<mo lspace="0.17em" rspace="0.17em">\1</mo>'
 
 
 def setup(app: Any) -> dict[str, bool]:
@@ -34,4 +38,4 @@ def _set(node: nodes.Element, *, block: bool = False) -> str:
     except MathError as error:
         LOGGER.warning("%s: %s", error, node.astext(), location=node)
         return ""
-    return formula
+    return _FUNCTION.sub(_SPACED, formula)

@@ -62,7 +62,8 @@ def contents(pages: Iterable[str], caption: str = "") -> str:
 def _chapters(tree: Path) -> list[str]:
     """Pages of the theory, in the order in which its first page links them."""
     folder = (tree / THEORY).parent
-    linked = re.findall(r"\]\((\w+)\.md\)", (folder / "README.md").read_text(encoding="utf-8"))
+    first = (folder / "README.md").read_text(encoding="utf-8")
+    linked = re.findall(r"^\d+\. \[.+?\]\((\w+)\.md\)", first, re.M)
     others = sorted(path.stem for path in folder.glob("*.md") if path.stem != "README")
     return [f"docs/theory/{name}" for name in dict.fromkeys([*linked, *others])]
 
