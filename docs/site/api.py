@@ -83,7 +83,8 @@ def _entry(path: str, thing: Any) -> Iterator[str]:
     elif inspect.isfunction(thing):
         yield from (f".. autofunction:: {path}", "")
     else:
-        yield from (f".. py:data:: {path}", f"   :value: {thing!r}", "")
+        module, _, name = path.rpartition(".")
+        yield from (f".. py:data:: {name}", f"   :module: {module}", f"   :value: {thing!r}", "")
 
 
 def _fields(result: type) -> Iterator[str]:

@@ -68,11 +68,11 @@ def _case(path: Path, tree: Path, runs: Path) -> Exhibit:
     note = yaml.safe_load(path.read_text(encoding="utf-8")).get("note", "")
     page = f"cases/{path.stem}"
     pictures = _copied(folder, tree / page)
-    shutil.copy(path, tree / "cases" / path.name)
+    shutil.copy(path, tree / page)
     text = (
         f"# {case.title}\n\n{note}\n\n"
         f"`scripts/run cases/{path.name}`, which reads {_models(case.files, path)}:\n\n"
-        f"{_included(path.name, 'yaml')}\n\n"
+        f"{_included(path, 'yaml')}\n\n"
         f"## Summary\n\n{_quoted((folder / 'summary.txt').read_text(encoding='utf-8'))}\n\n"
         f"## Figures\n\n{_figures(pictures, path.stem)}\n"
     )
@@ -87,9 +87,9 @@ def _example(script: Path, tree: Path, runs: Path) -> Exhibit:
     said = _docstring(script)
     title, _, rest = said.partition("\n")
     printed = (folder / "printed.txt").read_text(encoding="utf-8")
-    shutil.copy(script, tree / "docs" / "examples" / script.name)
+    shutil.copy(script, tree / page)
     text = (
-        f"# {title.rstrip('.')}\n\n{rest.strip()}\n\n{_included(script.name, 'python')}\n\n"
+        f"# {title.rstrip('.')}\n\n{rest.strip()}\n\n{_included(script, 'python')}\n\n"
         + (f"It prints\n\n{_quoted(printed)}\n\n" if printed.strip() else "")
         + f"{_figures(pictures, script.stem)}\n"
     )
@@ -131,8 +131,8 @@ def _name(picture: Path) -> str:
     return picture.stem.replace("_", " ")
 
 
-def _included(name: str, language: str) -> str:
-    return f"```{{literalinclude}} {name}\n:language: {language}\n```"
+def _included(path: Path, language: str) -> str:
+    return f"```{{literalinclude}} {path.stem}/{path.name}\n:language: {language}\n```"
 
 
 def _quoted(text: str) -> str:

@@ -51,13 +51,15 @@ class FileLinks(SphinxPostTransform):
         return f"{uri}#{anchor}" if anchor else uri
 
     def _page(self, target: str, anchor: str) -> str:
-        """The page that shows a README of the repository, if ``target`` is one."""
+        """The page that shows what ``target`` is: the README, a case, an example, a folder."""
         if target in {"README.md", "docs/README.md"}:
             slugs = (self.env.metadata[page].get("myst_slugs", {}) for page in SECTION_PAGES)
             pages = zip(SECTION_PAGES, slugs, strict=True)
             return next((page for page, known in pages if anchor in known), "index")
-        readme = f"{target}/README"
-        return readme if readme in self.env.found_docs else ""
+        for page in (posixpath.splitext(target)[0], f"{target}/README"):
+            if page in self.env.found_docs:
+                return page
+        return ""
 
 
 def shown_files(env: Any) -> set[str]:
