@@ -1,7 +1,11 @@
-"""Settings shared by every test: how hypothesis draws its examples."""
+"""Shared by every test: how hypothesis draws its examples, and a folder for costly results."""
 
 from __future__ import annotations
 
+import os
+from pathlib import Path
+
+import pytest
 from hypothesis import HealthCheck, settings
 
 # Duration says nothing about correctness: no deadline, no complaint about a slow machine.
@@ -9,3 +13,16 @@ _UNHURRIED = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow
 settings.register_profile("explore", _UNHURRIED)
 settings.register_profile("ci", _UNHURRIED, derandomize=True, print_blob=True)
 settings.load_profile("explore")
+
+
+@pytest.fixture(scope="session")
+def shared(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A folder of this run of the tests alone, one and the same for all of its processes."""
+    own = tmp_path_factory.getbasetemp()
+    return (own.parent if "PYTEST_XDIST_WORKER" in os.environ else own) / "shared"
+
+
+@pytest.fixture(scope="session")
+def runs(shared: Path) -> Path:
+    """Where each case is run once, for whichever test asks first (``docs.site.runs``)."""
+    return shared / "runs"

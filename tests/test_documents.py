@@ -15,12 +15,14 @@ import pytest
 import rotordyn
 from docs.generate.bearing_rows import bearing_rows
 from docs.generate.bending import axial_force_spans, axial_force_table, formulation_table
+from docs.generate.choices import choice_table, linear_table
 from docs.generate.comparison import comparison_table
 from docs.generate.figures import SHOWN
 from docs.generate.flagship import flagship, rest_rows, speed_rows
 from docs.generate.keys import entries, key_tables, keys
 from docs.generate.marked import parts, rewrite
-from docs.generate.places import DOCS, FIGURES, README, ROOT
+from docs.generate.modules import explained, module_table
+from docs.generate.places import DOCS, FIGURES, README, ROOT, THEORY
 from docs.generate.rotor_rows import rotor_rows
 from docs.generate.rows import Row
 from docs.generate.times import benchmark_parts, measured, short_table
@@ -34,6 +36,8 @@ GENERATED = {
     "docs/keys.md": {"case", "spindle", "tool", "bearing", "material", "reference"},
     "docs/formulations.md": {"formulations"},
     "docs/theory/rotor.md": {"axial-force", "axial-stiffening"},
+    "docs/choosing.md": {"choices", "linear"},
+    "docs/theory/README.md": {"modules"},
     "docs/mfw2310.md": {"comparison", "left-out", "rest", "speed"},
     "docs/benchmarks.md": {
         *("machine", "targets", "processes", "stages", "bearing", "frf", "element-length"),
@@ -212,6 +216,32 @@ def test_tables_of_bending_are_what_we_find_now() -> None:
             for old, new in zip(printed, cells(now), strict=True):
                 ours = [numbers(cell) for cell in old[1:]]
                 assert ours == [pytest.approx(numbers(cell), rel=2e-3, abs=0.2) for cell in new[1:]]
+
+
+def test_choices_change_what_the_page_says() -> None:
+    printed = parts(text(DOCS / "choosing.md"))
+    for old, new in ((printed["choices"], choice_table()), (printed["linear"], linear_table())):
+        assert [line[0] for line in cells(old)] == [line[0] for line in cells(new)]
+        for was, now in zip(cells(old), cells(new), strict=True):
+            for a, b in zip(was[1:], now[1:], strict=True):
+                assert numbers(a) == pytest.approx(numbers(b), rel=2e-3, abs=0.11)
+
+
+def test_every_module_that_computes_has_a_page_of_theory() -> None:
+    assert [m.relative_to(ROOT).as_posix() for m, pages in explained().items() if not pages] == []
+    assert parts(text(THEORY / "README.md"))["modules"] == module_table()
+
+
+def test_every_source_is_listed_once_and_cited() -> None:
+    entries = text(THEORY / "sources.md").split("\n- ")[1:]
+    works = {re.sub(r"\W+", " ", re.split(r"\d", entry)[0]) for entry in entries}
+    assert len(works) == len(entries)
+    code = (ROOT / room for room in ("bearings", "rotordyn", "tests"))
+    found = [*DOCS.rglob("*.md"), *(path for room in code for path in room.rglob("*.py"))]
+    citing = "\n".join(text(path) for path in found if path.name != "sources.md")
+    for entry in entries:
+        surname = re.findall(r"[A-ZÀ-Ž][\w-]{2,}", entry)[0]
+        assert surname in citing, entry
 
 
 def test_figures_are_there_and_small() -> None:

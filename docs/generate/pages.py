@@ -6,11 +6,13 @@ from collections.abc import Callable
 
 from docs.generate.bearing_rows import bearing_rows
 from docs.generate.bending import axial_force_spans, axial_force_table, formulation_table
+from docs.generate.choices import choice_table, linear_table
 from docs.generate.comparison import comparison_table, left_out
 from docs.generate.flagship import flagship, rest_rows, speed_rows
 from docs.generate.keys import key_tables
 from docs.generate.marked import rewrite, table
-from docs.generate.places import DOCS, README
+from docs.generate.modules import module_table
+from docs.generate.places import DOCS, README, THEORY
 from docs.generate.rotor_rows import rotor_rows
 from docs.generate.rows import HEAD, Row
 from docs.generate.times import benchmark_parts, measured, short_table
@@ -46,6 +48,16 @@ def write_bending() -> None:
     rewrite(DOCS / "theory" / "rotor.md", fresh)
 
 
+def write_choosing() -> None:
+    """What the choices of a case change."""
+    rewrite(DOCS / "choosing.md", {"choices": choice_table(), "linear": linear_table()})
+
+
+def write_theory() -> None:
+    """Which page explains which module."""
+    rewrite(THEORY / "README.md", {"modules": module_table()})
+
+
 def write_benchmarks() -> None:
     """Times, from what was measured last."""
     rewrite(DOCS / "benchmarks.md", benchmark_parts(measured()))
@@ -53,8 +65,10 @@ def write_benchmarks() -> None:
 
 PAGES: dict[str, Callable[[], None]] = {
     "docs/keys.md": write_keys,
+    "docs/theory/README.md": write_theory,
     "docs/benchmarks.md": write_benchmarks,
     "docs/formulations.md, docs/theory/rotor.md": write_bending,
+    "docs/choosing.md": write_choosing,
     "docs/mfw2310.md": write_flagship,
     "README.md": write_readme,
 }

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 
 Values = tuple[float, ...]
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 HEAD = ("what", "reference", "ours", "largest difference:", "allowed:", "source of the reference")
 
 
@@ -62,4 +63,4 @@ def power(value: float) -> str:
     if value == 0.0:
         return "0"
     mantissa, exponent = f"{value:.0e}".split("e")
-    return f"{mantissa}·10^{int(exponent)}".replace("-", "−")
+    return f"{mantissa}·10{str(int(exponent)).translate(RAISED)}"

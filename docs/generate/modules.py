@@ -1,0 +1,54 @@
+"""Which page of the theory explains which module, read from the links of the pages."""
+
+from __future__ import annotations
+
+import ast
+import posixpath
+import re
+from pathlib import Path
+
+from docs.generate.marked import table
+from docs.generate.places import ROOT, THEORY
+
+ROOMS = ("bearings", *(f"rotordyn/{r}" for r in ("elements", "system", "preload")))
+ROOMS += ("rotordyn/numerics", "rotordyn/analysis")
+_LINK = re.compile(r"\]\(((?:\.\./)+[\w/]+\.py)\)")
+
+
+def modules() -> list[Path]:
+    """Every public module of the rooms that compute."""
+    found = (path for room in ROOMS for path in sorted((ROOT / room).glob("*.py")))
+    return [path for path in found if not path.name.startswith("_")]
+
+
+def explained() -> dict[Path, list[Path]]:
+    """Module -> the pages that link it; empty where none does."""
+    pages: dict[Path, list[Path]] = {module: [] for module in modules()}
+    for page in sorted(THEORY.glob("*.md")):
+        for target in dict.fromkeys(_LINK.findall(page.read_text(encoding="utf-8"))):
+            module = (page.parent / target).resolve()
+            if module in pages and page.name != "README.md":
+                pages[module].append(page)
+    return pages
+
+
+def module_table() -> str:
+    """One line per module, as the first page of the theory shows it."""
+    lines = []
+    for module, pages in explained().items():
+        path = module.relative_to(ROOT).as_posix()
+        link = f"[`{path}`]({posixpath.relpath(path, 'docs/theory')})"
+        found = ", ".join(f"[{title(page)}]({page.name})" for page in pages)
+        lines.append((link, found or "–", first_line(module)))
+    return table(("module", "page", "what it is"), lines)
+
+
+def title(page: Path) -> str:
+    """First heading of a page."""
+    return page.read_text(encoding="utf-8").partition("\n")[0].removeprefix("# ")
+
+
+def first_line(path: Path) -> str:
+    """First line of a module's docstring."""
+    said = ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))) or ""
+    return said.partition("\n")[0]
