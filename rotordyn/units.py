@@ -75,6 +75,8 @@ KINDS: dict[str, tuple[str, ...]] = {
     "tilt damping": ("N m s/rad",),
 }
 
+_ALSO = {"pressure": ("N/m^2",)}  # spelt so as well
+
 _NUMBER = re.compile(
     r"\s*([+-]?(?:\d+\.?\d*|\.\d+))(?:[eE]([+-]?\d{1,4}))?(?![\d.,eE])\s*(.*)", re.S
 )
@@ -147,6 +149,33 @@ def _named(name: str, whole: str) -> Unit:
         base = _NAMED[stem]
         return Unit(base.exponent + _PREFIXES[prefix], base.factor, base.dimension)
     raise InvalidInput(f"unknown unit '{name}' in '{whole}'")
+
+
+def pattern(kind: str) -> str:
+    """Regular expression of the common spellings of a unit of ``kind``; ``""`` if it needs none.
+
+    Every unit that matches can be read; more can be read than it matches.
+    """
+    return "|".join(dict.fromkeys(_spellings(unit) for unit in (*KINDS[kind], *_ALSO.get(kind, ()))))
+
+
+def _spellings(unit: str) -> str:
+    if unit in _WHOLE:
+        return "|".join(whole.replace("^", r"\^").replace("/", r"\s*/\s*") for whole in _WHOLE)
+    found = []
+    for position, (join, name, power) in enumerate(_FACTOR.findall(unit)):
+        between = r"\s*/\s*" if join == "/" else r"(?:\s*[*·⋅×]\s*|\s+)"
+        powers = f"(?:(?:\\^|\\*\\*){power}|{'²' if power == '2' else '³'})" if power else ""
+        found.append((between if position else "") + _alike(name) + powers)
+    return "".join(found)
+
+
+def _alike(name: str) -> str:
+    """Named units of the dimension of ``name``, with the prefixes they may bear."""
+    dimension = _named(name, name).dimension
+    stems = [stem for stem, unit in _NAMED.items() if unit.dimension == dimension]
+    words = [f"[GMkcmuµμn]?{stem}" if stem in _PREFIXED else stem for stem in stems]
+    return f"(?:{'|'.join([*words, *(['°'] if 'deg' in stems else [])])})"
 
 
 def in_unit(value: float, unit: str) -> float:

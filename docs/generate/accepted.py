@@ -15,7 +15,7 @@ from pydantic import PlainValidator, TypeAdapter, ValidationError
 from pydantic.fields import FieldInfo
 
 from rotordyn import units
-from rotordyn.analysis.specs import Port
+from rotordyn.case.schema.analyses import Place
 from rotordyn.case.schema.base import Entry
 
 _KIND = re.compile(r"expected (.+?): given")
@@ -90,7 +90,7 @@ def _reader(metadata: tuple[Any, ...]) -> PlainValidator | None:
 
 
 def _read_by(reader: PlainValidator, annotation: Any) -> str:
-    if annotation is Port:
+    if annotation is Place:
         return "`POINT.DIRECTION`"
     refusal = _message(reader, True)
     allowed = refusal.partition("allowed: ")[2]

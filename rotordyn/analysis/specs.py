@@ -2,18 +2,40 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
+from typing import Annotated
 
-from rotordyn.analysis.formulation import INERTIAL
+from rotordyn.analysis.formulation import FORMULATIONS, INERTIAL
+from rotordyn.description import Description, doubled
+from rotordyn.machine.support import Freedom
+from rotordyn.quantity import (
+    Choice,
+    Force,
+    Frequency,
+    Growth,
+    Length,
+    Load,
+    Name,
+    Speed,
+    Travel,
+    Whole,
+)
 
 VARIANTS = ("nonlinear", "full", "diagonal", "constant_preload")
 TANGENTS = ("complete", "frozen", "difference")
-DIRECTIONS = ("x", "y", "z", "thx", "thy", "thz")
+KINEMATICS = ("hybrid", "outer", "inner", "geometric")
+MOMENT_SHARING = ("equal", "outer", "inner", "hybrid")
+BEARINGS = ("dynamic", "static")
+ROTOR = ("flexible", "rigid")
+GRAVITY = ("", "+x", "-x")
+MOST_TEETH = MOST_STEPS = 1000
+Tangent = Annotated[str, Choice(TANGENTS)]
 
 
 @dataclass(frozen=True, slots=True)
-class Conditions:
+class Conditions(Description):
     """How the machine is modelled.
 
     ``kinematics``, ``moment_sharing``: as in ``bearings``. ``tangent``: of ``TANGENTS``, the
@@ -26,85 +48,117 @@ class Conditions:
     ``axial_stiffening``: the axial force in the shaft acts on its bending.
     """
 
-    kinematics: str = "hybrid"
-    moment_sharing: str = "equal"
-    tangent: str = "complete"
-    bearings: str = "dynamic"
-    rotor: str = "flexible"
-    axial_force: float = 0.0
-    gravity: str = ""
-    element_length: float | None = None
-    formulation: str = INERTIAL
+    kinematics: Annotated[str, Choice(KINEMATICS)] = "hybrid"
+    moment_sharing: Annotated[str, Choice(MOMENT_SHARING)] = "equal"
+    tangent: Tangent = "complete"
+    bearings: Annotated[str, Choice(BEARINGS)] = "dynamic"
+    rotor: Annotated[str, Choice(ROTOR)] = "flexible"
+    axial_force: Force = 0.0
+    gravity: Annotated[str, Choice(GRAVITY)] = ""
+    element_length: Length | None = None
+    formulation: Annotated[str, Choice(FORMULATIONS)] = INERTIAL
     axial_stiffening: bool = True
 
 
 @dataclass(frozen=True, slots=True)
-class PreloadSpec:
+class PreloadSpec(Description):
     """The dynamic preload state at every speed of the case."""
 
 
 @dataclass(frozen=True, slots=True)
-class CampbellSpec:
+class CampbellSpec(Description):
     """Damped eigenfrequencies up to ``max_frequency`` [Hz] over speed.
 
     ``teeth``: numbers of cutter teeth whose tooth-passing line is of interest; ``shapes``: keep the
     mode shapes at the first and the last speed.
     """
 
-    max_frequency: float = 4000.0
-    teeth: tuple[int, ...] = ()
+    max_frequency: Frequency = 4000.0
+    teeth: tuple[Annotated[int, Whole(1, MOST_TEETH)], ...] = ()
     shapes: bool = True
+
+    def _faults(self) -> Iterator[str]:
+        yield from ascending("teeth", self.teeth)
 
 
 @dataclass(frozen=True, slots=True)
-class Port:
+class Port(Description):
     """A point of the machine and one of its directions."""
 
-    point: str
-    direction: str
+    point: Name
+    direction: Freedom
 
     def __str__(self) -> str:
         return f"{self.point}.{self.direction}"
 
 
 @dataclass(frozen=True, slots=True)
-class FrfSpec:
+class FrfSpec(Description):
     """Receptance between ``pairs`` (response, excitation) at every speed and frequency [Hz].
 
     ``slices``: speeds [rad/s] at which curves are drawn and UFF58 records written (nearest speed
     of the case); none given = the lowest and the highest.
     """
 
-    frequencies: tuple[float, ...]
+    frequencies: tuple[Frequency, ...]
     pairs: tuple[tuple[Port, Port], ...]
-    slices: tuple[float, ...] = ()
+    slices: tuple[Speed, ...] = ()
+
+    def _faults(self) -> Iterator[str]:
+        if not self.frequencies or not self.pairs:
+            yield f"no {'pairs' if self.frequencies else 'frequencies'}: at least one is needed"
+        yield from ascending("frequencies", self.frequencies)
+        yield from ascending("slices", self.slices)
+        for name in doubled(f"{response} / {excitation}" for response, excitation in self.pairs):
+            yield f"pairs: repeated: given '{name}'"
 
 
 @dataclass(frozen=True, slots=True)
-class StiffnessSpec:
+class StiffnessSpec(Description):
     """Quasi-static radial stiffness at ``point``: deflection under 0 … ``max_force`` [N].
 
     ``steps``: load steps; ``variants``: of ``VARIANTS``; ``second_stop``: other stop travels [m] by
     sleeve, computed as one more (nonlinear) variant when given.
     """
 
-    point: str
-    max_force: float = 500.0
-    steps: int = 10
-    variants: tuple[str, ...] = VARIANTS
-    second_stop: Mapping[str, float] = field(default_factory=dict)
+    point: Name
+    max_force: Load = 500.0
+    steps: Annotated[int, Whole(1, MOST_STEPS)] = 10
+    variants: tuple[Annotated[str, Choice(VARIANTS)], ...] = VARIANTS
+    second_stop: Mapping[Name, Travel] = field(default_factory=dict)
+
+    def _faults(self) -> Iterator[str]:
+        if not self.variants:
+            yield "no variants: at least one is needed"
+        for name in doubled(self.variants):
+            yield f"variants: repeated: given '{name}'"
 
 
 @dataclass(frozen=True, slots=True)
-class BearingMapSpec:
+class BearingMapSpec(Description):
     """A single bearing under axial ``loads`` [N] at every speed of the case.
 
     ``tangents``: of ``TANGENTS``, the stiffness matrices to compute.
     """
 
-    loads: tuple[float, ...]
-    static_growth: float = 0.0
-    tangents: tuple[str, ...] = TANGENTS[:1]
+    loads: tuple[Load, ...]
+    static_growth: Growth = 0.0
+    tangents: tuple[Tangent, ...] = TANGENTS[:1]
+
+    def _faults(self) -> Iterator[str]:
+        if not self.loads or not self.tangents:
+            yield f"no {'tangents' if self.loads else 'loads'}: at least one is needed"
+        yield from ascending("loads", self.loads)
+        for name in doubled(self.tangents):
+            yield f"tangents: repeated: given '{name}'"
 
 
 Spec = PreloadSpec | CampbellSpec | FrfSpec | StiffnessSpec | BearingMapSpec
+
+
+def ascending(what: str, values: Sequence[float]) -> Iterator[str]:
+    """A sentence for each value that is not above the one before it."""
+    for before, here in pairwise(values):
+        if here <= before:
+            how = "repeated" if here == before else "not in ascending order"
+            yield f"{what}: {how}: given {here:.6g} after {before:.6g}"

@@ -2,31 +2,36 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Annotated
 
 from bearings.angular_contact import AngularContactBallBearing
 from rotordyn.analysis.specs import Conditions, Spec
+from rotordyn.case.agreement import ANALYSES, questions_agree, speeds_agree
+from rotordyn.description import Description
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
+from rotordyn.quantity import Choice, Speed
 
 
 @dataclass(frozen=True, slots=True)
-class Case:
+class Case(Description):
     """Everything a run needs, in SI units.
 
     Exactly one of ``spindle`` and ``bearing`` is given. ``speeds`` [rad/s] ascend without repeats.
     ``analyses`` maps a name of the registry to its Spec; nothing else is computed. ``references``
-    are shown beside the computed values. ``files``: every file read; ``digest``: their hash.
-    ``variants``: other cases with the same speeds and questions, by name; where there are any, they
-    are answered side by side, and the case itself is not.
+    are shown beside the computed values. ``files``: every file read; ``digest``: their hash, with
+    the changes that ``vary`` made to them. ``variants``: other cases with the same speeds and
+    questions, by name; where there are any, they are answered side by side, and the case itself is
+    not.
     """
 
     name: str
     title: str
-    speeds: tuple[float, ...]
-    analyses: Mapping[str, Spec]
+    speeds: tuple[Speed, ...]
+    analyses: Mapping[Annotated[str, Choice(tuple(ANALYSES))], Spec]
     conditions: Conditions = field(default_factory=Conditions)
     spindle: Spindle | None = None
     bearing: AngularContactBallBearing | None = None
@@ -43,3 +48,23 @@ class Case:
     def _holds(self, reference: Reference) -> bool:
         own = self.conditions
         return all(getattr(own, key) == word for key, word in reference.conditions.items())
+
+    def vary(self, changes: Mapping[str, object]) -> Case:
+        """This case with other values at dotted paths; see ``rotordyn.vary``."""
+        from rotordyn.case.vary import vary
+
+        return vary(self, changes)
+
+    def _faults(self) -> Iterator[str]:
+        if (self.spindle is None) == (self.bearing is None):
+            given = "neither" if self.spindle is None else "both"
+            yield f"a case has either a spindle or a bearing: given {given}"
+            return
+        yield from speeds_agree(self.speeds, self.analyses)
+        yield from questions_agree(self.spindle, self.conditions, self.analyses)
+        yield from references_agree(self.references, self.conditions)
+        for name, variant in self.variants.items():
+            if variant.speeds != self.speeds or variant.analyses != self.analyses:
+                yield f"variant {name}: its speeds and analyses must be those of the case"
+            if variant.variants:
+                yield f"variant {name}: a variant has no variants of its own"

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-import difflib
 from pathlib import Path
+
+from rotordyn.quantity import suggestion
 
 KINDS = ("bearings", "materials", "spindles", "tools")
 _PACKAGE = Path(__file__).resolve().parents[1]
@@ -41,10 +42,3 @@ def find(kind: str, reference: str, beside: Path) -> Path:
         f"unknown model: given '{reference}'; allowed: {', '.join(names)}, or the path of a file"
         + suggestion(reference, names)
     )
-
-
-def suggestion(given: object, allowed: list[str] | tuple[str, ...]) -> str:
-    """``" (did you mean …?)"``, or nothing where no allowed word is close."""
-    lower = {word.lower(): word for word in allowed}
-    close = difflib.get_close_matches(str(given).lower(), list(lower), n=1, cutoff=0.6)
-    return f" (did you mean {lower[close[0]]}?)" if close else ""

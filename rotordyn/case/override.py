@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from rotordyn.case.faults import Faults
-from rotordyn.case.library import suggestion
+from rotordyn.quantity import suggestion
 from rotordyn.case.node import Node, joined
 
 

@@ -10,7 +10,7 @@ from pydantic_core import ErrorDetails
 
 from rotordyn import units
 from rotordyn.case.faults import Faults
-from rotordyn.case.library import suggestion
+from rotordyn.quantity import suggestion
 from rotordyn.case.node import UNKNOWN, Node
 
 M = TypeVar("M", bound=BaseModel)

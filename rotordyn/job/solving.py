@@ -54,8 +54,7 @@ def solve(case: Case, progress: Progress = lambda name: None) -> Answers:
     """Answer every question of ``case`` with frozen results; its variants are left aside."""
     if case.spindle is not None:
         return answer_spindle(case.spindle, case.conditions, case.speeds, case.analyses, progress)
-    if case.bearing is None:
-        raise InvalidInput(f"case {case.name} has neither a spindle nor a bearing")
+    assert case.bearing is not None, "a case has one of the two"
     return answer_bearing(case.bearing, case.conditions, case.speeds, case.analyses, progress)
 
 

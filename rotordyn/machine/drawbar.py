@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import pairwise
+from typing import Annotated
+
+from rotordyn.description import Description
+from rotordyn.quantity import Choice, Load, Station
 
 EVERYWHERE = "everywhere"
 
 
 @dataclass(frozen=True, slots=True)
-class Drawbar:
+class Drawbar(Description):
     """A bar under the tension ``force`` [N] from station ``start`` to station ``end`` [m].
 
     It pulls the shaft together between these stations. ``guides``: stations between them at which
@@ -16,10 +22,18 @@ class Drawbar:
     given with the masses of the shaft.
     """
 
-    force: float
-    start: float
-    end: float
-    guides: tuple[float, ...] | str = ()
+    force: Load
+    start: Station
+    end: Station
+    guides: tuple[Station, ...] | Annotated[str, Choice((EVERYWHERE,))] = ()
+
+    def _faults(self) -> Iterator[str]:
+        for before, here in pairwise(self.stations):
+            if here <= before:
+                yield (
+                    "its start, guides and end must ascend: given "
+                    f"{here:.6g} m after {before:.6g} m"
+                )
 
     @property
     def contacts(self) -> tuple[float, ...]:

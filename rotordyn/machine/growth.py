@@ -5,47 +5,50 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
+from rotordyn.description import Description
+from rotordyn.quantity import Diameter, Growth, Interference, Name, Station, TopSpeed
+
 
 @dataclass(frozen=True, slots=True)
-class QuadraticInSpeed:
+class QuadraticInSpeed(Description):
     """A displacement that grows with the square of speed: ``value`` [m] at ``speed`` [rad/s]."""
 
-    value: float
-    speed: float
+    value: Growth
+    speed: TopSpeed
 
 
 @dataclass(frozen=True, slots=True)
-class InterferenceFit:
+class InterferenceFit(Description):
     """The centrifugal part is computed from shaft section and inner ring (physics: rings).
 
     ``bore_diameter`` [m] of the inner ring; ``interference`` [m], on the radius, at rest.
     """
 
-    bore_diameter: float
-    interference: float
+    bore_diameter: Diameter
+    interference: Interference
 
 
 @dataclass(frozen=True, slots=True)
-class RingGrowth:
+class RingGrowth(Description):
     """Radial growth of the inner groove centre against the outer one.
 
     ``static`` [m] acts at every speed; ``centrifugal`` adds to it with speed.
     """
 
-    static: float = 0.0
+    static: Growth = 0.0
     centrifugal: QuadraticInSpeed | InterferenceFit | None = None
 
 
 @dataclass(frozen=True, slots=True)
-class PrescribedShortening:
+class PrescribedShortening(Description):
     """Axial shift of each named bearing seat [m] at ``speed`` [rad/s], growing with speed²."""
 
-    speed: float
-    shift: Mapping[str, float] = field(default_factory=dict)
+    speed: TopSpeed
+    shift: Mapping[Name, Growth] = field(default_factory=dict)
 
 
 @dataclass(frozen=True, slots=True)
-class ComputedShortening:
+class ComputedShortening(Description):
     """Axial shift of every seat from the sections (Poisson contraction), zero at ``reference``."""
 
-    reference: float
+    reference: Station

@@ -2,30 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from typing import Annotated
 
-
-@dataclass(frozen=True, slots=True)
-class Reference:
-    """A series of known values over speed.
-
-    ``quantity``: what it is, one of ``QUANTITIES``; ``subject``: the sleeve, bearing or variant it
-    belongs to (may be empty); ``kind``: ``"measured"`` or ``"published"``; ``speeds`` [rad/s] and
-    ``values`` (SI) are of one length; ``source`` cites it, ``remark`` says in one sentence why it
-    may differ from the computed value. ``conditions``: words of the model that it was found with,
-    such as ``{"rotor": "rigid"}``; it is compared only where they are in force.
-    """
-
-    quantity: str
-    kind: str
-    source: str
-    speeds: tuple[float, ...]
-    values: tuple[float, ...]
-    subject: str = ""
-    remark: str = ""
-    conditions: Mapping[str, str] = field(default_factory=dict, hash=False)
-
+from rotordyn.description import Description
+from rotordyn.quantity import Choice, Speed
 
 QUANTITIES = {
     "radial_stiffness": "N/m",  # subject: variant, default nonlinear
@@ -38,3 +20,31 @@ QUANTITIES = {
     "seat_shift": "m",  # subject: bearing
     "frozen_error": "1",  # of the axial stiffness of one bearing; largest over its loads
 }
+KINDS = ("published", "measured")
+
+
+@dataclass(frozen=True, slots=True)
+class Reference(Description):
+    """A series of known values over speed.
+
+    ``quantity``: what it is, one of ``QUANTITIES``; ``subject``: the sleeve, bearing or variant it
+    belongs to (may be empty); ``kind``: ``"measured"`` or ``"published"``; ``speeds`` [rad/s] and
+    ``values`` (SI) are of one length; ``source`` cites it, ``remark`` says in one sentence why it
+    may differ from the computed value. ``conditions``: words of the model that it was found with,
+    such as ``{"rotor": "rigid"}``; it is compared only where they are in force.
+    """
+
+    quantity: Annotated[str, Choice(tuple(QUANTITIES))]
+    kind: Annotated[str, Choice(KINDS)]
+    source: str
+    speeds: tuple[Speed, ...]
+    values: tuple[float, ...]
+    subject: str = ""
+    remark: str = ""
+    conditions: Mapping[str, str] = field(default_factory=dict, hash=False)
+
+    def _faults(self) -> Iterator[str]:
+        if not self.values:
+            yield "at least one value is needed"
+        elif len(self.speeds) != len(self.values):
+            yield f"{len(self.speeds)} speeds for {len(self.values)} values: allowed: one each"

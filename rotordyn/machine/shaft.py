@@ -2,33 +2,58 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from itertools import accumulate
+from typing import Annotated
 
 from bearings.materials import Material
+from rotordyn.description import Description, doubled
+from rotordyn.quantity import (
+    SHEAR_COEFFICIENT,
+    Bore,
+    Choice,
+    Diameter,
+    Length,
+    OptionalName,
+    Station,
+)
+
+SHEAR_COEFFICIENTS = ("cowper", "hutchinson")
 
 
 @dataclass(frozen=True, slots=True)
-class Section:
+class Section(Description):
     """A hollow cylinder, homogeneous [m]."""
 
-    length: float
-    outer_diameter: float
-    inner_diameter: float
+    length: Length
+    outer_diameter: Diameter
+    inner_diameter: Bore
     material: Material
-    name: str = ""
+    name: OptionalName = ""
+
+    def _faults(self) -> Iterator[str]:
+        yield from no_wall(self.inner_diameter, self.outer_diameter)
 
 
 @dataclass(frozen=True, slots=True)
-class Shaft:
+class Shaft(Description):
     """Sections laid end to end from ``start`` towards +x.
 
     ``shear_coefficient`` is ``"cowper"``, ``"hutchinson"`` or a number.
     """
 
-    start: float
+    start: Station
     sections: tuple[Section, ...]
-    shear_coefficient: str | float = "cowper"
+    shear_coefficient: (
+        Annotated[str, Choice(SHEAR_COEFFICIENTS)] | Annotated[float, SHEAR_COEFFICIENT]
+    ) = "cowper"
+
+    def _faults(self) -> Iterator[str]:
+        if not self.sections:
+            yield "a shaft needs at least one section"
+        for name in doubled(section.name for section in self.sections):
+            yield f"two sections are named '{name}'"
 
     @property
     def boundaries(self) -> tuple[float, ...]:
@@ -52,3 +77,12 @@ class Shaft:
         """This shaft with ``sections`` put in front of its start (a tool in the nose)."""
         start = self.start - sum(s.length for s in sections)
         return replace(self, start=start, sections=sections + self.sections)
+
+
+def no_wall(inner_diameter: float, outer_diameter: float) -> Iterator[str]:
+    """What is wrong with a hollow cylinder of these diameters [m]: nothing, or no wall left."""
+    if inner_diameter >= outer_diameter:
+        yield (
+            f"no wall left: inner_diameter {inner_diameter:.6g} m; "
+            f"allowed: below the outer_diameter, {outer_diameter:.6g} m"
+        )

@@ -2,20 +2,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
+from rotordyn.description import Description, doubled
 from rotordyn.machine.drawbar import Drawbar
-from rotordyn.machine.growth import ComputedShortening, PrescribedShortening
+from rotordyn.machine.growth import ComputedShortening, InterferenceFit, PrescribedShortening
 from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.support import BearingSeat, LinearSupport, Sleeve
+from rotordyn.quantity import DampingRatio, Name, Station, suggestion
+
+SLACK = 1e-9  # [m] by which a station may lie beside the shaft
 
 
 @dataclass(frozen=True, slots=True)
-class Tool:
+class Tool(Description):
     """What is clamped into the nose: sections from its tip to the nose face, turning with it.
 
     ``points`` and ``masses`` are in spindle coordinates: x = 0 at the nose face, the tip negative.
@@ -24,12 +28,18 @@ class Tool:
     name: str
     sections: tuple[Section, ...]
     masses: tuple[PointMass, ...] = ()
-    points: Mapping[str, float] = field(default_factory=dict)
+    points: Mapping[Name, Station] = field(default_factory=dict)
     references: tuple[Reference, ...] = ()
+
+    def _faults(self) -> Iterator[str]:
+        if not self.sections:
+            yield "a tool needs at least one section"
+        yield from _named_twice("sections", self.sections)
+        yield from _named_twice("masses", self.masses)
 
 
 @dataclass(frozen=True, slots=True)
-class Spindle:
+class Spindle(Description):
     """A rotor on bearings, linear supports or both.
 
     ``rotor_damping`` [-]: modal damping ratios of the flexible free-free bending modes at rest, in
@@ -44,12 +54,63 @@ class Spindle:
     sleeves: tuple[Sleeve, ...] = ()
     supports: tuple[LinearSupport, ...] = ()
     drawbar: Drawbar | None = None
-    points: Mapping[str, float] = field(default_factory=dict)
+    points: Mapping[Name, Station] = field(default_factory=dict)
     shortening: PrescribedShortening | ComputedShortening | None = None
-    rotor_damping: tuple[float, ...] = ()
+    rotor_damping: tuple[DampingRatio, ...] = ()
     title: str = ""
     note: str = ""
     references: tuple[Reference, ...] = ()
+
+    def _faults(self) -> Iterator[str]:
+        yield from _named_twice("seats", self.seats)
+        yield from _named_twice("sleeves", self.sleeves)
+        yield from _named_twice("supports", self.supports)
+        yield from _named_twice("masses and discs", self.masses + self.discs)
+        for item in (*self.masses, *self.discs, *self.seats, *self.supports):
+            yield from self.off_the_shaft(f"{type(item).__name__} {item.name}", item.x)
+        for x in self.drawbar.stations if self.drawbar else ():
+            yield from self.off_the_shaft("drawbar", x)
+        yield from self._sleeve_faults()
+        yield from self._shift_faults()
+        yield from self._fit_faults()
+
+    def off_the_shaft(self, what: str, x: float) -> Iterator[str]:
+        """A sentence where station ``x`` [m] of ``what`` does not lie on the shaft."""
+        start, end = self.shaft.start, self.shaft.end
+        if not start - SLACK <= x <= end + SLACK:
+            yield f"{what} off the shaft: given {x:.6g} m; allowed: {start:.6g} m to {end:.6g} m"
+
+    def _seat_named(self, name: str, where: str) -> Iterator[str]:
+        names = [seat.name for seat in self.seats]
+        if name not in names:
+            allowed = ", ".join(names) or "none, there are no seats"
+            yield f"{where}: unknown bearing '{name}'; allowed: {allowed}{suggestion(name, names)}"
+
+    def _sleeve_faults(self) -> Iterator[str]:
+        thrust = {seat.name: seat.thrust for seat in self.seats}
+        for sleeve in self.sleeves:
+            for name in sleeve.bearings:
+                yield from self._seat_named(name, f"sleeve {sleeve.name}")
+            if len({thrust.get(name, 0) for name in sleeve.bearings}) > 1:
+                yield f"sleeve {sleeve.name}: its bearings must all have the same thrust"
+        for name in doubled(name for sleeve in self.sleeves for name in sleeve.bearings):
+            yield f"bearing '{name}' is on more than one sleeve"
+
+    def _shift_faults(self) -> Iterator[str]:
+        if isinstance(self.shortening, ComputedShortening):
+            yield from self.off_the_shaft("reference of shortening", self.shortening.reference)
+        elif self.shortening is not None:
+            for name in self.shortening.shift:
+                yield from self._seat_named(name, "shortening.shift")
+
+    def _fit_faults(self) -> Iterator[str]:
+        for seat in self.seats:
+            fit, hole = seat.growth.centrifugal, self.shaft.section_at(seat.x).inner_diameter
+            if isinstance(fit, InterferenceFit) and fit.bore_diameter <= hole:
+                yield (
+                    f"the bore of bearing {seat.name} leaves no shaft: given "
+                    f"{fit.bore_diameter:.6g} m; allowed: above {hole:.6g} m"
+                )
 
     @property
     def lumped(self) -> tuple[PointMass, ...]:
@@ -83,3 +144,10 @@ class Spindle:
             points={**self.points, **tool.points},
             references=self.references + tool.references,
         )
+
+
+def _named_twice(
+    what: str, items: Iterable[Section | PointMass | Disc | BearingSeat | Sleeve | LinearSupport]
+) -> Iterator[str]:
+    for name in doubled(item.name for item in items):
+        yield f"two {what} are named '{name}'"

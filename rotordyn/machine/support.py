@@ -3,11 +3,26 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field
+from typing import Annotated
 
 from bearings.angular_contact import AngularContactBallBearing
-from rotordyn.machine.growth import RingGrowth
+from rotordyn.description import Description, doubled
+from rotordyn.machine.growth import InterferenceFit, RingGrowth
+from rotordyn.quantity import (
+    Choice,
+    Damping,
+    Mass,
+    Name,
+    Preload,
+    Rigidity,
+    Station,
+    StopTravel,
+)
+
+FREEDOMS = ("x", "y", "z", "thx", "thy", "thz")
+Freedom = Annotated[str, Choice(FREEDOMS)]
 
 # The motions that a straight rotor keeps apart, by the freedoms of its nodes.
 MOTIONS = {
@@ -18,7 +33,7 @@ MOTIONS = {
     "thy": "bending",
     "thz": "bending",
 }
-Entries = Mapping[tuple[str, str], float]
+Entries = Mapping[tuple[Freedom, Freedom], float]
 
 
 def entry_name(row: str, column: str) -> str:
@@ -27,33 +42,50 @@ def entry_name(row: str, column: str) -> str:
 
 
 @dataclass(frozen=True, slots=True)
-class BearingSeat:
+class BearingSeat(Description):
     """An angular-contact bearing at station ``x`` [m].
 
     ``thrust`` is +1 where pushing the shaft towards +x loads the balls, −1 where −x does.
     ``radial_damping`` and ``axial_damping`` [N·s/m] act between its rings; tilt is not damped.
     """
 
-    name: str
+    name: Name
     bearing: AngularContactBallBearing
-    x: float
-    thrust: int
+    x: Station
+    thrust: Annotated[int, Choice((1, -1))]
     growth: RingGrowth = field(default_factory=RingGrowth)
-    radial_damping: float = 0.0
-    axial_damping: float = 0.0
+    radial_damping: Damping = 0.0
+    axial_damping: Damping = 0.0
     model: str = ""
 
+    def _faults(self) -> Iterator[str]:
+        bearing, fit = self.bearing, self.growth.centrifugal
+        chord = bearing.ball_diameter * math.cos(bearing.contact_angle)
+        centres = bearing.inner_conformity + bearing.outer_conformity - 1.0
+        room = centres * (bearing.ball_diameter - chord)
+        if self.growth.static > room:
+            yield (
+                f"growth.static takes the whole contact angle: given {self.growth.static:.6g} m; "
+                f"allowed: up to {room:.6g} m"
+            )
+        race = bearing.pitch_diameter - chord
+        if isinstance(fit, InterferenceFit) and fit.bore_diameter >= race:
+            yield (
+                f"no ring left beside the balls: bore_diameter {fit.bore_diameter:.6g} m; "
+                f"allowed: below {race:.6g} m"
+            )
+
 
 @dataclass(frozen=True, slots=True)
-class Spring:
+class Spring(Description):
     """Preload spring: ``preload`` [N] at rest, ``stiffness`` [N/m]; infinite = rigid preload."""
 
-    preload: float
-    stiffness: float = math.inf
+    preload: Preload
+    stiffness: Rigidity = math.inf
 
 
 @dataclass(frozen=True, slots=True)
-class Sleeve:
+class Sleeve(Description):
     """A sliding sleeve that carries the outer rings of ``bearings`` and is pushed by ``spring``.
 
     The spring pushes the way that loads the bearings. ``stop_travel`` [m]: how far the sleeve can
@@ -61,16 +93,22 @@ class Sleeve:
     ``mass`` [kg] and ``radial_stiffness`` [N/m] (infinite = held rigidly by the housing bore).
     """
 
-    name: str
-    bearings: tuple[str, ...]
+    name: Name
+    bearings: tuple[Name, ...]
     spring: Spring
-    stop_travel: float = math.inf
-    mass: float = 0.0
-    radial_stiffness: float = math.inf
+    stop_travel: StopTravel = math.inf
+    mass: Mass = 0.0
+    radial_stiffness: Rigidity = math.inf
+
+    def _faults(self) -> Iterator[str]:
+        if not self.bearings:
+            yield "a sleeve carries at least one bearing"
+        for name in doubled(self.bearings):
+            yield f"bearing '{name}' is named twice"
 
 
 @dataclass(frozen=True, slots=True)
-class LinearSupport:
+class LinearSupport(Description):
     """Constant stiffness and damping to ground at station ``x``.
 
     ``stiffness`` [N/m, N/rad …] and ``damping`` map a pair of node freedoms (load, displacement),
@@ -78,8 +116,8 @@ class LinearSupport:
     x, y, z, thx, thy, thz. Entries not named are zero; nothing is symmetrised.
     """
 
-    name: str
-    x: float
+    name: Name
+    x: Station
     stiffness: Entries
     damping: Entries = field(default_factory=dict)
 

@@ -7,6 +7,7 @@ from rotordyn.analysis.specs import (
     CampbellSpec,
     Conditions,
     FrfSpec,
+    Port,
     PreloadSpec,
     Spec,
     StiffnessSpec,
@@ -43,7 +44,7 @@ def _spec(
         case CampbellEntry():
             return CampbellSpec(entry.max_frequency, tuple(entry.teeth), entry.shapes)
         case FrfEntry():
-            pairs = tuple((pair.response, pair.excitation) for pair in entry.pairs)
+            pairs = tuple((Port(*pair.response), Port(*pair.excitation)) for pair in entry.pairs)
             return FrfSpec(values(entry.frequencies), pairs, tuple(entry.slices))
         case StiffnessEntry():
             return _stiffness(entry)

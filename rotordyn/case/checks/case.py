@@ -4,7 +4,9 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
+from contextlib import suppress
 
+from rotordyn.case.agreement import MOST_ELEMENTS, NEEDS_BEARINGS, OF_A_BEARING, uncoupled
 from rotordyn.case.build.spindle import support
 from rotordyn.case.build.sweep import values
 from rotordyn.case.checks.conditions import conditions
@@ -17,11 +19,9 @@ from rotordyn.case.schema.analyses import FrfEntry, StiffnessEntry
 from rotordyn.case.schema.case import CaseEntry
 from rotordyn.case.schema.shaft import ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
+from rotordyn.errors import InvalidInput
 from rotordyn.machine.support import MOTIONS, LinearSupport, coupled_motions, entry_name
 from rotordyn.units import format_quantity
-
-_NEEDS_BEARINGS = ("preload", "stiffness")
-MOST_ELEMENTS = 1000
 
 
 def machine_named(root: Node, faults: Faults) -> None:
@@ -51,7 +51,7 @@ def _apply(asked: set[str], root: Node, faults: Faults) -> None:
     if single == spindle:
         return
     for name in sorted(asked):
-        if (name == "bearing") != single:
+        if (name in OF_A_BEARING) != single:
             kind = "single bearing" if single else "spindle"
             faults.at_key(root, ("analyses", name), f"this question does not apply to a {kind}")
 
@@ -94,10 +94,10 @@ def against_machine(
 ) -> None:
     """Points, sleeves and bearings that the questions name exist."""
     _elements(entry, spindle, tool, root, faults)
-    supports = [support(each) for each in spindle.supports]
+    supports = _supports(spindle)
     conditions(entry.conditions, supports, bool(spindle.bearings), root, faults)
     points = [*spindle.points, *(tool.points if tool else {})]
-    for name in _NEEDS_BEARINGS:
+    for name in NEEDS_BEARINGS:
         if getattr(entry.analyses, name) is not None and not spindle.bearings:
             faults.at_key(root, ("analyses", name), "needs bearings: this spindle has none")
     if entry.analyses.frf is not None:
@@ -105,12 +105,26 @@ def against_machine(
             for key in ("response", "excitation"):
                 way = ("analyses", "frf", "pairs", index, key)
                 exists(getattr(pair, key).point, points, "point", root, way, faults)
-        _pairs(entry.analyses.frf, coupled_motions(supports), root, faults)
+        coupled = coupled_motions(supports)
+        known = len(supports) == len(spindle.supports)
+        _pairs(entry.analyses.frf, coupled if known else _ALL_MOTIONS, root, faults)
     if entry.analyses.stiffness is not None:
         _stiffness(entry.analyses.stiffness, points, spindle, root, faults)
         _one_plane(supports, root, faults)
     if spindle.bearings:
         _sideways(entry, supports, root, faults)
+
+
+_ALL_MOTIONS = frozenset(MOTIONS.values())
+
+
+def _supports(spindle: SpindleEntry) -> list[LinearSupport]:
+    """The supports without those whose faults are reported already."""
+    found = []
+    for entry in spindle.supports:
+        with suppress(InvalidInput):
+            found.append(support(entry))
+    return found
 
 
 def _pairs(entry: FrfEntry, coupled: frozenset[str], root: Node, faults: Faults) -> None:
@@ -122,18 +136,14 @@ def _pairs(entry: FrfEntry, coupled: frozenset[str], root: Node, faults: Faults)
         if text in seen:
             faults.at(root, way, f"repeated: given '{text}'")
         seen.add(text)
-        motions = [MOTIONS.get(port.direction, "") for port in (pair.response, pair.excitation)]
-        if "" not in motions and motions[0] != motions[1] and not coupled.issuperset(motions):
-            one, other = (_SPOKEN.get(motion, motion) for motion in motions)
+        if motions := uncoupled(pair.response.direction, pair.excitation.direction, coupled):
+            one, other = motions
             faults.at(
                 root,
                 way,
                 f"nothing couples {one} and {other}: given '{text}'; allowed: both "
                 "ends in one of x; thx; y, z, thy, thz, or a support that couples them",
             )
-
-
-_SPOKEN = {"axial": "axial motion"}
 
 
 def _one_plane(supports: list[LinearSupport], root: Node, faults: Faults) -> None:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 from rotordyn.case.checks.bearing import seats, sleeves
 from rotordyn.case.checks.names import exists, unique
 from rotordyn.case.checks.references import references
@@ -18,7 +20,7 @@ from rotordyn.case.checks.sweep import ascending
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
 from rotordyn.case.schema.matrix import ENTRIES, entries
-from rotordyn.case.schema.shaft import ToolEntry
+from rotordyn.case.schema.shaft import MassEntry, SectionEntry, ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 
 
@@ -53,6 +55,22 @@ def tool(entry: ToolEntry, root: Node, machine: SpindleEntry | None, faults: Fau
     for name in entry.points:
         if name in machine.points:
             faults.at_key(root, ("points", name), "name already taken by a point of the spindle")
+    lumped = [item.name for item in (*machine.masses, *machine.discs)]
+    _free(entry.masses, lumped, root, ("masses",), faults)
+    _free(entry.sections, [s.name for s in machine.shaft.sections], root, ("sections",), faults)
+
+
+def _free(
+    entries: Sequence[MassEntry | SectionEntry],
+    taken: Sequence[str],
+    root: Node,
+    way: tuple[object, ...],
+    faults: Faults,
+) -> None:
+    for index, entry in enumerate(entries):
+        if entry.name and entry.name in taken:
+            message = f"name already taken in the spindle: '{entry.name}'"
+            faults.at(root, (*way, index, "name"), message)
 
 
 def _length(tool: ToolEntry | None) -> float:

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated, Any, NamedTuple
 
-from pydantic import BeforeValidator, Field, PlainValidator
+from pydantic import BeforeValidator, ConfigDict, Field, PlainValidator, WithJsonSchema
 
-from rotordyn.analysis.specs import DIRECTIONS, TANGENTS, VARIANTS, Port
-from rotordyn.case.library import suggestion
+from rotordyn.analysis.specs import MOST_STEPS, MOST_TEETH, TANGENTS, VARIANTS
 from rotordyn.case.node import UNKNOWN
 from rotordyn.case.schema.base import Entry
 from rotordyn.case.schema.conditions import Tangent
+from rotordyn.case.schema.shapes import PLACE
 from rotordyn.case.schema.sweep import Frequencies
 from rotordyn.case.schema.values import (
     Flag,
@@ -19,12 +19,14 @@ from rotordyn.case.schema.values import (
     Load,
     Name,
     Speed,
+    Travel,
     choice,
     given,
-    quantity,
     whole,
     wrong,
 )
+from rotordyn.machine.support import FREEDOMS
+from rotordyn.quantity import suggestion
 
 
 class PreloadEntry(Entry):
@@ -35,32 +37,44 @@ class CampbellEntry(Entry):
     """Modes over speed."""
 
     max_frequency: Frequency = 4000.0
-    teeth: list[Annotated[int, whole(1, 1000)]] = []
+    teeth: list[Annotated[int, whole(1, MOST_TEETH)]] = []
     shapes: Flag = True
 
 
-def _port(value: Any) -> Port:
+class Place(NamedTuple):
+    """A point and one of its directions; empty where unknown."""
+
+    point: str
+    direction: str
+
+    def __str__(self) -> str:
+        return f"{self.point}.{self.direction}"
+
+
+def _place(value: Any) -> Place:
     if value is UNKNOWN:
-        return Port("", "")
+        return Place("", "")
     point, _, direction = value.rpartition(".") if isinstance(value, str) else ("", "", "")
     if not point:
         raise wrong(f"not a place: given {given(value)}; allowed: POINT.DIRECTION such as tip.y")
-    if direction not in DIRECTIONS:
+    if direction not in FREEDOMS:
         raise wrong(
-            f"unknown direction: given {given(value)}; allowed: {', '.join(DIRECTIONS)}"
-            + suggestion(direction, DIRECTIONS)
+            f"unknown direction: given {given(value)}; allowed: {', '.join(FREEDOMS)}"
+            + suggestion(direction, FREEDOMS)
         )
-    return Port(point, direction)
+    return Place(point, direction)
 
 
-PortText = Annotated[Port, PlainValidator(_port, json_schema_input_type=str)]
+PlaceText = Annotated[
+    Place, PlainValidator(_place, json_schema_input_type=Annotated[str, WithJsonSchema(PLACE)])
+]
 
 
 class PairEntry(Entry):
     """Where the response is taken and where the force acts."""
 
-    response: PortText
-    excitation: PortText
+    response: PlaceText
+    excitation: PlaceText
 
 
 class FrfEntry(Entry):
@@ -76,11 +90,9 @@ class StiffnessEntry(Entry):
 
     point: Name
     max_force: Load = 500.0
-    steps: Annotated[int, whole(1, 1000)] = 10
+    steps: Annotated[int, whole(1, MOST_STEPS)] = 10
     variants: Annotated[list[Annotated[str, choice(*VARIANTS)]], Field(min_length=1)] = [*VARIANTS]
-    second_stop: dict[
-        Name, Annotated[float, quantity("length", at_least="0 um", at_most="100 mm")]
-    ] = {}
+    second_stop: dict[Name, Travel] = {}
 
 
 class BearingMapEntry(Entry):
@@ -100,6 +112,8 @@ _BARE = BeforeValidator(_empty_if_bare)
 
 class AnalysesEntry(Entry):
     """One key per question; what is not named is not computed."""
+
+    model_config = ConfigDict(json_schema_extra={"minProperties": 1})
 
     preload: Annotated[PreloadEntry | None, _BARE] = None
     campbell: Annotated[CampbellEntry | None, _BARE] = None

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from pydantic import Field
+from pydantic import ConfigDict, Field
 
 from rotordyn.case.schema.analyses import AnalysesEntry
 from rotordyn.case.schema.base import Entry
@@ -28,6 +28,13 @@ class VariantEntry(Entry):
 
 class CaseEntry(Entry):
     """The case itself; the machine it names is read apart (``spindle``, ``tool``, ``bearing``)."""
+
+    model_config = ConfigDict(
+        json_schema_extra={
+            "oneOf": [{"required": ["spindle"]}, {"required": ["bearing"]}],
+            "dependentRequired": {"tool": ["spindle"]},
+        }
+    )
 
     title: Text = ""
     note: Text = ""

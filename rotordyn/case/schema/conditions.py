@@ -5,13 +5,20 @@ from __future__ import annotations
 from typing import Annotated
 
 from rotordyn.analysis.formulation import FORMULATIONS
-from rotordyn.analysis.specs import TANGENTS
+from rotordyn.analysis.specs import (
+    BEARINGS,
+    GRAVITY,
+    KINEMATICS,
+    MOMENT_SHARING,
+    ROTOR,
+    TANGENTS,
+)
 from rotordyn.case.schema.base import Entry
 from rotordyn.case.schema.values import Flag, Force, Length, choice
 
-Kinematics = Annotated[str, choice("hybrid", "outer", "inner", "geometric")]
+Kinematics = Annotated[str, choice(*KINEMATICS)]
 Tangent = Annotated[str, choice(*TANGENTS)]
-MomentSharing = Annotated[str, choice("equal", "outer", "inner", "hybrid")]
+MomentSharing = Annotated[str, choice(*MOMENT_SHARING)]
 
 
 class ConditionsEntry(Entry):
@@ -20,10 +27,10 @@ class ConditionsEntry(Entry):
     kinematics: Kinematics = "hybrid"
     moment_sharing: MomentSharing = "equal"
     tangent: Tangent = "complete"
-    bearings: Annotated[str, choice("dynamic", "static")] = "dynamic"
-    rotor: Annotated[str, choice("flexible", "rigid")] = "flexible"
+    bearings: Annotated[str, choice(*BEARINGS)] = "dynamic"
+    rotor: Annotated[str, choice(*ROTOR)] = "flexible"
     axial_force: Force = 0.0
-    gravity: Annotated[str, choice("none", "+x", "-x")] = "none"
+    gravity: Annotated[str, choice(*(way or "none" for way in GRAVITY))] = "none"
     element_length: Length | None = None
     formulation: Annotated[str, choice(*FORMULATIONS)] = "inertial"
     axial_stiffening: Flag = True

@@ -18,11 +18,10 @@ from pydantic import (
 )
 from pydantic_core import InitErrorDetails, PydanticCustomError
 
-from rotordyn.analysis.specs import DIRECTIONS as FREEDOMS
 from rotordyn.case.node import UNKNOWN
 from rotordyn.case.schema.base import Entry
 from rotordyn.case.schema.values import Reader, given, quantity, wrong
-from rotordyn.machine.support import entry_name
+from rotordyn.machine.support import FREEDOMS, entry_name
 
 _UNITS = {"stiffness": ("N/m", "N/rad", "N m/rad"), "damping": ("N s/m", "N s/rad", "N m s/rad")}
 _BOUND = {"stiffness": "1e13", "damping": "1e10"}

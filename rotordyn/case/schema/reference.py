@@ -9,7 +9,7 @@ from pydantic import Field
 from rotordyn.case.schema.base import Entry
 from rotordyn.case.schema.conditions import ConditionsEntry
 from rotordyn.case.schema.values import Speed, Text, choice
-from rotordyn.machine.reference import QUANTITIES
+from rotordyn.machine.reference import KINDS, QUANTITIES
 
 # The kind of quantity read for the unit in which a reference is kept.
 KIND_OF_UNIT = {
@@ -26,7 +26,7 @@ class ReferenceEntry(Entry):
 
     quantity: Annotated[str, choice(*QUANTITIES)]
     subject: Text = ""
-    kind: Annotated[str, choice("published", "measured")]
+    kind: Annotated[str, choice(*KINDS)]
     source: Text
     speeds: Annotated[list[Speed], Field(min_length=1)]
     values: Annotated[list[Any], Field(min_length=1)]

@@ -19,8 +19,10 @@ from rotordyn.case.schema.values import (
     Station,
     Text,
     choice,
-    quantity,
+    reads,
 )
+from rotordyn.machine.shaft import SHEAR_COEFFICIENTS
+from rotordyn.quantity import SHEAR_COEFFICIENT
 
 
 class SectionEntry(Entry):
@@ -41,8 +43,8 @@ def _shear_form(value: object) -> str:
 
 
 ShearCoefficient = Annotated[
-    Annotated[str, choice("cowper", "hutchinson"), Tag("<word>")]
-    | Annotated[float, quantity("number", above="0", at_most="1"), Tag("<number>")],
+    Annotated[str, choice(*SHEAR_COEFFICIENTS), Tag("<word>")]
+    | Annotated[float, reads(SHEAR_COEFFICIENT), Tag("<number>")],
     Discriminator(_shear_form),
 ]
 

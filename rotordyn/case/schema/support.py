@@ -15,10 +15,14 @@ from rotordyn.case.schema.values import (
     Damping,
     Diameter,
     Growth,
+    Interference,
     Load,
     Mass,
     Name,
+    Preload,
+    Rigidity,
     Station,
+    StopTravel,
     TopSpeed,
     choice,
     quantity,
@@ -36,7 +40,7 @@ class QuadraticEntry(Entry):
 class FitEntry(Entry):
     """The fit of inner ring and shaft; the bore is that of the bearing model unless given."""
 
-    interference: Annotated[float, quantity("length", at_least="0 um", at_most="1 mm")]
+    interference: Interference
     bore_diameter: Diameter | None = None
 
 
@@ -76,10 +80,8 @@ class SeatEntry(Entry):
 class SpringEntry(Entry):
     """Force at rest and stiffness of a preload spring."""
 
-    preload: Annotated[float, quantity("force", at_least="0 N", at_most="10000 kN")]
-    stiffness: Annotated[
-        float, quantity("stiffness", above="0 N/m", at_most="1e6 MN/m", words={"rigid": math.inf})
-    ]
+    preload: Preload
+    stiffness: Rigidity
 
 
 class SleeveEntry(Entry):
@@ -88,13 +90,9 @@ class SleeveEntry(Entry):
     name: Name
     bearings: Annotated[list[Name], Field(min_length=1)]
     spring: SpringEntry
-    stop_travel: Annotated[
-        float, quantity("length", at_least="0 um", at_most="100 mm", words={"none": math.inf})
-    ] = math.inf
+    stop_travel: StopTravel = math.inf
     mass: Mass = 0.0
-    radial_stiffness: Annotated[
-        float, quantity("stiffness", above="0 N/m", at_most="1e6 MN/m", words={"rigid": math.inf})
-    ] = math.inf
+    radial_stiffness: Rigidity = math.inf
 
 
 class SupportEntry(Entry):

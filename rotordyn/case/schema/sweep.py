@@ -4,17 +4,22 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from pydantic import Discriminator, Field, Tag
+from pydantic import ConfigDict, Discriminator, Field, Tag
 
 from rotordyn.case.schema.base import Entry, form
 from rotordyn.case.schema.values import Frequency, Speed, TopSpeed, whole
 
 MAX_STEPS = 100_000
+_STEP_OR_COUNT = ConfigDict(
+    json_schema_extra={"oneOf": [{"required": ["step"]}, {"required": ["count"]}]}
+)
 Count = Annotated[int, whole(2, MAX_STEPS)]
 
 
 class SpeedRange(Entry):
     """Evenly spaced speeds, both ends included, by ``step`` or by ``count``."""
+
+    model_config = _STEP_OR_COUNT
 
     start: Speed = Field(alias="from")
     to: Speed
@@ -24,6 +29,8 @@ class SpeedRange(Entry):
 
 class FrequencyRange(Entry):
     """Evenly spaced frequencies, both ends included, by ``step`` or by ``count``."""
+
+    model_config = _STEP_OR_COUNT
 
     start: Frequency = Field(alias="from")
     to: Frequency

@@ -7,20 +7,21 @@ comparison of the later checks takes hold.
 from __future__ import annotations
 
 import math
-import re
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Annotated, Any
 
-from pydantic import PlainValidator
+from pydantic import PlainValidator, WithJsonSchema
 from pydantic_core import PydanticCustomError
 
+from rotordyn import quantity as limits
 from rotordyn import units
-from rotordyn.case.library import suggestion
 from rotordyn.case.node import UNKNOWN
+from rotordyn.case.schema import shapes
 from rotordyn.errors import InvalidInput
+from rotordyn.quantity import NAME, Quantity, suggestion
 
 Reader = Callable[[Any], Any]
-_NAME = re.compile(r"[^\W\d][\w \-]*")
 
 
 def wrong(message: str) -> PydanticCustomError:
@@ -33,43 +34,54 @@ def given(value: object) -> str:
     return units.shown(value)
 
 
-def quantity(
-    kind: str,
-    *,
-    above: str = "",
-    at_least: str = "",
-    below: str = "",
-    at_most: str = "",
-    words: Mapping[str, float] | None = None,
-) -> PlainValidator:
-    """Reads a quantity of ``kind``, bounded; ``words`` may stand in for a value (``rigid``)."""
-    low = units.parse(above or at_least, kind) if above or at_least else -math.inf
-    high = units.parse(below or at_most, kind) if below or at_most else math.inf
-    bounds = _bounds(above, at_least, below, at_most)
+@dataclass(frozen=True)
+class QuantityReader:
+    """Reads text such as ``"25 mm"`` as a value [SI] within the range of ``quantity``."""
 
-    def read(value: Any) -> float:
+    quantity: Quantity
+
+    def __call__(self, value: Any) -> float:
+        """The value [SI]; a faulty one is an error that says what is allowed."""
+        kind, word = self.quantity.kind, self.quantity.infinite
         if value is UNKNOWN:
             return math.nan
-        if words and isinstance(value, str) and value in words:
-            return words[value]
+        if word and value == word:
+            return math.inf
         try:
             number = units.parse(value, kind)
         except InvalidInput as error:
-            raise wrong(str(error) + _or_words(words, value)) from None
-        if number < low or number > high or (above and number == low) or (below and number == high):
-            raise wrong(f"{kind} out of range: given {given(value)}; allowed: {bounds}")
+            raise wrong(str(error) + _or_word(word, value)) from None
+        if not self.quantity.holds(number):
+            allowed = self.quantity.allowed
+            raise wrong(f"{kind} out of range: given {given(value)}; allowed: {allowed}")
         return number
 
-    return PlainValidator(read, json_schema_input_type=str | float)
+    def written(self, value: float) -> str:
+        """``value`` [SI] as one would write it into a file."""
+        if math.isinf(value):
+            return self.quantity.infinite
+        return f"{value:g} {self.quantity.coherent_unit}".strip()
 
 
-def _bounds(above: str, at_least: str, below: str, at_most: str) -> str:
-    parts = [("above", above), ("from", at_least), ("below", below), ("up to", at_most)]
-    return " ".join(f"{word} {bound}" for word, bound in parts if bound)
+def reads(within: Quantity) -> PlainValidator:
+    """Reads a quantity within its range."""
+    shape = _shaped(shapes.quantity(within))
+    return PlainValidator(QuantityReader(within), json_schema_input_type=shape)
 
 
-def _or_words(words: Mapping[str, float] | None, value: object) -> str:
-    return f", or {', '.join(words)}{suggestion(value, tuple(words))}" if words else ""
+def _shaped(shape: dict[str, Any]) -> Any:
+    return Annotated[Any, WithJsonSchema(shape)]
+
+
+def quantity(
+    kind: str, *, above: str = "", at_least: str = "", below: str = "", at_most: str = ""
+) -> PlainValidator:
+    """Reads a quantity of ``kind`` within bounds that only files have."""
+    return reads(Quantity(kind, above, at_least, below, at_most))
+
+
+def _or_word(word: str, value: object) -> str:
+    return f", or {word}{suggestion(value, (word,))}" if word else ""
 
 
 def choice(*allowed: str) -> PlainValidator:
@@ -85,7 +97,7 @@ def choice(*allowed: str) -> PlainValidator:
             )
         return value
 
-    return PlainValidator(read, json_schema_input_type=str)
+    return PlainValidator(read, json_schema_input_type=_shaped(shapes.choice(allowed)))
 
 
 def whole(at_least: int, at_most: int) -> PlainValidator:
@@ -105,13 +117,14 @@ def whole(at_least: int, at_most: int) -> PlainValidator:
             )
         return value
 
-    return PlainValidator(read, json_schema_input_type=int)
+    shape = shapes.whole(at_least, at_most)
+    return PlainValidator(read, json_schema_input_type=_shaped(shape))
 
 
 def _name(value: Any) -> str:
     if value is UNKNOWN:
         return ""
-    if not isinstance(value, str) or _NAME.fullmatch(value) is None:
+    if not isinstance(value, str) or NAME.fullmatch(value) is None:
         raise wrong(
             f"not a name: given {given(value)}; allowed: a letter, then letters, digits, _, -"
         )
@@ -136,21 +149,26 @@ def _flag(value: Any) -> bool:
     return value
 
 
-Name = Annotated[str, PlainValidator(_name, json_schema_input_type=str)]
+Name = Annotated[str, PlainValidator(_name, json_schema_input_type=_shaped(shapes.NAME))]
 Text = Annotated[str, PlainValidator(_text, json_schema_input_type=str)]
 Flag = Annotated[bool, PlainValidator(_flag, json_schema_input_type=bool)]
 
-Station = Annotated[float, quantity("length", at_least="-100 m", at_most="100 m")]
-Length = Annotated[float, quantity("length", above="0 m", at_most="100 m")]
-Diameter = Annotated[float, quantity("length", above="0.1 mm", at_most="10 m")]
-Bore = Annotated[float, quantity("length", at_least="0 m", at_most="10 m")]
-Growth = Annotated[float, quantity("length", at_least="-1 mm", at_most="1 mm")]
-Speed = Annotated[float, quantity("speed", at_least="0 rpm", at_most="1000000 rpm")]
-TopSpeed = Annotated[float, quantity("speed", above="0 rpm", at_most="1000000 rpm")]
-Frequency = Annotated[float, quantity("frequency", above="0 Hz", at_most="1000 kHz")]
-Mass = Annotated[float, quantity("mass", at_least="0 kg", at_most="100000 kg")]
-Inertia = Annotated[float, quantity("inertia", at_least="0 kg m^2", at_most="100000 kg m^2")]
-Force = Annotated[float, quantity("force", at_least="-10000 kN", at_most="10000 kN")]
-Load = Annotated[float, quantity("force", above="0 N", at_most="10000 kN")]
-Damping = Annotated[float, quantity("damping", at_least="0 N s/m", at_most="1e6 kN s/m")]
-DampingRatio = Annotated[float, quantity("ratio", at_least="0 %", below="100 %")]
+Station = Annotated[float, reads(limits.STATION)]
+Length = Annotated[float, reads(limits.LENGTH)]
+Diameter = Annotated[float, reads(limits.DIAMETER)]
+Bore = Annotated[float, reads(limits.BORE)]
+Growth = Annotated[float, reads(limits.GROWTH)]
+Interference = Annotated[float, reads(limits.INTERFERENCE)]
+Travel = Annotated[float, reads(limits.TRAVEL)]
+StopTravel = Annotated[float, reads(limits.STOP_TRAVEL)]
+Speed = Annotated[float, reads(limits.SPEED)]
+TopSpeed = Annotated[float, reads(limits.TOP_SPEED)]
+Frequency = Annotated[float, reads(limits.FREQUENCY)]
+Mass = Annotated[float, reads(limits.MASS)]
+Inertia = Annotated[float, reads(limits.INERTIA)]
+Force = Annotated[float, reads(limits.FORCE)]
+Load = Annotated[float, reads(limits.LOAD)]
+Preload = Annotated[float, reads(limits.PRELOAD)]
+Rigidity = Annotated[float, reads(limits.RIGIDITY)]
+Damping = Annotated[float, reads(limits.DAMPING)]
+DampingRatio = Annotated[float, reads(limits.DAMPING_RATIO)]

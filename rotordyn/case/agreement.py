@@ -1,0 +1,133 @@
+"""What a case asks against the machine it names: points, sleeves, bearings, speeds exist."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import fields
+
+from rotordyn.analysis.specs import (
+    BearingMapSpec,
+    CampbellSpec,
+    Conditions,
+    FrfSpec,
+    PreloadSpec,
+    Spec,
+    StiffnessSpec,
+    ascending,
+)
+from rotordyn.machine.reference import Reference
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import MOTIONS, coupled_motions, entry_name
+from rotordyn.quantity import suggestion
+
+ANALYSES: dict[str, type[Spec]] = {
+    "preload": PreloadSpec,
+    "campbell": CampbellSpec,
+    "frf": FrfSpec,
+    "stiffness": StiffnessSpec,
+    "bearing": BearingMapSpec,
+}
+OF_A_BEARING = ("bearing",)
+NEEDS_BEARINGS = ("preload", "stiffness")
+MOST_ELEMENTS = 1000
+_SPOKEN = {"axial": "axial motion"}
+
+
+def speeds_agree(speeds: tuple[float, ...], analyses: Mapping[str, Spec]) -> Iterator[str]:
+    """Speeds ascend, and slices lie within them."""
+    if not speeds:
+        yield "no speeds: at least one is needed"
+        return
+    yield from ascending("speeds", speeds)
+    for spec in analyses.values():
+        for speed in spec.slices if isinstance(spec, FrfSpec) else ():
+            if not speeds[0] - 1e-6 <= speed <= speeds[-1] + 1e-6:
+                yield f"frf: slices: not within the speeds of the case: given {speed:.6g} rad/s"
+
+
+def questions_agree(
+    spindle: Spindle | None, conditions: Conditions, analyses: Mapping[str, Spec]
+) -> Iterator[str]:
+    """Every question can be asked of the machine; without a spindle it is a single bearing."""
+    if not analyses:
+        yield "nothing is asked: name at least one analysis"
+    for name, spec in analyses.items():
+        wanted = ANALYSES[name]
+        if not isinstance(spec, wanted):
+            yield f"analysis {name} takes a {wanted.__name__}: given a {type(spec).__name__}"
+        if (name in OF_A_BEARING) == (spindle is not None):
+            kind = "single bearing" if spindle is None else "spindle"
+            yield f"analysis {name} does not apply to a {kind}"
+    if spindle is not None:
+        yield from _machine(spindle, conditions)
+        for name, spec in analyses.items():
+            yield from _question(name, spec, spindle)
+
+
+def references_agree(references: Iterable[Reference], conditions: Conditions) -> Iterator[str]:
+    """The conditions that references were found under are conditions of a model."""
+    known = [field.name for field in fields(conditions)]
+    for name in {name: None for reference in references for name in reference.conditions}:
+        yield from _exists(name, known, "references: unknown condition")
+
+
+def uncoupled(response: str, excitation: str, coupled: frozenset[str]) -> tuple[str, ...]:
+    """The two motions that directions belong to, where nothing couples them; else nothing.
+
+    ``coupled``: the motions that supports couple; unknown directions belong to no motion.
+    """
+    motions = [MOTIONS.get(direction, "") for direction in (response, excitation)]
+    if "" in motions or motions[0] == motions[1] or coupled.issuperset(motions):
+        return ()
+    return tuple(_SPOKEN.get(motion, motion) for motion in motions)
+
+
+def _machine(spindle: Spindle, conditions: Conditions) -> Iterator[str]:
+    for name, x in spindle.points.items():
+        yield from spindle.off_the_shaft(f"point {name}", x)
+    held = {pair for support in spindle.supports for pair, k in support.stiffness.items() if k}
+    free = [freedom for freedom in ("y", "z") if (freedom, freedom) not in held]
+    if free and not spindle.seats:
+        axes = " and ".join(free)
+        yield f"the shaft is not held: no bearings, no support with stiffness along {axes}"
+    longest = conditions.element_length
+    least = (spindle.shaft.end - spindle.shaft.start) / MOST_ELEMENTS
+    if longest is not None and longest < least:
+        yield (
+            f"conditions.element_length: more than {MOST_ELEMENTS} elements: given "
+            f"{longest:.6g} m; allowed: from {least:.6g} m"
+        )
+
+
+def _question(name: str, spec: Spec, spindle: Spindle) -> Iterator[str]:
+    if name in NEEDS_BEARINGS and not spindle.seats:
+        yield f"{name} needs bearings: this spindle has none"
+    if isinstance(spec, FrfSpec):
+        for point in {port.point: None for pair in spec.pairs for port in pair}:
+            yield from _exists(point, spindle.points, f"{name}: unknown point")
+        for pair in spec.pairs:
+            ends = (pair[0].direction, pair[1].direction)
+            if motions := uncoupled(*ends, coupled_motions(spindle.supports)):
+                yield (
+                    f"{name}: nothing couples {' and '.join(motions)}: given "
+                    f"'{pair[0]} / {pair[1]}'; allowed: both ends in one of x; thx; y, z, thy, thz"
+                )
+    if isinstance(spec, StiffnessSpec):
+        yield from _exists(spec.point, spindle.points, f"{name}: unknown point")
+        sleeves = [sleeve.name for sleeve in spindle.sleeves]
+        for sleeve in spec.second_stop:
+            yield from _exists(sleeve, sleeves, f"{name}: second_stop: unknown sleeve")
+        for support in spindle.supports:
+            if support.out_of_plane:
+                across = ", ".join(entry_name(*pair) for pair in support.out_of_plane)
+                yield (
+                    f"{name}: support '{support.name}' couples plane y or the axis to other "
+                    f"motions ({across}): the radial stiffness is solved in plane y alone"
+                )
+
+
+def _exists(name: str, allowed: Iterable[str], what: str) -> Iterator[str]:
+    known = list(allowed)
+    if name not in known:
+        choices = ", ".join(known) or "none, there are none here"
+        yield f"{what} '{name}'; allowed: {choices}{suggestion(name, known)}"

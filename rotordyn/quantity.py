@@ -1,0 +1,170 @@
+"""Which values a description takes: ranges of quantities, whole numbers, words, names.
+
+One list for files and for descriptions built in Python. Bounds are written with their unit.
+"""
+
+from __future__ import annotations
+
+import difflib
+import math
+import re
+from collections.abc import Iterable
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Annotated
+
+from rotordyn import units
+
+NAME = re.compile(r"[^\W\d][\w \-]*")
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A range of values of one ``kind`` of unit (a key of ``units.KINDS``), open or closed.
+
+    ``infinite``: the word by which a file may say that the value is infinite; empty = it may not.
+    """
+
+    kind: str
+    above: str = ""
+    at_least: str = ""
+    below: str = ""
+    at_most: str = ""
+    infinite: str = ""
+
+    @cached_property
+    def low(self) -> float:
+        """Lower bound [SI]."""
+        bound = self.above or self.at_least
+        return units.parse(bound, self.kind) if bound else -math.inf
+
+    @cached_property
+    def high(self) -> float:
+        """Upper bound [SI]."""
+        bound = self.below or self.at_most
+        return units.parse(bound, self.kind) if bound else math.inf
+
+    @property
+    def allowed(self) -> str:
+        """The range in words: ``"above 0 m up to 100 m"``."""
+        parts = [
+            ("above", self.above),
+            ("from", self.at_least),
+            ("below", self.below),
+            ("up to", self.at_most),
+        ]
+        return " ".join(f"{word} {bound}" for word, bound in parts if bound)
+
+    @property
+    def coherent_unit(self) -> str:
+        """The SI unit of its kind, as written; empty for a plain number."""
+        coherent = (u for u in units.KINDS[self.kind] if units.parse_unit(u).scale == 1.0)
+        return next(coherent, "")
+
+    def holds(self, value: float) -> bool:
+        """``value`` [SI] lies in the range; NaN does not."""
+        if math.isinf(value):
+            return value > 0.0 and bool(self.infinite)
+        above = value > self.low if self.above else value >= self.low
+        return above and (value < self.high if self.below else value <= self.high)
+
+    def refusal(self, value: float) -> str:
+        """Why ``value`` [SI] is not taken; empty where it is."""
+        if self.holds(value):
+            return ""
+        given = f"{value:.6g} {self.coherent_unit}".rstrip()
+        words = f"{self.allowed}, or infinite" if self.infinite else self.allowed
+        return f"{self.kind} out of range: given {given}; allowed: {words or 'a finite number'}"
+
+
+@dataclass(frozen=True)
+class Choice:
+    """One of a few words or numbers."""
+
+    allowed: tuple[object, ...]
+
+    def refusal(self, value: object) -> str:
+        """Why ``value`` is not taken; empty where it is."""
+        if value in self.allowed:
+            return ""
+        words = [str(word) or '""' for word in self.allowed]
+        hint = suggestion(value, words)
+        return f"not one of its choices: given {value!r}; allowed: {', '.join(words)}{hint}"
+
+
+@dataclass(frozen=True)
+class Whole:
+    """A whole number from ``at_least`` to ``at_most``."""
+
+    at_least: int
+    at_most: int
+
+    def refusal(self, value: int) -> str:
+        """Why ``value`` is not taken; empty where it is."""
+        if self.at_least <= value <= self.at_most:
+            return ""
+        return f"out of range: given {value}; allowed: {self.at_least} to {self.at_most}"
+
+
+@dataclass(frozen=True)
+class Named:
+    """A name by which paths and messages can call a thing; ``optional``: or none."""
+
+    optional: bool = False
+
+    def refusal(self, value: str) -> str:
+        """Why ``value`` is not taken; empty where it is."""
+        if NAME.fullmatch(value) or (self.optional and not value):
+            return ""
+        return f"not a name: given {value!r}; allowed: a letter, then letters, digits, _, -"
+
+
+def suggestion(given: object, allowed: Iterable[str]) -> str:
+    """``" (did you mean …?)"``, or nothing where no allowed word is close."""
+    lower = {word.lower(): word for word in allowed}
+    close = difflib.get_close_matches(str(given).lower(), list(lower), n=1, cutoff=0.6)
+    return f" (did you mean {lower[close[0]]}?)" if close else ""
+
+
+STATION = Quantity("length", at_least="-100 m", at_most="100 m")
+LENGTH = Quantity("length", above="0 m", at_most="100 m")
+DIAMETER = Quantity("length", above="0.1 mm", at_most="10 m")
+BORE = Quantity("length", at_least="0 m", at_most="10 m")
+GROWTH = Quantity("length", at_least="-1 mm", at_most="1 mm")
+INTERFERENCE = Quantity("length", at_least="0 um", at_most="1 mm")
+TRAVEL = Quantity("length", at_least="0 um", at_most="100 mm")
+STOP_TRAVEL = Quantity("length", at_least="0 um", at_most="100 mm", infinite="none")
+SPEED = Quantity("speed", at_least="0 rpm", at_most="1000000 rpm")
+TOP_SPEED = Quantity("speed", above="0 rpm", at_most="1000000 rpm")
+FREQUENCY = Quantity("frequency", above="0 Hz", at_most="1000 kHz")
+MASS = Quantity("mass", at_least="0 kg", at_most="100000 kg")
+INERTIA = Quantity("inertia", at_least="0 kg m^2", at_most="100000 kg m^2")
+FORCE = Quantity("force", at_least="-10000 kN", at_most="10000 kN")
+LOAD = Quantity("force", above="0 N", at_most="10000 kN")
+PRELOAD = Quantity("force", at_least="0 N", at_most="10000 kN")
+RIGIDITY = Quantity("stiffness", above="0 N/m", at_most="1e6 MN/m", infinite="rigid")
+DAMPING = Quantity("damping", at_least="0 N s/m", at_most="1e6 kN s/m")
+DAMPING_RATIO = Quantity("ratio", at_least="0 %", below="100 %")
+SHEAR_COEFFICIENT = Quantity("number", above="0", at_most="1")
+
+Station = Annotated[float, STATION]
+Length = Annotated[float, LENGTH]
+Diameter = Annotated[float, DIAMETER]
+Bore = Annotated[float, BORE]
+Growth = Annotated[float, GROWTH]
+Interference = Annotated[float, INTERFERENCE]
+Travel = Annotated[float, TRAVEL]
+StopTravel = Annotated[float, STOP_TRAVEL]
+Speed = Annotated[float, SPEED]
+TopSpeed = Annotated[float, TOP_SPEED]
+Frequency = Annotated[float, FREQUENCY]
+Mass = Annotated[float, MASS]
+Inertia = Annotated[float, INERTIA]
+Force = Annotated[float, FORCE]
+Load = Annotated[float, LOAD]
+Preload = Annotated[float, PRELOAD]
+Rigidity = Annotated[float, RIGIDITY]
+Damping = Annotated[float, DAMPING]
+DampingRatio = Annotated[float, DAMPING_RATIO]
+Name = Annotated[str, Named()]
+OptionalName = Annotated[str, Named(optional=True)]
