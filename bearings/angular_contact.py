@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from numbers import Real
 from typing import TYPE_CHECKING
 
 from bearings.errors import InvalidBearing
@@ -13,6 +14,8 @@ if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
     from bearings.state import BearingState
+
+_CONFORMITIES = ("inner_conformity", "outer_conformity")
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,8 +52,12 @@ class AngularContactBallBearing:
             raise InvalidBearing(fault)
 
     def _faults(self) -> list[str]:
+        for key in ("ball_diameter", "pitch_diameter", "balls", "contact_angle", *_CONFORMITIES):
+            value = getattr(self, key)
+            if isinstance(value, bool) or not isinstance(value, Real) or not math.isfinite(value):
+                return [f"{key} must be a finite number, got {value!r}"]
         lengths = (self.ball_diameter, self.pitch_diameter)
-        if not all(math.isfinite(v) and v > 0.0 for v in lengths):
+        if not all(v > 0.0 for v in lengths):
             return [f"ball and pitch diameter must be positive lengths, got {lengths} m"]
         faults = []
         if self.ball_diameter > 0.2:
@@ -66,7 +73,7 @@ class AngularContactBallBearing:
             faults.append(
                 f"contact_angle must lie between 0 and 60° (in rad), got {self.contact_angle!r} rad"
             )
-        for key in ("inner_conformity", "outer_conformity"):
+        for key in _CONFORMITIES:
             value = getattr(self, key)
             if not 0.5 < value <= 0.7:
                 faults.append(f"{key} must lie above 0.5 and at most at 0.7, got {value!r}")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
+from numbers import Real
 
 from bearings.errors import InvalidBearing
 
@@ -30,9 +31,13 @@ class Material:
     density: float
 
     def __post_init__(self) -> None:
+        for key in ("young_modulus", "density", "poisson_ratio"):
+            value = getattr(self, key)
+            if isinstance(value, bool) or not isinstance(value, Real) or not math.isfinite(value):
+                raise InvalidBearing(f"material {self.name}: {key} must be a number, got {value!r}")
         for key in ("young_modulus", "density"):
             value = getattr(self, key)
-            if not (math.isfinite(value) and value > 0.0):
+            if value <= 0.0:
                 raise InvalidBearing(f"material {self.name}: {key} must be positive, got {value!r}")
         if not -1.0 < self.poisson_ratio < 0.5:
             raise InvalidBearing(

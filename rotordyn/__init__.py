@@ -6,19 +6,28 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from rotordyn import analysis, errors, machine
     from rotordyn.case.case import Case
+    from rotordyn.case.model import model
     from rotordyn.case.read import load
+    from rotordyn.case.shipped import cases, models
+    from rotordyn.case.vary import vary
     from rotordyn.errors import InvalidInput, NoSolution, RotordynError
     from rotordyn.job import run
 
 __version__ = "0.1.0"
+_ROOMS = ("analysis", "errors", "machine")
 _HOME = {
     "Case": "rotordyn.case.case",
     "InvalidInput": "rotordyn.errors",
     "NoSolution": "rotordyn.errors",
     "RotordynError": "rotordyn.errors",
+    "cases": "rotordyn.case.shipped",
     "load": "rotordyn.case.read",
+    "model": "rotordyn.case.model",
+    "models": "rotordyn.case.shipped",
     "run": "rotordyn.job",
+    "vary": "rotordyn.case.vary",
 }
 __all__ = [
     "Case",
@@ -26,12 +35,21 @@ __all__ = [
     "NoSolution",
     "RotordynError",
     "__version__",
+    "analysis",
+    "cases",
+    "errors",
     "load",
+    "machine",
+    "model",
+    "models",
     "run",
+    "vary",
 ]
 
 
 def __getattr__(name: str) -> Any:
+    if name in _ROOMS:
+        return importlib.import_module(f"rotordyn.{name}")
     if name not in _HOME:
         raise AttributeError(f"module 'rotordyn' has no attribute {name!r}")
     return getattr(importlib.import_module(_HOME[name]), name)

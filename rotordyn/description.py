@@ -16,7 +16,7 @@ from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
 
 from rotordyn import units
 from rotordyn.errors import InvalidInput
-from rotordyn.quantity import Quantity
+from rotordyn.quantity import Quantity, suggestion
 
 Check = Callable[[Any], Any]
 
@@ -43,7 +43,8 @@ class Description:
     __slots__ = ()
 
     def __post_init__(self) -> None:
-        for name, check in _checks(type(self)):
+        kind: Any = type(self)
+        for name, check in _checks(kind):
             given = getattr(self, name)
             try:
                 taken = check(given)
@@ -60,14 +61,12 @@ class Description:
         return ()
 
     def _called(self) -> str:
-        name = getattr(self, "name", "")
-        return f"{type(self).__name__} {name}" if isinstance(name, str) and name else (
-            type(self).__name__
-        )
+        name, kind = getattr(self, "name", ""), type(self).__name__
+        return f"{kind} {name}" if isinstance(name, str) and name else kind
 
 
 @cache
-def annotations(kind: type) -> dict[str, Any]:
+def declared(kind: Any) -> dict[str, Any]:
     """Annotation of every field of a dataclass, in order."""
     hints = get_type_hints(kind, include_extras=True)
     return {field.name: hints[field.name] for field in fields(kind)}
@@ -104,7 +103,9 @@ def _read(annotation: Any, quantity: Quantity, text: str) -> Any:
     try:
         return units.parse(text, quantity.kind)
     except InvalidInput as error:
-        raise Refused(str(error)) from None
+        word = quantity.infinite
+        also = f", or {word}{suggestion(text, (word,))}" if word else ""
+        raise Refused(str(error) + also) from None
 
 
 def _quantity_of(annotation: Any) -> Quantity | None:
@@ -118,8 +119,8 @@ def _quantity_of(annotation: Any) -> Quantity | None:
 
 
 @cache
-def _checks(kind: type) -> tuple[tuple[str, Check], ...]:
-    return tuple((name, _check(hint)) for name, hint in annotations(kind).items())
+def _checks(kind: Any) -> tuple[tuple[str, Check], ...]:
+    return tuple((name, _check(hint)) for name, hint in declared(kind).items())
 
 
 @cache
@@ -205,11 +206,13 @@ def _mapping(key: Check, entry: Check) -> Check:
 
 
 def _number(value: Any) -> float:
+    if type(value) is float and value == value:
+        return value
     if isinstance(value, bool) or not isinstance(value, Real):
         raise Refused(_kind_wanted(value, "a number in SI units"))
     if value != value:
         raise Refused("not a number: given nan; allowed: a number in SI units")
-    return value if type(value) is float else float(value)
+    return float(value)
 
 
 def _finite(value: Any) -> float:
@@ -220,9 +223,11 @@ def _finite(value: Any) -> float:
 
 
 def _whole(value: Any) -> int:
+    if type(value) is int:
+        return value
     if isinstance(value, bool) or not isinstance(value, Integral):
         raise Refused(_kind_wanted(value, "a whole number"))
-    return value if type(value) is int else int(value)
+    return int(value)
 
 
 def _instance(kind: type) -> Check:

@@ -1,1 +1,37 @@
 """The questions: what is asked (specs), what is answered (results), and how, one file each."""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from rotordyn.analysis.specs import (
+        BearingMapSpec,
+        CampbellSpec,
+        Conditions,
+        FrfSpec,
+        Port,
+        PreloadSpec,
+        StiffnessSpec,
+    )
+
+__all__ = [
+    "BearingMapSpec",
+    "CampbellSpec",
+    "Conditions",
+    "FrfSpec",
+    "Port",
+    "PreloadSpec",
+    "StiffnessSpec",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in __all__:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module("rotordyn.analysis.specs"), name)
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

@@ -128,7 +128,7 @@ class StiffnessSpec(Description):
     second_stop: Mapping[Name, Travel] = field(default_factory=dict)
 
     def _faults(self) -> Iterator[str]:
-        if not self.variants:
+        if not self.variants and not self.second_stop:
             yield "no variants: at least one is needed"
         for name in doubled(self.variants):
             yield f"variants: repeated: given '{name}'"

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import os
 from pathlib import Path
 
+from rotordyn.errors import Fault, InvalidInput
 from rotordyn.quantity import suggestion
 
 KINDS = ("bearings", "materials", "spindles", "tools")
@@ -27,13 +29,49 @@ def known(kind: str) -> list[str]:
     return sorted(path.stem for path in (models_root() / kind).glob("*.yaml"))
 
 
+def cases_root() -> Path:
+    """The folder of cases, found as the one of models."""
+    return models_root().parent / "cases"
+
+
+def known_cases() -> list[str]:
+    """Names of the cases that come with rotordyn, sorted."""
+    return sorted(path.stem for path in cases_root().glob("*.yaml"))
+
+
+def find_case(reference: str | Path) -> Path:
+    """The file of a case: a path, or the name of a case that comes with rotordyn.
+
+    A file of that name comes first. Whether a path exists is seen on reading it; raises
+    InvalidInput for a name that is neither a file nor a case.
+    """
+    path, text = Path(reference).expanduser(), str(reference)
+    if isinstance(reference, Path) or is_path(text) or not text or os.path.isfile(path):
+        return path
+    names = known_cases()
+    if text in names:
+        return cases_root() / f"{text}.yaml"
+    if os.path.exists(path):
+        return path
+    message = (
+        f"no such file, and no case of that name; allowed: {', '.join(names)}, or the path of a "
+        f"file{suggestion(text, names)}"
+    )
+    raise InvalidInput([Fault(text, 0, 0, "", message)])
+
+
+def is_path(reference: str) -> bool:
+    """A path rather than a name: it has a separator or ends in ``.yaml``."""
+    return "/" in reference or "\\" in reference or reference.endswith((".yaml", ".yml"))
+
+
 def find(kind: str, reference: str, beside: Path) -> Path:
     """The file of a model: by name from the library, by path from the folder of ``beside``.
 
     A reference with a path separator or ending in ``.yaml`` is a path. Whether a path exists is
     seen on reading it; raises UnknownModel for a name the library does not hold.
     """
-    if "/" in reference or "\\" in reference or reference.endswith((".yaml", ".yml")):
+    if is_path(reference):
         return beside.parent / Path(reference).expanduser()
     names = known(kind)
     if reference in names:

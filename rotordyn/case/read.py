@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import os
 from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -19,26 +20,33 @@ if TYPE_CHECKING:
 def load(path: str | Path) -> Case:
     """The case in a YAML file, with every model it names, in SI units.
 
+    ``path`` may also be the name of a case that comes with rotordyn (``rotordyn.cases``).
+
     Raises InvalidInput with all faults of the case, its models and its overrides at once, in the
     order of their files and lines.
     """
     from rotordyn.case.expand import Reader
+    from rotordyn.case.library import find_case
     from rotordyn.case.parts import read_parts
     from rotordyn.case.variants import variant_trees
 
+    if not isinstance(path, str | os.PathLike):
+        raise InvalidInput(f"load takes the path of a case file, or a name: got {path!r}")
+    file = find_case(path if isinstance(path, str) else Path(path))
     reader = Reader(Faults())
-    root = reader.document(Path(path))
+    root = reader.document(file)
     parts = None if root is None else read_parts(root, reader)
     variants: dict[str, Parts | None] = {}
     if root is not None and not reader.faults:
         trees = variant_trees(root)
         variants = {name: read_parts(tree, reader) for name, tree in trees.items()}
     if parts is None or reader.faults:
-        raise InvalidInput(_in_order(reader.faults.found))
-    return _build(Path(path), parts, variants, reader.contents)
+        raise InvalidInput(in_order(reader.faults.found))
+    return _build(file, parts, variants, reader.contents)
 
 
-def _in_order(faults: list[Fault]) -> list[Fault]:
+def in_order(faults: list[Fault]) -> list[Fault]:
+    """Faults by file, in the order the files were met, then by line."""
     files = [fault.file for fault in faults]
     return sorted(faults, key=lambda f: (files.index(f.file), f.line, f.column))
 

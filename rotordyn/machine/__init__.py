@@ -1,1 +1,67 @@
 """What the machine is: frozen descriptions in SI units, no matrices, no files."""
+
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from rotordyn.machine.growth import (
+        ComputedShortening,
+        InterferenceFit,
+        PrescribedShortening,
+        QuadraticInSpeed,
+        RingGrowth,
+    )
+    from rotordyn.machine.lumped import Disc, PointMass
+    from rotordyn.machine.reference import Reference
+    from rotordyn.machine.shaft import Section, Shaft
+    from rotordyn.machine.spindle import Spindle, Tool
+    from rotordyn.machine.support import BearingSeat, LinearSupport, Sleeve, Spring
+
+_HOME = {
+    "BearingSeat": "support",
+    "ComputedShortening": "growth",
+    "Disc": "lumped",
+    "InterferenceFit": "growth",
+    "LinearSupport": "support",
+    "PointMass": "lumped",
+    "PrescribedShortening": "growth",
+    "QuadraticInSpeed": "growth",
+    "Reference": "reference",
+    "RingGrowth": "growth",
+    "Section": "shaft",
+    "Shaft": "shaft",
+    "Sleeve": "support",
+    "Spindle": "spindle",
+    "Spring": "support",
+    "Tool": "spindle",
+}
+__all__ = [
+    "BearingSeat",
+    "ComputedShortening",
+    "Disc",
+    "InterferenceFit",
+    "LinearSupport",
+    "PointMass",
+    "PrescribedShortening",
+    "QuadraticInSpeed",
+    "Reference",
+    "RingGrowth",
+    "Section",
+    "Shaft",
+    "Sleeve",
+    "Spindle",
+    "Spring",
+    "Tool",
+]
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOME:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return getattr(importlib.import_module(f"{__name__}.{_HOME[name]}"), name)
+
+
+def __dir__() -> list[str]:
+    return sorted(__all__)

@@ -66,13 +66,18 @@ class Spindle(Description):
         yield from _named_twice("sleeves", self.sleeves)
         yield from _named_twice("supports", self.supports)
         yield from _named_twice("masses and discs", self.masses + self.discs)
-        for item in (*self.masses, *self.discs, *self.seats, *self.supports):
-            yield from self.off_the_shaft(f"{type(item).__name__} {item.name}", item.x)
-        for x in self.drawbar.stations if self.drawbar else ():
-            yield from self.off_the_shaft("drawbar", x)
+        yield from self._station_faults()
         yield from self._sleeve_faults()
         yield from self._shift_faults()
         yield from self._fit_faults()
+
+    def _station_faults(self) -> Iterator[str]:
+        placed: tuple[PointMass | Disc | BearingSeat | LinearSupport, ...]
+        placed = (*self.masses, *self.discs, *self.seats, *self.supports)
+        for item in placed:
+            yield from self.off_the_shaft(f"{type(item).__name__} {item.name}", item.x)
+        for x in self.drawbar.stations if self.drawbar else ():
+            yield from self.off_the_shaft("drawbar", x)
 
     def off_the_shaft(self, what: str, x: float) -> Iterator[str]:
         """A sentence where station ``x`` [m] of ``what`` does not lie on the shaft."""

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.errors import InvalidInput
-from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
 
 Array = NDArray[np.float64]
@@ -86,12 +86,9 @@ def build_mesh(spindle: Spindle, element_length: float | None = None) -> Mesh:
 
     Raises
     ------
-    InvalidInput : a section is impossible, something sits off the shaft, or ``element_length`` is
-        not positive
+    InvalidInput : something sits off the shaft, or ``element_length`` is not positive
     """
     shaft = spindle.shaft
-    for section in shaft.sections:
-        _check(section)
     longest = _longest(shaft, element_length)
     stations = _merged(shaft, list(_placed(spindle)))
     x = np.concatenate([*(_divided(*ends, longest) for ends in pairwise(stations)), stations[-1:]])
@@ -112,15 +109,6 @@ def _longest(shaft: Shaft, element_length: float | None) -> float:
     if not (math.isfinite(element_length) and element_length > 0.0):
         raise InvalidInput(f"element_length must be a positive length, got {element_length!r} m")
     return element_length
-
-
-def _check(section: Section) -> None:
-    inner, outer = section.inner_diameter, section.outer_diameter
-    if not (section.length > 0.0 and 0.0 <= inner < outer):
-        raise InvalidInput(
-            f"section {section.name!r}: needs a positive length and inner below outer diameter, "
-            f"got {section.length:g} m long, {inner:g} and {outer:g} m"
-        )
 
 
 def _placed(spindle: Spindle) -> Iterator[tuple[str, float]]:

@@ -30,7 +30,7 @@ def tip_compliance(length: float, diameter: float, elements: int) -> float:
     return float(np.linalg.solve(plane.stiffness[2:, 2:], force)[-2])
 
 
-@pytest.mark.parametrize("ratio", [0.05, 1.0, 30.0, 1e4])
+@pytest.mark.parametrize("ratio", [0.05, 1.0, 30.0, 3e3])
 @pytest.mark.parametrize("elements", [1, 7])
 def test_no_shear_locking(ratio: float, elements: int) -> None:
     """Static deflections are exact for any number of elements: L³/3EI + L/κGA."""

@@ -97,17 +97,17 @@ materials = st.builds(
 
 @st.composite
 def spindles(draw: st.DrawFn) -> Spindle:
-    """1–20 sections, length over diameter 0.05–1000, bored or solid, with two point masses."""
+    """1–20 sections, length over diameter 0.05–1000 up to 100 m, bored or solid, with two point masses."""
     count = draw(st.integers(1, 20))
     diameter = draw(st.floats(0.01, 0.5))
-    length = diameter * 10 ** draw(st.floats(np.log10(0.05), 3.0))
+    length = min(diameter * 10 ** draw(st.floats(np.log10(0.05), 3.0)), 100.0)
     parts = np.array(draw(st.lists(st.floats(0.05, 1.0), min_size=count, max_size=count)))
     sections = tuple(
         Section(part, outer, outer * draw(st.floats(0.0, 0.95)), draw(materials))
         for part in map(float, length * parts / parts.sum())
         for outer in [diameter * draw(st.floats(0.3, 1.0))]
     )
-    start = draw(st.floats(-1.0, 1.0)) * length
+    start = draw(st.floats(-1.0, 0.0)) * length
     masses = tuple(
         PointMass(name, start + draw(st.integers(0, 16)) / 16 * length, draw(st.floats(0.0, 5.0)))
         for name in "ab"

@@ -55,7 +55,7 @@ def tool(entry: ToolEntry, root: Node, machine: SpindleEntry | None, faults: Fau
     for name in entry.points:
         if name in machine.points:
             faults.at_key(root, ("points", name), "name already taken by a point of the spindle")
-    lumped = [item.name for item in (*machine.masses, *machine.discs)]
+    lumped = [m.name for m in machine.masses] + [disc.name for disc in machine.discs]
     _free(entry.masses, lumped, root, ("masses",), faults)
     _free(entry.sections, [s.name for s in machine.shaft.sections], root, ("sections",), faults)
 

@@ -94,7 +94,7 @@ def test_too_long(tmp_path: Path) -> None:
     assert "bytes" in fault.message
 
 
-@pytest.mark.parametrize("name", ["a\0b.yaml", "x" * 5000])
+@pytest.mark.parametrize("name", ["a\0b.yaml", "x" * 5000 + ".yaml"])
 def test_impossible_file_name(name: str) -> None:
     (fault,) = faults_of(name)
     assert "cannot be read" in fault.message

@@ -84,7 +84,10 @@ def spindle() -> Spindle:
         shaft=Shaft(-0.0918, sections),
         masses=(
             PointMass("clamping_front", 0.0486, 1.44, 2.88e-4, 4.44e-4),
-            *(PointMass("drawbar", x, 0.2, 4e-5, 5.964e-5) for x in (0.17903, 0.23755, 0.29607)),
+            *(
+                PointMass(f"drawbar_{k}", x, 0.2, 4e-5, 5.964e-5)
+                for k, x in enumerate((0.17903, 0.23755, 0.29607), start=1)
+            ),
             PointMass("release_unit", 0.4239, 2.19, 6.8438e-4, 7.9844e-4),
         ),
         seats=tuple(BearingSeat(n, b, x / 1e3, s) for n, b, x, s in places),

@@ -1,0 +1,65 @@
+"""What comes with rotordyn: lists of its models and cases, with their sources."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from rotordyn.case.document import read_document
+from rotordyn.case.faults import Faults
+from rotordyn.case.library import KINDS, cases_root, known, known_cases, models_root
+from rotordyn.errors import InvalidInput
+from rotordyn.quantity import suggestion
+
+
+@dataclass(frozen=True, slots=True)
+class Shipped:
+    """One file that comes with rotordyn.
+
+    ``kind``: one of ``library.KINDS``, or ``"cases"``; ``name``: what it is called by; ``title``;
+    ``sources``: where its values come from.
+    """
+
+    kind: str
+    name: str
+    title: str
+    sources: tuple[str, ...]
+
+
+def models(kind: str | None = None) -> tuple[Shipped, ...]:
+    """The models of the library, or those of one kind; ``rotordyn.model`` takes their names.
+
+    Raises
+    ------
+    InvalidInput : there is no such kind
+    """
+    kinds = KINDS if kind is None else (known_kind(kind),)
+    return tuple(
+        _shipped(kind, models_root() / kind / f"{name}.yaml")
+        for kind in kinds
+        for name in known(kind)
+    )
+
+
+def cases() -> tuple[Shipped, ...]:
+    """The cases that come with rotordyn; ``rotordyn.load`` takes their names."""
+    return tuple(_shipped("cases", cases_root() / f"{name}.yaml") for name in known_cases())
+
+
+def known_kind(kind: object) -> str:
+    """``kind`` where there are such models; raises InvalidInput otherwise."""
+    if isinstance(kind, str) and kind in KINDS:
+        return kind
+    hint = suggestion(kind, KINDS)
+    raise InvalidInput(f"unknown kind of model: {kind!r}; allowed: {', '.join(KINDS)}{hint}")
+
+
+def _shipped(kind: str, path: Path) -> Shipped:
+    faults = Faults()
+    root = read_document(path, faults, {})
+    if root is None:
+        raise InvalidInput(faults.found)
+    held = root.plain()
+    title = str(held.get("title") or held.get("name") or "")
+    sources = held.get("sources") or [held[key] for key in ("source",) if key in held]
+    return Shipped(kind, path.stem, title, tuple(" ".join(str(s).split()) for s in sources))

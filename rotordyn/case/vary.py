@@ -1,0 +1,165 @@
+"""Other values at dotted paths of a frozen description: ``"spindle.sleeves.front.stop_travel"``."""
+
+from __future__ import annotations
+
+import hashlib
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass, is_dataclass, replace
+from typing import Any, TypeVar, get_args, get_origin
+
+from bearings.errors import InvalidBearing
+from rotordyn.case.case import Case
+from rotordyn.description import Refused, accept, declared, in_si, shown
+from rotordyn.errors import InvalidInput
+from rotordyn.quantity import Choice, suggestion
+
+D = TypeVar("D")
+
+
+@dataclass(frozen=True, slots=True)
+class _Change:
+    """A new value, the whole path to it as given, and what of the path is still to go."""
+
+    value: object
+    path: str
+    steps: tuple[str, ...]
+
+    def refused(self, why: str, place: str = "") -> InvalidInput:
+        return InvalidInput(f"{self.path}{place}: {why}")
+
+
+def vary(description: D, changes: Mapping[str, object]) -> D:
+    """``description`` with other values at dotted paths; the description itself stays as it is.
+
+    A path names fields, items of a tuple by their ``name``, entries of a mapping by their key
+    (of a support's matrix as in files: ``yy``, ``y_thz``); ``*`` stands for every item or entry.
+    Values are in SI units, or text with a unit (``"8 N/um"``) where the field has a dimension, and
+    replace what is there. All changes are made together: only the outcome must be possible.
+
+    Raises
+    ------
+    InvalidInput : a path that leads nowhere, a value of the wrong type or out of its range, or an
+        outcome that contradicts itself; one sentence that names the path and what is allowed
+    """
+    if not is_dataclass(description) or isinstance(description, type):
+        raise InvalidInput(f"vary takes a description, such as a Case: given {shown(description)}")
+    if not isinstance(changes, Mapping):
+        raise InvalidInput(f"changes map a dotted path to a value: given {shown(changes)}")
+    outcome = _fields(description, [_change(path, value) for path, value in changes.items()])
+    return _signed(outcome) if isinstance(outcome, Case) else outcome
+
+
+def _change(path: object, value: object) -> _Change:
+    if not isinstance(path, str) or not all(path.split(".")):
+        raise InvalidInput(f"not a dotted path: given {shown(path)}; such as 'conditions.rotor'")
+    return _Change(value, path, tuple(path.split(".")))
+
+
+def _signed(case: Any) -> Any:
+    """A case that was changed is not what its files hold: its digest says so."""
+    text = f"{case.digest} {replace(case, files=(), digest='')!r}"
+    return replace(case, digest=hashlib.sha256(text.encode()).hexdigest())
+
+
+def _value(annotation: Any, old: Any, changes: Sequence[_Change]) -> Any:
+    """``old`` after ``changes``, in their order."""
+    for index, change in enumerate(changes):
+        if not change.steps:
+            return _value(annotation, _taken(annotation, change), changes[index + 1 :])
+    if not changes:
+        return old
+    if is_dataclass(old):
+        return _fields(old, changes)
+    if isinstance(old, Mapping):
+        return _entries(annotation, old, changes)
+    if isinstance(old, tuple) and old and all(hasattr(item, "name") for item in old):
+        return _items(annotation, old, changes)
+    what = "has items without names" if isinstance(old, tuple) and old else f"is {shown(old)}"
+    raise changes[0].refused(f"leads too far: '{_way_to(changes[0])}' {what}; give it whole")
+
+
+def _taken(annotation: Any, change: _Change) -> Any:
+    try:
+        return accept(annotation, in_si(annotation, change.value))
+    except Refused as refusal:
+        raise change.refused(refusal.why, refusal.place) from None
+
+
+def _fields(old: Any, changes: Sequence[_Change]) -> Any:
+    hints = declared(old.__class__)
+    groups = _grouped(changes, list(hints), "field", every=False)
+    new = {name: _value(hints[name], getattr(old, name), group) for name, group in groups.items()}
+    try:
+        return replace(old, **new)
+    except (InvalidInput, InvalidBearing) as error:
+        raise InvalidInput(f"{', '.join(c.path for c in changes)}: {error}") from None
+
+
+def _items(annotation: Any, old: tuple[Any, ...], changes: Sequence[_Change]) -> tuple[Any, ...]:
+    groups = _grouped(changes, [item.name for item in old], "name")
+    member = _member(annotation, tuple)[0]
+    return tuple(_value(member, item, groups.get(item.name, [])) for item in old)
+
+
+def _entries(annotation: Any, old: Mapping[Any, Any], changes: Sequence[_Change]) -> dict[Any, Any]:
+    key, member = _member(annotation, Mapping)
+    keys = {_text(name): name for name in [*old, *_closed(key)]}
+    groups = _grouped(changes, [_text(name) for name in old], "key", list(keys))
+    new = {keys[text]: _value(member, old.get(keys[text]), g) for text, g in groups.items()}
+    return {**old, **new}
+
+
+def _member(annotation: Any, origin: object) -> tuple[Any, ...]:
+    """What a row or a mapping is declared to hold, also where it may be something else."""
+    ways = (annotation, *get_args(annotation))
+    return next(get_args(way) for way in ways if get_origin(way) is origin)
+
+
+def _closed(key: Any) -> list[object]:
+    """All keys a mapping may have, where its declaration lists them."""
+    if get_origin(key) is tuple:
+        first, second = (_closed(part) for part in get_args(key))
+        return [(row, column) for row in first for column in second]
+    limits = [limit for limit in getattr(key, "__metadata__", ()) if isinstance(limit, Choice)]
+    return list(limits[0].allowed) if limits else []
+
+
+def _text(key: object) -> str:
+    """A key as written in a path; a place of a matrix as in files."""
+    parts = key if isinstance(key, tuple) else (key,)
+    return ("" if all(len(str(part)) == 1 for part in parts) else "_").join(map(str, parts))
+
+
+def _grouped(
+    changes: Sequence[_Change],
+    present: list[str],
+    what: str,
+    known: list[str] | None = None,
+    *,
+    every: bool = True,
+) -> dict[str, list[_Change]]:
+    """Changes by the first step of their way, which is taken off them."""
+    groups: dict[str, list[_Change]] = {}
+    for change in changes:
+        step, rest = change.steps[0], _Change(change.value, change.path, change.steps[1:])
+        if step != "*" or not every:
+            _known(change, step, known or present, what)
+        for name in present if step == "*" and every else [step]:
+            groups.setdefault(name, []).append(rest)
+    return groups
+
+
+def _known(change: _Change, step: str, known: Iterable[str], what: str) -> None:
+    names = [name for name in known if name]
+    if step in names:
+        return
+    listed = ", ".join(names[:12]) + (", …" if len(names) > 12 else "")
+    where = f" in '{_way_to(change)}'" if len(change.steps) < change.path.count(".") + 1 else ""
+    allowed = f"{listed or 'none, it is empty'}{suggestion(step, names)}"
+    raise change.refused(f"unknown {what} '{step}'{where}; allowed: {allowed}")
+
+
+def _way_to(change: _Change) -> str:
+    """The part of the path that has been gone."""
+    steps = change.path.split(".")
+    return ".".join(steps[: len(steps) - len(change.steps)])
