@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from itertools import groupby
 from typing import TYPE_CHECKING
 
 from rotordyn.machine.lumped import PointMass
@@ -196,14 +195,10 @@ def _name_below(
 def _marks(sketch: Sketch, spindle: Spindle, size: float) -> list[tuple[float, float, str]]:
     """What is to be named: place of the leader's start [mm] and the words."""
     marks = []
-    for _, alike in groupby(spindle.masses, key=lambda m: (m.name, m.mass)):
-        row = list(alike)
-        for mass in row:
-            _mass_symbol(sketch, mass, size)
-        middle = row[len(row) // 2]
-        times = f"{len(row)} × " if len(row) > 1 else ""
-        words = f"{middle.name.replace('_', ' ')}\n{times}{middle.mass:.3g} kg"
-        marks.append((middle.x * 1e3, 0.0, words))
+    for mass in spindle.masses:
+        _mass_symbol(sketch, mass, size)
+        words = f"{mass.name.replace('_', ' ')}\n{mass.mass:.3g} kg"
+        marks.append((mass.x * 1e3, 0.0, words))
     for name, x in spindle.points.items():
         sketch.circle(x * 1e3, 0.0, 0.55 * size, "#FFFFFF", edge=BLACK, z=8)
         marks.append((x * 1e3, 0.0, f"{name}\n{x * 1e3:.1f}"))
