@@ -16,7 +16,7 @@ from pydantic.fields import FieldInfo
 
 from rotordyn import units
 from rotordyn.case.schema.analyses import Place
-from rotordyn.case.schema.base import Entry
+from rotordyn.case.schema.base import Entry, title
 
 _KIND = re.compile(r"expected (.+?): given")
 
@@ -72,12 +72,6 @@ def _composed(annotation: Any) -> str:
     if origin is list:
         return f"list: {parts[0]}"
     return f"mapping of names to: {parts[1]}" if origin is dict else "see meaning"
-
-
-def title(entry: type[Entry]) -> str:
-    """``SleeveEntry`` -> ``sleeve``."""
-    words = re.sub(r"(?<!^)(?=[A-Z])", " ", entry.__name__.removesuffix("Entry"))
-    return words.lower()
 
 
 def anchor(entry: type[Entry]) -> str:

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from importlib import import_module
 
-from docs.generate.accepted import accepted, default, title
+from docs.generate.accepted import accepted, default
 from docs.generate.marked import table
-from docs.generate.meanings import MEANINGS
-from rotordyn.case.schema.base import Entry
+from rotordyn.case.schema.base import Entry, title
+from rotordyn.case.schema.meanings import MEANINGS
 
 # Part of the page -> the entries it lists, in order of reading.
 PAGES = {

@@ -9,7 +9,7 @@ from typing import Annotated
 
 from bearings.angular_contact import AngularContactBallBearing
 from rotordyn.analysis.specs import Conditions, Spec
-from rotordyn.case.agreement import ANALYSES, questions_agree, speeds_agree
+from rotordyn.case.agreement import ANALYSES, questions_agree, references_agree, speeds_agree
 from rotordyn.description import Description
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle

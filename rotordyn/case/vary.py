@@ -34,7 +34,8 @@ def vary(description: D, changes: Mapping[str, object]) -> D:
     A path names fields, items of a tuple by their ``name``, entries of a mapping by their key
     (of a support's matrix as in files: ``yy``, ``y_thz``); ``*`` stands for every item or entry.
     Values are in SI units, or text with a unit (``"8 N/um"``) where the field has a dimension, and
-    replace what is there. All changes are made together: only the outcome must be possible.
+    replace what is there. All changes are made together: only the outcome must be possible. What
+    changes a case changes its variants too, unless the path begins with ``variants``.
 
     Raises
     ------
@@ -45,8 +46,18 @@ def vary(description: D, changes: Mapping[str, object]) -> D:
         raise InvalidInput(f"vary takes a description, such as a Case: given {shown(description)}")
     if not isinstance(changes, Mapping):
         raise InvalidInput(f"changes map a dotted path to a value: given {shown(changes)}")
-    outcome = _fields(description, [_change(path, value) for path, value in changes.items()])
-    return _signed(outcome) if isinstance(outcome, Case) else outcome
+    listed = [_change(path, value) for path, value in changes.items()]
+    if not isinstance(description, Case):
+        return _fields(description, listed)
+    return _signed(_fields(description, [*_of_variants(description, listed), *listed]))
+
+
+def _of_variants(case: Case, changes: Sequence[_Change]) -> list[_Change]:
+    """The same changes for every variant of ``case``."""
+    if not case.variants:
+        return []
+    own = [change for change in changes if change.steps[0] not in ("variants", "name", "title")]
+    return [replace(change, steps=("variants", "*", *change.steps)) for change in own]
 
 
 def _change(path: object, value: object) -> _Change:
@@ -161,5 +172,4 @@ def _known(change: _Change, step: str, known: Iterable[str], what: str) -> None:
 
 def _way_to(change: _Change) -> str:
     """The part of the path that has been gone."""
-    steps = change.path.split(".")
-    return ".".join(steps[: len(steps) - len(change.steps)])
+    return change.path.removesuffix(".".join(change.steps)).rstrip(".")

@@ -41,7 +41,7 @@ class Reference(Description):
     values: tuple[float, ...]
     subject: str = ""
     remark: str = ""
-    conditions: Mapping[str, str] = field(default_factory=dict, hash=False)
+    conditions: Mapping[str, str | float | bool | None] = field(default_factory=dict, hash=False)
 
     def _faults(self) -> Iterator[str]:
         if not self.values:

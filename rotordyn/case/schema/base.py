@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from pydantic import BaseModel, ConfigDict
 
 
@@ -11,6 +13,12 @@ class Entry(BaseModel):
     model_config = ConfigDict(
         extra="forbid", frozen=True, hide_input_in_errors=True, defer_build=True
     )
+
+
+def title(entry: type[Entry]) -> str:
+    """``SleeveEntry`` -> ``sleeve``."""
+    words = re.sub(r"(?<!^)(?=[A-Z])", " ", entry.__name__.removesuffix("Entry"))
+    return words.lower()
 
 
 def form(value: object) -> str:

@@ -56,7 +56,6 @@ def test_rods() -> None:
 def test_gyroscopic_moment_is_the_rate_of_the_spin_momentum(rate: tuple[float, ...]) -> None:
     """Ip Ω d(axis)/dt, the axis turning with θ′: the moment that keeps it turning."""
     spin, polar = 700.0, 0.013
-    polar = 7850 * POLAR * LENGTH
     body = lumped_element(PointMass("disc", 0.0, 5.0, polar, 0.008))
     velocity = np.concatenate([np.zeros(3), rate])
     moment = spin * body.gyroscopic @ velocity
@@ -71,6 +70,7 @@ def test_element_turns_like_the_rigid_body_it_fills() -> None:
     for node, lever in ((0, -LENGTH / 2), (1, LENGTH / 2)):
         vector[row(node, "thy"), 0], vector[row(node, "z"), 0] = 1.0, -lever
         vector[row(node, "thz"), 1], vector[row(node, "y"), 1] = 1.0, lever
+    polar = 7850 * POLAR * LENGTH
     body = lumped_element(PointMass("body", 0.0, 1.0, polar, polar))
     tilts = [position("thy"), position("thz")]
     found = vector.T @ ELEMENT.gyroscopic @ vector

@@ -1,0 +1,139 @@
+"""The schema of each kind of file as JSON Schema (draft 2020-12), for editors."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any, get_args
+
+from pydantic import PlainValidator
+from pydantic.fields import FieldInfo
+from pydantic.json_schema import models_json_schema
+
+from rotordyn.case.library import known
+from rotordyn.case.schema.base import Entry, title
+from rotordyn.case.schema.bearing import BearingEntry
+from rotordyn.case.schema.case import CaseEntry
+from rotordyn.case.schema.material import MaterialEntry
+from rotordyn.case.schema.meanings import MEANINGS
+from rotordyn.case.schema.shaft import ToolEntry
+from rotordyn.case.schema.spindle import SpindleEntry
+from rotordyn.case.schema.values import QuantityReader
+
+Shape = dict[str, Any]
+FILES: dict[str, type[Entry]] = {
+    "case": CaseEntry,
+    "spindle": SpindleEntry,
+    "tool": ToolEntry,
+    "bearing": BearingEntry,
+    "material": MaterialEntry,
+}
+# Entries that stand in files of their own, and the folder of the library that holds these.
+_MODELS = {
+    "SpindleEntry": "spindles",
+    "ToolEntry": "tools",
+    "BearingEntry": "bearings",
+    "MaterialEntry": "materials",
+}
+# Keys of a case under which a model is named; the case's own entry leaves them open.
+_MACHINES = {"spindle": "SpindleEntry", "tool": "ToolEntry", "bearing": "BearingEntry"}
+
+
+def json_schema(file: str) -> Shape:
+    """The JSON Schema of one kind of file, a key of ``FILES``."""
+    asked = [(entry, "validation") for entry in FILES.values()]
+    shapes: Shape = models_json_schema(asked, by_alias=True)[1]["$defs"]  # type: ignore[arg-type]
+    for entry in _entries():
+        _describe(entry, shapes[entry.__name__])
+    root = shapes[FILES[file].__name__]
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        **root,
+        "title": f"rotordyn {file}",
+        "$defs": {name: shapes[name] for name in sorted(_reached(root, shapes))},
+    }
+
+
+def _entries() -> list[type[Entry]]:
+    """The entries of all files and those they hold."""
+    found = list(FILES.values())
+    for entry in found:
+        held = (m for field in entry.model_fields.values() for m in _held(field.annotation))
+        found += [model for model in dict.fromkeys(held) if model not in found]
+    return found
+
+
+def _held(annotation: Any) -> Iterator[type[Entry]]:
+    if isinstance(annotation, type) and issubclass(annotation, Entry):
+        yield annotation
+    for argument in get_args(annotation):
+        yield from _held(argument)
+
+
+def _describe(entry: type[Entry], shape: Shape) -> None:
+    """Says what each key means and takes; titles that only repeat the key are left out."""
+    shape["title"], shape["description"] = title(entry), _plain(entry.__doc__ or "")
+    meanings = MEANINGS.get(title(entry), {})
+    for name, field in entry.model_fields.items():
+        key = field.alias or name
+        shape["properties"][key] = _property(key, field, shape["properties"][key])
+        said = [_plain(meanings.get(key, "")), _text_of(shape["properties"][key])]
+        shape["properties"][key]["description"] = "; ".join(filter(None, said))
+
+
+def _property(key: str, field: FieldInfo, shape: Shape) -> Shape:
+    shape.pop("title", None)
+    shape.pop("default", None)
+    if field.annotation is Any and key in _MACHINES:
+        return _reference(_MACHINES[key])
+    models = [name for name in _MODELS if {"$ref": f"#/$defs/{name}"} in shape.get("anyOf", [])]
+    if models:
+        return _reference(models[0])
+    if "patternProperties" in shape:
+        shape["additionalProperties"] = False
+    default = _default(field)
+    return shape if default is None else {**shape, "default": default}
+
+
+def _reference(entry: str) -> Shape:
+    """A model: a name of the library, the path of a file, or a mapping in place."""
+    path = {"type": "string", "pattern": r"[/\\]|\.ya?ml$"}
+    return {"anyOf": [{"enum": known(_MODELS[entry])}, path, {"$ref": f"#/$defs/{entry}"}]}
+
+
+def _default(field: FieldInfo) -> Any:
+    """The default as written in a file; None where there is nothing to write."""
+    value = field.get_default(call_default_factory=True)
+    if field.is_required() or isinstance(value, Entry) or value in (None, "", [], {}):
+        return None
+    validators = (m.func for m in field.metadata if isinstance(m, PlainValidator))
+    reader = next((f for f in validators if isinstance(f, QuantityReader)), None)
+    return reader.written(value) if reader else value
+
+
+def _text_of(shape: Shape) -> str:
+    """What a value takes, said by its own shape or by the forms it may have."""
+    forms = [shape, *shape.get("anyOf", []), *shape.get("oneOf", []), shape.get("items", {})]
+    return next((form["description"] for form in forms if "description" in form), "")
+
+
+def _plain(text: str) -> str:
+    """A phrase of the documents without their links and marks."""
+    return re.sub(r" ?\(\[[^]]*\]\([^)]*\)\)", "", " ".join(text.split())).replace("`", "")
+
+
+def _reached(shape: Any, shapes: Shape) -> set[str]:
+    """Names of the shapes that ``shape`` refers to, directly or not."""
+    found: set[str] = set()
+    todo = [shape]
+    while todo:
+        part = todo.pop()
+        if isinstance(part, dict):
+            name = str(part.get("$ref", "")).rpartition("/")[2]
+            if name and name not in found:
+                found.add(name)
+                todo.append(shapes[name])
+            todo += part.values()
+        elif isinstance(part, list):
+            todo += part
+    return found
