@@ -6,6 +6,7 @@ import argparse
 import os
 import signal
 import sys
+import textwrap
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
@@ -16,9 +17,12 @@ from bearings.errors import BearingError
 from rotordyn.errors import RotordynError, exit_code
 
 if TYPE_CHECKING:
+    from rotordyn.case.shipped import Shipped
     from rotordyn.job import Progress
 
 BLAS_THREADS = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")  # more slow small matrices down
+CASE = "case file (YAML), or the name of a case that comes with rotordyn"
+FILE = "case (default), spindle, tool, bearing or material"
 EXIT_CODES = """exit codes: 0 done; 2 bad input, nothing written; 3 no speed of the case has a
 physical solution (with --strict: one has not); 1 a bug of rotordyn"""
 
@@ -59,7 +63,7 @@ def _parser() -> argparse.ArgumentParser:
     parser.add_argument("--version", action="version", version=f"rotordyn {rotordyn.__version__}")
     commands = parser.add_subparsers(title="commands", required=True, metavar="COMMAND")
     run = commands.add_parser("run", help="solve a case and write its results", epilog=EXIT_CODES)
-    run.add_argument("case", metavar="CASE", help="case file (YAML)")
+    run.add_argument("case", metavar="CASE", help=CASE)
     run.add_argument("-o", "--output", metavar="DIR", help="results folder (out/<case name>)")
     run.add_argument("--only", metavar="NAME,…", help="only these analyses of the case")
     run.add_argument("--variant", metavar="NAME", help="only this variant of a case that compares")
@@ -69,8 +73,16 @@ def _parser() -> argparse.ArgumentParser:
     )
     run.set_defaults(command=_run)
     check = commands.add_parser("check", help="read and validate a case, compute nothing")
-    check.add_argument("case", metavar="CASE", help="case file (YAML)")
+    check.add_argument("case", metavar="CASE", help=CASE)
     check.set_defaults(command=_check)
+    cases = commands.add_parser("cases", help="list the cases that come with rotordyn")
+    cases.set_defaults(command=_cases)
+    models = commands.add_parser("models", help="list the models of the library, with sources")
+    models.add_argument("kind", metavar="KIND", nargs="?", help="bearings, materials, spindles …")
+    models.set_defaults(command=_models)
+    schema = commands.add_parser("schema", help="print the JSON Schema of a file, for editors")
+    schema.add_argument("file", metavar="FILE", nargs="?", default="case", help=FILE)
+    schema.set_defaults(command=_schema)
     return parser
 
 
@@ -79,6 +91,39 @@ def _check(arguments: argparse.Namespace) -> int:
     questions = ", ".join(case.analyses)
     compared = f"; {len(case.variants)} variants" if case.variants else ""
     print(f"{arguments.case}: fine ({len(case.speeds)} speeds; {questions}{compared})")
+    return 0
+
+
+def _cases(_: argparse.Namespace) -> int:
+    _list(rotordyn.cases())
+    return 0
+
+
+def _models(arguments: argparse.Namespace) -> int:
+    _list(rotordyn.models(arguments.kind))
+    return 0
+
+
+def _list(found: Sequence[Shipped]) -> None:
+    """A line each: kind, name, title; below it the first source."""
+    columns = [max(len(part) for part in row) for row in zip(*map(_called, found), strict=True)]
+    for item in found:
+        kind, name = (f"{text:{n}}" for text, n in zip(_called(item), columns, strict=True))
+        print(f"{kind}  {name}  {item.title}")
+        for source in item.sources[:1]:
+            print(" " * (sum(columns) + 4) + textwrap.shorten(source, 96, placeholder=" …"))
+
+
+def _called(item: Shipped) -> tuple[str, str]:
+    return item.kind, item.name
+
+
+def _schema(arguments: argparse.Namespace) -> int:
+    import json
+
+    from rotordyn.case.schema.editor import json_schema
+
+    print(json.dumps(json_schema(arguments.file), indent=2))
     return 0
 
 

@@ -19,6 +19,8 @@ from rotordyn.case.schema.meanings import MEANINGS
 from rotordyn.case.schema.shaft import ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.case.schema.values import QuantityReader
+from rotordyn.errors import InvalidInput
+from rotordyn.quantity import suggestion
 
 Shape = dict[str, Any]
 FILES: dict[str, type[Entry]] = {
@@ -40,7 +42,15 @@ _MACHINES = {"spindle": "SpindleEntry", "tool": "ToolEntry", "bearing": "Bearing
 
 
 def json_schema(file: str) -> Shape:
-    """The JSON Schema of one kind of file, a key of ``FILES``."""
+    """The JSON Schema of one kind of file, a key of ``FILES``.
+
+    Raises
+    ------
+    InvalidInput : there is no such kind of file
+    """
+    if file not in FILES:
+        allowed = f"allowed: {', '.join(FILES)}{suggestion(file, FILES)}"
+        raise InvalidInput(f"unknown kind of file: {file!r}; {allowed}")
     asked = [(entry, "validation") for entry in FILES.values()]
     shapes: Shape = models_json_schema(asked, by_alias=True)[1]["$defs"]  # type: ignore[arg-type]
     for entry in _entries():
