@@ -41,6 +41,14 @@ def build(tree: Path, target: str, into: Path) -> Path:
     return archive
 
 
+def unpack(archive: Path, folder: Path) -> Path:
+    """The tree of a source archive, unpacked in ``folder``."""
+    with tarfile.open(archive) as tar:
+        tar.extractall(folder, filter="data")
+    (tree,) = folder.iterdir()
+    return tree
+
+
 def contents(wheel: Path) -> dict[str, bytes]:
     with zipfile.ZipFile(wheel) as archive:
         return {name: archive.read(name) for name in archive.namelist()}
@@ -62,11 +70,7 @@ def wheel(tmp_path_factory: pytest.TempPathFactory) -> dict[str, bytes]:
 def unpacked(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """The source archive, unpacked."""
     archive = build(ROOT, "sdist", tmp_path_factory.mktemp("sdist"))
-    folder = tmp_path_factory.mktemp("unpacked")
-    with tarfile.open(archive) as tar:
-        tar.extractall(folder, filter="data")
-    (tree,) = folder.iterdir()
-    return tree
+    return unpack(archive, tmp_path_factory.mktemp("unpacked"))
 
 
 @pytest.fixture(scope="module")
@@ -135,5 +139,6 @@ def test_source_archive_builds_the_same_wheel(
 
 def test_source_archive_holds_the_checks_but_no_by_products(unpacked: Path) -> None:
     held = {path.name for path in unpacked.iterdir()}
-    assert {"tests", "scripts", "docs", "LICENSE", "README.md", "pyproject.toml"} <= held
+    assert {"tests", "scripts", "docs", "models", "cases", "pyproject.toml"} <= held
+    assert {"CHANGELOG.md", "CITATION.cff", "CONTRIBUTING.md", "LICENSE", "README.md"} <= held
     assert not held & {".venv", "out", "dist", "build"}
