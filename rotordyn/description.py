@@ -16,7 +16,7 @@ from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
 
 from rotordyn import units
 from rotordyn.errors import InvalidInput
-from rotordyn.quantity import Quantity, suggestion
+from rotordyn.quantity import Choice, Quantity, suggestion
 
 Check = Callable[[Any], Any]
 
@@ -139,11 +139,17 @@ def _check(annotation: Any) -> Check:
 
 
 def _bounded(check: Check, limits: tuple[Any, ...]) -> Check:
+    choices = [limit for limit in limits if isinstance(limit, Choice)]
+
     def bounded(value: Any) -> Any:
-        taken = check(value)
+        try:
+            taken = check(value)
+        except Refused as refusal:
+            said = choices[0].refusal(value) if choices else ""
+            raise Refused(said or refusal.why, refusal.place) from None
         for limit in limits:
-            if refusal := limit.refusal(taken):
-                raise Refused(refusal)
+            if why := limit.refusal(taken):
+                raise Refused(why)
         return taken
 
     return bounded

@@ -156,7 +156,9 @@ def pattern(kind: str) -> str:
 
     Every unit that matches can be read; more can be read than it matches.
     """
-    return "|".join(dict.fromkeys(_spellings(unit) for unit in (*KINDS[kind], *_ALSO.get(kind, ()))))
+    return "|".join(
+        dict.fromkeys(_spellings(unit) for unit in (*KINDS[kind], *_ALSO.get(kind, ())))
+    )
 
 
 def _spellings(unit: str) -> str:

@@ -29,7 +29,11 @@ from docs.generate.times import benchmark_parts, measured, short_table
 from rotordyn.analysis.specs import FrfSpec
 
 PAGES = sorted(
-    [README, *DOCS.rglob("*.md"), *(ROOT / d / "README.md" for d in ("cases", "models"))]
+    [
+        *(ROOT / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md")),
+        *DOCS.rglob("*.md"),
+        *(ROOT / d / "README.md" for d in ("cases", "models")),
+    ]
 )
 GENERATED = {
     "README.md": {"accuracy", "times"},
@@ -66,7 +70,7 @@ def numbers(cell: str) -> list[float]:
     return [float(n) for n in re.findall(r"-?\d+\.?\d*", cell.replace("−", "-"))]
 
 
-@pytest.mark.parametrize("code", blocks("python"), ids=["bearing", "case"])
+@pytest.mark.parametrize("code", blocks("python"), ids=["bearing", "case", "vary"])
 def test_python_of_the_readme_runs(
     code: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:

@@ -58,10 +58,21 @@ def test_help_and_version_import_nothing_big(option: str, tmp_path: Path) -> Non
     assert not packages(loaded) & ANYTHING_BIG
 
 
-def test_check_reads_a_case_without_numerical_libraries(tmp_path: Path) -> None:
-    loaded = modules_after(COMMAND_LINE, tmp_path, "check", "cases/mfw2310.yaml")
-    assert "yaml" in loaded
+@pytest.mark.parametrize(
+    "argv", [("check", "mfw2310"), ("schema",), ("models",), ("cases",)], ids=lambda argv: argv[0]
+)
+def test_reading_needs_no_numerical_libraries(argv: tuple[str, ...], tmp_path: Path) -> None:
+    loaded = modules_after(COMMAND_LINE, tmp_path, *argv)
+    assert "rotordyn.case.library" in loaded
     assert not packages(loaded) & SCIENCE
+
+
+def test_nouns_are_built_without_files_or_numerical_libraries(tmp_path: Path) -> None:
+    """Describing a machine in Python reads no YAML and needs no schema."""
+    nouns = "from rotordyn.machine import *; from rotordyn.analysis import *\n"
+    code = nouns + "import rotordyn; Spring(1.0); rotordyn.Case; rotordyn.vary(Spring(1.0), {})"
+    loaded = packages(modules_after(code, tmp_path))
+    assert not loaded & (SCIENCE | {"yaml", "pydantic"})
 
 
 def test_run_needs_neither_compiled_kernels_nor_3d_nor_pyplot(tmp_path: Path) -> None:

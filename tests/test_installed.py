@@ -1,4 +1,4 @@
-"""Models and cases are found wherever rotordyn runs from: checkout, editable, wheel, source archive.
+"""Models and cases are found from a checkout, an editable install, a wheel, a source archive.
 
 Each is installed into an environment of its own that borrows the libraries of this one, without a
 network; commands run in a foreign folder.

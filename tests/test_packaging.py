@@ -15,6 +15,7 @@ from email.parser import Parser
 from pathlib import Path
 
 import pytest
+import yaml
 
 import rotordyn
 
@@ -117,6 +118,21 @@ def test_metadata_requires_the_six_libraries_always_and_pytest_for_tests(metadat
     always = {need.partition(">=")[0] for need in needs if "extra ==" not in need}
     assert always >= REQUIRED
     assert [need for need in needs if need.startswith("pytest>=") and "extra == 'test'" in need]
+
+
+def test_citation_names_this_version() -> None:
+    """The keys that version 1.2.0 of the Citation File Format requires, and ours."""
+    cited = yaml.safe_load((ROOT / "CITATION.cff").read_text(encoding="utf-8"))
+    assert {"cff-version", "message", "title", "authors"} <= cited.keys()
+    assert cited["cff-version"] == "1.2.0"
+    assert cited["authors"] == [{"name": "rotordyn contributors"}]
+    assert (cited["version"], cited["license"]) == (rotordyn.__version__, "MIT")
+
+
+def test_changelog_tells_of_this_version() -> None:
+    text = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+    assert "## [Unreleased]" in text
+    assert rotordyn.__version__ in text
 
 
 def test_unpacked_wheel_checks_a_case_with_its_own_models(

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from rotordyn.case.faults import Faults
-from rotordyn.quantity import suggestion
 from rotordyn.case.node import Node, joined
+from rotordyn.quantity import suggestion
 
 
 def apply(changes: Node | None, target: Node, faults: Faults) -> None:

@@ -10,8 +10,8 @@ from pydantic_core import ErrorDetails
 
 from rotordyn import units
 from rotordyn.case.faults import Faults
-from rotordyn.quantity import suggestion
 from rotordyn.case.node import UNKNOWN, Node
+from rotordyn.quantity import suggestion
 
 M = TypeVar("M", bound=BaseModel)
 

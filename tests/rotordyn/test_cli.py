@@ -195,6 +195,45 @@ def test_check_says_what_the_case_asks(capsys: pytest.CaptureFixture[str]) -> No
     assert "fine (49 speeds; preload, campbell, frf, stiffness)" in out
 
 
+def test_shipped_case_is_found_by_its_name(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    assert main(["check", "vex70"]) == 0
+    assert run("vex70", "--quiet") == 0
+    assert (tmp_path / "out" / "vex70" / "results.nc").exists()
+    assert main(["check", "vex7O"]) == 2
+    assert "did you mean vex70?" in capsys.readouterr().err
+
+
+def test_models_are_listed_with_their_sources(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["models"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    heads = [line.split() for line in lines if not line.startswith(" ")]
+    assert [(h[0], h[1]) for h in heads] == [(m.kind, m.name) for m in rotordyn.models()]
+    assert len(lines) == 2 * len(heads)
+    assert main(["models", "tools"]) == 0
+    assert capsys.readouterr().out.count("\n") == 2
+    assert main(["models", "tool"]) == 2
+    assert "did you mean tools?" in capsys.readouterr().err
+
+
+def test_cases_are_listed_with_their_titles(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["cases"]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert [line.split()[1] for line in lines] == [c.name for c in rotordyn.cases()]
+    assert all(case.title in line for case, line in zip(rotordyn.cases(), lines, strict=True))
+
+
+def test_schema_is_printed_as_json(capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["schema"]) == 0
+    assert json.loads(capsys.readouterr().out)["title"] == "rotordyn case"
+    assert main(["schema", "tool"]) == 0
+    assert json.loads(capsys.readouterr().out)["title"] == "rotordyn tool"
+    assert main(["schema", "cases"]) == 2
+    assert "did you mean case?" in capsys.readouterr().err
+
+
 @pytest.mark.parametrize(
     ("argv", "code", "said"),
     [

@@ -97,7 +97,7 @@ materials = st.builds(
 
 @st.composite
 def spindles(draw: st.DrawFn) -> Spindle:
-    """1–20 sections, length over diameter 0.05–1000 up to 100 m, bored or solid, with two point masses."""
+    """1–20 sections, bored or solid, length over diameter 0.05–1000, with two point masses."""
     count = draw(st.integers(1, 20))
     diameter = draw(st.floats(0.01, 0.5))
     length = min(diameter * 10 ** draw(st.floats(np.log10(0.05), 3.0)), 100.0)

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from rotordyn.case.faults import Faults
-from rotordyn.quantity import suggestion
 from rotordyn.case.node import Node
+from rotordyn.quantity import suggestion
 
 
 def unique(names: Sequence[str], root: Node, way: tuple[object, ...], faults: Faults) -> None:

@@ -1,0 +1,225 @@
+"""Values at dotted paths: whatever a case says can be changed; a wrong path says what is there."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import rotordyn
+from bearings import STEEL
+from rotordyn.analysis import CampbellSpec, PreloadSpec
+from rotordyn.machine import RingGrowth, Spring
+from tests.oracles.spindles import case, mfw2310, with_sleeve
+
+TOP = 24000 * math.pi / 30
+
+
+def changed(**paths: Any) -> Any:
+    """The spindle of the flagship after changes, ``__`` for a dot."""
+    made = case().vary({f"spindle.{path.replace('__', '.')}": v for path, v in paths.items()})
+    assert made.spindle is not None
+    return made.spindle
+
+
+def test_a_field_is_what_replacing_it_by_hand_gives() -> None:
+    spring = Spring(574.0, 8e6)
+    by_path = changed(sleeves__front__spring__stiffness=8e6)
+    assert by_path == with_sleeve(mfw2310(), "front", spring=spring)
+    assert rotordyn.vary(mfw2310(), {"sleeves.front.spring": spring}) == by_path
+
+
+def test_a_star_is_every_item_or_entry() -> None:
+    made = changed(seats__a__growth__static=1e-6, seats__b__growth=RingGrowth(2e-6))
+    assert [seat.growth.static for seat in made.seats[:3]] == [1e-6, 2e-6, 43.2e-6]
+    alike = changed(seats__b__growth__static=1e-6)
+    alike = rotordyn.vary(alike, {"seats.*.growth.static": 4e-6, "seats.c.growth.static": 5e-6})
+    assert [seat.growth.static for seat in alike.seats] == [4e-6, 4e-6, 5e-6, 4e-6, 4e-6]
+
+
+def test_entries_of_mappings_go_by_key() -> None:
+    made = changed(points__Oc2=-0.05, shortening__shift__c=-1e-6)
+    assert made.points == {**mfw2310().points, "Oc2": -0.05}
+    assert made.shortening.shift["c"] == -1e-6
+    assert set(changed(**{"shortening__shift__*": 0.0}).shortening.shift.values()) == {0.0}
+
+
+def test_places_of_a_matrix_are_written_as_in_files() -> None:
+    rotor = rotordyn.model("spindles", "lalanne_ferraris")
+    made = rotordyn.vary(rotor, {"supports.*.stiffness.yy": 1e8, "supports.left.damping.y_thz": 3})
+    assert made.supports[1].stiffness == {("y", "y"): 1e8, ("z", "z"): 50e6}
+    assert made.supports[0].damping["y", "thz"] == 3.0
+    with pytest.raises(rotordyn.InvalidInput, match="unknown key 'yw'"):
+        rotordyn.vary(rotor, {"supports.left.stiffness.yw": 1.0})
+
+
+def test_text_with_a_unit_is_read_where_the_dimension_is_known() -> None:
+    made = case().vary(
+        {
+            "spindle.sleeves.front.stop_travel": "45 um",
+            "spindle.sleeves.rear.spring.stiffness": "rigid",
+            "spindle.rotor_damping": ["2 %", 0.03],
+            "spindle.points.Oc2": "-50 mm",
+            "spindle.shaft.shear_coefficient": "hutchinson",
+            "conditions.element_length": "10 mm",
+            "conditions.axial_force": "1 kN",
+            "speeds": ["0 rpm", "24000 rpm"],
+            "analyses.frf.slices": (),
+        }
+    )
+    assert made.spindle is not None
+    front, rear = made.spindle.sleeves
+    assert (front.stop_travel, rear.spring.stiffness) == (pytest.approx(45e-6), math.inf)
+    assert made.spindle.rotor_damping == (0.02, 0.03)
+    assert made.spindle.points["Oc2"] == pytest.approx(-0.05)
+    assert made.spindle.shaft.shear_coefficient == "hutchinson"
+    assert (made.conditions.element_length, made.conditions.axial_force) == (0.01, 1000.0)
+    assert made.speeds == (0.0, pytest.approx(TOP))
+
+
+def test_all_changes_are_made_together() -> None:
+    """Neither list of names is possible beside the other's old value."""
+    names = {"spindle.seats.c.name": "third", "spindle.sleeves.front.bearings": ("third",)}
+    shift = {"spindle.shortening.shift": {"d": 0.0, "e": 0.0}}
+    assert case().vary({**names, **shift}).spindle is not None
+    for path, value in names.items():
+        with pytest.raises(rotordyn.InvalidInput, match="unknown bearing"):
+            case().vary({path: value, **shift})
+
+
+def test_questions_can_be_changed_added_and_replaced() -> None:
+    made = case().vary({"analyses.campbell.max_frequency": "2 kHz", "analyses.frf.slices": []})
+    spec = made.analyses["campbell"]
+    assert isinstance(spec, CampbellSpec)
+    assert spec.max_frequency == 2000.0
+    alone = case().vary({"analyses": {"preload": PreloadSpec()}})
+    assert list(alone.vary({"analyses.campbell": CampbellSpec()}).analyses) == [
+        "preload",
+        "campbell",
+    ]
+
+
+def test_bearings_and_materials_can_be_changed_too() -> None:
+    made = changed(
+        **{
+            "seats__*__bearing__inner_conformity": 0.53,
+            "shaft__sections__motor__material": STEEL,
+            "shaft__sections__nose__material__density": 8000.0,
+        }
+    )
+    assert {seat.bearing.inner_conformity for seat in made.seats} == {0.53}
+    assert {s.name: s.material.density for s in made.shaft.sections}["nose"] == 8000.0
+
+
+def test_what_changes_a_case_changes_its_variants() -> None:
+    whole = case("mfw2310_preload_springs")
+    made = whole.vary(
+        {"speeds": (0.0, 100.0), "analyses.frf.slices": (), "conditions.rotor": "rigid"}
+    )
+    assert {v.speeds for v in made.variants.values()} == {(0.0, 100.0)}
+    assert {v.conditions.rotor for v in made.variants.values()} == {"rigid"}
+    stiff = "variants.stiff.spindle.sleeves.front.spring.stiffness"
+    one = whole.vary({stiff: "15 N/um"})
+    assert one.spindle == whole.spindle
+    assert one.variants["soft"] == whole.variants["soft"]
+    assert one.variants["stiff"].spindle.sleeves[0].spring.stiffness == 15e6  # type: ignore[union-attr]
+
+
+def test_a_changed_case_is_another_one_and_the_old_stays() -> None:
+    before = repr(case())
+    same = case().vary({"conditions.rotor": "rigid"})
+    assert repr(case()) == before
+    assert same.digest == case().vary({"conditions.rotor": "rigid"}).digest
+    assert (
+        len({same.digest, case().digest, same.vary({"conditions.rotor": "flexible"}).digest}) == 3
+    )
+    assert same.files == case().files
+
+
+WRONG = {
+    "spindle.sleves.front": (1, "unknown field 'sleves' in 'spindle'; .*did you mean sleeves"),
+    "spindel": (1, "unknown field 'spindel'; .*did you mean spindle"),
+    "spindle.sleeves.frnt.mass": (1, "unknown name 'frnt' .*; allowed: front, rear .*front"),
+    "spindle.points.OC2": (0.0, "unknown key 'OC2' .*did you mean Oc2"),
+    "analyses.frff": (1, "unknown key 'frff' .*did you mean frf"),
+    "analyses.frf": (1, "wrong type: given 1; allowed: PreloadSpec or .*FrfSpec"),
+    "analyses.bearing.loads": ((1.0,), "'analyses.bearing' is None; give it whole"),
+    "bearing.balls": (3, "'bearing' is None; give it whole"),
+    "spindle.title.x": (1, "leads too far"),
+    "speeds.0": (1.0, "has items without names; give it whole"),
+    "speeds": ((0.0, math.nan), r"speeds\[1\]: not a number"),
+    "spindle.sleeves.front.spring": (8e6, "wrong type: given 8000000.0; allowed: Spring"),
+    "spindle.sleeves.front.spring.stiffness": ("8 N", "'N' is not a unit of stiffness"),
+    "spindle.sleeves.rear.spring.stiffness": ("rigd", "or rigid .did you mean rigid"),
+    "spindle.sleeves.rear.spring.preload": (-1.0, "force out of range: given -1 N"),
+    "spindle.seats.a.bearing.contact_angle": ("25 deg", "allowed: a number in SI units"),
+    "spindle.seats.a.bearing.balls": (60, "overlap"),
+    "spindle.seats.a.x": (5.0, "off the shaft"),
+    "spindle.seats.*": (1, "allowed: BearingSeat"),
+    "spindle.*": (1, "unknown field"),
+    "conditions.rotor": ("rigidd", "did you mean rigid"),
+    "conditions": (None, "allowed: Conditions"),
+    "analyses.stiffness.point": ("Oc9", "unknown point 'Oc9'"),
+    "": (1, "not a dotted path"),
+    "spindle..name": (1, "not a dotted path"),
+}
+
+
+@pytest.mark.parametrize("path", WRONG)
+def test_a_wrong_path_or_value_is_refused_in_one_sentence(path: str) -> None:
+    value, said = WRONG[path]
+    with pytest.raises(rotordyn.InvalidInput, match=said) as refused:
+        case().vary({path: value})
+    assert "\n" not in str(refused.value)
+    assert path in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("thing", "changes"),
+    [
+        (5, {}),
+        (None, {}),
+        (rotordyn.Case, {}),
+        (case(), None),
+        (case(), [("a", 1)]),
+        (case(), {3: 1}),
+    ],
+)
+def test_things_that_cannot_be_varied(thing: Any, changes: Any) -> None:
+    with pytest.raises(rotordyn.InvalidInput, match=r"vary takes|changes map|not a dotted path"):
+        rotordyn.vary(thing, changes)
+
+
+words = st.sampled_from(
+    ["spindle", "sleeves", "front", "spring", "*", "points", "Oc2", "speeds", "analyses", "frf"]
+)
+values = st.one_of(
+    st.none(), st.floats(), st.text(max_size=8), st.booleans(), st.lists(st.integers(), max_size=2)
+)
+
+
+@settings(max_examples=200)
+@given(st.lists(words | st.text(max_size=5), min_size=1, max_size=5), values)
+def test_any_path_and_value_gives_a_case_or_a_sentence(steps: list[str], value: object) -> None:
+    try:
+        made = case().vary({".".join(steps): value})
+    except rotordyn.InvalidInput:
+        pass
+    else:
+        assert isinstance(made, rotordyn.Case)
+
+
+def test_varied_cases_can_be_run() -> None:
+    lean = case().vary({"speeds": np.linspace(0, TOP, 2), "analyses": {"preload": PreloadSpec()}})
+    loads = [
+        rotordyn.run(lean.vary({"spindle.sleeves.*.spring.preload": f}))["preload"].axial_load
+        for f in ("300 N", "600 N")
+    ]
+    assert loads[0].sel(bearing="c")[0] == pytest.approx(300.0)
+    assert (loads[1] > loads[0]).all()
+    assert replace(lean, title="x").vary({}).title == "x"

@@ -1,0 +1,263 @@
+"""Descriptions built in Python are checked when they are built, one sentence a fault."""
+
+from __future__ import annotations
+
+import importlib
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+import rotordyn
+from bearings import STEEL, AngularContactBallBearing, InvalidBearing, Material
+from bearings.kinematics import HYPOTHESES, SHARINGS
+from rotordyn.analysis import (
+    BearingMapSpec,
+    CampbellSpec,
+    Conditions,
+    FrfSpec,
+    Port,
+    PreloadSpec,
+    StiffnessSpec,
+)
+from rotordyn.analysis.registry import BEARING_ANALYSES, SPINDLE_ANALYSES
+from rotordyn.analysis.specs import KINEMATICS, MOMENT_SHARING
+from rotordyn.case.agreement import ANALYSES
+from rotordyn.errors import InvalidInput
+from rotordyn.machine import (
+    BearingSeat,
+    ComputedShortening,
+    Disc,
+    InterferenceFit,
+    LinearSupport,
+    PointMass,
+    PrescribedShortening,
+    QuadraticInSpeed,
+    Reference,
+    RingGrowth,
+    Section,
+    Shaft,
+    Sleeve,
+    Spindle,
+    Spring,
+    Tool,
+)
+from rotordyn.quantity import LENGTH, RIGIDITY
+
+BEARING = AngularContactBallBearing(7.144e-3, 55e-3, 19, math.radians(25))
+SHAFT = Shaft(0.0, (Section(0.3, 0.05, 0.02, STEEL, "body"),))
+FRONT, REAR = BearingSeat("a", BEARING, 0.05, 1), BearingSeat("b", BEARING, 0.2, -1)
+SLEEVE = Sleeve("rear", ("b",), Spring(300.0, 5e6))
+SUPPORT = LinearSupport("left", 0.0, {("y", "y"): 1e8, ("z", "z"): 1e8})
+TIP = Port("tip", "y")
+
+
+def spindle(**changes: Any) -> Spindle:
+    made = Spindle("s", SHAFT, seats=(FRONT, REAR), sleeves=(SLEEVE,), points={"tip": 0.0})
+    return replace(made, **changes)
+
+
+def case(**changes: Any) -> rotordyn.Case:
+    made = rotordyn.Case("c", "", (0.0, 1000.0), {"preload": PreloadSpec()}, spindle=spindle())
+    return replace(made, **changes)
+
+
+NAN, INF = math.nan, math.inf
+IMPOSSIBLE: dict[str, Callable[[], object]] = {
+    "Section: length: .* given -0.1 m; allowed: above 0 m": lambda: Section(-0.1, 1, 0, STEEL),
+    "Section neck: no wall left": lambda: Section(0.1, 0.05, 0.05, STEEL, "neck"),
+    "Section: outer_diameter: not a number": lambda: Section(0.1, NAN, 0.0, STEEL),
+    "Section: length: .* given inf m": lambda: Section(INF, 0.1, 0.0, STEEL),
+    "Section: material: wrong type: given 'steel'": lambda: Section(0.1, 0.1, 0.0, "steel"),
+    "Section 3: name: not a name: given '3'": lambda: Section(0.1, 0.1, 0.0, STEEL, "3"),
+    "Section: length: wrong type: given '1 m'; allowed: a number in SI": lambda: Section(
+        "1 m", 0.1, 0.0, STEEL
+    ),
+    "Shaft: a shaft needs at least one": lambda: Shaft(0.0, ()),
+    "Shaft: two sections are named 'body'": lambda: Shaft(0.0, SHAFT.sections * 2),
+    "Shaft: sections: wrong type: given a Section": lambda: Shaft(0.0, SHAFT.sections[0]),
+    r"Shaft: sections\[0\]: wrong type": lambda: Shaft(0.0, (1.0,)),
+    "Shaft: shear_coefficient: .*did you mean cowper": lambda: replace(
+        SHAFT, shear_coefficient="couper"
+    ),
+    "Shaft: shear_coefficient: number out of range": lambda: replace(SHAFT, shear_coefficient=2.0),
+    "PointMass m: impossible body": lambda: PointMass("m", 0.0, 1.0, 0.1, 0.01),
+    "PointMass m: mass: mass out of range": lambda: PointMass("m", 0.0, -1.0),
+    "Disc d: no wall": lambda: Disc("d", 0.0, 0.1, 0.2, 0.01, STEEL),
+    "BearingSeat a: thrust: .*allowed: 1, -1": lambda: BearingSeat("a", BEARING, 0.0, "+x"),
+    "BearingSeat a: growth.static takes the whole contact angle": lambda: replace(
+        FRONT, growth=RingGrowth(500e-6)
+    ),
+    "no ring left beside the balls": lambda: replace(
+        FRONT, growth=RingGrowth(0.0, InterferenceFit(0.06, 1e-6))
+    ),
+    "RingGrowth: centrifugal: .* QuadraticInSpeed or InterferenceFit or None": lambda: RingGrowth(
+        0.0, 1e-6
+    ),
+    "QuadraticInSpeed: speed: speed out of range: given 0 rad/s": lambda: QuadraticInSpeed(0, 0.0),
+    "Spring: stiffness: .* or infinite": lambda: Spring(1.0, -INF),
+    "Sleeve s: a sleeve carries": lambda: Sleeve("s", (), Spring(1.0)),
+    r"LinearSupport s: stiffness\[\('y', 'q'\)\]: |LinearSupport s: stiffness": lambda: (
+        LinearSupport("s", 0.0, {("y", "q"): 1.0})
+    ),
+    r"stiffness\[\('y', 'y'\)\]: not finite": lambda: LinearSupport("s", 0, {("y", "y"): INF}),
+    "two seats are named 'a'": lambda: spindle(seats=(FRONT, FRONT), sleeves=()),
+    "BearingSeat a off the shaft: given 0.4 m; allowed: 0 m to 0.3 m": lambda: spindle(
+        seats=(replace(FRONT, x=0.4), REAR)
+    ),
+    "sleeve rear: unknown bearing 'B'; allowed: a, b": lambda: spindle(
+        sleeves=(replace(SLEEVE, bearings=("B",)),)
+    ),
+    "its bearings must all have the same thrust": lambda: spindle(
+        sleeves=(replace(SLEEVE, bearings=("a", "b")),)
+    ),
+    "bearing 'b' is on more than one": lambda: spindle(
+        sleeves=(SLEEVE, replace(SLEEVE, name="other"))
+    ),
+    "shortening.shift: unknown bearing 'c'": lambda: spindle(
+        shortening=PrescribedShortening(1.0, {"c": 0.0})
+    ),
+    "reference of shortening off the shaft": lambda: spindle(shortening=ComputedShortening(1.0)),
+    "the bore of bearing a leaves no shaft": lambda: spindle(
+        seats=(replace(FRONT, growth=RingGrowth(0.0, InterferenceFit(0.02, 1e-6))), REAR)
+    ),
+    r"rotor_damping\[1\]: ratio out of range": lambda: spindle(rotor_damping=(0.1, 1.0)),
+    "two masses are named": lambda: Tool("t", SHAFT.sections, (PointMass("m", 0, 1),) * 2),
+    "a tool needs": lambda: Tool("t", ()),
+    "Reference: quantity: .*did you mean preload_sum": lambda: Reference(
+        "preload_sun", "measured", "x", (0.0,), (1.0,)
+    ),
+    "2 speeds for 1 values": lambda: Reference("preload_sum", "measured", "", (0.0, 1.0), (1.0,)),
+    "Conditions: kinematics: .*did you mean outer": lambda: Conditions(kinematics="outr"),
+    "Conditions: element_length: .* given 0 m": lambda: Conditions(element_length=0.0),
+    r"CampbellSpec: teeth\[0\]: wrong type: given 2.5": lambda: CampbellSpec(teeth=(2.5,)),
+    "teeth: not in ascending order": lambda: CampbellSpec(teeth=(3, 2)),
+    "frequencies: repeated: given 1 after 1": lambda: FrfSpec((1.0, 1.0), ((TIP, TIP),)),
+    "no pairs": lambda: FrfSpec((1.0,), ()),
+    "pairs: repeated": lambda: FrfSpec((1.0,), ((TIP, TIP),) * 2),
+    r"pairs\[0\]: 2 items are needed: given 1": lambda: FrfSpec((1.0,), ((TIP,),)),
+    "nothing couples axial motion and bending": lambda: FrfSpec((1.0,), ((Port("t", "x"), TIP),)),
+    "Port: direction: .* allowed: x, y, z, thx, thy, thz": lambda: Port("tip", "w"),
+    r"variants\[0\]: not one of": lambda: StiffnessSpec("tip", variants=("all",)),
+    "steps: out of range: given 0": lambda: StiffnessSpec("tip", steps=0),
+    r"second_stop\[rear\]: length": lambda: StiffnessSpec("tip", second_stop={"rear": -1e-6}),
+    "loads: not in ascending": lambda: BearingMapSpec((2.0, 1.0)),
+    r"Case c: speeds\[0\]: speed out of range: given -1 rad/s": lambda: case(speeds=(-1.0,)),
+    "Case c: speeds: not in ascending order: given 0 after 5": lambda: case(speeds=(5.0, 0.0)),
+    "no speeds": lambda: case(speeds=()),
+    "nothing is asked": lambda: case(analyses={}),
+    "analyses: not one of .*did you mean preload": lambda: case(analyses={"prelod": 1}),
+    "analysis frf takes a FrfSpec: given a PreloadSpec": lambda: case(
+        analyses={"frf": PreloadSpec()}
+    ),
+    "analysis bearing does not apply to a spindle": lambda: case(
+        analyses={"bearing": BearingMapSpec((1.0,))}
+    ),
+    "analysis preload does not apply to a single bearing": lambda: case(
+        spindle=None, bearing=BEARING
+    ),
+    "given both": lambda: case(bearing=BEARING),
+    "frf: unknown point 'tipp'; allowed: tip": lambda: case(
+        analyses={"frf": FrfSpec((1.0,), ((Port("tipp", "y"), TIP),))}
+    ),
+    "frf: slices: not within": lambda: case(
+        analyses={"frf": FrfSpec((1.0,), ((TIP, TIP),), (2000.0,))}
+    ),
+    "stiffness: unknown point": lambda: case(analyses={"stiffness": StiffnessSpec("nose")}),
+    "unknown sleeve 'front'; allowed: rear": lambda: case(
+        analyses={"stiffness": StiffnessSpec("tip", second_stop={"front": 1e-5})}
+    ),
+    "point far off the shaft": lambda: case(spindle=spindle(points={"far": 9.0})),
+    "preload needs bearings": lambda: case(
+        spindle=spindle(seats=(), sleeves=(), supports=(SUPPORT,))
+    ),
+    "the shaft is not held: .* along z": lambda: case(
+        spindle=spindle(
+            seats=(), sleeves=(), supports=(replace(SUPPORT, stiffness={("y", "y"): 1.0}),)
+        ),
+        analyses={"campbell": CampbellSpec()},
+    ),
+    "more than 1000 elements": lambda: case(conditions=Conditions(element_length=1e-6)),
+    "unknown condition 'rotr'; .*did you mean rotor": lambda: case(
+        references=(
+            Reference("preload_sum", "measured", "", (0.0,), (1.0,), conditions={"rotr": "x"}),
+        )
+    ),
+    "variant v: its speeds and analyses": lambda: case(variants={"v": case(speeds=(1.0,))}),
+}
+
+
+@pytest.mark.parametrize("said", IMPOSSIBLE)
+def test_impossible_values_are_refused_in_one_sentence(said: str) -> None:
+    with pytest.raises(InvalidInput, match=said) as refused:
+        IMPOSSIBLE[said]()
+    assert "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda: replace(BEARING, ball_diameter="9 mm"),
+        lambda: replace(BEARING, contact_angle=NAN),
+        lambda: replace(BEARING, balls=NAN),
+        lambda: replace(BEARING, balls=None),
+        lambda: Material("m", None, 0.3, 7800.0),
+        lambda: Material("m", 2e11, NAN, 7800.0),
+    ],
+)
+def test_impossible_bearings_are_refused_in_one_sentence(make: Callable[[], object]) -> None:
+    with pytest.raises(InvalidBearing, match=r"must be a (finite )?number") as refused:
+        make()
+    assert "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize("call", [rotordyn.run, rotordyn.load])
+@pytest.mark.parametrize("thing", [None, 3, ["mfw2310"], b"mfw2310"])
+def test_a_thing_of_another_kind_is_refused(call: Callable[[Any], object], thing: object) -> None:
+    with pytest.raises(InvalidInput, match="takes"):
+        call(thing)
+
+
+def test_fields_are_kept_in_one_form() -> None:
+    """Lists become tuples, numbers of numpy plain ones, mappings the description's own."""
+    points = {"tip": np.float32(0.0)}
+    made = case(speeds=np.linspace(0, 100, 3), spindle=spindle(points=points, rotor_damping=[0.1]))
+    assert made.speeds == (0.0, 50.0, 100.0)
+    assert {type(speed) for speed in made.speeds} == {float}
+    assert made.spindle is not None
+    assert made.spindle.rotor_damping == (0.1,)
+    points["other"] = np.float32(1.0)
+    assert made.spindle.points == {"tip": 0.0}
+    assert type(StiffnessSpec("tip", steps=np.int64(3)).steps) is int
+    assert type(Section(1, 1, 0, STEEL).length) is float
+
+
+@given(st.floats())
+def test_a_length_is_taken_just_where_its_range_holds(value: float) -> None:
+    """Against the range written out; the sentence is there exactly where the value is refused."""
+    assert LENGTH.holds(value) == (0.0 < value <= 100.0)
+    assert bool(LENGTH.refusal(value)) != LENGTH.holds(value)
+    assert RIGIDITY.holds(value) == (0.0 < value <= 1e12 or value == INF)
+
+
+def test_words_are_those_that_the_bearings_know() -> None:
+    assert set(KINEMATICS) == set(HYPOTHESES)
+    assert set(MOMENT_SHARING) == set(SHARINGS)
+
+
+def test_analyses_are_those_of_the_registry() -> None:
+    assert set(ANALYSES) == {*SPINDLE_ANALYSES, *BEARING_ANALYSES}
+
+
+@pytest.mark.parametrize("room", ["rotordyn", "rotordyn.machine", "rotordyn.analysis", "bearings"])
+def test_every_name_of_a_face_can_be_had(room: str) -> None:
+    face = importlib.import_module(room)
+    assert dir(face) == sorted(face.__all__)
+    assert all(getattr(face, name) is not None for name in face.__all__)
+    with pytest.raises(AttributeError, match="nothing_such"):
+        _ = face.nothing_such
