@@ -45,6 +45,8 @@ class Disc(Description):
 
     def _faults(self) -> Iterator[str]:
         yield from no_wall(self.inner_diameter, self.outer_diameter)
+        if self.outer_diameter > self.inner_diameter:
+            self.as_point_mass()  # refuses a body heavier than any
 
     def as_point_mass(self) -> PointMass:
         """Mass and inertias of the hollow cylinder about its own centre."""

@@ -19,6 +19,9 @@ from rotordyn.report.netcdf import read_results
 from tests.oracles.spindles import RPM, case, mfw2310, pairs
 
 
+TURNING = {"speeds": (2000 * RPM, 24000 * RPM), "analyses.frf.slices": ()}
+
+
 def compared(**variants: Case) -> Case:
     """The flagship at two speeds, as it is and with a rigid rotor."""
     base = replace(
@@ -96,11 +99,7 @@ def test_summary_has_a_line_per_variant_and_what_is_known_of_each(tmp_path: Path
 
 
 def test_a_variant_without_solution_is_named_and_the_others_are_answered(tmp_path: Path) -> None:
-    whole = compared(lost=without_preload())
-    speeds = (2000 * RPM, 24000 * RPM)
-    whole = replace(
-        whole, variants={n: replace(v, speeds=speeds) for n, v in whole.variants.items()}
-    )
+    whole = compared(lost=without_preload()).vary(TURNING)
     delivery = deliver(whole, tmp_path / "out")
     assert delivery.unsolved[0].startswith("variant lost: no speed of the case")
     assert "WARNING: variant lost" in delivery.summary
@@ -110,9 +109,10 @@ def test_a_variant_without_solution_is_named_and_the_others_are_answered(tmp_pat
 
 
 def test_nothing_is_written_where_no_variant_has_a_solution(tmp_path: Path) -> None:
-    lost = replace(without_preload(), speeds=(2000 * RPM, 24000 * RPM))
+    lost = without_preload()
+    whole = replace(compared(), variants={"a": lost, "b": lost}).vary(TURNING)
     with pytest.raises(NoSolution, match=r"variant a: .*; variant b: "):
-        deliver(replace(compared(), variants={"a": lost, "b": lost}), tmp_path / "out")
+        deliver(whole, tmp_path / "out")
     assert not any(tmp_path.iterdir())
 
 

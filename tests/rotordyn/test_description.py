@@ -141,7 +141,15 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
     "no pairs": lambda: FrfSpec((1.0,), ()),
     "pairs: repeated": lambda: FrfSpec((1.0,), ((TIP, TIP),) * 2),
     r"pairs\[0\]: 2 items are needed: given 1": lambda: FrfSpec((1.0,), ((TIP,),)),
-    "nothing couples axial motion and bending": lambda: FrfSpec((1.0,), ((Port("t", "x"), TIP),)),
+    "nothing couples axial motion and bending": lambda: case(
+        analyses={"frf": FrfSpec((1.0,), ((Port("tip", "x"), TIP),))}
+    ),
+    "couples plane y or the axis to other motions .yz.": lambda: case(
+        spindle=spindle(supports=(replace(SUPPORT, stiffness={("y", "z"): 1.0}),)),
+        analyses={"stiffness": StiffnessSpec("tip")},
+    ),
+    "tangents: repeated": lambda: BearingMapSpec((1.0,), tangents=("frozen", "frozen")),
+    "PointMass d: mass: mass out of range": lambda: Disc("d", 0.0, 10.0, 0.0, 90.0, STEEL),
     "Port: direction: .* allowed: x, y, z, thx, thy, thz": lambda: Port("tip", "w"),
     r"variants\[0\]: not one of": lambda: StiffnessSpec("tip", variants=("all",)),
     "steps: out of range: given 0": lambda: StiffnessSpec("tip", steps=0),

@@ -25,7 +25,6 @@ from rotordyn.case.schema.values import (
     StopTravel,
     TopSpeed,
     choice,
-    quantity,
 )
 from rotordyn.machine.drawbar import EVERYWHERE
 

@@ -23,6 +23,7 @@ from rotordyn.quantity import NAME, Quantity, suggestion
 
 Reader = Callable[[Any], Any]
 
+
 def wrong(message: str) -> PydanticCustomError:
     """The error that carries a finished sentence of ours through pydantic."""
     return PydanticCustomError("rotordyn", "{sentence}", {"sentence": message})
