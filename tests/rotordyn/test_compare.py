@@ -18,7 +18,6 @@ from rotordyn.machine.growth import PrescribedShortening
 from rotordyn.report.netcdf import read_results
 from tests.oracles.spindles import RPM, case, mfw2310, pairs
 
-
 TURNING = {"speeds": (2000 * RPM, 24000 * RPM), "analyses.frf.slices": ()}
 
 

@@ -14,12 +14,14 @@ from pydantic import (
     Tag,
     ValidationError,
     ValidationInfo,
+    WithJsonSchema,
     create_model,
 )
 from pydantic_core import InitErrorDetails, PydanticCustomError
 
 from rotordyn.case.node import UNKNOWN
 from rotordyn.case.schema.base import Entry
+from rotordyn.case.schema.shapes import FREEDOM_LIST
 from rotordyn.case.schema.values import Reader, given, quantity, wrong
 from rotordyn.machine.support import FREEDOMS, entry_name
 
@@ -105,7 +107,8 @@ def _square(value: Any, size: int) -> None:
         raise wrong(f"not a matrix of its freedoms: given {count}; allowed: {size} rows of {size}")
 
 
-Freedoms = Annotated[list[str], PlainValidator(_freedoms, json_schema_input_type=list[str])]
+_FREEDOM_LIST = Annotated[Any, WithJsonSchema(FREEDOM_LIST)]
+Freedoms = Annotated[list[str], PlainValidator(_freedoms, json_schema_input_type=_FREEDOM_LIST)]
 _Rows = list[list[str | float]]
 
 

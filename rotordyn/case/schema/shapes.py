@@ -18,6 +18,12 @@ PLACE: Shape = {
     "pattern": rf"^.+\.({'|'.join(FREEDOMS)})$",
     "description": f"POINT.DIRECTION; directions: {', '.join(FREEDOMS)}",
 }
+FREEDOM_LIST: Shape = {
+    "type": "array",
+    "items": {"enum": list(FREEDOMS)},
+    "minItems": 1,
+    "uniqueItems": True,
+}
 
 
 def choice(allowed: tuple[str, ...]) -> Shape:
