@@ -93,10 +93,10 @@ def test_count_steps_by_one_at_every_mode(seed: int) -> None:
 
 def test_both_planes_together_give_the_isotropic_modes() -> None:
     """A difference of 1e-6 between the planes couples the whirls: the poles hardly move."""
-    places = ((0.05, 2e8), (0.25, 1e8))
-    alike = replace(STEPPED, supports=tuple(support(f"s{x}", x, (k, k)) for x, k in places))
+    places = (("front", 0.05, 2e8), ("rear", 0.25, 1e8))
+    alike = replace(STEPPED, supports=tuple(support(name, x, (k, k)) for name, x, k in places))
     almost = replace(
-        STEPPED, supports=tuple(support(f"s{x}", x, (k, k * (1 + 1e-6))) for x, k in places)
+        STEPPED, supports=tuple(support(n, x, (k, k * (1 + 1e-6))) for n, x, k in places)
     )
     one, two = (exact_rotor(s, 2500.0, NO_SEATS) for s in (alike, almost))
     assert (one.planes, two.planes) == (1, 2)

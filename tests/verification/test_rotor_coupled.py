@@ -166,8 +166,8 @@ def test_couplings_that_cancel_leave_the_motions_apart() -> None:
     sum_of_all = 0.25 * (k + opposite + rest[0] + rest[1])
     plain = solved(on(held("a", 0.03, sum_of_all), held("b", 0.2, sum_of_all)), (20000,))
     every = [
-        held(f"{x}{n}", x, 0.25 * part)
-        for x in (0.03, 0.2)
+        held(f"{name}{n}", x, 0.25 * part)
+        for name, x in (("a", 0.03), ("b", 0.2))
         for n, part in enumerate((k, opposite, *rest))
     ]
     joined = solved(on(*every), (20000,))
