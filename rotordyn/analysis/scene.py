@@ -29,7 +29,7 @@ from rotordyn.preload.network import Law
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.system.coupled import CoupledSystem, coupled_system
 from rotordyn.system.lateral import LateralSystem, lateral_system
-from rotordyn.system.lateral_rotor import LateralRotor, lateral_rotor
+from rotordyn.system.lateral_rotor import Fineness, LateralRotor, lateral_rotor
 from rotordyn.system.longitudinal import RodSystem, axial_system, torsion_system
 from rotordyn.system.mesh import Mesh, build_mesh
 
@@ -92,6 +92,13 @@ class Scene(Staged):
     def law(self) -> Law:
         """Hypotheses of the ball model."""
         return Law(self.conditions.kinematics, self.conditions.moment_sharing)
+
+    @property
+    def fineness(self) -> Fineness:
+        """What is asked of the elements; standard ones where their length is given."""
+        given = self.conditions.element_length is not None
+        accuracy = None if given else self.conditions.accuracy
+        return Fineness(self.max_frequency, float(np.abs(self.speed).max()), accuracy)
 
     @property
     def rigid(self) -> bool:
@@ -211,7 +218,7 @@ class Scene(Staged):
     def rotor(self) -> LateralRotor:
         """The rotor's bending in a few coordinates."""
         ports = tuple(self.mesh.node_of(x) for x in self.ports)
-        return lateral_rotor(self.spindle, self.mesh, self.max_frequency, ports, rigid=self.rigid)
+        return lateral_rotor(self.spindle, self.mesh, self.fineness, ports, rigid=self.rigid)
 
     @stage
     def tangents(self) -> Array:
@@ -253,7 +260,7 @@ class Scene(Staged):
         return axial_system(
             self.spindle,
             self.mesh,
-            self.max_frequency,
+            self.fineness,
             tuple(self.mesh.node_of(x) for x in self.ports),
             self.seat_stiffness[..., 0, 0],
             stops,
@@ -271,7 +278,7 @@ class Scene(Staged):
         return torsion_system(
             self.spindle,
             self.mesh,
-            self.max_frequency,
+            self.fineness,
             tuple(self.mesh.node_of(x) for x in self.ports),
             1,
             rigid=self.rigid,

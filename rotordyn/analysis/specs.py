@@ -11,6 +11,7 @@ from rotordyn.analysis.formulation import FORMULATIONS, INERTIAL
 from rotordyn.description import Description, doubled
 from rotordyn.machine.support import Freedom
 from rotordyn.quantity import (
+    Accuracy,
     Choice,
     Force,
     Frequency,
@@ -43,7 +44,9 @@ class Conditions(Description):
     ``"dynamic"`` (speed acts on the bearings) or ``"static"`` (their state at rest serves every
     speed). ``rotor``: ``"flexible"`` or ``"rigid"``. ``axial_force`` [N] on the front end of the
     shaft (of the tool) towards +x; ``gravity``: ``""``, ``"+x"`` or ``"-x"`` for a vertical
-    spindle. ``element_length`` [m]: longest element; None = chosen from the shaft.
+    spindle. ``accuracy``: relative error allowed of every frequency up to the highest asked for;
+    the elements follow. ``element_length`` [m]: standard elements no longer than that instead,
+    whatever their error.
     ``formulation``: of ``formulation.FORMULATIONS``, how bending is written.
     ``axial_stiffening``: the axial force in the shaft acts on its bending.
     """
@@ -55,6 +58,7 @@ class Conditions(Description):
     rotor: Annotated[str, Choice(ROTOR)] = "flexible"
     axial_force: Force = 0.0
     gravity: Annotated[str, Choice(GRAVITY)] = ""
+    accuracy: Accuracy = 1e-4
     element_length: Length | None = None
     formulation: Annotated[str, Choice(FORMULATIONS)] = INERTIAL
     axial_stiffening: bool = True

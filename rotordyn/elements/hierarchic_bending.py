@@ -31,6 +31,16 @@ def inner_freedoms(degree: int) -> int:
     return 0 if degree < 2 else 2 * degree - 1
 
 
+def added_freedoms(low: int, high: int) -> tuple[list[int], list[int]]:
+    """Of the freedoms of degree ``high``: those of degree ``low``, in its order, and the others."""
+    kept = list(range(4))
+    if low >= 2:
+        shear, constant = 4, 4 + high
+        kept += range(shear, shear + low)
+        kept += [constant, *range(constant + 1, constant + low - 1)]
+    return kept, [k for k in range(4 + inner_freedoms(high)) if k not in kept]
+
+
 def hierarchic_bending(
     length: Array,
     outer_diameter: Array,

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,6 +11,20 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 LEAST_MODES = 8
 NEW = 1e-5  # of its length: a vector that adds less to the others is spanned by them
+SHIFT = 1e-5  # of cutoff²: eigenvalues much below it keep fewer digits
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class RitzBasis:
+    """``vectors`` Φ (n, m) with ΦᵀMΦ = 1 and ΦᵀKΦ = diag(``values``), ascending.
+
+    ``rest`` (n, n − kept) and ``rest_values``: the eigenvectors that were not kept as such.
+    """
+
+    vectors: Array
+    values: Array
+    rest: Array
+    rest_values: Array
 
 
 def ritz_basis(
@@ -19,40 +34,64 @@ def ritz_basis(
     loads: Array,
     rigid: int,
     couplings: Sequence[Array] = (),
-) -> tuple[Array, Array]:
-    """Basis Φ (n, m) with ΦᵀMΦ = 1 and ΦᵀKΦ diagonal, and that diagonal (m,), ascending.
+) -> RitzBasis:
+    """Eigenvectors of K φ = ω² M φ up to ω = ``cutoff``, completed by static answers.
 
-    It spans the eigenvectors of K φ = ω² M φ up to ω = ``cutoff`` exactly, completed by the static
-    answers to ``loads`` (n, l), so that forces on those freedoms meet the right flexibility, and to
-    the forces that each of ``couplings`` (n, n), such as the gyroscopic matrix, makes of the lowest
-    modes.
-    The ``rigid`` lowest eigenvalues are known to be zero; M must be positive definite.
+    Those are the answers to ``loads`` (n, l), so that forces on those freedoms meet the right
+    flexibility, and to the forces that each of ``couplings`` (n, n), such as the gyroscopic matrix,
+    makes of the lowest modes. The ``rigid`` lowest eigenvalues are known to be zero; M must be
+    positive definite, K at least semi-definite. All is computed from the flexible side,
+    (K + σM)⁻¹ M, where stiff freedoms do not drown the slow ones in rounding.
     """
-    from scipy.linalg import eigh, solve
+    from scipy.linalg import cho_factor, cho_solve, eigh
 
-    values, vectors = eigh(stiffness, mass)
+    shift = SHIFT * cutoff**2
+    shifted = stiffness + shift * mass
+    inverse, vectors = eigh(mass, shifted)
+    vectors = vectors[:, ::-1] / np.sqrt(inverse[::-1])
+    values = np.maximum(1.0 / inverse[::-1] - shift, 0.0)
+    values[:rigid] = 0.0
     kept = max(int(np.searchsorted(values, cutoff**2)), min(LEAST_MODES, len(values)))
     low = vectors[:, :kept]
-    shift = values[min(rigid, len(values) - 1)]
     loads = np.concatenate([loads, *(c @ low[:, :LEAST_MODES] for c in couplings)], axis=1)
-    answers = _completed(mass, low, solve(stiffness + shift * mass, loads, assume_a="pos"))
-    basis = np.concatenate([low, answers], axis=1)
-    values, turn = eigh(basis.T @ stiffness @ basis, basis.T @ mass @ basis)
-    values[:rigid] = 0.0
-    return basis @ turn, values
+    loads = loads - mass @ (low @ (low.T @ loads))  # what the modes kept do not answer
+    answers = cho_solve(cho_factor(shifted), loads)
+    answers, forces = _completed(
+        mass, low, values[:kept], answers, loads - shift * (mass @ answers)
+    )
+    inner = answers.T @ forces
+    values_added, turn = np.linalg.eigh((inner + inner.T) / 2.0)
+    order = np.argsort(np.concatenate([values[:kept], values_added]), kind="stable")
+    whole = np.concatenate([low, answers @ turn], axis=1)
+    return RitzBasis(
+        whole[:, order],
+        np.concatenate([values[:kept], values_added])[order],
+        vectors[:, kept:],
+        values[kept:],
+    )
 
 
-def _completed(mass: Array, low: Array, answers: Array) -> Array:
-    """M-orthonormal span of what ``answers`` (n, l) add to ``low``; what is rounding is dropped."""
-    answers = answers / _norms(mass, answers)
+def _completed(
+    mass: Array, low: Array, low_values: Array, answers: Array, forces: Array
+) -> tuple[Array, Array]:
+    """M-orthonormal span of what ``answers`` (n, l) add to the modes ``low``, and K times it.
+
+    ``forces``: K times the answers. What is rounding is dropped.
+    """
+    size = _norms(mass, answers)
+    answers, forces = answers / size, forces / size
     for _ in range(2):
-        answers = answers - low @ (low.T @ (mass @ answers))
+        share = low.T @ (mass @ answers)
+        answers = answers - low @ share
+        forces = forces - mass @ (low @ (low_values[:, None] * share))
         size = _norms(mass, answers)
-        answers = answers[:, size > NEW] / size[size > NEW]  # small ones may still differ much
+        new = size > NEW  # small ones may still differ much
+        answers, forces = answers[:, new] / size[new], forces[:, new] / size[new]
         values, turn = np.linalg.eigh(answers.T @ mass @ answers)
         keep = values > NEW**2
-        answers = answers @ (turn[:, keep] / np.sqrt(values[keep]))
-    return answers
+        turn = turn[:, keep] / np.sqrt(values[keep])
+        answers, forces = answers @ turn, forces @ turn
+    return answers, forces
 
 
 def _norms(mass: Array, vectors: Array) -> Array:

@@ -7,7 +7,7 @@ node by node with ``add_at_nodes``.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -60,7 +60,7 @@ class RodMatrices:
 
 def rotor_matrices(spindle: Spindle, mesh: Mesh, selection: Selection = ALL) -> RotorMatrices:
     """The freedoms of ``selection`` only, assembled directly (never sliced from 6 per node)."""
-    element = shaft_element(*_sections(spindle, mesh))
+    element = shaft_element(*beam_arguments(spindle, mesh))
     lumped = _Lumped.of(spindle, mesh)
     return RotorMatrices(
         mass=_joined(selection.take(element.mass), lumped, lumped.mass(selection)),
@@ -76,7 +76,7 @@ def rotor_matrices(spindle: Spindle, mesh: Mesh, selection: Selection = ALL) -> 
 
 def bending_plane(spindle: Spindle, mesh: Mesh) -> BendingPlane:
     """The half-size complex form of an isotropic rotor (``dofs.PLANE_Y`` order)."""
-    element = plane_bending(*_sections(spindle, mesh))
+    element = plane_bending(*beam_arguments(spindle, mesh))
     lumped = _Lumped.of(spindle, mesh)
     return BendingPlane(
         mass=_joined(element.mass, lumped, lumped.mass(PLANE_Y)),
@@ -86,6 +86,30 @@ def bending_plane(spindle: Spindle, mesh: Mesh) -> BendingPlane:
             element.translational_mass, lumped, lumped.translational(PLANE_Y)
         ),
     )
+
+
+def loaded_plane(spindle: Spindle, mesh: Mesh, matrices: Mapping[str, Array]) -> BendingPlane:
+    """A bending plane of any elements between the nodes of ``mesh``, with what is lumped at these.
+
+    ``matrices``: mass, translational_mass, polar and stiffness; nodal freedoms come first.
+    """
+    lumped = _Lumped.of(spindle, mesh)
+    at_nodes = {
+        "mass": lumped.mass(PLANE_Y),
+        "polar": lumped.gyroscopic(PLANE_Y, PLANE_Z),
+        "translational_mass": lumped.translational(PLANE_Y),
+    }
+    added = {n: add_at_nodes(matrices[n], lumped.nodes, b) for n, b in at_nodes.items()}
+    return BendingPlane(stiffness=matrices["stiffness"], **added)
+
+
+def loaded_rod(
+    spindle: Spindle, mesh: Mesh, matrices: Mapping[str, Array], selection: Selection
+) -> RodMatrices:
+    """Axial motion or torsion of any rods between the nodes of ``mesh``, likewise."""
+    lumped = _Lumped.of(spindle, mesh)
+    mass = add_at_nodes(matrices["mass"], lumped.nodes, lumped.mass(selection))
+    return RodMatrices(mass, matrices["stiffness"])
 
 
 def axial_rod(spindle: Spindle, mesh: Mesh) -> RodMatrices:
@@ -171,7 +195,7 @@ def _joined(blocks: Array, lumped: _Lumped, at_nodes: Array) -> Array:
     return add_at_nodes(chain(blocks), lumped.nodes, at_nodes)
 
 
-def _sections(
+def beam_arguments(
     spindle: Spindle, mesh: Mesh
 ) -> tuple[Array, Array, Array, Array, Array, Array, Array]:
     """The arguments of a beam element, for all elements at once."""

@@ -30,6 +30,8 @@ class LateralSystem:
 
     Complex with n = m where ``isotropic``, else real with n = 2m: plane y, then plane z.
     ``frame`` (speeds,) [rad/s]: the speed at which the coordinates turn, 0 in the fixed frame.
+    ``held``, ``damped`` (speeds, connections, k, k): stiffness and damping of bearings and supports,
+    k = 2 in the complex form, (deflection, tilt) of both planes otherwise.
     """
 
     rotor: LateralRotor
@@ -37,6 +39,8 @@ class LateralSystem:
     stiffness: NDArray[np.inexact]
     damping: NDArray[np.inexact]
     frame: Array
+    held: NDArray[np.inexact]
+    damped: NDArray[np.inexact]
 
     @property
     def motion(self) -> Array:
@@ -59,7 +63,10 @@ class LateralSystem:
         stiffness, damping = (
             _two_by_two(k.real, -k.imag, k.imag, k.real) for k in (self.stiffness, self.damping)
         )
-        return LateralSystem(self.rotor, False, stiffness, damping, self.frame)
+        held, damped = (
+            _two_by_two(k.real, -k.imag, k.imag, k.real) for k in (self.held, self.damped)
+        )
+        return LateralSystem(self.rotor, False, stiffness, damping, self.frame, held, damped)
 
 
 def lateral_system(
@@ -102,10 +109,11 @@ def lateral_system(
     if _alike(k) and _alike(c):
         stiffness = own_stiffness + _gathered(rows, _complex(k))
         damping = own_damping + _gathered(rows, _complex(c))
+        blocks = _complex(k), _complex(c)
         if turning:
-            return _turned(rotor, speed, stiffness, damping)
+            return _turned(rotor, speed, stiffness, damping, blocks)
         still = np.zeros_like(speed)
-        return LateralSystem(rotor, True, stiffness, damping - 1j * gyroscopic, still)
+        return LateralSystem(rotor, True, stiffness, damping - 1j * gyroscopic, still, *blocks)
     if turning:
         raise InvalidInput(
             "the rotating formulation needs supports that answer alike in all directions, and "
@@ -119,6 +127,8 @@ def lateral_system(
         _both(own_stiffness + zero) + _gathered(_both(rows), k),
         _both(own_damping + zero) + across + _gathered(_both(rows), c),
         np.zeros_like(speed),
+        k,
+        c,
     )
 
 
@@ -127,6 +137,7 @@ def _turned(
     speed: Array,
     stiffness: NDArray[np.inexact],
     damping: NDArray[np.inexact],
+    blocks: tuple[Complex, Complex],
 ) -> LateralSystem:
     """The complex form in the turning frame, r = ρ e^(iΩt); stiffness and damping act in the fixed.
 
@@ -141,6 +152,7 @@ def _turned(
         stiffness + 1j * spin * damping - spin**2 * (mass - rotor.polar),
         damping + 1j * spin * (2.0 * mass - rotor.polar),
         speed,
+        *blocks,
     )
 
 

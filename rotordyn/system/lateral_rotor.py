@@ -11,14 +11,38 @@ from numpy.typing import NDArray
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve
 from rotordyn.numerics.reduction import ritz_basis
-from rotordyn.system.assemble import BendingPlane, bending_plane
+from rotordyn.system.assemble import bending_plane, loaded_plane
 from rotordyn.system.dofs import PLANE_Y
+from rotordyn.system.hierarchic_rotor import beams, bending_hierarchy, deflections
+from rotordyn.system.hierarchy import Hierarchy
 from rotordyn.system.mesh import Mesh
+from rotordyn.system.remainder import Remainder, remainder
 from rotordyn.system.stiffening import Stiffening, stiffening
 
 Array = NDArray[np.float64]
-CUTOFF = 4.0  # free-free modes are kept up to this multiple of the highest frequency asked
+CUTOFF = 4.0  # free-free modes are kept up to this multiple of the highest frequency asked …
+COARSE = 1e-5  # … where the accuracy asked is not better
 SLEEVE_CUTOFF = 30.0  # own frequency given to a sprung sleeve without mass, likewise
+
+
+@dataclass(frozen=True, slots=True)
+class Fineness:
+    """How good a model must be: relative ``accuracy`` of every frequency up to ``frequency`` [Hz].
+
+    ``spin`` [rad/s]: highest speed. ``accuracy`` None: standard elements between the nodes of the
+    mesh, whatever they give.
+    """
+
+    frequency: float
+    spin: float = 0.0
+    accuracy: float | None = None
+
+    @property
+    def cutoff(self) -> float:
+        """Up to which free-free modes are kept [rad/s]: what others leave out falls with its 4th
+        power."""
+        finer = 1.0 if self.accuracy is None else max(1.0, (COARSE / self.accuracy) ** 0.25)
+        return 2.0 * math.pi * CUTOFF * finer * self.frequency
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -29,7 +53,8 @@ class LateralRotor:
     ``damping_ratio`` (m,). ``per_newton`` (elements, m, m): stiffness per newton of axial force in
     each element; ``bar`` (m, m): that of the drawbar. ``seats`` (seats, 2, m): deflection and tilt
     between the rings of each bearing; ``supports`` (supports, 2, m): those of the node of each
-    linear support. The last coordinates are the sprung sleeves, if any.
+    linear support, and ``connected`` the nodes of both. The last coordinates are the sprung
+    sleeves, if any. ``remainder``: what the coordinates leave out; None for a rigid rotor.
     """
 
     basis: Array
@@ -41,6 +66,8 @@ class LateralRotor:
     bar: Array
     seats: Array
     supports: Array
+    connected: tuple[int, ...]
+    remainder: Remainder | None
 
     @property
     def size(self) -> int:
@@ -52,48 +79,95 @@ class LateralRotor:
         return self.basis[PLANE_Y.row(node, freedom)]
 
 
-def lateral_rotor(
-    spindle: Spindle, mesh: Mesh, max_frequency: float, ports: tuple[int, ...], *, rigid: bool
-) -> LateralRotor:
-    """Reduce the rotor's bending plane.
+@dataclass(frozen=True, eq=False, slots=True)
+class _Reduced:
+    """The free rotor: coordinates seen at the nodes of the mesh, and its matrices in them."""
 
-    Kept are the free-free modes up to ``CUTOFF`` times ``max_frequency`` [Hz] and the static
-    answers to forces and moments at bearings, supports, contacts of the drawbar and the nodes
-    ``ports``, and to what gyroscopic effect and drawbar make of the lowest modes; a ``rigid`` rotor
-    keeps the two motions of a rigid body.
+    at_nodes: Array
+    values: Array
+    polar: Array
+    translational_mass: Array
+    remainder: Remainder | None
+
+
+def lateral_rotor(
+    spindle: Spindle, mesh: Mesh, fineness: Fineness, ports: tuple[int, ...], *, rigid: bool
+) -> LateralRotor:
+    """Reduce the rotor's bending plane, seen at the nodes of ``mesh``.
+
+    Kept are the free-free modes up to the cutoff of ``fineness`` and the static answers to forces
+    and moments at bearings, supports, contacts of the drawbar and the nodes ``ports``, and to what
+    gyroscopic effect and drawbar make of the lowest modes; a ``rigid`` rotor keeps the two motions
+    of a rigid body.
     """
-    plane, tension = bending_plane(spindle, mesh), stiffening(spindle, mesh)
-    if rigid:
-        basis, values = _rigid_body(mesh, plane), np.zeros(2)
-    else:
-        loads = _loads(spindle, mesh, ports)
-        cutoff = 2.0 * math.pi * CUTOFF * max_frequency
-        couplings = [plane.polar, *_drawbar(spindle, mesh, tension)]
-        basis, values = ritz_basis(plane.mass, plane.stiffness, cutoff, loads, 2, couplings)
+    tension = stiffening(spindle, mesh)
+    free = _rigid(spindle, mesh) if rigid else _flexible(spindle, mesh, fineness, ports, tension)
+    basis, values = free.at_nodes, free.values
     sprung = [s for s in spindle.sleeves if math.isfinite(s.radial_stiffness)]
-    masses = np.array([sleeve_mass(s, s.radial_stiffness, max_frequency) for s in sprung])
+    more = len(sprung)
+    masses = np.array([sleeve_mass(s, s.radial_stiffness, fineness.frequency) for s in sprung])
     held = np.array([s.radial_stiffness for s in sprung]) / masses
-    nodes = [mesh.node_of(seat.x) for seat in spindle.seats]
-    seats = _widened(_rows(basis, nodes), len(sprung))
+    nodes = mesh.nodes_of(spindle.seats, spindle.supports)
+    connected = _widened(_rows(basis, nodes), more)
+    seats, supports = np.split(connected, [len(spindle.seats)])
     for k, seat in enumerate(spindle.seats):
         for place, sleeve in enumerate(sprung):
             if seat.name in sleeve.bearings:
                 seats[k, 0, basis.shape[1] + place] = -1.0 / math.sqrt(masses[place])
-    at_supports = _rows(basis, [mesh.node_of(s.x) for s in spindle.supports])
-    wide = _widened(_rows(basis, list(range(mesh.nodes))), len(sprung))
+    wide = _widened(_rows(basis, list(range(mesh.nodes))), more)
     return LateralRotor(
-        basis=_widened(basis, len(sprung)),
+        basis=_widened(basis, more),
         stiffness=np.concatenate([values, held]),
-        polar=_bordered(basis.T @ plane.polar @ basis, len(sprung)),
-        translational_mass=_bordered(basis.T @ plane.translational_mass @ basis, len(sprung)),
+        polar=_bordered(free.polar, more),
+        translational_mass=_bordered(free.translational_mass, more),
         damping_ratio=np.concatenate(
-            [damping_ratios(values, spindle.rotor_damping), np.zeros(len(sprung))]
+            [damping_ratios(values, spindle.rotor_damping), np.zeros(more)]
         ),
         per_newton=tension.projected(wide),
         bar=tension.bar(wide),
         seats=seats,
-        supports=_widened(at_supports, len(sprung)),
+        supports=supports,
+        connected=tuple(nodes),
+        remainder=free.remainder.widened(more) if free.remainder else None,
     )
+
+
+def _flexible(
+    spindle: Spindle, mesh: Mesh, fineness: Fineness, ports: tuple[int, ...], tension: Stiffening
+) -> _Reduced:
+    elements = _elements(spindle, mesh, fineness)
+    plane = loaded_plane(spindle, elements.mesh, elements.matrices())
+    seen = deflections(spindle, elements, mesh.x)
+    loads = seen[_loaded(spindle, mesh, ports)].T
+    couplings = [plane.polar, *(seen.T @ c @ seen for c in _drawbar(spindle, mesh, tension))]
+    basis = ritz_basis(plane.mass, plane.stiffness, fineness.cutoff, loads, 2, couplings)
+    vectors = basis.vectors
+    return _Reduced(
+        at_nodes=seen @ vectors,
+        values=basis.values,
+        polar=vectors.T @ plane.polar @ vectors,
+        translational_mass=vectors.T @ plane.translational_mass @ vectors,
+        remainder=remainder(elements, basis, {"mass": plane.mass, "polar": plane.polar}, seen),
+    )
+
+
+def _elements(spindle: Spindle, mesh: Mesh, fineness: Fineness) -> Hierarchy:
+    """Standard elements between all nodes, or those that the accuracy asks for."""
+    if fineness.accuracy is None:
+        return beams(spindle, mesh, np.ones(mesh.nodes - 1, dtype=np.intp))
+    omega = 2.0 * math.pi * fineness.frequency
+    return bending_hierarchy(spindle, omega, fineness.spin, fineness.accuracy)
+
+
+def _rigid(spindle: Spindle, mesh: Mesh) -> _Reduced:
+    """Translation and rotation of a rigid rotor, mass-normalised."""
+    plane = bending_plane(spindle, mesh)
+    shape = np.zeros((2 * mesh.nodes, 2))
+    shape[0::2, 0], shape[0::2, 1], shape[1::2, 1] = 1.0, mesh.x, 1.0
+    factor = np.linalg.cholesky(shape.T @ plane.mass @ shape)
+    basis = np.asarray(np.linalg.solve(factor, shape.T).T)
+    polar, translation = (basis.T @ m @ basis for m in (plane.polar, plane.translational_mass))
+    return _Reduced(basis, np.zeros(2), polar, translation, None)
 
 
 def _drawbar(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> list[Array]:
@@ -116,20 +190,11 @@ def damping_ratios(values: Array, given: tuple[float, ...]) -> Array:
     return ratios
 
 
-def _rigid_body(mesh: Mesh, plane: BendingPlane) -> Array:
-    """Translation and rotation of a rigid rotor, mass-normalised."""
-    shape = np.zeros((2 * mesh.nodes, 2))
-    shape[0::2, 0], shape[0::2, 1], shape[1::2, 1] = 1.0, mesh.x, 1.0
-    factor = np.linalg.cholesky(shape.T @ plane.mass @ shape)
-    return np.asarray(np.linalg.solve(factor, shape.T).T)
-
-
-def _loads(spindle: Spindle, mesh: Mesh, ports: tuple[int, ...]) -> Array:
-    """Unit forces and moments where something acts on the rotor (2·nodes, l)."""
+def _loaded(spindle: Spindle, mesh: Mesh, ports: tuple[int, ...]) -> list[int]:
+    """Rows of deflections and tilts where something acts on the rotor."""
     stations = mesh.nodes_of(spindle.seats, spindle.supports)
     stations += [mesh.node_of(x) for x in (spindle.drawbar.stations if spindle.drawbar else ())]
-    rows = sorted({PLANE_Y.row(n, f) for n in (*stations, *ports) for f in PLANE_Y.names})
-    return np.eye(2 * mesh.nodes)[:, rows]
+    return sorted({PLANE_Y.row(n, f) for n in (*stations, *ports) for f in PLANE_Y.names})
 
 
 def _rows(basis: Array, nodes: list[int]) -> Array:

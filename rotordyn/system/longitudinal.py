@@ -8,6 +8,7 @@ sleeve); nothing but linear supports holds the spin.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,9 +19,19 @@ from rotordyn.elements.support import node_matrix
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve
 from rotordyn.numerics.reduction import ritz_basis
-from rotordyn.system.assemble import RodMatrices, axial_rod, torsion_rod
-from rotordyn.system.lateral_rotor import CUTOFF, damping_ratios, sleeve_mass
+from rotordyn.system.assemble import loaded_rod
+from rotordyn.system.dofs import AXIAL, TORSION, Selection
+from rotordyn.system.hierarchic_rotor import (
+    axial_properties,
+    rod_displacements,
+    rod_hierarchy,
+    rods,
+    torsion_properties,
+)
+from rotordyn.system.hierarchy import Hierarchy
+from rotordyn.system.lateral_rotor import Fineness, damping_ratios, sleeve_mass
 from rotordyn.system.mesh import Mesh
+from rotordyn.system.remainder import Remainder, remainder
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -50,7 +61,7 @@ class RodSystem:
 def axial_system(
     spindle: Spindle,
     mesh: Mesh,
-    max_frequency: float,
+    fineness: Fineness,
     ports: tuple[int, ...],
     axial_stiffness: Array,
     stops: Flags,
@@ -59,12 +70,14 @@ def axial_system(
 ) -> RodSystem:
     """Axial motion; ``axial_stiffness`` (speeds, seats), closed ``stops`` (speeds, sleeves)."""
     nodes = mesh.nodes_of(spindle.seats, spindle.supports)
-    basis, values = _rod_basis(axial_rod(spindle, mesh), max_frequency, (*nodes, *ports), rigid)
+    free = _reduced(_AXIAL, spindle, mesh, fineness, (*nodes, *ports), rigid=rigid)
+    basis, values = free.at_nodes, free.values
     sliding = [s for s in spindle.sleeves if math.isfinite(s.spring.stiffness)]
     carried = _carried(spindle, sliding, axial_stiffness)
     scale = np.array(
         [
-            sleeve_mass(s, s.spring.stiffness + float(carried[:, k].max()), max_frequency) ** -0.5
+            sleeve_mass(s, s.spring.stiffness + float(carried[:, k].max()), fineness.frequency)
+            ** -0.5
             for k, s in enumerate(sliding)
         ]
     )
@@ -95,7 +108,7 @@ def axial_system(
 def torsion_system(
     spindle: Spindle,
     mesh: Mesh,
-    max_frequency: float,
+    fineness: Fineness,
     ports: tuple[int, ...],
     speeds: int,
     *,
@@ -103,7 +116,8 @@ def torsion_system(
 ) -> RodSystem:
     """Torsion of the shaft, free but for linear supports; the same at all ``speeds``."""
     nodes = [mesh.node_of(support.x) for support in spindle.supports]
-    basis, values = _rod_basis(torsion_rod(spindle, mesh), max_frequency, (*nodes, *ports), rigid)
+    free = _reduced(_TORSION, spindle, mesh, fineness, (*nodes, *ports), rigid=rigid)
+    basis, values = free.at_nodes, free.values
     spin = position("thx")
     rows = basis[nodes]
     matrices = []
@@ -117,15 +131,55 @@ def torsion_system(
     return RodSystem("thx", basis, matrices[0], matrices[1])
 
 
-def _rod_basis(
-    rod: RodMatrices, max_frequency: float, stations: tuple[int, ...], rigid: bool
-) -> tuple[Array, Array]:
-    """Reduced coordinates of a free rod: basis (nodes, m) and stiffness (m,)."""
+@dataclass(frozen=True, slots=True)
+class _Rod:
+    """One of the two motions along the shaft: what its elements are made of, what it carries."""
+
+    properties: Callable[[Mesh], tuple[Array, Array]]
+    selection: Selection
+
+
+_AXIAL = _Rod(axial_properties, AXIAL)
+_TORSION = _Rod(torsion_properties, TORSION)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Reduced:
+    """Reduced coordinates of a free rod: seen at the nodes (nodes, m), stiffness (m,)."""
+
+    at_nodes: Array
+    values: Array
+    remainder: Remainder | None
+
+
+def _reduced(
+    rod: _Rod,
+    spindle: Spindle,
+    mesh: Mesh,
+    fineness: Fineness,
+    stations: tuple[int, ...],
+    *,
+    rigid: bool,
+) -> _Reduced:
+    elements = _elements(rod, spindle, mesh, fineness)
+    whole = loaded_rod(spindle, elements.mesh, elements.matrices(), rod.selection)
     if rigid:
-        one = np.ones((len(rod.mass), 1))
-        return one / math.sqrt(rod.mass.sum()), np.zeros(1)
-    loads = np.eye(len(rod.mass))[:, sorted(set(stations))]
-    return ritz_basis(rod.mass, rod.stiffness, 2.0 * math.pi * CUTOFF * max_frequency, loads, 1)
+        count = elements.mesh.nodes
+        one = np.ones((mesh.nodes, 1)) / math.sqrt(whole.mass[:count, :count].sum())
+        return _Reduced(one, np.zeros(1), None)
+    seen = rod_displacements(elements, mesh.x)
+    loads = seen[sorted(set(stations))].T
+    basis = ritz_basis(whole.mass, whole.stiffness, fineness.cutoff, loads, 1)
+    left_out = remainder(elements, basis, {"mass": whole.mass}, seen)
+    return _Reduced(seen @ basis.vectors, basis.values, left_out)
+
+
+def _elements(rod: _Rod, spindle: Spindle, mesh: Mesh, fineness: Fineness) -> Hierarchy:
+    """Linear rods between all nodes, or those that the accuracy asks for."""
+    if fineness.accuracy is None:
+        return rods(mesh, np.ones(mesh.nodes - 1, dtype=np.intp), rod.properties)
+    omega = 2.0 * math.pi * fineness.frequency
+    return rod_hierarchy(spindle, omega, fineness.accuracy, rod.properties)
 
 
 def _carried(spindle: Spindle, sliding: list[Sleeve], axial_stiffness: Array) -> Array:

@@ -88,8 +88,16 @@ def build_mesh(spindle: Spindle, element_length: float | None = None) -> Mesh:
     ------
     InvalidInput : something sits off the shaft, or ``element_length`` is not positive
     """
+    return _mesh(spindle, _longest(spindle.shaft, element_length))
+
+
+def station_mesh(spindle: Spindle) -> Mesh:
+    """Nodes at stations only."""
+    return _mesh(spindle, 2.0 * (spindle.shaft.end - spindle.shaft.start))
+
+
+def _mesh(spindle: Spindle, longest: float) -> Mesh:
     shaft = spindle.shaft
-    longest = _longest(shaft, element_length)
     stations = _merged(shaft, list(_placed(spindle)))
     x = np.concatenate([*(_divided(*ends, longest) for ends in pairwise(stations)), stations[-1:]])
     sections = [shaft.section_at(float(middle)) for middle in (x[1:] + x[:-1]) / 2.0]

@@ -14,7 +14,7 @@ from rotordyn.analysis.specs import (
     TANGENTS,
 )
 from rotordyn.case.schema.base import Entry
-from rotordyn.case.schema.values import Flag, Force, Length, choice
+from rotordyn.case.schema.values import Accuracy, Flag, Force, Length, choice
 
 Kinematics = Annotated[str, choice(*KINEMATICS)]
 Tangent = Annotated[str, choice(*TANGENTS)]
@@ -31,6 +31,7 @@ class ConditionsEntry(Entry):
     rotor: Annotated[str, choice(*ROTOR)] = "flexible"
     axial_force: Force = 0.0
     gravity: Annotated[str, choice(*(way or "none" for way in GRAVITY))] = "none"
+    accuracy: Accuracy = 1e-4
     element_length: Length | None = None
     formulation: Annotated[str, choice(*FORMULATIONS)] = "inertial"
     axial_stiffening: Flag = True

@@ -155,6 +155,7 @@ Flag = Annotated[bool, PlainValidator(_flag, json_schema_input_type=bool)]
 
 Station = Annotated[float, reads(limits.STATION)]
 Length = Annotated[float, reads(limits.LENGTH)]
+Accuracy = Annotated[float, reads(limits.ACCURACY)]
 Diameter = Annotated[float, reads(limits.DIAMETER)]
 Bore = Annotated[float, reads(limits.BORE)]
 Growth = Annotated[float, reads(limits.GROWTH)]

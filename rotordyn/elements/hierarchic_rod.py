@@ -1,0 +1,52 @@
+"""Rod of any polynomial degree with the linear rod as its core (axial motion or torsion).
+
+Freedoms: those of ``rod``, then the amplitudes of ψ_2 … ψ_n, which stand alone in stiffness;
+frequencies err as h^(2n).
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.elements.bubbles import bubbles, points
+from rotordyn.elements.rod import Rod, rod
+
+Array = NDArray[np.float64]
+
+
+def inner_freedoms(degree: int) -> int:
+    """Freedoms between the nodes of a rod of ``degree`` n ≥ 1."""
+    return degree - 1
+
+
+def added_freedoms(low: int, high: int) -> tuple[list[int], list[int]]:
+    """Of the freedoms of degree ``high``: those of degree ``low``, and the others."""
+    return list(range(low + 1)), list(range(low + 1, high + 1))
+
+
+def hierarchic_rod(length: Array, rigidity: Array, line_inertia: Array, *, degree: int) -> Rod:
+    """Matrices (elements, degree + 1, degree + 1) of rods, all of one ``degree``.
+
+    ``length`` (elements,) [m]; ``rigidity`` E A [N] or G Ip [N·m²]; ``line_inertia`` ρ A [kg/m] or
+    ρ Ip [kg·m].
+    """
+    core = rod(length, rigidity, line_inertia)
+    if degree < 2:
+        return core
+    xi, weight = points(2 * degree + 2)
+    shape = shapes(degree, xi)
+    unit = shape.T @ (weight[:, None] / 2.0 * shape)
+    mass = (line_inertia * length)[:, None, None] * unit
+    mass[:, :2, :2] = core.mass
+    stiffness = np.zeros_like(mass)
+    stiffness[:, :2, :2] = core.stiffness
+    inner = np.arange(2, degree + 1)
+    stiffness[:, inner, inner] = (2.0 * rigidity / length)[:, None]
+    return Rod(mass=mass, stiffness=stiffness)
+
+
+def shapes(degree: int, xi: Array) -> Array:
+    """Shape functions at ``xi`` (points,) on [−1, 1], (points, degree + 1)."""
+    linear = np.stack([(1.0 - xi) / 2.0, (1.0 + xi) / 2.0], axis=1)
+    return linear if degree < 2 else np.concatenate([linear, bubbles(degree, xi)[1]], axis=1)

@@ -1,0 +1,126 @@
+"""Bending, axial motion and torsion of the free rotor in elements as fine as a tolerance asks."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.elements import hierarchic_bending as bending
+from rotordyn.elements import hierarchic_rod as rod_element
+from rotordyn.elements.plane_bending import shear_parameter
+from rotordyn.machine.cross_section import area, second_moment
+from rotordyn.machine.spindle import Spindle
+from rotordyn.system.assemble import beam_arguments, shear_coefficients
+from rotordyn.system.degrees import bending_wave, parts_and_degree, rod_wave
+from rotordyn.system.hierarchy import Degrees, Hierarchy, divided
+from rotordyn.system.mesh import Mesh, station_mesh
+
+Array = NDArray[np.float64]
+
+
+def bending_hierarchy(spindle: Spindle, omega: float, spin: float, tolerance: float) -> Hierarchy:
+    """Elements for whirl up to ``omega`` at speeds up to ``spin`` [rad/s] within ``tolerance``."""
+    coarse = station_mesh(spindle)
+    wave = bending_wave(omega, spin, *_rigidities(spindle, coarse))
+    parts, degree = parts_and_degree(wave * coarse.length, tolerance)
+    mesh = divided(coarse, parts)
+    return beams(spindle, mesh, np.repeat(degree, parts))
+
+
+def beams(spindle: Spindle, mesh: Mesh, degree: Degrees) -> Hierarchy:
+    """Bending elements of given degrees between the nodes of ``mesh``."""
+    arguments = beam_arguments(spindle, mesh)
+
+    def element(chosen: Degrees, n: int) -> dict[str, Array]:
+        own = bending.hierarchic_bending(*(a[chosen] for a in arguments), degree=n)
+        names = ("mass", "translational_mass", "polar", "stiffness")
+        return {name: getattr(own, name) for name in names}
+
+    return Hierarchy(mesh, degree, 2, bending.inner_freedoms, element, bending.added_freedoms)
+
+
+def deflections(spindle: Spindle, elements: Hierarchy, x: Array) -> Array:
+    """Deflection and tilt at stations ``x`` by all freedoms (2·stations, size)."""
+    mesh, (element, xi) = elements.mesh, elements.place(x)
+    shear, bend, *_ = _rigidities(spindle, mesh)
+    phi = shear_parameter(mesh.length, bend, shear)
+    whole = np.zeros((len(x), 2, elements.size))
+    for k in np.unique(element):
+        at, own = np.flatnonzero(element == k), slice(k, k + 1)
+        n = int(elements.degree[k])
+        shape = bending.shapes(mesh.length[own], phi[own], n, xi[at])
+        rows = elements.rows(int(k))
+        whole[at[:, None], 0, rows] = shape.deflection[0]
+        whole[at[:, None], 1, rows] = shape.rotation[0]
+    return whole.reshape(2 * len(x), -1)
+
+
+def rod_hierarchy(
+    spindle: Spindle,
+    omega: float,
+    tolerance: float,
+    properties: Callable[[Mesh], tuple[Array, Array]],
+) -> Hierarchy:
+    """Elements for axial motion or torsion up to ``omega`` [rad/s] within ``tolerance``.
+
+    ``properties``: rigidity and inertia of a mesh's elements per length.
+    """
+    coarse = station_mesh(spindle)
+    wave = rod_wave(omega, *properties(coarse))
+    parts, degree = parts_and_degree(wave * coarse.length, tolerance)
+    return rods(divided(coarse, parts), np.repeat(degree, parts), properties)
+
+
+def rods(
+    mesh: Mesh, degree: Degrees, properties: Callable[[Mesh], tuple[Array, Array]]
+) -> Hierarchy:
+    """Rods of given degrees between the nodes of ``mesh``."""
+    rigidity, inertia = properties(mesh)
+
+    def element(chosen: Degrees, n: int) -> dict[str, Array]:
+        own = rod_element.hierarchic_rod(
+            mesh.length[chosen], rigidity[chosen], inertia[chosen], degree=n
+        )
+        return {"mass": own.mass, "stiffness": own.stiffness}
+
+    inner, added = rod_element.inner_freedoms, rod_element.added_freedoms
+    return Hierarchy(mesh, degree, 1, inner, element, added)
+
+
+def rod_displacements(elements: Hierarchy, x: Array) -> Array:
+    """Displacement at stations ``x`` by all freedoms (stations, size)."""
+    element, xi = elements.place(x)
+    whole = np.zeros((len(x), elements.size))
+    for k in np.unique(element):
+        at = np.flatnonzero(element == k)
+        whole[at[:, None], elements.rows(int(k))] = rod_element.shapes(
+            int(elements.degree[k]), xi[at]
+        )
+    return whole
+
+
+def axial_properties(mesh: Mesh) -> tuple[Array, Array]:
+    """E A [N] and ρ A [kg/m] of every element."""
+    ring = area(mesh.outer_diameter, mesh.inner_diameter)
+    return mesh.young_modulus * ring, mesh.density * ring
+
+
+def torsion_properties(mesh: Mesh) -> tuple[Array, Array]:
+    """G Ip [N·m²] and ρ Ip [kg·m] of every element."""
+    polar = 2.0 * second_moment(mesh.outer_diameter, mesh.inner_diameter)
+    return mesh.shear_modulus * polar, mesh.density * polar
+
+
+def _rigidities(spindle: Spindle, mesh: Mesh) -> tuple[Array, Array, Array, Array]:
+    """κGA, EI, ρA, ρI of every element."""
+    ring = area(mesh.outer_diameter, mesh.inner_diameter)
+    moment = second_moment(mesh.outer_diameter, mesh.inner_diameter)
+    kappa = shear_coefficients(spindle, mesh)
+    return (
+        kappa * mesh.shear_modulus * ring,
+        mesh.young_modulus * moment,
+        mesh.density * ring,
+        mesh.density * moment,
+    )

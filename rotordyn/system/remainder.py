@@ -1,0 +1,92 @@
+"""What a reduced model leaves out, and how far that moves its poles and receptances.
+
+Of the exact problem T(s) u = f only the block on the reduced coordinates is solved. Whatever else
+there is, vectors that hardly couple among themselves, answers to the residual r of that solution by
+r / (k + s² m), and the pole moves by Σ r_left r_right / (k + s² m) over the slope of T: the first
+term of the exact Schur complement. The vectors are the inner freedoms that the next degrees of the
+elements would add, and the modes of the free rotor that the reduction did not keep.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.numerics.reduction import RitzBasis
+from rotordyn.system.hierarchy import Hierarchy
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Remainder:
+    """r vectors left out beside m coordinates of one plane.
+
+    ``mass``, ``stiffness``, ``polar`` (r, m): coupling with the coordinates; ``own_mass``,
+    ``own_stiffness`` (r,); ``at_nodes`` (r, 2·nodes): deflections and tilts of the mesh's nodes.
+    """
+
+    mass: Array
+    stiffness: Array
+    polar: Array
+    own_mass: Array
+    own_stiffness: Array
+    at_nodes: Array
+
+    def widened(self, more: int) -> Remainder:
+        """Beside ``more`` further coordinates that couple with nothing left out."""
+        wide = {n: np.pad(getattr(self, n), ((0, 0), (0, more))) for n in _COUPLINGS}
+        return Remainder(
+            **wide,
+            own_mass=self.own_mass,
+            own_stiffness=self.own_stiffness,
+            at_nodes=self.at_nodes,
+        )
+
+
+_COUPLINGS = ("mass", "stiffness", "polar")
+
+
+def remainder(
+    elements: Hierarchy, basis: RitzBasis, matrices: dict[str, Array], displayed: Array
+) -> Remainder:
+    """Of ``elements`` reduced to ``basis``; ``displayed`` (2·nodes, size) as for the basis.
+
+    ``matrices``: those of the whole, lumped bodies included.
+    """
+    finer = _of_finer_elements(elements, basis, len(displayed))
+    higher = _of_modes(basis, matrices, displayed)
+    parts = {f.name: [getattr(finer, f.name), getattr(higher, f.name)] for f in fields(Remainder)}
+    return Remainder(**{name: np.concatenate(values) for name, values in parts.items()})
+
+
+def _of_finer_elements(elements: Hierarchy, basis: RitzBasis, rows: int) -> Remainder:
+    """Inner freedoms of higher degree: they vanish at nodes and stand alone in stiffness."""
+    found = elements.left_out(basis.vectors)
+    zero = np.zeros_like(found["mass"])
+    return Remainder(
+        mass=found["mass"],
+        stiffness=zero,
+        polar=found.get("polar", zero),
+        own_mass=found["own_mass"],
+        own_stiffness=found["own_stiffness"],
+        at_nodes=np.zeros((len(zero), rows)),
+    )
+
+
+def _of_modes(basis: RitzBasis, matrices: dict[str, Array], displayed: Array) -> Remainder:
+    """Modes of the free rotor above those kept."""
+    rest = basis.rest
+    mass = rest.T @ (matrices["mass"] @ basis.vectors)
+    polar = rest.T @ (matrices["polar"] @ basis.vectors) if "polar" in matrices else 0.0 * mass
+    return Remainder(
+        mass=mass,
+        stiffness=basis.rest_values[:, None] * mass,
+        polar=polar,
+        own_mass=np.ones(len(mass)),
+        own_stiffness=basis.rest_values,
+        at_nodes=(displayed @ rest).T,
+    )
