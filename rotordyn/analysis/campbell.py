@@ -13,6 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.analysis.accuracy import frequency_error
 from rotordyn.analysis.formulation import ROTATING
 from rotordyn.analysis.results import CampbellResult, TurningCampbellResult
 from rotordyn.analysis.scene import Scene
@@ -80,6 +81,8 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         critical=tuple(name for name, _ in criticals),
         outcome=scene.outcome,
         frequency=scene.scattered(_seen(scene, branches)),
+        frequency_error=scene.scattered(_errors(scene, branches)),
+        resolved_frequency=scene.resolved_frequency,
         damping_ratio=scene.scattered(-pole.real / np.abs(pole)),
         whirl=scene.scattered(whirl),
         kind=tuple(b.kind for b in branches),
@@ -93,6 +96,23 @@ def _seen(scene: Scene, branches: list[Branch]) -> Array:
     frames = [scene.bending.frame if b.kind == "bending" else 0.0 for b in branches]
     seen = [np.abs(b.pole.imag - frame) for b, frame in zip(branches, frames, strict=True)]
     return np.array(seen).reshape(len(branches), len(scene.usable)).T / (2.0 * math.pi)
+
+
+def _errors(scene: Scene, branches: list[Branch]) -> Array:
+    """Estimated relative errors of the poles (usable, modes)."""
+    errors = np.zeros((len(scene.usable), len(branches)))
+    systems = [_system(scene, b.kind) for b in branches]
+    for motion in set(systems):
+        own = [k for k, name in enumerate(systems) if name == motion]
+        columns = np.stack([branches[k].column for k in own], axis=1)
+        errors[:, own] = frequency_error(scene, motion, columns)
+    return errors
+
+
+def _system(scene: Scene, kind: str) -> str:
+    """A motion whose system a mode of this kind was found in, the same for all coupled ones."""
+    coupled = scene.coupled_motions
+    return min(coupled) if kind in coupled else kind
 
 
 def _bending(scene: Scene, spec: CampbellSpec) -> list[Branch]:

@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.analysis.accuracy import receptance_error
 from rotordyn.analysis.formulation import ROTATING
 from rotordyn.analysis.results import FrfResult, TurningFrfResult
 from rotordyn.analysis.scene import Scene
@@ -27,6 +28,7 @@ def answer(scene: Scene, spec: FrfSpec) -> FrfResult:
     """
     frequency = np.array(spec.frequencies)
     values = np.zeros((len(scene.usable), len(spec.pairs), len(frequency)), dtype=complex)
+    error = np.zeros(len(spec.pairs))
     for group in _groups(scene):
         own = [
             k
@@ -34,7 +36,9 @@ def answer(scene: Scene, spec: FrfSpec) -> FrfResult:
             if all(MOTIONS[port.direction] in group for port in pair)
         ]
         if own:
-            values[:, own] = _within(scene, group, [spec.pairs[k] for k in own], frequency)
+            pairs = [spec.pairs[k] for k in own]
+            values[:, own] = _within(scene, group, pairs, frequency)
+            error[own] = receptance_error(scene, min(group), pairs, frequency)
     ends = scene.speed[scene.usable[[0, -1]]]
     slices = {int(np.abs(scene.speed - wanted).argmin()) for wanted in spec.slices or ends}
     kind = TurningFrfResult if scene.conditions.formulation == ROTATING else FrfResult
@@ -45,6 +49,7 @@ def answer(scene: Scene, spec: FrfSpec) -> FrfResult:
         outcome=scene.outcome,
         receptance=scene.scattered(values),
         is_slice=np.isin(np.arange(len(scene.speed)), sorted(slices)),
+        error=error,
     )
 
 

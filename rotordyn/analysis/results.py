@@ -74,6 +74,10 @@ class CampbellResult:
     critical: Words = coordinate("critical", unit="", label="critical speed")
     outcome: Words = quantity("speed", unit="", label="outcome")
     frequency: Array = quantity("speed", "mode", unit="Hz", label="damped frequency")
+    frequency_error: Array = quantity(
+        "speed", "mode", unit="1", label="estimated relative error of the frequency"
+    )
+    resolved_frequency: float = quantity(unit="Hz", label="highest frequency the mesh resolves")
     damping_ratio: Array = quantity("speed", "mode", unit="1", label="damping ratio")
     whirl: Array = quantity("speed", "mode", unit="1", label="whirl direction")
     kind: Words = quantity("mode", unit="", label="kind")
@@ -112,6 +116,7 @@ class FrfResult:
         "speed", "pair", "frequency", unit="m/N, rad/N, rad/(N·m)", label="receptance"
     )
     is_slice: Flags = quantity("speed", unit="", label="drawn as slice")
+    error: Array = quantity("pair", unit="1", label="estimated error over the largest value")
 
 
 @dataclass(frozen=True)

@@ -101,6 +101,11 @@ class Scene(Staged):
         return Fineness(self.max_frequency, float(np.abs(self.speed).max()), accuracy)
 
     @property
+    def resolved_frequency(self) -> float:
+        """Highest bending frequency that the elements carry within the accuracy [Hz]."""
+        return self.rotor.resolved
+
+    @property
     def rigid(self) -> bool:
         """True where the rotor does not bend."""
         return self.conditions.rotor == "rigid"

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from rotordyn.elements.node import FREEDOMS
 from rotordyn.elements.support import node_matrix
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import MOTIONS, Entries
+from rotordyn.machine.support import MOTIONS
 from rotordyn.system.lateral import LateralSystem
 from rotordyn.system.longitudinal import RodSystem
 from rotordyn.system.mesh import Mesh
@@ -32,12 +32,17 @@ class CoupledSystem:
 
     ``places``: the coordinates that belong to each motion; ``motion`` (nodes, 6, n): displacements
     of the nodes by the coordinates.
+    ``parts``: the systems joined; ``supports`` (2, supports, 6, 6): what supports add between
+    them, stiffness and damping; ``at_supports`` (supports, 6, n): motion of their nodes.
     """
 
+    parts: Mapping[str, LateralSystem | RodSystem]
     places: Mapping[str, slice]
     motion: Array
     stiffness: Array
     damping: Array
+    supports: Array
+    at_supports: Array
 
 
 def coupled_system(
@@ -50,13 +55,21 @@ def coupled_system(
     motion = np.concatenate([part.motion for part in parts.values()], axis=-1)
     rows = motion[mesh.nodes_of(spindle.supports)]
     ends = [0, *accumulate(part.motion.shape[-1] for part in parts.values())]
+    between = np.array(
+        [
+            [np.where(BETWEEN, node_matrix(getattr(s, which)), 0.0) for s in spindle.supports]
+            for which in ("stiffness", "damping")
+        ]
+    )
+    joined = np.einsum("kin,wkij,kjm->wnm", rows, between, rows, optimize=True)
     return CoupledSystem(
+        parts=parts,
         places={name: slice(*ends) for name, ends in zip(parts, pairwise(ends), strict=True)},
         motion=motion,
-        stiffness=_side_by_side([part.stiffness for part in parts.values()])
-        + _joined(rows, [support.stiffness for support in spindle.supports]),
-        damping=_side_by_side([part.damping for part in parts.values()])
-        + _joined(rows, [support.damping for support in spindle.supports]),
+        stiffness=_side_by_side([part.stiffness for part in parts.values()]) + joined[0],
+        damping=_side_by_side([part.damping for part in parts.values()]) + joined[1],
+        supports=between,
+        at_supports=rows,
     )
 
 
@@ -70,9 +83,3 @@ def _side_by_side(matrices: list[NDArray[np.inexact]]) -> Array:
         whole[:, own, own] = matrix
         begin = own.stop
     return whole
-
-
-def _joined(rows: Array, entries: list[Entries]) -> Array:
-    """Σ rowsᵀ K rows over the supports, of each K only what couples two motions."""
-    blocks = np.where(BETWEEN, np.array([node_matrix(e) for e in entries]), 0.0)
-    return np.asarray(np.einsum("kin,kij,kjm->nm", rows, blocks, rows, optimize=True))

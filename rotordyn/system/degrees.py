@@ -11,6 +11,7 @@ wave has there: an upper bound for bending, shear and rods alike.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,6 +20,7 @@ Array = NDArray[np.float64]
 Degrees = NDArray[np.intp]
 
 HIGHEST = 10
+FAR, HALVINGS = 1e6, 40
 SAFETY = 5.0  # what is aimed at lies below what is asked by this
 _DEGREES = np.arange(1, HIGHEST + 1)
 _FACTOR = np.array(
@@ -44,6 +46,18 @@ def parts_and_degree(phase: Array, tolerance: float) -> tuple[Degrees, Degrees]:
     while not (degree := least_degree(phase / parts, tolerance / SAFETY)).all():
         parts = np.where(degree == 0, parts + 1 + parts // 4, parts)
     return parts, degree
+
+
+def resolved(error: Callable[[float], float], tolerance: float, start: float) -> float:
+    """Highest angular frequency [rad/s] up to which ``error`` (growing) stays within
+    ``tolerance``, by bisection from ``start``; infinite where nothing bends."""
+    low, high = 0.0, start
+    while error(high) <= tolerance and high < FAR * start:
+        low, high = high, 2.0 * high
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if error(middle) <= tolerance else (low, middle)
+    return low
 
 
 def bending_wave(

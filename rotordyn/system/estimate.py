@@ -8,12 +8,13 @@ both ends.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.system.lateral import LateralSystem
 from rotordyn.system.remainder import Remainder
 
 Array = NDArray[np.float64]
@@ -21,66 +22,100 @@ Complex = NDArray[np.complex128]
 Inexact = NDArray[np.inexact]
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class Unbalanced:
-    """Forces on what a lateral system leaves out, at ``spin`` (speeds,) [rad/s].
+class Reduced(Protocol):
+    """What is asked of a reduced system: bending, axial motion or torsion.
 
-    ``connected`` (r, c, 2): deflection and tilt of the vectors left out at bearings and supports.
+    ``rows`` (c, k, m): k displacements between the ends of each bearing or support in the m
+    coordinates of a plane; ``held``, ``damped`` (speeds, c, p·k, p·k): their matrices over p
+    planes; ``connected`` (c,): nodes; ``freedoms``: per node of a plane.
     """
 
-    system: LateralSystem
+    @property
+    def planes(self) -> int: ...
+    @property
+    def freedoms(self) -> int: ...
+    @property
+    def rows(self) -> Array: ...
+    @property
+    def connected(self) -> tuple[int, ...]: ...
+    @property
+    def held(self) -> Inexact: ...
+    @property
+    def damped(self) -> Inexact: ...
+    @property
+    def frame(self) -> Array: ...
+    @property
+    def remainder(self) -> Remainder | None: ...
+
+
+class LeftOut(Protocol):
+    """What a reduced system leaves out: forces on it, and how it answers them."""
+
+    def forces(self, s: Complex, vector: Complex, side: float) -> Complex: ...
+    def answer(self, s: Complex) -> Complex: ...
+    def at(self, row: int) -> LeftOut: ...
+
+
+def pole_shift(
+    left_out: LeftOut, pole: Complex, vector: Complex, participation: Complex
+) -> Complex:
+    """Shift of poles (speeds, k) [rad/s], fixed frame, with their vectors (speeds, n, k) and left
+    ones (speeds, k, n)."""
+    right = left_out.forces(pole, vector, 1.0)
+    left = left_out.forces(pole, np.swapaxes(participation, 1, 2), -1.0)
+    return np.asarray((left * right * left_out.answer(pole)).sum(axis=1))
+
+
+def receptance_shift(
+    left_out: LeftOut, s: Complex, given: Complex, taken: Complex, ends: tuple[Array, Array]
+) -> Complex:
+    """Change of receptances (speeds, f) at ``s`` (speeds, f).
+
+    ``given``, ``taken`` (speeds, n, f): answers to a unit force where it acts, and (as left
+    vectors) where the response is taken; ``ends``: what is left out, seen at these two (r,).
+    """
+    right = left_out.forces(s, given, 1.0) - ends[0][:, None]
+    left = left_out.forces(s, taken, -1.0) - ends[1][:, None]
+    return np.asarray((left * right * left_out.answer(s)).sum(axis=1))
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Unbalanced:
+    """Forces on what a system leaves out, at ``spin`` (speeds,) [rad/s].
+
+    ``connected`` (r, c, k): the vectors left out at bearings and supports.
+    """
+
+    system: Reduced
     remainder: Remainder
     spin: Array
+    held: Inexact
+    damped: Inexact
     connected: Array
 
     @classmethod
-    def of(cls, system: LateralSystem, spin: Array) -> Unbalanced | None:
+    def of(cls, system: Reduced, spin: Array) -> Unbalanced | None:
         """None where nothing is left out (a rigid rotor)."""
-        left_out = system.rotor.remainder
+        left_out = system.remainder
         if left_out is None:
             return None
-        nodal = left_out.at_nodes.reshape(len(left_out.own_mass), -1, 2)
-        return cls(system, left_out, spin, nodal[:, list(system.rotor.connected)])
+        nodal = left_out.at_nodes.reshape(len(left_out.own_mass), -1, system.freedoms)
+        at_ends = nodal[:, list(system.connected)]
+        return cls(system, left_out, spin, system.held, system.damped, at_ends)
 
-    def pole_shift(self, pole: Complex, vector: Complex, participation: Complex) -> Complex:
-        """Shift of poles (speeds, k) [rad/s] with their vectors (speeds, n, k) and left ones
-        (speeds, k, n)."""
-        s = pole + 1j * self.system.frame[:, None]
-        right = self._forces(s, vector, 1.0)
-        left = self._forces(s, np.swapaxes(participation, 1, 2), -1.0)
-        return np.asarray((left * right * self._answer(s)).sum(axis=1))
+    def at(self, row: int) -> Unbalanced:
+        """The same at one of the speeds."""
+        one = slice(row, row + 1)
+        return replace(self, spin=self.spin[one], held=self.held[one], damped=self.damped[one])
 
-    def receptance_shift(
-        self, s: Complex, given: Complex, taken: Complex, force: Array, response: Array
-    ) -> Complex:
-        """Change of a receptance (speeds, f) at i·frequencies ``s`` (f,).
-
-        ``given``, ``taken`` (speeds, n, f): answers to a unit force where it acts and where the
-        response is taken; ``force``, ``response`` (p·r,): those places seen by what is left out.
-        """
-        at = s + 1j * self.system.frame[:, None]
-        right = self._forces(at, given, 1.0) - force[:, None]
-        left = self._forces(at, taken, -1.0) - response[:, None]
-        return np.asarray((left * right * self._answer(at)).sum(axis=1))
-
-    def at_node(self, node: int, freedom: str) -> Array:
-        """A node's freedom y, z, thy or thz seen by what is left out (p·r,)."""
-        own = self.remainder.at_nodes[:, 2 * node + (0 if freedom in ("y", "z") else 1)]
-        if self.system.isotropic:
-            return own
-        zero = np.zeros_like(own)
-        sign = -1.0 if freedom == "thy" else 1.0
-        planes = (own, zero) if freedom in ("y", "thz") else (zero, sign * own)
-        return np.concatenate(planes)
-
-    def _forces(self, s: Complex, vector: Complex, side: float) -> Complex:
+    def forces(self, s: Complex, vector: Complex, side: float) -> Complex:
         """Unbalanced forces (speeds, p·r, k) of motions e^(st); ``side`` −1: of left vectors."""
         spun = (s * self.spin[:, None])[:, None, :]
         square = (s * s)[:, None, :]
-        m = self.system.rotor.size
-        if self.system.isotropic:
+        m = self.remainder.mass.shape[1]
+        if self.system.planes == 1:
             own = self._plane(square, vector) - 1j * spun * (self.remainder.polar @ vector)
-            return own + self._held(s, vector[:, None], side)[:, 0]
+            return np.asarray(own + self._held(s, vector[:, None], side)[:, 0])
         y, z = vector[:, :m], vector[:, m:]
         across = [side * spun * (self.remainder.polar @ v) for v in (z, y)]
         held = self._held(s, np.stack([y, z], axis=1), side)
@@ -97,21 +132,65 @@ class Unbalanced:
 
     def _held(self, s: Complex, vector: Complex, side: float) -> Complex:
         """Of bearings and supports (speeds, p, r, k) for motions (speeds, p, m, k) of p planes."""
-        rotor = self.system.rotor
-        rows = np.concatenate([rotor.seats, rotor.supports])
-        moved = np.einsum("cim,spmk->scpik", rows, vector, optimize=True)
+        moved = np.einsum("cim,spmk->scpik", self.system.rows, vector, optimize=True)
         shape = moved.shape
-        moved = moved.reshape(*shape[:2], -1, shape[-1])
-        blocks = self.system.held, self.system.damped
+        moved = moved.reshape(*shape[:2], shape[2] * shape[3], shape[-1])
+        held, damped = self.held, self.damped
         if side < 0.0:
-            blocks = tuple(np.swapaxes(b, -1, -2) for b in blocks)
-        force = blocks[0] @ moved + (blocks[1] @ moved) * s[:, None, None, :]
+            held, damped = np.swapaxes(held, -1, -2), np.swapaxes(damped, -1, -2)
+        force = held @ moved + (damped @ moved) * s[:, None, None, :]
         force = force.reshape(shape)
         return np.einsum("rci,scpik->sprk", self.connected, force, optimize=True)
 
-    def _answer(self, s: Complex) -> Complex:
+    def answer(self, s: Complex) -> Complex:
         """1/(k + s² m) of every vector left out (speeds, p·r, k)."""
         own = self.remainder
         dynamic = own.own_stiffness[:, None] + (s * s)[:, None, :] * own.own_mass[:, None]
-        planes = 1 if self.system.isotropic else 2
-        return np.concatenate([1.0 / dynamic] * planes, axis=1)
+        return np.concatenate([1.0 / dynamic] * self.system.planes, axis=1)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Joined:
+    """The same of motions that supports couple: ``parts`` with their ``places`` among the
+    coordinates, and the ``supports``' matrices (2, supports, 6, 6), stiffness and damping, of which
+    only what is between two motions counts; ``motion`` (supports, 6, n): of their nodes."""
+
+    parts: Mapping[str, Unbalanced]
+    places: Mapping[str, slice]
+    supports: Array
+    motion: Array
+
+    def at(self, row: int) -> Joined:
+        """The same at one of the speeds; a part that is the same at all has one only."""
+        parts = {n: part.at(min(row, len(part.spin) - 1)) for n, part in self.parts.items()}
+        return replace(self, parts=parts)
+
+    def forces(self, s: Complex, vector: Complex, side: float) -> Complex:
+        """Unbalanced forces (speeds, r, k) of motions e^(st); ``side`` −1: of left vectors."""
+        blocks = self.supports if side > 0.0 else np.swapaxes(self.supports, -1, -2)
+        moved = np.einsum("cin,snk->scik", self.motion, vector, optimize=True)
+        between = blocks[0] @ moved + (blocks[1] @ moved) * s[:, None, None, :]
+        found = []
+        for name, part in self.parts.items():
+            own = part.forces(s, vector[:, self.places[name]], side)
+            found.append(own + _onto(part, name, between))
+        return np.concatenate(found, axis=1)
+
+    def answer(self, s: Complex) -> Complex:
+        """1/(k + s² m) of every vector left out."""
+        return np.concatenate([part.answer(s) for part in self.parts.values()], axis=1)
+
+
+_ENDS = {"bending": (1, 5, 2, 4), "axial": (0,), "torsion": (3,)}
+_SIGNS = np.array([1.0, 1.0, 1.0, -1.0])
+
+
+def _onto(part: Unbalanced, name: str, force: Complex) -> Complex:
+    """Forces (speeds, supports, 6, k) on the supports' nodes, as met by what a part leaves out."""
+    places = list(_ENDS[name])
+    own = force[:, :, places] * _SIGNS[: len(places), None]
+    planes = part.system.planes
+    shaped = own.reshape(*own.shape[:2], planes, -1, own.shape[-1])
+    at_supports = part.connected[:, part.connected.shape[1] - force.shape[1] :]
+    found = np.einsum("rci,scpik->sprk", at_supports, shaped, optimize=True)
+    return found.reshape(len(force), -1, force.shape[-1])

@@ -13,7 +13,13 @@ from rotordyn.elements.plane_bending import shear_parameter
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
 from rotordyn.system.assemble import beam_arguments, shear_coefficients
-from rotordyn.system.degrees import bending_wave, parts_and_degree, rod_wave
+from rotordyn.system.degrees import (
+    bending_wave,
+    expected_error,
+    parts_and_degree,
+    resolved,
+    rod_wave,
+)
 from rotordyn.system.hierarchy import Degrees, Hierarchy, divided
 from rotordyn.system.mesh import Mesh, station_mesh
 
@@ -27,6 +33,17 @@ def bending_hierarchy(spindle: Spindle, omega: float, spin: float, tolerance: fl
     parts, degree = parts_and_degree(wave * coarse.length, tolerance)
     mesh = divided(coarse, parts)
     return beams(spindle, mesh, np.repeat(degree, parts))
+
+
+def resolved_whirl(spindle: Spindle, elements: Hierarchy, spin: float, tolerance: float) -> float:
+    """Highest whirl [rad/s] that the elements carry within ``tolerance`` up to ``spin``."""
+    mesh, rigidities = elements.mesh, _rigidities(spindle, elements.mesh)
+
+    def error(omega: float) -> float:
+        phase = bending_wave(omega, spin, *rigidities) * mesh.length
+        return float(expected_error(phase, elements.degree).max())
+
+    return resolved(error, tolerance, 1.0)
 
 
 def beams(spindle: Spindle, mesh: Mesh, degree: Degrees) -> Hierarchy:

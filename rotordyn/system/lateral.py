@@ -18,6 +18,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.system.dofs import Selection
 from rotordyn.system.lateral_rotor import LateralRotor
+from rotordyn.system.remainder import Remainder
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -30,8 +31,8 @@ class LateralSystem:
 
     Complex with n = m where ``isotropic``, else real with n = 2m: plane y, then plane z.
     ``frame`` (speeds,) [rad/s]: the speed at which the coordinates turn, 0 in the fixed frame.
-    ``held``, ``damped`` (speeds, connections, k, k): stiffness and damping of bearings and supports,
-    k = 2 in the complex form, (deflection, tilt) of both planes otherwise.
+    ``held``, ``damped`` (speeds, connections, k, k): stiffness and damping of bearings and
+    supports, over (deflection, tilt) in the complex form, of both planes otherwise.
     """
 
     rotor: LateralRotor
@@ -41,6 +42,31 @@ class LateralSystem:
     frame: Array
     held: NDArray[np.inexact]
     damped: NDArray[np.inexact]
+
+    @property
+    def planes(self) -> int:
+        """1 in the complex form, else 2."""
+        return 1 if self.isotropic else 2
+
+    @property
+    def freedoms(self) -> int:
+        """Of a node in a plane: deflection and tilt."""
+        return 2
+
+    @property
+    def rows(self) -> Array:
+        """Deflection and tilt between the rings of bearings, then at supports (c, 2, m)."""
+        return np.concatenate([self.rotor.seats, self.rotor.supports])
+
+    @property
+    def connected(self) -> tuple[int, ...]:
+        """The nodes of bearings and supports."""
+        return self.rotor.connected
+
+    @property
+    def remainder(self) -> Remainder | None:
+        """What the coordinates leave out."""
+        return self.rotor.remainder
 
     @property
     def motion(self) -> Array:

@@ -13,7 +13,7 @@ from rotordyn.machine.support import Sleeve
 from rotordyn.numerics.reduction import ritz_basis
 from rotordyn.system.assemble import bending_plane, loaded_plane
 from rotordyn.system.dofs import PLANE_Y
-from rotordyn.system.hierarchic_rotor import beams, bending_hierarchy, deflections
+from rotordyn.system.hierarchic_rotor import beams, bending_hierarchy, deflections, resolved_whirl
 from rotordyn.system.hierarchy import Hierarchy
 from rotordyn.system.mesh import Mesh
 from rotordyn.system.remainder import Remainder, remainder
@@ -21,6 +21,7 @@ from rotordyn.system.stiffening import Stiffening, stiffening
 
 Array = NDArray[np.float64]
 CUTOFF = 4.0  # free-free modes are kept up to this multiple of the highest frequency asked …
+USUAL = 1e-4  # relative error of a frequency that a designer does not notice
 COARSE = 1e-5  # … where the accuracy asked is not better
 SLEEVE_CUTOFF = 30.0  # own frequency given to a sprung sleeve without mass, likewise
 
@@ -55,6 +56,8 @@ class LateralRotor:
     between the rings of each bearing; ``supports`` (supports, 2, m): those of the node of each
     linear support, and ``connected`` the nodes of both. The last coordinates are the sprung
     sleeves, if any. ``remainder``: what the coordinates leave out; None for a rigid rotor.
+    ``resolved`` [Hz]: highest frequency that the elements carry within the accuracy asked for, or
+    within ``USUAL`` where none is.
     """
 
     basis: Array
@@ -68,6 +71,7 @@ class LateralRotor:
     supports: Array
     connected: tuple[int, ...]
     remainder: Remainder | None
+    resolved: float
 
     @property
     def size(self) -> int:
@@ -88,6 +92,7 @@ class _Reduced:
     polar: Array
     translational_mass: Array
     remainder: Remainder | None
+    resolved: float
 
 
 def lateral_rotor(
@@ -129,6 +134,7 @@ def lateral_rotor(
         supports=supports,
         connected=tuple(nodes),
         remainder=free.remainder.widened(more) if free.remainder else None,
+        resolved=free.resolved,
     )
 
 
@@ -148,6 +154,8 @@ def _flexible(
         polar=vectors.T @ plane.polar @ vectors,
         translational_mass=vectors.T @ plane.translational_mass @ vectors,
         remainder=remainder(elements, basis, {"mass": plane.mass, "polar": plane.polar}, seen),
+        resolved=resolved_whirl(spindle, elements, fineness.spin, fineness.accuracy or USUAL)
+        / (2.0 * math.pi),
     )
 
 
@@ -167,7 +175,7 @@ def _rigid(spindle: Spindle, mesh: Mesh) -> _Reduced:
     factor = np.linalg.cholesky(shape.T @ plane.mass @ shape)
     basis = np.asarray(np.linalg.solve(factor, shape.T).T)
     polar, translation = (basis.T @ m @ basis for m in (plane.polar, plane.translational_mass))
-    return _Reduced(basis, np.zeros(2), polar, translation, None)
+    return _Reduced(basis, np.zeros(2), polar, translation, None, math.inf)
 
 
 def _drawbar(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> list[Array]:

@@ -42,13 +42,35 @@ CLOSED = 1e3  # stiffness of a closed stop over that of the bearings on its slee
 class RodSystem:
     """q̈ + ``damping`` q̇ + ``stiffness`` q = f, arrays (speeds, n, n).
 
-    ``basis`` (nodes, n): the nodes' ``freedom``, x or thx.
+    ``basis`` (nodes, n): the nodes' ``freedom``, x or thx. ``rows`` (c, 1, n): motion between the
+    ends of each bearing or support, at the nodes ``connected``; ``held``, ``damped``
+    (speeds, c, 1, 1): what they answer. ``remainder``: what the coordinates leave out.
     """
 
     freedom: str
     basis: Array
     stiffness: Array
     damping: Array
+    rows: Array
+    connected: tuple[int, ...]
+    held: Array
+    damped: Array
+    remainder: Remainder | None
+
+    @property
+    def planes(self) -> int:
+        """The motion is one along a line, or about it."""
+        return 1
+
+    @property
+    def freedoms(self) -> int:
+        """Of a node."""
+        return 1
+
+    @property
+    def frame(self) -> Array:
+        """Speed of the coordinates: none (speeds,)."""
+        return np.zeros(len(self.stiffness))
 
     @property
     def motion(self) -> Array:
@@ -89,8 +111,9 @@ def axial_system(
             if seat.name in sleeve.bearings:
                 rows[row, modal + place] = -scale[place]
     held = np.array([node_matrix(s.stiffness)[0, 0] for s in spindle.supports])
-    springs = np.concatenate([axial_stiffness, np.tile(held, (len(axial_stiffness), 1))], axis=1)
-    stiffness = np.einsum("sc,ci,cj->sij", springs, rows, rows, optimize=True)
+    tiled = np.tile(held, (len(axial_stiffness), 1))
+    springs_held = np.concatenate([axial_stiffness, tiled], axis=1)
+    stiffness = np.einsum("sc,ci,cj->sij", springs_held, rows, rows, optimize=True)
     dampers = [seat.axial_damping for seat in spindle.seats]
     dampers += [node_matrix(s.damping)[0, 0] for s in spindle.supports]
     damping = np.einsum("c,ci,cj->ij", np.array(dampers), rows, rows, optimize=True)
@@ -102,7 +125,18 @@ def axial_system(
     there = modal + np.arange(len(sliding))
     stiffness[:, there, there] += springs * scale**2
     wide = np.concatenate([basis, np.zeros((len(basis), len(sliding)))], axis=1)
-    return RodSystem("x", wide, stiffness, np.broadcast_to(damping, stiffness.shape))
+    left_out = free.remainder.widened(len(sliding)) if free.remainder else None
+    return RodSystem(
+        "x",
+        wide,
+        stiffness,
+        np.broadcast_to(damping, stiffness.shape),
+        rows[:, None],
+        tuple(nodes),
+        springs_held[..., None, None],
+        np.broadcast_to(np.array(dampers)[:, None, None], (*springs_held.shape, 1, 1)),
+        left_out,
+    )
 
 
 def torsion_system(
@@ -120,15 +154,27 @@ def torsion_system(
     basis, values = free.at_nodes, free.values
     spin = position("thx")
     rows = basis[nodes]
-    matrices = []
+    matrices, blocks = [], []
     for which, diagonal in (
         ("stiffness", values),
         ("damping", 2.0 * damping_ratios(values, spindle.rotor_damping[-1:]) * np.sqrt(values)),
     ):
         entries = [node_matrix(getattr(s, which))[spin, spin] for s in spindle.supports]
         held = np.einsum("c,ci,cj->ij", np.array(entries), rows, rows)
+        one = np.array(entries).reshape(1, -1, 1, 1)
+        blocks.append(np.broadcast_to(one, (speeds, *one.shape[1:])))
         matrices.append(np.broadcast_to(np.diag(diagonal) + held, (speeds, *held.shape)))
-    return RodSystem("thx", basis, matrices[0], matrices[1])
+    return RodSystem(
+        "thx",
+        basis,
+        matrices[0],
+        matrices[1],
+        rows[:, None],
+        tuple(nodes),
+        blocks[0],
+        blocks[1],
+        free.remainder,
+    )
 
 
 @dataclass(frozen=True, slots=True)

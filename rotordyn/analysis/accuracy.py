@@ -1,0 +1,190 @@
+"""How far computed frequencies and receptances may be off, by what the elements leave out."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass, fields
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import Port
+from rotordyn.elements.node import FREEDOMS
+from rotordyn.machine.support import MOTIONS
+from rotordyn.numerics.modes import Modes
+from rotordyn.system.coupled import CoupledSystem
+from rotordyn.system.estimate import (
+    Joined,
+    LeftOut,
+    Unbalanced,
+    pole_shift,
+    receptance_shift,
+)
+from rotordyn.system.lateral import LateralSystem
+from rotordyn.system.longitudinal import RodSystem
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+MOST_SPEEDS = 7  # at which receptances are judged
+TILTS = ("thy", "thz")
+GRID = 24  # frequencies at which they are, besides those of the modes
+
+
+def left_out(scene: Scene, motion: str) -> LeftOut | None:
+    """What the system that ``motion`` is part of leaves out; None of a rigid rotor."""
+    system, found = scene.vibration(motion)
+    if isinstance(system, CoupledSystem):
+        parts = {}
+        for name, part in system.parts.items():
+            own = Unbalanced.of(part, _spin(scene, name, len(found.pole)))
+            if own is None:
+                return None
+            parts[name] = own
+        return Joined(parts, system.places, system.supports, system.at_supports)
+    return Unbalanced.of(system, _spin(scene, motion, len(found.pole)))
+
+
+def _spin(scene: Scene, motion: str, speeds: int) -> Array:
+    """Speeds at which a motion feels the spin [rad/s]."""
+    return scene.speed[scene.usable] if motion == "bending" else np.zeros(speeds)
+
+
+def frequency_error(scene: Scene, motion: str, column: NDArray[np.intp]) -> Array:
+    """Estimated relative error of the poles in ``column`` (speeds, k) of a motion's modes.
+
+    NaN where a column is negative; zero for a rigid rotor.
+    """
+    system, found = scene.vibration(motion)
+    rest = left_out(scene, motion)
+    lost = column < 0
+    if rest is None:
+        return np.where(lost, np.nan, 0.0)
+    place = np.where(lost, 0, column)[: len(found.pole)]
+    frame = getattr(system, "frame", np.zeros(len(found.pole)))[:, None]
+    pole = np.take_along_axis(found.pole, place, axis=1) + 1j * frame
+    vector = np.take_along_axis(found.vector, place[:, None, :], axis=2)
+    participation = np.take_along_axis(found.participation, place[:, :, None], axis=1)
+    shift = np.abs(pole_shift(rest, pole, vector, participation) / pole)
+    return np.where(lost, np.nan, np.broadcast_to(shift, lost.shape))
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class End:
+    """One end of a receptance: ``row`` (n,) by the coordinates, ``seen`` (r,) by what is left out,
+    ``plane`` 0 (y) or 1 (z)."""
+
+    row: Array
+    seen: Array
+    plane: int
+
+
+def receptance_error(
+    scene: Scene, motion: str, pairs: Sequence[tuple[Port, Port]], frequency: Array
+) -> Array:
+    """Largest estimated error of each receptance over its peak (pairs,), of some speeds.
+
+    Judged at ``GRID`` frequencies and those next to the modes; zero for a rigid rotor.
+    """
+    found, rest = scene.vibration(motion)[1], left_out(scene, motion)
+    if rest is None:
+        return np.zeros(len(pairs))
+    rows = np.linspace(0, len(found.pole) - 1, min(MOST_SPEEDS, len(found.pole))).round()
+    worst = np.zeros(len(pairs))
+    for place in np.unique(rows).astype(int):
+        one = _at(scene, motion, place)
+        omega = _judged(found.pole[place], 2.0 * math.pi * frequency)
+        for k, pair in enumerate(pairs):
+            ends = [_end(scene, motion, port) for port in pair]
+            worst[k] = max(worst[k], one.error(ends[1], ends[0], omega))
+    return worst
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _OneSpeed:
+    """A system at one speed: its modes, and what it leaves out."""
+
+    found: Modes
+    rest: LeftOut
+    frame: float
+    whirling: bool
+
+    def error(self, force: End, response: End, omega: Array) -> float:
+        """Largest change of the receptance over its largest value at ``omega`` (f,)."""
+        both = np.concatenate([omega, -omega]) if self.whirling else omega
+        value, change = self._receptance(force, response, np.asarray(1j * both))
+        if self.whirling:
+            value, change = (_folded(v, force.plane, response.plane) for v in (value, change))
+        peak = float(np.abs(value).max())
+        return float(np.abs(change).max()) / peak if peak > 0.0 else 0.0
+
+    def _receptance(self, force: End, response: End, s: Complex) -> tuple[Complex, Complex]:
+        """Receptance and its change at ``s`` (f,)."""
+        near = 1.0 / (s - self.found.pole[0][:, None])
+        vector, left = self.found.vector[0], self.found.participation[0]
+        given = vector @ (near * (left @ force.row)[:, None])
+        taken = left.T @ (near * (response.row @ vector)[:, None])
+        at = (s + 1j * self.frame)[None]
+        ends = force.seen, response.seen
+        change = receptance_shift(self.rest, at, given[None], taken[None], ends)
+        return response.row @ given, change[0]
+
+
+def _folded(values: Complex, force: int, response: int) -> Complex:
+    """From whirl at ±ω to planes, as in ``frf``."""
+    plus, minus = np.split(values, 2)
+    turn = response - force
+    if turn == 0:
+        return np.asarray(0.5 * (plus + minus.conj()))
+    return np.asarray(-0.5j * turn * (plus - minus.conj()))
+
+
+def _at(scene: Scene, motion: str, place: int) -> _OneSpeed:
+    """The system of a motion at one of its speeds."""
+    system, found = scene.vibration(motion)
+    one = Modes(*(getattr(found, f.name)[place : place + 1] for f in fields(found)))
+    rest = left_out(scene, motion)
+    if rest is None:
+        raise ValueError("a rigid rotor leaves nothing out")
+    frame = 0.0 if isinstance(system, CoupledSystem) else float(system.frame[place])
+    whirling = isinstance(system, LateralSystem) and system.isotropic
+    return _OneSpeed(one, rest.at(place), frame, whirling)
+
+
+def _judged(pole: Complex, omega: Array) -> Array:
+    """Angular frequencies at which a receptance is judged [rad/s]."""
+    grid = omega[np.unique(np.linspace(0, len(omega) - 1, min(GRID, len(omega))).astype(int))]
+    known = np.abs(pole.imag)
+    inside = known[(known >= omega[0]) & (known <= omega[-1])]
+    near = omega[np.abs(omega - inside[:, None]).argmin(axis=1)] if inside.size else inside
+    return np.unique(np.concatenate([grid, near]))
+
+
+def _end(scene: Scene, motion: str, port: Port) -> End:
+    """A port as the system of ``motion`` sees it."""
+    system = scene.vibration(motion)[0]
+    node = scene.mesh.node_of(scene.spindle.points[port.point])
+    row = system.motion[node, FREEDOMS.index(port.direction)]
+    parts = system.parts if isinstance(system, CoupledSystem) else {motion: system}
+    seen = np.concatenate([_seen(part, n, node, port.direction) for n, part in parts.items()])
+    if isinstance(system, LateralSystem) and system.isotropic:
+        row = row[: system.rotor.size] + row[system.rotor.size :]
+    return End(row, seen, 0 if port.direction in ("y", "thz") else 1)
+
+
+def _seen(part: LateralSystem | RodSystem, motion: str, node: int, direction: str) -> Array:
+    """A node's freedom by what a part leaves out, zero if it is of another motion."""
+    rest = part.remainder
+    if rest is None:
+        return np.zeros(0)
+    count = len(rest.own_mass)
+    if MOTIONS[direction] != motion:
+        return np.zeros(count * part.planes)
+    column = part.freedoms * node + (1 if motion == "bending" and direction in TILTS else 0)
+    own = rest.at_nodes[:, column]
+    if part.planes == 1:
+        return own
+    sign = -1.0 if direction == "thy" else 1.0
+    zero = np.zeros(count)
+    return np.concatenate((own, zero) if direction in ("y", "thz") else (zero, sign * own))
