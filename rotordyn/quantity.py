@@ -142,6 +142,7 @@ INERTIA = Quantity("inertia", at_least="0 kg m^2", at_most="100000 kg m^2")
 FORCE = Quantity("force", at_least="-10000 kN", at_most="10000 kN")
 LOAD = Quantity("force", above="0 N", at_most="10000 kN")
 PRELOAD = Quantity("force", at_least="0 N", at_most="10000 kN")
+PULL = Quantity("force", at_least="0 N", at_most="100000 kN")
 RIGIDITY = Quantity("stiffness", above="0 N/m", at_most="1e6 MN/m", infinite="rigid")
 DAMPING = Quantity("damping", at_least="0 N s/m", at_most="1e6 kN s/m")
 DAMPING_RATIO = Quantity("ratio", at_least="0 %", below="100 %")
@@ -165,6 +166,7 @@ Inertia = Annotated[float, INERTIA]
 Force = Annotated[float, FORCE]
 Load = Annotated[float, LOAD]
 Preload = Annotated[float, PRELOAD]
+Pull = Annotated[float, PULL]
 Rigidity = Annotated[float, RIGIDITY]
 Damping = Annotated[float, DAMPING]
 DampingRatio = Annotated[float, DAMPING_RATIO]

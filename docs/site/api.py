@@ -28,8 +28,8 @@ PAGES = {
 INTRODUCTION = """Python interface
 ================
 
-What a designer imports. All is in SI units, descriptions and results are frozen; a variant is made
-with ``dataclasses.replace``.
+What a designer imports. All is in SI units, descriptions and results are frozen; another
+value is put into a new one with ``rotordyn.vary``.
 """
 Shown = dict[int, tuple[str, Any]]  # id of an object -> where it is shown, the object
 

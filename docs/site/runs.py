@@ -27,7 +27,8 @@ import runpy, sys, warnings
 import matplotlib
 matplotlib.use("Agg")
 warnings.filterwarnings("ignore", "FigureCanvasAgg is non-interactive")
-runpy.run_path(sys.argv[1], run_name="__main__")
+del sys.argv[0]  # as if the example were called by its name alone
+runpy.run_path(sys.argv[0], run_name="__main__")
 import matplotlib.pyplot as plt
 for number in plt.get_fignums():
     plt.figure(number).savefig(f"figure_{number}.png", dpi=150)

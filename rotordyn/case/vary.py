@@ -9,8 +9,9 @@ from typing import Any, TypeVar, get_args, get_origin
 
 from bearings.errors import InvalidBearing
 from rotordyn.case.case import Case
-from rotordyn.description import Refused, accept, declared, in_si, shown
+from rotordyn.description import declared
 from rotordyn.errors import InvalidInput
+from rotordyn.field import Refused, accept, in_si, shown
 from rotordyn.quantity import Choice, suggestion
 
 D = TypeVar("D")

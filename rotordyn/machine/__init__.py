@@ -6,6 +6,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from rotordyn.machine.drawbar import Drawbar
     from rotordyn.machine.growth import (
         ComputedShortening,
         InterferenceFit,
@@ -23,6 +24,7 @@ _HOME = {
     "BearingSeat": "support",
     "ComputedShortening": "growth",
     "Disc": "lumped",
+    "Drawbar": "drawbar",
     "InterferenceFit": "growth",
     "LinearSupport": "support",
     "PointMass": "lumped",
@@ -41,6 +43,7 @@ __all__ = [
     "BearingSeat",
     "ComputedShortening",
     "Disc",
+    "Drawbar",
     "InterferenceFit",
     "LinearSupport",
     "PointMass",

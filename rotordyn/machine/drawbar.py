@@ -8,7 +8,7 @@ from itertools import pairwise
 from typing import Annotated
 
 from rotordyn.description import Description
-from rotordyn.quantity import Choice, Load, Station
+from rotordyn.quantity import Choice, Pull, Station
 
 EVERYWHERE = "everywhere"
 
@@ -22,7 +22,7 @@ class Drawbar(Description):
     given with the masses of the shaft.
     """
 
-    force: Load
+    force: Pull
     start: Station
     end: Station
     guides: tuple[Station, ...] | Annotated[str, Choice((EVERYWHERE,))] = ()

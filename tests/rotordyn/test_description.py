@@ -33,6 +33,7 @@ from rotordyn.machine import (
     BearingSeat,
     ComputedShortening,
     Disc,
+    Drawbar,
     InterferenceFit,
     LinearSupport,
     PointMass,
@@ -127,6 +128,11 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
         seats=(replace(FRONT, growth=RingGrowth(0.0, InterferenceFit(0.02, 1e-6))), REAR)
     ),
     r"rotor_damping\[1\]: ratio out of range": lambda: spindle(rotor_damping=(0.1, 1.0)),
+    "Drawbar: its start, guides and end must ascend: given 0.1 m after 0.2 m": lambda: Drawbar(
+        1e4, 0.2, 0.1
+    ),
+    "Drawbar: guides: .*everywhere": lambda: Drawbar(1e4, 0.0, 0.1, "nowhere"),
+    "drawbar off the shaft: given 0.4 m": lambda: spindle(drawbar=Drawbar(1e4, 0.1, 0.4)),
     "two masses are named": lambda: Tool("t", SHAFT.sections, (PointMass("m", 0, 1),) * 2),
     "a tool needs": lambda: Tool("t", ()),
     "Reference: quantity: .*did you mean preload_sum": lambda: Reference(

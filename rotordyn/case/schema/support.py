@@ -16,10 +16,10 @@ from rotordyn.case.schema.values import (
     Diameter,
     Growth,
     Interference,
-    Load,
     Mass,
     Name,
     Preload,
+    Pull,
     Rigidity,
     Station,
     StopTravel,
@@ -116,7 +116,7 @@ Guides = Annotated[
 class DrawbarEntry(Entry):
     """The bar in the bore: it pulls the shaft together between two stations."""
 
-    force: Load
+    force: Pull
     start: Station = Field(alias="from")
     to: Station
     guides: Guides = []
