@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 LEAST_MODES = 8
 NEW = 1e-5  # of its length: a vector that adds less to the others is spanned by them
+ROUNDING = 1e-14
 SHIFT = 1e-5  # of cutoff²: eigenvalues much below it keep fewer digits
 
 
@@ -48,8 +49,10 @@ def ritz_basis(
     shift = SHIFT * cutoff**2
     shifted = stiffness + shift * mass
     inverse, vectors = eigh(mass, shifted)
-    vectors = vectors[:, ::-1] / np.sqrt(inverse[::-1])
-    values = np.maximum(1.0 / inverse[::-1] - shift, 0.0)
+    known = inverse > ROUNDING * inverse[-1]  # others are too stiff to be told apart, or to matter
+    inverse, vectors = inverse[known][::-1], vectors[:, known][:, ::-1]
+    vectors = vectors / np.sqrt(inverse)
+    values = np.maximum(1.0 / inverse - shift, 0.0)
     values[:rigid] = 0.0
     kept = max(int(np.searchsorted(values, cutoff**2)), min(LEAST_MODES, len(values)))
     low = vectors[:, :kept]

@@ -104,9 +104,12 @@ class Unbalanced:
         return cls(system, left_out, spin, system.held, system.damped, at_ends)
 
     def at(self, row: int) -> Unbalanced:
-        """The same at one of the speeds."""
-        one = slice(row, row + 1)
-        return replace(self, spin=self.spin[one], held=self.held[one], damped=self.damped[one])
+        """The same at one of the speeds; what is the same at all may have one only."""
+        spin, held, damped = (
+            values[min(row, len(values) - 1)][None]
+            for values in (self.spin, self.held, self.damped)
+        )
+        return replace(self, spin=spin, held=held, damped=damped)
 
     def forces(self, s: Complex, vector: Complex, side: float) -> Complex:
         """Unbalanced forces (speeds, p·r, k) of motions e^(st); ``side`` −1: of left vectors."""
@@ -161,9 +164,8 @@ class Joined:
     motion: Array
 
     def at(self, row: int) -> Joined:
-        """The same at one of the speeds; a part that is the same at all has one only."""
-        parts = {n: part.at(min(row, len(part.spin) - 1)) for n, part in self.parts.items()}
-        return replace(self, parts=parts)
+        """The same at one of the speeds."""
+        return replace(self, parts={name: part.at(row) for name, part in self.parts.items()})
 
     def forces(self, s: Complex, vector: Complex, side: float) -> Complex:
         """Unbalanced forces (speeds, r, k) of motions e^(st); ``side`` −1: of left vectors."""
@@ -190,7 +192,7 @@ def _onto(part: Unbalanced, name: str, force: Complex) -> Complex:
     places = list(_ENDS[name])
     own = force[:, :, places] * _SIGNS[: len(places), None]
     planes = part.system.planes
-    shaped = own.reshape(*own.shape[:2], planes, -1, own.shape[-1])
+    shaped = own.reshape(*own.shape[:2], planes, len(places) // planes, own.shape[-1])
     at_supports = part.connected[:, part.connected.shape[1] - force.shape[1] :]
     found = np.einsum("rci,scpik->sprk", at_supports, shaped, optimize=True)
     return found.reshape(len(force), -1, force.shape[-1])

@@ -17,6 +17,7 @@ from rotordyn.analysis.specs import Conditions, Port, Spec
 from rotordyn.case.case import Case
 from rotordyn.case.read import load
 from rotordyn.machine.spindle import Spindle
+from rotordyn.system.mesh import ELEMENTS_OVER_LENGTH
 
 ROOT = Path(__file__).resolve().parents[2]
 CASES = ROOT / "cases"
@@ -62,6 +63,11 @@ def with_springs(spindle: Spindle, stiffness: float) -> Spindle:
     return replace(spindle, sleeves=sleeves)
 
 
+def standard(spindle: Spindle) -> dict[str, float]:
+    """The condition that asks for standard elements of 1/50 of the shaft."""
+    return {"element_length": (spindle.shaft.end - spindle.shaft.start) / ELEMENTS_OVER_LENGTH}
+
+
 def scene(
     spindle: Spindle,
     rpm: Sequence[float],
@@ -69,7 +75,12 @@ def scene(
     ports: tuple[float, ...] = (),
     **changes: Any,
 ) -> Scene:
-    """A scene of ``spindle`` at speeds in rpm."""
+    """A scene of ``spindle`` at speeds in rpm, in standard elements of 1/50 of the shaft.
+
+    Its mesh then is that of the elements, so that they can be compared freedom by freedom.
+    """
+    if "accuracy" not in changes:
+        changes = standard(spindle) | changes
     return Scene(spindle, conditions(**changes), np.array(rpm) * RPM, max_frequency, ports)
 
 

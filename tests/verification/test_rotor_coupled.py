@@ -21,7 +21,7 @@ from rotordyn.system.dofs import ALL
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.matrices import definite, definites, held, turn_about_axis
 from tests.oracles.rotors import STEPPED, support
-from tests.oracles.spindles import RPM, case, mfw2310, pairs, scene, with_springs
+from tests.oracles.spindles import RPM, case, mfw2310, pairs, scene, standard, with_springs
 
 HIGHEST = 2000.0
 EVERY = tuple(f"nose.{a}/tip.{b}" for a, b in product(FREEDOMS, FREEDOMS))
@@ -36,7 +36,7 @@ def on(*supports: object) -> Spindle:
 
 def solved(spindle: Spindle, rpm: tuple[float, ...], element: float | None = 0.05) -> Scene:
     ports = tuple(spindle.points.values())
-    conditions = Conditions(element_length=element)
+    conditions = Conditions(element_length=element or standard(spindle)["element_length"])
     return Scene(spindle, conditions, np.array(rpm) * RPM, HIGHEST, ports)
 
 

@@ -235,6 +235,8 @@ def campbell(count: int = 49) -> CampbellResult:
         outcome=("solved",) * count,
         frequency=rest + change * s**2,
         damping_ratio=np.full((count, len(_MODES)), 0.02),
+        frequency_error=1e-6 * np.abs(np.full((count, len(_MODES)), 0.02)),
+        resolved_frequency=5000.0,
         whirl=whirl,
         kind=tuple(m[4] for m in _MODES),
         shape=shape,
@@ -263,6 +265,7 @@ def frf(count: int = 49, points: int = 2000) -> FrfResult:
         outcome=("solved",) * count,
         receptance=total,
         is_slice=is_slice,
+        error=np.full(4, 3e-5),
     )
 
 
