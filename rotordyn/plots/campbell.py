@@ -23,6 +23,7 @@ from rotordyn.plots.style import (
     add_axes,
     legend,
     new_figure,
+    note_error,
     speed_ticks,
 )
 
@@ -69,6 +70,7 @@ def campbell_figure(
     _criticals(axes, result)
     draw_known(axes, () if turning(result) else references)
     _name_modes(axes, result, excitation, top)
+    note_error(axes, float(np.nanmax(result.frequency_error, initial=0.0)))
     legend(
         axes,
         loc="lower left",

@@ -138,6 +138,21 @@ def _columns(names: Sequence[str], width: float) -> int:
     return max(1, min(len(names), int(width / entry)))
 
 
+def note_error(axes: Axes, error: float) -> None:
+    """The estimated relative error of what is drawn, in small print below the right corner."""
+    if error > 0.0:
+        axes.text(
+            1.0,
+            -0.085,
+            f"estimated error ≤ {error:.0e}",
+            transform=axes.transAxes,
+            ha="right",
+            va="top",
+            fontsize=FONT_SIZE - 2.0,
+            color=GREY,
+        )
+
+
 def speed_ticks(axes: Axes, top: float, most: int = 6) -> None:
     """Speed axis from 0 to ``top`` [rpm] with round ticks, at most ``most`` + 1."""
     axes.set_xlim(0.0, max(top, 1.0))

@@ -21,6 +21,7 @@ from rotordyn.analysis.results import (
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.reference import QUANTITIES, Reference
 from rotordyn.machine.spindle import Spindle
+from rotordyn.report.accuracy import accuracy_words
 
 WIDTH, HEIGHT = 100, 40
 _NO_BREAK = "\u00a0"
@@ -48,6 +49,8 @@ def summary(case: Described, results: Mapping[str, Any], warnings: Iterable[str]
         lines += _machine(case.spindle)
     if "campbell" in results:
         lines += _modes(results["campbell"])
+    if words := accuracy_words(results):
+        lines.append(f"accuracy   estimated errors by the elements: {', '.join(words)}")
     if "preload" in results:
         lines += _preload(results["preload"])
     if "bearing" in results:

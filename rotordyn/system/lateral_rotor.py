@@ -22,7 +22,7 @@ from rotordyn.system.stiffening import Stiffening, stiffening
 Array = NDArray[np.float64]
 CUTOFF = 4.0  # free-free modes are kept up to this multiple of the highest frequency asked …
 USUAL = 1e-4  # relative error of a frequency that a designer does not notice
-COARSE = 1e-5  # … where the accuracy asked is not better
+COARSE = 1e-4  # … where the accuracy asked is not better
 SLEEVE_CUTOFF = 30.0  # own frequency given to a sprung sleeve without mass, likewise
 
 
