@@ -16,10 +16,10 @@ import rotordyn
 from docs.generate.bearing_rows import bearing_rows
 from docs.generate.bending import axial_force_spans, axial_force_table, formulation_table
 from docs.generate.choices import choice_table, linear_table
-from docs.generate.comparison import comparison_table
 from docs.generate.figures import SHOWN
 from docs.generate.flagship import flagship, rest_rows, speed_rows
 from docs.generate.keys import entries, key_tables, keys
+from docs.generate.known import comparison_table
 from docs.generate.marked import parts, rewrite
 from docs.generate.modules import explained, module_table
 from docs.generate.places import DOCS, FIGURES, README, ROOT, THEORY

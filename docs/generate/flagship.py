@@ -13,7 +13,7 @@ import numpy as np
 import rotordyn
 from docs.generate.places import ROOT
 from docs.generate.rows import Row
-from rotordyn.analysis.comparison import bending_frequencies
+from rotordyn.analysis.known import bending_frequencies
 from rotordyn.analysis.specs import Conditions
 from rotordyn.case.case import Case
 from rotordyn.job import solve

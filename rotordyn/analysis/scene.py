@@ -77,8 +77,13 @@ class Scene(Staged):
         return reached
 
     @property
+    def notes(self) -> tuple[str, ...]:
+        """What was chosen that changes how the results read."""
+        return told(self.conditions.formulation)
+
+    @property
     def warnings(self) -> tuple[str, ...]:
-        """What a designer should know about the model and about the machine at these speeds."""
+        """What a designer should know about the machine at these speeds."""
         found = [value for value in self.solved.values() if isinstance(value, Modes)]
         fits = (
             f"bearing {name}: the fit of its inner ring lets go at "
@@ -86,7 +91,7 @@ class Scene(Staged):
             for name, speed in released_fits(self.spindle, float(self.bearing_speed.max()))
         )
         grown = instability(found, self.speed[self.usable]) if found else ()
-        return (*told(self.conditions.formulation), *fits, *grown)
+        return (*fits, *grown)
 
     @property
     def law(self) -> Law:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from dataclasses import replace
 from typing import Any
@@ -190,11 +191,11 @@ def test_uneven_supports_are_refused() -> None:
 def test_user_is_told(formulation: str) -> None:
     asked = replace(case(), speeds=(0.0,), analyses={"campbell": CampbellSpec(1500.0)})
     asked = replace(asked, conditions=replace(asked.conditions, formulation=formulation))
-    told = [w for w in solve(asked).warnings if w.startswith(f"formulation {formulation}: ")]
-    assert len(told) == 1
-    assert not any(
-        w.startswith("formulation") for w in solve(replace(asked, conditions=Conditions())).warnings
-    )
+    answers = solve(asked)
+    (told,) = answers.notes
+    assert told.startswith(f"formulation {formulation}: ")
+    assert answers.warnings == (), "it was chosen, and warns of nothing"
+    assert solve(replace(asked, conditions=Conditions())).notes == ()
 
 
 @pytest.mark.parametrize("formulation", ["inertial", TURNED, "fixed-frame softening"])
@@ -211,4 +212,8 @@ def test_whole_run(formulation: str, tmp_path: Any) -> None:
     header = (tmp_path / "out" / "campbell.csv").read_text().splitlines()[0]
     assert ("damped frequency in the turning frame" in header) == turning
     assert ("modes [Hz] in the turning frame" in delivery.summary) == turning
-    assert (f"formulation {formulation}" in delivery.summary) == (formulation != "inertial")
+    chosen = formulation != "inertial"
+    assert (f"\nnote       formulation {formulation}: " in delivery.summary) == chosen
+    record = json.loads((tmp_path / "out" / "run.json").read_text(encoding="utf-8"))
+    assert len(record["notes"]) == chosen
+    assert record["warnings"] == []

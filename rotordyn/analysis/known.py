@@ -26,16 +26,16 @@ SAME_SPEED = 5e-3  # of the highest speed: nothing is interpolated between speed
 
 
 @dataclass(frozen=True, slots=True)
-class Comparison:
+class Match:
     """A reference, cut down to what can be compared, and our ``values`` (SI) for it."""
 
     reference: Reference
     values: tuple[float, ...]
 
 
-def compare(
+def matches(
     references: Sequence[Reference], results: Mapping[str, Any], spindle: Spindle | None
-) -> list[Comparison]:
+) -> list[Match]:
     """Every reference, at the speeds for which the results hold something to put beside it."""
     found = []
     for reference in dict.fromkeys(references):
@@ -48,7 +48,7 @@ def compare(
             speeds=tuple(reference.speeds[k] for k in kept),
             values=tuple(reference.values[k] for k in kept),
         )
-        found.append(Comparison(known, tuple(float(values[k]) for k in kept)))
+        found.append(Match(known, tuple(float(values[k]) for k in kept)))
     return found
 
 

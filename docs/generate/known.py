@@ -9,8 +9,8 @@ import numpy as np
 from docs.generate.flagship import Flagship, under
 from docs.generate.marked import table
 from docs.generate.rows import number
-from rotordyn.analysis.comparison import Comparison, compare
 from rotordyn.analysis.display import shown
+from rotordyn.analysis.known import Match, matches
 from rotordyn.analysis.specs import Conditions
 from rotordyn.machine.reference import QUANTITIES, Reference
 
@@ -23,14 +23,14 @@ def comparison_table(known: Flagship) -> str:
     return table(HEAD, [line for item in _found(known) for line in _lines(item, own)])
 
 
-def _found(known: Flagship) -> list[Comparison]:
+def _found(known: Flagship) -> list[Match]:
     """What can be compared, each with the results under its own conditions."""
     spindle = known.spindle
-    beside = (compare([r], under(r), spindle) for r in dict.fromkeys(spindle.references))
-    return [item for items in beside for item in items]
+    found = (matches([r], under(r), spindle) for r in dict.fromkeys(spindle.references))
+    return [item for items in found for item in items]
 
 
-def _lines(item: Comparison, own: Conditions) -> list[tuple[str, ...]]:
+def _lines(item: Match, own: Conditions) -> list[tuple[str, ...]]:
     reference, unit = item.reference, shown(QUANTITIES[item.reference.quantity])
     name = _called(reference)
     lines: list[tuple[str, ...]] = []
