@@ -29,7 +29,7 @@ KINEMATICS = ("hybrid", "outer", "inner", "geometric")
 MOMENT_SHARING = ("equal", "outer", "inner", "hybrid")
 BEARINGS = ("dynamic", "static")
 ROTOR = ("flexible", "rigid")
-GRAVITY = ("", "+x", "-x")
+GRAVITY = ("none", "+x", "-x")
 MOST_TEETH = MOST_STEPS = 1000
 Tangent = Annotated[str, Choice(TANGENTS)]
 
@@ -42,8 +42,8 @@ class Conditions(Description):
     stiffness of the bearings of a spindle wherever they act as linear springs. ``bearings``:
     ``"dynamic"`` (speed acts on the bearings) or ``"static"`` (their state at rest serves every
     speed). ``rotor``: ``"flexible"`` or ``"rigid"``. ``axial_force`` [N] on the front end of the
-    shaft (of the tool) towards +x; ``gravity``: ``""``, ``"+x"`` or ``"-x"`` for a vertical
-    spindle. ``element_length`` [m]: longest element; None = chosen from the shaft.
+    shaft (of the tool) towards +x; ``gravity``: of ``GRAVITY``, the way the weight of a vertical
+    spindle points. ``element_length`` [m]: longest element; None = chosen from the shaft.
     ``formulation``: of ``formulation.FORMULATIONS``, how bending is written.
     ``axial_stiffening``: the axial force in the shaft acts on its bending.
     """
@@ -54,7 +54,7 @@ class Conditions(Description):
     bearings: Annotated[str, Choice(BEARINGS)] = "dynamic"
     rotor: Annotated[str, Choice(ROTOR)] = "flexible"
     axial_force: Force = 0.0
-    gravity: Annotated[str, Choice(GRAVITY)] = ""
+    gravity: Annotated[str, Choice(GRAVITY)] = "none"
     element_length: Length | None = None
     formulation: Annotated[str, Choice(FORMULATIONS)] = INERTIAL
     axial_stiffening: bool = True

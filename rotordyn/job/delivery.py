@@ -9,11 +9,12 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
-from rotordyn.analysis.registry import BEARING_ANALYSES, SPINDLE_ANALYSES, Answers
+from rotordyn.analysis.registry import BEARING_ANALYSES, SPINDLE_ANALYSES, Answers, Progress
 from rotordyn.case.case import Case
-from rotordyn.job.solving import Progress, solve, solve_variants, unsolved
-from rotordyn.plots.catalogue import Job, figures
+from rotordyn.job.solving import solve, solve_variants, unsolved
+from rotordyn.plots.catalogue import figures
 from rotordyn.plots.compared.catalogue import comparison_figures
+from rotordyn.plots.draw import Job
 
 
 @dataclass(frozen=True, slots=True)

@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from rotordyn.plots.catalogue import Drawable, Job, call
+from rotordyn.plots.catalogue import Drawable, call
 from rotordyn.plots.compared.panels import MOST_PANELS, Shown
+from rotordyn.plots.draw import Job
 
 Variant = tuple[Drawable, Mapping[str, Any]]
 
