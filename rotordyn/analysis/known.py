@@ -14,7 +14,7 @@ from rotordyn.analysis.results import (
     BearingMapResult,
     CampbellResult,
     PreloadResult,
-    TurningCampbellResult,
+    turning,
 )
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
@@ -117,7 +117,7 @@ def _computed(
 def _frequencies_of(result: CampbellResult, reference: Reference) -> Array | None:
     """Of the one mode that is the subject at each speed, or of all modes at the one speed."""
     speeds = np.asarray(reference.speeds, float)
-    if isinstance(result, TurningCampbellResult) and speeds.any():
+    if turning(result) and speeds.any():
         return None  # known ones belong to the fixed frame
     if reference.subject:
         kind = reference.quantity.partition("_")[0]

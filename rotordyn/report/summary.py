@@ -15,7 +15,7 @@ from rotordyn.analysis.results import (
     CampbellResult,
     PreloadResult,
     StiffnessResult,
-    TurningCampbellResult,
+    turning,
 )
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.inertia import rotor_inertia
@@ -112,12 +112,12 @@ def _modes(result: CampbellResult) -> list[str]:
     single = len(result.speed) == 1
     rpm = f"{first * RPM.factor:.0f}" + ("" if single else f" → {last * RPM.factor:.0f}") + " rpm"
     entries = [
-        f"{name} {number(a)}{'' if single else f' → {number(b)}'}{_turning(name, w)}"
+        f"{name} {number(a)}{'' if single else f' → {number(b)}'}{_whirl(name, w)}"
         for name, a, b, w in zip(
             result.mode, result.frequency[0], result.frequency[-1], result.whirl[-1], strict=True
         )
     ]
-    frame = " in the turning frame" if isinstance(result, TurningCampbellResult) else ""
+    frame = " in the turning frame" if turning(result) else ""
     lines = [f"modes [Hz]{frame} {rpm}: " + "; ".join(map(unbroken, entries))]
     known = [
         unbroken(f"{name} {speed * RPM.factor:.0f} rpm ({(speed / last - 1.0) * 100.0:+.0f} %)")
@@ -140,7 +140,7 @@ def _nearest(result: CampbellResult) -> str:
     ]
     if not chosen:
         return ""
-    if isinstance(result, TurningCampbellResult):  # the 1× line stands still there, at 0 Hz
+    if turning(result):  # the 1× line stands still there, at 0 Hz
         near = min(chosen, key=lambda k: float(result.frequency[-1, k]))
         return f"; {result.mode[near]} is nearest, {result.frequency[-1, near]:.0f} Hz away"
     near = min(chosen, key=lambda k: abs(float(result.frequency[-1, k]) - hertz))
@@ -148,7 +148,7 @@ def _nearest(result: CampbellResult) -> str:
     return f"; {result.mode[near]} is nearest, {ratio:.2f} × the top speed"
 
 
-def _turning(name: str, whirl: float) -> str:
+def _whirl(name: str, whirl: float) -> str:
     """Whirl at the top speed, where the name does not say it."""
     known = "forward" in name or "backward" in name or not math.isfinite(whirl)
     return "" if known else _WHIRL[round(whirl)]

@@ -21,6 +21,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.job import solve
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.spindle import Spindle
+from rotordyn.plots.compared.catalogue import comparison_figures
 from rotordyn.system.assemble import add_at_nodes, bending_plane
 from tests.oracles.rotors import STEEL, support, uniform
 from tests.oracles.spindles import RPM, answers, case, mfw2310, pairs, scene
@@ -217,3 +218,20 @@ def test_whole_run(formulation: str, tmp_path: Any) -> None:
     record = json.loads((tmp_path / "out" / "run.json").read_text(encoding="utf-8"))
     assert len(record["notes"]) == chosen
     assert record["warnings"] == []
+
+
+@pytest.mark.parametrize(("formulation", "drawn"), [("inertial", True), (TURNED, False)])
+def test_known_frequencies_are_drawn_in_the_fixed_frame_alone(
+    formulation: str, drawn: bool
+) -> None:
+    asked: dict[str, Any] = {
+        "campbell": CampbellSpec(1500.0, shapes=False),
+        "frf": FrfSpec((100.0, 200.0), pairs("Oc2.y/Oc2.y")),
+    }
+    whole = replace(case(), speeds=(0.0, 1000.0), analyses=asked)
+    whole = replace(whole, conditions=replace(whole.conditions, formulation=formulation))
+    assert whole.known
+    jobs = dict(comparison_figures([(whole, solve(whole).results)]))
+    for name in ("campbell", "frf_maps", "frf_surfaces"):
+        (variant,) = jobs[name].args[2]
+        assert bool(variant.known) == drawn, name
