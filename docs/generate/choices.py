@@ -15,7 +15,7 @@ from docs.generate.flagship import TOP
 from docs.generate.marked import table
 from docs.generate.places import ROOT
 from docs.generate.rows import number
-from rotordyn.analysis.comparison import preload_sum
+from rotordyn.analysis.known import preload_sum
 from rotordyn.analysis.specs import CampbellSpec, PreloadSpec, StiffnessSpec
 from rotordyn.case.case import Case
 from rotordyn.job import solve

@@ -13,9 +13,11 @@ import numpy as np
 import rotordyn
 from docs.generate.places import ROOT
 from docs.generate.rows import Row
-from rotordyn.analysis.comparison import bending_frequencies
+from rotordyn.analysis.known import bending_frequencies
+from rotordyn.analysis.specs import Conditions
 from rotordyn.case.case import Case
 from rotordyn.job import solve
+from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.shortening import strain_integral
 
@@ -59,15 +61,30 @@ class Flagship:
 @cache
 def flagship() -> Flagship:
     """Solve the case as it stands, and with a rigid rotor at rest and at top speed."""
-    case = rotordyn.load(ROOT / "cases" / "mfw2310.yaml")
-    asked = {name: spec for name, spec in case.analyses.items() if name != "frf"}
-    stiff = replace(
-        case,
-        speeds=(0.0, TOP),
-        conditions=replace(case.conditions, rotor="rigid"),
-        analyses=asked,
+    case = _case()
+    return Flagship(
+        case, solve(case).results, _at_both_ends(replace(case.conditions, rotor="rigid"))
     )
-    return Flagship(case, solve(case).results, solve(stiff).results)
+
+
+def under(reference: Reference) -> Mapping[str, Any]:
+    """Results under the conditions that a known value of the machine was found with."""
+    case, results = flagship().case, flagship().results
+    conditions = replace(case.conditions, **reference.conditions)
+    return results if conditions == case.conditions else _at_both_ends(conditions)
+
+
+@cache
+def _at_both_ends(conditions: Conditions) -> Mapping[str, Any]:
+    """The case at rest and at top speed under other conditions, receptances aside."""
+    case = _case()
+    asked = {name: spec for name, spec in case.analyses.items() if name != "frf"}
+    return solve(replace(case, speeds=(0.0, TOP), conditions=conditions, analyses=asked)).results
+
+
+@cache
+def _case() -> Case:
+    return rotordyn.load(ROOT / "cases" / "mfw2310.yaml")
 
 
 def rest_rows() -> list[Row]:

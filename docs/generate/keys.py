@@ -18,10 +18,10 @@ PAGES = {
     ),
     "spindle": (
         "spindle.SpindleEntry shaft.ShaftEntry shaft.SectionEntry shaft.MassEntry shaft.DiscEntry "
-        "support.SeatEntry support.GrowthEntry support.QuadraticEntry support.FitEntry "
-        "support.ShorteningEntry support.SleeveEntry support.SpringEntry support.SupportEntry "
+        "support.SeatEntry growth.GrowthEntry growth.QuadraticEntry growth.FitEntry "
+        "growth.ShorteningEntry support.SleeveEntry support.SpringEntry support.SupportEntry "
         "matrix.WholeStiffnessEntry matrix.WholeDampingEntry "
-        "support.DrawbarEntry spindle.DampingEntry support.BearingDampingEntry"
+        "drawbar.DrawbarEntry spindle.DampingEntry support.BearingDampingEntry"
     ),
     "tool": "shaft.ToolEntry",
     "bearing": "bearing.BearingEntry",

@@ -7,9 +7,9 @@ from collections.abc import Callable
 from docs.generate.bearing_rows import bearing_rows
 from docs.generate.bending import axial_force_spans, axial_force_table, formulation_table
 from docs.generate.choices import choice_table, linear_table
-from docs.generate.comparison import comparison_table, left_out
 from docs.generate.flagship import flagship, rest_rows, speed_rows
 from docs.generate.keys import key_tables
+from docs.generate.known import comparison_table, left_out
 from docs.generate.marked import rewrite, table
 from docs.generate.modules import module_table
 from docs.generate.places import DOCS, README, THEORY

@@ -28,13 +28,18 @@ Progress = Callable[[str], None]
 
 @dataclass(frozen=True, slots=True)
 class Answers:
-    """Results by analysis name; seconds by stage, unasked stages, residuals, warnings."""
+    """Results by analysis name; seconds by stage, unasked stages, residuals.
+
+    ``warnings``: what a designer should know about the machine; ``notes``: what was chosen that
+    changes how the results read. Sentences.
+    """
 
     results: dict[str, Result]
     seconds: dict[str, float] = field(default_factory=dict)
     skipped: dict[str, str] = field(default_factory=dict)
     tolerances: dict[str, float] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
 
 
 def answer_spindle(
@@ -66,7 +71,7 @@ def answer_spindle(
         answer = import_module(SPINDLE_ANALYSES[name]).answer
         results[name] = scene.timed(f"answer {name}", partial(answer, scene, spec))
     unasked = dict.fromkeys(scene.skipped, "no analysis of this case needs it")
-    return Answers(results, scene.seconds, unasked, scene.tolerances, scene.warnings)
+    return Answers(results, scene.seconds, unasked, scene.tolerances, scene.warnings, scene.notes)
 
 
 def answer_bearing(

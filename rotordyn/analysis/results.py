@@ -187,3 +187,8 @@ class BearingMapResult:
 
 
 Result = PreloadResult | CampbellResult | FrfResult | StiffnessResult | BearingMapResult
+
+
+def turning(result: object) -> bool:
+    """True where frequencies are those seen from the frame that turns with the shaft."""
+    return isinstance(result, TurningCampbellResult | TurningFrfResult)

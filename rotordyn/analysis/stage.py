@@ -50,6 +50,7 @@ class Staged:
         """Stages that no question asked for."""
         return tuple(
             name
-            for name, value in vars(type(self)).items()
+            for kind in reversed(type(self).__mro__)
+            for name, value in vars(kind).items()
             if isinstance(value, stage) and name not in self.solved
         )

@@ -1,8 +1,8 @@
 """From a case to its results folder."""
 
+from rotordyn.analysis.registry import Progress
 from rotordyn.job.delivery import Delivery, deliver
 from rotordyn.job.solving import (
-    Progress,
     one_variant,
     restricted,
     run,

@@ -3,17 +3,18 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
-from rotordyn.analysis.registry import BEARING_ANALYSES, SPINDLE_ANALYSES, Answers
+from rotordyn.analysis.registry import BEARING_ANALYSES, SPINDLE_ANALYSES, Answers, Progress
 from rotordyn.case.case import Case
-from rotordyn.job.solving import Progress, solve, solve_variants, unsolved
-from rotordyn.plots.catalogue import Job, figures
+from rotordyn.job.solving import solve, solve_variants, unsolved
+from rotordyn.plots.catalogue import figures
 from rotordyn.plots.compared.catalogue import comparison_figures
+from rotordyn.plots.draw import Job
 
 
 @dataclass(frozen=True, slots=True)
@@ -49,24 +50,30 @@ class Parcel:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What a designer should know, with the variant it is about."""
+        """What a designer should know: why variants are missing, then of each variant."""
         from rotordyn.report.warnings import result_warnings
 
-        return tuple(
-            f"{part}: {sentence}" if part else sentence
-            for part, (_, answers) in self.parts.items()
-            for sentence in (*answers.warnings, *result_warnings(answers.results))
-        )
+        found = self._of_parts(lambda own: (*own.warnings, *result_warnings(own.results)))
+        return (*self.lost, *found)
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was chosen that changes how results read, with the variant it belongs to."""
+        return self._of_parts(lambda own: own.notes)
 
     @property
     def unsolved(self) -> tuple[str, ...]:
         """Why speeds, or whole variants, have no solution."""
+        return (*self.lost, *self._of_parts(lambda own: unsolved(own.results)))
+
+    def _of_parts(self, said: Callable[[Answers], Iterable[str]]) -> tuple[str, ...]:
+        """What is ``said`` of every part, each sentence once, led by the name of the variant."""
         found = {
             f"{part}: {sentence}" if part else sentence: None
             for part, (_, answers) in self.parts.items()
-            for sentence in unsolved(answers.results)
+            for sentence in said(answers)
         }
-        return (*self.lost, *found)
+        return tuple(found)
 
 
 def deliver(case: Case, target: Path, progress: Progress = lambda name: None) -> Delivery:
@@ -131,9 +138,9 @@ def _write(parcel: Parcel, folder: Path) -> str:
         _write_tables(part, answers.results, folder / name)
     if case.variants:
         shown = [(part, answers.results) for part, answers in parcel.parts.values()]
-        text = comparison_summary(case, shown, (*parcel.lost, *parcel.warnings))
+        text = comparison_summary(case, shown, parcel.warnings, parcel.notes)
     else:
-        text = summary(case, parcel.results, parcel.warnings)
+        text = summary(case, parcel.results, parcel.warnings, parcel.notes)
     (folder / "summary.txt").write_text(text + "\n", encoding="utf-8")
     return text
 
@@ -165,7 +172,8 @@ def _write_record(parcel: Parcel, drawn: Mapping[str, float], folder: Path) -> N
         stages={**parcel.seconds, **_by_part(parcel, "seconds")},
         figures=drawn,
         skipped={**unasked, **_by_part(parcel, "skipped")},
-        warnings=(*parcel.lost, *parcel.warnings),
+        warnings=parcel.warnings,
+        notes=parcel.notes,
     )
     write_record(folder, record)
 

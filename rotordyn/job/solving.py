@@ -2,19 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from rotordyn.analysis.registry import Answers, answer_bearing, answer_spindle
+from rotordyn.analysis.registry import Answers, Progress, answer_bearing, answer_spindle
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput, NoSolution
 
 if TYPE_CHECKING:
     import xarray as xr
-
-Progress = Callable[[str], None]
 
 
 @dataclass(frozen=True, slots=True)

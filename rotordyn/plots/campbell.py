@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM
-from rotordyn.analysis.results import CampbellResult, TurningCampbellResult
+from rotordyn.analysis.results import CampbellResult, turning
 from rotordyn.machine.reference import Reference
 from rotordyn.plots.labels import axis_label, spread
 from rotordyn.plots.style import (
@@ -159,11 +159,6 @@ def _look(kind: str, whirl: float) -> str:
     if kind != "bending":
         return kind if kind in LOOKS else "planar"
     return {1: "forward", -1: "backward"}.get(int(whirl) if whirl == whirl else 0, "planar")
-
-
-def turning(result: CampbellResult) -> bool:
-    """True where frequencies are those of the turning frame."""
-    return isinstance(result, TurningCampbellResult)
 
 
 def orders(result: CampbellResult, teeth: Sequence[int]) -> dict[int, str]:

@@ -10,11 +10,10 @@ import numpy as np
 
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
+from rotordyn.plots.draw import Job
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
-
-Job = tuple[str, "Callable[[], Figure]"]
 
 
 class Drawable(Protocol):

@@ -76,11 +76,6 @@ class Drawing:
             os._exit(status)
 
 
-def draw_all(jobs: Sequence[Job], folder: Path, workers: int = 2) -> dict[str, float]:
-    """Draw and save every figure of ``jobs`` into ``folder``; returns seconds by figure."""
-    return Drawing(jobs, folder, workers).finish()
-
-
 def draw_one(name: str, draw: Callable[[], Figure], folder: Path) -> float:
     """Draw and save one figure; returns the seconds it took."""
     from rotordyn.plots.style import save

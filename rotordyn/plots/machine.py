@@ -15,6 +15,7 @@ from rotordyn.plots.style import BLACK, BLUE, FONT_SIZE, add_axes, new_figure, r
 from rotordyn.plots.symbols import (
     bearing_width,
     draw_bearing,
+    draw_drawbar,
     draw_ground,
     draw_sleeve,
     spring,
@@ -29,7 +30,7 @@ _WIDTH, _SIDE = 168.0, 4.0
 
 
 def machine_figure(spindle: Spindle) -> Figure:
-    """The shaft cut above its axis, bearings with contact lines, sleeves, masses, points [mm]."""
+    """The shaft cut above its axis, with all that it carries and all that holds it [mm]."""
     left, right = _extent(spindle)
     reach = _reach(spindle)
     scale = (_WIDTH - 2.0 * _SIDE) / (right - left)
@@ -46,6 +47,8 @@ def machine_figure(spindle: Spindle) -> Figure:
     sketch = Sketch()
     _draw_shaft(sketch, spindle, left, right)
     _draw_discs(sketch, spindle)
+    if spindle.drawbar:
+        draw_drawbar(sketch, spindle.drawbar, spindle.shaft)
     for seat in spindle.seats:
         radius = spindle.shaft.section_at(seat.x).outer_diameter / 2.0
         draw_bearing(sketch, seat, bearing_width(seat, spindle.seats), radius)
@@ -174,7 +177,7 @@ def _name_below(
     scale: float,
     limits: tuple[float, float],
 ) -> None:
-    """Masses, supports and named points under the shaft, joined to their places by leaders."""
+    """Masses, supports, points, discs and the drawbar under the shaft, joined by leaders."""
     marks = _marks(sketch, spindle, 1.6 / scale)
     sizes = [max(_text(line, scale) for line in text.split("\n")) for _, _, text in marks]
     places = spread([x for x, _, _ in marks], sizes, *limits)
@@ -205,6 +208,8 @@ def _marks(sketch: Sketch, spindle: Spindle, size: float) -> list[tuple[float, f
     foot = -_reach(spindle)
     marks += [(support.x * 1e3, foot, support.name) for support in spindle.supports]
     marks += [(disc.x * 1e3, foot, disc.name) for disc in spindle.discs]
+    if bar := spindle.drawbar:
+        marks.append(((bar.start + bar.end) * 500.0, 0.0, f"drawbar\n{bar.force / 1e3:.3g} kN"))
     return marks
 
 

@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rotordyn.analysis.comparison import preload_sum
 from rotordyn.analysis.display import DEGREE, GIGAPASCAL, MICROMETRE, RPM
+from rotordyn.analysis.known import preload_sum
 from rotordyn.analysis.results import PreloadResult
 from rotordyn.machine.limits import WARNING_PRESSURE
 from rotordyn.machine.reference import Reference

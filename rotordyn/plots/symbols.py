@@ -1,4 +1,4 @@
-"""How bearings, sleeves, springs and supports are drawn [mm]."""
+"""How bearings, sleeves, springs, supports and the drawbar are drawn [mm]."""
 
 from __future__ import annotations
 
@@ -7,11 +7,13 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from rotordyn.machine.drawbar import Drawbar
+from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.support import BearingSeat
 from rotordyn.plots.sketch import Sketch
 from rotordyn.plots.style import BLUE, RED
 
-RING, BALL, SLEEVE, GROUND = "#C9D3DC", "#FFFFFF", "#E9DFC7", "#555555"
+RING, BALL, SLEEVE, GROUND, BAR = "#C9D3DC", "#FFFFFF", "#E9DFC7", "#555555", "#A8B0B8"
 Line = list[tuple[float, float]]
 
 
@@ -97,3 +99,31 @@ def draw_sleeve(
         sketch.line([(near, base + 5.9), (near, base + 8.7)], GROUND, 1.8)
         draw_ground(sketch, wall, base + 7.3, 1.7, upright=True, side=float(thrust))
     return (face + wall) / 2.0, base + 2.8
+
+
+def draw_drawbar(sketch: Sketch, bar: Drawbar, shaft: Shaft) -> None:
+    """The bar in the cut half of the bore, as wide as it where guided everywhere; [m] in, [mm] out.
+
+    A plate at either end, where it pulls the shaft; a ring at every guide.
+    """
+    bore = _narrowest(bar, shaft) * 500.0
+    radius = 0.55 * bore if bar.contacts else bore
+    start, end = bar.start * 1e3, bar.end * 1e3
+    thick = min(0.012 * (shaft.end - shaft.start) * 1e3, 0.25 * (end - start))
+    sketch.box(start, end, 0.0, radius, BAR, z=4)
+    for left in (start, end - thick):
+        sketch.box(left, left + thick, 0.0, bore, BAR, z=4)
+    for x in bar.contacts[1:-1]:
+        sketch.box(x * 1e3 - thick / 2.0, x * 1e3 + thick / 2.0, radius, bore, BAR, z=4)
+
+
+def _narrowest(bar: Drawbar, shaft: Shaft) -> float:
+    """Narrowest bore along the bar [m]; where there is none, a third of the shaft."""
+    edges = shaft.boundaries
+    along = [
+        section
+        for section, left, right in zip(shaft.sections, edges, edges[1:], strict=False)
+        if left < bar.end and right > bar.start
+    ]
+    bores = [section.inner_diameter for section in along if section.inner_diameter > 0.0]
+    return min(bores) if bores else min(section.outer_diameter for section in along) / 3.0

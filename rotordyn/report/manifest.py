@@ -24,7 +24,7 @@ class RunRecord:
 
     ``digest``: hash of all ``inputs`` read. ``outcomes``: analysis -> outcome word -> speeds [rpm]
     with it. ``tolerances``: name -> the residual reached. ``stages`` and ``figures``: seconds.
-    ``skipped``: what was not made -> why. ``warnings``: sentences.
+    ``skipped``: what was not made -> why. ``warnings``, ``notes``: sentences.
     """
 
     case: str
@@ -38,6 +38,7 @@ class RunRecord:
     figures: Mapping[str, float] = field(default_factory=dict)
     skipped: Mapping[str, str] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
 
 
 def versions() -> dict[str, str]:

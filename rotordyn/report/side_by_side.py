@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.comparison import compare, preload_sum
 from rotordyn.analysis.display import RPM, STIFFNESS
+from rotordyn.analysis.known import matches, preload_sum
 from rotordyn.analysis.results import (
     BearingMapResult,
     CampbellResult,
@@ -18,7 +18,9 @@ from rotordyn.analysis.results import (
     StiffnessResult,
 )
 from rotordyn.machine.reference import Reference
-from rotordyn.report.summary import Described, computed_values, known_values, number, wrapped
+from rotordyn.report.known import computed_values, known_values
+from rotordyn.report.summary import Described, called
+from rotordyn.report.text import number, opening, wrapped
 
 MODES = 5  # of the lowest bending modes
 Cells = dict[str, str]
@@ -26,11 +28,13 @@ Variant = tuple[Described, Mapping[str, Any]]
 
 
 def comparison_summary(
-    case: Described, variants: Sequence[Variant], warnings: Iterable[str] = ()
+    case: Described,
+    variants: Sequence[Variant],
+    warnings: Sequence[str] = (),
+    notes: Sequence[str] = (),
 ) -> str:
     """Key figures at the first and the last speed, then the known values that apply."""
-    lines = [f"WARNING: {w}" for w in warnings][:6]
-    lines.append(f"{case.name}: {case.title}" if case.title else case.name)
+    lines = opening(warnings, called(case), notes)
     for name, (title, cells) in TABLES.items():
         rows = {own.title: cells(found[name], own) for own, found in variants if name in found}
         if rows:
@@ -57,7 +61,7 @@ def _known(variants: Sequence[Variant]) -> list[str]:
     """Every known value once, and beside it what each variant it applies to gives."""
     beside: dict[Reference, list[tuple[str, str]]] = {}
     for case, found in variants:
-        for each in compare(case.known, found, case.spindle):
+        for each in matches(case.known, found, case.spindle):
             ours = computed_values(each)
             beside.setdefault(each.reference, []).append((case.title, ours))
     return [line for reference, ours in beside.items() for line in _beside(reference, ours)]

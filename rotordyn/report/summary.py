@@ -3,28 +3,30 @@
 from __future__ import annotations
 
 import math
-import textwrap
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, Protocol
 
 import numpy as np
 
-from rotordyn.analysis.comparison import Comparison, compare
-from rotordyn.analysis.display import RPM, STIFFNESS, Shown, shown
+from rotordyn.analysis.display import RPM, STIFFNESS
+from rotordyn.analysis.known import matches
 from rotordyn.analysis.results import (
     BearingMapResult,
     CampbellResult,
     PreloadResult,
     StiffnessResult,
-    TurningCampbellResult,
+    turning,
 )
+from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.inertia import rotor_inertia
-from rotordyn.machine.reference import QUANTITIES, Reference
+from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import Sleeve
 from rotordyn.report.accuracy import accuracy_words
+from rotordyn.report.known import known_lines
+from rotordyn.report.text import number, opening, unbroken, wrapped
 
-WIDTH, HEIGHT = 100, 40
-_NO_BREAK = "\u00a0"
+HEIGHT = 40
 _WHIRL = {1: " fw", -1: " bw", 0: ""}
 
 
@@ -41,12 +43,19 @@ class Described(Protocol):
     def known(self) -> Sequence[Reference]: ...
 
 
-def summary(case: Described, results: Mapping[str, Any], warnings: Iterable[str] = ()) -> str:
-    """The summary; ``warnings`` come first."""
-    lines = [f"WARNING: {w}" for w in warnings][:6]
-    lines.append(f"{case.name}: {case.title}" if case.title else case.name)
-    if case.spindle:
-        lines += _machine(case.spindle)
+def called(case: Described) -> str:
+    """Name and title of a case."""
+    return f"{case.name}: {case.title}" if case.title else case.name
+
+
+def summary(
+    case: Described,
+    results: Mapping[str, Any],
+    warnings: Sequence[str] = (),
+    notes: Sequence[str] = (),
+) -> str:
+    """The summary; ``warnings`` come first, ``notes`` below the title."""
+    lines = _machine(case.spindle) if case.spindle else []
     if "campbell" in results:
         lines += _modes(results["campbell"])
     if words := accuracy_words(results):
@@ -57,9 +66,10 @@ def summary(case: Described, results: Mapping[str, Any], warnings: Iterable[str]
         lines += _bearing(results["bearing"])
     if "stiffness" in results:
         lines += _stiffness(results["stiffness"])
-    lines = [part for line in lines for part in wrapped(line)]
-    compared = compare(case.known, results, case.spindle)
-    return "\n".join((lines + _references(compared, HEIGHT - len(lines)))[:HEIGHT])
+    top = opening(warnings, called(case), notes)
+    text = [*top, *(part for line in lines for part in wrapped(line))]
+    found = matches(case.known, results, case.spindle)
+    return "\n".join((text + known_lines(found, HEIGHT - len(text)))[:HEIGHT])
 
 
 def _machine(spindle: Spindle) -> list[str]:
@@ -70,22 +80,32 @@ def _machine(spindle: Spindle) -> list[str]:
     ]
     if spindle.seats:
         rows = ", ".join(
-            _whole(f"{s.name} {'+' if s.thrust > 0 else '−'} at {s.x * 1e3:.1f}")
+            unbroken(f"{s.name} {'+' if s.thrust > 0 else '−'} at {s.x * 1e3:.1f}")
             for s in spindle.seats
         )
         pairs = ", ".join(f"{a} and {b} in {word}" for a, b, word in spindle.pairings)
         lines.append(f"bearings   [mm] {rows} (+: a push towards +x loads it)")
         if pairs:
             lines[-1] += f"; {pairs}"
-    for sleeve in spindle.sleeves:
-        spring = sleeve.spring
-        stiff = f"{spring.stiffness / 1e6:g} N/µm" if math.isfinite(spring.stiffness) else "rigid"
-        stop = f", stop after {sleeve.stop_travel * 1e6:g} µm"
-        lines.append(
-            f"sleeve     {sleeve.name} with {', '.join(sleeve.bearings)}: {spring.preload:g} N, "
-            f"{stiff}{stop if math.isfinite(sleeve.stop_travel) else ''}"
-        )
-    return lines
+    lines += [_sleeve(sleeve) for sleeve in spindle.sleeves]
+    return lines if spindle.drawbar is None else [*lines, _drawbar(spindle.drawbar)]
+
+
+def _sleeve(sleeve: Sleeve) -> str:
+    spring = sleeve.spring
+    stiff = f"{spring.stiffness / 1e6:g} N/µm" if math.isfinite(spring.stiffness) else "rigid"
+    stop = f", stop after {sleeve.stop_travel * 1e6:g} µm"
+    return (
+        f"sleeve     {sleeve.name} with {', '.join(sleeve.bearings)}: {spring.preload:g} N, "
+        f"{stiff}{stop if math.isfinite(sleeve.stop_travel) else ''}"
+    )
+
+
+def _drawbar(bar: Drawbar) -> str:
+    ends = f"from {bar.start * 1e3:.1f} to {bar.end * 1e3:.1f} mm"
+    at = ", ".join(f"{x * 1e3:.1f}" for x in bar.contacts[1:-1])
+    guides = f"guided at {at} mm" if at else "not guided" if bar.contacts else "guided everywhere"
+    return f"drawbar    {bar.force:g} N {ends}, {guides}"
 
 
 def _modes(result: CampbellResult) -> list[str]:
@@ -95,15 +115,15 @@ def _modes(result: CampbellResult) -> list[str]:
     single = len(result.speed) == 1
     rpm = f"{first * RPM.factor:.0f}" + ("" if single else f" → {last * RPM.factor:.0f}") + " rpm"
     entries = [
-        f"{name} {number(a)}{'' if single else f' → {number(b)}'}{_turning(name, w)}"
+        f"{name} {number(a)}{'' if single else f' → {number(b)}'}{_whirl(name, w)}"
         for name, a, b, w in zip(
             result.mode, result.frequency[0], result.frequency[-1], result.whirl[-1], strict=True
         )
     ]
-    frame = " in the turning frame" if isinstance(result, TurningCampbellResult) else ""
-    lines = [f"modes [Hz]{frame} {rpm}: " + "; ".join(map(_whole, entries))]
+    frame = " in the turning frame" if turning(result) else ""
+    lines = [f"modes [Hz]{frame} {rpm}: " + "; ".join(map(unbroken, entries))]
     known = [
-        _whole(f"{name} {speed * RPM.factor:.0f} rpm ({(speed / last - 1.0) * 100.0:+.0f} %)")
+        unbroken(f"{name} {speed * RPM.factor:.0f} rpm ({(speed / last - 1.0) * 100.0:+.0f} %)")
         for name, speed in zip(result.critical, result.critical_speed, strict=True)
         if math.isfinite(speed) and last > 0.0
     ]
@@ -123,7 +143,7 @@ def _nearest(result: CampbellResult) -> str:
     ]
     if not chosen:
         return ""
-    if isinstance(result, TurningCampbellResult):  # the 1× line stands still there, at 0 Hz
+    if turning(result):  # the 1× line stands still there, at 0 Hz
         near = min(chosen, key=lambda k: float(result.frequency[-1, k]))
         return f"; {result.mode[near]} is nearest, {result.frequency[-1, near]:.0f} Hz away"
     near = min(chosen, key=lambda k: abs(float(result.frequency[-1, k]) - hertz))
@@ -131,7 +151,7 @@ def _nearest(result: CampbellResult) -> str:
     return f"; {result.mode[near]} is nearest, {ratio:.2f} × the top speed"
 
 
-def _turning(name: str, whirl: float) -> str:
+def _whirl(name: str, whirl: float) -> str:
     """Whirl at the top speed, where the name does not say it."""
     known = "forward" in name or "backward" in name or not math.isfinite(whirl)
     return "" if known else _WHIRL[round(whirl)]
@@ -159,7 +179,7 @@ def _bearing(result: BearingMapResult) -> list[str]:
 
 def _preload(result: PreloadResult) -> list[str]:
     loads = ", ".join(
-        _whole(f"{name} {number(a, 0)} → {number(b, 0)}")
+        unbroken(f"{name} {number(a, 0)} → {number(b, 0)}")
         for name, a, b in zip(result.bearing, *result.axial_load[[0, -1]], strict=True)
     )
     lines = [f"preload    [N] {loads}"]
@@ -171,91 +191,9 @@ def _preload(result: PreloadResult) -> list[str]:
 
 def _stiffness(result: StiffnessResult) -> list[str]:
     values = ", ".join(
-        _whole(f"{name.replace('_', ' ')} {number(a)} → {number(b)}")
+        unbroken(f"{name.replace('_', ' ')} {number(a)} → {number(b)}")
         for name, a, b in zip(
             result.variant, *(result.tangent[[0, -1]] * STIFFNESS.factor), strict=True
         )
     )
     return [f"stiffness  radial, tangent [N/µm] {values}"]
-
-
-def _references(compared: Sequence[Comparison], room: int) -> list[str]:
-    """Reference against ours, then its remark, as many as fit whole."""
-    lines: list[str] = []
-    for index, each in enumerate(compared):
-        block = _comparison(each)
-        if len(lines) + len(block) + 1 > room:
-            left = len(compared) - index
-            lines.append(f"… and {left} more published or measured values in the figures and docs")
-            break
-        lines += block
-    return lines
-
-
-def _comparison(compared: Comparison) -> list[str]:
-    head = f"{compared.reference.kind:10s} {comparison_head(compared)}"
-    return [*wrapped(head), *wrapped(" " * 11 + compared.reference.remark)]
-
-
-def comparison_head(compared: Comparison) -> str:
-    """What is known of a quantity beside what was computed, in printed units."""
-    reference, to = compared.reference, _unit(compared.reference)
-    single = _one_speed(reference)
-    pairs = [
-        _whole(
-            f"{known * to.factor:.4g} | {ours * to.factor:.4g}"
-            + ("" if single else f" @ {speed * RPM.factor:.0f}")
-        )
-        for speed, known, ours in zip(
-            reference.speeds, reference.values, compared.values, strict=True
-        )
-    ]
-    where = "" if single else " @ rpm"
-    return f"{_what(reference)}: {reference.kind} | ours{where}: {', '.join(pairs)}"
-
-
-def known_values(reference: Reference) -> str:
-    """What is known of a quantity, in printed units."""
-    to, single = _unit(reference), _one_speed(reference)
-    values = [
-        _whole(f"{v * to.factor:.4g}" + ("" if single else f" @ {s * RPM.factor:.0f} rpm"))
-        for s, v in zip(reference.speeds, reference.values, strict=True)
-    ]
-    return f"{_what(reference)}: {', '.join(values)}"
-
-
-def computed_values(compared: Comparison) -> str:
-    """What was computed of it, in the same order and units."""
-    to = _unit(compared.reference)
-    return ", ".join(f"{v * to.factor:.4g}" for v in compared.values)
-
-
-def _unit(reference: Reference) -> Shown:
-    return shown(QUANTITIES.get(reference.quantity, ""))
-
-
-def _one_speed(reference: Reference) -> bool:
-    return len(set(reference.speeds)) == 1
-
-
-def _what(reference: Reference) -> str:
-    """The quantity, its subject, its speed where there is one for all values, its unit."""
-    subject = f" {reference.subject}".replace("_", " ") if reference.subject else ""
-    rpm = f" at {reference.speeds[0] * RPM.factor:.0f} rpm" if _one_speed(reference) else ""
-    return f"{reference.quantity.replace('_', ' ')}{subject}{rpm} [{_unit(reference).unit}]"
-
-
-def _whole(entry: str) -> str:
-    """An entry that is not broken over two lines."""
-    return entry.replace(" ", _NO_BREAK)
-
-
-def wrapped(line: str) -> list[str]:
-    """Lines of at most ``WIDTH`` columns, the later ones set in."""
-    lines = textwrap.wrap(line, WIDTH, subsequent_indent=" " * 11, break_on_hyphens=False)
-    return [part.replace(_NO_BREAK, " ") for part in lines]
-
-
-def number(value: float, digits: int = 1) -> str:
-    """Printed with ``digits`` decimals; "none" where there is no value."""
-    return f"{value:.{digits}f}" if math.isfinite(value) else "none"

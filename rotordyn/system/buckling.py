@@ -8,11 +8,10 @@ from numpy.typing import NDArray
 from rotordyn.elements.support import node_matrix, turn
 from rotordyn.machine.spindle import Spindle
 from rotordyn.system.condensed import CondensedRotor
-from rotordyn.system.dofs import Selection
+from rotordyn.system.dofs import BOTH_PLANES
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
-BOTH_PLANES = Selection(("y", "thz", "z", "thy"), (1, 1, 1, -1))
 ROUNDING = 1e-12  # of a stiffness matrix with unit diagonal
 
 

@@ -16,13 +16,12 @@ from rotordyn.elements.node import FREEDOMS, position
 from rotordyn.elements.support import ALIKE, node_matrix, turn
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
-from rotordyn.system.dofs import Selection
+from rotordyn.system.dofs import BOTH_PLANES
 from rotordyn.system.lateral_rotor import LateralRotor
 from rotordyn.system.remainder import Remainder
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-BOTH_PLANES = Selection(("y", "thz", "z", "thy"), (1, 1, 1, -1))
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 from dataclasses import replace
 from typing import Any
@@ -20,6 +21,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.job import solve
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.spindle import Spindle
+from rotordyn.plots.compared.catalogue import comparison_figures
 from rotordyn.system.assemble import add_at_nodes, bending_plane
 from tests.oracles.rotors import STEEL, support, uniform
 from tests.oracles.spindles import RPM, answers, case, mfw2310, pairs, scene
@@ -190,11 +192,11 @@ def test_uneven_supports_are_refused() -> None:
 def test_user_is_told(formulation: str) -> None:
     asked = replace(case(), speeds=(0.0,), analyses={"campbell": CampbellSpec(1500.0)})
     asked = replace(asked, conditions=replace(asked.conditions, formulation=formulation))
-    told = [w for w in solve(asked).warnings if w.startswith(f"formulation {formulation}: ")]
-    assert len(told) == 1
-    assert not any(
-        w.startswith("formulation") for w in solve(replace(asked, conditions=Conditions())).warnings
-    )
+    answers = solve(asked)
+    (told,) = answers.notes
+    assert told.startswith(f"formulation {formulation}: ")
+    assert answers.warnings == (), "it was chosen, and warns of nothing"
+    assert solve(replace(asked, conditions=Conditions())).notes == ()
 
 
 @pytest.mark.parametrize("formulation", ["inertial", TURNED, "fixed-frame softening"])
@@ -211,4 +213,25 @@ def test_whole_run(formulation: str, tmp_path: Any) -> None:
     header = (tmp_path / "out" / "campbell.csv").read_text().splitlines()[0]
     assert ("damped frequency in the turning frame" in header) == turning
     assert ("modes [Hz] in the turning frame" in delivery.summary) == turning
-    assert (f"formulation {formulation}" in delivery.summary) == (formulation != "inertial")
+    chosen = formulation != "inertial"
+    assert (f"\nnote       formulation {formulation}: " in delivery.summary) == chosen
+    record = json.loads((tmp_path / "out" / "run.json").read_text(encoding="utf-8"))
+    assert len(record["notes"]) == chosen
+    assert record["warnings"] == []
+
+
+@pytest.mark.parametrize(("formulation", "drawn"), [("inertial", True), (TURNED, False)])
+def test_known_frequencies_are_drawn_in_the_fixed_frame_alone(
+    formulation: str, drawn: bool
+) -> None:
+    asked: dict[str, Any] = {
+        "campbell": CampbellSpec(1500.0, shapes=False),
+        "frf": FrfSpec((100.0, 200.0), pairs("Oc2.y/Oc2.y")),
+    }
+    whole = replace(case(), speeds=(0.0, 1000.0), analyses=asked)
+    whole = replace(whole, conditions=replace(whole.conditions, formulation=formulation))
+    assert whole.known
+    jobs = dict(comparison_figures([(whole, solve(whole).results)]))
+    for name in ("campbell", "frf_maps", "frf_surfaces"):
+        (variant,) = jobs[name].args[2]
+        assert bool(variant.known) == drawn, name

@@ -26,9 +26,7 @@ from rotordyn.case.schema.conditions import ConditionsEntry
 
 def conditions(entry: ConditionsEntry) -> Conditions:
     """How the machine is modelled."""
-    given = entry.model_dump()
-    given["gravity"] = "" if entry.gravity == "none" else entry.gravity
-    return Conditions(**given)
+    return Conditions(**entry.model_dump())
 
 
 def questions(entry: AnalysesEntry) -> dict[str, Spec]:

@@ -6,20 +6,14 @@ from collections.abc import Sequence
 
 from rotordyn import units
 from rotordyn.case.build.bearing import bearing, material
+from rotordyn.case.schema.drawbar import DrawbarEntry
+from rotordyn.case.schema.growth import GrowthEntry, QuadraticEntry, ShorteningEntry
 from rotordyn.case.schema.material import MaterialEntry
 from rotordyn.case.schema.matrix import entries
 from rotordyn.case.schema.reference import KIND_OF_UNIT, ReferenceEntry
 from rotordyn.case.schema.shaft import DiscEntry, MassEntry, SectionEntry, ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
-from rotordyn.case.schema.support import (
-    DrawbarEntry,
-    GrowthEntry,
-    QuadraticEntry,
-    SeatEntry,
-    ShorteningEntry,
-    SleeveEntry,
-    SupportEntry,
-)
+from rotordyn.case.schema.support import SeatEntry, SleeveEntry, SupportEntry
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.growth import (
     ComputedShortening,

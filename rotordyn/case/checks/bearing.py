@@ -10,8 +10,9 @@ from rotordyn.case.checks.names import exists, unique
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
 from rotordyn.case.schema.bearing import BearingEntry
+from rotordyn.case.schema.growth import GrowthEntry
 from rotordyn.case.schema.spindle import SpindleEntry
-from rotordyn.case.schema.support import GrowthEntry, SeatEntry
+from rotordyn.case.schema.support import SeatEntry
 from rotordyn.units import format_quantity
 
 

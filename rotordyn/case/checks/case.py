@@ -9,7 +9,7 @@ from contextlib import suppress
 from rotordyn.case.agreement import MOST_ELEMENTS, NEEDS_BEARINGS, OF_A_BEARING, uncoupled
 from rotordyn.case.build.spindle import support
 from rotordyn.case.build.sweep import values
-from rotordyn.case.checks.conditions import conditions
+from rotordyn.case.checks.conditions import conditions, sideways
 from rotordyn.case.checks.names import exists
 from rotordyn.case.checks.references import references
 from rotordyn.case.checks.sweep import ascending, sweep
@@ -112,7 +112,7 @@ def against_machine(
         _stiffness(entry.analyses.stiffness, points, spindle, root, faults)
         _one_plane(supports, root, faults)
     if spindle.bearings:
-        _sideways(entry, supports, root, faults)
+        sideways(entry, supports, root, faults)
 
 
 _ALL_MOTIONS = frozenset(MOTIONS.values())
@@ -157,24 +157,6 @@ def _one_plane(supports: list[LinearSupport], root: Node, faults: Faults) -> Non
                 f"support '{held.name}' couples plane y or the axis to other motions "
                 f"({', '.join(across)}): the radial stiffness is solved in plane y alone; ask frf "
                 "at a low frequency instead",
-            )
-
-
-def _sideways(entry: CaseEntry, supports: list[LinearSupport], root: Node, faults: Faults) -> None:
-    """Bearings are solved under axial load alone: what moves along x must not push aside."""
-    conditions = entry.conditions
-    speeds = values(entry.speeds) if conditions.bearings == "dynamic" else ()
-    if not any(speeds) and conditions.axial_force == 0.0 and conditions.gravity == "none":
-        return
-    for held in supports:
-        if held.sideways:
-            names = ", ".join(entry_name(*ends) for ends in held.sideways)
-            faults.at_key(
-                root,
-                ("spindle",),
-                f"support '{held.name}' pushes the shaft aside as its preload state moves it along "
-                f"the axis ({names}): bearings are solved under axial load alone; leave these "
-                "entries out, or set bearings: static without axial force and weight",
             )
 
 

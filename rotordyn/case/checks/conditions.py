@@ -1,18 +1,16 @@
-"""Conditions against the machine: a frame its supports allow, a force that something carries."""
+"""Conditions against the machine: a frame its supports allow, forces that something carries."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
 
 from rotordyn.analysis.formulation import ROTATING
+from rotordyn.case.build.sweep import values
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
+from rotordyn.case.schema.case import CaseEntry
 from rotordyn.case.schema.conditions import ConditionsEntry
-from rotordyn.machine.support import coupled_motions
-
-if TYPE_CHECKING:
-    from rotordyn.machine.support import LinearSupport
+from rotordyn.machine.support import LinearSupport, coupled_motions, entry_name
 
 
 def conditions(
@@ -59,4 +57,24 @@ def _even(support: LinearSupport, root: Node, faults: Faults) -> None:
                 way,
                 f"the {name} of support '{support.name}' differs between directions about the "
                 "axis, which a turning frame cannot describe: given 'rotating'; allowed: inertial",
+            )
+
+
+def sideways(
+    entry: CaseEntry, supports: Sequence[LinearSupport], root: Node, faults: Faults
+) -> None:
+    """Bearings are solved under axial load alone: what moves along x must not push aside."""
+    chosen = entry.conditions
+    speeds = values(entry.speeds) if chosen.bearings == "dynamic" else ()
+    if not any(speeds) and chosen.axial_force == 0.0 and chosen.gravity == "none":
+        return
+    for held in supports:
+        if held.sideways:
+            names = ", ".join(entry_name(*ends) for ends in held.sideways)
+            faults.at_key(
+                root,
+                ("spindle",),
+                f"support '{held.name}' pushes the shaft aside as its preload state moves it along "
+                f"the axis ({names}): bearings are solved under axial load alone; leave these "
+                "entries out, or set bearings: static without axial force and weight",
             )

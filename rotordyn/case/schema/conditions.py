@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Annotated
 
-from rotordyn.analysis.formulation import FORMULATIONS
+from rotordyn.analysis.formulation import FORMULATIONS, INERTIAL
 from rotordyn.analysis.specs import (
     BEARINGS,
     GRAVITY,
@@ -30,8 +30,8 @@ class ConditionsEntry(Entry):
     bearings: Annotated[str, choice(*BEARINGS)] = "dynamic"
     rotor: Annotated[str, choice(*ROTOR)] = "flexible"
     axial_force: Force = 0.0
-    gravity: Annotated[str, choice(*(way or "none" for way in GRAVITY))] = "none"
+    gravity: Annotated[str, choice(*GRAVITY)] = "none"
     accuracy: Accuracy = 1e-4
     element_length: Length | None = None
-    formulation: Annotated[str, choice(*FORMULATIONS)] = "inertial"
+    formulation: Annotated[str, choice(*FORMULATIONS)] = INERTIAL
     axial_stiffening: Flag = True

@@ -2,13 +2,12 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import Annotated
 
 from pydantic import BeforeValidator
 
-from rotordyn.case.node import UNKNOWN
 from rotordyn.case.schema.base import Entry
-from rotordyn.case.schema.values import Text, quantity
+from rotordyn.case.schema.values import Text, none_if_unknown, quantity
 
 
 class MaterialEntry(Entry):
@@ -20,11 +19,6 @@ class MaterialEntry(Entry):
     density: Annotated[float, quantity("density", at_least="100 kg/m^3", at_most="30000 kg/m^3")]
     source: Text = ""
     note: Text = ""
-
-
-def none_if_unknown(value: Any) -> Any:
-    """A model that was not found (reported already) is left out."""
-    return None if value is UNKNOWN else value
 
 
 OptionalMaterial = Annotated[MaterialEntry | None, BeforeValidator(none_if_unknown)]

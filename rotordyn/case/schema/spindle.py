@@ -5,14 +5,13 @@ from __future__ import annotations
 from typing import Any
 
 from rotordyn.case.schema.base import Entry
+from rotordyn.case.schema.drawbar import DrawbarEntry
+from rotordyn.case.schema.growth import GrowthEntry, ShorteningEntry
 from rotordyn.case.schema.reference import ReferenceEntry
 from rotordyn.case.schema.shaft import DiscEntry, MassEntry, ShaftEntry
 from rotordyn.case.schema.support import (
     BearingDampingEntry,
-    DrawbarEntry,
-    GrowthEntry,
     SeatEntry,
-    ShorteningEntry,
     SleeveEntry,
     SupportEntry,
 )

@@ -1,60 +1,27 @@
-"""What holds the shaft: bearings, their growth, sleeves, linear supports."""
+"""What holds the shaft: bearings, sleeves with their springs, linear supports."""
 
 from __future__ import annotations
 
 import math
 from typing import Annotated, Any
 
-from pydantic import BeforeValidator, Discriminator, Field, Tag
+from pydantic import BeforeValidator, Field
 
-from rotordyn.case.schema.base import Entry, form
+from rotordyn.case.schema.base import Entry
 from rotordyn.case.schema.bearing import BearingEntry
-from rotordyn.case.schema.material import none_if_unknown
+from rotordyn.case.schema.growth import GrowthEntry
 from rotordyn.case.schema.matrix import DampingMatrix, DampingMatrixEntry, StiffnessMatrix
 from rotordyn.case.schema.values import (
     Damping,
-    Diameter,
-    Growth,
-    Interference,
     Mass,
     Name,
     Preload,
-    Pull,
     Rigidity,
     Station,
     StopTravel,
-    TopSpeed,
     choice,
+    none_if_unknown,
 )
-from rotordyn.machine.drawbar import EVERYWHERE
-
-
-class QuadraticEntry(Entry):
-    """A displacement at a speed, growing with speed²."""
-
-    value: Growth
-    at: TopSpeed
-
-
-class FitEntry(Entry):
-    """The fit of inner ring and shaft; the bore is that of the bearing model unless given."""
-
-    interference: Interference
-    bore_diameter: Diameter | None = None
-
-
-CentrifugalGrowth = Annotated[
-    Annotated[str, choice("computed"), Tag("<word>")] | Annotated[QuadraticEntry, Tag("<mapping>")],
-    Discriminator(form),
-]
-
-
-class GrowthEntry(Entry):
-    """Radial growth of the inner groove; ``fit`` serves where the growth is ``computed``."""
-
-    static: Growth = 0.0
-    centrifugal: CentrifugalGrowth | None = None
-    fit: FitEntry | None = None
 
 
 class BearingDampingEntry(Entry):
@@ -101,34 +68,3 @@ class SupportEntry(Entry):
     x: Station
     stiffness: StiffnessMatrix
     damping: DampingMatrix = DampingMatrixEntry()
-
-
-def _guides_form(value: object) -> str:
-    return "<list>" if form(value) == "<list>" else "<word>"
-
-
-Guides = Annotated[
-    Annotated[str, choice(EVERYWHERE), Tag("<word>")] | Annotated[list[Station], Tag("<list>")],
-    Discriminator(_guides_form),
-]
-
-
-class DrawbarEntry(Entry):
-    """The bar in the bore: it pulls the shaft together between two stations."""
-
-    force: Pull
-    start: Station = Field(alias="from")
-    to: Station
-    guides: Guides = []
-
-
-class ShorteningEntry(Entry):
-    """Axial shift of the seats: prescribed ``at`` a speed, or computed from ``reference``."""
-
-    shift: Annotated[
-        Annotated[str, choice("computed"), Tag("<word>")]
-        | Annotated[dict[Name, Growth], Tag("<mapping>")],
-        Discriminator(form),
-    ]
-    at: TopSpeed | None = None
-    reference: Station | None = None

@@ -149,6 +149,11 @@ def _flag(value: Any) -> bool:
     return value
 
 
+def none_if_unknown(value: Any) -> Any:
+    """A model that was not found (reported already) is left out."""
+    return None if value is UNKNOWN else value
+
+
 Name = Annotated[str, PlainValidator(_name, json_schema_input_type=_shaped(shapes.NAME))]
 Text = Annotated[str, PlainValidator(_text, json_schema_input_type=str)]
 Flag = Annotated[bool, PlainValidator(_flag, json_schema_input_type=bool)]

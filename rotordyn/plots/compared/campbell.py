@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rotordyn.analysis.display import RPM
-from rotordyn.plots.campbell import draw_known, draw_modes, draw_orders, orders, turning
+from rotordyn.plots.campbell import draw_known, draw_modes, draw_orders, orders
 from rotordyn.plots.compared.panels import Shown, colour, panels
 from rotordyn.plots.style import (
     BLACK,
@@ -39,7 +39,7 @@ def panels_figure(
         axes = add_axes(figure, box, below, "" if place % 2 else "damped frequency [Hz]")
         _prepare(axes, variant, top, teeth)
         draw_modes(axes, variant.result)
-        draw_known(axes, () if turning(variant.result) else variant.known)
+        draw_known(axes, variant.known)
         axes.set_title(variant.title, fontsize=FONT_SIZE, pad=4.0)
     top_legend(figure, *figure.axes)
     return figure

@@ -8,8 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from rotordyn.plots.catalogue import Drawable, Job, call
+from rotordyn.analysis.results import turning
+from rotordyn.machine.reference import Reference
+from rotordyn.plots.catalogue import Drawable, call
 from rotordyn.plots.compared.panels import MOST_PANELS, Shown
+from rotordyn.plots.draw import Job
 
 Variant = tuple[Drawable, Mapping[str, Any]]
 
@@ -19,13 +22,18 @@ def comparison_figures(variants: Sequence[Variant]) -> list[Job]:
     jobs: list[Job] = []
     for name, draw in FIGURES.items():
         shown = [
-            Shown(case.title, found[name], case.known, case.spindle)
+            Shown(case.title, found[name], _known(case, found[name]), case.spindle)
             for case, found in variants
             if name in found
         ]
         if shown:
             jobs += draw(variants[0][0].analyses.get(name), shown)
     return jobs
+
+
+def _known(case: Drawable, result: Any) -> Sequence[Reference]:
+    """What may be drawn over a result: known frequencies belong to the fixed frame."""
+    return () if turning(result) else case.known
 
 
 def _campbell(spec: Any, shown: Sequence[Shown]) -> Iterator[Job]:

@@ -5,8 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from rotordyn.analysis.comparison import preload_sum
 from rotordyn.analysis.display import MICROMETRE, RPM
+from rotordyn.analysis.known import preload_sum
 from rotordyn.plots.compared.panels import Shown, colour, dash
 from rotordyn.plots.curves import draw_references
 from rotordyn.plots.style import add_axes, grid_boxes, new_figure, speed_ticks, top_legend

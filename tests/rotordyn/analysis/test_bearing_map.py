@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from rotordyn.analysis.bearing_map import answer, tangent_error
-from rotordyn.analysis.comparison import compare
+from rotordyn.analysis.known import matches
 from rotordyn.analysis.specs import BearingMapSpec, Conditions
 from rotordyn.errors import NoSolution
 from rotordyn.machine.reference import Reference
@@ -62,10 +62,10 @@ def test_a_published_error_stands_beside_the_largest_of_ours() -> None:
     known = Reference("frozen_error", "published", "x", (SPEED[2],), (0.16,))
     spec = BearingMapSpec((250.0, 1000.0), tangents=("complete", "frozen"))
     found = answer(VEX70, Conditions(kinematics="outer"), SPEED, spec)
-    (beside,) = compare([known], {"bearing": found}, None)
-    assert beside.values == pytest.approx((0.125,), abs=6e-4)
+    (match,) = matches([known], {"bearing": found}, None)
+    assert match.values == pytest.approx((0.125,), abs=6e-4)
     alone = answer(VEX70, Conditions(), SPEED, BearingMapSpec((250.0,)))
-    assert compare([known], {"bearing": alone}, None) == []
+    assert matches([known], {"bearing": alone}, None) == []
 
 
 def test_control_that_the_kinematics_assumes_is_checked() -> None:

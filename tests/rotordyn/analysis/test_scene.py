@@ -72,7 +72,7 @@ def test_each_analysis_alone_equals_itself_in_company(name: str) -> None:
 
 
 def test_preload_is_solved_once_for_all_questions(monkeypatch: pytest.MonkeyPatch) -> None:
-    import rotordyn.analysis.scene as module
+    import rotordyn.analysis.statics as module
 
     calls = []
     original = module.dynamic_preload

@@ -13,10 +13,15 @@ import rotordyn
 from rotordyn.analysis.specs import (
     BearingMapSpec,
     CampbellSpec,
+    Conditions,
     FrfSpec,
+    Port,
     PreloadSpec,
     StiffnessSpec,
 )
+from rotordyn.case.build.questions import conditions, questions
+from rotordyn.case.schema.analyses import AnalysesEntry
+from rotordyn.case.schema.conditions import ConditionsEntry
 from rotordyn.machine.growth import (
     ComputedShortening,
     InterferenceFit,
@@ -225,3 +230,24 @@ def test_drawbar_and_formulation(tmp_path: Path, guides: str, expected: object) 
     assert bar.guides == expected
     assert case.conditions.formulation == "fixed-frame softening"
     assert not case.conditions.axial_stiffening
+
+
+def test_defaults_of_files_are_those_of_python() -> None:
+    asked = AnalysesEntry.model_validate(
+        {
+            "preload": {},
+            "campbell": {},
+            "frf": {"frequencies": ["1 Hz"], "pairs": [{"response": "a.y", "excitation": "a.y"}]},
+            "stiffness": {"point": "a"},
+            "bearing": {"loads": ["1 N"]},
+        }
+    )
+    port = Port("a", "y")
+    assert conditions(ConditionsEntry()) == Conditions()
+    assert questions(asked) == {
+        "preload": PreloadSpec(),
+        "campbell": CampbellSpec(),
+        "frf": FrfSpec((1.0,), ((port, port),)),
+        "stiffness": StiffnessSpec("a"),
+        "bearing": BearingMapSpec((1.0,)),
+    }

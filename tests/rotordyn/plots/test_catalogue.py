@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from rotordyn.plots.catalogue import figures
-from rotordyn.plots.draw import Drawing, draw_all
+from rotordyn.plots.draw import Drawing
 from tests.rotordyn.plots import samples
 
 NAMES = {
@@ -31,7 +31,7 @@ def drawn(case, results):
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory, case, results):
     path = tmp_path_factory.mktemp("figures")
-    seconds = draw_all(figures(case, results), path)
+    seconds = Drawing(figures(case, results), path).finish()
     assert set(seconds) == NAMES
     assert all(value > 0.0 for value in seconds.values())
     return path
@@ -84,7 +84,7 @@ def test_one_speed_and_missing_values_can_be_drawn(case, tmp_path):
     three["preload"].axial_load[1] = np.nan
     for each in (results, three):
         jobs = figures(case, each)
-        assert set(draw_all(jobs, tmp_path, workers=1)) == {name for name, _ in jobs}
+        assert set(Drawing(jobs, tmp_path, workers=1).finish()) == {name for name, _ in jobs}
 
 
 def test_bare_rotor_on_linear_supports(tmp_path):
@@ -102,7 +102,7 @@ def test_bare_rotor_on_linear_supports(tmp_path):
     empty = replace(empty, bearing=(), axial_load=np.zeros((2, 0)))
     jobs = figures(samples.SampleCase(spindle=bare), {"preload": empty})
     assert [name for name, _ in jobs] == ["machine"]
-    draw_all(jobs, tmp_path)
+    Drawing(jobs, tmp_path).finish()
     assert ">left<" in (tmp_path / "machine.svg").read_text()
 
 
@@ -119,8 +119,8 @@ def test_listing_figures_does_not_import_matplotlib():
 def test_pyplot_is_never_imported(tmp_path):
     code = (
         "import sys; from pathlib import Path; from rotordyn.plots.catalogue import figures;"
-        "from rotordyn.plots.draw import draw_all; from tests.rotordyn.plots import samples as s;"
-        f"draw_all(figures(s.case(), s.results(3, 20)), Path({str(tmp_path)!r}), workers=1);"
+        "from rotordyn.plots.draw import Drawing; from tests.rotordyn.plots import samples as s;"
+        f"Drawing(figures(s.case(), s.results(3, 20)), Path({str(tmp_path)!r}), 1).finish();"
         "sys.exit('matplotlib.pyplot' in sys.modules)"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
@@ -133,7 +133,7 @@ def test_a_failing_figure_surfaces_its_own_error(tmp_path, case, results):
     good = figures(case, results)[-1]
     for workers in (1, 2):
         with pytest.raises(LookupError, match="no such mode"):
-            draw_all([good, ("broken", broken), good], tmp_path, workers)
+            Drawing([good, ("broken", broken), good], tmp_path, workers).finish()
 
 
 def test_a_dying_worker_leaves_its_figures_to_us(tmp_path, case, results, monkeypatch):

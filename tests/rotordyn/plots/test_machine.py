@@ -4,14 +4,17 @@ from __future__ import annotations
 
 import itertools
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
 
+from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.support import BearingSeat
 from rotordyn.plots.labels import spread
 from rotordyn.plots.machine import machine_figure
-from rotordyn.plots.symbols import contact_line
+from rotordyn.plots.sketch import Sketch
+from rotordyn.plots.symbols import contact_line, draw_drawbar
 from tests.rotordyn.plots import samples
 
 
@@ -57,6 +60,25 @@ def test_everything_is_named():
     for name in ("a", "e", "Oc2", "nose", "drawbar 2\n0.2 kg", "release unit\n2.19 kg"):
         assert name in words
     assert "front sleeve: 574 N, 6.2 N/µm, stop after 52.2 µm" in words
+
+
+@pytest.mark.parametrize("guides", [(), (0.1, 0.2), "everywhere"])
+def test_drawbar_is_drawn_in_the_bore_and_named(guides):
+    plain = samples.spindle()
+    with_bar = replace(plain, drawbar=Drawbar(18e3, 0.02, 0.4, guides))
+    words = [t.get_text() for t in machine_figure(with_bar).axes[0].texts]
+    assert "drawbar\n18 kN" in words
+    assert "drawbar\n18 kN" not in [t.get_text() for t in machine_figure(plain).axes[0].texts]
+    sketch = Sketch()
+    draw_drawbar(sketch, with_bar.drawbar, plain.shaft)
+    (shapes,) = sketch.polygons.values()
+    corners = np.array([corner for shape in shapes for corner in shape])
+    assert corners[:, 0].min() == pytest.approx(20.0)
+    assert corners[:, 0].max() == pytest.approx(400.0)
+    assert corners[:, 1].min() == 0.0
+    bores = [s.inner_diameter for s in plain.shaft.sections if s.inner_diameter]
+    assert corners[:, 1].max() <= max(bores) * 500.0
+    assert len(shapes) == 3 + (0 if guides == "everywhere" else len(guides))
 
 
 def test_drawn_to_scale():

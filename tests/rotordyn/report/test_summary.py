@@ -7,8 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.reference import Reference
-from rotordyn.report.summary import HEIGHT, WIDTH, summary
+from rotordyn.report.summary import HEIGHT, summary
+from rotordyn.report.text import WIDTH
 from rotordyn.report.warnings import result_warnings
 from tests.rotordyn.plots import samples
 
@@ -42,6 +44,32 @@ def test_fits_one_screen(text):
 )
 def test_says(text, words):
     assert words in " ".join(text.split())
+
+
+@pytest.mark.parametrize(
+    ("guides", "words"),
+    [
+        ((), "drawbar 18000 N from 20.0 to 400.0 mm, not guided"),
+        ((0.1, 0.2), "drawbar 18000 N from 20.0 to 400.0 mm, guided at 100.0, 200.0 mm"),
+        ("everywhere", "drawbar 18000 N from 20.0 to 400.0 mm, guided everywhere"),
+    ],
+)
+def test_drawbar_is_named(case, results, guides, words):
+    assert "\ndrawbar" not in summary(case, results)
+    machine = replace(case.spindle, drawbar=Drawbar(18e3, 0.02, 0.4, guides))
+    assert words in " ".join(summary(replace(case, spindle=machine), results).split())
+
+
+def test_notes_stand_below_the_title(case, results):
+    lines = summary(case, results, ["first"], ["a choice " * 20]).splitlines()
+    assert lines[0] == "WARNING: first"
+    assert lines[2].startswith("note       a choice")
+    assert max(map(len, lines)) <= WIDTH
+
+
+def test_warnings_left_out_are_counted(case, results):
+    lines = summary(case, results, [f"number {k}" for k in range(9)]).splitlines()
+    assert lines[5:7] == ["WARNING: number 5", "WARNING: 3 more, listed in run.json"]
 
 
 def test_published_frequencies_meet_the_modes_in_order(text):

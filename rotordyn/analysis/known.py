@@ -14,7 +14,7 @@ from rotordyn.analysis.results import (
     BearingMapResult,
     CampbellResult,
     PreloadResult,
-    TurningCampbellResult,
+    turning,
 )
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
@@ -26,16 +26,16 @@ SAME_SPEED = 5e-3  # of the highest speed: nothing is interpolated between speed
 
 
 @dataclass(frozen=True, slots=True)
-class Comparison:
+class Match:
     """A reference, cut down to what can be compared, and our ``values`` (SI) for it."""
 
     reference: Reference
     values: tuple[float, ...]
 
 
-def compare(
+def matches(
     references: Sequence[Reference], results: Mapping[str, Any], spindle: Spindle | None
-) -> list[Comparison]:
+) -> list[Match]:
     """Every reference, at the speeds for which the results hold something to put beside it."""
     found = []
     for reference in dict.fromkeys(references):
@@ -48,7 +48,7 @@ def compare(
             speeds=tuple(reference.speeds[k] for k in kept),
             values=tuple(reference.values[k] for k in kept),
         )
-        found.append(Comparison(known, tuple(float(values[k]) for k in kept)))
+        found.append(Match(known, tuple(float(values[k]) for k in kept)))
     return found
 
 
@@ -117,7 +117,7 @@ def _computed(
 def _frequencies_of(result: CampbellResult, reference: Reference) -> Array | None:
     """Of the one mode that is the subject at each speed, or of all modes at the one speed."""
     speeds = np.asarray(reference.speeds, float)
-    if isinstance(result, TurningCampbellResult) and speeds.any():
+    if turning(result) and speeds.any():
         return None  # known ones belong to the fixed frame
     if reference.subject:
         kind = reference.quantity.partition("_")[0]

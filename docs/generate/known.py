@@ -1,0 +1,69 @@
+"""Published and measured values beside ours, each found under the conditions of the known one."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from docs.generate.flagship import Flagship, under
+from docs.generate.marked import table
+from docs.generate.rows import number
+from rotordyn.analysis.display import shown
+from rotordyn.analysis.known import Match, matches
+from rotordyn.analysis.specs import Conditions
+from rotordyn.machine.reference import QUANTITIES, Reference
+
+HEAD = ("quantity", "kind", "speed [rpm]:", "known:", "ours:", "why they may differ")
+
+
+def comparison_table(known: Flagship) -> str:
+    """One line per known value, the reason once per series."""
+    own = known.case.conditions
+    return table(HEAD, [line for item in _found(known) for line in _lines(item, own)])
+
+
+def _found(known: Flagship) -> list[Match]:
+    """What can be compared, each with the results under its own conditions."""
+    spindle = known.spindle
+    found = (matches([r], under(r), spindle) for r in dict.fromkeys(spindle.references))
+    return [item for items in found for item in items]
+
+
+def _lines(item: Match, own: Conditions) -> list[tuple[str, ...]]:
+    reference, unit = item.reference, shown(QUANTITIES[item.reference.quantity])
+    name = _called(reference)
+    lines: list[tuple[str, ...]] = []
+    for k, (speed, value, ours) in enumerate(
+        zip(reference.speeds, reference.values, item.values, strict=True)
+    ):
+        first = k == 0
+        lines.append(
+            (
+                f"{name}{_modelled(reference, own)} [{unit.unit}]" if first else "",
+                reference.kind if first else "",
+                f"{speed * 30.0 / math.pi:.0f}",
+                number(value * unit.factor),
+                number(ours * unit.factor) if np.isfinite(ours) else "–",
+                " ".join(reference.remark.split()) if first else "",
+            )
+        )
+    return lines
+
+
+def _called(reference: Reference) -> str:
+    return f"{reference.quantity} {reference.subject}".strip().replace("_", " ")
+
+
+def _modelled(reference: Reference, own: Conditions) -> str:
+    """The conditions it was found with where they are not those of the case."""
+    other = (f"`{k}: {v}`" for k, v in reference.conditions.items() if getattr(own, k) != v)
+    return "".join(f", {words}" for words in other)
+
+
+def left_out(known: Flagship) -> str:
+    """Known values that nothing is computed for, as a sentence."""
+    compared = {item.reference for item in _found(known)}
+    rest = [r for r in known.spindle.references if r not in compared]
+    names = dict.fromkeys(map(_called, rest))
+    return "Kept in the model without a computed value beside it: " + ", ".join(names) + "."

@@ -1,0 +1,37 @@
+"""Lines of plain text for a screen: their width, their numbers, what stands at the head."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from collections.abc import Sequence
+
+WIDTH = 100
+INDENT = " " * 11  # of what follows the first word of a line
+MOST_WARNINGS = 6
+_NO_BREAK = "\u00a0"
+
+
+def opening(warnings: Sequence[str], title: str, notes: Sequence[str]) -> list[str]:
+    """Warnings first, then the title and what the user chose that changes how results read."""
+    shown = [f"WARNING: {sentence}" for sentence in warnings[:MOST_WARNINGS]]
+    if len(warnings) > MOST_WARNINGS:
+        shown.append(f"WARNING: {len(warnings) - MOST_WARNINGS} more, listed in run.json")
+    shown += [title, *(f"note       {sentence}" for sentence in notes)]
+    return [part for line in shown for part in wrapped(line)]
+
+
+def unbroken(entry: str) -> str:
+    """An entry that is not broken over two lines."""
+    return entry.replace(" ", _NO_BREAK)
+
+
+def wrapped(line: str) -> list[str]:
+    """Lines of at most ``WIDTH`` columns, the later ones set in."""
+    lines = textwrap.wrap(line, WIDTH, subsequent_indent=INDENT, break_on_hyphens=False)
+    return [part.replace(_NO_BREAK, " ") for part in lines]
+
+
+def number(value: float, digits: int = 1) -> str:
+    """Printed with ``digits`` decimals; "none" where there is no value."""
+    return f"{value:.{digits}f}" if math.isfinite(value) else "none"
