@@ -8,6 +8,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import Any, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rotordyn.analysis.comparison import Comparison, compare
 from rotordyn.analysis.display import RPM, STIFFNESS, Shown, shown
@@ -62,7 +63,7 @@ def summary(case: Described, results: Mapping[str, Any], warnings: Iterable[str]
 def _machine(spindle: Spindle) -> list[str]:
     m = rotor_inertia(spindle)
     lines = [
-        f"rotor      {m.mass:.2f} kg, centre of gravity at {m.centre * 1e3:.1f} mm, inertia polar "
+        f"rotor      {_mass(m.mass)}, centre of gravity at {m.centre * 1e3:.1f} mm, inertia polar "
         f"{m.polar:.4g}, diametral {m.diametral:.4g} kg m²"
     ]
     if spindle.seats:
@@ -85,17 +86,17 @@ def _machine(spindle: Spindle) -> list[str]:
     return lines
 
 
+def _mass(mass: float) -> str:
+    return f"{mass:.2f} kg" if mass >= 0.1 else f"{mass * 1e3:.3g} g"
+
+
 def _modes(result: CampbellResult) -> list[str]:
-    first, last = result.speed[[0, -1]]
     if not result.mode:
         return ["modes      none in the band asked for"]
-    single = len(result.speed) == 1
-    rpm = f"{first * RPM.factor:.0f}" + ("" if single else f" → {last * RPM.factor:.0f}") + " rpm"
+    rpm, last = f"{from_to(result.speed * RPM.factor, 0)} rpm", result.speed[-1]
     entries = [
-        f"{name} {number(a)}{'' if single else f' → {number(b)}'}{_turning(name, w)}"
-        for name, a, b, w in zip(
-            result.mode, result.frequency[0], result.frequency[-1], result.whirl[-1], strict=True
-        )
+        f"{name} {from_to(values)}{_turning(name, w)}"
+        for name, values, w in zip(result.mode, result.frequency.T, result.whirl[-1], strict=True)
     ]
     frame = " in the turning frame" if isinstance(result, TurningCampbellResult) else ""
     lines = [f"modes [Hz]{frame} {rpm}: " + "; ".join(map(_whole, entries))]
@@ -136,16 +137,16 @@ def _turning(name: str, whirl: float) -> str:
 
 def _bearing(result: BearingMapResult) -> list[str]:
     """Axial and radial stiffness at each load, at the first and the last speed."""
-    first, last = (f"{v * RPM.factor:.0f}" for v in result.speed[[0, -1]])
+    speeds = from_to(result.speed * RPM.factor, 0)
     name = "" if result.tangent[0] == "complete" else f" ({result.tangent[0]} tangent)"
-    lines = [f"stiffness  [N/µm] of the bearing, tilts blocked, at {first} → {last} rpm{name}"]
-    ends = result.stiffness[[0, -1], :, 0] * STIFFNESS.factor
+    lines = [f"stiffness  [N/µm] of the bearing, tilts blocked, at {speeds} rpm{name}"]
+    stiffness = result.stiffness[:, :, 0] * STIFFNESS.factor
     for k, load in enumerate(result.load):
         words = [word for word in result.outcome[:, k] if word]
         if len(words) == len(result.speed):
             lines.append(f"           {load:.0f} N: {words[0]}")
             continue
-        axial, radial = (f"{number(ends[0, k, i, i])} → {number(ends[1, k, i, i])}" for i in (0, 1))
+        axial, radial = (from_to(stiffness[:, k, i, i]) for i in (0, 1))
         pressure = np.nanmax(np.fmax(result.inner_pressure, result.outer_pressure)[:, k]) / 1e9
         lines.append(
             f"           {load:.0f} N: axial {axial}, radial {radial}; pressure up to "
@@ -156,8 +157,8 @@ def _bearing(result: BearingMapResult) -> list[str]:
 
 def _preload(result: PreloadResult) -> list[str]:
     loads = ", ".join(
-        _whole(f"{name} {number(a, 0)} → {number(b, 0)}")
-        for name, a, b in zip(result.bearing, *result.axial_load[[0, -1]], strict=True)
+        _whole(f"{name} {from_to(load, 0)}")
+        for name, load in zip(result.bearing, result.axial_load.T, strict=True)
     )
     lines = [f"preload    [N] {loads}"]
     for name, speed in zip(result.sleeve, result.stop_speed, strict=True):
@@ -168,10 +169,8 @@ def _preload(result: PreloadResult) -> list[str]:
 
 def _stiffness(result: StiffnessResult) -> list[str]:
     values = ", ".join(
-        _whole(f"{name.replace('_', ' ')} {number(a)} → {number(b)}")
-        for name, a, b in zip(
-            result.variant, *(result.tangent[[0, -1]] * STIFFNESS.factor), strict=True
-        )
+        _whole(f"{name.replace('_', ' ')} {from_to(values)}")
+        for name, values in zip(result.variant, result.tangent.T * STIFFNESS.factor, strict=True)
     )
     return [f"stiffness  radial, tangent [N/µm] {values}"]
 
@@ -251,6 +250,12 @@ def wrapped(line: str) -> list[str]:
     """Lines of at most ``WIDTH`` columns, the later ones set in."""
     lines = textwrap.wrap(line, WIDTH, subsequent_indent=" " * 11, break_on_hyphens=False)
     return [part.replace(_NO_BREAK, " ") for part in lines]
+
+
+def from_to(values: NDArray[np.float64], digits: int = 1) -> str:
+    """The first and the last value over speed; where there is but one speed, its value."""
+    ends = values[[0, -1]] if len(values) > 1 else values
+    return " → ".join(number(value, digits) for value in ends)
 
 
 def number(value: float, digits: int = 1) -> str:
