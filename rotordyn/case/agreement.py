@@ -87,7 +87,7 @@ def supports_agree(
 ) -> Iterator[str]:
     """Where the preload state moves the shaft along, no support turns that into a push aside."""
     own = conditions
-    moved = moved_along(speeds, own.bearings, own.axial_force, bool(own.gravity))
+    moved = moved_along(speeds, own.bearings, own.axial_force, own.gravity != "none")
     for support in spindle.supports if spindle.seats and moved else ():
         if support.sideways:
             names = ", ".join(entry_name(*pair) for pair in support.sideways)

@@ -17,20 +17,9 @@ from rotordyn.analysis.results import (
     StiffnessResult,
 )
 from rotordyn.machine.reference import Reference
-<<<<<<< HEAD
 from rotordyn.report.known import computed_values, known_values
 from rotordyn.report.summary import Described, called
-from rotordyn.report.text import number, opening, wrapped
-=======
-from rotordyn.report.summary import (
-    Described,
-    computed_values,
-    from_to,
-    known_values,
-    number,
-    wrapped,
-)
->>>>>>> work-breaker
+from rotordyn.report.text import from_to, number, opening, wrapped
 
 MODES = 5  # of the lowest bending modes
 Cells = dict[str, str]

@@ -7,7 +7,6 @@ from collections.abc import Mapping, Sequence
 from typing import Any, Protocol
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM, STIFFNESS
 from rotordyn.analysis.known import matches
@@ -24,7 +23,7 @@ from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve
 from rotordyn.report.known import known_lines
-from rotordyn.report.text import number, opening, unbroken, wrapped
+from rotordyn.report.text import from_to, opening, unbroken, wrapped
 
 HEIGHT = 40
 _WHIRL = {1: " fw", -1: " bw", 0: ""}
@@ -115,15 +114,8 @@ def _modes(result: CampbellResult) -> list[str]:
         return ["modes      none in the band asked for"]
     rpm, last = f"{from_to(result.speed * RPM.factor, 0)} rpm", result.speed[-1]
     entries = [
-<<<<<<< HEAD
-        f"{name} {number(a)}{'' if single else f' → {number(b)}'}{_whirl(name, w)}"
-        for name, a, b, w in zip(
-            result.mode, result.frequency[0], result.frequency[-1], result.whirl[-1], strict=True
-        )
-=======
-        f"{name} {from_to(values)}{_turning(name, w)}"
+        f"{name} {from_to(values)}{_whirl(name, w)}"
         for name, values, w in zip(result.mode, result.frequency.T, result.whirl[-1], strict=True)
->>>>>>> work-breaker
     ]
     frame = " in the turning frame" if turning(result) else ""
     lines = [f"modes [Hz]{frame} {rpm}: " + "; ".join(map(unbroken, entries))]
@@ -184,13 +176,8 @@ def _bearing(result: BearingMapResult) -> list[str]:
 
 def _preload(result: PreloadResult) -> list[str]:
     loads = ", ".join(
-<<<<<<< HEAD
-        unbroken(f"{name} {number(a, 0)} → {number(b, 0)}")
-        for name, a, b in zip(result.bearing, *result.axial_load[[0, -1]], strict=True)
-=======
-        _whole(f"{name} {from_to(load, 0)}")
+        unbroken(f"{name} {from_to(load, 0)}")
         for name, load in zip(result.bearing, result.axial_load.T, strict=True)
->>>>>>> work-breaker
     )
     lines = [f"preload    [N] {loads}"]
     for name, speed in zip(result.sleeve, result.stop_speed, strict=True):
@@ -201,104 +188,7 @@ def _preload(result: PreloadResult) -> list[str]:
 
 def _stiffness(result: StiffnessResult) -> list[str]:
     values = ", ".join(
-<<<<<<< HEAD
-        unbroken(f"{name.replace('_', ' ')} {number(a)} → {number(b)}")
-        for name, a, b in zip(
-            result.variant, *(result.tangent[[0, -1]] * STIFFNESS.factor), strict=True
-        )
-    )
-    return [f"stiffness  radial, tangent [N/µm] {values}"]
-=======
-        _whole(f"{name.replace('_', ' ')} {from_to(values)}")
+        unbroken(f"{name.replace('_', ' ')} {from_to(values)}")
         for name, values in zip(result.variant, result.tangent.T * STIFFNESS.factor, strict=True)
     )
     return [f"stiffness  radial, tangent [N/µm] {values}"]
-
-
-def _references(compared: Sequence[Comparison], room: int) -> list[str]:
-    """Reference against ours, then its remark, as many as fit whole."""
-    lines: list[str] = []
-    for index, each in enumerate(compared):
-        block = _comparison(each)
-        if len(lines) + len(block) + 1 > room:
-            left = len(compared) - index
-            lines.append(f"… and {left} more published or measured values in the figures and docs")
-            break
-        lines += block
-    return lines
-
-
-def _comparison(compared: Comparison) -> list[str]:
-    head = f"{compared.reference.kind:10s} {comparison_head(compared)}"
-    return [*wrapped(head), *wrapped(" " * 11 + compared.reference.remark)]
-
-
-def comparison_head(compared: Comparison) -> str:
-    """What is known of a quantity beside what was computed, in printed units."""
-    reference, to = compared.reference, _unit(compared.reference)
-    single = _one_speed(reference)
-    pairs = [
-        _whole(
-            f"{known * to.factor:.4g} | {ours * to.factor:.4g}"
-            + ("" if single else f" @ {speed * RPM.factor:.0f}")
-        )
-        for speed, known, ours in zip(
-            reference.speeds, reference.values, compared.values, strict=True
-        )
-    ]
-    where = "" if single else " @ rpm"
-    return f"{_what(reference)}: {reference.kind} | ours{where}: {', '.join(pairs)}"
-
-
-def known_values(reference: Reference) -> str:
-    """What is known of a quantity, in printed units."""
-    to, single = _unit(reference), _one_speed(reference)
-    values = [
-        _whole(f"{v * to.factor:.4g}" + ("" if single else f" @ {s * RPM.factor:.0f} rpm"))
-        for s, v in zip(reference.speeds, reference.values, strict=True)
-    ]
-    return f"{_what(reference)}: {', '.join(values)}"
-
-
-def computed_values(compared: Comparison) -> str:
-    """What was computed of it, in the same order and units."""
-    to = _unit(compared.reference)
-    return ", ".join(f"{v * to.factor:.4g}" for v in compared.values)
-
-
-def _unit(reference: Reference) -> Shown:
-    return shown(QUANTITIES.get(reference.quantity, ""))
-
-
-def _one_speed(reference: Reference) -> bool:
-    return len(set(reference.speeds)) == 1
-
-
-def _what(reference: Reference) -> str:
-    """The quantity, its subject, its speed where there is one for all values, its unit."""
-    subject = f" {reference.subject}".replace("_", " ") if reference.subject else ""
-    rpm = f" at {reference.speeds[0] * RPM.factor:.0f} rpm" if _one_speed(reference) else ""
-    return f"{reference.quantity.replace('_', ' ')}{subject}{rpm} [{_unit(reference).unit}]"
-
-
-def _whole(entry: str) -> str:
-    """An entry that is not broken over two lines."""
-    return entry.replace(" ", _NO_BREAK)
-
-
-def wrapped(line: str) -> list[str]:
-    """Lines of at most ``WIDTH`` columns, the later ones set in."""
-    lines = textwrap.wrap(line, WIDTH, subsequent_indent=" " * 11, break_on_hyphens=False)
-    return [part.replace(_NO_BREAK, " ") for part in lines]
-
-
-def from_to(values: NDArray[np.float64], digits: int = 1) -> str:
-    """The first and the last value over speed; where there is but one speed, its value."""
-    ends = values[[0, -1]] if len(values) > 1 else values
-    return " → ".join(number(value, digits) for value in ends)
-
-
-def number(value: float, digits: int = 1) -> str:
-    """Printed with ``digits`` decimals; "none" where there is no value."""
-    return f"{value:.{digits}f}" if math.isfinite(value) else "none"
->>>>>>> work-breaker

@@ -11,7 +11,6 @@ from rotordyn.case.agreement import (
     NEEDS_BEARINGS,
     OF_A_BEARING,
     OF_BALLS,
-    moved_along,
     uncoupled,
 )
 from rotordyn.case.build.spindle import support
@@ -178,27 +177,6 @@ def _one_plane(supports: list[LinearSupport], root: Node, faults: Faults) -> Non
             )
 
 
-<<<<<<< HEAD
-=======
-def _sideways(entry: CaseEntry, supports: list[LinearSupport], root: Node, faults: Faults) -> None:
-    """Bearings are solved under axial load alone: what moves along x must not push aside."""
-    own = entry.conditions
-    weighed = own.gravity != "none"
-    if not moved_along(values(entry.speeds), own.bearings, own.axial_force, weighed):
-        return
-    for held in supports:
-        if held.sideways:
-            names = ", ".join(entry_name(*ends) for ends in held.sideways)
-            faults.at_key(
-                root,
-                ("spindle",),
-                f"support '{held.name}' pushes the shaft aside as its preload state moves it along "
-                f"the axis ({names}): bearings are solved under axial load alone; leave these "
-                "entries out, or set bearings: static without axial force and weight",
-            )
-
-
->>>>>>> work-breaker
 def _elements(
     entry: CaseEntry, spindle: SpindleEntry, tool: ToolEntry | None, root: Node, faults: Faults
 ) -> None:

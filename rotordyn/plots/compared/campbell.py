@@ -8,25 +8,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rotordyn.analysis.display import RPM
-<<<<<<< HEAD
 from rotordyn.plots.campbell import draw_known, draw_modes, draw_orders, orders
-from rotordyn.plots.compared.panels import Shown, colour, panels
-from rotordyn.plots.style import (
-    BLACK,
-    FONT_SIZE,
-    add_axes,
-    legend,
-    new_figure,
-    speed_ticks,
-    top_legend,
-)
-=======
-from rotordyn.plots.campbell import draw_known, draw_modes, draw_orders, orders, turning
 from rotordyn.plots.compared.panels import Shown, beside, colour, panels
 from rotordyn.plots.labels import axis_label
 from rotordyn.plots.legends import shortened, top_legend
 from rotordyn.plots.style import BLACK, FONT_SIZE, add_axes, new_figure, speed_ticks
->>>>>>> work-breaker
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -48,13 +34,8 @@ def panels_figure(
         axes = add_axes(figure, box, below, beside(labels, place))
         _prepare(axes, variant, top, teeth)
         draw_modes(axes, variant.result)
-<<<<<<< HEAD
         draw_known(axes, variant.known)
-        axes.set_title(variant.title, fontsize=FONT_SIZE, pad=4.0)
-=======
-        draw_known(axes, () if turning(variant.result) else variant.known)
         axes.set_title(shortened(variant.title), fontsize=FONT_SIZE, pad=4.0)
->>>>>>> work-breaker
     top_legend(figure, *figure.axes)
     return figure
 
