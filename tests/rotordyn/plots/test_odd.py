@@ -17,7 +17,7 @@ from rotordyn.plots.compared.catalogue import comparison_figures
 from rotordyn.plots.compared.frf import maps_figure
 from rotordyn.plots.compared.panels import Shown, colour, dash
 from rotordyn.plots.compared.stiffness import stiffness_figure as compared_stiffness
-from rotordyn.plots.draw import draw_all
+from rotordyn.plots.draw import Drawing
 from rotordyn.plots.preload import preload_figure
 from rotordyn.plots.shapes import shapes_figure
 from rotordyn.plots.stiffness import stiffness_figure
@@ -142,7 +142,7 @@ def test_titles_of_any_letters_are_drawn_as_they_are(tmp_path: Path) -> None:
     result = {"stiffness": samples.stiffness(5)}
     titles = ("$\\frac$", "日本 %s {a}", "größe $x_1$ & <b>")
     variants = [(replace(samples.case(), title=title), result) for title in titles]
-    draw_all(comparison_figures(variants), tmp_path, workers=1)
+    Drawing(comparison_figures(variants), tmp_path, workers=1).finish()
     text = (tmp_path / "stiffness.svg").read_text(encoding="utf-8")
     assert "$\\frac$" in text
     assert "日本 %s {a}" in text
