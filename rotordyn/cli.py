@@ -34,9 +34,13 @@ def main(argv: Sequence[str] | None = None) -> int:
         os.environ.setdefault(name, "1")
     try:
         code: int = arguments.command(arguments)
+        sys.stdout.flush()
     except (RotordynError, BearingError) as error:
         print(error, file=sys.stderr)
         return exit_code(error)
+    except BrokenPipeError:  # whoever read what is printed has closed it, such as ``| head``
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        return 0
     except BaseException as error:
         if not _interrupted(error):
             raise

@@ -56,7 +56,7 @@ class Loading:
         """States that stand with shares of all axial forces, and of the drawbar's."""
         spindle = self.spindle
         if spindle.drawbar:
-            own = replace(spindle.drawbar, force=bar * spindle.drawbar.force)
+            own = replace(spindle.drawbar, force=bar * spindle.drawbar.force) if bar > 0.0 else None
             spindle = replace(spindle, drawbar=own)
         loaded = self._condensed(spindle, self._along(spindle, forces))
         return withstands(spindle, loaded, self._condensed(spindle, None), self.seat_stiffness)

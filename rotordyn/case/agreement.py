@@ -28,6 +28,7 @@ ANALYSES: dict[str, type[Spec]] = {
     "bearing": BearingMapSpec,
 }
 OF_A_BEARING = ("bearing",)
+OF_BALLS = ("kinematics", "moment_sharing")
 NEEDS_BEARINGS = ("preload", "stiffness")
 MOST_ELEMENTS = 1000
 _SPOKEN = {"axial": "axial motion"}
@@ -58,10 +59,42 @@ def questions_agree(
         if (name in OF_A_BEARING) == (spindle is not None):
             kind = "single bearing" if spindle is None else "spindle"
             yield f"analysis {name} does not apply to a {kind}"
+    if spindle is None:
+        yield from _of_balls(conditions)
     if spindle is not None:
         yield from _machine(spindle, conditions)
         for name, spec in analyses.items():
             yield from _question(name, spec, spindle)
+
+
+def _of_balls(conditions: Conditions) -> Iterator[str]:
+    plain = Conditions()
+    for name in (field.name for field in fields(conditions) if field.name not in OF_BALLS):
+        if getattr(conditions, name) != getattr(plain, name):
+            yield (
+                f"conditions.{name} does not apply to a single bearing; allowed: "
+                f"{', '.join(OF_BALLS)}"
+            )
+
+
+def moved_along(speeds: Iterable[float], bearings: str, force: float, weighed: bool) -> bool:
+    """The preload state moves the shaft along its axis: by speed, by a force, by its weight."""
+    return (bearings == "dynamic" and any(speeds)) or force != 0.0 or weighed
+
+
+def supports_agree(
+    spindle: Spindle, conditions: Conditions, speeds: tuple[float, ...]
+) -> Iterator[str]:
+    """Where the preload state moves the shaft along, no support turns that into a push aside."""
+    own = conditions
+    moved = moved_along(speeds, own.bearings, own.axial_force, own.gravity != "none")
+    for support in spindle.supports if spindle.seats and moved else ():
+        if support.sideways:
+            names = ", ".join(entry_name(*pair) for pair in support.sideways)
+            yield (
+                f"support '{support.name}' pushes the shaft aside as its preload state moves it "
+                f"along the axis ({names}): bearings are solved under axial load alone"
+            )
 
 
 def references_agree(references: Iterable[Reference], conditions: Conditions) -> Iterator[str]:

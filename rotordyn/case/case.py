@@ -9,11 +9,17 @@ from typing import Annotated
 
 from bearings.angular_contact import AngularContactBallBearing
 from rotordyn.analysis.specs import Conditions, Spec
-from rotordyn.case.agreement import ANALYSES, questions_agree, references_agree, speeds_agree
+from rotordyn.case.agreement import (
+    ANALYSES,
+    questions_agree,
+    references_agree,
+    speeds_agree,
+    supports_agree,
+)
 from rotordyn.description import Description
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
-from rotordyn.quantity import Choice, Speed
+from rotordyn.quantity import Choice, Name, Speed
 
 
 @dataclass(frozen=True, slots=True)
@@ -38,7 +44,7 @@ class Case(Description):
     references: tuple[Reference, ...] = ()
     files: tuple[Path, ...] = ()
     digest: str = ""
-    variants: Mapping[str, Case] = field(default_factory=dict)
+    variants: Mapping[Name, Case] = field(default_factory=dict)
 
     @property
     def known(self) -> tuple[Reference, ...]:
@@ -62,6 +68,8 @@ class Case(Description):
             return
         yield from speeds_agree(self.speeds, self.analyses)
         yield from questions_agree(self.spindle, self.conditions, self.analyses)
+        if self.spindle is not None:
+            yield from supports_agree(self.spindle, self.conditions, self.speeds)
         yield from references_agree(self.references, self.conditions)
         for name, variant in self.variants.items():
             if variant.speeds != self.speeds or variant.analyses != self.analyses:

@@ -7,10 +7,15 @@ from rotordyn.errors import Fault
 
 
 class Faults:
-    """The faults of one case, in the order found; the same one is kept once."""
+    """The faults of one case, in the order found; the same one is kept once.
+
+    ``variant``: which one is being read, empty for the case itself. A fault that it makes elsewhere
+    than in its own entry is said to be its.
+    """
 
     def __init__(self) -> None:
         self.found: list[Fault] = []
+        self.variant = ""
 
     def at(self, root: Node, keys: tuple[object, ...], message: str) -> None:
         """A fault of the value reached from ``root`` by ``keys`` (as far as they exist)."""
@@ -31,9 +36,10 @@ class Faults:
 
     def add(self, fault: Fault) -> None:
         """Keeps ``fault`` on one line, unless it is known."""
-        line = Fault(
-            fault.file, fault.line, fault.column, _printable(fault.path), _printable(fault.message)
-        )
+        path, own = _printable(fault.path), f"compare.{self.variant}."
+        whose = f"variant {self.variant}: " if self.variant and not path.startswith(own) else ""
+        message = _printable(whose + fault.message)
+        line = Fault(fault.file, fault.line, fault.column, path, message)
         if line not in self.found:
             self.found.append(line)
 

@@ -20,8 +20,9 @@ def apply(changes: Node | None, target: Node, faults: Faults) -> None:
 
 
 def _put(value: Node, steps: list[str], target: Node, faults: Faults) -> None:
-    for step in steps[:-1]:
-        found = _step(value, step, target, faults)
+    for place, step in enumerate(steps[:-1], start=1):
+        path = value.path.removesuffix("." + ".".join(steps[place:]))
+        found = _step(value, step, path, target, faults)
         if found is None:
             return
         target = found
@@ -33,32 +34,28 @@ def _put(value: Node, steps: list[str], target: Node, faults: Faults) -> None:
         _no_way(value, steps[-1], target, faults)
 
 
-def _step(value: Node, step: str, target: Node, faults: Faults) -> Node | None:
+def _step(value: Node, step: str, path: str, target: Node, faults: Faults) -> Node | None:
+    """One step from ``target``; ``path`` is the way so far, where a mapping must be made."""
     if isinstance(target.value, list):
         return _item(value, step, target, faults)
     if not isinstance(target.value, dict):
         _no_way(value, step, target, faults)
         return None
     if step not in target.value or target.value[step].value is None:
-        target.value[step] = Node(
-            {}, value.file, value.line, value.column, value.path, key=value.key
-        )
+        target.value[step] = Node({}, value.file, value.line, value.column, path, key=value.key)
     child: Node = target.value[step]
     return child
 
 
 def _item(value: Node, step: str, target: Node, faults: Faults) -> Node | None:
-    names = [item.name for item in target.value]
-    if step in names:
-        found: Node = target.value[names.index(step)]
-        return found
-    where = target.path or "the list"
-    faults.at_key(
-        value,
-        (),
-        f"unknown name '{step}' in {where}; allowed: {', '.join(names)}" + suggestion(step, names),
-    )
-    return None
+    found: Node | None = next((item for item in target.value if item.name == step), None)
+    if found is None:
+        names = [item.name for item in target.value if item.name]
+        allowed = ", ".join(names) or "the list as a whole, its items have no names"
+        where = target.path or "the list"
+        message = f"unknown name '{step}' in {where}; allowed: {allowed}{suggestion(step, names)}"
+        faults.at_key(value, (), message)
+    return found
 
 
 def _replace_item(value: Node, step: str, target: Node, faults: Faults) -> None:

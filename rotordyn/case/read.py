@@ -39,7 +39,9 @@ def load(path: str | Path) -> Case:
     variants: dict[str, Parts | None] = {}
     if root is not None and not reader.faults:
         trees = variant_trees(root)
-        variants = {name: read_parts(tree, reader) for name, tree in trees.items()}
+        for name, tree in trees.items():
+            reader.faults.variant = name
+            variants[name] = read_parts(tree, reader)
     if parts is None or reader.faults:
         raise InvalidInput(in_order(reader.faults.found))
     return _build(file, parts, variants, reader.contents)
@@ -56,17 +58,16 @@ def _build(
 ) -> Case:
     whole = _case(path.stem, parts, contents)
     made = {
-        name: replace(_case(name, other, contents), title=_title(name, other, parts))
+        name: replace(_case(name, other, contents), title=_title(name, parts))
         for name, other in variants.items()
         if other is not None
     }
     return replace(whole, variants=made)
 
 
-def _title(name: str, variant: Parts, whole: Parts) -> str:
-    """Its own title, or its name."""
-    own = variant.case.title
-    return own if own != whole.case.title else name.replace("_", " ")
+def _title(name: str, whole: Parts) -> str:
+    """The title of a variant, or its name."""
+    return whole.case.compare[name].title.strip() or name.replace("_", " ")
 
 
 def _case(name: str, parts: Parts, contents: dict[Path, bytes]) -> Case:

@@ -34,7 +34,8 @@ def _changed(root: Node, changes: Node) -> Node:
 
 def _merged(own: Node, more: Node) -> Node:
     if isinstance(own.value, dict) and isinstance(more.value, dict):
-        return replace(own, value={**own.value, **more.value})
+        kept = {key: value for key, value in own.value.items() if key not in more.value}
+        return replace(own, value={**kept, **more.value})  # what the variant says comes last
     if isinstance(own.value, list) and isinstance(more.value, list):
         return replace(own, value=[*own.value, *more.value])
     return more

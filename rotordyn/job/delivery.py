@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 import time
+from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -106,8 +107,19 @@ def _solved(case: Case, progress: Progress, seconds: dict[str, float]) -> Parcel
     if not case.variants:
         return Parcel(case, {"": (case, solve(case, progress))}, (), seconds)
     found = solve_variants(case, progress)
-    parts = {name: (case.variants[name], answers) for name, answers in found.answers.items()}
+    own = labelled(case)
+    parts = {name: (own[name], answers) for name, answers in found.answers.items()}
     return Parcel(case, parts, tuple(found.failed.values()), seconds)
+
+
+def labelled(case: Case) -> dict[str, Case]:
+    """The variants of ``case`` with titles that tell them apart."""
+    titles = {name: variant.title.strip() or name for name, variant in case.variants.items()}
+    count = Counter(titles.values())
+    return {
+        name: replace(variant, title=title if count[title] == 1 else f"{title} ({name})")
+        for (name, variant), title in zip(case.variants.items(), titles.values(), strict=True)
+    }
 
 
 def _figures(parcel: Parcel) -> list[Job]:

@@ -9,16 +9,8 @@ from numpy.typing import NDArray
 
 from rotordyn.analysis.display import DEGREE, GIGAPASCAL, RPM, STIFFNESS
 from rotordyn.analysis.results import BearingMapResult
-from rotordyn.plots.style import (
-    CYCLE,
-    DASHES,
-    add_axes,
-    grid_boxes,
-    legend,
-    new_figure,
-    speed_ticks,
-    top_legend,
-)
+from rotordyn.plots.legends import legend, top_legend
+from rotordyn.plots.style import CYCLE, DASHES, add_axes, grid_boxes, new_figure, speed_ticks
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

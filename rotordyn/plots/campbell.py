@@ -12,6 +12,7 @@ from rotordyn.analysis.display import RPM
 from rotordyn.analysis.results import CampbellResult, turning
 from rotordyn.machine.reference import Reference
 from rotordyn.plots.labels import axis_label, spread
+from rotordyn.plots.legends import legend
 from rotordyn.plots.style import (
     BLACK,
     BLUE,
@@ -21,7 +22,6 @@ from rotordyn.plots.style import (
     PURPLE,
     RED,
     add_axes,
-    legend,
     new_figure,
     note_error,
     speed_ticks,
@@ -97,7 +97,8 @@ def whirl_segments(result: CampbellResult) -> Segments:
                 first = max(start - 1, 0)
                 curve = np.column_stack([rpm[first:end], frequency[first:end]])
                 curve = curve[np.isfinite(curve).all(axis=1)]
-                found.setdefault(looks[start], []).append(curve)
+                if curve.size:
+                    found.setdefault(looks[start], []).append(curve)
                 start = end
     return found
 
@@ -108,30 +109,38 @@ def draw_modes(axes: Axes, result: CampbellResult, colour: str = "", width: floa
 
     curves = whirl_segments(result)
     for look, (own, dashes, label) in LOOKS.items():
-        if look in curves and len(result.speed) == 1:
-            points = np.concatenate(curves[look])
-            axes.plot(*points.T, "o", color=colour or own, ms=4.0, label=label, clip_on=False)
-        elif look in curves:
+        paths = [curve for curve in curves.get(look, ()) if len(curve) > 1]
+        points = [curve for curve in curves.get(look, ()) if len(curve) == 1]
+        named = None if colour else label
+        if points:
+            dots = np.concatenate(points)
+            axes.plot(*dots.T, "o", color=colour or own, ms=4.0, label=named, clip_on=False)
+        if paths:
             lines = LineCollection(
-                curves[look],
+                paths,
                 colors=colour or own,
                 linestyles=[dashes],
                 linewidths=width if colour else 1.3,
-                label=None if colour else label,
+                label=named,
                 zorder=4,
             )
             axes.add_collection(lines, autolim=False)
 
 
 def draw_known(axes: Axes, references: Sequence[Reference], edge: str = BLACK) -> None:
-    """Published and measured frequencies: of one whirl, of both together, of torsion."""
+    """Published and measured frequencies within the axes: of one whirl, of both, of torsion."""
+    right, top = axes.get_xlim()[1], axes.get_ylim()[1]
     for reference in references:
         if reference.quantity not in KNOWN:
             continue
         marker, what = KNOWN[reference.quantity]
+        rpm, hertz = np.asarray(reference.speeds) * RPM.factor, np.asarray(reference.values)
+        inside = (rpm <= right * (1.0 + 1e-9)) & (hertz <= top)
+        if not inside.any():
+            continue
         axes.plot(
-            np.asarray(reference.speeds) * RPM.factor,
-            reference.values,
+            rpm[inside],
+            hertz[inside],
             marker,
             mfc="none",
             mec=edge,

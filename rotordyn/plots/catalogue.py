@@ -56,7 +56,7 @@ def _campbell(case: Drawable, result: Any, _: Mapping[str, Any]) -> Iterator[Job
 
 def _frf(_: Drawable, result: Any, results: Mapping[str, Any]) -> Iterator[Job]:
     modes, count = results.get("campbell"), len(result.pair)
-    if result.speed.size > 1:
+    if result.speed.size > 1 and result.frequency.size > 1:
         yield "frf_map", partial(call, "frf_map", "map_figure", result, [0], modes)
         yield "frf_surface", partial(call, "frf_surface", "surface_figure", result, 0)
         if count > 1:

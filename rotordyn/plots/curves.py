@@ -56,21 +56,26 @@ def draw_references(
     axes: Axes,
     references: Sequence[Reference],
     quantity: str,
+    top: float,
     *,
     subject: bool = False,
     colours: Mapping[str, str] | None = None,
 ) -> None:
-    """Published and measured values of ``quantity`` as open markers, in printed units.
+    """Published and measured values of ``quantity`` up to ``top`` [rpm] as open markers.
 
     ``subject``: the label says what the values belong to; ``colours`` by subject, else black.
     """
     factor = shown(QUANTITIES[quantity]).factor
     chosen = [r for r in dict.fromkeys(references) if r.quantity == quantity]
     for reference in chosen:
+        rpm = np.asarray(reference.speeds) * RPM.factor
+        shown_here = rpm <= top * (1.0 + 1e-9)
+        if not shown_here.any():
+            continue
         whose = f" {reference.subject}".replace("_", " ").rstrip() if subject else ""
         axes.plot(
-            np.asarray(reference.speeds) * RPM.factor,
-            np.asarray(reference.values) * factor,
+            rpm[shown_here],
+            np.asarray(reference.values)[shown_here] * factor,
             _MARKER.get(reference.kind, "s"),
             mfc="none",
             mec=(colours or {}).get(reference.subject, BLACK),

@@ -78,10 +78,14 @@ class Drawing:
 
 def draw_one(name: str, draw: Callable[[], Figure], folder: Path) -> float:
     """Draw and save one figure; returns the seconds it took."""
+    from matplotlib import rc_context
+
     from rotordyn.plots.style import save
 
     start = time.perf_counter()
-    save(draw(), folder, name)
+    with rc_context({"text.parse_math": False}), warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "Glyph")  # a title may hold letters that fonts lack, or $
+        save(draw(), folder, name)
     return time.perf_counter() - start
 
 

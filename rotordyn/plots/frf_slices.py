@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from rotordyn.analysis.display import RPM, receptance_unit, shown
 from rotordyn.analysis.results import FrfResult
 from rotordyn.plots.labels import axis_label
+from rotordyn.plots.legends import top_legend
 from rotordyn.plots.style import (
     CYCLE,
     FONT_SIZE,
@@ -19,7 +20,6 @@ from rotordyn.plots.style import (
     log_ticks,
     new_figure,
     round_ticks,
-    top_legend,
 )
 
 if TYPE_CHECKING:

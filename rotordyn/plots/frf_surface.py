@@ -72,6 +72,8 @@ def draw_pins(axes: Axes, result: FrfResult, known: Sequence[Reference]) -> None
     rpm, high = max(float(result.speed[-1]), 1.0), float(result.frequency[-1])
     for reference in (r for r in known if r.quantity in KNOWN):
         for speed, value in zip(reference.speeds, reference.values, strict=True):
+            if speed > rpm * (1.0 + 1e-9) or value > high:
+                continue
             foot, head = (
                 np.array(value / high) * _RIGHT + speed / rpm * _BACK + h * _UP for h in (0, 1.05)
             )

@@ -14,6 +14,7 @@ from rotordyn.machine.limits import WARNING_PRESSURE
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
 from rotordyn.plots.curves import draw_columns, draw_references, merged
+from rotordyn.plots.legends import legend, top_legend
 from rotordyn.plots.style import (
     BLUE,
     CYCLE,
@@ -21,10 +22,8 @@ from rotordyn.plots.style import (
     GREY,
     add_axes,
     grid_boxes,
-    legend,
     new_figure,
     speed_ticks,
-    top_legend,
 )
 
 if TYPE_CHECKING:
@@ -45,9 +44,9 @@ def preload_figure(
     rpm = result.speed * RPM.factor
     draw_columns(axes[0], rpm, result.axial_load, result.bearing)
     axes[1].plot(rpm, preload_sum(result, spindle), color=BLUE, label="computed")
-    draw_references(axes[1], references, "preload_sum")
+    draw_references(axes[1], references, "preload_sum", float(rpm[-1]))
     draw_columns(axes[2], rpm, result.position * MICROMETRE.factor, result.body)
-    draw_references(axes[2], references, "sleeve_displacement", subject=True)
+    draw_references(axes[2], references, "sleeve_displacement", float(rpm[-1]), subject=True)
     _forces(axes[3], result)
     for place in (0, 1, 3):
         axes[place].set_ylim(0.0, axes[place].get_ylim()[1] * 1.08)

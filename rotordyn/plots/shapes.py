@@ -40,7 +40,9 @@ def shapes_figure(result: CampbellResult, spindle: Spindle | None = None) -> Fig
     low, high = result.shape_speed[[0, -1]] * RPM.factor
     left_out = len(result.mode) - len(modes)
     note = f"; {left_out} more modes in the results file" if left_out else ""
-    title = f"mode shapes at {low:.0f} rpm (thin) and {high:.0f} rpm (thick), scaled to 1{note}"
+    both = f"{low:.0f} rpm (thin) and {high:.0f} rpm (thick)"
+    when = both if result.shape_speed.size > 1 else f"{low:.0f} rpm"
+    title = f"mode shapes at {when}, scaled to 1{note}"
     figure = new_figure(168.0, 26.0 + 30.0 * rows, title)
     boxes = grid_boxes(figure, rows, _COLUMNS, margins=(9.0, 4.0, 12.0, 13.0), gaps=(6.0, 7.0))
     for place, (mode, box) in enumerate(zip(modes, boxes, strict=False)):
@@ -86,10 +88,9 @@ def _panel(axes: Axes, result: CampbellResult, mode: int, spindle: Spindle | Non
     last = plane_curve(result.shape[-1, mode][:, columns])
     axes.plot(node, first, color=BLACK, lw=0.7)
     axes.plot(node, np.sign(first @ last or 1.0) * last, color=BLUE, lw=1.5)
-    rest, top = result.frequency[[0, -1], mode]
-    axes.set_title(
-        f"{result.mode[mode]}: {rest:.0f} → {top:.0f} Hz", fontsize=FONT_SIZE - 0.5, pad=3.0
-    )
+    ends = (0, -1) if result.shape_speed.size > 1 else (-1,)
+    hertz = " → ".join(f"{result.frequency[end, mode]:.0f}" for end in ends)
+    axes.set_title(f"{result.mode[mode]}: {hertz} Hz", fontsize=FONT_SIZE - 0.5, pad=3.0)
 
 
 def _outline(axes: Axes, spindle: Spindle) -> None:

@@ -11,13 +11,13 @@ from rotordyn.analysis.display import MICROMETRE, RPM, STIFFNESS
 from rotordyn.analysis.results import StiffnessResult
 from rotordyn.machine.reference import Reference
 from rotordyn.plots.curves import draw_columns, draw_references
+from rotordyn.plots.legends import legend
 from rotordyn.plots.style import (
     CYCLE,
     DASHES,
     FONT_SIZE,
     add_axes,
     grid_boxes,
-    legend,
     new_figure,
     speed_ticks,
 )
@@ -39,7 +39,9 @@ def stiffness_figure(
     names = [name.replace("_", " ") for name in result.variant]
     draw_columns(axes, rpm, result.tangent * STIFFNESS.factor, names)
     colours = {name: CYCLE[k % len(CYCLE)] for k, name in enumerate(result.variant)}
-    draw_references(axes, references, "radial_stiffness", subject=True, colours=colours)
+    draw_references(
+        axes, references, "radial_stiffness", float(rpm[-1]), subject=True, colours=colours
+    )
     speed_ticks(axes, float(rpm[-1]))
     axes.set_ylim(0.0, axes.get_ylim()[1] * 1.05)
     legend(axes, loc="lower left")

@@ -7,6 +7,8 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
@@ -17,6 +19,7 @@ BLUE, RED, GREEN, PURPLE = "#0072B2", "#D55E00", "#009E73", "#9A5B8B"
 ORANGE, SKY, BLACK, GREY = "#E69F00", "#56B4E9", "#222222", "#8A8A8A"
 CYCLE = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
 DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 1)), (0, (7, 2)))
+MARKS = {"-": "o", "--": "s", "-.": "^", ":": "v"}  # of lone points, by the dashes of their line
 FONT_SIZE = 8.0
 _RC: Any = {
     "font.size": FONT_SIZE,
@@ -96,46 +99,15 @@ def grid_boxes(
     ]
 
 
-def legend(axes: Axes, **kwargs: Any) -> None:
-    """A legend in the report style, where the lines leave room unless ``loc`` is given."""
-    handles, names = axes.get_legend_handles_labels()
-    once = dict(zip(names, handles, strict=True))  # a name shared by several curves is shown once
-    if once:
-        axes.legend(
-            once.values(),
-            once.keys(),
-            frameon=True,
-            framealpha=0.85,
-            edgecolor="none",
-            fontsize=FONT_SIZE - 1.0,
-            **kwargs,
-        )
-
-
-def top_legend(figure: Figure, *panels: Axes) -> None:
-    """What the lines of ``panels`` mean, each once, at the top of the figure."""
-    handles: dict[str, Any] = {}
-    for axes in panels:
-        for handle, name in zip(*axes.get_legend_handles_labels(), strict=True):
-            handles.setdefault(name, handle)
-    if handles:
-        figure.legend(
-            handles.values(),
-            handles.keys(),
-            loc="upper center",
-            ncols=_columns(list(handles), figure.get_size_inches()[0] * 25.4),
-            frameon=False,
-            fontsize=FONT_SIZE - 1.0,
-            borderaxespad=0.3,
-            columnspacing=1.4,
-            handlelength=2.4,
-        )
-
-
-def _columns(names: Sequence[str], width: float) -> int:
-    """How many columns of a legend fit into ``width`` [mm]."""
-    entry = 9.0 + 1.05 * max(map(len, names))
-    return max(1, min(len(names), int(width / entry)))
+def mark_lone_points(axes: Axes) -> None:
+    """Marks on points of lines that no segment leads to: a single speed, one between lost ones."""
+    for line in axes.get_lines():
+        known = np.isfinite(np.column_stack([line.get_xdata(), line.get_ydata()])).all(axis=1)
+        beside = np.pad(known, 1)
+        lone = np.flatnonzero(known & ~beside[:-2] & ~beside[2:])
+        if lone.size and line.get_marker() in ("None", "", None):
+            line.set_marker(MARKS.get(str(line.get_linestyle()), "D"))
+            line.set(markersize=4.0, markevery=lone, clip_on=False)
 
 
 def note_error(axes: Axes, error: float) -> None:
@@ -200,6 +172,8 @@ def save(figure: Figure, folder: Path, name: str) -> list[str]:
     """Write ``name``.png and ``name``.svg into ``folder``; returns the file names."""
     from matplotlib import rc_context
 
+    for axes in figure.axes:
+        mark_lone_points(axes)
     with rc_context(_RC):
         figure.savefig(
             folder / f"{name}.png", dpi=DPI, pil_kwargs={"compress_level": 1}, metadata={}

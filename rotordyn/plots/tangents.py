@@ -12,6 +12,7 @@ from rotordyn.analysis.bearing_map import tangent_error
 from rotordyn.analysis.display import RPM
 from rotordyn.analysis.results import BearingMapResult
 from rotordyn.machine.reference import Reference
+from rotordyn.plots.legends import legend, top_legend
 from rotordyn.plots.style import (
     BLACK,
     CYCLE,
@@ -19,11 +20,9 @@ from rotordyn.plots.style import (
     GREY,
     add_axes,
     grid_boxes,
-    legend,
     new_figure,
     round_ticks,
     speed_ticks,
-    top_legend,
 )
 
 if TYPE_CHECKING:

@@ -7,7 +7,6 @@ from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM, STIFFNESS
 from rotordyn.analysis.known import matches, preload_sum
@@ -20,7 +19,7 @@ from rotordyn.analysis.results import (
 from rotordyn.machine.reference import Reference
 from rotordyn.report.known import computed_values, known_values
 from rotordyn.report.summary import Described, called
-from rotordyn.report.text import number, opening, wrapped
+from rotordyn.report.text import from_to, number, opening, wrapped
 
 MODES = 5  # of the lowest bending modes
 Cells = dict[str, str]
@@ -36,7 +35,7 @@ def comparison_summary(
     """Key figures at the first and the last speed, then the known values that apply."""
     lines = opening(warnings, called(case), notes)
     for name, (title, cells) in TABLES.items():
-        rows = {own.title: cells(found[name], own) for own, found in variants if name in found}
+        rows = [(own.title, cells(found[name], own)) for own, found in variants if name in found]
         if rows:
             lines += ["", f"{title}, {_ends(variants, name)}", *_aligned(rows)]
     known = _known(variants)
@@ -45,14 +44,13 @@ def comparison_summary(
 
 def _ends(variants: Sequence[Variant], name: str) -> str:
     speed = next(found[name] for _, found in variants if name in found).speed
-    first, last = speed[[0, -1]] * RPM.factor
-    return f"{first:.0f} → {last:.0f} rpm"
+    return f"{from_to(speed * RPM.factor, 0)} rpm"
 
 
-def _aligned(rows: Mapping[str, Cells]) -> list[str]:
+def _aligned(rows: Sequence[tuple[str, Cells]]) -> list[str]:
     """A head and a line per row; columns as wide as their widest entry."""
-    heads = list(dict.fromkeys(head for cells in rows.values() for head in cells))
-    table = [["", *heads], *([name, *(c.get(h, "–") for h in heads)] for name, c in rows.items())]
+    heads = list(dict.fromkeys(head for _, cells in rows for head in cells))
+    table = [["", *heads], *([name, *(c.get(h, "–") for h in heads)] for name, c in rows)]
     widths = [max(len(line[k]) for line in table) for k in range(len(heads) + 1)]
     return ["  ".join(map(str.ljust, line, widths)).rstrip() for line in table]
 
@@ -75,13 +73,9 @@ def _beside(reference: Reference, ours: Sequence[tuple[str, str]]) -> list[str]:
     return [part for line in lines for part in wrapped(line)]
 
 
-def _arrow(ends: NDArray[np.float64], digits: int = 1) -> str:
-    return " → ".join(number(value, digits) for value in ends)
-
-
 def _campbell(result: CampbellResult, _: Described) -> Cells:
     """Of the lowest bending modes both whirls at rest and at top speed."""
-    at = [_bending(result, row) for row in (0, -1)]
+    at = [_bending(result, row) for row in ((0, -1) if len(result.speed) > 1 else (0,))]
     return {
         f"bending {k + 1}": " → ".join(modes[k] if k < len(modes) else "–" for modes in at)
         for k in range(min(MODES, max(map(len, at))))
@@ -92,40 +86,45 @@ def _bending(result: CampbellResult, row: int) -> list[str]:
     """Backward/forward frequencies of the bending modes at a speed, one number where equal."""
     chosen = [k for k, kind in enumerate(result.kind) if kind == "bending"]
     values = result.frequency[row, chosen]
-    whirl = result.whirl[0, chosen]
+    known = np.isfinite(result.whirl).any(axis=1)
+    whirl = result.whirl[int(known.argmax()), chosen]
     order = np.argsort(values, kind="stable")
     if not set(whirl) >= {-1.0, 1.0}:
         return [number(values[k]) for k in order]
     backward, forward = ([values[k] for k in order if whirl[k] == w] for w in (-1.0, 1.0))
     return [
-        number(b) if math.isclose(b, f, rel_tol=1e-6) else f"{number(b)}/{number(f)}"
+        number(b) if _alike(b, f) else f"{number(b)}/{number(f)}"
         for b, f in zip(backward, forward, strict=False)
     ]
+
+
+def _alike(one: float, other: float) -> bool:
+    """Equal as printed, or both without a value."""
+    return math.isclose(one, other, rel_tol=1e-6) or not (math.isfinite(one + other))
 
 
 def _preload(result: PreloadResult, case: Described) -> Cells:
     if case.spindle is None:
         return {}
-    total = preload_sum(result, case.spindle)[[0, -1]]
+    total = preload_sum(result, case.spindle)
     stops = {
         f"stop {name} [rpm]": number(speed * RPM.factor, 0) if math.isfinite(speed) else "not met"
         for name, speed in zip(result.sleeve, result.stop_speed, strict=True)
     }
-    return {"sum [N]": _arrow(total, 0), **stops}
+    return {"sum [N]": from_to(total, 0), **stops}
 
 
 def _stiffness(result: StiffnessResult, _: Described) -> Cells:
-    ends = result.tangent[[0, -1]].T * STIFFNESS.factor
     return {
-        f"{name.replace('_', ' ')} [N/µm]": _arrow(pair)
-        for name, pair in zip(result.variant, ends, strict=True)
+        f"{name.replace('_', ' ')} [N/µm]": from_to(values)
+        for name, values in zip(result.variant, result.tangent.T * STIFFNESS.factor, strict=True)
     }
 
 
 def _bearing(result: BearingMapResult, _: Described) -> Cells:
-    ends = result.stiffness[[0, -1], :, 0] * STIFFNESS.factor
+    values = result.stiffness[:, :, 0] * STIFFNESS.factor
     return {
-        f"{load:.0f} N": ", ".join(_arrow(ends[:, k, i, i]) for i in (0, 1))
+        f"{load:.0f} N": ", ".join(from_to(values[:, k, i, i]) for i in (0, 1))
         for k, load in enumerate(result.load)
     }
 

@@ -24,7 +24,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve
 from rotordyn.report.accuracy import accuracy_words
 from rotordyn.report.known import known_lines
-from rotordyn.report.text import number, opening, unbroken, wrapped
+from rotordyn.report.text import from_to, opening, unbroken, wrapped
 
 HEIGHT = 40
 _WHIRL = {1: " fw", -1: " bw", 0: ""}
@@ -75,7 +75,7 @@ def summary(
 def _machine(spindle: Spindle) -> list[str]:
     m = rotor_inertia(spindle)
     lines = [
-        f"rotor      {m.mass:.2f} kg, centre of gravity at {m.centre * 1e3:.1f} mm, inertia polar "
+        f"rotor      {_mass(m.mass)}, centre of gravity at {m.centre * 1e3:.1f} mm, inertia polar "
         f"{m.polar:.4g}, diametral {m.diametral:.4g} kg m²"
     ]
     if spindle.seats:
@@ -108,17 +108,17 @@ def _drawbar(bar: Drawbar) -> str:
     return f"drawbar    {bar.force:g} N {ends}, {guides}"
 
 
+def _mass(mass: float) -> str:
+    return f"{mass:.2f} kg" if mass >= 0.1 else f"{mass * 1e3:.3g} g"
+
+
 def _modes(result: CampbellResult) -> list[str]:
-    first, last = result.speed[[0, -1]]
     if not result.mode:
         return ["modes      none in the band asked for"]
-    single = len(result.speed) == 1
-    rpm = f"{first * RPM.factor:.0f}" + ("" if single else f" → {last * RPM.factor:.0f}") + " rpm"
+    rpm, last = f"{from_to(result.speed * RPM.factor, 0)} rpm", result.speed[-1]
     entries = [
-        f"{name} {number(a)}{'' if single else f' → {number(b)}'}{_whirl(name, w)}"
-        for name, a, b, w in zip(
-            result.mode, result.frequency[0], result.frequency[-1], result.whirl[-1], strict=True
-        )
+        f"{name} {from_to(values)}{_whirl(name, w)}"
+        for name, values, w in zip(result.mode, result.frequency.T, result.whirl[-1], strict=True)
     ]
     frame = " in the turning frame" if turning(result) else ""
     lines = [f"modes [Hz]{frame} {rpm}: " + "; ".join(map(unbroken, entries))]
@@ -159,16 +159,16 @@ def _whirl(name: str, whirl: float) -> str:
 
 def _bearing(result: BearingMapResult) -> list[str]:
     """Axial and radial stiffness at each load, at the first and the last speed."""
-    first, last = (f"{v * RPM.factor:.0f}" for v in result.speed[[0, -1]])
+    speeds = from_to(result.speed * RPM.factor, 0)
     name = "" if result.tangent[0] == "complete" else f" ({result.tangent[0]} tangent)"
-    lines = [f"stiffness  [N/µm] of the bearing, tilts blocked, at {first} → {last} rpm{name}"]
-    ends = result.stiffness[[0, -1], :, 0] * STIFFNESS.factor
+    lines = [f"stiffness  [N/µm] of the bearing, tilts blocked, at {speeds} rpm{name}"]
+    stiffness = result.stiffness[:, :, 0] * STIFFNESS.factor
     for k, load in enumerate(result.load):
         words = [word for word in result.outcome[:, k] if word]
         if len(words) == len(result.speed):
             lines.append(f"           {load:.0f} N: {words[0]}")
             continue
-        axial, radial = (f"{number(ends[0, k, i, i])} → {number(ends[1, k, i, i])}" for i in (0, 1))
+        axial, radial = (from_to(stiffness[:, k, i, i]) for i in (0, 1))
         pressure = np.nanmax(np.fmax(result.inner_pressure, result.outer_pressure)[:, k]) / 1e9
         lines.append(
             f"           {load:.0f} N: axial {axial}, radial {radial}; pressure up to "
@@ -179,8 +179,8 @@ def _bearing(result: BearingMapResult) -> list[str]:
 
 def _preload(result: PreloadResult) -> list[str]:
     loads = ", ".join(
-        unbroken(f"{name} {number(a, 0)} → {number(b, 0)}")
-        for name, a, b in zip(result.bearing, *result.axial_load[[0, -1]], strict=True)
+        unbroken(f"{name} {from_to(load, 0)}")
+        for name, load in zip(result.bearing, result.axial_load.T, strict=True)
     )
     lines = [f"preload    [N] {loads}"]
     for name, speed in zip(result.sleeve, result.stop_speed, strict=True):
@@ -191,9 +191,7 @@ def _preload(result: PreloadResult) -> list[str]:
 
 def _stiffness(result: StiffnessResult) -> list[str]:
     values = ", ".join(
-        unbroken(f"{name.replace('_', ' ')} {number(a)} → {number(b)}")
-        for name, a, b in zip(
-            result.variant, *(result.tangent[[0, -1]] * STIFFNESS.factor), strict=True
-        )
+        unbroken(f"{name.replace('_', ' ')} {from_to(values)}")
+        for name, values in zip(result.variant, result.tangent.T * STIFFNESS.factor, strict=True)
     )
     return [f"stiffness  radial, tangent [N/µm] {values}"]

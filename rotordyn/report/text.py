@@ -6,6 +6,9 @@ import math
 import textwrap
 from collections.abc import Sequence
 
+import numpy as np
+from numpy.typing import NDArray
+
 WIDTH = 100
 INDENT = " " * 11  # of what follows the first word of a line
 MOST_WARNINGS = 6
@@ -35,3 +38,9 @@ def wrapped(line: str) -> list[str]:
 def number(value: float, digits: int = 1) -> str:
     """Printed with ``digits`` decimals; "none" where there is no value."""
     return f"{value:.{digits}f}" if math.isfinite(value) else "none"
+
+
+def from_to(values: NDArray[np.float64], digits: int = 1) -> str:
+    """The first and the last value over speed; where there is but one speed, its value."""
+    ends = values[[0, -1]] if len(values) > 1 else values
+    return " → ".join(number(value, digits) for value in ends)

@@ -17,7 +17,7 @@ from rotordyn.machine.spindle import Spindle
 
 Array = NDArray[np.float64]
 
-COINCIDENT = 1e-9  # of the shaft's length: stations closer than that are one node
+COINCIDENT = 1.5e-7  # of the shaft's length: stations closer than that are one node
 ELEMENTS_OVER_LENGTH = 50  # k h below 0.06 n for the n-th bending mode of any shaft
 
 

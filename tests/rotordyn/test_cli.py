@@ -253,6 +253,20 @@ def test_module_from_the_shell(argv: list[str], code: int, said: str) -> None:
     assert said in " ".join((done.stdout + done.stderr).split())
 
 
+def test_a_reader_that_leaves_early_is_no_error() -> None:
+    """As ``rotordyn schema | head -1``: no traceback."""
+    writer = subprocess.Popen(
+        [sys.executable, "-m", "rotordyn", "schema"],
+        cwd=ROOT, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+    )  # fmt: skip
+    assert writer.stdout is not None
+    assert writer.stderr is not None
+    writer.stdout.close()
+    assert writer.stderr.read() == b""
+    writer.stderr.close()
+    assert writer.wait() == 0
+
+
 def test_exit_code_reaches_the_shell(tmp_path: Path) -> None:
     done = subprocess.run(
         [sys.executable, "-m", "rotordyn", "check", str(tmp_path / "none.yaml")],

@@ -10,12 +10,13 @@ import numpy as np
 import pytest
 
 import rotordyn
-from rotordyn.analysis.specs import CampbellSpec, FrfSpec, PreloadSpec, StiffnessSpec
+from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec, PreloadSpec, StiffnessSpec
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput, NoSolution
-from rotordyn.job import deliver, one_variant, restricted, solve
+from rotordyn.job import deliver, one_variant, restricted, solve, solve_variants
 from rotordyn.machine.growth import PrescribedShortening
 from rotordyn.report.netcdf import read_results
+from rotordyn.report.side_by_side import comparison_summary
 from tests.oracles.spindles import RPM, case, mfw2310, pairs
 
 TURNING = {"speeds": (2000 * RPM, 24000 * RPM), "analyses.frf.slices": ()}
@@ -113,6 +114,34 @@ def test_nothing_is_written_where_no_variant_has_a_solution(tmp_path: Path) -> N
     with pytest.raises(NoSolution, match=r"variant a: .*; variant b: "):
         deliver(whole, tmp_path / "out")
     assert not any(tmp_path.iterdir())
+
+
+def test_whirls_are_paired_where_the_first_speed_has_no_solution() -> None:
+    """Pulled by 2 kN the front pair is unloaded at rest and loaded by its growth at speed."""
+    whole = compared()
+    pulled = Conditions(kinematics="outer", axial_force=-2000.0)
+    whole = replace(whole, variants={"a": replace(whole.variants["flexible"], conditions=pulled)})
+    result = solve_variants(whole).answers["a"].results["campbell"]
+    assert np.isnan(result.frequency[0]).all()
+    rows = comparison_summary(whole, [(whole.variants["a"], {"campbell": result})]).splitlines()
+    top = dict(zip(result.mode, result.frequency[-1], strict=True))
+    pair = sorted(v for name, v in top.items() if name.startswith("bending"))[:2]
+    assert any(f"none → {pair[0]:.1f}/{pair[1]:.1f}" in row for row in rows)
+
+
+def test_variants_of_one_title_are_all_shown(tmp_path: Path) -> None:
+    whole = compared()
+    flexible = whole.variants["flexible"]
+    same = replace(
+        whole,
+        variants={
+            "a": replace(flexible, title="same"),
+            "b": replace(whole.variants["rigid"], title="same"),
+            "c": replace(flexible, title=" "),
+        },
+    )
+    modes = deliver(same, tmp_path / "out").summary.split("bending modes")[1].splitlines()
+    assert [line.split("  ")[0] for line in modes[2:5]] == ["same (a)", "same (b)", "c"]
 
 
 def test_one_variant_is_a_case_of_its_own() -> None:

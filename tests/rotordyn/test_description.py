@@ -202,6 +202,17 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
             Reference("preload_sum", "measured", "", (0.0,), (1.0,), conditions={"rotr": "x"}),
         )
     ),
+    r"variants: not a name: given '\.\./up'": lambda: case(variants={"../up": case()}),
+    "conditions.rotor does not apply to a single bearing": lambda: case(
+        spindle=None,
+        bearing=BEARING,
+        analyses={"bearing": BearingMapSpec((100.0,))},
+        conditions=Conditions(rotor="rigid"),
+    ),
+    r"support 'left' pushes the shaft aside .*\(yx\)": lambda: case(
+        spindle=spindle(supports=(LinearSupport("left", 0.0, {("x", "x"): 1e6, ("y", "x"): 1e6}),)),
+        conditions=Conditions(axial_force=10.0),
+    ),
     "variant v: its speeds and analyses": lambda: case(variants={"v": case(speeds=(1.0,))}),
 }
 

@@ -74,7 +74,7 @@ def gap(ours: np.ndarray, exact: np.ndarray, driven: np.ndarray) -> float:
 
 def compare(found: Scene, row: int) -> None:
     ours, exact = above(found.coupled_modes.pole[row]), whole(found, row).poles(HIGHEST)
-    assert len(ours) == len(exact) >= 3
+    assert len(ours) == len(exact) >= 1  # strong dampers leave few that swing
     assert np.abs(ours / exact - 1.0).max() < 1e-6
     curves = receptance(found, EVERY)[row]
     assert gap(curves, dense(found, row, EVERY), dense(found, row, DRIVEN)) < 1e-5

@@ -6,7 +6,13 @@ import math
 from collections.abc import Sequence
 from contextlib import suppress
 
-from rotordyn.case.agreement import MOST_ELEMENTS, NEEDS_BEARINGS, OF_A_BEARING, uncoupled
+from rotordyn.case.agreement import (
+    MOST_ELEMENTS,
+    NEEDS_BEARINGS,
+    OF_A_BEARING,
+    OF_BALLS,
+    uncoupled,
+)
 from rotordyn.case.build.spindle import support
 from rotordyn.case.build.sweep import values
 from rotordyn.case.checks.conditions import conditions, sideways
@@ -30,7 +36,8 @@ def machine_named(root: Node, faults: Faults) -> None:
     if spindle is None and bearing is None:
         faults.missing(root, ("spindle",), "missing key: a case needs a spindle, or a bearing")
     if spindle is not None and bearing is not None:
-        faults.at_key(root, ("bearing",), "a case has either a spindle or a bearing: given both")
+        key = "spindle" if spindle.path.startswith("compare.") else "bearing"
+        faults.at_key(root, (key,), "a case has either a spindle or a bearing: given both")
     if root.child("tool") is not None and spindle is None:
         faults.at_key(root, ("tool",), "a tool needs a spindle: given none")
 
@@ -43,6 +50,7 @@ def questions(entry: CaseEntry, root: Node, faults: Faults) -> None:
     if not asked:
         faults.at(root, ("analyses",), "nothing is asked: name at least one analysis")
     _apply(asked, root, faults)
+    _of_bearing(entry, root, faults)
     _lists(entry, root, faults)
 
 
@@ -54,6 +62,15 @@ def _apply(asked: set[str], root: Node, faults: Faults) -> None:
         if (name in OF_A_BEARING) != single:
             kind = "single bearing" if single else "spindle"
             faults.at_key(root, ("analyses", name), f"this question does not apply to a {kind}")
+
+
+def _of_bearing(entry: CaseEntry, root: Node, faults: Faults) -> None:
+    """A single bearing has no rotor, no preload, no axis of weight that conditions could change."""
+    if root.child("bearing") is None or root.child("spindle") is not None:
+        return
+    for name in sorted(entry.conditions.model_fields_set - set(OF_BALLS)):
+        message = f"does not apply to a single bearing; allowed: {', '.join(OF_BALLS)}"
+        faults.at_key(root, ("conditions", name), message)
 
 
 def _lists(entry: CaseEntry, root: Node, faults: Faults) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rotordyn.analysis.formulation import ROTATING
+from rotordyn.case.agreement import moved_along
 from rotordyn.case.build.sweep import values
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
@@ -64,9 +65,9 @@ def sideways(
     entry: CaseEntry, supports: Sequence[LinearSupport], root: Node, faults: Faults
 ) -> None:
     """Bearings are solved under axial load alone: what moves along x must not push aside."""
-    chosen = entry.conditions
-    speeds = values(entry.speeds) if chosen.bearings == "dynamic" else ()
-    if not any(speeds) and chosen.axial_force == 0.0 and chosen.gravity == "none":
+    own = entry.conditions
+    weighed = own.gravity != "none"
+    if not moved_along(values(entry.speeds), own.bearings, own.axial_force, weighed):
         return
     for held in supports:
         if held.sideways:

@@ -9,7 +9,7 @@ MEANINGS: dict[str, dict[str, str]] = {
         "spindle": "name of a model, or a path; either this or `bearing`",
         "tool": "name or path of what is clamped into the nose",
         "bearing": "name or path of a single bearing; either this or `spindle`",
-        "override": "dotted path of a value of the spindle, items of a list by name -> new value",
+        "override": "dotted path into the machine, items of a list by their name -> new value",
         "conditions": "how the machine is modelled",
         "speeds": "every speed at which the questions are answered",
         "analyses": "what is asked",

@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 
 from rotordyn.analysis.display import RPM, STIFFNESS
 from rotordyn.plots.compared.panels import Shown, colour, dash
-from rotordyn.plots.style import BLACK, add_axes, grid_boxes, new_figure, speed_ticks, top_legend
+from rotordyn.plots.legends import top_legend
+from rotordyn.plots.style import BLACK, add_axes, grid_boxes, new_figure, speed_ticks
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

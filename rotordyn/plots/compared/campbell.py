@@ -9,16 +9,10 @@ import numpy as np
 
 from rotordyn.analysis.display import RPM
 from rotordyn.plots.campbell import draw_known, draw_modes, draw_orders, orders
-from rotordyn.plots.compared.panels import Shown, colour, panels
-from rotordyn.plots.style import (
-    BLACK,
-    FONT_SIZE,
-    add_axes,
-    legend,
-    new_figure,
-    speed_ticks,
-    top_legend,
-)
+from rotordyn.plots.compared.panels import Shown, beside, colour, panels
+from rotordyn.plots.labels import axis_label
+from rotordyn.plots.legends import shortened, top_legend
+from rotordyn.plots.style import BLACK, FONT_SIZE, add_axes, new_figure, speed_ticks
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -34,13 +28,14 @@ def panels_figure(
     )
     top = max_frequency or _highest(variants)
     rows = [box[1] for box in boxes]
+    labels = [axis_label(variant.result, "frequency") for variant in variants]
     for place, (variant, box) in enumerate(zip(variants, boxes, strict=True)):
         below = "speed [rpm]" if box[1] == min(rows) or place + 2 >= len(boxes) else ""
-        axes = add_axes(figure, box, below, "" if place % 2 else "damped frequency [Hz]")
+        axes = add_axes(figure, box, below, beside(labels, place))
         _prepare(axes, variant, top, teeth)
         draw_modes(axes, variant.result)
         draw_known(axes, variant.known)
-        axes.set_title(variant.title, fontsize=FONT_SIZE, pad=4.0)
+        axes.set_title(shortened(variant.title), fontsize=FONT_SIZE, pad=4.0)
     top_legend(figure, *figure.axes)
     return figure
 
@@ -50,7 +45,8 @@ def overlay_figure(
 ) -> Figure:
     """All modes in one diagram, a colour per variant, dashes by whirl."""
     figure = new_figure(168.0, 115.0)
-    axes = add_axes(figure, (15.0, 11.0, 147.0, 92.0), "speed [rpm]", "damped frequency [Hz]")
+    labels = dict.fromkeys(axis_label(variant.result, "frequency") for variant in variants)
+    axes = add_axes(figure, (15.0, 11.0, 147.0, 92.0), "speed [rpm]", "\n".join(labels))
     top = max_frequency or _highest(variants)
     _prepare(axes, variants[0], top, teeth)
     for place, variant in enumerate(variants):
@@ -58,14 +54,7 @@ def overlay_figure(
         axes.plot([], [], color=colour(place), label=variant.title)
     axes.plot([], [], color=BLACK, ls="-", label="forward")
     axes.plot([], [], color=BLACK, ls=(0, (5, 2)), label="backward")
-    legend(
-        axes,
-        loc="lower left",
-        bbox_to_anchor=(-0.01, 1.0),
-        ncols=4,
-        columnspacing=1.2,
-        borderaxespad=0.2,
-    )
+    top_legend(figure, axes)
     return figure
 
 

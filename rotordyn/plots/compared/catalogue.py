@@ -48,7 +48,7 @@ def _campbell(spec: Any, shown: Sequence[Shown]) -> Iterator[Job]:
 
 def _frf(_: Any, shown: Sequence[Shown]) -> Iterator[Job]:
     first = shown[0].result
-    few, swept = len(shown) <= MOST_PANELS, first.speed.size > 1
+    few, swept = len(shown) <= MOST_PANELS, first.speed.size > 1 and first.frequency.size > 1
     if few and swept:
         yield "frf_surfaces", partial(_draw, "frf", "surfaces_figure", shown, 0)
         yield "frf_maps", partial(_draw, "frf", "maps_figure", shown, 0)

@@ -9,20 +9,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM, receptance_unit, shown
-from rotordyn.analysis.results import FrfResult
+from rotordyn.analysis.results import FrfResult, TurningFrfResult
+from rotordyn.machine.reference import Reference
 from rotordyn.plots.campbell import draw_known
-from rotordyn.plots.compared.panels import Shown, colour, dash, panels
+from rotordyn.plots.compared.panels import Shown, beside, colour, dash, panels
 from rotordyn.plots.frf_map import amplitude, amplitude_range, draw_map, draw_scale
 from rotordyn.plots.frf_slices import log_axis
 from rotordyn.plots.frf_surface import draw_pins, draw_surface
-from rotordyn.plots.style import (
-    FONT_SIZE,
-    add_axes,
-    new_figure,
-    round_ticks,
-    speed_ticks,
-    top_legend,
-)
+from rotordyn.plots.labels import axis_label
+from rotordyn.plots.legends import shortened, top_legend
+from rotordyn.plots.style import FONT_SIZE, add_axes, new_figure, round_ticks, speed_ticks
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -36,11 +32,12 @@ def curves_figure(variants: Sequence[Shown], pair: int) -> Figure:
     slices = np.flatnonzero(first.is_slice)[:MOST_SLICES].tolist()
     figure = new_figure(168.0, 22.0 + 58.0 * len(slices))
     unit = shown(receptance_unit(first.pair[pair])).unit
+    below = ", ".join(dict.fromkeys(axis_label(v.result, "frequency") for v in variants))
     tall, gap = 50.0, 8.0
     for place, index in enumerate(slices):
         last = place == len(slices) - 1
         box = (17.0, 12.0 + (len(slices) - 1 - place) * (tall + gap), 145.0, tall)
-        axes = add_axes(figure, box, "frequency [Hz]" if last else "", f"amplitude [{unit}]")
+        axes = add_axes(figure, box, below if last else "", f"amplitude [{unit}]")
         for k, variant in enumerate(variants):
             values = amplitude(variant.result, pair)[index]
             axes.plot(
@@ -65,13 +62,14 @@ def maps_figure(variants: Sequence[Shown], pair: int) -> Figure:
         len(variants), tall=66.0, margins=(15.0, 20.0, 12.0, 9.0), gaps=(8.0, 16.0)
     )
     limits = _common_range(variants, pair)
+    labels = [axis_label(variant.result, "frequency") for variant in variants]
     for place, (variant, box) in enumerate(zip(variants, boxes, strict=True)):
-        axes = add_axes(figure, box, "speed [rpm]", "" if place % 2 else "frequency [Hz]")
+        axes = add_axes(figure, box, "speed [rpm]", beside(labels, place))
         image = draw_map(axes, variant.result, pair, limits)
-        draw_known(axes, variant.known, edge="white")
         speed_ticks(axes, max(float(variant.result.speed[-1] * RPM.factor), 1.0), 4)
+        draw_known(axes, _fixed(variant), edge="white")
         axes.tick_params(labelleft=not place % 2)
-        axes.set_title(variant.title, fontsize=FONT_SIZE, pad=4.0)
+        axes.set_title(shortened(variant.title), fontsize=FONT_SIZE, pad=4.0)
         if place == min(1, len(variants) - 1):
             draw_scale(figure, image, variant.result, pair, box)
     return figure
@@ -83,9 +81,14 @@ def surfaces_figure(variants: Sequence[Shown], pair: int) -> Figure:
     limits = _common_range(variants, pair)
     for variant, box in zip(variants, boxes, strict=True):
         axes = add_axes(figure, box)
-        draw_surface(axes, variant.result, pair, variant.title, limits, shrink=1.6)
-        draw_pins(axes, variant.result, variant.known)
+        draw_surface(axes, variant.result, pair, shortened(variant.title), limits, shrink=1.6)
+        draw_pins(axes, variant.result, _fixed(variant))
     return figure
+
+
+def _fixed(variant: Shown) -> Sequence[Reference]:
+    """What is known of a variant; frequencies of the fixed frame are none of the turning one."""
+    return () if isinstance(variant.result, TurningFrfResult) else variant.known
 
 
 def _common_range(variants: Sequence[Shown], pair: int) -> tuple[float, float]:

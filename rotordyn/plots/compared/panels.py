@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 MOST_PANELS = 6
+COLOURS = (*CYCLE, "#882255", "#DDCC77", "#6699CC", "#999933", "#CC6677", "#117733", "#AA4499")
 Box = tuple[float, float, float, float]
 
 
@@ -28,12 +29,18 @@ class Shown(NamedTuple):
 
 def colour(place: int) -> str:
     """Colour of the variant at a place."""
-    return CYCLE[place % len(CYCLE)]
+    return COLOURS[place % len(COLOURS)]
 
 
 def dash(place: int) -> Any:
     """Dashes of the variant at a place: told apart without colour, too."""
-    return DASHES[place % len(DASHES)]
+    return DASHES[(place + place // len(DASHES)) % len(DASHES)]
+
+
+def beside(labels: Sequence[str], place: int) -> str:
+    """Label of the vertical axis of a panel: that of the panel to its left is not repeated."""
+    left = labels[place - 1] if place % 2 else ""
+    return "" if labels[place] == left else labels[place]
 
 
 def panels(

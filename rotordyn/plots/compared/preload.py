@@ -9,7 +9,8 @@ from rotordyn.analysis.display import MICROMETRE, RPM
 from rotordyn.analysis.known import preload_sum
 from rotordyn.plots.compared.panels import Shown, colour, dash
 from rotordyn.plots.curves import draw_references
-from rotordyn.plots.style import add_axes, grid_boxes, new_figure, speed_ticks, top_legend
+from rotordyn.plots.legends import top_legend
+from rotordyn.plots.style import add_axes, grid_boxes, new_figure, speed_ticks
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -33,12 +34,12 @@ def preload_figure(variants: Sequence[Shown]) -> Figure:
         for panel, name in zip(axes[1:], sleeves, strict=True):
             body = result.body.index(name)
             panel.plot(rpm, result.position[:, body] * MICROMETRE.factor, **look)
-    known = variants[0].known
-    draw_references(axes[0], known, "preload_sum")
+    known, top = variants[0].known, float(variants[0].result.speed[-1] * RPM.factor)
+    draw_references(axes[0], known, "preload_sum", top)
     for panel, name in zip(axes[1:], sleeves, strict=True):
         own = [r for r in known if r.subject == name]
-        draw_references(panel, own, "sleeve_displacement")
+        draw_references(panel, own, "sleeve_displacement", top)
     for panel in axes:
-        speed_ticks(panel, float(variants[0].result.speed[-1] * RPM.factor), 4)
+        speed_ticks(panel, top, 4)
     top_legend(figure, *axes)
     return figure

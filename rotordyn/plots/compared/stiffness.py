@@ -9,7 +9,8 @@ from rotordyn.analysis.display import RPM, STIFFNESS
 from rotordyn.machine.reference import Reference
 from rotordyn.plots.compared.panels import Shown, colour, dash
 from rotordyn.plots.curves import draw_references
-from rotordyn.plots.style import BLACK, add_axes, legend, new_figure, speed_ticks
+from rotordyn.plots.legends import top_legend
+from rotordyn.plots.style import BLACK, add_axes, new_figure, speed_ticks
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -23,6 +24,7 @@ def stiffness_figure(variants: Sequence[Shown], point: str = "") -> Figure:
         figure, (15.0, 11.0, 147.0, 84.0), "speed [rpm]", f"radial stiffness{where} [N/µm]"
     )
     models = variants[0].result.variant
+    top = float(variants[0].result.speed[-1] * RPM.factor)
     shared = [r for r in variants[0].known if all(r in v.known for v in variants)]
     for place, variant in enumerate(variants):
         rpm = variant.result.speed * RPM.factor
@@ -36,15 +38,15 @@ def stiffness_figure(variants: Sequence[Shown], point: str = "") -> Figure:
             )
         own = [r for r in variant.known if r not in shared and _drawn(r, models)]
         colours = dict.fromkeys((r.subject for r in own), colour(place))
-        draw_references(axes, own, "radial_stiffness", subject=True, colours=colours)
+        draw_references(axes, own, "radial_stiffness", top, subject=True, colours=colours)
     known = [r for r in shared if _drawn(r, models)]
-    draw_references(axes, known, "radial_stiffness", subject=True)
+    draw_references(axes, known, "radial_stiffness", top, subject=True)
     if len(models) > 1:
         for column, name in enumerate(models):
             axes.plot([], [], color=BLACK, ls=dash(column), label=name.replace("_", " "))
-    speed_ticks(axes, float(variants[0].result.speed[-1] * RPM.factor))
+    speed_ticks(axes, top)
     axes.set_ylim(0.0, axes.get_ylim()[1] * 1.05)
-    legend(axes, loc="best")
+    top_legend(figure, axes)
     return figure
 
 

@@ -86,6 +86,39 @@ def test_a_fault_of_a_variant_is_at_its_line(
     )
 
 
+def test_what_a_variant_says_comes_after_what_the_case_says(tmp_path: Path) -> None:
+    """A whole spring in the variant is not changed by a part of it in the case."""
+    path = tmp_path / "compared.yaml"
+    own = "  sleeves.front.spring: {preload: 1 N, stiffness: 1 N/um}\n"
+    part = "  sleeves.front.spring.preload: 2 N\n"
+    text = CASE.format(compare="  one:\n    override:\n    " + own.replace("1 N", "9 N"))
+    path.write_text(text.replace("override:\n", "override:\n" + own + part, 1), encoding="utf-8")
+    case = rotordyn.load(path)
+    springs = [c.spindle.sleeves[0].spring for c in (case, *case.variants.values()) if c.spindle]
+    assert [spring.preload for spring in springs] == [2.0, 9.0]
+
+
+def test_a_fault_outside_its_entry_names_the_variant(tmp_path: Path) -> None:
+    with pytest.raises(InvalidInput) as caught:
+        load(tmp_path, "  fine: {}\n  short: {override: {shaft.sections.tail.length: 1 mm}}\n")
+    (fault,) = caught.value.faults
+    assert fault.file.endswith("mfw2310.yaml")
+    assert fault.message.startswith("variant short: ")
+
+
+def test_a_bearing_in_a_variant_of_a_spindle_is_a_fault_of_the_variant(tmp_path: Path) -> None:
+    with pytest.raises(InvalidInput) as caught:
+        load(tmp_path, "  one: {}\n  two:\n    bearing: vex70\n")
+    places = {fault.path: fault for fault in caught.value.faults}
+    assert "given both" in places["compare.two.bearing"].message
+
+
+@pytest.mark.parametrize("title", ["''", "' '"])
+def test_a_blank_title_is_the_name(tmp_path: Path, title: str) -> None:
+    case = load(tmp_path, f"  one_more: {{title: {title}}}\n  two: {{title: whole}}\n")
+    assert [v.title for v in case.variants.values()] == ["one more", "whole"]
+
+
 def test_faults_of_the_case_itself_are_told_once(tmp_path: Path) -> None:
     path = tmp_path / "compared.yaml"
     text = CASE.format(compare="  one: {}\n  two: {}\n").replace("outer", "outermost")

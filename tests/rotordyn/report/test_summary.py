@@ -127,5 +127,11 @@ def test_one_speed_and_no_mode_are_said_plainly(case, results):
     line = next(x for x in summary(case, {"campbell": one}).splitlines() if x.startswith("modes"))
     assert "→" not in line
     assert "24000 rpm: " in line
+    preload = results["preload"]
+    alone = replace(
+        preload, outcome=("",), speed=preload.speed[:1], axial_load=preload.axial_load[:1]
+    )
+    line = next(x for x in summary(case, {"preload": alone}).splitlines() if "[N]" in x)
+    assert "→" not in line
     bare = replace(campbell, mode=(), kind=(), damping_ratio=campbell.damping_ratio[:, :0])
     assert "none in the band asked for" in summary(case, {"campbell": bare})
