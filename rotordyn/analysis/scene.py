@@ -14,7 +14,9 @@ from numpy.typing import NDArray
 
 from rotordyn.analysis.buckling import Loading
 from rotordyn.analysis.display import RPM
+from rotordyn.analysis.exact_bending import ExactBending, exact_bending
 from rotordyn.analysis.formulation import ROTATING, SOFTENED, told
+from rotordyn.analysis.shaft import EXACT
 from rotordyn.analysis.specs import Conditions
 from rotordyn.analysis.stability import instability
 from rotordyn.analysis.stage import Staged, stage
@@ -243,6 +245,16 @@ class Scene(Staged):
     def bending_modes(self) -> Modes:
         """All eigenvalues of the bending system."""
         return modes(self.bending.stiffness, self.bending.damping)
+
+    @stage
+    def exact(self) -> ExactBending:
+        """The shaft without elements at the usable speeds."""
+        return exact_bending(self)
+
+    @property
+    def bends_exactly(self) -> bool:
+        """True where modes and receptances of bending are those of the exact shaft."""
+        return self.conditions.shaft == EXACT
 
     @stage
     def axial(self) -> RodSystem:

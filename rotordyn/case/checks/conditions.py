@@ -6,9 +6,11 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from rotordyn.analysis.formulation import ROTATING
+from rotordyn.analysis.shaft import obstacles
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
 from rotordyn.case.schema.conditions import ConditionsEntry
+from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.machine.support import coupled_motions
 
 if TYPE_CHECKING:
@@ -18,15 +20,20 @@ if TYPE_CHECKING:
 def conditions(
     entry: ConditionsEntry,
     supports: Sequence[LinearSupport],
-    has_bearings: bool,
+    spindle: SpindleEntry,
     root: Node,
     faults: Faults,
 ) -> None:
-    """The turning frame needs even supports, an axial force something that holds the shaft."""
+    """The turning frame needs even supports, an axial force something that holds the shaft.
+
+    The exact shaft has no modes to damp, nor anything but bending.
+    """
+    for sentence in obstacles(entry, spindle.damping.rotor, supports):
+        faults.at(root, ("conditions", "shaft"), f"{sentence}: given 'exact'; allowed: elements")
     if entry.formulation == ROTATING:
         for support in supports:
             _even(support, root, faults)
-    if has_bearings or any(support.stiffness.get(("x", "x")) for support in supports):
+    if spindle.bearings or any(support.stiffness.get(("x", "x")) for support in supports):
         return
     for key, acts in (("axial_force", entry.axial_force), ("gravity", entry.gravity != "none")):
         if acts:

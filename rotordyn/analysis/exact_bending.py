@@ -1,0 +1,247 @@
+"""Bending of the shaft without discretisation: modes at every speed, receptances.
+
+The elements' poles are the starts; how many there are is counted in the exact equations. Modes are
+given by weighted displacements of the nodes of the mesh, so that they are followed by likeness.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis.display import RPM
+from rotordyn.analysis.specs import Port
+from rotordyn.elements.node import FREEDOMS, position
+from rotordyn.errors import InvalidInput, NoSolution
+from rotordyn.exact.box import Box
+from rotordyn.exact.poles import ExactMode
+from rotordyn.exact.receptance import receptance
+from rotordyn.exact.rotor import ExactRotor, exact_rotor, stations_only
+from rotordyn.exact.shooting import Shooting
+from rotordyn.exact.spectrum import modes_inside
+from rotordyn.machine.cross_section import area, second_moment
+from rotordyn.machine.spindle import Spindle
+from rotordyn.numerics.modes import Modes
+from rotordyn.system.dofs import Selection
+from rotordyn.system.mesh import Mesh
+
+if TYPE_CHECKING:
+    from rotordyn.analysis.scene import Scene
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+PLANES = Selection(("y", "thz", "z", "thy"), (1, 1, 1, -1))
+NEAR = 1.2  # the band of the search ends in the widest gap of the elements' poles up to this beyond
+ASIDE = 0.05  # of the band: room around the poles in the direction of growth and decay
+LOWEST = 1e-4  # of the band, where it begins at the latest
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class ExactBending:
+    """The exact rotor at every usable speed.
+
+    ``x`` (nodes,) [m]: where modes are given; ``weight`` (nodes, 2): root of the mass and of the
+    inertia that a node stands for, which makes modes alike by their kinetic energy. ``frame``
+    (speeds,) [rad/s]: the speed at which the coordinates turn.
+    """
+
+    rotors: tuple[ExactRotor, ...]
+    x: Array
+    weight: Array
+    frame: Array
+
+    @property
+    def isotropic(self) -> bool:
+        """True where forward and backward whirl are apart."""
+        return self.rotors[0].planes == 1
+
+    @property
+    def motion(self) -> Array:
+        """Displacements of the nodes (nodes, 6, 4·nodes) by the coordinates of both planes."""
+        nodes = len(self.x)
+        motion = np.zeros((nodes, len(FREEDOMS), 2, nodes, 2))
+        every = np.arange(nodes)
+        for place, (name, sign) in enumerate(zip(PLANES.names, PLANES.signs, strict=True)):
+            plane, kind = divmod(place, 2)
+            motion[every, position(name), plane, every, kind] = sign / self.weight[:, kind]
+        return motion.reshape(nodes, len(FREEDOMS), -1)
+
+    def modes(self, near: Modes, highest: float) -> ExactModes:
+        """All modes up to ``highest`` [rad/s]; ``near``: those of the elements.
+
+        Raises
+        ------
+        NoSolution : at some speed not as many were reached as there are
+        """
+        found = [
+            self._at(rotor, near.pole[row] + 1j * self.frame[row], highest)
+            for row, rotor in enumerate(self.rotors)
+        ]
+        most = max(len(pole) for pole, _ in found)
+        size = found[0][1].shape[0]
+        pole = np.full((len(found), most), complex(np.nan, np.nan))
+        vector = np.full((len(found), size, most), complex(np.nan, np.nan))
+        for row, (own, vectors) in enumerate(found):
+            pole[row, : len(own)], vector[row, :, : len(own)] = own, vectors
+        return ExactModes(pole - 1j * self.frame[:, None], vector, np.zeros(len(found)))
+
+    def _at(self, rotor: ExactRotor, near: Complex, highest: float) -> tuple[Complex, Complex]:
+        """Poles (k,) and vectors (n, k) at one speed, in the fixed frame."""
+        omega = -1j * near
+        found: list[ExactMode] = []
+        shapes = [np.zeros((0, len(self.x), 2 * rotor.planes), dtype=complex)]
+        for side in (-1.0, 1.0) if rotor.planes == 1 else (1.0,):
+            box = _box(omega, side, highest)
+            fine = rotor.up_to(max(abs(box.low), abs(box.high)))
+            equations = Shooting.of(fine)
+            starts = np.array([w for w in omega if w in box])
+            try:
+                own = modes_inside(equations, box, starts)
+            except NoSolution as error:
+                raise NoSolution(f"at {rotor.spin * RPM.factor:.0f} rpm: {error}") from None
+            found += own
+            for mode in own:
+                whirl = np.array([mode.omega])
+                shape = equations.displacement(mode.unknowns[None], whirl, self.x)
+                shapes.append(shape[..., : 2 * rotor.planes])
+        shape = np.concatenate(shapes)
+        if rotor.planes == 2:
+            forward, backward = shape[..., :2], shape[..., 2:]
+            planes = (0.5 * (forward + backward), -0.5j * (forward - backward))
+            vector = np.concatenate([self._weighted(plane) for plane in planes], axis=1)
+        else:
+            vector = self._weighted(shape)
+        return 1j * np.array([mode.omega for mode in found]), vector.T
+
+    def _weighted(self, shape: Complex) -> Complex:
+        return np.asarray((shape * self.weight).reshape(len(shape), -1))
+
+    def receptance(
+        self, omega: Array, pairs: list[tuple[float, Port, float, Port]]
+    ) -> tuple[Complex, NDArray[np.bool_]]:
+        """Receptance (speeds, pairs, k) at ``omega`` (k,) [rad/s] of the frame, and (speeds,) where
+        nothing couples the planes.
+
+        A pair is station and port of the response, then of the excitation. In the complex form both
+        are those of plane y, to be turned by the caller.
+        """
+        values, planar = [], []
+        stations = sorted({pair[0] for pair in pairs})
+        forces = sorted({(pair[2], pair[3].direction) for pair in pairs})
+        for rotor, frame in zip(self.rotors, self.frame, strict=True):
+            given = [(x, _column(name, rotor.planes)) for x, name in forces]
+            found = receptance(rotor, omega + frame, np.array(stations), given)
+            values.append(
+                [
+                    found[forces.index((at, excitation.direction)), :, stations.index(x)]
+                    @ _row(response.direction, rotor.planes)
+                    for x, response, at, excitation in pairs
+                ]
+            )
+            coupled = rotor.terms.stiffness.imag.any() or rotor.terms.damping.imag.any()
+            planar.append(not coupled and rotor.spin == 0.0)
+        return np.array(values), np.array(planar)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class ExactModes:
+    """``pole`` (speeds, k) [rad/s], ``vector`` (speeds, n, k), NaN beyond the modes of a speed;
+    ``noise`` (speeds,): what rounding makes of a pole at zero."""
+
+    pole: Complex
+    vector: Complex
+    noise: Array
+
+
+def exact_bending(scene: Scene) -> ExactBending:
+    """The exact rotor of a scene at its usable speeds.
+
+    Raises
+    ------
+    InvalidInput : what the exact shaft cannot describe (``shaft.obstacles``)
+    """
+    from rotordyn.analysis.shaft import obstacles
+
+    spindle = scene.spindle
+    for sentence in obstacles(scene.conditions, spindle.rotor_damping, spindle.supports):
+        raise InvalidInput(sentence)
+    # weight differs along a section: constant within elements only
+    mesh = scene.mesh if scene.gravity else stations_only(spindle)
+    force = np.zeros((1, 0))
+    if scene.conditions.axial_stiffening:
+        force = scene.shaft_force.bending(mesh.middle)
+    rows = scene.bearing_row[scene.usable]
+    rotors = tuple(
+        exact_rotor(
+            spindle,
+            float(spin),
+            tangents,
+            mesh,
+            force[row] if scene.conditions.axial_stiffening else None,
+        )
+        for spin, tangents, row in zip(
+            scene.speed[scene.usable], scene.seat_stiffness, rows, strict=True
+        )
+    )
+    return ExactBending(rotors, scene.mesh.x, _weight(spindle, scene.mesh), scene.bending.frame)
+
+
+def _weight(spindle: Spindle, mesh: Mesh) -> Array:
+    ring, bent = (f(mesh.outer_diameter, mesh.inner_diameter) for f in (area, second_moment))
+    weight = np.zeros((mesh.nodes, 2))
+    for kind, section in enumerate((ring, bent)):
+        half = 0.5 * mesh.density * section * mesh.length
+        weight[:-1, kind] += half
+        weight[1:, kind] += half
+    for body in spindle.lumped:
+        weight[mesh.node_of(body.x)] += (body.mass, body.diametral_inertia)
+    return np.sqrt(weight)
+
+
+def _box(omega: Complex, side: float, highest: float) -> Box:
+    """Around the elements' whirl frequencies of one direction up to ``highest`` [rad/s].
+
+    Its edges lie in gaps between them, so that a small difference puts no pole across.
+    """
+    own = omega[(side * omega.real > 0.0) & (np.abs(omega.real) < NEAR * highest)]
+    across = np.sort(side * own.real)
+    end = _gap(across[across > highest], highest, NEAR * highest)
+    within = own[side * own.real < end]
+    begin = LOWEST * highest
+    if within.size:
+        begin = min(begin, 0.5 * float(np.abs(within.real).min()))
+    room = ASIDE * highest
+    decay = within.imag if within.size else np.zeros(1)
+    low, high = min(float(decay.min()), 0.0) - room, max(float(decay.max()), 0.0) + room
+    ends = sorted((side * begin, side * end))
+    return Box(complex(ends[0], low), complex(ends[1], high))
+
+
+def _gap(values: Array, low: float, high: float) -> float:
+    """Middle of the widest gap between ``low`` and ``high``."""
+    edges = np.concatenate([[low], values, [high]])
+    widest = int(np.argmax(np.diff(edges)))
+    return float(0.5 * (edges[widest] + edges[widest + 1]))
+
+
+_CIRCULAR = np.kron(np.array([[1.0, 1.0j], [1.0, -1.0j]]), np.eye(2))
+
+
+def _column(direction: str, planes: int) -> Complex:
+    """A unit force or moment in circular parts (2·planes,)."""
+    place, sign = PLANES.names.index(direction), PLANES.sign(direction)
+    if planes == 1:
+        return np.asarray(sign * np.eye(2)[place % 2], dtype=complex)
+    return np.asarray(sign * _CIRCULAR[:, place])
+
+
+def _row(direction: str, planes: int) -> Complex:
+    """What takes a displacement from the circular parts (2·planes,)."""
+    place, sign = PLANES.names.index(direction), PLANES.sign(direction)
+    if planes == 1:
+        return np.asarray(sign * np.eye(2)[place % 2], dtype=complex)
+    return np.asarray(sign * np.linalg.inv(_CIRCULAR)[place])
