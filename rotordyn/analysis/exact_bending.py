@@ -36,8 +36,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 PLANES = Selection(("y", "thz", "z", "thy"), (1, 1, 1, -1))
 NEAR = 1.2  # the band of the search ends in the widest gap of the elements' poles up to this beyond
-ASIDE = 0.05  # of the band: room around the poles in the direction of growth and decay
-LOWEST = 1e-4  # of the band, where it begins at the latest
+LOWEST = 1e-4  # of the band, where it begins
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -205,25 +204,24 @@ def _weight(spindle: Spindle, mesh: Mesh) -> Array:
 def _box(omega: Complex, side: float, highest: float) -> Box:
     """Around the elements' whirl frequencies of one direction up to ``highest`` [rad/s].
 
-    Its edges lie in gaps between them, so that a small difference puts no pole across.
+    What grows or decays faster than e^(``highest`` t) is no vibration of the band. The edges lie in
+    gaps between the elements' poles, so that a small difference puts no pole across.
     """
-    own = omega[(side * omega.real > 0.0) & (np.abs(omega.real) < NEAR * highest)]
-    across = np.sort(side * own.real)
-    end = _gap(across[across > highest], highest, NEAR * highest)
-    within = own[side * own.real < end]
+    turning, edge = side * omega.real, NEAR * highest
+    near = (turning > LOWEST * highest) & (turning < edge) & (np.abs(omega.imag) < edge)
+    across, decay = turning[near], omega.imag[near]
+    end = _gap(across[across > highest], highest, edge)
+    inside = np.append(decay[(across < end) & (np.abs(decay) < highest)], 0.0)
+    low = -_gap(-decay[decay < inside.min()], -float(inside.min()), edge)
+    high = _gap(decay[decay > inside.max()], float(inside.max()), edge)
     begin = LOWEST * highest
-    if within.size:
-        begin = min(begin, 0.5 * float(np.abs(within.real).min()))
-    room = ASIDE * highest
-    decay = within.imag if within.size else np.zeros(1)
-    low, high = min(float(decay.min()), 0.0) - room, max(float(decay.max()), 0.0) + room
     ends = sorted((side * begin, side * end))
     return Box(complex(ends[0], low), complex(ends[1], high))
 
 
 def _gap(values: Array, low: float, high: float) -> float:
     """Middle of the widest gap between ``low`` and ``high``."""
-    edges = np.concatenate([[low], values, [high]])
+    edges = np.concatenate([[low], np.sort(values), [high]])
     widest = int(np.argmax(np.diff(edges)))
     return float(0.5 * (edges[widest] + edges[widest + 1]))
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,10 +19,10 @@ from rotordyn.exact.shooting import Shooting
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-FIRST = 16  # points a side at first
+SPACING = 0.2  # of its shorter side, of the points at first
+PASSED = 1.0  # rad by which waves turn from point to point at first
 TURN = 0.8  # rad between neighbouring points at most
 MOST = 40000  # points
-BATCH = 256
 
 
 @dataclass(frozen=True, slots=True)
@@ -65,33 +66,50 @@ class Box:
 def poles_inside(equations: Shooting, box: Box) -> int:
     """How many poles, with their multiplicity, lie in ``box``.
 
+    Points on its edge are halved where the argument turns far, and all once more until the number
+    stays.
+
     Raises
     ------
     NoSolution : one lies on its edge, or almost
     """
-    corners = (
-        box.low,
-        complex(box.high.real, box.low.imag),
-        box.high,
-        complex(box.low.real, box.high.imag),
-        box.low,
-    )
-    sides = [np.linspace(a, b, FIRST, endpoint=False) for a, b in zip(corners, corners[1:])]
-    points = np.concatenate([*sides, [box.low]])
+    points = _edge(equations, box)
     angle = _angles(equations, points[:-1])
     angle = np.append(angle, angle[0])
-    while True:
+    before = None
+    while len(points) < MOST and np.isfinite(angle).all():
         turn = (np.diff(angle) + np.pi) % (2.0 * np.pi) - np.pi
-        coarse = np.flatnonzero(~(np.abs(turn) < TURN))
+        coarse = np.flatnonzero(np.abs(turn) > TURN)
         if not coarse.size:
-            return round(float(turn.sum()) / (2.0 * np.pi))
-        if len(points) > MOST or not np.isfinite(angle).all():
-            raise NoSolution("the poles of the exact shaft could not be counted")
+            number = round(float(turn.sum()) / (2.0 * np.pi))
+            if number == before:
+                return number
+            before, coarse = number, np.arange(len(turn))
         between = 0.5 * (points[coarse] + points[coarse + 1])
         angle = np.insert(angle, coarse + 1, _angles(equations, between))
         points = np.insert(points, coarse + 1, between)
+    raise NoSolution("the poles of the exact shaft could not be counted")
+
+
+def _edge(equations: Shooting, box: Box) -> Complex:
+    """Points around ``box``, the first again at the end.
+
+    They are close against the distance of poles inside, and against what the argument turns by as
+    waves pass the shaft.
+    """
+    low, high = box.low, box.high
+    corners = (low, complex(high.real, low.imag), high, complex(low.real, high.imag), low)
+    own = equations.rotor.segments
+    slowness = np.sqrt(own.line_mass / own.shear) + np.sqrt(own.rotary / own.bending)
+    passage = equations.rotor.planes * float((slowness * own.length).sum())
+    spacing = min(SPACING * min(box.size.real, box.size.imag), PASSED / passage)
+    sides = [
+        np.linspace(a, b, 2 + min(MOST // 8, int(abs(b - a) / spacing)), endpoint=False)
+        for a, b in pairwise(corners)
+    ]
+    return np.concatenate([*sides, [low]])
 
 
 def _angles(equations: Shooting, omega: Complex) -> Array:
-    parts = [omega[k : k + BATCH] for k in range(0, len(omega), BATCH)]
-    return np.concatenate([phases(equations.matrix(part)) for part in parts])
+    parts = equations.batches(len(omega))
+    return np.concatenate([phases(equations.matrix(omega[part])) for part in parts])

@@ -50,6 +50,11 @@ def reached(equations: Shooting, starts: Complex) -> list[ExactMode | None]:
     Newton's method on the eigenvalue problem that is nonlinear in ω (Ruhe, SIAM J. Numer. Anal. 10
     (1973) 674): quadratic, one banded factorisation a step.
     """
+    parts = equations.batches(len(starts), 3)
+    return [mode for part in parts for mode in _reached(equations, starts[part])]
+
+
+def _reached(equations: Shooting, starts: Complex) -> list[ExactMode | None]:
     omega = np.array(starts, dtype=complex)
     before = np.full(len(omega), np.inf)
     found: list[ExactMode | None] = [None] * len(omega)

@@ -11,7 +11,6 @@ from rotordyn.exact.shooting import Shooting
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-BATCH = 256
 
 
 def receptance(
@@ -30,8 +29,7 @@ def receptance(
         whole = np.pad(force, (0, fine.width - parts))
         right[:, column] = equations.load(fine.node_of(x), whole)
     answer = np.empty((len(forces), len(omega), len(stations), parts), dtype=complex)
-    for begin in range(0, len(omega), BATCH):
-        own = slice(begin, begin + BATCH)
+    for own in equations.batches(len(omega)):
         found = solve(equations.matrix(omega[own]), right)
         for column in range(len(forces)):
             shape = equations.displacement(found[..., column], omega[own], stations)

@@ -19,6 +19,7 @@ from rotordyn.exact.segment import Segments, transfer
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+ENTRIES = 2**20  # of the matrices in memory at once
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -47,6 +48,11 @@ class Shooting:
     def half_band(self) -> int:
         """Diagonals on either side of the main one."""
         return 3 * self.rotor.width - 1
+
+    def batches(self, frequencies: int, each: int = 1) -> list[slice]:
+        """Which of many frequencies to take together, so that ``each`` its matrices find room."""
+        most = max(1, ENTRIES // (each * self.size * (3 * self.half_band + 1)))
+        return [slice(k, k + most) for k in range(0, frequencies, most)]
 
     def matrix(self, omega: Complex | Array) -> Complex:
         """Banded matrices (see ``banded``) at each ``omega`` (k,) [rad/s]."""
