@@ -44,13 +44,15 @@ class ExactBending:
     """The exact rotor at every usable speed.
 
     ``x`` (nodes,) [m]: where modes are given; ``weight`` (nodes, 2): root of the mass and of the
-    inertia that a node stands for, which makes modes alike by their kinetic energy. ``frame``
-    (speeds,) [rad/s]: the speed at which the coordinates turn.
+    inertia that a node stands for, ``sleeves`` (s,): of the mass of each sprung sleeve, which make
+    modes alike by their kinetic energy. ``frame`` (speeds,) [rad/s]: the speed at which the
+    coordinates turn.
     """
 
     rotors: tuple[ExactRotor, ...]
     x: Array
     weight: Array
+    sleeves: Array
     frame: Array
 
     @property
@@ -60,13 +62,16 @@ class ExactBending:
 
     @property
     def motion(self) -> Array:
-        """Displacements of the nodes (nodes, 6, 4·nodes) by the coordinates of both planes."""
+        """Displacements of the nodes (nodes, 6, 2n) by the coordinates of both planes.
+
+        Those of a plane: deflection and tilt node by node, then the sleeves.
+        """
         nodes = len(self.x)
-        motion = np.zeros((nodes, len(FREEDOMS), 2, nodes, 2))
+        motion = np.zeros((nodes, len(FREEDOMS), 2, 2 * nodes + len(self.sleeves)))
         every = np.arange(nodes)
         for place, (name, sign) in enumerate(zip(PLANES.names, PLANES.signs, strict=True)):
             plane, kind = divmod(place, 2)
-            motion[every, position(name), plane, every, kind] = sign / self.weight[:, kind]
+            motion[every, position(name), plane, 2 * every + kind] = sign / self.weight[:, kind]
         return motion.reshape(nodes, len(FREEDOMS), -1)
 
     def modes(self, near: Modes, highest: float) -> ExactModes:
@@ -92,7 +97,7 @@ class ExactBending:
         """Poles (k,) and vectors (n, k) at one speed, in the fixed frame."""
         omega = -1j * near
         found: list[ExactMode] = []
-        shapes = [np.zeros((0, len(self.x), 2 * rotor.planes), dtype=complex)]
+        shapes = [np.zeros((0, len(self.x), rotor.width), dtype=complex)]
         for side in (-1.0, 1.0) if rotor.planes == 1 else (1.0,):
             box = _box(omega, side, highest)
             fine = rotor.up_to(max(abs(box.low), abs(box.high)))
@@ -105,19 +110,22 @@ class ExactBending:
             found += own
             for mode in own:
                 whirl = np.array([mode.omega])
-                shape = equations.displacement(mode.unknowns[None], whirl, self.x)
-                shapes.append(shape[..., : 2 * rotor.planes])
-        shape = np.concatenate(shapes)
-        if rotor.planes == 2:
-            forward, backward = shape[..., :2], shape[..., 2:]
-            planes = (0.5 * (forward + backward), -0.5j * (forward - backward))
-            vector = np.concatenate([self._weighted(plane) for plane in planes], axis=1)
-        else:
-            vector = self._weighted(shape)
+                shapes.append(equations.displacement(mode.unknowns[None], whirl, self.x))
+        vector = self._coordinates(np.concatenate(shapes), rotor.planes)
         return 1j * np.array([mode.omega for mode in found]), vector.T
 
-    def _weighted(self, shape: Complex) -> Complex:
-        return np.asarray((shape * self.weight).reshape(len(shape), -1))
+    def _coordinates(self, shape: Complex, planes: int) -> Complex:
+        """Of one circular part (modes, n), or of both planes (modes, 2n)."""
+        parts = []
+        for side in range(planes):
+            own = shape[..., 2 * side : 2 * side + 2] * self.weight
+            carried = shape[:, 0, 2 * planes + side :: planes][:, : len(self.sleeves)]
+            flat = own.reshape(len(shape), -1)
+            parts.append(np.concatenate([flat, carried * self.sleeves], axis=1))
+        if planes == 2:
+            forward, backward = parts
+            parts = [0.5 * (forward + backward), -0.5j * (forward - backward)]
+        return np.concatenate(parts, axis=1)
 
     def receptance(
         self, omega: Array, pairs: list[tuple[float, Port, float, Port]]
@@ -186,7 +194,9 @@ def exact_bending(scene: Scene) -> ExactBending:
             scene.speed[scene.usable], scene.seat_stiffness, rows, strict=True
         )
     )
-    return ExactBending(rotors, scene.mesh.x, _weight(spindle, scene.mesh), scene.bending.frame)
+    sprung = [s.mass for s in spindle.sleeves if math.isfinite(s.radial_stiffness)]
+    weight, sleeves = _weight(spindle, scene.mesh), np.sqrt(np.array(sprung))
+    return ExactBending(rotors, scene.mesh.x, weight, sleeves, scene.bending.frame)
 
 
 def _weight(spindle: Spindle, mesh: Mesh) -> Array:
