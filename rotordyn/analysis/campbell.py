@@ -145,7 +145,8 @@ def _coupled(scene: Scene, spec: CampbellSpec) -> list[Branch]:
 
 
 def _followed(
-    kind: str, found: Modes | ExactModes, spec: CampbellSpec, side: float) -> list[Branch]:
+    kind: str, found: Modes | ExactModes, spec: CampbellSpec, side: float
+) -> list[Branch]:
     """Branches of the modes that turn with e^(i·side·ω t), ω > 0."""
     ceiling = 2.0 * math.pi * MARGIN * spec.max_frequency
     chosen = []
@@ -228,9 +229,7 @@ def _shapes(scene: Scene, branches: list[Branch], ends: list[int]) -> Complex:
     return shapes
 
 
-def _system(
-    scene: Scene, kind: str
-) -> LateralSystem | RodSystem | CoupledSystem | ExactBending:
+def _system(scene: Scene, kind: str) -> LateralSystem | RodSystem | CoupledSystem | ExactBending:
     """Whose coordinates the vectors of a kind of motion are."""
     if kind == "bending" and scene.bends_exactly:
         return scene.exact

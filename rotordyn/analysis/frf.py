@@ -104,9 +104,7 @@ def _exact(scene: Scene, pairs: list[tuple[Port, Port]], frequency: Array) -> Co
     return _both_ways(both, planar, pairs)
 
 
-def _both_ways(
-    both: Complex, planar: NDArray[np.bool_], pairs: list[tuple[Port, Port]]
-) -> Complex:
+def _both_ways(both: Complex, planar: NDArray[np.bool_], pairs: list[tuple[Port, Port]]) -> Complex:
     """Receptance from the complex form at ω and −ω, where a force in one plane turns both ways.
 
     With H± the answers at ±ω, yy and zz are (H₊ + conj H₋)/2, zy is −i (H₊ − conj H₋)/2 and yz

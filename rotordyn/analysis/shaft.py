@@ -45,6 +45,6 @@ def obstacles(
     for support in supports:
         if "bending" in coupled_motions([support]):
             yield (
-                f"support '{support.name}' couples bending with another motion, and the exact shaft "
-                "bends only"
+                f"support '{support.name}' couples bending with another motion, and the exact "
+                "shaft bends only"
             )

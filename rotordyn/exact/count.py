@@ -3,7 +3,8 @@
 For real ω the dynamic stiffness of a rotor without damping on symmetric isotropic supports is real
 and symmetric; every mode of one whirl direction below ω makes one of its eigenvalues negative,
 since each curve xᵀ(K + ωΩ P − ω² M)x has exactly one positive root. Pieces too short to vibrate
-by themselves add none. What all nodes share (``ExactRotor``) borders the matrix. (Wittrick & Williams, Q. J. Mech. Appl. Math. 24 (1971) 263.)
+by themselves add none. What all nodes share (``ExactRotor``) borders the matrix. (Wittrick &
+Williams, Q. J. Mech. Appl. Math. 24 (1971) 263.)
 """
 
 from __future__ import annotations
@@ -30,7 +31,8 @@ def modes_below(rotor: ExactRotor, omega: float) -> int:
     """
     if not countable(rotor):
         raise InvalidInput(
-            "modes can be counted only without damping, on isotropic supports of symmetric stiffness"
+            "modes can be counted only without damping, on isotropic supports of symmetric "
+            "stiffness"
         )
     fine = rotor.up_to(omega)
     pieces = _piece_stiffness(fine, omega)

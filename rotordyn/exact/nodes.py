@@ -92,7 +92,9 @@ class _Gathered:
         for place, sleeve in enumerate(self.sprung):
             self._sleeve(sleeve, place)
         for place, (a, b) in enumerate(parts, start=len(self.sprung)):
-            self._string(mesh.node_of(a), mesh.node_of(b), bar.force / (b - a) if bar else 0.0, place)
+            self._string(
+                mesh.node_of(a), mesh.node_of(b), bar.force / (b - a) if bar else 0.0, place
+            )
 
     def held(self, name: str, node: int, matrix: Array, rows: Array | None = None) -> None:
         """Add a matrix (4, 4) between displacements that are ``rows`` (4, width) of the node's."""
@@ -135,7 +137,9 @@ class _Gathered:
         kept = np.array(one if planes == 1 else range(self.width))
         turned = {name: across @ own @ back for name, own in self.real.items()}
         turned["polar"] = self.polar[:, :, None] * np.eye(self.width)
-        return NodeTerms(**{n: v[:, kept[:, None], kept].astype(complex) for n, v in turned.items()})
+        return NodeTerms(
+            **{n: v[:, kept[:, None], kept].astype(complex) for n, v in turned.items()}
+        )
 
 
 def _alike(matrix: Array) -> bool:
