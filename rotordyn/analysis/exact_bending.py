@@ -18,6 +18,7 @@ from rotordyn.analysis.specs import Port
 from rotordyn.elements.node import FREEDOMS, position
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.exact.box import Box
+from rotordyn.exact.circular import PLANES, load, planes_of, response
 from rotordyn.exact.poles import ExactMode
 from rotordyn.exact.receptance import receptance
 from rotordyn.exact.rotor import ExactRotor, exact_rotor, stations_only
@@ -26,7 +27,6 @@ from rotordyn.exact.spectrum import modes_inside
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.modes import Modes
-from rotordyn.system.dofs import Selection
 from rotordyn.system.mesh import Mesh
 
 if TYPE_CHECKING:
@@ -34,9 +34,8 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-PLANES = Selection(("y", "thz", "z", "thy"), (1, 1, 1, -1))
 NEAR = 1.2  # the band of the search ends in the widest gap of the elements' poles up to this beyond
-LOWEST = 1e-4  # of the band, where it begins
+LOWEST = 1e-5  # of the band, where it begins
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -123,8 +122,7 @@ class ExactBending:
             flat = own.reshape(len(shape), -1)
             parts.append(np.concatenate([flat, carried * self.sleeves], axis=1))
         if planes == 2:
-            forward, backward = parts
-            parts = [0.5 * (forward + backward), -0.5j * (forward - backward)]
+            parts = list(planes_of(*parts))
         return np.concatenate(parts, axis=1)
 
     def receptance(
@@ -140,13 +138,13 @@ class ExactBending:
         stations = sorted({pair[0] for pair in pairs})
         forces = sorted({(pair[2], pair[3].direction) for pair in pairs})
         for rotor, frame in zip(self.rotors, self.frame, strict=True):
-            given = [(x, _column(name, rotor.planes)) for x, name in forces]
+            given = [(x, load(name, rotor.planes)) for x, name in forces]
             found = receptance(rotor, omega + frame, np.array(stations), given)
             values.append(
                 [
                     found[forces.index((at, excitation.direction)), :, stations.index(x)]
-                    @ _row(response.direction, rotor.planes)
-                    for x, response, at, excitation in pairs
+                    @ response(answer.direction, rotor.planes)
+                    for x, answer, at, excitation in pairs
                 ]
             )
             coupled = rotor.terms.stiffness.imag.any() or rotor.terms.damping.imag.any()
@@ -234,22 +232,3 @@ def _gap(values: Array, low: float, high: float) -> float:
     edges = np.concatenate([[low], np.sort(values), [high]])
     widest = int(np.argmax(np.diff(edges)))
     return float(0.5 * (edges[widest] + edges[widest + 1]))
-
-
-_CIRCULAR = np.kron(np.array([[1.0, 1.0j], [1.0, -1.0j]]), np.eye(2))
-
-
-def _column(direction: str, planes: int) -> Complex:
-    """A unit force or moment in circular parts (2·planes,)."""
-    place, sign = PLANES.names.index(direction), PLANES.sign(direction)
-    if planes == 1:
-        return np.asarray(sign * np.eye(2)[place % 2], dtype=complex)
-    return np.asarray(sign * _CIRCULAR[:, place])
-
-
-def _row(direction: str, planes: int) -> Complex:
-    """What takes a displacement from the circular parts (2·planes,)."""
-    place, sign = PLANES.names.index(direction), PLANES.sign(direction)
-    if planes == 1:
-        return np.asarray(sign * np.eye(2)[place % 2], dtype=complex)
-    return np.asarray(sign * np.linalg.inv(_CIRCULAR)[place])

@@ -1,9 +1,8 @@
 """What sits at the nodes of an exact rotor, in circular parts.
 
 Sprung sleeves and the straight parts of the drawbar reach over several nodes. Each adds a
-displacement that all nodes share: the deflection u of a sleeve, between whose bearings and the shaft
-y − u acts, or the stretch v of a part of the bar, with (P/L) (v (y₂ − y₁) − v²/2) for its energy
-P (y₂ − y₁)²/2L.
+displacement that all nodes share: the deflection u of a sleeve, whose bearings answer to y − u, or
+the stretch v of a part of the bar, with (P/L) (v (y₂ − y₁) − v²/2) for its energy P (y₂ − y₁)²/2L.
 """
 
 from __future__ import annotations
@@ -17,16 +16,13 @@ from numpy.typing import NDArray
 
 from rotordyn.elements.lumped import lumped_element
 from rotordyn.elements.support import ALIKE, node_matrix, turn
+from rotordyn.exact.circular import PLANES, TURNING
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import BearingSeat, Sleeve
-from rotordyn.system.dofs import Selection
 from rotordyn.system.mesh import Mesh
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-PLANES = Selection(("y", "thz", "z", "thy"), (1, 1, 1, -1))
-# From both planes to the circular parts: forward y + i z, backward y − i z.
-_TURNING = np.array([[1.0, 1.0j], [1.0, -1.0j]])
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -92,9 +88,8 @@ class _Gathered:
         for place, sleeve in enumerate(self.sprung):
             self._sleeve(sleeve, place)
         for place, (a, b) in enumerate(parts, start=len(self.sprung)):
-            self._string(
-                mesh.node_of(a), mesh.node_of(b), bar.force / (b - a) if bar else 0.0, place
-            )
+            ends = mesh.node_of(a), mesh.node_of(b)
+            self._string(ends, bar.force / (b - a) if bar else 0.0, place)
 
     def held(self, name: str, node: int, matrix: Array, rows: Array | None = None) -> None:
         """Add a matrix (4, 4) between displacements that are ``rows`` (4, width) of the node's."""
@@ -116,12 +111,12 @@ class _Gathered:
         self.real["stiffness"][0, own, own] = sleeve.radial_stiffness
         self.real["mass"][0, own, own] = sleeve.mass
 
-    def _string(self, left: int, right: int, stiffness: float, place: int) -> None:
+    def _string(self, ends: tuple[int, int], stiffness: float, place: int) -> None:
         own, k = self._carried(place), self.real["stiffness"]
-        for node, value in ((left, -stiffness), (right, stiffness)):
+        for node, value in zip(ends, (-stiffness, stiffness), strict=True):
             k[node, (0, 2), own] += value
             k[node, own, (0, 2)] += value
-        k[right, own, own] = -stiffness
+        k[ends[1], own, own] = -stiffness
 
     def _carried(self, place: int) -> tuple[int, int]:
         return 4 + 2 * place, 5 + 2 * place
@@ -130,16 +125,15 @@ class _Gathered:
         """In circular parts; of one plane the forward ones only."""
         pairs = (self.width - 4) // 2
         across = np.zeros((self.width, self.width), dtype=complex)
-        across[:4, :4] = np.kron(_TURNING, np.eye(2))
-        across[4:, 4:] = np.kron(np.eye(pairs), _TURNING)
+        across[:4, :4] = np.kron(TURNING, np.eye(2))
+        across[4:, 4:] = np.kron(np.eye(pairs), TURNING)
         back = np.linalg.inv(across)
         one = [0, 1, *range(4, self.width, 2)]
         kept = np.array(one if planes == 1 else range(self.width))
         turned = {name: across @ own @ back for name, own in self.real.items()}
         turned["polar"] = self.polar[:, :, None] * np.eye(self.width)
-        return NodeTerms(
-            **{n: v[:, kept[:, None], kept].astype(complex) for n, v in turned.items()}
-        )
+        chosen = {name: own[:, kept[:, None], kept] for name, own in turned.items()}
+        return NodeTerms(**{name: own.astype(complex) for name, own in chosen.items()})
 
 
 def _alike(matrix: Array) -> bool:

@@ -18,8 +18,8 @@ def receptance(
 ) -> Complex:
     """Displacements (forces, frequencies, stations, 2·planes) in SI, in circular parts.
 
-    ``omega`` (k,) [rad/s], in one plane also negative; ``stations`` (s,) [m]; each of ``forces``: the
-    station of a node and the force and moment (2·planes,) there, in circular parts. One
+    ``omega`` (k,) [rad/s], in one plane also negative; ``stations`` (s,) [m]; each of ``forces``:
+    the station of a node and the force and moment (2·planes,) there, in circular parts. One
     factorisation a frequency serves all of them.
     """
     fine = rotor.up_to(float(np.abs(omega).max()))

@@ -24,8 +24,8 @@ class ExactRotor:
 
     ``planes``: 1 where every support answers alike in all directions; forward and backward whirl
     are then apart, and negative ω is backward. 2 where they are coupled. Displacements of a node
-    are deflection and tilt of each circular part, then what is the same at all nodes: the deflection
-    of each sprung sleeve and the stretch of each straight part of the drawbar.
+    are deflection and tilt of each circular part, then what is the same at all nodes: the
+    deflection of each sprung sleeve and the stretch of each straight part of the drawbar.
     """
 
     x: Array

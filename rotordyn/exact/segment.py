@@ -74,7 +74,7 @@ class Segments:
 
     @property
     def slope_share(self) -> Array:
-        """σ = κGA/(κGA + N): slope of the axis per tilt of the section, without transverse force."""
+        """σ = κGA/(κGA + N): slope of the axis per tilt of the section, where Q = 0."""
         return np.asarray(self.shear / (self.shear + self.tension))
 
     def free_of_own_modes(self, omega: float, spin: float) -> NDArray[np.bool_]:
@@ -139,10 +139,8 @@ def _series(p: Inexact, q: Inexact, h: Array) -> tuple[Inexact, Inexact, Inexact
     even, odd = np.ones_like(h), h.copy()
     c0, c1, c2, c3 = (np.zeros_like(p) for _ in range(4))
     for n in range(TERMS + 1):
-        c0 += beta * even
-        c2 += alpha * even
-        c1 += beta * odd
-        c3 += alpha * odd
+        c0, c2 = c0 + beta * even, c2 + alpha * even
+        c1, c3 = c1 + beta * odd, c3 + alpha * odd
         alpha, beta = p * alpha + beta, -q * alpha
         even = even * h * h / ((2 * n + 1) * (2 * n + 2))
         odd = odd * h * h / ((2 * n + 2) * (2 * n + 3))

@@ -83,7 +83,7 @@ class Shooting:
             right[2 * w * node : 2 * w * node + w] = -own
         return right
 
-    def displacement(self, solution: Complex, omega: Complex, x: Array) -> Complex:
+    def displacement(self, solution: Complex, omega: Complex | Array, x: Array) -> Complex:
         """Deflections and tilts (k, len(x), w) in SI at stations ``x`` [m] of the solutions (k, …).
 
         Between nodes they are those of the piece itself.

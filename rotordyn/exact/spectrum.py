@@ -34,7 +34,7 @@ def modes_inside(equations: Shooting, box: Box, starts: Complex) -> list[ExactMo
 
 
 def _number(equations: Shooting, box: Box) -> int:
-    """Poles in ``box``: by the signs of the dynamic stiffness where these tell, else by argument."""
+    """Poles in ``box``, by signs of the dynamic stiffness where these tell, else by argument."""
     if countable(equations.rotor) and box.low.real * box.high.real > 0.0:
         if not box.low.imag < 0.0 < box.high.imag:
             return 0

@@ -40,6 +40,7 @@ UNEVEN = LinearSupport(
     {("y", "y"): 2e8, ("z", "z"): 5e7, ("y", "z"): 3e7, ("z", "y"): -3e7, ("thz", "thz"): 1e4},
     {("y", "y"): 500.0},
 )
+HELD = replace(STEPPED, supports=(support("a", 0.05, (2e8, 2e8)), support("b", 0.25, (1e8, 1e8))))
 STRONG = Drawbar(9e6, -0.0524, 0.38, (0.15, 0.3))
 
 
@@ -186,12 +187,9 @@ def test_pinned_beam_under_axial_force(
 
 
 def test_without_axial_force_nothing_changes() -> None:
-    held = replace(
-        STEPPED, supports=(support("a", 0.05, (2e8, 2e8)), support("b", 0.25, (1e8, 1e8)))
-    )
-    mesh = stations_only(held)
-    bare = exact_rotor(held, 800.0, NO_SEATS, mesh)
-    nought = exact_rotor(held, 800.0, NO_SEATS, mesh, np.zeros(mesh.nodes - 1))
+    mesh = stations_only(HELD)
+    bare = exact_rotor(HELD, 800.0, NO_SEATS, mesh)
+    nought = exact_rotor(HELD, 800.0, NO_SEATS, mesh, np.zeros(mesh.nodes - 1))
     omega = np.array([3000.0, -900.0 + 20.0j])
     first, second = (Shooting.of(r).matrix(omega) for r in (bare, nought))
     np.testing.assert_array_equal(first, second)
@@ -277,13 +275,10 @@ def test_both_counts_agree() -> None:
 
 def test_modes_that_coincide_have_their_own_vectors() -> None:
     """A round rotor told to have two planes: at rest every root is double."""
-    held = replace(
-        STEPPED, supports=(support("a", 0.05, (2e8, 2e8)), support("b", 0.25, (1e8, 1e8)))
-    )
     nearly = LinearSupport("c", 0.1, {("y", "y"): 1.0, ("z", "z"): 1.0 + 1e-8})
-    rotor = exact_rotor(replace(held, supports=(*held.supports, nearly)), 0.0, NO_SEATS)
+    rotor = exact_rotor(replace(HELD, supports=(*HELD.supports, nearly)), 0.0, NO_SEATS)
     assert rotor.planes == 2
-    one = exact_rotor(held, 0.0, NO_SEATS)
+    one = exact_rotor(HELD, 0.0, NO_SEATS)
     equations = Shooting.of(rotor.up_to(30000.0))
     box = Box(complex(100.0, -5000.0), complex(20000.0, 5000.0))
     found = modes_inside(equations, box, np.zeros(0, dtype=complex))
@@ -299,7 +294,7 @@ def test_modes_that_coincide_have_their_own_vectors() -> None:
 
 
 def test_reciprocity_at_rest() -> None:
-    """Stiffness, damping and mass are symmetric there: response and excitation may change places."""
+    """All matrices are symmetric there: response and excitation may change places."""
     even = replace(UNEVEN, stiffness={**UNEVEN.stiffness, ("z", "y"): 3e7})
     found = scene(flagship(supports=(even,)), (0.0,), shaft="exact")
     there = pairs("Oc2.y/O3.thz", "Oc2.z/Oc1.y", "O1.thy/Oc2.thz")
