@@ -10,7 +10,7 @@ from pathlib import Path
 from docs.generate.marked import table
 from docs.generate.places import ROOT, THEORY
 
-ROOMS = ("bearings", *(f"rotordyn/{r}" for r in ("elements", "system", "preload")))
+ROOMS = ("bearings", *(f"rotordyn/{r}" for r in ("elements", "system", "exact", "preload")))
 ROOMS += ("rotordyn/numerics", "rotordyn/analysis")
 _LINK = re.compile(r"\]\(((?:\.\./)+[\w/]+\.py)\)")
 

@@ -9,11 +9,13 @@ from __future__ import annotations
 import dataclasses
 import math
 from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.accuracy import frequency_error
+from rotordyn.analysis.exact_bending import ExactBending, ExactModes
 from rotordyn.analysis.formulation import ROTATING
 from rotordyn.analysis.results import CampbellResult, TurningCampbellResult
 from rotordyn.analysis.scene import Scene
@@ -23,7 +25,9 @@ from rotordyn.elements.node import FREEDOMS
 from rotordyn.numerics.crossing import zero_crossings
 from rotordyn.numerics.follow import follow
 from rotordyn.numerics.modes import Modes
+from rotordyn.system.coupled import CoupledSystem
 from rotordyn.system.lateral import LateralSystem
+from rotordyn.system.longitudinal import RodSystem
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -99,24 +103,31 @@ def _seen(scene: Scene, branches: list[Branch]) -> Array:
 
 
 def _errors(scene: Scene, branches: list[Branch]) -> Array:
-    """Estimated relative errors of the poles (usable, modes)."""
+    """Estimated relative errors of the poles (usable, modes); none by the exact shaft."""
     errors = np.zeros((len(scene.usable), len(branches)))
-    systems = [_system(scene, b.kind) for b in branches]
-    for motion in set(systems):
-        own = [k for k, name in enumerate(systems) if name == motion]
+    homes = [_home(scene, b.kind) for b in branches]
+    for motion in set(homes):
+        own = [k for k, name in enumerate(homes) if name == motion]
         columns = np.stack([branches[k].column for k in own], axis=1)
-        errors[:, own] = frequency_error(scene, motion, columns)
+        exact = motion == "bending" and scene.bends_exactly
+        errors[:, own] = (
+            np.where(columns < 0, np.nan, 0.0) if exact else frequency_error(scene, motion, columns)
+        )
     return errors
 
 
-def _system(scene: Scene, kind: str) -> str:
+def _home(scene: Scene, kind: str) -> str:
     """A motion whose system a mode of this kind was found in, the same for all coupled ones."""
     coupled = scene.coupled_motions
     return min(coupled) if kind in coupled else kind
 
 
 def _bending(scene: Scene, spec: CampbellSpec) -> list[Branch]:
-    found = scene.bending_modes
+    found: Modes | ExactModes = scene.bending_modes
+    if scene.bends_exactly:
+        highest = 2.0 * math.pi * MARGIN * spec.max_frequency
+        exactly = partial(scene.exact.modes, scene.bending_modes, highest)
+        found = scene.timed("exact bending modes", exactly)
     found = dataclasses.replace(found, pole=found.pole + 1j * scene.bending.frame[:, None])
     if not scene.bending.isotropic:
         branches = _followed("bending", found, spec, +1.0)
@@ -156,7 +167,9 @@ def _coupled(scene: Scene, spec: CampbellSpec) -> list[Branch]:
     return branches
 
 
-def _followed(kind: str, found: Modes, spec: CampbellSpec, side: float) -> list[Branch]:
+def _followed(
+    kind: str, found: Modes | ExactModes, spec: CampbellSpec, side: float
+) -> list[Branch]:
     """Branches of the modes that turn with e^(i·side·ω t), ω > 0."""
     ceiling = 2.0 * math.pi * MARGIN * spec.max_frequency
     chosen = []
@@ -232,8 +245,15 @@ def _shapes(scene: Scene, branches: list[Branch], ends: list[int]) -> Complex:
         for k, branch in enumerate(branches):
             if branch.column[row] < 0:
                 continue
-            system, vector = scene.vibration(branch.kind)[0], branch.vector[row]
-            if isinstance(system, LateralSystem) and system.isotropic:
+            system, vector = _system(scene, branch.kind), branch.vector[row]
+            if isinstance(system, LateralSystem | ExactBending) and system.isotropic:
                 vector = both_planes(vector, branch.pole[row].imag)
             shapes[place, k] = scaled(system.motion @ vector, branch.kind)
     return shapes
+
+
+def _system(scene: Scene, kind: str) -> LateralSystem | RodSystem | CoupledSystem | ExactBending:
+    """Whose coordinates the vectors of a kind of motion are."""
+    if kind == "bending" and scene.bends_exactly:
+        return scene.exact
+    return scene.vibration(kind)[0]

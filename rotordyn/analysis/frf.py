@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -38,7 +39,8 @@ def answer(scene: Scene, spec: FrfSpec) -> FrfResult:
         if own:
             pairs = [spec.pairs[k] for k in own]
             values[:, own] = _within(scene, group, pairs, frequency)
-            error[own] = receptance_error(scene, min(group), pairs, frequency)
+            if not (scene.bends_exactly and group == {"bending"}):
+                error[own] = receptance_error(scene, min(group), pairs, frequency)
     ends = scene.speed[scene.usable[[0, -1]]]
     slices = {int(np.abs(scene.speed - wanted).argmin()) for wanted in spec.slices or ends}
     kind = TurningFrfResult if scene.conditions.formulation == ROTATING else FrfResult
@@ -64,6 +66,8 @@ def _within(
     scene: Scene, group: frozenset[str], pairs: list[tuple[Port, Port]], frequency: Array
 ) -> Complex:
     """Receptance of pairs whose motions are of one group (speeds, pairs, frequencies)."""
+    if scene.bends_exactly and group == {"bending"}:
+        return scene.timed("exact receptance", partial(_exact, scene, pairs, frequency))
     system, found = scene.vibration(min(group))
     rows = [[_row(scene, system.motion, port) for port in pair] for pair in pairs]
     response, excitation = np.array(rows).swapaxes(0, 1)
@@ -87,19 +91,35 @@ def _whirling(
     response: Array,
     excitation: Array,
 ) -> Complex:
-    """Receptance in the complex form, where a force in one plane turns both ways.
-
-    With H± the answers at ±ω, yy and zz are (H₊ + conj H₋)/2, zy is −i (H₊ − conj H₋)/2 and yz
-    its opposite.
-    """
+    """Receptance in the complex form."""
     m = system.rotor.size
     folded = [r[:, :m] + r[:, m:] for r in (response, excitation)]
     both = found.receptance(np.concatenate([omega, -omega]), *folded)
-    plus, minus = both[..., : len(omega)], both[..., len(omega) :].conj()
-    turn = np.array([_quarter_turns(*pair) for pair in pairs])[:, None]
-    same, across = 0.5 * (plus + minus), -0.5j * (plus - minus)
     planar = (system.stiffness.imag == 0.0).all(axis=(1, 2))
     planar &= (system.damping.imag == 0.0).all(axis=(1, 2))
+    return _both_ways(both, planar, pairs)
+
+
+def _exact(scene: Scene, pairs: list[tuple[Port, Port]], frequency: Array) -> Complex:
+    """Receptance of the exact shaft."""
+    omega, points = 2.0 * math.pi * frequency, scene.spindle.points
+    ends = [(points[r.point], r, points[e.point], e) for r, e in pairs]
+    if not scene.exact.isotropic:
+        return scene.exact.receptance(omega, ends)[0]
+    both, planar = scene.exact.receptance(np.concatenate([omega, -omega]), ends)
+    return _both_ways(both, planar, pairs)
+
+
+def _both_ways(both: Complex, planar: NDArray[np.bool_], pairs: list[tuple[Port, Port]]) -> Complex:
+    """Receptance from the complex form at ω and −ω, where a force in one plane turns both ways.
+
+    With H± the answers at ±ω, yy and zz are (H₊ + conj H₋)/2, zy is −i (H₊ − conj H₋)/2 and yz
+    its opposite. ``planar`` (speeds,): nothing couples the planes.
+    """
+    half = both.shape[-1] // 2
+    plus, minus = both[..., :half], both[..., half:].conj()
+    turn = np.array([_quarter_turns(*pair) for pair in pairs])[:, None]
+    same, across = 0.5 * (plus + minus), -0.5j * (plus - minus)
     across[planar] = 0.0  # nothing couples the planes: not even rounding
     return np.where(turn == 0, same, turn * across)
 

@@ -6,13 +6,16 @@ never run, and ``skipped`` says which.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM
+from rotordyn.analysis.exact_bending import ExactBending, exact_bending
 from rotordyn.analysis.formulation import ROTATING, SOFTENED, told
+from rotordyn.analysis.shaft import EXACT
 from rotordyn.analysis.specs import Conditions
 from rotordyn.analysis.stability import instability
 from rotordyn.analysis.stage import stage
@@ -93,7 +96,7 @@ class Scene(Statics):
     @property
     def resolved_frequency(self) -> float:
         """Highest bending frequency that the elements carry within the accuracy [Hz]."""
-        return self.rotor.resolved
+        return math.inf if self.bends_exactly else self.rotor.resolved
 
     @property
     def _port_nodes(self) -> tuple[int, ...]:
@@ -123,6 +126,16 @@ class Scene(Statics):
     def bending_modes(self) -> Modes:
         """All eigenvalues of the bending system."""
         return modes(self.bending.stiffness, self.bending.damping)
+
+    @stage
+    def exact(self) -> ExactBending:
+        """The shaft without elements at the usable speeds."""
+        return exact_bending(self)
+
+    @property
+    def bends_exactly(self) -> bool:
+        """True where modes and receptances of bending are those of the exact shaft."""
+        return self.conditions.shaft == EXACT
 
     @stage
     def axial(self) -> RodSystem:

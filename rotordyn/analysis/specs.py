@@ -8,6 +8,7 @@ from itertools import pairwise
 from typing import Annotated
 
 from rotordyn.analysis.formulation import FORMULATIONS, INERTIAL
+from rotordyn.analysis.shaft import ELEMENTS, SHAFT
 from rotordyn.description import Description, doubled
 from rotordyn.machine.support import Freedom
 from rotordyn.quantity import (
@@ -48,7 +49,8 @@ class Conditions(Description):
     asked for; the elements follow. ``element_length`` [m]: standard elements no longer than that
     instead, whatever their error.
     ``formulation``: of ``formulation.FORMULATIONS``, how bending is written.
-    ``axial_stiffening``: the axial force in the shaft acts on its bending.
+    ``axial_stiffening``: the axial force in the shaft acts on its bending. ``shaft``: of
+    ``shaft.SHAFT``, how it bends in modes and receptances.
     """
 
     kinematics: Annotated[str, Choice(KINEMATICS)] = "hybrid"
@@ -62,6 +64,7 @@ class Conditions(Description):
     element_length: Length | None = None
     formulation: Annotated[str, Choice(FORMULATIONS)] = INERTIAL
     axial_stiffening: bool = True
+    shaft: Annotated[str, Choice(SHAFT)] = ELEMENTS
 
 
 @dataclass(frozen=True, slots=True)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import fields
 
+from rotordyn.analysis.shaft import obstacles
 from rotordyn.analysis.specs import (
     BearingMapSpec,
     CampbellSpec,
@@ -123,6 +124,8 @@ def _machine(spindle: Spindle, conditions: Conditions) -> Iterator[str]:
     if free and not spindle.seats:
         axes = " and ".join(free)
         yield f"the shaft is not held: no bearings, no support with stiffness along {axes}"
+    for sentence in obstacles(conditions, spindle.rotor_damping, spindle.supports):
+        yield f"conditions.shaft: {sentence}"
     longest = conditions.element_length
     least = (spindle.shaft.end - spindle.shaft.start) / MOST_ELEMENTS
     if longest is not None and longest < least:

@@ -1,9 +1,9 @@
-"""All pieces of a rotor together at one whirl frequency, by multiple shooting.
+"""All pieces of a rotor together at many whirl frequencies, by multiple shooting.
 
 Unknowns are the states (displacements d, internal forces f) at the start of every piece. The state
 at its end, changed by what sits on the node there, is that at the start of the next; both ends of
-the rotor are free. Unlike a stiffness matrix these equations stay well conditioned for short
-pieces.
+the rotor are free. What is carried from node to node (``ExactRotor``) is part of d, what acts on it
+part of f. Unlike a stiffness matrix these equations stay well conditioned for short pieces.
 """
 
 from __future__ import annotations
@@ -13,18 +13,20 @@ from dataclasses import dataclass, fields
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.exact.banded import empty, place
 from rotordyn.exact.rotor import ExactRotor
 from rotordyn.exact.segment import Segments, transfer
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+ENTRIES = 2**20  # of the matrices in memory at once
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Shooting:
     """The equations of a rotor in its own units, banded.
 
-    ``size``: unknowns; ``half_band``: of the matrix.
+    ``size``: unknowns; ``half_band``: diagonals on either side of the main one.
     """
 
     rotor: ExactRotor
@@ -47,64 +49,75 @@ class Shooting:
         """Diagonals on either side of the main one."""
         return 3 * self.rotor.width - 1
 
-    def matrix(self, omega: complex) -> Complex:
-        """Banded matrix at ``omega`` [rad/s], (2·half_band + 1, size), as LAPACK has it."""
-        w, b = self.rotor.width, self.half_band
-        through = self._through(omega)
-        pieces = len(through)
-        banded = np.zeros((2 * b + 1, self.size), dtype=complex)
-        start = np.concatenate([self._terms(omega)[0], -np.eye(w)], axis=1)
-        _place(banded, start[None], np.zeros(1, int), np.zeros(1, int))
+    def batches(self, frequencies: int, each: int = 1) -> list[slice]:
+        """Which of many frequencies to take together, so that ``each`` its matrices find room."""
+        most = max(1, ENTRIES // (each * self.size * (3 * self.half_band + 1)))
+        return [slice(k, k + most) for k in range(0, frequencies, most)]
+
+    def matrix(self, omega: Complex | Array) -> Complex:
+        """Banded matrices (see ``banded``) at each ``omega`` (k,) [rad/s]."""
+        w = self.rotor.width
+        terms, through = self._terms(omega), self._states(self._scaled, omega)
+        through[..., w:, :] += terms[:, 1:] @ through[..., :w, :]
+        pieces = through.shape[1]
+        banded = empty(omega.shape, self.size, self.half_band)
+        place(banded, terms[:, :1], np.zeros(1, int), np.zeros(1, int))
+        place(banded, -np.eye(w)[None], np.zeros(1, int), np.full(1, w))
         row = w + 2 * w * np.arange(pieces)
         column = 2 * w * np.arange(pieces)
-        _place(banded, -through[:-1], row[:-1], column[:-1])
+        place(banded, -through[:, :-1], row[:-1], column[:-1])
         ones = np.broadcast_to(np.eye(2 * w), (pieces - 1, 2 * w, 2 * w))
-        _place(banded, ones, row[:-1], column[1:])
-        _place(banded, through[-1:, w:], row[-1:], column[-1:])
+        place(banded, ones, row[:-1], column[1:])
+        place(banded, through[:, -1:, w:], row[-1:], column[-1:])
         return banded
 
-    def load(self, node: int, freedom: int) -> Complex:
-        """Right side of a unit force or moment (in SI) at a node."""
+    def load(self, node: int, force: Complex) -> Complex:
+        """Right side (size,) of forces and moments (w,), in SI, at a node."""
         w, right = self.rotor.width, np.zeros(self.size, dtype=complex)
-        unit = 1.0 / (self._units[freedom] * self.unit_force)
+        own = force * self._units / (self.unit_force * self.unit_length)
         if node == 0:
-            right[freedom] = unit
+            right[:w] = own
         elif node == len(self.rotor.segments.length):
-            right[self.size - w + freedom] = unit
+            right[self.size - w :] = own
         else:
-            right[w + 2 * w * (node - 1) + w + freedom] = -unit
+            right[2 * w * node : 2 * w * node + w] = -own
         return right
 
-    def displacement(self, solution: Complex, omega: complex) -> Complex:
-        """Deflections and tilts of all nodes (nodes, w) in SI, from the unknowns."""
-        w = self.rotor.width
-        states = solution.reshape(-1, 2 * w)
-        last = (self._through(omega)[-1] @ states[-1])[:w]
-        return np.asarray(np.concatenate([states[:, :w], last[None]]) * self._units)
+    def displacement(self, solution: Complex, omega: Complex | Array, x: Array) -> Complex:
+        """Deflections and tilts (k, len(x), w) in SI at stations ``x`` [m] of the solutions (k, …).
+
+        Between nodes they are those of the piece itself.
+        """
+        w, nodes = self.rotor.width, self.rotor.x
+        states = solution.reshape(len(solution), -1, 2 * w)
+        piece = np.clip(np.searchsorted(nodes, x, side="right") - 1, 0, len(nodes) - 2)
+        inside = self._scaled.cut(piece, (x - nodes[piece]) / self.unit_length)
+        own = self._states(inside, omega)[..., :w, :]
+        return np.asarray((own @ states[:, piece, :, None])[..., 0] * self._units)
 
     @property
     def _units(self) -> Array:
         """Length for deflections, one for tilts (w,)."""
-        return np.array([self.unit_length, 1.0] * self.rotor.planes)
+        bent = [self.unit_length, 1.0] * self.rotor.planes
+        return np.array(bent + [self.unit_length] * (self.rotor.width - len(bent)))
 
-    def _terms(self, omega: complex) -> Complex:
-        """Dynamic stiffness of the nodes in the units of the rotor (nodes, w, w)."""
+    def _terms(self, omega: Complex | Array) -> Complex:
+        """Dynamic stiffness of the nodes in the units of the rotor (k, nodes, w, w)."""
         units = self._units
         unit = units[:, None] * units / (self.unit_force * self.unit_length)
         return np.asarray(self.rotor.terms.at(omega, self.rotor.spin) * unit)
 
-    def _through(self, omega: complex) -> Complex:
-        """From the start of each piece to behind the node at its end (pieces, 2w, 2w)."""
-        w = self.rotor.width
-        scaled = self._scaled
-        sides = (self.rotor.spin, -self.rotor.spin)[: self.rotor.planes]
-        whole = np.zeros((len(scaled.length), 2 * w, 2 * w), dtype=complex)
-        for side, spin in enumerate(sides):
-            own = transfer(scaled, omega, spin)
+    def _states(self, scaled: Segments, omega: Complex | Array) -> Complex:
+        """From the start to the end of pieces (k, pieces, 2w, 2w), of all that passes them."""
+        w, planes = self.rotor.width, self.rotor.planes
+        whole = np.zeros((*omega.shape, len(scaled.length), 2 * w, 2 * w), dtype=complex)
+        for side in range(planes):
+            own = transfer(scaled, omega, self.rotor.spin if side == 0 else -self.rotor.spin)
             d, f = slice(2 * side, 2 * side + 2), slice(w + 2 * side, w + 2 * side + 2)
-            whole[:, d, d], whole[:, d, f] = own[:, :2, :2], own[:, :2, 2:]
-            whole[:, f, d], whole[:, f, f] = own[:, 2:, :2], own[:, 2:, 2:]
-        whole[:, w:] += self._terms(omega)[1:] @ whole[:, :w]
+            whole[..., d, d], whole[..., d, f] = own[..., :2, :2], own[..., :2, 2:]
+            whole[..., f, d], whole[..., f, f] = own[..., 2:, :2], own[..., 2:, 2:]
+        for carried in range(2 * planes, w):
+            whole[..., carried, carried] = whole[..., w + carried, w + carried] = 1.0
         return whole
 
     @property
@@ -116,17 +129,7 @@ class Shooting:
             "bending": force * length**2,
             "line_mass": force / length**2,
             "rotary": force,
+            "tension": force,
         }
         own = self.rotor.segments
         return Segments(**{f.name: getattr(own, f.name) / unit[f.name] for f in fields(own)})
-
-
-def _place(
-    banded: Complex, blocks: Complex | Array, row: NDArray[np.intp], column: NDArray[np.intp]
-) -> None:
-    """Write blocks with their upper left corners at (row, column) into band storage."""
-    half = (len(banded) - 1) // 2
-    down, across = np.indices(blocks.shape[1:])
-    i = row[:, None, None] + down
-    j = column[:, None, None] + across
-    banded[half + i - j, j] = blocks

@@ -2,7 +2,8 @@
 
 With u = U sin kx, φ = Φ cos kx and k = n π/L, in the inertial frame:
 (ρA ω² − S k²)(−ρI ω² + 2 ρI Ω ω + E I k² + S) + S² k² = 0, S = κ G A: backward and forward whirl of
-the bending spectrum and of the second one. Nothing is shared with the product.
+the bending spectrum and of the second one. An axial force N, tension positive, adds N k² to S k² in
+the first factor. Nothing is shared with the product.
 """
 
 from __future__ import annotations
@@ -24,6 +25,7 @@ class PinnedBeam:
     poisson_ratio: float = 0.3
     density: float = 7800.0
     kappa: float = 6 * 1.3 / (7 + 6 * 0.3)
+    tension: float = 0.0
 
     @property
     def line_mass(self) -> float:
@@ -51,13 +53,14 @@ class PinnedBeam:
         scale = math.sqrt(
             self.bending * k2**2 / (rho_a + rho_i * k2 + self.bending * k2 / self.shear * rho_a)
         )
-        translation = np.array([rho_a * scale**2, 0.0, -self.shear * k2])
+        translation = np.array([rho_a * scale**2, 0.0, -(self.shear + self.tension) * k2])
         rotation = np.array(
             [-rho_i * scale**2, 2 * rho_i * spin * scale, self.bending * k2 + self.shear]
         )
         quartic = np.polyadd(np.polymul(translation, rotation), [self.shear**2 * k2])
         # the shear terms cancel in the constant: write what is left of them
         quartic[-1] = -self.shear * self.bending * k2**2
+        quartic[-1] -= self.tension * k2 * (self.bending * k2 + self.shear)
         return np.sort(np.roots(quartic).real) * scale
 
     def bending_whirl(self, mode: int, spin: float) -> tuple[float, float]:

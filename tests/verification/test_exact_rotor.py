@@ -28,13 +28,20 @@ def pinned(length: float, diameter: float) -> Spindle:
     return uniform(length, diameter, supports=ends)
 
 
+@pytest.mark.parametrize("tension", [0.0, 2e7, -1e7])
 @pytest.mark.parametrize("omega", [3000.0, -8000.0, 2000.0 + 300.0j, 0.0])
-def test_transfer_is_the_matrix_exponential(omega: complex) -> None:
-    own = Segments(*(np.array([v]) for v in (0.1, 5e8, 1e6, 30.0, 0.01)))
-    spin = 1500.0
-    mass, inertia = 30.0 * omega**2, 0.01 * (omega**2 - 2 * spin * omega)
+def test_transfer_is_the_matrix_exponential(omega: complex, tension: float) -> None:
+    own = Segments(*(np.array([v]) for v in (0.1, 5e8, 1e6, 30.0, 0.01, tension)))
+    spin, share, across = 1500.0, 5e8 / (5e8 + tension), 5e8 + tension
+    mass, inertia = 30.0 * omega**2, 0.01 * (omega**2 - 2 * spin * omega) - share * tension
     a = np.array(
-        [[0, 1, 1 / 5e8, 0], [0, 0, 0, 1e-6], [-mass, 0, 0, 0], [0, -inertia, -1, 0]], complex
+        [
+            [0, share, 1 / across, 0],
+            [0, 0, 0, 1e-6],
+            [-mass, 0, 0, 0],
+            [0, -inertia, -share, 0],
+        ],
+        complex,
     )
     unit = np.diag([1.0, 1.0, 1e-7, 1e-6])
     expected = expm(unit @ a @ np.linalg.inv(unit) * 0.1)

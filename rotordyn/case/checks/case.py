@@ -112,7 +112,7 @@ def against_machine(
     """Points, sleeves and bearings that the questions name exist."""
     _elements(entry, spindle, tool, root, faults)
     supports = _supports(spindle)
-    conditions(entry.conditions, supports, bool(spindle.bearings), root, faults)
+    conditions(entry.conditions, supports, spindle, root, faults)
     points = [*spindle.points, *(tool.points if tool else {})]
     for name in NEEDS_BEARINGS:
         if getattr(entry.analyses, name) is not None and not spindle.bearings:

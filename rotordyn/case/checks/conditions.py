@@ -5,27 +5,34 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rotordyn.analysis.formulation import ROTATING
+from rotordyn.analysis.shaft import obstacles
 from rotordyn.case.agreement import moved_along
 from rotordyn.case.build.sweep import values
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
 from rotordyn.case.schema.case import CaseEntry
 from rotordyn.case.schema.conditions import ConditionsEntry
+from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.machine.support import LinearSupport, coupled_motions, entry_name
 
 
 def conditions(
     entry: ConditionsEntry,
     supports: Sequence[LinearSupport],
-    has_bearings: bool,
+    spindle: SpindleEntry,
     root: Node,
     faults: Faults,
 ) -> None:
-    """The turning frame needs even supports, an axial force something that holds the shaft."""
+    """The turning frame needs even supports, an axial force something that holds the shaft.
+
+    The exact shaft has no modes to damp, nor anything but bending.
+    """
+    for sentence in obstacles(entry, spindle.damping.rotor, supports):
+        faults.at(root, ("conditions", "shaft"), f"{sentence}: given 'exact'; allowed: elements")
     if entry.formulation == ROTATING:
         for support in supports:
             _even(support, root, faults)
-    if has_bearings or any(support.stiffness.get(("x", "x")) for support in supports):
+    if spindle.bearings or any(support.stiffness.get(("x", "x")) for support in supports):
         return
     for key, acts in (("axial_force", entry.axial_force), ("gravity", entry.gravity != "none")):
         if acts:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from typing import Annotated
 
 from rotordyn.analysis.formulation import FORMULATIONS, INERTIAL
+from rotordyn.analysis.shaft import SHAFT
 from rotordyn.analysis.specs import (
     BEARINGS,
     GRAVITY,
@@ -35,3 +36,4 @@ class ConditionsEntry(Entry):
     element_length: Length | None = None
     formulation: Annotated[str, choice(*FORMULATIONS)] = INERTIAL
     axial_stiffening: Flag = True
+    shaft: Annotated[str, choice(*SHAFT)] = "elements"

@@ -38,6 +38,8 @@ MEANINGS: dict[str, dict[str, str]] = {
         "element_length": "standard elements no longer than that instead, whatever their error",
         "formulation": "frame in which bending is written ([the three](formulations.md))",
         "axial_stiffening": "the axial force in the shaft stiffens or softens its bending",
+        "shaft": "`exact`: bending without elements in modes and receptances "
+        "([how](theory/exact.md))",
     },
     "speed range": {
         "from": "first speed",

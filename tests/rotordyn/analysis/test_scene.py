@@ -34,9 +34,9 @@ ASKED = {
 }
 STAGES = {
     "mesh", "preload", "shaft_force", "buckling", "tangents", "rotor", "bending", "bending_modes",
-    "axial", "axial_modes", "torsion", "torsion_modes", "coupled", "coupled_modes",
+    "axial", "axial_modes", "torsion", "torsion_modes", "coupled", "coupled_modes", "exact",
 }  # fmt: skip
-JOINED = {"coupled", "coupled_modes"}
+JOINED = {"coupled", "coupled_modes", "exact"}
 RODS = {"axial", "axial_modes", "torsion", "torsion_modes"}
 
 

@@ -1,0 +1,50 @@
+"""The ways in which the shaft may bend, and what the exact one cannot take."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Protocol
+
+from rotordyn.analysis.formulation import SOFTENED
+from rotordyn.machine.support import LinearSupport, coupled_motions
+
+ELEMENTS = "elements"
+EXACT = "exact"
+SHAFT = (ELEMENTS, EXACT)
+
+
+class Modelled(Protocol):
+    """Conditions, as they are given or as they are read."""
+
+    @property
+    def shaft(self) -> str: ...
+    @property
+    def rotor(self) -> str: ...
+    @property
+    def formulation(self) -> str: ...
+
+
+def obstacles(
+    conditions: Modelled, rotor_damping: Iterable[float], supports: Iterable[LinearSupport]
+) -> Iterator[str]:
+    """A sentence for everything that the exact shaft, where it is asked for, cannot describe."""
+    if conditions.shaft != EXACT:
+        return
+    if any(rotor_damping):
+        yield (
+            "the exact shaft has no modes to damp one by one: leave damping.rotor of the spindle "
+            "empty (override: {damping.rotor: []})"
+        )
+    if conditions.rotor == "rigid":
+        yield "a rigid rotor does not bend, exactly or not: take rotor: flexible"
+    if conditions.formulation == SOFTENED:
+        yield (
+            "fixed-frame softening is a term of the elements, the exact shaft has none: take "
+            "formulation: inertial or rotating"
+        )
+    for support in supports:
+        if "bending" in coupled_motions([support]):
+            yield (
+                f"support '{support.name}' couples bending with another motion, and the exact "
+                "shaft bends only"
+            )
