@@ -13,6 +13,7 @@ Complex = NDArray[np.complex128]
 Matrix = NDArray[np.inexact[Any]]
 NOISE = 1e-7  # of the highest own frequency
 NEUTRAL = 1e-6  # of |pole|: less growth or decay than that is rounding
+SMALL = 1e-3  # of a pole: more is no rounding
 WELL_CONDITIONED = 1e7  # of unit vectors: the sum over poles then keeps nine digits
 
 
@@ -93,14 +94,27 @@ def modes(stiffness: Matrix, damping: Matrix) -> Modes:
     matrix[..., n:, :n] /= scale
     pole, vectors = (part.astype(complex) for part in np.linalg.eig(matrix))
     left = _inverse(vectors)
+    vector, participation = vectors[..., :n, :], left[..., n:] / scale
     return Modes(
         stiffness=np.broadcast_to(stiffness, shape),
         damping=np.broadcast_to(damping, shape),
-        pole=pole,
-        vector=vectors[..., :n, :],
-        participation=left[..., n:] / scale,
+        pole=_polished(pole, vector, participation, stiffness, damping),
+        vector=vector,
+        participation=participation,
         condition=np.abs(left).sum(axis=-1).max(axis=-1),
     )
+
+
+def _polished(
+    pole: Complex, vector: Complex, participation: Complex, stiffness: Matrix, damping: Matrix
+) -> Complex:
+    """One step of two-sided Newton: what rounding by the stiffest motions has left is squared."""
+    at = pole[..., None, :]
+    rest = at**2 * vector + at * (damping @ vector) + stiffness @ vector
+    with np.errstate(invalid="ignore", over="ignore"):
+        step = np.einsum("...kn,...nk->...k", participation, rest)
+        small = np.abs(step) < SMALL * np.abs(pole)
+    return np.where(small, pole - step, pole)
 
 
 def _inverse(vectors: Complex) -> Complex:
