@@ -1,0 +1,131 @@
+"""What an accuracy promises, and what is said of the error, held against the exact rotor."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from rotordyn.analysis import campbell
+from rotordyn.analysis.accuracy import frequency_error
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec
+from rotordyn.exact.count import modes_below, whirl_frequencies
+from rotordyn.exact.rotor import exact_rotor
+from tests.oracles.spindles import answers, mfw2310, pairs, scene, undamped
+from tests.oracles.stepped_rotors import stepped_rotor
+
+NO_SEATS = np.zeros((0, 5, 5))
+ROUNDING = 2e-9  # relative: below that neither side is exact
+
+
+@pytest.mark.parametrize("accuracy", [1e-3, 1e-4, 1e-6])
+@pytest.mark.parametrize("seed", range(12))
+def test_random_rotors(seed: int, accuracy: float) -> None:
+    """No mode missing, every frequency within the accuracy, every estimate within a factor of 3."""
+    rng = np.random.default_rng(seed)
+    spindle = stepped_rotor(rng)
+    still = whirl_frequencies(exact_rotor(spindle, 0.0, NO_SEATS), 6)
+    spin = rng.uniform(0.0, 5.0) * still[0]
+    highest = min(1.02 * still[5] / (2.0 * math.pi), 9.9e5)
+    found = Scene(spindle, Conditions(accuracy=accuracy), np.array([spin]), highest)
+    result = campbell.answer(found, CampbellSpec(highest, shapes=False))
+    exact = exact_rotor(spindle, spin, NO_SEATS)
+    for direction in (-1, 1):
+        own = [k for k, whirl in enumerate(result.whirl[0]) if whirl == direction]
+        order = sorted(own, key=lambda k: result.frequency[0, k])
+        ours = 2.0 * math.pi * result.frequency[0, order]
+        inside = ours <= 2.0 * math.pi * highest
+        count = modes_below(exact, direction * 2.0 * math.pi * highest)
+        assert inside.sum() == count
+        if not count:
+            continue
+        truth = whirl_frequencies(exact, count, direction)
+        error = np.abs(ours[inside] / truth - 1.0)
+        assert error.max() <= accuracy
+        told = result.frequency_error[0, order][inside]
+        known = error > ROUNDING
+        assert np.abs(np.log(told[known] / error[known])).max(initial=0.0) < math.log(3.0)
+    assert result.resolved_frequency >= highest
+
+
+@pytest.mark.parametrize("accuracy", [1e-3, 1e-5, None])
+@pytest.mark.parametrize("damped", [False, True], ids=["undamped", "damped"])
+def test_poles_of_uneven_supports_move_as_told(accuracy: float | None, damped: bool) -> None:
+    """Both planes coupled: the estimate is that of the complex pole; standard elements, too."""
+    for seed in range(4):
+        rng = np.random.default_rng(50 + seed)
+        spindle = stepped_rotor(rng, isotropic=False, damped=damped)
+        still = np.abs(
+            Scene(spindle, Conditions(accuracy=1e-3), np.zeros(1), 100.0).bending_modes.pole[0].imag
+        )
+        highest = float(np.sort(still[still > 1.0])[8]) / (2.0 * math.pi)
+        asked = {"accuracy": accuracy} if accuracy else {"element_length": spindle.shaft.end / 60.0}
+        speed = np.array([100.0 * highest / 60.0])
+        found = Scene(spindle, Conditions(**asked), speed, highest)  # type: ignore[arg-type]
+        exact = Scene(spindle, Conditions(shaft="exact"), speed, highest)
+        truth = exact.exact.modes(exact.bending_modes, 2.0 * math.pi * highest).pole[0]
+        pole = found.bending_modes.pole[0]
+        band = (pole.imag > 0.02 * math.pi * highest) & (pole.imag < 1.98 * math.pi * highest)
+        column = np.flatnonzero(band & (np.abs(pole.real) < pole.imag))
+        told = frequency_error(found, "bending", column[None])[0]
+        gap = np.abs(truth - pole[column, None])
+        error = gap.min(axis=1) / np.abs(pole[column])
+        if accuracy:
+            assert error.max() <= accuracy
+        known = error > ROUNDING
+        assert known.any() or accuracy == 1e-5
+        assert np.abs(np.log(told[known] / error[known])).max(initial=0.0) < math.log(3.0)
+
+
+@pytest.mark.parametrize("accuracy", [1e-3, 1e-4, 1e-6])
+def test_receptances_of_the_spindle(accuracy: float) -> None:
+    """Told error over the peak against the exact shaft, which is within the accuracy itself."""
+    asked = {
+        "frf": FrfSpec(tuple(np.linspace(5.0, 4000.0, 300)), pairs("Oc2.y/Oc2.y", "Oc1.y/Oc2.y"))
+    }
+    spindle = mfw2310(rotor_damping=())
+    found = answers(spindle, (0, 24000), asked, accuracy=accuracy)["frf"]
+    exact = answers(spindle, (0, 24000), asked, shaft="exact")["frf"]
+    assert (exact.error == 0.0).all()
+    peak = np.abs(exact.receptance).max(axis=-1)
+    error = (np.abs(found.receptance - exact.receptance).max(axis=-1) / peak).max(axis=0)
+    assert error.max() <= accuracy
+    assert np.abs(np.log(found.error / error)).max() < math.log(3.0)
+
+
+def test_axial_and_torsional_modes_have_their_errors() -> None:
+    """Against the same with an accuracy a thousand times better."""
+    spindle = undamped(mfw2310())
+    rough, fine = (
+        campbell.answer(scene(spindle, (0, 24000), 9000.0, accuracy=a), CampbellSpec(9000.0))
+        for a in (1e-3, 1e-6)
+    )
+    for kind in ("axial", "torsion"):
+        columns = [k for k, own in enumerate(rough.kind) if own == kind]
+        assert columns
+        for k in columns:
+            at = fine.mode.index(rough.mode[k])
+            error = np.abs(rough.frequency[:, k] / fine.frequency[:, at] - 1.0)
+            known = error > 1e-6
+            told = rough.frequency_error[:, k]
+            assert np.abs(np.log(told[known] / error[known])).max(initial=0.0) < math.log(3.0)
+            assert told.max() <= 1e-3
+
+
+def test_rigid_rotor_has_no_error_by_elements() -> None:
+    result = answers(mfw2310(), (0, 24000), {"campbell": CampbellSpec()}, rotor="rigid")["campbell"]
+    assert (result.frequency_error == 0.0).all()
+    assert result.resolved_frequency == math.inf
+
+
+def test_standard_elements_are_judged_as_well() -> None:
+    """Half the length, a quarter of the error that is told."""
+    told = []
+    for parts in (40, 80):
+        length = mfw2310().shaft.end / parts
+        spec = {"campbell": CampbellSpec(3000.0)}
+        result = answers(mfw2310(), (0,), spec, element_length=length)["campbell"]
+        told.append(result.frequency_error[0, :4])
+    assert told[0] / told[1] == pytest.approx(4.0, rel=0.5)
