@@ -93,9 +93,14 @@ def _parser() -> argparse.ArgumentParser:
 def _check(arguments: argparse.Namespace) -> int:
     case = rotordyn.load(arguments.case)
     questions = ", ".join(case.analyses)
-    compared = f"; {len(case.variants)} variants" if case.variants else ""
-    print(f"{arguments.case}: fine ({len(case.speeds)} speeds; {questions}{compared})")
+    compared = f"; {_counted(len(case.variants), 'variant')}" if case.variants else ""
+    speeds = _counted(len(case.speeds), "speed")
+    print(f"{arguments.case}: fine ({speeds}; {questions}{compared})")
     return 0
+
+
+def _counted(number: int, word: str) -> str:
+    return f"{number} {word}{'' if number == 1 else 's'}"
 
 
 def _cases(_: argparse.Namespace) -> int:

@@ -240,7 +240,8 @@ def _criticals(
 
 def _shapes(scene: Scene, branches: list[Branch], ends: list[int]) -> Complex:
     """Node displacements (ends, modes, nodes, 6), each scaled to a largest value of 1."""
-    shapes = np.full((len(ends), len(branches), scene.mesh.nodes, 6), np.nan, dtype=complex)
+    shape = (len(ends), len(branches), scene.mesh.nodes, 6)
+    shapes = np.full(shape, complex(np.nan, np.nan))
     for place, row in enumerate(ends):
         for k, branch in enumerate(branches):
             if branch.column[row] < 0:

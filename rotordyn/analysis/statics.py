@@ -92,7 +92,8 @@ class Statics(Staged):
         """Values at the usable speeds (first axis) over all speeds, NaN elsewhere."""
         if len(values) == len(self.speed):
             return values
-        whole = np.full((len(self.speed), *values.shape[1:]), np.nan, dtype=values.dtype)
+        none = complex(np.nan, np.nan) if np.iscomplexobj(values) else np.nan
+        whole = np.full((len(self.speed), *values.shape[1:]), none, dtype=values.dtype)
         whole[self.usable] = values
         return whole
 

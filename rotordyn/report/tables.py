@@ -141,13 +141,14 @@ def _write(path: Path, columns: list[Column]) -> str:
 
 
 def _write_slices(folder: Path, result: FrfResult) -> list[str]:
-    """One table per slice: a line per frequency, real and imaginary part of every pair."""
+    """One table per slice with a solution: a line per frequency, both parts of every pair."""
     names = []
-    for index in np.flatnonzero(result.is_slice).tolist():
+    solved = np.isfinite(result.receptance).all(axis=(1, 2))
+    for index in np.flatnonzero(result.is_slice & solved).tolist():
         columns = [_column("frequency", shown("Hz"), result.frequency)]
         for place, pair in enumerate(result.pair):
             values = result.receptance[index, place]
             columns += _parts(f"receptance {pair}", shown(receptance_unit(pair)), values)
-        rpm = round(float(result.speed[index]) * RPM.factor)
-        names.append(_write(folder / f"frf_{rpm}rpm.csv", columns))
+        rpm = float(result.speed[index]) * RPM.factor
+        names.append(_write(folder / f"frf_{rpm:.7g}rpm.csv", columns))
     return names

@@ -147,6 +147,7 @@ def test_speeds_without_solution_are_named_in_every_result() -> None:
             values = getattr(found[name], field)
             assert np.isfinite(values[:2]).all(), field
             assert np.isnan(values[2]).all(), field
+    assert np.isnan(found["frf"].receptance[2].imag).all()
     assert found["campbell"].shape_speed == pytest.approx(np.array([0, 3000]) * RPM)
 
 

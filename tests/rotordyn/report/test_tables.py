@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -64,6 +65,16 @@ def test_curves_and_shapes_are_in_printed_units(folder, results):
     shape = _rows(folder / "campbell_shapes.csv")[0]
     assert float(shape["station [mm]"]) == pytest.approx(-91.8)
     assert "mode shape y imaginary [-]" in shape
+
+
+def test_slices_less_than_a_turn_apart_have_a_file_each_and_lost_ones_none(tmp_path, results):
+    frf = results["frf"]
+    speed = np.array([13000.0, 13000.4, 24000.0]) * np.pi / 30
+    cut = {name: getattr(frf, name)[:3].copy() for name in ("receptance", "is_slice")}
+    cut["receptance"][2] = complex(np.nan, np.nan)
+    cut["is_slice"][:] = True
+    write_tables(tmp_path, {"frf": replace(frf, speed=speed, outcome=("", "", "lost"), **cut)})
+    assert {p.name for p in tmp_path.iterdir()} == {"frf_13000rpm.csv", "frf_13000.4rpm.csv"}
 
 
 def test_slices_hold_both_parts_of_every_pair(folder, results):
