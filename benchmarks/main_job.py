@@ -51,7 +51,8 @@ def measure(runs: int = 7, *, install: bool = False) -> None:
     with tempfile.TemporaryDirectory() as made:
         processes, stages, memory = _processes(Path(made) / "out", runs)
     from benchmarks.bearing import measure_bearing
-    from benchmarks.rotor import cutoffs, element_lengths, measure_frf
+    from benchmarks.precision import curves
+    from benchmarks.rotor import measure_frf
 
     found = {
         "machine": _machine(busy),
@@ -61,8 +62,7 @@ def measure(runs: int = 7, *, install: bool = False) -> None:
         "stages": stages,
         "bearing": measure_bearing(),
         "frf": measure_frf(),
-        "element_length": element_lengths(),
-        "cutoff": cutoffs(),
+        "precision": curves(),
         "install": _installation(anew=install),
     }
     RESULTS.write_text(json.dumps(_rounded(found), indent=1, ensure_ascii=False) + "\n")

@@ -19,10 +19,12 @@ def main() -> int:
         _step("times measured", measure)
     from docs.generate import pages
     from docs.generate.figures import draw_figures
+    from docs.generate.precision import draw_precision
 
     for name, work in pages.PAGES.items():
         _step(name, work)
     _step("docs/figures", draw_figures)
+    _step("docs/figures/precision.png", draw_precision)
     return 0
 
 

@@ -49,8 +49,7 @@ def benchmark_parts(found: Measured) -> dict[str, str]:
         "stages": _stages(found),
         "bearing": _bearing(found),
         "frf": _frf(found),
-        "element-length": _trade("longest element", found["element_length"]),
-        "cutoff": _trade("modes kept up to × highest frequency", found["cutoff"]),
+        "precision": _precision(found),
     }
 
 
@@ -115,24 +114,27 @@ def _frf(found: Measured) -> str:
     return table(("", "FRF map"), rows)
 
 
-def _trade(name: str, rows: list[dict[str, Any]]) -> str:
+def _precision(found: Measured) -> str:
+    """What each setting of the elements costs and leaves as error."""
     head = (
-        name,
-        "elements:",
+        "machine",
+        "elements",
+        "asked:",
         "unknowns kept:",
-        "frequencies:",
-        "receptance at 2 Hz:",
-        "whole map:",
+        "true error:",
+        "told error:",
         "time [ms]:",
     )
     lines = [
         (
-            str(r["setting"]),
-            str(r["elements"]),
-            str(r["size"]),
-            *(f"{r[key]:.1e}" for key in ("frequency", "low", "receptance")),
+            r["machine"],
+            r["elements"],
+            r["setting"],
+            str(r["unknowns"]),
+            f"{r['error']:.1e}",
+            f"{r['told']:.1e}",
             f"{1e3 * r['seconds']:.0f}",
         )
-        for r in rows
+        for r in found["precision"]
     ]
     return table(head, lines)

@@ -1,0 +1,112 @@
+"""What accuracy costs: time against true error, for elements of any degree and standard ones.
+
+The truth is the exact shaft. Both machines turn from rest to their top speed; errors are the
+largest relative ones of all bending frequencies of the band at all speeds. Times are those of
+mesh, reduction and modes, the bearings known.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from statistics import median
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import rotordyn
+from benchmarks.processes import ROOT
+from rotordyn.analysis.accuracy import frequency_error
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import Conditions
+from rotordyn.machine.spindle import Spindle
+
+Array = NDArray[np.float64]
+ACCURACIES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8)
+PARTS = (13, 25, 50, 100, 200, 400)
+RUNS = 5
+STAGES = ("mesh", "rotor", "bending", "bending_modes")
+
+
+@dataclass(frozen=True, slots=True)
+class Machine:
+    """A machine without modal damping at some speeds [rad/s], up to ``band`` [Hz]."""
+
+    name: str
+    spindle: Spindle
+    conditions: Conditions
+    speed: Array
+    band: float
+
+    @classmethod
+    def of_case(cls, case: str, name: str, band: float) -> Machine:
+        """The machine of a shipped case at seven speeds up to its highest."""
+        loaded = rotordyn.load(ROOT / "cases" / f"{case}.yaml")
+        if loaded.spindle is None:
+            raise ValueError(f"{case} has no spindle")
+        spindle = replace(loaded.spindle, rotor_damping=())
+        conditions = replace(loaded.conditions, element_length=None)
+        return cls(name, spindle, conditions, np.linspace(0.0, loaded.speeds[-1], 7), band)
+
+    def scene(self, **changes: Any) -> Scene:
+        """A scene with the bearings solved."""
+        scene = Scene(self.spindle, replace(self.conditions, **changes), self.speed, self.band)
+        if self.spindle.seats:
+            _ = scene.tangents
+        return scene
+
+
+def curves() -> list[dict[str, Any]]:
+    """A line per machine and setting of its elements."""
+    machines = (
+        Machine.of_case("mfw2310", "MFW 2310, to 4 kHz", 4000.0),
+        Machine.of_case("lalanne_ferraris", "Lalanne and Ferraris' rotor, to 600 Hz", 600.0),
+    )
+    return [line for machine in machines for line in _curve(machine)]
+
+
+def _curve(machine: Machine) -> list[dict[str, Any]]:
+    exact = machine.scene(shaft="exact")
+    truth = exact.exact.modes(exact.bending_modes, 2.2 * math.pi * machine.band).pole
+    length = machine.spindle.shaft.end - machine.spindle.shaft.start
+    settings = [("any degree", f"{a:.0e}", {"accuracy": a}) for a in ACCURACIES]
+    settings += [("standard", f"1/{n} of the shaft", {"element_length": length / n}) for n in PARTS]
+    return [
+        {"machine": machine.name, "elements": kind, "setting": name, **_line(machine, truth, asked)}
+        for kind, name, asked in settings
+    ]
+
+
+def _line(machine: Machine, truth: Any, asked: dict[str, float]) -> dict[str, Any]:
+    seconds = []
+    for _ in range(RUNS):
+        scene = machine.scene(**asked)
+        _ = scene.bending_modes
+        seconds.append(sum(scene.seconds[stage] for stage in STAGES if stage in scene.seconds))
+    error, told = _errors(machine, scene, truth)
+    left_out = scene.rotor.remainder
+    return {
+        "unknowns": scene.rotor.size,
+        "error": error,
+        "told": told,
+        "resolved": scene.resolved_frequency,
+        "left_out": 0 if left_out is None else len(left_out.own_mass),
+        "seconds": median(seconds),
+    }
+
+
+def _errors(machine: Machine, scene: Scene, truth: Any) -> tuple[float, float]:
+    """Largest true and estimated relative error of the frequencies in the band."""
+    worst = told = 0.0
+    for row, pole in enumerate(scene.bending_modes.pole):
+        size = np.abs(pole.imag)
+        low, high = 0.02 * math.pi * machine.band, 2.0 * math.pi * machine.band
+        turning = size if scene.bending.isotropic else pole.imag  # else each pole has its twin
+        column = np.flatnonzero((turning > low) & (turning < high) & (np.abs(pole.real) < size))
+        gap = np.abs(truth[row] - pole[column, None])
+        worst = max(worst, float((np.nanmin(gap, axis=1) / np.abs(pole[column])).max()))
+        every = np.full((len(scene.bending_modes.pole), len(column)), -1)
+        every[row] = column
+        told = max(told, float(np.nanmax(frequency_error(scene, "bending", every))))
+    return worst, told

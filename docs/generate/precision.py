@@ -1,0 +1,37 @@
+"""Time against true error, drawn from what was measured last."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from docs.generate.places import FIGURES
+from docs.generate.times import measured
+from rotordyn.plots.style import BLUE, RED, add_axes, grid_boxes, legend, new_figure, save
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+LOOKS = {"any degree": (BLUE, "o-"), "standard": (RED, "s--")}
+
+
+def draw_precision() -> None:
+    """The curves of the last measurement into the folder of figures."""
+    save(precision_figure(measured()["precision"]), FIGURES, "precision")
+    (FIGURES / "precision.svg").unlink()
+
+
+def precision_figure(lines: list[dict[str, Any]]) -> Figure:
+    """A panel per machine, a curve per kind of elements."""
+    machines = list(dict.fromkeys(line["machine"] for line in lines))
+    figure = new_figure(168.0, 78.0)
+    boxes = grid_boxes(figure, 1, len(machines), margins=(16.0, 5.0, 12.0, 8.0), gaps=(16.0, 0.0))
+    for place, (machine, box) in enumerate(zip(machines, boxes, strict=True)):
+        axes = add_axes(figure, box, "time [ms]", "" if place else "largest relative error [-]")
+        for kind, (colour, look) in LOOKS.items():
+            own = [r for r in lines if r["machine"] == machine and r["elements"] == kind]
+            seconds = [1e3 * r["seconds"] for r in own]
+            axes.loglog(seconds, [r["error"] for r in own], look, color=colour, ms=4.0, label=kind)
+        axes.set_title(machine, fontsize=8.0, pad=4.0)
+        if not place:
+            legend(axes, loc="lower left")
+    return figure
