@@ -114,6 +114,7 @@ def _polished(
     with np.errstate(invalid="ignore", over="ignore"):
         step = np.einsum("...kn,...nk->...k", participation, rest)
         small = np.abs(step) < SMALL * np.abs(pole)
+    step = np.where(pole.imag == 0.0, step.real, step)  # what does not swing stays so
     return np.where(small, pole - step, pole)
 
 

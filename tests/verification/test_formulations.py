@@ -156,7 +156,7 @@ def test_receptance_in_shaft_fixed_axes() -> None:
     """A force that turns with the shaft at ω there is, in space, ω + Ω forward and Ω − ω back."""
     seen = run(TURNED)["frf"]
     assert isinstance(seen, TurningFrfResult)
-    found = scene(mfw2310(), SPEEDS, ports=(-0.0524,))
+    found = scene(mfw2310(), SPEEDS, ports=(-0.0524,), accuracy=Conditions().accuracy)
     node = found.mesh.node_of(-0.0524)
     row = found.rotor.row(node, "y")[None]
     for k, spin in enumerate(found.speed):
