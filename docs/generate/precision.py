@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Any
 from docs.generate.places import FIGURES
 from docs.generate.times import measured
 from rotordyn.plots.legends import legend
-from rotordyn.plots.style import BLUE, RED, add_axes, grid_boxes, new_figure, save
+from rotordyn.plots.style import BLUE, RED, add_axes, grid_boxes, log_ticks, new_figure, save
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
 LOOKS = {"any degree": (BLUE, "o-"), "standard": (RED, "s--")}
@@ -32,7 +33,19 @@ def precision_figure(lines: list[dict[str, Any]]) -> Figure:
             own = [r for r in lines if r["machine"] == machine and r["elements"] == kind]
             seconds = [1e3 * r["seconds"] for r in own]
             axes.loglog(seconds, [r["error"] for r in own], look, color=colour, ms=4.0, label=kind)
+        _plain_ticks(axes)
         axes.set_title(machine, fontsize=8.0, pad=4.0)
         if not place:
             legend(axes, loc="lower left")
     return figure
+
+
+def _plain_ticks(axes: Axes) -> None:
+    """Both scales logarithmic, with few ticks written out."""
+    from matplotlib.ticker import NullFormatter, NullLocator
+
+    for axis, limits in ((axes.xaxis, axes.get_xlim()), (axes.yaxis, axes.get_ylim())):
+        ticks = log_ticks(*limits)
+        axis.set_minor_locator(NullLocator())
+        axis.set_minor_formatter(NullFormatter())
+        axis.set_ticks([v for v, _ in ticks], [name for _, name in ticks])
