@@ -50,6 +50,7 @@ def benchmark_parts(found: Measured) -> dict[str, str]:
         "bearing": _bearing(found),
         "frf": _frf(found),
         "precision": _precision(found),
+        "random": _random(found),
     }
 
 
@@ -136,5 +137,31 @@ def _precision(found: Measured) -> str:
             f"{1e3 * r['seconds']:.0f}",
         )
         for r in found["precision"]
+    ]
+    return table(head, lines)
+
+
+def _random(found: Measured) -> str:
+    """What random rotors came to."""
+    head = (
+        "accuracy asked:",
+        "rotors:",
+        "frequencies:",
+        "missing or spurious:",
+        "beyond the accuracy:",
+        "largest error:",
+        "told within a factor of 3:",
+    )
+    lines = [
+        (
+            f"{r['accuracy']:.0e}",
+            str(r["rotors"]),
+            str(r["frequencies"]),
+            str(r["missing"]),
+            str(r["beyond"]),
+            f"{r['worst']:.1e}",
+            f"{r['within_3']} of {r['judged']}",
+        )
+        for r in found["random_rotors"]
     ]
     return table(head, lines)

@@ -21,13 +21,13 @@ from rotordyn.exact.box import Box
 from rotordyn.exact.circular import PLANES, load, planes_of, response
 from rotordyn.exact.poles import ExactMode
 from rotordyn.exact.receptance import receptance
-from rotordyn.exact.rotor import ExactRotor, exact_rotor, stations_only
+from rotordyn.exact.rotor import ExactRotor, exact_rotor
 from rotordyn.exact.shooting import Shooting
 from rotordyn.exact.spectrum import modes_inside
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.modes import Modes
-from rotordyn.system.mesh import Mesh
+from rotordyn.system.mesh import Mesh, station_mesh
 
 if TYPE_CHECKING:
     from rotordyn.analysis.scene import Scene
@@ -175,7 +175,7 @@ def exact_bending(scene: Scene) -> ExactBending:
     for sentence in obstacles(scene.conditions, spindle.rotor_damping, spindle.supports):
         raise InvalidInput(sentence)
     # weight differs along a section: constant within elements only
-    mesh = scene.mesh if scene.gravity else stations_only(spindle)
+    mesh = scene.mesh if scene.gravity else station_mesh(spindle)
     force = np.zeros((1, 0))
     if scene.conditions.axial_stiffening:
         force = scene.shaft_force.bending(mesh.middle)

@@ -52,7 +52,9 @@ def hierarchic_bending(
     *,
     degree: int,
 ) -> PlaneBending:
-    """Matrices (elements, 4 + 2·degree − 1, …) of hollow circular elements, all of one ``degree``.
+    """Matrices of hollow circular elements, all of one ``degree``.
+
+    Each of shape (elements, k, k) with k = 4 + ``inner_freedoms(degree)``.
 
     Lengths and diameters (elements,) [m], moduli [Pa], density [kg/m³], shear coefficient κ [1].
     """

@@ -13,7 +13,7 @@ from rotordyn.exact.nodes import NodeTerms, node_terms
 from rotordyn.exact.segment import Segments
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
-from rotordyn.system.mesh import Mesh, build_mesh
+from rotordyn.system.mesh import Mesh, station_mesh
 
 Array = NDArray[np.float64]
 
@@ -76,15 +76,10 @@ def exact_rotor(
             "the exact shaft has no modes to damp one by one: leave damping.rotor of the spindle "
             "empty (override: {damping.rotor: []})"
         )
-    mesh = mesh or stations_only(spindle)
+    mesh = mesh or station_mesh(spindle)
     terms, planes = node_terms(spindle, mesh, seat_stiffness, pulled=axial_force is not None)
     tension = np.zeros(mesh.nodes - 1) if axial_force is None else axial_force
     return ExactRotor(mesh.x, _segments(spindle, mesh, tension), terms, spin, planes)
-
-
-def stations_only(spindle: Spindle) -> Mesh:
-    """Nodes where something changes or sits, and nowhere else."""
-    return build_mesh(spindle, 2.0 * (spindle.shaft.end - spindle.shaft.start))
 
 
 def _segments(spindle: Spindle, mesh: Mesh, tension: Array) -> Segments:

@@ -11,15 +11,27 @@ import numpy as np
 from rotordyn.analysis.results import CampbellResult, FrfResult
 
 
+def rounded_up(error: float) -> str:
+    """With one digit, never less than it is; "rounding" where elements leave none.
+
+    >>> rounded_up(1.4e-4), rounded_up(0.0)
+    ('2e-04', 'rounding')
+    """
+    if error <= 0.0:
+        return "rounding"
+    power = math.floor(math.log10(error))
+    return f"{math.ceil(error / 10.0**power - 1e-9) * 10.0**power:.0e}"
+
+
 def accuracy_words(results: Mapping[str, Any]) -> list[str]:
     """A phrase per question: the largest estimated errors, and how far the mesh is good."""
     words = []
     if isinstance(modes := results.get("campbell"), CampbellResult) and modes.mode:
         worst = float(np.nanmax(modes.frequency_error, initial=0.0))
-        words.append(f"frequencies within {worst:.1g}")
+        words.append(f"frequencies within {rounded_up(worst)}")
         if math.isfinite(modes.resolved_frequency):
             words.append(f"mesh good to {modes.resolved_frequency:.0f} Hz")
     if isinstance(response := results.get("frf"), FrfResult):
         worst = float(response.error.max(initial=0.0))
-        words.append(f"receptances within {worst:.1g} of their peak")
+        words.append(f"receptances within {rounded_up(worst)} of their peak")
     return words

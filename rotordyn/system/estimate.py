@@ -45,6 +45,10 @@ class Reduced(Protocol):
     @property
     def frame(self) -> Array: ...
     @property
+    def weightless(self) -> Array: ...
+    @property
+    def force(self) -> Array | None: ...
+    @property
     def remainder(self) -> Remainder | None: ...
 
 
@@ -53,6 +57,8 @@ class LeftOut(Protocol):
 
     def forces(self, s: Complex, vector: Complex, side: float) -> Complex: ...
     def answer(self, s: Complex) -> Complex: ...
+    @property
+    def weightless(self) -> Array: ...
     def at(self, row: int) -> LeftOut: ...
 
 
@@ -63,7 +69,8 @@ def pole_shift(
     ones (speeds, k, n)."""
     right = left_out.forces(pole, vector, 1.0)
     left = left_out.forces(pole, np.swapaxes(participation, 1, 2), -1.0)
-    return np.asarray((left * right * left_out.answer(pole)).sum(axis=1))
+    missed = (left * right * left_out.answer(pole)).sum(axis=1)
+    return np.asarray(missed + _lent(left_out, pole, vector, np.swapaxes(participation, 1, 2)))
 
 
 def receptance_shift(
@@ -76,14 +83,21 @@ def receptance_shift(
     """
     right = left_out.forces(s, given, 1.0) - ends[0][:, None]
     left = left_out.forces(s, taken, -1.0) - ends[1][:, None]
-    return np.asarray((left * right * left_out.answer(s)).sum(axis=1))
+    missed = (left * right * left_out.answer(s)).sum(axis=1)
+    return np.asarray(missed + _lent(left_out, s, given, taken))
+
+
+def _lent(left_out: LeftOut, s: Complex, right: Complex, left: Complex) -> Complex:
+    """What taking away the mass lent to sleeves without any would do (speeds, k)."""
+    return np.asarray(s * s * (left_out.weightless[:, None] * left * right).sum(axis=1))
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Unbalanced:
     """Forces on what a system leaves out, at ``spin`` (speeds,) [rad/s].
 
-    ``connected`` (r, c, k): the vectors left out at bearings and supports.
+    ``connected`` (r, c, k): the vectors left out at bearings and supports; ``pressed``
+    (speeds or 1, r, m): their coupling by the axial force.
     """
 
     system: Reduced
@@ -92,6 +106,7 @@ class Unbalanced:
     held: Inexact
     damped: Inexact
     connected: Array
+    pressed: Array
 
     @classmethod
     def of(cls, system: Reduced, spin: Array) -> Unbalanced | None:
@@ -101,15 +116,23 @@ class Unbalanced:
             return None
         nodal = left_out.at_nodes.reshape(len(left_out.own_mass), -1, system.freedoms)
         at_ends = nodal[:, list(system.connected)]
-        return cls(system, left_out, spin, system.held, system.damped, at_ends)
+        pressed = np.zeros((1, *left_out.mass.shape))
+        if system.force is not None:
+            pressed = np.tensordot(system.force, left_out.per_newton, 1)
+        return cls(system, left_out, spin, system.held, system.damped, at_ends, pressed)
+
+    @property
+    def weightless(self) -> Array:
+        """1 for coordinates whose mass is none of the machine's, else 0 (n,)."""
+        return self.system.weightless
 
     def at(self, row: int) -> Unbalanced:
         """The same at one of the speeds; what is the same at all may have one only."""
-        spin, held, damped = (
+        spin, held, damped, pressed = (
             values[min(row, len(values) - 1)][None]
-            for values in (self.spin, self.held, self.damped)
+            for values in (self.spin, self.held, self.damped, self.pressed)
         )
-        return replace(self, spin=spin, held=held, damped=damped)
+        return replace(self, spin=spin, held=held, damped=damped, pressed=pressed)
 
     def forces(self, s: Complex, vector: Complex, side: float) -> Complex:
         """Unbalanced forces (speeds, p·r, k) of motions e^(st); ``side`` −1: of left vectors."""
@@ -131,7 +154,8 @@ class Unbalanced:
     def _plane(self, square: Complex, vector: Complex) -> Complex:
         """Of stiffness and inertia within a plane."""
         own = self.remainder
-        return np.asarray(own.stiffness @ vector + square * (own.mass @ vector))
+        still = (own.stiffness + self.pressed) @ vector
+        return np.asarray(still + square * (own.mass @ vector))
 
     def _held(self, s: Complex, vector: Complex, side: float) -> Complex:
         """Of bearings and supports (speeds, p, r, k) for motions (speeds, p, m, k) of p planes."""
@@ -162,6 +186,11 @@ class Joined:
     places: Mapping[str, slice]
     supports: Array
     motion: Array
+
+    @property
+    def weightless(self) -> Array:
+        """Of all parts, in the order of the coordinates (n,)."""
+        return np.concatenate([part.weightless for part in self.parts.values()])
 
     def at(self, row: int) -> Joined:
         """The same at one of the speeds."""

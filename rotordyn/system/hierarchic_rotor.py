@@ -74,6 +74,19 @@ def deflections(spindle: Spindle, elements: Hierarchy, x: Array) -> Array:
     return whole.reshape(2 * len(x), -1)
 
 
+def slopes(spindle: Spindle, elements: Hierarchy, x: Array) -> Array:
+    """Slope v′ at places ``x`` between nodes by all freedoms (places, size)."""
+    mesh, (element, xi) = elements.mesh, elements.place(x)
+    shear, bend, *_ = _rigidities(spindle, mesh)
+    phi = shear_parameter(mesh.length, bend, shear)
+    whole = np.zeros((len(x), elements.size))
+    for k in np.unique(element):
+        at, own = np.flatnonzero(element == k), slice(k, k + 1)
+        shape = bending.shapes(mesh.length[own], phi[own], int(elements.degree[k]), xi[at])
+        whole[at[:, None], elements.rows(int(k))] = shape.slope[0]
+    return whole
+
+
 def rod_hierarchy(
     spindle: Spindle,
     omega: float,

@@ -7,7 +7,7 @@ stand side by side. The complex form may be written in the frame that turns with
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,7 +31,8 @@ class LateralSystem:
     Complex with n = m where ``isotropic``, else real with n = 2m: plane y, then plane z.
     ``frame`` (speeds,) [rad/s]: the speed at which the coordinates turn, 0 in the fixed frame.
     ``held``, ``damped`` (speeds, connections, k, k): stiffness and damping of bearings and
-    supports, over (deflection, tilt) in the complex form, of both planes otherwise.
+    supports, over (deflection, tilt) in the complex form, of both planes otherwise. ``force``
+    (speeds, elements) [N]: axial force that acts on bending; None where it does not.
     """
 
     rotor: LateralRotor
@@ -41,6 +42,7 @@ class LateralSystem:
     frame: Array
     held: NDArray[np.inexact]
     damped: NDArray[np.inexact]
+    force: Array | None = None
 
     @property
     def planes(self) -> int:
@@ -56,6 +58,11 @@ class LateralSystem:
     def rows(self) -> Array:
         """Deflection and tilt between the rings of bearings, then at supports (c, 2, m)."""
         return np.concatenate([self.rotor.seats, self.rotor.supports])
+
+    @property
+    def weightless(self) -> Array:
+        """1 for coordinates whose unit mass is none of the machine's, else 0 (n,)."""
+        return np.tile(self.rotor.weightless, self.planes)
 
     @property
     def connected(self) -> tuple[int, ...]:
@@ -91,7 +98,9 @@ class LateralSystem:
         held, damped = (
             _two_by_two(k.real, -k.imag, k.imag, k.real) for k in (self.held, self.damped)
         )
-        return LateralSystem(self.rotor, False, stiffness, damping, self.frame, held, damped)
+        return LateralSystem(
+            self.rotor, False, stiffness, damping, self.frame, held, damped, self.force
+        )
 
 
 def lateral_system(
@@ -136,9 +145,11 @@ def lateral_system(
         damping = own_damping + _gathered(rows, _complex(c))
         blocks = _complex(k), _complex(c)
         if turning:
-            return _turned(rotor, speed, stiffness, damping, blocks)
+            return replace(_turned(rotor, speed, stiffness, damping, blocks), force=axial_force)
         still = np.zeros_like(speed)
-        return LateralSystem(rotor, True, stiffness, damping - 1j * gyroscopic, still, *blocks)
+        return LateralSystem(
+            rotor, True, stiffness, damping - 1j * gyroscopic, still, *blocks, axial_force
+        )
     if turning:
         raise InvalidInput(
             "the rotating formulation needs supports that answer alike in all directions, and "
@@ -154,6 +165,7 @@ def lateral_system(
         np.zeros_like(speed),
         k,
         c,
+        axial_force,
     )
 
 

@@ -8,21 +8,28 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.elements.bubbles import points
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve
 from rotordyn.numerics.reduction import ritz_basis
 from rotordyn.system.assemble import bending_plane, loaded_plane
 from rotordyn.system.dofs import PLANE_Y
-from rotordyn.system.hierarchic_rotor import beams, bending_hierarchy, deflections, resolved_whirl
+from rotordyn.system.hierarchic_rotor import (
+    beams,
+    bending_hierarchy,
+    deflections,
+    resolved_whirl,
+    slopes,
+)
 from rotordyn.system.hierarchy import Hierarchy
 from rotordyn.system.mesh import Mesh
 from rotordyn.system.remainder import Remainder, remainder
 from rotordyn.system.stiffening import Stiffening, stiffening
 
 Array = NDArray[np.float64]
-CUTOFF = 4.0  # free-free modes are kept up to this multiple of the highest frequency asked …
 USUAL = 1e-4  # relative error of a frequency that a designer does not notice
-COARSE = 1e-4  # … where the accuracy asked is not better
+GAUSS = 7  # degree up to which the work of the axial force is integrated exactly
+CUTOFF = 4.0  # free-free modes kept, over the highest frequency asked, at the usual accuracy
 SLEEVE_CUTOFF = 30.0  # own frequency given to a sprung sleeve without mass, likewise
 
 
@@ -42,8 +49,17 @@ class Fineness:
     def cutoff(self) -> float:
         """Up to which free-free modes are kept [rad/s]: what others leave out falls with its 4th
         power."""
-        finer = 1.0 if self.accuracy is None else max(1.0, (COARSE / self.accuracy) ** 0.25)
-        return 2.0 * math.pi * CUTOFF * finer * self.frequency
+        return 2.0 * math.pi * CUTOFF * self._finer * self.frequency
+
+    @property
+    def beyond(self) -> float:
+        """A frequency so far above the band [Hz] that what swings there acts as if it had no mass:
+        its error falls with the square."""
+        return self._finer**2 * self.frequency
+
+    @property
+    def _finer(self) -> float:
+        return 1.0 if self.accuracy is None else max(1.0, (USUAL / self.accuracy) ** 0.25)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -55,7 +71,8 @@ class LateralRotor:
     each element; ``bar`` (m, m): that of the drawbar. ``seats`` (seats, 2, m): deflection and tilt
     between the rings of each bearing; ``supports`` (supports, 2, m): those of the node of each
     linear support, and ``connected`` the nodes of both. The last coordinates are the sprung
-    sleeves, if any. ``remainder``: what the coordinates leave out; None for a rigid rotor.
+    sleeves, if any; ``weightless`` (m,) is 1 for those that have no mass of their own, else 0.
+    ``remainder``: what the coordinates leave out; None for a rigid rotor.
     ``resolved`` [Hz]: highest frequency that the elements carry within the accuracy asked for, or
     within ``USUAL`` where none is.
     """
@@ -70,6 +87,7 @@ class LateralRotor:
     seats: Array
     supports: Array
     connected: tuple[int, ...]
+    weightless: Array
     remainder: Remainder | None
     resolved: float
 
@@ -91,6 +109,7 @@ class _Reduced:
     values: Array
     polar: Array
     translational_mass: Array
+    per_newton: Array
     remainder: Remainder | None
     resolved: float
 
@@ -106,11 +125,15 @@ def lateral_rotor(
     of a rigid body.
     """
     tension = stiffening(spindle, mesh)
-    free = _rigid(spindle, mesh) if rigid else _flexible(spindle, mesh, fineness, ports, tension)
+    free = (
+        _rigid(spindle, mesh, tension)
+        if rigid
+        else _flexible(spindle, mesh, fineness, ports, tension)
+    )
     basis, values = free.at_nodes, free.values
     sprung = [s for s in spindle.sleeves if math.isfinite(s.radial_stiffness)]
     more = len(sprung)
-    masses = np.array([sleeve_mass(s, s.radial_stiffness, fineness.frequency) for s in sprung])
+    masses = np.array([sleeve_mass(s, s.radial_stiffness, fineness.beyond) for s in sprung])
     held = np.array([s.radial_stiffness for s in sprung]) / masses
     nodes = mesh.nodes_of(spindle.seats, spindle.supports)
     connected = _widened(_rows(basis, nodes), more)
@@ -128,11 +151,14 @@ def lateral_rotor(
         damping_ratio=np.concatenate(
             [damping_ratios(values, spindle.rotor_damping), np.zeros(more)]
         ),
-        per_newton=tension.projected(wide),
+        per_newton=_bordered(free.per_newton, more),
         bar=tension.bar(wide),
         seats=seats,
         supports=supports,
         connected=tuple(nodes),
+        weightless=np.concatenate(
+            [np.zeros(basis.shape[1]), [float(s.mass == 0.0) for s in sprung]]
+        ),
         remainder=free.remainder.widened(more) if free.remainder else None,
         resolved=free.resolved,
     )
@@ -148,15 +174,35 @@ def _flexible(
     couplings = [plane.polar, *(seen.T @ c @ seen for c in _drawbar(spindle, mesh, tension))]
     basis = ritz_basis(plane.mass, plane.stiffness, fineness.cutoff, loads, 2, couplings)
     vectors = basis.vectors
+    slope = slopes(spindle, elements, _places(mesh).ravel())
     return _Reduced(
         at_nodes=seen @ vectors,
         values=basis.values,
         polar=vectors.T @ plane.polar @ vectors,
         translational_mass=vectors.T @ plane.translational_mass @ vectors,
-        remainder=remainder(elements, basis, {"mass": plane.mass, "polar": plane.polar}, seen),
+        per_newton=_shortening(slope @ vectors, slope @ vectors, mesh),
+        remainder=remainder(
+            elements,
+            basis,
+            {"mass": plane.mass, "polar": plane.polar},
+            seen,
+            _shortening(slope @ basis.rest, slope @ vectors, mesh),
+        ),
         resolved=resolved_whirl(spindle, elements, fineness.spin, fineness.accuracy or USUAL)
         / (2.0 * math.pi),
     )
+
+
+def _places(mesh: Mesh) -> Array:
+    """Gauss points of every element of the mesh (elements, points) [m]."""
+    return np.asarray(mesh.middle[:, None] + mesh.length[:, None] / 2.0 * points(GAUSS)[0])
+
+
+def _shortening(one: Array, other: Array, mesh: Mesh) -> Array:
+    """∫ v′ v′ dx over each element of two sets of slopes at its Gauss points (elements, a, b)."""
+    weight = points(GAUSS)[1] * mesh.length[:, None] / 2.0
+    shaped = (slope.reshape(*weight.shape, -1) for slope in (one, other))
+    return np.einsum("eq,eqa,eqb->eab", weight, *shaped, optimize=True)
 
 
 def _elements(spindle: Spindle, mesh: Mesh, fineness: Fineness) -> Hierarchy:
@@ -167,7 +213,7 @@ def _elements(spindle: Spindle, mesh: Mesh, fineness: Fineness) -> Hierarchy:
     return bending_hierarchy(spindle, omega, fineness.spin, fineness.accuracy)
 
 
-def _rigid(spindle: Spindle, mesh: Mesh) -> _Reduced:
+def _rigid(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> _Reduced:
     """Translation and rotation of a rigid rotor, mass-normalised."""
     plane = bending_plane(spindle, mesh)
     shape = np.zeros((2 * mesh.nodes, 2))
@@ -175,7 +221,8 @@ def _rigid(spindle: Spindle, mesh: Mesh) -> _Reduced:
     factor = np.linalg.cholesky(shape.T @ plane.mass @ shape)
     basis = np.asarray(np.linalg.solve(factor, shape.T).T)
     polar, translation = (basis.T @ m @ basis for m in (plane.polar, plane.translational_mass))
-    return _Reduced(basis, np.zeros(2), polar, translation, None, math.inf)
+    along = tension.projected(basis.reshape(-1, 2, 2))
+    return _Reduced(basis, np.zeros(2), polar, translation, along, None, math.inf)
 
 
 def _drawbar(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> list[Array]:
@@ -216,7 +263,7 @@ def _widened(rows: Array, more: int) -> Array:
 
 
 def _bordered(matrix: Array, more: int) -> Array:
-    return np.pad(matrix, ((0, more), (0, more)))
+    return np.pad(matrix, [(0, 0)] * (matrix.ndim - 2) + [(0, more), (0, more)])
 
 
 def sleeve_mass(sleeve: Sleeve, held: float, max_frequency: float) -> float:

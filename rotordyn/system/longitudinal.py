@@ -44,7 +44,8 @@ class RodSystem:
 
     ``basis`` (nodes, n): the nodes' ``freedom``, x or thx. ``rows`` (c, 1, n): motion between the
     ends of each bearing or support, at the nodes ``connected``; ``held``, ``damped``
-    (speeds, c, 1, 1): what they answer. ``remainder``: what the coordinates leave out.
+    (speeds, c, 1, 1): what they answer. ``weightless`` (n,): 1 for sleeves without mass, else 0.
+    ``remainder``: what the coordinates leave out.
     """
 
     freedom: str
@@ -55,6 +56,7 @@ class RodSystem:
     connected: tuple[int, ...]
     held: Array
     damped: Array
+    weightless: Array
     remainder: Remainder | None
 
     @property
@@ -66,6 +68,11 @@ class RodSystem:
     def freedoms(self) -> int:
         """Of a node."""
         return 1
+
+    @property
+    def force(self) -> None:
+        """Axial force does nothing to a motion along or about the axis."""
+        return
 
     @property
     def frame(self) -> Array:
@@ -98,8 +105,7 @@ def axial_system(
     carried = _carried(spindle, sliding, axial_stiffness)
     scale = np.array(
         [
-            sleeve_mass(s, s.spring.stiffness + float(carried[:, k].max()), fineness.frequency)
-            ** -0.5
+            sleeve_mass(s, s.spring.stiffness + float(carried[:, k].max()), fineness.beyond) ** -0.5
             for k, s in enumerate(sliding)
         ]
     )
@@ -135,6 +141,7 @@ def axial_system(
         tuple(nodes),
         springs_held[..., None, None],
         np.broadcast_to(np.array(dampers)[:, None, None], (*springs_held.shape, 1, 1)),
+        np.concatenate([np.zeros(modal), [float(s.mass == 0.0) for s in sliding]]),
         left_out,
     )
 
@@ -173,6 +180,7 @@ def torsion_system(
         tuple(nodes),
         blocks[0],
         blocks[1],
+        np.zeros(basis.shape[1]),
         free.remainder,
     )
 

@@ -18,7 +18,7 @@ from rotordyn.machine.spindle import Spindle
 Array = NDArray[np.float64]
 
 COINCIDENT = 1.5e-7  # of the shaft's length: stations closer than that are one node
-ELEMENTS_OVER_LENGTH = 50  # k h below 0.06 n for the n-th bending mode of any shaft
+ELEMENTS_OVER_LENGTH = 50
 
 
 class HasStation(Protocol):
@@ -80,9 +80,9 @@ def build_mesh(spindle: Spindle, element_length: float | None = None) -> Mesh:
     """Nodes at every station, and between them so that no element exceeds ``element_length``.
 
     Stations are section boundaries, seats, supports, points, masses, discs and those of the
-    drawbar. ``element_length`` None is 1/50 of the shaft, whatever its diameter: the error of the
-    element, at most (k h)²/24 with k h ≈ n π/50 for the n-th bending mode, depends on the diameter
-    only through the shear share that it is multiplied by.
+    drawbar. ``element_length`` None is 1/50 of the shaft: then the nodes are places at which motion
+    is seen and axial force changes, between which elements are as fine as an accuracy asks
+    (``hierarchic_rotor``). Where a length is given, standard elements lie between them.
 
     Raises
     ------

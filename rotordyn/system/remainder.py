@@ -27,6 +27,8 @@ class Remainder:
 
     ``mass``, ``stiffness``, ``polar`` (r, m): coupling with the coordinates; ``own_mass``,
     ``own_stiffness`` (r,); ``at_nodes`` (r, 2·nodes): deflections and tilts of the mesh's nodes.
+    ``per_newton`` (elements, r, m): coupling per newton of axial force in each element of the mesh
+    (none for rods; what finer elements would add to it is left aside).
     """
 
     mass: Array
@@ -35,6 +37,7 @@ class Remainder:
     own_mass: Array
     own_stiffness: Array
     at_nodes: Array
+    per_newton: Array
 
     def widened(self, more: int) -> Remainder:
         """Beside ``more`` further coordinates that couple with nothing left out."""
@@ -44,6 +47,7 @@ class Remainder:
             own_mass=self.own_mass,
             own_stiffness=self.own_stiffness,
             at_nodes=self.at_nodes,
+            per_newton=np.pad(self.per_newton, ((0, 0), (0, 0), (0, more))),
         )
 
 
@@ -51,19 +55,27 @@ _COUPLINGS = ("mass", "stiffness", "polar")
 
 
 def remainder(
-    elements: Hierarchy, basis: RitzBasis, matrices: dict[str, Array], displayed: Array
+    elements: Hierarchy,
+    basis: RitzBasis,
+    matrices: dict[str, Array],
+    displayed: Array,
+    per_newton: Array | None = None,
 ) -> Remainder:
     """Of ``elements`` reduced to ``basis``; ``displayed`` (2·nodes, size) as for the basis.
 
-    ``matrices``: those of the whole, lumped bodies included.
+    ``matrices``: those of the whole, lumped bodies included; ``per_newton`` (elements of the mesh,
+    rest of the basis, m): how axial force couples the two.
     """
-    finer = _of_finer_elements(elements, basis, len(displayed))
-    higher = _of_modes(basis, matrices, displayed)
+    if per_newton is None:
+        per_newton = np.zeros((0, basis.rest.shape[1], basis.vectors.shape[1]))
+    finer = _of_finer_elements(elements, basis, len(displayed), len(per_newton))
+    higher = _of_modes(basis, matrices, displayed, per_newton)
     parts = {f.name: [getattr(finer, f.name), getattr(higher, f.name)] for f in fields(Remainder)}
-    return Remainder(**{name: np.concatenate(values) for name, values in parts.items()})
+    axis = {"per_newton": 1}
+    return Remainder(**{n: np.concatenate(v, axis=axis.get(n, 0)) for n, v in parts.items()})
 
 
-def _of_finer_elements(elements: Hierarchy, basis: RitzBasis, rows: int) -> Remainder:
+def _of_finer_elements(elements: Hierarchy, basis: RitzBasis, rows: int, pressed: int) -> Remainder:
     """Inner freedoms of higher degree: they vanish at nodes and stand alone in stiffness."""
     found = elements.left_out(basis.vectors)
     zero = np.zeros_like(found["mass"])
@@ -74,10 +86,13 @@ def _of_finer_elements(elements: Hierarchy, basis: RitzBasis, rows: int) -> Rema
         own_mass=found["own_mass"],
         own_stiffness=found["own_stiffness"],
         at_nodes=np.zeros((len(zero), rows)),
+        per_newton=np.zeros((pressed, *zero.shape)),
     )
 
 
-def _of_modes(basis: RitzBasis, matrices: dict[str, Array], displayed: Array) -> Remainder:
+def _of_modes(
+    basis: RitzBasis, matrices: dict[str, Array], displayed: Array, per_newton: Array
+) -> Remainder:
     """Modes of the free rotor above those kept."""
     rest = basis.rest
     mass = rest.T @ (matrices["mass"] @ basis.vectors)
@@ -89,4 +104,5 @@ def _of_modes(basis: RitzBasis, matrices: dict[str, Array], displayed: Array) ->
         own_mass=np.ones(len(mass)),
         own_stiffness=basis.rest_values,
         at_nodes=(displayed @ rest).T,
+        per_newton=per_newton,
     )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -13,7 +14,8 @@ from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec
 from rotordyn.exact.count import modes_below, whirl_frequencies
 from rotordyn.exact.rotor import exact_rotor
-from tests.oracles.spindles import answers, mfw2310, pairs, scene, undamped
+from rotordyn.machine.drawbar import Drawbar
+from tests.oracles.spindles import answers, mfw2310, pairs, scene, undamped, with_sleeve
 from tests.oracles.stepped_rotors import stepped_rotor
 
 NO_SEATS = np.zeros((0, 5, 5))
@@ -93,6 +95,31 @@ def test_receptances_of_the_spindle(accuracy: float) -> None:
     error = (np.abs(found.receptance - exact.receptance).max(axis=-1) / peak).max(axis=0)
     assert error.max() <= accuracy
     assert np.abs(np.log(found.error / error)).max() < math.log(3.0)
+
+
+@pytest.mark.parametrize("accuracy", [1e-4, 1e-6])
+@pytest.mark.parametrize("what", ["drawbar", "sleeve"])
+def test_drawbar_and_sprung_sleeve_are_told_of(what: str, accuracy: float) -> None:
+    """Axial force in the shaft, and the mass lent to a sleeve that has none."""
+    spindle = mfw2310(rotor_damping=())
+    if what == "drawbar":
+        spindle = replace(spindle, drawbar=Drawbar(3e4, 0.0, 0.4, ()))
+    else:
+        spindle = with_sleeve(spindle, "rear", radial_stiffness=3e8)
+    found = scene(spindle, (0, 24000), accuracy=accuracy)
+    exact = scene(spindle, (0, 24000), accuracy=accuracy, shaft="exact")
+    truth = exact.exact.modes(exact.bending_modes, 2.0 * math.pi * 4400.0).pole
+    for row, pole in enumerate(found.bending_modes.pole):
+        column = np.flatnonzero(
+            (np.abs(pole.imag) < 8000.0 * math.pi) & (np.abs(pole.imag) > 100.0)
+        )
+        every = np.full((2, len(column)), -1)
+        every[row] = column
+        told = frequency_error(found, "bending", every)[row]
+        error = np.nanmin(np.abs(truth[row] - pole[column, None]), axis=1) / np.abs(pole[column])
+        assert error.max() <= accuracy
+        known = error > ROUNDING
+        assert np.abs(np.log(told[known] / error[known])).max(initial=0.0) < math.log(3.0)
 
 
 def test_axial_and_torsional_modes_have_their_errors() -> None:

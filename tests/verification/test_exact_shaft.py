@@ -16,13 +16,13 @@ from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.exact.box import Box, poles_inside
 from rotordyn.exact.count import modes_below
-from rotordyn.exact.rotor import exact_rotor, stations_only
+from rotordyn.exact.rotor import exact_rotor
 from rotordyn.exact.shooting import Shooting
 from rotordyn.exact.spectrum import modes_inside
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
-from rotordyn.system.mesh import Mesh
+from rotordyn.system.mesh import Mesh, station_mesh
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.rotors import STEPPED, support, uniform
 from tests.oracles.spindles import mfw2310, pairs, scene, undamped, with_sleeve
@@ -79,7 +79,7 @@ def divided(mesh: Mesh, parts: int) -> Mesh:
 def in_elements(parts: int) -> list[tuple[np.ndarray, np.ndarray]]:
     """Poles and receptances of the flagship at every speed, all freedoms."""
     found = scene(MACHINES["plain"], SPEEDS)
-    mesh, answers = divided(stations_only(found.spindle), parts), []
+    mesh, answers = divided(station_mesh(found.spindle), parts), []
     for row in range(len(SPEEDS)):
         force = found.shaft_force.bending(mesh.middle)[row]
         tangents = found.seat_stiffness[row]
@@ -187,7 +187,7 @@ def test_pinned_beam_under_axial_force(
 
 
 def test_without_axial_force_nothing_changes() -> None:
-    mesh = stations_only(HELD)
+    mesh = station_mesh(HELD)
     bare = exact_rotor(HELD, 800.0, NO_SEATS, mesh)
     nought = exact_rotor(HELD, 800.0, NO_SEATS, mesh, np.zeros(mesh.nodes - 1))
     omega = np.array([3000.0, -900.0 + 20.0j])
@@ -314,7 +314,7 @@ def test_static_limit_is_the_flexibility(name: str) -> None:
     found = scene(MACHINES[name], SPEEDS, shaft="exact", axial_stiffening=False)
     spec = FrfSpec((1e-4,), pairs(*PAIRS))
     h = frf.answer(found, spec).receptance[..., 0]
-    mesh = stations_only(found.spindle)
+    mesh = station_mesh(found.spindle)
     for row in range(len(SPEEDS)):
         full = FullRotor(found.spindle, mesh, found.seat_stiffness[row], found.speed[row])
         flexibility = np.linalg.inv(full.stiffness)
