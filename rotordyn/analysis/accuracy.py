@@ -121,10 +121,7 @@ class _OneSpeed:
 
     def _receptance(self, force: End, response: End, s: Complex) -> tuple[Complex, Complex]:
         """Receptance and its change at ``s`` (f,)."""
-        near = 1.0 / (s - self.found.pole[0][:, None])
-        vector, left = self.found.vector[0], self.found.participation[0]
-        given = vector @ (near * (left @ force.row)[:, None])
-        taken = left.T @ (near * (response.row @ vector)[:, None])
+        given, taken = self.found.answers(s, force.row, response.row)
         at = (s + 1j * self.frame)[None]
         ends = force.seen, response.seen
         change = receptance_shift(self.rest, at, given[None], taken[None], ends)
