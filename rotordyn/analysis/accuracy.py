@@ -112,12 +112,20 @@ class _OneSpeed:
 
     def error(self, force: End, response: End, omega: Array) -> float:
         """Largest change of the receptance over its largest value at ``omega`` (f,)."""
+        if force.plane != response.plane and self._planar:
+            return 0.0
         both = np.concatenate([omega, -omega]) if self.whirling else omega
         value, change = self._receptance(force, response, np.asarray(1j * both))
         if self.whirling:
             value, change = (_folded(v, force.plane, response.plane) for v in (value, change))
         peak = float(np.abs(value).max())
         return float(np.abs(change).max()) / peak if peak > 0.0 else 0.0
+
+    @property
+    def _planar(self) -> bool:
+        """True where whirl shows that nothing couples the planes."""
+        coupled = self.found.stiffness.imag.any() or self.found.damping.imag.any()
+        return self.whirling and not coupled
 
     def _receptance(self, force: End, response: End, s: Complex) -> tuple[Complex, Complex]:
         """Receptance and its change at ``s`` (f,)."""

@@ -69,7 +69,7 @@ class Modes:
             left = np.swapaxes(dynamic, -1, -2)
             both = ((dynamic, force), (left, response))
             given, taken = (np.linalg.solve(z, f[:, None] + 0j)[..., 0].T for z, f in both)
-            return given, taken
+            return np.asarray(given, dtype=complex), np.asarray(taken, dtype=complex)
         near = 1.0 / (s - self.pole[0][:, None])
         vector, left = self.vector[0], self.participation[0]
         given = vector @ (near * (left @ force)[:, None])

@@ -162,3 +162,11 @@ def test_a_low_band_keeps_its_digits_beside_stiff_sections(thin: float) -> None:
     asked = {"frf": FrfSpec((0.01,), pairs("nose.y/nose.y"))}
     found, exact = (answers(spindle, (0,), asked, shaft=s)["frf"] for s in ("elements", "exact"))
     assert found.receptance == pytest.approx(exact.receptance, rel=1e-5)
+
+
+def test_planes_that_nothing_couples_have_no_error_between_them() -> None:
+    """Not even that of rounding over rounding, which would hide the one at speed."""
+    asked = {"frf": FrfSpec((100.0, 900.0), pairs("Oc2.z/Oc2.y"))}
+    still, spun = (answers(mfw2310(), rpm, asked)["frf"].error for rpm in ((0,), (24000,)))
+    assert still == 0.0
+    assert answers(mfw2310(), (0, 24000), asked)["frf"].error == pytest.approx(spun, rel=1e-6)
