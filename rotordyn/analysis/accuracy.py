@@ -112,6 +112,8 @@ class _OneSpeed:
 
     def error(self, force: End, response: End, omega: Array) -> float:
         """Largest change of the receptance over its largest value at ``omega`` (f,)."""
+        if force.plane != response.plane and self._planar:
+            return 0.0
         both = np.concatenate([omega, -omega]) if self.whirling else omega
         value, change = self._receptance(force, response, np.asarray(1j * both))
         if self.whirling:
@@ -119,12 +121,15 @@ class _OneSpeed:
         peak = float(np.abs(value).max())
         return float(np.abs(change).max()) / peak if peak > 0.0 else 0.0
 
+    @property
+    def _planar(self) -> bool:
+        """True where whirl shows that nothing couples the planes."""
+        coupled = self.found.stiffness.imag.any() or self.found.damping.imag.any()
+        return self.whirling and not coupled
+
     def _receptance(self, force: End, response: End, s: Complex) -> tuple[Complex, Complex]:
         """Receptance and its change at ``s`` (f,)."""
-        near = 1.0 / (s - self.found.pole[0][:, None])
-        vector, left = self.found.vector[0], self.found.participation[0]
-        given = vector @ (near * (left @ force.row)[:, None])
-        taken = left.T @ (near * (response.row @ vector)[:, None])
+        given, taken = self.found.answers(s, force.row, response.row)
         at = (s + 1j * self.frame)[None]
         ends = force.seen, response.seen
         change = receptance_shift(self.rest, at, given[None], taken[None], ends)

@@ -119,7 +119,7 @@ class ExactBending:
         for side in range(planes):
             own = shape[..., 2 * side : 2 * side + 2] * self.weight
             carried = shape[:, 0, 2 * planes + side :: planes][:, : len(self.sleeves)]
-            flat = own.reshape(len(shape), -1)
+            flat = own.reshape(len(shape), 2 * len(self.x))
             parts.append(np.concatenate([flat, carried * self.sleeves], axis=1))
         if planes == 2:
             parts = list(planes_of(*parts))

@@ -102,6 +102,9 @@ class TurningCampbellResult(CampbellResult):
     frequency: Array = quantity(
         "speed", "mode", unit="Hz", label="damped frequency in the turning frame"
     )
+    frequency_error: Array = quantity(
+        "speed", "mode", unit="1", label="estimated error over the frequency in the fixed frame"
+    )
 
 
 @dataclass(frozen=True)

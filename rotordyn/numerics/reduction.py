@@ -12,6 +12,7 @@ Array = NDArray[np.float64]
 LEAST_MODES = 8
 NEW = 1e-5  # of its length: a vector that adds less to the others is spanned by them
 ROUNDING = 1e-14
+CLEAR, MORE = 1e4, 10.0  # of K's rounding; σ grows in such steps until it is clear of it
 SHIFT = 1e-5  # of cutoff²: eigenvalues much below it keep fewer digits
 
 
@@ -46,8 +47,7 @@ def ritz_basis(
     """
     from scipy.linalg import cho_factor, cho_solve, eigh
 
-    shift = SHIFT * cutoff**2
-    shifted = stiffness + shift * mass
+    shift, shifted = _definite(mass, stiffness, SHIFT * cutoff**2)
     inverse, vectors = eigh(mass, shifted)
     known = inverse > ROUNDING * inverse[-1]  # others are too stiff to be told apart, or to matter
     inverse, vectors = inverse[known][::-1], vectors[:, known][:, ::-1]
@@ -72,6 +72,20 @@ def ritz_basis(
         vectors[:, kept:],
         values[kept:],
     )
+
+
+def _definite(mass: Array, stiffness: Array, shift: float) -> tuple[float, Array]:
+    """σ, from ``shift`` upwards, and K + σM, where rounding of K is small beside σM.
+
+    Of a cutoff far below all that bends, σ would drown in the rounding of stiff freedoms.
+    """
+    while True:
+        try:
+            np.linalg.cholesky(stiffness + shift / CLEAR * mass)
+        except np.linalg.LinAlgError:
+            shift *= MORE
+        else:
+            return shift, stiffness + shift * mass
 
 
 def _completed(

@@ -10,6 +10,8 @@ import numpy as np
 
 from rotordyn.analysis.results import CampbellResult, FrfResult
 
+OVERDAMPED = 0.7  # damping ratio from which a motion hardly swings
+
 
 def rounded_up(error: float) -> str:
     """With one digit, never less than it is; "rounding" where elements leave none.
@@ -27,7 +29,8 @@ def accuracy_words(results: Mapping[str, Any]) -> list[str]:
     """A phrase per question: the largest estimated errors, and how far the mesh is good."""
     words = []
     if isinstance(modes := results.get("campbell"), CampbellResult) and modes.mode:
-        worst = float(np.nanmax(modes.frequency_error, initial=0.0))
+        swinging = modes.damping_ratio < OVERDAMPED
+        worst = float(np.nanmax(np.where(swinging, modes.frequency_error, 0.0), initial=0.0))
         words.append(f"frequencies within {rounded_up(worst)}")
         if math.isfinite(modes.resolved_frequency):
             words.append(f"mesh good to {modes.resolved_frequency:.0f} Hz")

@@ -68,8 +68,8 @@ def _write_group(group: Any, result: Any) -> None:
         if v.values.size:
             stored[...] = v.values.astype(object) if words else v.values
         stored.attrs.update(v.attrs)
-        if auxiliary and v.role == "quantity":
-            stored.attrs["coordinates"] = _covered(auxiliary, v, parts)
+        if v.role == "quantity" and (covered := _covered(auxiliary, v, parts)):
+            stored.attrs["coordinates"] = covered
 
 
 def _covered(auxiliary: str, variable: Variable, parts: list[Variable]) -> str:

@@ -15,8 +15,11 @@ from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec
 from rotordyn.exact.count import modes_below, whirl_frequencies
 from rotordyn.exact.rotor import exact_rotor
 from rotordyn.machine.drawbar import Drawbar
+from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import LinearSupport
 from tests.oracles.spindles import answers, mfw2310, pairs, scene, undamped, with_sleeve
-from tests.oracles.stepped_rotors import stepped_rotor
+from tests.oracles.stepped_rotors import STEEL, stepped_rotor
 
 NO_SEATS = np.zeros((0, 5, 5))
 ROUNDING = 2e-9  # relative: below that neither side is exact
@@ -110,9 +113,8 @@ def test_drawbar_and_sprung_sleeve_are_told_of(what: str, accuracy: float) -> No
     exact = scene(spindle, (0, 24000), accuracy=accuracy, shaft="exact")
     truth = exact.exact.modes(exact.bending_modes, 2.0 * math.pi * 4400.0).pole
     for row, pole in enumerate(found.bending_modes.pole):
-        column = np.flatnonzero(
-            (np.abs(pole.imag) < 8000.0 * math.pi) & (np.abs(pole.imag) > 100.0)
-        )
+        size = np.abs(pole.imag)
+        column = np.flatnonzero((size < 8000.0 * math.pi) & (size > 100.0))
         every = np.full((2, len(column)), -1)
         every[row] = column
         told = frequency_error(found, "bending", every)[row]
@@ -156,3 +158,41 @@ def test_standard_elements_are_judged_as_well() -> None:
         result = answers(mfw2310(), (0,), spec, element_length=length)["campbell"]
         told.append(result.frequency_error[0, :4])
     assert told[0] / told[1] == pytest.approx(4.0, rel=0.5)
+
+
+def test_free_rotors_have_an_error_of_their_receptances() -> None:
+    """Torsion of a spindle is free: its poles at zero share one vector, and no sum over them."""
+    asked = {"frf": FrfSpec(tuple(np.linspace(5.0, 4000.0, 150)), pairs("Oc2.thx/Oc2.thx"))}
+    rough, fine = (answers(mfw2310(), (0,), asked, accuracy=a)["frf"] for a in (1e-3, 1e-7))
+    peak = np.abs(fine.receptance).max()
+    error = np.abs(rough.receptance - fine.receptance).max() / peak
+    assert abs(math.log(rough.error[0] / error)) < math.log(3.0)
+
+
+def test_no_mode_in_the_band_of_the_exact_shaft() -> None:
+    found = answers(mfw2310(rotor_damping=()), (0,), {"campbell": CampbellSpec(1.0)}, shaft="exact")
+    assert not found["campbell"].mode
+
+
+@pytest.mark.parametrize("thin", [1e-6, 1e-3])
+def test_a_low_band_keeps_its_digits_beside_stiff_sections(thin: float) -> None:
+    """Far below all that bends, and a section whose stiffness drowns the band in rounding."""
+    sections = tuple(
+        Section(h, d, 0.0, STEEL) for h, d in ((0.1, 0.05), (thin, 0.03), (0.35, 0.06))
+    )
+    held = [
+        LinearSupport(name, x, {("y", "y"): k, ("z", "z"): k})
+        for name, x, k in (("front", 0.05, 1e8), ("rear", 0.4, 5e7))
+    ]
+    spindle = Spindle("short", Shaft(0.0, sections), supports=tuple(held), points={"nose": 0.0})
+    asked = {"frf": FrfSpec((0.01,), pairs("nose.y/nose.y"))}
+    found, exact = (answers(spindle, (0,), asked, shaft=s)["frf"] for s in ("elements", "exact"))
+    assert found.receptance == pytest.approx(exact.receptance, rel=1e-5)
+
+
+def test_planes_that_nothing_couples_have_no_error_between_them() -> None:
+    """Not even that of rounding over rounding, which would hide the one at speed."""
+    asked = {"frf": FrfSpec((100.0, 900.0), pairs("Oc2.z/Oc2.y"))}
+    still, spun = (answers(mfw2310(), rpm, asked)["frf"].error for rpm in ((0,), (24000,)))
+    assert still == 0.0
+    assert answers(mfw2310(), (0, 24000), asked)["frf"].error == pytest.approx(spun, rel=1e-6)
