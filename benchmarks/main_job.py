@@ -46,11 +46,12 @@ SHORT = {
 
 
 def measure(runs: int = 7, *, install: bool = False) -> None:
-    """Measure everything and write it down; an installation measured earlier is kept."""
+    """Measure everything and write it down; keep an earlier installation and survey of rotors."""
     busy = os.getloadavg()[0] if hasattr(os, "getloadavg") else None
     with tempfile.TemporaryDirectory() as made:
         processes, stages, memory = _processes(Path(made) / "out", runs)
     from benchmarks.bearing import measure_bearing
+    from benchmarks.installation import measure_installation
     from benchmarks.precision import curves
     from benchmarks.rotor import measure_frf
 
@@ -63,7 +64,8 @@ def measure(runs: int = 7, *, install: bool = False) -> None:
         "bearing": measure_bearing(),
         "frf": measure_frf(),
         "precision": curves(),
-        "install": _installation(anew=install),
+        "install": measure_installation() if install else _earlier("install"),
+        "random_rotors": _earlier("random_rotors"),
     }
     RESULTS.write_text(json.dumps(_rounded(found), indent=1, ensure_ascii=False) + "\n")
 
@@ -108,15 +110,9 @@ def _machine(busy: float | None) -> dict[str, Any]:
     }
 
 
-def _installation(*, anew: bool) -> dict[str, Any] | None:
-    if anew:
-        from benchmarks.installation import measure_installation
-
-        return measure_installation()
-    if not RESULTS.exists():
-        return None
-    known: dict[str, Any] | None = json.loads(RESULTS.read_text()).get("install")
-    return known
+def _earlier(key: str) -> Any:
+    """What an earlier run wrote down and this one does not measure anew."""
+    return json.loads(RESULTS.read_text()).get(key) if RESULTS.exists() else None
 
 
 def _rounded(value: Any) -> Any:
