@@ -89,6 +89,7 @@ class AngularContactBallBearing:
         growth: ArrayLike | None = None,
         kinematics: str = "hybrid",
         moment_sharing: str = "equal",
+        friction: float | None = None,
         start: BearingState | None = None,
     ) -> BearingState:
         """The physical state under a load or a displacement of the inner ring, or a mix of both.
@@ -103,6 +104,8 @@ class AngularContactBallBearing:
         growth : Δu, total growth at ``speed``, static part included; None = ``static_growth``
         kinematics : "hybrid", "outer", "inner" or "geometric"
         moment_sharing : "equal", "outer", "inner" or "hybrid"
+        friction : coefficient μ that limits the gyroscopic moment a race can hold, λ Mg ≤ μ D Q;
+            None lets it hold any
         start : a state of the same batch shape close to the one sought; only speeds the search up
 
         Returns
@@ -126,5 +129,6 @@ class AngularContactBallBearing:
             growth=growth,
             kinematics=kinematics,
             moment_sharing=moment_sharing,
+            friction=friction,
             start=start,
         )

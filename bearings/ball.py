@@ -1,228 +1,267 @@
 """One ball between two grooves: its balance, what it does to the inner ring, and all derivatives.
 
-Arrays are component-first: a plane vector has shape (2, …), axial then radial; ``…`` are balls.
-A is the inner groove centre and X the ball centre, both seen from the outer groove centre.
+Plain expressions of floats or arrays (any shape), which compile as they stand: choices are made by
+``where`` or by the functions passed in. Plane vectors are (axial, radial); A is the inner groove
+centre and X the ball centre, both seen from the outer groove centre.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bearings.convex import resting_reaction
-from bearings.geometry import Geometry
-from bearings.kinematics import (
-    HYPOTHESES,
-    SHARINGS,
-    Angles,
-    Partial,
-    hybrid,
-    masked,
-    orbit_and_spin,
-    share_hybrid,
-)
-
-Array = NDArray[np.float64]
+from bearings.constants import BallConstants
+from bearings.kinematics import Angles, Partial, Rolling, orbit_and_spin
+from bearings.plane import Block, Pair, determinant, direction, dot, inverse, less, plus, row_times
+from bearings.slip import Contact, Polar
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class BallModel:
-    """A bearing's constants with the chosen kinematics and sharing of the gyroscopic moment."""
+class Laws(NamedTuple):
+    """What is assumed of a ball: its kinematics, the sharing of its moment, its friction."""
 
-    geometry: Geometry
     hypothesis: Callable[[Angles], Partial]
     sharing: Callable[[Any], tuple[Any, Any]]
-
-    @property
-    def weighted(self) -> bool:
-        """True where kinematics or sharing depend on the race loads."""
-        return self.hypothesis is hybrid or self.sharing is share_hybrid
-
-    @classmethod
-    def named(cls, geometry: Geometry, kinematics: str, moment_sharing: str) -> BallModel:
-        """Look both names up; KeyError where one is unknown."""
-        return cls(geometry, HYPOTHESES[kinematics], SHARINGS[moment_sharing])
-
-    def nominal_centrifugal(self, speed: Array) -> Array:
-        """Fc at equal nominal angles, where every hypothesis gives ωm/ω = (1 − γ cos α)/2 [N]."""
-        g = self.geometry
-        orbit = 0.5 * (1.0 - g.size_ratio * np.cos(g.contact_angle))
-        return 0.5 * g.ball_mass * g.pitch_diameter * (orbit * speed) ** 2
+    slip: Callable[..., Polar]
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class Balance:
-    """State of balls at given A and X, linearised.
+class Balance(NamedTuple):
+    """State of a ball at given A and X, linearised.
 
-    ``residual`` (2, …) [N]: sum of forces on the ball. ``action`` (3, …): axial force, radial
-    force [N] and moment [N·m] of the shaft on the ring through this ball. ``d…_dx`` and ``d…_da``
-    are their derivatives by X and A, shape (2 or 3, 2, …).
+    ``residual`` [N]: sum of forces on the ball. ``action``: axial force, radial force [N] and
+    moment [N·m] of the shaft on the ring through this ball. ``…_by_ball`` and ``…_by_centre``:
+    their derivatives by X and by A, row by row. Loads [N] and directions (sin, cos) of the
+    contacts, Fc [N], Mg [N·m], and λi.
     """
 
-    residual: Array
-    action: Array
-    dresidual_dx: Array
-    dresidual_da: Array
-    daction_dx: Array
-    daction_da: Array
-    inner_load: Array
-    outer_load: Array
-    inner_angle: Array
-    outer_angle: Array
-    centrifugal_force: Array
-    gyroscopic_moment: Array
-    inner_share: Array
+    residual: Pair
+    residual_by_ball: Block
+    residual_by_centre: Block
+    action: tuple[Any, Any, Any]
+    action_by_ball: tuple[Pair, Pair, Pair]
+    action_by_centre: tuple[Pair, Pair, Pair]
+    inner_load: Any
+    outer_load: Any
+    inner_direction: Pair
+    outer_direction: Pair
+    centrifugal_force: Any
+    gyroscopic_moment: Any
+    inner_share: Any
+
+
+class Settled(NamedTuple):
+    """What a balance says of a ball that follows the ring.
+
+    ``fold``: determinant of the balance by X, positive on the physical branch. X moves by
+    ``still`` + ``follow`` · ΔA; the action there is ``action`` + ``tangent`` · ΔA.
+    """
+
+    fold: Any
+    still: Pair
+    follow: Block
+    action: tuple[Any, Any, Any]
+    tangent: tuple[Pair, Pair, Pair]
 
 
 def turning_balance(
-    model: BallModel,
-    centre: Array,
-    ball: Array,
-    speed: Array,
-    blend: Array,
-    *,
-    frozen: bool = False,
+    c: BallConstants, laws: Laws, centre: Pair, ball: Pair, squared: Any, blend: Any, vary: float
 ) -> Balance:
-    """Balance of balls on a turning ring (theory: one ball).
+    """Balance of a ball on a turning ring (theory: one ball).
 
-    ``blend`` t in [0, 1] leads from the convex problem (Mg = 0, Fc at the nominal angle) to the
-    full one; all arguments broadcast against the trailing shape of ``centre`` and ``ball``.
-    ``frozen``: the derivatives leave Fc and Mg as they are.
+    ``squared`` ω² [rad²/s²]; ``blend`` t in [0, 1] leads from the convex problem (Mg = 0, Fc at the
+    nominal angle) to the full one; ``vary`` 1, or 0 for derivatives that leave Fc and Mg as they
+    are.
     """
-    g = model.geometry
-    si, ci, li, so, co, lo = _directions(centre, ball)
-    di, do = np.maximum(li - g.inner_reach, 0.0), np.maximum(lo - g.outer_reach, 0.0)
-    qi, qi_l = _hertz(g.inner.stiffness, di)
-    qo, qo_l = _hertz(g.outer.stiffness, do)
-    do_safe = np.where(do > 0.0, do, 1.0)
-    weight = g.race_ratio * (di / do_safe) ** 2
-    weight_li, weight_lo = 2.0 * g.race_ratio * di / do_safe**2, -2.0 * weight / do_safe
-    angles = Angles(si, ci, so, co, g.size_ratio, weight)
-    orbit, spin = orbit_and_spin(angles, masked(model.hypothesis(angles), di > 0.0))
-    fc, moment, fc_p, moment_p = _inertia_loads(model, orbit, spin, speed, blend)
-    share, share_c = model.sharing(weight)
-    share, share_c = np.broadcast_to(share, qi.shape), np.broadcast_to(share_c, qi.shape)
+    si, ci, li = direction(less(centre, ball))
+    so, co, lo = direction(ball)
+    di, do = np.maximum(li - c.inner_reach, 0.0), np.maximum(lo - c.outer_reach, 0.0)
+    inner, outer = hertz(c.inner_stiffness, di), hertz(c.outer_stiffness, do)
+    weight = _weight(c.race_ratio, di, do)
+    angles = Angles(si, ci, so, co, c.size_ratio, weight.value)
+    share = _share(laws.sharing(weight.value), weight)
+    turn = blend * c.ball_inertia * squared
+    tilt = _tilt(laws.hypothesis(angles), weight, np.where(di > 0.0, 1.0, 0.0))
+    tilt = laws.slip(angles, tilt, share, inner, outer, turn, c.limit)
+    orbit, spin = orbit_and_spin(angles, tilt.value)
+    full = c.orbit * squared
+    push = full * (c.nominal + blend * (orbit.value**2 - c.nominal))
+    fc = _chained(push, 2.0 * vary * blend * full * orbit.value, orbit, tilt)
+    moment = _chained(turn * spin.value, vary * turn, spin, tilt)
+    ti = _inner_friction(moment, share, vary, c.ball_diameter)
+    to = _sum(2.0 / c.ball_diameter, moment, -1.0, ti)
 
-    d = g.ball_diameter
-    mi, mo = share * moment, (2.0 - share) * moment
-    fa, fr = qi * si + mi * ci / d, qi * ci - mi * si / d
-    oa, orad = qo * so + mo * co / d, qo * co - mo * so / d
-    # rows: fa, fr, outer axial, outer radial, inner moment share, Fc; columns: αi, ℓi, αo, ℓo
-    table = np.zeros((6, 4, *qi.shape))
-
-    def inertia(column: int, moment_k: Any, fc_k: Any, share_k: Any) -> None:
-        """Derivatives that come from Mg, its sharing, and Fc."""
-        mi_k = share * moment_k + share_k * moment
-        mo_k = (2.0 - share) * moment_k - share_k * moment
-        table[:, column] = mi_k * ci / d, -mi_k * si / d, mo_k * co / d, -mo_k * so / d, mi_k, fc_k
-
-    if not frozen:
-        inertia(0, moment_p.by_inner, fc_p.by_inner, 0.0)
-        inertia(2, moment_p.by_outer, fc_p.by_outer, 0.0)
-    if model.weighted and not frozen:
-        for column, slope in ((1, weight_li), (3, weight_lo)):
-            inertia(column, moment_p.by_weight * slope, fc_p.by_weight * slope, share_c * slope)
-    table[0, 0] += fr
-    table[1, 0] -= fa
-    table[0, 1] += qi_l * si
-    table[1, 1] += qi_l * ci
-    table[2, 2] += orad
-    table[3, 2] -= oa
-    table[2, 3] += qo_l * so
-    table[3, 3] += qo_l * co
-
-    by_inner = _chain(table[:, 0], table[:, 1], si, ci, li)
-    by_outer = _chain(table[:, 2], table[:, 3], so, co, lo)
-    residual_i = by_inner[0:2] - by_inner[2:4]
-    residual_o = by_outer[0:2] - by_outer[2:4]
-    residual_i[1] += by_inner[5]
-    residual_o[1] += by_outer[5]
-    action_i, action_o = _action(g, by_inner), _action(g, by_outer)
+    fa, fr = _inner_force(inner, ti, si, ci)
+    ga, gr = _outer_force(outer, to, so, co)
+    lever = _sum(c.centre_radius, fa, -c.inner_conformity * c.ball_diameter, ti)
+    level, rise = _sum(1.0, fa, -1.0, ga), _sum(1.0, _sum(1.0, fr, -1.0, gr), 1.0, fc)
+    level_i, rise_i = _by_inner(level, si, ci, li), _by_inner(rise, si, ci, li)
+    fa_i, fr_i = _by_inner(fa, si, ci, li), _by_inner(fr, si, ci, li)
+    lever_i = _by_inner(lever, si, ci, li)
     return Balance(
-        residual=np.stack([fa - oa, fr - orad + fc]),
-        action=np.stack([fa, fr, g.centre_radius * fa - g.inner_conformity * mi]),
-        dresidual_dx=residual_o - residual_i,
-        dresidual_da=residual_i,
-        daction_dx=action_o - action_i,
-        daction_da=action_i,
-        inner_load=qi,
-        outer_load=qo,
-        inner_angle=np.arctan2(si, ci),
-        outer_angle=np.arctan2(so, co),
-        centrifugal_force=fc,
-        gyroscopic_moment=moment,
-        inner_share=share,
+        residual=(level.value, rise.value),
+        residual_by_ball=(
+            less(_by_outer(level, so, co, lo), level_i),
+            less(_by_outer(rise, so, co, lo), rise_i),
+        ),
+        residual_by_centre=(level_i, rise_i),
+        action=(fa.value, fr.value, lever.value),
+        action_by_ball=(
+            less(_by_outer(fa, so, co, lo), fa_i),
+            less(_by_outer(fr, so, co, lo), fr_i),
+            less(_by_outer(lever, so, co, lo), lever_i),
+        ),
+        action_by_centre=(fa_i, fr_i, lever_i),
+        inner_load=inner.load,
+        outer_load=outer.load,
+        inner_direction=(si, ci),
+        outer_direction=(so, co),
+        centrifugal_force=fc.value,
+        gyroscopic_moment=moment.value,
+        inner_share=share.value,
     )
 
 
-def resting_balance(model: BallModel, centre: Array) -> Balance:
-    """Balance of balls at rest, the ball centre eliminated."""
-    g = model.geometry
-    answer = resting_reaction(g, centre)
-    load, angle = np.hypot(*answer.force), np.arctan2(centre[0], centre[1])
-    zero = np.zeros_like(load)
-    nothing = np.zeros((3, 2, *load.shape))
-    one = nothing[:2] + np.eye(2).reshape(2, 2, *(1,) * load.ndim)
-    moment = g.centre_radius * answer.force[:1]
-    return Balance(
-        residual=np.zeros_like(answer.force),
-        action=np.concatenate([answer.force, moment]),
-        dresidual_dx=one,
-        dresidual_da=nothing[:2],
-        daction_dx=nothing,
-        daction_da=np.concatenate([answer.slope, g.centre_radius * answer.slope[:1]]),
-        inner_load=load,
-        outer_load=load,
-        inner_angle=angle,
-        outer_angle=angle,
-        centrifugal_force=zero,
-        gyroscopic_moment=zero,
-        inner_share=zero + 1.0,
+def settled(b: Balance) -> Settled:
+    """The ball eliminated: what is left is a ring on springs."""
+    back = inverse(b.residual_by_ball)
+    back = ((-back[0][0], -back[0][1]), (-back[1][0], -back[1][1]))
+    columns = b.residual_by_centre
+    still = (dot(back[0], b.residual), dot(back[1], b.residual))
+    follow = (row_times(back[0], columns), row_times(back[1], columns))
+    axial, radial, lever = b.action_by_ball
+    return Settled(
+        fold=determinant(b.residual_by_ball),
+        still=still,
+        follow=follow,
+        action=(
+            b.action[0] + dot(axial, still),
+            b.action[1] + dot(radial, still),
+            b.action[2] + dot(lever, still),
+        ),
+        tangent=(
+            plus(b.action_by_centre[0], row_times(axial, follow)),
+            plus(b.action_by_centre[1], row_times(radial, follow)),
+            plus(b.action_by_centre[2], row_times(lever, follow)),
+        ),
     )
 
 
-def _directions(centre: Array, ball: Array) -> tuple[Array, ...]:
-    """sin, cos, length towards the inner and the outer contact."""
-    inner = centre - ball
-    li, lo = np.hypot(inner[0], inner[1]), np.hypot(ball[0], ball[1])
-    return inner[0] / li, inner[1] / li, li, ball[0] / lo, ball[1] / lo, lo
-
-
-def _hertz(stiffness: float, approach: Array) -> tuple[Array, Array]:
-    """Load and its slope by the approach."""
+def hertz(stiffness: float, approach: Any) -> Contact:
+    """k δ^1.5 and its slope, δ ≥ 0."""
     root = np.sqrt(approach)
-    return stiffness * approach * root, 1.5 * stiffness * root
+    return Contact(stiffness * approach * root, 1.5 * stiffness * root)
 
 
-def _inertia_loads(
-    model: BallModel, orbit: Partial, spin: Partial, speed: Array, blend: Array
-) -> tuple[Array, Array, Partial, Partial]:
-    """Fc and Mg at ``blend``, and their partial derivatives by αi, αo and C."""
-    g = model.geometry
-    full = 0.5 * g.ball_mass * g.pitch_diameter * speed**2
-    nominal = model.nominal_centrifugal(speed)
-    slope = 2.0 * blend * full * orbit.value
-    turn = blend * g.ball_inertia * speed**2
-    fc = Partial(
-        nominal + blend * (full * orbit.value**2 - nominal), *(slope * part for part in orbit[1:])
+def _weight(ratio: float, di: Any, do: Any) -> Polar:
+    """C of the races, c (δi/δo)²; without meaning where the outer race is free."""
+    deep = np.where(do > 0.0, do, 1.0)
+    slope = ratio * di / (deep * deep)
+    return Polar(slope * di, 0.0, 2.0 * slope, 0.0, -2.0 * slope * di / deep)
+
+
+def _share(law: tuple[Any, Any], weight: Polar) -> Polar:
+    """λi, which depends on the weight alone."""
+    by_length = law[1] * weight.by_inner_length
+    return Polar(law[0], 0.0, by_length, 0.0, law[1] * weight.by_outer_length)
+
+
+def _tilt(law: Partial, weight: Polar, rolls: Any) -> Polar:
+    """tan β, 0 of a ball that rides the outer race alone."""
+    return Polar(
+        law.value * rolls,
+        law.by_inner * rolls,
+        law.by_weight * weight.by_inner_length * rolls,
+        law.by_outer * rolls,
+        law.by_weight * weight.by_outer_length * rolls,
     )
-    moment = Partial(*(turn * part for part in spin))
-    return fc.value, moment.value, fc, moment
 
 
-def _chain(by_angle: Array, by_length: Array, sin: Array, cos: Array, length: Array) -> Array:
-    """Derivatives by a plane vector from those by its angle and length: (rows, 2, …)."""
-    return np.stack(
-        [by_angle * (cos / length) + by_length * sin, by_length * cos - by_angle * (sin / length)],
-        axis=1,
+def _chained(value: Any, factor: Any, rolling: Rolling, tilt: Polar) -> Polar:
+    """A value that changes by ``factor`` times a rolling ratio."""
+    by_tilt = factor * rolling.by_tilt
+    return Polar(
+        value,
+        factor * rolling.by_inner + by_tilt * tilt.by_inner_angle,
+        by_tilt * tilt.by_inner_length,
+        factor * rolling.by_outer + by_tilt * tilt.by_outer_angle,
+        by_tilt * tilt.by_outer_length,
     )
 
 
-def _action(g: Geometry, by_vector: Array) -> Array:
-    """Derivatives of (fa, fr, m) from those of (fa, fr, …, inner moment)."""
-    moment = g.centre_radius * by_vector[0] - g.inner_conformity * by_vector[4]
-    return np.stack([by_vector[0], by_vector[1], moment])
+def _inner_friction(moment: Polar, share: Polar, vary: float, diameter: float) -> Polar:
+    """λi Mg/D, the friction force that holds the ball at the inner race."""
+    part, change = share.value / diameter, vary * moment.value / diameter
+    return Polar(
+        part * moment.value,
+        part * moment.by_inner_angle,
+        part * moment.by_inner_length + change * share.by_inner_length,
+        part * moment.by_outer_angle,
+        part * moment.by_outer_length + change * share.by_outer_length,
+    )
+
+
+def _inner_force(contact: Contact, friction: Polar, sin: Any, cos: Any) -> tuple[Polar, Polar]:
+    """Axial and radial force of ball and inner ring on each other."""
+    axial = contact.load * sin + friction.value * cos
+    radial = contact.load * cos - friction.value * sin
+    return (
+        Polar(
+            axial,
+            radial + friction.by_inner_angle * cos,
+            contact.slope * sin + friction.by_inner_length * cos,
+            friction.by_outer_angle * cos,
+            friction.by_outer_length * cos,
+        ),
+        Polar(
+            radial,
+            -axial - friction.by_inner_angle * sin,
+            contact.slope * cos - friction.by_inner_length * sin,
+            -friction.by_outer_angle * sin,
+            -friction.by_outer_length * sin,
+        ),
+    )
+
+
+def _outer_force(contact: Contact, friction: Polar, sin: Any, cos: Any) -> tuple[Polar, Polar]:
+    """Axial and radial force of ball and outer ring on each other."""
+    axial = contact.load * sin + friction.value * cos
+    radial = contact.load * cos - friction.value * sin
+    return (
+        Polar(
+            axial,
+            friction.by_inner_angle * cos,
+            friction.by_inner_length * cos,
+            radial + friction.by_outer_angle * cos,
+            contact.slope * sin + friction.by_outer_length * cos,
+        ),
+        Polar(
+            radial,
+            -friction.by_inner_angle * sin,
+            -friction.by_inner_length * sin,
+            -axial - friction.by_outer_angle * sin,
+            contact.slope * cos - friction.by_outer_length * sin,
+        ),
+    )
+
+
+def _sum(first: float, p: Polar, second: float, q: Polar) -> Polar:
+    return Polar(
+        first * p.value + second * q.value,
+        first * p.by_inner_angle + second * q.by_inner_angle,
+        first * p.by_inner_length + second * q.by_inner_length,
+        first * p.by_outer_angle + second * q.by_outer_angle,
+        first * p.by_outer_length + second * q.by_outer_length,
+    )
+
+
+def _by_inner(p: Polar, sin: Any, cos: Any, length: Any) -> Pair:
+    """Derivatives by A − X."""
+    turn = p.by_inner_angle / length
+    return turn * cos + p.by_inner_length * sin, p.by_inner_length * cos - turn * sin
+
+
+def _by_outer(p: Polar, sin: Any, cos: Any, length: Any) -> Pair:
+    """Derivatives by X alone."""
+    turn = p.by_outer_angle / length
+    return turn * cos + p.by_outer_length * sin, p.by_outer_length * cos - turn * sin

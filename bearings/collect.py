@@ -35,6 +35,7 @@ def blank(g: Geometry, question: Question, outcome: NDArray[np.str_]) -> dict[st
         name: np.full((count, g.balls), np.nan) for name in BALL_FIELDS
     }
     states["load"] = np.full((count, 5), np.nan)
+    states["residual"] = np.full(count, np.nan)
     states["displacement"] = np.full((count, 5), np.nan)
     states["complete_stiffness"] = np.full((count, 5, 5), np.nan)
     states["status"] = np.full((count, g.balls), "", dtype="<U12")
@@ -52,16 +53,18 @@ def store(
     good = solution.outcome == ""
     into, b, g = index[good], solution.balance, problem.model.geometry
     qi, qo, mg = b.inner_load[good], b.outer_load[good], b.gyroscopic_moment[good]
-    share = np.broadcast_to(b.inner_share[good], qi.shape)
+    share = np.broadcast_to(b.inner_share, b.inner_load.shape)[good]
+    inner_angle = np.arctan2(*b.inner_direction)[good]
     states["load"][into] = np.where(problem.free, problem.load, solution.ring_load)[good]
     states["displacement"][into] = solution.displacement[good]
+    states["residual"][into] = solution.residual[good]
     states["complete_stiffness"][into] = solution.stiffness[good]
     states["ball_centre"][into] = solution.ball[:, good].swapaxes(0, 1)
     values = (
         qi,
         qo,
-        b.inner_angle[good],
-        b.outer_angle[good],
+        inner_angle,
+        np.arctan2(*b.outer_direction)[good],
         g.inner.peak_pressure(qi),
         g.outer.peak_pressure(qo),
         np.broadcast_to(b.centrifugal_force[good], qi.shape),
@@ -72,7 +75,7 @@ def store(
     for name, value in zip(BALL_FIELDS, values, strict=True):
         states[name][into] = value
     idle = "lost contact" if problem.turning else "unloaded"
-    word = np.where(b.inner_angle[good] < 0.0, "open side", "loaded")
+    word = np.where(inner_angle < 0.0, "open side", "loaded")
     states["status"][into] = np.where(qi > 0.0, word, idle)
 
 

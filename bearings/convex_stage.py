@@ -6,14 +6,19 @@ shortened until the potential falls lead to its one equilibrium from anywhere.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.convex import Reaction, reaction, resting_reaction, resting_seat, seat
-from bearings.problem import EPS, TOLERANCE, Problem
+from bearings.convex import reaction, resting_reaction, resting_seat
+from bearings.problem import EPS, TOLERANCE, Index, Problem
+from bearings.ring import rows
+from bearings.seat import seat
 
 Array = NDArray[np.float64]
 ITERATIONS = 100
+HALVINGS = 40
 SETTLED = 1e-6  # of the loads: enough to start the second stage from
 
 
@@ -44,31 +49,51 @@ def convex_state(problem: Problem, start: Array) -> tuple[Array, Array, NDArray[
         step = np.zeros((todo.size, 5))
         scale = problem.scale[problem.free]
         step[:, problem.free] = _downhill(problem, k[todo], gap[todo]) / scale
-        d[todo], x[:, todo] = _searched(part, d[todo], x[:, todo], answer.energy[todo], step)
-        x[:, todo], fresh = _settled(part, d[todo], x[:, todo])
-        for old, new in zip(answer, fresh, strict=True):
-            old[..., todo, :] = new
+        d[todo], x[:, todo], fresh = _searched(part, d[todo], x[:, todo], answer.energy[todo], step)
+        answer.take(todo, fresh)
     return d, x, done
 
 
-def _settled(problem: Problem, d: Array, near: Array | None) -> tuple[Array, Reaction]:
+@dataclass(frozen=True, eq=False, slots=True)
+class Answer:
+    """What settled balls do to the ring: energy (s, n), action (3, s, n), tangent (s, 3, 2, n)."""
+
+    energy: Array
+    action: Array
+    tangent: Array
+
+    def take(self, index: Index, fresh: Answer) -> None:
+        """Write the answer of some states anew."""
+        self.energy[index] = fresh.energy
+        self.action[:, index] = fresh.action
+        self.tangent[index] = fresh.tangent
+
+
+def _settled(problem: Problem, d: Array, near: Array | None) -> tuple[Array, Answer]:
     """Ball centres at displacement d with the push frozen, and what the balls do to the ring."""
-    g, centre = problem.model.geometry, problem.ring.centres(problem.origin, d)
-    if not problem.turning:
-        return resting_seat(g, centre), resting_reaction(g, centre)
-    push = problem.model.nominal_centrifugal(problem.speed)[:, None]
-    x = seat(g, centre, push, near)
-    return x, reaction(g, centre, x, push)
+    c, a = problem.model.constants, problem.centres(d)
+    centre = (a[0], a[1])
+    if problem.turning:
+        push = problem.model.nominal_centrifugal(problem.speed)[:, None]
+        x = seat(c, a, push, near)
+        found = reaction(c, centre, (x[0], x[1]), push)
+    else:
+        x, found = np.stack(resting_seat(c, centre)), resting_reaction(c, centre)
+    (axial, radial), (by_axial, by_radial) = found.force, found.slope
+    lever = tuple(c.centre_radius * k for k in by_axial)
+    return x, Answer(
+        energy=np.broadcast_to(found.energy, axial.shape).copy(),
+        action=np.stack([axial, radial, c.centre_radius * axial]),
+        tangent=rows((by_axial, by_radial, lever)),
+    )
 
 
-def _ring_balance(problem: Problem, answer: Reaction) -> tuple[Array, Array, NDArray[np.bool_]]:
+def _ring_balance(problem: Problem, answer: Answer) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Load still missing and tangent, freedoms as lengths; and where nothing is missing."""
     g, free, scale = problem.model.geometry, problem.free, problem.scale[problem.free]
-    action = np.concatenate([answer.force, g.centre_radius * answer.force[:1]])
-    slope = np.concatenate([answer.slope, g.centre_radius * answer.slope[:1]])
-    gap = (problem.load - problem.ring.load(action))[:, free] / scale
-    k = problem.ring.stiffness(slope)[:, free][:, :, free] / scale / scale[:, None]
-    carried = g.balls * np.hypot(*answer.force).max(axis=-1)
+    gap = (problem.load - problem.ring.load(answer.action))[:, free] / scale
+    k = problem.ring.stiffness(answer.tangent)[:, free][:, :, free] / scale / scale[:, None]
+    carried = g.balls * np.hypot(*answer.action[:2]).max(axis=-1)
     size = np.abs(problem.load / problem.scale).max(axis=-1) + 1e-3 * carried
     noise = 16.0 * EPS * (g.inner_reach + g.outer_reach) * np.abs(k).max(axis=(1, 2))
     needed = SETTLED if problem.turning else 0.1 * TOLERANCE
@@ -77,7 +102,7 @@ def _ring_balance(problem: Problem, answer: Reaction) -> tuple[Array, Array, NDA
 
 def _searched(
     problem: Problem, d: Array, x: Array, energy: Array, step: Array
-) -> tuple[Array, Array]:
+) -> tuple[Array, Array, Answer]:
     """A step along ``step``, halved until the potential falls; balls settle at every try."""
     count = problem.model.geometry.balls / problem.ring.balls
 
@@ -89,12 +114,11 @@ def _searched(
     largest = np.abs(problem.load / problem.scale).max(axis=-1)
     slack = 64.0 * EPS * (np.abs(before) + largest * (g.inner_reach + g.outer_reach))
     length = np.ones(len(d))
-    trial = d
-    for _ in range(40):
+    for _ in range(HALVINGS):
         trial = d + length[:, None] * step
         x, answer = _settled(problem, trial, x)
         good = potential(answer.energy, trial) <= before + slack
         if good.all():
             break
         length = np.where(good, length, 0.5 * length)
-    return trial, x
+    return trial, x, answer

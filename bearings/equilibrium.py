@@ -15,9 +15,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball import Balance, resting_balance, turning_balance
+from bearings.ball import Balance, Settled, settled, turning_balance
 from bearings.convex_stage import convex_state
+from bearings.plane import dot
 from bearings.problem import EPS, TOLERANCE, Problem
+from bearings.rest import resting_balance
+from bearings.ring import rows
 
 Array = NDArray[np.float64]
 
@@ -30,12 +33,13 @@ NEWTON_STEPS = 8
 class Linear:
     """Balls linearised at (d, X): the Newton step follows from it.
 
-    ``ring_load`` (s, 5) at the point itself; ``fold`` (s,): the smallest ball determinant, positive
-    on the physical branch; ``error`` (s,): scaled residual of balls and ring.
+    ``balls``: each ball eliminated; ``ring_load`` (s, 5) at the point itself; ``fold`` (s,): the
+    smallest ball determinant, positive on the physical branch; ``error`` (s,): scaled residual of
+    balls and ring.
     """
 
     balance: Balance
-    ball_inverse: Array
+    balls: Settled
     ring_load: Array
     fold: Array
     error: Array
@@ -43,13 +47,14 @@ class Linear:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Solution:
-    """d (s, 5), X (2, s, n), the balance there, tangent (s, 5, 5), an outcome word per state."""
+    """d (s, 5), X (2, s, n), the balance there, tangent (s, 5, 5), residual and outcome word (s,)."""
 
     displacement: Array
     ball: Array
     balance: Balance
     ring_load: Array
     stiffness: Array
+    residual: Array
     outcome: NDArray[np.str_]
 
 
@@ -78,48 +83,37 @@ def solve(problem: Problem, displacement: Array, guess: Array | None = None) -> 
         ball=x,
         balance=linear.balance,
         ring_load=linear.ring_load,
-        stiffness=tangent(problem, linear),
+        stiffness=tangent(problem, linear.balls),
+        residual=linear.error,
         outcome=np.where(done, "", "no equilibrium").astype("<U16"),
     )
 
 
 def linearise(problem: Problem, d: Array, x: Array, blend: Array) -> Linear:
     """Balance and scaled error at (d, X); at rest X plays no part."""
-    centre = problem.ring.centres(problem.origin, d)
+    model, a = problem.model, problem.centres(d)
+    centre = (a[0], a[1])
     if problem.turning:
-        balance = turning_balance(problem.model, centre, x, problem.speed[:, None], blend[:, None])
+        squared = problem.speed[:, None] ** 2
+        balance = turning_balance(
+            model.constants, model.laws, centre, (x[0], x[1]), squared, blend[:, None], 1.0
+        )
+        balls = settled(balance)
     else:
-        balance = resting_balance(problem.model, centre)
-    inverse_dx, determinant = inverse(balance.dresidual_dx)
-    ring_load = problem.ring.load(balance.action)
+        balance, balls = resting_balance(model.constants, centre)
+    ring_load = problem.ring.load(np.stack(balance.action))
     return Linear(
         balance=balance,
-        ball_inverse=inverse_dx,
+        balls=balls,
         ring_load=ring_load,
-        fold=determinant.min(axis=-1),
+        fold=balls.fold.min(axis=-1),
         error=_error(problem, balance, ring_load),
     )
 
 
-def tangent(problem: Problem, linear: Linear) -> Array:
+def tangent(problem: Problem, balls: Settled) -> Array:
     """∂f/∂d with the balls following the ring, all of Fc and Mg included (s, 5, 5)."""
-    return follow_tangent(problem, linear.balance, linear.ball_inverse)
-
-
-def follow_tangent(problem: Problem, balance: Balance, ball_inverse: Array) -> Array:
-    """∂f/∂d of a given linearisation of the balls (s, 5, 5)."""
-    follow = _product(ball_inverse, balance.dresidual_da)
-    return problem.ring.stiffness(balance.daction_da - _product(balance.daction_dx, follow))
-
-
-def _product(a: Array, b: Array) -> Array:
-    """Matrix product of component-first small matrices."""
-    return np.einsum("ab...,bc...->ac...", a, b)
-
-
-def _applied(a: Array, v: Array) -> Array:
-    """Component-first matrix times vector."""
-    return np.einsum("ab...,b...->a...", a, v)
+    return problem.ring.stiffness(rows(balls.tangent))
 
 
 def _error(problem: Problem, balance: Balance, ring_load: Array) -> Array:
@@ -129,7 +123,7 @@ def _error(problem: Problem, balance: Balance, ring_load: Array) -> Array:
     reach = g.inner_reach + g.outer_reach
     slope = 1.5 * (g.inner.stiffness**2 * np.maximum(largest, 1e-300)) ** (1.0 / 3.0)
     noise = 16.0 * EPS * reach * slope
-    ball = np.abs(balance.residual).max(axis=(0, -1)) / (largest + noise / TOLERANCE + 1e-300)
+    ball = np.maximum(*np.abs(balance.residual)).max(axis=-1) / (largest + noise / TOLERANCE + 1e-300)
     miss = np.abs((ring_load - problem.load) / problem.scale)[:, problem.free]
     if not miss.size:
         return ball
@@ -139,28 +133,18 @@ def _error(problem: Problem, balance: Balance, ring_load: Array) -> Array:
     return np.maximum(ball, ring)
 
 
-def inverse(matrix: Array) -> tuple[Array, Array]:
-    """Inverse and determinant of 2×2 matrices, component first; singular ones give zero."""
-    (a, b), (c, d) = matrix
-    determinant = a * d - b * c
-    safe = np.where(determinant != 0.0, determinant, np.inf)
-    return np.array([[d, -b], [-c, a]]) / safe, determinant
-
-
 def _step(problem: Problem, linear: Linear) -> tuple[Array, Array]:
     """Newton step (dd, dX) of balls and ring together."""
-    balance, free = linear.balance, problem.free
+    balls, free = linear.balls, problem.free
     dd = np.zeros_like(problem.load)
     if free.any():
         scale = problem.scale[free]
-        settle = -_applied(linear.ball_inverse, balance.residual)
-        correction = problem.ring.load(_applied(balance.daction_dx, settle))
-        gap = (problem.load - linear.ring_load - correction)[:, free] / scale
-        k = tangent(problem, linear)[:, free][:, :, free] / scale / scale[:, None]
+        gap = (problem.load - problem.ring.load(np.stack(balls.action)))[:, free] / scale
+        k = tangent(problem, balls)[:, free][:, :, free] / scale / scale[:, None]
         dd[:, free] = _solve(k, gap) / scale
-    moved = np.einsum("cjn,sj->csn", problem.ring.spread, dd)
-    pull = balance.residual + _applied(balance.dresidual_da, moved)
-    return dd, -_applied(linear.ball_inverse, pull)
+    axial, radial = problem.ring.moved(dd)
+    still, follow = balls.still, balls.follow
+    return dd, np.stack([still[k] + dot(follow[k], (axial, radial)) for k in (0, 1)])
 
 
 def _solve(k: Array, gap: Array) -> Array:
@@ -196,7 +180,7 @@ def _correct(
     good &= (linear.balance.outer_load > 0.0).all(axis=-1)
     free = problem.free
     if free.any():
-        k = tangent(problem, linear)[:, free][:, :, free]
+        k = tangent(problem, linear.balls)[:, free][:, :, free]
         good &= np.linalg.det(_relative(k, problem.scale[free])) > 0.0
     return d, x, good, linear, used
 
@@ -209,7 +193,7 @@ def _relative(k: Array, scale: Array) -> Array:
 
 def _angles(problem: Problem, d: Array, x: Array) -> Array:
     """Outer angle, and direction from the ball to the inner groove centre: (2, s, n)."""
-    inner = problem.ring.centres(problem.origin, d) - x
+    inner = problem.centres(d) - x
     return np.array([np.arctan2(x[0], x[1]), np.arctan2(inner[0], inner[1])])
 
 

@@ -1,7 +1,8 @@
 """How a ball rolls and spins: tan β of its rotation axis under four hypotheses, with derivatives.
 
 Everything is written for the angles (αi, αo) and the race weight C = Qi ai Ei / (Qo ao Eo), and
-returned with its partial derivatives in that order. Plain expressions: floats or arrays alike.
+returned with its partial derivatives in that order. Plain expressions of floats or arrays, which
+compile as they stand.
 Sources: Jones (1959) race control; geometric β = (αi + αo)/2; hybrid after Changan, Hongrui &
 Ruixia (Mech. Mach. Theory 2010), as settled on the theory page.
 """
@@ -10,8 +11,6 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from typing import Any, NamedTuple
-
-import numpy as np
 
 
 class Angles(NamedTuple):
@@ -32,6 +31,15 @@ class Partial(NamedTuple):
     by_inner: Any
     by_outer: Any
     by_weight: Any
+
+
+class Rolling(NamedTuple):
+    """A value with its derivatives by αi, αo and tan β."""
+
+    value: Any
+    by_inner: Any
+    by_outer: Any
+    by_tilt: Any
 
 
 def outer_control(a: Angles) -> Partial:
@@ -85,33 +93,32 @@ HYPOTHESES: dict[str, Callable[[Angles], Partial]] = {
 }
 
 
-def orbit_and_spin(a: Angles, tan_beta: Partial) -> tuple[Partial, Partial]:
+def orbit_and_spin(a: Angles, tan_beta: Any) -> tuple[Rolling, Rolling]:
     """(ωm/ω, (ωm/ω)·|ωR/ω|·sin β) with derivatives.
 
     With po = (cos αo + tan β sin αo)/(1 + γ cos αo) and pi likewise on the inner race,
     ωm/ω = po/(po + pi) and |ωR/ω| sin β = tan β / (γ (po + pi)).
     """
-    t, g = tan_beta.value, a.gamma
+    t, g = tan_beta, a.gamma
     gap_o, gap_i = 1.0 + g * a.cos_o, 1.0 - g * a.cos_i
-    po, pi = (a.cos_o + t * a.sin_o) / gap_o, (a.cos_i + t * a.sin_i) / gap_i
     po_t, pi_t = a.sin_o / gap_o, a.sin_i / gap_i
+    po, pi = a.cos_o / gap_o + t * po_t, a.cos_i / gap_i + t * pi_t
     po_o = (t * a.cos_o - a.sin_o + po * g * a.sin_o) / gap_o
     pi_i = (t * a.cos_i - a.sin_i - pi * g * a.sin_i) / gap_i
-    total = po + pi
-    orbit, roll = po / total, t / (g * total)
-
-    def chain(t_x: Any, po_x: Any, pi_x: Any) -> tuple[Any, Any]:
-        dpo, dpi = po_x + po_t * t_x, pi_x + pi_t * t_x
-        dorbit = (dpo - orbit * (dpo + dpi)) / total
-        droll = (t_x / g - roll * (dpo + dpi)) / total
-        return dorbit, dorbit * roll + orbit * droll
-
-    by_inner = chain(tan_beta.by_inner, 0.0, pi_i)
-    by_outer = chain(tan_beta.by_outer, po_o, 0.0)
-    by_weight = chain(tan_beta.by_weight, 0.0, 0.0)
+    part = 1.0 / (po + pi)
+    orbit, roll = po * part, t / g * part
+    orbit_i, roll_i = -orbit * pi_i * part, -roll * pi_i * part
+    orbit_o, roll_o = (1.0 - orbit) * po_o * part, -roll * po_o * part
+    both_t = po_t + pi_t
+    orbit_t, roll_t = (po_t - orbit * both_t) * part, (1.0 / g - roll * both_t) * part
     return (
-        Partial(orbit, by_inner[0], by_outer[0], by_weight[0]),
-        Partial(orbit * roll, by_inner[1], by_outer[1], by_weight[1]),
+        Rolling(orbit, orbit_i, orbit_o, orbit_t),
+        Rolling(
+            orbit * roll,
+            orbit_i * roll + orbit * roll_i,
+            orbit_o * roll + orbit * roll_o,
+            orbit_t * roll + orbit * roll_t,
+        ),
     )
 
 
@@ -141,8 +148,3 @@ SHARINGS: dict[str, Callable[[Any], tuple[Any, Any]]] = {
     "inner": share_inner,
     "hybrid": share_hybrid,
 }
-
-
-def masked(tan_beta: Partial, rolling: Any) -> Partial:
-    """tan β where the ball touches both races, 0 where it rides the outer race alone."""
-    return Partial(*(np.where(rolling, part, 0.0) if np.ndim(part) else part for part in tan_beta))

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball import BallModel
+from bearings.model import BallModel
 from bearings.ring import Ring
 
 Array = NDArray[np.float64]
@@ -32,6 +32,10 @@ class Problem:
     load: Array
     free: NDArray[np.bool_]
     turning: bool
+
+    def centres(self, displacement: Array) -> Array:
+        """A (2, s, n) at a displacement (s, 5)."""
+        return self.ring.centres(self.origin, displacement)
 
     def take(self, index: Index) -> Problem:
         """The same problem for some of its states."""

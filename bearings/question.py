@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 import difflib
+import math
 from collections.abc import Iterable
 from dataclasses import dataclass
+from numbers import Real
+from typing import cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -81,6 +84,13 @@ def check_name(what: str, name: object, known: Iterable[str]) -> None:
     close = difflib.get_close_matches(str(name), known, n=1)
     hint = f" (did you mean {close[0]!r}?)" if close else ""
     raise InvalidBearing(f"{what} must be one of {', '.join(known)}, got {name!r}{hint}")
+
+
+def check_friction(friction: object) -> None:
+    """Refuse a friction coefficient that is none."""
+    number = isinstance(friction, Real) and not isinstance(friction, bool)
+    if friction is not None and not (number and 0.0 < float(cast(Real, friction)) < math.inf):
+        raise InvalidBearing(f"friction must be a positive number or None, got {friction!r}")
 
 
 def _five(name: str, value: ArrayLike | None, mixed: bool) -> Array:

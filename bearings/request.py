@@ -8,15 +8,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from bearings.angular_contact import AngularContactBallBearing
-from bearings.ball import BallModel
 from bearings.collect import blank, state, store
 from bearings.convex import resting_seat
 from bearings.equilibrium import solve
 from bearings.errors import InvalidBearing, NoEquilibrium
 from bearings.geometry import geometry, groove_origin
 from bearings.kinematics import HYPOTHESES, SHARINGS
+from bearings.model import BallModel
 from bearings.problem import Problem
-from bearings.question import Question, check_name, question
+from bearings.question import Question, check_friction, check_name, question
 from bearings.ring import axial_ring, full_ring
 from bearings.state import BearingState, Cause
 
@@ -43,13 +43,15 @@ def answer(
     growth: ArrayLike | None,
     kinematics: str,
     moment_sharing: str,
+    friction: float | None,
     start: BearingState | None,
 ) -> BearingState:
     """See ``AngularContactBallBearing.equilibrium``."""
     check_name("kinematics", kinematics, HYPOTHESES)
     check_name("moment_sharing", moment_sharing, SHARINGS)
     asked = question(load, displacement, speed, static_growth, growth)
-    model = BallModel.named(geometry(bearing), kinematics, moment_sharing)
+    check_friction(friction)
+    model = BallModel(geometry(bearing), kinematics, moment_sharing, friction)
     origin = groove_origin(model.geometry, asked.static_growth, asked.growth)
     outcome = np.where(np.isfinite(origin[0]), "", "no contact angle").astype("<U16")
     outcome[asked.unloaded & (outcome == "")] = "unloaded"
@@ -65,7 +67,7 @@ def answer(
         word = str(states["outcome"][0])
         raise NoEquilibrium(word, speed=float(asked.speed[0]), remedy=REMEDIES[word])
     growths = (v.reshape(asked.shape) for v in (asked.static_growth, asked.growth))
-    return state(states, asked.shape, Cause(bearing, kinematics, moment_sharing, *growths))
+    return state(states, asked.shape, Cause(bearing, kinematics, moment_sharing, friction, *growths))
 
 
 def _groups(
@@ -143,5 +145,6 @@ def _neighbour(
     known = np.asarray(np.isfinite(near).all(axis=(0, 2)))
     there = start.displacement.reshape(-1, 5)[index]
     first = np.where(known[:, None] & problem.free, there, first)
-    centre = problem.ring.centres(problem.origin, first)
-    return first, np.where(known[:, None], near, resting_seat(problem.model.geometry, centre))
+    a = problem.centres(first)
+    seats = np.stack(resting_seat(problem.model.constants, (a[0], a[1])))
+    return first, np.where(known[:, None], near, seats)

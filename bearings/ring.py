@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.geometry import Geometry
+from bearings.plane import Pair
 
 Array = NDArray[np.float64]
 
@@ -37,18 +38,27 @@ class Ring:
 
     def centres(self, start: Array, displacement: Array) -> Array:
         """A (2, states, balls) from A₀ (2, states) and d (states, 5)."""
-        moved = np.einsum("cjn,sj->csn", self.spread, displacement)
-        return start[:, :, None] + moved
+        return start[:, :, None] + self.moved(displacement)
+
+    def moved(self, displacement: Array) -> Array:
+        """What a displacement (states, 5) adds to A (2, states, balls)."""
+        return np.asarray(displacement @ self.spread)
 
     def load(self, action: Array) -> Array:
         """f (states, 5) from ball actions (3, states, balls)."""
         return np.einsum("ikn,ksn->si", self.gather, action)
 
-    def stiffness(self, action_by_centre: Array) -> Array:
-        """K (states, 5, 5) from ∂action/∂A (3, 2, states, balls)."""
-        states = action_by_centre.shape[2]
-        rows = action_by_centre.transpose(2, 0, 1, 3).reshape(states, -1)
-        return (rows @ self.pairs).reshape(states, 5, 5)
+    def stiffness(self, tangent: Array) -> Array:
+        """K (states, 5, 5) from ∂action/∂A (states, 3, 2, balls), see ``rows``."""
+        states = len(tangent)
+        return (tangent.reshape(states, -1) @ self.pairs).reshape(states, 5, 5)
+
+
+def rows(tangent: tuple[Pair, ...]) -> Array:
+    """∂action/∂A (states, 3, 2, balls) from its entries (states, balls)."""
+    entries = [entry for row in tangent for entry in row]
+    states, balls = entries[0].shape
+    return np.stack(entries, axis=1).reshape(states, 3, 2, balls)
 
 
 @lru_cache(maxsize=256)

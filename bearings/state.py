@@ -16,11 +16,12 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Cause:
-    """Bearing, hypotheses and growth (…) [m] that a state belongs to."""
+    """Bearing, hypotheses and growth (…) [m] that a state belongs to; ``friction`` μ or None."""
 
     bearing: AngularContactBallBearing
     kinematics: str
     moment_sharing: str
+    friction: float | None
     static_growth: Array
     growth: Array
 
@@ -30,7 +31,8 @@ class BearingState:
     """Physical state of a bearing, or of a batch of states with leading shape (…).
 
     ``load`` (…, 5) [N, N·m], ``displacement`` (…, 5) [m, rad], ``speed`` (…) [rad/s] without its
-    sign. Ball values (…, balls): ``inner_load``, ``outer_load`` [N]; ``inner_angle``,
+    sign. ``residual`` (…): largest imbalance of a ball over the largest ball load, or of the ring
+    over its load. Ball values (…, balls): ``inner_load``, ``outer_load`` [N]; ``inner_angle``,
     ``outer_angle`` [rad]; ``inner_pressure``, ``outer_pressure`` [Pa]; ``centrifugal_force`` [N],
     ``gyroscopic_moment`` [N·m]; ``inner_grip``, ``outer_grip``: friction coefficient that each race
     needs to carry its share of the gyroscopic moment; ``status``: ``"loaded"``, ``"open side"``
@@ -45,6 +47,7 @@ class BearingState:
     load: Array
     displacement: Array
     speed: Array
+    residual: Array
     complete_stiffness: Array
     inner_load: Array
     outer_load: Array

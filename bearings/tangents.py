@@ -7,9 +7,10 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball import BallModel, turning_balance
-from bearings.equilibrium import follow_tangent, inverse
+from bearings.ball import settled, turning_balance
+from bearings.equilibrium import tangent
 from bearings.geometry import geometry, groove_origin
+from bearings.model import BallModel
 from bearings.problem import Problem
 from bearings.ring import full_ring
 from bearings.state import BearingState
@@ -33,7 +34,7 @@ def frozen(state: BearingState) -> Array:
     g = geometry(cause.bearing)
     speed = state.speed.reshape(-1)
     problem = Problem(
-        model=BallModel.named(g, cause.kinematics, cause.moment_sharing),
+        model=BallModel(g, cause.kinematics, cause.moment_sharing, cause.friction),
         ring=full_ring(g),
         origin=groove_origin(g, cause.static_growth.reshape(-1), cause.growth.reshape(-1)),
         speed=speed,
@@ -45,13 +46,14 @@ def frozen(state: BearingState) -> Array:
     turning = np.flatnonzero(good & (state.gyroscopic_moment.reshape(len(speed), -1) != 0.0).any(1))
     if not turning.size:
         return state.complete_stiffness
-    part = problem.take(turning)
-    centre = part.ring.centres(part.origin, state.displacement.reshape(-1, 5)[turning])
-    ball = state.ball_centre.reshape(2, len(speed), -1)[:, turning]
-    whole = np.ones((len(turning), 1))
-    balance = turning_balance(part.model, centre, ball, part.speed[:, None], whole, frozen=True)
+    part, model = problem.take(turning), problem.model
+    a = part.centres(state.displacement.reshape(-1, 5)[turning])
+    x = state.ball_centre.reshape(2, len(speed), -1)[:, turning]
+    squared = part.speed[:, None] ** 2
+    centre, ball = (a[0], a[1]), (x[0], x[1])
+    balance = turning_balance(model.constants, model.laws, centre, ball, squared, 1.0, 0.0)
     stiffness = state.complete_stiffness.reshape(-1, 5, 5).copy()
-    stiffness[turning] = follow_tangent(part, balance, inverse(balance.dresidual_dx)[0])
+    stiffness[turning] = tangent(part, settled(balance))
     return _alike(state, stiffness.reshape(state.complete_stiffness.shape))
 
 
@@ -70,6 +72,7 @@ def difference(state: BearingState) -> Array:
         growth=cause.growth[..., None],
         kinematics=cause.kinematics,
         moment_sharing=cause.moment_sharing,
+        friction=cause.friction,
     ).load
     slope = (8.0 * (load[0] - load[1]) - (load[2] - load[3])) / (12.0 * np.diag(step)[:, None])
     return _alike(state, np.where(known[..., None, None], slope.swapaxes(-1, -2), np.nan))

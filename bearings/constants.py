@@ -1,0 +1,51 @@
+"""The numbers of a bearing that the balance of its balls takes, as one plain tuple."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+from bearings.geometry import Geometry
+
+
+class BallConstants(NamedTuple):
+    """SI; ``orbit`` ½ m dm: Fc is that times (ω ωm/ω)²; ``nominal``: (ωm/ω)² at equal nominal
+    angles, ((1 − γ cos α)/2)², where all hypotheses agree; ``limit`` μ D, the moment that friction
+    holds per load of a race. The others as in ``bearings.geometry``.
+    """
+
+    inner_stiffness: float
+    outer_stiffness: float
+    series_stiffness: float
+    inner_reach: float
+    outer_reach: float
+    ball_diameter: float
+    size_ratio: float
+    race_ratio: float
+    centre_radius: float
+    inner_conformity: float
+    ball_inertia: float
+    orbit: float
+    nominal: float
+    limit: float
+
+
+def ball_constants(g: Geometry, friction: float | None) -> BallConstants:
+    """Of a bearing; without a limit of ``friction`` μ none is set."""
+    half = 0.5 * (1.0 - g.size_ratio * math.cos(g.contact_angle))
+    return BallConstants(
+        inner_stiffness=g.inner.stiffness,
+        outer_stiffness=g.outer.stiffness,
+        series_stiffness=g.series_stiffness,
+        inner_reach=g.inner_reach,
+        outer_reach=g.outer_reach,
+        ball_diameter=g.ball_diameter,
+        size_ratio=g.size_ratio,
+        race_ratio=g.race_ratio,
+        centre_radius=g.centre_radius,
+        inner_conformity=g.inner_conformity,
+        ball_inertia=g.ball_inertia,
+        orbit=0.5 * g.ball_mass * g.pitch_diameter,
+        nominal=half**2,
+        limit=0.0 if friction is None else friction * g.ball_diameter,
+    )

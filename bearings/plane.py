@@ -1,0 +1,52 @@
+"""Small matrices in a plane, entry by entry: plain expressions of floats or arrays.
+
+A pair is a plane vector, a block a 2×2 matrix by rows.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+Pair = tuple[Any, Any]
+Block = tuple[Pair, Pair]
+
+
+def plus(a: Pair, b: Pair) -> Pair:
+    """Sum of two pairs."""
+    return a[0] + b[0], a[1] + b[1]
+
+
+def less(a: Pair, b: Pair) -> Pair:
+    """Difference of two pairs."""
+    return a[0] - b[0], a[1] - b[1]
+
+
+def direction(v: Pair) -> tuple[Any, Any, Any]:
+    """sin, cos and length of a pair (axial, radial), its angle counted from the radial direction."""
+    length = np.sqrt(v[0] * v[0] + v[1] * v[1])
+    part = 1.0 / length
+    return v[0] * part, v[1] * part, length
+
+
+def dot(a: Pair, b: Pair) -> Any:
+    """Scalar product of two pairs."""
+    return a[0] * b[0] + a[1] * b[1]
+
+
+def row_times(row: Pair, m: Block) -> Pair:
+    """Row vector times block."""
+    return row[0] * m[0][0] + row[1] * m[1][0], row[0] * m[0][1] + row[1] * m[1][1]
+
+
+def determinant(m: Block) -> Any:
+    """Of a block."""
+    return m[0][0] * m[1][1] - m[0][1] * m[1][0]
+
+
+def inverse(m: Block) -> Block:
+    """Of a block; zero where it is singular."""
+    size = determinant(m)
+    part = np.where(size != 0.0, 1.0, 0.0) / np.where(size != 0.0, size, 1.0)
+    return (m[1][1] * part, -m[0][1] * part), (-m[1][0] * part, m[0][0] * part)
