@@ -1,29 +1,31 @@
 """One ball between two grooves: its balance, what it does to the inner ring, and all derivatives.
 
-Plain expressions of floats or arrays (any shape), which compile as they stand: choices are made by
-``where`` or by the functions passed in. Plane vectors are (axial, radial); A is the inner groove
+Plain expressions of floats or arrays (any shape), which compile as they stand: choices between
+balls are made by ``where``. Plane vectors are (axial, radial); A is the inner groove
 centre and X the ball centre, both seen from the outer groove centre.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from bearings.constants import BallConstants
-from bearings.kinematics import Angles, Partial, Rolling, orbit_and_spin
+from bearings.kinematics import Angles, Partial, Rolling, inner_share, orbit_and_spin, tan_beta
 from bearings.plane import Block, Pair, determinant, direction, dot, inverse, less, plus, row_times
-from bearings.slip import Contact, Polar
+from bearings.slip import Contact, Polar, limited
 
 
 class Laws(NamedTuple):
-    """What is assumed of a ball: its kinematics, the sharing of its moment, its friction."""
+    """What is assumed of a ball, by numbers.
 
-    hypothesis: Callable[[Angles], Partial]
-    sharing: Callable[[Any], tuple[Any, Any]]
-    slip: Callable[..., Polar]
+    ``kinematics`` in ``HYPOTHESES``, ``sharing`` in ``SHARINGS``; ``slips``: friction has a limit.
+    """
+
+    kinematics: int
+    sharing: int
+    slips: bool
 
 
 class Balance(NamedTuple):
@@ -79,10 +81,11 @@ def turning_balance(
     inner, outer = hertz(c.inner_stiffness, di), hertz(c.outer_stiffness, do)
     weight = _weight(c.race_ratio, di, do)
     angles = Angles(si, ci, so, co, c.size_ratio, weight.value)
-    share = _share(laws.sharing(weight.value), weight)
+    share = _share(inner_share(laws.sharing, weight.value), weight)
     turn = blend * c.ball_inertia * squared
-    tilt = _tilt(laws.hypothesis(angles), weight, np.where(di > 0.0, 1.0, 0.0))
-    tilt = laws.slip(angles, tilt, share, inner, outer, turn, c.limit)
+    tilt = _tilt(tan_beta(laws.kinematics, angles), weight, np.where(di > 0.0, 1.0, 0.0))
+    if laws.slips:
+        tilt = limited(angles, tilt, share, inner, outer, turn, c.limit)
     orbit, spin = orbit_and_spin(angles, tilt.value)
     full = c.orbit * squared
     push = full * (c.nominal + blend * (orbit.value**2 - c.nominal))

@@ -15,19 +15,31 @@ import numpy as np
 from bearings.constants import BallConstants
 from bearings.plane import Block, Pair, direction, dot, inverse, less, plus, row_times
 
-TOLERANCE = 1e-12  # of the ball's own loads
+SETTLED = 1e-8  # of the ball's own loads
 EPS = float(np.finfo(float).eps)
 
 
 class Reaction(NamedTuple):
-    """What a settled ball does to the inner ring at A: potential, force, and slope by A."""
+    """What a settled ball does to the inner ring at A.
+
+    Its potential, force, slope of the force by A, and how X follows A.
+    """
+
+    energy: Any
+    force: Pair
+    slope: Block
+    follow: Block
+
+
+class Spring(NamedTuple):
+    """Potential, force and slope of a contact by its vector."""
 
     energy: Any
     force: Pair
     slope: Block
 
 
-def spring(stiffness: float, reach: float, vector: Pair) -> Reaction:
+def spring(stiffness: float, reach: float, vector: Pair) -> Spring:
     """A contact k δ₊^1.5 along ``vector``, free up to the length ``reach``."""
     sin, cos, length = direction(vector)
     approach = np.maximum(length - reach, 0.0)
@@ -37,16 +49,16 @@ def spring(stiffness: float, reach: float, vector: Pair) -> Reaction:
     more = along - across
     mixed = more * sin * cos
     slope = ((across + more * sin * sin, mixed), (mixed, across + more * cos * cos))
-    return Reaction(0.4 * load * approach, (load * sin, load * cos), slope)
+    return Spring(0.4 * load * approach, (load * sin, load * cos), slope)
 
 
-def springs(c: BallConstants, centre: Pair, ball: Pair) -> tuple[Reaction, Reaction]:
+def springs(c: BallConstants, centre: Pair, ball: Pair) -> tuple[Spring, Spring]:
     """Inner and outer contact."""
     inner = spring(c.inner_stiffness, c.inner_reach, less(centre, ball))
     return inner, spring(c.outer_stiffness, c.outer_reach, ball)
 
 
-def potential(c: BallConstants, inner: Reaction, outer: Reaction, ball: Pair, push: Any) -> Any:
+def potential(c: BallConstants, inner: Spring, outer: Spring, ball: Pair, push: Any) -> Any:
     """Of one ball; the push counts from the free outer race."""
     return inner.energy + outer.energy - push * (ball[1] - c.outer_reach)
 
@@ -60,7 +72,7 @@ def reaction(c: BallConstants, centre: Pair, ball: Pair, push: Any) -> Reaction:
         less(inner.slope[0], row_times(inner.slope[0], follow)),
         less(inner.slope[1], row_times(inner.slope[1], follow)),
     )
-    return Reaction(potential(c, inner, outer, ball, push), inner.force, slope)
+    return Reaction(potential(c, inner, outer, ball, push), inner.force, slope, follow)
 
 
 def riding_radius(c: BallConstants, push: Any) -> Any:
@@ -68,7 +80,7 @@ def riding_radius(c: BallConstants, push: Any) -> Any:
     return c.outer_reach + (push / c.outer_stiffness) ** (2.0 / 3.0)
 
 
-def resting_reaction(c: BallConstants, centre: Pair) -> Reaction:
+def resting_reaction(c: BallConstants, centre: Pair) -> Spring:
     """Force and tangent of a ball at rest: Q = kn (|A| − BD)₊^1.5 along A."""
     return spring(c.series_stiffness, c.inner_reach + c.outer_reach, centre)
 
@@ -91,20 +103,21 @@ def first_seat(c: BallConstants, centre: Pair, push: Any) -> Pair:
 
 
 class SeatStep(NamedTuple):
-    """A Newton step of a ball towards its seat.
+    """A ball on its way to its seat.
 
-    ``most``: the potential it may have after it, rounding granted; ``room`` to the free outer race;
-    ``moving``: not yet settled.
+    ``step``: the Newton step from here; ``energy``: the potential, and ``most`` what it may be
+    after the step, rounding granted; ``room`` to the free outer race; ``moving``: not yet settled.
     """
 
     step: Pair
+    energy: Any
     most: Any
     room: Any
     moving: Any
 
 
 def seat_step(c: BallConstants, centre: Pair, ball: Pair, push: Any) -> SeatStep:
-    """Newton step of the potential at X."""
+    """Potential and Newton step at X."""
     inner, outer = springs(c, centre, ball)
     both = (plus(inner.slope[0], outer.slope[0]), plus(inner.slope[1], outer.slope[1]))
     back = inverse(both)
@@ -116,14 +129,13 @@ def seat_step(c: BallConstants, centre: Pair, ball: Pair, push: Any) -> SeatStep
     slack = 4.0 * EPS * (np.abs(energy) + inner.energy + outer.energy + reach * size)
     return SeatStep(
         step=(dot(back[0], gap), dot(back[1], gap)),
+        energy=energy,
         most=energy + slack,
         room=direction(ball)[2] - c.outer_reach,
-        moving=np.sqrt(dot(gap, gap)) > TOLERANCE * size + noise,
+        moving=np.sqrt(dot(gap, gap)) > SETTLED * size + noise,
     )
 
 
-def improves(c: BallConstants, centre: Pair, ball: Pair, push: Any, now: SeatStep) -> Any:
+def improves(now: SeatStep, then: SeatStep) -> Any:
     """Whether a try lowers the potential and keeps a tenth of the room to the free outer race."""
-    inner, outer = springs(c, centre, ball)
-    kept = direction(ball)[2] - c.outer_reach > 0.1 * now.room
-    return kept & (potential(c, inner, outer, ball, push) <= now.most)
+    return (then.energy <= now.most) & (then.room > 0.1 * now.room)

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.convex import reaction, resting_reaction, resting_seat
+from bearings.convex import Spring, reaction, resting_reaction, resting_seat
 from bearings.problem import EPS, TOLERANCE, Index, Problem
 from bearings.ring import rows
 from bearings.seat import seat
@@ -19,16 +19,15 @@ from bearings.seat import seat
 Array = NDArray[np.float64]
 ITERATIONS = 100
 HALVINGS = 40
+SOFTEST = 1e-7  # of a bearing's stiffness at a thousandth of its free distance
 SETTLED = 1e-6  # of the loads: enough to start the second stage from
 
 
 def _downhill(problem: Problem, k: Array, gap: Array) -> Array:
-    """Newton direction of the convex stage with soft directions stiffened, its length bounded."""
+    """Newton direction of the convex stage, a little stiffened, its length bounded."""
     g = problem.model.geometry
-    values, vectors = np.linalg.eigh(0.5 * (k + k.swapaxes(1, 2)))
-    reference = g.balls * g.series_stiffness * np.sqrt(1e-3 * g.free_distance)
-    values = np.maximum(values, 1e-7 * reference)
-    step = (vectors @ ((vectors.swapaxes(1, 2) @ gap[..., None]) / values[..., None]))[..., 0]
+    soft = SOFTEST * g.balls * g.series_stiffness * np.sqrt(1e-3 * g.free_distance)
+    step = np.linalg.solve(k + soft * np.eye(k.shape[-1]), gap[..., None])[..., 0]
     longest = np.abs(step).max(axis=1, keepdims=True)
     return step * np.minimum(1.0, 0.2 * g.free_distance / np.maximum(longest, 1e-300))
 
@@ -49,24 +48,35 @@ def convex_state(problem: Problem, start: Array) -> tuple[Array, Array, NDArray[
         step = np.zeros((todo.size, 5))
         scale = problem.scale[problem.free]
         step[:, problem.free] = _downhill(problem, k[todo], gap[todo]) / scale
-        d[todo], x[:, todo], fresh = _searched(part, d[todo], x[:, todo], answer.energy[todo], step)
+        d[todo], x[:, todo], fresh = _searched(part, d[todo], x[:, todo], answer.some(todo), step)
         answer.take(todo, fresh)
     return d, x, done
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Answer:
-    """What settled balls do to the ring: energy (s, n), action (3, s, n), tangent (s, 3, 2, n)."""
+    """What settled balls do to the ring.
+
+    ``energy`` (s, n), ``action`` (3, s, n), ``tangent`` (s, 3, 2, n); ``follow`` (2, 2, s, n): how
+    the balls go with it.
+    """
 
     energy: Array
     action: Array
     tangent: Array
+    follow: Array
+
+    def some(self, index: Index) -> Answer:
+        """The answer of some states."""
+        parts = (self.energy[index], self.action[:, index], self.tangent[index])
+        return Answer(*parts, self.follow[:, :, index])
 
     def take(self, index: Index, fresh: Answer) -> None:
         """Write the answer of some states anew."""
         self.energy[index] = fresh.energy
         self.action[:, index] = fresh.action
         self.tangent[index] = fresh.tangent
+        self.follow[..., index, :] = fresh.follow
 
 
 def _settled(problem: Problem, d: Array, near: Array | None) -> tuple[Array, Answer]:
@@ -76,15 +86,18 @@ def _settled(problem: Problem, d: Array, near: Array | None) -> tuple[Array, Ans
     if problem.turning:
         push = problem.model.nominal_centrifugal(problem.speed)[:, None]
         x = seat(c, a, push, near)
-        found = reaction(c, centre, (x[0], x[1]), push)
+        settled = reaction(c, centre, (x[0], x[1]), push)
+        found, follow = Spring(*settled[:3]), np.stack([np.stack(row) for row in settled.follow])
     else:
         x, found = np.stack(resting_seat(c, centre)), resting_reaction(c, centre)
+        follow = np.zeros((2, *a.shape))
     (axial, radial), (by_axial, by_radial) = found.force, found.slope
     lever = tuple(c.centre_radius * k for k in by_axial)
     return x, Answer(
         energy=np.broadcast_to(found.energy, axial.shape).copy(),
         action=np.stack([axial, radial, c.centre_radius * axial]),
         tangent=rows((by_axial, by_radial, lever)),
+        follow=follow,
     )
 
 
@@ -101,7 +114,7 @@ def _ring_balance(problem: Problem, answer: Answer) -> tuple[Array, Array, NDArr
 
 
 def _searched(
-    problem: Problem, d: Array, x: Array, energy: Array, step: Array
+    problem: Problem, d: Array, x: Array, now: Answer, step: Array
 ) -> tuple[Array, Array, Answer]:
     """A step along ``step``, halved until the potential falls; balls settle at every try."""
     count = problem.model.geometry.balls / problem.ring.balls
@@ -110,15 +123,16 @@ def _searched(
         work = (problem.load * d)[:, problem.free].sum(axis=-1)
         return np.asarray(count * energy.sum(axis=-1) - work)
 
-    g, before = problem.model.geometry, potential(energy, d)
+    g, before = problem.model.geometry, potential(now.energy, d)
     largest = np.abs(problem.load / problem.scale).max(axis=-1)
     slack = 64.0 * EPS * (np.abs(before) + largest * (g.inner_reach + g.outer_reach))
-    length = np.ones(len(d))
+    length, along = np.ones((len(d), 1)), problem.ring.moved(step)
+    along = np.einsum("ab...,b...->a...", now.follow, along)
     for _ in range(HALVINGS):
-        trial = d + length[:, None] * step
-        x, answer = _settled(problem, trial, x)
+        trial = d + length * step
+        seats, answer = _settled(problem, trial, x + length * along)
         good = potential(answer.energy, trial) <= before + slack
         if good.all():
             break
-        length = np.where(good, length, 0.5 * length)
-    return trial, x, answer
+        length = np.where(good[:, None], length, 0.5 * length)
+    return trial, seats, answer

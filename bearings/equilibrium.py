@@ -27,6 +27,7 @@ Array = NDArray[np.float64]
 LONGEST_TURN = 0.15  # rad a contact angle may move in one step of the blend
 SHORTEST_BLEND = 1.0 / 512.0
 NEWTON_STEPS = 8
+ON_THE_WAY = 1e-7  # scaled residual of a state that is only followed further
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -166,9 +167,10 @@ def _correct(
     start = _angles(problem, d, x)
     d, x = d.copy(), x.copy()
     used = np.zeros(len(d), dtype=int)
+    needed = np.where(blend < 1.0, ON_THE_WAY, TOLERANCE)
     for step in range(NEWTON_STEPS + 1):
         linear = linearise(problem, d, x, blend)
-        moving = linear.error >= TOLERANCE
+        moving = linear.error >= needed
         if not moving.any() or step == NEWTON_STEPS:
             break
         used += moving

@@ -93,13 +93,24 @@ HYPOTHESES: dict[str, Callable[[Angles], Partial]] = {
 }
 
 
-def orbit_and_spin(a: Angles, tan_beta: Any) -> tuple[Rolling, Rolling]:
-    """(ωm/ω, (ωm/ω)·|ωR/ω|·sin β) with derivatives.
+def tan_beta(law: int, a: Angles) -> Partial:
+    """tan β by the number of the hypothesis in ``HYPOTHESES``."""
+    if law == 0:
+        return hybrid(a)
+    if law == 1:
+        return outer_control(a)
+    if law == 2:
+        return inner_control(a)
+    return geometric(a)
+
+
+def orbit_and_spin(a: Angles, t: Any) -> tuple[Rolling, Rolling]:
+    """(ωm/ω, (ωm/ω)·|ωR/ω|·sin β) with derivatives, at tan β = ``t``.
 
     With po = (cos αo + tan β sin αo)/(1 + γ cos αo) and pi likewise on the inner race,
     ωm/ω = po/(po + pi) and |ωR/ω| sin β = tan β / (γ (po + pi)).
     """
-    t, g = tan_beta, a.gamma
+    g = a.gamma
     gap_o, gap_i = 1.0 + g * a.cos_o, 1.0 - g * a.cos_i
     po_t, pi_t = a.sin_o / gap_o, a.sin_i / gap_i
     po, pi = a.cos_o / gap_o + t * po_t, a.cos_i / gap_i + t * pi_t
@@ -148,3 +159,14 @@ SHARINGS: dict[str, Callable[[Any], tuple[Any, Any]]] = {
     "inner": share_inner,
     "hybrid": share_hybrid,
 }
+
+
+def inner_share(law: int, weight: Any) -> tuple[Any, Any]:
+    """λi and dλi/dC by the number of the law in ``SHARINGS``."""
+    if law == 0:
+        return share_equal(weight)
+    if law == 1:
+        return share_outer(weight)
+    if law == 2:
+        return share_inner(weight)
+    return share_hybrid(weight)

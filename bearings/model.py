@@ -12,7 +12,6 @@ from bearings.ball import Laws
 from bearings.constants import BallConstants, ball_constants
 from bearings.geometry import Geometry
 from bearings.kinematics import HYPOTHESES, SHARINGS
-from bearings.slip import limited, unlimited
 
 Array = NDArray[np.float64]
 
@@ -33,9 +32,13 @@ class BallModel:
 
     @cached_property
     def laws(self) -> Laws:
-        """Functions for the balance of a ball."""
-        slip = unlimited if self.friction is None else limited
-        return Laws(HYPOTHESES[self.kinematics], SHARINGS[self.moment_sharing], slip)
+        """Assumptions for the balance of a ball."""
+        kinematics, sharing = list(HYPOTHESES), list(SHARINGS)
+        return Laws(
+            kinematics=kinematics.index(self.kinematics),
+            sharing=sharing.index(self.moment_sharing),
+            slips=self.friction is not None,
+        )
 
     def nominal_centrifugal(self, speed: Array) -> Array:
         """Fc at equal nominal angles, where every hypothesis gives ωm/ω = (1 − γ cos α)/2 [N]."""

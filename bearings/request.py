@@ -21,6 +21,7 @@ from bearings.ring import axial_ring, full_ring
 from bearings.state import BearingState, Cause
 
 Array = NDArray[np.float64]
+TOGETHER = 20000  # balls in one batch: bounds the memory
 SLOW = 2e-9  # of the groove reach: a ball pressed in less by its own motion is at rest
 
 REMEDIES = {
@@ -83,8 +84,9 @@ def _groups(
     for axial in (True, False):
         for turning in (True, False):
             chosen = (is_axial == axial) & (is_turning == turning) & (outcome == "")
-            if chosen.any():
-                yield np.flatnonzero(chosen), axial, turning
+            index, share = np.flatnonzero(chosen), TOGETHER // (1 if axial else g.balls) + 1
+            for first in range(0, len(index), share):
+                yield index[first : first + share], axial, turning
 
 
 def _problem(

@@ -51,7 +51,8 @@ class Ring:
     def stiffness(self, tangent: Array) -> Array:
         """K (states, 5, 5) from ∂action/∂A (states, 3, 2, balls), see ``rows``."""
         states = len(tangent)
-        return (tangent.reshape(states, -1) @ self.pairs).reshape(states, 5, 5)
+        each = tangent.reshape(states, 1, -1) @ self.pairs  # state by state: too small for threads
+        return each.reshape(states, 5, 5)
 
 
 def rows(tangent: tuple[Pair, ...]) -> Array:

@@ -6,50 +6,58 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.constants import BallConstants
-from bearings.convex import first_seat, improves, seat_step, riding_radius
+from bearings.convex import SeatStep, first_seat, improves, riding_radius, seat_step
 from bearings.plane import direction
 
 Array = NDArray[np.float64]
-ITERATIONS = 80
-HALVINGS = 50
+Index = NDArray[np.intp]
+ITERATIONS = 200
 
 
 def seat(c: BallConstants, centre: Array, push: Array, start: Array | None = None) -> Array:
     """Ball centre X (2, …) of least potential under ``push`` Fc > 0 (…) [N].
 
     ``start``: a ball centre for a nearby A. A ball that the inner race does not reach rides the
-    outer race.
+    outer race. Every ball takes Newton steps of its own length, halved where the potential rises.
     """
     shape = centre.shape
     a, fc = centre.reshape(2, -1), np.broadcast_to(push, shape[1:]).reshape(-1)
     riding = riding_radius(c, fc)
     free = direction((a[0], a[1] - riding))[2] <= c.inner_reach
-    first = np.stack(first_seat(c, (a[0], a[1]), fc))
-    x = first if start is None else start.reshape(2, -1).copy()
-    x = np.where(np.hypot(*x) > c.outer_reach, x, first)
+    x = _first(c, a, fc, start)
     x[:, free] = 0.0
     x[1, free] = riding[free]
-    todo = np.flatnonzero(~free)
+    now = _step(c, a, fc, x)
+    todo = np.flatnonzero(now.moving & ~free)
+    now, length = _some(now, todo), np.ones(todo.size)
     for _ in range(ITERATIONS):
         if not todo.size:
             break
-        x[:, todo], moving = _improved(c, a[:, todo], fc[todo], x[:, todo])
-        todo = todo[moving]
+        trial = x[:, todo] + length * np.stack(now.step)
+        then = _step(c, a[:, todo], fc[todo], trial)
+        good = improves(now, then)
+        x[:, todo[good]] = trial[:, good]
+        length = np.where(good, 1.0, 0.5 * length)
+        if not good.all():
+            then = SeatStep(*(np.where(good, *pair) for pair in zip(then, now, strict=True)))
+        going = np.flatnonzero(then.moving)
+        todo, now, length = todo[going], _some(then, going), length[going]
     return x.reshape(shape)
 
 
-def _improved(
-    c: BallConstants, a: Array, fc: Array, x: Array
-) -> tuple[Array, NDArray[np.bool_]]:
-    """One Newton step, each ball with its own length; also which balls are still moving."""
-    centre = (a[0], a[1])
-    now = seat_step(c, centre, (x[0], x[1]), fc)
-    step, moving = np.stack(now.step), now.moving
-    length = np.ones_like(fc)
-    for _ in range(HALVINGS):
-        trial = x + length * step
-        good = improves(c, centre, (trial[0], trial[1]), fc, now) | ~moving
-        if good.all():
-            break
-        length = np.where(good, length, 0.5 * length)
-    return np.where(moving, trial, x), moving
+def _first(c: BallConstants, a: Array, fc: Array, start: Array | None) -> Array:
+    """Ball centres to start from, pressed into the outer race."""
+    first = np.stack(first_seat(c, (a[0], a[1]), fc))
+    if start is None:
+        return first
+    given = start.reshape(2, -1)
+    return np.where(np.hypot(*given) > c.outer_reach, given, first)
+
+
+def _step(c: BallConstants, a: Array, fc: Array, x: Array) -> SeatStep:
+    return seat_step(c, (a[0], a[1]), (x[0], x[1]), fc)
+
+
+def _some(steps: SeatStep, index: Index) -> SeatStep:
+    """The steps of some balls."""
+    return SeatStep(*(np.asarray(part)[..., index] for part in steps))

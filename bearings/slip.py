@@ -33,13 +33,6 @@ class Contact(NamedTuple):
     slope: Any
 
 
-def unlimited(
-    a: Angles, tilt: Polar, share: Polar, inner: Contact, outer: Contact, moment: Any, limit: float
-) -> Polar:
-    """tan β as the hypothesis has it, whatever friction that takes."""
-    return tilt
-
-
 def limited(
     a: Angles, tilt: Polar, share: Polar, inner: Contact, outer: Contact, moment: Any, limit: float
 ) -> Polar:
