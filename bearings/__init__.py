@@ -11,11 +11,13 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from bearings.angular_contact import AngularContactBallBearing
     from bearings.errors import BearingError, InvalidBearing, NoEquilibrium
+    from bearings.follower import Follower
     from bearings.materials import SILICON_NITRIDE, STEEL, Material
 
 _HOME = {
     "AngularContactBallBearing": "bearings.angular_contact",
     "BearingError": "bearings.errors",
+    "Follower": "bearings.follower",
     "InvalidBearing": "bearings.errors",
     "Material": "bearings.materials",
     "NoEquilibrium": "bearings.errors",
@@ -27,6 +29,7 @@ __all__ = [
     "STEEL",
     "AngularContactBallBearing",
     "BearingError",
+    "Follower",
     "InvalidBearing",
     "Material",
     "NoEquilibrium",

@@ -79,7 +79,7 @@ class AngularContactBallBearing:
                 faults.append(f"{key} must lie above 0.5 and at most at 0.7, got {value!r}")
         return faults
 
-    def equilibrium(
+    def equilibrium(  # noqa: PLR0913 - all of it describes one question
         self,
         *,
         load: ArrayLike | None = None,
@@ -91,6 +91,7 @@ class AngularContactBallBearing:
         moment_sharing: str = "equal",
         friction: float | None = None,
         start: BearingState | None = None,
+        compiled: bool | None = None,
     ) -> BearingState:
         """The physical state under a load or a displacement of the inner ring, or a mix of both.
 
@@ -107,6 +108,8 @@ class AngularContactBallBearing:
         friction : coefficient μ that limits the gyroscopic moment a race can hold, λ Mg ≤ μ D Q;
             None lets it hold any
         start : a state of the same batch shape close to the one sought; only speeds the search up
+        compiled : solve state by state with compiled functions; None: where that pays, with the
+            time for loading or compiling them
 
         Returns
         -------
@@ -118,17 +121,10 @@ class AngularContactBallBearing:
         NoEquilibrium : a single state (no leading dimensions) does not exist; batches carry an
             ``outcome`` per state instead
         """
+        from bearings.law import Law
+        from bearings.question import question
         from bearings.request import answer
 
-        return answer(
-            self,
-            load=load,
-            displacement=displacement,
-            speed=speed,
-            static_growth=static_growth,
-            growth=growth,
-            kinematics=kinematics,
-            moment_sharing=moment_sharing,
-            friction=friction,
-            start=start,
-        )
+        law = Law(kinematics, moment_sharing, friction)
+        asked = question(load, displacement, speed, static_growth, growth)
+        return answer(self, law, asked, start, compiled)

@@ -13,11 +13,22 @@ import numpy as np
 
 from bearings.constants import BallConstants
 from bearings.kinematics import Angles, Partial, Rolling, inner_share, orbit_and_spin, tan_beta
-from bearings.plane import Block, Pair, determinant, direction, dot, inverse, less, plus, row_times
+from bearings.plane import (
+    Block,
+    Pair,
+    determinant,
+    direction,
+    dot,
+    inverse,
+    less,
+    plus,
+    row_times,
+    where,
+)
 from bearings.slip import Contact, Polar, limited
 
 
-class Laws(NamedTuple):
+class LawNumbers(NamedTuple):
     """What is assumed of a ball, by numbers.
 
     ``kinematics`` in ``HYPOTHESES``, ``sharing`` in ``SHARINGS``; ``slips``: friction has a limit.
@@ -67,7 +78,13 @@ class Settled(NamedTuple):
 
 
 def turning_balance(
-    c: BallConstants, laws: Laws, centre: Pair, ball: Pair, squared: Any, blend: Any, vary: float
+    c: BallConstants,
+    law: LawNumbers,
+    centre: Pair,
+    ball: Pair,
+    squared: Any,
+    blend: Any,
+    vary: float,
 ) -> Balance:
     """Balance of a ball on a turning ring (theory: one ball).
 
@@ -81,10 +98,10 @@ def turning_balance(
     inner, outer = hertz(c.inner_stiffness, di), hertz(c.outer_stiffness, do)
     weight = _weight(c.race_ratio, di, do)
     angles = Angles(si, ci, so, co, c.size_ratio, weight.value)
-    share = _share(inner_share(laws.sharing, weight.value), weight)
+    share = _share(inner_share(law.sharing, weight.value), weight)
     turn = blend * c.ball_inertia * squared
-    tilt = _tilt(tan_beta(laws.kinematics, angles), weight, np.where(di > 0.0, 1.0, 0.0))
-    if laws.slips:
+    tilt = _tilt(tan_beta(law.kinematics, angles), weight, where(di > 0.0, 1.0, 0.0))
+    if law.slips:
         tilt = limited(angles, tilt, share, inner, outer, turn, c.limit)
     orbit, spin = orbit_and_spin(angles, tilt.value)
     full = c.orbit * squared
@@ -158,7 +175,7 @@ def hertz(stiffness: float, approach: Any) -> Contact:
 
 def _weight(ratio: float, di: Any, do: Any) -> Polar:
     """C of the races, c (δi/δo)²; without meaning where the outer race is free."""
-    deep = np.where(do > 0.0, do, 1.0)
+    deep = where(do > 0.0, do, 1.0)
     slope = ratio * di / (deep * deep)
     return Polar(slope * di, 0.0, 2.0 * slope, 0.0, -2.0 * slope * di / deep)
 

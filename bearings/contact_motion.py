@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from bearings.geometry import geometry
 from bearings.kinematics import HYPOTHESES, Angles
+from bearings.slip import tilt_of
 from bearings.state import BearingState
 
 Array = NDArray[np.float64]
@@ -48,11 +49,22 @@ def spin_to_roll(state: BearingState) -> tuple[Array, Array]:
     g = geometry(state.cause.bearing).size_ratio
     si, ci = np.sin(state.inner_angle), np.cos(state.inner_angle)
     so, co = np.sin(state.outer_angle), np.cos(state.outer_angle)
-    hypothesis = HYPOTHESES[state.cause.kinematics]
-    t = hypothesis(Angles(si, ci, so, co, g, race_weight(state))).value
+    t = _tilt(state, Angles(si, ci, so, co, g, race_weight(state)))
     inner = (1.0 - g * ci) * (si - ci * t) / (ci + si * t) + g * si
     outer = (1.0 + g * co) * (so - co * t) / (co + so * t) - g * so
     return _held(state, inner), _held(state, outer)
+
+
+def _tilt(state: BearingState, angles: Angles) -> Array:
+    """tan β as the hypothesis has it, less where a race slips."""
+    wanted = HYPOTHESES[state.cause.law.kinematics](angles).value
+    if state.cause.law.friction is None:
+        return wanted
+    inertia = geometry(state.cause.bearing).ball_inertia * state.speed[..., None] ** 2
+    side = np.sign(state.gyroscopic_moment)
+    with np.errstate(invalid="ignore"):
+        left = side * tilt_of(angles, side, np.abs(state.gyroscopic_moment) / inertia)
+    return np.where(state.slipping == "", wanted, left)
 
 
 def _held(state: BearingState, ratio: Array) -> Array:

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from bearings.constants import BallConstants
-from bearings.plane import Block, Pair, direction, dot, inverse, less, plus, row_times
+from bearings.plane import Block, Pair, direction, dot, inverse, less, plus, row_times, where
 
 SETTLED = 1e-8  # of the ball's own loads
 EPS = float(np.finfo(float).eps)
@@ -99,7 +99,7 @@ def first_seat(c: BallConstants, centre: Pair, push: Any) -> Pair:
     pressed = direction(centre)[2] > c.inner_reach + c.outer_reach
     still = resting_seat(c, centre)
     riding = riding_radius(c, push)
-    return np.where(pressed, still[0], 0.0), np.where(pressed, still[1], riding)
+    return where(pressed, still[0], 0.0), where(pressed, still[1], riding)
 
 
 class SeatStep(NamedTuple):

@@ -12,15 +12,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.convex import Spring, reaction, resting_reaction, resting_seat
-from bearings.problem import EPS, TOLERANCE, Index, Problem
+from bearings.problem import (
+    CONVEX_STEPS,
+    EPS,
+    HALVINGS,
+    LONGEST_STEP,
+    SETTLED,
+    SOFTEST,
+    TOLERANCE,
+    Index,
+    Problem,
+)
 from bearings.ring import rows
 from bearings.seat import seat
 
 Array = NDArray[np.float64]
-ITERATIONS = 100
-HALVINGS = 40
-SOFTEST = 1e-7  # of a bearing's stiffness at a thousandth of its free distance
-SETTLED = 1e-6  # of the loads: enough to start the second stage from
 
 
 def _downhill(problem: Problem, k: Array, gap: Array) -> Array:
@@ -29,7 +35,7 @@ def _downhill(problem: Problem, k: Array, gap: Array) -> Array:
     soft = SOFTEST * g.balls * g.series_stiffness * np.sqrt(1e-3 * g.free_distance)
     step = np.linalg.solve(k + soft * np.eye(k.shape[-1]), gap[..., None])[..., 0]
     longest = np.abs(step).max(axis=1, keepdims=True)
-    return step * np.minimum(1.0, 0.2 * g.free_distance / np.maximum(longest, 1e-300))
+    return step * np.minimum(1.0, LONGEST_STEP * g.free_distance / np.maximum(longest, 1e-300))
 
 
 def convex_state(problem: Problem, start: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
@@ -39,7 +45,7 @@ def convex_state(problem: Problem, start: Array) -> tuple[Array, Array, NDArray[
     if not problem.free.any():
         return d, x, np.ones(len(d), dtype=bool)
     done = np.zeros(len(d), dtype=bool)
-    for _ in range(ITERATIONS):
+    for _ in range(CONVEX_STEPS):
         gap, k, done = _ring_balance(problem, answer)
         todo = np.flatnonzero(~done)
         if not todo.size:

@@ -17,17 +17,21 @@ from numpy.typing import NDArray
 
 from bearings.ball import Balance, Settled, settled, turning_balance
 from bearings.convex_stage import convex_state
-from bearings.plane import dot
-from bearings.problem import EPS, TOLERANCE, Problem
+from bearings.plane import Pair, dot, turned_far
+from bearings.problem import (
+    EPS,
+    LONGEST_TURN,
+    NEWTON_STEPS,
+    ON_THE_WAY,
+    QUICK_STEPS,
+    SHORTEST_BLEND,
+    TOLERANCE,
+    Problem,
+)
 from bearings.rest import resting_balance
 from bearings.ring import rows
 
 Array = NDArray[np.float64]
-
-LONGEST_TURN = 0.15  # rad a contact angle may move in one step of the blend
-SHORTEST_BLEND = 1.0 / 512.0
-NEWTON_STEPS = 8
-ON_THE_WAY = 1e-7  # scaled residual of a state that is only followed further
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -48,7 +52,7 @@ class Linear:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Solution:
-    """d (s, 5), X (2, s, n), the balance there, tangent (s, 5, 5), residual and outcome word (s,)."""
+    """d (s, 5), X (2, s, n), balance there, tangent (s, 5, 5), residual, outcome word (s,)."""
 
     displacement: Array
     ball: Array
@@ -59,12 +63,39 @@ class Solution:
     outcome: NDArray[np.str_]
 
 
-def solve(problem: Problem, displacement: Array, guess: Array | None = None) -> Solution:
+def solve(
+    problem: Problem, displacement: Array, guess: Array | None = None, *, compiled: bool = False
+) -> Solution:
     """The physical state of every problem, started at ``displacement`` (s, 5).
 
     ``guess`` (2, s, n): ball centres near the solution at full blend (a previous state of a
-    sweep); where following from it fails, the two-stage solve decides.
+    sweep); where following from it fails, the two-stage solve decides. ``compiled``: one state
+    after the other instead of all together.
     """
+    if compiled:
+        from bearings.compiled.states import compiled_states
+
+        answer = compiled_states(problem, displacement, guess)
+        d, x, done, linear = answer.displacement, answer.ball, answer.found, None
+    else:
+        d, x, done, linear = _together(problem, displacement, guess)
+    if linear is None:
+        linear = linearise(problem, d, x, np.ones(len(d)))
+    return Solution(
+        displacement=d,
+        ball=x,
+        balance=linear.balance,
+        ring_load=linear.ring_load,
+        stiffness=tangent(problem, linear.balls),
+        residual=linear.error,
+        outcome=np.where(done, "", "no equilibrium").astype("<U16"),
+    )
+
+
+def _together(
+    problem: Problem, displacement: Array, guess: Array | None
+) -> tuple[Array, Array, NDArray[np.bool_], Linear | None]:
+    """(d, X), where there is a state, and its linearisation if that is known."""
     states = len(problem.speed)
     d, x = displacement.copy(), np.zeros((2, states, problem.ring.balls))
     done, linear = np.zeros(states, dtype=bool), None
@@ -77,17 +108,7 @@ def solve(problem: Problem, displacement: Array, guess: Array | None = None) -> 
         if problem.turning:
             d[cold], x[:, cold], done[cold] = _blended(part, d[cold], x[:, cold], done[cold])
         linear = None
-    if linear is None:
-        linear = linearise(problem, d, x, np.ones(states))
-    return Solution(
-        displacement=d,
-        ball=x,
-        balance=linear.balance,
-        ring_load=linear.ring_load,
-        stiffness=tangent(problem, linear.balls),
-        residual=linear.error,
-        outcome=np.where(done, "", "no equilibrium").astype("<U16"),
-    )
+    return d, x, done, linear
 
 
 def linearise(problem: Problem, d: Array, x: Array, blend: Array) -> Linear:
@@ -97,7 +118,7 @@ def linearise(problem: Problem, d: Array, x: Array, blend: Array) -> Linear:
     if problem.turning:
         squared = problem.speed[:, None] ** 2
         balance = turning_balance(
-            model.constants, model.laws, centre, (x[0], x[1]), squared, blend[:, None], 1.0
+            model.constants, model.numbers, centre, (x[0], x[1]), squared, blend[:, None], 1.0
         )
         balls = settled(balance)
     else:
@@ -124,7 +145,9 @@ def _error(problem: Problem, balance: Balance, ring_load: Array) -> Array:
     reach = g.inner_reach + g.outer_reach
     slope = 1.5 * (g.inner.stiffness**2 * np.maximum(largest, 1e-300)) ** (1.0 / 3.0)
     noise = 16.0 * EPS * reach * slope
-    ball = np.maximum(*np.abs(balance.residual)).max(axis=-1) / (largest + noise / TOLERANCE + 1e-300)
+    ball = np.maximum(*np.abs(balance.residual)).max(axis=-1) / (
+        largest + noise / TOLERANCE + 1e-300
+    )
     miss = np.abs((ring_load - problem.load) / problem.scale)[:, problem.free]
     if not miss.size:
         return ball
@@ -164,7 +187,7 @@ def _correct(
     Returns new (d, X), success, the linearisation there, and the iterations used. Success means:
     converged, no angle turned far, every ball on the outer race, no fold passed.
     """
-    start = _angles(problem, d, x)
+    before = _segments(problem, d, x)
     d, x = d.copy(), x.copy()
     used = np.zeros(len(d), dtype=int)
     needed = np.where(blend < 1.0, ON_THE_WAY, TOLERANCE)
@@ -177,8 +200,9 @@ def _correct(
         dd, dx = _step(problem, linear)
         d += np.where(moving[:, None], dd, 0.0)
         x += np.where(moving[:, None], dx, 0.0)
-    turned = np.abs(_angles(problem, d, x) - start).max(axis=(0, -1))
-    good = ~moving & (linear.fold > 0.0) & (turned < LONGEST_TURN)
+    good = ~moving & (linear.fold > 0.0)
+    for then, now in zip(before, _segments(problem, d, x), strict=True):
+        good &= ~turned_far(then, now, LONGEST_TURN).any(axis=-1)
     good &= (linear.balance.outer_load > 0.0).all(axis=-1)
     free = problem.free
     if free.any():
@@ -193,10 +217,10 @@ def _relative(k: Array, scale: Array) -> Array:
     return k / (np.abs(k).max(axis=(1, 2), keepdims=True) + 1e-300)
 
 
-def _angles(problem: Problem, d: Array, x: Array) -> Array:
-    """Outer angle, and direction from the ball to the inner groove centre: (2, s, n)."""
+def _segments(problem: Problem, d: Array, x: Array) -> tuple[Pair, Pair]:
+    """From the outer groove centre to the ball, and on to the inner groove centre."""
     inner = problem.centres(d) - x
-    return np.array([np.arctan2(x[0], x[1]), np.arctan2(inner[0], inner[1])])
+    return (x[0], x[1]), (inner[0], inner[1])
 
 
 def _blended(
@@ -212,6 +236,6 @@ def _blended(
         new_d, new_x, good, _, used = _correct(problem.take(todo), d[todo], x[:, todo], target)
         won = todo[good]
         d[won], x[:, won], blend[won] = new_d[good], new_x[:, good], target[good]
-        stride[won] *= np.where(used[good] <= 5, 2.0, 1.0)
+        stride[won] *= np.where(used[good] <= QUICK_STEPS, 2.0, 1.0)
         stride[todo[~good]] *= 0.25
     return d, x, done & (blend >= 1.0)

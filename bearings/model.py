@@ -8,38 +8,44 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball import Laws
+from bearings.ball import LawNumbers
 from bearings.constants import BallConstants, ball_constants
 from bearings.geometry import Geometry
 from bearings.kinematics import HYPOTHESES, SHARINGS
+from bearings.law import Law
 
 Array = NDArray[np.float64]
+SLOW = 2e-9  # of the groove reach: a ball pressed in less by its own motion is at rest
 
 
 @dataclass(frozen=True, eq=False)
 class BallModel:
-    """Geometry, kinematic hypothesis, sharing of the gyroscopic moment, friction μ or None."""
+    """Geometry and assumptions, and both as plain numbers."""
 
     geometry: Geometry
-    kinematics: str
-    moment_sharing: str
-    friction: float | None = None
+    law: Law
 
     @cached_property
     def constants(self) -> BallConstants:
         """Numbers for the balance of a ball."""
-        return ball_constants(self.geometry, self.friction)
+        return ball_constants(self.geometry, self.law.friction)
 
     @cached_property
-    def laws(self) -> Laws:
+    def numbers(self) -> LawNumbers:
         """Assumptions for the balance of a ball."""
         kinematics, sharing = list(HYPOTHESES), list(SHARINGS)
-        return Laws(
-            kinematics=kinematics.index(self.kinematics),
-            sharing=sharing.index(self.moment_sharing),
-            slips=self.friction is not None,
+        return LawNumbers(
+            kinematics=kinematics.index(self.law.kinematics),
+            sharing=sharing.index(self.law.moment_sharing),
+            slips=self.law.friction is not None,
         )
 
     def nominal_centrifugal(self, speed: Array) -> Array:
         """Fc at equal nominal angles, where every hypothesis gives ωm/ω = (1 − γ cos α)/2 [N]."""
         return self.constants.orbit * self.constants.nominal * speed**2
+
+    def turns(self, speed: Array) -> NDArray[np.bool_]:
+        """False where the centrifugal force does not press a ball measurably into its race."""
+        g = self.geometry
+        depth = (self.nominal_centrifugal(speed) / g.outer.stiffness) ** (2.0 / 3.0)
+        return np.asarray(depth > SLOW * g.outer_reach)

@@ -22,7 +22,7 @@ def outer_ring_load(state: BearingState) -> Array:
     Ro = dm/2 − (fo − ½) D cos α.
     """
     g = geometry(state.cause.bearing)
-    share = 2.0 - SHARINGS[state.cause.moment_sharing](race_weight(state))[0]
+    share = 2.0 - SHARINGS[state.cause.law.moment_sharing](race_weight(state))[0]
     moment = share * state.gyroscopic_moment
     along, across = state.outer_load, moment / g.ball_diameter
     sin, cos = np.sin(state.outer_angle), np.cos(state.outer_angle)

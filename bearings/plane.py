@@ -5,12 +5,18 @@ A pair is a plane vector, a block a 2×2 matrix by rows.
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
 
 Pair = tuple[Any, Any]
 Block = tuple[Pair, Pair]
+
+
+def where(condition: Any, yes: Any, no: Any) -> Any:
+    """The one or the other, entry by entry; compiled for one ball it is a plain choice."""
+    return np.where(condition, yes, no)
 
 
 def plus(a: Pair, b: Pair) -> Pair:
@@ -24,10 +30,16 @@ def less(a: Pair, b: Pair) -> Pair:
 
 
 def direction(v: Pair) -> tuple[Any, Any, Any]:
-    """sin, cos and length of a pair (axial, radial), its angle counted from the radial direction."""
+    """sin, cos and length of (axial, radial), the angle counted from the radial direction."""
     length = np.sqrt(v[0] * v[0] + v[1] * v[1])
     part = 1.0 / length
     return v[0] * part, v[1] * part, length
+
+
+def turned_far(before: Pair, now: Pair, angle: float) -> Any:
+    """Whether a pair has turned by more than ``angle`` < π/2 [rad]."""
+    cross = before[0] * now[1] - before[1] * now[0]
+    return np.abs(cross) > math.tan(angle) * dot(before, now)
 
 
 def dot(a: Pair, b: Pair) -> Any:
@@ -48,5 +60,5 @@ def determinant(m: Block) -> Any:
 def inverse(m: Block) -> Block:
     """Of a block; zero where it is singular."""
     size = determinant(m)
-    part = np.where(size != 0.0, 1.0, 0.0) / np.where(size != 0.0, size, 1.0)
+    part = where(size != 0.0, 1.0, 0.0) / where(size != 0.0, size, 1.0)
     return (m[1][1] * part, -m[0][1] * part), (-m[1][0] * part, m[0][0] * part)

@@ -16,6 +16,20 @@ Index = NDArray[np.intp]
 TOLERANCE = 1e-11  # of the largest ball load (ball balance) and ring load (ring balance)
 EPS = float(np.finfo(float).eps)
 
+# first stage
+CONVEX_STEPS = 100
+HALVINGS = 40
+SETTLED = 1e-6  # of the loads: enough to start the second stage from
+SOFTEST = 1e-7  # of a bearing's stiffness at a thousandth of its free distance
+LONGEST_STEP = 0.2  # of the free distance
+
+# second stage
+NEWTON_STEPS = 8
+QUICK_STEPS = 5  # a stride that took no more is followed by a longer one
+ON_THE_WAY = 1e-7  # scaled residual of a state that is only followed further
+LONGEST_TURN = 0.15  # rad a contact angle may move in one stride
+SHORTEST_BLEND = 1.0 / 512.0
+
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Problem:
@@ -51,3 +65,20 @@ class Problem:
         """What makes the five freedoms lengths: 1, 1, 1, Ri, Ri [m]."""
         radius = self.model.geometry.centre_radius
         return np.array([1.0, 1.0, 1.0, radius, radius])
+
+
+def first_displacement(problem: Problem, given: Array) -> Array:
+    """Displacement to start from: as ``given`` (s, 5), else all balls under their likely share."""
+    d = given.copy()
+    if not problem.free[0]:
+        return d
+    g = problem.model.geometry
+    thrust = np.abs(problem.load[:, :3]).max(axis=1) + np.abs(problem.load[:, 3:]).max(axis=1) / (
+        g.pitch_diameter / 2.0
+    )
+    share = thrust / (g.balls * max(np.sin(g.contact_angle), 0.2))
+    length = g.free_distance + (share / g.series_stiffness) ** (2.0 / 3.0)
+    radial = np.minimum(np.abs(problem.origin[1]), 0.999 * length)
+    side = np.where(problem.load[:, 0] < 0.0, -1.0, 1.0)
+    d[:, 0] = side * np.sqrt(length**2 - radial**2) - problem.origin[0]
+    return d

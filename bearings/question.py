@@ -2,12 +2,7 @@
 
 from __future__ import annotations
 
-import difflib
-import math
-from collections.abc import Iterable
 from dataclasses import dataclass
-from numbers import Real
-from typing import cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -44,6 +39,13 @@ class Question:
         """States whose load is given and zero: any displacement without contact would do (s,)."""
         return np.asarray(self.free.all() & (self.load == 0.0).all(axis=1))
 
+    def repeated(self, index: int, speeds: Array) -> Question:
+        """The same question about one of its states at other ``speeds`` (k,)."""
+        row = np.full(len(speeds), index)
+        parts = (self.load[row], self.displacement[row])
+        growth = (self.static_growth[row], self.growth[row])
+        return Question(self.free, *parts, speeds, *growth, speeds.shape)
+
 
 def question(
     load: ArrayLike | None,
@@ -61,10 +63,12 @@ def question(
     if load is None and displacement is None:
         raise InvalidBearing("give load or displacement, exactly one of each pair")
     mixed = load is not None and displacement is not None
-    force, move = (_five(n, v, mixed) for n, v in (("load", load), ("displacement", displacement)))
+    force, move = (
+        five_numbers(n, v, mixed) for n, v in (("load", load), ("displacement", displacement))
+    )
     free = _free(force, move)
-    omega, static = _finite("speed", speed), _finite("static_growth", static_growth)
-    total = static if growth is None else _finite("growth", growth)
+    omega, static = finite("speed", speed), finite("static_growth", static_growth)
+    total = static if growth is None else finite("growth", growth)
     arrays = (omega, static, total)
     try:
         shape = np.broadcast_shapes(force.shape[:-1], move.shape[:-1], *(a.shape for a in arrays))
@@ -77,29 +81,18 @@ def question(
     return Question(free, force, move, np.abs(omega), static, total, shape)
 
 
-def check_name(what: str, name: object, known: Iterable[str]) -> None:
-    """Refuse a name that is not among ``known``, with the nearest one."""
-    if isinstance(name, str) and name in known:
-        return
-    close = difflib.get_close_matches(str(name), known, n=1)
-    hint = f" (did you mean {close[0]!r}?)" if close else ""
-    raise InvalidBearing(f"{what} must be one of {', '.join(known)}, got {name!r}{hint}")
+def five_numbers(name: str, value: ArrayLike | None, mixed: bool = False) -> Array:
+    """Values (…, 5); what is not given is NaN, which single numbers may be where ``mixed``.
 
-
-def check_friction(friction: object) -> None:
-    """Refuse a friction coefficient that is none."""
-    number = isinstance(friction, Real) and not isinstance(friction, bool)
-    if friction is not None and not (number and 0.0 < float(cast(Real, friction)) < math.inf):
-        raise InvalidBearing(f"friction must be a positive number or None, got {friction!r}")
-
-
-def _five(name: str, value: ArrayLike | None, mixed: bool) -> Array:
-    """Values (…, 5); what is not given is NaN."""
+    Raises
+    ------
+    InvalidBearing : another shape, or numbers that are not finite
+    """
     if value is None:
         return np.full(5, np.nan)
     array = _numbers(name, value)
     if array.ndim < 1 or array.shape[-1] != 5:
-        raise InvalidBearing(f"load or displacement must have shape (…, 5), got {array.shape}")
+        raise InvalidBearing(f"{name} must have shape (…, 5), got {array.shape}")
     if np.isinf(array).any() or (np.isnan(array).any() and not mixed):
         raise InvalidBearing(f"{name} must be finite, got {value!r}")
     return array
@@ -121,7 +114,13 @@ def _free(load: Array, displacement: Array) -> NDArray[np.bool_]:
     return np.asarray(by_load.all(axis=0))
 
 
-def _finite(name: str, value: ArrayLike) -> Array:
+def finite(name: str, value: ArrayLike) -> Array:
+    """Numbers of any shape.
+
+    Raises
+    ------
+    InvalidBearing : something else, or not finite
+    """
     array = _numbers(name, value)
     if not np.isfinite(array).all():
         raise InvalidBearing(f"{name} must be finite, got {value!r}")

@@ -5,24 +5,23 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from bearings.angular_contact import AngularContactBallBearing
 from bearings.collect import blank, state, store
 from bearings.convex import resting_seat
 from bearings.equilibrium import solve
 from bearings.errors import InvalidBearing, NoEquilibrium
-from bearings.geometry import geometry, groove_origin
-from bearings.kinematics import HYPOTHESES, SHARINGS
+from bearings.geometry import Geometry, geometry, groove_origin
+from bearings.law import Law
 from bearings.model import BallModel
-from bearings.problem import Problem
-from bearings.question import Question, check_friction, check_name, question
+from bearings.problem import Problem, first_displacement
+from bearings.question import Question
 from bearings.ring import axial_ring, full_ring
 from bearings.state import BearingState, Cause
 
 Array = NDArray[np.float64]
 TOGETHER = 20000  # balls in one batch: bounds the memory
-SLOW = 2e-9  # of the groove reach: a ball pressed in less by its own motion is at rest
 
 REMEDIES = {
     "unloaded": "no load presses the rings together; give a load, or a displacement",
@@ -36,51 +35,52 @@ REMEDIES = {
 
 def answer(
     bearing: AngularContactBallBearing,
-    *,
-    load: ArrayLike | None,
-    displacement: ArrayLike | None,
-    speed: ArrayLike,
-    static_growth: ArrayLike,
-    growth: ArrayLike | None,
-    kinematics: str,
-    moment_sharing: str,
-    friction: float | None,
+    law: Law,
+    asked: Question,
     start: BearingState | None,
+    compiled: bool | None,
 ) -> BearingState:
     """See ``AngularContactBallBearing.equilibrium``."""
-    check_name("kinematics", kinematics, HYPOTHESES)
-    check_name("moment_sharing", moment_sharing, SHARINGS)
-    asked = question(load, displacement, speed, static_growth, growth)
-    check_friction(friction)
-    model = BallModel(geometry(bearing), kinematics, moment_sharing, friction)
-    origin = groove_origin(model.geometry, asked.static_growth, asked.growth)
+    found = solved(Cause(bearing, law, asked), start, compiled)
+    if asked.shape == () and found.outcome:
+        words = str(found.condition)
+        remedy = REMEDIES[str(found.outcome)]
+        raise NoEquilibrium(words, speed=float(asked.speed[0]), remedy=remedy)
+    return found
+
+
+def solved(
+    cause: Cause, start: BearingState | None = None, compiled: bool | None = None
+) -> BearingState:
+    """All states of a question; see ``AngularContactBallBearing.equilibrium``."""
+    asked, g = cause.question, geometry(cause.bearing)
+    model = BallModel(g, cause.law)
+    origin = groove_origin(g, asked.static_growth, asked.growth)
     outcome = np.where(np.isfinite(origin[0]), "", "no contact angle").astype("<U16")
     outcome[asked.unloaded & (outcome == "")] = "unloaded"
-    states = blank(model.geometry, asked, outcome)
+    states = blank(g, asked, outcome)
+    fast = _compiled(g, asked) if compiled is None else compiled
     for index, axial, turning in _groups(model, asked, outcome):
         problem = _problem(model, asked, origin, index, axial=axial, turning=turning)
-        first = _first(problem, asked.displacement[index])
-        near = None
+        first, near = first_displacement(problem, asked.displacement[index]), None
         if start is not None and turning:
             first, near = _neighbour(problem, asked, start, index, first)
-        store(states, index, problem, solve(problem, first, near))
-    if asked.shape == () and states["outcome"][0]:
-        word = str(states["outcome"][0])
-        raise NoEquilibrium(word, speed=float(asked.speed[0]), remedy=REMEDIES[word])
-    growths = (v.reshape(asked.shape) for v in (asked.static_growth, asked.growth))
-    return state(states, asked.shape, Cause(bearing, kinematics, moment_sharing, friction, *growths))
+        store(states, index, problem, solve(problem, first, near, compiled=fast))
+    return state(states, asked.shape, cause)
+
+
+def _compiled(g: Geometry, asked: Question) -> bool:
+    """Whether the compiled solver pays for what is asked; an axial state counts as one ball."""
+    from bearings.compiled.states import pays
+
+    return pays(int(np.where(asked.axial, 1, g.balls).sum()))
 
 
 def _groups(
     model: BallModel, asked: Question, outcome: NDArray[np.str_]
 ) -> Iterator[tuple[NDArray[np.intp], bool, bool]]:
-    """States alike in what must be solved: (index, axial?, turning?).
-
-    A speed whose centrifugal force does not press a ball measurably into its race is rest.
-    """
-    g = model.geometry
-    depth = (model.nominal_centrifugal(asked.speed) / g.outer.stiffness) ** (2.0 / 3.0)
-    is_axial, is_turning = asked.axial, depth > SLOW * g.outer_reach
+    """States alike in what must be solved: (index, axial?, turning?)."""
+    g, is_axial, is_turning = model.geometry, asked.axial, model.turns(asked.speed)
     for axial in (True, False):
         for turning in (True, False):
             chosen = (is_axial == axial) & (is_turning == turning) & (outcome == "")
@@ -108,23 +108,6 @@ def _problem(
         free=asked.free & ~others,
         turning=turning,
     )
-
-
-def _first(problem: Problem, given: Array) -> Array:
-    """Displacement to start from: as ``given`` (s, 5), else all balls under their likely share."""
-    d = given.copy()
-    if not problem.free[0]:
-        return d
-    g = problem.model.geometry
-    thrust = np.abs(problem.load[:, :3]).max(axis=1) + np.abs(problem.load[:, 3:]).max(axis=1) / (
-        g.pitch_diameter / 2.0
-    )
-    share = thrust / (g.balls * max(np.sin(g.contact_angle), 0.2))
-    length = g.free_distance + (share / g.series_stiffness) ** (2.0 / 3.0)
-    radial = np.minimum(np.abs(problem.origin[1]), 0.999 * length)
-    side = np.where(problem.load[:, 0] < 0.0, -1.0, 1.0)
-    d[:, 0] = side * np.sqrt(length**2 - radial**2) - problem.origin[0]
-    return d
 
 
 def _neighbour(

@@ -22,11 +22,13 @@ Array = NDArray[np.float64]
 class Ring:
     """The balls that need solving and how they map to the five freedoms.
 
-    ``spread`` (2, 5, n): A = A₀ + spread·d. ``gather`` (5, 3, n): f = Σ gather·action.
-    ``pairs`` (6·n, 25): K = Σ action-by-A (6·n) · pairs. With ``balls`` = 1 the one ball stands for
-    all of an axially loaded bearing.
+    ``azimuth`` (n, 6): 1, cos ψ, sin ψ, cos² ψ, cos ψ sin ψ, sin² ψ. ``spread`` (2, 5, n):
+    A = A₀ + spread·d. ``gather`` (5, 3, n): f = Σ gather·action. ``pairs`` (6·n, 25):
+    K = Σ action-by-A (6·n) · pairs. With ``balls`` = 1 the one ball stands for all of an axially
+    loaded bearing.
     """
 
+    azimuth: Array
     spread: Array
     gather: Array
     pairs: Array
@@ -66,7 +68,7 @@ def rows(tangent: tuple[Pair, ...]) -> Array:
 def full_ring(geometry: Geometry) -> Ring:
     """Every ball on its own."""
     spread, gather = _maps(geometry)
-    return Ring(spread, gather, _pairs(spread, gather))
+    return Ring(_azimuth(geometry), spread, gather, _pairs(spread, gather))
 
 
 @lru_cache(maxsize=256)
@@ -80,13 +82,13 @@ def axial_ring(geometry: Geometry) -> Ring:
     total = gather.sum(axis=2, keepdims=True)
     one = np.zeros((2, 5, 1))
     one[0, 0] = 1.0
-    return Ring(one, _without_noise(total), _without_noise(rows.sum(axis=1)))
+    azimuth = _without_noise(_azimuth(geometry).sum(axis=0, keepdims=True))
+    return Ring(azimuth, one, _without_noise(total), _without_noise(rows.sum(axis=1)))
 
 
 def _maps(geometry: Geometry) -> tuple[Array, Array]:
-    angle = 2.0 * np.pi * np.arange(geometry.balls) / geometry.balls
-    sin, cos, zero = np.sin(angle), np.cos(angle), np.zeros_like(angle)
-    one, radius = zero + 1.0, geometry.centre_radius
+    one, cos, sin = _azimuth(geometry).T[:3]
+    zero, radius = np.zeros_like(one), geometry.centre_radius
     spread = np.array(
         [[one, zero, zero, radius * sin, -radius * cos], [zero, cos, sin, zero, zero]]
     )
@@ -100,6 +102,12 @@ def _maps(geometry: Geometry) -> tuple[Array, Array]:
         ]
     )
     return spread, gather
+
+
+def _azimuth(geometry: Geometry) -> Array:
+    angle = 2.0 * np.pi * np.arange(geometry.balls) / geometry.balls
+    sin, cos = np.sin(angle), np.cos(angle)
+    return np.stack([np.ones_like(angle), cos, sin, cos * cos, cos * sin, sin * sin], axis=1)
 
 
 def _pairs(spread: Array, gather: Array) -> Array:

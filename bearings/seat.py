@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -39,7 +41,7 @@ def seat(c: BallConstants, centre: Array, push: Array, start: Array | None = Non
         x[:, todo[good]] = trial[:, good]
         length = np.where(good, 1.0, 0.5 * length)
         if not good.all():
-            then = SeatStep(*(np.where(good, *pair) for pair in zip(then, now, strict=True)))
+            then = _either(good, then, now)
         going = np.flatnonzero(then.moving)
         todo, now, length = todo[going], _some(then, going), length[going]
     return x.reshape(shape)
@@ -60,4 +62,11 @@ def _step(c: BallConstants, a: Array, fc: Array, x: Array) -> SeatStep:
 
 def _some(steps: SeatStep, index: Index) -> SeatStep:
     """The steps of some balls."""
-    return SeatStep(*(np.asarray(part)[..., index] for part in steps))
+    parts: Any = (np.asarray(part)[..., index] for part in steps)
+    return SeatStep(*parts)
+
+
+def _either(choice: NDArray[np.bool_], yes: SeatStep, no: SeatStep) -> SeatStep:
+    """The steps of some balls from one set, of the others from another."""
+    parts: Any = (np.where(choice, *pair) for pair in zip(yes, no, strict=True))
+    return SeatStep(*parts)

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from bearings.kinematics import Angles, orbit_and_spin
+from bearings.plane import where
 
 FAR = 1e300  # a race without a share of the moment never slips
 
@@ -43,38 +44,38 @@ def limited(
     hold = _held(share, inner, outer, limit)
     wanted = moment * orbit_and_spin(a, tilt.value)[1].value
     slips = np.abs(wanted) > hold.value
-    side = np.where(wanted < 0.0, -1.0, 1.0)
-    part = np.where(slips, side, 0.0) / np.where(slips, moment, 1.0)
-    t = side * _tilt_of(a, side, hold.value * np.abs(part))
+    side = where(wanted < 0.0, -1.0, 1.0)
+    part = where(slips, side, 0.0) / where(slips, moment, 1.0)
+    t = side * tilt_of(a, side, hold.value * np.abs(part))
     rate = orbit_and_spin(a, t)[1]
-    below = np.where(slips, rate.by_tilt, 1.0)
+    below = where(slips, rate.by_tilt, 1.0)
     return Polar(
-        np.where(slips, t, tilt.value),
-        np.where(slips, -rate.by_inner / below, tilt.by_inner_angle),
-        np.where(slips, part * hold.by_inner_length / below, tilt.by_inner_length),
-        np.where(slips, -rate.by_outer / below, tilt.by_outer_angle),
-        np.where(slips, part * hold.by_outer_length / below, tilt.by_outer_length),
+        where(slips, t, tilt.value),
+        where(slips, -rate.by_inner / below, tilt.by_inner_angle),
+        where(slips, part * hold.by_inner_length / below, tilt.by_inner_length),
+        where(slips, -rate.by_outer / below, tilt.by_outer_angle),
+        where(slips, part * hold.by_outer_length / below, tilt.by_outer_length),
     )
 
 
 def _held(share: Polar, inner: Contact, outer: Contact, limit: float) -> Polar:
     """Largest moment that both races hold, min(μ D Qi/λi, μ D Qo/λo)."""
     li, lo = share.value, 2.0 - share.value
-    one_i, one_o = np.where(li > 0.0, li, 1.0), np.where(lo > 0.0, lo, 1.0)
+    one_i, one_o = where(li > 0.0, li, 1.0), where(lo > 0.0, lo, 1.0)
     can_i, can_o = limit * inner.load / one_i, limit * outer.load / one_o
-    first = np.where(li > 0.0, can_i, FAR) < np.where(lo > 0.0, can_o, FAR)
-    can = np.where(first, can_i, can_o)
-    change = np.where(first, -1.0 / one_i, 1.0 / one_o) * can
+    first = where(li > 0.0, can_i, FAR) < where(lo > 0.0, can_o, FAR)
+    can = where(first, can_i, can_o)
+    change = where(first, -1.0 / one_i, 1.0 / one_o) * can
     return Polar(
         can,
         0.0,
-        np.where(first, limit * inner.slope / one_i, 0.0) + change * share.by_inner_length,
+        where(first, limit * inner.slope / one_i, 0.0) + change * share.by_inner_length,
         0.0,
-        np.where(first, 0.0, limit * outer.slope / one_o) + change * share.by_outer_length,
+        where(first, 0.0, limit * outer.slope / one_o) + change * share.by_outer_length,
     )
 
 
-def _tilt_of(a: Angles, side: Any, spin: Any) -> Any:
+def tilt_of(a: Angles, side: Any, spin: Any) -> Any:
     """|tan β| at which (ωm/ω) |ωR/ω| sin β is ``spin`` ≥ 0 in size: a quadratic equation."""
     gap_o, gap_i = 1.0 + a.gamma * a.cos_o, 1.0 - a.gamma * a.cos_i
     outer, outer_t = a.cos_o / gap_o, side * a.sin_o / gap_o

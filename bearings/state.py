@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -9,21 +10,25 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.angular_contact import AngularContactBallBearing
-from bearings.question import check_name
+from bearings.law import Law, check_name
+from bearings.question import Question
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Cause:
-    """Bearing, hypotheses and growth (…) [m] that a state belongs to; ``friction`` μ or None."""
+    """Bearing, assumptions and question that a state belongs to."""
 
     bearing: AngularContactBallBearing
-    kinematics: str
-    moment_sharing: str
-    friction: float | None
-    static_growth: Array
-    growth: Array
+    law: Law
+    question: Question
+
+    def solved(self, question: Question) -> BearingState:
+        """States of another question under the same assumptions."""
+        from bearings.request import solved
+
+        return solved(Cause(self.bearing, self.law, question))
 
 
 @dataclass(frozen=True, eq=False)
@@ -82,6 +87,27 @@ class BearingState:
         return TANGENTS[method](self)
 
     @cached_property
+    def condition(self) -> NDArray[np.str_]:
+        """What there is to say about each state (…), ``""`` where all balls carry as they should.
+
+        ``"unloaded"``, ``"lost contact (balls 3–5)"``, ``"overloaded (pressure 4.6 GPa)"`` beyond
+        the 4.2 GPa of ISO 76, ``"slips on the inner race (balls 0–4)"``; where there is no state
+        ``"no contact angle"`` or ``"no equilibrium: stiffness vanishes above … rpm at this load"``,
+        the speed being searched for now. Balls count from 0.
+        """
+        from bearings.condition import conditions
+
+        return conditions(self)
+
+    @cached_property
+    def slipping(self) -> NDArray[np.str_]:
+        """Which race of each ball slips under the given friction (…, balls): ``""`` for none."""
+        friction = self.cause.law.friction
+        most = math.inf if friction is None else friction * (1.0 - 1e-9)
+        inner, outer = self.inner_grip >= most, self.outer_grip >= most
+        return np.select([inner & outer, inner, outer], ["both", "inner", "outer"], "")
+
+    @cached_property
     def outer_ring_load(self) -> Array:
         """(Fx, Fy, Fz, My, Mz) that the balls put on the outer ring (…, 5) [N, N·m].
 
@@ -109,8 +135,8 @@ class BearingState:
 
         Only "outer" and "inner" assume such a thing, and only of balls that carry load.
         """
-        named = self.cause.kinematics in ("inner", "outer")
-        return (self.control == self.cause.kinematics) | (self.control == "") | (not named)
+        named = self.cause.law.kinematics in ("inner", "outer")
+        return (self.control == self.cause.law.kinematics) | (self.control == "") | (not named)
 
     @property
     def inner_spin_to_roll(self) -> Array:

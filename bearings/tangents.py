@@ -34,9 +34,9 @@ def frozen(state: BearingState) -> Array:
     g = geometry(cause.bearing)
     speed = state.speed.reshape(-1)
     problem = Problem(
-        model=BallModel(g, cause.kinematics, cause.moment_sharing, cause.friction),
+        model=BallModel(g, cause.law),
         ring=full_ring(g),
-        origin=groove_origin(g, cause.static_growth.reshape(-1), cause.growth.reshape(-1)),
+        origin=groove_origin(g, cause.question.static_growth, cause.question.growth),
         speed=speed,
         load=np.zeros((len(speed), 5)),
         free=np.zeros(5, dtype=bool),
@@ -51,7 +51,7 @@ def frozen(state: BearingState) -> Array:
     x = state.ball_centre.reshape(2, len(speed), -1)[:, turning]
     squared = part.speed[:, None] ** 2
     centre, ball = (a[0], a[1]), (x[0], x[1])
-    balance = turning_balance(model.constants, model.laws, centre, ball, squared, 1.0, 0.0)
+    balance = turning_balance(model.constants, model.numbers, centre, ball, squared, 1.0, 0.0)
     stiffness = state.complete_stiffness.reshape(-1, 5, 5).copy()
     stiffness[turning] = tangent(part, settled(balance))
     return _alike(state, stiffness.reshape(state.complete_stiffness.shape))
@@ -68,11 +68,11 @@ def difference(state: BearingState) -> Array:
     load = cause.bearing.equilibrium(
         displacement=np.stack(moved),
         speed=state.speed[..., None],
-        static_growth=cause.static_growth[..., None],
-        growth=cause.growth[..., None],
-        kinematics=cause.kinematics,
-        moment_sharing=cause.moment_sharing,
-        friction=cause.friction,
+        static_growth=cause.question.static_growth.reshape(state.speed.shape)[..., None],
+        growth=cause.question.growth.reshape(state.speed.shape)[..., None],
+        kinematics=cause.law.kinematics,
+        moment_sharing=cause.law.moment_sharing,
+        friction=cause.law.friction,
     ).load
     slope = (8.0 * (load[0] - load[1]) - (load[2] - load[3])) / (12.0 * np.diag(step)[:, None])
     return _alike(state, np.where(known[..., None, None], slope.swapaxes(-1, -2), np.nan))

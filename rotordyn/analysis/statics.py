@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from bearings.law import Law
 from rotordyn.analysis.buckling import Loading
 from rotordyn.analysis.specs import Conditions
 from rotordyn.analysis.stage import Staged, stage
@@ -14,7 +15,6 @@ from rotordyn.errors import NoSolution
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.axial_force import AxialForce, axial_force
-from rotordyn.preload.network import Law
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.system.mesh import Mesh, build_mesh
 

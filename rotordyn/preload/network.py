@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.angular_contact import AngularContactBallBearing
+from bearings.law import Law
 from bearings.state import BearingState
 from rotordyn.preload.arrangement import HOUSING, SHAFT, Arrangement
 
@@ -22,14 +23,6 @@ TOLERANCE = 1e-11  # of the largest force
 ITERATIONS = 60
 HALVINGS = 12
 LONGEST_STEP = 50e-6  # m
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class Law:
-    """How the bearings answer a deflection: the hypotheses of the ball model."""
-
-    kinematics: str
-    moment_sharing: str
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -129,6 +122,7 @@ class Network:
                     ),
                     kinematics=self.law.kinematics,
                     moment_sharing=self.law.moment_sharing,
+                    friction=self.law.friction,
                     start=None if near is None else near[bearing].state,
                 ),
             )

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from bearings.law import Law
 from bearings.state import BearingState
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.arrangement import (
@@ -17,7 +18,7 @@ from rotordyn.preload.arrangement import (
     at_rest,
     rigid,
 )
-from rotordyn.preload.network import Law, Network, NetworkState, Springs, confirmed, solve
+from rotordyn.preload.network import Network, NetworkState, Springs, confirmed, solve
 from rotordyn.preload.outcome import outcomes
 from rotordyn.preload.stops import meeting_speed, with_stops
 

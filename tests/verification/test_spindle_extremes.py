@@ -8,11 +8,11 @@ import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from bearings.law import Law
 from rotordyn.analysis.registry import answer_spindle
 from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec, PreloadSpec, StiffnessSpec
 from rotordyn.errors import NoSolution
 from rotordyn.machine.spindle import Spindle
-from rotordyn.preload.network import Law
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from tests.oracles.known_bearings import HYPOTHESES
 from tests.oracles.random_spindles import spindles

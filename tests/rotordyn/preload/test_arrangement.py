@@ -10,9 +10,9 @@ import numpy as np
 import pytest
 
 from bearings import AngularContactBallBearing
+from bearings.law import Law
 from rotordyn.machine.growth import QuadraticInSpeed, RingGrowth
 from rotordyn.preload.arrangement import HOUSING, arrangement, rigid
-from rotordyn.preload.network import Law
 from rotordyn.preload.state import dynamic_preload
 from tests.oracles.spindles import TOP, mfw2310, with_springs
 

@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from bearings.law import Law
 from rotordyn.machine.growth import PrescribedShortening
 from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Spring
-from rotordyn.preload.network import Law
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from tests.oracles.spindles import RPM, TOP, mfw2310, with_sleeve, with_springs
 

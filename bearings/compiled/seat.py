@@ -1,0 +1,31 @@
+"""One ball settled under a fixed push."""
+
+from __future__ import annotations
+
+from bearings.constants import BallConstants
+from bearings.convex import first_seat, improves, riding_radius, seat_step
+from bearings.plane import Pair, direction
+
+ITERATIONS = 200
+
+
+def seat(c: BallConstants, centre: Pair, start: Pair, push: float) -> Pair:
+    """X of least potential, see ``bearings.seat``."""
+    riding = riding_radius(c, push)
+    if direction((centre[0], centre[1] - riding))[2] <= c.inner_reach:
+        return 0.0, riding
+    x = start
+    if direction(start)[2] <= c.outer_reach:
+        first = first_seat(c, centre, push)
+        x = (first[0] + 0.0, first[1] + 0.0)
+    now, length = seat_step(c, centre, x, push), 1.0
+    for _ in range(ITERATIONS):
+        if not now.moving:
+            break
+        trial = (x[0] + length * now.step[0], x[1] + length * now.step[1])
+        then = seat_step(c, centre, trial, push)
+        if improves(now, then):
+            x, now, length = trial, then, 1.0
+        else:
+            length *= 0.5
+    return x

@@ -1,0 +1,78 @@
+"""What there is to say about each state of a batch, in a few words."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.state import BearingState, Cause
+
+PERMANENT = 4.2e9  # Pa: ISO 76, the pressure that leaves a ten-thousandth of the ball diameter
+PARTS = 16  # of an interval of speed that are solved together
+ROUNDS = 3
+RPM = math.pi / 30.0
+
+
+def conditions(state: BearingState) -> NDArray[np.str_]:
+    """See ``BearingState.condition``."""
+    balls = state.inner_load.shape[-1]
+    pressure = np.maximum(state.inner_pressure, state.outer_pressure).reshape(-1, balls)
+    status = state.status.reshape(-1, balls)
+    slipping = state.slipping.reshape(-1, balls)
+    words = []
+    for k, outcome in enumerate(state.outcome.reshape(-1)):
+        if outcome == "no equilibrium":
+            words.append(f"{outcome}: {vanishing(state.cause, k)}")
+        elif outcome:
+            words.append(str(outcome))
+        else:
+            words.append("; ".join(_remarks(pressure[k], status[k], slipping[k])))
+    return np.array(words, dtype=str).reshape(state.outcome.shape)
+
+
+def vanishing(cause: Cause, index: int) -> str:
+    """Up to which speed a state of the same question exists that has none, as a clause."""
+    asked = cause.question
+    low, high = 0.0, float(asked.speed[index])
+    for _ in range(ROUNDS):
+        speeds = np.linspace(low, high, PARTS + 1)[1:-1]
+        there = cause.solved(asked.repeated(index, speeds)).outcome == ""
+        first = int(np.argmin(there)) if not there.all() else PARTS - 1
+        ends = np.concatenate([[low], speeds, [high]])
+        low, high = float(ends[first]), float(ends[first + 1])
+    given = (
+        "load"
+        if asked.free.all()
+        else "load and displacement"
+        if asked.free.any()
+        else "displacement"
+    )
+    return f"stiffness vanishes above {low / RPM:.0f} rpm at this {given}"
+
+
+def _remarks(
+    pressure: NDArray[np.float64], status: NDArray[np.str_], slipping: NDArray[np.str_]
+) -> list[str]:
+    """About a state that exists."""
+    remarks = []
+    if pressure.max() > PERMANENT:
+        remarks.append(f"overloaded (pressure {pressure.max() / 1e9:.1f} GPa)")
+    idle = (status == "lost contact") | (status == "unloaded")
+    if idle.all():
+        remarks.append("unloaded")
+    elif idle.any():
+        remarks.append(f"lost contact (balls {_ranges(idle)})")
+    for race in ("inner", "outer", "both"):
+        if (slipping == race).any():
+            name = "both races" if race == "both" else f"{race} race"
+            remarks.append(f"slips on the {name} (balls {_ranges(slipping == race)})")
+    return remarks
+
+
+def _ranges(chosen: NDArray[np.bool_]) -> str:
+    """The numbers of the chosen balls: 0–3, 7."""
+    numbers = np.flatnonzero(chosen)
+    runs = np.split(numbers, np.flatnonzero(np.diff(numbers) > 1) + 1)
+    return ", ".join(f"{run[0]}" if len(run) == 1 else f"{run[0]}–{run[-1]}" for run in runs)

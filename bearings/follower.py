@@ -1,0 +1,141 @@
+"""A bearing followed from state to state, for loops and time marching."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from bearings.angular_contact import AngularContactBallBearing
+from bearings.compiled.states import Answer, compiled_states
+from bearings.errors import InvalidBearing, NoEquilibrium
+from bearings.geometry import geometry, groove_origin
+from bearings.law import Law
+from bearings.model import BallModel
+from bearings.problem import Problem, first_displacement
+from bearings.question import finite, five_numbers
+from bearings.ring import full_ring
+
+Array = NDArray[np.float64]
+STANDARD = Law()
+
+
+class Followed(NamedTuple):
+    """``load`` (…, 5), ``displacement`` (…, 5), ``stiffness`` (…, 5, 5), ``found`` (…).
+
+    SI, as in ``BearingState``; NaN where no state was found.
+    """
+
+    load: Array
+    displacement: Array
+    stiffness: Array
+    found: NDArray[np.bool_]
+
+
+class Follower:
+    """One bearing at a speed, every state started from the last.
+
+    Load, displacement and tangent only, by the compiled solver: a few microseconds a state. The
+    first call of a process loads it (a second), the first of all compiles it (half a minute).
+
+    Parameters
+    ----------
+    bearing, static_growth, growth : as in ``AngularContactBallBearing.equilibrium``, single values
+    law : what is assumed of the balls
+    speed : [rad/s], where a call gives none
+
+    Raises
+    ------
+    InvalidBearing : numbers that are not finite, no contact angle left
+    """
+
+    def __init__(
+        self,
+        bearing: AngularContactBallBearing,
+        *,
+        speed: float = 0.0,
+        static_growth: float = 0.0,
+        growth: float | None = None,
+        law: Law = STANDARD,
+    ) -> None:
+        g = geometry(bearing)
+        static = finite("static_growth", static_growth).reshape(-1)
+        total = static if growth is None else finite("growth", growth).reshape(-1)
+        self.speed = float(finite("speed", speed))
+        self._model = BallModel(g, law)
+        self._origin = groove_origin(g, static, total)
+        if not np.isfinite(self._origin).all():
+            raise InvalidBearing("static growth takes the whole contact angle; reduce the fit")
+        self._last: Answer | None = None
+
+    def load(self, displacement: ArrayLike, speed: ArrayLike | None = None) -> Followed:
+        """Loads (…, 5) at displacements (…, 5), one after the other, with their tangents.
+
+        Raises
+        ------
+        InvalidBearing : numbers that are not finite, shapes
+        NoEquilibrium : a single state does not exist
+        """
+        given = five_numbers("displacement", displacement)
+        return self._found(given, np.zeros_like(given), speed, free=False)
+
+    def displacement(self, load: ArrayLike, speed: ArrayLike | None = None) -> Followed:
+        """Displacements (…, 5) under loads (…, 5), one after the other, with their tangents.
+
+        Raises
+        ------
+        InvalidBearing : numbers that are not finite, shapes
+        NoEquilibrium : a single state does not exist
+        """
+        given = five_numbers("load", load)
+        return self._found(np.zeros_like(given), given, speed, free=True)
+
+    def _found(self, move: Array, load: Array, speed: ArrayLike | None, *, free: bool) -> Followed:
+        shape = load.shape[:-1]
+        turning = np.abs(finite("speed", self.speed if speed is None else speed))
+        try:
+            omega = np.broadcast_to(turning, shape).reshape(-1)
+        except ValueError as error:
+            raise InvalidBearing(f"speed {turning.shape} does not fit states {shape}") from error
+        turns = self._model.turns(omega)
+        answers = [
+            self._answer(move.reshape(-1, 5)[part], load.reshape(-1, 5)[part], omega[part], free)
+            for part in np.split(np.arange(len(omega)), np.flatnonzero(np.diff(turns)) + 1)
+        ]
+        load, move, k, found = (
+            np.concatenate([getattr(a, name) for a in answers])
+            for name in ("load", "displacement", "stiffness", "found")
+        )
+        if shape == () and not found[0]:
+            word = "unloaded" if free and not load.any() else "no equilibrium"
+            raise NoEquilibrium(word, speed=float(omega[0]), remedy="see `equilibrium` for why")
+        return Followed(
+            np.where(found[:, None], load, np.nan).reshape(*shape, 5),
+            np.where(found[:, None], move, np.nan).reshape(*shape, 5),
+            np.where(found[:, None, None], k, np.nan).reshape(*shape, 5, 5),
+            found.reshape(shape),
+        )
+
+    def _answer(self, move: Array, load: Array, omega: Array, free: bool) -> Answer:
+        """States that are all at rest or all turning."""
+        problem = Problem(
+            model=self._model,
+            ring=full_ring(self._model.geometry),
+            origin=np.broadcast_to(self._origin, (2, len(omega))),
+            speed=omega,
+            load=load,
+            free=np.full(5, free),
+            turning=bool(self._model.turns(omega[:1])[0]),
+        )
+        near, last = None, self._last
+        if last is not None and last.found[-1]:
+            near = last.ball[:, -1:]
+            move = np.repeat(last.displacement[-1:], len(omega), axis=0) if free else move
+        elif free:
+            move = first_displacement(problem, move)
+        answer = compiled_states(problem, move, near)
+        if free:
+            answer.found[~load.any(axis=1)] = False
+        self._last = answer
+        return answer

@@ -1,0 +1,49 @@
+"""What is assumed of the balls of a bearing."""
+
+from __future__ import annotations
+
+import difflib
+import math
+from collections.abc import Iterable
+from dataclasses import dataclass
+
+from bearings.errors import InvalidBearing
+from bearings.kinematics import HYPOTHESES, SHARINGS
+
+
+@dataclass(frozen=True, slots=True)
+class Law:
+    """Kinematic hypothesis, sharing of the gyroscopic moment, limit of friction.
+
+    Parameters
+    ----------
+    kinematics : "hybrid", "outer", "inner" or "geometric"
+    moment_sharing : "equal", "outer", "inner" or "hybrid"
+    friction : coefficient μ that limits the moment a race can hold, λ Mg ≤ μ D Q; None: no limit
+
+    Raises
+    ------
+    InvalidBearing : a name or number that is none of these
+    """
+
+    kinematics: str = "hybrid"
+    moment_sharing: str = "equal"
+    friction: float | None = None
+
+    def __post_init__(self) -> None:
+        check_name("kinematics", self.kinematics, HYPOTHESES)
+        check_name("moment_sharing", self.moment_sharing, SHARINGS)
+        mu: object = self.friction
+        if mu is None:
+            return
+        if isinstance(mu, bool) or not isinstance(mu, float | int) or not 0.0 < mu < math.inf:
+            raise InvalidBearing(f"friction must be a positive number or None, got {mu!r}")
+
+
+def check_name(what: str, name: object, known: Iterable[str]) -> None:
+    """Refuse a name that is not among ``known``, with the nearest one."""
+    if isinstance(name, str) and name in known:
+        return
+    close = difflib.get_close_matches(str(name), known, n=1)
+    hint = f" (did you mean {close[0]!r}?)" if close else ""
+    raise InvalidBearing(f"{what} must be one of {', '.join(known)}, got {name!r}{hint}")
