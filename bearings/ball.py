@@ -25,7 +25,7 @@ from bearings.plane import (
     row_times,
     where,
 )
-from bearings.slip import Contact, Polar, limited
+from bearings.slip import Contact, Polar, limited, times
 
 
 class LawNumbers(NamedTuple):
@@ -101,15 +101,16 @@ def turning_balance(
     share = _share(inner_share(law.sharing, weight.value), weight)
     turn = blend * c.ball_inertia * squared
     tilt = _tilt(tan_beta(law.kinematics, angles), weight, where(di > 0.0, 1.0, 0.0))
-    if law.slips:
-        tilt = limited(angles, tilt, share, inner, outer, turn, c.limit)
     orbit, spin = orbit_and_spin(angles, tilt.value)
+    moment = _chained(turn * spin.value, turn, spin, tilt)
+    if law.slips:
+        moment, tilt = limited(moment, tilt, share, inner, outer, c.limit)
+        orbit = orbit_and_spin(angles, tilt.value)[0]
     full = c.orbit * squared
     push = full * (c.nominal + blend * (orbit.value**2 - c.nominal))
     fc = _chained(push, 2.0 * vary * blend * full * orbit.value, orbit, tilt)
-    moment = _chained(turn * spin.value, vary * turn, spin, tilt)
-    ti = _inner_friction(moment, share, vary, c.ball_diameter)
-    to = _sum(2.0 / c.ball_diameter, moment, -1.0, ti)
+    ti = _scaled(vary, 1.0 / c.ball_diameter, times(share, moment))
+    to = _sum(1.0, _scaled(vary, 2.0 / c.ball_diameter, moment), -1.0, ti)
 
     fa, fr = _inner_force(inner, ti, si, ci)
     ga, gr = _outer_force(outer, to, so, co)
@@ -209,15 +210,15 @@ def _chained(value: Any, factor: Any, rolling: Rolling, tilt: Polar) -> Polar:
     )
 
 
-def _inner_friction(moment: Polar, share: Polar, vary: float, diameter: float) -> Polar:
-    """λi Mg/D, the friction force that holds the ball at the inner race."""
-    part, change = share.value / diameter, vary * moment.value / diameter
+def _scaled(vary: float, factor: float, p: Polar) -> Polar:
+    """A value times ``factor``, its derivatives times ``vary`` as well."""
+    slope = vary * factor
     return Polar(
-        part * moment.value,
-        part * moment.by_inner_angle,
-        part * moment.by_inner_length + change * share.by_inner_length,
-        part * moment.by_outer_angle,
-        part * moment.by_outer_length + change * share.by_outer_length,
+        factor * p.value,
+        slope * p.by_inner_angle,
+        slope * p.by_inner_length,
+        slope * p.by_outer_angle,
+        slope * p.by_outer_length,
     )
 
 

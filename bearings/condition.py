@@ -12,6 +12,8 @@ from bearings.state import BearingState, Cause
 PERMANENT = 4.2e9  # Pa: ISO 76, the pressure that leaves a ten-thousandth of the ball diameter
 PARTS = 16  # of an interval of speed that are solved together
 ROUNDS = 3
+IMPOSSIBLE = 1.0  # friction coefficient
+GIVEN = ("displacement", "load and displacement", "load")
 RPM = math.pi / 30.0
 
 
@@ -24,7 +26,7 @@ def conditions(state: BearingState) -> NDArray[np.str_]:
     words = []
     for k, outcome in enumerate(state.outcome.reshape(-1)):
         if outcome == "no equilibrium":
-            words.append(f"{outcome}: {vanishing(state.cause, k)}")
+            words.append(f"{outcome}: {ending(state.cause, k)}")
         elif outcome:
             words.append(str(outcome))
         else:
@@ -32,8 +34,8 @@ def conditions(state: BearingState) -> NDArray[np.str_]:
     return np.array(words, dtype=str).reshape(state.outcome.shape)
 
 
-def vanishing(cause: Cause, index: int) -> str:
-    """Up to which speed a state of the same question exists that has none, as a clause."""
+def ending(cause: Cause, index: int) -> str:
+    """Up to which speed there is a state of a question that has none, and what ends it."""
     asked = cause.question
     low, high = 0.0, float(asked.speed[index])
     for _ in range(ROUNDS):
@@ -42,14 +44,14 @@ def vanishing(cause: Cause, index: int) -> str:
         first = int(np.argmin(there)) if not there.all() else PARTS - 1
         ends = np.concatenate([[low], speeds, [high]])
         low, high = float(ends[first]), float(ends[first + 1])
-    given = (
-        "load"
-        if asked.free.all()
-        else "load and displacement"
-        if asked.free.any()
-        else "displacement"
+    last = cause.solved(asked.repeated(index, np.array([low])))
+    where = (
+        f"above {low / RPM:.0f} rpm at this {GIVEN[int(asked.free.sum() > 0) + asked.free.all()]}"
     )
-    return f"stiffness vanishes above {low / RPM:.0f} rpm at this {given}"
+    thrown = (np.maximum(last.inner_grip, last.outer_grip) > IMPOSSIBLE)[0]
+    if thrown.any():
+        return f"balls {_ranges(thrown)} are thrown off a race {where}, limit friction"
+    return f"stiffness vanishes {where}"
 
 
 def _remarks(

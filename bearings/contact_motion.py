@@ -11,8 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.geometry import geometry
-from bearings.kinematics import HYPOTHESES, Angles
-from bearings.slip import tilt_of
+from bearings.kinematics import HYPOTHESES, Angles, orbit_and_spin
 from bearings.state import BearingState
 
 Array = NDArray[np.float64]
@@ -57,14 +56,13 @@ def spin_to_roll(state: BearingState) -> tuple[Array, Array]:
 
 def _tilt(state: BearingState, angles: Angles) -> Array:
     """tan β as the hypothesis has it, less where a race slips."""
-    wanted = HYPOTHESES[state.cause.law.kinematics](angles).value
+    wanted = np.asarray(HYPOTHESES[state.cause.law.kinematics](angles).value)
     if state.cause.law.friction is None:
         return wanted
     inertia = geometry(state.cause.bearing).ball_inertia * state.speed[..., None] ** 2
-    side = np.sign(state.gyroscopic_moment)
-    with np.errstate(invalid="ignore"):
-        left = side * tilt_of(angles, side, np.abs(state.gyroscopic_moment) / inertia)
-    return np.where(state.slipping == "", wanted, left)
+    moment = inertia * orbit_and_spin(angles, wanted)[1].value
+    slips = state.slipping != ""
+    return np.where(slips, state.gyroscopic_moment / np.where(slips, moment, 1.0), 1.0) * wanted
 
 
 def _held(state: BearingState, ratio: Array) -> Array:

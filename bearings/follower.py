@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from bearings.angular_contact import AngularContactBallBearing
 from bearings.compiled.states import Answer, compiled_states
@@ -16,6 +16,9 @@ from bearings.model import BallModel
 from bearings.problem import Problem, first_displacement
 from bearings.question import finite, five_numbers
 from bearings.ring import full_ring
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 Array = NDArray[np.float64]
 STANDARD = Law()

@@ -1,20 +1,18 @@
-"""How far friction lets a ball's axis follow the hypothesis of its kinematics.
+"""How much gyroscopic moment the races of a ball hold by friction.
 
-A race holds the gyroscopic moment only by friction: λ Mg ≤ μ D Q. Where a hypothesis asks for more,
-the ball pivots on the race that slips, and its axis yields (tan β falls) until its moment is what
-the races hold. Plain expressions of floats or arrays, which compile as they stand.
+A race holds λ Mg only up to μ D Q. Where a hypothesis asks for more, the ball pivots on the race
+that slips: its moment is what the races hold, and its axis yields in the same ratio (tan β falls
+with Mg), so that a ball fades out of contact instead of being thrown off. Plain expressions of
+floats or arrays, which compile as they stand.
 """
 
 from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-import numpy as np
-
-from bearings.kinematics import Angles, orbit_and_spin
 from bearings.plane import where
 
-FAR = 1e300  # a race without a share of the moment never slips
+FAR = 1e300  # N·m: a race without a share of the moment never slips
 
 
 class Polar(NamedTuple):
@@ -35,26 +33,35 @@ class Contact(NamedTuple):
 
 
 def limited(
-    a: Angles, tilt: Polar, share: Polar, inner: Contact, outer: Contact, moment: Any, limit: float
-) -> Polar:
-    """tan β with which neither race carries more than ``limit`` · Q of the moment.
+    moment: Polar, tilt: Polar, share: Polar, inner: Contact, outer: Contact, limit: float
+) -> tuple[Polar, Polar]:
+    """Moment and tan β with which neither race carries more than ``limit`` · Q of the moment.
 
-    ``share``: λi; ``moment``: Mg over the spin of ``orbit_and_spin`` [N·m]; ``limit`` μ D [m].
+    ``moment``, ``tilt``: as the hypothesis has them; ``share``: λi; ``limit`` μ D [m].
     """
     hold = _held(share, inner, outer, limit)
-    wanted = moment * orbit_and_spin(a, tilt.value)[1].value
-    slips = np.abs(wanted) > hold.value
-    side = where(wanted < 0.0, -1.0, 1.0)
-    part = where(slips, side, 0.0) / where(slips, moment, 1.0)
-    t = side * tilt_of(a, side, hold.value * np.abs(part))
-    rate = orbit_and_spin(a, t)[1]
-    below = where(slips, rate.by_tilt, 1.0)
+    side = where(moment.value < 0.0, -1.0, 1.0)
+    slips = side * moment.value > hold.value
+    wanted = where(slips, side * moment.value, 1.0)
+    part = where(slips, hold.value / wanted, 1.0)
+    by_inner_angle = where(slips, -part * side * moment.by_inner_angle / wanted, 0.0)
+    by_outer_angle = where(slips, -part * side * moment.by_outer_angle / wanted, 0.0)
+    inner_change = hold.by_inner_length - part * side * moment.by_inner_length
+    outer_change = hold.by_outer_length - part * side * moment.by_outer_length
+    by_inner_length = where(slips, inner_change / wanted, 0.0)
+    by_outer_length = where(slips, outer_change / wanted, 0.0)
+    held = Polar(part, by_inner_angle, by_inner_length, by_outer_angle, by_outer_length)
+    return times(held, moment), times(held, tilt)
+
+
+def times(p: Polar, q: Polar) -> Polar:
+    """Product of two values."""
     return Polar(
-        where(slips, t, tilt.value),
-        where(slips, -rate.by_inner / below, tilt.by_inner_angle),
-        where(slips, part * hold.by_inner_length / below, tilt.by_inner_length),
-        where(slips, -rate.by_outer / below, tilt.by_outer_angle),
-        where(slips, part * hold.by_outer_length / below, tilt.by_outer_length),
+        p.value * q.value,
+        p.value * q.by_inner_angle + q.value * p.by_inner_angle,
+        p.value * q.by_inner_length + q.value * p.by_inner_length,
+        p.value * q.by_outer_angle + q.value * p.by_outer_angle,
+        p.value * q.by_outer_length + q.value * p.by_outer_length,
     )
 
 
@@ -73,14 +80,3 @@ def _held(share: Polar, inner: Contact, outer: Contact, limit: float) -> Polar:
         0.0,
         where(first, 0.0, limit * outer.slope / one_o) + change * share.by_outer_length,
     )
-
-
-def tilt_of(a: Angles, side: Any, spin: Any) -> Any:
-    """|tan β| at which (ωm/ω) |ωR/ω| sin β is ``spin`` ≥ 0 in size: a quadratic equation."""
-    gap_o, gap_i = 1.0 + a.gamma * a.cos_o, 1.0 - a.gamma * a.cos_i
-    outer, outer_t = a.cos_o / gap_o, side * a.sin_o / gap_o
-    both, both_t = outer + a.cos_i / gap_i, outer_t + side * a.sin_i / gap_i
-    m = spin * a.gamma
-    square, line = outer_t - m * both_t**2, outer - 2.0 * m * both * both_t
-    root = np.sqrt(np.maximum(line**2 + 4.0 * square * m * both**2, 0.0))
-    return 2.0 * m * both**2 / (line + root)

@@ -147,11 +147,13 @@ RIGIDITY = Quantity("stiffness", above="0 N/m", at_most="1e6 MN/m", infinite="ri
 DAMPING = Quantity("damping", at_least="0 N s/m", at_most="1e6 kN s/m")
 DAMPING_RATIO = Quantity("ratio", at_least="0 %", below="100 %")
 SHEAR_COEFFICIENT = Quantity("number", above="0", at_most="1")
+FRICTION = Quantity("number", at_least="0.001", at_most="10", infinite="none")
 ACCURACY = Quantity("number", at_least="1e-8", at_most="0.01")
 
 Station = Annotated[float, STATION]
 Length = Annotated[float, LENGTH]
 Accuracy = Annotated[float, ACCURACY]
+Friction = Annotated[float, FRICTION]
 Diameter = Annotated[float, DIAMETER]
 Bore = Annotated[float, BORE]
 Growth = Annotated[float, GROWTH]

@@ -34,6 +34,7 @@ def answer(
         static_growth=spec.static_growth,
         kinematics=conditions.kinematics,
         moment_sharing=conditions.moment_sharing,
+        friction=conditions.law.friction,
     )
     outcome = _outcomes(speed, spec.loads, state)
     if (outcome != "").all():
@@ -49,6 +50,7 @@ def answer(
         outcome=outcome,
         deflection=_where(outcome, state.displacement[..., 0]),
         stiffness=_where(outcome, np.stack([state.stiffness(t) for t in spec.tangents], axis=2)),
+        slipping=np.where(good, state.slipping[..., 0], ""),
         control=np.where(good, state.control[..., 0], ""),
         control_agrees=good & state.control_agrees[..., 0],
         **balls,

@@ -42,6 +42,7 @@ def answer(scene: Scene, spec: PreloadSpec) -> PreloadResult:
         name: shown(np.stack([getattr(s, name)[:, column, 0] for s, column in seats], axis=1))
         for name in BALL_QUANTITIES
     }
+    slips = np.stack([s.slipping[:, column, 0] for s, column in seats], axis=1)[rows]
     pitch = np.array([seat.bearing.pitch_diameter for seat in scene.spindle.seats])
     factor = np.outer(scene.speed * RPM.factor, pitch * 1e3)
     return PreloadResult(
@@ -55,6 +56,7 @@ def answer(scene: Scene, spec: PreloadSpec) -> PreloadResult:
         axial_load=shown(state.seat_load()),
         deflection=shown(np.stack([s.displacement[:, c, 0] for s, c in seats], axis=1)),
         stiffness=shown(state.seat_stiffness()),
+        slipping=np.where(good[:, None], slips, ""),
         growth=shown(state.seat_growth()),
         speed_factor=factor,
         position=shown(state.shift),

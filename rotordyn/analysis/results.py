@@ -48,6 +48,7 @@ class PreloadResult:
     gyroscopic_moment: Array = quantity("speed", "bearing", unit="N·m", label="gyroscopic moment")
     inner_grip: Array = quantity("speed", "bearing", unit="1", label="grip needed, inner race")
     outer_grip: Array = quantity("speed", "bearing", unit="1", label="grip needed, outer race")
+    slipping: NDArray[np.str_] = quantity("speed", "bearing", unit="", label="race that slips")
     growth: Array = quantity("speed", "bearing", unit="m", label="ring growth")
     speed_factor: Array = quantity("speed", "bearing", unit="mm/min", label="speed factor n·dm")
     position: Array = quantity("speed", "body", unit="m", label="axial shift from rest")
@@ -179,6 +180,7 @@ class BearingMapResult:
     gyroscopic_moment: Array = quantity("speed", "load", unit="N·m", label="gyroscopic moment")
     inner_grip: Array = quantity("speed", "load", unit="1", label="grip needed, inner race")
     outer_grip: Array = quantity("speed", "load", unit="1", label="grip needed, outer race")
+    slipping: NDArray[np.str_] = quantity("speed", "load", unit="", label="race that slips")
     inner_spin_to_roll: Array = quantity(
         "speed", "load", unit="1", label="spin-to-roll ratio, inner race"
     )

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Annotated
 
+from bearings.law import Law
 from rotordyn.analysis.formulation import FORMULATIONS, INERTIAL
 from rotordyn.analysis.shaft import ELEMENTS, SHAFT
 from rotordyn.description import Description, doubled
@@ -16,6 +18,7 @@ from rotordyn.quantity import (
     Choice,
     Force,
     Frequency,
+    Friction,
     Growth,
     Length,
     Load,
@@ -40,7 +43,8 @@ Tangent = Annotated[str, Choice(TANGENTS)]
 class Conditions(Description):
     """How the machine is modelled.
 
-    ``kinematics``, ``moment_sharing``: as in ``bearings``. ``tangent``: of ``TANGENTS``, the
+    ``kinematics``, ``moment_sharing``, ``friction`` (infinite: no limit): as in ``bearings.law``,
+    together ``law``. ``tangent``: of ``TANGENTS``, the
     stiffness of the bearings of a spindle wherever they act as linear springs. ``bearings``:
     ``"dynamic"`` (speed acts on the bearings) or ``"static"`` (their state at rest serves every
     speed). ``rotor``: ``"flexible"`` or ``"rigid"``. ``axial_force`` [N] on the front end of the
@@ -55,6 +59,7 @@ class Conditions(Description):
 
     kinematics: Annotated[str, Choice(KINEMATICS)] = "hybrid"
     moment_sharing: Annotated[str, Choice(MOMENT_SHARING)] = "equal"
+    friction: Friction = math.inf
     tangent: Tangent = "complete"
     bearings: Annotated[str, Choice(BEARINGS)] = "dynamic"
     rotor: Annotated[str, Choice(ROTOR)] = "flexible"
@@ -65,6 +70,12 @@ class Conditions(Description):
     formulation: Annotated[str, Choice(FORMULATIONS)] = INERTIAL
     axial_stiffening: bool = True
     shaft: Annotated[str, Choice(SHAFT)] = ELEMENTS
+
+    @property
+    def law(self) -> Law:
+        """What is assumed of the balls."""
+        friction = None if math.isinf(self.friction) else self.friction
+        return Law(self.kinematics, self.moment_sharing, friction)
 
 
 @dataclass(frozen=True, slots=True)

@@ -34,7 +34,7 @@ class Statics(Staged):
     @property
     def law(self) -> Law:
         """Hypotheses of the ball model."""
-        return Law(self.conditions.kinematics, self.conditions.moment_sharing)
+        return self.conditions.law
 
     @property
     def rigid(self) -> bool:

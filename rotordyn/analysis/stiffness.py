@@ -203,6 +203,7 @@ def _constant_preload(scene: Scene) -> tuple[Array, NDArray[np.object_]]:
             growth=joint.growth,
             kinematics=scene.law.kinematics,
             moment_sharing=scene.law.moment_sharing,
+            friction=scene.law.friction,
         )
         blocks[:, list(joint.seats)] = held.stiffness(scene.conditions.tangent)[:, None]
         lost = (held.outcome != "") & (outcome == "")

@@ -29,7 +29,7 @@ ANALYSES: dict[str, type[Spec]] = {
     "bearing": BearingMapSpec,
 }
 OF_A_BEARING = ("bearing",)
-OF_BALLS = ("kinematics", "moment_sharing")
+OF_BALLS = ("kinematics", "moment_sharing", "friction")
 NEEDS_BEARINGS = ("preload", "stiffness")
 MOST_ELEMENTS = 1000
 _SPOKEN = {"axial": "axial motion"}

@@ -14,8 +14,8 @@ from rotordyn.machine.limits import WARNING_PRESSURE
 
 
 def result_warnings(results: Mapping[str, Any]) -> list[str]:
-    """A sentence per unstable mode, and per bearing pressed beyond the limit of ring steel."""
-    return [*_unstable_modes(results), *_pressures(results)]
+    """A sentence per unstable mode, and per bearing pressed too hard or slipping."""
+    return [*_unstable_modes(results), *_pressures(results), *_slips(results)]
 
 
 def _unstable_modes(results: Mapping[str, Any]) -> list[str]:
@@ -47,6 +47,29 @@ def _pressures(results: Mapping[str, Any]) -> list[str]:
         loaded = zip(single.load, peak.T, strict=True)
         found += [_pressed(f"under {load:g} N", single.speed, own) for load, own in loaded]
     return [sentence for sentence in found if sentence]
+
+
+def _slips(results: Mapping[str, Any]) -> list[str]:
+    found = []
+    if isinstance(result := results.get("preload"), PreloadResult):
+        named = zip(result.bearing, result.slipping.T, strict=True)
+        found = [_slipping(f"bearing {name}", result.speed, own) for name, own in named]
+    if isinstance(single := results.get("bearing"), BearingMapResult):
+        loaded = zip(single.load, single.slipping.T, strict=True)
+        found += [_slipping(f"under {load:g} N", single.speed, own) for load, own in loaded]
+    return [sentence for sentence in found if sentence]
+
+
+def _slipping(what: str, speed: NDArray[np.float64], races: NDArray[np.str_]) -> str:
+    """A warning where balls slip on a race at some speed, else nothing."""
+    at = np.flatnonzero(races != "")
+    if not at.size:
+        return ""
+    names = {"inner": "the inner race", "outer": "the outer race", "both": "both races"}
+    return (
+        f"{what}: the balls slip on {names[str(races[at[0]])]} from "
+        f"{speed[at[0]] * RPM.factor:.0f} rpm on (friction as given)"
+    )
 
 
 def _pressed(what: str, speed: NDArray[np.float64], peak: NDArray[np.float64]) -> str:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Annotated
 
 from rotordyn.analysis.formulation import FORMULATIONS, INERTIAL
@@ -15,7 +16,7 @@ from rotordyn.analysis.specs import (
     TANGENTS,
 )
 from rotordyn.case.schema.base import Entry
-from rotordyn.case.schema.values import Accuracy, Flag, Force, Length, choice
+from rotordyn.case.schema.values import Accuracy, Flag, Force, Friction, Length, choice
 
 Kinematics = Annotated[str, choice(*KINEMATICS)]
 Tangent = Annotated[str, choice(*TANGENTS)]
@@ -27,6 +28,7 @@ class ConditionsEntry(Entry):
 
     kinematics: Kinematics = "hybrid"
     moment_sharing: MomentSharing = "equal"
+    friction: Friction = math.inf
     tangent: Tangent = "complete"
     bearings: Annotated[str, choice(*BEARINGS)] = "dynamic"
     rotor: Annotated[str, choice(*ROTOR)] = "flexible"

@@ -28,6 +28,8 @@ MEANINGS: dict[str, dict[str, str]] = {
     "conditions": {
         "kinematics": "how a ball's rotation axis is found ([theory](theory/ball.md))",
         "moment_sharing": "which race carries the gyroscopic moment",
+        "friction": "coefficient that limits the gyroscopic moment a race holds "
+        "([theory](theory/ball.md#friction)); `none`: no limit",
         "tangent": "stiffness of a spindle's bearings where they act as springs "
         "([theory](theory/ball.md#the-tangent))",
         "bearings": "`static`: the state at rest serves every speed",

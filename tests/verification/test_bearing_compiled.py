@@ -1,0 +1,110 @@
+"""The compiled solver: the same functions, the same states, one after the other."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from bearings import Follower, InvalidBearing, NoEquilibrium
+from bearings.ball import turning_balance
+from bearings.compiled.jit import compiled
+from bearings.law import Law
+from tests.oracles.known_bearings import HARRIS_218, HYPOTHESES, RPM, SHARINGS, VEX70
+
+COUNT = 40
+LOAD = np.array([1500.0, 300.0, -200.0, 2.0, 1.0])
+SPEED = 20000.0 * RPM
+
+
+def thrown(seed: int) -> tuple[np.ndarray, np.ndarray]:
+    """Hard loads and speeds, some at rest."""
+    rng = np.random.default_rng(seed)
+    thrust = 10 ** rng.uniform(1.5, 4.0, COUNT)
+    side = rng.uniform(-0.6, 0.6, (COUNT, 2)) * thrust[:, None]
+    load = np.column_stack([thrust, side, rng.uniform(-0.01, 0.01, (COUNT, 2)) * thrust[:, None]])
+    speed = rng.uniform(0.0, 32000.0, COUNT) * RPM
+    speed[::8] = 0.0
+    return load, speed
+
+
+def test_the_source_is_the_same() -> None:
+    """Nothing is written twice: the compiled balance is the code of the batched one."""
+    assert compiled(turning_balance).py_func.__code__ is turning_balance.__code__
+
+
+@pytest.mark.parametrize("friction", [None, 0.08])
+@pytest.mark.parametrize("kinematics", HYPOTHESES)
+def test_same_states_under_loads_and_displacements(kinematics: str, friction: float | None) -> None:
+    load, speed = thrown(11)
+    for sharing in SHARINGS:
+        how = dict(speed=speed, kinematics=kinematics, moment_sharing=sharing, friction=friction)
+        together = VEX70.equilibrium(load=load, compiled=False, **how)
+        single = VEX70.equilibrium(load=load, compiled=True, **how)
+        assert (together.outcome == single.outcome).all()
+        good = together.outcome == ""
+        assert good.sum() > COUNT // 4
+        size = np.abs(together.displacement[good]).max(axis=1, keepdims=True)
+        assert (np.abs(single.displacement - together.displacement)[good] < 1e-9 * size).all()
+        assert single.residual[good].max() < 1e-10
+        moved = dict(displacement=together.displacement[good], **how)
+        moved["speed"] = speed[good]
+        there = VEX70.equilibrium(compiled=True, **moved)
+        alike = VEX70.equilibrium(compiled=False, **moved)
+        assert (there.outcome == alike.outcome).all()
+        both = there.outcome == ""
+        k = alike.complete_stiffness[both]
+        fault = np.abs(there.complete_stiffness[both] - k).max((1, 2))
+        assert (fault <= 1e-8 * np.abs(k).max((1, 2))).all()
+
+
+def test_mixed_questions_and_axial_states() -> None:
+    for bearing in (VEX70, HARRIS_218):
+        for load, move in (
+            ([500.0, None, None, 0.0, 0.0], [None, 5e-6, 0.0, None, None]),
+            ([800.0, 0, 0, 0, 0], None),
+        ):
+            ask = dict(load=load, displacement=move, speed=6000.0 * RPM)
+            single = bearing.equilibrium(compiled=True, **ask)
+            together = bearing.equilibrium(compiled=False, **ask)
+            assert single.load == pytest.approx(together.load, rel=1e-9, abs=1e-9)
+            k = together.complete_stiffness
+            assert np.abs(single.complete_stiffness - k).max() < 1e-10 * np.abs(k).max()
+
+
+def test_follower_marches_through_loads_and_speeds() -> None:
+    follower = Follower(VEX70, speed=SPEED, law=Law("outer", "hybrid"))
+    loads = np.linspace(1.0, 3.0, 60)[:, None] * LOAD
+    how = dict(kinematics="outer", moment_sharing="hybrid", compiled=False)
+    expected = VEX70.equilibrium(load=loads, speed=SPEED, **how)
+    steps = [follower.displacement(load) for load in loads]
+    for k, step in enumerate(steps):
+        assert step.displacement == pytest.approx(expected.displacement[k], rel=1e-8, abs=1e-14)
+        assert step.stiffness == pytest.approx(expected.complete_stiffness[k], rel=1e-7, abs=1e-3)
+    march = follower.load(expected.displacement[::-1])
+    assert march.found.all()
+    assert march.load == pytest.approx(loads[::-1], rel=1e-8, abs=1e-6)
+    speeds = np.linspace(0.0, 30000.0, 80) * RPM
+    sweep = follower.displacement(np.broadcast_to(LOAD, (80, 5)), speeds)
+    at_speeds = VEX70.equilibrium(load=LOAD, speed=speeds, **how)
+    assert sweep.displacement == pytest.approx(at_speeds.displacement, rel=1e-8, abs=1e-14)
+
+
+def test_follower_says_what_it_cannot_do() -> None:
+    follower = Follower(VEX70, speed=30000.0 * RPM, law=Law("inner"))
+    with pytest.raises(NoEquilibrium, match="unloaded"):
+        follower.displacement(np.zeros(5))
+    with pytest.raises(NoEquilibrium, match="no equilibrium"):
+        follower.displacement([50.0, 400.0, 0.0, 0.0, 0.0])
+    many = follower.displacement([[50.0, 400.0, 0, 0, 0], [5000.0, 0, 0, 0, 0]])
+    assert many.found.tolist() == [False, True]
+    assert np.isnan(many.displacement[0]).all()
+    assert np.isfinite(many.stiffness[1]).all()
+    for wrong in (np.full(5, np.nan), np.ones(4), "load"):
+        with pytest.raises(InvalidBearing):
+            follower.displacement(wrong)
+    with pytest.raises(InvalidBearing, match="does not fit"):
+        follower.load(np.zeros((3, 5)), speed=[1.0, 2.0])
+    with pytest.raises(InvalidBearing, match="contact angle"):
+        Follower(VEX70, static_growth=1e-3)
+    with pytest.raises(InvalidBearing, match="friction"):
+        Law(friction=-0.1)
