@@ -31,7 +31,7 @@ def test_random_balls_balance_in_equations_of_their_own() -> None:
     assert found["states"] == 4000
     assert found["not finite"] == found["tensile"] == found["above 1e-9 and rounding"] == 0
     assert found["worst"] < 1e-9
-    assert found["no equilibrium, hybrid"] + found["no equilibrium, outer"] <= 2  # of 2000
+    assert found["no equilibrium, hybrid"] + found["no equilibrium, outer"] <= 5  # of 2000: folds
     assert found["below 5 GPa"] > 0.8 * found["solved"]
 
 
