@@ -48,7 +48,7 @@ def survey_balls(count: int) -> dict[str, Any]:
         begin = time.perf_counter()
         state = solve_balls(drawn, centre, speed)
         solving += time.perf_counter() - begin
-        error = _judged(tally, drawn.equations, centre, state)
+        error = _judged(tally, drawn, centre, state)
         worst = max(worst, error)
         for name in plain if number % PLAIN == 0 else ():
             begin = time.perf_counter()
@@ -67,15 +67,15 @@ def survey_balls(count: int) -> dict[str, Any]:
     }
 
 
-def _judged(tally: Counter[str], balls: Balls, centre: Array, state: BearingState) -> float:
+def _judged(tally: Counter[str], drawn: Drawn, centre: Array, state: BearingState) -> float:
     """Counts, and the largest scaled residual beyond rounding of the lengths."""
-    good = state.outcome == ""
+    balls, good = drawn.equations, state.outcome == ""
     tally["states"] += good.size
     for word, times in zip(*np.unique(state.outcome, return_counts=True), strict=True):
         tally[str(word) or "solved"] += int(times)
     for word, times in zip(*np.unique(state.status[good, 0], return_counts=True), strict=True):
         tally[f"ball: {word}"] += int(times)
-    tally[f"no equilibrium, {state.cause.kinematics}"] += int((~good).sum())
+    tally[f"no equilibrium, {drawn.kinematics}"] += int((~good).sum())
     peak = np.maximum(state.inner_pressure, state.outer_pressure)[good, 0]
     tally["below 5 GPa"] += int((peak < 5e9).sum())
     tally["beyond 90°"] += int((np.abs(state.inner_angle[good, 0]) > 0.5 * np.pi).sum())
