@@ -95,11 +95,24 @@ def resting_seat(c: BallConstants, centre: Pair) -> Pair:
 
 
 def first_seat(c: BallConstants, centre: Pair, push: Any) -> Pair:
-    """As at rest where the grooves press the ball, else where it rides the outer race."""
-    pressed = direction(centre)[2] > c.inner_reach + c.outer_reach
+    """Where each race carries Fc, on the side that Fc pushes to; as at rest where pressed more.
+
+    A ball that Fc alone holds starts at its races: from the bottom of the groove, deep in the inner
+    race, steps that must not leave the outer race would stall. One that the inner groove carries
+    beyond 90° leaves the outer race, and is seated.
+    """
+    inner = c.inner_reach + (push / c.inner_stiffness) ** (2.0 / 3.0)
+    outer = riding_radius(c, push)
+    sin, cos, length = direction(centre)
+    along = (length * length + outer * outer - inner * inner) / (2.0 * length)
+    along = np.minimum(np.maximum(along, -outer), outer)
+    across = np.sqrt(outer * outer - along * along)
+    pressed = length > inner + outer
     still = resting_seat(c, centre)
-    riding = riding_radius(c, push)
-    return where(pressed, still[0], 0.0), where(pressed, still[1], riding)
+    axial = where(pressed, still[0], along * sin - across * where(sin < 0.0, -cos, cos))
+    radial = where(pressed, still[1], along * cos + across * np.abs(sin))
+    lifted = direction((centre[0], centre[1] + inner))[2] <= c.outer_reach
+    return where(lifted, centre[0], axial), where(lifted, centre[1] + inner, radial)
 
 
 class SeatStep(NamedTuple):

@@ -28,7 +28,7 @@ NEWTON_STEPS = 8
 QUICK_STEPS = 5  # a stride that took no more is followed by a longer one
 ON_THE_WAY = 1e-7  # scaled residual of a state that is only followed further
 LONGEST_TURN = 0.15  # rad a contact angle may move in one stride
-SHORTEST_BLEND = 1.0 / 512.0
+SHORTEST_BLEND = 2.0**-17  # paths of light balls may begin steeply
 
 
 @dataclass(frozen=True, eq=False, slots=True)

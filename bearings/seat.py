@@ -53,7 +53,8 @@ def _first(c: BallConstants, a: Array, fc: Array, start: Array | None) -> Array:
     if start is None:
         return first
     given = start.reshape(2, -1)
-    return np.where(np.hypot(*given) > c.outer_reach, given, first)
+    better = _step(c, a, fc, given).energy < _step(c, a, fc, first).energy
+    return np.where(better & (np.hypot(*given) > c.outer_reach), given, first)
 
 
 def _step(c: BallConstants, a: Array, fc: Array, x: Array) -> SeatStep:

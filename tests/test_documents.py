@@ -46,7 +46,18 @@ GENERATED = {
     "docs/theory/README.md": {"modules"},
     "docs/mfw2310.md": {"comparison", "left-out", "rest", "speed"},
     "docs/benchmarks.md": {
-        *("machine", "targets", "processes", "stages", "bearing", "frf", "random"),
+        *(
+            "machine",
+            "targets",
+            "processes",
+            "stages",
+            "bearing",
+            "frf",
+            "random",
+            "random-bearings",
+            "random-paths",
+            "plain-newton",
+        ),
         "precision",
     },
 }

@@ -14,11 +14,13 @@ def seat(c: BallConstants, centre: Pair, start: Pair, push: float) -> Pair:
     riding = riding_radius(c, push)
     if direction((centre[0], centre[1] - riding))[2] <= c.inner_reach:
         return 0.0, riding
-    x = start
-    if direction(start)[2] <= c.outer_reach:
-        first = first_seat(c, centre, push)
-        x = (first[0] + 0.0, first[1] + 0.0)
+    first = first_seat(c, centre, push)
+    x = (first[0] + 0.0, first[1] + 0.0)
     now, length = seat_step(c, centre, x, push), 1.0
+    if direction(start)[2] > c.outer_reach:
+        given = seat_step(c, centre, start, push)
+        if given.energy < now.energy:
+            x, now = start, given
     for _ in range(ITERATIONS):
         if not now.moving:
             break

@@ -1,0 +1,112 @@
+"""Single balls: inner groove centre and speed are given, the ball centre is sought."""
+
+from __future__ import annotations
+
+import time
+from collections import Counter
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.state import BearingState
+from benchmarks.random_bearings.judged import UNEQUAL, rounding
+from tests.oracles.ball_equations import Balls
+from tests.oracles.plain_newton import kind_of_root, plain_newton
+from tests.oracles.random_states import Drawn, draw_bearing, draw_centres, draw_speeds
+
+Array = NDArray[np.float64]
+EACH = 500
+PLAIN = 5  # the plain iteration is tried on every fifth bearing
+SEED = 1
+
+
+def draw_balls(number: int, count: int = EACH) -> tuple[Drawn, Array, Array]:
+    """A bearing, groove centres (2, count) and speeds of one ball."""
+    rng = np.random.default_rng([SEED, number])
+    drawn = draw_bearing(rng, number)
+    return drawn, draw_centres(rng, drawn, count), draw_speeds(rng, drawn, count)
+
+
+def solve_balls(drawn: Drawn, centre: Array, speed: Array) -> BearingState:
+    """Through the public door: an axial displacement and a growth put the groove where it is
+    wanted, and of a ring whose balls are all alike one ball is solved."""
+    b, free = drawn.bearing, drawn.equations.li + drawn.equations.lo
+    d = np.zeros((speed.size, 5))
+    d[:, 0] = centre[0] - free * np.sin(b.contact_angle)
+    growth = centre[1] - free * np.cos(b.contact_angle)
+    return b.equilibrium(displacement=d, speed=speed, growth=growth, **drawn.how)
+
+
+def survey_balls(count: int) -> dict[str, Any]:
+    """What ``count`` balls come to."""
+    tally: Counter[str] = Counter()
+    plain = {name: Counter() for name in ("signed", "unsigned")}
+    worst, solving, newton = 0.0, 0.0, dict.fromkeys(plain, 0.0)
+    for number in range(-(-count // EACH)):
+        drawn, centre, speed = draw_balls(number)
+        begin = time.perf_counter()
+        state = solve_balls(drawn, centre, speed)
+        solving += time.perf_counter() - begin
+        error = _judged(tally, drawn, centre, state)
+        worst = max(worst, error)
+        for name in plain if number % PLAIN == 0 else ():
+            begin = time.perf_counter()
+            found = plain_newton(drawn.equations, centre, speed, signed=name == "signed")
+            newton[name] += time.perf_counter() - begin
+            plain[name].update(_compared(drawn.equations, state, *found))
+    total = tally["states"]
+    return {
+        **tally,
+        "worst": worst,
+        "microseconds": 1e6 * solving / total,
+        "plain": {
+            name: {**plain[name], "microseconds": 1e6 * newton[name] * PLAIN / total}
+            for name in plain
+        },
+    }
+
+
+def _judged(tally: Counter[str], drawn: Drawn, centre: Array, state: BearingState) -> float:
+    """Counts, and the largest scaled residual beyond rounding of the lengths."""
+    balls, good = drawn.equations, state.outcome == ""
+    tally["states"] += good.size
+    for word, times in zip(*np.unique(state.outcome, return_counts=True), strict=True):
+        tally[str(word) or "solved"] += int(times)
+    for word, times in zip(*np.unique(state.status[good, 0], return_counts=True), strict=True):
+        tally[f"ball: {word}"] += int(times)
+    tally[f"no equilibrium, {drawn.kinematics}"] += int((~good).sum())
+    peak = np.maximum(state.inner_pressure, state.outer_pressure)[good, 0]
+    tally["below 5 GPa"] += int((peak < 5e9).sum())
+    tally["beyond 90°"] += int((np.abs(state.inner_angle[good, 0]) > 0.5 * np.pi).sum())
+    x, a, speed = state.ball_centre[:, good, :1], centre[:, good, None], state.speed[good, None]
+    b = balls.loads(a, x, speed)
+    fault = np.abs(balls.forces(b)[0]).max(axis=0)[:, 0]
+    top = np.maximum(state.inner_load, state.outer_load)[good, 0]
+    held = state.status[good, 0] != "unloaded"
+    tally["not finite"] += int((~np.isfinite(state.load[good])).any() + (~np.isfinite(x)).any())
+    tally["tensile"] += int((state.inner_load[good] < 0.0).sum() + (top < 0.0).sum())
+    scaled = np.where(held, fault / np.maximum(top, 1e-300), 0.0)
+    floor = np.where(held, rounding(balls, top) / np.maximum(top, 1e-300), 0.0)
+    tally["residual above 1e-9"] += int((scaled > UNEQUAL).sum())
+    tally["above 1e-9 and rounding"] += int((scaled > np.maximum(UNEQUAL, floor)).sum())
+    return float(np.where(floor < UNEQUAL, scaled, 0.0).max(initial=0.0))
+
+
+def _compared(balls: Balls, state: BearingState, u: Array, done: NDArray[np.bool_]) -> Counter[str]:
+    """What the plain iteration finds where a physical state of a loaded or lost ball exists."""
+    status = state.status[:, 0]
+    known = (state.outcome == "") & (status != "unloaded") & (state.speed > 0.0)
+    lost = status[known] == "lost contact"
+    word = kind_of_root(balls, u[:, known], state.ball_centre[:, known, 0], lost)
+    word = np.where(done[known], word, "failed")
+    counts: Counter[str] = Counter({"compared": int(known.sum())})
+    for name, times in zip(*np.unique(word, return_counts=True), strict=True):
+        counts[str(name)] += int(times)
+    held = word[~lost]
+    counts["compared, held"] += held.size
+    counts["physical, held"] += int((held == "physical").sum())
+    none = state.outcome == "no equilibrium"
+    counts["no equilibrium"] += int(none.sum())
+    counts["a root where none is physical"] += int(done[none].sum())
+    return counts

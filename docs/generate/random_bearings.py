@@ -1,0 +1,111 @@
+"""What random bearings came to (``python -m benchmarks.random_bearings``) as tables."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from docs.generate.marked import table
+
+Found = dict[str, Any]
+LAWS = ("hybrid", "outer", "inner", "geometric")
+
+
+def random_bearings(found: Found) -> str:
+    """Outcomes, residuals and tangents of single balls and of bearings."""
+    balls, rings = found["balls"], found["bearings"]
+    both = ((balls, "residual", "beyond 90°"), (rings, "ball residual", "with a ball beyond 90°"))
+    rows = [
+        ("states", *(_count(f["states"]) for f, _, _ in both)),
+        ("solved", *(_share(f, "solved") for f, _, _ in both)),
+        *(
+            (f"no equilibrium, {law}", *(_share(f, f"no equilibrium, {law}") for f, _, _ in both))
+            for law in LAWS
+        ),
+        ("no contact angle", "–", _share(rings, "no contact angle")),
+        *(
+            (f"balls: {name}", *(_status(f, name) for f, _, _ in both))
+            for name in ("loaded", "open side", "lost contact", "unloaded")
+        ),
+        ("solved below 5 GPa", *(_share(f, "below 5 GPa", "solved") for f, _, _ in both)),
+        ("a contact beyond 90°", *(_share(f, wide, "solved") for f, _, wide in both)),
+        ("numbers not finite", *(str(f["not finite"]) for f, _, _ in both)),
+        ("contacts that pull", *(str(f["tensile"]) for f, _, _ in both)),
+        ("largest residual of a ball", f"{balls['worst']:.0e}", f"{rings['worst']['ball']:.0e}"),
+        ("residuals above 10⁻⁹", *(str(f[f"{name} above 1e-9"]) for f, name, _ in both)),
+        (
+            "of these more than rounding",
+            str(balls["above 1e-9 and rounding"]),
+            str(rings["ball above 1e-9 and rounding"]),
+        ),
+        ("largest residual of the ring", "–", f"{rings['worst']['ring']:.0e}"),
+        ("K against differences: states", "–", _count(rings["tangents"])),
+        ("K against differences: worst", "–", f"{rings['worst']['tangent']:.0e}"),
+        ("K at rest: states", "–", _count(rings["at rest"])),
+        ("K at rest: asymmetry", "–", f"{rings['worst']['asymmetry at rest']:.0e}"),
+        ("time per state [µs]", f"{balls['microseconds']:.0f}", _times(rings["microseconds"])),
+    ]
+    return table(("what", "single balls:", "bearings:"), rows)
+
+
+def random_paths(found: Found) -> str:
+    """Followed paths, starts and sweeps."""
+    rows = []
+    for name, key in (("single balls", "ball_paths"), ("bearings", "bearing_paths")):
+        f = found[key]
+        ends = [f"{f.get(f'refused: {end}', 0)} {end}" for end in ("fold", "jump", "lifted")]
+        rows += [
+            (f"{name} refused: no path ({', '.join(ends)})", *_agreed(f, "refused")),
+            (f"{name} solved: the path arrives there", *_agreed(f, "solved")),
+        ]
+    starts, sweeps = found["starts"], found["sweeps"]
+    rows += [
+        (
+            "the same from the state of another load and speed",
+            str(starts["states"]),
+            str(starts["states"] - starts.get("differing", 0)),
+        ),
+        (
+            "sweeps of load or speed without a jump",
+            str(sweeps["sweeps"]),
+            str(sweeps["sweeps"] - sweeps["with a jump"]),
+        ),
+    ]
+    return table(("what", "looked at:", "confirmed:"), rows)
+
+
+def plain_newton(balls: Found) -> str:
+    """What the usual iteration on four unknowns finds."""
+    names = ("physical", "tensile", "other", "failed")
+    rows = [
+        (
+            f"{sign} contacts",
+            _count(f["compared"]),
+            *(f"{100.0 * f.get(n, 0) / f['compared']:.1f} %" for n in names),
+            f"{100.0 * f['physical, held'] / f['compared, held']:.1f} %",
+            f"{f['microseconds']:.0f}",
+        )
+        for sign, f in balls["plain"].items()
+    ]
+    head = ("plain Newton", "balls:", "physical:", "tensile root:", "other root:", "failed:")
+    return table((*head, "physical, of held balls:", "µs per ball:"), rows)
+
+
+def _count(number: int) -> str:
+    return f"{number:,}".replace(",", " ")
+
+
+def _share(found: Found, key: str, of: str = "states") -> str:
+    return f"{100.0 * found.get(key, 0) / found[of]:.3g} %"
+
+
+def _status(found: Found, name: str) -> str:
+    total = sum(value for key, value in found.items() if key.startswith("ball: "))
+    return f"{100.0 * found.get(f'ball: {name}', 0) / total:.3g} %"
+
+
+def _times(times: Found) -> str:
+    return ", ".join(f"{name} {value:.0f}" for name, value in times.items())
+
+
+def _agreed(found: Found, group: str) -> tuple[str, str]:
+    return str(found[group]), str(found[f"{group}, agreed"])

@@ -1,0 +1,105 @@
+"""A small part of the survey of random bearings (benchmarks/random_bearings), always the same."""
+
+from __future__ import annotations
+
+import math
+from collections import Counter
+from typing import Any
+
+import numpy as np
+import pytest
+
+from bearings import STEEL, AngularContactBallBearing
+from benchmarks.random_bearings import balls, paths, rings, starts
+from tests.oracles.ball_bearing import race
+from tests.oracles.ball_equations import contact
+from tests.oracles.known_bearings import HARRIS_218, VEX70
+from tests.oracles.plain_newton import plain_newton
+
+
+@pytest.mark.parametrize("bearing", [VEX70, HARRIS_218], ids=["VEX70", "218"])
+@pytest.mark.parametrize("side", [1, -1])
+def test_the_survey_judges_by_contacts_of_its_own(bearing: Any, side: int) -> None:
+    """Elliptic integrals by SciPy against those by quadrature."""
+    found, expected = contact(bearing, side), race(bearing, side)
+    assert found.k == pytest.approx(expected.k, rel=1e-9)
+    assert found.torque == pytest.approx(expected.a1 * expected.e, rel=1e-9)
+
+
+def test_random_balls_balance_in_equations_of_their_own() -> None:
+    found = balls.survey_balls(4000)
+    assert found["states"] == 4000
+    assert found["not finite"] == found["tensile"] == found["above 1e-9 and rounding"] == 0
+    assert found["worst"] < 1e-9
+    assert found["no equilibrium, hybrid"] + found["no equilibrium, outer"] <= 5  # of 2000: folds
+    assert found["below 5 GPa"] > 0.8 * found["solved"]
+
+
+def test_plain_newton_finds_other_roots() -> None:
+    """Signed contacts: a fifth of the states ends at a root that pulls, or nowhere."""
+    drawn, centre, speed = balls.draw_balls(20, 2000)
+    state = balls.solve_balls(drawn, centre, speed)
+    u, done = plain_newton(drawn.equations, centre, speed, signed=True)
+    pulls = done & (u[2:] < 0.0).any(axis=0)
+    assert 0.05 < pulls.mean() < 0.5
+    held = done & ~pulls & (state.status[:, 0] == "loaded") & (speed > 0.0)
+    apart = np.hypot(*(u[:2] - state.ball_centre[..., 0]))
+    assert np.median(apart[held]) < 1e-12
+
+
+def test_random_bearings_balance_and_their_tangents_equal_differences() -> None:
+    found = rings.survey_rings(350)
+    for name in ("not finite", "tensile", "ball above 1e-9 and rounding"):
+        assert found[name] == 0
+    assert found["ring above 1e-9 and rounding"] == 0
+    assert found["at rest"] > 5
+    assert found["worst"]["asymmetry at rest"] < 1e-10
+    assert found["tangents"] > 40
+    assert found["worst"]["tangent"] < 1e-6
+
+
+def test_refused_paths_end_and_solved_paths_arrive() -> None:
+    found = paths.survey_ball_paths(5, 5)
+    assert found["odd"] == []
+    assert found["refused, agreed"] == found["solved, agreed"] == 5
+
+
+def test_a_bearing_path_arrives_where_the_solver_is() -> None:
+    found = paths.survey_ring_paths(1, 1)
+    assert found["odd"] == []
+
+
+def test_the_start_decides_nothing() -> None:
+    found = starts.survey_starts(100)
+    assert found["states"] == 100
+    assert found["odd"] == []
+
+
+def test_a_ball_held_by_the_centrifugal_force_far_from_the_bottom_of_its_groove() -> None:
+    """It starts deep in the inner race, climbs far up the outer one, and is found all the same."""
+    bearing = AngularContactBallBearing(
+        ball_diameter=10e-3,
+        pitch_diameter=60e-3,
+        balls=12,
+        contact_angle=math.radians(40.0),
+        inner_conformity=0.51,
+        outer_conformity=0.54,
+        ball_material=STEEL,
+    )
+    move = np.outer([-150e-6, -100e-6, -50e-6, -10e-6], [1.0, 0.0, 0.0, 0.0, 0.0])
+    state = bearing.equilibrium(displacement=move, speed=1500.0, growth=-5e-5, kinematics="outer")
+    assert (state.outcome == "").all()
+    assert (state.inner_load > 0.0).all()
+    assert (np.diff(state.inner_angle[:, 0]) < 0.0).all()
+
+
+def test_the_judge_sees_a_ball_out_of_place() -> None:
+    """By a billionth of its distance from the groove centre."""
+    asked = rings.draw_states(1, 10)
+    state = asked.solve()
+    good = np.flatnonzero(state.outcome == "")
+    tally: Counter[str] = Counter()
+    worst: Counter[str] = Counter()
+    moved = state.ball_centre * (1.0 + 1e-9)
+    rings._balanced(tally, worst, asked, rings.replace(state, ball_centre=moved), good)
+    assert tally["ball above 1e-9 and rounding"] == good.size
