@@ -5,6 +5,10 @@ and symmetric; every mode of one whirl direction below ω makes one of its eigen
 since each curve xᵀ(K + ωΩ P − ω² M)x has exactly one positive root. Pieces too short to vibrate
 by themselves add none. What all nodes share (``ExactRotor``) borders the matrix. (Wittrick &
 Williams, Q. J. Mech. Appl. Math. 24 (1971) 263.)
+
+Eliminated from the left, node by node, the stiffness S of all that is left of a piece with transfer
+matrix T becomes (T21 + T22 S)(T11 + T12 S)⁻¹ at its right end. So the piece's own stiffness, which
+may be 10¹⁵ times that of the springs the rotor swings on, is never subtracted from itself.
 """
 
 from __future__ import annotations
@@ -35,22 +39,21 @@ def modes_below(rotor: ExactRotor, omega: float) -> int:
             "stiffness"
         )
     fine = rotor.up_to(omega)
-    pieces = _piece_stiffness(fine, omega)
+    over = transfer(fine.segments, omega, fine.spin)
     nodes = fine.terms.at(omega, fine.spin).real.copy()
     shared = nodes[:, 2:, 2:].sum(axis=0)
-    across, own = nodes[:, :2, 2:], nodes[:, :2, :2]
-    own[:-1] += pieces[:, :2, :2]
-    own[1:] += pieces[:, 2:, 2:]
+    across, left = nodes[0, :2, 2:], nodes[0, :2, :2]
     negative = 0
-    for k in range(len(own)):
-        negative += _negative(own[k])
-        answer = np.linalg.solve(own[k], across[k])
-        shared = shared - across[k].T @ answer
-        if k < len(pieces):
-            onward = pieces[k, :2, 2:]
-            own[k + 1] -= onward.T @ np.linalg.solve(own[k], onward)
-            across[k + 1] -= onward.T @ answer
-    return negative + _negative(shared) - _strings(rotor)
+    for k, piece in enumerate(over):
+        moved = piece[:2, :2] + piece[:2, 2:] @ left
+        answer = np.linalg.inv(moved)
+        negative += _negative(np.linalg.solve(piece[:2, 2:], moved))
+        shared = shared - across.T @ (answer @ piece[:2, 2:] @ across)
+        across = nodes[k + 1, :2, 2:] + answer.T @ across
+        left = _symmetric((piece[2:, :2] + piece[2:, 2:] @ left) @ answer)
+        left = left + nodes[k + 1, :2, :2]
+    shared = shared - across.T @ np.linalg.solve(left, across)
+    return negative + _negative(left) + _negative(shared) - _strings(rotor)
 
 
 def countable(rotor: ExactRotor) -> bool:
@@ -106,17 +109,11 @@ def _refined(rotor: ExactRotor, omega: float) -> float:
     return close if abs(close / abs(omega) - 1.0) < 2.0 * APART else abs(omega)
 
 
-def _piece_stiffness(rotor: ExactRotor, omega: float) -> Array:
-    """Dynamic stiffness of every piece (pieces, 4, 4) over (r, φ) of both ends."""
-    t = transfer(rotor.segments, omega, rotor.spin)
-    back = np.linalg.inv(t[:, :2, 2:])
-    whole = np.empty_like(t)
-    whole[:, :2, :2] = back @ t[:, :2, :2]
-    whole[:, :2, 2:] = -back
-    whole[:, 2:, 2:] = t[:, 2:, 2:] @ back
-    whole[:, 2:, :2] = -np.swapaxes(back, -1, -2)
-    return np.asarray(whole + np.swapaxes(whole, -1, -2)) / 2.0
+def _symmetric(block: Array) -> Array:
+    return np.asarray(block + block.T) / 2.0
 
 
 def _negative(block: Array) -> int:
-    return int((np.linalg.eigvalsh(block) < 0.0).sum())
+    """Negative eigenvalues; rows of different units are first made alike, which leaves signs."""
+    size = np.sqrt(np.maximum(np.abs(block).max(axis=-1, initial=0.0), 1e-300))
+    return int((np.linalg.eigvalsh(_symmetric(block) / size / size[:, None]) < 0.0).sum())
