@@ -95,7 +95,7 @@ def _of_modes(
 ) -> Remainder:
     """Modes of the free rotor above those kept."""
     rest = basis.rest
-    mass = rest.T @ (matrices["mass"] @ basis.vectors)
+    mass = basis.rest_mass
     polar = rest.T @ (matrices["polar"] @ basis.vectors) if "polar" in matrices else 0.0 * mass
     return Remainder(
         mass=mass,
