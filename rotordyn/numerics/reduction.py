@@ -12,6 +12,7 @@ Array = NDArray[np.float64]
 LEAST_MODES = 8
 NEW = 1e-5  # of its length: a vector that adds less to the others is spanned by them
 ROUNDING = 1e-14
+HALF_DIGIT = np.finfo(float).eps / 2.0
 CLEAR, MORE = 1e4, 10.0  # of K's rounding; σ grows in such steps until it is clear of it
 SHIFT = 1e-5  # of cutoff²: eigenvalues much below it keep fewer digits
 
@@ -22,7 +23,9 @@ class RitzBasis:
 
     ``rest`` (n, r) and ``rest_values``: the eigenvectors that were not kept as such;
     ``rest_mass`` (r, m): restᵀMΦ, from the loads, since stiff modes meet too little of the answers
-    to be seen in their difference.
+    to be seen in their difference. ``rounding`` (m,): how far rounding of the entries of K is
+    likely to move the value of each vector: the root of Σ (u K_ij φ_i φ_j)², u half the last digit;
+    none for rigid motions.
     """
 
     vectors: Array
@@ -30,6 +33,7 @@ class RitzBasis:
     rest: Array
     rest_values: Array
     rest_mass: Array
+    rounding: Array
 
 
 def ritz_basis(
@@ -72,12 +76,15 @@ def ritz_basis(
     order = np.argsort(np.concatenate([values[:kept], values_added]), kind="stable")
     whole = np.concatenate([low, answers @ turn], axis=1)
     coupling = np.concatenate([np.zeros((rest.shape[1], kept)), met @ turn], axis=1)
+    whole = whole[:, order]
+    spread = np.sqrt(np.einsum("ij,ij->j", whole**2, stiffness**2 @ whole**2))
     return RitzBasis(
-        whole[:, order],
+        whole,
         np.concatenate([values[:kept], values_added])[order],
         rest,
         values[kept:],
         coupling[:, order],
+        HALF_DIGIT * np.where(np.arange(len(order)) < rigid.shape[1], 0.0, spread),
     )
 
 
