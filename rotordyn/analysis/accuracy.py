@@ -55,7 +55,8 @@ def _spin(scene: Scene, motion: str, speeds: int) -> Array:
 def frequency_error(scene: Scene, motion: str, column: NDArray[np.intp]) -> Array:
     """Estimated relative error of the poles in ``column`` (speeds, k) of a motion's modes.
 
-    Of what the elements leave out and of rounding. NaN where a column is negative; zero for a rigid rotor.
+    Of what the elements leave out and of rounding. NaN where a column is negative; zero for a rigid
+    rotor.
     """
     system, found = scene.vibration(motion)
     rest = left_out(scene, motion)

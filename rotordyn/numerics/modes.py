@@ -57,9 +57,7 @@ class Modes:
     @property
     def growing(self) -> NDArray[np.bool_]:
         """Poles of motions that grow by themselves (…, 2n)."""
-        return np.asarray(
-            (self.pole.real > NEUTRAL * np.abs(self.pole)) & ~self.at_rest()
-        )
+        return np.asarray((self.pole.real > NEUTRAL * np.abs(self.pole)) & ~self.at_rest())
 
     def receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
         """Receptance at i·``omega`` (f,) of paired rows: (…, pairs, f).

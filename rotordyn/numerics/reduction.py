@@ -89,11 +89,13 @@ def ritz_basis(
 
 
 def _beside(mass: Array, rigid: Array, vectors: Array) -> Array:
-    """``vectors``, the first of them replaced by the ``rigid`` motions, the others without any."""
-    exact = np.linalg.solve(np.linalg.cholesky(rigid.T @ mass @ rigid), rigid.T).T
-    others = vectors[:, rigid.shape[1] :]
-    others = others - exact @ (exact.T @ (mass @ others))
-    return np.concatenate([exact, others], axis=1)
+    """``vectors``, the first of them replaced by the ``rigid`` motions, M-orthonormal in turn.
+
+    The eigensolver leaves stiff ones askew by rounding of the slow.
+    """
+    whole = np.concatenate([rigid, vectors[:, rigid.shape[1] :]], axis=1)
+    factor = np.linalg.cholesky(whole.T @ mass @ whole)
+    return np.asarray(np.linalg.solve(factor, whole.T).T)
 
 
 def _definite(mass: Array, stiffness: Array, shift: float) -> tuple[float, Array]:

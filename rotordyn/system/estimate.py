@@ -2,8 +2,8 @@
 
 With x the right and y the left vector of a pole s, normalised so that the receptance is
 x y / (iω − s), and r = T x, l = Tᵀ y the forces that are not balanced on the vectors left out, the
-pole moves by Σ l r / (k + s² m). Rounding moves it by y δ x, δ that of the stiffness. A receptance moves likewise, with x and y the answers to forces at
-both ends.
+pole moves by Σ l r / (k + s² m). Rounding δ of the stiffness moves it by y δ x. A receptance moves
+likewise, with x and y the answers to forces at both ends.
 """
 
 from __future__ import annotations
@@ -82,8 +82,8 @@ def rounding_shift(
     """How far rounding of the elements and of the reduced ``stiffness`` (speeds, n, n) is likely to
     move the same poles (speeds, k) [rad/s].
 
-    The root of Σ (y_i δ_ij x_j)²: δ of the stiffness half its last digit, of the elements √(ρ_i ρ_j)
-    with the ``rounding`` ρ of the coordinates.
+    The root of Σ (y_i δ_ij x_j)², δ of the stiffness half its last digit, of the elements
+    √(ρ_i ρ_j) with the ``rounding`` ρ of the coordinates.
     """
     right, left = np.abs(vector) ** 2, np.abs(np.swapaxes(participation, 1, 2)) ** 2
     digits = (left * ((HALF_DIGIT * np.abs(stiffness)) ** 2 @ right)).sum(axis=1)
