@@ -14,6 +14,7 @@ NEW = 1e-5  # of its length: a vector that adds less to the others is spanned by
 ROUNDING = 1e-14
 HALF_DIGIT = np.finfo(float).eps / 2.0
 CLEAR, MORE = 1e4, 10.0  # of K's rounding; σ grows in such steps until it is clear of it
+CANCELLED = 1e-12  # of its summands: what is left of a force then is rounding
 SHIFT = 1e-5  # of cutoff²: eigenvalues much below it keep fewer digits
 
 
@@ -64,7 +65,7 @@ def ritz_basis(
     values[: rigid.shape[1]] = 0.0
     kept = max(int(np.searchsorted(values, cutoff**2)), min(LEAST_MODES, len(values)))
     low = vectors[:, :kept]
-    loads = np.concatenate([loads, *(c @ low[:, :LEAST_MODES] for c in couplings)], axis=1)
+    loads = np.concatenate([loads, *(_made(c, low[:, :LEAST_MODES]) for c in couplings)], axis=1)
     loads = loads - mass @ (low @ (low.T @ loads))  # what the modes kept do not answer
     answers = cho_solve(cho_factor(shifted), loads)
     forces = loads - shift * (mass @ answers)
@@ -88,14 +89,23 @@ def ritz_basis(
     )
 
 
+def _made(coupling: Array, low: Array) -> Array:
+    """Forces that a coupling makes of each of some modes, but those that are mere rounding."""
+    force = coupling @ low
+    felt = np.abs(force).max(axis=0) > CANCELLED * (np.abs(coupling) @ np.abs(low)).max(axis=0)
+    return np.asarray(force[:, felt])
+
+
 def _beside(mass: Array, rigid: Array, vectors: Array) -> Array:
     """``vectors``, the first of them replaced by the ``rigid`` motions, M-orthonormal in turn.
 
     The eigensolver leaves stiff ones askew by rounding of the slow.
     """
+    from scipy.linalg import solve_triangular
+
     whole = np.concatenate([rigid, vectors[:, rigid.shape[1] :]], axis=1)
     factor = np.linalg.cholesky(whole.T @ mass @ whole)
-    return np.asarray(np.linalg.solve(factor, whole.T).T)
+    return np.asarray(solve_triangular(factor, whole.T, lower=True).T)
 
 
 def _definite(mass: Array, stiffness: Array, shift: float) -> tuple[float, Array]:
