@@ -49,14 +49,15 @@ def bounce_and_pitch(stiffness: tuple[float, float], spin: float) -> np.ndarray:
     return omega[np.abs(omega).argsort()]
 
 
+@pytest.mark.parametrize("shaft", ["elements", "exact"])
 @pytest.mark.parametrize("spin", [0.0, 30.0])
 @pytest.mark.parametrize("soft", [1e-9, 1e-6])
-def test_rigid_body_on_two_springs(soft: float, spin: float) -> None:
+def test_rigid_body_on_two_springs(soft: float, spin: float, shaft: str) -> None:
     """Bending lowers the frequencies by 10⁻⁹ on springs of 10⁻⁶ N/m, less on softer ones."""
     stiffness = (soft, 3.0 * soft)
     truth = bounce_and_pitch(stiffness, spin)
     spindle = slender(*stiffness)
-    found = Scene(spindle, Conditions(accuracy=1e-6), np.array([spin]), BAND)
+    found = Scene(spindle, Conditions(accuracy=1e-6, shaft=shaft), np.array([spin]), BAND)
     result = campbell.answer(found, CampbellSpec(BAND, shapes=False))
     order = result.frequency[0].argsort()[:4]
     ours = 2.0 * math.pi * result.frequency[0, order]

@@ -86,3 +86,38 @@ def test_two_rigid_motions() -> None:
     assert values[2] > 0.0
     slope = np.polyfit(np.arange(size), basis[:, :2], 1)
     assert np.outer(np.arange(size), slope[0]) + slope[1] == pytest.approx(basis[:, :2], abs=1e-6)
+
+
+def test_coupling_with_what_was_not_kept() -> None:
+    """From the loads, where the difference of M-products shows it as well."""
+    mass, stiffness = free_chain(3, 40)
+    found = ritz_basis(mass, stiffness, 0.3, np.eye(40)[:, [0, 17]], np.ones((40, 1)))
+    direct = found.rest.T @ mass @ found.vectors
+    assert np.abs(direct).max() > 1e-3
+    assert found.rest_mass == pytest.approx(direct, abs=1e-8)
+
+
+def test_rigid_motions_have_no_rounding() -> None:
+    """Taken as given, whatever the stiffness; the others' rounding is that of its entries."""
+    mass, stiffness = free_chain(4, 30)
+    loads, rigid = np.eye(30)[:, [0]], np.ones((30, 1))
+    found = ritz_basis(mass, stiffness, 0.3, loads, rigid)
+    assert np.ptp(found.vectors[:, 0]) == 0.0
+    assert found.rounding[0] == 0.0
+    noise = np.random.default_rng(0).uniform(-1.0, 1.0, (400, 30, 30)) * stiffness
+    moved = np.einsum("ij,sik,kj->sj", found.vectors, noise * 2.0**-53, found.vectors)
+    assert moved.std(axis=0)[1:] == pytest.approx(found.rounding[1:] / 3.0**0.5, rel=0.2)
+
+
+def test_a_coupling_that_does_nothing_adds_nothing() -> None:
+    """Differences of a rigid motion are rounding, and no force."""
+    mass, stiffness = free_chain(5, 30)
+    loads, rigid = np.eye(30)[:, [0]], np.ones((30, 1))
+    half = np.diff(np.eye(30), axis=0) * np.random.default_rng(1).uniform(0.5, 2.0, (29, 1))
+    alone = ritz_basis(mass, stiffness, 0.3, loads, rigid)
+    sizes = [
+        ritz_basis(mass, stiffness, 0.3, loads, rigid, [c]).values.size
+        for c in (np.diag(rigid[:, 0]) @ half.T @ half, np.zeros((30, 30)))
+    ]
+    assert sizes[0] == alone.values.size + LEAST_MODES - 1
+    assert sizes[1] == alone.values.size
