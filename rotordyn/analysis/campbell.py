@@ -86,6 +86,7 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         frequency=scene.scattered(_seen(scene, branches)),
         frequency_error=scene.scattered(_errors(scene, branches)),
         resolved_frequency=scene.resolved_frequency,
+        free=scene.scattered(_free(scene)),
         damping_ratio=scene.scattered(-pole.real / np.abs(pole)),
         whirl=scene.scattered(whirl),
         kind=tuple(b.kind for b in branches),
@@ -113,6 +114,16 @@ def _errors(scene: Scene, branches: list[Branch]) -> Array:
             np.where(columns < 0, np.nan, 0.0) if exact else frequency_error(scene, motion, columns)
         )
     return errors
+
+
+def _free(scene: Scene) -> Array:
+    """How many eigenvalues (usable,) are those of motions that nothing holds."""
+    count = np.zeros(len(scene.usable))
+    for home in {_home(scene, motion) for motion in ("bending", "axial", "torsion")}:
+        system, found = scene.vibration(home)
+        turned = system.frame if isinstance(system, LateralSystem) else None
+        count += found.at_rest(turned).sum(axis=-1)
+    return count
 
 
 def _home(scene: Scene, kind: str) -> str:
