@@ -21,6 +21,7 @@ from rotordyn.system.estimate import (
     Unbalanced,
     pole_shift,
     receptance_shift,
+    rounding_shift,
 )
 from rotordyn.system.lateral import LateralSystem
 from rotordyn.system.longitudinal import RodSystem
@@ -54,7 +55,8 @@ def _spin(scene: Scene, motion: str, speeds: int) -> Array:
 def frequency_error(scene: Scene, motion: str, column: NDArray[np.intp]) -> Array:
     """Estimated relative error of the poles in ``column`` (speeds, k) of a motion's modes.
 
-    NaN where a column is negative; zero for a rigid rotor.
+    Of what the elements leave out and of rounding. NaN where a column is negative; zero for a rigid
+    rotor.
     """
     system, found = scene.vibration(motion)
     rest = left_out(scene, motion)
@@ -66,7 +68,9 @@ def frequency_error(scene: Scene, motion: str, column: NDArray[np.intp]) -> Arra
     pole = np.take_along_axis(found.pole, place, axis=1) + 1j * frame
     vector = np.take_along_axis(found.vector, place[:, None, :], axis=2)
     participation = np.take_along_axis(found.participation, place[:, :, None], axis=1)
-    shift = np.abs(pole_shift(rest, pole, vector, participation) / pole)
+    missed = np.abs(pole_shift(rest, pole, vector, participation))
+    rounded = rounding_shift(rest, found.stiffness, vector, participation)
+    shift = (missed + rounded) / np.abs(pole)
     return np.where(lost, np.nan, np.broadcast_to(shift, lost.shape))
 
 

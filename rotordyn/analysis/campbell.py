@@ -32,7 +32,6 @@ from rotordyn.system.longitudinal import RodSystem
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 OSCILLATING = 1e-6  # of |pole|: less imaginary part than that is no vibration
-LOWEST = 1e-3  # Hz: below it a mode is a free rigid-body motion
 MARGIN = 1.5  # modes up to this multiple of the highest frequency are followed
 
 
@@ -87,6 +86,7 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         frequency=scene.scattered(_seen(scene, branches)),
         frequency_error=scene.scattered(_errors(scene, branches)),
         resolved_frequency=scene.resolved_frequency,
+        free=scene.scattered(_free(scene)),
         damping_ratio=scene.scattered(-pole.real / np.abs(pole)),
         whirl=scene.scattered(whirl),
         kind=tuple(b.kind for b in branches),
@@ -116,6 +116,16 @@ def _errors(scene: Scene, branches: list[Branch]) -> Array:
     return errors
 
 
+def _free(scene: Scene) -> Array:
+    """How many eigenvalues (usable,) are those of motions that nothing holds."""
+    count = np.zeros(len(scene.usable))
+    for home in {_home(scene, motion) for motion in ("bending", "axial", "torsion")}:
+        system, found = scene.vibration(home)
+        turned = system.frame if isinstance(system, LateralSystem) else None
+        count += found.at_rest(turned).sum(axis=-1)
+    return count
+
+
 def _home(scene: Scene, kind: str) -> str:
     """A motion whose system a mode of this kind was found in, the same for all coupled ones."""
     coupled = scene.coupled_motions
@@ -128,26 +138,29 @@ def _bending(scene: Scene, spec: CampbellSpec) -> list[Branch]:
         highest = 2.0 * math.pi * MARGIN * spec.max_frequency
         exactly = partial(scene.exact.modes, scene.bending_modes, highest)
         found = scene.timed("exact bending modes", exactly)
-    found = dataclasses.replace(found, pole=found.pole + 1j * scene.bending.frame[:, None])
+    frame = scene.bending.frame
+    free = found.at_rest(frame)
+    found = dataclasses.replace(found, pole=found.pole + 1j * frame[:, None])
     if not scene.bending.isotropic:
-        branches = _followed("bending", found, spec, +1.0)
+        branches = _followed("bending", found, free, spec, +1.0)
         return [replace(b, whirl=_whirl_of_planes(b.vector, b.column)) for b in branches]
     return [
         replace(b, whirl=np.where(b.column < 0, np.nan, side))
         for side in (-1.0, +1.0)
-        for b in _followed("bending", found, spec, side)
+        for b in _followed("bending", found, free, spec, side)
     ]
 
 
 def _axial(scene: Scene, spec: CampbellSpec) -> list[Branch]:
-    return _followed("axial", scene.axial_modes, spec, +1.0)
+    found = scene.axial_modes
+    return _followed("axial", found, found.at_rest(), spec, +1.0)
 
 
 def _torsion(scene: Scene, spec: CampbellSpec) -> list[Branch]:
     once, speeds = scene.torsion_modes, len(scene.usable)
     fields = (getattr(once, f.name) for f in dataclasses.fields(once))
     every = Modes(*(np.repeat(values, speeds, axis=0) for values in fields))
-    return _followed("torsion", every, spec, +1.0)
+    return _followed("torsion", every, every.at_rest(), spec, +1.0)
 
 
 def _coupled(scene: Scene, spec: CampbellSpec) -> list[Branch]:
@@ -155,7 +168,8 @@ def _coupled(scene: Scene, spec: CampbellSpec) -> list[Branch]:
     if not scene.coupled_motions:
         return []
     branches, places = [], scene.coupled.places
-    for branch in _followed("", scene.coupled_modes, spec, +1.0):
+    found = scene.coupled_modes
+    for branch in _followed("", found, found.at_rest(), spec, +1.0):
         squares = np.abs(branch.vector[branch.column >= 0]) ** 2
         squares = squares / squares.sum(axis=1, keepdims=True)
         energy = {motion: squares[:, own].sum() for motion, own in places.items()}
@@ -168,16 +182,19 @@ def _coupled(scene: Scene, spec: CampbellSpec) -> list[Branch]:
 
 
 def _followed(
-    kind: str, found: Modes | ExactModes, spec: CampbellSpec, side: float
+    kind: str,
+    found: Modes | ExactModes,
+    free: NDArray[np.bool_],
+    spec: CampbellSpec,
+    side: float,
 ) -> list[Branch]:
-    """Branches of the modes that turn with e^(i·side·ω t), ω > 0."""
+    """Branches of the modes that turn with e^(i·side·ω t), ω > 0, but the ``free`` ones."""
     ceiling = 2.0 * math.pi * MARGIN * spec.max_frequency
     chosen = []
-    for pole, noise in zip(found.pole, found.noise, strict=True):
+    for pole, idle in zip(found.pole, free, strict=True):
         turning = side * pole.imag
-        floor = max(2.0 * math.pi * LOWEST, float(noise))
-        keep = (turning > np.maximum(OSCILLATING * np.abs(pole), floor)) & (turning < ceiling)
-        columns = np.flatnonzero(keep)
+        keep = (turning > OSCILLATING * np.abs(pole)) & (turning < ceiling)
+        columns = np.flatnonzero(keep & ~idle)
         chosen.append(columns[np.argsort(turning[columns])])
     vectors = [found.vector[s][:, c] for s, c in enumerate(chosen)]
     values = [side * found.pole[s].imag[c] for s, c in enumerate(chosen)]

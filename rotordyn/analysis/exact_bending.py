@@ -35,7 +35,8 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 NEAR = 1.2  # the band of the search ends in the widest gap of the elements' poles up to this beyond
-LOWEST = 1e-5  # of the band, where it begins
+LOWEST = 1e-5  # of the band, where it begins at the latest
+SWINGING = 1e-6  # of |ω|: less real part than that is no vibration
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -80,8 +81,9 @@ class ExactBending:
         ------
         NoSolution : at some speed not as many were reached as there are
         """
+        free = near.at_rest(self.frame)
         found = [
-            self._at(rotor, near.pole[row] + 1j * self.frame[row], highest)
+            self._at(rotor, near.pole[row, ~free[row]] + 1j * self.frame[row], highest)
             for row, rotor in enumerate(self.rotors)
         ]
         most = max(len(pole) for pole, _ in found)
@@ -90,7 +92,7 @@ class ExactBending:
         vector = np.full((len(found), size, most), complex(np.nan, np.nan))
         for row, (own, vectors) in enumerate(found):
             pole[row, : len(own)], vector[row, :, : len(own)] = own, vectors
-        return ExactModes(pole - 1j * self.frame[:, None], vector, np.zeros(len(found)))
+        return ExactModes(pole - 1j * self.frame[:, None], vector)
 
     def _at(self, rotor: ExactRotor, near: Complex, highest: float) -> tuple[Complex, Complex]:
         """Poles (k,) and vectors (n, k) at one speed, in the fixed frame."""
@@ -154,12 +156,14 @@ class ExactBending:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class ExactModes:
-    """``pole`` (speeds, k) [rad/s], ``vector`` (speeds, n, k), NaN beyond the modes of a speed;
-    ``noise`` (speeds,): what rounding makes of a pole at zero."""
+    """``pole`` (speeds, k) [rad/s], ``vector`` (speeds, n, k), NaN beyond the modes of a speed."""
 
     pole: Complex
     vector: Complex
-    noise: Array
+
+    def at_rest(self, frame: Array) -> NDArray[np.bool_]:
+        """No pole at zero is among them (speeds, k), whatever the ``frame``."""
+        return np.zeros(self.pole.shape, dtype=bool)
 
 
 def exact_bending(scene: Scene) -> ExactBending:
@@ -216,13 +220,14 @@ def _box(omega: Complex, side: float, highest: float) -> Box:
     gaps between the elements' poles, so that a small difference puts no pole across.
     """
     turning, edge = side * omega.real, NEAR * highest
-    near = (turning > LOWEST * highest) & (turning < edge) & (np.abs(omega.imag) < edge)
+    slowest = turning[turning > SWINGING * np.abs(omega)].min(initial=highest)
+    begin = min(LOWEST * highest, 0.5 * float(slowest))
+    near = (turning > begin) & (turning < edge) & (np.abs(omega.imag) < edge)
     across, decay = turning[near], omega.imag[near]
     end = _gap(across[across > highest], highest, edge)
     inside = np.append(decay[(across < end) & (np.abs(decay) < highest)], 0.0)
     low = -_gap(-decay[decay < inside.min()], -float(inside.min()), edge)
     high = _gap(decay[decay > inside.max()], float(inside.max()), edge)
-    begin = LOWEST * highest
     ends = sorted((side * begin, side * end))
     return Box(complex(ends[0], low), complex(ends[1], high))
 

@@ -79,6 +79,9 @@ class CampbellResult:
         "speed", "mode", unit="1", label="estimated relative error of the frequency"
     )
     resolved_frequency: float = quantity(unit="Hz", label="highest frequency the mesh resolves")
+    free: Array = quantity(
+        "speed", unit="1", label="eigenvalues at zero, of motions that nothing holds: no modes"
+    )
     damping_ratio: Array = quantity("speed", "mode", unit="1", label="damping ratio")
     whirl: Array = quantity("speed", "mode", unit="1", label="whirl direction")
     kind: Words = quantity("mode", unit="", label="kind")

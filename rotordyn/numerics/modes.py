@@ -11,7 +11,8 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Matrix = NDArray[np.inexact[Any]]
-NOISE = 1e-7  # of the highest own frequency
+NOISE = 1e-7  # of the highest own frequency: what rounding makes of a pole at zero, at most
+HELD = 1e-13  # of a coordinate's own stiffness: a motion with less than that is held by nothing
 NEUTRAL = 1e-6  # of |pole|: less growth or decay than that is rounding
 SMALL = 1e-3  # of a pole: more is no rounding
 WELL_CONDITIONED = 1e7  # of unit vectors: the sum over poles then keeps nine digits
@@ -35,16 +36,28 @@ class Modes:
     participation: Complex
     condition: Array
 
-    @property
-    def noise(self) -> Array:
-        """What rounding makes of a pole at zero (…), an upper bound [rad/s]."""
-        return NOISE * np.sqrt(np.abs(self.stiffness).max(axis=(-2, -1)))
+    def at_rest(self, frame: Array | None = None) -> NDArray[np.bool_]:
+        """Poles at zero in the fixed frame, of motions that nothing holds (…, 2n).
+
+        ``frame`` (…,) [rad/s]: the speed at which the coordinates turn, none if left out. There are
+        as many such motions as the stiffness has directions without any, each coordinate in its own
+        measure, and up to two poles to each; so slow motions on soft springs are none of them,
+        however stiff the rest is.
+        """
+        turned = np.zeros(self.pole.shape[:-1]) if frame is None else frame
+        size = np.abs(self.pole + 1j * turned[..., None])
+        small = size <= NOISE * np.sqrt(np.abs(self.stiffness).max(axis=(-2, -1)))[..., None]
+        rank = size.argsort(axis=-1).argsort(axis=-1)
+        for place in map(tuple, np.argwhere(small.any(axis=-1))):
+            still = -1j * turned[place]
+            held = _held(self.stiffness[place], self.damping[place], still)
+            small[place] &= rank[place] < 2 * (len(self.stiffness[place]) - held)
+        return small
 
     @property
     def growing(self) -> NDArray[np.bool_]:
         """Poles of motions that grow by themselves (…, 2n)."""
-        size = np.abs(self.pole)
-        return np.asarray((self.pole.real > NEUTRAL * size) & (size > self.noise[..., None]))
+        return np.asarray((self.pole.real > NEUTRAL * np.abs(self.pole)) & ~self.at_rest())
 
     def receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
         """Receptance at i·``omega`` (f,) of paired rows: (…, pairs, f).
@@ -96,6 +109,16 @@ class Modes:
         w = omega[:, None, None]
         answer = np.linalg.solve(k + 1j * w * d - w**2 * np.eye(len(k)), excitations.T + 0j)
         return np.asarray(np.einsum("pn,fnp->pf", responses, answer))
+
+
+def _held(stiffness: Matrix, damping: Matrix, s: complex) -> int:
+    """How many directions K + s D + s² holds (n, n), rows and columns in their own measure."""
+    parts = stiffness, s * damping, s * s * np.eye(len(stiffness))
+    size = sum(np.abs(np.diagonal(part)) for part in parts)
+    size = np.where(size > 0.0, size, np.abs(stiffness).max(axis=1))
+    scale = np.sqrt(np.where(size > 0.0, size, 1.0))
+    values = np.linalg.svd(sum(parts) / scale / scale[:, None], compute_uv=False)
+    return int((values > HELD * values[0]).sum()) if values[0] > 0.0 else 0
 
 
 def modes(stiffness: Matrix, damping: Matrix) -> Modes:

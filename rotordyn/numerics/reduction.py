@@ -12,7 +12,9 @@ Array = NDArray[np.float64]
 LEAST_MODES = 8
 NEW = 1e-5  # of its length: a vector that adds less to the others is spanned by them
 ROUNDING = 1e-14
+HALF_DIGIT = np.finfo(float).eps / 2.0
 CLEAR, MORE = 1e4, 10.0  # of K's rounding; σ grows in such steps until it is clear of it
+CANCELLED = 1e-12  # of its summands: what is left of a force then is rounding
 SHIFT = 1e-5  # of cutoff²: eigenvalues much below it keep fewer digits
 
 
@@ -20,13 +22,19 @@ SHIFT = 1e-5  # of cutoff²: eigenvalues much below it keep fewer digits
 class RitzBasis:
     """``vectors`` Φ (n, m) with ΦᵀMΦ = 1 and ΦᵀKΦ = diag(``values``), ascending.
 
-    ``rest`` (n, n − kept) and ``rest_values``: the eigenvectors that were not kept as such.
+    ``rest`` (n, r) and ``rest_values``: the eigenvectors that were not kept as such;
+    ``rest_mass`` (r, m): restᵀMΦ, from the loads, since stiff modes meet too little of the answers
+    to be seen in their difference. ``rounding`` (m,): how far rounding of the entries of K is
+    likely to move the value of each vector: the root of Σ (u K_ij φ_i φ_j)², u half the last digit;
+    none for rigid motions.
     """
 
     vectors: Array
     values: Array
     rest: Array
     rest_values: Array
+    rest_mass: Array
+    rounding: Array
 
 
 def ritz_basis(
@@ -34,16 +42,17 @@ def ritz_basis(
     stiffness: Array,
     cutoff: float,
     loads: Array,
-    rigid: int,
+    rigid: Array,
     couplings: Sequence[Array] = (),
 ) -> RitzBasis:
     """Eigenvectors of K φ = ω² M φ up to ω = ``cutoff``, completed by static answers.
 
     Those are the answers to ``loads`` (n, l), so that forces on those freedoms meet the right
     flexibility, and to the forces that each of ``couplings`` (n, n), such as the gyroscopic matrix,
-    makes of the lowest modes. The ``rigid`` lowest eigenvalues are known to be zero; M must be
-    positive definite, K at least semi-definite. All is computed from the flexible side,
-    (K + σM)⁻¹ M, where stiff freedoms do not drown the slow ones in rounding.
+    makes of the lowest modes. The motions ``rigid`` (n, r) are known to have no stiffness and are
+    taken as they stand, so that none comes to them by rounding of K; M must be positive definite,
+    K at least semi-definite. All is computed from the flexible side, (K + σM)⁻¹ M, where stiff
+    freedoms do not drown the slow ones in rounding.
     """
     from scipy.linalg import cho_factor, cho_solve, eigh
 
@@ -51,27 +60,52 @@ def ritz_basis(
     inverse, vectors = eigh(mass, shifted)
     known = inverse > ROUNDING * inverse[-1]  # others are too stiff to be told apart, or to matter
     inverse, vectors = inverse[known][::-1], vectors[:, known][:, ::-1]
-    vectors = vectors / np.sqrt(inverse)
+    vectors = _beside(mass, rigid, vectors / np.sqrt(inverse))
     values = np.maximum(1.0 / inverse - shift, 0.0)
-    values[:rigid] = 0.0
+    values[: rigid.shape[1]] = 0.0
     kept = max(int(np.searchsorted(values, cutoff**2)), min(LEAST_MODES, len(values)))
     low = vectors[:, :kept]
-    loads = np.concatenate([loads, *(c @ low[:, :LEAST_MODES] for c in couplings)], axis=1)
+    loads = np.concatenate([loads, *(_made(c, low[:, :LEAST_MODES]) for c in couplings)], axis=1)
     loads = loads - mass @ (low @ (low.T @ loads))  # what the modes kept do not answer
     answers = cho_solve(cho_factor(shifted), loads)
-    answers, forces = _completed(
-        mass, low, values[:kept], answers, loads - shift * (mass @ answers)
-    )
+    forces = loads - shift * (mass @ answers)
+    rest = vectors[:, kept:]
+    met = (rest.T @ loads) / (values[kept:] + shift)[:, None]
+    answers, forces, met = _completed(mass, low, values[:kept], answers, forces, met)
     inner = answers.T @ forces
     values_added, turn = np.linalg.eigh((inner + inner.T) / 2.0)
     order = np.argsort(np.concatenate([values[:kept], values_added]), kind="stable")
     whole = np.concatenate([low, answers @ turn], axis=1)
+    coupling = np.concatenate([np.zeros((rest.shape[1], kept)), met @ turn], axis=1)
+    whole = whole[:, order]
+    spread = np.sqrt(np.einsum("ij,ij->j", whole**2, stiffness**2 @ whole**2))
     return RitzBasis(
-        whole[:, order],
+        whole,
         np.concatenate([values[:kept], values_added])[order],
-        vectors[:, kept:],
+        rest,
         values[kept:],
+        coupling[:, order],
+        HALF_DIGIT * np.where(np.arange(len(order)) < rigid.shape[1], 0.0, spread),
     )
+
+
+def _made(coupling: Array, low: Array) -> Array:
+    """Forces that a coupling makes of each of some modes, but those that are mere rounding."""
+    force = coupling @ low
+    felt = np.abs(force).max(axis=0) > CANCELLED * (np.abs(coupling) @ np.abs(low)).max(axis=0)
+    return np.asarray(force[:, felt])
+
+
+def _beside(mass: Array, rigid: Array, vectors: Array) -> Array:
+    """``vectors``, the first of them replaced by the ``rigid`` motions, M-orthonormal in turn.
+
+    The eigensolver leaves stiff ones askew by rounding of the slow.
+    """
+    from scipy.linalg import solve_triangular
+
+    whole = np.concatenate([rigid, vectors[:, rigid.shape[1] :]], axis=1)
+    factor = np.linalg.cholesky(whole.T @ mass @ whole)
+    return np.asarray(solve_triangular(factor, whole.T, lower=True).T)
 
 
 def _definite(mass: Array, stiffness: Array, shift: float) -> tuple[float, Array]:
@@ -89,26 +123,27 @@ def _definite(mass: Array, stiffness: Array, shift: float) -> tuple[float, Array
 
 
 def _completed(
-    mass: Array, low: Array, low_values: Array, answers: Array, forces: Array
-) -> tuple[Array, Array]:
+    mass: Array, low: Array, low_values: Array, answers: Array, forces: Array, met: Array
+) -> tuple[Array, Array, Array]:
     """M-orthonormal span of what ``answers`` (n, l) add to the modes ``low``, and K times it.
 
-    ``forces``: K times the answers. What is rounding is dropped.
+    ``forces``: K times the answers; ``met`` (r, l): what other modes have of them, returned for the
+    span likewise. What is rounding is dropped.
     """
     size = _norms(mass, answers)
-    answers, forces = answers / size, forces / size
+    answers, forces, met = answers / size, forces / size, met / size
     for _ in range(2):
         share = low.T @ (mass @ answers)
         answers = answers - low @ share
         forces = forces - mass @ (low @ (low_values[:, None] * share))
         size = _norms(mass, answers)
         new = size > NEW  # small ones may still differ much
-        answers, forces = answers[:, new] / size[new], forces[:, new] / size[new]
+        answers, forces, met = (a[:, new] / size[new] for a in (answers, forces, met))
         values, turn = np.linalg.eigh(answers.T @ mass @ answers)
         keep = values > NEW**2
         turn = turn[:, keep] / np.sqrt(values[keep])
-        answers, forces = answers @ turn, forces @ turn
-    return answers, forces
+        answers, forces, met = answers @ turn, forces @ turn, met @ turn
+    return answers, forces, met
 
 
 def _norms(mass: Array, vectors: Array) -> Array:

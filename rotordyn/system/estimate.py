@@ -2,8 +2,8 @@
 
 With x the right and y the left vector of a pole s, normalised so that the receptance is
 x y / (iω − s), and r = T x, l = Tᵀ y the forces that are not balanced on the vectors left out, the
-pole moves by Σ l r / (k + s² m). A receptance moves likewise, with x and y the answers to forces at
-both ends.
+pole moves by Σ l r / (k + s² m). Rounding δ of the stiffness moves it by y δ x. A receptance moves
+likewise, with x and y the answers to forces at both ends.
 """
 
 from __future__ import annotations
@@ -20,6 +20,7 @@ from rotordyn.system.remainder import Remainder
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Inexact = NDArray[np.inexact]
+HALF_DIGIT = np.finfo(float).eps / 2.0
 
 
 class Reduced(Protocol):
@@ -59,6 +60,8 @@ class LeftOut(Protocol):
     def answer(self, s: Complex) -> Complex: ...
     @property
     def weightless(self) -> Array: ...
+    @property
+    def rounding(self) -> Array: ...
     def at(self, row: int) -> LeftOut: ...
 
 
@@ -71,6 +74,21 @@ def pole_shift(
     left = left_out.forces(pole, np.swapaxes(participation, 1, 2), -1.0)
     missed = (left * right * left_out.answer(pole)).sum(axis=1)
     return np.asarray(missed + _lent(left_out, pole, vector, np.swapaxes(participation, 1, 2)))
+
+
+def rounding_shift(
+    left_out: LeftOut, stiffness: Inexact, vector: Complex, participation: Complex
+) -> Array:
+    """How far rounding of the elements and of the reduced ``stiffness`` (speeds, n, n) is likely to
+    move the same poles (speeds, k) [rad/s].
+
+    The root of Σ (y_i δ_ij x_j)², δ of the stiffness half its last digit, of the elements
+    √(ρ_i ρ_j) with the ``rounding`` ρ of the coordinates.
+    """
+    right, left = np.abs(vector) ** 2, np.abs(np.swapaxes(participation, 1, 2)) ** 2
+    digits = (left * ((HALF_DIGIT * np.abs(stiffness)) ** 2 @ right)).sum(axis=1)
+    own = left_out.rounding[:, None]
+    return np.asarray(np.sqrt(digits + (own * left).sum(axis=1) * (own * right).sum(axis=1)))
 
 
 def receptance_shift(
@@ -125,6 +143,11 @@ class Unbalanced:
     def weightless(self) -> Array:
         """1 for coordinates whose mass is none of the machine's, else 0 (n,)."""
         return self.system.weightless
+
+    @property
+    def rounding(self) -> Array:
+        """Of the stiffness of every coordinate by its elements (n,) [1/s²]."""
+        return np.tile(self.remainder.rounding, self.system.planes)
 
     def at(self, row: int) -> Unbalanced:
         """The same at one of the speeds; what is the same at all may have one only."""
@@ -191,6 +214,11 @@ class Joined:
     def weightless(self) -> Array:
         """Of all parts, in the order of the coordinates (n,)."""
         return np.concatenate([part.weightless for part in self.parts.values()])
+
+    @property
+    def rounding(self) -> Array:
+        """Of all parts, likewise (n,)."""
+        return np.concatenate([part.rounding for part in self.parts.values()])
 
     def at(self, row: int) -> Joined:
         """The same at one of the speeds."""

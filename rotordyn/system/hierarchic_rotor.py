@@ -58,6 +58,14 @@ def beams(spindle: Spindle, mesh: Mesh, degree: Degrees) -> Hierarchy:
     return Hierarchy(mesh, degree, 2, bending.inner_freedoms, element, bending.added_freedoms)
 
 
+def rigid_motions(elements: Hierarchy) -> Array:
+    """Translation and tilt about the middle by all freedoms (size, 2); no inner one takes part."""
+    x, whole = elements.mesh.x, np.zeros((elements.size, 2))
+    nodal = whole[: 2 * len(x)].reshape(len(x), 2, 2)
+    nodal[:, 0, 0], nodal[:, 0, 1], nodal[:, 1, 1] = 1.0, x - x.mean(), 1.0
+    return whole
+
+
 def deflections(spindle: Spindle, elements: Hierarchy, x: Array) -> Array:
     """Deflection and tilt at stations ``x`` by all freedoms (2·stations, size)."""
     mesh, (element, xi) = elements.mesh, elements.place(x)

@@ -19,6 +19,7 @@ from rotordyn.system.hierarchic_rotor import (
     bending_hierarchy,
     deflections,
     resolved_whirl,
+    rigid_motions,
     slopes,
 )
 from rotordyn.system.hierarchy import Hierarchy
@@ -172,7 +173,8 @@ def _flexible(
     seen = deflections(spindle, elements, mesh.x)
     loads = seen[_loaded(spindle, mesh, ports)].T
     couplings = [plane.polar, *(seen.T @ c @ seen for c in _drawbar(spindle, mesh, tension))]
-    basis = ritz_basis(plane.mass, plane.stiffness, fineness.cutoff, loads, 2, couplings)
+    rigid = rigid_motions(elements)
+    basis = ritz_basis(plane.mass, plane.stiffness, fineness.cutoff, loads, rigid, couplings)
     vectors = basis.vectors
     slope = slopes(spindle, elements, _places(mesh).ravel())
     return _Reduced(

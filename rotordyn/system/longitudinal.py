@@ -223,7 +223,8 @@ def _reduced(
         return _Reduced(one, np.zeros(1), None)
     seen = rod_displacements(elements, mesh.x)
     loads = seen[sorted(set(stations))].T
-    basis = ritz_basis(whole.mass, whole.stiffness, fineness.cutoff, loads, 1)
+    together = (np.arange(elements.size) < elements.mesh.nodes).astype(float)[:, None]
+    basis = ritz_basis(whole.mass, whole.stiffness, fineness.cutoff, loads, together)
     left_out = remainder(elements, basis, {"mass": whole.mass}, seen)
     return _Reduced(seen @ basis.vectors, basis.values, left_out)
 

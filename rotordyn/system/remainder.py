@@ -28,7 +28,8 @@ class Remainder:
     ``mass``, ``stiffness``, ``polar`` (r, m): coupling with the coordinates; ``own_mass``,
     ``own_stiffness`` (r,); ``at_nodes`` (r, 2·nodes): deflections and tilts of the mesh's nodes.
     ``per_newton`` (elements, r, m): coupling per newton of axial force in each element of the mesh
-    (none for rods; what finer elements would add to it is left aside).
+    (none for rods; what finer elements would add to it is left aside). ``rounding`` (m,): of the
+    stiffness of the coordinates themselves.
     """
 
     mass: Array
@@ -38,6 +39,7 @@ class Remainder:
     own_stiffness: Array
     at_nodes: Array
     per_newton: Array
+    rounding: Array
 
     def widened(self, more: int) -> Remainder:
         """Beside ``more`` further coordinates that couple with nothing left out."""
@@ -48,6 +50,7 @@ class Remainder:
             own_stiffness=self.own_stiffness,
             at_nodes=self.at_nodes,
             per_newton=np.pad(self.per_newton, ((0, 0), (0, 0), (0, more))),
+            rounding=np.pad(self.rounding, (0, more)),
         )
 
 
@@ -87,6 +90,7 @@ def _of_finer_elements(elements: Hierarchy, basis: RitzBasis, rows: int, pressed
         own_stiffness=found["own_stiffness"],
         at_nodes=np.zeros((len(zero), rows)),
         per_newton=np.zeros((pressed, *zero.shape)),
+        rounding=np.zeros(0),
     )
 
 
@@ -95,7 +99,7 @@ def _of_modes(
 ) -> Remainder:
     """Modes of the free rotor above those kept."""
     rest = basis.rest
-    mass = rest.T @ (matrices["mass"] @ basis.vectors)
+    mass = basis.rest_mass
     polar = rest.T @ (matrices["polar"] @ basis.vectors) if "polar" in matrices else 0.0 * mass
     return Remainder(
         mass=mass,
@@ -105,4 +109,5 @@ def _of_modes(
         own_stiffness=basis.rest_values,
         at_nodes=(displayed @ rest).T,
         per_newton=per_newton,
+        rounding=basis.rounding,
     )

@@ -98,3 +98,28 @@ def test_free_body_answers_with_its_inertia() -> None:
     ours = modes(stiffness, damping).receptance(np.array([3.0, 20.0]), rows, rows)[0]
     exact = [-1 / 9 + 1 / (91 + 0.3j), -1 / 400 + 1 / (-300 + 2j)]
     assert ours == pytest.approx(exact, rel=1e-9)
+
+
+@pytest.mark.parametrize("frame", [0.0, 40.0])
+def test_motions_at_rest_are_those_that_nothing_holds(frame: float) -> None:
+    """One free, one on a spring of 10⁻²⁰ of the stiffest, seen from coordinates that turn."""
+    stiffness = np.diag([0.0, 1e-6, 50.0, 1e14]).astype(complex)
+    stiffness[2:, 2:] += 3.0 * np.ones((2, 2))
+    one = np.eye(4)
+    seen = modes(stiffness - frame**2 * one, 2j * frame * one)
+    rest = seen.at_rest(np.array(frame))
+    size = np.abs(seen.pole + 1j * frame)
+    assert rest.sum() == 2
+    assert size[rest].max() < (1e-5 if frame else 1e-12)  # the root of the rounding of frame²
+    assert np.sort(size[~rest])[:2] == pytest.approx([1e-3, 1e-3], rel=1e-3 if frame else 1e-9)
+
+
+def test_a_hinged_body_has_one_free_motion() -> None:
+    """Stiffness without one direction, in coordinates that do not show it, and a slow growth."""
+    turn = np.linalg.qr(np.random.default_rng(7).normal(size=(3, 3)))[0]
+    stiffness = turn @ np.diag([0.0, 1.0, 4.0]) @ turn.T
+    damping = turn @ np.diag([0.0, -1e-3, 0.1]) @ turn.T
+    found = modes(stiffness, damping)
+    assert found.at_rest().sum() == 2
+    assert not (found.at_rest() & found.growing).any()
+    assert found.growing.sum() == 2

@@ -237,6 +237,7 @@ def campbell(count: int = 49) -> CampbellResult:
         damping_ratio=np.full((count, len(_MODES)), 0.02),
         frequency_error=1e-6 * np.abs(np.full((count, len(_MODES)), 0.02)),
         resolved_frequency=5000.0,
+        free=np.full(count, 2.0),
         whirl=whirl,
         kind=tuple(m[4] for m in _MODES),
         shape=shape,
