@@ -93,9 +93,8 @@ def _lists(entry: CaseEntry, root: Node, faults: Faults) -> None:
 def _range_of_loads(entry: ControlEntry, root: Node, faults: Faults) -> None:
     if entry.max_load <= entry.min_load:
         way = ("analyses", "control")
-        low = format_quantity(entry.min_load, "N")
         given = root.at(*way, "max_load").raw
-        message = f"not above min_load, {low}: given '{given}'"
+        message = f"not above min_load, {entry.min_load:g} N: given '{given}'"
         faults.at(root, (*way, "max_load"), message)
 
 
