@@ -184,7 +184,7 @@ def _boundaries(
 
 
 def _roots(sweep: _Sweep, race: Index, row: Index, low: Array, high: Array) -> Array:
-    """Loads (n,) between ``low`` and ``high`` at which the margins cross zero; NaN without state."""
+    """Loads (n,) from ``low`` to ``high`` at which the margins cross zero; NaN without state."""
     from scipy.optimize import elementwise
 
     def margin(log_load: Array, entry: Array) -> Array:

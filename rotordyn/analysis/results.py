@@ -2,8 +2,8 @@
 
 Dimensions: ``speed`` [rad/s], ``bearing``, ``sleeve``, ``body``, ``mode``, ``frequency`` [Hz],
 ``pair``, ``variant``, ``force`` [N], ``load`` [N], ``tangent``, ``node``, ``dof``. A value that
-does not exist is NaN only where an ``outcome`` of the same speed, an ``absence``, or the label of the
-same mode says why.
+does not exist is NaN only where an ``outcome`` of the same speed, an ``absence``, or the label of
+the same mode says why.
 """
 
 from __future__ import annotations
@@ -232,12 +232,7 @@ class ControlResult:
 
 
 Result = (
-    PreloadResult
-    | CampbellResult
-    | FrfResult
-    | StiffnessResult
-    | BearingMapResult
-    | ControlResult
+    PreloadResult | CampbellResult | FrfResult | StiffnessResult | BearingMapResult | ControlResult
 )
 
 

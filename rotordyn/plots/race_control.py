@@ -49,8 +49,8 @@ def control_figure(result: ControlResult) -> Figure:
             axes.plot(rpm, result.boundary_load[place], color=COLOURS[race], label=word)
         if race in fits:
             load = np.where(known, fitted(result, place), np.nan)
-            look = dict(color=BLACK, lw=0.9, ls=DASHES[1 + 2 * place])
-            axes.plot(rpm, load, label=f"{race}, fit: {fits[race]}", **look)
+            dashes, name = DASHES[1 + 2 * place], f"{race}, fit: {fits[race]}"
+            axes.plot(rpm, load, color=BLACK, lw=0.9, ls=dashes, label=name)
     top_legend(figure, axes)
     return figure
 

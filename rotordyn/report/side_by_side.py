@@ -131,7 +131,8 @@ def _bearing(result: BearingMapResult, _: Described) -> Cells:
 
 
 def _control(result: ControlResult, _: Described) -> Cells:
-    return dict(zip(("inner from", "outer up to"), map(from_to, result.boundary_load, (0, 0))))
+    inner, outer = (from_to(load, 0) for load in result.boundary_load)
+    return {"inner from": inner, "outer up to": outer}
 
 
 TABLES: dict[str, tuple[str, Callable[[Any, Described], Cells]]] = {

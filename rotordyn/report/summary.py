@@ -187,7 +187,9 @@ def _control(result: ControlResult) -> list[str]:
     weight = result.resting_weight
     heavy = "inner race" if weight > 1.0 else "outer race" if weight < 1.0 else "neither race"
     radial = f", radial {result.radial:g} of it" if result.radial else ""
-    lines = [f"control    under heavy load: {heavy} (C = {weight:.3f}); boundaries, axial load{radial}"]
+    lines = [
+        f"control    under heavy load: {heavy} (C = {weight:.3f}); boundaries, axial load{radial}"
+    ]
     fits = fit_words(result)
     for place, (race, word) in enumerate(BOUNDARY_WORDS.items()):
         load, absent = result.boundary_load[place], result.boundary_absence[place]

@@ -66,7 +66,9 @@ def test_both_curves_are_met_with_the_literal_sign() -> None:
     """Within 1.5 % at three speeds; the size of the band at 30 000 rpm: 2.1 %, published 1.8 %."""
     for race in PUBLISHED:
         assert own_boundary(race, LITERAL) == pytest.approx(published(race), rel=0.015)
-    assert own_boundary("inner", PHYSICAL)[2] / published("inner")[2] == pytest.approx(1.18, abs=5e-3)
+    assert own_boundary("inner", PHYSICAL)[2] / published("inner")[2] == pytest.approx(
+        1.18, abs=5e-3
+    )
 
 
 def test_both_valid_between_the_curves_is_the_doing_of_that_sign() -> None:

@@ -11,12 +11,12 @@ from matplotlib.collections import LineCollection
 
 from rotordyn.machine.reference import Reference
 from rotordyn.plots.campbell import LOOKS, campbell_figure, whirl_segments
+from rotordyn.plots.compared.panels import Shown
+from rotordyn.plots.compared.race_control import control_figure as compared_control
 from rotordyn.plots.decimate import nearest, peak_bins
 from rotordyn.plots.frf_map import map_figure
 from rotordyn.plots.frf_slices import amplitude_phase_figure, real_imaginary_figure
 from rotordyn.plots.frf_surface import surface_figure
-from rotordyn.plots.compared.panels import Shown
-from rotordyn.plots.compared.race_control import control_figure as compared_control
 from rotordyn.plots.preload import preload_figure
 from rotordyn.plots.race_control import control_figure
 from rotordyn.plots.shapes import plane_curve, shapes_figure
