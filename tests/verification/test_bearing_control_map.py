@@ -149,12 +149,12 @@ def test_quadratic_fit_leaves_what_is_orthogonal_to_it() -> None:
 def test_the_highest_of_several_changes_is_the_boundary() -> None:
     """Steep inner angles of light loads take control from the outer race as well."""
     found = mapped(replace(CLOSER, outer_conformity=0.56), kinematics="inner", speed=[2094.0])
-    several = found.changes > 1
+    assert found.changes[:, 0].tolist() == [3, 2]
+    assert (found.absence == "").all()
     margins = np.array([found.inner_margin, -found.outer_margin])
     assert ((margins[..., :-1] < 0.0) & (margins[..., 1:] > 0.0)).sum(axis=-1).max() == 2
-    for race, row in np.argwhere(several & (found.absence == "")):
-        margin = (found.inner_margin, -found.outer_margin)[race][row]
-        heavier = found.load > found.boundary[race, row]
+    for margin, boundary in zip(margins[:, 0], found.boundary[:, 0], strict=True):
+        heavier = found.load > boundary
         assert (margin[heavier] > 0.0).all()
         assert margin[~heavier][-1] < 0.0
 
