@@ -29,13 +29,21 @@ def race_weight(state: BearingState) -> Array:
 def control(state: BearingState) -> NDArray[np.str_]:
     """Which race controls each ball: ``"inner"``, ``"outer"``, ``"neither"``; ``""`` without load.
 
-    Jones (1959): the race whose friction moment, turned onto the normal of the other, is the
-    larger: inner where C cos(αi − αo) > 1, outer where cos(αi − αo) > C.
+    The one whose margin is positive (``control_margins``); never both.
+    """
+    inner, outer = control_margins(state)
+    word = np.where(inner > 0.0, "inner", np.where(outer > 0.0, "outer", "neither"))
+    return np.where(state.inner_load > 0.0, word, "")
+
+
+def control_margins(state: BearingState) -> tuple[Array, Array]:
+    """C cos(αi − αo) − 1 and cos(αi − αo) − C of each ball, inner and outer race (…, balls).
+
+    Jones (1959): a race controls where its friction moment, turned onto the normal of the other
+    race, is the larger one, that is where its margin is positive.
     """
     weight, cosine = race_weight(state), np.cos(state.inner_angle - state.outer_angle)
-    inner, outer = weight * cosine > 1.0, cosine > weight
-    word = np.where(inner, "inner", np.where(outer, "outer", "neither"))
-    return np.where(state.inner_load > 0.0, word, "")
+    return weight * cosine - 1.0, cosine - weight
 
 
 def spin_to_roll(state: BearingState) -> tuple[Array, Array]:

@@ -146,6 +146,7 @@ PULL = Quantity("force", at_least="0 N", at_most="100000 kN")
 RIGIDITY = Quantity("stiffness", above="0 N/m", at_most="1e6 MN/m", infinite="rigid")
 DAMPING = Quantity("damping", at_least="0 N s/m", at_most="1e6 kN s/m")
 DAMPING_RATIO = Quantity("ratio", at_least="0 %", below="100 %")
+RADIAL_SHARE = Quantity("number", at_least="0", at_most="10")
 SHEAR_COEFFICIENT = Quantity("number", above="0", at_most="1")
 FRICTION = Quantity("number", at_least="0.001", at_most="10", infinite="none")
 ACCURACY = Quantity("number", at_least="1e-8", at_most="0.01")
@@ -154,6 +155,7 @@ Station = Annotated[float, STATION]
 Length = Annotated[float, LENGTH]
 Accuracy = Annotated[float, ACCURACY]
 Friction = Annotated[float, FRICTION]
+RadialShare = Annotated[float, RADIAL_SHARE]
 Diameter = Annotated[float, DIAMETER]
 Bore = Annotated[float, BORE]
 Growth = Annotated[float, GROWTH]

@@ -14,7 +14,8 @@ PAGES = {
     "case": (
         "case.CaseEntry case.VariantEntry conditions.ConditionsEntry sweep.SpeedRange "
         "analyses.AnalysesEntry analyses.PreloadEntry analyses.CampbellEntry analyses.FrfEntry "
-        "sweep.FrequencyRange analyses.PairEntry analyses.StiffnessEntry analyses.BearingMapEntry"
+        "sweep.FrequencyRange analyses.PairEntry analyses.StiffnessEntry analyses.BearingMapEntry "
+        "analyses.ControlEntry"
     ),
     "spindle": (
         "spindle.SpindleEntry shaft.ShaftEntry shaft.SectionEntry shaft.MassEntry shaft.DiscEntry "

@@ -22,7 +22,10 @@ SPINDLE_ANALYSES = {
     "frf": "rotordyn.analysis.frf",
     "stiffness": "rotordyn.analysis.stiffness",
 }
-BEARING_ANALYSES = {"bearing": "rotordyn.analysis.bearing_map"}
+BEARING_ANALYSES = {
+    "bearing": "rotordyn.analysis.bearing_map",
+    "control": "rotordyn.analysis.race_control",
+}
 Progress = Callable[[str], None]
 
 

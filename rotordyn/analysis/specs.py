@@ -23,6 +23,7 @@ from rotordyn.quantity import (
     Length,
     Load,
     Name,
+    RadialShare,
     Speed,
     Travel,
     Whole,
@@ -171,7 +172,27 @@ class BearingMapSpec(Description):
             yield f"tangents: repeated: given '{name}'"
 
 
-Spec = PreloadSpec | CampbellSpec | FrfSpec | StiffnessSpec | BearingMapSpec
+@dataclass(frozen=True, slots=True)
+class ControlSpec(Description):
+    """Which race controls the balls of a single bearing, at every speed of the case.
+
+    Axial loads from ``min_load`` to ``max_load`` [N]; ``radial``: radial over axial load.
+    """
+
+    max_load: Load
+    min_load: Load = 10.0
+    radial: RadialShare = 0.0
+    static_growth: Growth = 0.0
+
+    def _faults(self) -> Iterator[str]:
+        if self.max_load <= self.min_load:
+            yield (
+                f"max_load: not above min_load: given {self.max_load:.6g} N after "
+                f"{self.min_load:.6g} N"
+            )
+
+
+Spec = PreloadSpec | CampbellSpec | FrfSpec | StiffnessSpec | BearingMapSpec | ControlSpec
 
 
 def ascending(what: str, values: Sequence[float]) -> Iterator[str]:

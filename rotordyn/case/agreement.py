@@ -10,6 +10,7 @@ from rotordyn.analysis.specs import (
     BearingMapSpec,
     CampbellSpec,
     Conditions,
+    ControlSpec,
     FrfSpec,
     PreloadSpec,
     Spec,
@@ -27,8 +28,9 @@ ANALYSES: dict[str, type[Spec]] = {
     "frf": FrfSpec,
     "stiffness": StiffnessSpec,
     "bearing": BearingMapSpec,
+    "control": ControlSpec,
 }
-OF_A_BEARING = ("bearing",)
+OF_A_BEARING = ("bearing", "control")
 OF_BALLS = ("kinematics", "moment_sharing", "friction")
 NEEDS_BEARINGS = ("preload", "stiffness")
 MOST_ELEMENTS = 1000

@@ -94,6 +94,10 @@ def _bearing(case: Drawable, result: Any, _: Mapping[str, Any]) -> Iterator[Job]
         yield "bearing_tangents", partial(call, "tangents", "tangents_figure", result, known)
 
 
+def _control(_: Drawable, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
+    yield "control", partial(call, "race_control", "control_figure", result)
+
+
 def call(module: str, function: str, *arguments: Any) -> Figure:
     """Import the drawing module now, and draw."""
     from importlib import import_module
@@ -108,5 +112,6 @@ FIGURES: dict[str, Callable[[Drawable, Any, Mapping[str, Any]], Iterator[Job]]] 
     "frf": _frf,
     "stiffness": _stiffness,
     "bearing": _bearing,
+    "control": _control,
 }
 _COST = {"frf_surface": 9, "mode_shapes": 8, "frf_maps": 7, "preload": 6, "contacts": 6}

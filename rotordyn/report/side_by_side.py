@@ -13,6 +13,7 @@ from rotordyn.analysis.known import matches, preload_sum
 from rotordyn.analysis.results import (
     BearingMapResult,
     CampbellResult,
+    ControlResult,
     PreloadResult,
     StiffnessResult,
 )
@@ -129,9 +130,15 @@ def _bearing(result: BearingMapResult, _: Described) -> Cells:
     }
 
 
+def _control(result: ControlResult, _: Described) -> Cells:
+    inner, outer = (from_to(load, 0) for load in result.boundary_load)
+    return {"inner from": inner, "outer up to": outer}
+
+
 TABLES: dict[str, tuple[str, Callable[[Any, Described], Cells]]] = {
     "campbell": ("bending modes, backward/forward [Hz]", _campbell),
     "preload": ("preload", _preload),
     "stiffness": ("radial stiffness at no load", _stiffness),
     "bearing": ("axial and radial stiffness, tilts blocked [N/µm]", _bearing),
+    "control": ("axial load [N] at which race control changes", _control),
 }

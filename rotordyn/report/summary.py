@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from typing import Any, Protocol
 
@@ -10,9 +11,11 @@ import numpy as np
 
 from rotordyn.analysis.display import RPM, STIFFNESS
 from rotordyn.analysis.known import matches
+from rotordyn.analysis.race_control import BOUNDARY_WORDS, fit_words
 from rotordyn.analysis.results import (
     BearingMapResult,
     CampbellResult,
+    ControlResult,
     PreloadResult,
     StiffnessResult,
     turning,
@@ -64,6 +67,8 @@ def summary(
         lines += _preload(results["preload"])
     if "bearing" in results:
         lines += _bearing(results["bearing"])
+    if "control" in results:
+        lines += _control(results["control"])
     if "stiffness" in results:
         lines += _stiffness(results["stiffness"])
     top = opening(warnings, called(case), notes)
@@ -175,6 +180,37 @@ def _bearing(result: BearingMapResult) -> list[str]:
             f"{pressure:.2f} GPa"
         )
     return lines
+
+
+def _control(result: ControlResult) -> list[str]:
+    """Which race controls under heavy load, both boundaries with their fits, or why none."""
+    weight = result.resting_weight
+    heavy = "inner race" if weight > 1.0 else "outer race" if weight < 1.0 else "neither race"
+    radial = f", radial {result.radial:g} of it" if result.radial else ""
+    lines = [
+        f"control    under heavy load: {heavy} (C = {weight:.3f}); boundaries, axial load{radial}"
+    ]
+    fits = fit_words(result)
+    for place, (race, word) in enumerate(BOUNDARY_WORDS.items()):
+        load, absent = result.boundary_load[place], result.boundary_absence[place]
+        known = np.flatnonzero(np.isfinite(load))
+        if known.size:
+            ends = " → ".join(_at_speed(load[k], result.speed[k]) for k in known[[0, -1]])
+            lines.append(f"           {word} {ends}")
+        if race in fits:
+            lines.append(f"           fit: {fits[race]}")
+        lines += [
+            f"           {sentence}, at {count} of {len(load)} speeds"
+            for sentence, count in Counter(absent[absent != ""].tolist()).items()
+        ]
+    several = int((result.changes > 1).any(axis=0).sum())
+    if several:
+        lines.append(f"           at {several} speeds control changes more than once; highest told")
+    return lines
+
+
+def _at_speed(load: float, speed: float) -> str:
+    return f"{load:.0f} N at {speed * RPM.factor:.0f} rpm"
 
 
 def _preload(result: PreloadResult) -> list[str]:

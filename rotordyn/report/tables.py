@@ -56,6 +56,11 @@ LAYOUTS = {
         Layout("bearing", ("speed", "load")),
         Layout("bearing_stiffness", ("speed", "load", "tangent"), ("dof", "dof_other")),
     ),
+    "control": (
+        Layout("control", ("speed", "boundary")),
+        Layout("control_margins", ("speed", "load")),
+        Layout("control_fits", ("boundary",), ("term",)),
+    ),
 }
 Column = tuple[str, list[Any]]
 

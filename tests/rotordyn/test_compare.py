@@ -166,3 +166,23 @@ def test_many_variants_are_laid_over_one_another_only(tmp_path: Path) -> None:
     many = {f"v{k}": replace(one, title=f"variant {k}") for k in range(7)}
     deliver(replace(restricted(whole, ("campbell", "frf")), variants=many), tmp_path / "out")
     assert {p.stem for p in (tmp_path / "out").glob("*.png")} == {"campbell_overlay", "frf_curves"}
+
+
+def test_race_control_of_variants_stands_side_by_side(tmp_path: Path) -> None:
+    """The boundaries of two hypotheses in one table and one figure, a map each in its folder."""
+    path = tmp_path / "two.yaml"
+    path.write_text(
+        "bearing: vex70\n"
+        "speeds: [6000 rpm, 12000 rpm]\n"
+        "analyses: {control: {max_load: 2000 N}}\n"
+        "compare:\n"
+        "  a: {title: one, conditions: {kinematics: outer}}\n"
+        "  b: {title: other, conditions: {kinematics: hybrid}}\n",
+        encoding="utf-8",
+    )
+    deliver(rotordyn.load(path), tmp_path / "out")
+    summary = (tmp_path / "out" / "summary.txt").read_text(encoding="utf-8")
+    assert "axial load [N] at which race control changes, 6000 → 12000 rpm" in summary
+    assert summary.count("none → none") == 4
+    assert (tmp_path / "out" / "control.png").exists()
+    assert (tmp_path / "out" / "a" / "control_margins.csv").exists()

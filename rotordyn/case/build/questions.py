@@ -6,6 +6,7 @@ from rotordyn.analysis.specs import (
     BearingMapSpec,
     CampbellSpec,
     Conditions,
+    ControlSpec,
     FrfSpec,
     Port,
     PreloadSpec,
@@ -17,6 +18,7 @@ from rotordyn.case.schema.analyses import (
     AnalysesEntry,
     BearingMapEntry,
     CampbellEntry,
+    ControlEntry,
     FrfEntry,
     PreloadEntry,
     StiffnessEntry,
@@ -36,7 +38,12 @@ def questions(entry: AnalysesEntry) -> dict[str, Spec]:
 
 
 def _spec(
-    entry: PreloadEntry | CampbellEntry | FrfEntry | StiffnessEntry | BearingMapEntry,
+    entry: PreloadEntry
+    | CampbellEntry
+    | FrfEntry
+    | StiffnessEntry
+    | BearingMapEntry
+    | ControlEntry,
 ) -> Spec:
     match entry:
         case CampbellEntry():
@@ -48,6 +55,8 @@ def _spec(
             return _stiffness(entry)
         case BearingMapEntry():
             return BearingMapSpec(tuple(entry.loads), entry.static_growth, tuple(entry.tangents))
+        case ControlEntry():
+            return ControlSpec(entry.max_load, entry.min_load, entry.radial, entry.static_growth)
         case PreloadEntry():
             return PreloadSpec()
 

@@ -21,7 +21,7 @@ from rotordyn.case.checks.references import references
 from rotordyn.case.checks.sweep import ascending, sweep
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
-from rotordyn.case.schema.analyses import FrfEntry, StiffnessEntry
+from rotordyn.case.schema.analyses import ControlEntry, FrfEntry, StiffnessEntry
 from rotordyn.case.schema.case import CaseEntry
 from rotordyn.case.schema.shaft import ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
@@ -78,6 +78,8 @@ def _lists(entry: CaseEntry, root: Node, faults: Faults) -> None:
     if analyses.bearing is not None:
         ascending(analyses.bearing.loads, root, (*way, "bearing", "loads"), faults)
         _once(analyses.bearing.tangents, root, (*way, "bearing", "tangents"), faults)
+    if analyses.control is not None:
+        _range_of_loads(analyses.control, root, faults)
     if analyses.campbell is not None:
         ascending(analyses.campbell.teeth, root, (*way, "campbell", "teeth"), faults)
     if analyses.frf is not None:
@@ -86,6 +88,14 @@ def _lists(entry: CaseEntry, root: Node, faults: Faults) -> None:
         _slices(analyses.frf, entry, root, faults)
     if analyses.stiffness is not None:
         _once(analyses.stiffness.variants, root, (*way, "stiffness", "variants"), faults)
+
+
+def _range_of_loads(entry: ControlEntry, root: Node, faults: Faults) -> None:
+    if entry.max_load <= entry.min_load:
+        way = ("analyses", "control")
+        given = root.at(*way, "max_load").raw
+        message = f"not above min_load, {entry.min_load:g} N: given '{given}'"
+        faults.at(root, (*way, "max_load"), message)
 
 
 def _slices(entry: FrfEntry, case: CaseEntry, root: Node, faults: Faults) -> None:

@@ -18,6 +18,7 @@ from rotordyn.case.schema.values import (
     Growth,
     Load,
     Name,
+    RadialShare,
     Speed,
     Travel,
     choice,
@@ -103,6 +104,15 @@ class BearingMapEntry(Entry):
     tangents: Annotated[list[Tangent], Field(min_length=1)] = [TANGENTS[0]]
 
 
+class ControlEntry(Entry):
+    """Which race controls the balls of a single bearing, over axial load."""
+
+    max_load: Load
+    min_load: Load = 10.0
+    radial: RadialShare = 0.0
+    static_growth: Growth = 0.0
+
+
 def _empty_if_bare(value: Any) -> Any:
     return {} if value is None else value
 
@@ -120,3 +130,4 @@ class AnalysesEntry(Entry):
     frf: Annotated[FrfEntry | None, _BARE] = None
     stiffness: Annotated[StiffnessEntry | None, _BARE] = None
     bearing: Annotated[BearingMapEntry | None, _BARE] = None
+    control: Annotated[ControlEntry | None, _BARE] = None

@@ -61,6 +61,7 @@ MEANINGS: dict[str, dict[str, str]] = {
         "frf": "receptances over speed and frequency",
         "stiffness": "radial stiffness of a point",
         "bearing": "a single bearing over load and speed",
+        "control": "which race controls the balls of a single bearing",
     },
     "preload": {},
     "campbell": {
@@ -88,6 +89,12 @@ MEANINGS: dict[str, dict[str, str]] = {
         "loads": "axial loads, ascending",
         "static_growth": "radial growth of the inner groove at rest",
         "tangents": "stiffness matrices to compute ([theory](theory/ball.md#the-tangent))",
+    },
+    "control": {
+        "max_load": "highest axial load to look at",
+        "min_load": "lowest axial load to look at",
+        "radial": "radial load over the axial one",
+        "static_growth": "radial growth of the inner groove at rest",
     },
     "spindle": {
         "title": "one line",

@@ -72,6 +72,10 @@ def _bearing(_: Any, shown: Sequence[Shown]) -> Iterator[Job]:
     yield "bearing", partial(_draw, "bearing", "bearing_figure", shown)
 
 
+def _control(_: Any, shown: Sequence[Shown]) -> Iterator[Job]:
+    yield "control", partial(_draw, "race_control", "control_figure", shown)
+
+
 def _draw(module: str, function: str, *arguments: Any) -> Any:
     return call(f"compared.{module}", function, *arguments)
 
@@ -82,4 +86,5 @@ FIGURES: dict[str, Callable[[Any, Sequence[Shown]], Iterator[Job]]] = {
     "preload": _preload,
     "stiffness": _stiffness,
     "bearing": _bearing,
+    "control": _control,
 }

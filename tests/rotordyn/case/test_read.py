@@ -14,6 +14,7 @@ from rotordyn.analysis.specs import (
     BearingMapSpec,
     CampbellSpec,
     Conditions,
+    ControlSpec,
     FrfSpec,
     Port,
     PreloadSpec,
@@ -240,6 +241,7 @@ def test_defaults_of_files_are_those_of_python() -> None:
             "frf": {"frequencies": ["1 Hz"], "pairs": [{"response": "a.y", "excitation": "a.y"}]},
             "stiffness": {"point": "a"},
             "bearing": {"loads": ["1 N"]},
+            "control": {"max_load": "2 kN", "radial": 0.5},
         }
     )
     port = Port("a", "y")
@@ -250,4 +252,5 @@ def test_defaults_of_files_are_those_of_python() -> None:
         "frf": FrfSpec((1.0,), ((port, port),)),
         "stiffness": StiffnessSpec("a"),
         "bearing": BearingMapSpec((1.0,)),
+        "control": ControlSpec(2000.0, radial=0.5),
     }

@@ -12,6 +12,7 @@ from bearings import AngularContactBallBearing, Material
 from rotordyn.analysis.results import (
     BearingMapResult,
     CampbellResult,
+    ControlResult,
     FrfResult,
     PreloadResult,
     StiffnessResult,
@@ -319,6 +320,36 @@ def bearing(count: int = 13) -> BearingMapResult:
         outer_spin_to_roll=0.01 * s * ones,
         control=np.full(k.shape, "outer"),
         control_agrees=np.full(k.shape, True),
+    )
+
+
+def control(count: int = 13) -> ControlResult:
+    """The inner race controls above 4 n², the outer race up to 3 n² (n in 1000 rpm)."""
+    speed, load = speeds(count), np.geomspace(10.0, 3000.0, 40)
+    n2 = (speed * 30.0 / np.pi / 1000.0) ** 2
+    boundary = np.array([4.0 * n2, 3.0 * n2])
+    boundary[:, 0] = np.nan
+    absence = np.full(boundary.shape, "", dtype="<U40")
+    absence[:, 0] = "inner race controls", "outer race does not"
+    unit = (np.pi / 30.0 * 1000.0) ** -2
+    return ControlResult(
+        speed=speed,
+        load=load,
+        boundary=("inner", "outer"),
+        term=("quadratic", "linear", "constant"),
+        outcome=("",) * count,
+        radial=0.0,
+        resting_weight=1.3,
+        boundary_load=boundary,
+        boundary_absence=absence,
+        boundary_pressure=1e9 + 1e5 * boundary,
+        changes=np.isfinite(boundary).astype(int),
+        fit=np.array([[4.0 * unit, 0.0, 0.0], [3.0 * unit, 0.0, 0.0]]),
+        fit_misfit=np.array([1.5, 0.5]),
+        fit_absence=("", ""),
+        state=np.full((count, load.size), ""),
+        inner_margin=load / 100.0 - n2[:, None] / 25.0,
+        outer_margin=3.0 * n2[:, None] / 100.0 - load / 100.0,
     )
 
 

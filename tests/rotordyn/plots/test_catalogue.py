@@ -76,6 +76,13 @@ def test_bearing_alone(case):
     assert [name for name, _ in jobs] == ["bearing", "bearing_tangents"]
 
 
+def test_race_control_alone():
+    jobs = figures(
+        samples.SampleCase(bearing=samples.ball_bearing(0.09, 25)), {"control": samples.control(3)}
+    )
+    assert [name for name, _ in jobs] == ["control"]
+
+
 def test_one_speed_and_missing_values_can_be_drawn(case, tmp_path):
     results = samples.results(1, 40)
     results["campbell"].frequency[0, 2] = np.nan

@@ -11,11 +11,14 @@ from matplotlib.collections import LineCollection
 
 from rotordyn.machine.reference import Reference
 from rotordyn.plots.campbell import LOOKS, campbell_figure, whirl_segments
+from rotordyn.plots.compared.panels import Shown
+from rotordyn.plots.compared.race_control import control_figure as compared_control
 from rotordyn.plots.decimate import nearest, peak_bins
 from rotordyn.plots.frf_map import map_figure
 from rotordyn.plots.frf_slices import amplitude_phase_figure, real_imaginary_figure
 from rotordyn.plots.frf_surface import surface_figure
 from rotordyn.plots.preload import preload_figure
+from rotordyn.plots.race_control import control_figure
 from rotordyn.plots.shapes import plane_curve, shapes_figure
 from rotordyn.plots.stiffness import stiffness_figure
 from rotordyn.plots.tangents import tangents_figure
@@ -192,6 +195,56 @@ def test_a_missing_state_leaves_a_gap():
     figure = tangents_figure(replace(result, stiffness=values))
     assert np.isnan(figure.axes[0].lines[0].get_ydata()[-1])
     assert "250 N" in figure.axes[1].get_title()
+
+
+def test_race_control_has_regions_boundaries_and_their_fits():
+    result = samples.control(13)
+    figure = control_figure(result)
+    axes = figure.axes[0]
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("speed [rpm]", "axial load [N]")
+    assert [t.get_text() for t in figure.legends[0].get_texts()] == [
+        "neither race controls", "inner race controls", "outer race controls",
+        "inner race controls above", "inner, fit: 4 n² + 0 n + 0 N, n in 1000 rpm, misfit 1.5 N",
+        "outer race controls up to", "outer, fit: 3 n² + 0 n + 0 N, n in 1000 rpm, misfit 0.5 N",
+    ]  # fmt: skip
+    for line, factor in zip(axes.lines, (4.0, 4.0, 3.0, 3.0), strict=True):
+        rpm, load = line.get_data()
+        np.testing.assert_allclose(load[1:], factor * (rpm[1:] / 1000.0) ** 2)
+        assert np.isnan(load[0])
+    for where, colours in (((12000.0, 900.0), 2), ((12000.0, 500.0), 1), ((12000.0, 200.0), 3)):
+        assert _top_shade(axes, where) == colours
+
+
+def _top_shade(axes, point):
+    """1, 2, 3: the shade drawn last at a point: neither, inner, outer."""
+    shades = [c for c in axes.collections if c.get_paths()]
+    inside = [any(path.contains_point(point) for path in c.get_paths()) for c in shades]
+    return max(k for k, hit in enumerate(inside, 1) if hit)
+
+
+def test_race_control_without_boundary_or_state():
+    result = samples.control(13)
+    lost = result.inner_margin.copy()
+    lost[6:, :10] = np.nan
+    bare = replace(
+        result,
+        boundary_load=np.full((2, 13), np.nan),
+        fit_absence=("none", "none"),
+        inner_margin=np.where(np.isnan(lost), lost, -0.1),
+        outer_margin=np.where(np.isnan(lost), lost, 0.1),
+        radial=0.2,
+    )
+    figure = control_figure(bare)
+    assert [t.get_text() for t in figure.legends[0].get_texts()] == [
+        "outer race controls all balls", "no state",
+    ]  # fmt: skip
+    assert figure.axes[0].get_ylabel() == "axial load [N], radial 0.2 of it"
+    assert not figure.axes[0].lines
+    alone = control_figure(samples.control(1))
+    assert len(alone.axes[0].collections) == 0
+    variants = [Shown(name, each, (), None) for name, each in (("a", result), ("b", bare))]
+    axes = compared_control(variants).axes[0]
+    assert {"a", "b: no boundary"} <= set(_labels(axes))
 
 
 def test_references_stand_beside_the_stiffness():

@@ -17,7 +17,7 @@ from tests.rotordyn.plots import samples
 
 @pytest.fixture
 def text(case, results):
-    return summary(case, results)
+    return summary(case, {name: r for name, r in results.items() if name != "control"})
 
 
 def test_fits_one_screen(text):
@@ -135,3 +135,19 @@ def test_one_speed_and_no_mode_are_said_plainly(case, results):
     assert "→" not in line
     bare = replace(campbell, mode=(), kind=(), damping_ratio=campbell.damping_ratio[:, :0])
     assert "none in the band asked for" in summary(case, {"campbell": bare})
+
+
+def test_race_control_says_boundaries_fits_and_what_is_absent(case):
+    result = samples.control(13)
+    text = " ".join(summary(case, {"control": result}).split())
+    assert "control under heavy load: inner race (C = 1.300); boundaries, axial load inner" in text
+    assert "inner race controls above 16 N at 2000 rpm → 2304 N at 24000 rpm" in text
+    assert "fit: 3 n² + 0 n + 0 N, n in 1000 rpm, misfit 0.5 N" in text
+    assert "inner race controls, at 1 of 13 speeds" in text
+    assert "more than once" not in text
+    changes = result.changes.copy()
+    changes[:, 4:6] = 3
+    twice = replace(result, changes=changes, radial=0.2, resting_weight=0.9)
+    text = " ".join(summary(case, {"control": twice}).split())
+    assert "under heavy load: outer race (C = 0.900); boundaries, axial load, radial 0.2" in text
+    assert "at 2 speeds control changes more than once; highest told" in text
