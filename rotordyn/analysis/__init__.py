@@ -13,6 +13,7 @@ if TYPE_CHECKING:
         FrfSpec,
         Port,
         PreloadSpec,
+        SectionForcesSpec,
         StiffnessSpec,
     )
 
@@ -23,6 +24,7 @@ __all__ = [
     "FrfSpec",
     "Port",
     "PreloadSpec",
+    "SectionForcesSpec",
     "StiffnessSpec",
 ]
 

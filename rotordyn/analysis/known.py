@@ -109,6 +109,9 @@ def _computed(
             return _column(speeds, preload, "position", "body", subject)
         case quantity if quantity in MODES and "campbell" in results:
             return _frequencies_of(results["campbell"], reference)
+        case "required_diameter" if "section_forces" in results:
+            found = results["section_forces"]
+            return _column(speeds, found, "required_diameter", "twist_limit", subject)
         case "frozen_error" if "bearing" in results:
             return _frozen(results["bearing"], speeds)
     return None

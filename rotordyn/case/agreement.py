@@ -12,12 +12,14 @@ from rotordyn.analysis.specs import (
     Conditions,
     FrfSpec,
     PreloadSpec,
+    SectionForcesSpec,
     Spec,
     StiffnessSpec,
     ascending,
 )
+from rotordyn.case.loads import misplaced, unheld
 from rotordyn.machine.reference import Reference
-from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.spindle import RigidSupport, Spindle
 from rotordyn.machine.support import MOTIONS, coupled_motions, entry_name
 from rotordyn.quantity import suggestion
 
@@ -26,11 +28,13 @@ ANALYSES: dict[str, type[Spec]] = {
     "campbell": CampbellSpec,
     "frf": FrfSpec,
     "stiffness": StiffnessSpec,
+    "section_forces": SectionForcesSpec,
     "bearing": BearingMapSpec,
 }
 OF_A_BEARING = ("bearing",)
 OF_BALLS = ("kinematics", "moment_sharing")
 NEEDS_BEARINGS = ("preload", "stiffness")
+TAKE_RIGID = ("section_forces",)
 MOST_ELEMENTS = 1000
 _SPOKEN = {"axial": "axial motion"}
 
@@ -66,6 +70,8 @@ def questions_agree(
         yield from _machine(spindle, conditions)
         for name, spec in analyses.items():
             yield from _question(name, spec, spindle)
+            if isinstance(spec, SectionForcesSpec):
+                yield from _section_forces(name, spec, spindle, conditions)
 
 
 def _of_balls(conditions: Conditions) -> Iterator[str]:
@@ -120,6 +126,7 @@ def _machine(spindle: Spindle, conditions: Conditions) -> Iterator[str]:
     for name, x in spindle.points.items():
         yield from spindle.off_the_shaft(f"point {name}", x)
     held = {pair for support in spindle.supports for pair, k in support.stiffness.items() if k}
+    held |= {(freedom, freedom) for support in spindle.supports for freedom in support.rigid}
     free = [freedom for freedom in ("y", "z") if (freedom, freedom) not in held]
     if free and not spindle.seats:
         axes = " and ".join(free)
@@ -138,6 +145,8 @@ def _machine(spindle: Spindle, conditions: Conditions) -> Iterator[str]:
 def _question(name: str, spec: Spec, spindle: Spindle) -> Iterator[str]:
     if name in NEEDS_BEARINGS and not spindle.seats:
         yield f"{name} needs bearings: this spindle has none"
+    if name not in TAKE_RIGID:
+        yield from (f"{name}: {sentence}" for sentence in rigid_supports(spindle.supports))
     if isinstance(spec, FrfSpec):
         for point in {port.point: None for pair in spec.pairs for port in pair}:
             yield from _exists(point, spindle.points, f"{name}: unknown point")
@@ -160,6 +169,25 @@ def _question(name: str, spec: Spec, spindle: Spindle) -> Iterator[str]:
                     f"{name}: support '{support.name}' couples plane y or the axis to other "
                     f"motions ({across}): the radial stiffness is solved in plane y alone"
                 )
+
+
+def _section_forces(
+    name: str, spec: SectionForcesSpec, spindle: Spindle, conditions: Conditions
+) -> Iterator[str]:
+    reach = spindle.shaft.start, spindle.shaft.end
+    faults = list(misplaced(spec, spindle.points, reach, conditions.gravity))
+    for way, sentence in faults or unheld(spec, spindle, conditions):
+        yield f"{name}: {'.'.join(map(str, way))}: {sentence}"
+
+
+def rigid_supports(supports: Iterable[RigidSupport]) -> Iterator[str]:
+    """A sentence for every support that only section forces take."""
+    for support in supports:
+        if support.rigid:
+            yield (
+                f"support '{support.name}' holds {', '.join(support.rigid)} rigidly, which only "
+                "section_forces takes: give it a stiffness"
+            )
 
 
 def _exists(name: str, allowed: Iterable[str], what: str) -> Iterator[str]:

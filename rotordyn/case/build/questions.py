@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from rotordyn.analysis.loads import LineLoad, PointLoad, TwistLimit, Unbalance
 from rotordyn.analysis.specs import (
     BearingMapSpec,
     CampbellSpec,
@@ -9,6 +10,7 @@ from rotordyn.analysis.specs import (
     FrfSpec,
     Port,
     PreloadSpec,
+    SectionForcesSpec,
     Spec,
     StiffnessSpec,
 )
@@ -22,6 +24,7 @@ from rotordyn.case.schema.analyses import (
     StiffnessEntry,
 )
 from rotordyn.case.schema.conditions import ConditionsEntry
+from rotordyn.case.schema.loads import SectionForcesEntry
 
 
 def conditions(entry: ConditionsEntry) -> Conditions:
@@ -36,7 +39,12 @@ def questions(entry: AnalysesEntry) -> dict[str, Spec]:
 
 
 def _spec(
-    entry: PreloadEntry | CampbellEntry | FrfEntry | StiffnessEntry | BearingMapEntry,
+    entry: PreloadEntry
+    | CampbellEntry
+    | FrfEntry
+    | StiffnessEntry
+    | SectionForcesEntry
+    | BearingMapEntry,
 ) -> Spec:
     match entry:
         case CampbellEntry():
@@ -46,10 +54,23 @@ def _spec(
             return FrfSpec(values(entry.frequencies), pairs, tuple(entry.slices))
         case StiffnessEntry():
             return _stiffness(entry)
+        case SectionForcesEntry():
+            return section_forces(entry)
         case BearingMapEntry():
             return BearingMapSpec(tuple(entry.loads), entry.static_growth, tuple(entry.tangents))
         case PreloadEntry():
             return PreloadSpec()
+
+
+def section_forces(entry: SectionForcesEntry) -> SectionForcesSpec:
+    """Static loads and limits of twist."""
+    return SectionForcesSpec(
+        loads=tuple(PointLoad(**load.model_dump()) for load in entry.loads),
+        line_loads=tuple(LineLoad(**load.model_dump()) for load in entry.line_loads),
+        unbalances=tuple(Unbalance(**load.model_dump()) for load in entry.unbalances),
+        gravity=entry.gravity,
+        twist_limits=tuple(TwistLimit(**limit.model_dump()) for limit in entry.twist_limits),
+    )
 
 
 def _stiffness(entry: StiffnessEntry) -> StiffnessSpec:
