@@ -19,6 +19,7 @@ from rotordyn.quantity import (
     UnbalanceSize,
 )
 
+
 @dataclass(frozen=True, slots=True)
 class PointLoad(Description):
     """Forces [N] and moments [N·m] on the shaft at a point's name or a station ``at`` [m].

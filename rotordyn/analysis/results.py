@@ -1,9 +1,9 @@
 """What the analyses answer: frozen arrays that know their dimensions and units, nothing else.
 
 Dimensions: ``speed`` [rad/s], ``bearing``, ``sleeve``, ``body``, ``mode``, ``frequency`` [Hz],
-``pair``, ``variant``, ``force`` [N], ``load`` [N], ``tangent``, ``node``, ``dof``, ``cut`` [m], ``support``. A value that
-does not exist is NaN only where an ``outcome`` of the same speed, or the label of the same mode,
-says why.
+``pair``, ``variant``, ``force`` [N], ``load`` [N], ``tangent``, ``node``, ``dof``, ``cut`` [m],
+``support``. A value that does not exist is NaN only where an ``outcome`` of the same speed, or the
+label of the same mode, says why.
 """
 
 from __future__ import annotations

@@ -23,6 +23,7 @@ from rotordyn.analysis.static_loads import (
 )
 from rotordyn.elements.outer_fibre import outer_fibre
 from rotordyn.machine.cross_section import area
+from rotordyn.machine.spindle import Spindle
 from rotordyn.system.elastic_line import Compliance, compliance, elastic_line
 from rotordyn.system.holding import (
     held_stiffness,
@@ -55,9 +56,9 @@ def answer(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
     acting = np.broadcast_to(resultant(loads.on_nodes(mesh.x), mesh.x), (len(speed), 6))
     acting = acting + np.multiply.outer(speed**2, resultant(loads.turning, mesh.x))
     nodes = mesh.nodes_of(spindle.seats, spindle.supports)
-    loose = elastic_line(
-        mesh.x, give, section_forces(mesh.x, point, loads.line), loads.line
-    )[:, nodes]
+    loose = elastic_line(mesh.x, give, section_forces(mesh.x, point, loads.line), loads.line)[
+        :, nodes
+    ]
     held = Held(
         stiffness=held_stiffness(spindle, scene.seat_stiffness, _closed(scene)),
         rigid=rigidly_held(spindle).ravel(),
@@ -69,7 +70,8 @@ def answer(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
     push, front = reactions(held, loose.reshape(len(speed), -1), acting)
     push = push.reshape(len(speed), -1, 6)
     whole = point.copy()
-    np.add.at(whole, (slice(None), nodes), push)
+    for k, node in enumerate(nodes):
+        whole[:, node] += push[:, k]
     forces = section_forces(mesh.x, whole, loads.line)
     moved = elastic_line(mesh.x, give, forces, loads.line)
     own = rigid_motion(mesh.x, float(mesh.x[0]))
@@ -114,12 +116,13 @@ def _result(
     )
     outer, inner = (np.repeat(d, 2) for d in (mesh.outer_diameter, mesh.inner_diameter))
     stress = outer_fibre(cut, outer, inner)
-    held = (*spindle.seats, *spindle.supports)
+    held = [(each.name, each.x) for each in spindle.seats]
+    held += [(each.name, each.x) for each in spindle.supports]
     needed = [_needed(limit, spindle, mesh, both) for limit in spec.twist_limits]
     return SectionForcesResult(
         speed=scene.speed,
         cut=np.stack([mesh.x[:-1], mesh.x[1:]], axis=1).ravel(),
-        support=tuple(each.name for each in held),
+        support=tuple(name for name, _ in held),
         component=COMPONENTS,
         twist_limit=tuple(limit.called for limit in spec.twist_limits),
         outcome=scene.outcome,
@@ -140,7 +143,7 @@ def _result(
         normal_stress=stress.normal,
         torsion_stress=stress.torsion,
         von_mises_stress=stress.von_mises,
-        support_station=np.array([each.x for each in held]),
+        support_station=np.array([x for _, x in held]),
         reaction=scene.scattered(push),
         allowed_twist=np.array([limit.limit for limit in spec.twist_limits]),
         bore=np.array([limit.bore for limit in spec.twist_limits]),
@@ -171,9 +174,7 @@ def _preload_push(scene: Scene) -> Array:
     return own
 
 
-def _needed(
-    limit: TwistLimit, spindle: Spindle, mesh: Mesh, forces: Array
-) -> tuple[Array, Array]:
+def _needed(limit: TwistLimit, spindle: Spindle, mesh: Mesh, forces: Array) -> tuple[Array, Array]:
     """Twist between the ends of ``limit`` [rad] and the outer diameter [m] that just keeps to it.
 
     Of a uniform shaft D⁴ = d⁴ + 32 |∫ Mt/G dx| / (π θ), whatever stands in the case.

@@ -164,9 +164,9 @@ class SectionForcesSpec(Description):
     @property
     def places(self) -> tuple[str | float, ...]:
         """Points and stations at which something acts or is asked for."""
-        own = [load.at for load in (*self.loads, *self.unbalances)]
-        for span in (*self.line_loads, *self.twist_limits):
-            own += [span.start, span.to]
+        own = [load.at for load in self.loads] + [load.at for load in self.unbalances]
+        own += [at for span in self.line_loads for at in (span.start, span.to)]
+        own += [at for span in self.twist_limits for at in (span.start, span.to)]
         return tuple(own)
 
 

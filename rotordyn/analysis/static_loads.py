@@ -60,9 +60,9 @@ def static_loads(
     point, turning = np.zeros((2, mesh.nodes, 6))
     for load in spec.loads:
         point[mesh.node_of(station(spindle, load.at))] += load.on_axis
-    for load in spec.unbalances:
-        way = np.array([0.0, math.cos(load.angle), math.sin(load.angle), 0.0, 0.0, 0.0])
-        turning[mesh.node_of(station(spindle, load.at))] += load.unbalance * way
+    for each in spec.unbalances:
+        way = np.array([0.0, math.cos(each.angle), math.sin(each.angle), 0.0, 0.0, 0.0])
+        turning[mesh.node_of(station(spindle, each.at))] += each.unbalance * way
     line = np.zeros((mesh.nodes - 1, 3))
     for span in spec.line_loads:
         ends = [station(spindle, at) for at in (span.start, span.to)]
@@ -78,9 +78,7 @@ def static_loads(
     return StaticLoads(point, turning, line)
 
 
-def _weights(
-    spindle: Spindle, spec: SectionForcesSpec, conditions: Conditions
-) -> Iterator[Array]:
+def _weights(spindle: Spindle, spec: SectionForcesSpec, conditions: Conditions) -> Iterator[Array]:
     """Acceleration of gravity by the question, and by conditions without a preload state."""
     for word in (spec.gravity, "none" if spindle.seats else conditions.gravity):
         if word != "none":

@@ -55,7 +55,9 @@ class Statics(Staged):
     @property
     def gravity(self) -> float:
         """Acceleration of gravity along the axis, towards +x [m/s²]."""
-        return {"none": 0.0, "+x": STANDARD_GRAVITY, "-x": -STANDARD_GRAVITY}[self.conditions.gravity]
+        return {"none": 0.0, "+x": STANDARD_GRAVITY, "-x": -STANDARD_GRAVITY}[
+            self.conditions.gravity
+        ]
 
     @property
     def axial_force(self) -> float:

@@ -162,13 +162,17 @@ def _question(name: str, spec: Spec, spindle: Spindle) -> Iterator[str]:
         sleeves = [sleeve.name for sleeve in spindle.sleeves]
         for sleeve in spec.second_stop:
             yield from _exists(sleeve, sleeves, f"{name}: second_stop: unknown sleeve")
-        for support in spindle.supports:
-            if support.out_of_plane:
-                across = ", ".join(entry_name(*pair) for pair in support.out_of_plane)
-                yield (
-                    f"{name}: support '{support.name}' couples plane y or the axis to other "
-                    f"motions ({across}): the radial stiffness is solved in plane y alone"
-                )
+        yield from (f"{name}: {sentence}" for sentence in _one_plane(spindle))
+
+
+def _one_plane(spindle: Spindle) -> Iterator[str]:
+    for support in spindle.supports:
+        if support.out_of_plane:
+            across = ", ".join(entry_name(*pair) for pair in support.out_of_plane)
+            yield (
+                f"support '{support.name}' couples plane y or the axis to other motions "
+                f"({across}): the radial stiffness is solved in plane y alone"
+            )
 
 
 def _section_forces(

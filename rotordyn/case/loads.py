@@ -5,6 +5,7 @@ Each fault comes with its way from the question on, so that files and Python say
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, Protocol
 
@@ -75,8 +76,10 @@ def _span(
 ) -> Iterator[Fault]:
     yield from _place(span.start, points, reach, (*way, "from"))
     yield from _place(span.to, points, reach, (*way, "to"))
-    ends = [points.get(at, None) if isinstance(at, str) else at for at in (span.start, span.to)]
-    if None not in ends and ends[1] <= ends[0]:
+    first, last = (
+        points.get(a, math.nan) if isinstance(a, str) else a for a in (span.start, span.to)
+    )
+    if last <= first:
         yield (*way, "to"), "no length left: allowed: a station behind that of from"
 
 

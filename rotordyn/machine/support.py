@@ -144,9 +144,7 @@ class LinearSupport(Description):
         return tuple(pair for pair, value in self.stiffness.items() if abs(value) > 0.0)
 
 
-def rigid_and_elastic(
-    rigid: Iterable[str], entries: Iterable[tuple[str, str]]
-) -> Iterator[str]:
+def rigid_and_elastic(rigid: Iterable[str], entries: Iterable[tuple[str, str]]) -> Iterator[str]:
     """A sentence for every freedom that is held rigidly and has ``entries`` of a matrix as well."""
     named = {freedom for pair in entries for freedom in pair}
     for freedom in dict.fromkeys(rigid):

@@ -94,7 +94,7 @@ def elastic_line_figure(result: SectionForcesResult, spindle: Spindle | None) ->
     """Deflections, twist and stresses over the station at the last speed with a solution."""
     curve = speeds_shown(result)[-1]
     figure = new_figure(168.0, 130.0)
-    margins = (18.0, 34.0, 12.0, 3.0 + _NAMES)
+    margins = (18.0, 46.0, 12.0, 3.0 + _NAMES)
     boxes = grid_boxes(figure, 3, 1, margins=margins, gaps=(0.0, 5.0))
     names = ("deflection [µm]", "twist θx [deg]", "stress [MPa]")
     marks = _stations(result, spindle)
@@ -144,9 +144,7 @@ def _draw(axes: Axes, curves: Sequence[Curve], quantities: Sequence[str], *, fil
     axes.set(xlim=(curves[0].x[0], curves[0].x[-1]), ylim=(low - room, high + room))
 
 
-def _stations(
-    result: SectionForcesResult, spindle: Spindle | None
-) -> list[tuple[float, str]]:
+def _stations(result: SectionForcesResult, spindle: Spindle | None) -> list[tuple[float, str]]:
     """What holds the shaft and named points [mm]; names at one station share it."""
     named: dict[float, list[str]] = {}
     for name, x in zip(result.support, result.support_station, strict=True):

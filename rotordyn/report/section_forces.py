@@ -29,8 +29,8 @@ def section_force_lines(result: SectionForcesResult) -> list[str]:
     return [
         f"sections   largest{at} [N] {_extremes(result, row, FORCES)}",
         f"           [N m] {_extremes(result, row, MOMENTS)}",
-        f"           deflection {_largest(result, bent, 2)} µm, von Mises stress at the outer fibre "
-        f"{_largest(result, stress, 1)} MPa",
+        f"           deflection {_largest(result, bent, 'µm')}, von Mises stress "
+        f"{_largest(result, stress, 'MPa')}",
         f"reactions  [N, N m] {'; '.join(_reactions(result, row))}",
         *_twists(result),
     ]
@@ -40,44 +40,52 @@ def extremes(result: SectionForcesResult) -> dict[str, str]:
     """Largest amounts of each section force at the last speed with a solution."""
     row = int(np.flatnonzero(np.isfinite(result.torque).all(axis=1))[-1])
     return {
-        f"{name} [{unit}]": f"{_amount(getattr(result, field)[row]):.4g}"
+        f"{name} [{unit}]": f"{_peak(result, row, field)[0]:.4g}"
         for unit, fields in (("N", FORCES), ("N m", MOMENTS))
         for name, field in fields.items()
     }
 
 
 def _extremes(result: SectionForcesResult, row: int, fields: dict[str, str]) -> str:
-    scale = max(float(np.abs(getattr(result, field)[row]).max()) for field in fields.values())
     entries = []
     for name, field in fields.items():
-        values = getattr(result, field)[row]
-        if np.abs(values).max() <= LEAST * scale:
-            entries.append(f"{name} 0")
-            continue
-        where = int(np.abs(values).argmax())
-        entries.append(f"{name} {values[where]:.5g} at {result.cut[where] * 1e3:.1f} mm")
+        value, x = _peak(result, row, field)
+        entries.append(f"{name} {value:.5g} at {x * 1e3:.1f} mm" if value else f"{name} 0")
     return ", ".join(map(unbroken, entries))
 
 
-def _amount(values: Any) -> float:
-    """The value of largest amount, with its sign."""
-    return float(values[np.abs(values).argmax()])
+def _peak(result: SectionForcesResult, row: int, field: str) -> tuple[float, float]:
+    """The value of largest amount, with its sign, and where it is [m]; 0 for rounding."""
+    values = getattr(result, field)[row]
+    where = int(np.abs(values).argmax())
+    there = abs(values[where]) > _least(result, row) * _lever(result, field in MOMENTS.values())
+    return float(values[where]) if there else 0.0, float(result.cut[where])
 
 
-def _largest(result: SectionForcesResult, values: Any, digits: int) -> str:
+def _least(result: SectionForcesResult, row: int) -> float:
+    """Force below which there is nothing but rounding [N]."""
+    forces = max(np.abs(getattr(result, field)[row]).max() for field in FORCES.values())
+    moments = max(np.abs(getattr(result, field)[row]).max() for field in MOMENTS.values())
+    return LEAST * float(max(forces, moments / _lever(result, True)))
+
+
+def _lever(result: SectionForcesResult, moment: bool) -> float:
+    """The length of the shaft for a moment, 1 for a force."""
+    return float(result.cut[-1] - result.cut[0]) if moment else 1.0
+
+
+def _largest(result: SectionForcesResult, values: Any, unit: str) -> str:
     where = int(values.argmax())
-    return unbroken(f"{values[where]:.{digits}f} at {result.cut[where] * 1e3:.1f} mm")
+    return unbroken(f"{values[where]:.4g} {unit} at {result.cut[where] * 1e3:.1f} mm")
 
 
 def _reactions(result: SectionForcesResult, row: int) -> Iterator[str]:
     """Loads on the shaft that are there, by support."""
-    own = result.reaction[row]
-    scale = np.array([np.abs(own[:, :3]).max(initial=0.0)] * 3 + [np.abs(own[:, 3:]).max()] * 3)
-    for name, loads in zip(result.support, own, strict=True):
+    for name, loads in zip(result.support, result.reaction[row], strict=True):
         parts = [
             f"{component} {load:.5g}"
-            for component, load, most in zip(result.component, loads, scale, strict=True)
-            if abs(load) > LEAST * most
+            for component, load in zip(result.component, loads, strict=True)
+            if abs(load) > _least(result, row) * _lever(result, component.startswith("M"))
         ]
         yield unbroken(f"{name} {' '.join(parts) or '0'}")
 
@@ -89,7 +97,7 @@ def _twists(result: SectionForcesResult) -> Iterator[str]:
         kept = "kept" if np.nanmax(angle) <= allowed else "EXCEEDED"
         bore = f" around a bore of {result.bore[k] * 1e3:g} mm" if result.bore[k] else ""
         yield (
-            f"twist      {name}: {from_to(angle, 4)}° of {allowed:.4g}° allowed: {kept}; a uniform "
-            f"shaft{bore} needs an outer diameter of "
-            f"{from_to(result.required_diameter[:, k] * 1e3, 2)} mm"
+            f"twist      {name}: {from_to(angle, 4)}° of {allowed:.4g}° allowed, {kept}; "
+            f"uniform outer diameter that just keeps to it{bore}: "
+            + unbroken(f"{from_to(result.required_diameter[:, k] * 1e3, 2)} mm")
         )

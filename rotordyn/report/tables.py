@@ -103,7 +103,9 @@ def tidy_columns(result: Any, layout: Layout) -> list[Column]:
 def _belongs(dims: tuple[str, ...], layout: Layout) -> bool:
     rows, own = set(layout.rows), set(dims)
     repeated = dims == ("speed",) and "speed" in rows and len(rows) <= 2
-    return repeated or (layout.repeating and own < rows) or (rows <= own <= rows | set(layout.across))
+    return (
+        repeated or (layout.repeating and own < rows) or (rows <= own <= rows | set(layout.across))
+    )
 
 
 def _quantity_columns(

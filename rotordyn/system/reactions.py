@@ -1,8 +1,8 @@
 """What bearings and supports answer to static loads, by the force method.
 
-Unknown are the reactions r and the motion q of the shaft's front end. With F the flexibility of the
-shaft held at its front end, u0 what the loads do to it there, B its rigid motion and K the stiffness
-of the supports, displacements at these are u = u0 + F r + B q, and
+Unknown are the reactions r and the motion q of the shaft's front end. With F the flexibility of
+the shaft held at its front end, u0 what the loads do to it then, B its rigid motion and K the
+stiffness of the supports, displacements at these are u = u0 + F r + B q, and
 
     r + K u = 0 (elastic),   u = 0 (rigid),   Bᵀ r = −(resultant of the loads).
 

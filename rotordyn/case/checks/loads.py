@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from rotordyn.case.build.questions import conditions, section_forces as built
+from rotordyn.case.build.questions import conditions
+from rotordyn.case.build.questions import section_forces as built
 from rotordyn.case.build.spindle import spindle as machine
 from rotordyn.case.build.spindle import tool as clamped
 from rotordyn.case.checks.shaft import span
