@@ -6,6 +6,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from rotordyn.analysis.loads import LineLoad, PointLoad, TwistLimit, Unbalance
     from rotordyn.analysis.specs import (
         BearingMapSpec,
         CampbellSpec,
@@ -22,10 +23,14 @@ __all__ = [
     "CampbellSpec",
     "Conditions",
     "FrfSpec",
+    "LineLoad",
+    "PointLoad",
     "Port",
     "PreloadSpec",
     "SectionForcesSpec",
     "StiffnessSpec",
+    "TwistLimit",
+    "Unbalance",
 ]
 
 

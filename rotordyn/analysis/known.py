@@ -102,8 +102,8 @@ def _computed(
     preload = results.get("preload")
     match reference.quantity:
         case quantity if quantity in COLUMNS and COLUMNS[quantity][0] in results:
-            analysis, *place, usual = COLUMNS[quantity]
-            return _column(speeds, results[analysis], *place, subject or usual)
+            analysis, name, dim, usual = COLUMNS[quantity]
+            return _column(speeds, results[analysis], name, dim, subject or usual)
         case "preload_sum" if preload is not None and spindle is not None:
             return _at(speeds, preload.speed, preload_sum(preload, spindle))
         case quantity if quantity in MODES and "campbell" in results:

@@ -20,6 +20,7 @@ from rotordyn.system.mesh import Mesh, build_mesh, station_mesh
 
 Array = NDArray[np.float64]
 BALANCED = 1e-6  # of all loads along a free motion
+ROUNDING = 1e-12  # of all loads
 _WAYS = {"x": 0, "y": 1, "z": 2}
 
 
@@ -59,10 +60,10 @@ def static_loads(
     """All loads of the question; of the conditions those that no preload state carries."""
     point, turning = np.zeros((2, mesh.nodes, 6))
     for load in spec.loads:
-        point[mesh.node_of(station(spindle, load.at))] += load.on_axis
+        _put(point, mesh, station(spindle, load.at), np.array(load.on_axis))
     for each in spec.unbalances:
         way = np.array([0.0, math.cos(each.angle), math.sin(each.angle), 0.0, 0.0, 0.0])
-        turning[mesh.node_of(station(spindle, each.at))] += each.unbalance * way
+        _put(turning, mesh, station(spindle, each.at), each.unbalance * way)
     line = np.zeros((mesh.nodes - 1, 3))
     for span in spec.line_loads:
         ends = [station(spindle, at) for at in (span.start, span.to)]
@@ -76,6 +77,12 @@ def static_loads(
         for x, force in _along(spindle, conditions):
             point[mesh.node_of(x), 0] += force
     return StaticLoads(point, turning, line)
+
+
+def _put(point: Array, mesh: Mesh, x: float, load: Array) -> None:
+    """Add a load at ``x``, with its moment about the node where that is merged with a station."""
+    node = mesh.node_of(x)
+    point[node] += rigid_motion(np.array(x), float(mesh.x[node])).T @ load
 
 
 def _weights(spindle: Spindle, spec: SectionForcesSpec, conditions: Conditions) -> Iterator[Array]:
@@ -117,7 +124,8 @@ def require_balance(spindle: Spindle, spec: SectionForcesSpec, conditions: Condi
         motion = rigid_motion(mesh.x, float(mesh.x[0])) / scale
         each = np.einsum("nij,ni,jk->nik", motion, acting, free, optimize=True)
         left = each.sum(axis=(0, 1))
-        over = np.abs(left) > BALANCED * np.abs(each).sum(axis=(0, 1))
+        size = np.abs(each).sum(axis=(0, 1))
+        over = np.abs(left) > BALANCED * size + ROUNDING * np.abs(acting / scale).sum()
         if over.any():
             raise InvalidInput(_free_body(free[:, over] @ left[over], scale))
     return free
