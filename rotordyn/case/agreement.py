@@ -17,7 +17,7 @@ from rotordyn.analysis.specs import (
     StiffnessSpec,
     ascending,
 )
-from rotordyn.case.loads import misplaced, unheld
+from rotordyn.case.loads import misplaced, overheld, unheld
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import RigidSupport, Spindle
 from rotordyn.machine.support import MOTIONS, coupled_motions, entry_name
@@ -182,6 +182,7 @@ def _section_forces(
     faults = list(misplaced(spec, spindle.points, reach, conditions.gravity))
     for way, sentence in faults or unheld(spec, spindle, conditions):
         yield f"{name}: {'.'.join(map(str, way))}: {sentence}"
+    yield from (f"conditions.rotor: {sentence}" for sentence in overheld(spindle, conditions))
 
 
 def rigid_supports(supports: Iterable[RigidSupport]) -> Iterator[str]:

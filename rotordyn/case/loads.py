@@ -83,11 +83,19 @@ def _span(
         yield (*way, "to"), "no length left: allowed: a station behind that of from"
 
 
-def unheld(spec: SectionForcesSpec, spindle: Spindle, conditions: Conditions) -> Iterator[Fault]:
-    """Loads along motions that nothing holds, and supports that hold more than can be solved.
+def overheld(spindle: Spindle, conditions: Conditions) -> Iterator[str]:
+    """A sentence where a rigid rotor lies on more rigid supports than can be told apart."""
+    from rotordyn.system.holding import holds_twice
 
-    The question must have its places on the shaft.
-    """
+    if conditions.rotor == "rigid" and holds_twice(spindle):
+        yield (
+            "the reactions of a rigid rotor on these rigid supports are not determined: take "
+            "rotor: flexible, or give a support a stiffness"
+        )
+
+
+def unheld(spec: SectionForcesSpec, spindle: Spindle, conditions: Conditions) -> Iterator[Fault]:
+    """Loads along motions that nothing holds; the question must have its places on the shaft."""
     from rotordyn.analysis.static_loads import require_balance
 
     try:

@@ -13,7 +13,7 @@ from rotordyn.analysis.result import declared
 from rotordyn.analysis.results import SectionForcesResult
 from rotordyn.machine.spindle import Spindle
 from rotordyn.plots.labels import axis_label, spread
-from rotordyn.plots.legends import top_legend
+from rotordyn.plots.legends import shortened, top_legend
 from rotordyn.plots.style import (
     BLACK,
     CYCLE,
@@ -44,7 +44,11 @@ LINES = (
 )
 SPEEDS = 3
 ALIKE = 1e-9  # of the largest: nothing that could be seen
-_NAMES = 9.0  # [mm] above the panels, for names of stations
+_LETTER = 0.55 * (FONT_SIZE - 1.5) * 25.4 / 72.0  # [mm] of a name above the panels, on average
+_LONGEST = 16  # letters of a name
+_LEGEND = 6.0  # [mm] above the names
+
+Mark = tuple[float, str]
 
 
 class Curve(NamedTuple):
@@ -72,17 +76,20 @@ def diagrams_figure(result: SectionForcesResult, spindle: Spindle | None) -> Fig
 
 def curves_figure(curves: Sequence[Curve], spindle: Spindle | None) -> Figure:
     """The six diagrams, a line per curve."""
-    figure = new_figure(168.0, 112.0)
-    margins = (16.0, 4.0, 12.0, 5.0 + _NAMES)
-    boxes = grid_boxes(figure, 2, 3, margins=margins, gaps=(15.0, 6.0))
-    marks = _stations(curves[0].result, spindle)
+    marks, x = _stations(curves[0].result, spindle), curves[0].x
+    upright = _upright(marks, 39.0, float(x[0]), float(x[-1]))
+    top = _room(marks, upright) + (_LEGEND if len(curves) > 1 else 0.0)
+    figure = new_figure(168.0, 97.0 + top)
+    boxes = grid_boxes(figure, 2, 3, margins=(16.0, 4.0, 12.0, top), gaps=(15.0, 6.0))
     panels = []
     for place, (box, name) in enumerate(zip(boxes, FORCES, strict=True)):
         low = place > 2
         axes = add_axes(figure, box, "station [mm]" if low else "", "")
         _draw(axes, curves, (name,), fill=len(curves) == 1)
         axes.tick_params(labelbottom=low)
-        _mark(axes, marks, box[2], named=not low)
+        _mark(axes, marks)
+        if not low:
+            _name(axes, marks, box[2], upright)
         axes.set_ylabel(axis_label(curves[0].result, name), fontsize=FONT_SIZE, labelpad=1.5)
         panels.append(axes)
     if len(curves) > 1:
@@ -93,19 +100,27 @@ def curves_figure(curves: Sequence[Curve], spindle: Spindle | None) -> Figure:
 def elastic_line_figure(result: SectionForcesResult, spindle: Spindle | None) -> Figure:
     """Deflections, twist and stresses over the station at the last speed with a solution."""
     curve = speeds_shown(result)[-1]
-    figure = new_figure(168.0, 130.0)
-    margins = (18.0, 46.0, 12.0, 3.0 + _NAMES)
-    boxes = grid_boxes(figure, 3, 1, margins=margins, gaps=(0.0, 5.0))
-    names = ("deflection [µm]", "twist θx [deg]", "stress [MPa]")
     marks = _stations(result, spindle)
+    upright = _upright(marks, 104.0, float(curve.x[0]), float(curve.x[-1]))
+    top = _room(marks, upright)
+    figure = new_figure(168.0, 118.0 + top)
+    boxes = grid_boxes(figure, 3, 1, margins=(18.0, 46.0, 12.0, top), gaps=(0.0, 5.0))
+    names = ("deflection [µm]", "twist θx [deg]", "stress [MPa]")
     for place, (box, quantities, name) in enumerate(zip(boxes, LINES, names, strict=True)):
         axes = add_axes(figure, box, "station [mm]" if place == 2 else "", name)
         _draw(axes, [curve], quantities, fill=False)
         axes.tick_params(labelbottom=place == 2)
-        _mark(axes, marks, box[2], named=place == 0)
+        _mark(axes, marks)
+        if place == 0:
+            _name(axes, marks, box[2], upright)
         if len(quantities) > 1:
             axes.legend(
-                loc="upper left", bbox_to_anchor=(1.01, 1.0), frameon=False, fontsize=FONT_SIZE - 1
+                loc="upper left",
+                bbox_to_anchor=(1.01, 1.0),
+                frameon=False,
+                fontsize=FONT_SIZE - 1.0,
+                title=curve.name if result.speed.size > 1 and place == 0 else None,
+                title_fontsize=FONT_SIZE - 1.0,
             )
     return figure
 
@@ -144,7 +159,7 @@ def _draw(axes: Axes, curves: Sequence[Curve], quantities: Sequence[str], *, fil
     axes.set(xlim=(curves[0].x[0], curves[0].x[-1]), ylim=(low - room, high + room))
 
 
-def _stations(result: SectionForcesResult, spindle: Spindle | None) -> list[tuple[float, str]]:
+def _stations(result: SectionForcesResult, spindle: Spindle | None) -> list[Mark]:
     """What holds the shaft and named points [mm]; names at one station share it."""
     named: dict[float, list[str]] = {}
     for name, x in zip(result.support, result.support_station, strict=True):
@@ -153,21 +168,34 @@ def _stations(result: SectionForcesResult, spindle: Spindle | None) -> list[tupl
         names = named.setdefault(round(x * 1e3, 6), [])
         if name not in names:
             names.append(name)
-    return [(x, ", ".join(names)) for x, names in sorted(named.items())]
+    return [(x, shortened(", ".join(names), _LONGEST)) for x, names in sorted(named.items())]
 
 
-def _mark(axes: Axes, marks: Sequence[tuple[float, str]], wide: float, *, named: bool) -> None:
-    """A thin line at every station, its name above the panel, upright where many are."""
-    left, right = axes.get_xlim()
+def _mark(axes: Axes, marks: Sequence[Mark]) -> None:
+    """A thin line at every station."""
     for x, _ in marks:
         axes.axvline(x, color=GREY, lw=0.6, ls=":", zorder=1)
-    if not named:
-        return
+
+
+def _upright(marks: Sequence[Mark], wide: float, left: float, right: float) -> bool:
+    """Names that would leave their stations over a panel of ``wide`` [mm] stand upright."""
+    length = right - left
+    sizes = [(len(name) * _LETTER + 1.5) * length / wide for _, name in marks]
+    moved = spread([x for x, _ in marks], sizes, left, right) - [x for x, _ in marks]
+    return sum(sizes) > length or bool(np.abs(moved).max(initial=0.0) > 0.1 * length)
+
+
+def _room(marks: Sequence[Mark], upright: bool) -> float:
+    """Height that the names need above a panel [mm]."""
+    longest = max((len(name) for _, name in marks), default=0)
+    return 3.0 + (_LETTER * longest + 1.0 if upright else 3.0)
+
+
+def _name(axes: Axes, marks: Sequence[Mark], wide: float, upright: bool) -> None:
+    """The name of every station above a panel of ``wide`` [mm]."""
+    left, right = axes.get_xlim()
     per_mm = (right - left) / wide
-    tall = FONT_SIZE * 25.4 / 72.0 * per_mm
-    flat = [len(name) * 0.5 * tall + 1.5 * per_mm for _, name in marks]
-    upright = sum(flat) > right - left
-    sizes = [tall] * len(marks) if upright else flat
+    sizes = [((2.0 if upright else len(n)) * _LETTER + 1.5) * per_mm for _, n in marks]
     places = spread([x for x, _ in marks], sizes, left, right)
     for place, (_, name) in zip(places, marks, strict=True):
         axes.annotate(

@@ -94,7 +94,7 @@ def _twists(result: SectionForcesResult) -> Iterator[str]:
     for k, name in enumerate(result.twist_limit):
         angle = np.degrees(np.abs(result.twist_between[:, k]))
         allowed = float(np.degrees(result.allowed_twist[k]))
-        kept = "kept" if np.nanmax(angle) <= allowed else "EXCEEDED"
+        kept = "kept" if np.nanmax(angle) <= allowed else "exceeded"
         bore = f" around a bore of {result.bore[k] * 1e3:g} mm" if result.bore[k] else ""
         yield (
             f"twist      {name}: {from_to(angle, 4)}° of {allowed:.4g}° allowed, {kept}; "

@@ -109,6 +109,17 @@ def free_motions(spindle: Spindle) -> Array:
     return np.asarray(ways[size <= ZERO * size[0]].T)
 
 
+def holds_twice(spindle: Spindle) -> bool:
+    """True where rigid supports hold the shaft, taken as a rigid body, more often than they can."""
+    scale, front = length_scale(spindle), spindle.shaft.start
+    rows = [np.zeros((0, 6))]
+    for support in spindle.supports:
+        own = scale[:, None] * rigid_motion(np.array(support.x), front) / scale
+        rows.append(own[[position(freedom) for freedom in support.rigid]])
+    held = np.concatenate(rows)
+    return bool(np.linalg.matrix_rank(held, tol=ZERO) < len(held)) if held.size else False
+
+
 def free_names(motions: Array) -> str:
     """The freedoms that free motions move, as one names them."""
     moved = np.abs(motions).max(axis=1, initial=0.0) > ZERO

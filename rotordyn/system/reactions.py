@@ -78,8 +78,8 @@ def _solved(matrix: Array, right: Array) -> Array:
     matrix, right = matrix / size, right / size
     if (np.linalg.cond(matrix) > WORST_CONDITION).any():
         raise InvalidInput(
-            "the reactions are not determined: what is rigid holds the shaft more often than its "
-            "elasticity can tell apart; leave out a support, or give it a stiffness"
+            "the reactions are not determined: rigid supports hold the shaft more often than its "
+            "elasticity can tell apart; leave one out, or give it a stiffness"
         )
     found = np.linalg.solve(matrix, right)
     return np.asarray(found + np.linalg.solve(matrix, right - matrix @ found))

@@ -8,7 +8,7 @@ from rotordyn.case.build.spindle import spindle as machine
 from rotordyn.case.build.spindle import tool as clamped
 from rotordyn.case.checks.shaft import span
 from rotordyn.case.faults import Faults
-from rotordyn.case.loads import misplaced, unheld
+from rotordyn.case.loads import misplaced, overheld, unheld
 from rotordyn.case.node import Node
 from rotordyn.case.schema.case import CaseEntry
 from rotordyn.case.schema.shaft import ToolEntry
@@ -36,5 +36,7 @@ def section_forces(
     whole = machine(spindle, "")
     if tool is not None:
         whole = whole.with_tool(clamped(tool, ""))
+    for sentence in overheld(whole, conditions(own)):
+        faults.at(root, ("conditions", "rotor"), sentence)
     for way, sentence in unheld(built(asked), whole, conditions(own)):
         faults.at(root, (*WAY, *way), sentence)
