@@ -17,7 +17,7 @@ from rotordyn.case.library import models_root
 
 CASES = ROOT / "cases"
 EXAMPLES = DOCS / "examples"
-FACES = ("campbell_overlay", "stiffness", "campbell", "bearing")  # the first that is there
+FACES = ("campbell_overlay", "stiffness", "campbell", "bearing", "section_forces")  # the first that is there
 THUMBNAIL = (640, 480)
 
 

@@ -118,7 +118,12 @@ def _result(
     stress = outer_fibre(cut, outer, inner)
     held = [(each.name, each.x) for each in spindle.seats]
     held += [(each.name, each.x) for each in spindle.supports]
-    needed = [_needed(limit, spindle, mesh, both) for limit in spec.twist_limits]
+    spans = [_span(limit, spindle, mesh) for limit in spec.twist_limits]
+    turned = [moved[:, span.stop, 3] - moved[:, span.start, 3] for span in spans]
+    needed = [
+        _required_diameter(limit, mesh, both, span)
+        for limit, span in zip(spec.twist_limits, spans, strict=True)
+    ]
     return SectionForcesResult(
         speed=scene.speed,
         cut=np.stack([mesh.x[:-1], mesh.x[1:]], axis=1).ravel(),
@@ -147,8 +152,8 @@ def _result(
         reaction=scene.scattered(push),
         allowed_twist=np.array([limit.limit for limit in spec.twist_limits]),
         bore=np.array([limit.bore for limit in spec.twist_limits]),
-        twist_between=scene.scattered(_columns([t for t, _ in needed], len(both))),
-        required_diameter=scene.scattered(_columns([d for _, d in needed], len(both))),
+        twist_between=scene.scattered(_columns(turned, len(both))),
+        required_diameter=scene.scattered(_columns(needed, len(both))),
     )
 
 
@@ -174,14 +179,16 @@ def _preload_push(scene: Scene) -> Array:
     return own
 
 
-def _needed(limit: TwistLimit, spindle: Spindle, mesh: Mesh, forces: Array) -> tuple[Array, Array]:
-    """Twist between the ends of ``limit`` [rad] and the outer diameter [m] that just keeps to it.
-
-    Of a uniform shaft D⁴ = d⁴ + 32 |∫ Mt/G dx| / (π θ), whatever stands in the case.
-    """
+def _span(limit: TwistLimit, spindle: Spindle, mesh: Mesh) -> slice:
+    """The elements between the ends of ``limit``; start and stop are their outermost nodes."""
     first, last = (mesh.node_of(station(spindle, at)) for at in (limit.start, limit.to))
-    span = slice(first, last)
-    turned = forces[:, span, 0, 3] * mesh.length[span] / mesh.shear_modulus[span]
-    ring = math.pi / 32.0 * (mesh.outer_diameter[span] ** 4 - mesh.inner_diameter[span] ** 4)
-    fourth = limit.bore**4 + 32.0 / math.pi * np.abs(turned.sum(axis=1)) / limit.limit
-    return (turned / ring).sum(axis=1), fourth**0.25
+    return slice(first, last)
+
+
+def _required_diameter(limit: TwistLimit, mesh: Mesh, forces: Array, span: slice) -> Array:
+    """Outer diameter of a uniform shaft that just keeps to ``limit`` (usable,) [m].
+
+    D⁴ = d⁴ + 32 |∫ Mt/G dx| / (π θ), whatever stands in the case.
+    """
+    turned = (forces[:, span, 0, 3] * (mesh.length / mesh.shear_modulus)[span]).sum(axis=1)
+    return np.asarray((limit.bore**4 + 32.0 / math.pi * np.abs(turned) / limit.limit) ** 0.25)

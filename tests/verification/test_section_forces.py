@@ -17,6 +17,7 @@ from rotordyn.analysis import (
     Conditions,
     LineLoad,
     PointLoad,
+    PreloadSpec,
     SectionForcesSpec,
     StiffnessSpec,
     TwistLimit,
@@ -26,7 +27,8 @@ from rotordyn.analysis.registry import answer_spindle
 from rotordyn.analysis.results import SectionForcesResult
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import Disc, Drawbar, LinearSupport, PointMass, Section, Shaft, Spindle
-from tests.oracles.spindles import RPM, answers, case, mfw2310, undamped
+from rotordyn.machine.inertia import rotor_inertia
+from tests.oracles.spindles import RPM, answers, case, mfw2310, undamped, with_sleeve
 
 STEEL = Material("steel", 210e9, 0.3, 7850.0)
 L, D, B, F = 1.2, 0.05, 0.02, 1500.0
@@ -190,6 +192,7 @@ def test_torsion_of_a_stepped_shaft() -> None:
     twist = t / G * (0.2 / polar[0] + 0.5 / polar[1])
     assert result.twist_between[0, 0] == pytest.approx(twist, rel=1e-12)
     assert at(result, "twist", 0.1) == 0.0
+    assert at(result, "twist", 0.8) == pytest.approx(twist, rel=1e-12)
     assert at(result, "torque", 0.1) == pytest.approx(0.0, abs=1e-11)
     assert at(result, "torque", 0.1, "rear") == pytest.approx(t, **EXACT)
     for side, outer, ip in (("front", 0.04, polar[0]), ("rear", 0.06, polar[1])):
@@ -384,3 +387,76 @@ def test_preload_and_drawbar_are_part_of_the_normal_force() -> None:
     pushes = -plain.reaction[1, :, 0]
     real = np.sort(jump[np.abs(jump) > 1e-6])
     np.testing.assert_allclose(real, np.sort(pushes), rtol=1e-9)
+
+
+def test_sleeves_give_along_and_across() -> None:
+    """Rigid rotor under a push along x: bearings side by side, each in series with its sleeve.
+
+    At 24 000 rpm the front sleeve stands at its stop. Across, the linear model of the radial
+    stiffness knows sprung sleeves too.
+    """
+    asked = {
+        "preload": PreloadSpec(),
+        "section_forces": SectionForcesSpec(loads=(PointLoad("Oc2", Fx=10.0),)),
+    }
+    found = answers(mfw2310(), (0.0, 24000.0), asked, rotor="rigid")
+    k, result = found["preload"].stiffness[:, :, 0, 0], found["section_forces"]
+    assert found["preload"].stop_reached[:, 0].tolist() == [False, True]
+    front, rear = (sleeve.spring.stiffness for sleeve in mfw2310().sleeves)
+    held = [1 / (1 / k[0, 2] + 1 / front), k[1, 2]]
+    whole = k[:, 0] + k[:, 1] + held + 1 / (1 / (k[:, 3] + k[:, 4]) + 1 / rear)
+    np.testing.assert_allclose(result.axial_displacement[:, 0], 10.0 / whole, rtol=1e-9)
+
+    soft = with_sleeve(mfw2310(), "rear", radial_stiffness=3e7)
+    across = {
+        "stiffness": StiffnessSpec("Oc2", 100.0, 1, ("full",)),
+        "section_forces": SectionForcesSpec(loads=(PointLoad("Oc2", Fy=100.0),)),
+    }
+    found = answers(soft, (0.0,), across, axial_stiffening=False)
+    assert at(found["section_forces"], "deflection_y", soft.points["Oc2"]) == pytest.approx(
+        found["stiffness"].deflection[0, 0, -1], rel=1e-6
+    )
+
+
+def test_weight_of_a_vertical_spindle_hangs_in_its_bearings() -> None:
+    """N vanishes at both free ends and changes by the weight of what lies between two cuts."""
+    spec = {"section_forces": SectionForcesSpec(loads=(PointLoad("Oc2", Fy=1.0),))}
+    still, hanging = (
+        answers(mfw2310(), (0.0,), spec, gravity=word)["section_forces"] for word in ("none", "+x")
+    )
+    assert hanging.normal_force[0, [0, -1]] == pytest.approx([0.0, 0.0], abs=1e-9)
+    inner, outer = hanging.inner_diameter[0], hanging.outer_diameter[0]
+    shaft = mfw2310().shaft.sections[0].material.density * math.pi / 4 * (outer**2 - inner**2)
+    change = np.diff(hanging.normal_force[0])[0]
+    assert change == pytest.approx(-9.80665 * shaft * np.diff(hanging.cut)[0], rel=1e-9)
+    total = hanging.reaction[0, :, 0].sum() - still.reaction[0, :, 0].sum()
+    mass = rotor_inertia(mfw2310()).mass
+    assert total == pytest.approx(-9.80665 * mass, rel=1e-9)
+
+
+def test_a_load_merged_with_a_station_keeps_its_moment() -> None:
+    """A ten-millionth beside a support there is no node of its own, but the moment is there."""
+    off = 1e-7
+    result = solved(
+        beam(held("l", 0.0, *PINNED), held("r", L, *SLIDING)), PointLoad(off, Fy=1e6, Fz=1e6)
+    )
+    assert result.reaction[0, 1, 1:3] == pytest.approx([-1e6 * off / L] * 2, rel=1e-6)
+
+
+def test_moments_and_tilts_of_both_planes_share_one_sense() -> None:
+    """My and Mz on a beam with two supports: the rear one answers My/L along z, −Mz/L along y."""
+    result = solved(
+        beam(held("l", 0.0, *PINNED), held("r", L, *SLIDING)), PointLoad(0.4, My=50.0, Mz=80.0)
+    )
+    assert result.reaction[0, 1] == pytest.approx([0, -80.0 / L, 50.0 / L, 0, 0, 0], abs=1e-9)
+    turned = solved(
+        beam(
+            held("l", 0.0, *PINNED),
+            held("r", L, *SLIDING),
+            LinearSupport("t", 0.5, {("thy", "thy"): 2e4}),
+        ),
+        PointLoad(0.5, My=50.0),
+    )
+    free = solved(beam(held("l", 0.0, *PINNED), held("r", L, *SLIDING)), PointLoad(0.5, My=50.0))
+    give = at(free, "slope_y", 0.5) / 50.0
+    assert turned.reaction[0, 2, 4] == pytest.approx(-50.0 * give / (give + 1 / 2e4), rel=1e-9)
