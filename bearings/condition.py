@@ -9,10 +9,11 @@ from numpy.typing import NDArray
 
 from bearings.state import BearingState, Cause
 
+Array = NDArray[np.float64]
 PERMANENT = 4.2e9  # Pa: ISO 76, the pressure that leaves a ten-thousandth of the ball diameter
 PARTS = 16  # of an interval of speed that are solved together
 ROUNDS = 3
-IMPOSSIBLE = 1.0  # friction coefficient
+IMPOSSIBLE = 1.0  # Mg/D over the load of a race
 GIVEN = ("displacement", "load and displacement", "load")
 RPM = math.pi / 30.0
 
@@ -21,6 +22,8 @@ def conditions(state: BearingState) -> NDArray[np.str_]:
     """See ``BearingState.condition``."""
     balls = state.inner_load.shape[-1]
     pressure = np.maximum(state.inner_pressure, state.outer_pressure).reshape(-1, balls)
+    angle = np.maximum(np.abs(state.inner_angle), np.abs(state.outer_angle)).reshape(-1, balls)
+    angle = np.where(state.inner_load.reshape(-1, balls) > 0.0, angle, 0.0)
     status = state.status.reshape(-1, balls)
     slipping = state.slipping.reshape(-1, balls)
     words = []
@@ -30,7 +33,7 @@ def conditions(state: BearingState) -> NDArray[np.str_]:
         elif outcome:
             words.append(str(outcome))
         else:
-            words.append("; ".join(_remarks(pressure[k], status[k], slipping[k])))
+            words.append("; ".join(_remarks(pressure[k], angle[k], status[k], slipping[k])))
     return np.array(words, dtype=str).reshape(state.outcome.shape)
 
 
@@ -48,19 +51,23 @@ def ending(cause: Cause, index: int) -> str:
     where = (
         f"above {low / RPM:.0f} rpm at this {GIVEN[int(asked.free.sum() > 0) + asked.free.all()]}"
     )
-    thrown = (np.maximum(last.inner_grip, last.outer_grip) > IMPOSSIBLE)[0]
+    load = np.minimum(last.inner_load, last.outer_load)[0]
+    force = np.abs(last.gyroscopic_moment[0]) / cause.bearing.ball_diameter
+    thrown = (load > 0.0) & (force > IMPOSSIBLE * load)
     if thrown.any():
         return f"balls {_ranges(thrown)} are thrown off a race {where}, limit friction"
     return f"stiffness vanishes {where}"
 
 
 def _remarks(
-    pressure: NDArray[np.float64], status: NDArray[np.str_], slipping: NDArray[np.str_]
+    pressure: Array, angle: Array, status: NDArray[np.str_], slipping: NDArray[np.str_]
 ) -> list[str]:
     """About a state that exists."""
     remarks = []
     if pressure.max() > PERMANENT:
         remarks.append(f"overloaded (pressure {pressure.max() / 1e9:.1f} GPa)")
+    if (beyond := angle > math.pi / 2.0).any():
+        remarks.append(f"beyond the groove (balls {_ranges(beyond)})")
     idle = (status == "lost contact") | (status == "unloaded")
     if idle.all():
         remarks.append("unloaded")

@@ -5,7 +5,7 @@ Jones' criterion, drawn as a map by Noël (doctoral thesis, Arts et Métiers, 20
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 from typing import Any
 
 import numpy as np
@@ -15,10 +15,12 @@ from bearings.angular_contact import AngularContactBallBearing
 from bearings.contact_motion import control_margins
 from bearings.errors import InvalidBearing
 from bearings.geometry import geometry
+from bearings.law import Law
 from bearings.state import BearingState
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
+STANDARD = Law()
 RACES = ("inner", "outer")
 LEVELS = 48  # loads between which a change of control is looked for
 LOG_TOLERANCE = 1e-10  # of a boundary, relative
@@ -71,8 +73,7 @@ def control_map(
     radial: float = 0.0,
     static_growth: float = 0.0,
     growth: ArrayLike | None = None,
-    kinematics: str = "hybrid",
-    moment_sharing: str = "equal",
+    law: Law = STANDARD,
 ) -> ControlMap:
     """Solve for both boundaries of race control at every speed, tilts blocked.
 
@@ -81,7 +82,8 @@ def control_map(
     speed : of the inner ring, shape (s,) [rad/s]
     lowest, highest : axial loads between which to look [N]
     radial : radial over axial load; 0 = purely axial, where all balls are alike
-    static_growth, growth, kinematics, moment_sharing : as for ``equilibrium``; growth (s,) [m]
+    static_growth, growth : as for ``equilibrium``; growth (s,) [m]
+    law : what is assumed of the balls
 
     Raises
     ------
@@ -95,7 +97,7 @@ def control_map(
         omega,
         np.asarray(total, dtype=float),
         radial,
-        dict(kinematics=kinematics, moment_sharing=moment_sharing, static_growth=static_growth),
+        dict(static_growth=static_growth, **asdict(law)),
     )
     load = np.geomspace(lowest, highest, LEVELS)
     rows = np.repeat(np.arange(omega.size)[:, None], LEVELS, axis=1)

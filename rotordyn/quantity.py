@@ -140,6 +140,11 @@ FREQUENCY = Quantity("frequency", above="0 Hz", at_most="1000 kHz")
 MASS = Quantity("mass", at_least="0 kg", at_most="100000 kg")
 INERTIA = Quantity("inertia", at_least="0 kg m^2", at_most="100000 kg m^2")
 FORCE = Quantity("force", at_least="-10000 kN", at_most="10000 kN")
+MOMENT = Quantity("moment", at_least="-10000 kN m", at_most="10000 kN m")
+LINE_FORCE = Quantity("line load", at_least="-100000 kN/m", at_most="100000 kN/m")
+UNBALANCE = Quantity("unbalance", at_least="0 g mm", at_most="1000 kg m")
+ANGLE = Quantity("angle", at_least="-360 deg", at_most="360 deg")
+TWIST_ANGLE = Quantity("angle", above="0 deg", at_most="360 deg")
 LOAD = Quantity("force", above="0 N", at_most="10000 kN")
 PRELOAD = Quantity("force", at_least="0 N", at_most="10000 kN")
 PULL = Quantity("force", at_least="0 N", at_most="100000 kN")
@@ -168,6 +173,11 @@ Frequency = Annotated[float, FREQUENCY]
 Mass = Annotated[float, MASS]
 Inertia = Annotated[float, INERTIA]
 Force = Annotated[float, FORCE]
+Moment = Annotated[float, MOMENT]
+LineForce = Annotated[float, LINE_FORCE]
+UnbalanceSize = Annotated[float, UNBALANCE]
+Angle = Annotated[float, ANGLE]
+TwistAngle = Annotated[float, TWIST_ANGLE]
 Load = Annotated[float, LOAD]
 Preload = Annotated[float, PRELOAD]
 Pull = Annotated[float, PULL]

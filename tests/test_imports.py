@@ -59,7 +59,9 @@ def test_help_and_version_import_nothing_big(option: str, tmp_path: Path) -> Non
 
 
 @pytest.mark.parametrize(
-    "argv", [("check", "mfw2310"), ("schema",), ("models",), ("cases",)], ids=lambda argv: argv[0]
+    "argv",
+    [("check", "mfw2310"), ("check", "driveline_shaft"), ("schema",), ("models",), ("cases",)],
+    ids="_".join,
 )
 def test_reading_needs_no_numerical_libraries(argv: tuple[str, ...], tmp_path: Path) -> None:
     loaded = modules_after(COMMAND_LINE, tmp_path, *argv)

@@ -93,6 +93,7 @@ def _read_by(reader: PlainValidator, annotation: Any) -> str:
     plain = {
         "not freedoms": f"list: {allowed}",
         "not a name": "name",
+        "not a point": "name of a point, or length",
         "not text": "text",
         "not a whole": f"whole number, {allowed}",
     }

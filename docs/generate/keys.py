@@ -14,8 +14,9 @@ PAGES = {
     "case": (
         "case.CaseEntry case.VariantEntry conditions.ConditionsEntry sweep.SpeedRange "
         "analyses.AnalysesEntry analyses.PreloadEntry analyses.CampbellEntry analyses.FrfEntry "
-        "sweep.FrequencyRange analyses.PairEntry analyses.StiffnessEntry analyses.BearingMapEntry "
-        "analyses.ControlEntry"
+        "sweep.FrequencyRange analyses.PairEntry analyses.StiffnessEntry loads.SectionForcesEntry "
+        "loads.PointLoadEntry loads.LineLoadEntry loads.UnbalanceEntry loads.TwistLimitEntry "
+        "analyses.BearingMapEntry analyses.ControlEntry"
     ),
     "spindle": (
         "spindle.SpindleEntry shaft.ShaftEntry shaft.SectionEntry shaft.MassEntry shaft.DiscEntry "

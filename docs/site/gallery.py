@@ -17,7 +17,8 @@ from rotordyn.case.library import models_root
 
 CASES = ROOT / "cases"
 EXAMPLES = DOCS / "examples"
-FACES = ("campbell_overlay", "stiffness", "campbell", "bearing")  # the first that is there
+# The picture that stands for a page: the first that is there.
+FACES = ("campbell_overlay", "stiffness", "campbell", "bearing", "section_forces")
 THUMBNAIL = (640, 480)
 
 

@@ -6,6 +6,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from rotordyn.analysis.loads import LineLoad, PointLoad, TwistLimit, Unbalance
     from rotordyn.analysis.specs import (
         BearingMapSpec,
         CampbellSpec,
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
         FrfSpec,
         Port,
         PreloadSpec,
+        SectionForcesSpec,
         StiffnessSpec,
     )
 
@@ -23,9 +25,14 @@ __all__ = [
     "Conditions",
     "ControlSpec",
     "FrfSpec",
+    "LineLoad",
+    "PointLoad",
     "Port",
     "PreloadSpec",
+    "SectionForcesSpec",
     "StiffnessSpec",
+    "TwistLimit",
+    "Unbalance",
 ]
 
 

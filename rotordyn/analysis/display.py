@@ -19,6 +19,7 @@ MILLIMETRE = Shown("mm", 1e3)
 MICROMETRE = Shown("µm", 1e6)
 STIFFNESS = Shown("N/µm", 1e-6)
 DEGREE = Shown("deg", 180.0 / math.pi)
+MEGAPASCAL = Shown("MPa", 1e-6)
 GIGAPASCAL = Shown("GPa", 1e-9)
 _ENGINEERING = {
     "rad/s": RPM,
@@ -51,6 +52,15 @@ def stiffness_unit(freedom: str, other: str) -> str:
     """
     load = "N·m" if is_rotation(freedom) else "N"
     return f"{load}/{'rad' if is_rotation(other) else 'm'}"
+
+
+def load_unit(component: str) -> str:
+    """SI unit of a load ``Fx`` … ``Mz``.
+
+    >>> load_unit("Mx")
+    'N·m'
+    """
+    return "N·m" if component.startswith("M") else "N"
 
 
 def receptance_unit(pair: str) -> str:

@@ -99,14 +99,13 @@ def _computed(
 ) -> Array | None:
     """Our value for every value of the reference, NaN outside the speeds computed."""
     speeds, subject = np.asarray(reference.speeds, float), reference.subject
-    preload, stiffness = results.get("preload"), results.get("stiffness")
+    preload = results.get("preload")
     match reference.quantity:
-        case "radial_stiffness" if stiffness is not None:
-            return _column(speeds, stiffness, "tangent", "variant", subject or "nonlinear")
+        case quantity if quantity in COLUMNS and COLUMNS[quantity][0] in results:
+            analysis, name, dim, usual = COLUMNS[quantity]
+            return _column(speeds, results[analysis], name, dim, subject or usual)
         case "preload_sum" if preload is not None and spindle is not None:
             return _at(speeds, preload.speed, preload_sum(preload, spindle))
-        case "sleeve_displacement" if preload is not None:
-            return _column(speeds, preload, "position", "body", subject)
         case quantity if quantity in MODES and "campbell" in results:
             return _frequencies_of(results["campbell"], reference)
         case "frozen_error" if "bearing" in results:
@@ -150,6 +149,12 @@ def _at(speeds: Array, known: Array, values: Array) -> Array:
     return np.where(close, values[nearest], np.nan)
 
 
+# Quantities that are columns of a result: analysis, field, dimension of the subject, usual subject.
+COLUMNS = {
+    "radial_stiffness": ("stiffness", "tangent", "variant", "nonlinear"),
+    "sleeve_displacement": ("preload", "position", "body", ""),
+    "required_diameter": ("section_forces", "required_diameter", "twist_limit", ""),
+}
 MODES: dict[str, Callable[[CampbellResult, float], Array]] = {
     "bending_frequency": bending_frequencies,
     "mean_bending_frequency": mean_bending_frequencies,

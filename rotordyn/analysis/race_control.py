@@ -35,8 +35,7 @@ def answer(
         highest=spec.max_load,
         radial=spec.radial,
         static_growth=spec.static_growth,
-        kinematics=conditions.kinematics,
-        moment_sharing=conditions.moment_sharing,
+        law=conditions.law,
     )
     lost = (found.outcome != "").all(axis=1)
     if lost.all():

@@ -21,6 +21,7 @@ SPINDLE_ANALYSES = {
     "campbell": "rotordyn.analysis.campbell",
     "frf": "rotordyn.analysis.frf",
     "stiffness": "rotordyn.analysis.stiffness",
+    "section_forces": "rotordyn.analysis.section_forces",
 }
 BEARING_ANALYSES = {
     "bearing": "rotordyn.analysis.bearing_map",

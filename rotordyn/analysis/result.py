@@ -10,15 +10,27 @@ from __future__ import annotations
 from dataclasses import Field, field, fields
 from typing import Any
 
-
-def quantity(*dims: str, unit: str, label: str) -> Any:
-    """A field with data over ``dims``; ``unit`` as printed (SI), ``label`` for axes and tables."""
-    return field(metadata={"role": "quantity", "dims": dims, "unit": unit, "label": label})
+from rotordyn.analysis.display import Shown, shown
 
 
-def coordinate(dim: str, *, unit: str, label: str) -> Any:
+def quantity(*dims: str, unit: str, label: str, printed: Shown | None = None) -> Any:
+    """A field with data over ``dims``; ``unit`` of the data (SI), ``label`` for axes and tables.
+
+    ``printed``: another unit of tables and figures than ``display.shown`` gives.
+    """
+    return field(metadata=_metadata("quantity", dims, unit, label, printed))
+
+
+def coordinate(dim: str, *, unit: str, label: str, printed: Shown | None = None) -> Any:
     """A field with the values of dimension ``dim`` (numbers, or a tuple of names: unit ``""``)."""
-    return field(metadata={"role": "coordinate", "dims": (dim,), "unit": unit, "label": label})
+    return field(metadata=_metadata("coordinate", (dim,), unit, label, printed))
+
+
+def _metadata(
+    role: str, dims: tuple[str, ...], unit: str, label: str, printed: Shown | None
+) -> dict[str, Any]:
+    as_printed = printed or shown(unit)
+    return {"role": role, "dims": dims, "unit": unit, "label": label, "printed": as_printed}
 
 
 def declared(result: Any) -> dict[str, Field[Any]]:

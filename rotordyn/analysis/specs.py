@@ -10,6 +10,7 @@ from typing import Annotated
 
 from bearings.law import Law
 from rotordyn.analysis.formulation import FORMULATIONS, INERTIAL
+from rotordyn.analysis.loads import LineLoad, PointLoad, TwistLimit, Unbalance
 from rotordyn.analysis.shaft import ELEMENTS, SHAFT
 from rotordyn.description import Description, doubled
 from rotordyn.machine.support import Freedom
@@ -36,6 +37,7 @@ MOMENT_SHARING = ("equal", "outer", "inner", "hybrid")
 BEARINGS = ("dynamic", "static")
 ROTOR = ("flexible", "rigid")
 GRAVITY = ("none", "+x", "-x")
+WEIGHT = ("none", "+x", "-x", "+y", "-y", "+z", "-z")
 MOST_TEETH = MOST_STEPS = 1000
 Tangent = Annotated[str, Choice(TANGENTS)]
 
@@ -154,6 +156,33 @@ class StiffnessSpec(Description):
 
 
 @dataclass(frozen=True, slots=True)
+class SectionForcesSpec(Description):
+    """Section forces, deflection and stress of the shaft at rest under static loads.
+
+    ``gravity``: of ``WEIGHT``, the way the weight of the rotor points. Loads add to what the
+    preload state puts on the shaft along its axis.
+    """
+
+    loads: tuple[PointLoad, ...] = ()
+    line_loads: tuple[LineLoad, ...] = ()
+    unbalances: tuple[Unbalance, ...] = ()
+    gravity: Annotated[str, Choice(WEIGHT)] = "none"
+    twist_limits: tuple[TwistLimit, ...] = ()
+
+    def _faults(self) -> Iterator[str]:
+        for name in doubled(each.called for each in self.twist_limits):
+            yield f"twist_limits: repeated: given '{name}'"
+
+    @property
+    def places(self) -> tuple[str | float, ...]:
+        """Points and stations at which something acts or is asked for."""
+        own = [load.at for load in self.loads] + [load.at for load in self.unbalances]
+        own += [at for span in self.line_loads for at in (span.start, span.to)]
+        own += [at for span in self.twist_limits for at in (span.start, span.to)]
+        return tuple(own)
+
+
+@dataclass(frozen=True, slots=True)
 class BearingMapSpec(Description):
     """A single bearing under axial ``loads`` [N] at every speed of the case.
 
@@ -192,7 +221,15 @@ class ControlSpec(Description):
             )
 
 
-Spec = PreloadSpec | CampbellSpec | FrfSpec | StiffnessSpec | BearingMapSpec | ControlSpec
+Spec = (
+    PreloadSpec
+    | CampbellSpec
+    | FrfSpec
+    | StiffnessSpec
+    | SectionForcesSpec
+    | BearingMapSpec
+    | ControlSpec
+)
 
 
 def ascending(what: str, values: Sequence[float]) -> Iterator[str]:

@@ -12,14 +12,13 @@ from rotordyn.analysis.buckling import Loading
 from rotordyn.analysis.specs import Conditions
 from rotordyn.analysis.stage import Staged, stage
 from rotordyn.errors import NoSolution
-from rotordyn.machine.inertia import rotor_inertia
+from rotordyn.machine.inertia import STANDARD_GRAVITY, rotor_inertia
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.axial_force import AxialForce, axial_force
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.system.mesh import Mesh, build_mesh
 
 Array = NDArray[np.float64]
-GRAVITY = 9.80665  # m/s²
 
 
 class Statics(Staged):
@@ -56,7 +55,9 @@ class Statics(Staged):
     @property
     def gravity(self) -> float:
         """Acceleration of gravity along the axis, towards +x [m/s²]."""
-        return {"none": 0.0, "+x": GRAVITY, "-x": -GRAVITY}[self.conditions.gravity]
+        return {"none": 0.0, "+x": STANDARD_GRAVITY, "-x": -STANDARD_GRAVITY}[
+            self.conditions.gravity
+        ]
 
     @property
     def axial_force(self) -> float:
@@ -120,8 +121,12 @@ class Statics(Staged):
         return self.buckled(self._seat_load, tangents, self.bearing_speed)
 
     def buckled(self, seat_load: Array, seat_stiffness: Array, speed: Array) -> tuple[str, ...]:
-        """Per state with other loads (states, seats) and tangents of the bearings: as above."""
-        if not self.conditions.axial_stiffening:
+        """Per state with other loads (states, seats) and tangents of the bearings: as above.
+
+        Not looked at on rigid supports, which only first-order theory takes.
+        """
+        rigid = any(support.rigid for support in self.spindle.supports)
+        if not self.conditions.axial_stiffening or rigid:
             return ("",) * len(speed)
         loading = Loading(
             self.spindle,

@@ -13,12 +13,14 @@ from rotordyn.analysis.specs import (
     ControlSpec,
     FrfSpec,
     PreloadSpec,
+    SectionForcesSpec,
     Spec,
     StiffnessSpec,
     ascending,
 )
+from rotordyn.case.loads import misplaced, overheld, unheld
 from rotordyn.machine.reference import Reference
-from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.spindle import RigidSupport, Spindle
 from rotordyn.machine.support import MOTIONS, coupled_motions, entry_name
 from rotordyn.quantity import suggestion
 
@@ -27,12 +29,14 @@ ANALYSES: dict[str, type[Spec]] = {
     "campbell": CampbellSpec,
     "frf": FrfSpec,
     "stiffness": StiffnessSpec,
+    "section_forces": SectionForcesSpec,
     "bearing": BearingMapSpec,
     "control": ControlSpec,
 }
 OF_A_BEARING = ("bearing", "control")
 OF_BALLS = ("kinematics", "moment_sharing", "friction")
 NEEDS_BEARINGS = ("preload", "stiffness")
+TAKE_RIGID = ("section_forces",)
 MOST_ELEMENTS = 1000
 _SPOKEN = {"axial": "axial motion"}
 
@@ -68,6 +72,8 @@ def questions_agree(
         yield from _machine(spindle, conditions)
         for name, spec in analyses.items():
             yield from _question(name, spec, spindle)
+            if isinstance(spec, SectionForcesSpec):
+                yield from _section_forces(name, spec, spindle, conditions)
 
 
 def _of_balls(conditions: Conditions) -> Iterator[str]:
@@ -122,6 +128,7 @@ def _machine(spindle: Spindle, conditions: Conditions) -> Iterator[str]:
     for name, x in spindle.points.items():
         yield from spindle.off_the_shaft(f"point {name}", x)
     held = {pair for support in spindle.supports for pair, k in support.stiffness.items() if k}
+    held |= {(freedom, freedom) for support in spindle.supports for freedom in support.rigid}
     free = [freedom for freedom in ("y", "z") if (freedom, freedom) not in held]
     if free and not spindle.seats:
         axes = " and ".join(free)
@@ -140,6 +147,8 @@ def _machine(spindle: Spindle, conditions: Conditions) -> Iterator[str]:
 def _question(name: str, spec: Spec, spindle: Spindle) -> Iterator[str]:
     if name in NEEDS_BEARINGS and not spindle.seats:
         yield f"{name} needs bearings: this spindle has none"
+    if name not in TAKE_RIGID:
+        yield from (f"{name}: {sentence}" for sentence in rigid_supports(spindle.supports))
     if isinstance(spec, FrfSpec):
         for point in {port.point: None for pair in spec.pairs for port in pair}:
             yield from _exists(point, spindle.points, f"{name}: unknown point")
@@ -155,13 +164,37 @@ def _question(name: str, spec: Spec, spindle: Spindle) -> Iterator[str]:
         sleeves = [sleeve.name for sleeve in spindle.sleeves]
         for sleeve in spec.second_stop:
             yield from _exists(sleeve, sleeves, f"{name}: second_stop: unknown sleeve")
-        for support in spindle.supports:
-            if support.out_of_plane:
-                across = ", ".join(entry_name(*pair) for pair in support.out_of_plane)
-                yield (
-                    f"{name}: support '{support.name}' couples plane y or the axis to other "
-                    f"motions ({across}): the radial stiffness is solved in plane y alone"
-                )
+        yield from (f"{name}: {sentence}" for sentence in _one_plane(spindle))
+
+
+def _one_plane(spindle: Spindle) -> Iterator[str]:
+    for support in spindle.supports:
+        if support.out_of_plane:
+            across = ", ".join(entry_name(*pair) for pair in support.out_of_plane)
+            yield (
+                f"support '{support.name}' couples plane y or the axis to other motions "
+                f"({across}): the radial stiffness is solved in plane y alone"
+            )
+
+
+def _section_forces(
+    name: str, spec: SectionForcesSpec, spindle: Spindle, conditions: Conditions
+) -> Iterator[str]:
+    reach = spindle.shaft.start, spindle.shaft.end
+    faults = list(misplaced(spec, spindle.points, reach, conditions.gravity))
+    for way, sentence in faults or unheld(spec, spindle, conditions):
+        yield f"{name}: {'.'.join(map(str, way))}: {sentence}"
+    yield from (f"conditions.rotor: {sentence}" for sentence in overheld(spindle, conditions))
+
+
+def rigid_supports(supports: Iterable[RigidSupport]) -> Iterator[str]:
+    """A sentence for every support that only section forces take."""
+    for support in supports:
+        if support.rigid:
+            yield (
+                f"support '{support.name}' holds {', '.join(support.rigid)} rigidly, which only "
+                "section_forces takes: give it a stiffness"
+            )
 
 
 def _exists(name: str, allowed: Iterable[str], what: str) -> Iterator[str]:

@@ -18,6 +18,7 @@ QUANTITIES = {
     "torsion_frequency": "Hz",  # per mode, in order, at one speed
     "axial_stiffness": "N/m",
     "seat_shift": "m",  # subject: bearing
+    "required_diameter": "m",  # subject: twist limit
     "frozen_error": "1",  # of the axial stiffness of one bearing; largest over its loads
 }
 KINDS = ("published", "measured")

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
+from typing import Protocol
 
 from rotordyn.description import Description, doubled
 from rotordyn.machine.drawbar import Drawbar
@@ -70,6 +71,7 @@ class Spindle(Description):
         yield from self._sleeve_faults()
         yield from self._shift_faults()
         yield from self._fit_faults()
+        yield from held_twice(self.seats, self.supports)
 
     def _station_faults(self) -> Iterator[str]:
         placed: tuple[PointMass | Disc | BearingSeat | LinearSupport, ...]
@@ -148,6 +150,33 @@ class Spindle(Description):
             masses=self.masses + tool.masses,
             points={**self.points, **tool.points},
             references=self.references + tool.references,
+        )
+
+
+class RigidSupport(Protocol):
+    """A support, as it is given or as it is read."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def x(self) -> float: ...
+    @property
+    def rigid(self) -> Sequence[str]: ...
+
+
+def held_twice(seats: Iterable[object], supports: Iterable[RigidSupport]) -> Iterator[str]:
+    """A sentence where two supports hold one freedom of a station, or one x beside bearings."""
+    taken: dict[str, list[RigidSupport]] = {}
+    for support in supports:
+        for freedom in support.rigid:
+            for other in taken.get(freedom, ()):
+                if abs(support.x - other.x) <= SLACK:
+                    yield f"supports '{other.name}' and '{support.name}' both hold {freedom} there"
+            taken.setdefault(freedom, []).append(support)
+    if "x" in taken and any(True for _ in seats):
+        yield (
+            f"support '{taken['x'][0].name}' holds x rigidly beside bearings, whose preload moves "
+            "the shaft along: give it a stiffness xx"
         )
 
 

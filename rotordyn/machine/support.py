@@ -109,17 +109,24 @@ class Sleeve(Description):
 
 @dataclass(frozen=True, slots=True)
 class LinearSupport(Description):
-    """Constant stiffness and damping to ground at station ``x``.
+    """Constant stiffness and damping to ground at station ``x``, or freedoms held ``rigid``.
 
     ``stiffness`` [N/m, N/rad …] and ``damping`` map a pair of node freedoms (load, displacement),
     such as ``("y", "y")`` or ``("y", "thz")``, to the entry of the 6×6 matrix; freedoms are
-    x, y, z, thx, thy, thz. Entries not named are zero; nothing is symmetrised.
+    x, y, z, thx, thy, thz. Entries not named are zero; nothing is symmetrised. Freedoms in
+    ``rigid`` do not move at all and have no stiffness; only section forces take them.
     """
 
     name: Name
     x: Station
-    stiffness: Entries
+    stiffness: Entries = field(default_factory=dict)
     damping: Entries = field(default_factory=dict)
+    rigid: tuple[Freedom, ...] = ()
+
+    def _faults(self) -> Iterator[str]:
+        for freedom in doubled(self.rigid):
+            yield f"rigid: repeated: given '{freedom}'"
+        yield from rigid_and_elastic(self.rigid, (*self.stiffness, *self.damping))
 
     @property
     def sideways(self) -> tuple[tuple[str, str], ...]:
@@ -135,6 +142,14 @@ class LinearSupport(Description):
     @property
     def _stiff(self) -> tuple[tuple[str, str], ...]:
         return tuple(pair for pair, value in self.stiffness.items() if abs(value) > 0.0)
+
+
+def rigid_and_elastic(rigid: Iterable[str], entries: Iterable[tuple[str, str]]) -> Iterator[str]:
+    """A sentence for every freedom that is held rigidly and has ``entries`` of a matrix as well."""
+    named = {freedom for pair in entries for freedom in pair}
+    for freedom in dict.fromkeys(rigid):
+        if freedom in named:
+            yield f"{freedom} is held rigidly and has entries of stiffness or damping: one of both"
 
 
 def coupled_motions(supports: Iterable[LinearSupport]) -> frozenset[str]:

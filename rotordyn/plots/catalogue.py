@@ -87,6 +87,11 @@ def _preload(case: Drawable, result: Any, _: Mapping[str, Any]) -> Iterator[Job]
     yield "contacts", partial(call, "preload", "contacts_figure", result)
 
 
+def _section_forces(case: Drawable, result: Any, _: Mapping[str, Any]) -> Iterator[Job]:
+    for name, draw in (("section_forces", "diagrams"), ("elastic_line", "elastic_line")):
+        yield name, partial(call, "section_forces", f"{draw}_figure", result, case.spindle)
+
+
 def _bearing(case: Drawable, result: Any, _: Mapping[str, Any]) -> Iterator[Job]:
     yield "bearing", partial(call, "bearing", "bearing_figure", result)
     if "complete" in result.tangent and len(result.tangent) > 1:
@@ -111,6 +116,7 @@ FIGURES: dict[str, Callable[[Drawable, Any, Mapping[str, Any]], Iterator[Job]]] 
     "campbell": _campbell,
     "frf": _frf,
     "stiffness": _stiffness,
+    "section_forces": _section_forces,
     "bearing": _bearing,
     "control": _control,
 }

@@ -8,14 +8,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.display import shown
 from rotordyn.analysis.result import declared
 
 
 def axis_label(result: Any, name: str) -> str:
     """Label and printed unit of a quantity or coordinate of ``result``."""
     info = declared(result)[name].metadata
-    return f"{info['label']} [{shown(info['unit']).unit}]"
+    return f"{info['label']} [{info['printed'].unit}]"
 
 
 def spread(

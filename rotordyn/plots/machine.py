@@ -161,11 +161,15 @@ def _sleeve_words(sleeve: Sleeve) -> str:
 
 
 def _supports(sketch: Sketch, spindle: Spindle) -> None:
-    """Linear supports as a spring from the shaft down to the ground."""
+    """Linear supports as a spring from the shaft down to the ground, rigid ones as a wedge."""
     for support in spindle.supports:
         x = support.x * 1e3
         radius = spindle.shaft.section_at(support.x).outer_diameter * 500.0
-        sketch.line(spring((x, -radius), (x, -radius - 10.0), 2.0), BLUE, 1.0)
+        if support.rigid:
+            foot = -radius - 10.0
+            sketch.polygon([(x, -radius), (x - 4.0, foot), (x + 4.0, foot)], "#FFFFFF", edge=BLUE)
+        else:
+            sketch.line(spring((x, -radius), (x, -radius - 10.0), 2.0), BLUE, 1.0)
         draw_ground(sketch, x, -radius - 10.0, 4.0, upright=False, side=-1.0)
 
 

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rotordyn.analysis.display import RPM, Shown, shown
+from rotordyn.analysis.display import MILLIMETRE, RPM, Shown, shown
 from rotordyn.analysis.known import Match
 from rotordyn.machine.reference import QUANTITIES, Reference
 from rotordyn.report.text import INDENT, unbroken, wrapped
+
+_IN_MILLIMETRES = ("required_diameter",)
 
 
 def known_lines(found: Sequence[Match], room: int) -> list[str]:
@@ -60,6 +62,8 @@ def computed_values(match: Match) -> str:
 
 
 def _unit(reference: Reference) -> Shown:
+    if reference.quantity in _IN_MILLIMETRES:
+        return MILLIMETRE
     return shown(QUANTITIES.get(reference.quantity, ""))
 
 

@@ -15,10 +15,12 @@ from rotordyn.analysis.results import (
     CampbellResult,
     ControlResult,
     PreloadResult,
+    SectionForcesResult,
     StiffnessResult,
 )
 from rotordyn.machine.reference import Reference
 from rotordyn.report.known import computed_values, known_values
+from rotordyn.report.section_forces import extremes
 from rotordyn.report.summary import Described, called
 from rotordyn.report.text import from_to, number, opening, wrapped
 
@@ -135,10 +137,15 @@ def _control(result: ControlResult, _: Described) -> Cells:
     return {"inner from": inner, "outer up to": outer}
 
 
+def _section_forces(result: SectionForcesResult, _: Described) -> Cells:
+    return extremes(result)
+
+
 TABLES: dict[str, tuple[str, Callable[[Any, Described], Cells]]] = {
     "campbell": ("bending modes, backward/forward [Hz]", _campbell),
     "preload": ("preload", _preload),
     "stiffness": ("radial stiffness at no load", _stiffness),
+    "section_forces": ("section forces of largest amount", _section_forces),
     "bearing": ("axial and radial stiffness, tilts blocked [N/µm]", _bearing),
     "control": ("axial load [N] at which race control changes", _control),
 }

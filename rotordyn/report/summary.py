@@ -27,6 +27,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve
 from rotordyn.report.accuracy import accuracy_words
 from rotordyn.report.known import known_lines
+from rotordyn.report.section_forces import section_force_lines
 from rotordyn.report.text import from_to, opening, unbroken, wrapped
 
 HEIGHT = 40
@@ -71,6 +72,8 @@ def summary(
         lines += _control(results["control"])
     if "stiffness" in results:
         lines += _stiffness(results["stiffness"])
+    if "section_forces" in results:
+        lines += section_force_lines(results["section_forces"])
     top = opening(warnings, called(case), notes)
     text = [*top, *(part for line in lines for part in wrapped(line))]
     found = matches(case.known, results, case.spindle)

@@ -14,9 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.display import (
-    MILLIMETRE,
     RPM,
     Shown,
+    load_unit,
     receptance_unit,
     shown,
     stiffness_unit,
@@ -28,11 +28,15 @@ from rotordyn.report.variables import as_array
 
 @dataclass(frozen=True, slots=True)
 class Layout:
-    """One file: a line per combination of ``rows``, the dimensions ``across`` side by side."""
+    """One file: a line per combination of ``rows``, the dimensions ``across`` side by side.
+
+    ``repeating``: quantities over some of the rows only are repeated along the others.
+    """
 
     name: str
     rows: tuple[str, ...]
     across: tuple[str, ...] = ()
+    repeating: bool = False
 
 
 LAYOUTS = {
@@ -51,6 +55,11 @@ LAYOUTS = {
     "stiffness": (
         Layout("stiffness", ("speed", "variant")),
         Layout("stiffness_curves", ("speed", "variant", "force")),
+    ),
+    "section_forces": (
+        Layout("section_forces", ("speed", "cut"), repeating=True),
+        Layout("section_forces_reactions", ("speed", "support"), ("component",), repeating=True),
+        Layout("section_forces_twist", ("speed", "twist_limit"), repeating=True),
     ),
     "bearing": (
         Layout("bearing", ("speed", "load")),
@@ -88,9 +97,8 @@ def tidy_columns(result: Any, layout: Layout) -> list[Column]:
     for axis, dim in enumerate(layout.rows):
         values = as_array(getattr(result, coordinates[dim]))
         spread = values.reshape([-1 if a == axis else 1 for a in range(len(shape))])
-        label, unit = fields[coordinates[dim]]["label"], fields[coordinates[dim]]["unit"]
-        to = MILLIMETRE if dim == "node" else shown(unit)
-        columns.append(_column(label, to, np.broadcast_to(spread, shape)))
+        own = fields[coordinates[dim]]
+        columns.append(_column(own["label"], own["printed"], np.broadcast_to(spread, shape)))
     for name, info in fields.items():
         if info["role"] == "quantity" and _belongs(info["dims"], layout):
             columns += _quantity_columns(result, name, layout, shape)
@@ -100,7 +108,9 @@ def tidy_columns(result: Any, layout: Layout) -> list[Column]:
 def _belongs(dims: tuple[str, ...], layout: Layout) -> bool:
     rows, own = set(layout.rows), set(dims)
     repeated = dims == ("speed",) and "speed" in rows and len(rows) <= 2
-    return repeated or (rows <= own <= rows | set(layout.across))
+    return (
+        repeated or (layout.repeating and own < rows) or (rows <= own <= rows | set(layout.across))
+    )
 
 
 def _quantity_columns(
@@ -110,16 +120,24 @@ def _quantity_columns(
     info, values = declared(result)[name].metadata, as_array(getattr(result, name))
     across = [d for d in info["dims"] if d not in layout.rows]
     if len(info["dims"]) - len(across) < len(layout.rows):
-        values = values.reshape(values.shape + (1,) * (len(shape) - values.ndim))
-        yield _column(info["label"], shown(info["unit"]), np.broadcast_to(values, shape))
+        own = [n if d in info["dims"] else 1 for d, n in zip(layout.rows, shape, strict=True)]
+        values = values.reshape(own)
+        yield _column(info["label"], info["printed"], np.broadcast_to(values, shape))
         return
     order = [info["dims"].index(d) for d in (*layout.rows, *across)]
     words = list(product(*(getattr(result, d) for d in across)))
     flat = values.transpose(order).reshape(prod(shape), len(words))
     for place, word in enumerate(words):
-        unit = stiffness_unit(*word) if across == ["dof", "dof_other"] else info["unit"]
+        to = _unit_of(word, across) or info["printed"]
         label = f"{info['label']} {','.join(word)}" if word else info["label"]
-        yield from _parts(label, shown(unit), flat[:, place])
+        yield from _parts(label, to, flat[:, place])
+
+
+def _unit_of(word: tuple[str, ...], across: list[str]) -> Shown | None:
+    """The unit of one place ``across``, where each has its own."""
+    if across == ["dof", "dof_other"]:
+        return shown(stiffness_unit(*word))
+    return shown(load_unit(*word)) if across == ["component"] else None
 
 
 def _parts(label: str, to: Shown, values: NDArray[Any]) -> Iterator[Column]:

@@ -9,13 +9,19 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM
-from rotordyn.analysis.results import BearingMapResult, CampbellResult, PreloadResult
+from rotordyn.analysis.results import (
+    BearingMapResult,
+    CampbellResult,
+    PreloadResult,
+    SectionForcesResult,
+)
 from rotordyn.machine.limits import WARNING_PRESSURE
 
 
 def result_warnings(results: Mapping[str, Any]) -> list[str]:
-    """A sentence per unstable mode, and per bearing pressed too hard or slipping."""
-    return [*_unstable_modes(results), *_pressures(results), *_slips(results)]
+    """A sentence per unstable mode, per bearing too hard pressed or slipping, per shaft twisted."""
+    found = (_unstable_modes, _pressures, _slips, _twists)
+    return [sentence for look in found for sentence in look(results)]
 
 
 def _unstable_modes(results: Mapping[str, Any]) -> list[str]:
@@ -81,3 +87,17 @@ def _pressed(what: str, speed: NDArray[np.float64], peak: NDArray[np.float64]) -
         f"{what}: contact pressure {np.nanmax(peak) / 1e9:.2f} GPa is above "
         f"{WARNING_PRESSURE / 1e9:g} GPa, from {speed[over[0]] * RPM.factor:.0f} rpm on"
     )
+
+
+def _twists(results: Mapping[str, Any]) -> list[str]:
+    result = results.get("section_forces")
+    if not isinstance(result, SectionForcesResult):
+        return []
+    most = np.nanmax(np.abs(result.twist_between), axis=0)
+    named = zip(result.twist_limit, most, result.allowed_twist, strict=True)
+    return [
+        f"twist {name}: {np.degrees(angle):.4g} deg is above the {np.degrees(allowed):.4g} deg "
+        "allowed"
+        for name, angle, allowed in named
+        if angle > allowed
+    ]

@@ -42,29 +42,35 @@ def test_a_ring_that_touches_no_ball_is_unloaded() -> None:
 
 
 @pytest.mark.parametrize("kinematics", ["inner", "geometric"])
-def test_the_speed_at_which_stiffness_vanishes(kinematics: str) -> None:
-    """Just below it there is a state, its softest direction nearly gone; above there is none."""
-    load = [60.0, 20.0, 0.0, 0.0, 0.0]
+def test_balls_that_are_thrown_off(kinematics: str) -> None:
+    """Up to the speed told there is a state; the balls named then need any friction to stay."""
+    ask = dict(load=[60.0, 20.0, 0, 0, 0], kinematics=kinematics, moment_sharing="inner")
+    with pytest.raises(NoEquilibrium, match="are thrown off a race") as caught:
+        VEX70.equilibrium(speed=FAST, **ask)
+    limit = float(re.findall(r"above (\d+) rpm at this load", str(caught.value))[0])
+    speed = np.array([0.5, 0.999, 1.001, 1.1]) * limit * RPM
+    state = VEX70.equilibrium(speed=speed, **ask)
+    assert (state.outcome == ["", "", "no equilibrium", "no equilibrium"]).all()
+    assert state.inner_grip[1].max() > 30.0 > 3.0 > state.inner_grip[0].max()
+    capped = VEX70.equilibrium(speed=FAST, friction=0.1, **ask)
+    assert "slips on the inner race" in str(capped.condition)
+
+
+def test_stiffness_that_vanishes() -> None:
+    """Towards the speed told the softest direction fades; beyond it there is no state."""
+    ask = dict(FOLDING)
+    bearing = ask.pop("bearing")
     with pytest.raises(NoEquilibrium, match="stiffness vanishes above") as caught:
-        VEX70.equilibrium(load=load, speed=FAST, kinematics=kinematics, moment_sharing="inner")
-    limit = float(re.findall(r"above (\d+) rpm", str(caught.value))[0])
-    ask = dict(load=load, kinematics=kinematics, moment_sharing="inner")
-    near = VEX70.equilibrium(speed=np.array([0.5, 0.9, 1.0]) * limit * RPM, **ask)
-    assert (near.outcome == "").all()
-    beyond = VEX70.equilibrium(speed=np.array([1.001, 1.02, 1.1]) * limit * RPM, **ask)
-    assert (beyond.outcome == "no equilibrium").all()
-    softest = np.linalg.eigvals(near.complete_stiffness[:, :3, :3]).real.min(axis=1)
-    assert softest[2] < 0.5 * softest[1]
-
-
-def test_given_displacement_is_named() -> None:
-    with pytest.raises(NoEquilibrium, match="at this displacement"):
-        VEX70.equilibrium(
-            displacement=[-15e-6, 0, 0, 0, 0],
-            speed=FAST,
-            kinematics="inner",
-            moment_sharing="inner",
-        )
+        bearing.equilibrium(**ask)
+    limit = float(re.findall(r"above (\d+) rpm at this load", str(caught.value))[0])
+    ask["speed"] = np.array([0.9, 0.99, 0.9995, 1.002]) * limit * RPM
+    state = bearing.equilibrium(**ask)
+    assert (state.outcome == ["", "", "", "no equilibrium"]).all()
+    scale = np.array([1.0, 1.0, 1.0, *[2.0 / bearing.pitch_diameter] * 2])
+    k = state.complete_stiffness[:3] * np.outer(scale, scale)
+    softest = np.linalg.eigvals(k).real.min(axis=1)
+    assert softest[2] < softest[1] < softest[0]
+    assert softest[2] < 0.3 * softest[0]
 
 
 def test_balls_that_are_solved(monkeypatch: pytest.MonkeyPatch) -> None:

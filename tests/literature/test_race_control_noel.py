@@ -20,6 +20,7 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from bearings.control_map import control_map
+from bearings.law import Law
 from tests.oracles.ball_bearing import BallBearingOracle
 from tests.oracles.known_bearings import HYPOTHESES, RPM, VEX70
 
@@ -56,7 +57,7 @@ def own_boundary(race: str, sign: int) -> NDArray[np.float64]:
 def test_published_conformities_have_no_boundary() -> None:
     for kinematics in HYPOTHESES:
         found = control_map(
-            VEX70, speed=THOUSANDS * 1e3 * RPM, lowest=10.0, highest=1e5, kinematics=kinematics
+            VEX70, speed=THOUSANDS * 1e3 * RPM, lowest=10.0, highest=1e5, law=Law(kinematics)
         )
         assert set(found.absence[0]) == {"inner race controls at no load that has a state"}
         assert set(found.absence[1]) == {"outer race controls at every load that has a state"}
@@ -80,7 +81,5 @@ def test_both_valid_between_the_curves_is_the_doing_of_that_sign() -> None:
 
 @pytest.mark.parametrize(("race", "place"), [("inner", 0), ("outer", 1)])
 def test_the_map_finds_the_same_with_the_physical_sign(race: str, place: int) -> None:
-    found = control_map(
-        CLOSE, speed=THOUSANDS * 1e3 * RPM, lowest=10.0, highest=2e4, kinematics=race
-    )
+    found = control_map(CLOSE, speed=THOUSANDS * 1e3 * RPM, lowest=10.0, highest=2e4, law=Law(race))
     assert found.boundary[place] == pytest.approx(own_boundary(race, PHYSICAL), rel=1e-4)

@@ -22,9 +22,12 @@ from rotordyn.analysis import (
     Conditions,
     ControlSpec,
     FrfSpec,
+    PointLoad,
     Port,
     PreloadSpec,
+    SectionForcesSpec,
     StiffnessSpec,
+    TwistLimit,
 )
 from rotordyn.analysis.registry import BEARING_ANALYSES, SPINDLE_ANALYSES
 from rotordyn.analysis.specs import KINEMATICS, MOMENT_SHARING
@@ -108,6 +111,34 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
         LinearSupport("s", 0.0, {("y", "q"): 1.0})
     ),
     r"stiffness\[\('y', 'y'\)\]: not finite": lambda: LinearSupport("s", 0, {("y", "y"): INF}),
+    "LinearSupport s: y is held rigidly and has entries": lambda: LinearSupport(
+        "s", 0.0, {("y", "thz"): 1.0}, rigid=("y",)
+    ),
+    "LinearSupport s: rigid: repeated: given 'y'": lambda: LinearSupport(
+        "s", 0.0, rigid=("y", "y")
+    ),
+    "supports 'l' and 'r' both hold y there": lambda: spindle(
+        supports=tuple(LinearSupport(n, 0.1, rigid=("y",)) for n in ("l", "r"))
+    ),
+    "support 'l' holds x rigidly beside bearings": lambda: spindle(
+        supports=(LinearSupport("l", 0.1, rigid=("x",)),)
+    ),
+    "preload: support 'l' holds y rigidly, which only section_forces takes": lambda: case(
+        spindle=spindle(supports=(LinearSupport("l", 0.1, rigid=("y",)),))
+    ),
+    "section_forces: loads.0.at: unknown point: given 'tp'.*did you mean tip": lambda: case(
+        analyses={"section_forces": SectionForcesSpec((PointLoad("tp"),))}
+    ),
+    "section_forces: loads.0.at: load off the shaft: given '301.0 mm'": lambda: case(
+        analyses={"section_forces": SectionForcesSpec((PointLoad(0.301),))}
+    ),
+    "section_forces: loads: free body in a static case: nothing holds thx, .* 2 N m": lambda: case(
+        analyses={"section_forces": SectionForcesSpec((PointLoad("tip", Mx=2.0),))}
+    ),
+    "twist_limits: repeated: given 'a to b'": lambda: SectionForcesSpec(
+        twist_limits=(TwistLimit("a", "b", 1.0), TwistLimit("a", "b", 2.0))
+    ),
+    "PointLoad: at: ": lambda: PointLoad(math.inf),
     "two seats are named 'a'": lambda: spindle(seats=(FRONT, FRONT), sleeves=()),
     "BearingSeat a off the shaft: given 0.4 m; allowed: 0 m to 0.3 m": lambda: spindle(
         seats=(replace(FRONT, x=0.4), REAR)

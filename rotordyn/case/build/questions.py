@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
+from rotordyn.analysis.loads import LineLoad, PointLoad, TwistLimit, Unbalance
 from rotordyn.analysis.specs import (
     BearingMapSpec,
     CampbellSpec,
@@ -10,6 +14,7 @@ from rotordyn.analysis.specs import (
     FrfSpec,
     Port,
     PreloadSpec,
+    SectionForcesSpec,
     Spec,
     StiffnessSpec,
 )
@@ -24,6 +29,7 @@ from rotordyn.case.schema.analyses import (
     StiffnessEntry,
 )
 from rotordyn.case.schema.conditions import ConditionsEntry
+from rotordyn.case.schema.loads import SectionForcesEntry
 
 
 def conditions(entry: ConditionsEntry) -> Conditions:
@@ -37,28 +43,24 @@ def questions(entry: AnalysesEntry) -> dict[str, Spec]:
     return {name: _spec(question) for name, question in asked.items() if question is not None}
 
 
-def _spec(
-    entry: PreloadEntry
-    | CampbellEntry
-    | FrfEntry
-    | StiffnessEntry
-    | BearingMapEntry
-    | ControlEntry,
-) -> Spec:
-    match entry:
-        case CampbellEntry():
-            return CampbellSpec(entry.max_frequency, tuple(entry.teeth), entry.shapes)
-        case FrfEntry():
-            pairs = tuple((Port(*pair.response), Port(*pair.excitation)) for pair in entry.pairs)
-            return FrfSpec(values(entry.frequencies), pairs, tuple(entry.slices))
-        case StiffnessEntry():
-            return _stiffness(entry)
-        case BearingMapEntry():
-            return BearingMapSpec(tuple(entry.loads), entry.static_growth, tuple(entry.tangents))
-        case ControlEntry():
-            return ControlSpec(entry.max_load, entry.min_load, entry.radial, entry.static_growth)
-        case PreloadEntry():
-            return PreloadSpec()
+def _spec(entry: Any) -> Spec:
+    return _BUILDERS[type(entry)](entry)
+
+
+def _frf(entry: FrfEntry) -> FrfSpec:
+    pairs = tuple((Port(*pair.response), Port(*pair.excitation)) for pair in entry.pairs)
+    return FrfSpec(values(entry.frequencies), pairs, tuple(entry.slices))
+
+
+def section_forces(entry: SectionForcesEntry) -> SectionForcesSpec:
+    """Static loads and limits of twist."""
+    return SectionForcesSpec(
+        loads=tuple(PointLoad(**load.model_dump()) for load in entry.loads),
+        line_loads=tuple(LineLoad(**load.model_dump()) for load in entry.line_loads),
+        unbalances=tuple(Unbalance(**load.model_dump()) for load in entry.unbalances),
+        gravity=entry.gravity,
+        twist_limits=tuple(TwistLimit(**limit.model_dump()) for limit in entry.twist_limits),
+    )
 
 
 def _stiffness(entry: StiffnessEntry) -> StiffnessSpec:
@@ -69,3 +71,20 @@ def _stiffness(entry: StiffnessEntry) -> StiffnessSpec:
         variants=tuple(entry.variants),
         second_stop=dict(entry.second_stop),
     )
+
+
+_BUILDERS: dict[type, Callable[[Any], Spec]] = {
+    PreloadEntry: lambda entry: PreloadSpec(),
+    CampbellEntry: lambda entry: CampbellSpec(
+        entry.max_frequency, tuple(entry.teeth), entry.shapes
+    ),
+    FrfEntry: _frf,
+    StiffnessEntry: _stiffness,
+    SectionForcesEntry: section_forces,
+    BearingMapEntry: lambda entry: BearingMapSpec(
+        tuple(entry.loads), entry.static_growth, tuple(entry.tangents)
+    ),
+    ControlEntry: lambda entry: ControlSpec(
+        entry.max_load, entry.min_load, entry.radial, entry.static_growth
+    ),
+}

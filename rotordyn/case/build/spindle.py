@@ -160,7 +160,8 @@ def _sleeve(entry: SleeveEntry) -> Sleeve:
 
 def support(entry: SupportEntry) -> LinearSupport:
     """A linear support, its matrices however they are written."""
-    return LinearSupport(entry.name, entry.x, entries(entry.stiffness), entries(entry.damping))
+    matrices = entries(entry.stiffness), entries(entry.damping)
+    return LinearSupport(entry.name, entry.x, *matrices, tuple(entry.rigid))
 
 
 def _drawbar(entry: DrawbarEntry | None) -> Drawbar | None:

@@ -11,11 +11,14 @@ from rotordyn.case.agreement import (
     NEEDS_BEARINGS,
     OF_A_BEARING,
     OF_BALLS,
+    TAKE_RIGID,
+    rigid_supports,
     uncoupled,
 )
 from rotordyn.case.build.spindle import support
 from rotordyn.case.build.sweep import values
 from rotordyn.case.checks.conditions import conditions, sideways
+from rotordyn.case.checks.loads import section_forces
 from rotordyn.case.checks.names import exists
 from rotordyn.case.checks.references import references
 from rotordyn.case.checks.sweep import ascending, sweep
@@ -138,8 +141,18 @@ def against_machine(
     if entry.analyses.stiffness is not None:
         _stiffness(entry.analyses.stiffness, points, spindle, root, faults)
         _one_plane(supports, root, faults)
+    _rigid(entry, spindle, root, faults)
+    if entry.analyses.section_forces is not None:
+        section_forces(entry, spindle, tool, root, faults)
     if spindle.bearings:
         sideways(entry, supports, root, faults)
+
+
+def _rigid(entry: CaseEntry, spindle: SpindleEntry, root: Node, faults: Faults) -> None:
+    """Only some questions take rigid supports."""
+    for name in sorted(entry.analyses.model_fields_set - {*TAKE_RIGID, *OF_A_BEARING}):
+        for sentence in rigid_supports(spindle.supports):
+            faults.at_key(root, ("analyses", name), sentence)
 
 
 _ALL_MOTIONS = frozenset(MOTIONS.values())

@@ -32,7 +32,8 @@ def conditions(
     if entry.formulation == ROTATING:
         for support in supports:
             _even(support, root, faults)
-    if spindle.bearings or any(support.stiffness.get(("x", "x")) for support in supports):
+    held = any(s.stiffness.get(("x", "x")) or "x" in s.rigid for s in supports)
+    if spindle.bearings or held:
         return
     for key, acts in (("axial_force", entry.axial_force), ("gravity", entry.gravity != "none")):
         if acts:

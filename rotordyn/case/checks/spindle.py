@@ -22,6 +22,9 @@ from rotordyn.case.node import Node
 from rotordyn.case.schema.matrix import ENTRIES, entries
 from rotordyn.case.schema.shaft import MassEntry, SectionEntry, ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
+from rotordyn.case.schema.support import SupportEntry
+from rotordyn.machine.spindle import held_twice
+from rotordyn.machine.support import rigid_and_elastic
 
 
 def spindle(entry: SpindleEntry, root: Node, tool: ToolEntry | None, faults: Faults) -> None:
@@ -82,8 +85,22 @@ def _stations(entry: SpindleEntry, reach: Span, root: Node, faults: Faults) -> N
         for index, item in enumerate(getattr(entry, key)):
             on_shaft(item.x, reach, what, root, (key, index, "x"), faults)
     unique([support.name for support in entry.supports], root, ("supports",), faults)
+    for sentence in held_twice(entry.bearings, entry.supports):
+        faults.at(root, ("supports",), sentence)
     for index, support in enumerate(entry.supports):
         on_shaft(support.x, reach, "support", root, ("supports", index, "x"), faults)
+        _support(support, root, ("supports", index), faults)
+
+
+def _support(entry: SupportEntry, root: Node, way: tuple[object, ...], faults: Faults) -> None:
+    """It holds something, and nothing both rigidly and elastically."""
+    here = root.at(*way)
+    if here.child("stiffness") is None and here.child("rigid") is None:
+        message = "missing key: it must be given, or rigid"
+        faults.missing(root, (*way, "stiffness"), message)
+    named = (*entries(entry.stiffness), *entries(entry.damping))
+    for sentence in rigid_and_elastic(entry.rigid, named):
+        faults.at(root, (*way, "rigid"), sentence)
 
 
 def _lumped(entry: SpindleEntry, root: Node, faults: Faults) -> None:
@@ -143,7 +160,10 @@ def _held(entry: SpindleEntry, root: Node, faults: Faults) -> None:
     free = [
         key
         for key in ("yy", "zz")
-        if not any(entries(support.stiffness).get(ENTRIES[key]) for support in entry.supports)
+        if not any(
+            entries(support.stiffness).get(ENTRIES[key]) or ENTRIES[key][0] in support.rigid
+            for support in entry.supports
+        )
     ]
     if free:
         faults.at(

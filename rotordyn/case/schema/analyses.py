@@ -10,6 +10,7 @@ from rotordyn.analysis.specs import MOST_STEPS, MOST_TEETH, TANGENTS, VARIANTS
 from rotordyn.case.node import UNKNOWN
 from rotordyn.case.schema.base import Entry
 from rotordyn.case.schema.conditions import Tangent
+from rotordyn.case.schema.loads import SectionForcesEntry
 from rotordyn.case.schema.shapes import PLACE
 from rotordyn.case.schema.sweep import Frequencies
 from rotordyn.case.schema.values import (
@@ -129,5 +130,6 @@ class AnalysesEntry(Entry):
     campbell: Annotated[CampbellEntry | None, _BARE] = None
     frf: Annotated[FrfEntry | None, _BARE] = None
     stiffness: Annotated[StiffnessEntry | None, _BARE] = None
+    section_forces: Annotated[SectionForcesEntry | None, _BARE] = None
     bearing: Annotated[BearingMapEntry | None, _BARE] = None
     control: Annotated[ControlEntry | None, _BARE] = None

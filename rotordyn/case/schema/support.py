@@ -10,7 +10,13 @@ from pydantic import BeforeValidator, Field
 from rotordyn.case.schema.base import Entry
 from rotordyn.case.schema.bearing import BearingEntry
 from rotordyn.case.schema.growth import GrowthEntry
-from rotordyn.case.schema.matrix import DampingMatrix, DampingMatrixEntry, StiffnessMatrix
+from rotordyn.case.schema.matrix import (
+    DampingMatrix,
+    DampingMatrixEntry,
+    Freedoms,
+    StiffnessMatrix,
+    StiffnessMatrixEntry,
+)
 from rotordyn.case.schema.values import (
     Damping,
     Mass,
@@ -62,9 +68,13 @@ class SleeveEntry(Entry):
 
 
 class SupportEntry(Entry):
-    """A linear support to ground, by its matrices; nothing is made symmetric."""
+    """A linear support to ground, by its matrices; nothing is made symmetric.
+
+    Or freedoms held rigidly, which only `section_forces` takes.
+    """
 
     name: Name
     x: Station
-    stiffness: StiffnessMatrix
+    stiffness: StiffnessMatrix = StiffnessMatrixEntry()
     damping: DampingMatrix = DampingMatrixEntry()
+    rigid: Freedoms = []

@@ -68,6 +68,10 @@ def _preload(_: Any, shown: Sequence[Shown]) -> Iterator[Job]:
         yield "preload", partial(_draw, "preload", "preload_figure", shown)
 
 
+def _section_forces(_: Any, shown: Sequence[Shown]) -> Iterator[Job]:
+    yield "section_forces", partial(_draw, "section_forces", "diagrams_figure", shown)
+
+
 def _bearing(_: Any, shown: Sequence[Shown]) -> Iterator[Job]:
     yield "bearing", partial(_draw, "bearing", "bearing_figure", shown)
 
@@ -85,6 +89,7 @@ FIGURES: dict[str, Callable[[Any, Sequence[Shown]], Iterator[Job]]] = {
     "campbell": _campbell,
     "preload": _preload,
     "stiffness": _stiffness,
+    "section_forces": _section_forces,
     "bearing": _bearing,
     "control": _control,
 }

@@ -9,6 +9,7 @@ import pytest
 
 import rotordyn.analysis.race_control as race_control
 from bearings.control_map import control_map, quadratic
+from bearings.law import Law
 from rotordyn.analysis.race_control import answer, fit_words, fitted
 from rotordyn.analysis.specs import Conditions, ControlSpec
 from rotordyn.errors import NoSolution
@@ -28,8 +29,7 @@ def test_it_is_the_map_of_the_bearing_under_the_conditions() -> None:
         highest=9000.0,
         radial=0.1,
         static_growth=2e-6,
-        kinematics="outer",
-        moment_sharing="hybrid",
+        law=Law("outer", "hybrid"),
     )
     np.testing.assert_array_equal(found.boundary_load, alone.boundary)
     np.testing.assert_array_equal(found.inner_margin, alone.inner_margin)

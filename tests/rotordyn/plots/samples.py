@@ -15,6 +15,7 @@ from rotordyn.analysis.results import (
     ControlResult,
     FrfResult,
     PreloadResult,
+    SectionForcesResult,
     StiffnessResult,
 )
 from rotordyn.analysis.specs import CampbellSpec, StiffnessSpec
@@ -289,6 +290,53 @@ def stiffness(count: int = 49) -> StiffnessResult:
     )
 
 
+def section_forces(count: int = 49) -> SectionForcesResult:
+    """A beam on two ends, a force in its middle that grows with speed, a torque behind it."""
+    speed, edges = speeds(count), np.linspace(-0.0918, 0.4364, 41)
+    cut = np.stack([edges[:-1], edges[1:]], axis=1).ravel()
+    middle, long = edges[20], edges[-1] - edges[0]
+    front = np.repeat(edges[:-1] < middle, 2)
+    force = 100.0 + 900.0 * (speed / TOP)[:, None] ** 2
+    shear = np.where(front, -force / 2.0, force / 2.0)
+    moment = force / 2.0 * np.where(front, cut - edges[0], edges[-1] - cut)
+    torque = np.where(front, 0.0, 40.0) * np.ones_like(force)
+    bow = -1e-8 * force * np.sin(np.pi * (cut - edges[0]) / long)
+    none, stress = np.zeros_like(shear), np.abs(moment) / 1e-5
+    reaction = np.zeros((count, 2, 6))
+    reaction[:, :, 1] = force / 2.0
+    return SectionForcesResult(
+        speed=speed,
+        cut=cut,
+        support=("front", "rear"),
+        component=("Fx", "Fy", "Fz", "Mx", "My", "Mz"),
+        twist_limit=("middle to end",),
+        outcome=("solved",) * count,
+        outer_diameter=np.full(cut.size, 0.07),
+        inner_diameter=np.full(cut.size, 0.04),
+        normal_force=none,
+        shear_force_y=shear,
+        shear_force_z=none,
+        torque=torque,
+        bending_moment_y=none,
+        bending_moment_z=moment,
+        axial_displacement=none,
+        deflection_y=bow,
+        deflection_z=none,
+        twist=torque * 1e-6,
+        slope_y=none,
+        slope_z=none,
+        normal_stress=stress,
+        torsion_stress=torque * 1e4,
+        von_mises_stress=np.sqrt(stress**2 + 3.0 * (torque * 1e4) ** 2),
+        support_station=edges[[0, -1]],
+        reaction=reaction,
+        allowed_twist=np.array([1e-3]),
+        bore=np.array([0.0]),
+        twist_between=np.full((count, 1), 5e-4),
+        required_diameter=np.full((count, 1), 0.03955),
+    )
+
+
 def bearing(count: int = 13) -> BearingMapResult:
     """K grows with the cube root of the load and falls with speed; frozen it errs to −16 %."""
     speed, load = speeds(count), np.array([250.0, 500.0, 1000.0, 1500.0, 2000.0])
@@ -359,6 +407,7 @@ def results(count: int = 49, points: int = 2000) -> dict[str, Any]:
         "campbell": campbell(count),
         "frf": frf(count, points),
         "stiffness": stiffness(count),
+        "section_forces": section_forces(count),
     }
 
 

@@ -11,6 +11,7 @@ from matplotlib.collections import LineCollection
 
 from rotordyn.machine.reference import Reference
 from rotordyn.plots.campbell import LOOKS, campbell_figure, whirl_segments
+from rotordyn.plots.compared.catalogue import comparison_figures
 from rotordyn.plots.compared.panels import Shown
 from rotordyn.plots.compared.race_control import control_figure as compared_control
 from rotordyn.plots.decimate import nearest, peak_bins
@@ -19,6 +20,12 @@ from rotordyn.plots.frf_slices import amplitude_phase_figure, real_imaginary_fig
 from rotordyn.plots.frf_surface import surface_figure
 from rotordyn.plots.preload import preload_figure
 from rotordyn.plots.race_control import control_figure
+from rotordyn.plots.section_forces import (
+    FORCES,
+    diagrams_figure,
+    elastic_line_figure,
+    speeds_shown,
+)
 from rotordyn.plots.shapes import plane_curve, shapes_figure
 from rotordyn.plots.stiffness import stiffness_figure
 from rotordyn.plots.tangents import tangents_figure
@@ -275,3 +282,45 @@ def test_nearest_takes_whole_rows():
     rows = np.arange(6.0).reshape(3, 2)
     found = nearest(rows, np.array([0.0, 1.0, 4.0]), np.array([0.4, 0.6, 2.4, 2.6, 9.0]))
     np.testing.assert_array_equal(found[:, 0], [0.0, 2.0, 2.0, 4.0, 4.0])
+
+
+def test_section_forces_have_a_panel_each_with_upright_jumps():
+    result = samples.section_forces(9)
+    panels = diagrams_figure(result, samples.spindle()).axes
+    assert len(panels) == len(FORCES)
+    shear = next(line for line in panels[1].lines if line.get_label() == "24000 rpm")
+    x, y = shear.get_data()
+    (jump,) = np.flatnonzero(np.abs(np.diff(y)) > 1.0)
+    assert x[jump] == x[jump + 1]
+    np.testing.assert_allclose(y[[jump, jump + 1]], [-500.0, 500.0])
+    names = {text.get_text() for text in panels[0].texts}
+    assert {"front", "rear", "nose"} <= names
+    assert not panels[3].texts
+
+
+def test_section_forces_show_a_speed_only_where_it_differs():
+    result = samples.section_forces(9)
+    assert [curve.name for curve in speeds_shown(result)] == ["0 rpm", "12000 rpm", "24000 rpm"]
+    still = {name: np.tile(getattr(result, name)[:1], (9, 1)) for name in FORCES}
+    assert [curve.row for curve in speeds_shown(replace(result, **still))] == [8]
+    lost = result.torque.copy()
+    lost[5:] = np.nan
+    assert [curve.row for curve in speeds_shown(replace(result, torque=lost))] == [0, 2, 4]
+
+
+def test_elastic_line_is_that_of_the_last_speed():
+    result = samples.section_forces(9)
+    panels = elastic_line_figure(result, None).axes
+    line = next(line for line in panels[0].lines if line.get_label() == "deflection y")
+    np.testing.assert_allclose(line.get_ydata(), result.deflection_y[-1] * 1e6)
+    assert _labels(panels[2]) == ["normal stress", "shear stress of torsion", "von Mises stress"]
+
+
+def test_section_forces_of_variants_have_a_line_each():
+    own = samples.case()
+    result = {"section_forces": samples.section_forces(3)}
+    shown = [(replace(own, title=name), result) for name in "ab"]
+    jobs = dict(comparison_figures(shown))
+    panels = jobs["section_forces"]().axes
+    assert _labels(panels[0]) == ["a", "b"]
+    assert len(panels) == len(FORCES)

@@ -9,6 +9,7 @@ import pytest
 
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.reference import Reference
+from rotordyn.report.side_by_side import comparison_summary
 from rotordyn.report.summary import HEIGHT, summary
 from rotordyn.report.text import WIDTH
 from rotordyn.report.warnings import result_warnings
@@ -38,6 +39,12 @@ def test_fits_one_screen(text):
         "front sleeve: reached at 18000 rpm",
         "rear sleeve: not reached",
         "constant preload 142.7 → 52.8",
+        "Ty -500 at -91.8 mm",
+        "N 0, Ty",
+        "Mt 40 at 172.3 mm",
+        "front Fy 500; rear Fy 500",
+        "middle to end: 0.0286 → 0.0286° of 0.0573° allowed, kept",
+        "39.55 → 39.55 mm",
         "The thesis mixes two signs of the gyroscopic moment.",
         "1750 |",
     ],
@@ -151,3 +158,17 @@ def test_race_control_says_boundaries_fits_and_what_is_absent(case):
     text = " ".join(summary(case, {"control": twice}).split())
     assert "under heavy load: outer race (C = 0.900); boundaries, axial load, radial 0.2" in text
     assert "at 2 speeds control changes more than once; highest told" in text
+
+
+def test_twist_beyond_its_limit_is_named(results):
+    assert not any("twist" in sentence for sentence in result_warnings(results))
+    far = replace(results["section_forces"], allowed_twist=np.array([4e-4]))
+    sentence = "twist middle to end: 0.02865 deg is above the 0.02292 deg allowed"
+    assert sentence in result_warnings({"section_forces": far})
+
+
+def test_section_forces_of_variants_stand_side_by_side(case, results):
+    own = {"section_forces": results["section_forces"]}
+    lines = comparison_summary(case, [(case, own)]).splitlines()
+    (row,) = (line for line in lines if line.startswith(case.title) and "-500" in line)
+    assert row.removeprefix(case.title).split() == ["0", "-500", "0", "40", "0", "132.1"]

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from rotordyn.report.tables import LAYOUTS, write_tables
+from tests.rotordyn.plots import samples
 
 
 @pytest.fixture(scope="module")
@@ -82,3 +83,17 @@ def test_slices_hold_both_parts_of_every_pair(folder, results):
     held = np.array([float(r["receptance O3.y / Oc2.y imaginary [µm/N]"]) for r in rows])
     wanted = results["frf"].receptance[-1, 3].imag * 1e6
     np.testing.assert_allclose(held, wanted, rtol=1e-6)
+
+
+def test_section_forces_have_units_of_their_own(folder):
+    """Stations in mm at either side of a jump, stresses in MPa, reactions by component."""
+    rows = _rows(folder / "section_forces.csv")
+    assert {row["station [mm]"] for row in rows} >= {"-91.8", "436.4"}
+    assert rows[0]["outer diameter [mm]"] == "70"
+    most = max(float(row["von Mises stress [MPa]"]) for row in rows)
+    assert most == pytest.approx(samples.section_forces(9).von_mises_stress.max() / 1e6, rel=1e-6)
+    (*_, last) = _rows(folder / "section_forces_reactions.csv")
+    assert (last["support"], last["station [mm]"]) == ("rear", "436.4")
+    assert (last["reaction Fy [N]"], last["reaction Mz [N·m]"]) == ("500", "0")
+    (*_, twist) = _rows(folder / "section_forces_twist.csv")
+    assert twist["outer diameter that just keeps to it [mm]"] == "39.55"

@@ -1,0 +1,104 @@
+"""Static loads against the machine they act on: places that exist, loads that something carries.
+
+Each fault comes with its way from the question on, so that files and Python say the same.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, Protocol
+
+from rotordyn.analysis.specs import Conditions, SectionForcesSpec
+from rotordyn.errors import InvalidInput
+from rotordyn.machine.spindle import SLACK, Spindle
+from rotordyn.quantity import suggestion
+from rotordyn.units import format_quantity
+
+Way = tuple[str | int, ...]
+Fault = tuple[Way, str]
+
+
+class Asked(Protocol):
+    """The question, as an entry of a file or as a Spec."""
+
+    @property
+    def loads(self) -> Sequence[Any]: ...
+    @property
+    def line_loads(self) -> Sequence[Any]: ...
+    @property
+    def unbalances(self) -> Sequence[Any]: ...
+    @property
+    def gravity(self) -> str: ...
+    @property
+    def twist_limits(self) -> Sequence[Any]: ...
+
+
+def misplaced(
+    asked: Asked, points: Mapping[str, float], reach: tuple[float, float], along: str
+) -> Iterator[Fault]:
+    """Unknown points, stations off the shaft, spans without length, weight given twice.
+
+    ``reach``: first and last station of the shaft [m]; ``along``: the gravity of the conditions.
+    """
+    for key in ("loads", "unbalances"):
+        for index, load in enumerate(getattr(asked, key)):
+            yield from _place(load.at, points, reach, (key, index, "at"))
+    for key in ("line_loads", "twist_limits"):
+        for index, span in enumerate(getattr(asked, key)):
+            yield from _span(span, points, reach, (key, index))
+    if asked.gravity not in ("", "none") and along not in ("", "none"):
+        yield (
+            ("gravity",),
+            f"the weight is given twice: given '{asked.gravity}' beside '{along}' of the "
+            "conditions; allowed: one of both",
+        )
+
+
+def _place(
+    at: str | float, points: Mapping[str, float], reach: tuple[float, float], way: Way
+) -> Iterator[Fault]:
+    if isinstance(at, str):
+        if at and at not in points:
+            known = ", ".join(points) or "none, there are none here"
+            yield (
+                way,
+                f"unknown point: given '{at}'; allowed: {known}, or a station"
+                + suggestion(at, points),
+            )
+    elif at < reach[0] - SLACK or at > reach[1] + SLACK:
+        ends = " to ".join(format_quantity(end, "mm") for end in reach)
+        yield way, f"load off the shaft: given '{format_quantity(at, 'mm')}'; allowed: {ends}"
+
+
+def _span(
+    span: Any, points: Mapping[str, float], reach: tuple[float, float], way: Way
+) -> Iterator[Fault]:
+    yield from _place(span.start, points, reach, (*way, "from"))
+    yield from _place(span.to, points, reach, (*way, "to"))
+    first, last = (
+        points.get(a, math.nan) if isinstance(a, str) else a for a in (span.start, span.to)
+    )
+    if last <= first:
+        yield (*way, "to"), "no length left: allowed: a station behind that of from"
+
+
+def overheld(spindle: Spindle, conditions: Conditions) -> Iterator[str]:
+    """A sentence where a rigid rotor lies on more rigid supports than can be told apart."""
+    from rotordyn.system.holding import holds_twice
+
+    if conditions.rotor == "rigid" and holds_twice(spindle):
+        yield (
+            "the reactions of a rigid rotor on these rigid supports are not determined: take "
+            "rotor: flexible, or give a support a stiffness"
+        )
+
+
+def unheld(spec: SectionForcesSpec, spindle: Spindle, conditions: Conditions) -> Iterator[Fault]:
+    """Loads along motions that nothing holds; the question must have its places on the shaft."""
+    from rotordyn.analysis.static_loads import require_balance
+
+    try:
+        require_balance(spindle, spec, conditions)
+    except InvalidInput as fault:
+        yield ("loads",), str(fault)

@@ -1,0 +1,57 @@
+"""Section forces of a straight shaft under point loads and line loads, from equilibrium alone.
+
+The shaft is cut; what the part behind the cut does to the part in front is the sum of all loads
+behind it, moments about the centre of the section. No stiffness enters.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class SectionForces:
+    """N, Ty, Tz [N], Mt, My, Mz [N·m] at both ends of every element (…, elements, 6).
+
+    ``front`` and ``rear`` are within the element, behind its front node and before its rear one: at
+    a node they differ by the point load there. In between, moments are quadratic where a line load
+    acts, else linear.
+    """
+
+    front: Array
+    rear: Array
+
+
+def section_forces(x: Array, point: Array, line: Array) -> SectionForces:
+    """Section forces between nodes at ``x`` (nodes,) [m], ascending.
+
+    ``point`` (…, nodes, 6): forces and moments on nodes [N, N·m]; ``line`` (…, elements, 3): force
+    per length of each element [N/m]; supports are loads like any other.
+    """
+    h = np.diff(x)[:, None]
+    along = line * h
+    force_rear = _behind(point[..., 1:, :3]) + point[..., 1:, :3] + _behind(along)
+    force_front = force_rear + along
+    gain = h * _lever(force_rear) + 0.5 * h * _lever(along)
+    moment_rear = _behind(point[..., 1:, 3:]) + point[..., 1:, 3:] + _behind(gain)
+    return SectionForces(
+        np.concatenate([force_front, moment_rear + gain], axis=-1),
+        np.concatenate([force_rear, moment_rear], axis=-1),
+    )
+
+
+def _lever(force: Array) -> Array:
+    """Moment of a force one metre behind: x̂ × F."""
+    return np.stack([np.zeros_like(force[..., 0]), -force[..., 2], force[..., 1]], axis=-1)
+
+
+def _behind(values: Array) -> Array:
+    """Sum over all later elements."""
+    total = np.zeros_like(values)
+    total[..., :-1, :] = np.cumsum(values[..., :0:-1, :], axis=-2)[..., ::-1, :]
+    return total
