@@ -9,9 +9,17 @@ import numpy as np
 import pytest
 
 from bearings import NoEquilibrium, equilibrium
-from tests.oracles.known_bearings import RPM, VEX70
+from tests.oracles.known_bearings import HARRIS_218, RPM, VEX70
 
 FAST = 30000.0 * RPM
+FOLDING = dict(
+    bearing=HARRIS_218,
+    load=[11.0, 5.0, 0.0, 0.0, 0.0],
+    speed=12953.0 * RPM,
+    kinematics="inner",
+    moment_sharing="inner",
+    friction=0.1,
+)
 
 
 def test_states_in_words() -> None:
