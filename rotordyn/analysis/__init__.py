@@ -14,6 +14,7 @@ if TYPE_CHECKING:
         FrfSpec,
         Port,
         PreloadSpec,
+        ShapesInSpaceSpec,
         StiffnessSpec,
     )
 
@@ -25,6 +26,7 @@ __all__ = [
     "FrfSpec",
     "Port",
     "PreloadSpec",
+    "ShapesInSpaceSpec",
     "StiffnessSpec",
 ]
 

@@ -10,6 +10,7 @@ from rotordyn.analysis.specs import (
     FrfSpec,
     Port,
     PreloadSpec,
+    ShapesInSpaceSpec,
     Spec,
     StiffnessSpec,
 )
@@ -47,7 +48,7 @@ def _spec(
 ) -> Spec:
     match entry:
         case CampbellEntry():
-            return CampbellSpec(entry.max_frequency, tuple(entry.teeth), entry.shapes)
+            return _campbell(entry)
         case FrfEntry():
             pairs = tuple((Port(*pair.response), Port(*pair.excitation)) for pair in entry.pairs)
             return FrfSpec(values(entry.frequencies), pairs, tuple(entry.slices))
@@ -59,6 +60,16 @@ def _spec(
             return ControlSpec(entry.max_load, entry.min_load, entry.radial, entry.static_growth)
         case PreloadEntry():
             return PreloadSpec()
+
+
+def _campbell(entry: CampbellEntry) -> CampbellSpec:
+    space = entry.shapes_3d
+    return CampbellSpec(
+        entry.max_frequency,
+        tuple(entry.teeth),
+        entry.shapes,
+        space and ShapesInSpaceSpec(space.amplitude, space.animation, tuple(space.files)),
+    )
 
 
 def _stiffness(entry: StiffnessEntry) -> StiffnessSpec:
