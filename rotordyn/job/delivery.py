@@ -12,8 +12,8 @@ from typing import Any
 
 from rotordyn.analysis.registry import BEARING_ANALYSES, SPINDLE_ANALYSES, Answers, Progress
 from rotordyn.case.case import Case
-from rotordyn.job.space import InSpace, LeftOut, write_meshes
 from rotordyn.job.solving import solve, solve_variants, unsolved
+from rotordyn.job.space import InSpace, LeftOut, write_meshes
 from rotordyn.plots.catalogue import figures
 from rotordyn.plots.compared.catalogue import comparison_figures
 from rotordyn.plots.draw import Job

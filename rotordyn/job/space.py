@@ -17,7 +17,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.view.apart import NoPictures, Rendering
 from rotordyn.view.order import Order
 
-FRAMES = 24  # of one period
+FRAMES = 20  # of one period
 Parts = Mapping[str, tuple[Case, Answers]]
 
 

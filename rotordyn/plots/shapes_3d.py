@@ -68,7 +68,8 @@ def sheet_figure(
     width = (_WIDTH - 6.0 - 4.0 * (columns - 1)) / columns
     height = width * tall / wide
     rpm = result.shape_speed[speed] * RPM.factor
-    title = f"mode shapes at {rpm:.0f} rpm, drawn up to {100.0 * look.amplitude:g} % of the length"
+    most = f"{100.0 * look.amplitude:g} % of the shaft's length"
+    title = f"mode shapes at {rpm:.6g} rpm, drawn up to {most}"
     figure = new_figure(_WIDTH, _TITLE + rows * (height + 5.5) + _FOOT, title, SHEET_DPI)
     margins = (3.0, 3.0, _FOOT, _TITLE + 5.5)
     boxes = grid_boxes(figure, rows, columns, margins=margins, gaps=(4.0, 5.5))
@@ -88,7 +89,9 @@ def save_animation(
 
     height, width = frames.shape[1:3]
     page, corner = _page(result, speed, mode, (height, width), look.colours)
-    palette = Image.fromarray(_pasted(page, frames[0], corner)).quantize(255, Image.Quantize.MAXCOVERAGE)
+    palette = Image.fromarray(_pasted(page, frames[0], corner)).quantize(
+        255, Image.Quantize.MAXCOVERAGE
+    )
     images = [
         Image.fromarray(_pasted(page, frame, corner)).quantize(
             palette=palette, dither=Image.Dither.NONE
@@ -107,7 +110,7 @@ def _page(
     dpi = width / (_WIDTH / 25.4)
     high = _TITLE + height / dpi * 25.4 + _FOOT
     rpm = result.shape_speed[speed] * RPM.factor
-    figure = new_figure(_WIDTH, high, f"{_called(result, speed, mode)}, {rpm:.0f} rpm", dpi)
+    figure = new_figure(_WIDTH, high, f"{_called(result, speed, mode)}, {rpm:.6g} rpm", dpi)
     _foot(figure, colours)
     canvas = figure.canvas
     canvas.draw()
@@ -128,8 +131,11 @@ def _called(result: CampbellResult, speed: int, mode: int) -> str:
     name, whirl = result.mode[mode], result.whirl[row, mode]
     known = "forward" in name or "backward" in name
     turn = "" if known else {1.0: " forward", -1.0: " backward"}.get(float(whirl), "")
-    damping = 100.0 * result.damping_ratio[row, mode]
-    return f"{name}{turn}: {_hertz(result, speed, mode):.1f} Hz, damping {damping:.2g} %"
+    damping = 100.0 * float(result.damping_ratio[row, mode])
+    shown = f"{damping:.2g}" if abs(damping) > 1e-4 else "0"
+    return f"{name}{turn}: {_hertz(result, speed, mode):.1f} Hz, damping {shown} %".replace(
+        "-", "−"
+    )
 
 
 def _hertz(result: CampbellResult, speed: int, mode: int) -> float:
@@ -179,4 +185,4 @@ def _triad(axes: Axes) -> None:
             "", end, (0.0, 0.0), arrowprops=dict(arrowstyle="-|>", color=BLACK, lw=0.8, shrinkA=0)
         )
         place = end * (1.0 + 0.18 / np.hypot(*end))
-        axes.text(*place, name, ha="center", va="center", fontsize=FONT_SIZE - 1.0)
+        axes.text(place[0], place[1], name, ha="center", va="center", fontsize=FONT_SIZE - 1.0)

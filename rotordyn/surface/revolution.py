@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
+from itertools import pairwise
 
 import numpy as np
 
@@ -118,7 +119,7 @@ class _Rings:
 
     def wall(self, places: Sequence[Interval]) -> None:
         """Bands from each place to the next, seen from outside with the way on the left."""
-        for near, far in zip(places, places[1:], strict=False):
+        for near, far in pairwise(places):
             self.triangles.append(self._band(self._ring(near), self._ring(far)))
 
     def _ring(self, place: Interval) -> Whole:

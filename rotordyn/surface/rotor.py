@@ -20,8 +20,9 @@ _COLLAR = 0.02  # of the shaft's length: width of a body whose size is not known
 def rotor_surface(spindle: Spindle, facets: int = FACETS) -> Surface:
     """Shaft, discs and masses; ``facets`` around the axis, a multiple of 8.
 
-    Discs have their own size and move as rigid bodies with their station. Of point masses no size
-    is known: each is a narrow collar around the shaft.
+    Discs and masses move as rigid bodies with their station. Of point masses no size is known: each
+    is the hollow cylinder around the shaft that has its inertias, or a narrow collar where there is
+    no such cylinder.
     """
     shaft = spindle.shaft
     longest = (shaft.end - shaft.start) / RINGS_OVER_LENGTH
@@ -33,7 +34,7 @@ def rotor_surface(spindle: Spindle, facets: int = FACETS) -> Surface:
     bodies = [revolved(SHAFT, tubes, longest, facets)]
     bodies += [_disc(disc, number, facets) for number, disc in enumerate(spindle.discs, start=1)]
     bodies += [
-        _collar(mass, number, shaft, facets) for number, mass in enumerate(spindle.masses, start=1)
+        _mass(mass, number, shaft, facets) for number, mass in enumerate(spindle.masses, start=1)
     ]
     return together(bodies)
 
@@ -68,8 +69,9 @@ def orbit_stations(spindle: Spindle) -> tuple[float, ...]:
 def _candidates(spindle: Spindle) -> Iterator[float]:
     start, end = spindle.shaft.start, spindle.shaft.end
     yield from (start, end)
-    for item in (*spindle.seats, *spindle.supports, *spindle.discs):
-        yield item.x
+    yield from (seat.x for seat in spindle.seats)
+    yield from (support.x for support in spindle.supports)
+    yield from (body.x for body in spindle.lumped)
     yield from (start + (end - start) * k / 8.0 for k in range(1, 8))
 
 
@@ -80,10 +82,17 @@ def _disc(disc: Disc, number: int, facets: int) -> Surface:
     return revolved(disc.name or f"disc {number}", [tube], facets=facets, station=disc.x)
 
 
-def _collar(mass: PointMass, number: int, shaft: Shaft, facets: int) -> Surface:
-    half = _COLLAR * (shaft.end - shaft.start) / 2.0
-    radius = shaft.section_at(mass.x).outer_diameter / 2.0
-    tube = Tube(mass.x - half, mass.x + half, radius, 1.06 * radius)
+def _mass(mass: PointMass, number: int, shaft: Shaft, facets: int) -> Surface:
+    """The hollow cylinder around the shaft that has the inertias of ``mass``, if there is one."""
+    width = _COLLAR * (shaft.end - shaft.start)
+    inner = shaft.section_at(mass.x).outer_diameter / 2.0
+    outer = 1.06 * inner
+    if mass.mass > 0.0 and 2.0 * mass.polar_inertia / mass.mass > inner**2 + outer**2:
+        outer = math.sqrt(2.0 * mass.polar_inertia / mass.mass - inner**2)
+        along = mass.diametral_inertia - mass.polar_inertia / 2.0
+        width = max(math.sqrt(12.0 * max(along, 0.0) / mass.mass), width)
+    half = width / 2.0
+    tube = Tube(mass.x - half, mass.x + half, inner, outer)
     return revolved(mass.name or f"mass {number}", [tube], facets=facets, station=mass.x)
 
 

@@ -1,6 +1,6 @@
 """The process that renders: orders come in pickled, pictures go out as files of numpy.
 
-    python -m rotordyn.view FOLDER < orders
+python -m rotordyn.view FOLDER < orders
 """
 
 from __future__ import annotations

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from rotordyn.view.order import Order, moving_name, still_name
 
 Pixels = NDArray[np.uint8]
+PROGRAM = ("-m", "rotordyn.view")
 LONGEST = 60.0  # s without which no first picture can be
 LONGEST_EACH = 5.0  # s for each picture more
 REMEDY = (
@@ -38,13 +39,13 @@ class Rendering:
 
     def __init__(self, orders: Sequence[Order]) -> None:
         self._held = tempfile.TemporaryDirectory(prefix="rotordyn.")
-        self._folder = Path(self._held.name)
-        (self._folder / "orders").write_bytes(pickle.dumps(list(orders)))
+        self.folder = Path(self._held.name)
+        (self.folder / "orders").write_bytes(pickle.dumps(list(orders)))
         frames = sum(len(order.places) * (1 + order.frames) for order in orders)
         self._longest = LONGEST + LONGEST_EACH * frames
         paths = os.pathsep.join(os.path.abspath(path) for path in sys.path)
-        command = [sys.executable, "-m", "rotordyn.view", str(self._folder)]
-        orders_file, said = self._folder / "orders", self._folder / "said"
+        command = [sys.executable, *PROGRAM, str(self.folder)]
+        orders_file, said = self.folder / "orders", self.folder / "said"
         with orders_file.open("rb") as into, said.open("wb") as out:
             self._process = subprocess.Popen(
                 command,
@@ -59,6 +60,11 @@ class Rendering:
 
     def __exit__(self, *_: object) -> None:
         self.close()
+
+    @property
+    def running(self) -> bool:
+        """True while pictures are being made."""
+        return self._process.poll() is None
 
     def finish(self) -> None:
         """Wait until everything is rendered.
@@ -86,18 +92,18 @@ class Rendering:
 
     def close(self) -> None:
         """End the process if it still runs, and remove its files."""
-        if self._process.poll() is None:
+        if self.running:
             self._process.kill()
             self._process.wait()
         self._held.cleanup()
 
     def _load(self, name: str) -> Pixels:
-        found: Any = np.load(self._folder / name)
+        found: Any = np.load(self.folder / name)
         return found
 
     def _why(self, code: int) -> str:
         """The signal that ended the process, or the last thing it said."""
         if code < 0:
             return f"OpenGL ended the process: {signal.Signals(-code).name}"
-        lines = (self._folder / "said").read_text(errors="replace").strip().splitlines()
+        lines = (self.folder / "said").read_text(errors="replace").strip().splitlines()
         return lines[-1].strip() if lines else f"exit code {code}"

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from rotordyn.machine.spindle import Spindle
 
+
 @dataclass(frozen=True, eq=False, slots=True)
 class Order:
     """Pictures of mode shapes of a spindle.

@@ -45,7 +45,9 @@ class RotorScene:
         self._axis_at_rest = _on_axis(np.linspace(*ends, ALONG_AXIS))
         frame = self._frame()
         size = [width, round(width * frame[1] / frame[0])]
-        self._plotter: Any = pyvista.Plotter(off_screen=True, window_size=size)
+        plotter: Any = pyvista.Plotter(off_screen=True, window_size=size)
+        self._plotter = plotter
+        self._plotter.render_window.SetMultiSamples(0)  # whoever shows it makes it smaller
         self._plotter.set_background("white")
         self._look(frame[1])
         self._skin = _split(self._surface)

@@ -63,13 +63,11 @@ def _spec(
 
 
 def _campbell(entry: CampbellEntry) -> CampbellSpec:
-    space = entry.shapes_3d
-    return CampbellSpec(
-        entry.max_frequency,
-        tuple(entry.teeth),
-        entry.shapes,
-        space and ShapesInSpaceSpec(space.amplitude, space.animation, tuple(space.files)),
-    )
+    asked = entry.shapes_3d
+    in_space = None
+    if asked is not None:
+        in_space = ShapesInSpaceSpec(asked.amplitude, asked.animation, tuple(asked.files))
+    return CampbellSpec(entry.max_frequency, tuple(entry.teeth), entry.shapes, in_space)
 
 
 def _stiffness(entry: StiffnessEntry) -> StiffnessSpec:
