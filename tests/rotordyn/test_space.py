@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import re
 import signal
 from dataclasses import replace
 from pathlib import Path
@@ -10,6 +11,7 @@ from pathlib import Path
 import pytest
 
 import rotordyn
+from docs.generate.places import THEORY
 from rotordyn.analysis.specs import CampbellSpec, ShapesInSpaceSpec
 from rotordyn.case.case import Case
 from rotordyn.cli import main
@@ -95,6 +97,17 @@ def test_nothing_is_rendered_unasked(tmp_path: Path, monkeypatch: pytest.MonkeyP
     case = replace(small(), analyses={"campbell": CampbellSpec(62.0)})
     found = deliver(case, tmp_path / "out")
     assert json.loads((found.folder / "run.json").read_text())["notes"] == []
+
+
+def test_python_of_the_page_runs(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    monkeypatch.chdir(tmp_path)
+    page = (THEORY / "shapes.md").read_text(encoding="utf-8")
+    (code,) = re.findall(r"^```python\n(.*?)^```", page, re.M | re.S)
+    exec(compile(code, "shapes.md", "exec"), {})
+    assert re.search(r"1200, 3\)|left out|draws nothing", capsys.readouterr().out)
+    assert [path.name for path in tmp_path.iterdir()] == ["first.glb"]
 
 
 def test_shapes_in_space_need_shapes() -> None:

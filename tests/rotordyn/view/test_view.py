@@ -12,21 +12,21 @@ from rotordyn.view.apart import NoPictures, Rendering
 from rotordyn.view.order import Order
 from tests.rotordyn.plots import samples
 
-FRAMES = 4
+FRAMES = 3
 COLOURS = {"forward": (0x00, 0x72, 0xB2), "backward": (0xD5, 0x5E, 0x00)}
 
 
-def order(modes: list[int]) -> Order:
+def order(modes: list[int], frames: int = 0) -> Order:
     """Some modes of the sample at its top speed; those of speed zero are lost."""
     found = samples.campbell(3)
     shape = found.shape[:, modes].copy()
     shape[0] = np.nan
-    return Order(samples.spindle(), found.node, shape, 0.06, FRAMES)
+    return Order(samples.spindle(), found.node, shape, 0.06, frames)
 
 
 @pytest.fixture(scope="module")
 def rendering() -> Iterator[Rendering]:
-    with Rendering([order([1]), order([0, 9])]) as rendered:
+    with Rendering([order([1], FRAMES), order([0, 9])]) as rendered:
         try:
             rendered.finish()
         except NoPictures as none:
