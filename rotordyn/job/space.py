@@ -59,7 +59,7 @@ class InSpace:
     def __init__(self, parts: Parts) -> None:
         self.left_out = LeftOut()
         found = (_asked(name, case, answers.results) for name, (case, answers) in parts.items())
-        self._asked = [asked for asked in found if asked is not None]
+        self._asked = [asked for asked in found if asked is not None and asked.order.places]
         orders = [asked.order for asked in self._asked]
         self._rendering = Rendering(orders) if orders else None
 

@@ -99,6 +99,13 @@ def test_nothing_is_rendered_unasked(tmp_path: Path, monkeypatch: pytest.MonkeyP
     assert json.loads((found.folder / "run.json").read_text())["notes"] == []
 
 
+def test_no_mode_no_picture(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(apart, "PROGRAM", ("-c", "raise SystemExit(1)"))
+    spec = CampbellSpec(1.0, shapes_3d=ShapesInSpaceSpec(files=("stl",)))
+    found = deliver(replace(small(), analyses={"campbell": spec}), tmp_path / "out")
+    assert json.loads((found.folder / "run.json").read_text())["notes"] == []
+
+
 def test_python_of_the_page_runs(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
