@@ -154,10 +154,12 @@ DAMPING_RATIO = Quantity("ratio", at_least="0 %", below="100 %")
 RADIAL_SHARE = Quantity("number", at_least="0", at_most="10")
 SHEAR_COEFFICIENT = Quantity("number", above="0", at_most="1")
 FRICTION = Quantity("number", at_least="0.001", at_most="10", infinite="none")
+AMPLITUDE = Quantity("ratio", above="0 %", at_most="20 %")
 ACCURACY = Quantity("number", at_least="1e-8", at_most="0.01")
 
 Station = Annotated[float, STATION]
 Length = Annotated[float, LENGTH]
+Amplitude = Annotated[float, AMPLITUDE]
 Accuracy = Annotated[float, ACCURACY]
 Friction = Annotated[float, FRICTION]
 RadialShare = Annotated[float, RADIAL_SHARE]

@@ -13,7 +13,8 @@ from rotordyn.case.schema.meanings import MEANINGS
 PAGES = {
     "case": (
         "case.CaseEntry case.VariantEntry conditions.ConditionsEntry sweep.SpeedRange "
-        "analyses.AnalysesEntry analyses.PreloadEntry analyses.CampbellEntry analyses.FrfEntry "
+        "analyses.AnalysesEntry analyses.PreloadEntry analyses.CampbellEntry "
+        "analyses.ShapesInSpaceEntry analyses.FrfEntry "
         "sweep.FrequencyRange analyses.PairEntry analyses.StiffnessEntry loads.SectionForcesEntry "
         "loads.PointLoadEntry loads.LineLoadEntry loads.UnbalanceEntry loads.TwistLimitEntry "
         "analyses.BearingMapEntry analyses.ControlEntry"

@@ -11,7 +11,7 @@ from docs.generate.marked import table
 from docs.generate.places import ROOT, THEORY
 
 ROOMS = ("bearings", *(f"rotordyn/{r}" for r in ("elements", "system", "exact", "preload")))
-ROOMS += ("rotordyn/numerics", "rotordyn/analysis")
+ROOMS += ("rotordyn/numerics", "rotordyn/analysis", "rotordyn/surface")
 _LINK = re.compile(r"\]\(((?:\.\./)+[\w/]+\.py)\)")
 
 

@@ -18,7 +18,14 @@ from rotordyn.case.library import models_root
 CASES = ROOT / "cases"
 EXAMPLES = DOCS / "examples"
 # The picture that stands for a page: the first that is there.
-FACES = ("campbell_overlay", "stiffness", "campbell", "bearing", "section_forces")
+FACES = (
+    "shapes_3d_24000rpm_1",
+    "campbell_overlay",
+    "stiffness",
+    "campbell",
+    "bearing",
+    "section_forces",
+)
 THUMBNAIL = (640, 480)
 
 
@@ -32,7 +39,7 @@ class Exhibit:
 
     @property
     def face(self) -> Path:
-        """The picture that stands for it."""
+        """The picture that stands for it: the first of ``FACES`` that is there."""
         by_name = {picture.stem: picture for picture in self.pictures}
         return next((by_name[name] for name in FACES if name in by_name), self.pictures[0])
 

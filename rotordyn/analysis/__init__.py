@@ -16,6 +16,7 @@ if TYPE_CHECKING:
         Port,
         PreloadSpec,
         SectionForcesSpec,
+        ShapesInSpaceSpec,
         StiffnessSpec,
     )
 
@@ -30,6 +31,7 @@ __all__ = [
     "Port",
     "PreloadSpec",
     "SectionForcesSpec",
+    "ShapesInSpaceSpec",
     "StiffnessSpec",
     "TwistLimit",
     "Unbalance",

@@ -16,6 +16,7 @@ from rotordyn.description import Description, doubled
 from rotordyn.machine.support import Freedom
 from rotordyn.quantity import (
     Accuracy,
+    Amplitude,
     Choice,
     Force,
     Frequency,
@@ -38,6 +39,7 @@ BEARINGS = ("dynamic", "static")
 ROTOR = ("flexible", "rigid")
 GRAVITY = ("none", "+x", "-x")
 WEIGHT = ("none", "+x", "-x", "+y", "-y", "+z", "-z")
+MESH_FILES = ("vtu", "vtk", "xdmf", "glb", "stl", "ply", "obj", "off")
 MOST_TEETH = MOST_STEPS = 1000
 Tangent = Annotated[str, Choice(TANGENTS)]
 
@@ -87,19 +89,39 @@ class PreloadSpec(Description):
 
 
 @dataclass(frozen=True, slots=True)
+class ShapesInSpaceSpec(Description):
+    """Mode shapes in space: how they are drawn, and the files of meshes that other programs read.
+
+    ``amplitude``: largest displacement drawn, over the length of the shaft; ``animation``: one
+    period of each mode as a GIF; ``files``: of ``MESH_FILES``.
+    """
+
+    amplitude: Amplitude = 0.06
+    animation: bool = False
+    files: tuple[Annotated[str, Choice(MESH_FILES)], ...] = ()
+
+    def _faults(self) -> Iterator[str]:
+        for name in doubled(self.files):
+            yield f"files: repeated: given '{name}'"
+
+
+@dataclass(frozen=True, slots=True)
 class CampbellSpec(Description):
     """Damped eigenfrequencies up to ``max_frequency`` [Hz] over speed.
 
     ``teeth``: numbers of cutter teeth whose tooth-passing line is of interest; ``shapes``: keep the
-    mode shapes at the first and the last speed.
+    mode shapes at the first and the last speed; ``shapes_3d``: see them in space.
     """
 
     max_frequency: Frequency = 4000.0
     teeth: tuple[Annotated[int, Whole(1, MOST_TEETH)], ...] = ()
     shapes: bool = True
+    shapes_3d: ShapesInSpaceSpec | None = None
 
     def _faults(self) -> Iterator[str]:
         yield from ascending("teeth", self.teeth)
+        if self.shapes_3d is not None and not self.shapes:
+            yield "shapes_3d needs the shapes: given shapes False; allowed: True"
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,6 +13,7 @@ from typing import Any
 from rotordyn.analysis.registry import BEARING_ANALYSES, SPINDLE_ANALYSES, Answers, Progress
 from rotordyn.case.case import Case
 from rotordyn.job.solving import solve, solve_variants, unsolved
+from rotordyn.job.space import InSpace, LeftOut, write_meshes
 from rotordyn.plots.catalogue import figures
 from rotordyn.plots.compared.catalogue import comparison_figures
 from rotordyn.plots.draw import Job
@@ -32,13 +33,14 @@ class Parcel:
     """What goes into a folder: the case and answers of each part, by the name of its subfolder.
 
     A case without variants is one part in the folder itself (name ``""``). ``lost``: why variants
-    are missing.
+    are missing; ``left_out``: figures that are.
     """
 
     case: Case
     parts: dict[str, tuple[Case, Answers]]
     lost: tuple[str, ...] = ()
     seconds: dict[str, float] = field(default_factory=dict)
+    left_out: LeftOut = field(default_factory=LeftOut)
 
     @property
     def results(self) -> dict[str, Any]:
@@ -60,7 +62,7 @@ class Parcel:
     @property
     def notes(self) -> tuple[str, ...]:
         """What was chosen that changes how results read, with the variant it belongs to."""
-        return self._of_parts(lambda own: own.notes)
+        return (*self._of_parts(lambda own: own.notes), *self.left_out.sentences)
 
     @property
     def unsolved(self) -> tuple[str, ...]:
@@ -92,13 +94,15 @@ def deliver(case: Case, target: Path, progress: Progress = lambda name: None) ->
     seconds: dict[str, float] = {}
     with _timed(seconds, "solve, all stages"):
         parcel = _solved(case, progress, seconds)
-    with results_folder(target) as folder:
+    with results_folder(target) as folder, InSpace(parcel.parts) as space:
         progress("figures")
         drawing = Drawing(_figures(parcel), folder)
         with _timed(seconds, "write"):
-            text = _write(parcel, folder)
+            _write_numbers(parcel, folder)
         with _timed(seconds, "draw"):
-            drawn = drawing.finish()
+            drawn = drawing.finish() | space.draw(folder)
+        parcel = replace(parcel, left_out=space.left_out)
+        text = _write_summary(parcel, folder)
         _write_record(parcel, drawn, folder)
     return Delivery(target, text, parcel.unsolved)
 
@@ -136,11 +140,9 @@ def _timed(seconds: dict[str, float], name: str) -> Iterator[None]:
     seconds[name] = time.perf_counter() - begin
 
 
-def _write(parcel: Parcel, folder: Path) -> str:
-    """Numbers, tables and the summary, which is returned."""
+def _write_numbers(parcel: Parcel, folder: Path) -> None:
+    """Numbers, tables, meshes."""
     from rotordyn.report.netcdf import write_results
-    from rotordyn.report.side_by_side import comparison_summary
-    from rotordyn.report.summary import summary
 
     case = parcel.case
     attributes = {"case": case.name, "title": case.title, "digest": case.digest}
@@ -148,6 +150,15 @@ def _write(parcel: Parcel, folder: Path) -> str:
     for name, (part, answers) in parcel.parts.items():
         (folder / name).mkdir(exist_ok=True)
         _write_tables(part, answers.results, folder / name)
+        write_meshes(part, answers.results, folder / name)
+
+
+def _write_summary(parcel: Parcel, folder: Path) -> str:
+    """The summary, which is returned."""
+    from rotordyn.report.side_by_side import comparison_summary
+    from rotordyn.report.summary import summary
+
+    case = parcel.case
     if case.variants:
         shown = [(part, answers.results) for part, answers in parcel.parts.values()]
         text = comparison_summary(case, shown, parcel.warnings, parcel.notes)
@@ -183,7 +194,7 @@ def _write_record(parcel: Parcel, drawn: Mapping[str, float], folder: Path) -> N
         tolerances=_by_part(parcel, "tolerances"),
         stages={**parcel.seconds, **_by_part(parcel, "seconds")},
         figures=drawn,
-        skipped={**unasked, **_by_part(parcel, "skipped")},
+        skipped={**unasked, **_by_part(parcel, "skipped"), **parcel.left_out.figures},
         warnings=parcel.warnings,
         notes=parcel.notes,
     )

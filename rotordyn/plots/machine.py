@@ -13,13 +13,13 @@ from rotordyn.plots.labels import spread
 from rotordyn.plots.sketch import Sketch
 from rotordyn.plots.style import BLACK, BLUE, FONT_SIZE, add_axes, new_figure, round_ticks
 from rotordyn.plots.symbols import (
-    bearing_width,
     draw_bearing,
     draw_drawbar,
     draw_ground,
     draw_sleeve,
     spring,
 )
+from rotordyn.surface.rotor import bearing_width
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

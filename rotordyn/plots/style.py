@@ -48,12 +48,14 @@ _RC: Any = {
 }
 
 
-def new_figure(width: float = 168.0, height: float = 105.0, title: str = "") -> Figure:
-    """An empty figure of ``width`` × ``height`` [mm]."""
+def new_figure(
+    width: float = 168.0, height: float = 105.0, title: str = "", dpi: float = DPI
+) -> Figure:
+    """An empty figure of ``width`` × ``height`` [mm]; ``dpi``: of its PNG."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(width / 25.4, height / 25.4), dpi=DPI)
+    figure = Figure(figsize=(width / 25.4, height / 25.4), dpi=dpi)
     FigureCanvasAgg(figure)
     if title:
         high = 1.0 - 4.5 / height
@@ -176,7 +178,10 @@ def save(figure: Figure, folder: Path, name: str) -> list[str]:
         mark_lone_points(axes)
     with rc_context(_RC):
         figure.savefig(
-            folder / f"{name}.png", dpi=DPI, pil_kwargs={"compress_level": 1}, metadata={}
+            folder / f"{name}.png",
+            dpi=figure.dpi,
+            pil_kwargs={"compress_level": 1},
+            metadata={},
         )
         figure.savefig(folder / f"{name}.svg", dpi=RASTER_DPI, metadata={"Date": None})
     return [f"{name}.png", f"{name}.svg"]

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 import numpy as np
 
@@ -28,12 +27,6 @@ def contact_line(seat: BearingSeat) -> Line:
     ball = bearing.pitch_diameter / 2.0
     outside = ball + 1.1 * bearing.ball_diameter
     return [(seat.x - lean * ball, 0.0), (seat.x + lean * (outside - ball), outside)]
-
-
-def bearing_width(seat: BearingSeat, seats: Sequence[BearingSeat]) -> float:
-    """A likely ring width [m], less where the neighbours are close."""
-    gaps = [abs(seat.x - other.x) for other in seats if other.x != seat.x]
-    return min(1.7 * seat.bearing.ball_diameter, 0.92 * min(gaps, default=math.inf))
 
 
 def draw_bearing(sketch: Sketch, seat: BearingSeat, width: float, shaft_radius: float) -> None:

@@ -15,7 +15,17 @@ import rotordyn
 from rotordyn.report.folder import MARKER, RECORD
 
 FORMAT = 1
-_LIBRARIES = ("numpy", "scipy", "pydantic", "xarray", "h5py", "h5netcdf", "matplotlib", "pyuff")
+_LIBRARIES = (
+    "numpy",
+    "scipy",
+    "pydantic",
+    "xarray",
+    "h5py",
+    "h5netcdf",
+    "matplotlib",
+    "pyuff",
+    "meshio",
+)
 
 
 @dataclass(frozen=True, slots=True)

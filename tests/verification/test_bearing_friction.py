@@ -51,20 +51,19 @@ def test_friction_that_suffices_changes_nothing(kinematics: str, sharing: str) -
 @pytest.mark.parametrize("sharing", ["equal", "inner", "hybrid"])
 @pytest.mark.parametrize("kinematics", HYPOTHESES)
 def test_tangent_of_slipping_balls_equals_differences(kinematics: str, sharing: str) -> None:
-    state = VEX70.equilibrium(
-        load=[LOAD, 5.0 * LOAD],  # no ball at the border of slipping
-        speed=SPEED,
-        kinematics=kinematics,
-        moment_sharing=sharing,
-        friction=0.04,
-    )
-    assert (state.slipping != "").any()
+    """Of states without a ball at the border of slipping, where the tangent has a kink."""
+    loads = np.outer([1.0, 1.2, 1.5, 2.0, 2.6, 3.5, 5.0], LOAD)
+    how = dict(load=loads, speed=SPEED, kinematics=kinematics, moment_sharing=sharing)
+    less, state, more = (VEX70.equilibrium(friction=mu, **how) for mu in (0.0398, 0.04, 0.0402))
+    smooth = (less.slipping == more.slipping).all(axis=1)
+    assert smooth.sum() >= 2
+    assert (state.slipping[smooth] != "").any(axis=1).sum() >= 2
     radius = VEX70.pitch_diameter / 2.0
     weight = np.outer(*[np.array([1.0, 1.0, 1.0, 1.0 / radius, 1.0 / radius])] * 2)
-    complete, measured = state.stiffness(), state.stiffness("difference")
-    fault = np.abs((complete - measured) * weight).max((1, 2)) / np.abs(measured * weight).max(
-        (1, 2)
+    complete, measured = (
+        k[smooth] * weight for k in (state.stiffness(), state.stiffness("difference"))
     )
+    fault = np.abs(complete - measured).max((1, 2)) / np.abs(measured).max((1, 2))
     assert fault.max() < 1e-6
 
 
@@ -83,7 +82,7 @@ def test_a_light_ball_fades_out_of_contact(kinematics: str) -> None:
     assert state.inner_grip[last, 0] == pytest.approx(0.1, rel=1e-9)
     steps = np.diff(state.load[:, 0])
     assert np.abs(np.diff(steps)).max() < 0.1 * np.abs(steps).max()  # no jump
-    assert np.abs(np.diff(state.outer_load[:, 0])).max() < 1.0
+    assert np.abs(np.diff(state.outer_load[last - 50 :, 0])).max() < 0.1
     assert state.centrifugal_force[last, 0] == pytest.approx(
         state.centrifugal_force[last + 1, 0], rel=1e-3
     )

@@ -15,6 +15,7 @@ from rotordyn.analysis.specs import (
     Port,
     PreloadSpec,
     SectionForcesSpec,
+    ShapesInSpaceSpec,
     Spec,
     StiffnessSpec,
 )
@@ -63,6 +64,14 @@ def section_forces(entry: SectionForcesEntry) -> SectionForcesSpec:
     )
 
 
+def _campbell(entry: CampbellEntry) -> CampbellSpec:
+    asked = entry.shapes_3d
+    in_space = None
+    if asked is not None:
+        in_space = ShapesInSpaceSpec(asked.amplitude, asked.animation, tuple(asked.files))
+    return CampbellSpec(entry.max_frequency, tuple(entry.teeth), entry.shapes, in_space)
+
+
 def _stiffness(entry: StiffnessEntry) -> StiffnessSpec:
     return StiffnessSpec(
         point=entry.point,
@@ -75,9 +84,7 @@ def _stiffness(entry: StiffnessEntry) -> StiffnessSpec:
 
 _BUILDERS: dict[type, Callable[[Any], Spec]] = {
     PreloadEntry: lambda entry: PreloadSpec(),
-    CampbellEntry: lambda entry: CampbellSpec(
-        entry.max_frequency, tuple(entry.teeth), entry.shapes
-    ),
+    CampbellEntry: _campbell,
     FrfEntry: _frf,
     StiffnessEntry: _stiffness,
     SectionForcesEntry: section_forces,

@@ -24,7 +24,12 @@ from rotordyn.case.checks.references import references
 from rotordyn.case.checks.sweep import ascending, sweep
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
-from rotordyn.case.schema.analyses import ControlEntry, FrfEntry, StiffnessEntry
+from rotordyn.case.schema.analyses import (
+    CampbellEntry,
+    ControlEntry,
+    FrfEntry,
+    StiffnessEntry,
+)
 from rotordyn.case.schema.case import CaseEntry
 from rotordyn.case.schema.shaft import ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
@@ -85,6 +90,7 @@ def _lists(entry: CaseEntry, root: Node, faults: Faults) -> None:
         _range_of_loads(analyses.control, root, faults)
     if analyses.campbell is not None:
         ascending(analyses.campbell.teeth, root, (*way, "campbell", "teeth"), faults)
+        _in_space(analyses.campbell, root, faults)
     if analyses.frf is not None:
         sweep(analyses.frf.frequencies, "Hz", root, (*way, "frf", "frequencies"), faults)
         ascending(analyses.frf.slices, root, (*way, "frf", "slices"), faults)
@@ -99,6 +105,16 @@ def _range_of_loads(entry: ControlEntry, root: Node, faults: Faults) -> None:
         given = root.at(*way, "max_load").raw
         message = f"not above min_load, {entry.min_load:g} N: given '{given}'"
         faults.at(root, (*way, "max_load"), message)
+
+
+def _in_space(entry: CampbellEntry, root: Node, faults: Faults) -> None:
+    """Shapes in space are of shapes that are kept, each file once."""
+    way = ("analyses", "campbell")
+    if entry.shapes_3d is None:
+        return
+    if not entry.shapes:
+        faults.at_key(root, (*way, "shapes_3d"), "needs the shapes: given shapes: false")
+    _once(entry.shapes_3d.files, root, (*way, "shapes_3d", "files"), faults)
 
 
 def _slices(entry: FrfEntry, case: CaseEntry, root: Node, faults: Faults) -> None:

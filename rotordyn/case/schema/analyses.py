@@ -6,7 +6,13 @@ from typing import Annotated, Any, NamedTuple
 
 from pydantic import BeforeValidator, ConfigDict, Field, PlainValidator, WithJsonSchema
 
-from rotordyn.analysis.specs import MOST_STEPS, MOST_TEETH, TANGENTS, VARIANTS
+from rotordyn.analysis.specs import (
+    MESH_FILES,
+    MOST_STEPS,
+    MOST_TEETH,
+    TANGENTS,
+    VARIANTS,
+)
 from rotordyn.case.node import UNKNOWN
 from rotordyn.case.schema.base import Entry
 from rotordyn.case.schema.conditions import Tangent
@@ -14,6 +20,7 @@ from rotordyn.case.schema.loads import SectionForcesEntry
 from rotordyn.case.schema.shapes import PLACE
 from rotordyn.case.schema.sweep import Frequencies
 from rotordyn.case.schema.values import (
+    Amplitude,
     Flag,
     Frequency,
     Growth,
@@ -35,12 +42,28 @@ class PreloadEntry(Entry):
     """The preload table has no choices."""
 
 
+def _empty_if_bare(value: Any) -> Any:
+    return {} if value is None else value
+
+
+_BARE = BeforeValidator(_empty_if_bare)
+
+
+class ShapesInSpaceEntry(Entry):
+    """Mode shapes in space, at the first and the last speed."""
+
+    amplitude: Amplitude = 0.06
+    animation: Flag = False
+    files: list[Annotated[str, choice(*MESH_FILES)]] = []
+
+
 class CampbellEntry(Entry):
     """Modes over speed."""
 
     max_frequency: Frequency = 4000.0
     teeth: list[Annotated[int, whole(1, MOST_TEETH)]] = []
     shapes: Flag = True
+    shapes_3d: Annotated[ShapesInSpaceEntry | None, _BARE] = None
 
 
 class Place(NamedTuple):
@@ -112,13 +135,6 @@ class ControlEntry(Entry):
     min_load: Load = 10.0
     radial: RadialShare = 0.0
     static_growth: Growth = 0.0
-
-
-def _empty_if_bare(value: Any) -> Any:
-    return {} if value is None else value
-
-
-_BARE = BeforeValidator(_empty_if_bare)
 
 
 class AnalysesEntry(Entry):

@@ -69,6 +69,12 @@ MEANINGS: dict[str, dict[str, str]] = {
         "max_frequency": "modes that come below it are followed",
         "teeth": "numbers of teeth whose passing frequency is drawn",
         "shapes": "keep the mode shapes at the first and last speed",
+        "shapes_3d": "draw them in space too, and write them as meshes ([how](theory/shapes.md))",
+    },
+    "shapes in space": {
+        "amplitude": "largest displacement drawn, over the length of the shaft",
+        "animation": "one period of each mode as a GIF",
+        "files": "formats of the meshes that other programs read",
     },
     "frf": {
         "frequencies": "of the excitation, independent of speed",

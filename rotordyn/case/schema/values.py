@@ -160,6 +160,7 @@ Flag = Annotated[bool, PlainValidator(_flag, json_schema_input_type=bool)]
 
 Station = Annotated[float, reads(limits.STATION)]
 Length = Annotated[float, reads(limits.LENGTH)]
+Amplitude = Annotated[float, reads(limits.AMPLITUDE)]
 Accuracy = Annotated[float, reads(limits.ACCURACY)]
 Friction = Annotated[float, reads(limits.FRICTION)]
 RadialShare = Annotated[float, reads(limits.RADIAL_SHARE)]

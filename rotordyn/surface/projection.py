@@ -1,0 +1,23 @@
+"""How space is seen in every picture: a parallel projection."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rotordyn.surface.body import Array
+
+VIEW = (-0.55, 0.42, 1.0)  # where the eye is: before the nose, above, z towards it
+
+
+def screen() -> tuple[Array, Array, Array]:
+    """Unit vectors to the right, upwards and towards the eye; y points upwards."""
+    towards = np.array(VIEW) / np.linalg.norm(VIEW)
+    right = np.cross([0.0, 1.0, 0.0], towards)
+    right /= np.linalg.norm(right)
+    return right, np.cross(towards, right), towards
+
+
+def projected(points: Array) -> Array:
+    """Places on the screen (n, 2) [m], to the right and upwards, of points (n, 3)."""
+    right, up, _ = screen()
+    return points @ np.stack([right, up], axis=1)

@@ -1,0 +1,1 @@
+"""Pictures of the rotor in space. They are rendered in another process: see ``apart``."""

@@ -1,0 +1,60 @@
+"""The process that renders: orders come in pickled, pictures go out as files of numpy.
+
+python -m rotordyn.view FOLDER < orders
+"""
+
+from __future__ import annotations
+
+import os
+import pickle
+import sys
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.view.order import Order, moving_name, still_name
+
+STILL, MOVING = 1200, 640  # pixels across
+WINDOW = "VTK_DEFAULT_OPENGL_WINDOW"
+
+
+def main() -> None:
+    """Render everything that is ordered into the folder named first."""
+    folder = Path(sys.argv[1])
+    orders: list[Order] = pickle.load(sys.stdin.buffer)
+    if sys.platform.startswith("linux") and not os.environ.get("DISPLAY"):
+        os.environ.setdefault(WINDOW, "vtkEGLRenderWindow")
+    for number, order in enumerate(orders):
+        render(order, number, folder)
+
+
+def render(order: Order, number: int, folder: Path) -> None:
+    """One picture of every mode at every speed, then the animations."""
+    from rotordyn.surface.orbit import phases
+    from rotordyn.view.scene import RotorScene
+
+    scene = RotorScene(order.spindle, order.amplitude, order.colours, STILL)
+    for speed, mode in order.places:
+        scene.show(order.node, order.shape[speed, mode])
+        np.save(folder / still_name(number, speed, mode), scene.picture(0.0))
+    scene.close()
+    if not order.frames:
+        return
+    scene = RotorScene(order.spindle, order.amplitude, order.colours, 2 * MOVING)
+    for speed, mode in order.places:
+        scene.show(order.node, order.shape[speed, mode])
+        frames = [_halved(scene.picture(float(phase))) for phase in phases(order.frames)]
+        np.save(folder / moving_name(number, speed, mode), np.stack(frames))
+    scene.close()
+
+
+def _halved(picture: NDArray[np.uint8]) -> NDArray[np.uint8]:
+    """The mean of every four pixels, which smooths edges."""
+    height, width = (size // 2 for size in picture.shape[:2])
+    fours = picture[: 2 * height, : 2 * width].reshape(height, 2, width, 2, 3)
+    return fours.mean(axis=(1, 3)).round().astype(np.uint8)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,109 @@
+"""Rendering in a process of its own, since a machine without OpenGL may end it without a word."""
+
+from __future__ import annotations
+
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import tempfile
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.view.order import Order, moving_name, still_name
+
+Pixels = NDArray[np.uint8]
+PROGRAM = ("-m", "rotordyn.view")
+LONGEST = 60.0  # s without which no first picture can be
+LONGEST_EACH = 5.0  # s for each picture more
+REMEDY = (
+    "install Mesa's EGL (on Debian and Ubuntu: libegl1 libgl1-mesa-dri libx11-6), or run where "
+    "there is a display"
+)
+
+
+class NoPictures(Exception):
+    """Nothing could be rendered; its text says why and what to do."""
+
+
+class Rendering:
+    """Pictures being rendered beside us. ``finish`` waits for them; ``close`` ends it anyway.
+
+    Use it as a context: its temporary files are gone afterwards.
+    """
+
+    def __init__(self, orders: Sequence[Order]) -> None:
+        self._held = tempfile.TemporaryDirectory(prefix="rotordyn.")
+        self.folder = Path(self._held.name)
+        (self.folder / "orders").write_bytes(pickle.dumps(list(orders)))
+        frames = sum(len(order.places) * (1 + order.frames) for order in orders)
+        self._longest = LONGEST + LONGEST_EACH * frames
+        paths = os.pathsep.join(os.path.abspath(path) for path in sys.path)
+        command = [sys.executable, *PROGRAM, str(self.folder)]
+        orders_file, said = self.folder / "orders", self.folder / "said"
+        with orders_file.open("rb") as into, said.open("wb") as out:
+            self._process = subprocess.Popen(
+                command,
+                stdin=into,
+                stdout=out,
+                stderr=out,
+                env={**os.environ, "PYTHONPATH": paths},
+            )
+
+    def __enter__(self) -> Rendering:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    @property
+    def running(self) -> bool:
+        """True while pictures are being made."""
+        return self._process.poll() is None
+
+    def finish(self) -> None:
+        """Wait until everything is rendered.
+
+        Raises
+        ------
+        NoPictures : the process failed, was ended by the system, or takes too long
+        """
+        try:
+            code = self._process.wait(self._longest)
+        except subprocess.TimeoutExpired:
+            self._process.kill()
+            self._process.wait()
+            raise NoPictures(f"rendering took more than {self._longest:.0f} s; {REMEDY}") from None
+        if code:
+            raise NoPictures(f"this machine draws nothing in 3D ({self._why(code)}): {REMEDY}")
+
+    def still(self, order: int, speed: int, mode: int) -> Pixels:
+        """The picture of a mode at a speed, (height, width, 3); ``order``: number of the order."""
+        return self._load(still_name(order, speed, mode))
+
+    def moving(self, order: int, speed: int, mode: int) -> Pixels:
+        """The frames of its period, (count, height, width, 3)."""
+        return self._load(moving_name(order, speed, mode))
+
+    def close(self) -> None:
+        """End the process if it still runs, and remove its files."""
+        if self.running:
+            self._process.kill()
+            self._process.wait()
+        self._held.cleanup()
+
+    def _load(self, name: str) -> Pixels:
+        found: Any = np.load(self.folder / name)
+        return found
+
+    def _why(self, code: int) -> str:
+        """The signal that ended the process, or the last thing it said."""
+        if code < 0:
+            return f"OpenGL ended the process: {signal.Signals(-code).name}"
+        lines = (self.folder / "said").read_text(errors="replace").strip().splitlines()
+        return lines[-1].strip() if lines else f"exit code {code}"

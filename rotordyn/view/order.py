@@ -1,0 +1,44 @@
+"""What pictures are wanted: plain values that another process can read."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.machine.spindle import Spindle
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Order:
+    """Pictures of mode shapes of a spindle.
+
+    ``node`` [m] and ``shape`` (speeds, modes, nodes, 6) as a ``CampbellResult`` has them; of shapes
+    that do not exist (NaN) there is no picture. ``amplitude``: largest displacement drawn, over the
+    length of the shaft. ``frames`` of one period, 0 = no animation. ``colours`` of the motion: name
+    of a colour map of matplotlib.
+    """
+
+    spindle: Spindle
+    node: NDArray[np.float64]
+    shape: NDArray[np.complex128]
+    amplitude: float
+    frames: int = 0
+    colours: str = "YlGn"
+
+    @property
+    def places(self) -> list[tuple[int, int]]:
+        """Speed and mode of every picture."""
+        known = np.isfinite(self.shape).all(axis=(2, 3))
+        return [(int(speed), int(mode)) for speed, mode in np.argwhere(known)]
+
+
+def still_name(order: int, speed: int, mode: int) -> str:
+    """File with one picture (height, width, 3) of an order, by its number."""
+    return f"still_{order}_{speed}_{mode}.npy"
+
+
+def moving_name(order: int, speed: int, mode: int) -> str:
+    """File with the frames (count, height, width, 3) of an animation."""
+    return f"moving_{order}_{speed}_{mode}.npy"
