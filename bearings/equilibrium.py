@@ -17,15 +17,19 @@ from numpy.typing import NDArray
 
 from bearings.ball import Balance, Settled, settled, turning_balance
 from bearings.convex_stage import convex_state
+from bearings.free_motion import beyond
 from bearings.plane import Pair, dot, turned_far
 from bearings.problem import (
     EPS,
+    FIRST_FREE,
     LONGEST_TURN,
+    MOST_FREE_MOTIONS,
     NEWTON_STEPS,
     ON_THE_WAY,
     QUICK_STEPS,
     SHORTEST_BLEND,
     TOLERANCE,
+    Index,
     Problem,
 )
 from bearings.rest import resting_balance
@@ -77,6 +81,12 @@ def solve(
 
         answer = compiled_states(problem, displacement, guess)
         d, x, done, linear = answer.displacement, answer.ball, answer.found, None
+        missing = np.flatnonzero(~done)  # free motions are followed together only
+        if problem.turning and missing.size:
+            part = problem.take(missing)
+            d[missing], x[:, missing], done[missing] = _together(part, displacement[missing], None)[
+                :3
+            ]
     else:
         d, x, done, linear = _together(problem, displacement, guess)
     if linear is None:
@@ -228,10 +238,15 @@ def _blended(
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Follow the states that are ``done`` at blend 0 to the full problem."""
     blend, stride = np.zeros(len(d)), np.full(len(d), 0.5)
+    freed = np.zeros(len(d), dtype=int)
     while True:
         todo = np.flatnonzero(done & (blend < 1.0) & (stride >= SHORTEST_BLEND))
         if not todo.size:
-            break
+            stuck = np.flatnonzero(done & (blend < 1.0) & (freed < MOST_FREE_MOTIONS))
+            freed[stuck] += 1
+            if not _free(problem, d, x, blend, stride, stuck):
+                break
+            continue
         target = np.minimum(1.0, blend[todo] + stride[todo])
         new_d, new_x, good, _, used = _correct(problem.take(todo), d[todo], x[:, todo], target)
         won = todo[good]
@@ -239,3 +254,20 @@ def _blended(
         stride[won] *= np.where(used[good] <= QUICK_STEPS, 2.0, 1.0)
         stride[todo[~good]] *= 0.25
     return d, x, done & (blend >= 1.0)
+
+
+def _free(problem: Problem, d: Array, x: Array, blend: Array, stride: Array, stuck: Index) -> bool:
+    """Moves what no load holds to where another ball takes part; whether any state goes on."""
+    moved = False
+    for k in stuck:
+        part = problem.take(np.array([k]))
+        linear = linearise(part, d[k : k + 1], x[:, k : k + 1], blend[k : k + 1])
+        there = beyond(part, d[k], x[:, k], linear.balance)
+        if there is None:
+            continue
+        target = np.minimum(1.0, blend[k : k + 1] + FIRST_FREE)
+        new_d, new_x, good = _correct(part, there[None], x[:, k : k + 1], target)[:3]
+        if good[0]:
+            d[k], x[:, k], blend[k], stride[k] = new_d[0], new_x[:, 0], target[0], FIRST_FREE
+            moved = True
+    return moved

@@ -28,6 +28,8 @@ NEWTON_STEPS = 8
 QUICK_STEPS = 5  # a stride that took no more is followed by a longer one
 ON_THE_WAY = 1e-7  # scaled residual of a state that is only followed further
 LONGEST_TURN = 0.15  # rad a contact angle may move in one stride
+FIRST_FREE = 1e-4  # stride after a free motion
+MOST_FREE_MOTIONS = 4  # on the way of one state
 SHORTEST_BLEND = 2.0**-17  # paths of light balls may begin steeply
 
 

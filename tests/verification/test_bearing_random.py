@@ -69,6 +69,18 @@ def test_a_bearing_path_arrives_where_the_solver_is() -> None:
     assert found["odd"] == []
 
 
+@pytest.mark.parametrize(("number", "index"), [(10056, 34), (10208, 6), (10297, 39)])
+def test_a_ring_that_two_balls_hold_moves_on_to_the_next(number: int, index: int) -> None:
+    """On the way nothing resists one direction of the ring; an independent path arrives there."""
+    asked = rings.draw_states(number)
+    state = asked.solve()
+    assert state.outcome[index] == ""
+    path = paths.ring_path(asked, index)
+    assert path.end == "arrived"
+    deep = (state.outer_load[index].max() / asked.drawn.equations.outer.k) ** (2.0 / 3.0)
+    assert np.abs(path.x - state.ball_centre[:, index]).max() < 1e-6 * deep
+
+
 def test_the_start_decides_nothing() -> None:
     found = starts.survey_starts(100)
     assert found["states"] == 100
