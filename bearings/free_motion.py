@@ -48,10 +48,10 @@ def beyond(problem: Problem, d: Array, x: Array, balance: Balance) -> Array | No
 def _unheld(problem: Problem, carrying: NDArray[np.bool_]) -> Array | None:
     """The one direction (5,) in which the carrying balls do not move; None if there is none."""
     scale = problem.scale[problem.free]
+    if not scale.size:
+        return None
     rows = problem.ring.spread[:, problem.free][..., carrying] / scale[:, None]
     rows = rows.transpose(0, 2, 1).reshape(-1, len(scale))
-    if not len(scale):
-        return None
     _, size, right = np.linalg.svd(np.vstack([rows, np.zeros((1, len(scale)))]))
     if len(size) < len(scale):
         return None
