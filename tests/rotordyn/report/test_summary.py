@@ -112,7 +112,8 @@ def test_many_references_do_not_overflow(case, results):
         Reference("preload_sum", "measured", f"source {k}", (0.0,), (1000.0 + k,), remark="x" * 150)
         for k in range(40)
     )
-    lines = summary(replace(case, references=many), results, ["first"] * 9).splitlines()
+    own = {name: result for name, result in results.items() if name != "section_forces"}
+    lines = summary(replace(case, references=many), own, ["first"] * 9).splitlines()
     assert len(lines) <= HEIGHT
     assert "more published or measured values" in lines[-1]
 
@@ -172,3 +173,14 @@ def test_section_forces_of_variants_stand_side_by_side(case, results):
     lines = comparison_summary(case, [(case, own)]).splitlines()
     (row,) = (line for line in lines if line.startswith(case.title) and "-500" in line)
     assert row.removeprefix(case.title).split() == ["0", "-500", "0", "40", "0", "132.1"]
+
+
+def test_balls_that_slip_are_named(results):
+    preload = results["preload"]
+    slipping = preload.slipping.astype("<U5")
+    assert not any("slip" in sentence for sentence in result_warnings({"preload": preload}))
+    slipping[4:, 1] = "inner"
+    found = result_warnings({"preload": replace(preload, slipping=slipping)})
+    rpm = preload.speed[4] * 30.0 / np.pi
+    sentence = f"bearing {preload.bearing[1]}: the balls slip on the inner race from {rpm:.0f} rpm"
+    assert any(one.startswith(sentence) for one in found)
