@@ -55,6 +55,7 @@ GENERATED = {
             "frf",
             "random",
             "random-bearings",
+            "random-friction",
             "random-paths",
             "plain-newton",
         ),

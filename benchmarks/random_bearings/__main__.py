@@ -14,7 +14,7 @@ from typing import Any
 from benchmarks.processes import ROOT
 from benchmarks.random_bearings.balls import survey_balls
 from benchmarks.random_bearings.paths import survey_ball_paths, survey_ring_paths
-from benchmarks.random_bearings.rings import survey_rings
+from benchmarks.random_bearings.rings import FRICTION, survey_friction, survey_rings
 from benchmarks.random_bearings.starts import survey_starts, survey_sweeps
 
 
@@ -37,6 +37,8 @@ def main() -> None:
             "bearing_paths": survey_ring_paths(asked.paths // 3, asked.paths // 3),
             "starts": survey_starts(asked.starts),
             "sweeps": survey_sweeps(asked.sweeps),
+            "friction": survey_friction(asked.bearings // 5),
+            "friction_sweeps": survey_sweeps(asked.sweeps, FRICTION),
         }
     )
 

@@ -45,15 +45,15 @@ def survey_balls(count: int) -> dict[str, Any]:
     worst, solving, newton = 0.0, 0.0, dict.fromkeys(plain, 0.0)
     for number in range(-(-count // EACH)):
         drawn, centre, speed = draw_balls(number)
-        begin = time.perf_counter()
+        begin = time.process_time()
         state = solve_balls(drawn, centre, speed)
-        solving += time.perf_counter() - begin
+        solving += time.process_time() - begin
         error = _judged(tally, drawn, centre, state)
         worst = max(worst, error)
         for name in plain if number % PLAIN == 0 else ():
-            begin = time.perf_counter()
+            begin = time.process_time()
             found = plain_newton(drawn.equations, centre, speed, signed=name == "signed")
-            newton[name] += time.perf_counter() - begin
+            newton[name] += time.process_time() - begin
             plain[name].update(_compared(drawn.equations, state, *found))
     total = tally["states"]
     return {

@@ -23,7 +23,7 @@ FROM = 10_000  # bearings of their own, so that the sets of the other surveys st
 def survey_ball_paths(refused: int, solved: int, *, each: int = 3) -> dict[str, Any]:
     """Some refused and as many solved balls, at most ``each`` of one bearing."""
     tally, odd, number = Counter(), [], FROM
-    begin = time.perf_counter()
+    begin = time.process_time()
     while tally["refused"] < refused or tally["solved"] < solved:
         drawn, centre, speed = draw_balls(number)
         state = solve_balls(drawn, centre, speed)
@@ -33,13 +33,13 @@ def survey_ball_paths(refused: int, solved: int, *, each: int = 3) -> dict[str, 
             same = _same(path, state.ball_centre[:, index, :1], drawn.equations, speed[index])
             odd += _compared(tally, path, there, same, (number, int(index), drawn.kinematics))
         number += 1
-    return {**tally, "odd": odd, "seconds": time.perf_counter() - begin}
+    return {**tally, "odd": odd, "seconds": time.process_time() - begin}
 
 
 def survey_ring_paths(refused: int, solved: int, *, each: int = 2) -> dict[str, Any]:
     """The same for whole bearings."""
     tally, odd, number = Counter(), [], FROM
-    begin = time.perf_counter()
+    begin = time.process_time()
     while tally["refused"] < refused or tally["solved"] < solved:
         asked = draw_states(number)
         if asked.drawn.bearing.balls <= 30:
@@ -53,7 +53,7 @@ def survey_ring_paths(refused: int, solved: int, *, each: int = 2) -> dict[str, 
                 name = (number, int(index), asked.drawn.kinematics)
                 odd += _compared(tally, path, there, same, name)
         number += 1
-    return {**tally, "odd": odd, "seconds": time.perf_counter() - begin}
+    return {**tally, "odd": odd, "seconds": time.process_time() - begin}
 
 
 def ball_path(equations: Any, centre: Array, speed: float) -> Path:

@@ -26,6 +26,9 @@ EACH = 50
 SEED = 2
 TANGENT = 4  # the tangent is compared on every fourth bearing
 KINDS = ("load", "load", "load", "displacement", "mixed")
+FROM = 30_000  # bearings of their own
+FRICTION = 0.1
+FADING = ("equal", "inner")  # sharings under which friction lets a light ball fade out of contact
 FAR = 20.0  # steps of the difference that a contact must be away from opening or closing
 
 
@@ -63,10 +66,10 @@ class Asked:
         return np.array([1.0, 1.0, 1.0, half, half])
 
 
-def draw_states(number: int, count: int = EACH) -> Asked:
+def draw_states(number: int, count: int = EACH, friction: float | None = None) -> Asked:
     """A bearing and what is asked of it."""
     rng = np.random.default_rng([SEED, number])
-    drawn = draw_bearing(rng, number)
+    drawn = replace(draw_bearing(rng, number), friction=friction)
     speed = draw_speeds(rng, drawn, count)
     static = draw_growth(rng, drawn, count) * (rng.uniform() < 0.5)
     growth = static + draw_growth(rng, drawn, count) * (rng.uniform() < 0.5)
@@ -84,9 +87,9 @@ def survey_rings(count: int) -> dict[str, Any]:
     worst: dict[str, float] = Counter()
     for number in range(-(-count // EACH)):
         asked = draw_states(number)
-        begin = time.perf_counter()
+        begin = time.process_time()
         state = asked.solve()
-        seconds[asked.kind] += time.perf_counter() - begin
+        seconds[asked.kind] += time.process_time() - begin
         tally[f"asked by {asked.kind}"] += EACH
         good = np.flatnonzero(state.outcome == "")
         _counted(tally, asked, state)
@@ -95,9 +98,9 @@ def survey_rings(count: int) -> dict[str, Any]:
         _balanced(tally, worst, asked, state, good)
         _symmetric(tally, worst, asked, state, good)
         if number % TANGENT == 0:
-            begin = time.perf_counter()
+            begin = time.process_time()
             tangent_errors(tally, worst, asked, state, good)
-            seconds["tangents"] += time.perf_counter() - begin
+            seconds["tangents"] += time.process_time() - begin
     times = {k: 1e6 * seconds[k] / max(tally[f"asked by {k}"], 1) for k in dict.fromkeys(KINDS)}
     return {
         **tally,
@@ -105,6 +108,24 @@ def survey_rings(count: int) -> dict[str, Any]:
         "microseconds": times,
         "seconds of tangents": seconds["tangents"],
     }
+
+
+def survey_friction(count: int) -> dict[str, Any]:
+    """Refusals of ``count`` bearing states, with any friction and with a limited one."""
+    tally: Counter[str] = Counter()
+    for number in range(FROM, FROM + -(-count // EACH)):
+        for word, mu in (("any", None), ("limited", FRICTION)):
+            asked = draw_states(number, friction=mu)
+            refused = int((asked.solve().outcome == "no equilibrium").sum())
+            name = f"{word}, {asked.drawn.kinematics}"
+            tally[name] += refused
+            tally[f"{name}, share that fades"] += refused * (asked.drawn.sharing in FADING)
+        tally["states"] += EACH
+        tally[f"states, {asked.drawn.kinematics}"] += EACH
+        tally[f"states, {asked.drawn.kinematics}, share that fades"] += EACH * (
+            asked.drawn.sharing in FADING
+        )
+    return {"friction": FRICTION, **tally}
 
 
 def _counted(tally: Counter[str], asked: Asked, state: BearingState) -> None:

@@ -23,7 +23,7 @@ VISIBLE = 1e-3  # of the largest ball load: smaller steps are not looked at
 def survey_starts(count: int) -> dict[str, Any]:
     """States solved cold and from the state of another load and speed."""
     tally, odd, number = Counter(), [], FROM
-    begin = time.perf_counter()
+    begin = time.process_time()
     while tally["states"] < count:
         asked = draw_states(number)
         cold = asked.solve()
@@ -35,7 +35,7 @@ def survey_starts(count: int) -> dict[str, Any]:
             tally["differing"] += 1
             odd.append([number, int(index), asked.drawn.kinematics, word])
         number += 1
-    return {**tally, "odd": odd, "seconds": time.perf_counter() - begin}
+    return {**tally, "odd": odd, "seconds": time.process_time() - begin}
 
 
 def _rolled(state: BearingState) -> BearingState:
@@ -64,12 +64,12 @@ def _difference(cold: BearingState, warm: BearingState, index: int) -> str:
     return "another branch, same statuses" if same else "another branch, other statuses"
 
 
-def survey_sweeps(count: int) -> dict[str, Any]:
+def survey_sweeps(count: int, friction: float | None = None) -> dict[str, Any]:
     """Sweeps of load and of speed, each state solved cold; steep intervals are looked into."""
     tally, odd, number = Counter(), [], FROM
-    begin = time.perf_counter()
+    begin = time.process_time()
     while tally["sweeps"] < count:
-        asked = draw_states(number, 2)
+        asked = draw_states(number, 2, friction)
         if asked.kind == "load" and asked.speed[0] > 0.0:
             by = ("load", "speed")[tally["sweeps"] % 2]
             found = _jumps(asked, by)
@@ -80,7 +80,7 @@ def survey_sweeps(count: int) -> dict[str, Any]:
             tally[f"with a jump, {asked.drawn.kinematics}"] += int(bool(found["jumps"]))
             odd += [[number, by, asked.drawn.kinematics, *jump] for jump in found["jumps"]]
         number += 1
-    return {**tally, "odd": odd, "seconds": time.perf_counter() - begin}
+    return {**tally, "odd": odd, "seconds": time.process_time() - begin}
 
 
 def sweep(asked: Asked, by: str, part: Array) -> BearingState:

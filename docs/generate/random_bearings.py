@@ -57,7 +57,7 @@ def random_paths(found: Found) -> str:
             (f"{name} refused: no path ({', '.join(ends)})", *_agreed(f, "refused")),
             (f"{name} solved: the path arrives there", *_agreed(f, "solved")),
         ]
-    starts, sweeps = found["starts"], found["sweeps"]
+    starts, sweeps, held = found["starts"], found["sweeps"], found["friction_sweeps"]
     rows += [
         (
             "the same from the state of another load and speed",
@@ -69,8 +69,28 @@ def random_paths(found: Found) -> str:
             str(sweeps["sweeps"]),
             str(sweeps["sweeps"] - sweeps["with a jump"]),
         ),
+        (
+            f"the same with friction up to {found['friction']['friction']:g}",
+            str(held["sweeps"]),
+            str(held["sweeps"] - held["with a jump"]),
+        ),
     ]
     return table(("what", "looked at:", "confirmed:"), rows)
+
+
+def random_friction(found: Found) -> str:
+    """Refusals with any friction and with a limited one."""
+    f = found["friction"]
+    rows = []
+    for law in LAWS:
+        for name, key in (("all sharings", law), ("`equal`, `inner`", f"{law}, share that fades")):
+            total = f[f"states, {key}"]
+            shares = (
+                f"{100.0 * f.get(f'{word}, {key}', 0) / total:.3g} %" for word in ("any", "limited")
+            )
+            rows.append((law, name, _count(total), *shares))
+    head = ("kinematics", "sharings", "states:", "refused, any friction:")
+    return table((*head, f"refused, μ ≤ {f['friction']:g}:"), rows)
 
 
 def plain_newton(balls: Found) -> str:

@@ -7,7 +7,12 @@ from typing import Any
 
 from docs.generate.marked import table
 from docs.generate.places import MEASURED
-from docs.generate.random_bearings import plain_newton, random_bearings, random_paths
+from docs.generate.random_bearings import (
+    plain_newton,
+    random_bearings,
+    random_friction,
+    random_paths,
+)
 
 Measured = dict[str, Any]
 # Name of a process measured -> target of its wall time [s].
@@ -53,6 +58,7 @@ def benchmark_parts(found: Measured) -> dict[str, str]:
         "precision": _precision(found),
         "random": _random(found),
         "random-bearings": random_bearings(found["random_bearings"]),
+        "random-friction": random_friction(found["random_bearings"]),
         "random-paths": random_paths(found["random_bearings"]),
         "plain-newton": plain_newton(found["random_bearings"]["balls"]),
     }

@@ -33,11 +33,13 @@ class Drawn:
     equations: Balls
     rated_load: float
     rated_approach: float
+    friction: float | None = None
 
     @property
     def how(self) -> dict[str, Any]:
         """Arguments of ``equilibrium`` that name the hypotheses."""
-        return dict(kinematics=self.kinematics, moment_sharing=self.sharing)
+        names = dict(kinematics=self.kinematics, moment_sharing=self.sharing)
+        return names | dict(friction=self.friction)
 
 
 def draw_bearing(rng: np.random.Generator, number: int) -> Drawn:
