@@ -53,15 +53,17 @@ class AngularContactBallBearing:
 
     def _faults(self) -> list[str]:
         for key in ("ball_diameter", "pitch_diameter", "balls", "contact_angle", *_CONFORMITIES):
-            value = getattr(self, key)
-            if isinstance(value, bool) or not isinstance(value, Real) or not math.isfinite(value):
+            if not _number(value := getattr(self, key)):
                 return [f"{key} must be a finite number, got {value!r}"]
         lengths = (self.ball_diameter, self.pitch_diameter)
         if not all(v > 0.0 for v in lengths):
             return [f"ball and pitch diameter must be positive lengths, got {lengths} m"]
         faults = []
-        if self.ball_diameter > 0.2:
-            faults.append(f"a ball of {self.ball_diameter:g} m: is the unit right?")
+        if not 1e-4 <= self.ball_diameter <= 0.2 or self.pitch_diameter > 10.0:
+            faults.append(
+                f"a ball of {self.ball_diameter:g} m on a pitch circle of {self.pitch_diameter:g} "
+                "m: is the unit right?"
+            )
         if self.balls != int(self.balls) or self.balls < 3:
             faults.append(f"balls must be a whole number from 3 up, got {self.balls!r}")
         elif self.ball_diameter >= self.pitch_diameter * math.sin(math.pi / self.balls):
@@ -107,7 +109,8 @@ class AngularContactBallBearing:
         moment_sharing : "equal", "outer", "inner" or "hybrid"
         friction : coefficient μ that limits the gyroscopic moment a race can hold, λ Mg ≤ μ D Q;
             None lets it hold any
-        start : a state of the same batch shape close to the one sought; only speeds the search up
+        start : a state of the same batch shape close to the one sought; only speeds the search up,
+            and is not used with kinematics that know two branches ("inner", "geometric")
         compiled : solve state by state with compiled functions; None: where that pays, with the
             time for loading or compiling them
 
@@ -124,7 +127,22 @@ class AngularContactBallBearing:
         from bearings.law import Law
         from bearings.question import question
         from bearings.request import answer
+        from bearings.state import BearingState
 
+        if start is not None and not isinstance(start, BearingState):
+            raise InvalidBearing(f"start must be a state of this bearing, got {start!r:.80}")
+        if not (compiled is None or isinstance(compiled, bool)):
+            raise InvalidBearing(f"compiled must be True, False or None, got {compiled!r}")
         law = Law(kinematics, moment_sharing, friction)
         asked = question(load, displacement, speed, static_growth, growth)
         return answer(self, law, asked, start, compiled)
+
+
+def _number(value: object) -> bool:
+    """A finite real number."""
+    if isinstance(value, bool) or not isinstance(value, Real):
+        return False
+    try:
+        return math.isfinite(value)
+    except OverflowError:
+        return False

@@ -31,12 +31,12 @@ from bearings.slip import Contact, Polar, limited, times
 class LawNumbers(NamedTuple):
     """What is assumed of a ball, by numbers.
 
-    ``kinematics`` in ``HYPOTHESES``, ``sharing`` in ``SHARINGS``; ``slips``: friction has a limit.
+    ``kinematics`` in ``HYPOTHESES``, ``sharing`` in ``SHARINGS``; ``limited``: friction is.
     """
 
     kinematics: int
     sharing: int
-    slips: bool
+    limited: bool
 
 
 class Balance(NamedTuple):
@@ -103,7 +103,7 @@ def turning_balance(
     tilt = _tilt(tan_beta(law.kinematics, angles), weight, where(di > 0.0, 1.0, 0.0))
     orbit, spin = orbit_and_spin(angles, tilt.value)
     moment = _chained(turn * spin.value, turn, spin, tilt)
-    if law.slips:
+    if law.limited:
         moment, tilt = limited(moment, tilt, share, inner, outer, c.limit)
         orbit = orbit_and_spin(angles, tilt.value)[0]
     full = c.orbit * squared

@@ -55,7 +55,7 @@ def ending(cause: Cause, index: int) -> str:
     force = np.abs(last.gyroscopic_moment[0]) / cause.bearing.ball_diameter
     thrown = (load > 0.0) & (force > IMPOSSIBLE * load)
     if thrown.any():
-        return f"balls {_ranges(thrown)} are thrown off a race {where}, limit friction"
+        return f"balls {_ranges(thrown)} are thrown off a race {where}"
     return f"stiffness vanishes {where}"
 
 

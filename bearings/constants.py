@@ -7,11 +7,15 @@ from typing import NamedTuple
 
 from bearings.geometry import Geometry
 
+EPS = 2.0**-52  # rounding of a number of size 1
+
 
 class BallConstants(NamedTuple):
-    """SI; ``orbit`` ½ m dm: Fc is that times (ω ωm/ω)²; ``nominal``: (ωm/ω)² at equal nominal
-    angles, ((1 − γ cos α)/2)², where all hypotheses agree; ``limit`` μ D, the moment that friction
-    holds per load of a race. The others as in ``bearings.geometry``.
+    """SI, as in ``bearings.geometry``; stiffnesses k of the races and of both in series.
+
+    ``orbit`` ½ m dm: Fc is that times (ω ωm/ω)²; ``nominal``: (ωm/ω)² at equal nominal angles,
+    ((1 − γ cos α)/2)², where all hypotheses agree; ``limit`` μ D: the moment that friction holds
+    per load of a race, 0 where it is not limited.
     """
 
     inner_stiffness: float

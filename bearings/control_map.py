@@ -15,12 +15,11 @@ from bearings.angular_contact import AngularContactBallBearing
 from bearings.contact_motion import control_margins
 from bearings.errors import InvalidBearing
 from bearings.geometry import geometry
-from bearings.law import Law
+from bearings.law import STANDARD, Law
 from bearings.state import BearingState
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
-STANDARD = Law()
 RACES = ("inner", "outer")
 LEVELS = 48  # loads between which a change of control is looked for
 LOG_TOLERANCE = 1e-10  # of a boundary, relative

@@ -12,11 +12,10 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from bearings.constants import BallConstants
+from bearings.constants import EPS, BallConstants
 from bearings.plane import Block, Pair, direction, dot, inverse, less, plus, row_times, where
 
 SETTLED = 1e-8  # of the ball's own loads
-EPS = float(np.finfo(float).eps)
 
 
 class Reaction(NamedTuple):

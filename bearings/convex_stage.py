@@ -6,18 +6,20 @@ shortened until the potential falls lead to its one equilibrium from anywhere.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bearings.constants import EPS
 from bearings.convex import Spring, reaction, resting_reaction, resting_seat
 from bearings.problem import (
     CONVEX_STEPS,
-    EPS,
     HALVINGS,
     LONGEST_STEP,
     SETTLED,
+    SOFT,
     SOFTEST,
     TOLERANCE,
     Index,
@@ -32,8 +34,9 @@ Array = NDArray[np.float64]
 def _downhill(problem: Problem, k: Array, gap: Array) -> Array:
     """Newton direction of the convex stage, a little stiffened, its length bounded."""
     g = problem.model.geometry
-    soft = SOFTEST * g.balls * g.series_stiffness * np.sqrt(1e-3 * g.free_distance)
-    step = np.linalg.solve(k + soft * np.eye(k.shape[-1]), gap[..., None])[..., 0]
+    soft = SOFTEST * np.abs(k).max(axis=(1, 2))
+    soft += SOFT * g.balls * g.series_stiffness * math.sqrt(1e-3 * g.free_distance)
+    step = np.linalg.solve(k + soft[:, None, None] * np.eye(k.shape[-1]), gap[..., None])[..., 0]
     longest = np.abs(step).max(axis=1, keepdims=True)
     return step * np.minimum(1.0, LONGEST_STEP * g.free_distance / np.maximum(longest, 1e-300))
 

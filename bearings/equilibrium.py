@@ -3,7 +3,8 @@
 Two stages (theory: solving). With the gyroscopic moment off and the centrifugal force frozen the
 problem is convex: damped Newton finds its one solution from anywhere. The real angle dependence
 and the gyroscopic moment are then switched on by a blend t = 0 … 1, and the state is followed; a
-path that folds back before t = 1 has no physical end, which is an outcome, not a number.
+path that ends before t = 1 (a fold, a jump of a contact, a ball lifted off) has no physical end,
+which is an outcome, not a number.
 
 All states of a batch advance together; those that are done drop out.
 """
@@ -16,11 +17,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball import Balance, Settled, settled, turning_balance
+from bearings.constants import EPS
 from bearings.convex_stage import convex_state
 from bearings.free_motion import beyond
 from bearings.plane import Pair, dot, turned_far
 from bearings.problem import (
-    EPS,
     FIRST_FREE,
     LONGEST_TURN,
     MOST_FREE_MOTIONS,
@@ -82,7 +83,7 @@ def solve(
         answer = compiled_states(problem, displacement, guess)
         d, x, done, linear = answer.displacement, answer.ball, answer.found, None
         missing = np.flatnonzero(~done)  # free motions are followed together only
-        if problem.turning and missing.size:
+        if missing.size:
             part = problem.take(missing)
             d[missing], x[:, missing], done[missing] = _together(part, displacement[missing], None)[
                 :3

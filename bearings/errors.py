@@ -7,6 +7,10 @@ BearingError
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
+from typing import Any
+
 
 class BearingError(Exception):
     """Root of every error raised on purpose by ``bearings``."""
@@ -24,10 +28,34 @@ class NoEquilibrium(BearingError):
     outcome : what happened, in a few words (``"unloaded"``, ``"no equilibrium"`` …)
     speed : rotation speed of the inner ring [rad/s]
     remedy : what the user can do about it, one sentence
+    look : finds what ends the state, and above which speed, when the sentence is first read
     """
 
-    def __init__(self, outcome: str, *, speed: float, remedy: str) -> None:
-        super().__init__(f"{outcome} at {speed:.6g} rad/s: {remedy}")
+    def __init__(
+        self, outcome: str, *, speed: float, remedy: str, look: Callable[[], str] | None = None
+    ) -> None:
+        super().__init__(outcome)
         self.outcome = outcome
         self.speed = speed
         self.remedy = remedy
+        self._look = look
+        self._ending = ""
+
+    @property
+    def ending(self) -> str:
+        """What ends the state, and above which speed; may be empty."""
+        if self._look is not None:
+            self._ending, self._look = self._look(), None
+        return self._ending
+
+    def __str__(self) -> str:
+        why = f"{self.outcome}: {self.ending}," if self.ending else self.outcome
+        return f"{why} at {self.speed * 30.0 / math.pi:.6g} rpm: {self.remedy}"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _again, (self.outcome, self.speed, self.remedy, self.ending)
+
+
+def _again(outcome: str, speed: float, remedy: str, ending: str) -> NoEquilibrium:
+    """The same error in another process."""
+    return NoEquilibrium(outcome, speed=speed, remedy=remedy, look=lambda: ending)

@@ -9,19 +9,19 @@ from numpy.typing import NDArray
 
 from bearings.angular_contact import AngularContactBallBearing
 from bearings.compiled.states import Answer, compiled_states
+from bearings.equilibrium import solve
 from bearings.errors import InvalidBearing, NoEquilibrium
 from bearings.geometry import geometry, groove_origin
-from bearings.law import Law
+from bearings.law import STANDARD, Law
 from bearings.model import BallModel
 from bearings.problem import Problem, first_displacement
-from bearings.question import finite, five_numbers
+from bearings.question import finite, five_numbers, single
 from bearings.ring import full_ring
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
 Array = NDArray[np.float64]
-STANDARD = Law()
 
 
 class Followed(NamedTuple):
@@ -39,8 +39,10 @@ class Followed(NamedTuple):
 class Follower:
     """One bearing at a speed, every state started from the last.
 
-    Load, displacement and tangent only, by the compiled solver: a few microseconds a state. The
-    first call of a process loads it (a second), the first of all compiles it (half a minute).
+    Load, displacement and tangent only, by the compiled solver, which the first call of a process
+    loads and the first of all compiles (what that costs: benchmarks). Under inner control and the
+    geometric hypothesis, where a light ball may be loaded or lost at the same place, every state is
+    found on its own instead.
 
     Parameters
     ----------
@@ -50,7 +52,7 @@ class Follower:
 
     Raises
     ------
-    InvalidBearing : numbers that are not finite, no contact angle left
+    InvalidBearing : not single finite numbers, no contact angle left
     """
 
     def __init__(
@@ -62,10 +64,13 @@ class Follower:
         growth: float | None = None,
         law: Law = STANDARD,
     ) -> None:
+        for given, kind in ((bearing, AngularContactBallBearing), (law, Law)):
+            if not isinstance(given, kind):
+                raise InvalidBearing(f"a follower takes a {kind.__name__}, got {given!r}")
         g = geometry(bearing)
-        static = finite("static_growth", static_growth).reshape(-1)
-        total = static if growth is None else finite("growth", growth).reshape(-1)
-        self.speed = float(finite("speed", speed))
+        static = single("static_growth", static_growth)
+        total = static if growth is None else single("growth", growth)
+        self.speed = float(single("speed", speed)[0])
         self._model = BallModel(g, law)
         self._origin = groove_origin(g, static, total)
         if not np.isfinite(self._origin).all():
@@ -101,6 +106,9 @@ class Follower:
             omega = np.broadcast_to(turning, shape).reshape(-1)
         except ValueError as error:
             raise InvalidBearing(f"speed {turning.shape} does not fit states {shape}") from error
+        if not omega.size:
+            nothing = np.zeros(shape, dtype=bool)
+            return Followed(load, move, np.zeros((*shape, 5, 5)), nothing)
         turns = self._model.turns(omega)
         answers = [
             self._answer(move.reshape(-1, 5)[part], load.reshape(-1, 5)[part], omega[part], free)
@@ -131,14 +139,29 @@ class Follower:
             free=np.full(5, free),
             turning=bool(self._model.turns(omega[:1])[0]),
         )
-        near, last = None, self._last
-        if last is not None and last.found[-1]:
+        near, last, chained = None, self._last, self._model.one_branch
+        if last is not None and last.found[-1] and self._model.one_branch:
             near = last.ball[:, -1:]
             move = np.repeat(last.displacement[-1:], len(omega), axis=0) if free else move
         elif free:
             move = first_displacement(problem, move)
-        answer = compiled_states(problem, move, near)
+        answer = _second_look(problem, compiled_states(problem, move, near, chained=chained))
         if free:
             answer.found[~load.any(axis=1)] = False
         self._last = answer
         return answer
+
+
+def _second_look(problem: Problem, answer: Answer) -> Answer:
+    """States that the compiled solver refuses are looked for by the batched one, which knows more.
+
+    It follows free motions (``bearings.free_motion``).
+    """
+    missing = np.flatnonzero(~answer.found)
+    if missing.size:
+        part = problem.take(missing)
+        found = solve(part, first_displacement(part, answer.displacement[missing]))
+        answer.displacement[missing], answer.load[missing] = found.displacement, found.ring_load
+        answer.ball[:, missing], answer.stiffness[missing] = found.ball, found.stiffness
+        answer.found[missing] = found.outcome == ""
+    return answer

@@ -49,17 +49,18 @@ class Geometry:
 @lru_cache(maxsize=256)
 def geometry(bearing: AngularContactBallBearing) -> Geometry:
     """Derived constants of ``bearing``."""
-    diameter, pitch = bearing.ball_diameter, bearing.pitch_diameter
-    inner_f, outer_f = bearing.inner_conformity, bearing.outer_conformity
+    diameter, pitch = float(bearing.ball_diameter), float(bearing.pitch_diameter)
+    inner_f, outer_f = float(bearing.inner_conformity), float(bearing.outer_conformity)
+    angle = float(bearing.contact_angle)
     mass = bearing.ball_material.density * math.pi * diameter**3 / 6.0
     inner = _race_contact(bearing, inner_f, +1.0)
     outer = _race_contact(bearing, outer_f, -1.0)
-    cosine = math.cos(bearing.contact_angle)
+    cosine = math.cos(angle)
     return Geometry(
         ball_diameter=diameter,
         pitch_diameter=pitch,
         balls=int(bearing.balls),
-        contact_angle=bearing.contact_angle,
+        contact_angle=angle,
         free_distance=(inner_f + outer_f - 1.0) * diameter,
         inner_reach=(inner_f - 0.5) * diameter,
         outer_reach=(outer_f - 0.5) * diameter,

@@ -82,7 +82,7 @@ def contact(curvature_sum: float, difference: float, compliance: float) -> Hertz
 def _integrals(kappa: float) -> tuple[float, float]:
     """Complete elliptic integrals K, E of modulus² m = 1 − 1/κ², by the arithmetic-geometric mean.
 
-    Abramowitz & Stegun 17.6: K = π/(2 agm(1, 1/κ)), E = K (1 − Σ 2^(n−1) cₙ²) with c₀² = m. Six
+    Abramowitz & Stegun 17.6: K = π/(2 agm(1, 1/κ)), E = K (1 − Σ 2^(n−1) cₙ²) with c₀² = m. Nine
     steps reach rounding; importing a library for them would take longer than a whole preload sweep.
     """
     a, b, total, weight = 1.0, 1.0 / kappa, 0.5 * (1.0 - kappa**-2), 1.0

@@ -12,6 +12,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
+from bearings.plane import where
+
 
 class Angles(NamedTuple):
     """Sines and cosines of the two contact angles, γ = D/dm and the race weight C."""
@@ -116,7 +118,8 @@ def orbit_and_spin(a: Angles, t: Any) -> tuple[Rolling, Rolling]:
     po, pi = a.cos_o / gap_o + t * po_t, a.cos_i / gap_i + t * pi_t
     po_o = (t * a.cos_o - a.sin_o + po * g * a.sin_o) / gap_o
     pi_i = (t * a.cos_i - a.sin_i - pi * g * a.sin_i) / gap_i
-    part = 1.0 / (po + pi)
+    total = po + pi
+    part = where(total != 0.0, 1.0, 0.0) / where(total != 0.0, total, 1.0)
     orbit, roll = po * part, t / g * part
     orbit_i, roll_i = -orbit * pi_i * part, -roll * pi_i * part
     orbit_o, roll_o = (1.0 - orbit) * po_o * part, -roll * po_o * part

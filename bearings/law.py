@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import difflib
-import math
 from collections.abc import Iterable
 from dataclasses import dataclass
+from numbers import Real
 
 from bearings.errors import InvalidBearing
 from bearings.kinematics import HYPOTHESES, SHARINGS
@@ -36,8 +36,8 @@ class Law:
         mu: object = self.friction
         if mu is None:
             return
-        if isinstance(mu, bool) or not isinstance(mu, float | int) or not 0.0 < mu < math.inf:
-            raise InvalidBearing(f"friction must be a positive number or None, got {mu!r}")
+        if isinstance(mu, bool) or not isinstance(mu, Real) or not 1e-6 <= float(mu) <= 1e6:
+            raise InvalidBearing(f"friction must be a number from 1e-6 to 1e6 or None, got {mu!r}")
 
 
 def check_name(what: str, name: object, known: Iterable[str]) -> None:
@@ -47,3 +47,6 @@ def check_name(what: str, name: object, known: Iterable[str]) -> None:
     close = difflib.get_close_matches(str(name), known, n=1)
     hint = f" (did you mean {close[0]!r}?)" if close else ""
     raise InvalidBearing(f"{what} must be one of {', '.join(known)}, got {name!r}{hint}")
+
+
+STANDARD = Law()

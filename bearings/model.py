@@ -37,12 +37,20 @@ class BallModel:
         return LawNumbers(
             kinematics=kinematics.index(self.law.kinematics),
             sharing=sharing.index(self.law.moment_sharing),
-            slips=self.law.friction is not None,
+            limited=self.law.friction is not None,
         )
 
     def nominal_centrifugal(self, speed: Array) -> Array:
         """Fc at equal nominal angles, where every hypothesis gives ωm/ω = (1 − γ cos α)/2 [N]."""
         return self.constants.orbit * self.constants.nominal * speed**2
+
+    @property
+    def one_branch(self) -> bool:
+        """True where a ball is never loaded or lost at the same place: a neighbour may be a start.
+
+        Inner control and the geometric hypothesis end their loaded branch with a jump.
+        """
+        return self.law.kinematics in ("hybrid", "outer")
 
     def turns(self, speed: Array) -> NDArray[np.bool_]:
         """False where the centrifugal force does not press a ball measurably into its race."""

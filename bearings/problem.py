@@ -14,13 +14,13 @@ Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 
 TOLERANCE = 1e-11  # of the largest ball load (ball balance) and ring load (ring balance)
-EPS = float(np.finfo(float).eps)
 
 # first stage
 CONVEX_STEPS = 100
 HALVINGS = 40
 SETTLED = 1e-6  # of the loads: enough to start the second stage from
-SOFTEST = 1e-7  # of a bearing's stiffness at a thousandth of its free distance
+SOFTEST = 1e-7  # of the ring's stiffness, added to it
+SOFT = 1e-13  # of a bearing's stiffness at a thousandth of its free distance, where none is held
 LONGEST_STEP = 0.2  # of the free distance
 
 # second stage

@@ -10,6 +10,13 @@ from numpy.typing import ArrayLike, NDArray
 from bearings.errors import InvalidBearing
 
 Array = NDArray[np.float64]
+LARGEST = {  # SI; far beyond any bearing
+    "load": 1e12,
+    "displacement": 10.0,
+    "speed": 1e6,
+    "static_growth": 1.0,
+    "growth": 1.0,
+}
 PAIRS = ("Fx or δx", "Fy or δy", "Fz or δz", "My or θy", "Mz or θz")
 
 
@@ -36,8 +43,8 @@ class Question:
 
     @property
     def unloaded(self) -> NDArray[np.bool_]:
-        """States whose load is given and zero: any displacement without contact would do (s,)."""
-        return np.asarray(self.free.all() & (self.load == 0.0).all(axis=1))
+        """States that no load presses together, free to retreat along the axis (s,)."""
+        return np.asarray(self.free[0] & (self.load == 0.0).all(axis=1))
 
     def repeated(self, index: int, speeds: Array) -> Question:
         """The same question about one of its states at other ``speeds`` (k,)."""
@@ -127,8 +134,24 @@ def finite(name: str, value: ArrayLike) -> Array:
     return array
 
 
+def single(name: str, value: ArrayLike) -> Array:
+    """One number (1,).
+
+    Raises
+    ------
+    InvalidBearing : more than one, or not finite
+    """
+    array = finite(name, value)
+    if array.size != 1:
+        raise InvalidBearing(f"{name} must be one number, got {value!r}")
+    return array.reshape(1)
+
+
 def _numbers(name: str, value: ArrayLike) -> Array:
     try:
-        return np.asarray(value, dtype=float)
-    except (TypeError, ValueError) as error:
+        array = np.asarray(value, dtype=float)
+    except (TypeError, ValueError, OverflowError) as error:
         raise InvalidBearing(f"{name} must be numbers, got {value!r}") from error
+    if np.abs(np.nan_to_num(array, posinf=0.0, neginf=0.0)).max(initial=0.0) > LARGEST[name]:
+        raise InvalidBearing(f"{name} beyond {LARGEST[name]:g} SI units: is the unit right?")
+    return array

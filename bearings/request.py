@@ -25,10 +25,6 @@ TOGETHER = 20000  # balls in one batch: bounds the memory
 
 REMEDIES = {
     "unloaded": "no load presses the rings together; give a load, or a displacement",
-    "no equilibrium": (
-        "the balls lose their hold between rest and this speed; raise the load, lower the speed, "
-        "or use outer or hybrid kinematics"
-    ),
     "no contact angle": "static growth takes the whole contact angle; reduce the fit",
 }
 
@@ -43,10 +39,26 @@ def answer(
     """See ``AngularContactBallBearing.equilibrium``."""
     found = solved(Cause(bearing, law, asked), start, compiled)
     if asked.shape == () and found.outcome:
-        words = str(found.condition)
-        remedy = REMEDIES[str(found.outcome)]
-        raise NoEquilibrium(words, speed=float(asked.speed[0]), remedy=remedy)
+        word, speed = str(found.outcome), float(asked.speed[0])
+        raise NoEquilibrium(
+            word,
+            speed=speed,
+            remedy=remedy(word, law),
+            look=lambda: str(found.condition).partition(": ")[2],
+        )
     return found
+
+
+def remedy(word: str, law: Law) -> str:
+    """What helps against an outcome under these assumptions."""
+    if word != "no equilibrium":
+        return REMEDIES[word]
+    ways = ["raise the load", "lower the speed"]
+    if law.friction is None:
+        ways.append("give a limit of friction")
+    if law.kinematics in ("inner", "geometric"):
+        ways.append("use outer or hybrid kinematics")
+    return ", ".join(ways[:-1]) + f" or {ways[-1]}"
 
 
 def solved(
@@ -63,7 +75,7 @@ def solved(
     for index, axial, turning in _groups(model, asked, outcome):
         problem = _problem(model, asked, origin, index, axial=axial, turning=turning)
         first, near = first_displacement(problem, asked.displacement[index]), None
-        if start is not None and turning:
+        if start is not None and turning and model.one_branch:
             first, near = _neighbour(problem, asked, start, index, first)
         store(states, index, problem, solve(problem, first, near, compiled=fast))
     return state(states, asked.shape, cause)

@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
 from bearings.ball import Balance, Settled
 from bearings.constants import BallConstants
 from bearings.convex import resting_reaction
 from bearings.plane import Pair, direction
-
-Array = NDArray[np.float64]
 
 
 def resting_balance(c: BallConstants, centre: Pair) -> tuple[Balance, Settled]:

@@ -11,9 +11,10 @@ import itertools
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import NDArray
 
 from bearings.cylinder import (
     AXIAL_CONDITIONS,
@@ -25,6 +26,9 @@ from bearings.cylinder import (
     require_inside,
 )
 from bearings.errors import InvalidBearing
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
 
 __all__ = [
     "AXIAL_CONDITIONS",

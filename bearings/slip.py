@@ -1,9 +1,10 @@
 """How much gyroscopic moment the races of a ball hold by friction.
 
 A race holds λ Mg only up to μ D Q. Where a hypothesis asks for more, the ball pivots on the race
-that slips: its moment is what the races hold, and its axis yields in the same ratio (tan β falls
-with Mg), so that a ball fades out of contact instead of being thrown off. Plain expressions of
-floats or arrays, which compile as they stand.
+that slips: its moment is what the races hold, and its axis is taken to yield in the same ratio
+(tan β falls with Mg). A ball whose inner share does not vanish with its load then fades out of
+contact instead of being thrown off. Plain expressions of floats or arrays, which compile as they
+stand.
 """
 
 from __future__ import annotations

@@ -33,6 +33,8 @@ def frozen(state: BearingState) -> Array:
     cause = state.cause
     g = geometry(cause.bearing)
     speed = state.speed.reshape(-1)
+    if not speed.size:
+        return state.complete_stiffness
     problem = Problem(
         model=BallModel(g, cause.law),
         ring=full_ring(g),

@@ -1,4 +1,4 @@
-"""The compiled door: many states, one after the other, each started from the last where it is near.
+"""The compiled door: many states, one after the other; in a chain each may start from the last.
 
 Compiled at its first call, kept on disk for the next process (``bearings.compiled.jit``).
 """
@@ -28,11 +28,13 @@ def find_all(  # noqa: PLR0913 - compiled functions take plain numbers and array
     given: tuple[Array, Array, Array],
     answer: tuple[Array, Array, Array, Array, NDArray[np.bool_]],
     near: NDArray[np.bool_],
+    chained: bool,
 ) -> None:
     """States of ``given`` = (A₀ (s, 2), speed (s,), load (s, 5)).
 
     Written into ``answer`` = (d (s, 5), X (s, n, 2), load (s, 5), K (s, 5, 5), found (s,)), where d
-    and, if ``near`` (s,), X are the starts.
+    and, if ``near`` (s,), X are the starts. ``chained``: a state starts from the one before where
+    load, displacement and speed are close; otherwise every state is found on its own.
     """
     origin, speed, load = given
     d, x, carried, stiffness, found = answer
@@ -44,7 +46,7 @@ def find_all(  # noqa: PLR0913 - compiled functions take plain numbers and array
             constants, law, azimuth, scale, free, balls, turning, origin[k], squared, push, load[k]
         )
         start = near[k]
-        if not start and k and found[k - 1] and _near(p, speed, load, d, k):
+        if chained and not start and k and found[k - 1] and _near(p, speed, load, d, k):
             start = True
             _begin(d, x, free, k)
         found[k] = find(p, d[k], x[k], start, w)

@@ -18,10 +18,10 @@ from bearings.compiled.one_state import (
     evaluate_convex,
     moved,
 )
+from bearings.constants import EPS
 from bearings.plane import turned_far
 from bearings.problem import (
     CONVEX_STEPS,
-    EPS,
     HALVINGS,
     LONGEST_STEP,
     LONGEST_TURN,
@@ -30,6 +30,7 @@ from bearings.problem import (
     QUICK_STEPS,
     SETTLED,
     SHORTEST_BLEND,
+    SOFT,
     SOFTEST,
     TOLERANCE,
 )
@@ -99,7 +100,7 @@ def convex(p: One, d: Array, x: Array, w: Work) -> bool:
     found = evaluate_convex(p, d, x, w)
     if len(p.free) == 0:
         return True
-    soft = SOFTEST * p.balls * p.constants.series_stiffness
+    soft = SOFT * p.balls * p.constants.series_stiffness
     soft *= np.sqrt(1e-3 * (p.constants.inner_reach + p.constants.outer_reach))
     for _ in range(CONVEX_STEPS):
         if _settled(p, found, w):
@@ -160,6 +161,7 @@ def _missing(p: One, carried: Array, w: Work) -> tuple[Array, float]:
 def _missing_step(p: One, soft: float, w: Work) -> Array:
     """Step of the convex stage (5,), its length bounded."""
     k, gap = _reduced(p, w.action, w)
+    soft += SOFTEST * np.abs(k).max()
     for i in range(len(gap)):
         k[i, i] += soft
     part, step = solve(k, gap)[0], np.zeros(5)

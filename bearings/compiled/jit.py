@@ -9,10 +9,10 @@ from __future__ import annotations
 import hashlib
 import os
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from functools import cache
 from pathlib import Path
-from types import FunctionType, ModuleType
+from types import FunctionType
 from typing import Any
 
 from bearings.plane import where
@@ -26,8 +26,16 @@ def compiled(function: Callable[..., Any], *, keep: bool = False) -> Any:
 
     ``keep``: on disk too, for the next process; meant for entries, whose callees come with them.
     """
-    numba = _numba()
-    return numba.njit(_bound(function), cache=keep, error_model="numpy")
+    import numba
+
+    if not keep:
+        return numba.njit(_bound(function), error_model="numpy")
+    usual: str = numba.config.CACHE_DIR  # type: ignore[attr-defined]
+    try:
+        numba.config.CACHE_DIR = str(_folder())  # type: ignore[attr-defined]
+        return numba.njit(_bound(function), cache=True, error_model="numpy")
+    finally:
+        numba.config.CACHE_DIR = usual  # type: ignore[attr-defined]
 
 
 def is_kept() -> bool:
@@ -56,28 +64,29 @@ def _bound(function: Callable[..., Any]) -> FunctionType:
 
 
 @cache
-def _numba() -> ModuleType:
-    """numba, its cache in a folder of these sources unless the user has named one."""
-    import numba
-
-    if "NUMBA_CACHE_DIR" not in os.environ:
-        setattr(numba.config, "CACHE_DIR", str(_folder()))  # noqa: B010 - set at run time there
-    return numba
-
-
-@cache
 def _folder() -> Path:
     """A writable folder of this user, named by a hash of the sources."""
     digest = hashlib.sha256()
     for source in sorted(Path(__file__).parents[1].rglob("*.py")):
         digest.update(source.read_bytes())
     name = f"{PACKAGE}-{digest.hexdigest()[:16]}"
-    home = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
-    for root in (Path(home) / "rotordyn", Path(tempfile.gettempdir()) / f"rotordyn-{os.getuid()}"):
+    for root in _roots():
         try:
-            (root / name).mkdir(parents=True, exist_ok=True)
+            root.mkdir(parents=True, exist_ok=True)
+            (root / name).mkdir(mode=0o700, exist_ok=True)
         except OSError:
             continue
         if os.access(root / name, os.W_OK):
             return root / name
     return Path(tempfile.mkdtemp(prefix=PACKAGE))
+
+
+def _roots() -> Iterator[Path]:
+    """Where caches belong: as numba's user has it, else as this user's system has it."""
+    for variable in ("NUMBA_CACHE_DIR", "XDG_CACHE_HOME", "LOCALAPPDATA"):
+        if given := os.environ.get(variable):
+            yield Path(given) / "rotordyn"
+    try:
+        yield Path.home() / ".cache" / "rotordyn"
+    except RuntimeError:  # a user without a home
+        return

@@ -41,11 +41,13 @@ def _entry() -> Any:
     return compiled(find_all, keep=True)
 
 
-def compiled_states(problem: Problem, displacement: Array, guess: Array | None) -> Answer:
+def compiled_states(
+    problem: Problem, displacement: Array, guess: Array | None, *, chained: bool = False
+) -> Answer:
     """Solve one state after the other.
 
-    ``displacement`` (s, 5), ``guess`` (2, s or fewer, n): starts; where there is no guess, a state
-    starts from the one before if that is near.
+    ``displacement`` (s, 5), ``guess`` (2, s or fewer, n): starts; ``chained``: where there is no
+    guess, a state starts from the one before if that is near.
     """
     model, ring = problem.model, problem.ring
     states, balls = len(problem.speed), ring.balls
@@ -54,7 +56,7 @@ def compiled_states(problem: Problem, displacement: Array, guess: Array | None) 
         x[: guess.shape[1]] = np.moveaxis(guess, 0, -1)
     load, stiffness = np.zeros((states, 5)), np.zeros((states, 5, 5))
     found = np.zeros(states, dtype=np.bool_)
-    given = (np.ascontiguousarray(problem.origin.T), problem.speed, problem.load)
+    given = (problem.origin.T, problem.speed, problem.load)
     _entry()(
         model.constants,
         model.numbers,
@@ -63,8 +65,9 @@ def compiled_states(problem: Problem, displacement: Array, guess: Array | None) 
         np.flatnonzero(problem.free),
         model.geometry.balls,
         problem.turning,
-        tuple(np.ascontiguousarray(part) for part in given),
+        tuple(np.array(part, order="C") for part in given),  # one type of array: one compilation
         (d, x, load, stiffness, found),
         np.arange(states) < (0 if guess is None else guess.shape[1]),
+        chained,
     )
     return Answer(d, np.moveaxis(x, -1, 0), load, stiffness, found)

@@ -21,9 +21,10 @@ from rotordyn.case.case import Case
 from rotordyn.job import solve
 
 POINT = "Oc2"
-CHOICES: tuple[tuple[str, str], ...] = (
+CHOICES: tuple[tuple[str, str | float], ...] = (
     *(("kinematics", name) for name in ("hybrid", "geometric", "inner")),
     *(("moment_sharing", name) for name in ("hybrid", "outer", "inner")),
+    ("friction", 0.08),
     ("bearings", "static"),
     ("rotor", "rigid"),
 )

@@ -29,7 +29,7 @@ nitpick_ignore_regex = [
     (r"py:.*", r"(numpy|np|xarray|xr|pathlib|collections|typing|rotordyn|bearings)(\..*)?"),
     (r"py:.*", r"(Array|ArrayLike|NDArray|Complex|Flags|Words|Mapping|Sequence|Path|Fits)"),
 ]
-autodoc_type_aliases = {n: n for n in ("Array", "ArrayLike", "Complex", "Flags", "Words", "Fits")}
+autodoc_type_aliases = {n: n for n in ("Array", "Complex", "Flags", "Words", "Fits")}
 autodoc_member_order = "bysource"
 autodoc_class_signature = "mixed"
 python_maximum_signature_line_length = 88

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from bearings import NoEquilibrium, equilibrium
+from benchmarks.random_bearings import rings
 from tests.oracles.known_bearings import HARRIS_218, RPM, VEX70
 
 FAST = 30000.0 * RPM
@@ -55,6 +56,8 @@ def test_balls_that_are_thrown_off(kinematics: str) -> None:
     ask = dict(load=[60.0, 20.0, 0, 0, 0], kinematics=kinematics, moment_sharing="inner")
     with pytest.raises(NoEquilibrium, match="are thrown off a race") as caught:
         VEX70.equilibrium(speed=FAST, **ask)
+    assert caught.value.outcome == "no equilibrium"
+    assert "limit of friction" in caught.value.remedy
     limit = float(re.findall(r"above (\d+) rpm at this load", str(caught.value))[0])
     speed = np.array([0.5, 0.999, 1.001, 1.1]) * limit * RPM
     state = VEX70.equilibrium(speed=speed, **ask)
@@ -96,6 +99,30 @@ def test_balls_that_are_solved(monkeypatch: pytest.MonkeyPatch) -> None:
     assert widths == {1}
     VEX70.equilibrium(load=[1000.0, 1.0, 0, 0, 0], speed=FAST, compiled=False)
     assert widths == {1, VEX70.balls}
+
+
+def test_what_was_given_is_named() -> None:
+    """The speed that is searched for belongs to the same load, displacement, or both."""
+    move = np.zeros((300, 5))
+    move[:, 0] = np.linspace(0.0, -100e-6, 300)
+    how = dict(speed=24000.0 * RPM, kinematics="inner", moment_sharing="inner")
+    state = VEX70.equilibrium(displacement=move, **how)
+    lost = int(np.flatnonzero(state.outcome == "no equilibrium")[0])
+    with pytest.raises(NoEquilibrium, match=r"above \d+ rpm at this displacement"):
+        VEX70.equilibrium(displacement=move[lost], **how)
+    mixed = dict(load=[None, 0.0, 0.0, 0.0, 0.0], displacement=[move[lost, 0], *[None] * 4])
+    with pytest.raises(NoEquilibrium, match=r"above \d+ rpm at this load and displacement"):
+        VEX70.equilibrium(**mixed, **how)
+
+
+def test_contacts_beyond_the_groove_and_both_races_slipping() -> None:
+    asked, index = rings.draw_states(17), 7
+    state = asked.solve()
+    angle = np.maximum(np.abs(state.inner_angle), np.abs(state.outer_angle))[index]
+    wide = np.flatnonzero((angle > np.pi / 2.0) & (state.inner_load[index] > 0.0))
+    assert state.condition[index].startswith(f"beyond the groove (balls {wide[0]}–{wide[-1]})")
+    both = VEX70.equilibrium(load=[900.0, 0, 0, 0, 0], speed=FAST, friction=0.002)
+    assert (both.slipping != "").all()
 
 
 def test_residual_is_told() -> None:

@@ -9,6 +9,7 @@ from bearings import Follower, InvalidBearing, NoEquilibrium
 from bearings.ball import turning_balance
 from bearings.compiled.jit import compiled
 from bearings.law import Law
+from benchmarks.random_bearings import rings
 from tests.oracles.known_bearings import HARRIS_218, HYPOTHESES, RPM, SHARINGS, VEX70
 
 COUNT = 40
@@ -55,6 +56,31 @@ def test_same_states_under_loads_and_displacements(kinematics: str, friction: fl
         k = alike.complete_stiffness[both]
         fault = np.abs(there.complete_stiffness[both] - k).max((1, 2))
         assert (fault <= 1e-8 * np.abs(k).max((1, 2))).all()
+
+
+@pytest.mark.parametrize("kinematics", ["inner", "geometric"])
+def test_every_state_of_a_sweep_is_found_on_its_own(kinematics: str) -> None:
+    """Where a light ball may be loaded or lost, the state before must not decide."""
+    speed = np.linspace(1000.0, 30000.0, 300) * RPM
+    how = dict(load=[60.0, 20.0, 0, 0, 0], speed=speed, kinematics=kinematics)
+    together = VEX70.equilibrium(compiled=False, **how)
+    single = VEX70.equilibrium(compiled=True, **how)
+    assert (together.outcome == single.outcome).all()
+    assert (together.status == single.status).all()
+    assert (together.outcome != "").any()
+    backwards = VEX70.equilibrium(compiled=True, **(how | dict(speed=speed[::-1])))
+    assert (backwards.status[::-1] == single.status).all()
+
+
+def test_follower_finds_what_the_batched_solver_finds() -> None:
+    """A ring that two balls hold on the way: only the batched solver follows free motions."""
+    asked, index = rings.draw_states(10056), 34
+    law = Law(asked.drawn.kinematics, asked.drawn.sharing)
+    growth = dict(static_growth=asked.static[index], growth=asked.growth[index])
+    follower = Follower(asked.drawn.bearing, speed=asked.speed[index], law=law, **growth)
+    found = follower.displacement(asked.load[index])
+    expected = asked.solve().displacement[index]
+    assert found.displacement == pytest.approx(expected, rel=1e-7, abs=1e-13)
 
 
 def test_mixed_questions_and_axial_states() -> None:
@@ -104,6 +130,9 @@ def test_follower_says_what_it_cannot_do() -> None:
             follower.displacement(wrong)
     with pytest.raises(InvalidBearing, match="does not fit"):
         follower.load(np.zeros((3, 5)), speed=[1.0, 2.0])
+    for wrong in (dict(speed=[1.0, 2.0]), dict(static_growth=[0.0, 1e-6]), dict(growth=np.nan)):
+        with pytest.raises(InvalidBearing):
+            Follower(VEX70, **wrong)
     with pytest.raises(InvalidBearing, match="contact angle"):
         Follower(VEX70, static_growth=1e-3)
     with pytest.raises(InvalidBearing, match="friction"):
