@@ -21,6 +21,7 @@ from bearings.free_motion import beyond
 from bearings.plane import Pair, dot, turned_far
 from bearings.problem import (
     EPS,
+    FIRST_BLEND,
     FIRST_FREE,
     LONGEST_TURN,
     MOST_FREE_MOTIONS,
@@ -237,7 +238,7 @@ def _blended(
     problem: Problem, d: Array, x: Array, done: NDArray[np.bool_]
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Follow the states that are ``done`` at blend 0 to the full problem."""
-    blend, stride = np.zeros(len(d)), np.full(len(d), 0.5)
+    blend, stride = np.zeros(len(d)), np.full(len(d), FIRST_BLEND)
     freed = np.zeros(len(d), dtype=int)
     while True:
         todo = np.flatnonzero(done & (blend < 1.0) & (stride >= SHORTEST_BLEND))
