@@ -23,7 +23,7 @@ def main() -> None:
     parser.add_argument("--repeats", type=int, default=9, help="runs of which the fastest counts")
     parser.add_argument("--states", type=int, default=1000, help="states of a sweep and of a batch")
     parser.add_argument(
-        "--bearings", type=int, default=32, help="bearings that strides are tried on"
+        "--bearings", type=int, default=24, help="bearings that strides are tried on"
     )
     asked = parser.parse_args()
     os.environ.update(dict.fromkeys(ONE_THREAD, "1"))  # before numpy is imported

@@ -28,7 +28,7 @@ from benchmarks.bearing.timing import fastest
 Array = NDArray[np.float64]
 Answer = tuple[Array, Array, Array | None]  # load, displacement, K of some states
 APART = 1e-3  # µm
-JUDGED = 20  # states of a batch
+JUDGED = 10  # states of a batch
 NEAR = 0.99  # of the load: where a warm start comes from
 ONE_LOAD, ONE_SHIFT, SWEEP, BATCH = (
     "one displacement → load, K",

@@ -17,7 +17,7 @@ from unittest import mock
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.problem import FIRST_BLEND, LONGEST_TURN, QUICK_STEPS, SHORTEST_BLEND
+from bearings.problem import FIRST_BLEND, FIRST_FREE, LONGEST_TURN, QUICK_STEPS, SHORTEST_BLEND
 from bearings.state import BearingState
 from benchmarks.bearing.subject import solver
 from benchmarks.random_bearings.rings import Asked, draw_states
@@ -26,7 +26,7 @@ from tests.oracles.random_states import HIGHEST
 Array = NDArray[np.float64]
 EACH = 50
 SAME = 1e-5  # of the ball's diameter
-FINE, FINER = 2.0**-6, 2.0**-8
+FINE, FINER = 2.0**-5, 2.0**-7
 
 
 @dataclass(frozen=True)
@@ -37,6 +37,7 @@ class Strides:
     turn: float = LONGEST_TURN
     shortest: float = SHORTEST_BLEND
     quick: int = QUICK_STEPS
+    free: float = FIRST_FREE
 
     @contextmanager
     def used(self) -> Iterator[None]:
@@ -46,6 +47,7 @@ class Strides:
             "LONGEST_TURN": self.turn,
             "SHORTEST_BLEND": self.shortest,
             "QUICK_STEPS": self.quick,
+            "FIRST_FREE": self.free,
         }
         with solver(compiled=False), mock.patch.multiple("bearings.equilibrium", **names):
             yield
@@ -53,7 +55,7 @@ class Strides:
 
 def fixed(length: float) -> Strides:
     """Strides of one length, shortened only where they fail, never longer again."""
-    return Strides(first=length, turn=0.05, shortest=2.0**-24, quick=-1)
+    return Strides(first=length, turn=0.05, shortest=2.0**-24, quick=-1, free=length)
 
 
 VARIED = {
@@ -76,7 +78,7 @@ class Judged:
     sure: NDArray[np.bool_]
 
 
-def measure_strides(bearings: int = 32, repeats: int = 2) -> dict[str, Any]:
+def measure_strides(bearings: int = 24, repeats: int = 2) -> dict[str, Any]:
     """How many states were judged, and a line per setting."""
     judged = [_judged(number) for number in range(bearings)]
     sure = sum(int(one.sure.sum()) for one in judged)
