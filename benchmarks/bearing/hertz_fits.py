@@ -28,7 +28,7 @@ from bearings import AngularContactBallBearing, hertz
 from bearings.geometry import geometry
 from bearings.hertz import HertzContact
 from benchmarks.bearing.reference import largest
-from benchmarks.bearing.subject import LOAD, SPEED, solver, vex70
+from benchmarks.bearing.subject import LOAD, SPEED, VEX70, solver
 from benchmarks.bearing.timing import fastest
 from tests.oracles.known_bearings import HARRIS_218, RPM
 
@@ -88,7 +88,7 @@ WAYS: dict[str, Solve] = {
     },
 }
 POINTS = (
-    (vex70(), LOAD, SPEED),
+    (VEX70, LOAD, SPEED),
     (HARRIS_218, np.array([17800.0, 0.0, 0.0, 0.0, 0.0]), 10000.0 * RPM),
 )
 

@@ -10,7 +10,7 @@ import numpy as np
 from bearings import AngularContactBallBearing
 from bearings.state import BearingState
 from benchmarks.bearing.reference import largest
-from benchmarks.bearing.subject import LOAD, SPEED, solver, vex70
+from benchmarks.bearing.subject import LOAD, SPEED, VEX70, solver
 from benchmarks.bearing.timing import fastest
 
 
@@ -34,7 +34,7 @@ COPIES = 200  # states of a batch
 
 def measure_methods(copies: int = COPIES, repeats: int = 7) -> list[dict[str, Any]]:
     """µs per state of each: one state and a batch in numpy, one compiled; how far its K is off."""
-    bearing = vex70()
+    bearing = VEX70
     with solver(compiled=False):
         shift = bearing.equilibrium(load=LOAD, speed=SPEED).displacement
         exact = bearing.equilibrium(displacement=shift, speed=SPEED).stiffness()

@@ -17,11 +17,11 @@ from benchmarks.bearing.reference import Reference, largest
 from benchmarks.bearing.subject import (
     LOAD,
     SPEED,
+    VEX70,
     States,
     random_states,
     solver,
     sweep_states,
-    vex70,
 )
 from benchmarks.bearing.timing import fastest
 
@@ -54,7 +54,7 @@ class Subject:
     """The one state, its neighbour that warm starts come from, and the batches."""
 
     def __init__(self, count: int) -> None:
-        self.bearing: AngularContactBallBearing = vex70()
+        self.bearing: AngularContactBallBearing = VEX70
         self.sweep, self.batch = sweep_states(count), random_states(count)
         self.plain = PlainBearing(self.bearing, SPEED)
         with solver(compiled=False):

@@ -12,20 +12,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 import rotordyn
-from bearings import AngularContactBallBearing
 from benchmarks.processes import ROOT
 
 Array = NDArray[np.float64]
 SPEED = 24000.0 * math.pi / 30.0
+VEX70 = rotordyn.load(ROOT / "cases" / "vex70.yaml").bearing
+assert VEX70 is not None
 LOAD = np.array([1200.0, 0.0, 900.0, 5.0, 0.0])  # Noël (2013), 3.3.1
-
-
-def vex70() -> AngularContactBallBearing:
-    """The bearing of the shipped case."""
-    bearing = rotordyn.load(ROOT / "cases" / "vex70.yaml").bearing
-    if bearing is None:
-        raise ValueError("the case has no bearing")
-    return bearing
 
 
 @contextmanager
@@ -47,7 +40,7 @@ class States:
     def of_loads(cls, load: Array, speed: Array) -> States:
         """Those that exist."""
         with solver(compiled=False):
-            found = vex70().equilibrium(load=load, speed=speed)
+            found = VEX70.equilibrium(load=load, speed=speed)
         kept = found.outcome == ""
         return cls(load[kept], found.displacement[kept], speed[kept])
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from bearings.problem import ON_THE_WAY
 from bearings.state import BearingState
 from benchmarks.bearing.reference import Reference, largest
-from benchmarks.bearing.subject import SPEED, random_states, solver, vex70
+from benchmarks.bearing.subject import SPEED, VEX70, random_states, solver
 from benchmarks.bearing.timing import fastest
 
 Array = NDArray[np.float64]
@@ -36,7 +36,7 @@ def tolerance(asked: float) -> Iterator[None]:
 
 def measure_tolerance(count: int = 200, repeats: int = 5) -> list[dict[str, Any]]:
     """A line per start and tolerance: µs per state, largest relative errors of d and of K."""
-    bearing, states = vex70(), random_states(count)
+    bearing, states = VEX70, random_states(count)
     with solver(compiled=False):
         near = bearing.equilibrium(load=WARM * states.load, speed=SPEED)
         known = bearing.equilibrium(load=states.load, speed=SPEED)
@@ -66,7 +66,7 @@ def measure_tolerance(count: int = 200, repeats: int = 5) -> list[dict[str, Any]
 
 def _true(known: BearingState) -> list[tuple[int, Array, Array]]:
     """(place, d, K) of some states, in more digits."""
-    reference = Reference(vex70(), SPEED)
+    reference = Reference(VEX70, SPEED)
     chosen = np.unique(np.linspace(0, len(known.load) - 1, JUDGED).astype(int))
     pairs = []
     for i in chosen:
@@ -79,7 +79,7 @@ def _true(known: BearingState) -> list[tuple[int, Array, Array]]:
 
 
 def _errors(found: BearingState, true: list[tuple[int, Array, Array]]) -> tuple[float, float]:
-    half = vex70().pitch_diameter / 2.0
+    half = VEX70.pitch_diameter / 2.0
     lever = np.array([1.0, 1.0, 1.0, 1.0 / half, 1.0 / half])
     stiff = found.stiffness()
     moved = [largest(found.displacement[i] - d, d, 1.0 / lever) for i, d, _ in true]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import numpy as np
 import pytest
 
 from bearings import hertz
@@ -13,14 +12,14 @@ from benchmarks.bearing.methods import measure_methods
 from benchmarks.bearing.reference import Reference
 from benchmarks.bearing.speed import lost_from_unloaded, measure_speed
 from benchmarks.bearing.strides import measure_strides
-from benchmarks.bearing.subject import LOAD, SPEED, vex70
+from benchmarks.bearing.subject import LOAD, SPEED, VEX70
 from benchmarks.bearing.tolerance import TOLERANCES, measure_tolerance
 from docs.generate.bearing_times import bearing_parts
 
 
 def test_the_reference_solves_the_same_bearing() -> None:
     """Plain equations in more digits: no function in common with the solver."""
-    bearing = vex70()
+    bearing = VEX70
     state = bearing.equilibrium(load=LOAD, speed=SPEED, compiled=False)
     load, k = Reference(bearing, SPEED).load_and_stiffness(state.displacement, state.ball_centre)
     assert load == pytest.approx(LOAD, abs=1e-9)
@@ -59,7 +58,7 @@ def test_strides_too_coarse_lose_states() -> None:
     found = measure_strides(bearings=2, repeats=1)
     assert found["states"] == 100 >= found["sure"] > 90
     lost = {(line["varied"], line["value"]): line["refused"] for line in found["lines"]}
-    assert lost["shortest stride", 0.5] >= lost["longest turn [rad]", 0.15] == 0
+    assert lost["shortest stride", 0.5] > lost["longest turn [rad]", 0.15] == 0
 
 
 def test_fits_err_as_they_are_known_to() -> None:
@@ -73,18 +72,19 @@ def test_fits_err_as_they_are_known_to() -> None:
 
 
 def test_contacts_are_put_back() -> None:
-    before = geometry(vex70()).inner.stiffness
+    before = geometry(VEX70).inner.stiffness
     with contacts(lambda *case: hertz.HertzContact(1.0, 2.0, 1.0, 1.0, 1.0)):
-        assert geometry(vex70()).inner.stiffness == 1.0
-    assert geometry(vex70()).inner.stiffness == before
+        assert geometry(VEX70).inner.stiffness == 1.0
+    assert geometry(VEX70).inner.stiffness == before
 
 
 def test_all_tables_can_be_written() -> None:
+    speed = dict(task="x", way="y", state=70.0, ball=2.8, error=1e-12, error_k=None)
     first = {"what": "x", "imported": 0.1, "first": 1.0, "second": 0.1}
     found = {
         "busy": None,
         "first_call": [first],
-        "speed": measure_speed(count=2, repeats=1)[:1],
+        "speed": [{**speed, "target": 60.0, "per": "state"}],
         "lost_from_unloaded": 0,
         "methods": measure_methods(copies=2, repeats=1),
         "tolerance": [],
@@ -93,4 +93,5 @@ def test_all_tables_can_be_written() -> None:
     }
     parts = bearing_parts(found)
     assert len(parts) == 6
-    assert all(np.char.count(text, "|") > 0 for text in parts.values())
+    assert "60 µs a state: **missed by 17 %**" in parts["bearing"]
+    assert all(text.startswith("| ") for text in parts.values())
