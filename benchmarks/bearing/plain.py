@@ -1,8 +1,8 @@
 """The equations of a bearing as one writes them down, handed to ``scipy.optimize`` as they are.
 
-Four unknowns a ball (X1, X2, δi, δo) in µm, balances over the start's largest ball load; hybrid
-kinematics, moment shared equally. What a careful user would write: plain numbers per ball, numpy
-where all balls are solved together, no Jacobian, differences for K.
+Four unknowns a ball (X1, X2, δi, δo) in µm, forces in hundreds of newtons; hybrid kinematics,
+moment shared equally. What a careful user would write: plain numbers per ball, numpy where all
+balls are solved together, no Jacobian, differences for K.
 """
 
 from __future__ import annotations
