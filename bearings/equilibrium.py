@@ -22,6 +22,7 @@ from bearings.convex_stage import convex_state
 from bearings.free_motion import beyond
 from bearings.plane import Pair, dot, turned_far
 from bearings.problem import (
+    FIRST_BLEND,
     FIRST_FREE,
     LONGEST_TURN,
     MOST_FREE_MOTIONS,
@@ -238,7 +239,7 @@ def _blended(
     problem: Problem, d: Array, x: Array, done: NDArray[np.bool_]
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Follow the states that are ``done`` at blend 0 to the full problem."""
-    blend, stride = np.zeros(len(d)), np.full(len(d), 0.5)
+    blend, stride = np.zeros(len(d)), np.full(len(d), FIRST_BLEND)
     freed = np.zeros(len(d), dtype=int)
     while True:
         todo = np.flatnonzero(done & (blend < 1.0) & (stride >= SHORTEST_BLEND))

@@ -27,6 +27,7 @@ LONGEST_STEP = 0.2  # of the free distance
 NEWTON_STEPS = 8
 QUICK_STEPS = 5  # a stride that took no more is followed by a longer one
 ON_THE_WAY = 1e-7  # scaled residual of a state that is only followed further
+FIRST_BLEND = 0.5  # tried from the convex problem
 LONGEST_TURN = 0.15  # rad a contact angle may move in one stride
 FIRST_FREE = 1e-4  # stride after a free motion
 MOST_FREE_MOTIONS = 4  # on the way of one state

@@ -10,6 +10,7 @@ from __future__ import annotations
 import argparse
 import json
 import os
+import subprocess
 import sys
 import tempfile
 from collections.abc import Callable
@@ -33,7 +34,6 @@ from benchmarks.processes import (  # noqa: E402
 )
 
 CASE = "cases/mfw2310.yaml"
-RESULTS = ROOT / "benchmarks" / "results.json"
 LIBRARY = f"import rotordyn; rotordyn.run(rotordyn.load({CASE!r}))"
 SOLVE = "solve, all stages"
 SHORT = {
@@ -46,12 +46,13 @@ SHORT = {
 
 
 def measure(runs: int = 7, *, install: bool = False) -> None:
-    """Measure everything and write it down; keep an earlier installation and survey of rotors."""
+    """Measure and write down; an earlier installation and earlier surveys stay as they are."""
     busy = os.getloadavg()[0] if hasattr(os, "getloadavg") else None
     with tempfile.TemporaryDirectory() as made:
         processes, stages, memory = _processes(Path(made) / "out", runs)
-    from benchmarks.bearing import measure_bearing
+    subprocess.run(python("-m", "benchmarks.bearing"), cwd=ROOT, check=True)  # on one core
     from benchmarks.installation import measure_installation
+    from benchmarks.kept import keep
     from benchmarks.precision import curves
     from benchmarks.rotor import measure_frf
 
@@ -61,13 +62,12 @@ def measure(runs: int = 7, *, install: bool = False) -> None:
         "memory": {"tree": memory},
         "processes": processes,
         "stages": stages,
-        "bearing": measure_bearing(),
         "frf": measure_frf(),
         "precision": curves(),
-        "install": measure_installation() if install else _earlier("install"),
-        "random_rotors": _earlier("random_rotors"),
     }
-    RESULTS.write_text(json.dumps(_rounded(found), indent=1, ensure_ascii=False) + "\n")
+    if install:
+        found["install"] = measure_installation()
+    keep(**found)
 
 
 def _processes(
@@ -108,20 +108,6 @@ def _machine(busy: float | None) -> dict[str, Any]:
         "python": platform.python_version(),
         "libraries": {name: version(name) for name in libraries},
     }
-
-
-def _earlier(key: str) -> Any:
-    """What an earlier run wrote down and this one does not measure anew."""
-    return json.loads(RESULTS.read_text()).get(key) if RESULTS.exists() else None
-
-
-def _rounded(value: Any) -> Any:
-    """Numbers with four digits that count."""
-    if isinstance(value, dict):
-        return {key: _rounded(inner) for key, inner in value.items()}
-    if isinstance(value, list):
-        return [_rounded(inner) for inner in value]
-    return float(f"{value:.4g}") if isinstance(value, float) else value
 
 
 def main() -> int:

@@ -9,13 +9,12 @@ errors beyond the accuracy asked for, and what is told of the error are counted,
 from __future__ import annotations
 
 import argparse
-import json
 import math
 from typing import Any
 
 import numpy as np
 
-from benchmarks.processes import ROOT
+from benchmarks.kept import keep
 from rotordyn.analysis import campbell
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions
@@ -81,10 +80,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=1000)
     count = parser.parse_args().count
-    path = ROOT / "benchmarks" / "results.json"
-    results = json.loads(path.read_text(encoding="utf-8"))
-    results["random_rotors"] = [survey(count, accuracy) for accuracy in ACCURACIES]
-    path.write_text(json.dumps(results, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
+    keep(random_rotors=[survey(count, accuracy) for accuracy in ACCURACIES])
 
 
 if __name__ == "__main__":

@@ -52,6 +52,7 @@ GENERATED = {
             "processes",
             "stages",
             "bearing",
+            *(f"bearing-{n}" for n in ("first", "methods", "tolerance", "strides", "hertz")),
             "frf",
             "random",
             "random-bearings",
@@ -265,7 +266,11 @@ def test_every_source_is_listed_once_and_cited() -> None:
 
 def test_figures_are_there_and_small() -> None:
     images = {path.name: path for path in FIGURES.iterdir()}
-    assert set(images) == {"precision.png", *(f"mfw2310_{name}.png" for name in SHOWN)}
+    assert set(images) == {
+        "bearing_error.png",
+        "precision.png",
+        *(f"mfw2310_{name}.png" for name in SHOWN),
+    }
     assert sum(path.stat().st_size for path in images.values()) < 400_000
     assert all(path.read_bytes().startswith(b"\x89PNG") for path in images.values())
 

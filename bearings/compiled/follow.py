@@ -22,6 +22,7 @@ from bearings.constants import EPS
 from bearings.plane import turned_far
 from bearings.problem import (
     CONVEX_STEPS,
+    FIRST_BLEND,
     HALVINGS,
     LONGEST_STEP,
     LONGEST_TURN,
@@ -43,7 +44,7 @@ def find(p: One, d: Array, x: Array, near: bool, w: Work) -> bool:
 
     ``near``: the start is a state close by, which is tried first.
     """
-    blend, stride, direct = 0.0, 0.5, near and p.turning
+    blend, stride, direct = 0.0, FIRST_BLEND, near and p.turning
     if not direct and not convex(p, d, x, w):
         return False
     if not p.turning:

@@ -8,10 +8,8 @@ from elsewhere, ``--sweeps N``. What they come to is written into ``benchmarks/r
 from __future__ import annotations
 
 import argparse
-import json
-from typing import Any
 
-from benchmarks.processes import ROOT
+from benchmarks.kept import keep
 from benchmarks.random_bearings.balls import survey_balls
 from benchmarks.random_bearings.paths import survey_ball_paths, survey_ring_paths
 from benchmarks.random_bearings.rings import FRICTION, survey_friction, survey_rings
@@ -30,7 +28,7 @@ def main() -> None:
         parser.add_argument(f"--{name}", type=int, default=size)
     asked = parser.parse_args()
     keep(
-        {
+        random_bearings={
             "balls": survey_balls(asked.balls),
             "bearings": survey_rings(asked.bearings),
             "ball_paths": survey_ball_paths(asked.paths, asked.paths),
@@ -41,14 +39,6 @@ def main() -> None:
             "friction_sweeps": survey_sweeps(asked.sweeps, FRICTION),
         }
     )
-
-
-def keep(found: dict[str, Any]) -> None:
-    """Beside the other measurements."""
-    path = ROOT / "benchmarks" / "results.json"
-    results = json.loads(path.read_text(encoding="utf-8"))
-    results["random_bearings"] = found
-    path.write_text(json.dumps(results, indent=1, ensure_ascii=False) + "\n", encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -18,6 +18,7 @@ def main() -> int:
 
         _step("times measured", measure)
     from docs.generate import pages
+    from docs.generate.bearing_curves import draw_bearing_curves
     from docs.generate.figures import draw_figures
     from docs.generate.precision import draw_precision
 
@@ -25,6 +26,7 @@ def main() -> int:
         _step(name, work)
     _step("docs/figures", draw_figures)
     _step("docs/figures/precision.png", draw_precision)
+    _step("docs/figures/bearing_error.png", draw_bearing_curves)
     return 0
 
 

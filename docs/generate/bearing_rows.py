@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from bearings import STEEL, AngularContactBallBearing, Material
 from bearings.geometry import geometry
 from bearings.state import BearingState
-from benchmarks.bearing import VEX70
+from benchmarks.bearing.subject import VEX70
 from docs.generate.rows import Row
 
 Array = NDArray[np.float64]

@@ -33,14 +33,14 @@ def precision_figure(lines: list[dict[str, Any]]) -> Figure:
             own = [r for r in lines if r["machine"] == machine and r["elements"] == kind]
             seconds = [1e3 * r["seconds"] for r in own]
             axes.loglog(seconds, [r["error"] for r in own], look, color=colour, ms=4.0, label=kind)
-        _plain_ticks(axes)
+        plain_ticks(axes)
         axes.set_title(machine, fontsize=8.0, pad=4.0)
         if not place:
             legend(axes, loc="lower left")
     return figure
 
 
-def _plain_ticks(axes: Axes) -> None:
+def plain_ticks(axes: Axes) -> None:
     """Both scales logarithmic, with few ticks written out."""
     from matplotlib.ticker import NullFormatter, NullLocator
 

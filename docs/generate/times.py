@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 from typing import Any
 
+from docs.generate.bearing_times import bearing_parts
 from docs.generate.marked import table
 from docs.generate.places import MEASURED
 from docs.generate.random_bearings import (
@@ -53,7 +54,7 @@ def benchmark_parts(found: Measured) -> dict[str, str]:
         "targets": short_table(found).rpartition("\n\n")[0],
         "processes": _processes(found),
         "stages": _stages(found),
-        "bearing": _bearing(found),
+        **bearing_parts(found["bearing"]),
         "frf": _frf(found),
         "precision": _precision(found),
         "random": _random(found),
@@ -103,15 +104,6 @@ def _processes(found: Measured) -> str:
 def _stages(found: Measured) -> str:
     rows = [(name, f"{1e3 * seconds:.1f}") for name, seconds in found["stages"].items()]
     return table(("stage", "time [ms]:"), rows)
-
-
-def _bearing(found: Measured) -> str:
-    rows = [
-        (b["name"], str(b["states"]), f"{b['state']:.1f}", f"{b['ball']:.2f}", f"{b['error']:.0e}")
-        for b in found["bearing"]
-    ]
-    head = ("solve", "states:", "µs per state:", "µs per ball:", "largest relative residual:")
-    return table(head, rows)
 
 
 def _frf(found: Measured) -> str:

@@ -1,0 +1,142 @@
+"""Error against time of one bearing's solver, drawn from what was measured last."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from docs.generate.places import FIGURES
+from docs.generate.precision import plain_ticks
+from docs.generate.times import measured
+from rotordyn.plots.legends import legend
+from rotordyn.plots.style import (
+    BLACK,
+    BLUE,
+    GREEN,
+    GREY,
+    ORANGE,
+    PURPLE,
+    RED,
+    add_axes,
+    grid_boxes,
+    new_figure,
+    save,
+)
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+STARTS = {"warm": (BLUE, "o-"), "cold": (RED, "s--")}
+VARIED = {
+    "first stride": (ORANGE, "v-."),
+    "longest turn [rad]": (BLUE, "o-"),
+    "shortest stride": (RED, "s--"),
+    "fixed strides": (GREEN, "^:"),
+}
+FITS = {
+    "Brewe and Hamrock 1977": (ORANGE, "v", "fit of 1977"),
+    "Hamrock and Brewe 1983": (PURPLE, "^", "fit of 1983"),
+}
+EXACT = "exact, `bearings.hertz`"
+STANDARD = "as shipped"
+NEWTON, PATH, CONTACT = "where Newton stops", "how finely the path is followed", "contact stiffness"
+ROOM = {NEWTON: (0.3, 1.4), PATH: (0.8, 1.25), CONTACT: (0.6, 1.6)}  # of the times, for legends
+
+
+def draw_bearing_curves() -> None:
+    """The curves of the last measurement into the folder of figures."""
+    save(bearing_figure(measured()["bearing"]), FIGURES, "bearing_error")
+    (FIGURES / "bearing_error.svg").unlink()
+
+
+def bearing_figure(found: dict[str, Any]) -> Figure:
+    """Where Newton stops; how finely the path is followed; contacts."""
+    figure = new_figure(188.0, 82.0)
+    boxes = grid_boxes(figure, 1, 3, margins=(15.0, 4.0, 12.0, 8.0), gaps=(16.5, 0.0))
+    for draw, box in zip((_tolerance, _strides, _hertz), boxes, strict=True):
+        draw(add_axes(figure, box), found)
+    return figure
+
+
+def _labelled(axes: Axes, title: str, x: str, y: str) -> None:
+    """Words, room around the curves, and scales."""
+    axes.set_title(title, fontsize=8.0, pad=4.0)
+    axes.set_xlabel(x, fontsize=8.0)
+    axes.set_ylabel(y, fontsize=8.0)
+    axes.autoscale()
+    low, high = axes.get_ylim()
+    axes.set_ylim(low / 3.0, 3.0 * high)
+    first, last = axes.get_xlim()
+    axes.set_xlim(first * ROOM[title][0], last * ROOM[title][1])
+    plain_ticks(axes)
+
+
+def _tolerance(axes: Axes, found: dict[str, Any]) -> None:
+    for start, (colour, look) in STARTS.items():
+        own = [line for line in found["tolerance"] if line["start"] == start]
+        times, errors = [r["state"] for r in own], [r["error_k"] for r in own]
+        axes.loglog(times, errors, look, color=colour, ms=3.5, label=start)
+        shipped = [r for r in own if r["tolerance"] == 1e-11]
+        _ring(axes, shipped[0]["state"], shipped[0]["error_k"])
+    axes.plot([], [], "o", color=BLACK, mfc="none", ms=8.0, label=STANDARD)
+    _labelled(axes, NEWTON, "µs per state", "largest relative error of K [-]")
+    legend(axes, loc="lower left")
+
+
+def _strides(axes: Axes, found: dict[str, Any]) -> None:
+    sure = found["strides"]["sure"]
+    floor = 0.5 / sure
+    for name, (colour, look) in VARIED.items():
+        own = [line for line in found["strides"]["lines"] if line["varied"] == name]
+        shares = [max(r["share"], floor) for r in own]
+        axes.loglog(
+            [1e-3 * r["state"] for r in own], shares, look, color=colour, ms=3.5, label=name
+        )
+    shipped = next(
+        r
+        for r in found["strides"]["lines"]
+        if r["varied"] == "longest turn [rad]" and r["value"] == 0.15
+    )
+    _ring(axes, 1e-3 * shipped["state"], max(shipped["share"], floor))
+    axes.axhline(floor, color=GREY, lw=0.8, ls=":")
+    _labelled(axes, PATH, "ms per state", "share of wrong states [-]")
+    axes.annotate(
+        f"none of {sure}",
+        (0.03, floor),
+        xycoords=("axes fraction", "data"),
+        xytext=(0, 3),
+        textcoords="offset points",
+        ha="left",
+        fontsize=6.5,
+        color=GREY,
+    )
+    legend(axes, loc="upper right")
+
+
+def _hertz(axes: Axes, found: dict[str, Any]) -> None:
+    def worst(line: dict[str, Any]) -> float:
+        return max(line["k"].values())
+
+    lines = {line["way"]: line for line in found["hertz"]}
+    scipy = [line for way, line in lines.items() if way.startswith("SciPy")]
+    axes.loglog(
+        [r["contact"] for r in scipy],
+        [worst(r) for r in scipy],
+        "s--",
+        color=RED,
+        ms=3.5,
+        label="SciPy",
+    )
+    for way, (colour, mark, name) in FITS.items():
+        line = lines[way]
+        axes.loglog([line["contact"]], [worst(line)], mark, color=colour, ms=5.0, label=name)
+    exact = lines[EXACT]
+    axes.loglog([exact["contact"]], [worst(exact)], "o", color=BLUE, ms=5.0, label="exact")
+    _ring(axes, exact["contact"], worst(exact))
+    _labelled(axes, CONTACT, "µs per contact", "largest relative error of k [-]")
+    legend(axes, loc="lower left")
+
+
+def _ring(axes: Axes, time: float, error: float) -> None:
+    """Marks what the solver does by itself."""
+    axes.plot([time], [error], "o", color=BLACK, mfc="none", ms=8.0, zorder=5)
