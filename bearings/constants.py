@@ -37,7 +37,7 @@ class BallConstants(NamedTuple):
 def ball_constants(g: Geometry, friction: float | None) -> BallConstants:
     """Of a bearing; without a limit of ``friction`` μ none is set."""
     half = 0.5 * (1.0 - g.size_ratio * math.cos(g.contact_angle))
-    return BallConstants(
+    numbers = BallConstants(
         inner_stiffness=g.inner.stiffness,
         outer_stiffness=g.outer.stiffness,
         series_stiffness=g.series_stiffness,
@@ -53,3 +53,4 @@ def ball_constants(g: Geometry, friction: float | None) -> BallConstants:
         nominal=half**2,
         limit=0.0 if friction is None else friction * g.ball_diameter,
     )
+    return BallConstants(*map(float, numbers))  # one type of number: one compilation

@@ -38,6 +38,7 @@ from bearings.rest import resting_balance
 from bearings.ring import rows
 
 Array = NDArray[np.float64]
+Answers = tuple[Array, Array, NDArray[np.str_], "Linear | None"]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -79,18 +80,9 @@ def solve(
     after the other instead of all together.
     """
     if compiled:
-        from bearings.compiled.states import compiled_states
-
-        answer = compiled_states(problem, displacement, guess)
-        d, x, done, linear = answer.displacement, answer.ball, answer.found, None
-        missing = np.flatnonzero(~done)  # free motions are followed together only
-        if missing.size:
-            part = problem.take(missing)
-            d[missing], x[:, missing], done[missing] = _together(part, displacement[missing], None)[
-                :3
-            ]
+        d, x, outcome, linear = _one_by_one(problem, displacement, guess)
     else:
-        d, x, done, linear = _together(problem, displacement, guess)
+        d, x, outcome, linear = _together(problem, displacement, guess)
     if linear is None:
         linear = linearise(problem, d, x, np.ones(len(d)))
     return Solution(
@@ -100,27 +92,44 @@ def solve(
         ring_load=linear.ring_load,
         stiffness=tangent(problem, linear.balls),
         residual=linear.error,
-        outcome=np.where(done, "", "no equilibrium").astype("<U16"),
+        outcome=outcome,
     )
 
 
-def _together(
-    problem: Problem, displacement: Array, guess: Array | None
-) -> tuple[Array, Array, NDArray[np.bool_], Linear | None]:
-    """(d, X), where there is a state, and its linearisation if that is known."""
+def _one_by_one(problem: Problem, displacement: Array, guess: Array | None) -> Answers:
+    """Compiled; what is refused so is looked for together, where free motions are followed."""
+    from bearings.compiled.states import compiled_states
+
+    answer = compiled_states(problem, displacement, guess)
+    d, x, outcome = answer.displacement, answer.ball, _words(answer.found)
+    missing = np.flatnonzero(~answer.found)
+    if missing.size:
+        found = _together(problem.take(missing), displacement[missing], None)
+        d[missing], x[:, missing], outcome[missing] = found[:3]
+    return d, x, outcome, None
+
+
+def _together(problem: Problem, displacement: Array, guess: Array | None) -> Answers:
+    """(d, X), the outcome of every state, and its linearisation if that is known."""
     states = len(problem.speed)
     d, x = displacement.copy(), np.zeros((2, states, problem.ring.balls))
     done, linear = np.zeros(states, dtype=bool), None
     if problem.turning and guess is not None:
         d, x, done, linear = _correct(problem, d, guess, np.ones(states))[:4]
-    if not done.all():
-        cold = np.flatnonzero(~done)
-        part = problem.take(cold)
-        d[cold], x[:, cold], done[cold] = convex_state(part, displacement[cold])
+    outcome = _words(done)
+    cold = np.flatnonzero(~done)
+    if cold.size:
+        part, linear = problem.take(cold), None
+        d[cold], x[:, cold], reached = convex_state(part, displacement[cold])
+        found = reached
         if problem.turning:
-            d[cold], x[:, cold], done[cold] = _blended(part, d[cold], x[:, cold], done[cold])
-        linear = None
-    return d, x, done, linear
+            d[cold], x[:, cold], found = _blended(part, d[cold], x[:, cold], reached)
+        outcome[cold] = np.where(reached, _words(found), "overloaded")
+    return d, x, outcome, linear
+
+
+def _words(done: NDArray[np.bool_]) -> NDArray[np.str_]:
+    return np.where(done, "", "no equilibrium").astype("<U16")
 
 
 def linearise(problem: Problem, d: Array, x: Array, blend: Array) -> Linear:

@@ -109,26 +109,40 @@ class Follower:
         if not omega.size:
             nothing = np.zeros(shape, dtype=bool)
             return Followed(load, move, np.zeros((*shape, 5, 5)), nothing)
-        turns = self._model.turns(omega)
-        answers = [
-            self._answer(move.reshape(-1, 5)[part], load.reshape(-1, 5)[part], omega[part], free)
-            for part in np.split(np.arange(len(omega)), np.flatnonzero(np.diff(turns)) + 1)
-        ]
-        load, move, k, found = (
-            np.concatenate([getattr(a, name) for a in answers])
-            for name in ("load", "displacement", "stiffness", "found")
-        )
+        answer = self._alike(move.reshape(-1, 5), load.reshape(-1, 5), omega, free=free)
+        found = answer.found
         if shape == () and not found[0]:
             word = "unloaded" if free and not load.any() else "no equilibrium"
             raise NoEquilibrium(word, speed=float(omega[0]), remedy="see `equilibrium` for why")
+        if not found.all():
+            for part in (answer.load, answer.displacement, answer.stiffness):
+                part[~found] = np.nan
         return Followed(
-            np.where(found[:, None], load, np.nan).reshape(*shape, 5),
-            np.where(found[:, None], move, np.nan).reshape(*shape, 5),
-            np.where(found[:, None, None], k, np.nan).reshape(*shape, 5, 5),
+            answer.load.reshape(*shape, 5),
+            answer.displacement.reshape(*shape, 5),
+            answer.stiffness.reshape(*shape, 5, 5),
             found.reshape(shape),
         )
 
-    def _answer(self, move: Array, load: Array, omega: Array, free: bool) -> Answer:
+    def _alike(self, move: Array, load: Array, omega: Array, *, free: bool) -> Answer:
+        """States at rest and turning ones apart, in their order."""
+        turns = self._model.turns(omega)
+        if turns.all() or not turns.any():
+            return self._answer(move, load, omega, free=free, turning=bool(turns[0]))
+        borders = np.flatnonzero(np.diff(turns)) + 1
+        answers = [
+            self._answer(move[k], load[k], omega[k], free=free, turning=bool(turns[k[0]]))
+            for k in np.split(np.arange(len(omega)), borders)
+        ]
+        joined = {
+            name: np.concatenate([getattr(a, name) for a in answers])
+            for name in ("displacement", "load", "stiffness", "found")
+        }
+        return Answer(ball=answers[-1].ball, **joined)
+
+    def _answer(
+        self, move: Array, load: Array, omega: Array, *, free: bool, turning: bool
+    ) -> Answer:
         """States that are all at rest or all turning."""
         problem = Problem(
             model=self._model,
@@ -137,7 +151,7 @@ class Follower:
             speed=omega,
             load=load,
             free=np.full(5, free),
-            turning=bool(self._model.turns(omega[:1])[0]),
+            turning=turning,
         )
         near, last, chained = None, self._last, self._model.one_branch
         if last is not None and last.found[-1] and self._model.one_branch:

@@ -24,6 +24,7 @@ Array = NDArray[np.float64]
 TOGETHER = 20000  # balls in one batch: bounds the memory
 
 REMEDIES = {
+    "overloaded": "the balls are pressed far out of their grooves; is the unit of the load right?",
     "unloaded": "no load presses the rings together; give a load, or a displacement",
     "no contact angle": "static growth takes the whole contact angle; reduce the fit",
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import pickle
 import re
 from typing import Any
 
@@ -123,6 +124,49 @@ def test_contacts_beyond_the_groove_and_both_races_slipping() -> None:
     assert state.condition[index].startswith(f"beyond the groove (balls {wide[0]}–{wide[-1]})")
     both = VEX70.equilibrium(load=[900.0, 0, 0, 0, 0], speed=FAST, friction=0.002)
     assert (both.slipping != "").all()
+
+
+def test_light_and_absurd_loads_at_rest() -> None:
+    """A millinewton is found; what no groove holds is not called a lack of load."""
+    light = VEX70.equilibrium(
+        load=[[1e-3, 3e-4, 0, 0, 0], [1e-3, 2e-3, 0, 0, 0], [0, 0.1, 0.01, 0, 0]]
+    )
+    assert (light.outcome == "").all()
+    assert light.residual.max() < 1e-10
+    with pytest.raises(NoEquilibrium, match="is the unit of the load right"):
+        VEX70.equilibrium(load=[1e9, 0, 0, 0, 0])
+
+
+def test_nothing_presses_a_ring_that_may_retreat() -> None:
+    with pytest.raises(NoEquilibrium, match="unloaded"):
+        VEX70.equilibrium(load=[0, 0, 0, None, None], displacement=[None, None, None, 0, 0])
+
+
+def test_the_error_travels_and_names_what_helps() -> None:
+    ask = dict(load=[60.0, 20.0, 0, 0, 0], speed=FAST, kinematics="inner", moment_sharing="inner")
+    with pytest.raises(NoEquilibrium) as caught:
+        VEX70.equilibrium(**ask)
+    again = pickle.loads(pickle.dumps(caught.value))
+    assert str(again) == str(caught.value)
+    assert again.remedy.endswith("give a limit of friction or use outer or hybrid kinematics")
+    folding = {name: value for name, value in FOLDING.items() if name != "bearing"}
+    with pytest.raises(NoEquilibrium) as limited:
+        HARRIS_218.equilibrium(**folding)
+    assert "limit" not in limited.value.remedy
+
+
+@pytest.mark.parametrize("kinematics", ["inner", "geometric"])
+def test_a_start_decides_nothing(kinematics: str) -> None:
+    """Where two branches exist a neighbour is no start."""
+    speed, load = 13500.0 * RPM, np.array([[70.0, 29.0, 0, 0, 0]])
+    how = dict(speed=speed, kinematics=kinematics)
+    heavier = VEX70.equilibrium(load=1.3 * load, **how)
+    cold, warm = (
+        VEX70.equilibrium(load=load, **how),
+        VEX70.equilibrium(load=load, start=heavier, **how),
+    )
+    assert (cold.outcome == warm.outcome).all()
+    assert np.array_equal(cold.inner_load, warm.inner_load, equal_nan=True)
 
 
 def test_residual_is_told() -> None:

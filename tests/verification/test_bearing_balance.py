@@ -14,7 +14,7 @@ from tests.oracles.balance import ball_faults, ring_fault
 from tests.oracles.ball_bearing import BallBearingOracle
 from tests.oracles.known_bearings import HARRIS_218, HYPOTHESES, RPM, SHARINGS, VEX70
 
-OUTCOMES = {"", "unloaded", "no equilibrium", "no contact angle"}
+OUTCOMES = {"", "unloaded", "no equilibrium", "no contact angle", "overloaded"}
 STATUS = {"loaded", "open side", "lost contact", "unloaded"}
 COUNT = 150
 

@@ -2,11 +2,19 @@
 
 from __future__ import annotations
 
+import os
+import re
+import subprocess
+import sys
+from dataclasses import replace
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 from bearings import Follower, InvalidBearing, NoEquilibrium
 from bearings.ball import turning_balance
+from bearings.compiled import states
 from bearings.compiled.jit import compiled
 from bearings.law import Law
 from benchmarks.random_bearings import rings
@@ -113,6 +121,36 @@ def test_follower_marches_through_loads_and_speeds() -> None:
     sweep = follower.displacement(np.broadcast_to(LOAD, (80, 5)), speeds)
     at_speeds = VEX70.equilibrium(load=LOAD, speed=speeds, **how)
     assert sweep.displacement == pytest.approx(at_speeds.displacement, rel=1e-8, abs=1e-14)
+
+
+def test_one_compilation_serves_all() -> None:
+    """Single states, batches, rest, other bearings: one kind of arguments."""
+    Follower(VEX70, speed=SPEED).displacement(LOAD)
+    other = replace(VEX70, ball_diameter=np.float32(9.5e-3))
+    for bearing, speed in ((VEX70, 0.0), (HARRIS_218, 500.0), (other, [100.0, 200.0])):
+        bearing.equilibrium(load=LOAD, speed=speed, compiled=True)
+    Follower(HARRIS_218).load(np.zeros((3, 5)))
+    assert len(states._entry().signatures) == 1
+
+
+def test_compiled_functions_are_kept_by_their_sources(tmp_path: Path) -> None:
+    """Whatever folder numba's user names, other sources have another one."""
+    code = "from bearings.compiled.jit import _folder; print(_folder())"
+    environment = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)}
+    done = subprocess.run(
+        [sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True
+    )
+    folder = Path(done.stdout.strip())
+    assert folder.is_relative_to(tmp_path)
+    assert re.fullmatch(r"bearings-[0-9a-f]{16}", folder.name)
+
+
+def test_follower_of_nothing() -> None:
+    follower = Follower(VEX70, speed=SPEED)
+    assert follower.load(np.empty((0, 5))).stiffness.shape == (0, 5, 5)
+    for wrong in (dict(bearing="VEX70"), dict(bearing=VEX70, law="outer")):
+        with pytest.raises(InvalidBearing, match="a follower takes a"):
+            Follower(**wrong)
 
 
 def test_follower_says_what_it_cannot_do() -> None:
