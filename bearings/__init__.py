@@ -11,14 +11,17 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from bearings.angular_contact import AngularContactBallBearing
     from bearings.errors import BearingError, InvalidBearing, NoEquilibrium
-    from bearings.follower import Follower
+    from bearings.follower import Followed, Follower
+    from bearings.law import Law
     from bearings.materials import SILICON_NITRIDE, STEEL, Material
 
 _HOME = {
     "AngularContactBallBearing": "bearings.angular_contact",
     "BearingError": "bearings.errors",
+    "Followed": "bearings.follower",
     "Follower": "bearings.follower",
     "InvalidBearing": "bearings.errors",
+    "Law": "bearings.law",
     "Material": "bearings.materials",
     "NoEquilibrium": "bearings.errors",
     "SILICON_NITRIDE": "bearings.materials",
@@ -29,8 +32,10 @@ __all__ = [
     "STEEL",
     "AngularContactBallBearing",
     "BearingError",
+    "Followed",
     "Follower",
     "InvalidBearing",
+    "Law",
     "Material",
     "NoEquilibrium",
 ]
