@@ -25,7 +25,8 @@ from bearings.plane import (
     row_times,
     where,
 )
-from bearings.slip import Contact, Polar, limited, times
+from bearings.polar import Polar, combined, scaled, times
+from bearings.slip import Contact, limited
 
 
 class LawNumbers(NamedTuple):
@@ -109,13 +110,13 @@ def turning_balance(
     full = c.orbit * squared
     push = full * (c.nominal + blend * (orbit.value**2 - c.nominal))
     fc = _chained(push, 2.0 * vary * blend * full * orbit.value, orbit, tilt)
-    ti = _scaled(vary, 1.0 / c.ball_diameter, times(share, moment))
-    to = _sum(1.0, _scaled(vary, 2.0 / c.ball_diameter, moment), -1.0, ti)
+    ti = scaled(vary, 1.0 / c.ball_diameter, times(share, moment))
+    to = combined(1.0, scaled(vary, 2.0 / c.ball_diameter, moment), -1.0, ti)
 
     fa, fr = _inner_force(inner, ti, si, ci)
     ga, gr = _outer_force(outer, to, so, co)
-    lever = _sum(c.centre_radius, fa, -c.inner_conformity * c.ball_diameter, ti)
-    level, rise = _sum(1.0, fa, -1.0, ga), _sum(1.0, _sum(1.0, fr, -1.0, gr), 1.0, fc)
+    lever = combined(c.centre_radius, fa, -c.inner_conformity * c.ball_diameter, ti)
+    level, rise = combined(1.0, fa, -1.0, ga), combined(1.0, combined(1.0, fr, -1.0, gr), 1.0, fc)
     level_i, rise_i = _by_inner(level, si, ci, li), _by_inner(rise, si, ci, li)
     fa_i, fr_i = _by_inner(fa, si, ci, li), _by_inner(fr, si, ci, li)
     lever_i = _by_inner(lever, si, ci, li)
@@ -210,18 +211,6 @@ def _chained(value: Any, factor: Any, rolling: Rolling, tilt: Polar) -> Polar:
     )
 
 
-def _scaled(vary: float, factor: float, p: Polar) -> Polar:
-    """A value times ``factor``, its derivatives times ``vary`` as well."""
-    slope = vary * factor
-    return Polar(
-        factor * p.value,
-        slope * p.by_inner_angle,
-        slope * p.by_inner_length,
-        slope * p.by_outer_angle,
-        slope * p.by_outer_length,
-    )
-
-
 def _inner_force(contact: Contact, friction: Polar, sin: Any, cos: Any) -> tuple[Polar, Polar]:
     """Axial and radial force of ball and inner ring on each other."""
     axial = contact.load * sin + friction.value * cos
@@ -263,16 +252,6 @@ def _outer_force(contact: Contact, friction: Polar, sin: Any, cos: Any) -> tuple
             -axial - friction.by_outer_angle * sin,
             contact.slope * cos - friction.by_outer_length * sin,
         ),
-    )
-
-
-def _sum(first: float, p: Polar, second: float, q: Polar) -> Polar:
-    return Polar(
-        first * p.value + second * q.value,
-        first * p.by_inner_angle + second * q.by_inner_angle,
-        first * p.by_inner_length + second * q.by_inner_length,
-        first * p.by_outer_angle + second * q.by_outer_angle,
-        first * p.by_outer_length + second * q.by_outer_length,
     )
 
 

@@ -12,18 +12,9 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 from bearings.plane import where
+from bearings.polar import Polar, times
 
 FAR = 1e300  # N·m: a race without a share of the moment never slips
-
-
-class Polar(NamedTuple):
-    """A value with its derivatives by αi, ℓi, αo and ℓo."""
-
-    value: Any
-    by_inner_angle: Any
-    by_inner_length: Any
-    by_outer_angle: Any
-    by_outer_length: Any
 
 
 class Contact(NamedTuple):
@@ -53,17 +44,6 @@ def limited(
     by_outer_length = where(slips, outer_change / wanted, 0.0)
     held = Polar(part, by_inner_angle, by_inner_length, by_outer_angle, by_outer_length)
     return times(held, moment), times(held, tilt)
-
-
-def times(p: Polar, q: Polar) -> Polar:
-    """Product of two values."""
-    return Polar(
-        p.value * q.value,
-        p.value * q.by_inner_angle + q.value * p.by_inner_angle,
-        p.value * q.by_inner_length + q.value * p.by_inner_length,
-        p.value * q.by_outer_angle + q.value * p.by_outer_angle,
-        p.value * q.by_outer_length + q.value * p.by_outer_length,
-    )
 
 
 def _held(share: Polar, inner: Contact, outer: Contact, limit: float) -> Polar:

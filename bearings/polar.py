@@ -1,0 +1,52 @@
+"""Values of a ball with their derivatives by its contact angles and the lengths to the grooves.
+
+Plain expressions of floats or arrays, which compile as they stand.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+
+class Polar(NamedTuple):
+    """A value with its derivatives by αi, ℓi, αo and ℓo."""
+
+    value: Any
+    by_inner_angle: Any
+    by_inner_length: Any
+    by_outer_angle: Any
+    by_outer_length: Any
+
+
+def times(p: Polar, q: Polar) -> Polar:
+    """Product of two values."""
+    return Polar(
+        p.value * q.value,
+        p.value * q.by_inner_angle + q.value * p.by_inner_angle,
+        p.value * q.by_inner_length + q.value * p.by_inner_length,
+        p.value * q.by_outer_angle + q.value * p.by_outer_angle,
+        p.value * q.by_outer_length + q.value * p.by_outer_length,
+    )
+
+
+def scaled(vary: float, factor: float, p: Polar) -> Polar:
+    """A value times ``factor``, its derivatives times ``vary`` as well."""
+    slope = vary * factor
+    return Polar(
+        factor * p.value,
+        slope * p.by_inner_angle,
+        slope * p.by_inner_length,
+        slope * p.by_outer_angle,
+        slope * p.by_outer_length,
+    )
+
+
+def combined(first: float, p: Polar, second: float, q: Polar) -> Polar:
+    """``first`` p + ``second`` q."""
+    return Polar(
+        first * p.value + second * q.value,
+        first * p.by_inner_angle + second * q.by_inner_angle,
+        first * p.by_inner_length + second * q.by_inner_length,
+        first * p.by_outer_angle + second * q.by_outer_angle,
+        first * p.by_outer_length + second * q.by_outer_length,
+    )
