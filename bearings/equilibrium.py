@@ -22,6 +22,8 @@ from bearings.convex_stage import convex_state
 from bearings.free_motion import beyond
 from bearings.plane import Pair, dot, turned_far
 from bearings.problem import (
+    FINE_BLEND,
+    FINE_TURN,
     FIRST_BLEND,
     FIRST_FREE,
     LONGEST_TURN,
@@ -222,8 +224,9 @@ def _correct(
         d += np.where(moving[:, None], dd, 0.0)
         x += np.where(moving[:, None], dx, 0.0)
     good = ~moving & (linear.fold > 0.0)
+    turn = LONGEST_TURN if problem.model.one_branch else FINE_TURN
     for then, now in zip(before, _segments(problem, d, x), strict=True):
-        good &= ~turned_far(then, now, LONGEST_TURN).any(axis=-1)
+        good &= ~turned_far(then, now, turn).any(axis=-1)
     good &= (linear.balance.outer_load > 0.0).all(axis=-1)
     free = problem.free
     if free.any():
@@ -248,7 +251,8 @@ def _blended(
     problem: Problem, d: Array, x: Array, done: NDArray[np.bool_]
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Follow the states that are ``done`` at blend 0 to the full problem."""
-    blend, stride = np.zeros(len(d)), np.full(len(d), FIRST_BLEND)
+    first, longest = (FIRST_BLEND, 1.0) if problem.model.one_branch else (FINE_BLEND, FINE_BLEND)
+    blend, stride = np.zeros(len(d)), np.full(len(d), first)
     freed = np.zeros(len(d), dtype=int)
     while True:
         todo = np.flatnonzero(done & (blend < 1.0) & (stride >= SHORTEST_BLEND))
@@ -262,7 +266,8 @@ def _blended(
         new_d, new_x, good, _, used = _correct(problem.take(todo), d[todo], x[:, todo], target)
         won = todo[good]
         d[won], x[:, won], blend[won] = new_d[good], new_x[:, good], target[good]
-        stride[won] *= np.where(used[good] <= QUICK_STEPS, 2.0, 1.0)
+        longer = stride[won] * np.where(used[good] <= QUICK_STEPS, 2.0, 1.0)
+        stride[won] = np.minimum(longer, longest)
         stride[todo[~good]] *= 0.25
     return d, x, done & (blend >= 1.0)
 

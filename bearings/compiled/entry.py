@@ -25,6 +25,7 @@ def find_all(  # noqa: PLR0913 - compiled functions take plain numbers and array
     free: NDArray[np.intp],
     balls: int,
     turning: bool,
+    one_branch: bool,
     given: tuple[Array, Array, Array],
     answer: tuple[Array, Array, Array, Array, NDArray[np.bool_]],
     near: NDArray[np.bool_],
@@ -43,7 +44,18 @@ def find_all(  # noqa: PLR0913 - compiled functions take plain numbers and array
         squared = speed[k] ** 2
         push = constants.orbit * constants.nominal * squared
         p = One(
-            constants, law, azimuth, scale, free, balls, turning, origin[k], squared, push, load[k]
+            constants,
+            law,
+            azimuth,
+            scale,
+            free,
+            balls,
+            turning,
+            one_branch,
+            origin[k],
+            squared,
+            push,
+            load[k],
         )
         start = near[k]
         if chained and not start and k and found[k - 1] and _near(p, speed, load, d, k):

@@ -22,6 +22,8 @@ from bearings.constants import EPS
 from bearings.plane import turned_far
 from bearings.problem import (
     CONVEX_STEPS,
+    FINE_BLEND,
+    FINE_TURN,
     FIRST_BLEND,
     HALVINGS,
     LONGEST_STEP,
@@ -44,7 +46,8 @@ def find(p: One, d: Array, x: Array, near: bool, w: Work) -> bool:
 
     ``near``: the start is a state close by, which is tried first.
     """
-    blend, stride, direct = 0.0, FIRST_BLEND, near and p.turning
+    first, longest = (FIRST_BLEND, 1.0) if p.one_branch else (FINE_BLEND, FINE_BLEND)
+    blend, stride, direct = 0.0, first, near and p.turning
     if not direct and not convex(p, d, x, w):
         return False
     if not p.turning:
@@ -54,7 +57,7 @@ def find(p: One, d: Array, x: Array, near: bool, w: Work) -> bool:
         target = 1.0 if direct else min(1.0, blend + stride)
         good, used = _tried(p, d, x, target, w)
         if good:
-            blend, stride = target, stride * (2.0 if used <= QUICK_STEPS else 1.0)
+            blend, stride = target, min(longest, stride * (2.0 if used <= QUICK_STEPS else 1.0))
         elif not direct:
             stride *= 0.25
         elif not convex(p, d, x, w):
@@ -219,11 +222,12 @@ def _work(p: One, d: Array) -> float:
 
 def _turned_little(p: One, there: Array, at: Array, d: Array, x: Array) -> bool:
     """Whether no direction to a groove centre has turned far since (there, at)."""
+    turn = LONGEST_TURN if p.one_branch else FINE_TURN
     for ball in range(len(x)):
         before, now = centre_of(p, there, ball), centre_of(p, d, ball)
-        turned = turned_far((at[ball, 0], at[ball, 1]), (x[ball, 0], x[ball, 1]), LONGEST_TURN)
+        turned = turned_far((at[ball, 0], at[ball, 1]), (x[ball, 0], x[ball, 1]), turn)
         inner = (before[0] - at[ball, 0], before[1] - at[ball, 1])
-        turned |= turned_far(inner, (now[0] - x[ball, 0], now[1] - x[ball, 1]), LONGEST_TURN)
+        turned |= turned_far(inner, (now[0] - x[ball, 0], now[1] - x[ball, 1]), turn)
         if turned:
             return False
     return True

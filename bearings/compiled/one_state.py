@@ -21,7 +21,8 @@ class One(NamedTuple):
 
     ``azimuth`` (n, 6) as in ``bearings.ring.Ring``; ``scale`` (5,), ``origin`` (2,), ``load`` (5,)
     as in ``bearings.problem.Problem``; ``free``: places of the freedoms whose load is given;
-    ``squared`` ω²; ``push``: nominal Fc; ``balls`` of the bearing, for which those n stand.
+    ``one_branch`` as in ``bearings.model``; ``squared`` ω²; ``push``: nominal Fc; ``balls`` of the
+    bearing, for which those n stand.
     """
 
     constants: BallConstants
@@ -31,6 +32,7 @@ class One(NamedTuple):
     free: NDArray[np.intp]
     balls: int
     turning: bool
+    one_branch: bool
     origin: Array
     squared: float
     push: float

@@ -65,6 +65,7 @@ def compiled_states(
         np.flatnonzero(problem.free),
         model.geometry.balls,
         problem.turning,
+        model.one_branch,
         tuple(np.array(part, order="C") for part in given),  # one type of array: one compilation
         (d, x, load, stiffness, found),
         np.arange(states) < (0 if guess is None else guess.shape[1]),
