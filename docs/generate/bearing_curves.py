@@ -92,11 +92,7 @@ def _strides(axes: Axes, found: dict[str, Any]) -> None:
         axes.loglog(
             [1e-3 * r["state"] for r in own], shares, look, color=colour, ms=3.5, label=name
         )
-    shipped = next(
-        r
-        for r in found["strides"]["lines"]
-        if r["varied"] == "longest turn [rad]" and r["value"] == 0.15
-    )
+    shipped = next(r for r in found["strides"]["lines"] if r["varied"] == "as shipped")
     _ring(axes, 1e-3 * shipped["state"], max(shipped["share"], floor))
     axes.axhline(floor, color=GREY, lw=0.8, ls=":")
     _labelled(axes, PATH, "ms per state", "share of wrong states [-]")
