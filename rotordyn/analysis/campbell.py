@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.accuracy import frequency_error
+from rotordyn.analysis.certificate import Count, count, swings
 from rotordyn.analysis.exact_bending import ExactBending, ExactModes
 from rotordyn.analysis.formulation import ROTATING
 from rotordyn.analysis.results import CampbellResult, TurningCampbellResult
@@ -31,7 +32,7 @@ from rotordyn.system.longitudinal import RodSystem
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-OSCILLATING = 1e-6  # of |pole|: less imaginary part than that is no vibration
+FINER = 2  # times that more modes are tried where the count is not proven
 MARGIN = 1.5  # modes up to this multiple of the highest frequency are followed
 
 
@@ -61,7 +62,20 @@ class Branch:
 
 
 def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
-    """Bending, axial and torsion modes up to ``spec.max_frequency``."""
+    """Bending, axial and torsion modes up to ``spec.max_frequency``.
+
+    Where their number is not proven, once more from more free-free modes.
+    """
+    found = _answer(scene, spec)
+    for _ in range(FINER):
+        if found.certified[scene.usable].all():
+            break
+        scene = scene.beyond(2.0)
+        found = _answer(scene, spec)
+    return found
+
+
+def _answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     branches = _coupled(scene, spec)
     for motion, alone in (("bending", _bending), ("axial", _axial), ("torsion", _torsion)):
         if motion not in scene.coupled_motions:
@@ -74,6 +88,7 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     shape = (len(scene.usable), len(branches))
     pole = np.array([b.pole for b in branches], dtype=complex).reshape(shape[::-1]).T
     whirl = np.array([b.whirl for b in branches]).reshape(shape[::-1]).T
+    certified, below, seen = _counted(scene, spec, branches)
     kind = TurningCampbellResult if scene.conditions.formulation == ROTATING else CampbellResult
     return kind(
         speed=scene.speed,
@@ -87,6 +102,9 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         frequency_error=scene.scattered(_errors(scene, branches)),
         resolved_frequency=scene.resolved_frequency,
         free=scene.scattered(_free(scene)),
+        certified=certified,
+        modes_below=scene.scattered(below),
+        modes_found=scene.scattered(seen),
         damping_ratio=scene.scattered(-pole.real / np.abs(pole)),
         whirl=scene.scattered(whirl),
         kind=tuple(b.kind for b in branches),
@@ -124,6 +142,36 @@ def _free(scene: Scene) -> Array:
         turned = system.frame if isinstance(system, LateralSystem) else None
         count += found.at_rest(turned).sum(axis=-1)
     return count
+
+
+def _counted(
+    scene: Scene, spec: CampbellSpec, branches: list[Branch]
+) -> tuple[NDArray[np.bool_], Array, Array]:
+    """Where the number of modes is proven and found (speeds,); that number, NaN where there is no
+    proof, and how many branches are among them (usable,)."""
+    highest = 2.0 * math.pi * spec.max_frequency
+    homes = {kind: _home(scene, kind) for kind in ("bending", "axial", "torsion")}
+    proven = np.ones(len(scene.usable), dtype=bool)
+    below, seen = np.zeros((2, len(scene.usable)))
+    for home in set(homes.values()):
+        own = [b for b in branches if homes[b.kind] == home]
+        if home == "bending" and scene.bends_exactly:
+            number = _within(own, highest, np.full(len(proven), np.inf))
+            known = Count(number, proven, number)
+        else:
+            known = count(scene, home, highest)
+            number = _within(own, highest, known.radius)
+        proven = proven & known.proven
+        below, seen = below + known.number, seen + number
+    certified = np.zeros(len(scene.speed), dtype=bool)
+    certified[scene.usable] = proven & (below == seen)
+    return certified, np.where(proven, below, np.nan), seen
+
+
+def _within(branches: list[Branch], highest: float, radius: Array) -> Array:
+    """How many branches swing at ``highest`` [rad/s] at most, their poles in discs (usable,)."""
+    inside = [(np.abs(b.pole.imag) <= highest) & (np.abs(b.pole) < radius) for b in branches]
+    return np.sum(inside, axis=0) + np.zeros(len(radius))
 
 
 def _home(scene: Scene, kind: str) -> str:
@@ -193,7 +241,7 @@ def _followed(
     chosen = []
     for pole, idle in zip(found.pole, free, strict=True):
         turning = side * pole.imag
-        keep = (turning > OSCILLATING * np.abs(pole)) & (turning < ceiling)
+        keep = swings(pole, turning) & (turning < ceiling)
         columns = np.flatnonzero(keep & ~idle)
         chosen.append(columns[np.argsort(turning[columns])])
     vectors = [found.vector[s][:, c] for s, c in enumerate(chosen)]

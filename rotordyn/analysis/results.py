@@ -66,6 +66,9 @@ class CampbellResult:
     ``whirl``: +1 forward, −1 backward, 0 none (axial, torsion, or planar motion).
     ``kind``: ``"bending"``, ``"axial"`` or ``"torsion"``. ``shape``: displacements of the nodes at
     the speeds ``shape_speed``, scaled to a largest translation (or rotation) of 1, complex.
+    ``certified``: the number of modes up to the highest frequency asked for is proven
+    (``modes_below``, NaN where it is not) and as many were followed (``modes_found``). Modes so
+    strongly damped that their |pole| lies beyond the disc of that proof are not counted.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -83,6 +86,9 @@ class CampbellResult:
     free: Array = quantity(
         "speed", unit="1", label="eigenvalues at zero, of motions that nothing holds: no modes"
     )
+    certified: Flags = quantity("speed", unit="", label="number of modes proven")
+    modes_below: Array = quantity("speed", unit="1", label="modes below the highest frequency")
+    modes_found: Array = quantity("speed", unit="1", label="modes followed below it")
     damping_ratio: Array = quantity("speed", "mode", unit="1", label="damping ratio")
     whirl: Array = quantity("speed", "mode", unit="1", label="whirl direction")
     kind: Words = quantity("mode", unit="", label="kind")

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from rotordyn.analysis.results import CampbellResult, FrfResult
+from rotordyn.report.text import from_to
 
 OVERDAMPED = 0.7  # damping ratio from which a motion hardly swings
 
@@ -34,6 +35,8 @@ def accuracy_words(results: Mapping[str, Any]) -> list[str]:
         words.append(f"frequencies within {rounded_up(worst)}")
         if math.isfinite(modes.resolved_frequency):
             words.append(f"mesh good to {modes.resolved_frequency:.0f} Hz")
+        if modes.certified[[not word for word in modes.outcome]].all():
+            words.append(f"number of modes proven: {from_to(modes.modes_below, 0)}")
     if isinstance(response := results.get("frf"), FrfResult):
         worst = float(response.error.max(initial=0.0))
         words.append(f"receptances within {rounded_up(worst)} of their peak")

@@ -19,6 +19,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.system.dofs import BOTH_PLANES
 from rotordyn.system.lateral_rotor import LateralRotor
 from rotordyn.system.remainder import Remainder
+from rotordyn.system.unreduced import Unreduced
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -73,6 +74,11 @@ class LateralSystem:
     def remainder(self) -> Remainder | None:
         """What the coordinates leave out."""
         return self.rotor.remainder
+
+    @property
+    def unreduced(self) -> Unreduced | None:
+        """The assembled rotor of a plane."""
+        return self.rotor.unreduced
 
     @property
     def motion(self) -> Array:
