@@ -61,6 +61,13 @@ class Scene(Statics):
         more.solved.update({n: value for n, value in self.solved.items() if n in still})
         return more
 
+    def at(self, speed: Array) -> Scene:
+        """The same machine and coordinates at other speeds [rad/s], ascending."""
+        other = Scene(self.spindle, self.conditions, speed, self.max_frequency, self.ports)
+        same = ("mesh", "rotor", "torsion", "torsion_modes")
+        other.solved.update({name: self.solved[name] for name in same if name in self.solved})
+        return other
+
     @property
     def tolerances(self) -> dict[str, float]:
         """Residuals reached by the stages that were solved."""

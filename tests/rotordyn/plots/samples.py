@@ -244,10 +244,19 @@ def campbell(count: int = 49) -> CampbellResult:
         certified=np.ones(count, dtype=bool),
         modes_below=np.full(count, float(len(_MODES))),
         modes_found=np.full(count, float(len(_MODES))),
+        decrement=np.full((count, len(_MODES)), 0.02 * 2.0 * math.pi),
         whirl=whirl,
+        whirl_degree=whirl,
+        rigid_share=np.full((count, len(_MODES)), 0.1),
+        character=tuple(m[4] for m in _MODES),
         kind=tuple(m[4] for m in _MODES),
         shape=shape,
         critical_speed=np.array([0.85 * TOP]),
+        critical_order=np.ones(1),
+        critical_kind=("axial",),
+        critical_whirl=("",),
+        critical_damping=np.array([0.02]),
+        critical_excited=np.array([True]),
     )
 
 
