@@ -18,6 +18,7 @@ from rotordyn.analysis.results import CampbellResult, TurningCampbellResult
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.shapes import both_planes, scaled
 from rotordyn.analysis.specs import CampbellSpec
+from rotordyn.analysis.threshold import stability_threshold
 from rotordyn.elements.node import FREEDOMS
 from rotordyn.system.coupled import CoupledSystem
 from rotordyn.system.lateral import LateralSystem
@@ -47,6 +48,7 @@ def _answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     names = _names(branches)
     ends = sorted({0, len(scene.usable) - 1}) if spec.shapes else []
     criticals = critical_speeds(scene, spec, branches, names)
+    threshold, growing = stability_threshold(scene, spec, branches, names)
     shape = (len(scene.usable), len(branches))
     pole = np.array([b.pole for b in branches], dtype=complex).reshape(shape[::-1]).T
     rigid = [rigid_share(_system(scene, b.kind), b) for b in branches]
@@ -75,6 +77,8 @@ def _answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         kind=tuple(b.kind for b in branches),
         character=tuple(character(b, own) for b, own in zip(branches, rigid, strict=True)),
         shape=_shapes(scene, branches, ends),
+        stability_threshold=threshold,
+        first_to_grow=growing,
         critical_speed=np.array([c.speed for c in criticals]),
         critical_order=np.array([float(c.order) for c in criticals]),
         critical_kind=tuple(c.kind for c in criticals),

@@ -10,21 +10,19 @@ until the mode turns at the multiple of it to rounding.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.branches import Branch, home_of, modes_of, whirl_degree
-from rotordyn.analysis.certificate import swings
+from rotordyn.analysis.branches import Branch, whirl_degree
 from rotordyn.analysis.character import whirl_along
-from rotordyn.analysis.exact_bending import ExactModes
 from rotordyn.analysis.formulation import ROTATING, SOFTENED
+from rotordyn.analysis.roots import Start, State, solved
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec
 from rotordyn.numerics.crossing import zero_crossings
 from rotordyn.numerics.follow import likeness
-from rotordyn.numerics.modes import Modes
 from rotordyn.numerics.synchronous import synchronous
 from rotordyn.system.coupled import CoupledSystem
 from rotordyn.system.lateral import LateralSystem
@@ -32,10 +30,7 @@ from rotordyn.system.longitudinal import RodSystem
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-ITERATIONS = 20
-CLOSE = 1e-11  # of the speed: the equation n Ω = |Im λ| holds
 SAME, ALIKE = 1e-7, 0.5  # of the speed, likeness: one root found twice
-NEARNESS = 2.0  # of likeness that a distance as large as the frequency costs
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,28 +46,6 @@ class Critical:
     excited: bool
 
 
-@dataclass(frozen=True, eq=False, slots=True)
-class _Start:
-    """Where to look: ``speed`` [rad/s] of ``order`` in ``branch``, between ``low`` and ``high``."""
-
-    branch: int
-    order: int
-    speed: float
-    low: float
-    high: float
-    vector: Complex
-    side: float
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class _State:
-    """The mode nearest to a start at some speed; ``miss`` |Im λ| − n Ω [rad/s]."""
-
-    pole: complex
-    vector: Complex
-    miss: float
-
-
 def critical_speeds(
     scene: Scene, spec: CampbellSpec, branches: Sequence[Branch], names: Sequence[str]
 ) -> list[Critical]:
@@ -82,8 +55,8 @@ def critical_speeds(
         for order in spec.engine_orders
         for start in (*_direct(scene, branches, order), *_crossed(scene, branches, order))
     ]
-    found: list[tuple[_Start, float, _State]] = []
-    for start, speed, state in _solved(scene, spec, branches, starts):
+    found: list[tuple[Start, float, State]] = []
+    for start, speed, state in solved(scene, spec, branches, starts):
         if not any(_same(start, speed, state, other) for other in found):
             found.append((start, speed, state))
     criticals = [
@@ -93,7 +66,7 @@ def critical_speeds(
     return sorted(criticals, key=lambda c: (c.order, c.speed))
 
 
-def _crossed(scene: Scene, branches: Sequence[Branch], order: int) -> list[_Start]:
+def _crossed(scene: Scene, branches: Sequence[Branch], order: int) -> list[Start]:
     """Crossings of followed modes with the line of ``order``, on the local cubic."""
     starts, speed = [], scene.speed[scene.usable]
     for place, branch in enumerate(branches):
@@ -106,11 +79,11 @@ def _crossed(scene: Scene, branches: Sequence[Branch], order: int) -> list[_Star
             near = min(ends, key=lambda k: abs(speed[k] - zero))
             side = np.sign(branch.pole[near].imag)
             low, high = float(speed[ends[0]]), float(speed[ends[-1]])
-            starts.append(_Start(place, order, zero, low, high, branch.vector[near], side))
+            starts.append(Start(place, order, zero, low, high, branch.vector[near], side))
     return starts
 
 
-def _direct(scene: Scene, branches: Sequence[Branch], order: int) -> list[_Start]:
+def _direct(scene: Scene, branches: Sequence[Branch], order: int) -> list[Start]:
     """All synchronous motions of bending between the speeds of the case, where only the gyroscopic
     effect depends on speed; each for the followed mode that it is most like."""
     if not _constant(scene):
@@ -129,7 +102,7 @@ def _direct(scene: Scene, branches: Sequence[Branch], order: int) -> list[_Start
             place = _owner(branches, speed, spin, order, vector, side)
             if place is not None:
                 low, high = float(speed[0]), float(speed[-1])
-                starts.append(_Start(place, order, float(spin), low, high, vector, side))
+                starts.append(Start(place, order, float(spin), low, high, vector, side))
     return starts
 
 
@@ -160,85 +133,7 @@ def _owner(
     return int(score.argmax()) if np.isfinite(score).any() else None
 
 
-def _solved(
-    scene: Scene, spec: CampbellSpec, branches: Sequence[Branch], starts: list[_Start]
-) -> list[tuple[_Start, float, _State]]:
-    """Every start led to its root by secants, all at once; those without one are left out."""
-    if not starts:
-        return []
-    at = np.array([s.speed for s in starts])
-    before: list[tuple[float, float] | None] = [None] * len(starts)
-    open_, done = list(range(len(starts))), []
-    for _ in range(ITERATIONS):
-        states = _states(scene, spec, branches, [starts[k] for k in open_], at[open_])
-        still = []
-        for k, state in zip(open_, states, strict=True):
-            if state is None:
-                continue
-            if abs(state.miss) <= CLOSE * starts[k].order * at[k]:
-                done.append((starts[k], float(at[k]), state))
-                continue
-            onward = _next(starts[k], float(at[k]), state.miss, before[k])
-            before[k] = (float(at[k]), state.miss)
-            starts[k] = replace(starts[k], vector=state.vector)
-            if onward == at[k]:
-                done.append((starts[k], float(at[k]), state))
-                continue
-            at[k] = onward
-            still.append(k)
-        open_ = still
-        if not open_:
-            break
-    return done
-
-
-def _next(start: _Start, at: float, miss: float, before: tuple[float, float] | None) -> float:
-    """The secant through the last two speeds, at first the speed at which the frequency met would
-    be the multiple; not beyond the ends of the search."""
-    onward = at + miss / start.order
-    if before is not None and before[1] != miss:
-        onward = at - miss * (at - before[0]) / (miss - before[1])
-    return float(np.clip(onward, start.low, start.high))
-
-
-def _states(
-    scene: Scene, spec: CampbellSpec, branches: Sequence[Branch], starts: list[_Start], at: Array
-) -> list[_State | None]:
-    """The mode of every start at its speed; None where there is none, or no equilibrium."""
-    speeds, row = np.unique(at, return_inverse=True)
-    other = scene.at(speeds)
-    if all(other.outcome):
-        return [None] * len(starts)
-    place = np.full(len(speeds), -1)
-    place[other.usable] = np.arange(len(other.usable))
-    homes = [home_of(scene, branches[start.branch].kind) for start in starts]
-    solved = {home: modes_of(other, home, spec.max_frequency) for home in set(homes)}
-    still = np.zeros(len(speeds))
-    frames = {home: other.bending.frame if home == "bending" else still for home in solved}
-    return [
-        None if k < 0 else _nearest(solved[home], frames[home], int(k), start, float(speed))
-        for home, start, k, speed in zip(homes, starts, place[row], at, strict=True)
-    ]
-
-
-def _nearest(
-    modes: Modes | ExactModes, frame: Array, row: int, start: _Start, speed: float
-) -> _State | None:
-    """The swinging mode of a system that is most like the start and near to its line."""
-    row = min(row, len(modes.pole) - 1)
-    pole = modes.pole[row] + 1j * frame[row]
-    turning = start.side * pole.imag
-    columns = np.flatnonzero(swings(pole, turning))
-    if not columns.size:
-        return None
-    alike = likeness(start.vector[:, None], modes.vector[row][:, columns])[0]
-    line = start.order * speed
-    apart = np.abs(turning[columns] - line) / np.maximum(turning[columns], line)
-    best = columns[int((alike - NEARNESS * apart).argmax())]
-    return _State(complex(pole[best]), modes.vector[row][:, best], abs(pole[best].imag) - line)
-
-
-def _same(start: _Start, speed: float, state: _State, other: tuple[_Start, float, _State]) -> bool:
+def _same(start: Start, speed: float, state: State, other: tuple[Start, float, State]) -> bool:
     """True where two searches ended in one root."""
     begun, at, known = other
     return bool(
@@ -251,7 +146,7 @@ def _same(start: _Start, speed: float, state: _State, other: tuple[_Start, float
 
 
 def _named(
-    scene: Scene, branch: Branch, name: str, order: int, speed: float, state: _State
+    scene: Scene, branch: Branch, name: str, order: int, speed: float, state: State
 ) -> Critical:
     """What a root is called and whether something that turns with the shaft excites it."""
     whirl, excited = "", order != 1

@@ -73,6 +73,12 @@ class CampbellResult:
     ``certified``: the number of modes up to the highest frequency asked for is proven
     (``modes_below``, NaN where it is not) and as many were followed (``modes_found``). Modes so
     strongly damped that their |pole| lies beyond the disc of that proof are not counted.
+    ``stability_threshold``: lowest speed of the range at which a mode begins to grow, infinite
+    where none does; ``first_to_grow``: that mode, or "". ``critical``: the mode that turns at
+    ``critical_order`` times ``critical_speed``, with its kind and damping ratio there;
+    ``critical_whirl``: forward, backward, planar, or mixed where parts of the shaft whirl either
+    way; ``critical_excited``: false where a force that turns with the shaft does no work on it
+    (order 1; axial, torsion, backward whirl of an isotropic rotor).
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -101,6 +107,8 @@ class CampbellResult:
     kind: Words = quantity("mode", unit="", label="kind")
     character: Words = quantity("mode", unit="", label="character")
     shape: Complex = quantity("shape_speed", "mode", "node", "dof", unit="1", label="mode shape")
+    stability_threshold: float = quantity(unit="rad/s", label="speed from which a mode grows")
+    first_to_grow: str = quantity(unit="", label="mode that grows from there")
     critical_speed: Array = quantity("critical", unit="rad/s", label="critical speed")
     critical_order: Array = quantity("critical", unit="1", label="order of rotation")
     critical_kind: Words = quantity("critical", unit="", label="kind of critical speed")

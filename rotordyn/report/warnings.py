@@ -46,6 +46,11 @@ def _unstable_modes(results: Mapping[str, Any]) -> list[str]:
     if not isinstance(result, CampbellResult):
         return []
     found = []
+    if 0.0 < result.stability_threshold < result.speed[-1]:
+        found.append(
+            f"{result.first_to_grow} grows by itself from "
+            f"{result.stability_threshold * RPM.factor:.0f} rpm on"
+        )
     for name, ratio, growing in zip(
         result.mode, result.damping_ratio.T, result.unstable.T, strict=True
     ):

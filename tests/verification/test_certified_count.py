@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from benchmarks import random_rotors
 from rotordyn.analysis import campbell
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions
@@ -148,3 +149,14 @@ def test_more_modes_are_taken_where_the_count_is_not_proven(
     assert result.certified.all()
     assert len(asked) > 1
     assert np.diff(np.log2(asked)) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("seed", [1, 7, 29])
+def test_poles_of_long_random_rotors_by_one_dense_solve(seed: int) -> None:
+    """Up to sixty sections on damped uneven supports: the survey of the benchmarks, a few of it."""
+    found = random_rotors.against_dense(seed)
+    assert found["modes"] > 3
+    assert (found["missing"], found["spurious"], found["warnings"]) == (0, 0, 0)
+    assert found["certified"]
+    assert found["counted"] == found["modes"]
+    assert max(found["errors"]) < 1e-5

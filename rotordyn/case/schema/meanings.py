@@ -253,6 +253,7 @@ MEANINGS: dict[str, dict[str, str]] = {
     "damping": {
         "bearings": "of bearings that give none themselves",
         "rotor": "modal ratios of the flexible free-free bending modes at rest, the last repeated",
+        "internal": "share of `rotor` that turns with the shaft ([why](theory/damping.md))",
     },
     "bearing damping": {
         "radial": "between the rings",
