@@ -151,6 +151,7 @@ PULL = Quantity("force", at_least="0 N", at_most="100000 kN")
 RIGIDITY = Quantity("stiffness", above="0 N/m", at_most="1e6 MN/m", infinite="rigid")
 DAMPING = Quantity("damping", at_least="0 N s/m", at_most="1e6 kN s/m")
 DAMPING_RATIO = Quantity("ratio", at_least="0 %", below="100 %")
+SHARE = Quantity("ratio", at_least="0 %", at_most="100 %")
 RADIAL_SHARE = Quantity("number", at_least="0", at_most="10")
 SHEAR_COEFFICIENT = Quantity("number", above="0", at_most="1")
 FRICTION = Quantity("number", at_least="0.001", at_most="10", infinite="none")
@@ -186,5 +187,6 @@ Pull = Annotated[float, PULL]
 Rigidity = Annotated[float, RIGIDITY]
 Damping = Annotated[float, DAMPING]
 DampingRatio = Annotated[float, DAMPING_RATIO]
+Share = Annotated[float, SHARE]
 Name = Annotated[str, Named()]
 OptionalName = Annotated[str, Named(optional=True)]

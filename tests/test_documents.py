@@ -55,6 +55,7 @@ GENERATED = {
             *(f"bearing-{n}" for n in ("first", "methods", "tolerance", "strides", "hertz")),
             "frf",
             "random",
+            "random-dense",
             "random-bearings",
             "random-friction",
             "random-paths",

@@ -58,6 +58,7 @@ def benchmark_parts(found: Measured) -> dict[str, str]:
         "frf": _frf(found),
         "precision": _precision(found),
         "random": _random(found),
+        "random-dense": _random_dense(found),
         "random-bearings": random_bearings(found["random_bearings"]),
         "random-friction": random_friction(found["random_bearings"]),
         "random-paths": random_paths(found["random_bearings"]),
@@ -167,3 +168,22 @@ def _random(found: Measured) -> str:
         for r in found["random_rotors"]
     ]
     return table(head, lines)
+
+
+def _random_dense(found: Measured) -> str:
+    """What random rotors on damped uneven supports came to."""
+    head = (
+        "rotors:",
+        "most sections:",
+        "modes:",
+        "missing:",
+        "spurious:",
+        "not certified:",
+        "counted otherwise:",
+        "largest difference:",
+        "warnings of libraries:",
+    )
+    names = ("rotors", "most_sections", "modes", "missing", "spurious", "not_certified")
+    r = found["dense_rotors"]
+    cells = [*(str(r[name]) for name in names), str(r["counted_otherwise"])]
+    return table(head, [(*cells, f"{r['worst']:.1e}", str(r["warnings"]))])

@@ -63,9 +63,22 @@ class PreloadResult:
 class CampbellResult:
     """Damped modes over speed, each followed by its shape.
 
-    ``whirl``: +1 forward, −1 backward, 0 none (axial, torsion, or planar motion).
-    ``kind``: ``"bending"``, ``"axial"`` or ``"torsion"``. ``shape``: displacements of the nodes at
-    the speeds ``shape_speed``, scaled to a largest translation (or rotation) of 1, complex.
+    ``whirl``: +1 forward, −1 backward, 0 none (axial, torsion, or planar motion);
+    ``whirl_degree``: share of the kinetic energy in forward circular motion less that in backward,
+    from −1 to 1. ``decrement``: logarithmic, −2π Re λ / |Im λ|. ``kind``: ``"bending"``,
+    ``"axial"`` or ``"torsion"``; ``rigid_share``: of the kinetic energy, in motions of a rigid
+    shaft; ``character``: the kind, as a rigid-body motion where that is most of it.
+    ``shape``: displacements of the nodes at the speeds ``shape_speed``, scaled to a largest
+    translation (or rotation) of 1, complex.
+    ``certified``: the number of modes up to the highest frequency asked for is proven
+    (``modes_below``, NaN where it is not) and as many were followed (``modes_found``). Modes so
+    strongly damped that their |pole| lies beyond the disc of that proof are not counted.
+    ``stability_threshold``: lowest speed of the range at which a mode begins to grow, infinite
+    where none does; ``first_to_grow``: that mode, or "". ``critical``: the mode that turns at
+    ``critical_order`` times ``critical_speed``, with its kind and damping ratio there;
+    ``critical_whirl``: forward, backward, planar, or mixed where parts of the shaft whirl either
+    way; ``critical_excited``: false where a force that turns with the shaft does no work on it
+    (order 1; axial, torsion, backward whirl of an isotropic rotor).
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -83,11 +96,25 @@ class CampbellResult:
     free: Array = quantity(
         "speed", unit="1", label="eigenvalues at zero, of motions that nothing holds: no modes"
     )
+    certified: Flags = quantity("speed", unit="", label="number of modes proven")
+    modes_below: Array = quantity("speed", unit="1", label="modes below the highest frequency")
+    modes_found: Array = quantity("speed", unit="1", label="modes followed below it")
     damping_ratio: Array = quantity("speed", "mode", unit="1", label="damping ratio")
+    decrement: Array = quantity("speed", "mode", unit="1", label="logarithmic decrement")
     whirl: Array = quantity("speed", "mode", unit="1", label="whirl direction")
+    whirl_degree: Array = quantity("speed", "mode", unit="1", label="forward less backward share")
+    rigid_share: Array = quantity("speed", "mode", unit="1", label="share of rigid-body motion")
     kind: Words = quantity("mode", unit="", label="kind")
+    character: Words = quantity("mode", unit="", label="character")
     shape: Complex = quantity("shape_speed", "mode", "node", "dof", unit="1", label="mode shape")
-    critical_speed: Array = quantity("critical", unit="rad/s", label="critical speed, 1× rotation")
+    stability_threshold: float = quantity(unit="rad/s", label="speed from which a mode grows")
+    first_to_grow: str = quantity(unit="", label="mode that grows from there")
+    critical_speed: Array = quantity("critical", unit="rad/s", label="critical speed")
+    critical_order: Array = quantity("critical", unit="1", label="order of rotation")
+    critical_kind: Words = quantity("critical", unit="", label="kind of critical speed")
+    critical_whirl: Words = quantity("critical", unit="", label="whirl at the critical speed")
+    critical_damping: Array = quantity("critical", unit="1", label="damping ratio there")
+    critical_excited: Flags = quantity("critical", unit="", label="excited by what turns")
 
     @property
     def unstable(self) -> Flags:

@@ -52,6 +52,22 @@ class Scene(Statics):
         self.max_frequency = max_frequency
         self.ports = ports
 
+    def beyond(self, factor: float) -> Scene:
+        """The same machine with as many more vibrations as ``factor`` times the band would ask."""
+        more = Scene(
+            self.spindle, self.conditions, self.speed, factor * self.max_frequency, self.ports
+        )
+        still = {name for kind in Statics.__mro__ for name in vars(kind)}
+        more.solved.update({n: value for n, value in self.solved.items() if n in still})
+        return more
+
+    def at(self, speed: Array) -> Scene:
+        """The same machine and coordinates at other speeds [rad/s], ascending."""
+        other = Scene(self.spindle, self.conditions, speed, self.max_frequency, self.ports)
+        same = ("mesh", "rotor", "torsion", "torsion_modes")
+        other.solved.update({name: self.solved[name] for name in same if name in self.solved})
+        return other
+
     @property
     def tolerances(self) -> dict[str, float]:
         """Residuals reached by the stages that were solved."""

@@ -40,7 +40,7 @@ ROTOR = ("flexible", "rigid")
 GRAVITY = ("none", "+x", "-x")
 WEIGHT = ("none", "+x", "-x", "+y", "-y", "+z", "-z")
 MESH_FILES = ("vtu", "vtk", "xdmf", "glb", "stl", "ply", "obj", "off")
-MOST_TEETH = MOST_STEPS = 1000
+MOST_TEETH = MOST_STEPS = MOST_ORDERS = 1000
 Tangent = Annotated[str, Choice(TANGENTS)]
 
 
@@ -110,16 +110,19 @@ class CampbellSpec(Description):
     """Damped eigenfrequencies up to ``max_frequency`` [Hz] over speed.
 
     ``teeth``: numbers of cutter teeth whose tooth-passing line is of interest; ``shapes``: keep the
-    mode shapes at the first and the last speed; ``shapes_3d``: see them in space.
+    mode shapes at the first and the last speed; ``shapes_3d``: see them in space;
+    ``engine_orders``: multiples of the speed whose critical speeds are solved for.
     """
 
     max_frequency: Frequency = 4000.0
     teeth: tuple[Annotated[int, Whole(1, MOST_TEETH)], ...] = ()
     shapes: bool = True
     shapes_3d: ShapesInSpaceSpec | None = None
+    engine_orders: tuple[Annotated[int, Whole(1, MOST_ORDERS)], ...] = (1,)
 
     def _faults(self) -> Iterator[str]:
         yield from ascending("teeth", self.teeth)
+        yield from ascending("engine_orders", self.engine_orders)
         if self.shapes_3d is not None and not self.shapes:
             yield "shapes_3d needs the shapes: given shapes False; allowed: True"
 

@@ -14,7 +14,7 @@ from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.support import BearingSeat, LinearSupport, Sleeve
-from rotordyn.quantity import DampingRatio, Name, Station, suggestion
+from rotordyn.quantity import DampingRatio, Name, Share, Station, suggestion
 
 SLACK = 1e-9  # [m] by which a station may lie beside the shaft
 
@@ -44,7 +44,8 @@ class Spindle(Description):
     """A rotor on bearings, linear supports or both.
 
     ``rotor_damping`` [-]: modal damping ratios of the flexible free-free bending modes at rest, in
-    order; the last one serves all that follow; empty = none. ``points``: named stations [m].
+    order; the last one serves all that follow; empty = none. ``internal_damping`` [-]: share of
+    that, in bending, which turns with the shaft. ``points``: named stations [m].
     """
 
     name: str
@@ -58,6 +59,7 @@ class Spindle(Description):
     points: Mapping[Name, Station] = field(default_factory=dict)
     shortening: PrescribedShortening | ComputedShortening | None = None
     rotor_damping: tuple[DampingRatio, ...] = ()
+    internal_damping: Share = 0.0
     title: str = ""
     note: str = ""
     references: tuple[Reference, ...] = ()

@@ -2,12 +2,19 @@
 
 from __future__ import annotations
 
+import math
+
 import numpy as np
 from numpy.typing import NDArray
 
+Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 LEAST_LIKENESS = 0.2
 NEARNESS = 0.3  # of likeness that the farthest value costs
+CLEAR = 0.7  # likeness from which a vector is known again
+FAR = 1e3  # ratio of root gaps from which they tell nothing
+TWINS = 1e-6  # of a value: nearer ones share their vectors
+TOUCHING = 3e-6  # of a value: a crossing met so closely is one
 
 
 def likeness(a: Complex, b: Complex) -> NDArray[np.float64]:
@@ -19,11 +26,14 @@ def likeness(a: Complex, b: Complex) -> NDArray[np.float64]:
     )
 
 
-def follow(vectors: list[Complex], values: list[NDArray[np.float64]]) -> NDArray[np.intp]:
+def follow(
+    vectors: list[Complex], values: list[Array], ahead: list[Array] | None = None
+) -> NDArray[np.intp]:
     """Paths through the steps: column of each path at every step (steps, paths), −1 where absent.
 
-    ``vectors``: one (n, k_s) array per step; ``values`` (k_s,): of vectors equally alike the nearer
-    value is taken. The most alike pairs are matched first, each vector once; a vector that nobody
+    ``vectors``: one (n, k_s) array per step; ``values`` (k_s,); ``ahead`` (k_s,): what they are
+    expected to be at the next step, the same if left out. Of vectors equally alike the one nearest
+    to that is taken. The most alike pairs are matched first, each vector once; a vector that nobody
     claims begins a path of its own.
     """
     last = np.zeros((vectors[0].shape[0], 0), dtype=complex)
@@ -38,11 +48,77 @@ def follow(vectors: list[Complex], values: list[NDArray[np.float64]]) -> NDArray
             column = np.full(last.shape[1], -1, dtype=np.intp)
         found = column >= 0
         born = np.setdiff1d(np.arange(fresh.shape[1]), column[found])
-        last[:, found], at[found] = fresh[:, column[found]], value[column[found]]
-        last, at = np.concatenate([last, fresh[:, born]], axis=1), np.append(at, value[born])
+        expected = value if ahead is None else ahead[step]
+        last[:, found], at[found] = fresh[:, column[found]], expected[column[found]]
+        last, at = np.concatenate([last, fresh[:, born]], axis=1), np.append(at, expected[born])
         path = np.pad(path, ((0, 0), (0, born.size)), constant_values=-1)
         path[step] = np.append(column, born)
     return path
+
+
+def doubts(
+    at: Array, vectors: list[Complex], values: list[Array], within: float, narrowest: float
+) -> list[float]:
+    """Places between the steps ``at`` (steps,) where another one would tell who is who.
+
+    Where a vector with a value below ``within`` is like no single one of the next step, as in a
+    veering, the nearer to a step the closer values are there; and where two that stay themselves
+    change their order, at the crossing, until it is met so closely that a veering as narrow would
+    show. No step becomes smaller than ``narrowest``.
+    """
+    wanted = []
+    for k in range(len(at) - 1):
+        if at[k + 1] - at[k] <= 2.0 * narrowest:
+            continue
+        share = _doubt(vectors[k : k + 2], values[k : k + 2], within)
+        if share is not None:
+            room = narrowest / (at[k + 1] - at[k])
+            wanted.append(float(at[k] + (at[k + 1] - at[k]) * np.clip(share, room, 1.0 - room)))
+    return wanted
+
+
+def _doubt(vectors: list[Complex], values: list[Array], within: float) -> float | None:
+    """Where between two steps to look, as a share of the way; None where all is clear."""
+    one, other = values
+    if not (one.size and other.size):
+        return None
+    twins = [np.abs(v[:, None] - v) <= TWINS * np.abs(v) for v in values]
+    shared = np.minimum(twins[0] @ likeness(*vectors) @ twins[1], 1.0)
+    unclear = [
+        np.flatnonzero((shared.max(axis=1 - side) < CLEAR) & (values[side] < within))
+        for side in (0, 1)
+    ]
+    if unclear[0].size or unclear[1].size:
+        return _veering(values, unclear)
+    partner = shared.argmax(axis=1)
+    return _crossing(one, other[partner], one < within)
+
+
+def _veering(values: list[Array], unclear: list[NDArray[np.intp]]) -> float:
+    """A place whose distance to its neighbours is to be the mean, in ratio, of what it is at the
+    two steps: vectors change where it is small. Half-way where one only comes or goes."""
+    if not (unclear[0].size and unclear[1].size):
+        return 0.5
+    gaps = []
+    for value, own in zip(values, unclear, strict=True):
+        apart = np.abs(value[own, None] - value)
+        apart[np.arange(len(own)), own] = np.inf
+        gaps.append(math.sqrt(float(apart.min(initial=1e300))))
+    if max(gaps) > FAR * min(gaps):
+        return 0.5
+    return gaps[0] / (gaps[0] + gaps[1])
+
+
+def _crossing(one: Array, other: Array, asked: NDArray[np.bool_]) -> float | None:
+    """Where the first two values that change their order meet, if no step is there yet."""
+    before, after = one[:, None] - one, other[:, None] - other
+    size = np.minimum(np.abs(one), np.abs(other))
+    apart = np.minimum(np.abs(before), np.abs(after)) > TOUCHING * size
+    swapped = (before * after < 0.0) & apart & asked[:, None] & asked
+    if not swapped.any():
+        return None
+    share = before / np.where(swapped, before - after, 1.0)
+    return float(share[swapped].min())
 
 
 def _matched(score: NDArray[np.float64]) -> NDArray[np.intp]:

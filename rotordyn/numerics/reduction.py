@@ -26,7 +26,7 @@ class RitzBasis:
     ``rest_mass`` (r, m): restᵀMΦ, from the loads, since stiff modes meet too little of the answers
     to be seen in their difference. ``rounding`` (m,): how far rounding of the entries of K is
     likely to move the value of each vector: the root of Σ (u K_ij φ_i φ_j)², u half the last digit;
-    none for rigid motions.
+    none for rigid motions. ``shift`` σ: the answers are those of K + σM.
     """
 
     vectors: Array
@@ -35,6 +35,28 @@ class RitzBasis:
     rest_values: Array
     rest_mass: Array
     rounding: Array
+    shift: float
+
+    @property
+    def complement(self) -> Complement:
+        """What the vectors leave out, (K + σM)-orthogonal to them: forces that they answer do not
+        reach it."""
+        root = np.sqrt(self.rest_values + self.shift)[:, None]
+        answers = root * self.rest_mass
+        added = answers[:, np.abs(answers).max(axis=0, initial=0.0) > 0.0]
+        whole = np.linalg.qr(added, mode="complete")[0] if added.size else np.eye(len(root))
+        turn = whole[:, added.shape[1] :] / root
+        return Complement(self.rest @ turn, turn.T @ turn, turn.T @ self.rest_mass)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Complement:
+    """``vectors`` Ψ (n, c) with Ψᵀ(K + σM)Ψ = 1 and Ψᵀ(K + σM)Φ = 0; ``mass`` ΨᵀMΨ (c, c) and
+    ``coupling`` ΨᵀMΦ (c, m)."""
+
+    vectors: Array
+    mass: Array
+    coupling: Array
 
 
 def ritz_basis(
@@ -86,6 +108,7 @@ def ritz_basis(
         values[kept:],
         coupling[:, order],
         HALF_DIGIT * np.where(np.arange(len(order)) < rigid.shape[1], 0.0, spread),
+        shift,
     )
 
 

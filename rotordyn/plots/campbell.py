@@ -177,7 +177,9 @@ def orders(result: CampbellResult, teeth: Sequence[int]) -> dict[int, str]:
     (k − 1)× for forward and (k + 1)× for backward whirl.
     """
     if not turning(result):
-        return {1: "1×", **{k: f"{k}× (teeth)" for k in teeth if k != 1}}
+        met = sorted({int(order) for order in result.critical_order} - {1, *teeth})
+        named = {1: "1×", **{k: f"{k}×" for k in met}}
+        return {**named, **{k: f"{k}× (teeth)" for k in teeth if k != 1}}
     named = {0: "unbalance at 0 Hz"}
     for k in teeth:
         named.setdefault(k - 1, f"{k - 1}× ({k} teeth, forward)")
@@ -212,12 +214,14 @@ def draw_orders(
 
 
 def _criticals(axes: Axes, result: CampbellResult) -> None:
-    speeds = result.critical_speed[np.isfinite(result.critical_speed)] * RPM.factor
-    speeds = speeds[speeds <= result.speed[-1] * RPM.factor]
+    shown = result.critical_excited & (result.critical_speed <= result.speed[-1])
+    if turning(result):
+        shown &= result.critical_order == 1  # others meet no line there: see ``orders``
+    speeds = result.critical_speed[shown] * RPM.factor
     if speeds.size:
         axes.plot(
             speeds,
-            0.0 * speeds if turning(result) else speeds / 60.0,
+            0.0 * speeds if turning(result) else result.critical_order[shown] * speeds / 60.0,
             "o",
             mfc="white",
             mec=RED,

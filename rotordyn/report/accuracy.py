@@ -34,7 +34,15 @@ def accuracy_words(results: Mapping[str, Any]) -> list[str]:
         words.append(f"frequencies within {rounded_up(worst)}")
         if math.isfinite(modes.resolved_frequency):
             words.append(f"mesh good to {modes.resolved_frequency:.0f} Hz")
+        if modes.certified[[not word for word in modes.outcome]].all():
+            words.append(f"number of modes proven ({_range(modes)})")
     if isinstance(response := results.get("frf"), FrfResult):
         worst = float(response.error.max(initial=0.0))
         words.append(f"receptances within {rounded_up(worst)} of their peak")
     return words
+
+
+def _range(modes: CampbellResult) -> str:
+    """Of the number of modes over speed."""
+    least, most = np.nanmin(modes.modes_below), np.nanmax(modes.modes_below)
+    return f"{most:.0f}" if least == most else f"{least:.0f} to {most:.0f}"

@@ -32,6 +32,7 @@ from rotordyn.report.text import from_to, opening, unbroken, wrapped
 
 HEIGHT = 40
 _WHIRL = {1: " fw", -1: " bw", 0: ""}
+_TURN = {"forward": " fw", "backward": " bw", "mixed": " mixed"}
 
 
 class Described(Protocol):
@@ -123,22 +124,46 @@ def _mass(mass: float) -> str:
 def _modes(result: CampbellResult) -> list[str]:
     if not result.mode:
         return ["modes      none in the band asked for"]
-    rpm, last = f"{from_to(result.speed * RPM.factor, 0)} rpm", result.speed[-1]
+    rpm = f"{from_to(result.speed * RPM.factor, 0)} rpm"
     entries = [
         f"{name} {from_to(values)}{_whirl(name, w)}"
         for name, values, w in zip(result.mode, result.frequency.T, result.whirl[-1], strict=True)
     ]
     frame = " in the turning frame" if turning(result) else ""
     lines = [f"modes [Hz]{frame} {rpm}: " + "; ".join(map(unbroken, entries))]
-    known = [
-        unbroken(f"{name} {speed * RPM.factor:.0f} rpm ({(speed / last - 1.0) * 100.0:+.0f} %)")
-        for name, speed in zip(result.critical, result.critical_speed, strict=True)
-        if math.isfinite(speed) and last > 0.0
-    ]
     if len(result.speed) == 1:
         return lines
-    none = f"none from {rpm.replace('→', 'to')}{_nearest(result)}"
-    return [*lines, f"critical   1×, margin to top speed: {', '.join(known) or none}"]
+    for order in sorted({1, *result.critical_order.astype(int).tolist()}):
+        known = _criticals(result, order)
+        none = "" if order > 1 else f"none from {rpm.replace('→', 'to')}{_nearest(result)}"
+        if known or none:
+            lines.append(f"critical   {order}×, margin to top speed: {', '.join(known) or none}")
+    return lines
+
+
+def _criticals(result: CampbellResult, order: int) -> list[str]:
+    """Critical speeds of an order that something which turns excites."""
+    last = result.speed[-1]
+    return [
+        unbroken(
+            f"{name}{_turn(name, whirl)} {speed * RPM.factor:.0f} rpm "
+            f"({(speed / last - 1.0) * 100.0:+.0f} %)"
+        )
+        for name, whirl, speed, own, excited in zip(
+            result.critical,
+            result.critical_whirl,
+            result.critical_speed,
+            result.critical_order,
+            result.critical_excited,
+            strict=True,
+        )
+        if own == order and excited and last > 0.0
+    ]
+
+
+def _turn(name: str, whirl: str) -> str:
+    """Whirl at a critical speed, where the name of the mode does not say it."""
+    return "" if "forward" in name or "backward" in name else _TURN.get(whirl, "")
 
 
 def _nearest(result: CampbellResult) -> str:

@@ -19,9 +19,26 @@ from rotordyn.machine.limits import WARNING_PRESSURE
 
 
 def result_warnings(results: Mapping[str, Any]) -> list[str]:
-    """A sentence per unstable mode, per bearing too hard pressed or slipping, per shaft twisted."""
-    found = (_unstable_modes, _pressures, _slips, _twists)
+    """Sentences on modes not proven, unstable modes, bearings too hard pressed or slipping, shafts
+    twisted."""
+    found = (_uncertified, _unstable_modes, _pressures, _slips, _twists)
     return [sentence for look in found for sentence in look(results)]
+
+
+def _uncertified(results: Mapping[str, Any]) -> list[str]:
+    result = results.get("campbell")
+    if not isinstance(result, CampbellResult):
+        return []
+    open_ = ~result.certified & np.array([not word for word in result.outcome])
+    at = np.flatnonzero(open_)
+    if not at.size:
+        return []
+    number, seen = result.modes_below[at[0]], result.modes_found[at[0]]
+    proven = f"proven {number:.0f}" if np.isfinite(number) else "no proof of their number"
+    return [
+        f"modes not certified at {at.size} of {len(open_)} speeds, first at "
+        f"{result.speed[at[0]] * RPM.factor:.0f} rpm: {proven}, found {seen:.0f}"
+    ]
 
 
 def _unstable_modes(results: Mapping[str, Any]) -> list[str]:
@@ -29,6 +46,11 @@ def _unstable_modes(results: Mapping[str, Any]) -> list[str]:
     if not isinstance(result, CampbellResult):
         return []
     found = []
+    if 0.0 < result.stability_threshold < result.speed[-1]:
+        found.append(
+            f"{result.first_to_grow} grows by itself from "
+            f"{result.stability_threshold * RPM.factor:.0f} rpm on"
+        )
     for name, ratio, growing in zip(
         result.mode, result.damping_ratio.T, result.unstable.T, strict=True
     ):

@@ -19,6 +19,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.system.dofs import BOTH_PLANES
 from rotordyn.system.lateral_rotor import LateralRotor
 from rotordyn.system.remainder import Remainder
+from rotordyn.system.unreduced import Unreduced
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -75,6 +76,11 @@ class LateralSystem:
         return self.rotor.remainder
 
     @property
+    def unreduced(self) -> Unreduced | None:
+        """The assembled rotor of a plane."""
+        return self.rotor.unreduced
+
+    @property
     def motion(self) -> Array:
         """Displacements of the nodes by the coordinates of the real form (nodes, 6, 2m)."""
         m = self.rotor.size
@@ -118,7 +124,8 @@ def lateral_system(
     ``seat_stiffness`` (speeds, seats, 5, 5): tangents in the bearings' own frames. ``axial_force``
     (speeds, elements) [N]: in the shaft, tension positive; None = it and the drawbar do nothing to
     bending. ``softened``: Ω² M_ω is subtracted from the stiffness in the fixed frame. ``turning``:
-    written in the frame that turns with the shaft.
+    written in the frame that turns with the shaft. The share of the rotor's damping D that is
+    internal answers to ṙ − iΩ r: it adds −iΩ D to the stiffness.
 
     Raises
     ------
@@ -140,8 +147,9 @@ def lateral_system(
         own_stiffness -= (speed**2)[:, None, None] * rotor.translational_mass
     own_damping = np.diag(2.0 * rotor.damping_ratio * np.sqrt(rotor.stiffness))
     gyroscopic = speed[:, None, None] * rotor.polar
+    internal = speed[:, None, None] * spindle.internal_damping * own_damping
     if _alike(k) and _alike(c):
-        stiffness = own_stiffness + _gathered(rows, _complex(k))
+        stiffness = own_stiffness - 1j * internal + _gathered(rows, _complex(k))
         damping = own_damping + _gathered(rows, _complex(c))
         blocks = _complex(k), _complex(c)
         if turning:
@@ -160,7 +168,9 @@ def lateral_system(
     return LateralSystem(
         rotor,
         False,
-        _both(own_stiffness + zero) + _gathered(_both(rows), k),
+        _both(own_stiffness + zero)
+        + _two_by_two(zero, internal, -internal, zero)
+        + _gathered(_both(rows), k),
         _both(own_damping + zero) + across + _gathered(_both(rows), c),
         np.zeros_like(speed),
         k,

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,6 +26,7 @@ from rotordyn.system.hierarchy import Hierarchy
 from rotordyn.system.mesh import Mesh
 from rotordyn.system.remainder import Remainder, remainder
 from rotordyn.system.stiffening import Stiffening, stiffening
+from rotordyn.system.unreduced import Unreduced
 
 Array = NDArray[np.float64]
 USUAL = 1e-4  # relative error of a frequency that a designer does not notice
@@ -73,7 +74,8 @@ class LateralRotor:
     between the rings of each bearing; ``supports`` (supports, 2, m): those of the node of each
     linear support, and ``connected`` the nodes of both. The last coordinates are the sprung
     sleeves, if any; ``weightless`` (m,) is 1 for those that have no mass of their own, else 0.
-    ``remainder``: what the coordinates leave out; None for a rigid rotor.
+    ``remainder``: what the coordinates leave out; None for a rigid rotor. ``unreduced``: the
+    assembled rotor they were taken from, likewise.
     ``resolved`` [Hz]: highest frequency that the elements carry within the accuracy asked for, or
     within ``USUAL`` where none is.
     """
@@ -90,6 +92,7 @@ class LateralRotor:
     connected: tuple[int, ...]
     weightless: Array
     remainder: Remainder | None
+    unreduced: Unreduced | None
     resolved: float
 
     @property
@@ -112,6 +115,7 @@ class _Reduced:
     translational_mass: Array
     per_newton: Array
     remainder: Remainder | None
+    unreduced: Unreduced | None
     resolved: float
 
 
@@ -161,6 +165,7 @@ def lateral_rotor(
             [np.zeros(basis.shape[1]), [float(s.mass == 0.0) for s in sprung]]
         ),
         remainder=free.remainder.widened(more) if free.remainder else None,
+        unreduced=replace(free.unreduced, more=more) if free.unreduced else None,
         resolved=free.resolved,
     )
 
@@ -189,6 +194,16 @@ def _flexible(
             {"mass": plane.mass, "polar": plane.polar},
             seen,
             _shortening(slope @ basis.rest, slope @ vectors, mesh),
+        ),
+        unreduced=Unreduced(
+            basis,
+            seen,
+            plane.polar,
+            slope * np.sqrt(points(GAUSS)[1] * mesh.length[:, None] / 2.0).reshape(-1, 1),
+            [
+                (PLANE_Y.row(left, "y"), PLANE_Y.row(right, "y"), stiffness)
+                for left, right, stiffness in tension.spans
+            ],
         ),
         resolved=resolved_whirl(spindle, elements, fineness.spin, fineness.accuracy or USUAL)
         / (2.0 * math.pi),
@@ -224,7 +239,7 @@ def _rigid(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> _Reduced:
     basis = np.asarray(np.linalg.solve(factor, shape.T).T)
     polar, translation = (basis.T @ m @ basis for m in (plane.polar, plane.translational_mass))
     along = tension.projected(basis.reshape(-1, 2, 2))
-    return _Reduced(basis, np.zeros(2), polar, translation, along, None, math.inf)
+    return _Reduced(basis, np.zeros(2), polar, translation, along, None, None, math.inf)
 
 
 def _drawbar(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> list[Array]:

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,6 +32,7 @@ from rotordyn.system.hierarchy import Hierarchy
 from rotordyn.system.lateral_rotor import Fineness, damping_ratios, sleeve_mass
 from rotordyn.system.mesh import Mesh
 from rotordyn.system.remainder import Remainder, remainder
+from rotordyn.system.unreduced import Unreduced
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -45,7 +46,8 @@ class RodSystem:
     ``basis`` (nodes, n): the nodes' ``freedom``, x or thx. ``rows`` (c, 1, n): motion between the
     ends of each bearing or support, at the nodes ``connected``; ``held``, ``damped``
     (speeds, c, 1, 1): what they answer. ``weightless`` (n,): 1 for sleeves without mass, else 0.
-    ``remainder``: what the coordinates leave out.
+    ``remainder``: what the coordinates leave out; ``unreduced``: the assembled rod they were taken
+    from; None where the shaft is rigid.
     """
 
     freedom: str
@@ -58,6 +60,7 @@ class RodSystem:
     damped: Array
     weightless: Array
     remainder: Remainder | None
+    unreduced: Unreduced | None
 
     @property
     def planes(self) -> int:
@@ -143,6 +146,7 @@ def axial_system(
         np.broadcast_to(np.array(dampers)[:, None, None], (*springs_held.shape, 1, 1)),
         np.concatenate([np.zeros(modal), [float(s.mass == 0.0) for s in sliding]]),
         left_out,
+        replace(free.unreduced, more=len(sliding)) if free.unreduced else None,
     )
 
 
@@ -182,6 +186,7 @@ def torsion_system(
         blocks[1],
         np.zeros(basis.shape[1]),
         free.remainder,
+        free.unreduced,
     )
 
 
@@ -204,6 +209,7 @@ class _Reduced:
     at_nodes: Array
     values: Array
     remainder: Remainder | None
+    unreduced: Unreduced | None
 
 
 def _reduced(
@@ -220,13 +226,13 @@ def _reduced(
     if rigid:
         count = elements.mesh.nodes
         one = np.ones((mesh.nodes, 1)) / math.sqrt(whole.mass[:count, :count].sum())
-        return _Reduced(one, np.zeros(1), None)
+        return _Reduced(one, np.zeros(1), None, None)
     seen = rod_displacements(elements, mesh.x)
     loads = seen[sorted(set(stations))].T
     together = (np.arange(elements.size) < elements.mesh.nodes).astype(float)[:, None]
     basis = ritz_basis(whole.mass, whole.stiffness, fineness.cutoff, loads, together)
     left_out = remainder(elements, basis, {"mass": whole.mass}, seen)
-    return _Reduced(seen @ basis.vectors, basis.values, left_out)
+    return _Reduced(seen @ basis.vectors, basis.values, left_out, Unreduced(basis, seen))
 
 
 def _elements(rod: _Rod, spindle: Spindle, mesh: Mesh, fineness: Fineness) -> Hierarchy:

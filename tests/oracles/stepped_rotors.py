@@ -15,20 +15,21 @@ LIGHT = Material("light", 7.1e10, 0.33, 2800.0)
 
 
 def stepped_rotor(
-    rng: np.random.Generator, *, isotropic: bool = True, damped: bool = False
+    rng: np.random.Generator, *, isotropic: bool = True, damped: bool = False, sections: int = 8
 ) -> Spindle:
-    """Sections with L/d from 0.2 to 500 (logarithmic), discs, masses, two to four supports."""
+    """Up to ``sections`` with L/d from 0.2 to 500 (logarithmic), discs, masses, two to four
+    supports."""
     diameter = 10.0 ** rng.uniform(-2.3, -1.0)
-    sections = []
-    for _ in range(rng.integers(1, 9)):
+    pieces = []
+    for _ in range(rng.integers(1, sections + 1)):
         own = diameter * 10.0 ** rng.uniform(-0.3, 0.3)
         slender = 10.0 ** rng.uniform(np.log10(0.2), np.log10(500.0 if rng.random() < 0.1 else 8.0))
         bore = own * float(rng.choice([0.0, rng.uniform(0.1, 0.8)]))
         material = STEEL if rng.random() < 0.8 else LIGHT
-        sections.append(Section(own * slender, own, bore, material))
-    shaft = Shaft(0.0, tuple(sections))
+        pieces.append(Section(own * slender, own, bore, material))
+    shaft = Shaft(0.0, tuple(pieces))
     span = shaft.end
-    mass = sum(np.pi / 4 * (s.outer_diameter**2) * s.length * s.material.density for s in sections)
+    mass = sum(np.pi / 4 * (s.outer_diameter**2) * s.length * s.material.density for s in pieces)
     masses = [
         PointMass(
             f"m{k}",
@@ -42,7 +43,7 @@ def stepped_rotor(
         Disc(f"d{k}", rng.uniform(0, span), 4.0 * diameter, diameter, 0.5 * diameter, STEEL)
         for k in range(rng.integers(0, 3))
     ]
-    thin = min(s.outer_diameter**4 - s.inner_diameter**4 for s in sections)
+    thin = min(s.outer_diameter**4 - s.inner_diameter**4 for s in pieces)
     flexible = 48.0 * 2.1e11 * np.pi * thin / 64.0 / span**3
     places = sorted(rng.uniform(0, span, rng.integers(2, 5)))
     supports = [

@@ -177,7 +177,8 @@ def test_critical_speeds_and_names_do_not_depend_on_the_frame() -> None:
     assert seen.mode == ours.mode
     assert seen.critical == ours.critical != ()
     assert seen.critical_speed == pytest.approx(ours.critical_speed, rel=1e-9)
-    for name, critical in zip(seen.critical, seen.critical_speed, strict=True):
+    for k in np.flatnonzero(seen.critical_excited):
+        name, critical = seen.critical[k], seen.critical_speed[k]
         line = seen.frequency[:, seen.mode.index(name)]
         assert np.interp(critical, seen.speed, line) < 0.6 * np.abs(np.diff(line)).max()
 

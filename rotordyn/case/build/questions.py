@@ -69,7 +69,9 @@ def _campbell(entry: CampbellEntry) -> CampbellSpec:
     in_space = None
     if asked is not None:
         in_space = ShapesInSpaceSpec(asked.amplitude, asked.animation, tuple(asked.files))
-    return CampbellSpec(entry.max_frequency, tuple(entry.teeth), entry.shapes, in_space)
+    return CampbellSpec(
+        entry.max_frequency, tuple(entry.teeth), entry.shapes, in_space, tuple(entry.engine_orders)
+    )
 
 
 def _stiffness(entry: StiffnessEntry) -> StiffnessSpec:

@@ -46,6 +46,7 @@ def spindle(entry: SpindleEntry, name: str) -> Spindle:
         points=dict(entry.points),
         shortening=_shortening(entry.shortening),
         rotor_damping=tuple(entry.damping.rotor),
+        internal_damping=entry.damping.internal,
         title=entry.title,
         note=entry.note,
         references=references(entry.references),

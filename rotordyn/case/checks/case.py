@@ -89,7 +89,8 @@ def _lists(entry: CaseEntry, root: Node, faults: Faults) -> None:
     if analyses.control is not None:
         _range_of_loads(analyses.control, root, faults)
     if analyses.campbell is not None:
-        ascending(analyses.campbell.teeth, root, (*way, "campbell", "teeth"), faults)
+        for name in ("teeth", "engine_orders"):
+            ascending(getattr(analyses.campbell, name), root, (*way, "campbell", name), faults)
         _in_space(analyses.campbell, root, faults)
     if analyses.frf is not None:
         sweep(analyses.frf.frequencies, "Hz", root, (*way, "frf", "frequencies"), faults)

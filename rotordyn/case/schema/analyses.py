@@ -8,6 +8,7 @@ from pydantic import BeforeValidator, ConfigDict, Field, PlainValidator, WithJso
 
 from rotordyn.analysis.specs import (
     MESH_FILES,
+    MOST_ORDERS,
     MOST_STEPS,
     MOST_TEETH,
     TANGENTS,
@@ -64,6 +65,7 @@ class CampbellEntry(Entry):
     teeth: list[Annotated[int, whole(1, MOST_TEETH)]] = []
     shapes: Flag = True
     shapes_3d: Annotated[ShapesInSpaceEntry | None, _BARE] = None
+    engine_orders: list[Annotated[int, whole(1, MOST_ORDERS)]] = [1]
 
 
 class Place(NamedTuple):

@@ -68,6 +68,7 @@ MEANINGS: dict[str, dict[str, str]] = {
     "campbell": {
         "max_frequency": "modes that come below it are followed",
         "teeth": "numbers of teeth whose passing frequency is drawn",
+        "engine_orders": "multiples of the speed whose critical speeds are solved for",
         "shapes": "keep the mode shapes at the first and last speed",
         "shapes_3d": "draw them in space too, and write them as meshes ([how](theory/shapes.md))",
     },
@@ -252,6 +253,7 @@ MEANINGS: dict[str, dict[str, str]] = {
     "damping": {
         "bearings": "of bearings that give none themselves",
         "rotor": "modal ratios of the flexible free-free bending modes at rest, the last repeated",
+        "internal": "share of `rotor` that turns with the shaft ([why](theory/damping.md))",
     },
     "bearing damping": {
         "radial": "between the rings",

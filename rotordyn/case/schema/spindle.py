@@ -15,7 +15,7 @@ from rotordyn.case.schema.support import (
     SleeveEntry,
     SupportEntry,
 )
-from rotordyn.case.schema.values import DampingRatio, Name, Station, Text
+from rotordyn.case.schema.values import DampingRatio, Name, Share, Station, Text
 
 
 class DampingEntry(Entry):
@@ -23,6 +23,7 @@ class DampingEntry(Entry):
 
     bearings: BearingDampingEntry = BearingDampingEntry()
     rotor: list[DampingRatio] = []
+    internal: Share = 0.0
 
 
 class SpindleEntry(Entry):

@@ -84,3 +84,13 @@ def test_rounding_is_no_instability(spindle: Spindle) -> None:
     for name in ("bending", "axial", "torsion"):
         assert not getattr(found, f"{name}_modes").growing.any(), name
     assert found.warnings == ()
+
+
+def test_the_threshold_of_a_swirl_that_does_not_depend_on_speed() -> None:
+    """It grows from the first speed on; below the limit it never does."""
+    mass = rotor_inertia(swirled(0.0)).mass
+    limit = DAMPER * math.sqrt(STIFF * 2.0 / mass)
+    for share, expected in ((0.9, math.inf), (1.1, 0.0)):
+        found = solved(swirled(share * limit)).results["campbell"]
+        assert found.stability_threshold == expected
+        assert (found.first_to_grow != "") == (share > 1.0)

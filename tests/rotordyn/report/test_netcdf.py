@@ -73,7 +73,9 @@ def test_not_a_number_and_negative_zero_survive(tmp_path):
 
 
 def test_machine_without_sleeves_and_critical_speeds(tmp_path):
-    result = replace(samples.campbell(3), critical=(), critical_speed=np.array([]))
+    none = {f"critical_{n}": np.array([]) for n in ("speed", "order", "damping")}
+    none |= {"critical_kind": (), "critical_whirl": (), "critical_excited": np.zeros(0, dtype=bool)}
+    result = replace(samples.campbell(3), critical=(), **none)
     write_results(tmp_path / "r.nc", {"campbell": result})
     back = read_results(tmp_path / "r.nc")["campbell"]
     assert back.sizes["critical"] == 0

@@ -1,0 +1,264 @@
+"""Modes over speed: those of bending, axial motion and torsion, each followed by its shape.
+
+A mode of motions that supports couple is named after the one with the largest share of its kinetic
+energy, on the mean of all speeds: of two modes that veer, what each is over most of the range.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+from functools import partial
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis.certificate import swings
+from rotordyn.analysis.exact_bending import ExactModes
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import CampbellSpec
+from rotordyn.numerics.follow import doubts, follow
+from rotordyn.numerics.modes import Modes
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Matrix = NDArray[np.inexact[Any]]
+MARGIN = 1.5  # modes up to this multiple of the highest frequency are followed
+WITHIN = 1.1  # doubts about modes above this multiple are left
+ROUNDS, MOST_STEPS = 12, 400  # of further speeds; of speeds in all
+NARROWEST = 1e-7  # of the range of speeds: no finer steps
+FARTHEST = 0.3  # of a pole: a larger change over a step is not believed
+PLANAR = 1e-6  # whirl degree below which a motion is straight
+
+
+@dataclass(frozen=True, slots=True)
+class Branch:
+    """One mode over the usable speeds: ``pole``, whirl ``degree``, column in the modes (−1: lost).
+
+    ``degree``: share of the kinetic energy in forward circular motion less that in backward.
+    ``vector`` (speeds, n): its displacements in the coordinates of its system.
+    Poles are those of the fixed frame, whatever the formulation.
+    """
+
+    kind: str
+    pole: Complex
+    degree: Array
+    column: NDArray[np.intp]
+    vector: Complex
+
+    @property
+    def frequency(self) -> Array:
+        """|Im pole| / 2π [Hz], NaN where the mode is lost."""
+        return np.abs(self.pole.imag) / (2.0 * math.pi)
+
+    @property
+    def whirl(self) -> Array:
+        """+1 forward, −1 backward, 0 planar: which circular part of y, z dominates."""
+        return np.where(np.abs(self.degree) < PLANAR, 0.0, np.sign(self.degree))
+
+    @property
+    def born(self) -> int:
+        """First speed at which it is there."""
+        return int((self.column >= 0).argmax())
+
+
+def branches_of(scene: Scene, spec: CampbellSpec) -> list[Branch]:
+    """All modes that come below ``spec.max_frequency``."""
+    branches = _coupled(scene, spec)
+    for motion, alone in (("bending", _bending), ("axial", _axial), ("torsion", _torsion)):
+        if motion not in scene.coupled_motions:
+            branches += alone(scene, spec)
+    return [b for b in branches if np.nanmin(b.frequency) <= spec.max_frequency]
+
+
+def home_of(scene: Scene, kind: str) -> str:
+    """A motion whose system a mode of this kind was found in, the same for all coupled ones."""
+    coupled = scene.coupled_motions
+    return min(coupled) if kind in coupled else kind
+
+
+def modes_of(scene: Scene, home: str, highest: float) -> Modes | ExactModes:
+    """Modes of the system that ``home`` is part of, those of the exact shaft up to somewhat beyond
+    ``highest`` [Hz]; poles are those of the frame of the formulation."""
+    if home == "bending" and scene.bends_exactly:
+        beyond = 2.0 * math.pi * MARGIN * highest
+        exactly = partial(scene.exact.modes, scene.bending_modes, beyond)
+        return scene.timed("exact bending modes", exactly)
+    return scene.vibration(home)[1]
+
+
+def _bending(scene: Scene, spec: CampbellSpec) -> list[Branch]:
+    if not scene.bending.isotropic:
+        branches = _followed("bending", scene, spec, (+1.0,))
+        return [replace(b, degree=whirl_degree(b.vector, b.column < 0)) for b in branches]
+    return _followed("bending", scene, spec, (-1.0, +1.0))
+
+
+def _axial(scene: Scene, spec: CampbellSpec) -> list[Branch]:
+    return _followed("axial", scene, spec, (+1.0,))
+
+
+def _torsion(scene: Scene, spec: CampbellSpec) -> list[Branch]:
+    return _followed("torsion", scene, spec, (+1.0,))
+
+
+def _coupled(scene: Scene, spec: CampbellSpec) -> list[Branch]:
+    """The modes of the motions that supports couple."""
+    if not scene.coupled_motions:
+        return []
+    branches, places = [], scene.coupled.places
+    for branch in _followed(min(scene.coupled_motions), scene, spec, (+1.0,)):
+        squares = np.abs(branch.vector[branch.column >= 0]) ** 2
+        squares = squares / squares.sum(axis=1, keepdims=True)
+        energy = {motion: squares[:, own].sum() for motion, own in places.items()}
+        kind = max(energy, key=lambda motion: float(energy[motion]))
+        degree = np.where(branch.column < 0, np.nan, 0.0)
+        if kind == "bending":
+            degree = whirl_degree(branch.vector[:, places[kind]], branch.column < 0)
+        branches.append(replace(branch, kind=kind, degree=degree))
+    return branches
+
+
+def _followed(
+    home: str, scene: Scene, spec: CampbellSpec, sides: tuple[float, ...]
+) -> list[Branch]:
+    """Branches of the modes of a system that turn with e^(i·side·ω t), ω > 0.
+
+    Where it is not clear between two speeds who is who, the machine is solved at further ones.
+    """
+    sweep = _Sweep.of(scene, home, spec.max_frequency)
+    for _ in range(ROUNDS):
+        wanted = [x for side in sides for x in sweep.doubts(spec, side)]
+        if not wanted or len(sweep.steps) > MOST_STEPS:
+            break
+        finer = sweep.refined(scene, home, spec.max_frequency, wanted)
+        if len(finer.steps) == len(sweep.steps):
+            break
+        sweep = finer
+    return [b for side in sides for b in sweep.branches(home, spec, side)]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Step:
+    """All modes of a system at one ``speed``: ``pole`` (k,) in the fixed frame, ``vector`` (n, k),
+    ``free`` (k,); ``system`` in the coordinates of ``frame``, None of the exact shaft; ``given``:
+    the case names the speed."""
+
+    speed: float
+    pole: Complex
+    vector: Complex
+    free: NDArray[np.bool_]
+    system: tuple[Complex, Matrix, Matrix] | None
+    frame: float
+    given: bool
+
+    def chosen(self, side: float, ceiling: float) -> NDArray[np.intp]:
+        """Columns that turn to ``side``, ascending, up to ``ceiling`` [rad/s]."""
+        turning = side * self.pole.imag
+        columns = np.flatnonzero(swings(self.pole, turning) & (turning < ceiling) & ~self.free)
+        return columns[np.argsort(turning[columns])]
+
+    def ahead(self, other: _Step) -> Complex:
+        """Poles (k,) to be expected at ``other``: λ − w (λ ΔD + ΔK) v."""
+        if self.system is None or other.system is None:
+            return self.pole
+        pole = self.pole - 1j * self.frame
+        left, stiffness, damping = self.system
+        change = pole * ((other.system[2] - damping) @ self.vector)
+        change = change + (other.system[1] - stiffness) @ self.vector
+        with np.errstate(invalid="ignore", over="ignore"):
+            step = np.einsum("kn,nk->k", left, change)
+            known = np.abs(step) < FARTHEST * np.abs(self.pole)
+        return np.where(known, pole - step + 1j * other.frame, self.pole)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Sweep:
+    """The steps of one system, ascending in speed."""
+
+    steps: tuple[_Step, ...]
+
+    @classmethod
+    def of(cls, scene: Scene, home: str, highest: float, *, given: bool = True) -> _Sweep:
+        """At the usable speeds of a scene."""
+        found = modes_of(scene, home, highest)
+        frame = scene.bending.frame if home == "bending" else np.zeros(len(scene.usable))
+        free = found.at_rest(frame[: len(found.pole)])
+        steps = []
+        for place, speed in enumerate(scene.speed[scene.usable]):
+            row = min(place, len(found.pole) - 1)  # torsion is the same at every speed
+            system = None
+            if isinstance(found, Modes):
+                system = found.participation[row], found.stiffness[row], found.damping[row]
+            pole = found.pole[row] + 1j * frame[place]
+            vector = found.vector[row]
+            steps.append(
+                _Step(float(speed), pole, vector, free[row], system, float(frame[place]), given)
+            )
+        return cls(tuple(steps))
+
+    def refined(self, scene: Scene, home: str, highest: float, speed: list[float]) -> _Sweep:
+        """With more speeds, where they have a solution."""
+        other = scene.at(np.setdiff1d(speed, [step.speed for step in self.steps]))
+        if all(other.outcome):
+            return self
+        more = _Sweep.of(other, home, highest, given=False)
+        return _Sweep(tuple(sorted((*self.steps, *more.steps), key=lambda step: step.speed)))
+
+    def doubts(self, spec: CampbellSpec, side: float) -> list[float]:
+        """Speeds that would tell who is who."""
+        speed = np.array([step.speed for step in self.steps])
+        band = 2.0 * math.pi * spec.max_frequency
+        columns = [step.chosen(side, MARGIN * band) for step in self.steps]
+        narrowest = NARROWEST * float(np.ptp(speed))
+        return doubts(speed, *self._followable(columns, side), WITHIN * band, narrowest)
+
+    def branches(self, kind: str, spec: CampbellSpec, side: float) -> list[Branch]:
+        """Those that turn to ``side``, at the speeds of the case."""
+        ceiling = 2.0 * math.pi * MARGIN * spec.max_frequency
+        columns = [step.chosen(side, ceiling) for step in self.steps]
+        expected = [step.ahead(other) for step, other in pairwise(self.steps)]
+        expected.append(self.steps[-1].pole)
+        ahead = [side * pole.imag[own] for pole, own in zip(expected, columns, strict=True)]
+        path = follow(*self._followable(columns, side), ahead)
+        given = [k for k, step in enumerate(self.steps) if step.given]
+        seen = path[given]
+        return [
+            self._branch(kind, side, given, [columns[k] for k in given], seen[:, own])
+            for own in np.flatnonzero((seen >= 0).any(axis=0))
+        ]
+
+    def _followable(
+        self, columns: list[NDArray[np.intp]], side: float
+    ) -> tuple[list[Complex], list[Array]]:
+        """Vectors and frequencies of some columns of every step."""
+        both = list(zip(self.steps, columns, strict=True))
+        vectors = [step.vector[:, own] for step, own in both]
+        return vectors, [side * step.pole.imag[own] for step, own in both]
+
+    def _branch(
+        self,
+        kind: str,
+        side: float,
+        rows: list[int],
+        columns: list[NDArray[np.intp]],
+        place: NDArray[np.intp],
+    ) -> Branch:
+        """One path: its ``place`` among the ``columns`` of every given step."""
+        column = np.array([c[p] if p >= 0 else -1 for c, p in zip(columns, place, strict=True)])
+        steps = [self.steps[row] for row in rows]
+        pole = np.array([step.pole[c] for step, c in zip(steps, column, strict=True)])
+        pole = np.where(column >= 0, pole, complex(np.nan, np.nan))
+        vector = np.array([step.vector[:, c] for step, c in zip(steps, column, strict=True)])
+        degree = side if kind == "bending" else 0.0
+        return Branch(kind, pole, np.where(column < 0, np.nan, degree), column, vector)
+
+
+def whirl_degree(vector: Complex, lost: NDArray[np.bool_]) -> Array:
+    """Forward less backward share of motions (speeds, 2m) of both planes, NaN where ``lost``."""
+    y, z = np.split(vector, 2, axis=1)
+    forward, backward = np.abs(y + 1j * z), np.abs(y - 1j * z)
+    difference = (forward**2 - backward**2).sum(axis=1)
+    return np.where(lost, np.nan, difference / (forward**2 + backward**2).sum(axis=1))

@@ -1,0 +1,148 @@
+"""How many modes there are: proven for the assembled rotor, speed by speed.
+
+The modes of a reduced system are all known (its eigenproblem is solved whole). That the assembled
+rotor, none of its freedoms left out, has as many eigenvalues in a disc |s| ≤ R beyond the highest
+frequency asked for, is shown by the argument principle in the form of Rouché (``rouche``).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis.formulation import SOFTENED
+from rotordyn.analysis.scene import Scene
+from rotordyn.numerics.modes import Modes
+from rotordyn.numerics.rouche import same_count, wide_gap
+from rotordyn.system.coupled import CoupledSystem
+from rotordyn.system.lateral import LateralSystem
+from rotordyn.system.leakage import CoupledLeakage, Leakage
+from rotordyn.system.longitudinal import RodSystem
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+BEYOND = 1.5  # the disc ends in the widest gap of the poles up to this multiple of the band
+OSCILLATING = 1e-6  # of |pole|: less imaginary part than that is no vibration
+UNMOVED = 1e-9  # of the largest force of any mode: less is rounding
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Certificate:
+    """Discs of ``radius`` (speeds,) [rad/s] and where their count is ``proven`` (speeds,).
+
+    ``bound`` (speeds,): what has to be below 1.
+    """
+
+    radius: Array
+    bound: Array
+
+    @property
+    def proven(self) -> Flags:
+        """Where the assembled rotor has as many eigenvalues in the disc as the reduced one."""
+        return np.asarray(self.bound < 1.0)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Count:
+    """Modes of one system (speeds,): how many, whether ``proven``, in discs of which ``radius``."""
+
+    number: Array
+    proven: Flags
+    radius: Array
+
+
+def count(scene: Scene, home: str, highest: float) -> Count:
+    """Modes of a system that swing at ``highest`` [rad/s] at most, with poles in a proven disc.
+
+    Of the exact shaft, all that swing there were counted when they were sought.
+    """
+    system, found = scene.vibration(home)
+    frame = np.asarray(getattr(system, "frame", np.zeros(len(found.pole))))
+    own = certificate(scene, home, highest)
+    pole, free = found.pole + 1j * frame[:, None], found.at_rest(frame)
+    turning = np.abs(pole.imag) if _whirling(system) else pole.imag
+    inside = (np.abs(pole) < own.radius[:, None]) & (turning <= highest) & ~free
+    number = (inside & swings(pole, turning)).sum(axis=1)
+    every = np.ones(len(scene.usable))
+    return Count(number * every, own.proven & (every > 0.0), own.radius * every)
+
+
+def swings(pole: NDArray[np.complex128], turning: Array) -> Flags:
+    """Where a pole with Im = ``turning``, seen one way round, is a vibration."""
+    return np.asarray(turning > OSCILLATING * np.abs(pole))
+
+
+def _whirling(system: object) -> bool:
+    """True where poles of both signs are modes."""
+    return isinstance(system, LateralSystem) and system.isotropic
+
+
+def certificate(scene: Scene, motion: str, highest: float) -> Certificate:
+    """Of the system that ``motion`` is part of, for all up to ``highest`` [rad/s].
+
+    A rigid rotor is its own assembled system: its count needs no proof.
+    """
+    system, found = scene.vibration(motion)
+    pole = (
+        found.pole + 1j * np.asarray(getattr(system, "frame", np.zeros(len(found.pole))))[:, None]
+    )
+    radius = wide_gap(np.abs(pole), np.full(len(pole), highest), BEYOND)
+    leakage = _leakage(scene, motion, system, radius)
+    if leakage is None:
+        return Certificate(radius, np.zeros(len(radius)))
+    free = found.at_rest(getattr(system, "frame", None))
+    right = leakage.forces(found.vector, 1.0)
+    left = leakage.forces(_left_vectors(found), -1.0)
+    with np.errstate(invalid="ignore", over="ignore"):
+        unmoved = free & (right <= UNMOVED * right.max(axis=1, keepdims=True))
+    right, left = (np.where(unmoved, 0.0, side) for side in (right, left))
+    return Certificate(radius, same_count(pole, right, left, radius, leakage.own()))
+
+
+def _leakage(
+    scene: Scene, motion: str, system: LateralSystem | RodSystem | CoupledSystem, radius: Array
+) -> Leakage | CoupledLeakage | None:
+    """None of a rigid rotor."""
+    if isinstance(system, CoupledSystem):
+        parts = {}
+        for name, part in system.parts.items():
+            own = _leakage(scene, name, part, radius)
+            if not isinstance(own, Leakage):
+                return None
+            parts[name] = own
+        return CoupledLeakage(system, parts, radius)
+    if system.unreduced is None:
+        return None
+    bending = motion == "bending"
+    spin = scene.speed[scene.usable] if bending else np.zeros(len(radius))
+    softened = spin**2 if scene.conditions.formulation == SOFTENED else 0.0 * spin
+    return Leakage(system, system.unreduced, spin, radius, softened)
+
+
+def _left_vectors(found: Modes) -> NDArray[np.complex128]:
+    """Left vectors as columns (speeds, n, k), those of a defective system one by one."""
+    left = np.swapaxes(found.participation, 1, 2)
+    lost = np.flatnonzero(~np.isfinite(left).all(axis=(1, 2)))
+    if not lost.size:
+        return left
+    left = left.copy()
+    for row in lost:
+        left[row] = _left_of_simple(found, int(row))
+    return left
+
+
+def _left_of_simple(found: Modes, row: int) -> NDArray[np.complex128]:
+    """Left vectors (n, k) from the transposed problem, scaled by w (2λ + D) v = 1."""
+    from scipy.linalg import eig
+
+    stiffness, damping = found.stiffness[row], found.damping[row]
+    n, pole = len(stiffness), found.pole[row]
+    zero, one = np.zeros((n, n)), np.eye(n)
+    values, vectors = eig(np.block([[zero, one], [-stiffness.T, -damping.T]]))
+    own = np.abs(values[:, None] - pole).argmin(axis=0)
+    left, right = vectors[:n, own], found.vector[row]
+    slope = (left * (2.0 * pole * right + damping @ right)).sum(axis=0)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        return np.asarray(left / slope)

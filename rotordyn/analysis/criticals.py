@@ -1,0 +1,167 @@
+"""Critical speeds: where a mode turns at a whole multiple of the speed, each solved for.
+
+Two ways lead to them. Where nothing but the gyroscopic effect depends on speed, all are the
+eigenvalues of one problem (``synchronous``), whatever the speeds of the case. Where bearings change
+with speed, and for axial motion and torsion, the lines of the followed modes say between which
+speeds they are. Either way the machine is then solved anew at the speed found, damping and all,
+until the mode turns at the multiple of it to rounding.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis.branches import Branch, whirl_degree
+from rotordyn.analysis.character import whirl_along
+from rotordyn.analysis.formulation import ROTATING, SOFTENED
+from rotordyn.analysis.roots import Start, State, solved
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import CampbellSpec
+from rotordyn.numerics.crossing import zero_crossings
+from rotordyn.numerics.follow import likeness
+from rotordyn.numerics.synchronous import synchronous
+from rotordyn.system.coupled import CoupledSystem
+from rotordyn.system.lateral import LateralSystem
+from rotordyn.system.longitudinal import RodSystem
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+SAME, ALIKE = 1e-7, 0.5  # of the speed, likeness: one root found twice
+
+
+@dataclass(frozen=True, slots=True)
+class Critical:
+    """A mode that turns at ``order`` times ``speed`` [rad/s]."""
+
+    mode: str
+    speed: float
+    order: int
+    kind: str
+    whirl: str
+    damping_ratio: float
+    excited: bool
+
+
+def critical_speeds(
+    scene: Scene, spec: CampbellSpec, branches: Sequence[Branch], names: Sequence[str]
+) -> list[Critical]:
+    """Of all ``engine_orders`` between the speeds of the case, ascending by order and speed."""
+    starts = [
+        start
+        for order in spec.engine_orders
+        for start in (*_direct(scene, branches, order), *_crossed(scene, branches, order))
+    ]
+    found: list[tuple[Start, float, State]] = []
+    for start, speed, state in solved(scene, spec, branches, starts):
+        if not any(_same(start, speed, state, other) for other in found):
+            found.append((start, speed, state))
+    criticals = [
+        _named(scene, branches[start.branch], names[start.branch], start.order, speed, state)
+        for start, speed, state in found
+    ]
+    return sorted(criticals, key=lambda c: (c.order, c.speed))
+
+
+def _crossed(scene: Scene, branches: Sequence[Branch], order: int) -> list[Start]:
+    """Crossings of followed modes with the line of ``order``, on the local cubic."""
+    starts, speed = [], scene.speed[scene.usable]
+    for place, branch in enumerate(branches):
+        miss = np.abs(branch.pole.imag) - order * speed
+        for zero in zero_crossings(speed, miss):
+            if zero <= 0.0:
+                continue
+            row = int(np.clip(np.searchsorted(speed, zero) - 1, 0, max(len(speed) - 2, 0)))
+            ends = [k for k in (row, row + 1) if k < len(speed) and branch.column[k] >= 0]
+            near = min(ends, key=lambda k: abs(speed[k] - zero))
+            side = np.sign(branch.pole[near].imag)
+            low, high = float(speed[ends[0]]), float(speed[ends[-1]])
+            starts.append(Start(place, order, zero, low, high, branch.vector[near], side))
+    return starts
+
+
+def _direct(scene: Scene, branches: Sequence[Branch], order: int) -> list[Start]:
+    """All synchronous motions of bending between the speeds of the case, where only the gyroscopic
+    effect depends on speed; each for the followed mode that it is most like."""
+    if not _constant(scene):
+        return []
+    system: LateralSystem = scene.bending
+    speed, polar = scene.speed[scene.usable], system.rotor.polar
+    starts, zero = [], np.zeros_like(polar)
+    for side in (1.0, -1.0) if system.isotropic else (1.0,):
+        gyroscopic = -1j * side * polar
+        if not system.isotropic:
+            gyroscopic = np.block([[zero, polar], [-polar, zero]])
+        spins, vectors = synchronous(system.stiffness[0], gyroscopic, order)
+        for spin, vector in zip(spins, vectors.T, strict=True):
+            if not speed[0] <= spin <= speed[-1]:
+                continue
+            place = _owner(branches, speed, spin, order, vector, side)
+            if place is not None:
+                low, high = float(speed[0]), float(speed[-1])
+                starts.append(Start(place, order, float(spin), low, high, vector, side))
+    return starts
+
+
+def _constant(scene: Scene) -> bool:
+    """True where bending is that of elements on supports that do not change with speed."""
+    force = None if "bending" in scene.coupled_motions else scene.bending.force
+    return (
+        "bending" not in scene.coupled_motions
+        and not scene.bends_exactly
+        and not scene.spindle.seats
+        and scene.conditions.formulation not in (ROTATING, SOFTENED)
+        and (force is None or bool((force == force[:1]).all()))
+    )
+
+
+def _owner(
+    branches: Sequence[Branch], speed: Array, spin: float, order: int, vector: Complex, side: float
+) -> int | None:
+    """The followed bending mode most like a motion, at the speed of the case next to it."""
+    row = int(np.abs(speed - spin).argmin())
+    score = np.full(len(branches), -np.inf)
+    for place, branch in enumerate(branches):
+        pole = branch.pole[row]
+        if branch.kind == "bending" and branch.column[row] >= 0 and side * pole.imag > 0.0:
+            alike = float(likeness(branch.vector[row][:, None], vector[:, None])[0, 0])
+            apart = abs(abs(pole.imag) - order * spin) / max(abs(pole.imag), order * spin)
+            score[place] = alike - apart
+    return int(score.argmax()) if np.isfinite(score).any() else None
+
+
+def _same(start: Start, speed: float, state: State, other: tuple[Start, float, State]) -> bool:
+    """True where two searches ended in one root."""
+    begun, at, known = other
+    return bool(
+        begun.order == start.order
+        and abs(speed - at) <= SAME * at
+        and np.sign(known.pole.imag) == np.sign(state.pole.imag)
+        and len(known.vector) == len(state.vector)
+        and likeness(known.vector[:, None], state.vector[:, None])[0, 0] > ALIKE
+    )
+
+
+def _named(
+    scene: Scene, branch: Branch, name: str, order: int, speed: float, state: State
+) -> Critical:
+    """What a root is called and whether something that turns with the shaft excites it."""
+    whirl, excited = "", order != 1
+    if branch.kind == "bending":
+        system = scene.exact if scene.bends_exactly else scene.vibration("bending")[0]
+        isotropic = not isinstance(system, CoupledSystem | RodSystem) and system.isotropic
+        vector = state.vector
+        if isinstance(system, CoupledSystem):
+            vector = np.zeros_like(state.vector)
+            vector[system.places["bending"]] = state.vector[system.places["bending"]]
+        degree = np.sign(state.pole.imag)
+        if not isotropic:
+            own = vector[system.places["bending"]] if isinstance(system, CoupledSystem) else vector
+            degree = float(whirl_degree(own[None], np.zeros(1, dtype=bool))[0])
+        whirl = whirl_along(system, vector, float(degree))
+        excited = excited or not (isotropic and whirl == "backward")
+    ratio = 0.0 - state.pole.real / abs(state.pole)
+    return Critical(name, speed, order, branch.kind, whirl, float(ratio), excited)

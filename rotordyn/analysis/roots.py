@@ -1,0 +1,133 @@
+"""Speeds at which a followed mode turns at a whole multiple of the speed, by secants.
+
+The machine, its bearings and damping included, is solved anew at each trial, all searches at once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis.branches import Branch, home_of, modes_of
+from rotordyn.analysis.certificate import swings
+from rotordyn.analysis.exact_bending import ExactModes
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import CampbellSpec
+from rotordyn.numerics.follow import likeness
+from rotordyn.numerics.modes import Modes
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+ITERATIONS = 20
+CLOSE = 1e-11  # of the frequency: the condition holds
+NEARNESS = 2.0  # of likeness that a distance as large as the frequency costs
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Start:
+    """Where to look: ``speed`` [rad/s] for ``branch``, between ``low`` and ``high``.
+
+    ``order``: of rotation; ``before``: a speed already looked at, and what it missed by.
+    """
+
+    branch: int
+    order: int
+    speed: float
+    low: float
+    high: float
+    vector: Complex
+    side: float
+    before: tuple[float, float] | None = None
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class State:
+    """The mode nearest to a start at some speed; ``miss`` |Im λ| − n Ω [rad/s]."""
+
+    pole: complex
+    vector: Complex
+    miss: float
+
+
+def solved(
+    scene: Scene, spec: CampbellSpec, branches: Sequence[Branch], starts: Sequence[Start]
+) -> list[tuple[Start, float, State]]:
+    """Every start led to its root by secants, all at once; those without one are left out."""
+    if not starts:
+        return []
+    at = np.array([s.speed for s in starts])
+    starts = list(starts)
+    open_, done = list(range(len(starts))), []
+    for _ in range(ITERATIONS):
+        states = _states(scene, spec, branches, [starts[k] for k in open_], at[open_])
+        still = []
+        for k, state in zip(open_, states, strict=True):
+            if state is None:
+                continue
+            if abs(state.miss) <= CLOSE * abs(state.pole):
+                done.append((starts[k], float(at[k]), state))
+                continue
+            onward = _next(starts[k], float(at[k]), state.miss)
+            starts[k] = replace(
+                starts[k],
+                vector=state.vector,
+                before=(float(at[k]), state.miss),
+            )
+            if onward == at[k]:
+                done.append((starts[k], float(at[k]), state))
+                continue
+            at[k] = onward
+            still.append(k)
+        open_ = still
+        if not open_:
+            break
+    return done
+
+
+def _next(start: Start, at: float, miss: float) -> float:
+    """The secant through the last two speeds, at first the speed at which the frequency met would
+    be the multiple; not beyond the ends of the search."""
+    before, onward = start.before, at + miss / start.order
+    if before is not None and before[1] != miss:
+        onward = at - miss * (at - before[0]) / (miss - before[1])
+    return float(np.clip(onward, start.low, start.high))
+
+
+def _states(
+    scene: Scene, spec: CampbellSpec, branches: Sequence[Branch], starts: list[Start], at: Array
+) -> list[State | None]:
+    """The mode of every start at its speed; None where there is none, or no equilibrium."""
+    speeds, row = np.unique(at, return_inverse=True)
+    other = scene.at(speeds)
+    if all(other.outcome):
+        return [None] * len(starts)
+    place = np.full(len(speeds), -1)
+    place[other.usable] = np.arange(len(other.usable))
+    homes = [home_of(scene, branches[start.branch].kind) for start in starts]
+    known = {home: modes_of(other, home, spec.max_frequency) for home in set(homes)}
+    still = np.zeros(len(speeds))
+    frames = {home: other.bending.frame if home == "bending" else still for home in known}
+    return [
+        None if k < 0 else _nearest(known[home], frames[home], int(k), start, float(speed))
+        for home, start, k, speed in zip(homes, starts, place[row], at, strict=True)
+    ]
+
+
+def _nearest(
+    modes: Modes | ExactModes, frame: Array, row: int, start: Start, speed: float
+) -> State | None:
+    """The swinging mode of a system that is most like the start and near to its line."""
+    row = min(row, len(modes.pole) - 1)
+    pole = modes.pole[row] + 1j * frame[row]
+    turning = start.side * pole.imag
+    columns = np.flatnonzero(swings(pole, turning))
+    if not columns.size:
+        return None
+    alike = likeness(start.vector[:, None], modes.vector[row][:, columns])[0]
+    line = start.order * speed
+    apart = np.abs(turning[columns] - line) / np.maximum(turning[columns], line)
+    best = columns[int((alike - NEARNESS * apart).argmax())]
+    return State(complex(pole[best]), modes.vector[row][:, best], abs(pole[best].imag) - line)

@@ -1,0 +1,172 @@
+"""How strongly a reduced rotor is joined to what its coordinates leave out, at most.
+
+For every motion e^(st) with |s| = R of the coordinates, the forces that it puts on the rest of the
+assembled rotor (``Unreduced``), and how far that rest is from resting stiffness alone. These are
+norms, bounds for the whole circle: (R² + σ) ‖ΨᵀMv‖ of inertia, R Ω ‖ΨᵀPv‖ of the gyroscopic effect,
+the work of the axial force, and what bearings, supports and drawbar add.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.system.coupled import CoupledSystem
+from rotordyn.system.unreduced import Unreduced
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Inexact = NDArray[np.inexact]
+
+
+class Joined(Protocol):
+    """What is asked of a reduced system: bending, axial motion or torsion (see ``estimate``)."""
+
+    @property
+    def planes(self) -> int: ...
+    @property
+    def freedoms(self) -> int: ...
+    @property
+    def rows(self) -> Array: ...
+    @property
+    def connected(self) -> tuple[int, ...]: ...
+    @property
+    def held(self) -> Inexact: ...
+    @property
+    def damped(self) -> Inexact: ...
+    @property
+    def force(self) -> Array | None: ...
+    @property
+    def unreduced(self) -> Unreduced | None: ...
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Leakage:
+    """Of one motion at ``spin`` (speeds,) [rad/s] on circles of ``radius`` (speeds,) [rad/s].
+
+    ``softened`` [1/s²] (speeds,): Ω² where it is subtracted with the translational mass, else 0.
+    """
+
+    system: Joined
+    whole: Unreduced
+    spin: Array
+    radius: Array
+    softened: Array
+
+    def own(self) -> Array:
+        """q: the rest of the rotor over its stiffness K + σM, less 1 (speeds,)."""
+        whole, ends = self.whole, self._ends()
+        blocks = _norms(self.system.held) + self.radius[:, None] * _norms(self.system.damped)
+        return np.asarray(
+            (self.radius**2 + whole.shift + self.softened) * whole.mass_norm
+            + self.radius * np.abs(self.spin) * whole.polar_norm
+            + self._force() * whole.slope_norm**2
+            + _norm(whole.bar_rows[0]) ** 2
+            + blocks @ ends**2
+        )
+
+    def forces(self, vector: Complex, side: float) -> Array:
+        """Norms of the forces on the rest (speeds, k) by motions (speeds, n, k); ``side`` −1: by
+        left vectors."""
+        whole, planes = self.whole, self.system.planes
+        v = vector.reshape(len(vector), planes, -1, vector.shape[-1])
+        inertia = self.radius**2 + whole.shift
+        total = inertia[:, None] * _moved(_triangle(whole.mass_coupling), v)
+        if self.spin.any() and whole.polar is not None:
+            gyroscopic = self.radius * np.abs(self.spin)
+            total += gyroscopic[:, None] * _moved(_triangle(whole.polar_coupling), v)
+        if whole.slope is not None and self._force().any():
+            slope = _triangle(np.pad(whole.slope @ whole.basis.vectors, ((0, 0), (0, whole.more))))
+            total += (self._force() * whole.slope_norm)[:, None] * _moved(slope, v)
+        if self.softened.any():
+            reach = self.softened * np.sqrt(whole.mass_norm)
+            total += reach[:, None] * np.linalg.norm(v, axis=(1, 2))
+        rest, bar = whole.bar_rows
+        if len(bar):
+            total += _norm(rest) * _moved(bar, v)
+        return np.asarray(total + self._held(v, side))
+
+    def _held(self, v: Complex, side: float) -> Array:
+        """By bearings and supports (speeds, k)."""
+        if not len(self.system.rows):
+            return np.zeros((1, 1))
+        moved = np.einsum("cim,spmk->scpik", self.system.rows, v, optimize=True)
+        moved = moved.reshape(*moved.shape[:2], -1, moved.shape[-1])
+        held, damped = self.system.held, self.system.damped
+        if side < 0.0:
+            held, damped = np.swapaxes(held, -1, -2), np.swapaxes(damped, -1, -2)
+        force = np.linalg.norm(held @ moved, axis=2)
+        force = force + self.radius[:, None, None] * np.linalg.norm(damped @ moved, axis=2)
+        return np.einsum("c,sck->sk", self._ends(), force)
+
+    def _force(self) -> Array:
+        """Largest axial force (speeds,) [N]."""
+        force = self.system.force
+        return np.zeros(1) if force is None else np.abs(force).max(axis=1, initial=0.0)
+
+    def _ends(self) -> Array:
+        """Motion at every bearing and support by what is left out, at most (c,)."""
+        return self.ends(self.system.connected)
+
+    def ends(self, nodes: tuple[int, ...]) -> Array:
+        """The same at some nodes."""
+        seen, width = self.whole.seen, self.system.freedoms
+        return np.array([_norm(seen[width * n : width * (n + 1)]) for n in nodes])
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class CoupledLeakage:
+    """Of motions that supports couple: ``parts`` by their names in ``system``."""
+
+    system: CoupledSystem
+    parts: Mapping[str, Leakage]
+    radius: Array
+
+    def own(self) -> Array:
+        """q of all parts and of what supports add between them (speeds,)."""
+        ends = self._ends()
+        stiff, damped = (np.linalg.norm(block, 2, axis=(-2, -1)) for block in self.system.supports)
+        between = (ends**2 * stiff).sum() + self.radius * (ends**2 * damped).sum()
+        largest = np.max([np.broadcast_to(p.own(), len(self.radius)) for p in self.parts.values()])
+        return np.asarray(between + largest)
+
+    def forces(self, vector: Complex, side: float) -> Array:
+        """As of one motion."""
+        system = self.system
+        own = [p.forces(vector[:, system.places[name]], side) for name, p in self.parts.items()]
+        blocks = system.supports if side > 0.0 else np.swapaxes(system.supports, -1, -2)
+        moved = np.einsum("cin,snk->scik", system.at_supports, vector, optimize=True)
+        stiff, damped = (np.linalg.norm(block @ moved, axis=2) for block in blocks)
+        between = stiff + self.radius[:, None, None] * damped
+        squares = np.sum([part**2 for part in own], axis=0)
+        return np.asarray(np.sqrt(squares) + np.einsum("c,sck->sk", self._ends(), between))
+
+    def _ends(self) -> Array:
+        """Motion at every support by what is left out, at most (supports,)."""
+        count = len(self.system.at_supports)
+        found = [p.ends(p.system.connected[-count:]) for p in self.parts.values()]
+        return np.asarray(np.max(found, axis=0))
+
+
+def _triangle(matrix: Array) -> Array:
+    """A matrix of as few rows that makes vectors as long."""
+    return np.asarray(np.linalg.qr(matrix, mode="r"))
+
+
+def _moved(matrix: Array, v: Complex) -> Array:
+    """Length of matrix · v (speeds, k), v (speeds, planes, m, k)."""
+    found = matrix @ v.real, matrix @ v.imag
+    return np.asarray(np.sqrt(sum((part**2).sum(axis=(1, 2)) for part in found)))
+
+
+def _norms(blocks: Inexact) -> Array:
+    """Largest singular values (speeds, c) of blocks (speeds, c, k, k), at most."""
+    return np.asarray(np.linalg.norm(blocks, axis=(-2, -1)))
+
+
+def _norm(matrix: Array) -> float:
+    return float(np.linalg.norm(matrix, 2)) if matrix.size else 0.0

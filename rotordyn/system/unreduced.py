@@ -1,0 +1,105 @@
+"""What stands between a reduced rotor and its assembled matrices.
+
+Beside the m coordinates of a plane the assembled system has c more, chosen (K + σM)-orthonormal and
+(K + σM)-orthogonal to them (``Complement``). Forces at bearings, supports and contacts of the
+drawbar, which the coordinates answer, then hardly reach these c.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.numerics.reduction import Complement, RitzBasis
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Unreduced:
+    """The assembled rotor in one plane, n freedoms, and the ``basis`` that it was reduced to.
+
+    ``at_nodes`` (rows, n): motion of the nodes of the mesh; ``polar`` (n, n): None without
+    gyroscopic effect; ``slope`` (places, n): slopes v′ times the root of the length that each
+    stands for, None where axial force does nothing; ``spans``: rows of the two ends and stiffness
+    of every straight part of the drawbar; ``more``: coordinates of the reduced system that are none
+    of the rotor's.
+    """
+
+    basis: RitzBasis
+    at_nodes: Array
+    polar: Array | None = None
+    slope: Array | None = None
+    spans: Sequence[tuple[int, int, float]] = ()
+    more: int = 0
+
+    @cached_property
+    def rest(self) -> Complement:
+        """The c coordinates left out."""
+        return self.basis.complement
+
+    @property
+    def shift(self) -> float:
+        """σ [1/s²]."""
+        return self.basis.shift
+
+    @cached_property
+    def mass_coupling(self) -> Array:
+        """ΨᵀMΦ (c, m)."""
+        return self._widened(self.rest.coupling)
+
+    @cached_property
+    def polar_coupling(self) -> Array:
+        """ΨᵀPΦ (c, m)."""
+        polar = self._polar
+        return self._widened(self.rest.vectors.T @ polar @ self.basis.vectors)
+
+    @cached_property
+    def seen(self) -> Array:
+        """Motion of the nodes by what is left out (rows, c)."""
+        return np.asarray(self.at_nodes @ self.rest.vectors)
+
+    @cached_property
+    def mass_norm(self) -> float:
+        """Of ΨᵀMΨ, on vectors of unit stiffness [s²]."""
+        return _norm(self.rest.mass)
+
+    @cached_property
+    def polar_norm(self) -> float:
+        """Of ΨᵀPΨ [s²]."""
+        return _norm(self.rest.vectors.T @ self._polar @ self.rest.vectors)
+
+    @cached_property
+    def slope_norm(self) -> float:
+        """Of the slopes by what is left out, the root of ∫ v′² dx at most [N^-½]."""
+        if self.slope is None:
+            return 0.0
+        return _norm(self.slope @ self.rest.vectors)
+
+    @cached_property
+    def bar_rows(self) -> tuple[Array, Array]:
+        """Root of the stiffness times the stretch of every part of the drawbar: by what is left
+        out (spans, c), by the coordinates (spans, m)."""
+        moved = self.at_nodes @ self.basis.vectors
+        return self._stretch(self.seen), self._widened(self._stretch(moved))
+
+    def _stretch(self, moved: Array) -> Array:
+        rows = [np.sqrt(k) * (moved[right] - moved[left]) for left, right, k in self.spans]
+        return np.array(rows).reshape(len(rows), moved.shape[1])
+
+    @property
+    def _polar(self) -> Array:
+        size = len(self.basis.vectors)
+        return np.zeros((size, size)) if self.polar is None else self.polar
+
+    def _widened(self, matrix: Array) -> Array:
+        return np.pad(matrix, ((0, 0), (0, self.more)))
+
+
+def _norm(matrix: Array) -> float:
+    """Largest singular value; nothing for an empty matrix."""
+    return float(np.linalg.norm(matrix, 2)) if matrix.size else 0.0

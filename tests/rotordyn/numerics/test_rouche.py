@@ -1,0 +1,68 @@
+"""The count of a reduced problem and that of the whole one."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from rotordyn.numerics.modes import modes
+from rotordyn.numerics.rouche import same_count, wide_gap
+
+
+def whole_and_bound(seed: int, coupling: float, stiff: float) -> tuple[int, int, float]:
+    """Eigenvalues in the disc of the whole problem and of its first block, and the bound.
+
+    s² + s C + K with unit mass; the second block rests on ``stiff``.
+    """
+    rng = np.random.default_rng(seed)
+    n, m, radius = 6, 5, 3.0
+    size = n + m
+    stiffness = rng.normal(size=(size, size)) * coupling
+    damping = 0.2 * rng.normal(size=(size, size)) * coupling
+    stiffness[:n, :n] += np.diag(rng.uniform(0.5, 60.0, n))
+    stiffness[n:, n:] += stiff * np.eye(m)
+    pole = modes(stiffness, damping).pole
+    found = modes(stiffness[:n, :n], damping[:n, :n])
+    own = np.linalg.norm(stiffness[n:, n:] / stiff - np.eye(m), 2)
+    own += (radius**2 + radius * np.linalg.norm(damping[n:, n:], 2)) / stiff
+    down, up = (
+        (stiffness[a, b], damping[a, b])
+        for a, b in ((np.s_[n:], np.s_[:n]), (np.s_[:n], np.s_[n:]))
+    )
+    right = sum(
+        np.linalg.norm(f @ found.vector, axis=0) * w
+        for f, w in zip(down, (1.0, radius), strict=True)
+    )
+    left = sum(
+        np.linalg.norm(found.participation @ e, axis=1) * w
+        for e, w in zip(up, (1.0, radius), strict=True)
+    )
+    bound = same_count(found.pole, right, left / stiff, np.array(radius), np.array(own))
+    return (
+        int((np.abs(pole) < radius).sum()),
+        int((np.abs(found.pole) < radius).sum()),
+        float(bound),
+    )
+
+
+def test_a_bound_below_one_proves_the_count() -> None:
+    """Weak and strong coupling; where the counts differ the bound says so."""
+    proven = different = 0
+    for seed in range(300):
+        coupling, stiff = 10.0 ** np.random.default_rng(seed).uniform([-2.0, 0.7], [1.0, 2.5])
+        whole, reduced, bound = whole_and_bound(seed, coupling, stiff)
+        proven += bound < 1.0
+        different += whole != reduced
+        assert whole == reduced or bound >= 1.0, seed
+    assert proven > 50
+    assert different > 20
+
+
+def test_a_block_without_stiffness_proves_nothing() -> None:
+    edge = same_count(np.array([1j]), np.zeros(1), np.zeros(1), np.array(3.0), np.array(1.0))
+    assert edge == np.inf
+
+
+def test_the_disc_ends_in_the_widest_gap() -> None:
+    size = np.array([[0.5, 1.1, 1.2, 1.45, 9.0], [0.5, 2.0, 3.0, 4.0, 5.0]])
+    assert wide_gap(size, np.ones(2), 1.5) == pytest.approx([(1.2 + 1.45) / 2, 1.25])

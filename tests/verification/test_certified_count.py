@@ -1,0 +1,162 @@
+"""The number of modes that is told against counts made by other means."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from benchmarks import random_rotors
+from rotordyn.analysis import campbell
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import CampbellSpec, Conditions
+from rotordyn.exact.count import modes_below, whirl_frequencies
+from rotordyn.exact.rotor import exact_rotor
+from rotordyn.machine.spindle import Spindle
+from rotordyn.numerics.reduction import RitzBasis
+from rotordyn.report.warnings import result_warnings
+from rotordyn.system import lateral_rotor
+from rotordyn.system.mesh import build_mesh
+from tests.oracles.full_rotor import FullRotor
+from tests.oracles.rotors import STEEL, support, uniform
+from tests.oracles.spindles import RPM, mfw2310
+from tests.oracles.stepped_rotors import stepped_rotor
+
+NO_SEATS = np.zeros((0, 5, 5))
+HZ = 2.0 * math.pi
+
+
+def answered(spindle: Spindle, speed: list[float], highest: float, **conditions: Any) -> Any:
+    scene = Scene(spindle, Conditions(**conditions), np.array(speed), highest)
+    return campbell.answer(scene, CampbellSpec(highest, shapes=False))
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_isotropic_rotors_by_inertia_of_the_exact_shaft(seed: int) -> None:
+    """Wittrick and Williams' count of both whirls: without elements, without eigenvalues."""
+    rng = np.random.default_rng(seed)
+    spindle = stepped_rotor(rng)
+    still = whirl_frequencies(exact_rotor(spindle, 0.0, NO_SEATS), 6)
+    speed = [0.5 * still[0], 4.0 * still[0]]
+    highest = min(1.02 * still[5] / HZ, 9.9e5)
+    result = answered(spindle, speed, highest)
+    bending = np.array([kind == "bending" for kind in result.kind])
+    others = (result.frequency[:, ~bending] <= highest).sum(axis=1)
+    for row, spin in enumerate(speed):
+        exact = exact_rotor(spindle, spin, NO_SEATS)
+        expected = sum(modes_below(exact, side * HZ * highest) for side in (-1, 1))
+        assert result.modes_below[row] - others[row] == expected
+    assert result.certified.all()
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_anisotropic_damped_rotors_by_all_eigenvalues(seed: int) -> None:
+    """Against the dense eigenproblem of many standard elements, no freedom left out."""
+    rng = np.random.default_rng(100 + seed)
+    spindle = stepped_rotor(rng, isotropic=False, damped=True)
+    short = spindle.shaft.end / 120.0
+    mesh = build_mesh(spindle, short)
+    spin = 300.0
+    poles = FullRotor(spindle, mesh, NO_SEATS, spin).poles(1e5)
+    light = poles[np.abs(poles) < 1.05 * poles.imag]
+    gaps = np.diff(light.imag[:9]) / light.imag[:8]
+    place = 3 + int(gaps[3:8].argmax())
+    highest = 0.5 * (light.imag[place] + light.imag[place + 1])
+    expected = int((np.abs(poles) < highest).sum())
+    result = answered(spindle, [spin], highest / HZ, element_length=short)
+    bending = np.array([kind == "bending" for kind in result.kind])
+    others = (result.frequency[:, ~bending] <= highest / HZ).sum(axis=1)
+    assert result.certified.all()
+    assert result.modes_below - others == pytest.approx(expected)
+
+
+@pytest.mark.parametrize("highest", [4000.0, 9000.0])
+def test_a_free_bar_by_closed_form(highest: float) -> None:
+    """Axial n c/2L, torsional n ct/2L, and bending by the count of the exact shaft."""
+    bar = uniform(
+        1.0, 0.05, supports=[support("a", 0.2, (1e8, 1e8)), support("b", 0.8, (1e8, 1e8))]
+    )
+    result = answered(bar, [0.0, 500.0], highest)
+    wave = np.sqrt([STEEL.young_modulus / STEEL.density, STEEL.shear_modulus / STEEL.density])
+    expected = np.floor(2.0 * highest / wave).sum()
+    for row, spin in enumerate((0.0, 500.0)):
+        exact = exact_rotor(bar, spin, NO_SEATS)
+        bending = sum(modes_below(exact, side * HZ * highest) for side in (-1, 1))
+        assert result.modes_below[row] == expected + bending
+    assert result.certified.all()
+
+
+def test_bearings_damping_drawbar_and_both_frames() -> None:
+    """The flagship: unsymmetric tangents, modal damping; the count does not depend on the frame."""
+    speed = (np.array([0.0, 12000.0, 24000.0]) * RPM).tolist()
+    inertial = answered(mfw2310(), speed, 4000.0)
+    assert inertial.certified.all()
+    turning = answered(mfw2310(), speed, 4000.0, formulation="rotating")
+    softened = answered(mfw2310(), speed, 4000.0, formulation="fixed-frame softening")
+    assert turning.certified.all()
+    assert softened.certified.all()
+    assert turning.modes_below == pytest.approx(inertial.modes_below)
+    assert inertial.modes_found == pytest.approx(inertial.modes_below)
+
+
+def test_a_mode_that_the_basis_lacks_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The second bending vector is put among those left out: no proof, and the warning says so."""
+    whole = lateral_rotor.ritz_basis
+
+    def poorer(*arguments: Any) -> RitzBasis:
+        basis = whole(*arguments)
+        kept = np.delete(np.arange(basis.vectors.shape[1]), 3)
+        lost = basis.vectors[:, 3:4]
+        return replace(
+            basis,
+            vectors=basis.vectors[:, kept],
+            values=basis.values[kept],
+            rest=np.concatenate([lost, basis.rest], axis=1),
+            rest_values=np.append(basis.values[3], basis.rest_values),
+            rest_mass=np.concatenate([np.zeros((1, len(kept))), basis.rest_mass[:, kept]]),
+            rounding=basis.rounding[kept],
+        )
+
+    rotor = uniform(
+        1.0, 0.05, supports=[support("a", 0.0, (1e7, 1e7)), support("b", 1.0, (1e7, 1e7))]
+    )
+    complete = answered(rotor, [100.0], 2000.0)
+    assert complete.certified.all()
+    monkeypatch.setattr(lateral_rotor, "ritz_basis", poorer)
+    result = answered(rotor, [100.0], 2000.0)
+    assert not result.certified.any()
+    assert np.isnan(result.modes_below).all()
+    assert result.modes_found[0] < complete.modes_below[0]
+    (sentence,) = result_warnings({"campbell": result})
+    assert "not certified at 1 of 1 speeds" in sentence
+
+
+def test_more_modes_are_taken_where_the_count_is_not_proven(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """With free-free modes up to the band only, the first basis is too poor."""
+    monkeypatch.setattr(lateral_rotor, "CUTOFF", 0.6)
+    rotor = uniform(
+        1.0, 0.02, supports=[support("a", 0.0, (1e7, 1e7)), support("b", 1.0, (1e7, 1e7))]
+    )
+    asked: list[float] = []
+    whole = lateral_rotor.ritz_basis
+    monkeypatch.setattr(lateral_rotor, "ritz_basis", lambda *a: (asked.append(a[2]), whole(*a))[1])
+    result = answered(rotor, [100.0], 6000.0)
+    assert result.certified.all()
+    assert len(asked) > 1
+    assert np.diff(np.log2(asked)) == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("seed", [1, 7, 29])
+def test_poles_of_long_random_rotors_by_one_dense_solve(seed: int) -> None:
+    """Up to sixty sections on damped uneven supports: the survey of the benchmarks, a few of it."""
+    found = random_rotors.against_dense(seed)
+    assert found["modes"] > 3
+    assert (found["missing"], found["spurious"], found["warnings"]) == (0, 0, 0)
+    assert found["certified"]
+    assert found["counted"] == found["modes"]
+    assert max(found["errors"]) < 1e-5

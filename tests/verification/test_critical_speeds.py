@@ -1,0 +1,176 @@
+"""Critical speeds of any order: published, by dense matrices, by closed forms, on real bearings."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.linalg import eigvals
+
+from rotordyn.analysis import campbell
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import CampbellSpec, Conditions
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import LinearSupport
+from rotordyn.system.mesh import build_mesh
+from tests.literature.test_rotor_friswell import base, overhung
+from tests.oracles.full_rotor import FullRotor
+from tests.oracles.rotors import STEEL, uniform
+from tests.oracles.spindles import RPM, mfw2310
+
+NO_SEATS = np.zeros((0, 5, 5))
+
+
+def answered(
+    spindle: Spindle,
+    rpm: Any,
+    highest: float,
+    orders: tuple[int, ...] = (1,),
+    element: float | None = None,
+    **conditions: Any,
+) -> Any:
+    speed = np.asarray(rpm, float) * RPM
+    scene = Scene(spindle, Conditions(element_length=element, **conditions), speed, highest)
+    return campbell.answer(scene, CampbellSpec(highest, shapes=False, engine_orders=orders))
+
+
+def bending(result: Any, order: int) -> np.ndarray:
+    return np.flatnonzero(
+        (result.critical_order == order) & (np.array(result.critical_kind) == "bending")
+    )
+
+
+@pytest.mark.parametrize(
+    ("rotor", "expected", "whirl"),
+    [
+        (base((1e6, 1e6)), [825.16, 829.90, 2487.90, 2756.31, 5379.57, 8841.20], "bfbfbf"),
+        (overhung(), [832.73, 890.82, 5026.38, 6063.89, 6117.71], "bfbfb"),
+    ],
+    ids=["5.9.1", "5.9.9"],
+)
+def test_published_synchronous_criticals_from_two_speeds(
+    rotor: Spindle, expected: list[float], whirl: str
+) -> None:
+    """Friswell and others 2010; nothing between 0 and 9000 rpm is sampled."""
+    found = answered(rotor, [0, 9000], 400.0, element=0.25)
+    own = bending(found, 1)
+    assert found.critical_speed[own] / RPM == pytest.approx(expected, abs=6e-3)
+    assert "".join(found.critical_whirl[k][0] for k in own) == whirl
+    assert [found.critical_excited[k] for k in own] == [letter == "f" for letter in whirl]
+    assert found.critical_damping[own] == pytest.approx(0.0, abs=1e-12)
+
+
+@pytest.mark.parametrize("order", [1, 2, 5])
+@pytest.mark.parametrize("stiffness", [(1e6, 1e6), (1e6, 0.3e6), (1e6, 1e6, 0.5e6)])
+def test_any_order_by_dense_matrices(stiffness: tuple[float, ...], order: int) -> None:
+    """All of K q = (nΩ)² (M − iG/n) q of the assembled matrices, none missing, none besides."""
+    rotor = base(stiffness)
+    top = 6000.0
+    mesh = build_mesh(rotor, 0.25)
+    still, turning = (FullRotor(rotor, mesh, NO_SEATS, spin) for spin in (0.0, 1.0))
+    gyroscopic = turning.damping - still.damping
+    squares = eigvals(still.stiffness, still.mass - 1j * gyroscopic / order)
+    spins = np.sort(np.sqrt(squares.real[squares.real > 0])) / order
+    expected = spins[spins < top * RPM]
+    found = answered(rotor, [0, 2500, top], order * top / 60.0, (order,), element=0.25)
+    assert found.critical_speed[bending(found, order)] == pytest.approx(expected, rel=1e-7)
+
+
+@pytest.mark.parametrize("order", [1, 3])
+def test_damped_criticals_turn_at_the_multiple(order: int) -> None:
+    """At each speed found the assembled matrices have a pole with |Im λ| = nΩ and that damping."""
+    rotor = base((1e6, 0.7e6), damping=1e3)
+    mesh = build_mesh(rotor, 0.25)
+    found = answered(rotor, [0, 3000, 6000], order * 100.0, (order,), element=0.25)
+    own = bending(found, order)
+    assert len(own) >= 4
+    assert (found.critical_damping[own] > 0.01).all()
+    for k in own:
+        spin = found.critical_speed[k]
+        poles = FullRotor(rotor, mesh, NO_SEATS, spin).poles(1e4)
+        near = poles[np.abs(poles.imag - order * spin).argmin()]
+        assert near.imag == pytest.approx(order * spin, rel=1e-6)
+        assert -near.real / abs(near) == pytest.approx(found.critical_damping[k], rel=1e-5)
+
+
+def test_torsion_and_axial_motion_in_closed_form() -> None:
+    """A bar free to turn, π n c/L; held along its axis at one end, π c/2L."""
+    held = LinearSupport("held", 0.0, {("x", "x"): 1e13, ("y", "y"): 1e8, ("z", "z"): 1e8})
+    bar = uniform(
+        2.0,
+        0.05,
+        supports=[
+            held,
+            replace(held, name="far", x=2.0, stiffness={("y", "y"): 1e8, ("z", "z"): 1e8}),
+        ],
+    )
+    found = answered(bar, [0, 20000], 1000.0, (2, 4), accuracy=1e-7)
+    wave = {
+        "axial": 0.5 * math.pi / 2.0 * math.sqrt(STEEL.young_modulus / STEEL.density),
+        "torsion": math.pi / 2.0 * math.sqrt(STEEL.shear_modulus / STEEL.density),
+    }
+    for kind, omega in wave.items():
+        own = np.array(found.critical_kind) == kind
+        expected = [omega / n for n in (2, 4) if omega / n <= 20000 * RPM]
+        assert found.critical_speed[own] == pytest.approx(expected, rel=1e-4)
+        assert set(np.array(found.critical_whirl)[own]) <= {""}
+
+
+def test_bearings_that_change_with_speed() -> None:
+    """The flagship at 3×: a mode of the machine solved at the speed found turns at 3Ω exactly; the
+    sampling does not matter."""
+    coarse = answered(mfw2310(), [0, 12000, 24000], 1500.0, (3,))
+    fine = answered(mfw2310(), np.arange(0, 24001, 2000), 1500.0, (3,))
+    own = bending(coarse, 3)
+    assert len(own) >= 2
+    assert fine.critical_speed[bending(fine, 3)] == pytest.approx(
+        coarse.critical_speed[own], rel=1e-9
+    )
+    for k in own:
+        spin = coarse.critical_speed[k]
+        there = answered(mfw2310(), [spin / RPM], 1500.0)
+        turning = 2.0 * math.pi * there.frequency[0]
+        nearest = int(np.abs(turning - 3.0 * spin).argmin())
+        assert turning[nearest] == pytest.approx(3.0 * spin, rel=1e-8)
+        assert there.damping_ratio[0, nearest] == pytest.approx(
+            coarse.critical_damping[k], rel=1e-6
+        )
+
+
+def test_the_frame_and_the_exact_shaft_agree() -> None:
+    rotor = overhung()
+    inertial, turning = (
+        answered(rotor, [0, 4000, 7000], 150.0, (1, 2), formulation=f, accuracy=1e-6)
+        for f in ("inertial", "rotating")
+    )
+    exact = answered(rotor, [0, 4000, 7000], 150.0, (1, 2), shaft="exact")
+    assert turning.critical_speed == pytest.approx(inertial.critical_speed, rel=1e-9)
+    assert turning.critical == inertial.critical
+    assert exact.critical_speed == pytest.approx(inertial.critical_speed, rel=1e-6)
+
+
+def test_parts_that_whirl_either_way_are_called_mixed() -> None:
+    """Between the two criticals of an uneven pair: against the orbits of the assembled matrices."""
+    rotor = base((1e6, 0.2e6))
+    found = answered(rotor, [0, 5000, 10000], 400.0, (1, 2, 3), element=0.25)
+    mesh = build_mesh(rotor, 0.25)
+    seen = set()
+    for k in bending(found, 1).tolist() + bending(found, 2).tolist() + bending(found, 3).tolist():
+        omega = found.critical_order[k] * found.critical_speed[k]
+        full = FullRotor(rotor, mesh, NO_SEATS, found.critical_speed[k])
+        dynamic = full.stiffness + 1j * omega * full.damping - omega**2 * full.mass
+        vector = np.linalg.svd(dynamic)[2][-1].conj()
+        y, z = (
+            vector[full.selection.rows("y", mesh.nodes)],
+            vector[full.selection.rows("z", mesh.nodes)],
+        )
+        turn = np.abs(y + 1j * z) ** 2 - np.abs(y - 1j * z) ** 2
+        size = np.abs(y) ** 2 + np.abs(z) ** 2
+        turn = turn[size > 1e-3 * size.max()]
+        mixed = turn.min() < 0.0 < turn.max()
+        assert (found.critical_whirl[k] == "mixed") == mixed
+        seen.add(found.critical_whirl[k])
+    assert seen >= {"mixed", "forward", "backward"}

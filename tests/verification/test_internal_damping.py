@@ -1,0 +1,108 @@
+"""Internal damping of a disc on a light shaft: where forward whirl begins to grow."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from bearings import Material
+from rotordyn.analysis import campbell
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import CampbellSpec, Conditions
+from rotordyn.machine.lumped import PointMass
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import LinearSupport
+from rotordyn.report.warnings import result_warnings
+from tests.oracles.rotors import support, uniform
+
+LIGHT = Material("light", 2.1e11, 0.3, 1.0)
+LENGTH, MASS, BETA = 0.6, 20.0, 2e-8
+
+
+def rotor(external: float, uneven: float = 0.0) -> Spindle:
+    """All damping of the shaft is internal and β times its stiffness, c_i = β k."""
+    disc = PointMass("disc", LENGTH / 2, MASS, 1e-6, 1e-6)
+    damper = {("y", "y"): external, ("z", "z"): external}
+    held = (
+        support("a", 0.0, (1e12, 1e12)),
+        support("b", LENGTH, (1e12, 1e12)),
+        LinearSupport("damper", LENGTH / 2, {("y", "y"): uneven, ("z", "z"): 0.0}, damper),
+    )
+    bare = uniform(LENGTH, 0.03, LIGHT, masses=(disc,), supports=held)
+    squares = solved_scene(bare, np.zeros(1)).rotor.stiffness
+    ratios = tuple((0.5 * BETA * np.sqrt(squares[squares > 0.0])).tolist())
+    return replace(bare, rotor_damping=ratios, internal_damping=1.0)
+
+
+def solved_scene(spindle: Spindle, speed: np.ndarray, **conditions: Any) -> Scene:
+    return Scene(spindle, Conditions(**conditions), speed, 150.0)
+
+
+def answered(spindle: Spindle, speed: list[float], **conditions: Any) -> Any:
+    scene = solved_scene(spindle, np.array(speed), **conditions)
+    return campbell.answer(scene, CampbellSpec(150.0, shapes=False))
+
+
+def still(spindle: Spindle) -> tuple[float, float]:
+    """ω and k of the disc on the shaft."""
+    omega = 2.0 * math.pi * answered(spindle, [0.0]).frequency[0, 0]
+    return omega, MASS * omega**2
+
+
+@pytest.mark.parametrize("ratio", [0.0, 0.3, 1.0, 2.5])
+@pytest.mark.parametrize("formulation", ["inertial", "rotating"])
+def test_threshold_in_closed_form(ratio: float, formulation: str) -> None:
+    """Ω = ω (1 + c_e/c_i), from speeds far apart."""
+    omega, stiff = still(rotor(0.0))
+    found = answered(
+        rotor(ratio * BETA * stiff), [0.0, 3.0 * omega, 6.0 * omega], formulation=formulation
+    )
+    assert found.stability_threshold == pytest.approx(omega * (1.0 + ratio), rel=1e-4)
+    assert found.first_to_grow == "bending 1 forward"
+    sentence = f"from {found.stability_threshold * 30 / math.pi:.0f} rpm on"
+    assert any(sentence in warning for warning in result_warnings({"campbell": found}))
+
+
+def test_growth_at_speed_in_closed_form() -> None:
+    """m λ² + (c_e + c_i) λ + k − iΩ c_i = 0, both whirls."""
+    omega, stiff = still(rotor(0.0))
+    inner, outer, spin = BETA * stiff, 0.5 * BETA * stiff, 2.0 * omega
+    found = answered(rotor(outer), [spin])
+    for pole in np.roots([MASS, inner + outer, stiff - 1j * spin * inner]):
+        name = "bending 1 forward" if pole.imag > 0.0 else "bending 1 backward"
+        own = found.mode.index(name)
+        assert found.damping_ratio[0, own] == pytest.approx(-pole.real / abs(pole), rel=1e-3)
+
+
+def test_uneven_supports_raise_the_threshold() -> None:
+    """In both planes: m λ² + c λ + k (± Δ) with ∓Ω c_i across; stable up to a higher speed."""
+    omega, stiff = still(rotor(0.0))
+    inner, extra = BETA * stiff, 4e-5 * stiff
+    found = answered(rotor(0.0, uneven=extra), np.linspace(0.0, 8.0 * omega, 5).tolist())
+
+    def growth(spin: float) -> float:
+        k = np.array([[stiff + extra, spin * inner], [-spin * inner, stiff]]) / MASS
+        d = np.eye(2) * inner / MASS
+        return float(
+            np.linalg.eigvals(np.block([[np.zeros((2, 2)), np.eye(2)], [-k, -d]])).real.max()
+        )
+
+    low, high = omega, 8.0 * omega
+    for _ in range(60):
+        middle = 0.5 * (low + high)
+        low, high = (low, middle) if growth(middle) > 0.0 else (middle, high)
+    assert 1.1 * omega < low < 7.0 * omega
+    assert found.stability_threshold == pytest.approx(low, rel=1e-3)
+
+
+def test_damping_in_the_fixed_frame_never_grows() -> None:
+    omega, stiff = still(rotor(0.0))
+    fixed = replace(rotor(0.1 * BETA * stiff), internal_damping=0.0)
+    found = answered(fixed, [0.0, 3.0 * omega, 6.0 * omega])
+    assert found.stability_threshold == math.inf
+    assert found.first_to_grow == ""
+    assert result_warnings({"campbell": found}) == []

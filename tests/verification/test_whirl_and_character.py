@@ -1,0 +1,81 @@
+"""Whirl degree, decrement and labels by closed forms."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from bearings import Material
+from rotordyn.analysis import campbell
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import CampbellSpec, Conditions
+from rotordyn.machine.lumped import PointMass
+from rotordyn.machine.support import LinearSupport
+from tests.oracles.rotors import STEEL, support, uniform
+
+LIGHT = Material("light", 2.1e14, 0.3, 1e-3)
+
+
+@pytest.mark.parametrize("shaft", ["elements", "exact"])
+def test_whirl_degree_of_a_tilting_disc(shaft: str) -> None:
+    """A disc on two uneven springs that hold its tilt: θ̈ = −κ θ ∓ Ω (Ip/Id) θ̇′.
+
+    With a = κy − ω², b = κz − ω² the amplitudes are as iΩpω to a, and the degree is 2r/(1 + r²).
+    """
+    arm, mass, polar, tilted = 0.5, 50.0, 3.0, 2.0
+    ky, kz, spin = 1e6, 1.5e6, 400.0
+    disc = PointMass("disc", arm, mass, polar, tilted)
+    held = [support(name, x, (ky, kz)) for name, x in (("a", 0.0), ("b", 2 * arm))]
+    rotor = uniform(2 * arm, 0.2, LIGHT, masses=(disc,), supports=held)
+    scene = Scene(rotor, Conditions(shaft=shaft, accuracy=1e-8), np.array([0.0, spin]), 100.0)
+    found = campbell.answer(scene, CampbellSpec(100.0, shapes=False))
+    stiff = np.array([2.0 * k * arm**2 / tilted for k in (ky, kz)])
+    turn = spin * polar / tilted
+    middle = 0.5 * (stiff.sum() + turn**2)
+    squares = middle + np.array([-1.0, 1.0]) * math.sqrt(middle**2 - stiff.prod())
+    for square, sense in zip(squares, (-1.0, 1.0), strict=True):
+        omega = math.sqrt(square)
+        own = int(np.abs(2.0 * math.pi * found.frequency[1] - omega).argmin())
+        assert 2.0 * math.pi * found.frequency[1, own] == pytest.approx(omega, rel=1e-4)
+        ratio = turn * omega / (stiff[0] - square)
+        degree = 2.0 * abs(ratio) / (1.0 + ratio**2)
+        assert found.whirl_degree[1, own] == pytest.approx(sense * degree, abs=1e-3)
+        assert found.whirl[1, own] == sense
+        assert found.rigid_share[1, own] == pytest.approx(1.0, abs=1e-4)
+        assert found.character[own] == "rigid-body bending"
+    assert found.whirl_degree[0] == pytest.approx(0.0, abs=1e-9)
+
+
+def test_decrement_and_rigid_body_labels() -> None:
+    """On soft springs the lowest modes are rigid-body motions; δ = 2πζ/√(1 − ζ²)."""
+    soft = {("x", "x"): 1e4, ("y", "y"): 1e5, ("z", "z"): 1e5}
+    ends = [
+        LinearSupport(name, x, soft, dict.fromkeys(soft, 40.0))
+        for name, x in (("a", 0.0), ("b", 1.0))
+    ]
+    bar = uniform(1.0, 0.05, STEEL, supports=ends)
+    scene = Scene(bar, Conditions(), np.array([0.0, 500.0]), 3000.0)
+    found = campbell.answer(scene, CampbellSpec(3000.0, shapes=False))
+    ratio = found.damping_ratio
+    assert (ratio > 0.0)[:, np.array(found.kind) != "torsion"].all()
+    expected = 2.0 * math.pi * ratio / np.sqrt(1.0 - ratio**2)
+    assert found.decrement == pytest.approx(expected, rel=1e-9, abs=1e-12)
+    labels = dict(zip(found.mode, found.character, strict=True))
+    for name, label in {
+        "bending 1 forward": "rigid-body bending",
+        "bending 2 backward": "rigid-body bending",
+        "bending 3 forward": "bending",
+        "axial 1": "rigid-body axial",
+        "axial 2": "axial",
+        "torsion 1": "torsion",
+    }.items():
+        assert labels[name] == label
+    along = int(found.mode.index("axial 1"))
+    mass = STEEL.density * math.pi * 0.05**2 / 4.0
+    pole = np.roots([mass, 80.0, 2e4])[0]
+    assert 2.0 * math.pi * found.frequency[0, along] == pytest.approx(abs(pole.imag), rel=1e-5)
+    assert found.decrement[0, along] == pytest.approx(
+        -2.0 * math.pi * pole.real / abs(pole.imag), rel=1e-4
+    )
