@@ -68,6 +68,7 @@ KINDS: dict[str, tuple[str, ...]] = {
     "moment": ("N m", "kN m", "N mm"),
     "line load": ("N/m", "N/mm", "kN/m"),
     "unbalance": ("g mm", "kg mm", "kg m"),
+    "balance quality": ("mm/s",),
     "pressure": ("Pa", "MPa", "GPa"),
     "density": ("kg/m^3", "g/cm^3"),
     "stiffness": ("N/m", "N/mm", "N/um", "kN/mm", "MN/m"),

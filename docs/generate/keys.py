@@ -17,6 +17,7 @@ PAGES = {
         "analyses.ShapesInSpaceEntry analyses.FrfEntry "
         "sweep.FrequencyRange analyses.PairEntry analyses.StiffnessEntry loads.SectionForcesEntry "
         "loads.PointLoadEntry loads.LineLoadEntry loads.UnbalanceEntry loads.TwistLimitEntry "
+        "loads.UnbalanceResponseEntry loads.EccentricSpanEntry loads.BalanceGradeEntry "
         "analyses.BearingMapEntry analyses.ControlEntry"
     ),
     "spindle": (

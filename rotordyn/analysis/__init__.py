@@ -6,7 +6,14 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from rotordyn.analysis.loads import LineLoad, PointLoad, TwistLimit, Unbalance
+    from rotordyn.analysis.loads import (
+        BalanceGrade,
+        EccentricSpan,
+        LineLoad,
+        PointLoad,
+        TwistLimit,
+        Unbalance,
+    )
     from rotordyn.analysis.specs import (
         BearingMapSpec,
         CampbellSpec,
@@ -18,13 +25,16 @@ if TYPE_CHECKING:
         SectionForcesSpec,
         ShapesInSpaceSpec,
         StiffnessSpec,
+        UnbalanceSpec,
     )
 
 __all__ = [
+    "BalanceGrade",
     "BearingMapSpec",
     "CampbellSpec",
     "Conditions",
     "ControlSpec",
+    "EccentricSpan",
     "FrfSpec",
     "LineLoad",
     "PointLoad",
@@ -35,6 +45,7 @@ __all__ = [
     "StiffnessSpec",
     "TwistLimit",
     "Unbalance",
+    "UnbalanceSpec",
 ]
 
 

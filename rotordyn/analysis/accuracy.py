@@ -105,6 +105,29 @@ def receptance_error(
     return worst
 
 
+def synchronous_change(
+    scene: Scene, place: int, nodes: Sequence[int], excited: Sequence[int]
+) -> Complex:
+    """Estimated change (nodes, excited, 2) of what forces e^(iΩt) that turn with the shaft do.
+
+    Along y and z at ``nodes``, per unit force on the nodes ``excited``, at one usable speed
+    (``place``); zero for a rigid rotor.
+    """
+    change = np.zeros((len(nodes), len(excited), 2), dtype=complex)
+    if left_out(scene, "bending") is None:
+        return change
+    one = _at(scene, "bending", place)
+    s = np.array([1j * (scene.speed[scene.usable[place]] - one.frame)])
+    force = {n: [_end_at(scene, "bending", n, way) for way in "yz"] for n in {*nodes, *excited}}
+    for row, node in enumerate(nodes):
+        for column, at in enumerate(excited):
+            own = [one.change(f, r, s) for r in force[node] for f in force[at]]
+            forward = np.array([1.0, -1.0j])
+            turned = own[0] * forward if one.whirling else np.reshape(own, (2, 2)) @ forward
+            change[row, column] = turned
+    return change
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class _OneSpeed:
     """A system at one speed: its modes, and what it leaves out."""
@@ -124,6 +147,10 @@ class _OneSpeed:
             value, change = (_folded(v, force.plane, response.plane) for v in (value, change))
         peak = float(np.abs(value).max())
         return float(np.abs(change).max()) / peak if peak > 0.0 else 0.0
+
+    def change(self, force: End, response: End, s: Complex) -> complex:
+        """Change of the receptance at one ``s`` (1,); of whirl in the complex form."""
+        return complex(self._receptance(force, response, s)[1][0])
 
     @property
     def _planar(self) -> bool:
@@ -172,14 +199,18 @@ def _judged(pole: Complex, omega: Array) -> Array:
 
 def _end(scene: Scene, motion: str, port: Port) -> End:
     """A port as the system of ``motion`` sees it."""
-    system = scene.vibration(motion)[0]
     node = scene.mesh.node_of(scene.spindle.points[port.point])
-    row = system.motion[node, FREEDOMS.index(port.direction)]
+    return _end_at(scene, motion, node, port.direction)
+
+
+def _end_at(scene: Scene, motion: str, node: int, direction: str) -> End:
+    system = scene.vibration(motion)[0]
+    row = system.motion[node, FREEDOMS.index(direction)]
     parts = system.parts if isinstance(system, CoupledSystem) else {motion: system}
-    seen = np.concatenate([_seen(part, n, node, port.direction) for n, part in parts.items()])
+    seen = np.concatenate([_seen(part, n, node, direction) for n, part in parts.items()])
     if isinstance(system, LateralSystem) and system.isotropic:
         row = row[: system.rotor.size] + row[system.rotor.size :]
-    return End(row, seen, 0 if port.direction in ("y", "thz") else 1)
+    return End(row, seen, 0 if direction in ("y", "thz") else 1)
 
 
 def _seen(part: LateralSystem | RodSystem, motion: str, node: int, direction: str) -> Array:

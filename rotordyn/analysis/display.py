@@ -17,6 +17,7 @@ class Shown:
 RPM = Shown("rpm", 30.0 / math.pi)
 MILLIMETRE = Shown("mm", 1e3)
 MICROMETRE = Shown("µm", 1e6)
+GRAM_MILLIMETRE = Shown("g·mm", 1e6)
 STIFFNESS = Shown("N/µm", 1e-6)
 DEGREE = Shown("deg", 180.0 / math.pi)
 MEGAPASCAL = Shown("MPa", 1e-6)

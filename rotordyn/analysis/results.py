@@ -13,7 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.display import MEGAPASCAL, MILLIMETRE
+from rotordyn.analysis.display import GRAM_MILLIMETRE, MEGAPASCAL, MILLIMETRE
 from rotordyn.analysis.result import coordinate, quantity
 
 Array = NDArray[np.float64]
@@ -212,6 +212,47 @@ class SectionForcesResult:
 
 
 @dataclass(frozen=True)
+class UnbalanceResult:
+    """Steady motion by unbalance: y(t) = Re(``displacement`` e^(iΩt)), z likewise.
+
+    Amplitudes are zero to peak. At t = 0 the mark of the shaft from which angles count points to y,
+    so that ``phase`` is how far a motion leads it. Axes of the orbit: half lengths,
+    ``minor_axis`` below zero where the orbit runs against the speed; ``inclination`` of the major
+    one from y to z. ``force``: of a bearing or support on the shaft, ``force_amplitude`` the major
+    half axis of its hodograph. ``critical_speed``: synchronous criticals among the speeds.
+    """
+
+    speed: Array = coordinate("speed", unit="rad/s", label="speed")
+    point: Words = coordinate("point", unit="", label="point")
+    axis: Words = coordinate("axis", unit="", label="axis")
+    support: Words = coordinate("support", unit="", label="support")
+    unbalance: Words = coordinate("unbalance", unit="", label="unbalance")
+    critical: Words = coordinate("critical", unit="", label="critical speed")
+    outcome: Words = quantity("speed", unit="", label="outcome")
+    displacement: Complex = quantity("speed", "point", "axis", unit="m", label="displacement")
+    amplitude: Array = quantity("speed", "point", "axis", unit="m", label="amplitude, zero to peak")
+    phase: Array = quantity("speed", "point", "axis", unit="rad", label="phase lead")
+    major_axis: Array = quantity("speed", "point", unit="m", label="major half axis of the orbit")
+    minor_axis: Array = quantity(
+        "speed", "point", unit="m", label="minor half axis of the orbit, backward below 0"
+    )
+    inclination: Array = quantity(
+        "speed", "point", unit="rad", label="inclination of the major axis"
+    )
+    force: Complex = quantity("speed", "support", "axis", unit="N", label="force on the shaft")
+    force_amplitude: Array = quantity(
+        "speed", "support", unit="N", label="amplitude of the force, zero to peak"
+    )
+    unbalance_station: Array = quantity("unbalance", unit="m", label="station", printed=MILLIMETRE)
+    unbalance_size: Array = quantity(
+        "unbalance", unit="kg·m", label="unbalance", printed=GRAM_MILLIMETRE
+    )
+    unbalance_angle: Array = quantity("unbalance", unit="rad", label="angle")
+    critical_speed: Array = quantity("critical", unit="rad/s", label="critical speed, 1× rotation")
+    error: Array = quantity("point", unit="1", label="estimated error over the largest value")
+
+
+@dataclass(frozen=True)
 class BearingMapResult:
     """A single bearing under axial load and speed, its tilts blocked."""
 
@@ -296,6 +337,7 @@ Result = (
     | FrfResult
     | StiffnessResult
     | SectionForcesResult
+    | UnbalanceResult
     | BearingMapResult
     | ControlResult
 )

@@ -16,9 +16,11 @@ from rotordyn.analysis.specs import (
     SectionForcesSpec,
     Spec,
     StiffnessSpec,
+    UnbalanceSpec,
     ascending,
 )
-from rotordyn.case.loads import misplaced, overheld, unheld
+from rotordyn.case.loads import misplaced, misplaced_unbalance, overheld, unheld
+from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import RigidSupport, Spindle
 from rotordyn.machine.support import MOTIONS, coupled_motions, entry_name
@@ -30,6 +32,7 @@ ANALYSES: dict[str, type[Spec]] = {
     "frf": FrfSpec,
     "stiffness": StiffnessSpec,
     "section_forces": SectionForcesSpec,
+    "unbalance": UnbalanceSpec,
     "bearing": BearingMapSpec,
     "control": ControlSpec,
 }
@@ -150,21 +153,34 @@ def _question(name: str, spec: Spec, spindle: Spindle) -> Iterator[str]:
     if name not in TAKE_RIGID:
         yield from (f"{name}: {sentence}" for sentence in rigid_supports(spindle.supports))
     if isinstance(spec, FrfSpec):
-        for point in {port.point: None for pair in spec.pairs for port in pair}:
-            yield from _exists(point, spindle.points, f"{name}: unknown point")
-        for pair in spec.pairs:
-            ends = (pair[0].direction, pair[1].direction)
-            if motions := uncoupled(*ends, coupled_motions(spindle.supports)):
-                yield (
-                    f"{name}: nothing couples {' and '.join(motions)}: given "
-                    f"'{pair[0]} / {pair[1]}'; allowed: both ends in one of x; thx; y, z, thy, thz"
-                )
+        yield from _frf(name, spec, spindle)
+    if isinstance(spec, UnbalanceSpec):
+        yield from _unbalance(name, spec, spindle)
     if isinstance(spec, StiffnessSpec):
         yield from _exists(spec.point, spindle.points, f"{name}: unknown point")
         sleeves = [sleeve.name for sleeve in spindle.sleeves]
         for sleeve in spec.second_stop:
             yield from _exists(sleeve, sleeves, f"{name}: second_stop: unknown sleeve")
         yield from (f"{name}: {sentence}" for sentence in _one_plane(spindle))
+
+
+def _frf(name: str, spec: FrfSpec, spindle: Spindle) -> Iterator[str]:
+    for point in {port.point: None for pair in spec.pairs for port in pair}:
+        yield from _exists(point, spindle.points, f"{name}: unknown point")
+    for pair in spec.pairs:
+        ends = (pair[0].direction, pair[1].direction)
+        if motions := uncoupled(*ends, coupled_motions(spindle.supports)):
+            yield (
+                f"{name}: nothing couples {' and '.join(motions)}: given "
+                f"'{pair[0]} / {pair[1]}'; allowed: both ends in one of x; thx; y, z, thy, thz"
+            )
+
+
+def _unbalance(name: str, spec: UnbalanceSpec, spindle: Spindle) -> Iterator[str]:
+    reach = spindle.shaft.start, spindle.shaft.end
+    centre = rotor_inertia(spindle).centre
+    for way, sentence in misplaced_unbalance(spec, spindle.points, reach, centre):
+        yield f"{'.'.join(map(str, (name, *way)))}: {sentence}"
 
 
 def _one_plane(spindle: Spindle) -> Iterator[str]:

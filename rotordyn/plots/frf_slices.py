@@ -89,10 +89,15 @@ def _part(values: NDArray[np.complex128], part: str) -> Array:
         return np.abs(values)
     if part != "phase":
         return np.asarray(values.real if part == "real part" else values.imag)
-    phase = np.degrees(np.angle(values))
+    return wrapped_phase(np.degrees(np.angle(values)))
+
+
+def wrapped_phase(phase: Array) -> Array:
+    """``phase`` [deg] without a point where it wraps, so that no line is drawn there."""
     jumps = np.flatnonzero(np.abs(np.diff(phase)) > 270.0) + 1
-    phase[jumps] = np.nan
-    return np.asarray(phase)
+    broken = phase.copy()
+    broken[jumps] = np.nan
+    return broken
 
 
 def log_axis(axes: Axes) -> None:

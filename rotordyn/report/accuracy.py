@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from rotordyn.analysis.results import CampbellResult, FrfResult
+from rotordyn.analysis.results import CampbellResult, FrfResult, UnbalanceResult
 
 OVERDAMPED = 0.7  # damping ratio from which a motion hardly swings
 
@@ -37,4 +37,7 @@ def accuracy_words(results: Mapping[str, Any]) -> list[str]:
     if isinstance(response := results.get("frf"), FrfResult):
         worst = float(response.error.max(initial=0.0))
         words.append(f"receptances within {rounded_up(worst)} of their peak")
+    if isinstance(turning := results.get("unbalance"), UnbalanceResult):
+        worst = float(turning.error.max(initial=0.0))
+        words.append(f"response to unbalance within {rounded_up(worst)} of its peak")
     return words

@@ -29,6 +29,7 @@ from rotordyn.report.accuracy import accuracy_words
 from rotordyn.report.known import known_lines
 from rotordyn.report.section_forces import section_force_lines
 from rotordyn.report.text import from_to, opening, unbroken, wrapped
+from rotordyn.report.unbalance import unbalance_lines
 
 HEIGHT = 40
 _WHIRL = {1: " fw", -1: " bw", 0: ""}
@@ -74,6 +75,8 @@ def summary(
         lines += _stiffness(results["stiffness"])
     if "section_forces" in results:
         lines += section_force_lines(results["section_forces"])
+    if "unbalance" in results:
+        lines += unbalance_lines(results["unbalance"])
     top = opening(warnings, called(case), notes)
     text = [*top, *(part for line in lines for part in wrapped(line))]
     found = matches(case.known, results, case.spindle)

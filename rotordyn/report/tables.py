@@ -61,6 +61,12 @@ LAYOUTS = {
         Layout("section_forces_reactions", ("speed", "support"), ("component",), repeating=True),
         Layout("section_forces_twist", ("speed", "twist_limit"), repeating=True),
     ),
+    "unbalance": (
+        Layout("unbalance", ("speed", "point"), ("axis",)),
+        Layout("unbalance_forces", ("speed", "support"), ("axis",)),
+        Layout("unbalance_acting", ("unbalance",)),
+        Layout("unbalance_critical", ("critical",)),
+    ),
     "bearing": (
         Layout("bearing", ("speed", "load")),
         Layout("bearing_stiffness", ("speed", "load", "tangent"), ("dof", "dof_other")),

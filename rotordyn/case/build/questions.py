@@ -5,7 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from rotordyn.analysis.loads import LineLoad, PointLoad, TwistLimit, Unbalance
+from rotordyn.analysis.loads import (
+    BalanceGrade,
+    EccentricSpan,
+    LineLoad,
+    PointLoad,
+    TwistLimit,
+    Unbalance,
+)
 from rotordyn.analysis.specs import (
     BearingMapSpec,
     CampbellSpec,
@@ -18,6 +25,7 @@ from rotordyn.analysis.specs import (
     ShapesInSpaceSpec,
     Spec,
     StiffnessSpec,
+    UnbalanceSpec,
 )
 from rotordyn.case.build.sweep import values
 from rotordyn.case.schema.analyses import (
@@ -30,7 +38,7 @@ from rotordyn.case.schema.analyses import (
     StiffnessEntry,
 )
 from rotordyn.case.schema.conditions import ConditionsEntry
-from rotordyn.case.schema.loads import SectionForcesEntry
+from rotordyn.case.schema.loads import BalanceGradeEntry, SectionForcesEntry, UnbalanceResponseEntry
 
 
 def conditions(entry: ConditionsEntry) -> Conditions:
@@ -72,6 +80,20 @@ def _campbell(entry: CampbellEntry) -> CampbellSpec:
     return CampbellSpec(entry.max_frequency, tuple(entry.teeth), entry.shapes, in_space)
 
 
+def unbalance(entry: UnbalanceResponseEntry) -> UnbalanceSpec:
+    """What is out of balance, and where motion is told."""
+    return UnbalanceSpec(
+        points=tuple(entry.points),
+        unbalances=tuple(Unbalance(**each.model_dump()) for each in entry.unbalances),
+        spans=tuple(EccentricSpan(**each.model_dump()) for each in entry.spans),
+        grade=None if entry.grade is None else _grade(entry.grade),
+    )
+
+
+def _grade(entry: BalanceGradeEntry) -> BalanceGrade:
+    return BalanceGrade(entry.quality, entry.speed, tuple(entry.planes), entry.phase, entry.angle)
+
+
 def _stiffness(entry: StiffnessEntry) -> StiffnessSpec:
     return StiffnessSpec(
         point=entry.point,
@@ -88,6 +110,7 @@ _BUILDERS: dict[type, Callable[[Any], Spec]] = {
     FrfEntry: _frf,
     StiffnessEntry: _stiffness,
     SectionForcesEntry: section_forces,
+    UnbalanceResponseEntry: unbalance,
     BearingMapEntry: lambda entry: BearingMapSpec(
         tuple(entry.loads), entry.static_growth, tuple(entry.tangents)
     ),

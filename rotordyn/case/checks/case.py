@@ -18,7 +18,7 @@ from rotordyn.case.agreement import (
 from rotordyn.case.build.spindle import support
 from rotordyn.case.build.sweep import values
 from rotordyn.case.checks.conditions import conditions, sideways
-from rotordyn.case.checks.loads import section_forces
+from rotordyn.case.checks.loads import section_forces, unbalance
 from rotordyn.case.checks.names import exists
 from rotordyn.case.checks.references import references
 from rotordyn.case.checks.sweep import ascending, sweep
@@ -160,6 +160,7 @@ def against_machine(
     _rigid(entry, spindle, root, faults)
     if entry.analyses.section_forces is not None:
         section_forces(entry, spindle, tool, root, faults)
+    unbalance(entry, spindle, tool, root, faults)
     if spindle.bearings:
         sideways(entry, supports, root, faults)
 

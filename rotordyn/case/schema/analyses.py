@@ -16,7 +16,7 @@ from rotordyn.analysis.specs import (
 from rotordyn.case.node import UNKNOWN
 from rotordyn.case.schema.base import Entry
 from rotordyn.case.schema.conditions import Tangent
-from rotordyn.case.schema.loads import SectionForcesEntry
+from rotordyn.case.schema.loads import SectionForcesEntry, UnbalanceResponseEntry
 from rotordyn.case.schema.shapes import PLACE
 from rotordyn.case.schema.sweep import Frequencies
 from rotordyn.case.schema.values import (
@@ -147,5 +147,6 @@ class AnalysesEntry(Entry):
     frf: Annotated[FrfEntry | None, _BARE] = None
     stiffness: Annotated[StiffnessEntry | None, _BARE] = None
     section_forces: Annotated[SectionForcesEntry | None, _BARE] = None
+    unbalance: Annotated[UnbalanceResponseEntry | None, _BARE] = None
     bearing: Annotated[BearingMapEntry | None, _BARE] = None
     control: Annotated[ControlEntry | None, _BARE] = None

@@ -61,6 +61,7 @@ MEANINGS: dict[str, dict[str, str]] = {
         "frf": "receptances over speed and frequency",
         "stiffness": "radial stiffness of a point",
         "section_forces": "section forces, deflection, stress and twist under static loads",
+        "unbalance": "steady response to unbalance over speed ([theory](theory/response.md))",
         "bearing": "a single bearing over load and speed",
         "control": "which race controls the balls of a single bearing",
     },
@@ -124,6 +125,27 @@ MEANINGS: dict[str, dict[str, str]] = {
         "at": "where it turns",
         "unbalance": "mass times distance from the axis",
         "angle": "of its force, from y towards z",
+    },
+    "eccentric span": {
+        "name": "in results and messages",
+        "from": "where it begins",
+        "to": "where it ends",
+        "eccentricity": "distance of its centre of mass from the axis",
+        "angle": "of that distance, from y towards z",
+    },
+    "balance grade": {
+        "quality": "G",
+        "speed": "highest speed of service, to which the grade belongs",
+        "planes": "one or two points or stations that hold it; two share it by the levers of the "
+        "centre of gravity between them, neither below 0.3",
+        "phase": "of the second plane: `static` like the first, `couple` opposite",
+        "angle": "in the first plane, from y towards z",
+    },
+    "unbalance response": {
+        "points": "where motion is told",
+        "unbalances": "at points or stations",
+        "spans": "lengths of shaft off their axis",
+        "grade": "residual unbalance by balance quality grade, added to the others",
     },
     "twist limit": {
         "name": "in summary and tables; by default its two ends",

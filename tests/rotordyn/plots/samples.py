@@ -17,6 +17,7 @@ from rotordyn.analysis.results import (
     PreloadResult,
     SectionForcesResult,
     StiffnessResult,
+    UnbalanceResult,
 )
 from rotordyn.analysis.specs import CampbellSpec, StiffnessSpec
 from rotordyn.machine.lumped import PointMass
@@ -338,6 +339,39 @@ def section_forces(count: int = 49) -> SectionForcesResult:
     )
 
 
+def unbalance(count: int = 49) -> UnbalanceResult:
+    """A point mass on springs that differ between y and z, and a second point that follows it."""
+    speed = speeds(count)
+    own = TOP * np.array([0.45, 0.6])
+    w = speed[:, None]
+    gain = w**2 / (own**2 - w**2 + 0.04j * own * w) * np.array([1.0, -1.0j])
+    moved = 1e-6 * np.stack([gain, 0.3 * gain.conj()], axis=1)
+    ahead = 0.5 * np.abs(moved[..., 0] + 1j * moved[..., 1])
+    behind = 0.5 * np.abs(moved[..., 0] - 1j * moved[..., 1])
+    return UnbalanceResult(
+        speed=speed,
+        point=("Oc2", "O3"),
+        axis=("y", "z"),
+        support=("front", "rear"),
+        unbalance=("tool",),
+        critical=("bending 1", "bending 2"),
+        outcome=("",) * count,
+        displacement=moved,
+        amplitude=np.abs(moved),
+        phase=np.angle(moved),
+        major_axis=ahead + behind,
+        minor_axis=ahead - behind,
+        inclination=np.zeros((count, 2)),
+        force=moved * 1e8,
+        force_amplitude=(ahead + behind) * 1e8,
+        unbalance_station=np.array([-0.0524]),
+        unbalance_size=np.array([1e-5]),
+        unbalance_angle=np.array([0.5]),
+        critical_speed=own,
+        error=np.array([1e-5, 2e-5]),
+    )
+
+
 def bearing(count: int = 13) -> BearingMapResult:
     """K grows with the cube root of the load and falls with speed; frozen it errs to −16 %."""
     speed, load = speeds(count), np.array([250.0, 500.0, 1000.0, 1500.0, 2000.0])
@@ -410,6 +444,7 @@ def results(count: int = 49, points: int = 2000) -> dict[str, Any]:
         "frf": frf(count, points),
         "stiffness": stiffness(count),
         "section_forces": section_forces(count),
+        "unbalance": unbalance(count),
     }
 
 

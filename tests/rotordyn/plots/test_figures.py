@@ -14,6 +14,7 @@ from rotordyn.plots.campbell import LOOKS, campbell_figure, whirl_segments
 from rotordyn.plots.compared.catalogue import comparison_figures
 from rotordyn.plots.compared.panels import Shown
 from rotordyn.plots.compared.race_control import control_figure as compared_control
+from rotordyn.plots.compared.unbalance import amplitudes_figure
 from rotordyn.plots.decimate import nearest, peak_bins
 from rotordyn.plots.frf_map import map_figure
 from rotordyn.plots.frf_slices import amplitude_phase_figure, real_imaginary_figure
@@ -29,6 +30,7 @@ from rotordyn.plots.section_forces import (
 from rotordyn.plots.shapes import plane_curve, shapes_figure
 from rotordyn.plots.stiffness import stiffness_figure
 from rotordyn.plots.tangents import tangents_figure
+from rotordyn.plots.unbalance import response_figure, round_orbits
 from tests.rotordyn.plots import samples
 
 
@@ -324,3 +326,29 @@ def test_section_forces_of_variants_have_a_line_each():
     panels = jobs["section_forces"]().axes
     assert _labels(panels[0]) == ["a", "b"]
     assert len(panels) == len(FORCES)
+
+
+def test_response_to_unbalance_shows_planes_apart_and_criticals():
+    result = samples.unbalance(49)
+    panels = response_figure(result).axes
+    assert len(panels) == 3
+    assert _labels(panels[0]) == ["Oc2.y", "Oc2.z", "O3.y", "O3.z"]
+    assert [t.get_text() for t in panels[0].texts] == ["bending 1: 10800", "bending 2: 14400"]
+    first = panels[0].get_lines()[0]
+    np.testing.assert_allclose(first.get_ydata()[1:], result.amplitude[1:, 0, 0] * 1e6)
+    assert np.isnan(first.get_ydata()[0]), "nothing moves at rest, and zero has no logarithm"
+
+
+def test_round_orbits_need_one_line_per_point():
+    result = samples.unbalance(9)
+    even = replace(result, minor_axis=result.major_axis)
+    assert round_orbits(even)
+    panels = response_figure(even).axes
+    assert len(panels) == 2
+    assert _labels(panels[0]) == ["Oc2", "O3"]
+
+
+def test_response_of_variants_is_drawn_over_one_another():
+    shown = [Shown(name, samples.unbalance(9), (), None) for name in ("one", "two")]
+    panels = amplitudes_figure(shown).axes
+    assert [len(axes.get_lines()) for axes in panels] == [2, 2]
