@@ -444,7 +444,6 @@ def results(count: int = 49, points: int = 2000) -> dict[str, Any]:
         "frf": frf(count, points),
         "stiffness": stiffness(count),
         "section_forces": section_forces(count),
-        "unbalance": unbalance(count),
     }
 
 
