@@ -85,11 +85,16 @@ class End:
 
 
 def receptance_error(
-    scene: Scene, motion: str, pairs: Sequence[tuple[Port, Port]], frequency: Array
+    scene: Scene,
+    motion: str,
+    pairs: Sequence[tuple[Port, Port]],
+    frequency: Array,
+    power: int = 0,
 ) -> Array:
     """Largest estimated error of each receptance over its peak (pairs,), of some speeds.
 
-    Judged at ``GRID`` frequencies and those next to the modes; zero for a rigid rotor.
+    Judged at ``GRID`` frequencies and those next to the modes; zero for a rigid rotor. ``power`` of
+    the frequency by which receptances are multiplied: 1 of mobility, 2 of inertance.
     """
     found, rest = scene.vibration(motion)[1], left_out(scene, motion)
     if rest is None:
@@ -101,7 +106,7 @@ def receptance_error(
         omega = _judged(found.pole[place], 2.0 * math.pi * frequency)
         for k, pair in enumerate(pairs):
             ends = [_end(scene, motion, port) for port in pair]
-            worst[k] = max(worst[k], one.error(ends[1], ends[0], omega))
+            worst[k] = max(worst[k], one.error(ends[1], ends[0], omega, power))
     return worst
 
 
@@ -137,7 +142,7 @@ class _OneSpeed:
     frame: float
     whirling: bool
 
-    def error(self, force: End, response: End, omega: Array) -> float:
+    def error(self, force: End, response: End, omega: Array, power: int) -> float:
         """Largest change of the receptance over its largest value at ``omega`` (f,)."""
         if force.plane != response.plane and self._planar:
             return 0.0
@@ -145,8 +150,9 @@ class _OneSpeed:
         value, change = self._receptance(force, response, np.asarray(1j * both))
         if self.whirling:
             value, change = (_folded(v, force.plane, response.plane) for v in (value, change))
-        peak = float(np.abs(value).max())
-        return float(np.abs(change).max()) / peak if peak > 0.0 else 0.0
+        weight = omega**power
+        peak = float(np.abs(value * weight).max())
+        return float(np.abs(change * weight).max()) / peak if peak > 0.0 else 0.0
 
     def change(self, force: End, response: End, s: Complex) -> complex:
         """Change of the receptance at one ``s`` (1,); of whirl in the complex form."""

@@ -9,11 +9,12 @@ Dimensions: ``speed`` [rad/s], ``bearing``, ``sleeve``, ``body``, ``mode``, ``fr
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.display import GRAM_MILLIMETRE, MEGAPASCAL, MILLIMETRE
+from rotordyn.analysis.display import GRAM_MILLIMETRE, MEGAPASCAL, MILLIMETRE, response_unit
 from rotordyn.analysis.result import coordinate, quantity
 
 Array = NDArray[np.float64]
@@ -113,18 +114,67 @@ class TurningCampbellResult(CampbellResult):
 
 
 @dataclass(frozen=True)
-class FrfResult:
-    """Complex receptance at independent speed and frequency; ``pair`` reads ``out / in``."""
+class FrequencyResponse:
+    """Complex frequency responses at independent speed and frequency; ``pair`` reads ``out / in``.
+
+    Subclasses add the values, whose name is their ``kind``.
+    """
+
+    kind: ClassVar[str]
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
     frequency: Array = coordinate("frequency", unit="Hz", label="frequency")
     pair: Words = coordinate("pair", unit="", label="response / excitation")
     outcome: Words = quantity("speed", unit="", label="outcome")
+    is_slice: Flags = quantity("speed", unit="", label="drawn as slice")
+    error: Array = quantity("pair", unit="1", label="estimated error over the largest value")
+
+    @property
+    def response(self) -> Complex:
+        """The values of its kind (speeds, pairs, frequencies)."""
+        values: Complex = getattr(self, self.kind)
+        return values
+
+    def unit(self, pair: int) -> str:
+        """SI unit of the values of a pair."""
+        return response_unit(self.pair[pair], self.kind)
+
+
+@dataclass(frozen=True)
+class FrfResult(FrequencyResponse):
+    """Receptance: displacement over force."""
+
+    kind: ClassVar[str] = "receptance"
+
     receptance: Complex = quantity(
         "speed", "pair", "frequency", unit="m/N, rad/N, rad/(N·m)", label="receptance"
     )
-    is_slice: Flags = quantity("speed", unit="", label="drawn as slice")
-    error: Array = quantity("pair", unit="1", label="estimated error over the largest value")
+
+
+@dataclass(frozen=True)
+class MobilityResult(FrequencyResponse):
+    """Mobility: velocity over force, iω times the receptance."""
+
+    kind: ClassVar[str] = "mobility"
+
+    mobility: Complex = quantity(
+        *("speed", "pair", "frequency"),
+        unit="(m/s)/N, (rad/s)/N, (rad/s)/(N·m)",
+        label="mobility",
+    )
+
+
+@dataclass(frozen=True)
+class InertanceResult(FrequencyResponse):
+    """Inertance: acceleration over force, −ω² times the receptance."""
+
+    kind: ClassVar[str] = "inertance"
+
+    inertance: Complex = quantity(
+        *("speed", "pair", "frequency"),
+        unit="(m/s²)/N, (rad/s²)/N, (rad/s²)/(N·m)",
+        label="inertance",
+    )
 
 
 @dataclass(frozen=True)
@@ -334,7 +384,7 @@ class ControlResult:
 Result = (
     PreloadResult
     | CampbellResult
-    | FrfResult
+    | FrequencyResponse
     | StiffnessResult
     | SectionForcesResult
     | UnbalanceResult

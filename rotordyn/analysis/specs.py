@@ -47,6 +47,7 @@ ROTOR = ("flexible", "rigid")
 GRAVITY = ("none", "+x", "-x")
 WEIGHT = ("none", "+x", "-x", "+y", "-y", "+z", "-z")
 MESH_FILES = ("vtu", "vtk", "xdmf", "glb", "stl", "ply", "obj", "off")
+QUANTITIES = ("receptance", "mobility", "inertance")
 MOST_TEETH = MOST_STEPS = 1000
 Tangent = Annotated[str, Choice(TANGENTS)]
 
@@ -144,8 +145,9 @@ class Port(Description):
 
 @dataclass(frozen=True, slots=True)
 class FrfSpec(Description):
-    """Receptance between ``pairs`` (response, excitation) at every speed and frequency [Hz].
+    """Responses between ``pairs`` (response, excitation) at every speed and frequency [Hz].
 
+    ``quantity``: of ``QUANTITIES``: displacement, velocity or acceleration over force.
     ``slices``: speeds [rad/s] at which curves are drawn and UFF58 records written (nearest speed
     of the case); none given = the lowest and the highest.
     """
@@ -153,6 +155,7 @@ class FrfSpec(Description):
     frequencies: tuple[Frequency, ...]
     pairs: tuple[tuple[Port, Port], ...]
     slices: tuple[Speed, ...] = ()
+    quantity: Annotated[str, Choice(QUANTITIES)] = QUANTITIES[0]
 
     def _faults(self) -> Iterator[str]:
         if not self.frequencies or not self.pairs:

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import fields
 
+from rotordyn.analysis.formulation import ROTATING, turned
 from rotordyn.analysis.shaft import obstacles
 from rotordyn.analysis.specs import (
+    QUANTITIES,
     BearingMapSpec,
     CampbellSpec,
     Conditions,
@@ -74,7 +76,7 @@ def questions_agree(
     if spindle is not None:
         yield from _machine(spindle, conditions)
         for name, spec in analyses.items():
-            yield from _question(name, spec, spindle)
+            yield from _question(name, spec, spindle, conditions)
             if isinstance(spec, SectionForcesSpec):
                 yield from _section_forces(name, spec, spindle, conditions)
 
@@ -147,13 +149,13 @@ def _machine(spindle: Spindle, conditions: Conditions) -> Iterator[str]:
         )
 
 
-def _question(name: str, spec: Spec, spindle: Spindle) -> Iterator[str]:
+def _question(name: str, spec: Spec, spindle: Spindle, conditions: Conditions) -> Iterator[str]:
     if name in NEEDS_BEARINGS and not spindle.seats:
         yield f"{name} needs bearings: this spindle has none"
     if name not in TAKE_RIGID:
         yield from (f"{name}: {sentence}" for sentence in rigid_supports(spindle.supports))
     if isinstance(spec, FrfSpec):
-        yield from _frf(name, spec, spindle)
+        yield from _frf(name, spec, spindle, conditions)
     if isinstance(spec, UnbalanceSpec):
         yield from _unbalance(name, spec, spindle)
     if isinstance(spec, StiffnessSpec):
@@ -164,7 +166,9 @@ def _question(name: str, spec: Spec, spindle: Spindle) -> Iterator[str]:
         yield from (f"{name}: {sentence}" for sentence in _one_plane(spindle))
 
 
-def _frf(name: str, spec: FrfSpec, spindle: Spindle) -> Iterator[str]:
+def _frf(name: str, spec: FrfSpec, spindle: Spindle, conditions: Conditions) -> Iterator[str]:
+    if spec.quantity != QUANTITIES[0] and conditions.formulation == ROTATING:
+        yield f"{name}: quantity: {turned(spec.quantity)}"
     for point in {port.point: None for pair in spec.pairs for port in pair}:
         yield from _exists(point, spindle.points, f"{name}: unknown point")
     for pair in spec.pairs:

@@ -1,4 +1,4 @@
-"""The receptance over frequency at chosen speeds."""
+"""Frequency responses over frequency at chosen speeds."""
 
 from __future__ import annotations
 
@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.display import RPM, receptance_unit, shown
-from rotordyn.analysis.results import FrfResult
+from rotordyn.analysis.display import RPM, shown
+from rotordyn.analysis.results import FrequencyResponse
 from rotordyn.plots.labels import axis_label
 from rotordyn.plots.legends import top_legend
 from rotordyn.plots.style import (
@@ -29,44 +29,44 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 
-def amplitude_phase_figure(result: FrfResult, pairs: Sequence[int]) -> Figure:
+def amplitude_phase_figure(result: FrequencyResponse, pairs: Sequence[int]) -> Figure:
     """Amplitude (log) over phase, a column per pair, a line per slice speed."""
     return _figure(result, pairs, ("amplitude", "phase"))
 
 
-def real_imaginary_figure(result: FrfResult, pairs: Sequence[int]) -> Figure:
+def real_imaginary_figure(result: FrequencyResponse, pairs: Sequence[int]) -> Figure:
     """Real over imaginary part, a column per pair, a line per slice speed."""
     return _figure(result, pairs, ("real part", "imaginary part"))
 
 
-def _figure(result: FrfResult, pairs: Sequence[int], parts: tuple[str, str]) -> Figure:
+def _figure(result: FrequencyResponse, pairs: Sequence[int], parts: tuple[str, str]) -> Figure:
     figure = new_figure(168.0, 112.0)
     boxes = grid_boxes(figure, 2, len(pairs), margins=(17.0, 6.0, 12.0, 15.0), gaps=(17.0, 4.0))
     for column, pair in enumerate(pairs):
         for row, part in enumerate(parts):
-            name = _label(part, result.pair[pair])
+            name = _label(part, result.unit(pair))
             box = boxes[row * len(pairs) + column]
             axes = add_axes(figure, box, axis_label(result, "frequency") if row else "", name)
             axes.tick_params(labelbottom=bool(row))
             _lines(axes, result, pair, part)
             if not row:
-                axes.set_title(f"receptance {result.pair[pair]}", fontsize=FONT_SIZE, pad=4.0)
+                axes.set_title(f"{result.kind} {result.pair[pair]}", fontsize=FONT_SIZE, pad=4.0)
                 if not column:
                     top_legend(figure, axes)
     return figure
 
 
-def _label(part: str, pair: str) -> str:
-    return f"{part} [{'deg' if part == 'phase' else shown(receptance_unit(pair)).unit}]"
+def _label(part: str, unit: str) -> str:
+    return f"{part} [{'deg' if part == 'phase' else shown(unit).unit}]"
 
 
-def _lines(axes: Axes, result: FrfResult, pair: int, part: str) -> None:
+def _lines(axes: Axes, result: FrequencyResponse, pair: int, part: str) -> None:
     frequency = result.frequency
-    factor = shown(receptance_unit(result.pair[pair])).factor
+    factor = shown(result.unit(pair)).factor
     for place, index in enumerate(np.flatnonzero(result.is_slice).tolist()):
-        if not np.any(result.receptance[index, pair]):
+        if not np.any(result.response[index, pair]):
             continue  # planes that nothing couples have no phase and no place on a log axis
-        values = _part(result.receptance[index, pair] * factor, part)
+        values = _part(result.response[index, pair] * factor, part)
         axes.plot(
             frequency,
             values,

@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from rotordyn.analysis.results import CampbellResult, FrfResult, UnbalanceResult
+from rotordyn.analysis.results import CampbellResult, FrequencyResponse, UnbalanceResult
 
+_PLURAL = {"receptance": "receptances", "mobility": "mobilities", "inertance": "inertances"}
 OVERDAMPED = 0.7  # damping ratio from which a motion hardly swings
 
 
@@ -34,9 +35,9 @@ def accuracy_words(results: Mapping[str, Any]) -> list[str]:
         words.append(f"frequencies within {rounded_up(worst)}")
         if math.isfinite(modes.resolved_frequency):
             words.append(f"mesh good to {modes.resolved_frequency:.0f} Hz")
-    if isinstance(response := results.get("frf"), FrfResult):
+    if isinstance(response := results.get("frf"), FrequencyResponse):
         worst = float(response.error.max(initial=0.0))
-        words.append(f"receptances within {rounded_up(worst)} of their peak")
+        words.append(f"{_PLURAL[response.kind]} within {rounded_up(worst)} of their peak")
     if isinstance(turning := results.get("unbalance"), UnbalanceResult):
         worst = float(turning.error.max(initial=0.0))
         words.append(f"response to unbalance within {rounded_up(worst)} of its peak")

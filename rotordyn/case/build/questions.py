@@ -57,8 +57,8 @@ def _spec(entry: Any) -> Spec:
 
 
 def _frf(entry: FrfEntry) -> FrfSpec:
-    pairs = tuple((Port(*pair.response), Port(*pair.excitation)) for pair in entry.pairs)
-    return FrfSpec(values(entry.frequencies), pairs, tuple(entry.slices))
+    pairs = tuple((Port(*response), Port(*excitation)) for response, excitation in entry.asked)
+    return FrfSpec(values(entry.frequencies), pairs, tuple(entry.slices), entry.quantity)
 
 
 def section_forces(entry: SectionForcesEntry) -> SectionForcesSpec:

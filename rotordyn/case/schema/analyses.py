@@ -10,6 +10,7 @@ from rotordyn.analysis.specs import (
     MESH_FILES,
     MOST_STEPS,
     MOST_TEETH,
+    QUANTITIES,
     TANGENTS,
     VARIANTS,
 )
@@ -102,12 +103,33 @@ class PairEntry(Entry):
     excitation: PlaceText
 
 
+class ResponseMatrixEntry(Entry):
+    """Every response to every excitation."""
+
+    responses: Annotated[list[PlaceText], Field(min_length=1)]
+    excitations: Annotated[list[PlaceText], Field(min_length=1)]
+
+
 class FrfEntry(Entry):
-    """Receptances over speed and frequency."""
+    """Frequency responses over speed and frequency."""
+
+    model_config = ConfigDict(
+        json_schema_extra={"anyOf": [{"required": ["pairs"]}, {"required": ["matrix"]}]}
+    )
 
     frequencies: Frequencies
-    pairs: Annotated[list[PairEntry], Field(min_length=1)]
+    quantity: Annotated[str, choice(*QUANTITIES)] = QUANTITIES[0]
+    pairs: Annotated[list[PairEntry], Field(min_length=1)] = []
+    matrix: ResponseMatrixEntry | None = None
     slices: list[Speed] = []
+
+    @property
+    def asked(self) -> list[tuple[Place, Place]]:
+        """Response and excitation of the pairs, then of what the matrix adds to them."""
+        found = [(pair.response, pair.excitation) for pair in self.pairs]
+        if self.matrix is not None:
+            found += [(r, e) for r in self.matrix.responses for e in self.matrix.excitations]
+        return list(dict.fromkeys(found))
 
 
 class StiffnessEntry(Entry):

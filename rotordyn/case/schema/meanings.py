@@ -58,7 +58,7 @@ MEANINGS: dict[str, dict[str, str]] = {
     "analyses": {
         "preload": "state of every bearing at every speed",
         "campbell": "damped modes over speed",
-        "frf": "receptances over speed and frequency",
+        "frf": "frequency responses over speed and frequency",
         "stiffness": "radial stiffness of a point",
         "section_forces": "section forces, deflection, stress and twist under static loads",
         "unbalance": "steady response to unbalance over speed ([theory](theory/response.md))",
@@ -79,12 +79,18 @@ MEANINGS: dict[str, dict[str, str]] = {
     },
     "frf": {
         "frequencies": "of the excitation, independent of speed",
-        "pairs": "which responses to which forces",
+        "quantity": "displacement, velocity or acceleration over force",
+        "pairs": "which responses to which forces; these or `matrix`, or both",
+        "matrix": "lists instead: every response to every excitation",
         "slices": "speeds drawn as curves and written as UFF58 (nearest speed of the case)",
     },
     "pair": {
         "response": "a point and one of x, y, z, thx, thy, thz",
         "excitation": "a point and the direction of its force or moment",
+    },
+    "response matrix": {
+        "responses": "points, each with one of x, y, z, thx, thy, thz",
+        "excitations": "points, each with the direction of its force or moment",
     },
     "stiffness": {
         "point": "where the force acts and the deflection is taken",

@@ -13,7 +13,10 @@ from rotordyn.analysis.results import (
     BearingMapResult,
     CampbellResult,
     ControlResult,
+    FrequencyResponse,
     FrfResult,
+    InertanceResult,
+    MobilityResult,
     PreloadResult,
     SectionForcesResult,
     StiffnessResult,
@@ -272,6 +275,17 @@ def frf(count: int = 49, points: int = 2000) -> FrfResult:
         is_slice=is_slice,
         error=np.full(4, 3e-5),
     )
+
+
+def frf_of(
+    kind: type[MobilityResult | InertanceResult], count: int = 49, points: int = 2000
+) -> FrequencyResponse:
+    """The same as velocity or acceleration over force."""
+    own = frf(count, points)
+    power = 1 if kind is MobilityResult else 2
+    values: Any = {kind.kind: own.receptance * (2j * math.pi * own.frequency) ** power}
+    shared = ("speed", "frequency", "pair", "outcome", "is_slice", "error")
+    return kind(**{name: getattr(own, name) for name in shared}, **values)
 
 
 def stiffness(count: int = 49) -> StiffnessResult:

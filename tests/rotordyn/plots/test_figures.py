@@ -9,9 +9,11 @@ import numpy as np
 import pytest
 from matplotlib.collections import LineCollection
 
+from rotordyn.analysis.results import InertanceResult, MobilityResult
 from rotordyn.machine.reference import Reference
 from rotordyn.plots.campbell import LOOKS, campbell_figure, whirl_segments
 from rotordyn.plots.compared.catalogue import comparison_figures
+from rotordyn.plots.compared.frf import curves_figure
 from rotordyn.plots.compared.panels import Shown
 from rotordyn.plots.compared.race_control import control_figure as compared_control
 from rotordyn.plots.compared.unbalance import amplitudes_figure
@@ -352,3 +354,22 @@ def test_response_of_variants_is_drawn_over_one_another():
     shown = [Shown(name, samples.unbalance(9), (), None) for name in ("one", "two")]
     panels = amplitudes_figure(shown).axes
     assert [len(axes.get_lines()) for axes in panels] == [2, 2]
+
+
+@pytest.mark.parametrize(
+    ("kind", "unit"), [(MobilityResult, "(mm/s)/N"), (InertanceResult, "(m/s²)/N")]
+)
+def test_mobility_and_inertance_say_so_on_every_figure(kind, unit):
+    result = samples.frf_of(kind, 9, 300)
+    shown = [Shown(name, result, (), None) for name in ("one", "two")]
+    for figure in (
+        amplitude_phase_figure(result, [0]),
+        map_figure(result, [0]),
+        surface_figure(result, 0),
+        curves_figure(shown, 0),
+    ):
+        words = [t.get_text() for a in figure.axes for t in a.texts]
+        words += [w for a in figure.axes for w in (a.get_title(), a.get_ylabel())]
+        assert any(kind.kind in word for word in words)
+        assert any(f"[{unit}]" in word for word in words)
+        assert not any("receptance" in word for word in words)
