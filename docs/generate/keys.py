@@ -16,6 +16,7 @@ PAGES = {
         "analyses.AnalysesEntry analyses.PreloadEntry analyses.CampbellEntry "
         "analyses.ShapesInSpaceEntry analyses.FrfEntry "
         "sweep.FrequencyRange analyses.PairEntry analyses.ResponseMatrixEntry "
+        "analyses.MeasuredEntry "
         "analyses.StiffnessEntry loads.SectionForcesEntry "
         "loads.PointLoadEntry loads.LineLoadEntry loads.UnbalanceEntry loads.TwistLimitEntry "
         "loads.UnbalanceResponseEntry loads.EccentricSpanEntry loads.BalanceGradeEntry "

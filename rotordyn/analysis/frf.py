@@ -4,12 +4,14 @@ from __future__ import annotations
 
 import math
 from functools import partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.accuracy import receptance_error
 from rotordyn.analysis.formulation import ROTATING, turned
+from rotordyn.analysis.measured import measured_fields
 from rotordyn.analysis.results import (
     FrequencyResponse,
     FrfResult,
@@ -60,13 +62,16 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
     ends = scene.speed[scene.usable[[0, -1]]]
     slices = {int(np.abs(scene.speed - wanted).argmin()) for wanted in spec.slices or ends}
     values = scene.scattered(values * (2j * math.pi * frequency) ** power)
-    kind, rest = _KINDS[spec.quantity], {spec.quantity: values}
+    kind = _KINDS[spec.quantity]
+    rest: dict[str, Any] = {spec.quantity: values}
+    names = tuple(f"{response} / {excitation}" for response, excitation in spec.pairs)
+    rest |= measured_fields(spec, scene.speed, frequency, names, values)
     if scene.conditions.formulation == ROTATING:
         kind = TurningFrfResult
     return kind(
         speed=scene.speed,
         frequency=frequency,
-        pair=tuple(f"{response} / {excitation}" for response, excitation in spec.pairs),
+        pair=names,
         outcome=scene.outcome,
         is_slice=np.isin(np.arange(len(scene.speed)), sorted(slices)),
         error=error,

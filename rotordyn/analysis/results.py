@@ -117,7 +117,9 @@ class TurningCampbellResult(CampbellResult):
 class FrequencyResponse:
     """Complex frequency responses at independent speed and frequency; ``pair`` reads ``out / in``.
 
-    Subclasses add the values, whose name is their ``kind``.
+    Subclasses add the values, whose name is their ``kind``. What was ``measured`` has frequencies
+    of its own, NaN beyond its last ``sample``; its highest peaks stand beside the computed ones
+    next to them, NaN where there are fewer. ``likeness``: frequency response assurance criterion.
     """
 
     kind: ClassVar[str]
@@ -128,6 +130,24 @@ class FrequencyResponse:
     outcome: Words = quantity("speed", unit="", label="outcome")
     is_slice: Flags = quantity("speed", unit="", label="drawn as slice")
     error: Array = quantity("pair", unit="1", label="estimated error over the largest value")
+    measured: Words = coordinate("measured", unit="", label="measured response")
+    sample: NDArray[np.int_] = coordinate("sample", unit="", label="sample")
+    peak: NDArray[np.int_] = coordinate("peak", unit="", label="peak")
+    measured_pair: Words = quantity("measured", unit="", label="response / excitation")
+    measured_speed: Array = quantity("measured", unit="rad/s", label="speed")
+    measured_frequency: Array = quantity("measured", "sample", unit="Hz", label="frequency")
+    measured_response: Complex = quantity(
+        "measured", "sample", unit="SI", label="measured, as the computed quantity"
+    )
+    measured_peak: Array = quantity("measured", "peak", unit="Hz", label="measured peak")
+    measured_peak_amplitude: Array = quantity(
+        "measured", "peak", unit="SI", label="amplitude of the measured peak"
+    )
+    computed_peak: Array = quantity("measured", "peak", unit="Hz", label="computed peak")
+    computed_peak_amplitude: Array = quantity(
+        "measured", "peak", unit="SI", label="amplitude of the computed peak"
+    )
+    likeness: Array = quantity("measured", unit="1", label="likeness of measured and computed")
 
     @property
     def response(self) -> Complex:

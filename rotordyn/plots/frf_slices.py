@@ -13,7 +13,9 @@ from rotordyn.analysis.results import FrequencyResponse
 from rotordyn.plots.labels import axis_label
 from rotordyn.plots.legends import top_legend
 from rotordyn.plots.style import (
+    BLACK,
     CYCLE,
+    DASHES,
     FONT_SIZE,
     add_axes,
     grid_boxes,
@@ -74,6 +76,7 @@ def _lines(axes: Axes, result: FrequencyResponse, pair: int, part: str) -> None:
             lw=1.1,
             label=f"{result.speed[index] * RPM.factor:.0f} rpm",
         )
+    draw_measured(axes, result, pair, part)
     axes.set_xlim(0.0, float(frequency[-1]))
     axes.set_xticks(round_ticks(0.0, float(frequency[-1]), 4))
     if part == "phase":
@@ -81,6 +84,34 @@ def _lines(axes: Axes, result: FrequencyResponse, pair: int, part: str) -> None:
         axes.set_yticks([-180.0, -90.0, 0.0, 90.0, 180.0])
     elif part == "amplitude":
         log_axis(axes)
+
+
+def draw_measured(
+    axes: Axes, result: FrequencyResponse, pair: int, part: str, index: int | None = None
+) -> None:
+    """What was measured of a pair, dashed; ``index``: only what is nearest to that slice speed."""
+    factor = shown(result.unit(pair)).factor
+    for row, name in enumerate(result.measured):
+        if result.measured_pair[row] != result.pair[pair]:
+            continue
+        speed = float(result.measured_speed[row])
+        if index is not None and _nearest_slice(result, speed) != index:
+            continue
+        frequency = result.measured_frequency[row]
+        inside = (frequency >= result.frequency[0]) & (frequency <= result.frequency[-1])
+        axes.plot(
+            frequency[inside],
+            _part(result.measured_response[row, inside] * factor, part),
+            color=BLACK,
+            lw=0.9,
+            ls=DASHES[1 + row % (len(DASHES) - 1)],
+            label=f"{name}, measured at {speed * RPM.factor:.0f} rpm",
+        )
+
+
+def _nearest_slice(result: FrequencyResponse, speed: float) -> int:
+    slices = np.flatnonzero(result.is_slice)
+    return int(slices[np.abs(result.speed[slices] - speed).argmin()])
 
 
 def _part(values: NDArray[np.complex128], part: str) -> Array:

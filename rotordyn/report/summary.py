@@ -27,6 +27,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve
 from rotordyn.report.accuracy import accuracy_words
 from rotordyn.report.known import known_lines
+from rotordyn.report.measured import measured_lines
 from rotordyn.report.section_forces import section_force_lines
 from rotordyn.report.text import from_to, opening, unbroken, wrapped
 from rotordyn.report.unbalance import unbalance_lines
@@ -65,6 +66,8 @@ def summary(
         lines += _modes(results["campbell"])
     if words := accuracy_words(results):
         lines.append(f"accuracy   estimated errors by the elements: {', '.join(words)}")
+    if "frf" in results:
+        lines += measured_lines(results["frf"])
     if "preload" in results:
         lines += _preload(results["preload"])
     if "bearing" in results:

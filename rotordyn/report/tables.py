@@ -51,6 +51,10 @@ LAYOUTS = {
         Layout("campbell_critical", ("critical",)),
         Layout("campbell_shapes", ("shape_speed", "mode", "node"), ("dof",)),
     ),
+    "frf": (
+        Layout("frf_measured", ("measured",)),
+        Layout("frf_measured_peaks", ("measured", "peak")),
+    ),
     "stiffness": (
         Layout("stiffness", ("speed", "variant")),
         Layout("stiffness_curves", ("speed", "variant", "force")),

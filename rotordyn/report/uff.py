@@ -29,7 +29,7 @@ class Motion(NamedTuple):
 MOTION = {
     "receptance": Motion(8, "displacement", ""),
     "mobility": Motion(11, "velocity", "/s"),
-    "inertance": Motion(12, "acceleration", "/s2"),
+    "inertance": Motion(12, "acceleration", "/s^2"),
 }
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
 from rotordyn.analysis.loads import (
@@ -19,6 +20,7 @@ from rotordyn.analysis.specs import (
     Conditions,
     ControlSpec,
     FrfSpec,
+    MeasuredResponse,
     Port,
     PreloadSpec,
     SectionForcesSpec,
@@ -46,10 +48,13 @@ def conditions(entry: ConditionsEntry) -> Conditions:
     return Conditions(**entry.model_dump())
 
 
-def questions(entry: AnalysesEntry) -> dict[str, Spec]:
-    """Spec by name, in the order of the registry of keys."""
+def questions(entry: AnalysesEntry, measured: tuple[MeasuredResponse, ...] = ()) -> dict[str, Spec]:
+    """Spec by name, in the order of the registry of keys; ``measured`` as read from its files."""
     asked = {name: getattr(entry, name) for name in type(entry).model_fields}
-    return {name: _spec(question) for name, question in asked.items() if question is not None}
+    specs = {name: _spec(question) for name, question in asked.items() if question is not None}
+    if isinstance(response := specs.get("frf"), FrfSpec) and measured:
+        specs["frf"] = replace(response, measured=measured)
+    return specs
 
 
 def _spec(entry: Any) -> Spec:

@@ -29,6 +29,7 @@ from rotordyn.case.schema.values import (
     Name,
     RadialShare,
     Speed,
+    Text,
     Travel,
     choice,
     given,
@@ -110,6 +111,17 @@ class ResponseMatrixEntry(Entry):
     excitations: Annotated[list[PlaceText], Field(min_length=1)]
 
 
+class MeasuredEntry(Entry):
+    """A measured response to lay over the computed one, from UFF type 58 or a CSV table."""
+
+    name: Name = ""
+    file: Text
+    record: Annotated[int, whole(1, 1_000_000)] | None = None
+    response: PlaceText
+    excitation: PlaceText
+    speed: Speed = 0.0
+
+
 class FrfEntry(Entry):
     """Frequency responses over speed and frequency."""
 
@@ -122,6 +134,7 @@ class FrfEntry(Entry):
     pairs: Annotated[list[PairEntry], Field(min_length=1)] = []
     matrix: ResponseMatrixEntry | None = None
     slices: list[Speed] = []
+    measured: list[MeasuredEntry] = []
 
     @property
     def asked(self) -> list[tuple[Place, Place]]:

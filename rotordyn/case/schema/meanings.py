@@ -83,10 +83,19 @@ MEANINGS: dict[str, dict[str, str]] = {
         "pairs": "which responses to which forces; these or `matrix`, or both",
         "matrix": "lists instead: every response to every excitation",
         "slices": "speeds drawn as curves and written as UFF58 (nearest speed of the case)",
+        "measured": "measured responses laid over ([how](theory/analyses.md#measured-responses))",
     },
     "pair": {
         "response": "a point and one of x, y, z, thx, thy, thz",
         "excitation": "a point and the direction of its force or moment",
+    },
+    "measured": {
+        "name": "in figures and summary; by default its number",
+        "file": "beside the case: UFF with records of type 58, or a table that ends in .csv",
+        "record": "of type 58, counted from 1; needed where there are several",
+        "response": "the pair of the case that it is laid over",
+        "excitation": "the pair of the case that it is laid over",
+        "speed": "at which it was measured",
     },
     "response matrix": {
         "responses": "points, each with one of x, y, z, thx, thy, thz",

@@ -14,7 +14,7 @@ from rotordyn.machine.reference import Reference
 from rotordyn.plots.campbell import draw_known
 from rotordyn.plots.compared.panels import Shown, beside, colour, dash, panels
 from rotordyn.plots.frf_map import amplitude, amplitude_range, draw_map, draw_scale
-from rotordyn.plots.frf_slices import log_axis
+from rotordyn.plots.frf_slices import draw_measured, log_axis
 from rotordyn.plots.frf_surface import draw_pins, draw_surface
 from rotordyn.plots.labels import axis_label
 from rotordyn.plots.legends import shortened, top_legend
@@ -43,6 +43,7 @@ def curves_figure(variants: Sequence[Shown], pair: int) -> Figure:
             axes.plot(
                 first.frequency, values, color=colour(k), ls=dash(k), lw=1.0, label=variant.title
             )
+        draw_measured(axes, first, pair, "amplitude", index)
         top = float(first.frequency[-1])
         axes.set_xlim(0.0, top)
         axes.set_xticks(round_ticks(0.0, top, 8))

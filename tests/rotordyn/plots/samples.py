@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 
 from bearings import AngularContactBallBearing, Material
+from rotordyn.analysis.measured import measured_fields
+from rotordyn.analysis.result import declared
 from rotordyn.analysis.results import (
     BearingMapResult,
     CampbellResult,
@@ -22,7 +24,7 @@ from rotordyn.analysis.results import (
     StiffnessResult,
     UnbalanceResult,
 )
-from rotordyn.analysis.specs import CampbellSpec, StiffnessSpec
+from rotordyn.analysis.specs import CampbellSpec, FrfSpec, Port, StiffnessSpec
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.shaft import Section, Shaft
@@ -274,6 +276,7 @@ def frf(count: int = 49, points: int = 2000) -> FrfResult:
         receptance=total,
         is_slice=is_slice,
         error=np.full(4, 3e-5),
+        **measured_fields(FrfSpec((1.0,), ((Port("a", "y"),) * 2,)), speed, frequency, (), total),
     )
 
 
@@ -284,8 +287,8 @@ def frf_of(
     own = frf(count, points)
     power = 1 if kind is MobilityResult else 2
     values: Any = {kind.kind: own.receptance * (2j * math.pi * own.frequency) ** power}
-    shared = ("speed", "frequency", "pair", "outcome", "is_slice", "error")
-    return kind(**{name: getattr(own, name) for name in shared}, **values)
+    shared = {name: getattr(own, name) for name in declared(own) if name != "receptance"}
+    return kind(**shared, **values)
 
 
 def stiffness(count: int = 49) -> StiffnessResult:

@@ -81,7 +81,7 @@ def test_a_speed_without_solution_has_no_record(tmp_path, results):
 
 
 @pytest.mark.parametrize(
-    ("kind", "code", "unit"), [(MobilityResult, 11, "m/s"), (InertanceResult, 12, "m/s2")]
+    ("kind", "code", "unit"), [(MobilityResult, 11, "m/s"), (InertanceResult, 12, "m/s^2")]
 )
 def test_velocity_and_acceleration_have_their_own_data_types(tmp_path, kind, code, unit):
     frf = samples.frf_of(kind, 5, 40)
