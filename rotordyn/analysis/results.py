@@ -137,15 +137,15 @@ class FrequencyResponse:
     measured_speed: Array = quantity("measured", unit="rad/s", label="speed")
     measured_frequency: Array = quantity("measured", "sample", unit="Hz", label="frequency")
     measured_response: Complex = quantity(
-        "measured", "sample", unit="SI", label="measured, as the computed quantity"
+        "measured", "sample", unit="SI, as computed", label="measured, as the computed quantity"
     )
     measured_peak: Array = quantity("measured", "peak", unit="Hz", label="measured peak")
     measured_peak_amplitude: Array = quantity(
-        "measured", "peak", unit="SI", label="amplitude of the measured peak"
+        "measured", "peak", unit="SI, as computed", label="amplitude of the measured peak"
     )
     computed_peak: Array = quantity("measured", "peak", unit="Hz", label="computed peak")
     computed_peak_amplitude: Array = quantity(
-        "measured", "peak", unit="SI", label="amplitude of the computed peak"
+        "measured", "peak", unit="SI, as computed", label="amplitude of the computed peak"
     )
     likeness: Array = quantity("measured", unit="1", label="likeness of measured and computed")
 

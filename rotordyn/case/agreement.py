@@ -81,6 +81,19 @@ def questions_agree(
                 yield from _section_forces(name, spec, spindle, conditions)
 
 
+def resolved_agree(
+    spindle: Spindle,
+    conditions: Conditions,
+    analyses: Mapping[str, Spec],
+    speeds: tuple[float, ...],
+) -> Iterator[str]:
+    """Elements of a given length carry what is asked of them."""
+    from rotordyn.analysis.resolution import beyond_elements
+
+    for sentence in beyond_elements(spindle, conditions, analyses, max(speeds, default=0.0)):
+        yield f"conditions.element_length: {sentence}"
+
+
 def _of_balls(conditions: Conditions) -> Iterator[str]:
     plain = Conditions()
     for name in (field.name for field in fields(conditions) if field.name not in OF_BALLS):

@@ -53,8 +53,7 @@ def _figure(result: FrequencyResponse, pairs: Sequence[int], parts: tuple[str, s
             _lines(axes, result, pair, part)
             if not row:
                 axes.set_title(f"{result.kind} {result.pair[pair]}", fontsize=FONT_SIZE, pad=4.0)
-                if not column:
-                    top_legend(figure, axes)
+    top_legend(figure, *figure.axes)
     return figure
 
 

@@ -17,7 +17,7 @@ from rotordyn.case.agreement import (
 from rotordyn.case.build.spindle import support
 from rotordyn.case.checks.conditions import conditions, sideways
 from rotordyn.case.checks.frf import frf, slices
-from rotordyn.case.checks.loads import section_forces, unbalance
+from rotordyn.case.checks.loads import elements, section_forces, unbalance
 from rotordyn.case.checks.names import exists
 from rotordyn.case.checks.references import references
 from rotordyn.case.checks.sweep import ascending, sweep
@@ -147,6 +147,8 @@ def against_machine(
     unbalance(entry, spindle, tool, root, faults)
     if spindle.bearings:
         sideways(entry, supports, root, faults)
+    if not faults:
+        elements(entry, spindle, tool, root, faults)
 
 
 def _rigid(entry: CaseEntry, spindle: SpindleEntry, root: Node, faults: Faults) -> None:

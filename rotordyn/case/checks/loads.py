@@ -1,13 +1,14 @@
-"""Static loads and unbalance of a case against its machine."""
+"""Loads of a case against its machine, and elements against what is asked of them."""
 
 from __future__ import annotations
 
 import math
 
-from rotordyn.case.build.questions import conditions
+from rotordyn.case.build.questions import conditions, questions
 from rotordyn.case.build.questions import section_forces as built
 from rotordyn.case.build.spindle import spindle as machine
 from rotordyn.case.build.spindle import tool as clamped
+from rotordyn.case.build.sweep import values
 from rotordyn.case.checks.shaft import span
 from rotordyn.case.faults import Faults
 from rotordyn.case.loads import misplaced, misplaced_unbalance, overheld, unheld
@@ -51,6 +52,21 @@ def unbalance(
     centre = math.nan if faults else rotor_inertia(_whole(spindle, tool)).centre
     for way, sentence in misplaced_unbalance(asked, points, reach, centre):
         faults.at(root, (*UNBALANCE, *way), sentence)
+
+
+def elements(
+    entry: CaseEntry, spindle: SpindleEntry, tool: ToolEntry | None, root: Node, faults: Faults
+) -> None:
+    """Elements of a given length carry what is asked; nothing else may be wrong."""
+    if entry.conditions.element_length is None:
+        return
+    from rotordyn.analysis.resolution import beyond_elements
+
+    own, asked = conditions(entry.conditions), questions(entry.analyses)
+    top = max(values(entry.speeds), default=0.0)
+    for sentence in beyond_elements(_whole(spindle, tool), own, asked, top):
+        way = ("conditions", "element_length")
+        faults.at(root, way, f"{sentence}: given '{root.at(*way).raw}'")
 
 
 def _places(
