@@ -153,6 +153,8 @@ PULL = Quantity("force", at_least="0 N", at_most="100000 kN")
 RIGIDITY = Quantity("stiffness", above="0 N/m", at_most="1e6 MN/m", infinite="rigid")
 DAMPING = Quantity("damping", at_least="0 N s/m", at_most="1e6 kN s/m")
 DAMPING_RATIO = Quantity("ratio", at_least="0 %", below="100 %")
+MASS_DAMPING = Quantity("rate", at_least="0 1/s", at_most="1000000 1/s")
+STIFFNESS_DAMPING = Quantity("time", at_least="0 s", at_most="1 s")
 RADIAL_SHARE = Quantity("number", at_least="0", at_most="10")
 SHEAR_COEFFICIENT = Quantity("number", above="0", at_most="1")
 FRICTION = Quantity("number", at_least="0.001", at_most="10", infinite="none")
@@ -164,6 +166,8 @@ Length = Annotated[float, LENGTH]
 Amplitude = Annotated[float, AMPLITUDE]
 Accuracy = Annotated[float, ACCURACY]
 Friction = Annotated[float, FRICTION]
+MassDamping = Annotated[float, MASS_DAMPING]
+StiffnessDamping = Annotated[float, STIFFNESS_DAMPING]
 RadialShare = Annotated[float, RADIAL_SHARE]
 Diameter = Annotated[float, DIAMETER]
 Bore = Annotated[float, BORE]

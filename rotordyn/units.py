@@ -69,6 +69,8 @@ KINDS: dict[str, tuple[str, ...]] = {
     "line load": ("N/m", "N/mm", "kN/m"),
     "unbalance": ("g mm", "kg mm", "kg m"),
     "balance quality": ("mm/s",),
+    "rate": ("1/s",),
+    "time": ("s", "ms", "us"),
     "pressure": ("Pa", "MPa", "GPa"),
     "density": ("kg/m^3", "g/cm^3"),
     "stiffness": ("N/m", "N/mm", "N/um", "kN/mm", "MN/m"),

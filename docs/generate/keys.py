@@ -27,7 +27,8 @@ PAGES = {
         "support.SeatEntry growth.GrowthEntry growth.QuadraticEntry growth.FitEntry "
         "growth.ShorteningEntry support.SleeveEntry support.SpringEntry support.SupportEntry "
         "matrix.WholeStiffnessEntry matrix.WholeDampingEntry "
-        "drawbar.DrawbarEntry spindle.DampingEntry support.BearingDampingEntry"
+        "drawbar.DrawbarEntry spindle.DampingEntry spindle.RayleighEntry "
+        "support.BearingDampingEntry"
     ),
     "tool": "shaft.ToolEntry",
     "bearing": "bearing.BearingEntry",

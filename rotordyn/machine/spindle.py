@@ -8,6 +8,7 @@ from itertools import pairwise
 from typing import Protocol
 
 from rotordyn.description import Description, doubled
+from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.growth import ComputedShortening, InterferenceFit, PrescribedShortening
 from rotordyn.machine.lumped import Disc, PointMass
@@ -44,7 +45,8 @@ class Spindle(Description):
     """A rotor on bearings, linear supports or both.
 
     ``rotor_damping`` [-]: modal damping ratios of the flexible free-free bending modes at rest, in
-    order; the last one serves all that follow; empty = none. ``points``: named stations [m].
+    order; the last one serves all that follow; empty = none. ``rayleigh`` is added to it.
+    ``points``: named stations [m].
     """
 
     name: str
@@ -58,9 +60,15 @@ class Spindle(Description):
     points: Mapping[Name, Station] = field(default_factory=dict)
     shortening: PrescribedShortening | ComputedShortening | None = None
     rotor_damping: tuple[DampingRatio, ...] = ()
+    rayleigh: RayleighDamping = field(default_factory=RayleighDamping)
     title: str = ""
     note: str = ""
     references: tuple[Reference, ...] = ()
+
+    @property
+    def damped(self) -> bool:
+        """The rotor itself is damped, besides its bearings and supports."""
+        return any(self.rotor_damping) or bool(self.rayleigh)
 
     def _faults(self) -> Iterator[str]:
         yield from _named_twice("seats", self.seats)

@@ -288,7 +288,12 @@ MEANINGS: dict[str, dict[str, str]] = {
     },
     "damping": {
         "bearings": "of bearings that give none themselves",
+        "rayleigh": "damping of the rotor by its mass and stiffness, added to `rotor`",
         "rotor": "modal ratios of the flexible free-free bending modes at rest, the last repeated",
+    },
+    "rayleigh": {
+        "mass": "α, by which the mass matrix of the rotor is multiplied",
+        "stiffness": "β, by which its stiffness matrix is multiplied",
     },
     "bearing damping": {
         "radial": "between the rings",
