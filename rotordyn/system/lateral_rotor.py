@@ -68,14 +68,14 @@ class LateralRotor:
     """The rotor's bending plane in m coordinates of unit mass.
 
     ``basis`` (2·nodes, m); ``stiffness`` (m,); ``polar`` and ``translational_mass`` (m, m);
-    ``damping`` (m,): the rotor's own. ``per_newton`` (elements, m, m): stiffness per newton of axial
-    force in each element; ``bar`` (m, m): that of the drawbar. ``seats`` (seats, 2, m): deflection and tilt
-    between the rings of each bearing; ``supports`` (supports, 2, m): those of the node of each
-    linear support, and ``connected`` the nodes of both. The last coordinates are the sprung
-    sleeves, if any; ``weightless`` (m,) is 1 for those that have no mass of their own, else 0.
-    ``remainder``: what the coordinates leave out; None for a rigid rotor.
-    ``resolved`` [Hz]: highest frequency that the elements carry within the accuracy asked for, or
-    within ``USUAL`` where none is.
+    ``damping`` (m,): the rotor's own. ``per_newton`` (elements, m, m): stiffness per newton of
+    axial force in each element; ``bar`` (m, m): that of the drawbar. ``seats`` (seats, 2, m):
+    deflection and tilt between the rings of each bearing; ``supports`` (supports, 2, m): those of
+    the node of each linear support, and ``connected`` the nodes of both. The last coordinates are
+    the sprung sleeves, if any; ``weightless`` (m,) is 1 for those that have no mass of their own,
+    else 0. ``remainder``: what the coordinates leave out; None for a rigid rotor. ``resolved``
+    [Hz]: highest frequency that the elements carry within the accuracy asked for, or within
+    ``USUAL`` where none is.
     """
 
     basis: Array
