@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+import rotordyn
 from bearings import Material
 from rotordyn.analysis import CampbellSpec, Conditions
 from rotordyn.analysis.registry import answer_spindle
@@ -75,3 +77,14 @@ def test_it_adds_to_modal_damping() -> None:
 def test_exact_shaft_takes_none() -> None:
     with pytest.raises(InvalidInput, match=r"and damping\.rayleigh out"):
         modes(bar(1e6), 100.0, shaft="exact")
+
+
+def test_read_from_a_case(tmp_path: Path) -> None:
+    path = tmp_path / "case.yaml"
+    path.write_text(
+        "spindle: friswell_two_discs\noverride: {damping.rayleigh: {mass: 2 1/s, stiffness: 3 us}}\n"
+        "speeds: [0 rpm]\nanalyses: {campbell: {}}\n"
+    )
+    spindle = rotordyn.load(path).spindle
+    assert spindle is not None
+    assert spindle.rayleigh == RayleighDamping(2.0, 3e-6)
