@@ -82,7 +82,8 @@ def test_exact_shaft_takes_none() -> None:
 def test_read_from_a_case(tmp_path: Path) -> None:
     path = tmp_path / "case.yaml"
     path.write_text(
-        "spindle: friswell_two_discs\noverride: {damping.rayleigh: {mass: 2 1/s, stiffness: 3 us}}\n"
+        "spindle: friswell_two_discs\n"
+        "override: {damping.rayleigh: {mass: 2 1/s, stiffness: 3 us}}\n"
         "speeds: [0 rpm]\nanalyses: {campbell: {}}\n"
     )
     spindle = rotordyn.load(path).spindle
