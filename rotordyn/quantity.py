@@ -143,6 +143,8 @@ FORCE = Quantity("force", at_least="-10000 kN", at_most="10000 kN")
 MOMENT = Quantity("moment", at_least="-10000 kN m", at_most="10000 kN m")
 LINE_FORCE = Quantity("line load", at_least="-100000 kN/m", at_most="100000 kN/m")
 UNBALANCE = Quantity("unbalance", at_least="0 g mm", at_most="1000 kg m")
+BALANCE_QUALITY = Quantity("balance quality", above="0 mm/s", at_most="10000 mm/s")
+ECCENTRICITY = Quantity("length", at_least="0 um", at_most="100 mm")
 ANGLE = Quantity("angle", at_least="-360 deg", at_most="360 deg")
 TWIST_ANGLE = Quantity("angle", above="0 deg", at_most="360 deg")
 LOAD = Quantity("force", above="0 N", at_most="10000 kN")
@@ -152,6 +154,8 @@ RIGIDITY = Quantity("stiffness", above="0 N/m", at_most="1e6 MN/m", infinite="ri
 DAMPING = Quantity("damping", at_least="0 N s/m", at_most="1e6 kN s/m")
 DAMPING_RATIO = Quantity("ratio", at_least="0 %", below="100 %")
 SHARE = Quantity("ratio", at_least="0 %", at_most="100 %")
+MASS_DAMPING = Quantity("rate", at_least="0 1/s", at_most="1000000 1/s")
+STIFFNESS_DAMPING = Quantity("time", at_least="0 s", at_most="1 s")
 RADIAL_SHARE = Quantity("number", at_least="0", at_most="10")
 SHEAR_COEFFICIENT = Quantity("number", above="0", at_most="1")
 FRICTION = Quantity("number", at_least="0.001", at_most="10", infinite="none")
@@ -163,6 +167,8 @@ Length = Annotated[float, LENGTH]
 Amplitude = Annotated[float, AMPLITUDE]
 Accuracy = Annotated[float, ACCURACY]
 Friction = Annotated[float, FRICTION]
+MassDamping = Annotated[float, MASS_DAMPING]
+StiffnessDamping = Annotated[float, STIFFNESS_DAMPING]
 RadialShare = Annotated[float, RADIAL_SHARE]
 Diameter = Annotated[float, DIAMETER]
 Bore = Annotated[float, BORE]
@@ -179,6 +185,8 @@ Force = Annotated[float, FORCE]
 Moment = Annotated[float, MOMENT]
 LineForce = Annotated[float, LINE_FORCE]
 UnbalanceSize = Annotated[float, UNBALANCE]
+BalanceQuality = Annotated[float, BALANCE_QUALITY]
+Eccentricity = Annotated[float, ECCENTRICITY]
 Angle = Annotated[float, ANGLE]
 TwistAngle = Annotated[float, TWIST_ANGLE]
 Load = Annotated[float, LOAD]

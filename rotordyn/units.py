@@ -68,6 +68,9 @@ KINDS: dict[str, tuple[str, ...]] = {
     "moment": ("N m", "kN m", "N mm"),
     "line load": ("N/m", "N/mm", "kN/m"),
     "unbalance": ("g mm", "kg mm", "kg m"),
+    "balance quality": ("mm/s",),
+    "rate": ("1/s",),
+    "time": ("s", "ms", "us"),
     "pressure": ("Pa", "MPa", "GPa"),
     "density": ("kg/m^3", "g/cm^3"),
     "stiffness": ("N/m", "N/mm", "N/um", "kN/mm", "MN/m"),
@@ -167,6 +170,8 @@ def pattern(kind: str) -> str:
 def _spellings(unit: str) -> str:
     if unit in _WHOLE:
         return "|".join(whole.replace("^", r"\^").replace("/", r"\s*/\s*") for whole in _WHOLE)
+    if unit.startswith("1/"):  # one minute would be a speed
+        return r"1\s*/\s*" + re.escape(unit[2:])
     found = []
     for position, (join, name, power) in enumerate(_FACTOR.findall(unit)):
         between = r"\s*/\s*" if join == "/" else r"(?:\s*[*·⋅×]\s*|\s+)"

@@ -15,8 +15,11 @@ PAGES = {
         "case.CaseEntry case.VariantEntry conditions.ConditionsEntry sweep.SpeedRange "
         "analyses.AnalysesEntry analyses.PreloadEntry analyses.CampbellEntry "
         "analyses.ShapesInSpaceEntry analyses.FrfEntry "
-        "sweep.FrequencyRange analyses.PairEntry analyses.StiffnessEntry loads.SectionForcesEntry "
+        "sweep.FrequencyRange analyses.PairEntry analyses.ResponseMatrixEntry "
+        "analyses.MeasuredEntry "
+        "analyses.StiffnessEntry loads.SectionForcesEntry "
         "loads.PointLoadEntry loads.LineLoadEntry loads.UnbalanceEntry loads.TwistLimitEntry "
+        "loads.UnbalanceResponseEntry loads.EccentricSpanEntry loads.BalanceGradeEntry "
         "analyses.BearingMapEntry analyses.ControlEntry"
     ),
     "spindle": (
@@ -24,7 +27,8 @@ PAGES = {
         "support.SeatEntry growth.GrowthEntry growth.QuadraticEntry growth.FitEntry "
         "growth.ShorteningEntry support.SleeveEntry support.SpringEntry support.SupportEntry "
         "matrix.WholeStiffnessEntry matrix.WholeDampingEntry "
-        "drawbar.DrawbarEntry spindle.DampingEntry support.BearingDampingEntry"
+        "drawbar.DrawbarEntry spindle.DampingEntry spindle.RayleighEntry "
+        "support.BearingDampingEntry"
     ),
     "tool": "shaft.ToolEntry",
     "bearing": "bearing.BearingEntry",

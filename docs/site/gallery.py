@@ -25,6 +25,7 @@ FACES = (
     "campbell",
     "bearing",
     "section_forces",
+    "unbalance",
 )
 THUMBNAIL = (640, 480)
 

@@ -6,27 +6,39 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from rotordyn.analysis.loads import LineLoad, PointLoad, TwistLimit, Unbalance
+    from rotordyn.analysis.loads import (
+        BalanceGrade,
+        EccentricSpan,
+        LineLoad,
+        PointLoad,
+        TwistLimit,
+        Unbalance,
+    )
     from rotordyn.analysis.specs import (
         BearingMapSpec,
         CampbellSpec,
         Conditions,
         ControlSpec,
         FrfSpec,
+        MeasuredResponse,
         Port,
         PreloadSpec,
         SectionForcesSpec,
         ShapesInSpaceSpec,
         StiffnessSpec,
+        UnbalanceSpec,
     )
 
 __all__ = [
+    "BalanceGrade",
     "BearingMapSpec",
     "CampbellSpec",
     "Conditions",
     "ControlSpec",
+    "EccentricSpan",
     "FrfSpec",
     "LineLoad",
+    "MeasuredResponse",
     "PointLoad",
     "Port",
     "PreloadSpec",
@@ -35,6 +47,7 @@ __all__ = [
     "StiffnessSpec",
     "TwistLimit",
     "Unbalance",
+    "UnbalanceSpec",
 ]
 
 

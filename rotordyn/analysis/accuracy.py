@@ -85,11 +85,16 @@ class End:
 
 
 def receptance_error(
-    scene: Scene, motion: str, pairs: Sequence[tuple[Port, Port]], frequency: Array
+    scene: Scene,
+    motion: str,
+    pairs: Sequence[tuple[Port, Port]],
+    frequency: Array,
+    power: int = 0,
 ) -> Array:
     """Largest estimated error of each receptance over its peak (pairs,), of some speeds.
 
-    Judged at ``GRID`` frequencies and those next to the modes; zero for a rigid rotor.
+    Judged at ``GRID`` frequencies and those next to the modes; zero for a rigid rotor. ``power`` of
+    the frequency by which receptances are multiplied: 1 of mobility, 2 of inertance.
     """
     found, rest = scene.vibration(motion)[1], left_out(scene, motion)
     if rest is None:
@@ -101,8 +106,31 @@ def receptance_error(
         omega = _judged(found.pole[place], 2.0 * math.pi * frequency)
         for k, pair in enumerate(pairs):
             ends = [_end(scene, motion, port) for port in pair]
-            worst[k] = max(worst[k], one.error(ends[1], ends[0], omega))
+            worst[k] = max(worst[k], one.error(ends[1], ends[0], omega, power))
     return worst
+
+
+def synchronous_change(
+    scene: Scene, place: int, nodes: Sequence[int], excited: Sequence[int]
+) -> Complex:
+    """Estimated change (nodes, excited, 2) of what forces e^(iΩt) that turn with the shaft do.
+
+    Along y and z at ``nodes``, per unit force on the nodes ``excited``, at one usable speed
+    (``place``); zero for a rigid rotor.
+    """
+    change = np.zeros((len(nodes), len(excited), 2), dtype=complex)
+    if left_out(scene, "bending") is None:
+        return change
+    one = _at(scene, "bending", place)
+    s = np.array([1j * (scene.speed[scene.usable[place]] - one.frame)])
+    force = {n: [_end_at(scene, "bending", n, way) for way in "yz"] for n in {*nodes, *excited}}
+    for row, node in enumerate(nodes):
+        for column, at in enumerate(excited):
+            own = [one.change(f, r, s) for r in force[node] for f in force[at]]
+            forward = np.array([1.0, -1.0j])
+            turned = own[0] * forward if one.whirling else np.reshape(own, (2, 2)) @ forward
+            change[row, column] = turned
+    return change
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -114,7 +142,7 @@ class _OneSpeed:
     frame: float
     whirling: bool
 
-    def error(self, force: End, response: End, omega: Array) -> float:
+    def error(self, force: End, response: End, omega: Array, power: int) -> float:
         """Largest change of the receptance over its largest value at ``omega`` (f,)."""
         if force.plane != response.plane and self._planar:
             return 0.0
@@ -122,8 +150,13 @@ class _OneSpeed:
         value, change = self._receptance(force, response, np.asarray(1j * both))
         if self.whirling:
             value, change = (_folded(v, force.plane, response.plane) for v in (value, change))
-        peak = float(np.abs(value).max())
-        return float(np.abs(change).max()) / peak if peak > 0.0 else 0.0
+        weight = omega**power
+        peak = float(np.abs(value * weight).max())
+        return float(np.abs(change * weight).max()) / peak if peak > 0.0 else 0.0
+
+    def change(self, force: End, response: End, s: Complex) -> complex:
+        """Change of the receptance at one ``s`` (1,); of whirl in the complex form."""
+        return complex(self._receptance(force, response, s)[1][0])
 
     @property
     def _planar(self) -> bool:
@@ -172,14 +205,18 @@ def _judged(pole: Complex, omega: Array) -> Array:
 
 def _end(scene: Scene, motion: str, port: Port) -> End:
     """A port as the system of ``motion`` sees it."""
-    system = scene.vibration(motion)[0]
     node = scene.mesh.node_of(scene.spindle.points[port.point])
-    row = system.motion[node, FREEDOMS.index(port.direction)]
+    return _end_at(scene, motion, node, port.direction)
+
+
+def _end_at(scene: Scene, motion: str, node: int, direction: str) -> End:
+    system = scene.vibration(motion)[0]
+    row = system.motion[node, FREEDOMS.index(direction)]
     parts = system.parts if isinstance(system, CoupledSystem) else {motion: system}
-    seen = np.concatenate([_seen(part, n, node, port.direction) for n, part in parts.items()])
+    seen = np.concatenate([_seen(part, n, node, direction) for n, part in parts.items()])
     if isinstance(system, LateralSystem) and system.isotropic:
         row = row[: system.rotor.size] + row[system.rotor.size :]
-    return End(row, seen, 0 if port.direction in ("y", "thz") else 1)
+    return End(row, seen, 0 if direction in ("y", "thz") else 1)
 
 
 def _seen(part: LateralSystem | RodSystem, motion: str, node: int, direction: str) -> Array:

@@ -17,6 +17,7 @@ class Shown:
 RPM = Shown("rpm", 30.0 / math.pi)
 MILLIMETRE = Shown("mm", 1e3)
 MICROMETRE = Shown("µm", 1e6)
+GRAM_MILLIMETRE = Shown("g·mm", 1e6)
 STIFFNESS = Shown("N/µm", 1e-6)
 DEGREE = Shown("deg", 180.0 / math.pi)
 MEGAPASCAL = Shown("MPa", 1e-6)
@@ -28,6 +29,7 @@ _ENGINEERING = {
     "rad": DEGREE,
     "Pa": GIGAPASCAL,
     "m/N": Shown("µm/N", 1e6),
+    "(m/s)/N": Shown("(mm/s)/N", 1e3),
     "mm/min": Shown("1e6 mm/min", 1e-6),
     "1": Shown("-"),
     "": Shown(""),
@@ -63,8 +65,14 @@ def load_unit(component: str) -> str:
     return "N·m" if component.startswith("M") else "N"
 
 
-def receptance_unit(pair: str) -> str:
-    """SI unit of the receptance of a pair written ``tip.y / tip.thz``."""
+def response_unit(pair: str, kind: str = "receptance") -> str:
+    """SI unit of a frequency response of ``kind`` of a pair written ``tip.y / tip.thz``.
+
+    >>> response_unit("tip.y / tip.thz"), response_unit("tip.y / tip.y", "inertance")
+    ('m/(N·m)', '(m/s²)/N')
+    """
     response, excitation = (port.rpartition(".")[2] for port in pair.split(" / "))
     load = "(N·m)" if is_rotation(excitation) else "N"
-    return f"{'rad' if is_rotation(response) else 'm'}/{load}"
+    motion = "rad" if is_rotation(response) else "m"
+    per_time = {"receptance": "", "mobility": "/s", "inertance": "/s²"}[kind]
+    return f"({motion}{per_time})/{load}" if per_time else f"{motion}/{load}"

@@ -176,7 +176,7 @@ def exact_bending(scene: Scene) -> ExactBending:
     from rotordyn.analysis.shaft import obstacles
 
     spindle = scene.spindle
-    for sentence in obstacles(scene.conditions, spindle.rotor_damping, spindle.supports):
+    for sentence in obstacles(scene.conditions, spindle.damped, spindle.supports):
         raise InvalidInput(sentence)
     # weight differs along a section: constant within elements only
     mesh = scene.mesh if scene.gravity else station_mesh(spindle)

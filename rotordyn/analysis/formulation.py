@@ -22,3 +22,11 @@ _TOLD = {
 def told(formulation: str) -> tuple[str, ...]:
     """The sentence that says which formulation is in force; none for the inertial one."""
     return (_TOLD[formulation],) if formulation in _TOLD else ()
+
+
+def turned(quantity: str) -> str:
+    """Why a velocity or acceleration over force is not given in the turning frame."""
+    return (
+        f"{quantity} in a frame that turns with the shaft is what no sensor measures: take "
+        "receptance, or formulation: inertial"
+    )

@@ -1,35 +1,53 @@
-"""Receptance between points at independent speed and frequency."""
+"""Receptance, mobility or inertance between points at independent speed and frequency."""
 
 from __future__ import annotations
 
 import math
 from functools import partial
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.accuracy import receptance_error
-from rotordyn.analysis.formulation import ROTATING
-from rotordyn.analysis.results import FrfResult, TurningFrfResult
+from rotordyn.analysis.formulation import ROTATING, turned
+from rotordyn.analysis.measured import measured_fields
+from rotordyn.analysis.results import (
+    FrequencyResponse,
+    FrfResult,
+    InertanceResult,
+    MobilityResult,
+    TurningFrfResult,
+)
 from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import FrfSpec, Port
+from rotordyn.analysis.specs import QUANTITIES, FrfSpec, Port
 from rotordyn.elements.node import FREEDOMS
+from rotordyn.errors import InvalidInput
 from rotordyn.machine.support import MOTIONS
 from rotordyn.numerics.modes import Modes
 from rotordyn.system.lateral import LateralSystem
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+_KINDS: dict[str, type[FrequencyResponse]] = {
+    kind.kind: kind for kind in (FrfResult, MobilityResult, InertanceResult)
+}
 
 
-def answer(scene: Scene, spec: FrfSpec) -> FrfResult:
+def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
     """H (speeds, pairs, frequencies): response per unit force or moment, bearing speed included.
 
     Between motions that nothing couples it is zero.
+
+    Raises
+    ------
+    InvalidInput : mobility or inertance in the turning frame
     """
+    if spec.quantity != QUANTITIES[0] and scene.conditions.formulation == ROTATING:
+        raise InvalidInput(turned(spec.quantity))
     frequency = np.array(spec.frequencies)
     values = np.zeros((len(scene.usable), len(spec.pairs), len(frequency)), dtype=complex)
-    error = np.zeros(len(spec.pairs))
+    error, power = np.zeros(len(spec.pairs)), QUANTITIES.index(spec.quantity)
     for group in _groups(scene):
         own = [
             k
@@ -40,18 +58,24 @@ def answer(scene: Scene, spec: FrfSpec) -> FrfResult:
             pairs = [spec.pairs[k] for k in own]
             values[:, own] = _within(scene, group, pairs, frequency)
             if not (scene.bends_exactly and group == {"bending"}):
-                error[own] = receptance_error(scene, min(group), pairs, frequency)
+                error[own] = receptance_error(scene, min(group), pairs, frequency, power)
     ends = scene.speed[scene.usable[[0, -1]]]
     slices = {int(np.abs(scene.speed - wanted).argmin()) for wanted in spec.slices or ends}
-    kind = TurningFrfResult if scene.conditions.formulation == ROTATING else FrfResult
+    values = scene.scattered(values * (2j * math.pi * frequency) ** power)
+    kind = _KINDS[spec.quantity]
+    rest: dict[str, Any] = {spec.quantity: values}
+    names = tuple(f"{response} / {excitation}" for response, excitation in spec.pairs)
+    rest |= measured_fields(spec, scene.speed, frequency, names, values)
+    if scene.conditions.formulation == ROTATING:
+        kind = TurningFrfResult
     return kind(
         speed=scene.speed,
         frequency=frequency,
-        pair=tuple(f"{response} / {excitation}" for response, excitation in spec.pairs),
+        pair=names,
         outcome=scene.outcome,
-        receptance=scene.scattered(values),
         is_slice=np.isin(np.arange(len(scene.speed)), sorted(slices)),
         error=error,
+        **rest,
     )
 
 

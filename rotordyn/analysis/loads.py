@@ -1,23 +1,31 @@
-"""Static loads on a shaft, and limits of its twist: frozen descriptions in SI."""
+"""Loads on a shaft, unbalance among them, and limits of its twist: frozen descriptions in SI."""
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Annotated
 
 from rotordyn.description import Description
 from rotordyn.machine.spindle import Spindle
 from rotordyn.quantity import (
     Angle,
+    BalanceQuality,
     Bore,
+    Choice,
+    Eccentricity,
     Force,
     LineForce,
     Moment,
     Name,
     OptionalName,
     Station,
+    TopSpeed,
     TwistAngle,
     UnbalanceSize,
 )
+
+PHASES = ("static", "couple")
 
 
 @dataclass(frozen=True, slots=True)
@@ -68,13 +76,49 @@ class LineLoad(Description):
 class Unbalance(Description):
     """Mass times distance from the axis ``unbalance`` [kg·m], at ``angle`` [rad] from y to z.
 
-    The force U Ω² is taken as it stands at this angle.
+    Its force is U Ω²: turning with the shaft, or in a static question as it stands at this angle.
     """
 
     at: Name | Station
     unbalance: UnbalanceSize
     angle: Angle = 0.0
     name: OptionalName = ""
+
+
+@dataclass(frozen=True, slots=True)
+class EccentricSpan(Description):
+    """A length of shaft, ``start`` to ``to``, whose mass lies ``eccentricity`` [m] off the axis.
+
+    At ``angle`` [rad] from y to z. Point masses and discs on it are not meant.
+    """
+
+    start: Name | Station
+    to: Name | Station
+    eccentricity: Eccentricity
+    angle: Angle = 0.0
+    name: OptionalName = ""
+
+
+@dataclass(frozen=True, slots=True)
+class BalanceGrade(Description):
+    """Residual unbalance that ISO 21940-11 permits: U = G m / Ω, m the mass of the rotor.
+
+    ``quality`` G [m/s] at the highest ``speed`` of service [rad/s]. All of it is in one of
+    ``planes``, or in two by the levers of the centre of gravity between them, neither share below
+    0.3; at ``angle`` [rad] both (``phase`` ``"static"``), or the second opposite (``"couple"``).
+    """
+
+    quality: BalanceQuality
+    speed: TopSpeed
+    planes: tuple[Name | Station, ...]
+    phase: Annotated[str, Choice(PHASES)] = "static"
+    angle: Angle = 0.0
+
+    def _faults(self) -> Iterator[str]:
+        if not 1 <= len(self.planes) <= 2:
+            yield f"planes: one or two are needed: given {len(self.planes)}"
+        elif len(self.planes) == 1 and self.phase == "couple":
+            yield "phase: a couple needs two planes: given one"
 
 
 @dataclass(frozen=True, slots=True)

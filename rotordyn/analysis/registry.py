@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import time
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
@@ -12,8 +13,16 @@ from typing import Any
 import numpy as np
 
 from bearings.angular_contact import AngularContactBallBearing
+from rotordyn.analysis.loads import station
 from rotordyn.analysis.results import Result
-from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec, Spec, StiffnessSpec
+from rotordyn.analysis.specs import (
+    CampbellSpec,
+    Conditions,
+    FrfSpec,
+    Spec,
+    StiffnessSpec,
+    UnbalanceSpec,
+)
 from rotordyn.machine.spindle import Spindle
 
 SPINDLE_ANALYSES = {
@@ -22,6 +31,7 @@ SPINDLE_ANALYSES = {
     "frf": "rotordyn.analysis.frf",
     "stiffness": "rotordyn.analysis.stiffness",
     "section_forces": "rotordyn.analysis.section_forces",
+    "unbalance": "rotordyn.analysis.unbalance",
 }
 BEARING_ANALYSES = {
     "bearing": "rotordyn.analysis.bearing_map",
@@ -60,12 +70,16 @@ def answer_spindle(
     NoSolution : no speed has a physical solution
     """
     from rotordyn.analysis.scene import Scene
+    from rotordyn.analysis.unbalance_loads import marked
 
+    for spec in analyses.values():
+        if isinstance(spec, UnbalanceSpec):
+            spindle = marked(spindle, spec)
     scene = Scene(
         spindle,
         conditions,
         np.array(speeds),
-        max_frequency=_highest(analyses),
+        max_frequency=_highest(analyses, speeds[-1]),
         ports=_ports(spindle, analyses),
     )
     results: dict[str, Result] = {}
@@ -96,19 +110,22 @@ def answer_bearing(
     return Answers(results, seconds)
 
 
-def _highest(analyses: Mapping[str, Spec]) -> float:
-    """Highest frequency any question asks for [Hz]."""
+def _highest(analyses: Mapping[str, Spec], top: float) -> float:
+    """Highest frequency any question asks for [Hz]; of unbalance that of the ``top`` speed."""
     asked = [s.max_frequency for s in analyses.values() if isinstance(s, CampbellSpec)]
     asked += [max(s.frequencies) for s in analyses.values() if isinstance(s, FrfSpec)]
-    return max(asked, default=1000.0)
+    asked += [top / (2.0 * math.pi) for s in analyses.values() if isinstance(s, UnbalanceSpec)]
+    return max(asked, default=0.0) or 1000.0
 
 
 def _ports(spindle: Spindle, analyses: Mapping[str, Spec]) -> tuple[float, ...]:
     """Stations where forces act or responses are read."""
-    names = set()
+    names, stations = set(), set()
     for spec in analyses.values():
         if isinstance(spec, FrfSpec):
             names |= {port.point for pair in spec.pairs for port in pair}
         elif isinstance(spec, StiffnessSpec):
             names.add(spec.point)
-    return tuple(sorted({spindle.points[name] for name in names}))
+        elif isinstance(spec, UnbalanceSpec):
+            stations |= {station(spindle, at) for at in spec.places}
+    return tuple(sorted(stations | {spindle.points[name] for name in names}))

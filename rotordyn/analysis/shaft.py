@@ -13,6 +13,12 @@ EXACT = "exact"
 SHAFT = (ELEMENTS, EXACT)
 
 
+UNDAMPED = (
+    "the exact shaft has no modes to damp one by one: leave damping.rotor of the spindle empty "
+    "(override: {damping.rotor: []}), and damping.rayleigh out"
+)
+
+
 class Modelled(Protocol):
     """Conditions, as they are given or as they are read."""
 
@@ -25,16 +31,16 @@ class Modelled(Protocol):
 
 
 def obstacles(
-    conditions: Modelled, rotor_damping: Iterable[float], supports: Iterable[LinearSupport]
+    conditions: Modelled, damped: bool, supports: Iterable[LinearSupport]
 ) -> Iterator[str]:
-    """A sentence for everything that the exact shaft, where it is asked for, cannot describe."""
+    """A sentence for everything that the exact shaft, where it is asked for, cannot describe.
+
+    ``damped``: the rotor itself is.
+    """
     if conditions.shaft != EXACT:
         return
-    if any(rotor_damping):
-        yield (
-            "the exact shaft has no modes to damp one by one: leave damping.rotor of the spindle "
-            "empty (override: {damping.rotor: []})"
-        )
+    if damped:
+        yield UNDAMPED
     if conditions.rotor == "rigid":
         yield "a rigid rotor does not bend, exactly or not: take rotor: flexible"
     if conditions.formulation == SOFTENED:

@@ -10,7 +10,14 @@ from typing import Annotated
 
 from bearings.law import Law
 from rotordyn.analysis.formulation import FORMULATIONS, INERTIAL
-from rotordyn.analysis.loads import LineLoad, PointLoad, TwistLimit, Unbalance
+from rotordyn.analysis.loads import (
+    BalanceGrade,
+    EccentricSpan,
+    LineLoad,
+    PointLoad,
+    TwistLimit,
+    Unbalance,
+)
 from rotordyn.analysis.shaft import ELEMENTS, SHAFT
 from rotordyn.description import Description, doubled
 from rotordyn.machine.support import Freedom
@@ -41,6 +48,7 @@ GRAVITY = ("none", "+x", "-x")
 WEIGHT = ("none", "+x", "-x", "+y", "-y", "+z", "-z")
 MESH_FILES = ("vtu", "vtk", "xdmf", "glb", "stl", "ply", "obj", "off")
 MOST_TEETH = MOST_STEPS = MOST_ORDERS = 1000
+QUANTITIES = ("receptance", "mobility", "inertance")
 Tangent = Annotated[str, Choice(TANGENTS)]
 
 
@@ -139,9 +147,42 @@ class Port(Description):
 
 
 @dataclass(frozen=True, slots=True)
-class FrfSpec(Description):
-    """Receptance between ``pairs`` (response, excitation) at every speed and frequency [Hz].
+class MeasuredResponse(Description):
+    """A measured frequency response in SI: ``quantity`` over ``frequency`` [Hz], in two parts.
 
+    ``speed`` [rad/s] at which it was measured.
+    """
+
+    name: Name
+    response: Port
+    excitation: Port
+    frequency: tuple[Frequency, ...]
+    real: tuple[float, ...]
+    imaginary: tuple[float, ...]
+    speed: Speed = 0.0
+    quantity: Annotated[str, Choice(QUANTITIES)] = QUANTITIES[0]
+
+    @property
+    def pair(self) -> str:
+        """As in results."""
+        return f"{self.response} / {self.excitation}"
+
+    def _faults(self) -> Iterator[str]:
+        counts = [len(self.frequency), len(self.real), len(self.imaginary)]
+        if len(set(counts)) > 1 or counts[0] < 2:
+            yield (
+                "frequency, real and imaginary: at least two values, as many in each: given "
+                f"{', '.join(map(str, counts))}"
+            )
+        yield from ascending("frequency", self.frequency)
+
+
+@dataclass(frozen=True, slots=True)
+class FrfSpec(Description):
+    """Responses between ``pairs`` (response, excitation) at every speed and frequency [Hz].
+
+    ``quantity``: of ``QUANTITIES``: displacement, velocity or acceleration over force. ``measured``
+    is laid over what is computed.
     ``slices``: speeds [rad/s] at which curves are drawn and UFF58 records written (nearest speed
     of the case); none given = the lowest and the highest.
     """
@@ -149,6 +190,8 @@ class FrfSpec(Description):
     frequencies: tuple[Frequency, ...]
     pairs: tuple[tuple[Port, Port], ...]
     slices: tuple[Speed, ...] = ()
+    quantity: Annotated[str, Choice(QUANTITIES)] = QUANTITIES[0]
+    measured: tuple[MeasuredResponse, ...] = ()
 
     def _faults(self) -> Iterator[str]:
         if not self.frequencies or not self.pairs:
@@ -157,6 +200,12 @@ class FrfSpec(Description):
         yield from ascending("slices", self.slices)
         for name in doubled(f"{response} / {excitation}" for response, excitation in self.pairs):
             yield f"pairs: repeated: given '{name}'"
+        known = {f"{response} / {excitation}" for response, excitation in self.pairs}
+        for one in self.measured:
+            if one.pair not in known:
+                yield f"measured {one.name}: not a pair of the case: given '{one.pair}'"
+        for name in doubled(one.name for one in self.measured):
+            yield f"measured: name given twice: '{name}'"
 
 
 @dataclass(frozen=True, slots=True)
@@ -208,6 +257,39 @@ class SectionForcesSpec(Description):
 
 
 @dataclass(frozen=True, slots=True)
+class UnbalanceSpec(Description):
+    """Steady response to unbalance at every speed of the case.
+
+    All of ``unbalances``, ``spans`` and ``grade`` act together; motion is given at ``points``.
+    """
+
+    points: tuple[Name, ...]
+    unbalances: tuple[Unbalance, ...] = ()
+    spans: tuple[EccentricSpan, ...] = ()
+    grade: BalanceGrade | None = None
+
+    def _faults(self) -> Iterator[str]:
+        if not self.points:
+            yield "no points: at least one is needed"
+        for name in doubled(self.points):
+            yield f"points: repeated: given '{name}'"
+        if not (self.unbalances or self.spans or self.grade):
+            yield "no unbalance: give unbalances, spans or grade"
+
+    @property
+    def places(self) -> tuple[str | float, ...]:
+        """Points and stations at which something acts or is asked for."""
+        return (*self.points, *self.acting)
+
+    @property
+    def acting(self) -> tuple[str | float, ...]:
+        """Points and stations at which unbalance acts; both ends of a span."""
+        own = [each.at for each in self.unbalances]
+        own += [at for span in self.spans for at in (span.start, span.to)]
+        return (*own, *(self.grade.planes if self.grade else ()))
+
+
+@dataclass(frozen=True, slots=True)
 class BearingMapSpec(Description):
     """A single bearing under axial ``loads`` [N] at every speed of the case.
 
@@ -252,6 +334,7 @@ Spec = (
     | FrfSpec
     | StiffnessSpec
     | SectionForcesSpec
+    | UnbalanceSpec
     | BearingMapSpec
     | ControlSpec
 )

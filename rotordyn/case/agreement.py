@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import fields
 
+from rotordyn.analysis.formulation import ROTATING, turned
 from rotordyn.analysis.shaft import obstacles
 from rotordyn.analysis.specs import (
+    QUANTITIES,
     BearingMapSpec,
     CampbellSpec,
     Conditions,
@@ -16,9 +18,11 @@ from rotordyn.analysis.specs import (
     SectionForcesSpec,
     Spec,
     StiffnessSpec,
+    UnbalanceSpec,
     ascending,
 )
-from rotordyn.case.loads import misplaced, overheld, unheld
+from rotordyn.case.loads import misplaced, misplaced_unbalance, overheld, unheld
+from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import RigidSupport, Spindle
 from rotordyn.machine.support import MOTIONS, coupled_motions, entry_name
@@ -30,6 +34,7 @@ ANALYSES: dict[str, type[Spec]] = {
     "frf": FrfSpec,
     "stiffness": StiffnessSpec,
     "section_forces": SectionForcesSpec,
+    "unbalance": UnbalanceSpec,
     "bearing": BearingMapSpec,
     "control": ControlSpec,
 }
@@ -71,9 +76,22 @@ def questions_agree(
     if spindle is not None:
         yield from _machine(spindle, conditions)
         for name, spec in analyses.items():
-            yield from _question(name, spec, spindle)
+            yield from _question(name, spec, spindle, conditions)
             if isinstance(spec, SectionForcesSpec):
                 yield from _section_forces(name, spec, spindle, conditions)
+
+
+def resolved_agree(
+    spindle: Spindle,
+    conditions: Conditions,
+    analyses: Mapping[str, Spec],
+    speeds: tuple[float, ...],
+) -> Iterator[str]:
+    """Elements of a given length carry what is asked of them."""
+    from rotordyn.analysis.resolution import beyond_elements
+
+    for sentence in beyond_elements(spindle, conditions, analyses, max(speeds, default=0.0)):
+        yield f"conditions.element_length: {sentence}"
 
 
 def _of_balls(conditions: Conditions) -> Iterator[str]:
@@ -133,7 +151,7 @@ def _machine(spindle: Spindle, conditions: Conditions) -> Iterator[str]:
     if free and not spindle.seats:
         axes = " and ".join(free)
         yield f"the shaft is not held: no bearings, no support with stiffness along {axes}"
-    for sentence in obstacles(conditions, spindle.rotor_damping, spindle.supports):
+    for sentence in obstacles(conditions, spindle.damped, spindle.supports):
         yield f"conditions.shaft: {sentence}"
     longest = conditions.element_length
     least = (spindle.shaft.end - spindle.shaft.start) / MOST_ELEMENTS
@@ -144,27 +162,42 @@ def _machine(spindle: Spindle, conditions: Conditions) -> Iterator[str]:
         )
 
 
-def _question(name: str, spec: Spec, spindle: Spindle) -> Iterator[str]:
+def _question(name: str, spec: Spec, spindle: Spindle, conditions: Conditions) -> Iterator[str]:
     if name in NEEDS_BEARINGS and not spindle.seats:
         yield f"{name} needs bearings: this spindle has none"
     if name not in TAKE_RIGID:
         yield from (f"{name}: {sentence}" for sentence in rigid_supports(spindle.supports))
     if isinstance(spec, FrfSpec):
-        for point in {port.point: None for pair in spec.pairs for port in pair}:
-            yield from _exists(point, spindle.points, f"{name}: unknown point")
-        for pair in spec.pairs:
-            ends = (pair[0].direction, pair[1].direction)
-            if motions := uncoupled(*ends, coupled_motions(spindle.supports)):
-                yield (
-                    f"{name}: nothing couples {' and '.join(motions)}: given "
-                    f"'{pair[0]} / {pair[1]}'; allowed: both ends in one of x; thx; y, z, thy, thz"
-                )
+        yield from _frf(name, spec, spindle, conditions)
+    if isinstance(spec, UnbalanceSpec):
+        yield from _unbalance(name, spec, spindle)
     if isinstance(spec, StiffnessSpec):
         yield from _exists(spec.point, spindle.points, f"{name}: unknown point")
         sleeves = [sleeve.name for sleeve in spindle.sleeves]
         for sleeve in spec.second_stop:
             yield from _exists(sleeve, sleeves, f"{name}: second_stop: unknown sleeve")
         yield from (f"{name}: {sentence}" for sentence in _one_plane(spindle))
+
+
+def _frf(name: str, spec: FrfSpec, spindle: Spindle, conditions: Conditions) -> Iterator[str]:
+    if spec.quantity != QUANTITIES[0] and conditions.formulation == ROTATING:
+        yield f"{name}: quantity: {turned(spec.quantity)}"
+    for point in {port.point: None for pair in spec.pairs for port in pair}:
+        yield from _exists(point, spindle.points, f"{name}: unknown point")
+    for pair in spec.pairs:
+        ends = (pair[0].direction, pair[1].direction)
+        if motions := uncoupled(*ends, coupled_motions(spindle.supports)):
+            yield (
+                f"{name}: nothing couples {' and '.join(motions)}: given "
+                f"'{pair[0]} / {pair[1]}'; allowed: both ends in one of x; thx; y, z, thy, thz"
+            )
+
+
+def _unbalance(name: str, spec: UnbalanceSpec, spindle: Spindle) -> Iterator[str]:
+    reach = spindle.shaft.start, spindle.shaft.end
+    centre = rotor_inertia(spindle).centre
+    for way, sentence in misplaced_unbalance(spec, spindle.points, reach, centre):
+        yield f"{'.'.join(map(str, (name, *way)))}: {sentence}"
 
 
 def _one_plane(spindle: Spindle) -> Iterator[str]:

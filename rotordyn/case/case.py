@@ -13,6 +13,7 @@ from rotordyn.case.agreement import (
     ANALYSES,
     questions_agree,
     references_agree,
+    resolved_agree,
     speeds_agree,
     supports_agree,
 )
@@ -70,6 +71,7 @@ class Case(Description):
         yield from questions_agree(self.spindle, self.conditions, self.analyses)
         if self.spindle is not None:
             yield from supports_agree(self.spindle, self.conditions, self.speeds)
+            yield from resolved_agree(self.spindle, self.conditions, self.analyses, self.speeds)
         yield from references_agree(self.references, self.conditions)
         for name, variant in self.variants.items():
             if variant.speeds != self.speeds or variant.analyses != self.analyses:

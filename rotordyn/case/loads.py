@@ -1,4 +1,4 @@
-"""Static loads against the machine they act on: places that exist, loads that something carries.
+"""Loads against the machine they act on: places that exist, loads that something carries.
 
 Each fault comes with its way from the question on, so that files and Python say the same.
 """
@@ -34,6 +34,19 @@ class Asked(Protocol):
     def twist_limits(self) -> Sequence[Any]: ...
 
 
+class AskedUnbalance(Protocol):
+    """The question ``unbalance``, as an entry of a file or as a Spec."""
+
+    @property
+    def points(self) -> Sequence[str]: ...
+    @property
+    def unbalances(self) -> Sequence[Any]: ...
+    @property
+    def spans(self) -> Sequence[Any]: ...
+    @property
+    def grade(self) -> Any: ...
+
+
 def misplaced(
     asked: Asked, points: Mapping[str, float], reach: tuple[float, float], along: str
 ) -> Iterator[Fault]:
@@ -52,6 +65,59 @@ def misplaced(
             ("gravity",),
             f"the weight is given twice: given '{asked.gravity}' beside '{along}' of the "
             "conditions; allowed: one of both",
+        )
+
+
+def misplaced_unbalance(
+    asked: AskedUnbalance,
+    points: Mapping[str, float],
+    reach: tuple[float, float],
+    centre: float,
+) -> Iterator[Fault]:
+    """Unknown points, stations off the shaft, nothing out of balance, planes of no use.
+
+    ``centre``: station of the rotor's centre of gravity [m].
+    """
+    for index, name in enumerate(asked.points):
+        if name and name not in points:
+            known = ", ".join(points) or "none, there are none here"
+            yield (
+                ("points", index),
+                f"unknown point: given '{name}'; allowed: {known}{suggestion(name, points)}",
+            )
+        elif name in asked.points[:index]:
+            yield ("points", index), f"repeated: given '{name}'"
+    for index, each in enumerate(asked.unbalances):
+        yield from _place(each.at, points, reach, ("unbalances", index, "at"))
+    for index, span in enumerate(asked.spans):
+        yield from _span(span, points, reach, ("spans", index))
+    if not (asked.unbalances or asked.spans or asked.grade):
+        yield (), "nothing is out of balance: allowed: at least one of unbalances, spans, grade"
+    if asked.grade:
+        yield from _planes(asked.grade, points, reach, centre)
+
+
+def _planes(
+    grade: Any, points: Mapping[str, float], reach: tuple[float, float], centre: float
+) -> Iterator[Fault]:
+    """One or two places; of two, one on either side of the centre of gravity."""
+    faults = [
+        fault
+        for index, at in enumerate(grade.planes)
+        for fault in _place(at, points, reach, ("grade", "planes", index))
+    ]
+    yield from faults
+    if faults or len(grade.planes) < 2:
+        if len(grade.planes) == 1 and grade.phase == "couple":
+            yield ("grade", "phase"), "a couple needs two planes: given one"
+        return
+    ends = sorted(points.get(a, math.nan) if isinstance(a, str) else a for a in grade.planes)
+    if ends[0] >= centre or ends[1] <= centre:
+        yield (
+            ("grade", "planes"),
+            "the centre of gravity must lie between the two planes: it is at "
+            f"{format_quantity(centre, 'mm')}; allowed: one plane on either side, or unbalances "
+            "given one by one",
         )
 
 

@@ -6,10 +6,12 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
 
+from rotordyn.analysis.specs import MeasuredResponse
 from rotordyn.case import expand
 from rotordyn.case.checks import bearing as check_bearing
 from rotordyn.case.checks import case as check_case
 from rotordyn.case.checks import spindle as check_spindle
+from rotordyn.case.checks.measured import measured
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
 from rotordyn.case.schema.bearing import BearingEntry
@@ -31,6 +33,7 @@ class Parts:
     bearing: BearingEntry | None
     spindle_name: str
     tool_name: str
+    measured: tuple[MeasuredResponse, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -60,7 +63,7 @@ def read_parts(root: Node, reader: expand.Reader) -> Parts | None:
     if spindle is not None and (tool is not None or root.child("tool") is None):
         check_case.against_machine(case, spindle, tool, root, reader.faults)
     names = (_name(trees.spindle), _name(trees.tool))
-    return Parts(case, spindle, tool, bearing, *names)
+    return Parts(case, spindle, tool, bearing, *names, measured(case, root, reader))
 
 
 def _expanded(root: Node, reader: expand.Reader) -> _Trees:

@@ -82,7 +82,7 @@ def _case(name: str, parts: Parts, contents: dict[Path, bytes]) -> Case:
         name=name,
         title=entry.title,
         speeds=values(entry.speeds),
-        analyses=questions(entry.analyses),
+        analyses=questions(entry.analyses, parts.measured),
         conditions=conditions(entry.conditions),
         spindle=machine,
         bearing=bearing(parts.bearing) if parts.bearing else None,

@@ -68,13 +68,13 @@ def exact_rotor(
 
     Raises
     ------
-    InvalidInput : modal damping of the rotor, which has no place in the exact shaft, or a
+    InvalidInput : damping of the rotor itself, which has no place in the exact shaft, or a
         compression that the shear stiffness does not withstand
     """
-    if any(spindle.rotor_damping):
+    if spindle.damped:
         raise InvalidInput(
             "the exact shaft has no modes to damp one by one: leave damping.rotor of the spindle "
-            "empty (override: {damping.rotor: []})"
+            "empty (override: {damping.rotor: []}), and damping.rayleigh out"
         )
     mesh = mesh or station_mesh(spindle)
     terms, planes = node_terms(spindle, mesh, seat_stiffness, pulled=axial_force is not None)

@@ -6,6 +6,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from rotordyn.machine.damping import RayleighDamping
     from rotordyn.machine.drawbar import Drawbar
     from rotordyn.machine.growth import (
         ComputedShortening,
@@ -30,6 +31,7 @@ _HOME = {
     "PointMass": "lumped",
     "PrescribedShortening": "growth",
     "QuadraticInSpeed": "growth",
+    "RayleighDamping": "damping",
     "Reference": "reference",
     "RingGrowth": "growth",
     "Section": "shaft",
@@ -49,6 +51,7 @@ __all__ = [
     "PointMass",
     "PrescribedShortening",
     "QuadraticInSpeed",
+    "RayleighDamping",
     "Reference",
     "RingGrowth",
     "Section",

@@ -8,6 +8,7 @@ from itertools import pairwise
 from typing import Protocol
 
 from rotordyn.description import Description, doubled
+from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.growth import ComputedShortening, InterferenceFit, PrescribedShortening
 from rotordyn.machine.lumped import Disc, PointMass
@@ -44,8 +45,9 @@ class Spindle(Description):
     """A rotor on bearings, linear supports or both.
 
     ``rotor_damping`` [-]: modal damping ratios of the flexible free-free bending modes at rest, in
-    order; the last one serves all that follow; empty = none. ``internal_damping`` [-]: share of
-    that, in bending, which turns with the shaft. ``points``: named stations [m].
+    order; the last one serves all that follow; empty = none. ``rayleigh`` is added to it.
+    ``internal_damping`` [-]: share of both, in bending, which turns with the shaft. ``points``:
+    named stations [m].
     """
 
     name: str
@@ -60,9 +62,15 @@ class Spindle(Description):
     shortening: PrescribedShortening | ComputedShortening | None = None
     rotor_damping: tuple[DampingRatio, ...] = ()
     internal_damping: Share = 0.0
+    rayleigh: RayleighDamping = field(default_factory=RayleighDamping)
     title: str = ""
     note: str = ""
     references: tuple[Reference, ...] = ()
+
+    @property
+    def damped(self) -> bool:
+        """The rotor itself is damped, besides its bearings and supports."""
+        return any(self.rotor_damping) or bool(self.rayleigh)
 
     def _faults(self) -> Iterator[str]:
         yield from _named_twice("seats", self.seats)

@@ -92,6 +92,12 @@ def _section_forces(case: Drawable, result: Any, _: Mapping[str, Any]) -> Iterat
         yield name, partial(call, "section_forces", f"{draw}_figure", result, case.spindle)
 
 
+def _unbalance(_: Drawable, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
+    if result.speed[-1] > 0.0:
+        yield "unbalance", partial(call, "unbalance", "response_figure", result)
+        yield "unbalance_forces", partial(call, "unbalance", "forces_figure", result)
+
+
 def _bearing(case: Drawable, result: Any, _: Mapping[str, Any]) -> Iterator[Job]:
     yield "bearing", partial(call, "bearing", "bearing_figure", result)
     if "complete" in result.tangent and len(result.tangent) > 1:
@@ -117,6 +123,7 @@ FIGURES: dict[str, Callable[[Drawable, Any, Mapping[str, Any]], Iterator[Job]]] 
     "frf": _frf,
     "stiffness": _stiffness,
     "section_forces": _section_forces,
+    "unbalance": _unbalance,
     "bearing": _bearing,
     "control": _control,
 }

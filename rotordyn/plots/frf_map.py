@@ -1,4 +1,4 @@
-"""The receptance over speed and frequency as a heat map."""
+"""A frequency response over speed and frequency as a heat map."""
 
 from __future__ import annotations
 
@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.display import RPM, receptance_unit, shown
-from rotordyn.analysis.results import CampbellResult, FrfResult
+from rotordyn.analysis.display import RPM, shown
+from rotordyn.analysis.results import CampbellResult, FrequencyResponse
 from rotordyn.plots.campbell import draw_modes
 from rotordyn.plots.decimate import nearest, peak_bins
 from rotordyn.plots.labels import axis_label
@@ -34,7 +34,7 @@ COLOURS = "viridis"
 
 
 def map_figure(
-    result: FrfResult, pairs: Sequence[int], campbell: CampbellResult | None = None
+    result: FrequencyResponse, pairs: Sequence[int], campbell: CampbellResult | None = None
 ) -> Figure:
     """|H| of one pair on a full figure, or of several on small ones; mode lines over it."""
     columns = 1 if len(pairs) == 1 else 2
@@ -48,7 +48,7 @@ def map_figure(
         speed_ticks(axes, max(float(result.speed[-1] * RPM.factor), 1.0), 6 if columns == 1 else 3)
         if campbell is not None:
             draw_modes(axes, campbell, colour="white")
-        title = f"receptance {result.pair[pair]}"
+        title = f"{result.kind} {result.pair[pair]}"
         if campbell is not None:
             title += ", lines: damped modes" if columns == 1 else ""
         axes.set_title(title, fontsize=FONT_SIZE, pad=4.0)
@@ -56,9 +56,9 @@ def map_figure(
     return figure
 
 
-def amplitude(result: FrfResult, pair: int) -> NDArray[np.float64]:
+def amplitude(result: FrequencyResponse, pair: int) -> NDArray[np.float64]:
     """|H| of a pair in printed units, shape (speed, frequency)."""
-    return np.abs(result.receptance[:, pair]) * shown(receptance_unit(result.pair[pair])).factor
+    return np.abs(result.response[:, pair]) * shown(result.unit(pair)).factor
 
 
 def amplitude_range(values: NDArray[np.float64]) -> tuple[float, float]:
@@ -72,7 +72,7 @@ def amplitude_range(values: NDArray[np.float64]) -> tuple[float, float]:
 
 
 def draw_map(
-    axes: Axes, result: FrfResult, pair: int, limits: tuple[float, float] | None = None
+    axes: Axes, result: FrequencyResponse, pair: int, limits: tuple[float, float] | None = None
 ) -> AxesImage:
     """An even raster: nearest speed across, largest amplitude of each row of pixels up.
 
@@ -111,7 +111,7 @@ def _even(values: NDArray[np.float64]) -> bool:
 def draw_scale(
     figure: Figure,
     image: AxesImage,
-    result: FrfResult,
+    result: FrequencyResponse,
     pair: int,
     box: tuple[float, float, float, float],
 ) -> None:
@@ -132,7 +132,7 @@ def draw_scale(
     scale.set_xticks([])
     scale.yaxis.tick_right()
     scale.yaxis.set_label_position("right")
-    unit = shown(receptance_unit(result.pair[pair])).unit
+    unit = shown(result.unit(pair)).unit
     scale.set_ylabel(f"|H| [{unit}]", fontsize=FONT_SIZE)
     scale.grid(visible=False)
     scale.tick_params(labelsize=FONT_SIZE - 0.5)

@@ -1,4 +1,4 @@
-"""The receptance over frequency at chosen speeds."""
+"""Frequency responses over frequency at chosen speeds."""
 
 from __future__ import annotations
 
@@ -8,12 +8,14 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.display import RPM, receptance_unit, shown
-from rotordyn.analysis.results import FrfResult
+from rotordyn.analysis.display import RPM, shown
+from rotordyn.analysis.results import FrequencyResponse
 from rotordyn.plots.labels import axis_label
 from rotordyn.plots.legends import top_legend
 from rotordyn.plots.style import (
+    BLACK,
     CYCLE,
+    DASHES,
     FONT_SIZE,
     add_axes,
     grid_boxes,
@@ -29,44 +31,43 @@ if TYPE_CHECKING:
 Array = NDArray[np.float64]
 
 
-def amplitude_phase_figure(result: FrfResult, pairs: Sequence[int]) -> Figure:
+def amplitude_phase_figure(result: FrequencyResponse, pairs: Sequence[int]) -> Figure:
     """Amplitude (log) over phase, a column per pair, a line per slice speed."""
     return _figure(result, pairs, ("amplitude", "phase"))
 
 
-def real_imaginary_figure(result: FrfResult, pairs: Sequence[int]) -> Figure:
+def real_imaginary_figure(result: FrequencyResponse, pairs: Sequence[int]) -> Figure:
     """Real over imaginary part, a column per pair, a line per slice speed."""
     return _figure(result, pairs, ("real part", "imaginary part"))
 
 
-def _figure(result: FrfResult, pairs: Sequence[int], parts: tuple[str, str]) -> Figure:
+def _figure(result: FrequencyResponse, pairs: Sequence[int], parts: tuple[str, str]) -> Figure:
     figure = new_figure(168.0, 112.0)
     boxes = grid_boxes(figure, 2, len(pairs), margins=(17.0, 6.0, 12.0, 15.0), gaps=(17.0, 4.0))
     for column, pair in enumerate(pairs):
         for row, part in enumerate(parts):
-            name = _label(part, result.pair[pair])
+            name = _label(part, result.unit(pair))
             box = boxes[row * len(pairs) + column]
             axes = add_axes(figure, box, axis_label(result, "frequency") if row else "", name)
             axes.tick_params(labelbottom=bool(row))
             _lines(axes, result, pair, part)
             if not row:
-                axes.set_title(f"receptance {result.pair[pair]}", fontsize=FONT_SIZE, pad=4.0)
-                if not column:
-                    top_legend(figure, axes)
+                axes.set_title(f"{result.kind} {result.pair[pair]}", fontsize=FONT_SIZE, pad=4.0)
+    top_legend(figure, *figure.axes)
     return figure
 
 
-def _label(part: str, pair: str) -> str:
-    return f"{part} [{'deg' if part == 'phase' else shown(receptance_unit(pair)).unit}]"
+def _label(part: str, unit: str) -> str:
+    return f"{part} [{'deg' if part == 'phase' else shown(unit).unit}]"
 
 
-def _lines(axes: Axes, result: FrfResult, pair: int, part: str) -> None:
+def _lines(axes: Axes, result: FrequencyResponse, pair: int, part: str) -> None:
     frequency = result.frequency
-    factor = shown(receptance_unit(result.pair[pair])).factor
+    factor = shown(result.unit(pair)).factor
     for place, index in enumerate(np.flatnonzero(result.is_slice).tolist()):
-        if not np.any(result.receptance[index, pair]):
+        if not np.any(result.response[index, pair]):
             continue  # planes that nothing couples have no phase and no place on a log axis
-        values = _part(result.receptance[index, pair] * factor, part)
+        values = _part(result.response[index, pair] * factor, part)
         axes.plot(
             frequency,
             values,
@@ -74,6 +75,7 @@ def _lines(axes: Axes, result: FrfResult, pair: int, part: str) -> None:
             lw=1.1,
             label=f"{result.speed[index] * RPM.factor:.0f} rpm",
         )
+    draw_measured(axes, result, pair, part)
     axes.set_xlim(0.0, float(frequency[-1]))
     axes.set_xticks(round_ticks(0.0, float(frequency[-1]), 4))
     if part == "phase":
@@ -83,16 +85,49 @@ def _lines(axes: Axes, result: FrfResult, pair: int, part: str) -> None:
         log_axis(axes)
 
 
+def draw_measured(
+    axes: Axes, result: FrequencyResponse, pair: int, part: str, index: int | None = None
+) -> None:
+    """What was measured of a pair, dashed; ``index``: only what is nearest to that slice speed."""
+    factor = shown(result.unit(pair)).factor
+    for row, name in enumerate(result.measured):
+        if result.measured_pair[row] != result.pair[pair]:
+            continue
+        speed = float(result.measured_speed[row])
+        if index is not None and _nearest_slice(result, speed) != index:
+            continue
+        frequency = result.measured_frequency[row]
+        inside = (frequency >= result.frequency[0]) & (frequency <= result.frequency[-1])
+        axes.plot(
+            frequency[inside],
+            _part(result.measured_response[row, inside] * factor, part),
+            color=BLACK,
+            lw=0.9,
+            ls=DASHES[1 + row % (len(DASHES) - 1)],
+            label=f"{name}, measured at {speed * RPM.factor:.0f} rpm",
+        )
+
+
+def _nearest_slice(result: FrequencyResponse, speed: float) -> int:
+    slices = np.flatnonzero(result.is_slice)
+    return int(slices[np.abs(result.speed[slices] - speed).argmin()])
+
+
 def _part(values: NDArray[np.complex128], part: str) -> Array:
     """The part asked for; a phase does not draw a line where it wraps."""
     if part == "amplitude":
         return np.abs(values)
     if part != "phase":
         return np.asarray(values.real if part == "real part" else values.imag)
-    phase = np.degrees(np.angle(values))
+    return wrapped_phase(np.degrees(np.angle(values)))
+
+
+def wrapped_phase(phase: Array) -> Array:
+    """``phase`` [deg] without a point where it wraps, so that no line is drawn there."""
     jumps = np.flatnonzero(np.abs(np.diff(phase)) > 270.0) + 1
-    phase[jumps] = np.nan
-    return np.asarray(phase)
+    broken = phase.copy()
+    broken[jumps] = np.nan
+    return broken
 
 
 def log_axis(axes: Axes) -> None:

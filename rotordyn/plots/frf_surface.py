@@ -1,4 +1,4 @@
-"""The receptance over speed and frequency as a surface in space.
+"""A frequency response over speed and frequency as a surface in space.
 
 The parallel projection is done here: a height field seen from in front and above only needs its
 strips painted from back to front, and text and frame stay under control.
@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.display import RPM, receptance_unit, shown
-from rotordyn.analysis.results import FrfResult
+from rotordyn.analysis.display import RPM, shown
+from rotordyn.analysis.results import FrequencyResponse
 from rotordyn.machine.reference import Reference
 from rotordyn.plots.campbell import KNOWN
 from rotordyn.plots.decimate import peak_bins
@@ -35,17 +35,17 @@ _BACK = np.array([0.52, 0.42])
 _UP = np.array([0.0, 0.62])
 
 
-def surface_figure(result: FrfResult, pair: int) -> Figure:
+def surface_figure(result: FrequencyResponse, pair: int) -> Figure:
     """|H| (log) of one pair; frequency to the right, speed into the depth."""
     figure = new_figure(168.0, 112.0)
     axes = add_axes(figure, (3.0, 3.0, 162.0, 106.0))
-    draw_surface(axes, result, pair, f"receptance {result.pair[pair]}")
+    draw_surface(axes, result, pair, f"{result.kind} {result.pair[pair]}")
     return figure
 
 
 def draw_surface(
     axes: Axes,
-    result: FrfResult,
+    result: FrequencyResponse,
     pair: int,
     title: str,
     limits: Limits | None = None,
@@ -67,7 +67,7 @@ def draw_surface(
     )
 
 
-def draw_pins(axes: Axes, result: FrfResult, known: Sequence[Reference]) -> None:
+def draw_pins(axes: Axes, result: FrequencyResponse, known: Sequence[Reference]) -> None:
     """Published and measured frequencies as pins through the surface."""
     rpm, high = max(float(result.speed[-1]), 1.0), float(result.frequency[-1])
     for reference in (r for r in known if r.quantity in KNOWN):
@@ -89,10 +89,10 @@ def project(right: Array, back: Array, up: Array) -> Array:
 
 
 def _grid(
-    result: FrfResult, pair: int, limits: Limits | None
+    result: FrequencyResponse, pair: int, limits: Limits | None
 ) -> tuple[Array, Array, Array, Limits]:
     """Frequency and speed from 0 to 1 and log-height from 0 to 1 (strip, step), peaks kept."""
-    keep = np.flatnonzero(np.isfinite(result.receptance[:, pair]).all(axis=1))
+    keep = np.flatnonzero(np.isfinite(result.response[:, pair]).all(axis=1))
     keep = keep[np.unique(np.linspace(0, keep.size - 1, min(STRIPS, keep.size)).astype(int))]
     frequency, rpm = result.frequency, result.speed[keep] * RPM.factor
     edges = np.linspace(frequency[0], frequency[-1] * (1.0 + 1e-12), STEPS + 1)
@@ -139,7 +139,7 @@ def _surface(axes: Axes, frequency: Array, rpm: Array, height: Array) -> None:
     axes.add_collection(front, autolim=False)
 
 
-def _frame(axes: Axes, result: FrfResult, pair: int, limits: Limits, shrink: float) -> None:
+def _frame(axes: Axes, result: FrequencyResponse, pair: int, limits: Limits, shrink: float) -> None:
     """Floor and walls with a light grid, ticks and names of the three axes."""
     from matplotlib.collections import LineCollection
 
@@ -168,7 +168,7 @@ def _frame(axes: Axes, result: FrfResult, pair: int, limits: Limits, shrink: flo
         axes.text(x + 0.018 * shrink, y - 0.016 * shrink, name, ha="left", va="center", **text)
     for c, name in tall:
         axes.text(-0.015 * shrink, c * _UP[1], name, ha="right", va="center", **text)
-    unit = shown(receptance_unit(result.pair[pair])).unit
+    unit = shown(result.unit(pair)).unit
     _axis_names(axes, axis_label(result, "frequency"), unit, shrink)
 
 

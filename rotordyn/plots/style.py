@@ -151,7 +151,7 @@ def log_ticks(low: float, high: float) -> list[tuple[float, str]]:
 
 def _short(value: float) -> str:
     if 0.999e-3 <= value < 1e4:
-        return f"{value:.3g}"
+        return f"{value:.4g}"
     mantissa, exponent = f"{value:.0e}".split("e")
     return f"{mantissa}e{int(exponent)}"
 

@@ -8,8 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from rotordyn.analysis.results import CampbellResult, FrfResult
+from rotordyn.analysis.results import CampbellResult, FrequencyResponse, UnbalanceResult
 
+_PLURAL = {"receptance": "receptances", "mobility": "mobilities", "inertance": "inertances"}
 OVERDAMPED = 0.7  # damping ratio from which a motion hardly swings
 
 
@@ -36,9 +37,12 @@ def accuracy_words(results: Mapping[str, Any]) -> list[str]:
             words.append(f"mesh good to {modes.resolved_frequency:.0f} Hz")
         if modes.certified[[not word for word in modes.outcome]].all():
             words.append(f"number of modes proven ({_range(modes)})")
-    if isinstance(response := results.get("frf"), FrfResult):
+    if isinstance(response := results.get("frf"), FrequencyResponse):
         worst = float(response.error.max(initial=0.0))
-        words.append(f"receptances within {rounded_up(worst)} of their peak")
+        words.append(f"{_PLURAL[response.kind]} within {rounded_up(worst)} of their peak")
+    if isinstance(turning := results.get("unbalance"), UnbalanceResult):
+        worst = float(turning.error.max(initial=0.0))
+        words.append(f"response to unbalance within {rounded_up(worst)} of its peak")
     return words
 
 

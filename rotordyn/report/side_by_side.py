@@ -17,12 +17,14 @@ from rotordyn.analysis.results import (
     PreloadResult,
     SectionForcesResult,
     StiffnessResult,
+    UnbalanceResult,
 )
 from rotordyn.machine.reference import Reference
 from rotordyn.report.known import computed_values, known_values
 from rotordyn.report.section_forces import extremes
 from rotordyn.report.summary import Described, called
 from rotordyn.report.text import from_to, number, opening, wrapped
+from rotordyn.report.unbalance import largest_amplitudes
 
 MODES = 5  # of the lowest bending modes
 Cells = dict[str, str]
@@ -141,11 +143,16 @@ def _section_forces(result: SectionForcesResult, _: Described) -> Cells:
     return extremes(result)
 
 
+def _unbalance(result: UnbalanceResult, _: Described) -> Cells:
+    return largest_amplitudes(result)
+
+
 TABLES: dict[str, tuple[str, Callable[[Any, Described], Cells]]] = {
     "campbell": ("bending modes, backward/forward [Hz]", _campbell),
     "preload": ("preload", _preload),
     "stiffness": ("radial stiffness at no load", _stiffness),
     "section_forces": ("section forces of largest amount", _section_forces),
+    "unbalance": ("largest half axis of the orbit by unbalance", _unbalance),
     "bearing": ("axial and radial stiffness, tilts blocked [N/µm]", _bearing),
     "control": ("axial load [N] at which race control changes", _control),
 }

@@ -27,8 +27,10 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve
 from rotordyn.report.accuracy import accuracy_words
 from rotordyn.report.known import known_lines
+from rotordyn.report.measured import measured_lines
 from rotordyn.report.section_forces import section_force_lines
 from rotordyn.report.text import from_to, opening, unbroken, wrapped
+from rotordyn.report.unbalance import unbalance_lines
 
 HEIGHT = 40
 _WHIRL = {1: " fw", -1: " bw", 0: ""}
@@ -65,6 +67,8 @@ def summary(
         lines += _modes(results["campbell"])
     if words := accuracy_words(results):
         lines.append(f"accuracy   estimated errors by the elements: {', '.join(words)}")
+    if "frf" in results:
+        lines += measured_lines(results["frf"])
     if "preload" in results:
         lines += _preload(results["preload"])
     if "bearing" in results:
@@ -75,6 +79,8 @@ def summary(
         lines += _stiffness(results["stiffness"])
     if "section_forces" in results:
         lines += section_force_lines(results["section_forces"])
+    if "unbalance" in results:
+        lines += unbalance_lines(results["unbalance"])
     top = opening(warnings, called(case), notes)
     text = [*top, *(part for line in lines for part in wrapped(line))]
     found = matches(case.known, results, case.spindle)

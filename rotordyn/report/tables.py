@@ -17,12 +17,11 @@ from rotordyn.analysis.display import (
     RPM,
     Shown,
     load_unit,
-    receptance_unit,
     shown,
     stiffness_unit,
 )
 from rotordyn.analysis.result import declared
-from rotordyn.analysis.results import FrfResult
+from rotordyn.analysis.results import FrequencyResponse
 from rotordyn.report.variables import as_array
 
 
@@ -52,6 +51,10 @@ LAYOUTS = {
         Layout("campbell_critical", ("critical",)),
         Layout("campbell_shapes", ("shape_speed", "mode", "node"), ("dof",)),
     ),
+    "frf": (
+        Layout("frf_measured", ("measured",)),
+        Layout("frf_measured_peaks", ("measured", "peak")),
+    ),
     "stiffness": (
         Layout("stiffness", ("speed", "variant")),
         Layout("stiffness_curves", ("speed", "variant", "force")),
@@ -60,6 +63,12 @@ LAYOUTS = {
         Layout("section_forces", ("speed", "cut"), repeating=True),
         Layout("section_forces_reactions", ("speed", "support"), ("component",), repeating=True),
         Layout("section_forces_twist", ("speed", "twist_limit"), repeating=True),
+    ),
+    "unbalance": (
+        Layout("unbalance", ("speed", "point"), ("axis",)),
+        Layout("unbalance_forces", ("speed", "support"), ("axis",)),
+        Layout("unbalance_acting", ("unbalance",)),
+        Layout("unbalance_critical", ("critical",)),
     ),
     "bearing": (
         Layout("bearing", ("speed", "load")),
@@ -82,7 +91,7 @@ def write_tables(folder: Path, results: Mapping[str, Any]) -> list[str]:
             columns = tidy_columns(result, layout)
             if columns[0][1]:
                 names.append(_write(folder / f"{layout.name}.csv", columns))
-        if isinstance(result, FrfResult):
+        if isinstance(result, FrequencyResponse):
             names += _write_slices(folder, result)
     return names
 
@@ -163,15 +172,15 @@ def _write(path: Path, columns: list[Column]) -> str:
     return path.name
 
 
-def _write_slices(folder: Path, result: FrfResult) -> list[str]:
+def _write_slices(folder: Path, result: FrequencyResponse) -> list[str]:
     """One table per slice with a solution: a line per frequency, both parts of every pair."""
     names = []
-    solved = np.isfinite(result.receptance).all(axis=(1, 2))
+    solved = np.isfinite(result.response).all(axis=(1, 2))
     for index in np.flatnonzero(result.is_slice & solved).tolist():
         columns = [_column("frequency", shown("Hz"), result.frequency)]
         for place, pair in enumerate(result.pair):
-            values = result.receptance[index, place]
-            columns += _parts(f"receptance {pair}", shown(receptance_unit(pair)), values)
+            values = result.response[index, place]
+            columns += _parts(f"{result.kind} {pair}", shown(result.unit(place)), values)
         rpm = float(result.speed[index]) * RPM.factor
         names.append(_write(folder / f"frf_{rpm:.7g}rpm.csv", columns))
     return names

@@ -5,21 +5,41 @@ from __future__ import annotations
 import warnings
 from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.display import RPM, is_rotation, receptance_unit
+from rotordyn.analysis.display import RPM, is_rotation
 from rotordyn.analysis.result import declared
-from rotordyn.analysis.results import FrfResult
+from rotordyn.analysis.results import FrequencyResponse
 
 _DIRECTION = {"x": 1, "y": 2, "z": 3, "thx": 4, "thy": 5, "thz": 6}
-_FREQUENCY, _DISPLACEMENT, _FORCE, _RPM = 18, 8, 13, 19
+_FREQUENCY, _FORCE, _RPM = 18, 13, 19
+
+
+class Motion(NamedTuple):
+    """What the response of a kind is: code of the format, name, unit past metre or radian."""
+
+    code: int
+    name: str
+    per_time: str
+
+
+MOTION = {
+    "receptance": Motion(8, "displacement", ""),
+    "mobility": Motion(11, "velocity", "/s"),
+    "inertance": Motion(12, "acceleration", "/s^2"),
+}
 
 
 def write_uff(
-    path: Path, result: FrfResult, *, case: str, nodes: Mapping[str, int], binary: bool = True
+    path: Path,
+    result: FrequencyResponse,
+    *,
+    case: str,
+    nodes: Mapping[str, int],
+    binary: bool = True,
 ) -> int:
     """Write one record per slice speed and pair; returns how many there are.
 
@@ -32,7 +52,7 @@ def write_uff(
         _record(result, index, place, case=case, nodes=nodes, binary=binary)
         for index in np.flatnonzero(result.is_slice).tolist()
         for place in range(len(result.pair))
-        if len(result.frequency) > 1 and np.isfinite(result.receptance[index, place]).all()
+        if len(result.frequency) > 1 and np.isfinite(result.response[index, place]).all()
     ]
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ResourceWarning)  # pyuff leaves closing to the interpreter
@@ -43,12 +63,19 @@ def write_uff(
 
 
 def _record(
-    result: FrfResult, index: int, place: int, *, case: str, nodes: Mapping[str, int], binary: bool
+    result: FrequencyResponse,
+    index: int,
+    place: int,
+    *,
+    case: str,
+    nodes: Mapping[str, int],
+    binary: bool,
 ) -> dict[str, Any]:
     """The fields of one function at one slice; units are SI."""
     pair, rpm = result.pair[place], float(result.speed[index]) * RPM.factor
     (out, out_dof), (inp, in_dof) = (port.rpartition(".")[::2] for port in pair.split(" / "))
-    response = "[rad]" if is_rotation(out_dof) else "[m]"
+    motion = MOTION[result.kind]
+    response = f"[{'rad' if is_rotation(out_dof) else 'm'}{motion.per_time}]"
     load = "[N m]" if is_rotation(in_dof) else "[N]"
     frequency = np.asarray(result.frequency, float)
     labels = {name: field.metadata["label"] for name, field in declared(result).items()}
@@ -57,10 +84,10 @@ def _record(
         "type": 58,
         "binary": int(binary),
         "func_type": 4,
-        "id1": f"receptance {pair} [{receptance_unit(pair)}]"[:80],
+        "id1": f"{result.kind} {pair} [{result.unit(place)}]"[:80],
         "id2": f"case {case}"[:80],
         "id3": f"speed {rpm:.6g} rpm ({float(result.speed[index]):.9g} rad/s)",
-        "id4": f"computed by rotordyn, SI units; {labels['receptance']}",
+        "id4": f"computed by rotordyn, SI units; {labels[result.kind]}",
         "id5": "NONE",
         "load_case_id": 0,
         "ver_num": index + 1,
@@ -79,8 +106,8 @@ def _record(
         "abscissa_spec_data_type": _FREQUENCY,
         "abscissa_axis_lab": labels["frequency"][:20],
         "abscissa_axis_units_lab": "Hz",
-        "ordinate_spec_data_type": _DISPLACEMENT,
-        "ordinate_axis_lab": "displacement",
+        "ordinate_spec_data_type": motion.code,
+        "ordinate_axis_lab": motion.name,
         "ordinate_axis_units_lab": response,
         "orddenom_spec_data_type": _FORCE,
         "orddenom_axis_lab": "excitation",
@@ -88,7 +115,7 @@ def _record(
         "z_axis_spec_data_type": _RPM,
         "z_axis_axis_lab": "speed",
         "z_axis_axis_units_lab": "rpm",
-        "data": result.receptance[index, place],
+        "data": result.response[index, place],
         "x": frequency,
     }
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 import numpy as np
@@ -44,6 +45,16 @@ def resolved_whirl(spindle: Spindle, elements: Hierarchy, spin: float, tolerance
         return float(expected_error(phase, elements.degree).max())
 
     return resolved(error, tolerance, 1.0)
+
+
+def half_wave(spindle: Spindle, mesh: Mesh, spin: float) -> float:
+    """Highest whirl [rad/s] that crosses no element of ``mesh`` by more than half a wave."""
+    rigidities = _rigidities(spindle, mesh)
+
+    def phase(omega: float) -> float:
+        return float((bending_wave(omega, spin, *rigidities) * mesh.length).max())
+
+    return resolved(phase, math.pi, 1.0)
 
 
 def beams(spindle: Spindle, mesh: Mesh, degree: Degrees) -> Hierarchy:

@@ -145,7 +145,7 @@ def lateral_system(
         own_stiffness += np.tensordot(axial_force, rotor.per_newton, 1) + rotor.bar
     if softened:
         own_stiffness -= (speed**2)[:, None, None] * rotor.translational_mass
-    own_damping = np.diag(2.0 * rotor.damping_ratio * np.sqrt(rotor.stiffness))
+    own_damping = np.diag(rotor.damping)
     gyroscopic = speed[:, None, None] * rotor.polar
     internal = speed[:, None, None] * spindle.internal_damping * own_damping
     if _alike(k) and _alike(c):

@@ -69,22 +69,21 @@ class LateralRotor:
     """The rotor's bending plane in m coordinates of unit mass.
 
     ``basis`` (2·nodes, m); ``stiffness`` (m,); ``polar`` and ``translational_mass`` (m, m);
-    ``damping_ratio`` (m,). ``per_newton`` (elements, m, m): stiffness per newton of axial force in
-    each element; ``bar`` (m, m): that of the drawbar. ``seats`` (seats, 2, m): deflection and tilt
-    between the rings of each bearing; ``supports`` (supports, 2, m): those of the node of each
-    linear support, and ``connected`` the nodes of both. The last coordinates are the sprung
-    sleeves, if any; ``weightless`` (m,) is 1 for those that have no mass of their own, else 0.
-    ``remainder``: what the coordinates leave out; None for a rigid rotor. ``unreduced``: the
-    assembled rotor they were taken from, likewise.
-    ``resolved`` [Hz]: highest frequency that the elements carry within the accuracy asked for, or
-    within ``USUAL`` where none is.
+    ``damping`` (m,): the rotor's own. ``per_newton`` (elements, m, m): stiffness per newton of
+    axial force in each element; ``bar`` (m, m): that of the drawbar. ``seats`` (seats, 2, m):
+    deflection and tilt between the rings of each bearing; ``supports`` (supports, 2, m): those of
+    the node of each linear support, and ``connected`` the nodes of both. The last coordinates are
+    the sprung sleeves, if any; ``weightless`` (m,) is 1 for those that have no mass of their own,
+    else 0. ``remainder``: what the coordinates leave out; None for a rigid rotor. ``unreduced``:
+    the assembled rotor they were taken from, likewise. ``resolved`` [Hz]: highest frequency that
+    the elements carry within the accuracy asked for, or within ``USUAL`` where none is.
     """
 
     basis: Array
     stiffness: Array
     polar: Array
     translational_mass: Array
-    damping_ratio: Array
+    damping: Array
     per_newton: Array
     bar: Array
     seats: Array
@@ -153,9 +152,7 @@ def lateral_rotor(
         stiffness=np.concatenate([values, held]),
         polar=_bordered(free.polar, more),
         translational_mass=_bordered(free.translational_mass, more),
-        damping_ratio=np.concatenate(
-            [damping_ratios(values, spindle.rotor_damping), np.zeros(more)]
-        ),
+        damping=np.concatenate([own_damping(values, spindle), np.zeros(more)]),
         per_newton=_bordered(free.per_newton, more),
         bar=tension.bar(wide),
         seats=seats,
@@ -250,6 +247,16 @@ def _drawbar(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> list[Array]:
     inside = (bar.start < mesh.middle) & (mesh.middle < bar.end)
     every = np.eye(2 * mesh.nodes).reshape(mesh.nodes, 2, -1)
     return [tension.bar(every) - tension.shaft(bar.force * inside.astype(float))]
+
+
+def own_damping(values: Array, spindle: Spindle, *, bending: bool = True) -> Array:
+    """Damping of the rotor's coordinates of unit mass and stiffness ``values``: modal, Rayleigh.
+
+    Other motions than ``bending`` take the last modal ratio.
+    """
+    given, rayleigh = spindle.rotor_damping, spindle.rayleigh
+    modal = 2.0 * damping_ratios(values, given if bending else given[-1:]) * np.sqrt(values)
+    return modal + rayleigh.mass + rayleigh.stiffness * values
 
 
 def damping_ratios(values: Array, given: tuple[float, ...]) -> Array:

@@ -29,7 +29,7 @@ from rotordyn.system.hierarchic_rotor import (
     torsion_properties,
 )
 from rotordyn.system.hierarchy import Hierarchy
-from rotordyn.system.lateral_rotor import Fineness, damping_ratios, sleeve_mass
+from rotordyn.system.lateral_rotor import Fineness, own_damping, sleeve_mass
 from rotordyn.system.mesh import Mesh
 from rotordyn.system.remainder import Remainder, remainder
 from rotordyn.system.unreduced import Unreduced
@@ -128,7 +128,7 @@ def axial_system(
     damping = np.einsum("c,ci,cj->ij", np.array(dampers), rows, rows, optimize=True)
     own = np.arange(modal)
     stiffness[:, own, own] += values
-    damping[own, own] += 2.0 * damping_ratios(values, spindle.rotor_damping[-1:]) * np.sqrt(values)
+    damping[own, own] += own_damping(values, spindle, bending=False)
     closed = stops[:, [spindle.sleeves.index(s) for s in sliding]]
     springs = np.array([s.spring.stiffness for s in sliding]) + CLOSED * closed * carried
     there = modal + np.arange(len(sliding))
@@ -168,7 +168,7 @@ def torsion_system(
     matrices, blocks = [], []
     for which, diagonal in (
         ("stiffness", values),
-        ("damping", 2.0 * damping_ratios(values, spindle.rotor_damping[-1:]) * np.sqrt(values)),
+        ("damping", own_damping(values, spindle, bending=False)),
     ):
         entries = [node_matrix(getattr(s, which))[spin, spin] for s in spindle.supports]
         held = np.einsum("c,ci,cj->ij", np.array(entries), rows, rows)

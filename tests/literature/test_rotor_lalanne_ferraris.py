@@ -12,7 +12,11 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
+import rotordyn
 from bearings.materials import Material
+from rotordyn.analysis import Conditions, Unbalance, UnbalanceSpec
+from rotordyn.analysis.registry import answer_spindle
+from rotordyn.analysis.results import UnbalanceResult
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.support import LinearSupport
 from rotordyn.system.assemble import rotor_matrices, torsion_rod
@@ -112,3 +116,31 @@ def test_torsion_free_free() -> None:
     rod = torsion_rod(ROTOR, MESH)
     first = frequencies_at_rest(rod.mass, rod.stiffness)[1]
     assert first / (2 * math.pi) == pytest.approx(254.01, abs=0.006)
+
+
+CRITICAL = (3620.4, 3798.1, 10016.9, 11278.2, 16768.9, 24398.8, 26602.7)  # CHECKED, undamped
+BOOK = (3620.4, 3798.1, 10018.0, 11279.0, 16785.0, 24408.0, 26611.0)  # the book's, 1e-3 apart
+
+
+def test_unbalance_response_peaks_at_the_critical_speeds() -> None:
+    """Little damping: the largest half axis of disc 2 is at each of the first four criticals."""
+    spindle = rotordyn.load("lalanne_ferraris").spindle
+    assert spindle is not None
+    near = np.linspace(-0.004, 0.004, 33)
+    speed = np.sort(
+        np.concatenate([[100.0, 3700.0], *(n * (1.0 + near) for n in CRITICAL), [30000.0]])
+    )
+    spec = UnbalanceSpec(points=("disc_2",), unbalances=(Unbalance("disc_2", 2e-4),))
+    own = Conditions(element_length=0.1)
+    found = answer_spindle(
+        spindle, own, tuple((speed * RPM).tolist()), {"unbalance": spec}, lambda name: None
+    )
+    result = found.results["unbalance"]
+    assert isinstance(result, UnbalanceResult)
+    np.testing.assert_allclose(result.critical_speed / RPM, CRITICAL, rtol=5e-4)
+    np.testing.assert_allclose(result.critical_speed / RPM, BOOK, rtol=1.1e-3)
+    for critical in CRITICAL[:4]:
+        around = np.abs(speed / critical - 1.0) < 0.0041
+        peak = speed[around][result.major_axis[around, 0].argmax()]
+        assert peak == pytest.approx(critical, rel=1e-3)
+    assert result.minor_axis[speed == 3700.0, 0] < 0.0  # backward between the first two

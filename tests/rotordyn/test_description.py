@@ -17,6 +17,7 @@ import rotordyn
 from bearings import STEEL, AngularContactBallBearing, InvalidBearing, Material
 from bearings.kinematics import HYPOTHESES, SHARINGS
 from rotordyn.analysis import (
+    BalanceGrade,
     BearingMapSpec,
     CampbellSpec,
     Conditions,
@@ -28,6 +29,8 @@ from rotordyn.analysis import (
     SectionForcesSpec,
     StiffnessSpec,
     TwistLimit,
+    Unbalance,
+    UnbalanceSpec,
 )
 from rotordyn.analysis.registry import BEARING_ANALYSES, SPINDLE_ANALYSES
 from rotordyn.analysis.specs import KINEMATICS, MOMENT_SHARING
@@ -185,6 +188,23 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
     "couples plane y or the axis to other motions .yz.": lambda: case(
         spindle=spindle(supports=(replace(SUPPORT, stiffness={("y", "z"): 1.0}),)),
         analyses={"stiffness": StiffnessSpec("tip")},
+    ),
+    "UnbalanceSpec: no points": lambda: UnbalanceSpec((), (Unbalance("tip", 1e-6),)),
+    "UnbalanceSpec: no unbalance: give": lambda: UnbalanceSpec(("tip",)),
+    "points: repeated: given 'tip'": lambda: UnbalanceSpec(
+        ("tip", "tip"), (Unbalance("tip", 1e-6),)
+    ),
+    "BalanceGrade: planes: one or two are needed: given 3": lambda: BalanceGrade(
+        2.5e-3, 100.0, (0.0, 0.1, 0.2)
+    ),
+    "BalanceGrade: phase: a couple needs two planes": lambda: BalanceGrade(
+        2.5e-3, 100.0, (0.0,), "couple"
+    ),
+    "unbalance.unbalances.0.at: unknown point: given 'tp'.*did you mean tip": lambda: case(
+        analyses={"unbalance": UnbalanceSpec(("tip",), (Unbalance("tp", 1e-6),))}
+    ),
+    "unbalance.grade.planes: the centre of gravity must lie between": lambda: case(
+        analyses={"unbalance": UnbalanceSpec(("tip",), grade=BalanceGrade(1e-3, 1.0, (0.0, 0.1)))}
     ),
     "tangents: repeated": lambda: BearingMapSpec((1.0,), tangents=("frozen", "frozen")),
     "PointMass d: mass: mass out of range": lambda: Disc("d", 0.0, 10.0, 0.0, 90.0, STEEL),

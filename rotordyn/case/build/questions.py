@@ -3,21 +3,31 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any
 
-from rotordyn.analysis.loads import LineLoad, PointLoad, TwistLimit, Unbalance
+from rotordyn.analysis.loads import (
+    BalanceGrade,
+    EccentricSpan,
+    LineLoad,
+    PointLoad,
+    TwistLimit,
+    Unbalance,
+)
 from rotordyn.analysis.specs import (
     BearingMapSpec,
     CampbellSpec,
     Conditions,
     ControlSpec,
     FrfSpec,
+    MeasuredResponse,
     Port,
     PreloadSpec,
     SectionForcesSpec,
     ShapesInSpaceSpec,
     Spec,
     StiffnessSpec,
+    UnbalanceSpec,
 )
 from rotordyn.case.build.sweep import values
 from rotordyn.case.schema.analyses import (
@@ -30,7 +40,7 @@ from rotordyn.case.schema.analyses import (
     StiffnessEntry,
 )
 from rotordyn.case.schema.conditions import ConditionsEntry
-from rotordyn.case.schema.loads import SectionForcesEntry
+from rotordyn.case.schema.loads import BalanceGradeEntry, SectionForcesEntry, UnbalanceResponseEntry
 
 
 def conditions(entry: ConditionsEntry) -> Conditions:
@@ -38,10 +48,13 @@ def conditions(entry: ConditionsEntry) -> Conditions:
     return Conditions(**entry.model_dump())
 
 
-def questions(entry: AnalysesEntry) -> dict[str, Spec]:
-    """Spec by name, in the order of the registry of keys."""
+def questions(entry: AnalysesEntry, measured: tuple[MeasuredResponse, ...] = ()) -> dict[str, Spec]:
+    """Spec by name, in the order of the registry of keys; ``measured`` as read from its files."""
     asked = {name: getattr(entry, name) for name in type(entry).model_fields}
-    return {name: _spec(question) for name, question in asked.items() if question is not None}
+    specs = {name: _spec(question) for name, question in asked.items() if question is not None}
+    if isinstance(response := specs.get("frf"), FrfSpec) and measured:
+        specs["frf"] = replace(response, measured=measured)
+    return specs
 
 
 def _spec(entry: Any) -> Spec:
@@ -49,8 +62,8 @@ def _spec(entry: Any) -> Spec:
 
 
 def _frf(entry: FrfEntry) -> FrfSpec:
-    pairs = tuple((Port(*pair.response), Port(*pair.excitation)) for pair in entry.pairs)
-    return FrfSpec(values(entry.frequencies), pairs, tuple(entry.slices))
+    pairs = tuple((Port(*response), Port(*excitation)) for response, excitation in entry.asked)
+    return FrfSpec(values(entry.frequencies), pairs, tuple(entry.slices), entry.quantity)
 
 
 def section_forces(entry: SectionForcesEntry) -> SectionForcesSpec:
@@ -74,6 +87,20 @@ def _campbell(entry: CampbellEntry) -> CampbellSpec:
     )
 
 
+def unbalance(entry: UnbalanceResponseEntry) -> UnbalanceSpec:
+    """What is out of balance, and where motion is told."""
+    return UnbalanceSpec(
+        points=tuple(entry.points),
+        unbalances=tuple(Unbalance(**each.model_dump()) for each in entry.unbalances),
+        spans=tuple(EccentricSpan(**each.model_dump()) for each in entry.spans),
+        grade=None if entry.grade is None else _grade(entry.grade),
+    )
+
+
+def _grade(entry: BalanceGradeEntry) -> BalanceGrade:
+    return BalanceGrade(entry.quality, entry.speed, tuple(entry.planes), entry.phase, entry.angle)
+
+
 def _stiffness(entry: StiffnessEntry) -> StiffnessSpec:
     return StiffnessSpec(
         point=entry.point,
@@ -90,6 +117,7 @@ _BUILDERS: dict[type, Callable[[Any], Spec]] = {
     FrfEntry: _frf,
     StiffnessEntry: _stiffness,
     SectionForcesEntry: section_forces,
+    UnbalanceResponseEntry: unbalance,
     BearingMapEntry: lambda entry: BearingMapSpec(
         tuple(entry.loads), entry.static_growth, tuple(entry.tangents)
     ),

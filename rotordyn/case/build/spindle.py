@@ -14,6 +14,7 @@ from rotordyn.case.schema.reference import KIND_OF_UNIT, ReferenceEntry
 from rotordyn.case.schema.shaft import DiscEntry, MassEntry, SectionEntry, ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.case.schema.support import SeatEntry, SleeveEntry, SupportEntry
+from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.growth import (
     ComputedShortening,
@@ -47,6 +48,7 @@ def spindle(entry: SpindleEntry, name: str) -> Spindle:
         shortening=_shortening(entry.shortening),
         rotor_damping=tuple(entry.damping.rotor),
         internal_damping=entry.damping.internal,
+        rayleigh=RayleighDamping(**entry.damping.rayleigh.model_dump()),
         title=entry.title,
         note=entry.note,
         references=references(entry.references),

@@ -13,12 +13,11 @@ from rotordyn.case.agreement import (
     OF_BALLS,
     TAKE_RIGID,
     rigid_supports,
-    uncoupled,
 )
 from rotordyn.case.build.spindle import support
-from rotordyn.case.build.sweep import values
 from rotordyn.case.checks.conditions import conditions, sideways
-from rotordyn.case.checks.loads import section_forces
+from rotordyn.case.checks.frf import frf, slices
+from rotordyn.case.checks.loads import elements, section_forces, unbalance
 from rotordyn.case.checks.names import exists
 from rotordyn.case.checks.references import references
 from rotordyn.case.checks.sweep import ascending, sweep
@@ -27,14 +26,13 @@ from rotordyn.case.node import Node
 from rotordyn.case.schema.analyses import (
     CampbellEntry,
     ControlEntry,
-    FrfEntry,
     StiffnessEntry,
 )
 from rotordyn.case.schema.case import CaseEntry
 from rotordyn.case.schema.shaft import ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.errors import InvalidInput
-from rotordyn.machine.support import MOTIONS, LinearSupport, coupled_motions, entry_name
+from rotordyn.machine.support import LinearSupport, entry_name
 from rotordyn.units import format_quantity
 
 
@@ -95,7 +93,7 @@ def _lists(entry: CaseEntry, root: Node, faults: Faults) -> None:
     if analyses.frf is not None:
         sweep(analyses.frf.frequencies, "Hz", root, (*way, "frf", "frequencies"), faults)
         ascending(analyses.frf.slices, root, (*way, "frf", "slices"), faults)
-        _slices(analyses.frf, entry, root, faults)
+        slices(analyses.frf, entry, root, faults)
     if analyses.stiffness is not None:
         _once(analyses.stiffness.variants, root, (*way, "stiffness", "variants"), faults)
 
@@ -116,14 +114,6 @@ def _in_space(entry: CampbellEntry, root: Node, faults: Faults) -> None:
     if not entry.shapes:
         faults.at_key(root, (*way, "shapes_3d"), "needs the shapes: given shapes: false")
     _once(entry.shapes_3d.files, root, (*way, "shapes_3d", "files"), faults)
-
-
-def _slices(entry: FrfEntry, case: CaseEntry, root: Node, faults: Faults) -> None:
-    speeds = values(case.speeds)
-    for index, speed in enumerate(entry.slices):
-        if speeds and (speed < speeds[0] - 1e-6 or speed > speeds[-1] + 1e-6):
-            way = ("analyses", "frf", "slices", index)
-            faults.at(root, way, f"not within the speeds of the case: given '{root.at(*way).raw}'")
 
 
 def _once(names: Sequence[str], root: Node, way: tuple[str, ...], faults: Faults) -> None:
@@ -148,21 +138,18 @@ def against_machine(
         if getattr(entry.analyses, name) is not None and not spindle.bearings:
             faults.at_key(root, ("analyses", name), "needs bearings: this spindle has none")
     if entry.analyses.frf is not None:
-        for index, pair in enumerate(entry.analyses.frf.pairs):
-            for key in ("response", "excitation"):
-                way = ("analyses", "frf", "pairs", index, key)
-                exists(getattr(pair, key).point, points, "point", root, way, faults)
-        coupled = coupled_motions(supports)
-        known = len(supports) == len(spindle.supports)
-        _pairs(entry.analyses.frf, coupled if known else _ALL_MOTIONS, root, faults)
+        frf(entry.analyses.frf, spindle, points, supports, root, faults)
     if entry.analyses.stiffness is not None:
         _stiffness(entry.analyses.stiffness, points, spindle, root, faults)
         _one_plane(supports, root, faults)
     _rigid(entry, spindle, root, faults)
     if entry.analyses.section_forces is not None:
         section_forces(entry, spindle, tool, root, faults)
+    unbalance(entry, spindle, tool, root, faults)
     if spindle.bearings:
         sideways(entry, supports, root, faults)
+    if not faults:
+        elements(entry, spindle, tool, root, faults)
 
 
 def _rigid(entry: CaseEntry, spindle: SpindleEntry, root: Node, faults: Faults) -> None:
@@ -172,9 +159,6 @@ def _rigid(entry: CaseEntry, spindle: SpindleEntry, root: Node, faults: Faults) 
             faults.at_key(root, ("analyses", name), sentence)
 
 
-_ALL_MOTIONS = frozenset(MOTIONS.values())
-
-
 def _supports(spindle: SpindleEntry) -> list[LinearSupport]:
     """The supports without those whose faults are reported already."""
     found = []
@@ -182,25 +166,6 @@ def _supports(spindle: SpindleEntry) -> list[LinearSupport]:
         with suppress(InvalidInput):
             found.append(support(entry))
     return found
-
-
-def _pairs(entry: FrfEntry, coupled: frozenset[str], root: Node, faults: Faults) -> None:
-    """Every pair once, and both ends in one motion or in motions that supports couple."""
-    seen: set[str] = set()
-    for index, pair in enumerate(entry.pairs):
-        way = ("analyses", "frf", "pairs", index)
-        text = f"{pair.response} / {pair.excitation}"
-        if text in seen:
-            faults.at(root, way, f"repeated: given '{text}'")
-        seen.add(text)
-        if motions := uncoupled(pair.response.direction, pair.excitation.direction, coupled):
-            one, other = motions
-            faults.at(
-                root,
-                way,
-                f"nothing couples {one} and {other}: given '{text}'; allowed: both "
-                "ends in one of x; thx; y, z, thy, thz, or a support that couples them",
-            )
 
 
 def _one_plane(supports: list[LinearSupport], root: Node, faults: Faults) -> None:

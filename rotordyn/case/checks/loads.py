@@ -1,20 +1,25 @@
-"""Static loads of a case against its machine."""
+"""Loads of a case against its machine, and elements against what is asked of them."""
 
 from __future__ import annotations
 
-from rotordyn.case.build.questions import conditions
+import math
+
+from rotordyn.case.build.questions import conditions, questions
 from rotordyn.case.build.questions import section_forces as built
 from rotordyn.case.build.spindle import spindle as machine
 from rotordyn.case.build.spindle import tool as clamped
+from rotordyn.case.build.sweep import values
 from rotordyn.case.checks.shaft import span
 from rotordyn.case.faults import Faults
-from rotordyn.case.loads import misplaced, overheld, unheld
+from rotordyn.case.loads import misplaced, misplaced_unbalance, overheld, unheld
 from rotordyn.case.node import Node
 from rotordyn.case.schema.case import CaseEntry
 from rotordyn.case.schema.shaft import ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
+from rotordyn.machine.inertia import rotor_inertia
+from rotordyn.machine.spindle import Spindle
 
-WAY = ("analyses", "section_forces")
+WAY, UNBALANCE = ("analyses", "section_forces"), ("analyses", "unbalance")
 
 
 def section_forces(
@@ -24,19 +29,59 @@ def section_forces(
     asked, own = entry.analyses.section_forces, entry.conditions
     if asked is None:
         return
+    points, reach = _places(spindle, tool)
+    for way, sentence in misplaced(asked, points, reach, own.gravity):
+        faults.at(root, (*WAY, *way), sentence)
+    if faults:
+        return
+    whole = _whole(spindle, tool)
+    for sentence in overheld(whole, conditions(own)):
+        faults.at(root, ("conditions", "rotor"), sentence)
+    for way, sentence in unheld(built(asked), whole, conditions(own)):
+        faults.at(root, (*WAY, *way), sentence)
+
+
+def unbalance(
+    entry: CaseEntry, spindle: SpindleEntry, tool: ToolEntry | None, root: Node, faults: Faults
+) -> None:
+    """Points and places exist, and planes of a grade are of use."""
+    asked = entry.analyses.unbalance
+    if asked is None:
+        return
+    points, reach = _places(spindle, tool)
+    centre = math.nan if faults else rotor_inertia(_whole(spindle, tool)).centre
+    for way, sentence in misplaced_unbalance(asked, points, reach, centre):
+        faults.at(root, (*UNBALANCE, *way), sentence)
+
+
+def elements(
+    entry: CaseEntry, spindle: SpindleEntry, tool: ToolEntry | None, root: Node, faults: Faults
+) -> None:
+    """Elements of a given length carry what is asked; nothing else may be wrong."""
+    if entry.conditions.element_length is None:
+        return
+    from rotordyn.analysis.resolution import beyond_elements
+
+    own, asked = conditions(entry.conditions), questions(entry.analyses)
+    top = max(values(entry.speeds), default=0.0)
+    for sentence in beyond_elements(_whole(spindle, tool), own, asked, top):
+        way = ("conditions", "element_length")
+        faults.at(root, way, f"{sentence}: given '{root.at(*way).raw}'")
+
+
+def _places(
+    spindle: SpindleEntry, tool: ToolEntry | None
+) -> tuple[dict[str, float], tuple[float, float]]:
+    """Points by name, and both ends of the shaft with its tool [m]."""
     start, end = span(spindle.shaft.start, spindle.shaft.sections)
     points = dict(spindle.points)
     if tool is not None:
         start -= span(0.0, tool.sections)[1]
         points |= tool.points
-    for way, sentence in misplaced(asked, points, (start, end), own.gravity):
-        faults.at(root, (*WAY, *way), sentence)
-    if faults:
-        return
+    return points, (start, end)
+
+
+def _whole(spindle: SpindleEntry, tool: ToolEntry | None) -> Spindle:
+    """The machine of entries without faults."""
     whole = machine(spindle, "")
-    if tool is not None:
-        whole = whole.with_tool(clamped(tool, ""))
-    for sentence in overheld(whole, conditions(own)):
-        faults.at(root, ("conditions", "rotor"), sentence)
-    for way, sentence in unheld(built(asked), whole, conditions(own)):
-        faults.at(root, (*WAY, *way), sentence)
+    return whole if tool is None else whole.with_tool(clamped(tool, ""))

@@ -11,13 +11,14 @@ from rotordyn.analysis.specs import (
     MOST_ORDERS,
     MOST_STEPS,
     MOST_TEETH,
+    QUANTITIES,
     TANGENTS,
     VARIANTS,
 )
 from rotordyn.case.node import UNKNOWN
 from rotordyn.case.schema.base import Entry
 from rotordyn.case.schema.conditions import Tangent
-from rotordyn.case.schema.loads import SectionForcesEntry
+from rotordyn.case.schema.loads import SectionForcesEntry, UnbalanceResponseEntry
 from rotordyn.case.schema.shapes import PLACE
 from rotordyn.case.schema.sweep import Frequencies
 from rotordyn.case.schema.values import (
@@ -29,6 +30,7 @@ from rotordyn.case.schema.values import (
     Name,
     RadialShare,
     Speed,
+    Text,
     Travel,
     choice,
     given,
@@ -104,12 +106,45 @@ class PairEntry(Entry):
     excitation: PlaceText
 
 
+class ResponseMatrixEntry(Entry):
+    """Every response to every excitation."""
+
+    responses: Annotated[list[PlaceText], Field(min_length=1)]
+    excitations: Annotated[list[PlaceText], Field(min_length=1)]
+
+
+class MeasuredEntry(Entry):
+    """A measured response to lay over the computed one, from UFF type 58 or a CSV table."""
+
+    name: Name = ""
+    file: Text
+    record: Annotated[int, whole(1, 1_000_000)] | None = None
+    response: PlaceText
+    excitation: PlaceText
+    speed: Speed = 0.0
+
+
 class FrfEntry(Entry):
-    """Receptances over speed and frequency."""
+    """Frequency responses over speed and frequency."""
+
+    model_config = ConfigDict(
+        json_schema_extra={"anyOf": [{"required": ["pairs"]}, {"required": ["matrix"]}]}
+    )
 
     frequencies: Frequencies
-    pairs: Annotated[list[PairEntry], Field(min_length=1)]
+    quantity: Annotated[str, choice(*QUANTITIES)] = QUANTITIES[0]
+    pairs: Annotated[list[PairEntry], Field(min_length=1)] = []
+    matrix: ResponseMatrixEntry | None = None
     slices: list[Speed] = []
+    measured: list[MeasuredEntry] = []
+
+    @property
+    def asked(self) -> list[tuple[Place, Place]]:
+        """Response and excitation of the pairs, then of what the matrix adds to them."""
+        found = [(pair.response, pair.excitation) for pair in self.pairs]
+        if self.matrix is not None:
+            found += [(r, e) for r in self.matrix.responses for e in self.matrix.excitations]
+        return list(dict.fromkeys(found))
 
 
 class StiffnessEntry(Entry):
@@ -149,5 +184,6 @@ class AnalysesEntry(Entry):
     frf: Annotated[FrfEntry | None, _BARE] = None
     stiffness: Annotated[StiffnessEntry | None, _BARE] = None
     section_forces: Annotated[SectionForcesEntry | None, _BARE] = None
+    unbalance: Annotated[UnbalanceResponseEntry | None, _BARE] = None
     bearing: Annotated[BearingMapEntry | None, _BARE] = None
     control: Annotated[ControlEntry | None, _BARE] = None

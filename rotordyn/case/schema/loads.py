@@ -1,4 +1,4 @@
-"""Static loads of the question ``section_forces``, and limits of twist."""
+"""Static loads and limits of twist of ``section_forces``; the question ``unbalance``."""
 
 from __future__ import annotations
 
@@ -6,19 +6,23 @@ from typing import Annotated, Any
 
 from pydantic import Field, PlainValidator, WithJsonSchema
 
+from rotordyn.analysis.loads import PHASES
 from rotordyn.analysis.specs import WEIGHT
 from rotordyn.case.node import UNKNOWN
 from rotordyn.case.schema import shapes
 from rotordyn.case.schema.base import Entry
 from rotordyn.case.schema.values import (
     Angle,
+    BalanceQuality,
     Bore,
+    Eccentricity,
     Force,
     LineForce,
     Moment,
     Name,
     QuantityReader,
     Station,
+    TopSpeed,
     TwistAngle,
     UnbalanceSize,
     choice,
@@ -76,7 +80,7 @@ class LineLoadEntry(Entry):
 
 
 class UnbalanceEntry(Entry):
-    """A mass off the axis, its force U Ω² taken at one angle."""
+    """A mass off the axis; its force is U Ω²."""
 
     name: Name = ""
     at: At
@@ -102,3 +106,32 @@ class SectionForcesEntry(Entry):
     unbalances: list[UnbalanceEntry] = []
     gravity: Annotated[str, choice(*WEIGHT)] = "none"
     twist_limits: list[TwistLimitEntry] = []
+
+
+class EccentricSpanEntry(Entry):
+    """A length of shaft whose mass lies off the axis."""
+
+    name: Name = ""
+    start: At = Field(alias="from")
+    to: At
+    eccentricity: Eccentricity
+    angle: Angle = 0.0
+
+
+class BalanceGradeEntry(Entry):
+    """Residual unbalance that a grade of ISO 21940-11 permits: U = G m / Ω."""
+
+    quality: BalanceQuality
+    speed: TopSpeed
+    planes: Annotated[list[At], Field(min_length=1, max_length=2)]
+    phase: Annotated[str, choice(*PHASES)] = "static"
+    angle: Angle = 0.0
+
+
+class UnbalanceResponseEntry(Entry):
+    """Steady response to unbalance at every speed: amplitudes are zero to peak."""
+
+    points: Annotated[list[Name], Field(min_length=1)]
+    unbalances: list[UnbalanceEntry] = []
+    spans: list[EccentricSpanEntry] = []
+    grade: BalanceGradeEntry | None = None

@@ -58,9 +58,10 @@ MEANINGS: dict[str, dict[str, str]] = {
     "analyses": {
         "preload": "state of every bearing at every speed",
         "campbell": "damped modes over speed",
-        "frf": "receptances over speed and frequency",
+        "frf": "frequency responses over speed and frequency",
         "stiffness": "radial stiffness of a point",
         "section_forces": "section forces, deflection, stress and twist under static loads",
+        "unbalance": "steady response to unbalance over speed ([theory](theory/response.md))",
         "bearing": "a single bearing over load and speed",
         "control": "which race controls the balls of a single bearing",
     },
@@ -79,12 +80,27 @@ MEANINGS: dict[str, dict[str, str]] = {
     },
     "frf": {
         "frequencies": "of the excitation, independent of speed",
-        "pairs": "which responses to which forces",
+        "quantity": "displacement, velocity or acceleration over force",
+        "pairs": "which responses to which forces; these or `matrix`, or both",
+        "matrix": "lists instead: every response to every excitation",
         "slices": "speeds drawn as curves and written as UFF58 (nearest speed of the case)",
+        "measured": "measured responses laid over ([how](theory/analyses.md#measured-responses))",
     },
     "pair": {
         "response": "a point and one of x, y, z, thx, thy, thz",
         "excitation": "a point and the direction of its force or moment",
+    },
+    "measured": {
+        "name": "in figures and summary; by default its number",
+        "file": "beside the case: UFF with records of type 58, or a table that ends in .csv",
+        "record": "of type 58, counted from 1; needed where there are several",
+        "response": "the pair of the case that it is laid over",
+        "excitation": "the pair of the case that it is laid over",
+        "speed": "at which it was measured",
+    },
+    "response matrix": {
+        "responses": "points, each with one of x, y, z, thx, thy, thz",
+        "excitations": "points, each with the direction of its force or moment",
     },
     "stiffness": {
         "point": "where the force acts and the deflection is taken",
@@ -125,6 +141,27 @@ MEANINGS: dict[str, dict[str, str]] = {
         "at": "where it turns",
         "unbalance": "mass times distance from the axis",
         "angle": "of its force, from y towards z",
+    },
+    "eccentric span": {
+        "name": "in results and messages",
+        "from": "where it begins",
+        "to": "where it ends",
+        "eccentricity": "distance of its centre of mass from the axis",
+        "angle": "of that distance, from y towards z",
+    },
+    "balance grade": {
+        "quality": "G",
+        "speed": "highest speed of service, to which the grade belongs",
+        "planes": "one or two points or stations that hold it; two share it by the levers of the "
+        "centre of gravity between them, neither below 0.3",
+        "phase": "of the second plane: `static` like the first, `couple` opposite",
+        "angle": "in the first plane, from y towards z",
+    },
+    "unbalance response": {
+        "points": "where motion is told",
+        "unbalances": "at points or stations",
+        "spans": "lengths of shaft off their axis",
+        "grade": "residual unbalance by balance quality grade, added to the others",
     },
     "twist limit": {
         "name": "in summary and tables; by default its two ends",
@@ -252,8 +289,13 @@ MEANINGS: dict[str, dict[str, str]] = {
     },
     "damping": {
         "bearings": "of bearings that give none themselves",
+        "rayleigh": "damping of the rotor by its mass and stiffness, added to `rotor`",
         "rotor": "modal ratios of the flexible free-free bending modes at rest, the last repeated",
         "internal": "share of `rotor` that turns with the shaft ([why](theory/damping.md))",
+    },
+    "rayleigh": {
+        "mass": "α, by which the mass matrix of the rotor is multiplied",
+        "stiffness": "β, by which its stiffness matrix is multiplied",
     },
     "bearing damping": {
         "radial": "between the rings",

@@ -15,15 +15,36 @@ from rotordyn.case.schema.support import (
     SleeveEntry,
     SupportEntry,
 )
-from rotordyn.case.schema.values import DampingRatio, Name, Share, Station, Text
+from rotordyn.case.schema.values import (
+    DampingRatio,
+    MassDamping,
+    Name,
+    Share,
+    Station,
+    StiffnessDamping,
+    Text,
+)
+
+
+class RayleighEntry(Entry):
+    """Damping α M + β K of the rotor."""
+
+    mass: MassDamping = 0.0
+    stiffness: StiffnessDamping = 0.0
 
 
 class DampingEntry(Entry):
-    """Damping of all bearings that give none of their own, and of the rotor's modes."""
+    """Damping of all bearings that give none of their own, and of the rotor."""
 
     bearings: BearingDampingEntry = BearingDampingEntry()
     rotor: list[DampingRatio] = []
     internal: Share = 0.0
+    rayleigh: RayleighEntry = RayleighEntry()
+
+    @property
+    def of_rotor(self) -> bool:
+        """The rotor itself is damped."""
+        return any(self.rotor) or bool(self.rayleigh.mass or self.rayleigh.stiffness)
 
 
 class SpindleEntry(Entry):

@@ -72,6 +72,11 @@ def _section_forces(_: Any, shown: Sequence[Shown]) -> Iterator[Job]:
     yield "section_forces", partial(_draw, "section_forces", "diagrams_figure", shown)
 
 
+def _unbalance(_: Any, shown: Sequence[Shown]) -> Iterator[Job]:
+    if shown[0].result.speed[-1] > 0.0:
+        yield "unbalance", partial(_draw, "unbalance", "amplitudes_figure", shown)
+
+
 def _bearing(_: Any, shown: Sequence[Shown]) -> Iterator[Job]:
     yield "bearing", partial(_draw, "bearing", "bearing_figure", shown)
 
@@ -90,6 +95,7 @@ FIGURES: dict[str, Callable[[Any, Sequence[Shown]], Iterator[Job]]] = {
     "preload": _preload,
     "stiffness": _stiffness,
     "section_forces": _section_forces,
+    "unbalance": _unbalance,
     "bearing": _bearing,
     "control": _control,
 }

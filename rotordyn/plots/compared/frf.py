@@ -1,4 +1,4 @@
-"""Receptances of variants: curves over one another, maps and surfaces on one scale."""
+"""Frequency responses of variants: curves over one another, maps and surfaces on one scale."""
 
 from __future__ import annotations
 
@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.display import RPM, receptance_unit, shown
-from rotordyn.analysis.results import FrfResult, TurningFrfResult
+from rotordyn.analysis.display import RPM, shown
+from rotordyn.analysis.results import FrequencyResponse, TurningFrfResult
 from rotordyn.machine.reference import Reference
 from rotordyn.plots.campbell import draw_known
 from rotordyn.plots.compared.panels import Shown, beside, colour, dash, panels
 from rotordyn.plots.frf_map import amplitude, amplitude_range, draw_map, draw_scale
-from rotordyn.plots.frf_slices import log_axis
+from rotordyn.plots.frf_slices import draw_measured, log_axis
 from rotordyn.plots.frf_surface import draw_pins, draw_surface
 from rotordyn.plots.labels import axis_label
 from rotordyn.plots.legends import shortened, top_legend
@@ -28,10 +28,10 @@ MOST_SLICES = 3
 
 def curves_figure(variants: Sequence[Shown], pair: int) -> Figure:
     """Amplitude over frequency, a panel per slice speed, a line per variant."""
-    first: FrfResult = variants[0].result
+    first: FrequencyResponse = variants[0].result
     slices = np.flatnonzero(first.is_slice)[:MOST_SLICES].tolist()
     figure = new_figure(168.0, 22.0 + 58.0 * len(slices))
-    unit = shown(receptance_unit(first.pair[pair])).unit
+    unit = shown(first.unit(pair)).unit
     below = ", ".join(dict.fromkeys(axis_label(v.result, "frequency") for v in variants))
     tall, gap = 50.0, 8.0
     for place, index in enumerate(slices):
@@ -43,6 +43,7 @@ def curves_figure(variants: Sequence[Shown], pair: int) -> Figure:
             axes.plot(
                 first.frequency, values, color=colour(k), ls=dash(k), lw=1.0, label=variant.title
             )
+        draw_measured(axes, first, pair, "amplitude", index)
         top = float(first.frequency[-1])
         axes.set_xlim(0.0, top)
         axes.set_xticks(round_ticks(0.0, top, 8))
@@ -50,7 +51,7 @@ def curves_figure(variants: Sequence[Shown], pair: int) -> Figure:
         log_axis(axes)
         rpm = first.speed[index] * RPM.factor
         axes.set_title(
-            f"receptance {first.pair[pair]} at {rpm:.0f} rpm", fontsize=FONT_SIZE, pad=4.0
+            f"{first.kind} {first.pair[pair]} at {rpm:.0f} rpm", fontsize=FONT_SIZE, pad=4.0
         )
     top_legend(figure, *figure.axes)
     return figure

@@ -16,4 +16,7 @@ def case() -> samples.SampleCase:
 
 @pytest.fixture(scope="session")
 def results() -> dict[str, Any]:
-    return samples.results(count=9, points=300) | {"bearing": samples.bearing(5)}
+    return samples.results(count=9, points=300) | {
+        "unbalance": samples.unbalance(9),
+        "bearing": samples.bearing(5),
+    }

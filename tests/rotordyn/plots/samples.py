@@ -9,16 +9,22 @@ from typing import Any
 import numpy as np
 
 from bearings import AngularContactBallBearing, Material
+from rotordyn.analysis.measured import measured_fields
+from rotordyn.analysis.result import declared
 from rotordyn.analysis.results import (
     BearingMapResult,
     CampbellResult,
     ControlResult,
+    FrequencyResponse,
     FrfResult,
+    InertanceResult,
+    MobilityResult,
     PreloadResult,
     SectionForcesResult,
     StiffnessResult,
+    UnbalanceResult,
 )
-from rotordyn.analysis.specs import CampbellSpec, StiffnessSpec
+from rotordyn.analysis.specs import CampbellSpec, FrfSpec, Port, StiffnessSpec
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.shaft import Section, Shaft
@@ -284,7 +290,19 @@ def frf(count: int = 49, points: int = 2000) -> FrfResult:
         receptance=total,
         is_slice=is_slice,
         error=np.full(4, 3e-5),
+        **measured_fields(FrfSpec((1.0,), ((Port("a", "y"),) * 2,)), speed, frequency, (), total),
     )
+
+
+def frf_of(
+    kind: type[MobilityResult | InertanceResult], count: int = 49, points: int = 2000
+) -> FrequencyResponse:
+    """The same as velocity or acceleration over force."""
+    own = frf(count, points)
+    power = 1 if kind is MobilityResult else 2
+    values: Any = {kind.kind: own.receptance * (2j * math.pi * own.frequency) ** power}
+    shared = {name: getattr(own, name) for name in declared(own) if name != "receptance"}
+    return kind(**shared, **values)
 
 
 def stiffness(count: int = 49) -> StiffnessResult:
@@ -349,6 +367,39 @@ def section_forces(count: int = 49) -> SectionForcesResult:
         bore=np.array([0.0]),
         twist_between=np.full((count, 1), 5e-4),
         required_diameter=np.full((count, 1), 0.03955),
+    )
+
+
+def unbalance(count: int = 49) -> UnbalanceResult:
+    """A point mass on springs that differ between y and z, and a second point that follows it."""
+    speed = speeds(count)
+    own = TOP * np.array([0.45, 0.6])
+    w = speed[:, None]
+    gain = w**2 / (own**2 - w**2 + 0.04j * own * w) * np.array([1.0, -1.0j])
+    moved = 1e-6 * np.stack([gain, 0.3 * gain.conj()], axis=1)
+    ahead = 0.5 * np.abs(moved[..., 0] + 1j * moved[..., 1])
+    behind = 0.5 * np.abs(moved[..., 0] - 1j * moved[..., 1])
+    return UnbalanceResult(
+        speed=speed,
+        point=("Oc2", "O3"),
+        axis=("y", "z"),
+        support=("front", "rear"),
+        unbalance=("tool",),
+        critical=("bending 1", "bending 2"),
+        outcome=("",) * count,
+        displacement=moved,
+        amplitude=np.abs(moved),
+        phase=np.angle(moved),
+        major_axis=ahead + behind,
+        minor_axis=ahead - behind,
+        inclination=np.zeros((count, 2)),
+        force=moved * 1e8,
+        force_amplitude=(ahead + behind) * 1e8,
+        unbalance_station=np.array([-0.0524]),
+        unbalance_size=np.array([1e-5]),
+        unbalance_angle=np.array([0.5]),
+        critical_speed=own,
+        error=np.array([1e-5, 2e-5]),
     )
 
 

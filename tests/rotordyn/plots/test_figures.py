@@ -9,11 +9,14 @@ import numpy as np
 import pytest
 from matplotlib.collections import LineCollection
 
+from rotordyn.analysis.results import InertanceResult, MobilityResult
 from rotordyn.machine.reference import Reference
 from rotordyn.plots.campbell import LOOKS, campbell_figure, whirl_segments
 from rotordyn.plots.compared.catalogue import comparison_figures
+from rotordyn.plots.compared.frf import curves_figure
 from rotordyn.plots.compared.panels import Shown
 from rotordyn.plots.compared.race_control import control_figure as compared_control
+from rotordyn.plots.compared.unbalance import amplitudes_figure
 from rotordyn.plots.decimate import nearest, peak_bins
 from rotordyn.plots.frf_map import map_figure
 from rotordyn.plots.frf_slices import amplitude_phase_figure, real_imaginary_figure
@@ -29,6 +32,7 @@ from rotordyn.plots.section_forces import (
 from rotordyn.plots.shapes import plane_curve, shapes_figure
 from rotordyn.plots.stiffness import stiffness_figure
 from rotordyn.plots.tangents import tangents_figure
+from rotordyn.plots.unbalance import response_figure, round_orbits
 from tests.rotordyn.plots import samples
 
 
@@ -324,3 +328,48 @@ def test_section_forces_of_variants_have_a_line_each():
     panels = jobs["section_forces"]().axes
     assert _labels(panels[0]) == ["a", "b"]
     assert len(panels) == len(FORCES)
+
+
+def test_response_to_unbalance_shows_planes_apart_and_criticals():
+    result = samples.unbalance(49)
+    panels = response_figure(result).axes
+    assert len(panels) == 3
+    assert _labels(panels[0]) == ["Oc2.y", "Oc2.z", "O3.y", "O3.z"]
+    assert [t.get_text() for t in panels[0].texts] == ["bending 1: 10800", "bending 2: 14400"]
+    first = panels[0].get_lines()[0]
+    np.testing.assert_allclose(first.get_ydata()[1:], result.amplitude[1:, 0, 0] * 1e6)
+    assert np.isnan(first.get_ydata()[0]), "nothing moves at rest, and zero has no logarithm"
+
+
+def test_round_orbits_need_one_line_per_point():
+    result = samples.unbalance(9)
+    even = replace(result, minor_axis=result.major_axis)
+    assert round_orbits(even)
+    panels = response_figure(even).axes
+    assert len(panels) == 2
+    assert _labels(panels[0]) == ["Oc2", "O3"]
+
+
+def test_response_of_variants_is_drawn_over_one_another():
+    shown = [Shown(name, samples.unbalance(9), (), None) for name in ("one", "two")]
+    panels = amplitudes_figure(shown).axes
+    assert [len(axes.get_lines()) for axes in panels] == [2, 2]
+
+
+@pytest.mark.parametrize(
+    ("kind", "unit"), [(MobilityResult, "(mm/s)/N"), (InertanceResult, "(m/s²)/N")]
+)
+def test_mobility_and_inertance_say_so_on_every_figure(kind, unit):
+    result = samples.frf_of(kind, 9, 300)
+    shown = [Shown(name, result, (), None) for name in ("one", "two")]
+    for figure in (
+        amplitude_phase_figure(result, [0]),
+        map_figure(result, [0]),
+        surface_figure(result, 0),
+        curves_figure(shown, 0),
+    ):
+        words = [t.get_text() for a in figure.axes for t in a.texts]
+        words += [w for a in figure.axes for w in (a.get_title(), a.get_ylabel())]
+        assert any(kind.kind in word for word in words)
+        assert any(f"[{unit}]" in word for word in words)
+        assert not any("receptance" in word for word in words)

@@ -15,7 +15,7 @@ from rotordyn.report.netcdf import read_results, write_results
 from rotordyn.report.variables import as_array
 from tests.rotordyn.plots import samples
 
-NAMES = ("preload", "campbell", "frf", "stiffness", "bearing")
+NAMES = ("preload", "campbell", "frf", "stiffness", "unbalance", "bearing")
 
 
 @pytest.fixture(scope="module")

@@ -15,10 +15,12 @@ from rotordyn.report.text import WIDTH
 from rotordyn.report.warnings import result_warnings
 from tests.rotordyn.plots import samples
 
+APART = ("control", "unbalance")  # more than one screen with all else
+
 
 @pytest.fixture
 def text(case, results):
-    return summary(case, {name: r for name, r in results.items() if name != "control"})
+    return summary(case, {name: r for name, r in results.items() if name not in APART})
 
 
 def test_fits_one_screen(text):
@@ -112,7 +114,8 @@ def test_many_references_do_not_overflow(case, results):
         Reference("preload_sum", "measured", f"source {k}", (0.0,), (1000.0 + k,), remark="x" * 150)
         for k in range(40)
     )
-    own = {name: result for name, result in results.items() if name != "section_forces"}
+    left = ("section_forces", "unbalance")
+    own = {name: result for name, result in results.items() if name not in left}
     lines = summary(replace(case, references=many), own, ["first"] * 9).splitlines()
     assert len(lines) <= HEIGHT
     assert "more published or measured values" in lines[-1]
@@ -184,3 +187,17 @@ def test_balls_that_slip_are_named(results):
     rpm = preload.speed[4] * 30.0 / np.pi
     sentence = f"bearing {preload.bearing[1]}: the balls slip on the inner race from {rpm:.0f} rpm"
     assert any(one.startswith(sentence) for one in found)
+
+
+def test_response_to_unbalance_says_what_acts_and_where_it_is_largest(case, results):
+    result = results["unbalance"]
+    text = " ".join(summary(case, {"unbalance": result}).split())
+    assert "unbalance tool 10 g·mm at -52.4 mm to 28.65°" in text
+    row = int(result.major_axis[:, 0].argmax())
+    largest, rpm = result.major_axis[row, 0] * 1e6, result.speed[row] * 30.0 / np.pi
+    assert f"zero to peak: Oc2 {largest:.4g} µm at {rpm:.0f} rpm" in text
+    assert f"force, zero to peak: front {largest * 100:.4g} N" in text
+    assert "whirl backward: Oc2 at" in text
+    assert "response to unbalance within 2e-05 of its peak" in text
+    lines = comparison_summary(case, [(case, {"unbalance": result})]).splitlines()
+    assert any(f"{largest:.4g} µm at {rpm:.0f} rpm" in line for line in lines)

@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 import pyuff
 
+from rotordyn.analysis.results import InertanceResult, MobilityResult
 from rotordyn.report.uff import write_uff
+from tests.rotordyn.plots import samples
 
 pytestmark = pytest.mark.filterwarnings("ignore:unclosed file:ResourceWarning")
 NODES = {"Oc2": 1, "Oc1": 2, "O2": 5, "O3": 6}
@@ -76,3 +78,16 @@ def test_a_speed_without_solution_has_no_record(tmp_path, results):
     values[-1] = np.nan
     broken = replace(results["frf"], receptance=values)
     assert write_uff(tmp_path / "frf.uff", broken, case="sample", nodes=NODES) == 8
+
+
+@pytest.mark.parametrize(
+    ("kind", "code", "unit"), [(MobilityResult, 11, "m/s"), (InertanceResult, 12, "m/s^2")]
+)
+def test_velocity_and_acceleration_have_their_own_data_types(tmp_path, kind, code, unit):
+    frf = samples.frf_of(kind, 5, 40)
+    write_uff(tmp_path / "frf.uff", frf, case="sample", nodes=NODES)
+    record = _read(tmp_path / "frf.uff")[0]
+    assert record["ordinate_spec_data_type"] == code
+    assert record["ordinate_axis_units_lab"].strip() == f"[{unit}]"
+    assert record["id1"].startswith(f"{kind.kind} Oc2.y / Oc2.y [(m/s")
+    np.testing.assert_array_equal(record["data"], frf.response[0, 0])

@@ -1,0 +1,33 @@
+"""The ellipse that a point runs through under harmonic motion in y and z."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+
+
+class Orbit(NamedTuple):
+    """Half axes and the angle of the major one from y to z [rad], −π/2 to π/2; arrays alike.
+
+    ``minor`` is negative where the point runs backward, from z to y.
+    """
+
+    major: Array
+    minor: Array
+    inclination: Array
+
+
+def orbit(y: NDArray[np.complex128], z: NDArray[np.complex128]) -> Orbit:
+    """Of y(t) = Re(``y`` e^(iωt)), z(t) = Re(``z`` e^(iωt)).
+
+    y + i z = r₊ e^(iωt) + r₋ e^(−iωt): half axes |r₊| ± |r₋|, inclination half the sum of the
+    arguments.
+    """
+    forward, backward = 0.5 * (y + 1j * z), 0.5 * (y.conj() + 1j * z.conj())
+    turned = 0.5 * np.angle(forward * backward)
+    ahead, behind = np.abs(forward), np.abs(backward)
+    return Orbit(ahead + behind, ahead - behind, turned)

@@ -1,0 +1,43 @@
+"""Frequencies that elements of a given length cannot carry at all."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+
+from rotordyn.analysis.display import RPM
+from rotordyn.analysis.shaft import EXACT
+from rotordyn.analysis.specs import Conditions, FrfSpec, Spec, UnbalanceSpec
+from rotordyn.machine.spindle import Spindle
+from rotordyn.system.hierarchic_rotor import half_wave
+from rotordyn.system.mesh import build_mesh
+
+
+def beyond_elements(
+    spindle: Spindle, conditions: Conditions, analyses: Mapping[str, Spec], top: float
+) -> Iterator[str]:
+    """A sentence for every response asked for where an element spans more than half a wave.
+
+    ``top``: highest speed [rad/s]. Elements that follow the accuracy carry whatever is asked.
+    """
+    longest = conditions.element_length
+    asked = {name: _highest(spec, top) for name, spec in analyses.items()}
+    if longest is None or conditions.rotor == "rigid" or not any(asked.values()):
+        return
+    mesh = build_mesh(spindle, longest)
+    limit = half_wave(spindle, mesh, top) / (2.0 * math.pi)
+    for name, highest in asked.items():
+        if highest > limit and not (name == "frf" and conditions.shaft == EXACT):
+            turned = f" ({highest * 2.0 * math.pi * RPM.factor:.0f} rpm)" if name != "frf" else ""
+            yield (
+                f"{name} goes up to {highest:.6g} Hz{turned}, and an element of "
+                f"{mesh.length.max() * 1e3:.4g} mm carries bending up to {limit:.4g} Hz, half a "
+                "wave: allowed: shorter elements, or accuracy instead"
+            )
+
+
+def _highest(spec: Spec, top: float) -> float:
+    """Highest frequency of a response [Hz], 0 where there is none."""
+    if isinstance(spec, FrfSpec):
+        return max(spec.frequencies, default=0.0)
+    return top / (2.0 * math.pi) if isinstance(spec, UnbalanceSpec) else 0.0

@@ -1,0 +1,134 @@
+"""Steady response to unbalance: orbits at points, forces of bearings and supports, over speed.
+
+Bending by elements, whatever ``shaft`` of the conditions says; bearings at their preload state of
+each speed.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis import campbell
+from rotordyn.analysis.accuracy import MOST_SPEEDS, synchronous_change
+from rotordyn.analysis.orbit import orbit
+from rotordyn.analysis.results import UnbalanceResult
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import CampbellSpec, UnbalanceSpec
+from rotordyn.analysis.unbalance_loads import Acting, acting, node_loads
+from rotordyn.errors import NoSolution
+from rotordyn.numerics.modes import Modes
+from rotordyn.system.longitudinal import RodSystem
+from rotordyn.system.synchronous import displacements, frame_of, support_forces, synchronous
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+AXES = ("y", "z")
+UNDAMPED = 1e-9  # of the speed: a pole so near to the excitation has no damping
+BEYOND = 1.2  # times the top speed: up to there criticals are looked for
+
+
+def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
+    """At every speed with a steady response.
+
+    Raises
+    ------
+    NoSolution : no speed has one
+    """
+    spindle, speed = scene.spindle, scene.speed[scene.usable]
+    system, found = scene.vibration("bending")
+    assert not isinstance(system, RodSystem), "bending is no rod"
+    frame = frame_of(system, speed)
+    absent = _absences(found, speed, frame)
+    if all(absent):
+        raise NoSolution(f"no speed of the case has a steady response to unbalance: {absent[0]}")
+    steady = np.array([word == "" for word in absent])
+    nodes = [scene.mesh.node_of(spindle.points[name]) for name in spec.points]
+    moved = synchronous(system, speed, node_loads(spindle, scene.mesh, spec))
+    moved[~steady] = complex(np.nan, np.nan)
+    displacement = scene.scattered(displacements(system, moved, nodes))
+    force = scene.scattered(support_forces(system, speed, moved))
+    ellipse = orbit(displacement[..., 0], displacement[..., 1])
+    placed = acting(spindle, scene.mesh, spec)
+    critical = _criticals(scene)
+    return UnbalanceResult(
+        speed=scene.speed,
+        point=spec.points,
+        axis=AXES,
+        support=(*(s.name for s in spindle.seats), *(s.name for s in spindle.supports)),
+        unbalance=tuple(one.name for one in placed),
+        critical=tuple(name for name, _ in critical),
+        outcome=_outcome(scene, absent),
+        displacement=displacement,
+        amplitude=np.abs(displacement),
+        phase=np.angle(displacement),
+        major_axis=ellipse.major,
+        minor_axis=ellipse.minor,
+        inclination=ellipse.inclination,
+        force=force,
+        force_amplitude=orbit(force[..., 0], force[..., 1]).major,
+        unbalance_station=np.array([one.x for one in placed]),
+        unbalance_size=np.array([abs(one.size) for one in placed]),
+        unbalance_angle=np.array([np.angle(one.size) for one in placed]),
+        critical_speed=np.array([speed for _, speed in critical]),
+        error=_errors(scene, displacement, nodes, placed),
+    )
+
+
+def _absences(found: Modes, speed: Array, frame: Array) -> list[str]:
+    """Per speed: empty, or why there is no steady response."""
+    words = []
+    for row, turning in enumerate(speed):
+        pole = found.pole[row]
+        growing = found.growing[row]
+        near = np.abs(pole - 1j * (turning - frame[row])).min() <= UNDAMPED * turning
+        if growing.any():
+            own = pole[growing][pole[growing].real.argmax()] + 1j * frame[row]
+            hertz = abs(own.imag) / (2.0 * math.pi)
+            how = f"vibrates by itself at {hertz:.1f} Hz" if hertz else "moves away by itself"
+            words.append(f"unstable: the machine {how}")
+        elif near and turning > 0.0:
+            words.append("a critical speed without damping: the response grows without bound")
+        else:
+            words.append("")
+    return words
+
+
+def _outcome(scene: Scene, absent: list[str]) -> tuple[str, ...]:
+    """Why a speed has no steady response, or no state at all."""
+    words = list(scene.outcome)
+    for row, word in zip(scene.usable, absent, strict=True):
+        words[row] = word
+    return tuple(words)
+
+
+def _criticals(scene: Scene) -> list[tuple[str, float]]:
+    """Critical speeds among those of the case, by the name of the mode."""
+    top = float(scene.speed[-1])
+    if len(scene.usable) < 2 or top == 0.0:
+        return []
+    asked = CampbellSpec(max_frequency=BEYOND * top / (2.0 * math.pi), shapes=False)
+    found = campbell.answer(scene, asked)
+    return list(zip(found.critical, found.critical_speed.tolist(), strict=True))
+
+
+def _errors(scene: Scene, displacement: Complex, nodes: list[int], placed: list[Acting]) -> Array:
+    """Largest estimated error over the largest displacement (points,), of some speeds."""
+    size = np.abs(displacement[scene.usable]).max(axis=(1, 2))
+    steady = np.flatnonzero(np.isfinite(size) & (scene.speed[scene.usable] > 0.0))
+    if not steady.size:
+        return np.zeros(len(nodes))
+    rows = steady[np.unique(np.linspace(0, steady.size - 1, MOST_SPEEDS).round().astype(int))]
+    rows = np.union1d(rows, steady[size[steady].argmax()])
+    excited = [int(np.abs(scene.mesh.x - one.x).argmin()) for one in placed]
+    force = np.array([one.size for one in placed])
+    worst = np.zeros(len(nodes))
+    for row in rows.tolist():
+        change = synchronous_change(scene, row, nodes, excited)
+        spin = scene.speed[scene.usable[row]]
+        off = np.abs(np.einsum("pkx,k->px", change, force * spin**2)).max(axis=1)
+        worst = np.maximum(worst, off)
+    peak = np.nanmax(np.abs(displacement), axis=(0, 2))
+    return np.asarray(worst / np.where(peak > 0.0, peak, 1.0))

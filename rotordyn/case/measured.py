@@ -1,0 +1,234 @@
+"""Measured frequency responses from files: a record of UFF type 58, or columns of a CSV table."""
+
+from __future__ import annotations
+
+import cmath
+import csv
+import math
+import re
+import warnings
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from rotordyn.analysis.display import response_unit
+from rotordyn.analysis.specs import QUANTITIES
+from rotordyn.errors import InvalidInput
+from rotordyn.machine.inertia import STANDARD_GRAVITY
+from rotordyn.units import parse_unit, shown
+
+_MOTIONS = {8: "receptance", 11: "mobility", 12: "inertance"}
+_FRF, _COMPLEX = 4, (5, 6)
+_COLUMN = re.compile(r"\s*(.*?)\s*\[([^\[\]]*)\]\s*")
+_WORDS = {
+    "frequency": "frequency",
+    "real": "real",
+    "imaginary": "imaginary",
+    "imag": "imaginary",
+    "amplitude": "amplitude",
+    "phase": "phase",
+}
+_FORMS = "frequency with real and imaginary, or with amplitude and phase"
+
+
+class Record(NamedTuple):
+    """``quantity`` of ``QUANTITIES`` in SI over frequency [Hz]."""
+
+    quantity: str
+    frequency: tuple[float, ...]
+    values: tuple[complex, ...]
+
+
+def read_record(path: Path, pair: str, number: int | None) -> Record:
+    """The response ``pair`` (``tip.y / tip.y``) in a file; ``number`` of the record, from 1.
+
+    Files that end in .csv are tables, all others UFF.
+
+    Raises
+    ------
+    InvalidInput : the file cannot be read, or holds something else; one sentence
+    """
+    if not path.is_file():
+        raise InvalidInput("no such file")
+    if path.suffix.lower() != ".csv":
+        return _from_uff(path, pair, number)
+    if number is not None:
+        raise InvalidInput("a CSV table has no records: leave record out")
+    return _from_table(path, pair)
+
+
+def _from_uff(path: Path, pair: str, number: int | None) -> Record:
+    sets = _sets_58(path)
+    if number is None and len(sets) > 1:
+        raise InvalidInput(f"{len(sets)} records of type 58: say which by record, 1 to {len(sets)}")
+    if number is not None and number > len(sets):
+        raise InvalidInput(f"no record {number}: the file has {len(sets)} of type 58")
+    found = sets[(number or 1) - 1]
+    if found.get("func_type") != _FRF or found.get("ord_data_type") not in _COMPLEX:
+        raise InvalidInput("the record is no complex frequency response function")
+    frequency, values = [float(f) for f in found["x"]], [complex(v) for v in found["data"]]
+    if _label(found, "abscissa") not in ("", "Hz"):
+        raise InvalidInput(f"frequency in {shown(_label(found, 'abscissa'))}; allowed: Hz")
+    quantity, scale = _uff_unit(found, pair)
+    return _record(quantity, frequency, [scale * value for value in values])
+
+
+def _sets_58(path: Path) -> list[dict[str, Any]]:
+    import pyuff
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # files left open, old numpy calls
+        try:
+            file = pyuff.UFF(str(path))
+            places = [k for k, kind in enumerate(file.get_set_types()) if kind == 58]
+            found = [file.read_sets(k) for k in places]
+        except Exception as error:  # noqa: BLE001 - pyuff raises what its parser meets
+            raise InvalidInput(f"not a UFF file that can be read: {error}") from None
+    if not found:
+        raise InvalidInput("no record of type 58 in it")
+    return found
+
+
+def _label(found: dict[str, Any], axis: str) -> str:
+    text = str(found.get(f"{axis}_axis_units_lab") or "").strip().strip("[]")
+    return "" if text.upper() == "NONE" else text
+
+
+def _uff_unit(found: dict[str, Any], pair: str) -> tuple[str, float]:
+    """Quantity and factor to SI; a record without labels of units is in SI."""
+    code = found.get("ordinate_spec_data_type")
+    motion, load = _label(found, "ordinate"), _label(found, "orddenom")
+    if code in _MOTIONS and not (motion and load):
+        return _MOTIONS[code], 1.0
+    if code == 12 and motion in ("g", "gn"):
+        quantity, scale = _unit(f"m/s^2/({load})", pair)
+        return quantity, scale * STANDARD_GRAVITY
+    quantity, scale = _unit(f"({motion})/({load})", pair)
+    if code in _MOTIONS and quantity != _MOTIONS[code]:
+        raise InvalidInput(
+            f"the record says {_MOTIONS[code]} by its data type, but has the unit of {quantity}"
+        )
+    return quantity, scale
+
+
+def _unit(text: str, pair: str) -> tuple[str, float]:
+    """Quantity and factor to SI of a unit such as ``(mm/s)/N`` or ``rad/(N·m)``."""
+    try:
+        unit = parse_unit(_flat(text))
+    except InvalidInput:
+        unit = None
+    for quantity in QUANTITIES:
+        wanted = parse_unit(_flat(response_unit(pair, quantity)))
+        if unit is not None and unit.dimension == wanted.dimension:
+            return quantity, unit.scale
+    allowed = ", ".join(response_unit(pair, quantity) for quantity in QUANTITIES)
+    raise InvalidInput(f"not a unit of {pair}: given {shown(text)}; allowed: {allowed}")
+
+
+def _flat(text: str) -> str:
+    """Without brackets: what is divided by a product is divided by each of its factors."""
+    divided = re.sub(
+        r"/\s*\(([^()]*)\)", lambda m: "/" + re.sub(r"\s*[·⋅* ]\s*", "/", m[1].strip()), text
+    )
+    return re.sub(r"(?<=s)2\b", "^2", re.sub(r"[()]", "", divided))
+
+
+def _from_table(path: Path, pair: str) -> Record:
+    try:
+        with path.open(newline="", encoding="utf-8-sig") as file:
+            rows = [row for row in csv.reader(file) if any(cell.strip() for cell in row)]
+    except (UnicodeDecodeError, csv.Error) as error:
+        raise InvalidInput(f"not a table in UTF-8: {error}") from None
+    if not rows:
+        raise InvalidInput("the file is empty")
+    columns = _columns(rows[0], pair)
+    numbers = _numbers(rows)
+    frequency = _scaled(numbers, columns["frequency"], _hertz(columns["frequency"][1]))
+    first, second = (("real", "imaginary"), ("amplitude", "phase"))["amplitude" in columns]
+    quantity, scale = _unit(columns[first][1], pair)
+    one = _scaled(numbers, columns[first], scale)
+    if second == "imaginary":
+        other, own = _unit(columns[second][1], pair)
+        if other != quantity:
+            raise InvalidInput(f"real part of a {quantity}, imaginary part of a {other}")
+        two = _scaled(numbers, columns[second], own)
+        return _record(quantity, frequency, list(map(complex, one, two)))
+    phase = _scaled(numbers, columns[second], _angle(columns[second][1]))
+    if min(one) < 0.0:
+        raise InvalidInput(f"an amplitude below zero: given {min(one) / scale:g}")
+    return _record(quantity, frequency, [cmath.rect(a, p) for a, p in zip(one, phase, strict=True)])
+
+
+def _columns(header: Sequence[str], pair: str) -> dict[str, tuple[int, str]]:
+    """Place and unit of the columns in use; of several alike that which names the pair."""
+    found: dict[str, list[tuple[int, str, str]]] = {}
+    for place, cell in enumerate(header):
+        match = _COLUMN.fullmatch(cell)
+        words = (match[1] if match else cell).lower().split()
+        if words and words[-1] in _WORDS:
+            unit = match[2] if match else ""
+            found.setdefault(_WORDS[words[-1]], []).append((place, unit, cell))
+    chosen = {}
+    for word, places in found.items():
+        named = [entry for entry in places if pair in entry[2]]
+        if len(places) > 1 and len(named) != 1:
+            raise InvalidInput(f"{len(places)} columns for {word}: one must name {pair}")
+        place, unit, cell = (named or places)[0]
+        if not unit.strip():
+            raise InvalidInput(f"column {shown(cell)} has no unit: write it as '{word} [unit]'")
+        chosen[word] = (place, unit)
+    complete = {"real", "imaginary"} <= chosen.keys() or {"amplitude", "phase"} <= chosen.keys()
+    if "frequency" not in chosen or not complete:
+        raise InvalidInput(f"columns missing: given {shown(', '.join(header))}; allowed: {_FORMS}")
+    return chosen
+
+
+def _numbers(rows: Sequence[Sequence[str]]) -> list[list[float]]:
+    """The table as numbers; columns that are none of ours may hold anything."""
+    width, table = len(rows[0]), []
+    for number, row in enumerate(rows[1:], start=2):
+        if len(row) != width:
+            raise InvalidInput(f"row {number} has {len(row)} values where the header has {width}")
+        table.append([_number(cell) for cell in row])
+    return table
+
+
+def _number(cell: str) -> float:
+    try:
+        return float(cell)
+    except ValueError:
+        return math.nan
+
+
+def _scaled(table: Sequence[Sequence[float]], column: tuple[int, str], scale: float) -> list[float]:
+    values = [row[column[0]] * scale for row in table]
+    for number, value in enumerate(values, start=2):
+        if not math.isfinite(value):
+            raise InvalidInput(f"row {number}, column {column[0] + 1}: not a finite number")
+    return values
+
+
+def _hertz(unit: str) -> float:
+    return _plain(unit, "Hz", "frequency", "Hz, kHz")
+
+
+def _angle(unit: str) -> float:
+    return _plain(unit, "rad", "phase", "deg, rad")
+
+
+def _plain(text: str, like: str, what: str, allowed: str) -> float:
+    try:
+        unit = parse_unit(text)
+    except InvalidInput:
+        unit = None
+    if unit is None or unit.dimension != parse_unit(like).dimension:
+        raise InvalidInput(f"not a unit of {what}: given {shown(text)}; allowed: {allowed}")
+    return unit.scale
+
+
+def _record(quantity: str, frequency: list[float], values: list[complex]) -> Record:
+    if len(frequency) != len(values):
+        raise InvalidInput(f"{len(values)} values at {len(frequency)} frequencies")
+    if values and not all(map(cmath.isfinite, values)):
+        raise InvalidInput("a value is not a finite number")
+    return Record(quantity, tuple(frequency), tuple(values))

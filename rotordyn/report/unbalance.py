@@ -1,0 +1,74 @@
+"""Response to unbalance in a few lines of text: what acts, largest amplitudes, forces, whirl."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis.display import GRAM_MILLIMETRE, MICROMETRE, RPM
+from rotordyn.analysis.results import UnbalanceResult
+from rotordyn.report.text import unbroken
+
+Array = NDArray[np.float64]
+MOST = 6  # unbalances, points or supports told
+STRAIGHT = 1e-6  # of the major half axis: less backward than that is rounding
+
+
+def unbalance_lines(result: UnbalanceResult) -> list[str]:
+    """Amplitudes are zero to peak, the largest half axis of the orbit among the speeds."""
+    acting = [
+        unbroken(f"{name} {size * GRAM_MILLIMETRE.factor:.4g} g·mm at {x * 1e3:.1f} mm")
+        + (unbroken(f" to {np.degrees(angle):.4g}°") if abs(angle) > 0.0 else "")
+        for name, size, x, angle in zip(
+            result.unbalance,
+            result.unbalance_size,
+            result.unbalance_station,
+            result.unbalance_angle,
+            strict=True,
+        )
+    ]
+    moved = [unbroken(f"{name} {word}") for name, word in largest_amplitudes(result).items()]
+    pushed = [
+        unbroken(f"{name} {_peak(values, '.4g')} N{_at(result, values)}")
+        for name, values in zip(result.support, result.force_amplitude.T, strict=True)
+    ]
+    return [
+        f"unbalance  {_few(acting)}",
+        f"           largest half axis of the orbit, zero to peak: {_few(moved)}",
+        f"           largest force, zero to peak: {_few(pushed)}",
+        *_backward(result),
+    ]
+
+
+def largest_amplitudes(result: UnbalanceResult) -> dict[str, str]:
+    """By point, with the speed at which it is."""
+    return {
+        name: f"{_peak(values * MICROMETRE.factor, '.4g')} µm{_at(result, values)}"
+        for name, values in zip(result.point, result.major_axis.T, strict=True)
+    }
+
+
+def _peak(values: Array, form: str) -> str:
+    return format(float(np.nanmax(values)), form)
+
+
+def _at(result: UnbalanceResult, values: Array) -> str:
+    return f" at {result.speed[int(np.nanargmax(values))] * RPM.factor:.0f} rpm"
+
+
+def _few(words: list[str]) -> str:
+    rest = len(words) - MOST
+    return ", ".join(words[:MOST]) + (f" and {rest} more" if rest > 0 else "")
+
+
+def _backward(result: UnbalanceResult) -> list[str]:
+    """Where orbits run against the speed."""
+    back = result.minor_axis < -STRAIGHT * result.major_axis
+    words = []
+    for name, own in zip(result.point, back.T, strict=True):
+        at = np.flatnonzero(own)
+        if at.size:
+            ends = [f"{result.speed[k] * RPM.factor:.0f}" for k in at[[0, -1]]]
+            many = f"{at.size} speeds from {ends[0]} to {ends[1]} rpm"
+            words.append(unbroken(f"{name} at {many if at.size > 1 else f'{ends[0]} rpm'}"))
+    return [f"           whirl backward: {_few(words)}"] if words else []

@@ -1,0 +1,235 @@
+"""Measured responses: read back from what was written, units, and one sentence for each fault."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+
+import numpy as np
+import pytest
+import pyuff
+
+import rotordyn
+from rotordyn.case.measured import read_record
+from rotordyn.errors import InvalidInput
+from rotordyn.job import deliver, solve
+
+pytestmark = pytest.mark.filterwarnings("ignore:unclosed file:ResourceWarning")
+PAIR = "left_disc.y / right_disc.y"
+HEAD = "spindle: friswell_two_discs\noverride: {supports.left.damping: {yy: 200 N s/m}}\n"
+ASKED = """speeds: [0 rpm, 1000 rpm]
+analyses:
+  frf:
+    quantity: %s
+    frequencies: {from: 1 Hz, to: 60 Hz, step: 0.5 Hz}
+    pairs:
+      - {response: left_disc.y, excitation: right_disc.y}
+      - {response: left_disc.y, excitation: left_disc.y}
+    slices: [0 rpm, 1000 rpm]
+"""
+MEASURED = "    measured: [{file: %s, response: left_disc.y, excitation: right_disc.y%s}]\n"
+
+
+def case(folder: Path, quantity: str = "receptance", measured: str = "") -> rotordyn.Case:
+    path = folder / "case.yaml"
+    path.write_text(HEAD + ASKED % quantity + measured)
+    return rotordyn.load(path)
+
+
+@pytest.fixture(scope="module")
+def written(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
+    """Results of every quantity, each with its frf.uff."""
+    folders = {}
+    for quantity in ("receptance", "mobility", "inertance"):
+        folder = tmp_path_factory.mktemp(quantity)
+        folders[quantity] = folder / "out"
+        deliver(case(folder, quantity), folders[quantity])
+    return folders
+
+
+@pytest.mark.parametrize("quantity", ["receptance", "mobility", "inertance"])
+@pytest.mark.parametrize("seen", ["receptance", "inertance"])
+def test_own_uff_comes_back_whatever_it_is_laid_over(
+    tmp_path: Path, written: dict[str, Path], quantity: str, seen: str
+) -> None:
+    """Record 3 is the first pair at 1000 rpm; the response laid over is the computed one."""
+    file = written[seen] / "frf.uff"
+    asked = MEASURED % (file, ", record: 3, speed: 1000 rpm, name: tap")
+    result = solve(case(tmp_path, quantity, asked)).results["frf"]
+    np.testing.assert_allclose(result.measured_response[0], result.response[1, 0], rtol=1e-9)
+    assert result.measured == ("tap",)
+    assert result.measured_pair == (PAIR,)
+    assert result.likeness[0] == pytest.approx(1.0, abs=1e-9)
+    known = np.isfinite(result.measured_peak[0])
+    assert known.sum() >= 2
+    np.testing.assert_allclose(result.computed_peak, result.measured_peak)
+    np.testing.assert_allclose(result.computed_peak_amplitude, result.measured_peak_amplitude)
+
+
+@pytest.mark.parametrize("quantity", ["receptance", "mobility", "inertance"])
+def test_own_table_comes_back(tmp_path: Path, written: dict[str, Path], quantity: str) -> None:
+    """Of several columns those that name the pair; printed units are read."""
+    result = solve(case(tmp_path, quantity)).results["frf"]
+    record = read_record(written[quantity] / "frf_1000rpm.csv", PAIR, None)
+    assert record.quantity == quantity
+    np.testing.assert_allclose(record.values, result.response[1, 0], rtol=2e-6)
+
+
+@pytest.mark.parametrize(
+    ("unit", "quantity", "scale"),
+    [
+        ("m/N", "receptance", 1.0),
+        ("µm/N", "receptance", 1e-6),
+        ("mm/kN", "receptance", 1e-6),
+        ("(mm/s)/N", "mobility", 1e-3),
+        ("m/s/N", "mobility", 1.0),
+        ("m/s^2/N", "inertance", 1.0),
+        ("(m/s²)/N", "inertance", 1.0),
+        ("1/kg", "inertance", 1.0),
+    ],
+)
+def test_amplitude_and_phase_with_units(
+    tmp_path: Path, unit: str, quantity: str, scale: float
+) -> None:
+    path = tmp_path / "tap.csv"
+    path.write_text(f"frequency [kHz],amplitude [{unit}],phase [deg]\n0.01,2,90\n0.02,3,-180\n")
+    record = read_record(path, PAIR, None)
+    assert record.quantity == quantity
+    assert record.frequency == pytest.approx((10.0, 20.0))
+    np.testing.assert_allclose(record.values, [2j * scale, -3.0 * scale], atol=1e-15 * scale)
+
+
+def test_rotations_have_units_of_their_own(tmp_path: Path) -> None:
+    path = tmp_path / "tap.csv"
+    path.write_text("frequency [Hz],real [rad/(N m)],imag [mrad/(N·m)]\n1,2,3\n2,2,3\n")
+    record = read_record(path, "left_disc.thz / left_disc.thz", None)
+    assert record.quantity == "receptance"
+    assert record.values[0] == pytest.approx(2.0 + 0.003j)
+    with pytest.raises(InvalidInput, match=r"not a unit of left_disc.y / left_disc.y: given"):
+        read_record(path, "left_disc.y / left_disc.y", None)
+
+
+def uff(path: Path, **changes: object) -> Path:
+    fields = {
+        "type": 58, "binary": 0, "func_type": 4, "rsp_node": 1, "rsp_dir": 2, "ref_node": 1,
+        "ref_dir": 2, "data": np.array([1.0 + 2.0j, 3.0, 4.0]), "x": np.array([10.0, 20.0, 30.0]),
+        "id1": "tap", "ordinate_spec_data_type": 12, "orddenom_spec_data_type": 13,
+        "ordinate_axis_units_lab": "m/s^2", "orddenom_axis_units_lab": "N",
+        "abscissa_spec_data_type": 18, "abscissa_axis_units_lab": "Hz",
+    }  # fmt: skip
+    pyuff.UFF(str(path)).write_sets([{**fields, **changes}], "add")
+    return path
+
+
+@pytest.mark.parametrize(
+    ("changes", "quantity", "scale"),
+    [
+        ({}, "inertance", 1.0),
+        ({"ordinate_axis_units_lab": "g"}, "inertance", 9.80665),
+        ({"ordinate_axis_units_lab": "mm/s^2"}, "inertance", 1e-3),
+        ({"ordinate_axis_units_lab": "NONE"}, "inertance", 1.0),
+        ({"ordinate_axis_units_lab": "mm/s", "ordinate_spec_data_type": 11}, "mobility", 1e-3),
+        ({"ordinate_axis_units_lab": "um", "ordinate_spec_data_type": 0}, "receptance", 1e-6),
+    ],
+)
+def test_foreign_records(
+    tmp_path: Path, changes: dict[str, object], quantity: str, scale: float
+) -> None:
+    record = read_record(uff(tmp_path / "tap.uff", **changes), PAIR, None)
+    assert record.quantity == quantity
+    assert record.frequency == (10.0, 20.0, 30.0)
+    np.testing.assert_allclose(record.values, np.array([1.0 + 2.0j, 3.0, 4.0]) * scale)
+
+
+TABLES = {
+    "frequency [Hz],real [m/N]\n1,2\n": "columns missing: given 'frequency .*; allowed: frequency",
+    "frequency [Hz],real [m/N],imag [m/N]\n1,2,3\n2,2\n": "row 3 has 2 values where the header has",
+    "frequency [Hz],real [m/N],imag [m/N]\n1,2,x\n2,2,2\n": "row 2, column 3: not a finite number",
+    "frequency [Hz],real,imag [m/N]\n1,2,3\n": r"column 'real' has no unit: write it as 'real \[",
+    "frequency [rpm],real [m/N],imag [m/N]\n1,2,3\n": "not a unit of frequency: given 'rpm'",
+    "frequency [Hz],real [N/m],imag [m/N]\n1,2,3\n": "not a unit of .*: given 'N/m'; allowed: m/N,",
+    "frequency [Hz],real [m/N],imag [m/s/N]\n1,2,3\n": "real part of a receptance, imag.* mobility",
+    "frequency [Hz],amplitude [m/N],phase [deg]\n1,-2,3\n": "an amplitude below zero: given -2",
+    "frequency [Hz],amplitude [m/N],phase [mm]\n1,2,3\n": "not a unit of phase: given 'mm'",
+    "frequency [Hz],a real [m/N],b real [m/N],imag [m/N]\n1,2,3,4\n": "2 columns for real: one",
+    "frequency [Hz],real [m/N],imag [m/N]\n2,2,2\n1,2,2\n": "frequency: not in ascending order",
+    "frequency [Hz],real [m/N],imag [m/N]\n2,2,2\n": "at least two values, as many in each",
+    "frequency [Hz],real [m/N],imag [m/N]\n70,2,2\n90,2,2\n": "fewer than two frequencies in the "
+    "band of the case: given 70 to 90 Hz; allowed: 1 to 60 Hz",
+    "": "the file is empty",
+}
+
+
+@pytest.mark.parametrize("content", TABLES)
+def test_faulty_table_is_refused_at_its_key(tmp_path: Path, content: str) -> None:
+    (tmp_path / "tap.csv").write_text(content)
+    with pytest.raises(InvalidInput, match=TABLES[content]) as caught:
+        case(tmp_path, measured=MEASURED % ("tap.csv", ""))
+    (fault,) = caught.value.faults
+    assert fault.path == "analyses.frf.measured[0].file"
+    assert fault.line == 12
+    assert fault.message.startswith("tap.csv: ")
+
+
+@pytest.mark.parametrize(
+    ("changes", "more", "words"),
+    [
+        ({"func_type": 1}, "", "the record is no complex frequency response"),
+        ({"ordinate_spec_data_type": 8}, "", "says receptance by its data type, .* of inertance"),
+        ({"ordinate_axis_units_lab": "V"}, "", "not a unit of .*: given .*V.*N.*; allowed: m/N"),
+        ({}, ", record: 2", "no record 2: the file has 1 of type 58"),
+        ({}, ", speed: 2000 rpm", "its speed is not within the speeds of the case"),
+    ],
+)
+def test_faulty_record_is_refused(
+    tmp_path: Path, changes: dict[str, object], more: str, words: str
+) -> None:
+    uff(tmp_path / "tap.uff", **changes)
+    with pytest.raises(InvalidInput, match=words) as caught:
+        case(tmp_path, measured=MEASURED % ("tap.uff", more))
+    assert len(caught.value.faults) == 1
+
+
+def test_other_faults(tmp_path: Path, written: dict[str, Path]) -> None:
+    several = written["receptance"] / "frf.uff"
+    with pytest.raises(InvalidInput, match="4 records of type 58: say which by record, 1 to 4"):
+        case(tmp_path, measured=MEASURED % (several, ""))
+    with pytest.raises(InvalidInput, match=r"tap.uff: no such file"):
+        case(tmp_path, measured=MEASURED % ("tap.uff", ""))
+    (tmp_path / "tap.uff").write_text("nothing of the kind\n")
+    with pytest.raises(InvalidInput, match=r"tap.uff: no(t a UFF file| record of type 58)"):
+        case(tmp_path, measured=MEASURED % ("tap.uff", ""))
+    other = "    measured: [{file: a.csv, response: left_disc.z, excitation: left_disc.y}]\n"
+    with pytest.raises(InvalidInput, match=f"not a pair of the case: .*allowed: {PAIR}, left"):
+        case(tmp_path, measured=other)
+
+
+def test_measured_file_is_part_of_the_digest(tmp_path: Path) -> None:
+    table = "frequency [Hz],real [m/N],imag [m/N]\n10,%s,2\n20,3,4\n"
+    digests = []
+    for value in ("1", "2"):
+        (tmp_path / "tap.csv").write_text(table % value)
+        found = case(tmp_path, measured=MEASURED % ("tap.csv", ""))
+        digests.append(found.digest)
+        assert tmp_path / "tap.csv" in found.files
+    assert digests[0] != digests[1]
+
+
+def test_summary_and_figure_show_what_was_measured(tmp_path: Path) -> None:
+    """A resonance 5 % higher and half as sharp as computed."""
+    result = solve(case(tmp_path)).results["frf"]
+    f = np.linspace(5.0, 40.0, 300)
+    there = np.interp(f / 1.05, result.frequency, np.abs(result.response[0, 0])) / 2.0
+    rows = "".join(f"{a:.6g},{h * 1e6:.9g},0\n" for a, h in zip(f, there, strict=True))
+    (tmp_path / "tap.csv").write_text("frequency [Hz],amplitude [um/N],phase [deg]\n" + rows)
+    found = deliver(case(tmp_path, measured=MEASURED % ("tap.csv", ", name: tap")), tmp_path / "o")
+    text = " ".join(found.summary.split())
+    assert f"measured tap, receptance {PAIR} at 0 rpm: likeness 0." in text
+    result = solve(case(tmp_path, measured=MEASURED % ("tap.csv", ""))).results["frf"]
+    assert result.measured_peak[0, 0] / result.computed_peak[0, 0] == pytest.approx(1.05, rel=0.01)
+    ratio = result.measured_peak_amplitude[0, 0] / result.computed_peak_amplitude[0, 0]
+    assert ratio == pytest.approx(0.5, rel=0.05)
+    assert "tap, measured at 0 rpm" in (tmp_path / "o" / "frf_amplitude_phase.svg").read_text()
+    assert (tmp_path / "o" / "frf_measured_peaks.csv").exists()
+    assert math.isfinite(result.likeness[0])
+    assert result.likeness[0] < 0.9

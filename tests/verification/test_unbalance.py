@@ -1,0 +1,329 @@
+"""Response to unbalance against closed forms, other formulations, equilibrium and symmetry."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from bearings import Material
+from rotordyn.analysis import (
+    BalanceGrade,
+    Conditions,
+    EccentricSpan,
+    FrfSpec,
+    Port,
+    Unbalance,
+    UnbalanceSpec,
+)
+from rotordyn.analysis.orbit import orbit
+from rotordyn.analysis.registry import answer_spindle
+from rotordyn.analysis.results import FrfResult, UnbalanceResult
+from rotordyn.errors import NoSolution
+from rotordyn.machine import LinearSupport, PointMass, Section, Shaft, Spindle
+from rotordyn.machine.inertia import rotor_inertia
+from tests.oracles.spindles import RPM, mfw2310, undamped
+
+STEEL = Material("steel", 210e9, 0.3, 7850.0)
+U = 2e-4
+RIGID = Conditions(rotor="rigid")
+K, C, M = 4e6, 300.0, 25.0
+
+
+def block(yy: float, zz: float, yz: float = 0.0, zy: float = 0.0) -> dict[tuple[str, str], float]:
+    return {("y", "y"): yy, ("z", "z"): zz, ("y", "z"): yz, ("z", "y"): zy}
+
+
+def on_two(
+    stiffness: dict[tuple[str, str], float],
+    damping: dict[tuple[str, str], float],
+    material: Material = STEEL,
+    mass: float = M,
+    **changes: Any,
+) -> Spindle:
+    """A shaft of 1 m with a point mass amidships, half of the given support at either end."""
+    ends = tuple(
+        LinearSupport(
+            name,
+            x,
+            {pair: k / 2.0 for pair, k in stiffness.items()},
+            {pair: c / 2.0 for pair, c in damping.items()},
+        )
+        for name, x in (("left", 0.0), ("right", 1.0))
+    )
+    shaft = Shaft(0.0, (Section(1.0, 0.03, 0.0, material),), 0.9)
+    own = {"masses": (PointMass("disc", 0.5, mass),), "points": {"disc": 0.5, "end": 1.0}}
+    return Spindle("rotor", shaft, supports=ends, **{**own, **changes})
+
+
+def solved(
+    spindle: Spindle,
+    speeds: Sequence[float],
+    *unbalances: Unbalance,
+    conditions: Conditions | None = None,
+    points: tuple[str, ...] = ("disc",),
+    **asked: Any,
+) -> UnbalanceResult:
+    spec = UnbalanceSpec(points=points, unbalances=unbalances, **asked)
+    own, at = conditions or Conditions(), tuple(map(float, speeds))
+    found = answer_spindle(spindle, own, at, {"unbalance": spec}, lambda name: None)
+    result = found.results["unbalance"]
+    assert isinstance(result, UnbalanceResult)
+    return result
+
+
+def test_jeffcott_rotor_through_resonance() -> None:
+    """r = U Ω²/(k − m Ω² + iΩc): a rigid body on springs; it lags by 90° where k = m Ω²."""
+    spindle = on_two(block(K, K), block(C, C))
+    mass = rotor_inertia(spindle).mass
+    critical = math.sqrt(K / mass)
+    speed = np.sort(np.append(np.linspace(0.0, 3.0 * critical, 60), critical))
+    result = solved(spindle, speed, Unbalance("disc", U, math.radians(40.0)), conditions=RIGID)
+    closed = U * speed**2 / (K - mass * speed**2 + 1j * speed * C)
+    scale = np.abs(closed).max()
+    turned = closed * np.exp(1j * math.radians(40.0))
+    np.testing.assert_allclose(result.displacement[:, 0, 0], turned, rtol=1e-9, atol=1e-13 * scale)
+    np.testing.assert_allclose(result.displacement[:, 0, 1], -1j * turned, rtol=1e-9)
+    np.testing.assert_allclose(result.amplitude[:, 0, 0], np.abs(closed), rtol=1e-9)
+    np.testing.assert_allclose(result.minor_axis, result.major_axis, rtol=1e-9)
+    row = int(np.flatnonzero(speed == critical)[0])
+    assert result.phase[row, 0, 0] == pytest.approx(math.radians(40.0 - 90.0), abs=1e-9)
+    assert result.phase[-1, 0, 0] == pytest.approx(math.radians(40.0 - 180.0), abs=0.02)
+    assert result.critical_speed[0] == pytest.approx(critical, rel=1e-3)
+
+
+def test_jeffcott_rotor_on_a_light_shaft() -> None:
+    """The shaft as a spring: 1/k = L³/48EI + L/4κGA + 1/k of the supports, and the disc above it
+    turns about its centre of mass."""
+    light = replace(STEEL, density=1.0)
+    spindle = on_two(block(1e11, 1e11), block(0.0, 0.0), light, mass=5.0)
+    inertia, ring = math.pi / 64 * 0.03**4, math.pi / 4 * 0.03**2
+    give = 1.0 / (48 * 210e9 * inertia) + 1.0 / (4 * 0.9 * STEEL.young_modulus / 2.6 * ring) + 1e-11
+    natural = math.sqrt(1.0 / give / 5.0)
+    speed = natural * np.array([0.3, 0.8, 1.3, 6.0])
+    result = solved(spindle, speed, Unbalance("disc", U))
+    closed = U / 5.0 * speed**2 / (natural**2 - speed**2)
+    np.testing.assert_allclose(result.displacement[:, 0, 0].real, closed, rtol=2e-3)
+    assert result.displacement[-1, 0, 0].real == pytest.approx(-U / 5.0, rel=0.05)
+
+
+def test_supports_that_differ() -> None:
+    """A rigid body on a full 2×2 support: backward whirl between the two critical speeds."""
+    stiffness, damping = block(K, 2.0 * K, 0.1 * K, 0.1 * K), block(C, 2.0 * C)
+    spindle = on_two(stiffness, damping)
+    mass = rotor_inertia(spindle).mass
+    low, high = np.sqrt(np.linalg.eigvalsh([[K, 0.1 * K], [0.1 * K, 2.0 * K]]) / mass)
+    speed = np.linspace(0.3 * low, 1.5 * high, 40)
+    result = solved(spindle, speed, Unbalance("disc", U), conditions=RIGID)
+    matrix = np.array([[K, 0.1 * K], [0.1 * K, 2.0 * K]])
+    for row, w in enumerate(speed):
+        dynamic = matrix + 1j * w * np.diag([C, 2.0 * C]) - w**2 * mass * np.eye(2)
+        closed = np.linalg.solve(dynamic, U * w**2 * np.array([1.0, -1j]))
+        np.testing.assert_allclose(result.displacement[row, 0], closed, rtol=1e-9)
+        push = -(matrix + 1j * w * np.diag([C, 2.0 * C])) @ closed / 2.0
+        np.testing.assert_allclose(result.force[row], [push, push], rtol=1e-9)
+    backward = result.minor_axis[:, 0] < 0.0
+    between = (low * 1.02 < speed) & (speed < high * 0.98)
+    assert backward[between].all()
+    assert not backward[(speed < 0.95 * low) | (speed > 1.05 * high)].any()
+    np.testing.assert_allclose(result.critical_speed, [low, high], rtol=1e-3)
+
+
+def test_orbit_is_what_a_drawn_ellipse_shows() -> None:
+    rng = np.random.default_rng(3)
+    y, z = (rng.normal(size=50) + 1j * rng.normal(size=50) for _ in range(2))
+    ellipse = orbit(y, z)
+    turn = np.exp(2j * math.pi * np.arange(4000) / 4000.0)
+    path = (y[:, None] * turn).real + 1j * (z[:, None] * turn).real
+    far = np.abs(path)
+    np.testing.assert_allclose(far.max(axis=1), ellipse.major, rtol=1e-6)
+    np.testing.assert_allclose(far.min(axis=1), np.abs(ellipse.minor), rtol=1e-2, atol=1e-3)
+    area = 0.5 * (path.conj() * np.roll(path, -1, axis=1)).imag.sum(axis=1)
+    np.testing.assert_allclose(area, math.pi * ellipse.major * ellipse.minor, rtol=1e-5)
+    at = path[np.arange(50), far.argmax(axis=1)]
+    np.testing.assert_allclose(
+        (at**2 / np.abs(at) ** 2), np.exp(2j * ellipse.inclination), atol=0.05
+    )
+
+
+@pytest.fixture(scope="module")
+def spindle() -> Spindle:
+    return undamped(mfw2310())
+
+
+SPEEDS = tuple(n * RPM for n in (0.0, 6000.0, 15000.0, 24000.0))
+SPREAD = (Unbalance("Oc2", 1e-6), Unbalance(0.3, 3e-6, 2.0), Unbalance("O2", 5e-6, -1.0))
+
+
+def test_superposition(spindle: Spindle) -> None:
+    points = ("Oc2", "O3")
+    asked: Any = {"points": points}
+    whole = solved(spindle, SPEEDS, *SPREAD, **asked)
+    parts = [solved(spindle, SPEEDS, each, **asked) for each in SPREAD]
+    for name in ("displacement", "force"):
+        total = sum(getattr(part, name) for part in parts)
+        size = np.abs(getattr(whole, name)).max()
+        # each alone has its own nodes and basis, which agree within the accuracy
+        np.testing.assert_allclose(getattr(whole, name), total, rtol=0, atol=2e-4 * size)
+    double = solved(
+        spindle, SPEEDS, *(replace(u, unbalance=2 * u.unbalance) for u in SPREAD), **asked
+    )
+    np.testing.assert_allclose(double.force, 2.0 * whole.force, rtol=1e-9)
+
+
+@pytest.mark.parametrize("shaft", ["elements", "exact"])
+def test_receptances_at_the_frequency_of_rotation(spindle: Spindle, shaft: str) -> None:
+    """y = Σ U Ω² (H_yy − i H_yz) e^(iα) by the FRF of elements and of the exact shaft."""
+    named = replace(spindle, points={**spindle.points, "inside": 0.3})
+    points = ("Oc2", "O3")
+    result = solved(named, SPEEDS, *SPREAD, points=points)
+    for row, speed in enumerate(SPEEDS[1:], start=1):
+        pairs = [
+            (Port(p, "y"), Port(str(u.at if isinstance(u.at, str) else "inside"), way))
+            for p in points
+            for u in SPREAD
+            for way in ("y", "z")
+        ]
+        spec = FrfSpec((speed / (2 * math.pi),), tuple(pairs))
+        own = Conditions(shaft=shaft)
+        found = answer_spindle(named, own, (speed,), {"frf": spec}, lambda name: None)
+        frf = found.results["frf"]
+        assert isinstance(frf, FrfResult)
+        h = frf.receptance[0, :, 0].reshape(len(points), len(SPREAD), 2)
+        force = np.array([u.unbalance * speed**2 * np.exp(1j * u.angle) for u in SPREAD])
+        wanted = (h @ np.array([1.0, -1j])) @ force
+        size = np.abs(wanted).max()
+        np.testing.assert_allclose(result.displacement[row, :, 0], wanted, atol=2e-4 * size)
+
+
+def test_formulations_agree(spindle: Spindle) -> None:
+    """Turning frame, both planes apart, and axial motion in the same system: one response."""
+    points = ("Oc2", "O3")
+    plain = solved(spindle, SPEEDS, *SPREAD, points=points)
+    turning = solved(
+        spindle, SPEEDS, *SPREAD, points=points, conditions=Conditions(formulation="rotating")
+    )
+    uneven = LinearSupport("touch", 0.3, {("y", "y"): 1e-3})
+    planes = solved(replace(spindle, supports=(uneven,)), SPEEDS, *SPREAD, points=points)
+    link = LinearSupport("link", 0.3, {("x", "x"): 1e-3, ("x", "y"): 1e-4, ("y", "x"): 1e-4})
+    static = Conditions(bearings="static")
+    held = solved(spindle, SPEEDS, *SPREAD, points=points, conditions=static)
+    coupled = solved(
+        replace(spindle, supports=(link,)), SPEEDS, *SPREAD, points=points, conditions=static
+    )
+    for other, own in ((turning, plain), (planes, plain), (coupled, held)):
+        size = np.abs(own.displacement).max()
+        np.testing.assert_allclose(other.displacement, own.displacement, atol=1e-7 * size)
+        push = np.abs(own.force).max()
+        count = own.force.shape[1]
+        np.testing.assert_allclose(other.force[:, :count], own.force, atol=1e-6 * push)
+
+
+def test_forces_and_inertia_are_in_balance() -> None:
+    """A rigid rotor, unbalance off its middle: forces of the supports, centrifugal, m Ω² r."""
+    spindle = on_two(block(K, 1.5 * K), block(C, C))
+    speed = np.array([150.0, 420.0])
+    result = solved(spindle, speed, Unbalance(0.8, U), conditions=RIGID, points=("disc", "end"))
+    mass = rotor_inertia(spindle).mass
+    acting = U * speed[:, None] ** 2 * np.array([1.0, -1j])
+    inertia = mass * speed[:, None] ** 2 * result.displacement[:, 0]
+    np.testing.assert_allclose(result.force.sum(axis=1), -(acting + inertia), rtol=1e-8)
+
+
+def test_eccentric_span_of_a_rigid_rotor() -> None:
+    """The same as its mass times the eccentricity at its middle."""
+    spindle = on_two(block(K, K), block(C, C))
+    span = EccentricSpan(0.2, 0.8, 5e-6, 0.7)
+    mass = 0.6 * math.pi / 4 * 0.03**2 * STEEL.density
+    speed = np.array([100.0, 390.0, 800.0])
+    spread = solved(spindle, speed, spans=(span,), conditions=RIGID)
+    point = solved(spindle, speed, Unbalance(0.5, 5e-6 * mass, 0.7), conditions=RIGID)
+    np.testing.assert_allclose(spread.displacement, point.displacement, rtol=1e-9)
+    assert spread.unbalance_size[0] == pytest.approx(5e-6 * mass)
+    assert spread.unbalance_station[0] == pytest.approx(0.5)
+
+
+def test_point_unbalances_approach_a_span_with_the_square_of_their_distance() -> None:
+    spindle = on_two(block(K, K), block(C, C))
+    speed = np.array([700.0])
+    line = math.pi / 4 * 0.03**2 * STEEL.density * 5e-6
+    fine = Conditions(accuracy=1e-8)
+    spread = solved(spindle, speed, spans=(EccentricSpan(0.0, 0.5, 5e-6),), conditions=fine)
+    left = []
+    for count in (3, 6, 12):
+        at = 0.5 * (np.arange(count) + 0.5) / count
+        each = [Unbalance(float(x), line * 0.5 / count) for x in at]
+        points = solved(spindle, speed, *each, conditions=fine)
+        left.append(abs(points.displacement[0, 0, 0] / spread.displacement[0, 0, 0] - 1.0))
+    rates = np.log2(np.array(left[:-1]) / left[1:])
+    np.testing.assert_allclose(rates, 2.0, atol=0.1)
+
+
+@pytest.mark.parametrize("phase", ["static", "couple"])
+def test_balance_grade(phase: str) -> None:
+    """U = G m/Ω at the speed of service, shared by levers; the same as two unbalances by hand."""
+    spindle = on_two(block(K, K), block(C, C))
+    mass = rotor_inertia(spindle).mass
+    grade = BalanceGrade(6.3e-3, 1000.0, (0.2, 0.7), phase, 0.5)
+    speed = np.array([200.0, 600.0])
+    found = solved(spindle, speed, grade=grade, points=("end",))
+    whole = 6.3e-3 * mass / 1000.0
+    sign = 0.0 if phase == "static" else math.pi
+    hand = solved(
+        spindle,
+        speed,
+        Unbalance(0.2, 0.4 * whole, 0.5),
+        Unbalance(0.7, 0.6 * whole, 0.5 + sign),
+        points=("end",),
+    )
+    np.testing.assert_allclose(found.displacement, hand.displacement, rtol=1e-9)
+    np.testing.assert_allclose(found.unbalance_size, [0.4 * whole, 0.6 * whole])
+
+
+def test_unstable_machine_has_no_steady_response() -> None:
+    """Follower stiffness k_yz = −k_zy pumps forward whirl once q > c ω."""
+    q = 0.3 * C * math.sqrt(K / M)
+    stable = on_two(block(K, K, q, -q), block(C, C))
+    assert np.isfinite(
+        solved(stable, [100.0], Unbalance("disc", U), conditions=RIGID).amplitude
+    ).all()
+    unstable = on_two(block(K, K, 10 * q, -10 * q), block(C, C))
+    with pytest.raises(
+        NoSolution, match=r"^no speed .* steady response to unbalance: unstable: .*Hz$"
+    ):
+        solved(unstable, [100.0, 200.0], Unbalance("disc", U), conditions=RIGID)
+
+
+def test_critical_speed_without_damping() -> None:
+    """Only there is no response, and the outcome says why."""
+    spindle = on_two(block(K, K), block(0.0, 0.0))
+    critical = math.sqrt(K / rotor_inertia(spindle).mass)
+    result = solved(spindle, [0.9 * critical, critical], Unbalance("disc", U), conditions=RIGID)
+    assert result.outcome[0] == ""
+    assert "without damping" in result.outcome[1]
+    assert np.isfinite(result.displacement[0]).all()
+    assert np.isnan(result.displacement[1]).all()
+
+
+def test_nothing_moves_at_rest() -> None:
+    result = solved(on_two(block(K, K), block(C, C)), [0.0, 100.0], Unbalance("disc", U))
+    assert not result.displacement[0].any()
+    assert not result.force[0].any()
+
+
+@pytest.mark.parametrize("element", [0.25, 0.1, 0.05])
+@pytest.mark.parametrize("ratio", [1.0, 1.5])
+def test_estimated_error_is_the_true_one(element: float, ratio: float) -> None:
+    """Standard elements against fine ones, in the complex form and in both planes."""
+    spindle = on_two(block(K, ratio * K), block(C, C))
+    speed = np.linspace(300.0, 1500.0, 30)
+    coarse = solved(
+        spindle, speed, Unbalance(0.2, U), conditions=Conditions(element_length=element)
+    )
+    fine = solved(spindle, speed, Unbalance(0.2, U), conditions=Conditions(accuracy=1e-7))
+    off = np.abs(coarse.displacement - fine.displacement).max() / np.abs(fine.displacement).max()
+    assert coarse.error[0] == pytest.approx(off, rel=0.05)
