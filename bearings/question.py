@@ -12,7 +12,7 @@ from bearings.errors import InvalidBearing
 Array = NDArray[np.float64]
 LARGEST = {  # SI; far beyond any bearing
     "load": 1e12,
-    "displacement": 10.0,
+    "displacement": 1e6,
     "speed": 1e6,
     "static_growth": 1.0,
     "growth": 1.0,
