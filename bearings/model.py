@@ -44,6 +44,12 @@ class BallModel:
         """Fc at equal nominal angles, where every hypothesis gives ωm/ω = (1 − γ cos α)/2 [N]."""
         return self.constants.orbit * self.constants.nominal * speed**2
 
+    @cached_property
+    def scale(self) -> Array:
+        """What makes the five freedoms of a ring lengths: 1, 1, 1, Ri, Ri [m]."""
+        radius = self.geometry.centre_radius
+        return np.array([1.0, 1.0, 1.0, radius, radius])
+
     @property
     def one_branch(self) -> bool:
         """True where a ball is never loaded or lost at the same place: a neighbour may be a start.

@@ -68,8 +68,7 @@ class Problem:
     @property
     def scale(self) -> Array:
         """What makes the five freedoms lengths: 1, 1, 1, Ri, Ri [m]."""
-        radius = self.model.geometry.centre_radius
-        return np.array([1.0, 1.0, 1.0, radius, radius])
+        return self.model.scale
 
 
 def first_displacement(problem: Problem, given: Array) -> Array:

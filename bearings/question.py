@@ -152,6 +152,7 @@ def _numbers(name: str, value: ArrayLike) -> Array:
         array = np.asarray(value, dtype=float)
     except (TypeError, ValueError, OverflowError) as error:
         raise InvalidBearing(f"{name} must be numbers, got {value!r}") from error
-    if np.abs(np.nan_to_num(array, posinf=0.0, neginf=0.0)).max(initial=0.0) > LARGEST[name]:
+    size = np.abs(array)
+    if ((size > LARGEST[name]) & (size < np.inf)).any():
         raise InvalidBearing(f"{name} beyond {LARGEST[name]:g} SI units: is the unit right?")
     return array
