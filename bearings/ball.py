@@ -25,7 +25,7 @@ from bearings.plane import (
     row_times,
     where,
 )
-from bearings.polar import Polar, combined, scaled, times
+from bearings.polar import Polar, combined, less_by, more_by, scaled, times
 from bearings.slip import Contact, limited
 
 
@@ -111,12 +111,12 @@ def turning_balance(
     push = full * (c.nominal + blend * (orbit.value**2 - c.nominal))
     fc = _chained(push, 2.0 * vary * blend * full * orbit.value, orbit, tilt)
     ti = scaled(vary, 1.0 / c.ball_diameter, times(share, moment))
-    to = combined(1.0, scaled(vary, 2.0 / c.ball_diameter, moment), -1.0, ti)
+    to = less_by(scaled(vary, 2.0 / c.ball_diameter, moment), ti)
 
     fa, fr = _inner_force(inner, ti, si, ci)
     ga, gr = _outer_force(outer, to, so, co)
     lever = combined(c.centre_radius, fa, -c.inner_conformity * c.ball_diameter, ti)
-    level, rise = combined(1.0, fa, -1.0, ga), combined(1.0, combined(1.0, fr, -1.0, gr), 1.0, fc)
+    level, rise = less_by(fa, ga), more_by(less_by(fr, gr), fc)
     level_i, rise_i = _by_inner(level, si, ci, li), _by_inner(rise, si, ci, li)
     fa_i, fr_i = _by_inner(fa, si, ci, li), _by_inner(fr, si, ci, li)
     lever_i = _by_inner(lever, si, ci, li)

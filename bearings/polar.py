@@ -41,6 +41,28 @@ def scaled(vary: float, factor: float, p: Polar) -> Polar:
     )
 
 
+def more_by(p: Polar, q: Polar) -> Polar:
+    """Sum of two values."""
+    return Polar(
+        p.value + q.value,
+        p.by_inner_angle + q.by_inner_angle,
+        p.by_inner_length + q.by_inner_length,
+        p.by_outer_angle + q.by_outer_angle,
+        p.by_outer_length + q.by_outer_length,
+    )
+
+
+def less_by(p: Polar, q: Polar) -> Polar:
+    """Difference of two values."""
+    return Polar(
+        p.value - q.value,
+        p.by_inner_angle - q.by_inner_angle,
+        p.by_inner_length - q.by_inner_length,
+        p.by_outer_angle - q.by_outer_angle,
+        p.by_outer_length - q.by_outer_length,
+    )
+
+
 def combined(first: float, p: Polar, second: float, q: Polar) -> Polar:
     """``first`` p + ``second`` q."""
     return Polar(

@@ -8,7 +8,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.constants import BallConstants
-from bearings.convex import SeatStep, first_seat, improves, riding_radius, seat_step
+from bearings.convex import (
+    SeatStep,
+    first_seat,
+    improves,
+    potential,
+    riding_radius,
+    seat_step,
+    springs,
+)
 from bearings.plane import direction
 
 Array = NDArray[np.float64]
@@ -53,12 +61,17 @@ def _first(c: BallConstants, a: Array, fc: Array, start: Array | None) -> Array:
     if start is None:
         return first
     given = start.reshape(2, -1)
-    better = _step(c, a, fc, given).energy < _step(c, a, fc, first).energy
+    better = _energy(c, a, fc, given) < _energy(c, a, fc, first)
     return np.where(better & (np.hypot(*given) > c.outer_reach), given, first)
 
 
 def _step(c: BallConstants, a: Array, fc: Array, x: Array) -> SeatStep:
     return seat_step(c, (a[0], a[1]), (x[0], x[1]), fc)
+
+
+def _energy(c: BallConstants, a: Array, fc: Array, x: Array) -> Array:
+    ball = (x[0], x[1])
+    return np.asarray(potential(c, *springs(c, (a[0], a[1]), ball), ball, fc))
 
 
 def _some(steps: SeatStep, index: Index) -> SeatStep:
