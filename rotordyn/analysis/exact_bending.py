@@ -186,7 +186,7 @@ def exact_bending(scene: Scene) -> ExactBending:
     rows = scene.bearing_row[scene.usable]
     rotors = tuple(
         exact_rotor(
-            spindle,
+            spindle.at_speed(float(spin)),
             float(spin),
             tangents,
             mesh,

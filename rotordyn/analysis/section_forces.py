@@ -60,7 +60,7 @@ def answer(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
         :, nodes
     ]
     held = Held(
-        stiffness=held_stiffness(spindle, scene.seat_stiffness, _closed(scene)),
+        stiffness=held_stiffness(spindle, scene.seat_stiffness, _closed(scene), speed),
         rigid=rigidly_held(spindle).ravel(),
         motion=rigid_motion(mesh.x[nodes], float(mesh.x[0])).reshape(-1, 6),
         flexibility=_flexibility(mesh, give, nodes),

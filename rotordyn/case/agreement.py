@@ -21,7 +21,7 @@ from rotordyn.analysis.specs import (
 from rotordyn.case.loads import misplaced, overheld, unheld
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import RigidSupport, Spindle
-from rotordyn.machine.support import MOTIONS, coupled_motions, entry_name
+from rotordyn.machine.support import MOTIONS, acts, coupled_motions, entry_name
 from rotordyn.quantity import suggestion
 
 ANALYSES: dict[str, type[Spec]] = {
@@ -94,7 +94,9 @@ def moved_along(speeds: Iterable[float], bearings: str, force: float, weighed: b
 def supports_agree(
     spindle: Spindle, conditions: Conditions, speeds: tuple[float, ...]
 ) -> Iterator[str]:
-    """Where the preload state moves the shaft along, no support turns that into a push aside."""
+    """Supports are known at the speeds; none turns motion along the axis into a push aside."""
+    for support in spindle.supports:
+        yield from support.beyond(speeds)
     own = conditions
     moved = moved_along(speeds, own.bearings, own.axial_force, own.gravity != "none")
     for support in spindle.supports if spindle.seats and moved else ():
@@ -127,7 +129,9 @@ def uncoupled(response: str, excitation: str, coupled: frozenset[str]) -> tuple[
 def _machine(spindle: Spindle, conditions: Conditions) -> Iterator[str]:
     for name, x in spindle.points.items():
         yield from spindle.off_the_shaft(f"point {name}", x)
-    held = {pair for support in spindle.supports for pair, k in support.stiffness.items() if k}
+    held = {
+        pair for support in spindle.supports for pair, k in support.stiffness.items() if acts(k)
+    }
     held |= {(freedom, freedom) for support in spindle.supports for freedom in support.rigid}
     free = [freedom for freedom in ("y", "z") if (freedom, freedom) not in held]
     if free and not spindle.seats:

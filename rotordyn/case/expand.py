@@ -12,6 +12,7 @@ from rotordyn.case.faults import Faults
 from rotordyn.case.library import UnknownModel, find
 from rotordyn.case.node import UNKNOWN, Node
 from rotordyn.case.override import apply
+from rotordyn.case.table import tabled
 
 _MATERIALS_OF_BEARING = (("ball_material",), ("ring_material",))
 _MATERIALS_OF_SPINDLE = (
@@ -74,6 +75,8 @@ def spindle(reference: Node, override: Node | None, reader: Reader) -> Node | No
     _fill(root, _MATERIALS_OF_SPINDLE, "materials", reader)
     for holder in _matching(root, ("bearings", "*")):
         _bearing_of_seat(root, holder, reader)
+    for holder in _matching(root, ("supports", "*")):
+        _table_of_support(holder, reader)
     return root
 
 
@@ -101,6 +104,18 @@ def _bearing_of_seat(root: Node, seat: Node, reader: Reader) -> None:
     if reference is not None:
         override = (root.child("bearing_override"), seat.child("model_override"))
         _set(seat, "model", bearing(reference, override, reader))
+
+
+def _table_of_support(support: Node, reader: Reader) -> None:
+    reference = support.child("table")
+    if reference is None or not isinstance(reference.value, str):
+        return
+    path = reader.folders[reference.file].parent / Path(reference.value).expanduser()
+    if not os.path.exists(path):
+        reader.faults.at(reference, (), f"no such file: given '{reference.value}'")
+        support.value["table"] = replace(reference, value=UNKNOWN)
+        return
+    tabled(support, path, reader.faults, reader.contents)
 
 
 def _fill(root: Node, places: tuple[tuple[str, ...], ...], kind: str, reader: Reader) -> None:

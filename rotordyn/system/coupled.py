@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.elements.node import FREEDOMS
-from rotordyn.elements.support import node_matrix
+from rotordyn.elements.support import along_and_about
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import MOTIONS
 from rotordyn.system.lateral import LateralSystem
@@ -57,7 +57,7 @@ def coupled_system(
     ends = [0, *accumulate(part.motion.shape[-1] for part in parts.values())]
     between = np.array(
         [
-            [np.where(BETWEEN, node_matrix(getattr(s, which)), 0.0) for s in spindle.supports]
+            [np.where(BETWEEN, along_and_about(s, which), 0.0) for s in spindle.supports]
             for which in ("stiffness", "damping")
         ]
     )

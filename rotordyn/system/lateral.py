@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.elements.node import FREEDOMS, position
-from rotordyn.elements.support import ALIKE, node_matrix, turn
+from rotordyn.elements.support import ALIKE, support_matrices, turn
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.system.dofs import BOTH_PLANES
@@ -125,11 +125,11 @@ def lateral_system(
     InvalidInput : ``turning``, and a support does not answer alike in all directions
     """
     k = np.concatenate(
-        [_seat_blocks(spindle, seat_stiffness), _support_blocks(spindle, len(speed), "stiffness")],
+        [_seat_blocks(spindle, seat_stiffness), _support_blocks(spindle, speed, "stiffness")],
         axis=1,
     )
     c = np.concatenate(
-        [_seat_dampers(spindle, len(speed)), _support_blocks(spindle, len(speed), "damping")],
+        [_seat_dampers(spindle, len(speed)), _support_blocks(spindle, speed, "damping")],
         axis=1,
     )
     rows = np.concatenate([rotor.seats, rotor.supports])
@@ -208,10 +208,10 @@ def _seat_dampers(spindle: Spindle, speeds: int) -> Array:
     return np.broadcast_to(blocks, (speeds, *blocks.shape))
 
 
-def _support_blocks(spindle: Spindle, speeds: int, which: str) -> Array:
-    blocks = [BOTH_PLANES.take(node_matrix(getattr(s, which))) for s in spindle.supports]
-    stacked = np.array(blocks).reshape(-1, 4, 4)
-    return np.broadcast_to(stacked, (speeds, *stacked.shape))
+def _support_blocks(spindle: Spindle, speed: Array, which: str) -> Array:
+    """(speeds, supports, 4, 4), likewise."""
+    blocks = [BOTH_PLANES.take(support_matrices(s, which, speed)) for s in spindle.supports]
+    return np.stack(blocks, axis=1) if blocks else np.zeros((len(speed), 0, 4, 4))
 
 
 def _alike(blocks: Array) -> bool:

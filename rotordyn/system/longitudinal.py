@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.elements.node import FREEDOMS, position
-from rotordyn.elements.support import node_matrix
+from rotordyn.elements.support import along_and_about
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve
 from rotordyn.numerics.reduction import ritz_basis
@@ -116,12 +116,12 @@ def axial_system(
         for place, sleeve in enumerate(sliding):
             if seat.name in sleeve.bearings:
                 rows[row, modal + place] = -scale[place]
-    held = np.array([node_matrix(s.stiffness)[0, 0] for s in spindle.supports])
+    held = np.array([along_and_about(s, "stiffness")[0, 0] for s in spindle.supports])
     tiled = np.tile(held, (len(axial_stiffness), 1))
     springs_held = np.concatenate([axial_stiffness, tiled], axis=1)
     stiffness = np.einsum("sc,ci,cj->sij", springs_held, rows, rows, optimize=True)
     dampers = [seat.axial_damping for seat in spindle.seats]
-    dampers += [node_matrix(s.damping)[0, 0] for s in spindle.supports]
+    dampers += [along_and_about(s, "damping")[0, 0] for s in spindle.supports]
     damping = np.einsum("c,ci,cj->ij", np.array(dampers), rows, rows, optimize=True)
     own = np.arange(modal)
     stiffness[:, own, own] += values
@@ -166,7 +166,7 @@ def torsion_system(
         ("stiffness", values),
         ("damping", 2.0 * damping_ratios(values, spindle.rotor_damping[-1:]) * np.sqrt(values)),
     ):
-        entries = [node_matrix(getattr(s, which))[spin, spin] for s in spindle.supports]
+        entries = [along_and_about(s, which)[spin, spin] for s in spindle.supports]
         held = np.einsum("c,ci,cj->ij", np.array(entries), rows, rows)
         one = np.array(entries).reshape(1, -1, 1, 1)
         blocks.append(np.broadcast_to(one, (speeds, *one.shape[1:])))

@@ -161,7 +161,8 @@ def _sleeve(entry: SleeveEntry) -> Sleeve:
 def support(entry: SupportEntry) -> LinearSupport:
     """A linear support, its matrices however they are written."""
     matrices = entries(entry.stiffness), entries(entry.damping)
-    return LinearSupport(entry.name, entry.x, *matrices, tuple(entry.rigid))
+    rigid, speeds = tuple(entry.rigid), tuple(entry.speeds)
+    return LinearSupport(entry.name, entry.x, *matrices, rigid, speeds)
 
 
 def _drawbar(entry: DrawbarEntry | None) -> Drawbar | None:

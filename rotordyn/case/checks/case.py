@@ -142,6 +142,7 @@ def against_machine(
     _elements(entry, spindle, tool, root, faults)
     supports = _supports(spindle)
     conditions(entry.conditions, supports, spindle, root, faults)
+    _known_there(entry, supports, root, faults)
     points = [*spindle.points, *(tool.points if tool else {})]
     for name in NEEDS_BEARINGS:
         if getattr(entry.analyses, name) is not None and not spindle.bearings:
@@ -162,6 +163,15 @@ def against_machine(
         section_forces(entry, spindle, tool, root, faults)
     if spindle.bearings:
         sideways(entry, supports, root, faults)
+
+
+def _known_there(
+    entry: CaseEntry, supports: Sequence[LinearSupport], root: Node, faults: Faults
+) -> None:
+    """Tables of supports reach over the speeds of the case."""
+    for each in supports:
+        for sentence in each.beyond(values(entry.speeds)):
+            faults.at(root, ("speeds",), sentence)
 
 
 def _rigid(entry: CaseEntry, spindle: SpindleEntry, root: Node, faults: Faults) -> None:

@@ -24,7 +24,7 @@ from rotordyn.case.schema.shaft import MassEntry, SectionEntry, ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.case.schema.support import SupportEntry
 from rotordyn.machine.spindle import held_twice
-from rotordyn.machine.support import rigid_and_elastic
+from rotordyn.machine.support import acts, rigid_and_elastic, table_faults
 
 
 def spindle(entry: SpindleEntry, root: Node, tool: ToolEntry | None, faults: Faults) -> None:
@@ -101,6 +101,11 @@ def _support(entry: SupportEntry, root: Node, way: tuple[object, ...], faults: F
     named = (*entries(entry.stiffness), *entries(entry.damping))
     for sentence in rigid_and_elastic(entry.rigid, named):
         faults.at(root, (*way, "rigid"), sentence)
+    ascending(entry.speeds, root, (*way, "speeds"), faults)
+    for place, sentence in table_faults(
+        entries(entry.stiffness), entries(entry.damping), entry.speeds
+    ):
+        faults.at(root, (*way, *place), sentence)
 
 
 def _lumped(entry: SpindleEntry, root: Node, faults: Faults) -> None:
@@ -161,7 +166,8 @@ def _held(entry: SpindleEntry, root: Node, faults: Faults) -> None:
         key
         for key in ("yy", "zz")
         if not any(
-            entries(support.stiffness).get(ENTRIES[key]) or ENTRIES[key][0] in support.rigid
+            acts(entries(support.stiffness).get(ENTRIES[key], 0.0))
+            or ENTRIES[key][0] in support.rigid
             for support in entry.supports
         )
     ]

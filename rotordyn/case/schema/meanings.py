@@ -234,6 +234,9 @@ MEANINGS: dict[str, dict[str, str]] = {
         "stiffness": "of its node against ground, 6×6",
         "damping": "of its node against ground, 6×6",
         "rigid": "freedoms that do not move (`section_forces` only), instead of a stiffness",
+        "speeds": "of the values in lists, ascending; nothing is known beyond the first and last",
+        "table": "CSV file that holds these lists instead "
+        "([columns](conventions.md#tables-over-speed))",
     },
     "whole stiffness": {
         "freedoms": "what rows (loads) and columns (displacements) belong to",
