@@ -23,6 +23,7 @@ PAGES = {
         "spindle.SpindleEntry shaft.ShaftEntry shaft.SectionEntry shaft.MassEntry shaft.DiscEntry "
         "support.SeatEntry growth.GrowthEntry growth.QuadraticEntry growth.FitEntry "
         "growth.ShorteningEntry support.SleeveEntry support.SpringEntry support.SupportEntry "
+        "housing.HousingEntry housing.ModelFilesEntry "
         "matrix.WholeStiffnessEntry matrix.WholeDampingEntry "
         "drawbar.DrawbarEntry spindle.DampingEntry support.BearingDampingEntry"
     ),

@@ -178,6 +178,8 @@ def exact_bending(scene: Scene) -> ExactBending:
     spindle = scene.spindle
     for sentence in obstacles(scene.conditions, spindle.rotor_damping, spindle.supports):
         raise InvalidInput(sentence)
+    if spindle.housings:
+        raise InvalidInput("the exact shaft takes no housings: take shaft: elements")
     # weight differs along a section: constant within elements only
     mesh = scene.mesh if scene.gravity else station_mesh(spindle)
     force = np.zeros((1, 0))

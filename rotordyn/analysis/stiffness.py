@@ -52,6 +52,8 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
                 f"support '{support.name}' couples plane y or the axis to other motions: the "
                 "radial stiffness is solved in plane y alone"
             )
+    if scene.spindle.housings:
+        raise InvalidInput("the radial stiffness takes no housings: ask frf at a low frequency")
     force = np.linspace(0.0, spec.max_force, spec.steps + 1)
     rotor = _rotor(scene, spec)
     found: dict[str, Variant] = {}

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import fields
 
+from rotordyn.analysis.on_housings import directions_on_housings, obstacles_on_housings
 from rotordyn.analysis.shaft import obstacles
 from rotordyn.analysis.specs import (
     BearingMapSpec,
@@ -19,6 +20,7 @@ from rotordyn.analysis.specs import (
     ascending,
 )
 from rotordyn.case.loads import misplaced, overheld, unheld
+from rotordyn.machine.housing import housed_motions
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import RigidSupport, Spindle
 from rotordyn.machine.support import MOTIONS, acts, coupled_motions, entry_name
@@ -108,6 +110,19 @@ def supports_agree(
             )
 
 
+def housings_agree(
+    spindle: Spindle, conditions: Conditions, analyses: Iterable[str]
+) -> Iterator[str]:
+    """The questions and conditions of a case take housings."""
+    if not spindle.housings:
+        return
+    for way, sentence in obstacles_on_housings(conditions, analyses):
+        yield f"{'.'.join(way)}: {sentence}"
+    named = {name for housing in spindle.housings for name in housing.directions}
+    loaded = conditions.axial_force != 0.0 or conditions.gravity != "none"
+    yield from directions_on_housings(named, bool(spindle.seats), loaded)
+
+
 def references_agree(references: Iterable[Reference], conditions: Conditions) -> Iterator[str]:
     """The conditions that references were found under are conditions of a model."""
     known = [field.name for field in fields(conditions)]
@@ -158,7 +173,7 @@ def _question(name: str, spec: Spec, spindle: Spindle) -> Iterator[str]:
             yield from _exists(point, spindle.points, f"{name}: unknown point")
         for pair in spec.pairs:
             ends = (pair[0].direction, pair[1].direction)
-            if motions := uncoupled(*ends, coupled_motions(spindle.supports)):
+            if motions := uncoupled(*ends, _coupled(spindle)):
                 yield (
                     f"{name}: nothing couples {' and '.join(motions)}: given "
                     f"'{pair[0]} / {pair[1]}'; allowed: both ends in one of x; thx; y, z, thy, thz"
@@ -169,6 +184,10 @@ def _question(name: str, spec: Spec, spindle: Spindle) -> Iterator[str]:
         for sleeve in spec.second_stop:
             yield from _exists(sleeve, sleeves, f"{name}: second_stop: unknown sleeve")
         yield from (f"{name}: {sentence}" for sentence in _one_plane(spindle))
+
+
+def _coupled(spindle: Spindle) -> frozenset[str]:
+    return coupled_motions(spindle.supports) | housed_motions(spindle.housings)
 
 
 def _one_plane(spindle: Spindle) -> Iterator[str]:

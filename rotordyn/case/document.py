@@ -42,6 +42,16 @@ def read_document(path: Path, faults: Faults, contents: dict[Path, bytes]) -> No
     return None
 
 
+def read_bytes(path: Path, faults: Faults, contents: dict[Path, bytes]) -> bytes | None:
+    """The bytes of a file that is no YAML, likewise."""
+    try:
+        contents[path] = raw = _bytes(path)
+    except _Refused as refusal:
+        faults.add(Fault(shown(path), refusal.line, refusal.column, "", refusal.message))
+        return None
+    return raw
+
+
 def read_text(path: Path, faults: Faults, contents: dict[Path, bytes]) -> str | None:
     """The text of a file that is no YAML, likewise."""
     try:

@@ -14,6 +14,7 @@ if TYPE_CHECKING:
         QuadraticInSpeed,
         RingGrowth,
     )
+    from rotordyn.machine.housing import ReducedHousing, RigidHousing
     from rotordyn.machine.lumped import Disc, PointMass
     from rotordyn.machine.reference import Reference
     from rotordyn.machine.shaft import Section, Shaft
@@ -30,7 +31,9 @@ _HOME = {
     "PointMass": "lumped",
     "PrescribedShortening": "growth",
     "QuadraticInSpeed": "growth",
+    "ReducedHousing": "housing",
     "Reference": "reference",
+    "RigidHousing": "housing",
     "RingGrowth": "growth",
     "Section": "shaft",
     "Shaft": "shaft",
@@ -49,7 +52,9 @@ __all__ = [
     "PointMass",
     "PrescribedShortening",
     "QuadraticInSpeed",
+    "ReducedHousing",
     "Reference",
+    "RigidHousing",
     "RingGrowth",
     "Section",
     "Shaft",

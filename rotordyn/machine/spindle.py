@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
@@ -10,6 +11,7 @@ from typing import Protocol
 from rotordyn.description import Description, doubled
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.growth import ComputedShortening, InterferenceFit, PrescribedShortening
+from rotordyn.machine.housing import Housing
 from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.shaft import Section, Shaft
@@ -45,6 +47,7 @@ class Spindle(Description):
 
     ``rotor_damping`` [-]: modal damping ratios of the flexible free-free bending modes at rest, in
     order; the last one serves all that follow; empty = none. ``points``: named stations [m].
+    ``housings``: what bearings and supports stand on; those that none carries stand on ground.
     """
 
     name: str
@@ -61,6 +64,7 @@ class Spindle(Description):
     title: str = ""
     note: str = ""
     references: tuple[Reference, ...] = ()
+    housings: tuple[Housing, ...] = ()
 
     def _faults(self) -> Iterator[str]:
         yield from _named_twice("seats", self.seats)
@@ -72,6 +76,12 @@ class Spindle(Description):
         yield from self._shift_faults()
         yield from self._fit_faults()
         yield from held_twice(self.seats, self.supports)
+        yield from (
+            sentence
+            for _, sentence in housing_faults(
+                self.housings, self.seats, self.sleeves, self.supports
+            )
+        )
 
     def _station_faults(self) -> Iterator[str]:
         placed: tuple[PointMass | Disc | BearingSeat | LinearSupport, ...]
@@ -184,6 +194,71 @@ def held_twice(seats: Iterable[object], supports: Iterable[RigidSupport]) -> Ite
             f"support '{taken['x'][0].name}' holds x rigidly beside bearings, whose preload moves "
             "the shaft along: give it a stiffness xx"
         )
+
+
+class Carrier(Protocol):
+    """A housing, as it is given or as it is read."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def carries(self) -> Sequence[str]: ...
+
+
+class Sprung(Protocol):
+    """A sleeve, as it is given or as it is read."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def bearings(self) -> Sequence[str]: ...
+    @property
+    def radial_stiffness(self) -> float: ...
+
+
+class Called(Protocol):
+    """Something that has a name."""
+
+    @property
+    def name(self) -> str: ...
+
+
+def housing_faults(
+    housings: Sequence[Carrier],
+    seats: Iterable[Called],
+    sleeves: Iterable[Sprung],
+    supports: Iterable[RigidSupport],
+) -> Iterator[tuple[int, str]]:
+    """What is wrong with what housings carry: which housing, and a sentence."""
+    bearings = [seat.name for seat in seats]
+    held = {support.name: support for support in supports}
+    sprung = {n: s.name for s in sleeves if s.radial_stiffness < math.inf for n in s.bearings}
+    taken: dict[str, str] = {}
+    for place, housing in enumerate(housings):
+        for name in dict.fromkeys(housing.carries):
+            known = [*bearings, *held]
+            if name not in known:
+                allowed = ", ".join(known) or "none, there are none"
+                yield (
+                    place,
+                    f"carries an unknown support or bearing '{name}'; allowed: {allowed}"
+                    f"{suggestion(name, known)}",
+                )
+            elif name in bearings and name in held:
+                yield place, f"'{name}' is both a support and a bearing: rename one of them"
+            elif name in held and held[name].rigid:
+                yield place, f"support '{name}' is rigid, and a housing that gives way is not"
+            elif name in sprung:
+                yield (
+                    place,
+                    f"bearing '{name}' is on sleeve '{sprung[name]}', whose radial_stiffness holds "
+                    "it against ground: leave that out, or the bearing off the housing",
+                )
+            if name in taken:
+                yield place, f"'{name}' stands on two housings: {taken[name]} and {housing.name}"
+            taken[name] = housing.name
+    for name in doubled(housing.name for housing in housings):
+        yield 0, f"two housings are named '{name}'"
 
 
 def _named_twice(

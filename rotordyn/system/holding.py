@@ -14,6 +14,7 @@ from rotordyn.elements.node import FREEDOMS, position
 from rotordyn.elements.support import BEARING_FREEDOMS, node_matrix, support_matrices, turn
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
+from rotordyn.system.foundation import foundation
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -52,7 +53,8 @@ def held_stiffness(spindle: Spindle, seat_stiffness: Array, closed: Flags, speed
 
     ``seat_stiffness`` (states, seats, 5, 5): tangents in the bearings' own frames; ``closed``
     (states, sleeves): stops that hold their sleeve; ``speed`` (states,) [rad/s]. Sleeves follow
-    their springs along the axis and their radial stiffness across it; they do not tilt.
+    their springs along the axis and their radial stiffness across it; they do not tilt. Housings
+    follow their own stiffness.
     """
     states, seats = len(seat_stiffness), len(spindle.seats)
     count = seats + len(spindle.supports)
@@ -62,7 +64,7 @@ def held_stiffness(spindle: Spindle, seat_stiffness: Array, closed: Flags, speed
     for k, support in enumerate(spindle.supports, start=seats):
         whole[:, k, :, k] = support_matrices(support, "stiffness", speed)
     flat = whole.reshape(states, 6 * count, 6 * count)
-    rows, own = _sleeves(spindle, closed, 6 * count)
+    rows, own = _with_housings(spindle, *_sleeves(spindle, closed, 6 * count))
     inner = np.swapaxes(rows, 1, 2) @ flat @ rows + own
     return np.asarray(flat - flat @ rows @ np.linalg.solve(inner, np.swapaxes(rows, 1, 2) @ flat))
 
@@ -84,6 +86,17 @@ def _sleeves(spindle: Spindle, closed: Flags, size: int) -> tuple[Array, Array]:
         rows[:, [6 * k + freedom for k in carried], column] = free[:, None]
         own[:, column, column] = stiff
     return rows, own
+
+
+def _with_housings(spindle: Spindle, rows: Array, own: Array) -> tuple[Array, Array]:
+    """The same with the coordinates of housings behind those of the sleeves."""
+    if not spindle.housings:
+        return rows, own
+    base, (states, size, k) = foundation(spindle), rows.shape
+    under = np.broadcast_to(base.under.reshape(size, base.size), (states, size, base.size))
+    whole = np.zeros((states, k + base.size, k + base.size))
+    whole[:, :k, :k], whole[:, k:, k:] = own, base.stiffness
+    return np.concatenate([rows, under], axis=2), whole
 
 
 def _springs(axial: float, radial: float) -> tuple[tuple[str, float], ...]:

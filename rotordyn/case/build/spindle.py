@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 from rotordyn import units
 from rotordyn.case.build.bearing import bearing, material
 from rotordyn.case.schema.drawbar import DrawbarEntry
 from rotordyn.case.schema.growth import GrowthEntry, QuadraticEntry, ShorteningEntry
+from rotordyn.case.schema.housing import HousingEntry
 from rotordyn.case.schema.material import MaterialEntry
 from rotordyn.case.schema.matrix import entries
 from rotordyn.case.schema.reference import KIND_OF_UNIT, ReferenceEntry
@@ -22,6 +24,7 @@ from rotordyn.machine.growth import (
     QuadraticInSpeed,
     RingGrowth,
 )
+from rotordyn.machine.housing import Housing, ReducedHousing, RigidHousing
 from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.reference import QUANTITIES, Reference
 from rotordyn.machine.shaft import Section, Shaft
@@ -49,6 +52,7 @@ def spindle(entry: SpindleEntry, name: str) -> Spindle:
         title=entry.title,
         note=entry.note,
         references=references(entry.references),
+        housings=tuple(housing(each) for each in entry.housings),
     )
 
 
@@ -163,6 +167,25 @@ def support(entry: SupportEntry) -> LinearSupport:
     matrices = entries(entry.stiffness), entries(entry.damping)
     rigid, speeds = tuple(entry.rigid), tuple(entry.speeds)
     return LinearSupport(entry.name, entry.x, *matrices, rigid, speeds)
+
+
+def housing(entry: HousingEntry) -> Housing:
+    """A rigid housing, or one by its reduced model."""
+    carries, model = tuple(entry.carries), entry.model
+    if model is None:
+        matrices = entries(entry.stiffness), entries(entry.damping)
+        inertias = entry.polar_inertia, entry.diametral_inertia
+        place = (entry.name, carries, entry.x or 0.0, entry.mass or 0.0)
+        return RigidHousing(*place, *matrices, *inertias)
+    matrix = {name: _rows(getattr(model, name)) for name in ("shape", *_MATRICES)}
+    return ReducedHousing(entry.name, carries, model.places, **matrix)
+
+
+_MATRICES = ("mass", "stiffness", "damping")
+
+
+def _rows(matrix: Any) -> tuple[tuple[float, ...], ...]:
+    return tuple(tuple(row) for row in matrix.tolist())
 
 
 def _drawbar(entry: DrawbarEntry | None) -> Drawbar | None:

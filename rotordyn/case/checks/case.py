@@ -15,9 +15,10 @@ from rotordyn.case.agreement import (
     rigid_supports,
     uncoupled,
 )
-from rotordyn.case.build.spindle import support
+from rotordyn.case.build.spindle import housing, support
 from rotordyn.case.build.sweep import values
 from rotordyn.case.checks.conditions import conditions, sideways
+from rotordyn.case.checks.housing import on_housings
 from rotordyn.case.checks.loads import section_forces
 from rotordyn.case.checks.names import exists
 from rotordyn.case.checks.references import references
@@ -34,6 +35,7 @@ from rotordyn.case.schema.case import CaseEntry
 from rotordyn.case.schema.shaft import ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.errors import InvalidInput
+from rotordyn.machine.housing import housed_motions
 from rotordyn.machine.support import MOTIONS, LinearSupport, coupled_motions, entry_name
 from rotordyn.units import format_quantity
 
@@ -143,6 +145,7 @@ def against_machine(
     supports = _supports(spindle)
     conditions(entry.conditions, supports, spindle, root, faults)
     _known_there(entry, supports, root, faults)
+    on_housings(entry, spindle, root, faults)
     points = [*spindle.points, *(tool.points if tool else {})]
     for name in NEEDS_BEARINGS:
         if getattr(entry.analyses, name) is not None and not spindle.bearings:
@@ -152,7 +155,7 @@ def against_machine(
             for key in ("response", "excitation"):
                 way = ("analyses", "frf", "pairs", index, key)
                 exists(getattr(pair, key).point, points, "point", root, way, faults)
-        coupled = coupled_motions(supports)
+        coupled = coupled_motions(supports) | _housed(spindle)
         known = len(supports) == len(spindle.supports)
         _pairs(entry.analyses.frf, coupled if known else _ALL_MOTIONS, root, faults)
     if entry.analyses.stiffness is not None:
@@ -163,6 +166,15 @@ def against_machine(
         section_forces(entry, spindle, tool, root, faults)
     if spindle.bearings:
         sideways(entry, supports, root, faults)
+
+
+def _housed(spindle: SpindleEntry) -> frozenset[str]:
+    """The motions of the housings that are without fault."""
+    found = []
+    for entry in spindle.housings:
+        with suppress(InvalidInput):
+            found.append(housing(entry))
+    return housed_motions(found)
 
 
 def _known_there(

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rotordyn.case.checks.bearing import seats, sleeves
+from rotordyn.case.checks.housing import housings
 from rotordyn.case.checks.names import exists, unique
 from rotordyn.case.checks.references import references
 from rotordyn.case.checks.shaft import (
@@ -40,6 +41,7 @@ def spindle(entry: SpindleEntry, root: Node, tool: ToolEntry | None, faults: Fau
     _shortening(entry, reach, root, faults)
     _drawbar(entry, reach, root, faults)
     _held(entry, root, faults)
+    housings(entry, root, faults)
     references(entry.references, root, faults)
 
 

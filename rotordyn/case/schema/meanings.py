@@ -155,7 +155,8 @@ MEANINGS: dict[str, dict[str, str]] = {
         "growth": "ring growth of every bearing that gives none itself",
         "shortening": "axial shift of the seats with speed",
         "sleeves": "sliding sleeves with their springs",
-        "supports": "linear supports to ground",
+        "supports": "linear supports to ground, or to the housing that carries them",
+        "housings": "what supports and bearings stand on where that gives way",
         "drawbar": "bar in the bore that pulls the tool into the nose",
         "damping": "of bearings and rotor",
         "points": "named stations",
@@ -237,6 +238,25 @@ MEANINGS: dict[str, dict[str, str]] = {
         "speeds": "of the values in lists, ascending; nothing is known beyond the first and last",
         "table": "CSV file that holds these lists instead "
         "([columns](conventions.md#tables-over-speed))",
+    },
+    "housing": {
+        "name": "of the housing",
+        "carries": "supports and bearings that stand on it; all others stand on ground",
+        "x": "station of its centre of gravity, where its stiffness and damping act",
+        "mass": "of the body",
+        "polar_inertia": "about the axis",
+        "diametral_inertia": "about y or z through its centre of gravity",
+        "stiffness": "of the body against ground, 6×6; it moves in the freedoms named here",
+        "damping": "of the body against ground, 6×6",
+        "model": "path of a .npz file, or a mapping of model files, instead of all these "
+        "([how](conventions.md#housings))",
+    },
+    "model files": {
+        "mass": "Matrix Market file (.mtx), n × n, kg",
+        "stiffness": "likewise, N/m",
+        "damping": "likewise, N·s/m; none by default",
+        "places": "of every coordinate, `front.y` under the support or bearing front; an inner one "
+        'is `""`',
     },
     "whole stiffness": {
         "freedoms": "what rows (loads) and columns (displacements) belong to",

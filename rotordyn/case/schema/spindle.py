@@ -7,6 +7,7 @@ from typing import Any
 from rotordyn.case.schema.base import Entry
 from rotordyn.case.schema.drawbar import DrawbarEntry
 from rotordyn.case.schema.growth import GrowthEntry, ShorteningEntry
+from rotordyn.case.schema.housing import HousingEntry
 from rotordyn.case.schema.reference import ReferenceEntry
 from rotordyn.case.schema.shaft import DiscEntry, MassEntry, ShaftEntry
 from rotordyn.case.schema.support import (
@@ -44,6 +45,7 @@ class SpindleEntry(Entry):
     shortening: ShorteningEntry | None = None
     sleeves: list[SleeveEntry] = []
     supports: list[SupportEntry] = []
+    housings: list[HousingEntry] = []
     drawbar: DrawbarEntry | None = None
     damping: DampingEntry = DampingEntry()
     points: dict[Name, Station] = {}
