@@ -24,6 +24,7 @@ PAGES = {
         "support.SeatEntry growth.GrowthEntry growth.QuadraticEntry growth.FitEntry "
         "growth.ShorteningEntry support.SleeveEntry support.SpringEntry support.SupportEntry "
         "housing.HousingEntry housing.ModelFilesEntry "
+        "joint.JointEntry joint.JointDampingEntry "
         "matrix.WholeStiffnessEntry matrix.WholeDampingEntry "
         "drawbar.DrawbarEntry spindle.DampingEntry support.BearingDampingEntry"
     ),

@@ -180,6 +180,8 @@ def exact_bending(scene: Scene) -> ExactBending:
         raise InvalidInput(sentence)
     if spindle.housings:
         raise InvalidInput("the exact shaft takes no housings: take shaft: elements")
+    if spindle.joints:
+        raise InvalidInput("the exact shaft takes no joints: take shaft: elements")
     # weight differs along a section: constant within elements only
     mesh = scene.mesh if scene.gravity else station_mesh(spindle)
     force = np.zeros((1, 0))

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import fields
 
 from rotordyn.analysis.on_housings import directions_on_housings, obstacles_on_housings
+from rotordyn.analysis.on_joints import obstacles_of_joints
 from rotordyn.analysis.shaft import obstacles
 from rotordyn.analysis.specs import (
     BearingMapSpec,
@@ -113,7 +114,9 @@ def supports_agree(
 def housings_agree(
     spindle: Spindle, conditions: Conditions, analyses: Iterable[str]
 ) -> Iterator[str]:
-    """The questions and conditions of a case take housings."""
+    """The questions and conditions of a case take housings and joints."""
+    for way, sentence in obstacles_of_joints(conditions, analyses) if spindle.joints else ():
+        yield f"{'.'.join(way)}: {sentence}"
     if not spindle.housings:
         return
     for way, sentence in obstacles_on_housings(conditions, analyses):

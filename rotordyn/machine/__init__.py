@@ -15,6 +15,7 @@ if TYPE_CHECKING:
         RingGrowth,
     )
     from rotordyn.machine.housing import ReducedHousing, RigidHousing
+    from rotordyn.machine.joint import Joint
     from rotordyn.machine.lumped import Disc, PointMass
     from rotordyn.machine.reference import Reference
     from rotordyn.machine.shaft import Section, Shaft
@@ -27,6 +28,7 @@ _HOME = {
     "Disc": "lumped",
     "Drawbar": "drawbar",
     "InterferenceFit": "growth",
+    "Joint": "joint",
     "LinearSupport": "support",
     "PointMass": "lumped",
     "PrescribedShortening": "growth",
@@ -48,6 +50,7 @@ __all__ = [
     "Disc",
     "Drawbar",
     "InterferenceFit",
+    "Joint",
     "LinearSupport",
     "PointMass",
     "PrescribedShortening",

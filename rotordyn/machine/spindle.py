@@ -12,6 +12,7 @@ from rotordyn.description import Description, doubled
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.growth import ComputedShortening, InterferenceFit, PrescribedShortening
 from rotordyn.machine.housing import Housing
+from rotordyn.machine.joint import Joint
 from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.shaft import Section, Shaft
@@ -33,6 +34,7 @@ class Tool(Description):
     masses: tuple[PointMass, ...] = ()
     points: Mapping[Name, Station] = field(default_factory=dict)
     references: tuple[Reference, ...] = ()
+    joints: tuple[Joint, ...] = ()
 
     def _faults(self) -> Iterator[str]:
         if not self.sections:
@@ -48,6 +50,7 @@ class Spindle(Description):
     ``rotor_damping`` [-]: modal damping ratios of the flexible free-free bending modes at rest, in
     order; the last one serves all that follow; empty = none. ``points``: named stations [m].
     ``housings``: what bearings and supports stand on; those that none carries stand on ground.
+    ``joints``: between parts of the shaft.
     """
 
     name: str
@@ -65,6 +68,7 @@ class Spindle(Description):
     note: str = ""
     references: tuple[Reference, ...] = ()
     housings: tuple[Housing, ...] = ()
+    joints: tuple[Joint, ...] = ()
 
     def _faults(self) -> Iterator[str]:
         yield from _named_twice("seats", self.seats)
@@ -76,6 +80,7 @@ class Spindle(Description):
         yield from self._shift_faults()
         yield from self._fit_faults()
         yield from held_twice(self.seats, self.supports)
+        yield from self._joint_faults()
         yield from (
             sentence
             for _, sentence in housing_faults(
@@ -90,6 +95,22 @@ class Spindle(Description):
             yield from self.off_the_shaft(f"{type(item).__name__} {item.name}", item.x)
         for x in self.drawbar.stations if self.drawbar else ():
             yield from self.off_the_shaft("drawbar", x)
+
+    def _joint_faults(self) -> Iterator[str]:
+        for name in doubled(joint.name for joint in self.joints):
+            yield f"two joints are named '{name}'"
+        start, end = self.shaft.start, self.shaft.end
+        taken: list[Joint] = []
+        for joint in self.joints:
+            if not start + SLACK < joint.x < end - SLACK:
+                yield (
+                    f"Joint {joint.name} joins no two parts: given {joint.x:.6g} m; allowed: "
+                    f"between {start:.6g} m and {end:.6g} m"
+                )
+            for other in taken:
+                if abs(joint.x - other.x) <= SLACK:
+                    yield f"joints '{other.name}' and '{joint.name}' are at the same station"
+            taken.append(joint)
 
     def off_the_shaft(self, what: str, x: float) -> Iterator[str]:
         """A sentence where station ``x`` [m] of ``what`` does not lie on the shaft."""
@@ -166,6 +187,7 @@ class Spindle(Description):
             masses=self.masses + tool.masses,
             points={**self.points, **tool.points},
             references=self.references + tool.references,
+            joints=self.joints + tool.joints,
         )
 
 

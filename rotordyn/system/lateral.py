@@ -138,10 +138,11 @@ def lateral_system(
         own_stiffness += np.tensordot(axial_force, rotor.per_newton, 1) + rotor.bar
     if softened:
         own_stiffness -= (speed**2)[:, None, None] * rotor.translational_mass
-    own_damping = np.diag(2.0 * rotor.damping_ratio * np.sqrt(rotor.stiffness))
+    own_damping = np.diag(2.0 * rotor.damping_ratio * np.sqrt(rotor.stiffness)) + rotor.joints
+    turned = speed[:, None, None] * rotor.joints  # dampers that turn with the shaft
     gyroscopic = speed[:, None, None] * rotor.polar
     if _alike(k) and _alike(c):
-        stiffness = own_stiffness + _gathered(rows, _complex(k))
+        stiffness = own_stiffness - 1j * turned + _gathered(rows, _complex(k))
         damping = own_damping + _gathered(rows, _complex(c))
         blocks = _complex(k), _complex(c)
         if turning:
@@ -160,7 +161,9 @@ def lateral_system(
     return LateralSystem(
         rotor,
         False,
-        _both(own_stiffness + zero) + _gathered(_both(rows), k),
+        _both(own_stiffness + zero)
+        + _two_by_two(zero, turned, -turned, zero)
+        + _gathered(_both(rows), k),
         _both(own_damping + zero) + across + _gathered(_both(rows), c),
         np.zeros_like(speed),
         k,

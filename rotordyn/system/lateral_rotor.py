@@ -18,6 +18,7 @@ from rotordyn.system.hierarchic_rotor import (
     beams,
     bending_hierarchy,
     deflections,
+    jump_damping,
     resolved_whirl,
     rigid_motions,
     slopes,
@@ -75,7 +76,7 @@ class LateralRotor:
     sleeves, if any; ``weightless`` (m,) is 1 for those that have no mass of their own, else 0.
     ``remainder``: what the coordinates leave out; None for a rigid rotor.
     ``resolved`` [Hz]: highest frequency that the elements carry within the accuracy asked for, or
-    within ``USUAL`` where none is.
+    within ``USUAL`` where none is. ``joints`` (m, m): damping by joints, which turn with the shaft.
     """
 
     basis: Array
@@ -91,6 +92,7 @@ class LateralRotor:
     weightless: Array
     remainder: Remainder | None
     resolved: float
+    joints: Array
 
     @property
     def size(self) -> int:
@@ -113,6 +115,7 @@ class _Reduced:
     per_newton: Array
     remainder: Remainder | None
     resolved: float
+    joints: Array
 
 
 def lateral_rotor(
@@ -162,6 +165,7 @@ def lateral_rotor(
         ),
         remainder=free.remainder.widened(more) if free.remainder else None,
         resolved=free.resolved,
+        joints=_bordered(free.joints, more),
     )
 
 
@@ -169,7 +173,7 @@ def _flexible(
     spindle: Spindle, mesh: Mesh, fineness: Fineness, ports: tuple[int, ...], tension: Stiffening
 ) -> _Reduced:
     elements = _elements(spindle, mesh, fineness)
-    plane = loaded_plane(spindle, elements.mesh, elements.matrices())
+    plane = loaded_plane(spindle, elements)
     seen = deflections(spindle, elements, mesh.x)
     loads = seen[_loaded(spindle, mesh, ports)].T
     couplings = [plane.polar, *(seen.T @ c @ seen for c in _drawbar(spindle, mesh, tension))]
@@ -192,6 +196,7 @@ def _flexible(
         ),
         resolved=resolved_whirl(spindle, elements, fineness.spin, fineness.accuracy or USUAL)
         / (2.0 * math.pi),
+        joints=jump_damping(elements, vectors),
     )
 
 
@@ -224,7 +229,7 @@ def _rigid(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> _Reduced:
     basis = np.asarray(np.linalg.solve(factor, shape.T).T)
     polar, translation = (basis.T @ m @ basis for m in (plane.polar, plane.translational_mass))
     along = tension.projected(basis.reshape(-1, 2, 2))
-    return _Reduced(basis, np.zeros(2), polar, translation, along, None, math.inf)
+    return _Reduced(basis, np.zeros(2), polar, translation, along, None, math.inf, np.zeros((2, 2)))
 
 
 def _drawbar(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> list[Array]:

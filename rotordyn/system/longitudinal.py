@@ -23,12 +23,14 @@ from rotordyn.system.assemble import loaded_rod
 from rotordyn.system.dofs import AXIAL, TORSION, Selection
 from rotordyn.system.hierarchic_rotor import (
     axial_properties,
+    jump_damping,
     rod_displacements,
     rod_hierarchy,
     rods,
     torsion_properties,
 )
 from rotordyn.system.hierarchy import Hierarchy
+from rotordyn.system.jumps import jumps
 from rotordyn.system.lateral_rotor import Fineness, damping_ratios, sleeve_mass
 from rotordyn.system.mesh import Mesh
 from rotordyn.system.remainder import Remainder, remainder
@@ -124,6 +126,7 @@ def axial_system(
     dampers += [along_and_about(s, "damping")[0, 0] for s in spindle.supports]
     damping = np.einsum("c,ci,cj->ij", np.array(dampers), rows, rows, optimize=True)
     own = np.arange(modal)
+    damping[:modal, :modal] += free.joints
     stiffness[:, own, own] += values
     damping[own, own] += 2.0 * damping_ratios(values, spindle.rotor_damping[-1:]) * np.sqrt(values)
     closed = stops[:, [spindle.sleeves.index(s) for s in sliding]]
@@ -170,7 +173,9 @@ def torsion_system(
         held = np.einsum("c,ci,cj->ij", np.array(entries), rows, rows)
         one = np.array(entries).reshape(1, -1, 1, 1)
         blocks.append(np.broadcast_to(one, (speeds, *one.shape[1:])))
-        matrices.append(np.broadcast_to(np.diag(diagonal) + held, (speeds, *held.shape)))
+        joints = free.joints if which == "damping" else 0.0
+        whole = np.diag(diagonal) + held + joints
+        matrices.append(np.broadcast_to(whole, (speeds, *held.shape)))
     return RodSystem(
         "thx",
         basis,
@@ -187,23 +192,27 @@ def torsion_system(
 
 @dataclass(frozen=True, slots=True)
 class _Rod:
-    """One of the two motions along the shaft: what its elements are made of, what it carries."""
+    """One of the two motions along the shaft: what its elements are made of, what it carries, the
+    way in which joints give."""
 
     properties: Callable[[Mesh], tuple[Array, Array]]
     selection: Selection
+    way: str
 
 
-_AXIAL = _Rod(axial_properties, AXIAL)
-_TORSION = _Rod(torsion_properties, TORSION)
+_AXIAL = _Rod(axial_properties, AXIAL, "axial")
+_TORSION = _Rod(torsion_properties, TORSION, "torsion")
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Reduced:
-    """Reduced coordinates of a free rod: seen at the nodes (nodes, m), stiffness (m,)."""
+    """Reduced coordinates of a free rod: seen at the nodes (nodes, m), stiffness (m,); ``joints``
+    (m, m): damping by these."""
 
     at_nodes: Array
     values: Array
     remainder: Remainder | None
+    joints: Array
 
 
 def _reduced(
@@ -216,25 +225,27 @@ def _reduced(
     rigid: bool,
 ) -> _Reduced:
     elements = _elements(rod, spindle, mesh, fineness)
-    whole = loaded_rod(spindle, elements.mesh, elements.matrices(), rod.selection)
+    whole = loaded_rod(spindle, elements, rod.selection)
     if rigid:
         count = elements.mesh.nodes
         one = np.ones((mesh.nodes, 1)) / math.sqrt(whole.mass[:count, :count].sum())
-        return _Reduced(one, np.zeros(1), None)
+        return _Reduced(one, np.zeros(1), None, np.zeros((1, 1)))
     seen = rod_displacements(elements, mesh.x)
     loads = seen[sorted(set(stations))].T
     together = (np.arange(elements.size) < elements.mesh.nodes).astype(float)[:, None]
     basis = ritz_basis(whole.mass, whole.stiffness, fineness.cutoff, loads, together)
     left_out = remainder(elements, basis, {"mass": whole.mass}, seen)
-    return _Reduced(seen @ basis.vectors, basis.values, left_out)
+    damped = jump_damping(elements, basis.vectors)
+    return _Reduced(seen @ basis.vectors, basis.values, left_out, damped)
 
 
 def _elements(rod: _Rod, spindle: Spindle, mesh: Mesh, fineness: Fineness) -> Hierarchy:
     """Linear rods between all nodes, or those that the accuracy asks for."""
     if fineness.accuracy is None:
-        return rods(mesh, np.ones(mesh.nodes - 1, dtype=np.intp), rod.properties)
+        degree = np.ones(mesh.nodes - 1, dtype=np.intp)
+        return rods(mesh, degree, rod.properties, jumps(spindle, (rod.way,)))
     omega = 2.0 * math.pi * fineness.frequency
-    return rod_hierarchy(spindle, omega, fineness.accuracy, rod.properties)
+    return rod_hierarchy(spindle, omega, fineness.accuracy, rod.properties, rod.way)
 
 
 def _carried(spindle: Spindle, sliding: list[Sleeve], axial_stiffness: Array) -> Array:

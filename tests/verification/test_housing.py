@@ -358,7 +358,8 @@ def test_all_files_of_a_model_say_the_same(tmp_path: Path) -> None:
 def test_a_rigid_housing_in_a_case(tmp_path: Path) -> None:
     text = (
         "[{name: box, carries: [front, rear], x: 200 mm, mass: 20 kg,"
-        " diametral_inertia: 0.4 kg m^2, stiffness: {yy: 90 N/um, zz: 60 N/um, thz_thz: 2 MN m/rad}, damping: {yy: 100 N s/m}}]"
+        " diametral_inertia: 0.4 kg m^2, damping: {yy: 100 N s/m},"
+        " stiffness: {yy: 90 N/um, zz: 60 N/um, thz_thz: 2 MN m/rad}}]"
     )
     frequency, made = solve(tmp_path, text)
     (box,) = made.spindle.housings  # type: ignore[attr-defined]

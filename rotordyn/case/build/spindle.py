@@ -7,6 +7,7 @@ from typing import Any
 
 from rotordyn import units
 from rotordyn.case.build.bearing import bearing, material
+from rotordyn.case.build.joint import joint
 from rotordyn.case.schema.drawbar import DrawbarEntry
 from rotordyn.case.schema.growth import GrowthEntry, QuadraticEntry, ShorteningEntry
 from rotordyn.case.schema.housing import HousingEntry
@@ -53,6 +54,7 @@ def spindle(entry: SpindleEntry, name: str) -> Spindle:
         note=entry.note,
         references=references(entry.references),
         housings=tuple(housing(each) for each in entry.housings),
+        joints=tuple(joint(each) for each in entry.joints),
     )
 
 
@@ -64,6 +66,7 @@ def tool(entry: ToolEntry, name: str) -> Tool:
         masses=tuple(_mass(mass) for mass in entry.masses),
         points=dict(entry.points),
         references=references(entry.references),
+        joints=tuple(joint(each) for each in entry.joints),
     )
 
 

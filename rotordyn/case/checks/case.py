@@ -19,6 +19,7 @@ from rotordyn.case.build.spindle import housing, support
 from rotordyn.case.build.sweep import values
 from rotordyn.case.checks.conditions import conditions, sideways
 from rotordyn.case.checks.housing import on_housings
+from rotordyn.case.checks.joint import on_joints
 from rotordyn.case.checks.loads import section_forces
 from rotordyn.case.checks.names import exists
 from rotordyn.case.checks.references import references
@@ -146,6 +147,7 @@ def against_machine(
     conditions(entry.conditions, supports, spindle, root, faults)
     _known_there(entry, supports, root, faults)
     on_housings(entry, spindle, root, faults)
+    on_joints(entry, spindle, tool, root, faults)
     points = [*spindle.points, *(tool.points if tool else {})]
     for name in NEEDS_BEARINGS:
         if getattr(entry.analyses, name) is not None and not spindle.bearings:

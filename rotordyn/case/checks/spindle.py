@@ -6,6 +6,7 @@ from collections.abc import Sequence
 
 from rotordyn.case.checks.bearing import seats, sleeves
 from rotordyn.case.checks.housing import housings
+from rotordyn.case.checks.joint import joints
 from rotordyn.case.checks.names import exists, unique
 from rotordyn.case.checks.references import references
 from rotordyn.case.checks.shaft import (
@@ -42,6 +43,7 @@ def spindle(entry: SpindleEntry, root: Node, tool: ToolEntry | None, faults: Fau
     _drawbar(entry, reach, root, faults)
     _held(entry, root, faults)
     housings(entry, root, faults)
+    joints(entry.joints, (reach[0] - _length(tool), reach[1]), (), root, faults)
     references(entry.references, root, faults)
 
 
@@ -54,9 +56,11 @@ def tool(entry: ToolEntry, root: Node, machine: SpindleEntry | None, faults: Fau
         return
     nose = machine.shaft.start
     reach = (nose - _length(entry), nose)
+    machine_end = span(machine.shaft.start, machine.shaft.sections)[1]
     points_on_shaft(entry.points, reach, root, faults)
     for index, mass in enumerate(entry.masses):
         on_shaft(mass.x, reach, "mass", root, ("masses", index, "x"), faults)
+    joints(entry.joints, (reach[0], machine_end), machine.joints, root, faults)
     for name in entry.points:
         if name in machine.points:
             faults.at_key(root, ("points", name), "name already taken by a point of the spindle")

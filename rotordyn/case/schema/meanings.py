@@ -157,6 +157,7 @@ MEANINGS: dict[str, dict[str, str]] = {
         "sleeves": "sliding sleeves with their springs",
         "supports": "linear supports to ground, or to the housing that carries them",
         "housings": "what supports and bearings stand on where that gives way",
+        "joints": "between parts of the shaft, as of a tool holder",
         "drawbar": "bar in the bore that pulls the tool into the nose",
         "damping": "of bearings and rotor",
         "points": "named stations",
@@ -251,6 +252,21 @@ MEANINGS: dict[str, dict[str, str]] = {
         "model": "path of a .npz file, or a mapping of model files, instead of all these "
         "([how](conventions.md#housings))",
     },
+    "joint": {
+        "name": "of the joint",
+        "x": "station; what sits there belongs to the part in front",
+        "radial": "spring across the axis",
+        "tilt": "spring against bending",
+        "axial": "spring along the axis",
+        "torsion": "spring against twist",
+        "damping": "dampers that turn with the shaft",
+    },
+    "joint damping": {
+        "radial": "across the axis",
+        "tilt": "against bending",
+        "axial": "along the axis",
+        "torsion": "against twist",
+    },
     "model files": {
         "mass": "Matrix Market file (.mtx), n × n, kg",
         "stiffness": "likewise, N/m",
@@ -287,6 +303,7 @@ MEANINGS: dict[str, dict[str, str]] = {
         "material": "of sections that name none",
         "sections": "from its tip to the nose face",
         "masses": "rigid masses on the tool",
+        "joints": "of the tool, or between tool and spindle; x = 0 is the nose face",
         "points": "named stations, in coordinates of the spindle (negative)",
         "references": "known values shown beside the computed ones",
     },

@@ -7,6 +7,7 @@ from typing import Annotated
 from pydantic import Discriminator, Field, Tag
 
 from rotordyn.case.schema.base import Entry, form
+from rotordyn.case.schema.joint import JointEntry
 from rotordyn.case.schema.material import OptionalMaterial
 from rotordyn.case.schema.reference import ReferenceEntry
 from rotordyn.case.schema.values import (
@@ -89,4 +90,5 @@ class ToolEntry(Entry):
     sections: Sections
     masses: list[MassEntry] = []
     points: dict[Name, Station] = {}
+    joints: list[JointEntry] = []
     references: list[ReferenceEntry] = []
