@@ -17,6 +17,7 @@ from rotordyn.case.schema.reference import KIND_OF_UNIT, ReferenceEntry
 from rotordyn.case.schema.shaft import DiscEntry, MassEntry, SectionEntry, ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.case.schema.support import SeatEntry, SleeveEntry, SupportEntry
+from rotordyn.machine.cone import cone
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.growth import (
     ComputedShortening,
@@ -94,10 +95,9 @@ def _reference(entry: ReferenceEntry) -> Reference:
 
 def _sections(entries: Sequence[SectionEntry], common: MaterialEntry | None) -> tuple[Section, ...]:
     return tuple(
-        Section(
-            s.length, s.outer_diameter, s.inner_diameter, material(s.material or common), s.name
-        )
+        cylinder
         for s in entries
+        for cylinder in cone(s.length, s.outer, s.inner, material(s.material or common), s.name)
     )
 
 

@@ -174,6 +174,8 @@ MEANINGS: dict[str, dict[str, str]] = {
         "length": "along the axis",
         "outer_diameter": "above the inner one",
         "inner_diameter": "bore",
+        "rear_outer_diameter": "where it is another one at the rear end: a cone",
+        "rear_inner_diameter": "likewise, of the bore",
         "material": "instead of that of the shaft",
     },
     "mass": {
