@@ -111,7 +111,8 @@ def _criticals(scene: Scene) -> list[tuple[str, float]]:
         return []
     asked = CampbellSpec(max_frequency=BEYOND * top / (2.0 * math.pi), shapes=False)
     found = campbell.answer(scene, asked)
-    return list(zip(found.critical, found.critical_speed.tolist(), strict=True))
+    every = zip(found.critical, found.critical_speed.tolist(), found.critical_excited, strict=True)
+    return [(name, speed) for name, speed, excited in every if excited]
 
 
 def _errors(scene: Scene, displacement: Complex, nodes: list[int], placed: list[Acting]) -> Array:
