@@ -10,7 +10,9 @@ import numpy as np
 import pytest
 
 import rotordyn
-from rotordyn.analysis import campbell, frf, section_forces, stiffness
+from rotordyn.analysis import campbell, criticals, frf, section_forces, stiffness
+from rotordyn.analysis.branches import branches_of
+from rotordyn.analysis.roots import Start, solved
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import (
     CampbellSpec,
@@ -265,3 +267,36 @@ def test_critical_speeds_and_threshold_within_the_table() -> None:
         for at in result.stability_threshold * np.array([1.0 - 1e-6, 1.0 + 1e-6])
     ]
     assert growth[0] < 0.0 < growth[1]
+
+
+def rising() -> Scene:
+    """Both planes alike, stiffer with speed: the second mode stays above the line of rotation."""
+    both = {(way, way): (1e6, 5e7, 9e7) for way in "yz"}
+    film = LinearSupport("film", 0.03, both, speeds=SPEEDS)
+    rotor = on(film, support("other", 0.2, (4e7, 4e7)))
+    return Scene(rotor, Conditions(), np.linspace(0.0, SPEEDS[-1], 5), 1500.0)
+
+
+def test_no_critical_speed_by_the_supports_of_one_speed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The eigenproblem of constant supports is not asked where tables make them change."""
+
+    def asked(*_: object) -> None:
+        raise AssertionError("solved as if the supports were constant")
+
+    monkeypatch.setattr(criticals, "synchronous", asked)
+    found = campbell.answer(rising(), CampbellSpec(1500.0, engine_orders=(1,)))
+    assert len([name for name in found.critical if name.startswith("bending")]) == 2
+
+
+def test_no_critical_speed_where_a_search_ends_at_the_range() -> None:
+    """Without a root the secants stay at an end of the range; that is none."""
+    whole, spec = rising(), CampbellSpec(1500.0)
+    branches, top = branches_of(whole, spec), SPEEDS[-1]
+    above = [
+        Start(k, 1, 0.5 * top, 0.0, top, b.vector[-1], float(np.sign(b.pole[-1].imag)))
+        for k, b in enumerate(branches)
+        if b.kind == "bending" and (np.abs(b.pole.imag) > whole.speed).all()
+    ]
+    assert len(above) >= 1
+    for _, speed, state in solved(whole, spec, branches, above):
+        assert speed == pytest.approx(abs(state.pole.imag), rel=1e-6)
