@@ -151,6 +151,10 @@ LOAD = Quantity("force", above="0 N", at_most="10000 kN")
 PRELOAD = Quantity("force", at_least="0 N", at_most="10000 kN")
 PULL = Quantity("force", at_least="0 N", at_most="100000 kN")
 RIGIDITY = Quantity("stiffness", above="0 N/m", at_most="1e6 MN/m", infinite="rigid")
+TILT_RIGIDITY = Quantity(
+    "tilt stiffness", above="0 N m/rad", at_most="1e6 MN m/rad", infinite="rigid"
+)
+TILT_DAMPING = Quantity("tilt damping", at_least="0 N m s/rad", at_most="1e6 kN m s/rad")
 DAMPING = Quantity("damping", at_least="0 N s/m", at_most="1e6 kN s/m")
 DAMPING_RATIO = Quantity("ratio", at_least="0 %", below="100 %")
 SHARE = Quantity("ratio", at_least="0 %", at_most="100 %")
@@ -193,6 +197,8 @@ Load = Annotated[float, LOAD]
 Preload = Annotated[float, PRELOAD]
 Pull = Annotated[float, PULL]
 Rigidity = Annotated[float, RIGIDITY]
+TiltRigidity = Annotated[float, TILT_RIGIDITY]
+TiltDamping = Annotated[float, TILT_DAMPING]
 Damping = Annotated[float, DAMPING]
 DampingRatio = Annotated[float, DAMPING_RATIO]
 Share = Annotated[float, SHARE]

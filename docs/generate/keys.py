@@ -26,6 +26,8 @@ PAGES = {
         "spindle.SpindleEntry shaft.ShaftEntry shaft.SectionEntry shaft.MassEntry shaft.DiscEntry "
         "support.SeatEntry growth.GrowthEntry growth.QuadraticEntry growth.FitEntry "
         "growth.ShorteningEntry support.SleeveEntry support.SpringEntry support.SupportEntry "
+        "housing.HousingEntry housing.ModelFilesEntry "
+        "joint.JointEntry joint.JointDampingEntry "
         "matrix.WholeStiffnessEntry matrix.WholeDampingEntry "
         "drawbar.DrawbarEntry spindle.DampingEntry spindle.RayleighEntry "
         "support.BearingDampingEntry"

@@ -16,6 +16,7 @@ from rotordyn.machine.support import MOTIONS
 from rotordyn.numerics.modes import Modes
 from rotordyn.system.coupled import CoupledSystem
 from rotordyn.system.estimate import (
+    Ground,
     Joined,
     LeftOut,
     Unbalanced,
@@ -43,7 +44,9 @@ def left_out(scene: Scene, motion: str) -> LeftOut | None:
             if own is None:
                 return None
             parts[name] = own
-        return Joined(parts, system.places, system.supports, system.at_supports)
+        on = system.carried
+        ground = None if on is None else Ground(on.held, on.damped, on.under, on.size)
+        return Joined(parts, system.places, system.supports, system.at_supports, ground)
     return Unbalanced.of(system, _spin(scene, motion, len(found.pole)))
 
 

@@ -23,11 +23,12 @@ HALVINGS = 30
 class Loading:
     """Axial states of a machine: bearing loads (states, seats) [N] and tangents in their frames.
 
-    ``mesh`` is asked for only where the shaft is compressed. ``force`` [N] on the front end and
-    ``gravity`` [m/s²], towards +x.
+    ``speed`` (states,) [rad/s]: of the shaft. ``mesh`` is asked for only where the shaft is
+    compressed. ``force`` [N] on the front end and ``gravity`` [m/s²], towards +x.
     """
 
     spindle: Spindle
+    speed: Array
     mesh: Callable[[], Mesh]
     seat_load: Array
     seat_stiffness: Array
@@ -35,22 +36,22 @@ class Loading:
     gravity: float
     rigid: bool
 
-    def outcomes(self, speed: Array) -> tuple[str, ...]:
-        """Per state: empty, or that the shaft buckles at this ``speed`` and what would hold."""
+    def outcomes(self) -> tuple[str, ...]:
+        """Per state: empty, or that the shaft buckles at this speed and what would hold."""
         known = np.asarray(np.isfinite(self.seat_load).all(axis=1))
         if not known.any() or not self._along(self.spindle, 1.0).compresses:
-            return ("",) * len(speed)
+            return ("",) * len(self.speed)
         held = np.full(len(known), True)
         held[known] = self.at(np.flatnonzero(known))._withstands(1.0, 1.0)
         return tuple(
-            "" if stands else self.at(np.array([row]))._sentence(speed[row] * RPM.factor)
+            "" if stands else self.at(np.array([row]))._sentence(self.speed[row] * RPM.factor)
             for row, stands in enumerate(held)
         )
 
     def at(self, index: NDArray[np.intp]) -> Loading:
         """Some of the states."""
         load, stiffness = self.seat_load[index], self.seat_stiffness[index]
-        return replace(self, seat_load=load, seat_stiffness=stiffness)
+        return replace(self, speed=self.speed[index], seat_load=load, seat_stiffness=stiffness)
 
     def _withstands(self, forces: float, bar: float) -> NDArray[np.bool_]:
         """States that stand with shares of all axial forces, and of the drawbar's."""
@@ -59,7 +60,8 @@ class Loading:
             own = replace(spindle.drawbar, force=bar * spindle.drawbar.force) if bar > 0.0 else None
             spindle = replace(spindle, drawbar=own)
         loaded = self._condensed(spindle, self._along(spindle, forces))
-        return withstands(spindle, loaded, self._condensed(spindle, None), self.seat_stiffness)
+        unloaded = self._condensed(spindle, None)
+        return withstands(spindle, loaded, unloaded, self.seat_stiffness, self.speed)
 
     def _along(self, spindle: Spindle, share: float) -> AxialForce:
         load, force, gravity = self.seat_load, self.force, self.gravity
@@ -68,7 +70,7 @@ class Loading:
     def _condensed(self, spindle: Spindle, along: AxialForce | None) -> CondensedRotor:
         force = None if along is None else along.bending(self.mesh().middle)
         start = spindle.shaft.start
-        return condensed_rotor(spindle, self.mesh(), start, force, rigid=self.rigid)
+        return condensed_rotor(spindle, self.mesh(), start, force, self.speed, rigid=self.rigid)
 
     def _sentence(self, rpm: float) -> str:
         """For a single state that buckles."""

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analysis.accuracy import frequency_error
 from rotordyn.analysis.branches import Branch, branches_of, home_of
-from rotordyn.analysis.certificate import Count, count
+from rotordyn.analysis.certificate import Count, bounded, count
 from rotordyn.analysis.character import character, rigid_share
 from rotordyn.analysis.criticals import critical_speeds
 from rotordyn.analysis.exact_bending import ExactBending
@@ -32,15 +32,20 @@ FINER = 2  # times that more modes are tried where the count is not proven
 def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     """Bending, axial and torsion modes up to ``spec.max_frequency``.
 
-    Where their number is not proven, once more from more free-free modes.
+    Where their number is not proven, but could be, once more from more free-free modes.
     """
     found = _answer(scene, spec)
     for _ in range(FINER):
-        if found.certified[scene.usable].all():
+        if found.certified[scene.usable].all() or not _provable(scene):
             break
         scene = scene.beyond(2.0)
         found = _answer(scene, spec)
     return found
+
+
+def _provable(scene: Scene) -> bool:
+    """False where no reduction, however fine, has a proof."""
+    return all(bounded(scene, motion) for motion in ("bending", "axial", "torsion"))
 
 
 def _answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:

@@ -17,12 +17,15 @@ from rotordyn.analysis.scene import Scene
 from rotordyn.numerics.modes import Modes
 from rotordyn.numerics.rouche import same_count, wide_gap
 from rotordyn.system.coupled import CoupledSystem
+from rotordyn.system.jumps import BENDING, jumps
 from rotordyn.system.lateral import LateralSystem
 from rotordyn.system.leakage import CoupledLeakage, Leakage
 from rotordyn.system.longitudinal import RodSystem
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
+System = LateralSystem | RodSystem | CoupledSystem
+_WAYS = {"bending": BENDING, "axial": ("axial",), "torsion": ("torsion",)}
 BEYOND = 1.5  # the disc ends in the widest gap of the poles up to this multiple of the band
 OSCILLATING = 1e-6  # of |pole|: less imaginary part than that is no vibration
 UNMOVED = 1e-9  # of the largest force of any mode: less is rounding
@@ -82,7 +85,8 @@ def _whirling(system: object) -> bool:
 def certificate(scene: Scene, motion: str, highest: float) -> Certificate:
     """Of the system that ``motion`` is part of, for all up to ``highest`` [rad/s].
 
-    A rigid rotor is its own assembled system: its count needs no proof.
+    A rigid rotor is its own assembled system: its count needs no proof. Nothing is proven of an
+    elastic one on housings or with dampers in its joints (bound ∞).
     """
     system, found = scene.vibration(motion)
     pole = (
@@ -92,6 +96,8 @@ def certificate(scene: Scene, motion: str, highest: float) -> Certificate:
     leakage = _leakage(scene, motion, system, radius)
     if leakage is None:
         return Certificate(radius, np.zeros(len(radius)))
+    if not bounded(scene, motion):
+        return Certificate(radius, np.full(len(radius), np.inf))
     free = found.at_rest(getattr(system, "frame", None))
     right = leakage.forces(found.vector, 1.0)
     left = leakage.forces(_left_vectors(found), -1.0)
@@ -102,7 +108,7 @@ def certificate(scene: Scene, motion: str, highest: float) -> Certificate:
 
 
 def _leakage(
-    scene: Scene, motion: str, system: LateralSystem | RodSystem | CoupledSystem, radius: Array
+    scene: Scene, motion: str, system: System, radius: Array
 ) -> Leakage | CoupledLeakage | None:
     """None of a rigid rotor."""
     if isinstance(system, CoupledSystem):
@@ -119,6 +125,17 @@ def _leakage(
     spin = scene.speed[scene.usable] if bending else np.zeros(len(radius))
     softened = spin**2 if scene.conditions.formulation == SOFTENED else 0.0 * spin
     return Leakage(system, system.unreduced, spin, radius, softened)
+
+
+def bounded(scene: Scene, motion: str) -> bool:
+    """False where housings or dampers of joints put forces on the rest that have no known bound."""
+    system, named = scene.vibration(motion)[0], [motion]
+    if isinstance(system, CoupledSystem):
+        if system.carried is not None:
+            return False
+        named = list(system.parts)
+    ways = tuple(way for name in named for way in _WAYS[name])
+    return not any(jump.damping for jump in jumps(scene.spindle, ways))
 
 
 def _left_vectors(found: Modes) -> NDArray[np.complex128]:

@@ -113,6 +113,7 @@ def _constant(scene: Scene) -> bool:
         "bending" not in scene.coupled_motions
         and not scene.bends_exactly
         and not scene.spindle.seats
+        and not any(support.speeds for support in scene.spindle.supports)
         and scene.conditions.formulation not in (ROTATING, SOFTENED)
         and (force is None or bool((force == force[:1]).all()))
     )

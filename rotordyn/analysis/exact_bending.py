@@ -178,6 +178,10 @@ def exact_bending(scene: Scene) -> ExactBending:
     spindle = scene.spindle
     for sentence in obstacles(scene.conditions, spindle.damped, spindle.supports):
         raise InvalidInput(sentence)
+    if spindle.housings:
+        raise InvalidInput("the exact shaft takes no housings: take shaft: elements")
+    if spindle.joints:
+        raise InvalidInput("the exact shaft takes no joints: take shaft: elements")
     # weight differs along a section: constant within elements only
     mesh = scene.mesh if scene.gravity else station_mesh(spindle)
     force = np.zeros((1, 0))
@@ -186,7 +190,7 @@ def exact_bending(scene: Scene) -> ExactBending:
     rows = scene.bearing_row[scene.usable]
     rotors = tuple(
         exact_rotor(
-            spindle,
+            spindle.at_speed(float(spin)),
             float(spin),
             tangents,
             mesh,

@@ -23,6 +23,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 ITERATIONS = 20
 CLOSE = 1e-11  # of the frequency: the condition holds
+ROUNDED = 1e-7  # likewise, where no other speed comes nearer to it; more is no root in the range
 NEARNESS = 2.0  # of likeness that a distance as large as the frequency costs
 
 
@@ -77,7 +78,8 @@ def solved(
                 before=(float(at[k]), state.miss),
             )
             if onward == at[k]:
-                done.append((starts[k], float(at[k]), state))
+                if abs(state.miss) <= ROUNDED * abs(state.pole):
+                    done.append((starts[k], float(at[k]), state))
                 continue
             at[k] = onward
             still.append(k)

@@ -21,6 +21,7 @@ from rotordyn.analysis.stability import instability
 from rotordyn.analysis.stage import stage
 from rotordyn.analysis.statics import Statics
 from rotordyn.errors import InvalidInput
+from rotordyn.machine.housing import housed_motions
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import coupled_motions
 from rotordyn.numerics.modes import Modes, modes, residual
@@ -193,8 +194,8 @@ class Scene(Statics):
 
     @property
     def coupled_motions(self) -> frozenset[str]:
-        """Those of bending, axial motion and torsion that supports couple to another one."""
-        return coupled_motions(self.spindle.supports)
+        """Those of bending, axial motion and torsion that supports or housings couple."""
+        return coupled_motions(self.spindle.supports) | housed_motions(self.spindle.housings)
 
     @stage
     def coupled(self) -> CoupledSystem:
@@ -207,7 +208,7 @@ class Scene(Statics):
         if self.conditions.formulation == ROTATING and "bending" in self.coupled_motions:
             raise InvalidInput(
                 "the rotating formulation cannot describe supports that couple bending with "
-                "another motion: use the inertial one"
+                "another motion, nor housings: use the inertial one"
             )
         own: dict[str, Callable[[], LateralSystem | RodSystem]] = {
             "bending": lambda: self.bending.in_planes,
@@ -215,7 +216,8 @@ class Scene(Statics):
             "torsion": lambda: self.torsion,
         }
         parts = {name: part() for name, part in own.items() if name in self.coupled_motions}
-        return coupled_system(self.spindle, self.mesh, parts)
+        speed = self.speed[self.usable]
+        return coupled_system(self.spindle, self.mesh, parts, self.seat_stiffness, speed)
 
     @stage
     def coupled_modes(self) -> Modes:

@@ -22,6 +22,7 @@ from rotordyn.analysis.static_loads import (
     static_loads,
 )
 from rotordyn.elements.outer_fibre import outer_fibre
+from rotordyn.errors import InvalidInput
 from rotordyn.machine.cross_section import area
 from rotordyn.machine.spindle import Spindle
 from rotordyn.system.elastic_line import Compliance, compliance, elastic_line
@@ -47,6 +48,8 @@ def answer(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
     InvalidInput : the shaft is a free body, or its reactions are not determined
     """
     spindle = scene.spindle
+    if spindle.joints:
+        raise InvalidInput("section forces take no joints: leave them out")
     mesh = loaded_mesh(spindle, spec, scene.conditions.element_length)
     loads = static_loads(spindle, mesh, spec, scene.conditions)
     free = require_balance(spindle, spec, scene.conditions)
@@ -60,7 +63,7 @@ def answer(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
         :, nodes
     ]
     held = Held(
-        stiffness=held_stiffness(spindle, scene.seat_stiffness, _closed(scene)),
+        stiffness=held_stiffness(spindle, scene.seat_stiffness, _closed(scene), speed),
         rigid=rigidly_held(spindle).ravel(),
         motion=rigid_motion(mesh.x[nodes], float(mesh.x[0])).reshape(-1, 6),
         flexibility=_flexibility(mesh, give, nodes),

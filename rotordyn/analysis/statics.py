@@ -42,13 +42,27 @@ class Statics(Staged):
 
     @property
     def bearing_speed(self) -> Array:
-        """Speeds at which bearings are solved: only rest where their state at rest serves all."""
-        return np.zeros(1) if self.conditions.bearings == "static" else self.speed
+        """Speeds at which bearings are solved: only rest where their state at rest serves all.
+
+        As many as there are speeds where supports follow the speed.
+        """
+        if self.conditions.bearings != "static":
+            return self.speed
+        return np.zeros_like(self.speed) if self._supports_follow else np.zeros(1)
+
+    @property
+    def state_speed(self) -> Array:
+        """The speed of every state at ``bearing_speed``; rest where one state serves all."""
+        return self.speed if len(self.bearing_speed) == len(self.speed) else np.zeros(1)
+
+    @property
+    def _supports_follow(self) -> bool:
+        return any(support.speeds for support in self.spindle.supports)
 
     @property
     def bearing_row(self) -> NDArray[np.intp]:
         """For every speed of the case, its row among ``bearing_speed``."""
-        if self.conditions.bearings == "static":
+        if self.conditions.bearings == "static" and not self._supports_follow:
             return np.zeros(len(self.speed), dtype=np.intp)
         return np.arange(len(self.speed))
 
@@ -118,7 +132,7 @@ class Statics(Staged):
         """Per speed of ``bearing_speed``: empty, or that the shaft buckles."""
         seats = self.spindle.seats
         tangents = self.preload.seat_stiffness() if seats else _no_seats(self.bearing_speed, 5, 5)
-        return self.buckled(self._seat_load, tangents, self.bearing_speed)
+        return self.buckled(self._seat_load, tangents, self.state_speed)
 
     def buckled(self, seat_load: Array, seat_stiffness: Array, speed: Array) -> tuple[str, ...]:
         """Per state with other loads (states, seats) and tangents of the bearings: as above.
@@ -130,6 +144,7 @@ class Statics(Staged):
             return ("",) * len(speed)
         loading = Loading(
             self.spindle,
+            speed,
             lambda: self.mesh,
             seat_load,
             seat_stiffness,
@@ -137,7 +152,7 @@ class Statics(Staged):
             self.gravity,
             self.rigid,
         )
-        return loading.outcomes(speed)
+        return loading.outcomes()
 
     def bending_force(self, seat_load: Array | None = None) -> Array | None:
         """Axial force that acts on bending (states, elements) [N]; None where it shall not.

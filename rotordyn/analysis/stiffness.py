@@ -52,6 +52,8 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
                 f"support '{support.name}' couples plane y or the axis to other motions: the "
                 "radial stiffness is solved in plane y alone"
             )
+    if scene.spindle.housings:
+        raise InvalidInput("the radial stiffness takes no housings: ask frf at a low frequency")
     force = np.linspace(0.0, spec.max_force, spec.steps + 1)
     rotor = _rotor(scene, spec)
     found: dict[str, Variant] = {}
@@ -80,13 +82,19 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
     )
 
 
-def _rotor(scene: Scene, spec: StiffnessSpec, seat_load: Array | None = None) -> CondensedRotor:
+def _rotor(
+    scene: Scene,
+    spec: StiffnessSpec,
+    seat_load: Array | None = None,
+    speed: Array | None = None,
+) -> CondensedRotor:
     """The rotor under the axial forces at ``bearing_speed``, or under others (states, seats)."""
     return condensed_rotor(
         scene.spindle,
         scene.mesh,
         scene.spindle.points[spec.point],
         scene.bending_force(seat_load),
+        scene.state_speed if speed is None else speed,
         rigid=scene.rigid,
     )
 
@@ -143,9 +151,9 @@ def _short_stop(scene: Scene, spec: StiffnessSpec, force: Array, usual: RadialCu
             scene.law,
             scene.axial_force,
         )
-        rotor = _rotor(scene, spec, state.seat_load())
+        speeds = scene.state_speed[rows[anew]]
+        rotor = _rotor(scene, spec, state.seat_load(), speeds)
         curve = _nonlinear(state, rotor, np.arange(anew.size), force)
-        speeds = scene.bearing_speed[rows[anew]]
         words = np.array(state.outcome, dtype=object)
         buckled = scene.buckled(state.seat_load(), state.seat_stiffness(), speeds)
         words = np.where(words == "", np.array(buckled, dtype=object), words)
@@ -167,7 +175,7 @@ def _linear(
         load = _by_seat(scene.preload, scene.preload.rest_loads())
         rotor = _rotor(scene, spec, load)
         load = np.repeat(load, len(outcome), axis=0)
-        buckled = scene.buckled(load, stiffness, scene.preload.speed)
+        buckled = scene.buckled(load, stiffness, scene.state_speed)
         outcome = np.where(outcome == "", np.array(buckled, dtype=object), outcome)
     else:
         stiffness = scene.tangents

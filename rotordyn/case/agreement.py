@@ -6,6 +6,8 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import fields
 
 from rotordyn.analysis.formulation import ROTATING, turned
+from rotordyn.analysis.on_housings import directions_on_housings, obstacles_on_housings
+from rotordyn.analysis.on_joints import obstacles_of_joints
 from rotordyn.analysis.shaft import obstacles
 from rotordyn.analysis.specs import (
     QUANTITIES,
@@ -22,10 +24,11 @@ from rotordyn.analysis.specs import (
     ascending,
 )
 from rotordyn.case.loads import misplaced, misplaced_unbalance, overheld, unheld
+from rotordyn.machine.housing import housed_motions
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import RigidSupport, Spindle
-from rotordyn.machine.support import MOTIONS, coupled_motions, entry_name
+from rotordyn.machine.support import MOTIONS, acts, coupled_motions, entry_name
 from rotordyn.quantity import suggestion
 
 ANALYSES: dict[str, type[Spec]] = {
@@ -112,7 +115,9 @@ def moved_along(speeds: Iterable[float], bearings: str, force: float, weighed: b
 def supports_agree(
     spindle: Spindle, conditions: Conditions, speeds: tuple[float, ...]
 ) -> Iterator[str]:
-    """Where the preload state moves the shaft along, no support turns that into a push aside."""
+    """Supports are known at the speeds; none turns motion along the axis into a push aside."""
+    for support in spindle.supports:
+        yield from support.beyond(speeds)
     own = conditions
     moved = moved_along(speeds, own.bearings, own.axial_force, own.gravity != "none")
     for support in spindle.supports if spindle.seats and moved else ():
@@ -122,6 +127,21 @@ def supports_agree(
                 f"support '{support.name}' pushes the shaft aside as its preload state moves it "
                 f"along the axis ({names}): bearings are solved under axial load alone"
             )
+
+
+def housings_agree(
+    spindle: Spindle, conditions: Conditions, analyses: Iterable[str]
+) -> Iterator[str]:
+    """The questions and conditions of a case take housings and joints."""
+    for way, sentence in obstacles_of_joints(conditions, analyses) if spindle.joints else ():
+        yield f"{'.'.join(way)}: {sentence}"
+    if not spindle.housings:
+        return
+    for way, sentence in obstacles_on_housings(conditions, analyses):
+        yield f"{'.'.join(way)}: {sentence}"
+    named = {name for housing in spindle.housings for name in housing.directions}
+    loaded = conditions.axial_force != 0.0 or conditions.gravity != "none"
+    yield from directions_on_housings(named, bool(spindle.seats), loaded)
 
 
 def references_agree(references: Iterable[Reference], conditions: Conditions) -> Iterator[str]:
@@ -145,7 +165,9 @@ def uncoupled(response: str, excitation: str, coupled: frozenset[str]) -> tuple[
 def _machine(spindle: Spindle, conditions: Conditions) -> Iterator[str]:
     for name, x in spindle.points.items():
         yield from spindle.off_the_shaft(f"point {name}", x)
-    held = {pair for support in spindle.supports for pair, k in support.stiffness.items() if k}
+    held = {
+        pair for support in spindle.supports for pair, k in support.stiffness.items() if acts(k)
+    }
     held |= {(freedom, freedom) for support in spindle.supports for freedom in support.rigid}
     free = [freedom for freedom in ("y", "z") if (freedom, freedom) not in held]
     if free and not spindle.seats:
@@ -186,7 +208,7 @@ def _frf(name: str, spec: FrfSpec, spindle: Spindle, conditions: Conditions) -> 
         yield from _exists(point, spindle.points, f"{name}: unknown point")
     for pair in spec.pairs:
         ends = (pair[0].direction, pair[1].direction)
-        if motions := uncoupled(*ends, coupled_motions(spindle.supports)):
+        if motions := uncoupled(*ends, _coupled(spindle)):
             yield (
                 f"{name}: nothing couples {' and '.join(motions)}: given "
                 f"'{pair[0]} / {pair[1]}'; allowed: both ends in one of x; thx; y, z, thy, thz"
@@ -198,6 +220,10 @@ def _unbalance(name: str, spec: UnbalanceSpec, spindle: Spindle) -> Iterator[str
     centre = rotor_inertia(spindle).centre
     for way, sentence in misplaced_unbalance(spec, spindle.points, reach, centre):
         yield f"{'.'.join(map(str, (name, *way)))}: {sentence}"
+
+
+def _coupled(spindle: Spindle) -> frozenset[str]:
+    return coupled_motions(spindle.supports) | housed_motions(spindle.housings)
 
 
 def _one_plane(spindle: Spindle) -> Iterator[str]:

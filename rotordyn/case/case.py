@@ -11,6 +11,7 @@ from bearings.angular_contact import AngularContactBallBearing
 from rotordyn.analysis.specs import Conditions, Spec
 from rotordyn.case.agreement import (
     ANALYSES,
+    housings_agree,
     questions_agree,
     references_agree,
     resolved_agree,
@@ -72,6 +73,7 @@ class Case(Description):
         if self.spindle is not None:
             yield from supports_agree(self.spindle, self.conditions, self.speeds)
             yield from resolved_agree(self.spindle, self.conditions, self.analyses, self.speeds)
+            yield from housings_agree(self.spindle, self.conditions, self.analyses)
         yield from references_agree(self.references, self.conditions)
         for name, variant in self.variants.items():
             if variant.speeds != self.speeds or variant.analyses != self.analyses:

@@ -42,6 +42,26 @@ def read_document(path: Path, faults: Faults, contents: dict[Path, bytes]) -> No
     return None
 
 
+def read_bytes(path: Path, faults: Faults, contents: dict[Path, bytes]) -> bytes | None:
+    """The bytes of a file that is no YAML, likewise."""
+    try:
+        contents[path] = raw = _bytes(path)
+    except _Refused as refusal:
+        faults.add(Fault(shown(path), refusal.line, refusal.column, "", refusal.message))
+        return None
+    return raw
+
+
+def read_text(path: Path, faults: Faults, contents: dict[Path, bytes]) -> str | None:
+    """The text of a file that is no YAML, likewise."""
+    try:
+        contents[path] = raw = _bytes(path)
+        return _text(raw) if raw.strip() else ""
+    except _Refused as refusal:
+        faults.add(Fault(shown(path), refusal.line, refusal.column, "", refusal.message))
+    return None
+
+
 def shown(path: Path) -> str:
     """A path as printed: relative to the working directory where it lies below it."""
     try:
@@ -59,9 +79,9 @@ def _bytes(path: Path) -> bytes:
     try:
         status = os.stat(path)
         if stat.S_ISDIR(status.st_mode):
-            raise _Refused("is a directory: a YAML file is needed")
+            raise _Refused("is a directory: a file is needed")
         if not stat.S_ISREG(status.st_mode):
-            raise _Refused("is not a regular file: a YAML file is needed")
+            raise _Refused("is not a regular file: a file is needed")
         if status.st_size > MAX_BYTES:
             raise _Refused(f"has {status.st_size} bytes: allowed are up to {MAX_BYTES}")
         return path.read_bytes()

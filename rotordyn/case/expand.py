@@ -5,13 +5,18 @@ from __future__ import annotations
 import os
 from collections.abc import Iterator
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 
-from rotordyn.case.document import read_document
+from rotordyn.case.document import read_bytes, read_document
 from rotordyn.case.faults import Faults
 from rotordyn.case.library import UnknownModel, find
 from rotordyn.case.node import UNKNOWN, Node
 from rotordyn.case.override import apply
+from rotordyn.case.reduced import NoModel, ReducedModel, from_archive, from_market
+from rotordyn.case.schema.housing import ModelFilesEntry
+from rotordyn.case.table import tabled
+from rotordyn.case.validate import validate
 
 _MATERIALS_OF_BEARING = (("ball_material",), ("ring_material",))
 _MATERIALS_OF_SPINDLE = (
@@ -74,6 +79,10 @@ def spindle(reference: Node, override: Node | None, reader: Reader) -> Node | No
     _fill(root, _MATERIALS_OF_SPINDLE, "materials", reader)
     for holder in _matching(root, ("bearings", "*")):
         _bearing_of_seat(root, holder, reader)
+    for holder in _matching(root, ("supports", "*")):
+        _table_of_support(holder, reader)
+    for holder in _matching(root, ("housings", "*")):
+        _model_of_housing(holder, reader)
     return root
 
 
@@ -101,6 +110,67 @@ def _bearing_of_seat(root: Node, seat: Node, reader: Reader) -> None:
     if reference is not None:
         override = (root.child("bearing_override"), seat.child("model_override"))
         _set(seat, "model", bearing(reference, override, reader))
+
+
+def _table_of_support(support: Node, reader: Reader) -> None:
+    reference = support.child("table")
+    if reference is None or not isinstance(reference.value, str):
+        return
+    path = _beside(reference, reader)
+    if path is None:
+        support.value["table"] = replace(reference, value=UNKNOWN)
+        return
+    tabled(support, path, reader.faults, reader.contents)
+
+
+def _beside(reference: Node, reader: Reader) -> Path | None:
+    """The file that ``reference`` names, relative to the one it is written in."""
+    path = reader.folders[reference.file].parent / Path(reference.value).expanduser()
+    if os.path.exists(path):
+        return path
+    reader.faults.at(reference, (), f"no such file: given '{reference.value}'")
+    return None
+
+
+def _model_of_housing(housing: Node, reader: Reader) -> None:
+    reference = housing.child("model")
+    if reference is not None:
+        model = _reduced(reference, reader)
+        housing.value["model"] = replace(reference, value=UNKNOWN if model is None else model)
+
+
+def _reduced(reference: Node, reader: Reader) -> ReducedModel | None:
+    """The reduced model of a housing, from an archive or from Matrix Market files."""
+    if isinstance(reference.value, dict):
+        entry = validate(ModelFilesEntry, reference, reader.faults)
+        if entry is None or reader.faults:
+            return None
+        raw = {}
+        for name in ("mass", "stiffness", "damping"):
+            if getattr(entry, name):
+                content = _raw(reference.at(name), reader)
+                if content is None:
+                    return None
+                raw[name] = content
+        read = partial(from_market, raw, entry.places)
+    elif isinstance(reference.value, str):
+        content = _raw(reference, reader)
+        if content is None:
+            return None
+        read = partial(from_archive, content)
+    else:
+        reader.faults.at(reference, (), "not a model: a .npz file or a mapping of files is needed")
+        return None
+    try:
+        return read()
+    except NoModel as error:
+        reader.faults.at(reference, (), f"no reduced model: {error}")
+        return None
+
+
+def _raw(reference: Node, reader: Reader) -> bytes | None:
+    path = _beside(reference, reader)
+    return None if path is None else read_bytes(path, reader.faults, reader.contents)
 
 
 def _fill(root: Node, places: tuple[tuple[str, ...], ...], kind: str, reader: Reader) -> None:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from rotordyn.elements.node import position
+from rotordyn.machine.support import LinearSupport, Value
 
 Array = NDArray[np.float64]
 
@@ -20,17 +21,37 @@ for _row, _column, _sign in ((0, 0, 1), (1, 2, -1), (2, 1, 1), (3, 3, 1), (4, 5,
 _PLACES = np.array([position(freedom) for freedom in BEARING_FREEDOMS])
 
 
-def node_matrix(entries: Mapping[tuple[str, str], float]) -> Array:
+def node_matrix(entries: Mapping[tuple[str, str], Value]) -> Array:
     """Matrix (6, 6) of a linear support's entries by pair of freedoms; nothing is symmetrised.
 
     Raises
     ------
-    ValueError : a name is none of x, y, z, thx, thy, thz
+    ValueError : a name is none of x, y, z, thx, thy, thz, or an entry is a table over speed
     """
     matrix = np.zeros((6, 6))
     for (row, column), value in entries.items():
         matrix[position(row), position(column)] = value
     return matrix
+
+
+def support_matrices(support: LinearSupport, which: str, speed: Array) -> Array:
+    """``"stiffness"`` or ``"damping"`` of a support at every ``speed`` [rad/s], (speeds, 6, 6).
+
+    Raises
+    ------
+    InvalidInput : its table does not reach one of the speeds
+    """
+    if not support.speeds:
+        one = node_matrix(getattr(support, which))
+        return np.broadcast_to(one, (len(speed), 6, 6))
+    held = [node_matrix(getattr(support.at(float(each)), which)) for each in speed]
+    return np.array(held).reshape(-1, 6, 6)
+
+
+def along_and_about(support: LinearSupport, which: str) -> Array:
+    """Rows and columns x and thx of a support's matrix (6, 6), all else zero: no table has them."""
+    entries: Mapping[tuple[str, str], Value] = getattr(support, which)
+    return node_matrix({pair: k for pair, k in entries.items() if {"x", "thx"} & set(pair)})
 
 
 def answers_alike(matrix: Array) -> bool:

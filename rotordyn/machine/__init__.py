@@ -15,6 +15,8 @@ if TYPE_CHECKING:
         QuadraticInSpeed,
         RingGrowth,
     )
+    from rotordyn.machine.housing import ReducedHousing, RigidHousing
+    from rotordyn.machine.joint import Joint
     from rotordyn.machine.lumped import Disc, PointMass
     from rotordyn.machine.reference import Reference
     from rotordyn.machine.shaft import Section, Shaft
@@ -27,12 +29,15 @@ _HOME = {
     "Disc": "lumped",
     "Drawbar": "drawbar",
     "InterferenceFit": "growth",
+    "Joint": "joint",
     "LinearSupport": "support",
     "PointMass": "lumped",
     "PrescribedShortening": "growth",
     "QuadraticInSpeed": "growth",
     "RayleighDamping": "damping",
+    "ReducedHousing": "housing",
     "Reference": "reference",
+    "RigidHousing": "housing",
     "RingGrowth": "growth",
     "Section": "shaft",
     "Shaft": "shaft",
@@ -47,12 +52,15 @@ __all__ = [
     "Disc",
     "Drawbar",
     "InterferenceFit",
+    "Joint",
     "LinearSupport",
     "PointMass",
     "PrescribedShortening",
     "QuadraticInSpeed",
     "RayleighDamping",
+    "ReducedHousing",
     "Reference",
+    "RigidHousing",
     "RingGrowth",
     "Section",
     "Shaft",

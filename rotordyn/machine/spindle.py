@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
@@ -11,6 +12,8 @@ from rotordyn.description import Description, doubled
 from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.growth import ComputedShortening, InterferenceFit, PrescribedShortening
+from rotordyn.machine.housing import Housing
+from rotordyn.machine.joint import Joint
 from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.shaft import Section, Shaft
@@ -32,6 +35,7 @@ class Tool(Description):
     masses: tuple[PointMass, ...] = ()
     points: Mapping[Name, Station] = field(default_factory=dict)
     references: tuple[Reference, ...] = ()
+    joints: tuple[Joint, ...] = ()
 
     def _faults(self) -> Iterator[str]:
         if not self.sections:
@@ -47,7 +51,8 @@ class Spindle(Description):
     ``rotor_damping`` [-]: modal damping ratios of the flexible free-free bending modes at rest, in
     order; the last one serves all that follow; empty = none. ``rayleigh`` is added to it.
     ``internal_damping`` [-]: share of both, in bending, which turns with the shaft. ``points``:
-    named stations [m].
+    named stations [m]. ``housings``: what bearings and supports stand on; those that none carries
+    stand on ground. ``joints``: between parts of the shaft.
     """
 
     name: str
@@ -66,6 +71,8 @@ class Spindle(Description):
     title: str = ""
     note: str = ""
     references: tuple[Reference, ...] = ()
+    housings: tuple[Housing, ...] = ()
+    joints: tuple[Joint, ...] = ()
 
     @property
     def damped(self) -> bool:
@@ -82,6 +89,13 @@ class Spindle(Description):
         yield from self._shift_faults()
         yield from self._fit_faults()
         yield from held_twice(self.seats, self.supports)
+        yield from self._joint_faults()
+        yield from (
+            sentence
+            for _, sentence in housing_faults(
+                self.housings, self.seats, self.sleeves, self.supports
+            )
+        )
 
     def _station_faults(self) -> Iterator[str]:
         placed: tuple[PointMass | Disc | BearingSeat | LinearSupport, ...]
@@ -90,6 +104,22 @@ class Spindle(Description):
             yield from self.off_the_shaft(f"{type(item).__name__} {item.name}", item.x)
         for x in self.drawbar.stations if self.drawbar else ():
             yield from self.off_the_shaft("drawbar", x)
+
+    def _joint_faults(self) -> Iterator[str]:
+        for name in doubled(joint.name for joint in self.joints):
+            yield f"two joints are named '{name}'"
+        start, end = self.shaft.start, self.shaft.end
+        taken: list[Joint] = []
+        for joint in self.joints:
+            if not start + SLACK < joint.x < end - SLACK:
+                yield (
+                    f"Joint {joint.name} joins no two parts: given {joint.x:.6g} m; allowed: "
+                    f"between {start:.6g} m and {end:.6g} m"
+                )
+            for other in taken:
+                if abs(joint.x - other.x) <= SLACK:
+                    yield f"joints '{other.name}' and '{joint.name}' are at the same station"
+            taken.append(joint)
 
     def off_the_shaft(self, what: str, x: float) -> Iterator[str]:
         """A sentence where station ``x`` [m] of ``what`` does not lie on the shaft."""
@@ -129,6 +159,12 @@ class Spindle(Description):
                     f"{fit.bore_diameter:.6g} m; allowed: above {hole:.6g} m"
                 )
 
+    def at_speed(self, speed: float) -> Spindle:
+        """This machine with its supports as they are at ``speed`` [rad/s]."""
+        if not any(support.speeds for support in self.supports):
+            return self
+        return replace(self, supports=tuple(support.at(speed) for support in self.supports))
+
     @property
     def lumped(self) -> tuple[PointMass, ...]:
         """Point masses and discs, all as point masses."""
@@ -160,6 +196,7 @@ class Spindle(Description):
             masses=self.masses + tool.masses,
             points={**self.points, **tool.points},
             references=self.references + tool.references,
+            joints=self.joints + tool.joints,
         )
 
 
@@ -188,6 +225,71 @@ def held_twice(seats: Iterable[object], supports: Iterable[RigidSupport]) -> Ite
             f"support '{taken['x'][0].name}' holds x rigidly beside bearings, whose preload moves "
             "the shaft along: give it a stiffness xx"
         )
+
+
+class Carrier(Protocol):
+    """A housing, as it is given or as it is read."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def carries(self) -> Sequence[str]: ...
+
+
+class Sprung(Protocol):
+    """A sleeve, as it is given or as it is read."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def bearings(self) -> Sequence[str]: ...
+    @property
+    def radial_stiffness(self) -> float: ...
+
+
+class Called(Protocol):
+    """Something that has a name."""
+
+    @property
+    def name(self) -> str: ...
+
+
+def housing_faults(
+    housings: Sequence[Carrier],
+    seats: Iterable[Called],
+    sleeves: Iterable[Sprung],
+    supports: Iterable[RigidSupport],
+) -> Iterator[tuple[int, str]]:
+    """What is wrong with what housings carry: which housing, and a sentence."""
+    bearings = [seat.name for seat in seats]
+    held = {support.name: support for support in supports}
+    sprung = {n: s.name for s in sleeves if s.radial_stiffness < math.inf for n in s.bearings}
+    taken: dict[str, str] = {}
+    for place, housing in enumerate(housings):
+        for name in dict.fromkeys(housing.carries):
+            known = [*bearings, *held]
+            if name not in known:
+                allowed = ", ".join(known) or "none, there are none"
+                yield (
+                    place,
+                    f"carries an unknown support or bearing '{name}'; allowed: {allowed}"
+                    f"{suggestion(name, known)}",
+                )
+            elif name in bearings and name in held:
+                yield place, f"'{name}' is both a support and a bearing: rename one of them"
+            elif name in held and held[name].rigid:
+                yield place, f"support '{name}' is rigid, and a housing that gives way is not"
+            elif name in sprung:
+                yield (
+                    place,
+                    f"bearing '{name}' is on sleeve '{sprung[name]}', whose radial_stiffness holds "
+                    "it against ground: leave that out, or the bearing off the housing",
+                )
+            if name in taken:
+                yield place, f"'{name}' stands on two housings: {taken[name]} and {housing.name}"
+            taken[name] = housing.name
+    for name in doubled(housing.name for housing in housings):
+        yield 0, f"two housings are named '{name}'"
 
 
 def _named_twice(

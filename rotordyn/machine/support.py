@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
-from dataclasses import dataclass, field
+from bisect import bisect_left
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import pairwise
 from typing import Annotated
 
 from bearings.angular_contact import AngularContactBallBearing
 from rotordyn.description import Description, doubled
+from rotordyn.errors import InvalidInput
 from rotordyn.machine.growth import InterferenceFit, RingGrowth
 from rotordyn.quantity import (
     Choice,
@@ -17,6 +20,7 @@ from rotordyn.quantity import (
     Name,
     Preload,
     Rigidity,
+    Speed,
     Station,
     StopTravel,
 )
@@ -33,7 +37,11 @@ MOTIONS = {
     "thy": "bending",
     "thz": "bending",
 }
-Entries = Mapping[tuple[Freedom, Freedom], float]
+Value = float | tuple[float, ...]
+Entries = Mapping[tuple[Freedom, Freedom], Value]
+TABLED = ("y", "z", "thy", "thz")  # freedoms whose entries may follow the speed
+RPM = math.pi / 30.0
+SLACK = 1e-9  # of the highest speed of a table, by which a speed may lie beside it
 
 
 def entry_name(row: str, column: str) -> str:
@@ -109,12 +117,14 @@ class Sleeve(Description):
 
 @dataclass(frozen=True, slots=True)
 class LinearSupport(Description):
-    """Constant stiffness and damping to ground at station ``x``, or freedoms held ``rigid``.
+    """Stiffness and damping to ground at station ``x``, or freedoms held ``rigid``.
 
     ``stiffness`` [N/m, N/rad …] and ``damping`` map a pair of node freedoms (load, displacement),
     such as ``("y", "y")`` or ``("y", "thz")``, to the entry of the 6×6 matrix; freedoms are
     x, y, z, thx, thy, thz. Entries not named are zero; nothing is symmetrised. Freedoms in
     ``rigid`` do not move at all and have no stiffness; only section forces take them.
+    An entry among y, z, thy and thz may be a tuple of values, one at each of ``speeds`` [rad/s],
+    linear in between and not known beyond.
     """
 
     name: Name
@@ -122,11 +132,53 @@ class LinearSupport(Description):
     stiffness: Entries = field(default_factory=dict)
     damping: Entries = field(default_factory=dict)
     rigid: tuple[Freedom, ...] = ()
+    speeds: tuple[Speed, ...] = ()
 
     def _faults(self) -> Iterator[str]:
+        found = table_faults(self.stiffness, self.damping, self.speeds)
+        yield from (sentence for _, sentence in found)
+        if any(b <= a for a, b in pairwise(self.speeds)):
+            yield "the speeds of its table must ascend without repeats"
         for freedom in doubled(self.rigid):
             yield f"rigid: repeated: given '{freedom}'"
         yield from rigid_and_elastic(self.rigid, (*self.stiffness, *self.damping))
+
+    @property
+    def along(self) -> float:
+        """Stiffness along the axis, xx [N/m]."""
+        value = self.stiffness.get(("x", "x"), 0.0)
+        return value if isinstance(value, float) else math.nan
+
+    def at(self, speed: float) -> LinearSupport:
+        """The support as it is at ``speed`` [rad/s], without a table.
+
+        Raises
+        ------
+        InvalidInput : the table does not reach there
+        """
+        if not self.speeds:
+            return self
+        for sentence in self.beyond((speed,)):
+            raise InvalidInput(sentence)
+        stiffness, damping = (
+            {pair: _between(self.speeds, value, speed) for pair, value in entries.items()}
+            for entries in (self.stiffness, self.damping)
+        )
+        return replace(self, stiffness=stiffness, damping=damping, speeds=())
+
+    def beyond(self, speeds: Iterable[float]) -> Iterator[str]:
+        """A sentence where the first of ``speeds`` [rad/s] lies that its table does not hold."""
+        if not self.speeds:
+            return
+        low, high = self.speeds[0], self.speeds[-1]
+        for speed in speeds:
+            if not low - SLACK * high <= speed <= high + SLACK * high:
+                yield (
+                    f"support '{self.name}' is not known at that speed: given "
+                    f"{speed / RPM:.6g} rpm; allowed: {low / RPM:.6g} rpm to {high / RPM:.6g} rpm, "
+                    "the range of its table"
+                )
+                return
 
     @property
     def sideways(self) -> tuple[tuple[str, str], ...]:
@@ -141,7 +193,49 @@ class LinearSupport(Description):
 
     @property
     def _stiff(self) -> tuple[tuple[str, str], ...]:
-        return tuple(pair for pair, value in self.stiffness.items() if abs(value) > 0.0)
+        return tuple(pair for pair, value in self.stiffness.items() if acts(value))
+
+
+def acts(value: Value) -> bool:
+    """False for an entry that is zero at all speeds."""
+    return any(value) if isinstance(value, tuple) else value != 0.0
+
+
+def table_faults(
+    stiffness: Entries, damping: Entries, speeds: Sequence[float]
+) -> Iterator[tuple[tuple[str, ...], str]]:
+    """What is wrong with entries over speed: the way to the key, and a sentence."""
+    rows = 0
+    for which, entries in (("stiffness", stiffness), ("damping", damping)):
+        for pair, value in entries.items():
+            if not isinstance(value, tuple):
+                continue
+            rows, name = rows + 1, entry_name(*pair)
+            if not set(pair) <= set(TABLED):
+                yield (
+                    (which, name),
+                    f"{which} {name} takes one value for all speeds: given {len(value)}; allowed "
+                    f"over speed: entries of {', '.join(TABLED)}",
+                )
+            elif len(value) != len(speeds):
+                yield (
+                    (which, name),
+                    f"{which} {name} needs one value for each of speeds: given {len(value)} values "
+                    f"for {len(speeds)} speeds",
+                )
+    if len(speeds) == 1:
+        yield ("speeds",), "a table needs at least two speeds: given 1"
+    if speeds and not rows:
+        yield ("speeds",), "speeds without a table: no entry has a list of values"
+
+
+def _between(speeds: tuple[float, ...], value: Value, speed: float) -> float:
+    """Of a table, linear between its speeds; beside it (by rounding), its end."""
+    if not isinstance(value, tuple):
+        return value
+    k = min(max(bisect_left(speeds, speed), 1), len(speeds) - 1)
+    share = min(max((speed - speeds[k - 1]) / (speeds[k] - speeds[k - 1]), 0.0), 1.0)
+    return (1.0 - share) * value[k - 1] + share * value[k]
 
 
 def rigid_and_elastic(rigid: Iterable[str], entries: Iterable[tuple[str, str]]) -> Iterator[str]:
@@ -159,6 +253,6 @@ def coupled_motions(supports: Iterable[LinearSupport]) -> frozenset[str]:
         for support in supports
         for entries in (support.stiffness, support.damping)
         for (row, column), value in entries.items()
-        if value != 0.0
+        if acts(value)
     )
     return frozenset(motion for pair in pairs if pair[0] != pair[1] for motion in pair)

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
+from rotordyn.machine.housing import Housing
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.shaft import Section
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve
 from rotordyn.plots.labels import spread
 from rotordyn.plots.sketch import Sketch
-from rotordyn.plots.style import BLACK, BLUE, FONT_SIZE, add_axes, new_figure, round_ticks
+from rotordyn.plots.style import BLACK, BLUE, FONT_SIZE, RED, add_axes, new_figure, round_ticks
 from rotordyn.plots.symbols import (
+    SLEEVE,
     draw_bearing,
     draw_drawbar,
     draw_ground,
@@ -27,6 +31,7 @@ if TYPE_CHECKING:
 
 SHADES = ("#B9C4CE", "#D8C3A5", "#B5CDB8", "#CBB9D1", "#E3D9A9", "#C7C7C7")
 _WIDTH, _SIDE = 168.0, 4.0
+SLOPE = 0.02  # of the outer diameter: a smaller step from section to section is that of a cone
 
 
 def machine_figure(spindle: Spindle) -> Figure:
@@ -78,8 +83,17 @@ def _reach(spindle: Spindle) -> float:
 def _draw_shaft(sketch: Sketch, spindle: Spindle, left: float, right: float) -> None:
     shades = _shades(spindle)
     edges = [x * 1e3 for x in spindle.shaft.boundaries]
-    for section, a, b in zip(spindle.shaft.sections, edges, edges[1:], strict=False):
-        _draw_section(sketch, section, a, b, shades[section.material.name])
+    begin = 0
+    for run in _runs(spindle.shaft.sections):
+        own, shade = edges[begin : begin + len(run) + 1], shades[run[0].material.name]
+        if len(run) == 1:
+            _draw_section(sketch, run[0], own[0], own[1], shade)
+        else:
+            _draw_cone(sketch, run, own, shade)
+        begin += len(run)
+    for joint in spindle.joints:
+        x, radius = joint.x * 1e3, spindle.shaft.section_at(joint.x).outer_diameter * 500.0
+        sketch.line([(x, -radius), (x, radius)], RED, 1.4, z=7)
     sketch.line([(left, 0.0), (right, 0.0)], BLACK, 0.5, "dashdot", z=6)
 
 
@@ -90,6 +104,42 @@ def _draw_section(sketch: Sketch, section: Section, a: float, b: float, shade: s
     if inner > 0.0:
         sketch.box(a, b, 0.0, inner, "#F7F7F7", width=0.35, edge="#999999")
     sketch.box(a, b, -outer, 0.0, "#ECEFF1", width=0.7)
+
+
+def _runs(sections: Sequence[Section]) -> list[list[Section]]:
+    """Neighbours of one material that hardly differ belong together: the cylinders of a cone."""
+    runs: list[list[Section]] = []
+    for section in sections:
+        if runs and _slopes(runs[-1][-1], section):
+            runs[-1].append(section)
+        else:
+            runs.append([section])
+    return runs
+
+
+def _slopes(one: Section, other: Section) -> bool:
+    step = abs(other.outer_diameter - one.outer_diameter)
+    wall = abs(other.inner_diameter - one.inner_diameter)
+    return other.material == one.material and 0.0 < max(step, wall) < SLOPE * one.outer_diameter
+
+
+def _draw_cone(sketch: Sketch, run: Sequence[Section], edges: list[float], shade: str) -> None:
+    """The same of a cone."""
+    x = [edges[0], *((a + b) / 2.0 for a, b in pairwise(edges)), edges[-1]]
+    outer, inner = (
+        [d[0], *d, d[-1]]
+        for d in (
+            [s.outer_diameter * 500.0 for s in run],
+            [s.inner_diameter * 500.0 for s in run],
+        )
+    )
+    top, bore = list(zip(x, outer, strict=True)), list(zip(x, inner, strict=True))
+    sketch.polygon([*top, *bore[::-1]], shade)
+    if max(inner) > 0.0:
+        axis = [(x[-1], 0.0), (x[0], 0.0)]
+        sketch.polygon([*bore, *axis], "#F7F7F7", edge="#999999", width=0.35)
+    bottom = [(a, -r) for a, r in top]
+    sketch.polygon([(x[0], 0.0), *bottom, (x[-1], 0.0)], "#ECEFF1", width=0.7)
 
 
 def _shades(spindle: Spindle) -> dict[str, str]:
@@ -170,7 +220,25 @@ def _supports(sketch: Sketch, spindle: Spindle) -> None:
             sketch.polygon([(x, -radius), (x - 4.0, foot), (x + 4.0, foot)], "#FFFFFF", edge=BLUE)
         else:
             sketch.line(spring((x, -radius), (x, -radius - 10.0), 2.0), BLUE, 1.0)
-        draw_ground(sketch, x, -radius - 10.0, 4.0, upright=False, side=-1.0)
+        if support.name not in {name for each in spindle.housings for name in each.carries}:
+            draw_ground(sketch, x, -radius - 10.0, 4.0, upright=False, side=-1.0)
+    for housing in spindle.housings:
+        _housing(sketch, spindle, housing)
+
+
+def _housing(sketch: Sketch, spindle: Spindle, housing: Housing) -> None:
+    """A block under the supports that it carries."""
+    feet = [
+        (s.x * 1e3, -spindle.shaft.section_at(s.x).outer_diameter * 500.0 - 10.0)
+        for s in spindle.supports
+        if s.name in housing.carries
+    ]
+    if feet:
+        left, right = min(x for x, _ in feet) - 4.0, max(x for x, _ in feet) + 4.0
+        low = min(y for _, y in feet) - 3.0
+        sketch.box(left, right, low, low + 3.0, SLEEVE, z=4)
+        for x, y in feet:
+            sketch.line([(x, y), (x, low + 3.0)], BLUE, 1.0)
 
 
 def _name_below(
@@ -211,10 +279,24 @@ def _marks(sketch: Sketch, spindle: Spindle, size: float) -> list[tuple[float, f
         marks.append((x * 1e3, 0.0, f"{name}\n{x * 1e3:.1f}"))
     foot = -_reach(spindle)
     marks += [(support.x * 1e3, foot, support.name) for support in spindle.supports]
+    marks += [(joint.x * 1e3, 0.0, joint.name) for joint in spindle.joints]
+    marks += [(_middle(spindle, h), foot - 3.0, h.name) for h in _below(spindle)]
     marks += [(disc.x * 1e3, foot, disc.name) for disc in spindle.discs]
     if bar := spindle.drawbar:
         marks.append(((bar.start + bar.end) * 500.0, 0.0, f"drawbar\n{bar.force / 1e3:.3g} kN"))
     return marks
+
+
+def _below(spindle: Spindle) -> list[Housing]:
+    """Housings that carry a support."""
+    names = {support.name for support in spindle.supports}
+    return [housing for housing in spindle.housings if names & set(housing.carries)]
+
+
+def _middle(spindle: Spindle, housing: Housing) -> float:
+    """Middle of the supports on a housing [mm]."""
+    places = [s.x * 1e3 for s in spindle.supports if s.name in housing.carries]
+    return (min(places) + max(places)) / 2.0
 
 
 def _mass_symbol(sketch: Sketch, mass: PointMass, size: float) -> None:

@@ -85,7 +85,7 @@ def axial_force(
         [-thrust * seat_load, np.tile([value for _, value in alone], (states, 1))], axis=1
     )
     carried = -(push.sum(axis=1) + weight[-1])
-    held = np.array([s.stiffness.get(("x", "x"), 0.0) for s in spindle.supports])
+    held = np.array([s.along for s in spindle.supports])
     if not spindle.seats and not held.any() and (np.abs(carried) > BALANCED).any():
         raise InvalidInput(
             "nothing holds the shaft along its axis against the axial force and its weight: give "

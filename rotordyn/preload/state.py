@@ -197,7 +197,7 @@ def _springs(spindle: Spindle, joined: Arrangement, rest: Array) -> tuple[Spring
     """
     stiffness, limit = np.zeros_like(rest), np.full_like(rest, np.nan)
     fixed = np.zeros(len(rest), dtype=bool)
-    stiffness[SHAFT] = sum(s.stiffness.get(("x", "x"), 0.0) for s in spindle.supports)
+    stiffness[SHAFT] = sum(s.along for s in spindle.supports)
     for push in joined.pushes:
         fixed[push.body] = rigid(push)
         stiffness[push.body] = 0.0 if rigid(push) else push.stiffness

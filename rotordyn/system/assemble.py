@@ -7,7 +7,7 @@ node by node with ``add_at_nodes``.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,6 +21,8 @@ from rotordyn.elements.timoshenko import shaft_element
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
 from rotordyn.system.dofs import ALL, AXIAL, PLANE_Y, PLANE_Z, TORSION, Selection
+from rotordyn.system.hierarchy import Hierarchy
+from rotordyn.system.jumps import hinged
 from rotordyn.system.mesh import Mesh
 
 Array = NDArray[np.float64]
@@ -81,35 +83,52 @@ def bending_plane(spindle: Spindle, mesh: Mesh) -> BendingPlane:
     return BendingPlane(
         mass=_joined(element.mass, lumped, lumped.mass(PLANE_Y)),
         polar=_joined(element.polar, lumped, lumped.gyroscopic(PLANE_Y, PLANE_Z)),
-        stiffness=chain(element.stiffness),
+        stiffness=chain(_jointed(spindle, mesh, element.stiffness)),
         translational_mass=_joined(
             element.translational_mass, lumped, lumped.translational(PLANE_Y)
         ),
     )
 
 
-def loaded_plane(spindle: Spindle, mesh: Mesh, matrices: Mapping[str, Array]) -> BendingPlane:
-    """A bending plane of any elements between the nodes of ``mesh``, with what is lumped at these.
+def _jointed(spindle: Spindle, mesh: Mesh, blocks: Array) -> Array:
+    """Elements behind joints hang on these: right at rest, masses do not know of it."""
+    if not spindle.joints:
+        return blocks
+    whole = blocks.copy()
+    for joint in spindle.joints:
+        k = mesh.node_of(joint.x)
+        whole[k] = hinged(blocks[k], joint)
+    return whole
 
-    ``matrices``: mass, translational_mass, polar and stiffness; nodal freedoms come first.
-    """
-    lumped = _Lumped.of(spindle, mesh)
+
+def loaded_plane(spindle: Spindle, elements: Hierarchy) -> BendingPlane:
+    """A bending plane of any elements, with what is lumped at their nodes."""
+    lumped, matrices = _Lumped.of(spindle, elements.mesh), elements.matrices()
     at_nodes = {
         "mass": lumped.mass(PLANE_Y),
         "polar": lumped.gyroscopic(PLANE_Y, PLANE_Z),
         "translational_mass": lumped.translational(PLANE_Y),
     }
-    added = {n: add_at_nodes(matrices[n], lumped.nodes, b) for n, b in at_nodes.items()}
+    added = {n: _loaded(elements, matrices[n], lumped.nodes, b) for n, b in at_nodes.items()}
     return BendingPlane(stiffness=matrices["stiffness"], **added)
 
 
-def loaded_rod(
-    spindle: Spindle, mesh: Mesh, matrices: Mapping[str, Array], selection: Selection
-) -> RodMatrices:
-    """Axial motion or torsion of any rods between the nodes of ``mesh``, likewise."""
-    lumped = _Lumped.of(spindle, mesh)
-    mass = add_at_nodes(matrices["mass"], lumped.nodes, lumped.mass(selection))
+def loaded_rod(spindle: Spindle, elements: Hierarchy, selection: Selection) -> RodMatrices:
+    """Axial motion or torsion of any rods, likewise."""
+    lumped, matrices = _Lumped.of(spindle, elements.mesh), elements.matrices()
+    mass = _loaded(elements, matrices["mass"], lumped.nodes, lumped.mass(selection))
     return RodMatrices(mass, matrices["stiffness"])
+
+
+def _loaded(elements: Hierarchy, matrix: Array, nodes: Sequence[int], blocks: Array) -> Array:
+    """``matrix`` plus what sits at nodes, which the jumps in front of them move as well."""
+    if not elements.jumps:
+        return add_at_nodes(matrix, nodes, blocks)
+    total = matrix.copy()
+    for node, block in zip(nodes, blocks, strict=True):
+        rows = elements.at_node(node)
+        total += rows.T @ block @ rows
+    return total
 
 
 def axial_rod(spindle: Spindle, mesh: Mesh) -> RodMatrices:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.elements.support import node_matrix, turn
+from rotordyn.elements.support import support_matrices, turn
 from rotordyn.machine.spindle import Spindle
 from rotordyn.system.condensed import CondensedRotor
 from rotordyn.system.dofs import BOTH_PLANES
@@ -16,26 +16,30 @@ ROUNDING = 1e-12  # of a stiffness matrix with unit diagonal
 
 
 def withstands(
-    spindle: Spindle, rotor: CondensedRotor, unloaded: CondensedRotor, seat_stiffness: Array
+    spindle: Spindle,
+    rotor: CondensedRotor,
+    unloaded: CondensedRotor,
+    seat_stiffness: Array,
+    speed: Array,
 ) -> Flags:
     """States (states,) in which the axial force takes away no stable direction.
 
     The symmetric part of the static stiffness of both planes must have as many negative
     eigenvalues as without axial force (``unloaded``), which is none in any machine that stands. The
     inertia of a matrix is that of the part condensed away, which ``rotor`` reports as NaN, and of
-    what remains: the test is exact for the full model. ``seat_stiffness`` (states, seats, 5, 5).
+    what remains: the test is exact for the full model. ``seat_stiffness`` (states, seats, 5, 5);
+    ``speed`` (states,) [rad/s]: of supports that follow it.
     """
-    ours, before = (_negative(spindle, r, seat_stiffness) for r in (rotor, unloaded))
+    ours, before = (_negative(spindle, r, seat_stiffness, speed) for r in (rotor, unloaded))
     return np.asarray(ours <= before)
 
 
-def _negative(spindle: Spindle, rotor: CondensedRotor, seat_stiffness: Array) -> Array:
+def _negative(
+    spindle: Spindle, rotor: CondensedRotor, seat_stiffness: Array, speed: Array
+) -> Array:
     """Number of negative eigenvalues (states,); infinite where the shaft alone has buckled."""
     blocks = [turn(seat_stiffness[:, k], s.thrust) for k, s in enumerate(spindle.seats)]
-    blocks += [
-        np.broadcast_to(node_matrix(s.stiffness), (len(seat_stiffness), 6, 6))
-        for s in spindle.supports
-    ]
+    blocks += [support_matrices(s, "stiffness", speed) for s in spindle.supports]
     rows = _both(np.concatenate([rotor.seats, rotor.supports]))
     held = BOTH_PLANES.take(np.stack(blocks, axis=1))
     total = np.einsum("cim,scij,cjn->smn", rows, held, rows, optimize=True)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.elements.support import node_matrix
+from rotordyn.elements.support import support_matrices
 from rotordyn.machine.spindle import Spindle
 from rotordyn.system.assemble import bending_plane
 from rotordyn.system.dofs import PLANE_Y
@@ -22,7 +22,7 @@ BAND = 3  # a freedom is coupled to those of its own and of the neighbouring nod
 @dataclass(frozen=True, eq=False, slots=True)
 class CondensedRotor:
     """Exact static stiffness (states, p, p) of rotor, drawbar, sprung sleeves and, in plane y,
-    linear supports, a state being an axial force in the shaft.
+    linear supports, a state being an axial force in the shaft and a speed of the supports.
 
     ``free``: the same without the supports. NaN where the shaft buckles between the places kept.
     ``seats`` (seats, 2, p): deflection and tilt between the rings of each bearing; ``supports``
@@ -37,19 +37,28 @@ class CondensedRotor:
 
     def at(self, index: NDArray[np.intp]) -> CondensedRotor:
         """The rotor in some of its states; a single one serves all."""
-        taken = index if len(self.free) > 1 else np.zeros_like(index)
-        return replace(self, stiffness=self.stiffness[taken], free=self.free[taken])
+        stiffness, free = (
+            matrix[index if len(matrix) > 1 else np.zeros_like(index)]
+            for matrix in (self.stiffness, self.free)
+        )
+        return replace(self, stiffness=stiffness, free=free)
 
 
 def condensed_rotor(
-    spindle: Spindle, mesh: Mesh, x: float, axial_force: Array | None = None, *, rigid: bool
+    spindle: Spindle,
+    mesh: Mesh,
+    x: float,
+    axial_force: Array | None = None,
+    speed: Array | None = None,
+    *,
+    rigid: bool,
 ) -> CondensedRotor:
     """Condense the rotor to bearings, supports, contacts of the drawbar and the node at ``x`` [m].
 
     ``axial_force`` (states, elements) [N]: in the shaft, tension positive; None = one state in
     which it and the drawbar do nothing. Each state is condensed anew, so that it stays exact up to
-    buckling. A ``rigid`` rotor keeps deflection at x = 0 and tilt. Supports act with their y–θz
-    part.
+    buckling. ``speed`` (states,) [rad/s]: of supports that follow it. A ``rigid`` rotor keeps
+    deflection at x = 0 and tilt. Supports act with their y–θz part.
     """
     stations, point = mesh.nodes_of(spindle.seats, spindle.supports), mesh.node_of(x)
     contacts = spindle.drawbar.contacts if spindle.drawbar else ()
@@ -68,7 +77,9 @@ def condensed_rotor(
         stiffness = stiffness + tension.bar(rows)
     split = len(spindle.seats)
     seats, supports = rows[stations[:split]], rows[stations[split:]]
-    return _held(spindle, stiffness, seats, supports, rows[point, 0])
+    followed = any(support.speeds for support in spindle.supports) and speed is not None
+    at = speed if followed and speed is not None else np.zeros(1)
+    return _held(spindle, stiffness, at, (seats, supports), rows[point, 0])
 
 
 def _flexible(
@@ -100,19 +111,19 @@ def _schur(stiffness: Array, chosen: NDArray[np.intp]) -> Array:
 
 
 def _held(
-    spindle: Spindle, stiffness: Array, seats: Array, supports: Array, point: Array
+    spindle: Spindle, stiffness: Array, speed: Array, ends: tuple[Array, Array], point: Array
 ) -> CondensedRotor:
     """Add linear supports, and the deflection of every sprung sleeve as one more coordinate."""
     sprung = [s for s in spindle.sleeves if math.isfinite(s.radial_stiffness)]
     size, more = stiffness.shape[-1], len(sprung)
     free = np.pad(stiffness, ((0, 0), (0, more), (0, more)))
-    seats, supports = (np.pad(rows, ((0, 0), (0, 0), (0, more))) for rows in (seats, supports))
+    seats, supports = (np.pad(rows, ((0, 0), (0, 0), (0, more))) for rows in ends)
     for place, sleeve in enumerate(sprung, start=size):
         free[:, place, place] = sleeve.radial_stiffness
         for row, seat in enumerate(spindle.seats):
             if seat.name in sleeve.bearings:
                 seats[row, 0, place] = -1.0
-    held = free.copy()
+    held = free
     for support, rows in zip(spindle.supports, supports, strict=True):
-        held += rows.T @ PLANE_Y.take(node_matrix(support.stiffness)) @ rows
+        held = held + rows.T @ PLANE_Y.take(support_matrices(support, "stiffness", speed)) @ rows
     return CondensedRotor(held, free, seats, supports, np.pad(point, (0, more)))

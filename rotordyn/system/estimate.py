@@ -200,29 +200,58 @@ class Unbalanced:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
+class Ground:
+    """Bearings, then supports, on housings: matrices (speeds, c, 6, 6) and motion ``under`` them
+    (c, 6, n), of which the last ``size`` coordinates are those of the housings."""
+
+    held: Array
+    damped: Array
+    under: Array
+    size: int
+
+    def at(self, row: int) -> Ground:
+        """The same at one of the speeds."""
+        return replace(self, held=self.held[row][None], damped=self.damped[row][None])
+
+    def forces(self, s: Complex, vector: Complex, side: float) -> Complex:
+        """What the connections answer to motion under them (speeds, c, 6, k)."""
+        held, damped = self.held, self.damped
+        if side < 0.0:
+            held, damped = np.swapaxes(held, -1, -2), np.swapaxes(damped, -1, -2)
+        moved = np.einsum("cin,snk->scik", self.under, vector, optimize=True)
+        return np.asarray(held @ moved + (damped @ moved) * s[:, None, None, :])
+
+
+@dataclass(frozen=True, eq=False, slots=True)
 class Joined:
     """The same of motions that supports couple: ``parts`` with their ``places`` among the
     coordinates, and the ``supports``' matrices (2, supports, 6, 6), stiffness and damping, of which
-    only what is between two motions counts; ``motion`` (supports, 6, n): of their nodes."""
+    only what is between two motions counts; ``motion`` (supports, 6, n): of their nodes.
+    ``ground``: what stands on housings, whose coordinates are the last and leave nothing out."""
 
     parts: Mapping[str, Unbalanced]
     places: Mapping[str, slice]
     supports: Array
     motion: Array
+    ground: Ground | None = None
 
     @property
     def weightless(self) -> Array:
         """Of all parts, in the order of the coordinates (n,)."""
-        return np.concatenate([part.weightless for part in self.parts.values()])
+        return self._padded([part.weightless for part in self.parts.values()])
 
     @property
     def rounding(self) -> Array:
         """Of all parts, likewise (n,)."""
-        return np.concatenate([part.rounding for part in self.parts.values()])
+        return self._padded([part.rounding for part in self.parts.values()])
+
+    def _padded(self, values: list[Array]) -> Array:
+        return np.concatenate([*values, np.zeros(self.ground.size if self.ground else 0)])
 
     def at(self, row: int) -> Joined:
         """The same at one of the speeds."""
-        return replace(self, parts={name: part.at(row) for name, part in self.parts.items()})
+        parts = {name: part.at(row) for name, part in self.parts.items()}
+        return replace(self, parts=parts, ground=self.ground.at(row) if self.ground else None)
 
     def forces(self, s: Complex, vector: Complex, side: float) -> Complex:
         """Unbalanced forces (speeds, r, k) of motions e^(st); ``side`` −1: of left vectors."""
@@ -232,7 +261,10 @@ class Joined:
         found = []
         for name, part in self.parts.items():
             own = part.forces(s, vector[:, self.places[name]], side)
-            found.append(own + _onto(part, name, between))
+            own = own + _onto(part, name, between)
+            if self.ground is not None:
+                own = own - _onto(part, name, self.ground.forces(s, vector, side))
+            found.append(own)
         return np.concatenate(found, axis=1)
 
     def answer(self, s: Complex) -> Complex:
@@ -245,8 +277,10 @@ _SIGNS = np.array([1.0, 1.0, 1.0, -1.0])
 
 
 def _onto(part: Unbalanced, name: str, force: Complex) -> Complex:
-    """Forces (speeds, supports, 6, k) on the supports' nodes, as met by what a part leaves out."""
+    """Forces (speeds, c, 6, k) on nodes of bearings and supports, as met by what a part leaves
+    out; of supports alone where there are as many."""
     places = list(_ENDS[name])
+    force = force[:, max(0, force.shape[1] - part.connected.shape[1]) :]
     own = force[:, :, places] * _SIGNS[: len(places), None]
     planes = part.system.planes
     shaped = own.reshape(*own.shape[:2], planes, len(places) // planes, own.shape[-1])

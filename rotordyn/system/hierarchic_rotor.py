@@ -22,6 +22,7 @@ from rotordyn.system.degrees import (
     rod_wave,
 )
 from rotordyn.system.hierarchy import Degrees, Hierarchy, divided
+from rotordyn.system.jumps import BENDING, Jump, jumps
 from rotordyn.system.mesh import Mesh, station_mesh
 
 Array = NDArray[np.float64]
@@ -66,7 +67,8 @@ def beams(spindle: Spindle, mesh: Mesh, degree: Degrees) -> Hierarchy:
         names = ("mass", "translational_mass", "polar", "stiffness")
         return {name: getattr(own, name) for name in names}
 
-    return Hierarchy(mesh, degree, 2, bending.inner_freedoms, element, bending.added_freedoms)
+    inner, added = bending.inner_freedoms, bending.added_freedoms
+    return Hierarchy(mesh, degree, 2, inner, element, added, jumps(spindle, BENDING))
 
 
 def rigid_motions(elements: Hierarchy) -> Array:
@@ -90,7 +92,9 @@ def deflections(spindle: Spindle, elements: Hierarchy, x: Array) -> Array:
         rows = elements.rows(int(k))
         whole[at[:, None], 0, rows] = shape.deflection[0]
         whole[at[:, None], 1, rows] = shape.rotation[0]
-    return whole.reshape(2 * len(x), -1)
+    flat = whole.reshape(2 * len(x), -1)
+    flat[:, elements.size - len(elements.jumps) :] = elements.jumped(x)
+    return flat
 
 
 def slopes(spindle: Spindle, elements: Hierarchy, x: Array) -> Array:
@@ -103,6 +107,7 @@ def slopes(spindle: Spindle, elements: Hierarchy, x: Array) -> Array:
         at, own = np.flatnonzero(element == k), slice(k, k + 1)
         shape = bending.shapes(mesh.length[own], phi[own], int(elements.degree[k]), xi[at])
         whole[at[:, None], elements.rows(int(k))] = shape.slope[0]
+    whole[:, elements.size - len(elements.jumps) :] = elements.jumped(x)[1::2]
     return whole
 
 
@@ -111,21 +116,26 @@ def rod_hierarchy(
     omega: float,
     tolerance: float,
     properties: Callable[[Mesh], tuple[Array, Array]],
+    way: str,
 ) -> Hierarchy:
     """Elements for axial motion or torsion up to ``omega`` [rad/s] within ``tolerance``.
 
-    ``properties``: rigidity and inertia of a mesh's elements per length.
+    ``properties``: rigidity and inertia of a mesh's elements per length; ``way`` of joints.
     """
     coarse = station_mesh(spindle)
     wave = rod_wave(omega, *properties(coarse))
     parts, degree = parts_and_degree(wave * coarse.length, tolerance)
-    return rods(divided(coarse, parts), np.repeat(degree, parts), properties)
+    given = jumps(spindle, (way,))
+    return rods(divided(coarse, parts), np.repeat(degree, parts), properties, given)
 
 
 def rods(
-    mesh: Mesh, degree: Degrees, properties: Callable[[Mesh], tuple[Array, Array]]
+    mesh: Mesh,
+    degree: Degrees,
+    properties: Callable[[Mesh], tuple[Array, Array]],
+    given: tuple[Jump, ...] = (),
 ) -> Hierarchy:
-    """Rods of given degrees between the nodes of ``mesh``."""
+    """Rods of given degrees between the nodes of ``mesh``, with the jumps ``given``."""
     rigidity, inertia = properties(mesh)
 
     def element(chosen: Degrees, n: int) -> dict[str, Array]:
@@ -135,7 +145,7 @@ def rods(
         return {"mass": own.mass, "stiffness": own.stiffness}
 
     inner, added = rod_element.inner_freedoms, rod_element.added_freedoms
-    return Hierarchy(mesh, degree, 1, inner, element, added)
+    return Hierarchy(mesh, degree, 1, inner, element, added, given)
 
 
 def rod_displacements(elements: Hierarchy, x: Array) -> Array:
@@ -147,7 +157,14 @@ def rod_displacements(elements: Hierarchy, x: Array) -> Array:
         whole[at[:, None], elements.rows(int(k))] = rod_element.shapes(
             int(elements.degree[k]), xi[at]
         )
+    whole[:, elements.size - len(elements.jumps) :] = elements.jumped(x)
     return whole
+
+
+def jump_damping(elements: Hierarchy, vectors: Array) -> Array:
+    """Damping by the joints in the coordinates of ``vectors`` (size, m), (m, m)."""
+    moved = vectors[elements.size - len(elements.jumps) :]
+    return np.asarray(moved.T @ (np.array([j.damping for j in elements.jumps])[:, None] * moved))
 
 
 def axial_properties(mesh: Mesh) -> tuple[Array, Array]:

@@ -1,6 +1,7 @@
 """The rotor in elements of higher degree: matrices, where a station lies, what is left out.
 
-Freedoms: those of the nodes as in ``dofs``, node by node, then the inner ones element by element.
+Freedoms: those of the nodes as in ``dofs``, node by node, then the inner ones element by element,
+then the jumps at joints.
 """
 
 from __future__ import annotations
@@ -12,7 +13,8 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.system.mesh import Mesh
+from rotordyn.system.jumps import Jump
+from rotordyn.system.mesh import COINCIDENT, Mesh
 
 Array = NDArray[np.float64]
 Degrees = NDArray[np.intp]
@@ -26,6 +28,7 @@ class Hierarchy:
     ``width``: freedoms of a node; ``inner``: how many freedoms a degree has between the nodes;
     ``element``: matrices of some elements (indices, degree) by name, (elements, k, k) each;
     ``added``: of the freedoms of a higher degree, which are those of a lower one, which are new.
+    ``jumps``: of the part behind a joint.
     """
 
     mesh: Mesh
@@ -34,11 +37,12 @@ class Hierarchy:
     inner: Callable[[int], int]
     element: Callable[[Degrees, int], dict[str, Array]]
     added: Callable[[int, int], tuple[list[int], list[int]]]
+    jumps: tuple[Jump, ...] = ()
 
     @property
     def size(self) -> int:
         """All freedoms."""
-        return int(self.first[-1])
+        return int(self.first[-1]) + len(self.jumps)
 
     @cached_property
     def first(self) -> Degrees:
@@ -62,7 +66,45 @@ class Hierarchy:
                 for k, block in zip(elements, blocks, strict=True):
                     rows = self.rows(int(k))
                     total[rows[:, None], rows] += block
+                    if name != "stiffness" and self.jumps:
+                        self._add_carried(total, int(k), rows, block)
+        own = np.arange(self.size - len(self.jumps), self.size)
+        if self.jumps:
+            whole["stiffness"][own, own] = [jump.stiffness for jump in self.jumps]
         return whole
+
+    def _add_carried(self, total: Array, k: int, rows: Degrees, block: Array) -> None:
+        """What an element adds to the jumps that carry it."""
+        carried, own = self.carried(k), slice(self.size - len(self.jumps), None)
+        total[rows, own] += block @ carried
+        total[own, rows] += carried.T @ block
+        total[own, own] += carried.T @ block @ carried
+
+    def carried(self, element: int) -> Array:
+        """Freedoms of an element by the jumps (k, jumps)."""
+        ends = self.mesh.x[element : element + 2]
+        rows = np.zeros((len(self.rows(element)), len(self.jumps)))
+        for column, jump in enumerate(self.jumps):
+            if self.mesh.middle[element] > jump.x:
+                rows[: 2 * self.width, column] = jump.motion(ends, self.width)
+        return rows
+
+    def at_node(self, node: int) -> Array:
+        """Freedoms of a node, of the part in front at a joint, by all freedoms (width, size)."""
+        rows = np.zeros((self.width, self.size))
+        own = np.arange(self.width)
+        rows[own, self.width * node + own] = 1.0
+        rows[:, self.size - len(self.jumps) :] = self.jumped(self.mesh.x[node : node + 1])
+        return rows
+
+    def jumped(self, x: Array) -> Array:
+        """Motion by the jumps at stations ``x``, in front of a joint there (width·x, jumps)."""
+        columns = [np.zeros((self.width * len(x), 0))]
+        slack = COINCIDENT * float(self.mesh.x[-1] - self.mesh.x[0])
+        for jump in self.jumps:
+            behind = np.repeat(x > jump.x + slack, self.width)
+            columns.append(np.where(behind, jump.motion(x, self.width), 0.0)[:, None])
+        return np.concatenate(columns, axis=1)
 
     def left_out(self, basis: Array) -> dict[str, Array]:
         """What the next ``LEVELS`` degrees would add, seen by the vectors ``basis`` (size, m).
@@ -74,7 +116,7 @@ class Hierarchy:
         for degree, elements in self._by_degree():
             kept, new = self.added(degree, degree + LEVELS)
             blocks = self.element(elements, degree + LEVELS)
-            moved = np.stack([basis[self.rows(int(k))] for k in elements])
+            moved = np.stack([self._moved(basis, int(k)) for k in elements])
             for name, block in blocks.items():
                 coupling = block[:, new][:, :, kept] @ moved
                 found.setdefault(name, []).append(coupling.reshape(-1, basis.shape[1]))
@@ -82,6 +124,11 @@ class Hierarchy:
                 own = blocks[name][:, new, new]
                 found.setdefault(f"own_{name}", []).append(own.ravel())
         return {name: np.concatenate(parts) for name, parts in found.items()}
+
+    def _moved(self, basis: Array, k: int) -> Array:
+        """Freedoms of an element by vectors (k, m)."""
+        own = basis[self.rows(k)]
+        return own + self.carried(k) @ basis[self.size - len(self.jumps) :] if self.jumps else own
 
     def place(self, x: Array) -> tuple[Degrees, Array]:
         """Element and ξ on [−1, 1] of stations ``x`` [m]."""

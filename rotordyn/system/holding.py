@@ -11,8 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.elements.node import FREEDOMS, position
-from rotordyn.elements.support import BEARING_FREEDOMS, node_matrix, turn
+from rotordyn.elements.support import BEARING_FREEDOMS, node_matrix, support_matrices, turn
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import LinearSupport
+from rotordyn.system.foundation import foundation
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -46,12 +48,13 @@ def rigidly_held(spindle: Spindle) -> Flags:
     return held
 
 
-def held_stiffness(spindle: Spindle, seat_stiffness: Array, closed: Flags) -> Array:
+def held_stiffness(spindle: Spindle, seat_stiffness: Array, closed: Flags, speed: Array) -> Array:
     """Stiffness of everything but what is rigid (states, 6 × connections, 6 × connections).
 
     ``seat_stiffness`` (states, seats, 5, 5): tangents in the bearings' own frames; ``closed``
-    (states, sleeves): stops that hold their sleeve. Sleeves follow their springs along the axis and
-    their radial stiffness across it; they do not tilt.
+    (states, sleeves): stops that hold their sleeve; ``speed`` (states,) [rad/s]. Sleeves follow
+    their springs along the axis and their radial stiffness across it; they do not tilt. Housings
+    follow their own stiffness.
     """
     states, seats = len(seat_stiffness), len(spindle.seats)
     count = seats + len(spindle.supports)
@@ -59,9 +62,9 @@ def held_stiffness(spindle: Spindle, seat_stiffness: Array, closed: Flags) -> Ar
     for k, seat in enumerate(spindle.seats):
         whole[:, k, :, k] = turn(seat_stiffness[:, k], seat.thrust)
     for k, support in enumerate(spindle.supports, start=seats):
-        whole[:, k, :, k] = node_matrix(support.stiffness)
+        whole[:, k, :, k] = support_matrices(support, "stiffness", speed)
     flat = whole.reshape(states, 6 * count, 6 * count)
-    rows, own = _sleeves(spindle, closed, 6 * count)
+    rows, own = _with_housings(spindle, *_sleeves(spindle, closed, 6 * count))
     inner = np.swapaxes(rows, 1, 2) @ flat @ rows + own
     return np.asarray(flat - flat @ rows @ np.linalg.solve(inner, np.swapaxes(rows, 1, 2) @ flat))
 
@@ -85,6 +88,17 @@ def _sleeves(spindle: Spindle, closed: Flags, size: int) -> tuple[Array, Array]:
     return rows, own
 
 
+def _with_housings(spindle: Spindle, rows: Array, own: Array) -> tuple[Array, Array]:
+    """The same with the coordinates of housings behind those of the sleeves."""
+    if not spindle.housings:
+        return rows, own
+    base, (states, size, k) = foundation(spindle), rows.shape
+    under = np.broadcast_to(base.under.reshape(size, base.size), (states, size, base.size))
+    whole = np.zeros((states, k + base.size, k + base.size))
+    whole[:, :k, :k], whole[:, k:, k:] = own, base.stiffness
+    return np.concatenate([rows, under], axis=2), whole
+
+
 def _springs(axial: float, radial: float) -> tuple[tuple[str, float], ...]:
     return ("x", axial), ("y", radial), ("z", radial)
 
@@ -101,12 +115,20 @@ def free_motions(spindle: Spindle) -> Array:
         rows.append(own[[position(freedom) for freedom in BEARING_FREEDOMS]])
     for support in spindle.supports:
         own = rigid_motion(np.array(support.x), front)
-        stiff = node_matrix(support.stiffness) / scale / scale[:, None]
+        stiff = node_matrix(_largest(support)) / scale / scale[:, None]
         largest = np.abs(stiff).max()
         rows.append(own[[position(freedom) for freedom in support.rigid]])
         rows.append(stiff / largest @ (scale[:, None] * own) if largest > 0.0 else own[:0])
     _, size, ways = np.linalg.svd(np.concatenate(rows) / scale * scale[3])
     return np.asarray(ways[size <= ZERO * size[0]].T)
+
+
+def _largest(support: LinearSupport) -> dict[tuple[str, str], float]:
+    """The stiffness of a support, of a table the largest values: what it holds at some speed."""
+    return {
+        pair: max(value, key=abs) if isinstance(value, tuple) else value
+        for pair, value in support.stiffness.items()
+    }
 
 
 def holds_twice(spindle: Spindle) -> bool:

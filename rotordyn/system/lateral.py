@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.elements.node import FREEDOMS, position
-from rotordyn.elements.support import ALIKE, node_matrix, turn
+from rotordyn.elements.support import ALIKE, support_matrices, turn
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.system.dofs import BOTH_PLANES
@@ -132,11 +132,11 @@ def lateral_system(
     InvalidInput : ``turning``, and a support does not answer alike in all directions
     """
     k = np.concatenate(
-        [_seat_blocks(spindle, seat_stiffness), _support_blocks(spindle, len(speed), "stiffness")],
+        [_seat_blocks(spindle, seat_stiffness), _support_blocks(spindle, speed, "stiffness")],
         axis=1,
     )
     c = np.concatenate(
-        [_seat_dampers(spindle, len(speed)), _support_blocks(spindle, len(speed), "damping")],
+        [_seat_dampers(spindle, len(speed)), _support_blocks(spindle, speed, "damping")],
         axis=1,
     )
     rows = np.concatenate([rotor.seats, rotor.supports])
@@ -145,11 +145,12 @@ def lateral_system(
         own_stiffness += np.tensordot(axial_force, rotor.per_newton, 1) + rotor.bar
     if softened:
         own_stiffness -= (speed**2)[:, None, None] * rotor.translational_mass
-    own_damping = np.diag(rotor.damping)
+    own_damping = np.diag(rotor.damping) + rotor.joints
+    turned = speed[:, None, None] * rotor.joints  # dampers that turn with the shaft
     gyroscopic = speed[:, None, None] * rotor.polar
-    internal = speed[:, None, None] * spindle.internal_damping * own_damping
+    internal = speed[:, None, None] * spindle.internal_damping * np.diag(rotor.damping)
     if _alike(k) and _alike(c):
-        stiffness = own_stiffness - 1j * internal + _gathered(rows, _complex(k))
+        stiffness = own_stiffness - 1j * (internal + turned) + _gathered(rows, _complex(k))
         damping = own_damping + _gathered(rows, _complex(c))
         blocks = _complex(k), _complex(c)
         if turning:
@@ -169,7 +170,7 @@ def lateral_system(
         rotor,
         False,
         _both(own_stiffness + zero)
-        + _two_by_two(zero, internal, -internal, zero)
+        + _two_by_two(zero, internal + turned, -internal - turned, zero)
         + _gathered(_both(rows), k),
         _both(own_damping + zero) + across + _gathered(_both(rows), c),
         np.zeros_like(speed),
@@ -218,10 +219,10 @@ def _seat_dampers(spindle: Spindle, speeds: int) -> Array:
     return np.broadcast_to(blocks, (speeds, *blocks.shape))
 
 
-def _support_blocks(spindle: Spindle, speeds: int, which: str) -> Array:
-    blocks = [BOTH_PLANES.take(node_matrix(getattr(s, which))) for s in spindle.supports]
-    stacked = np.array(blocks).reshape(-1, 4, 4)
-    return np.broadcast_to(stacked, (speeds, *stacked.shape))
+def _support_blocks(spindle: Spindle, speed: Array, which: str) -> Array:
+    """(speeds, supports, 4, 4), likewise."""
+    blocks = [BOTH_PLANES.take(support_matrices(s, which, speed)) for s in spindle.supports]
+    return np.stack(blocks, axis=1) if blocks else np.zeros((len(speed), 0, 4, 4))
 
 
 def _alike(blocks: Array) -> bool:

@@ -18,6 +18,7 @@ from rotordyn.system.hierarchic_rotor import (
     beams,
     bending_hierarchy,
     deflections,
+    jump_damping,
     resolved_whirl,
     rigid_motions,
     slopes,
@@ -76,7 +77,8 @@ class LateralRotor:
     the sprung sleeves, if any; ``weightless`` (m,) is 1 for those that have no mass of their own,
     else 0. ``remainder``: what the coordinates leave out; None for a rigid rotor. ``unreduced``:
     the assembled rotor they were taken from, likewise. ``resolved`` [Hz]: highest frequency that
-    the elements carry within the accuracy asked for, or within ``USUAL`` where none is.
+    the elements carry within the accuracy asked for, or within ``USUAL`` where none is. ``joints``
+    (m, m): damping by joints, which turn with the shaft.
     """
 
     basis: Array
@@ -93,6 +95,7 @@ class LateralRotor:
     remainder: Remainder | None
     unreduced: Unreduced | None
     resolved: float
+    joints: Array
 
     @property
     def size(self) -> int:
@@ -116,6 +119,7 @@ class _Reduced:
     remainder: Remainder | None
     unreduced: Unreduced | None
     resolved: float
+    joints: Array
 
 
 def lateral_rotor(
@@ -164,6 +168,7 @@ def lateral_rotor(
         remainder=free.remainder.widened(more) if free.remainder else None,
         unreduced=replace(free.unreduced, more=more) if free.unreduced else None,
         resolved=free.resolved,
+        joints=_bordered(free.joints, more),
     )
 
 
@@ -171,7 +176,7 @@ def _flexible(
     spindle: Spindle, mesh: Mesh, fineness: Fineness, ports: tuple[int, ...], tension: Stiffening
 ) -> _Reduced:
     elements = _elements(spindle, mesh, fineness)
-    plane = loaded_plane(spindle, elements.mesh, elements.matrices())
+    plane = loaded_plane(spindle, elements)
     seen = deflections(spindle, elements, mesh.x)
     loads = seen[_loaded(spindle, mesh, ports)].T
     couplings = [plane.polar, *(seen.T @ c @ seen for c in _drawbar(spindle, mesh, tension))]
@@ -204,6 +209,7 @@ def _flexible(
         ),
         resolved=resolved_whirl(spindle, elements, fineness.spin, fineness.accuracy or USUAL)
         / (2.0 * math.pi),
+        joints=jump_damping(elements, vectors),
     )
 
 
@@ -236,7 +242,8 @@ def _rigid(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> _Reduced:
     basis = np.asarray(np.linalg.solve(factor, shape.T).T)
     polar, translation = (basis.T @ m @ basis for m in (plane.polar, plane.translational_mass))
     along = tension.projected(basis.reshape(-1, 2, 2))
-    return _Reduced(basis, np.zeros(2), polar, translation, along, None, None, math.inf)
+    none = np.zeros((2, 2))
+    return _Reduced(basis, np.zeros(2), polar, translation, along, None, None, math.inf, none)
 
 
 def _drawbar(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> list[Array]:

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.elements.node import FREEDOMS, position
-from rotordyn.elements.support import node_matrix
+from rotordyn.elements.support import along_and_about
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve
 from rotordyn.numerics.reduction import ritz_basis
@@ -23,12 +23,14 @@ from rotordyn.system.assemble import loaded_rod
 from rotordyn.system.dofs import AXIAL, TORSION, Selection
 from rotordyn.system.hierarchic_rotor import (
     axial_properties,
+    jump_damping,
     rod_displacements,
     rod_hierarchy,
     rods,
     torsion_properties,
 )
 from rotordyn.system.hierarchy import Hierarchy
+from rotordyn.system.jumps import jumps
 from rotordyn.system.lateral_rotor import Fineness, own_damping, sleeve_mass
 from rotordyn.system.mesh import Mesh
 from rotordyn.system.remainder import Remainder, remainder
@@ -119,14 +121,15 @@ def axial_system(
         for place, sleeve in enumerate(sliding):
             if seat.name in sleeve.bearings:
                 rows[row, modal + place] = -scale[place]
-    held = np.array([node_matrix(s.stiffness)[0, 0] for s in spindle.supports])
+    held = np.array([along_and_about(s, "stiffness")[0, 0] for s in spindle.supports])
     tiled = np.tile(held, (len(axial_stiffness), 1))
     springs_held = np.concatenate([axial_stiffness, tiled], axis=1)
     stiffness = np.einsum("sc,ci,cj->sij", springs_held, rows, rows, optimize=True)
     dampers = [seat.axial_damping for seat in spindle.seats]
-    dampers += [node_matrix(s.damping)[0, 0] for s in spindle.supports]
+    dampers += [along_and_about(s, "damping")[0, 0] for s in spindle.supports]
     damping = np.einsum("c,ci,cj->ij", np.array(dampers), rows, rows, optimize=True)
     own = np.arange(modal)
+    damping[:modal, :modal] += free.joints
     stiffness[:, own, own] += values
     damping[own, own] += own_damping(values, spindle, bending=False)
     closed = stops[:, [spindle.sleeves.index(s) for s in sliding]]
@@ -170,11 +173,13 @@ def torsion_system(
         ("stiffness", values),
         ("damping", own_damping(values, spindle, bending=False)),
     ):
-        entries = [node_matrix(getattr(s, which))[spin, spin] for s in spindle.supports]
+        entries = [along_and_about(s, which)[spin, spin] for s in spindle.supports]
         held = np.einsum("c,ci,cj->ij", np.array(entries), rows, rows)
         one = np.array(entries).reshape(1, -1, 1, 1)
         blocks.append(np.broadcast_to(one, (speeds, *one.shape[1:])))
-        matrices.append(np.broadcast_to(np.diag(diagonal) + held, (speeds, *held.shape)))
+        joints = free.joints if which == "damping" else 0.0
+        whole = np.diag(diagonal) + held + joints
+        matrices.append(np.broadcast_to(whole, (speeds, *held.shape)))
     return RodSystem(
         "thx",
         basis,
@@ -192,24 +197,28 @@ def torsion_system(
 
 @dataclass(frozen=True, slots=True)
 class _Rod:
-    """One of the two motions along the shaft: what its elements are made of, what it carries."""
+    """One of the two motions along the shaft: what its elements are made of, what it carries, the
+    way in which joints give."""
 
     properties: Callable[[Mesh], tuple[Array, Array]]
     selection: Selection
+    way: str
 
 
-_AXIAL = _Rod(axial_properties, AXIAL)
-_TORSION = _Rod(torsion_properties, TORSION)
+_AXIAL = _Rod(axial_properties, AXIAL, "axial")
+_TORSION = _Rod(torsion_properties, TORSION, "torsion")
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Reduced:
-    """Reduced coordinates of a free rod: seen at the nodes (nodes, m), stiffness (m,)."""
+    """Reduced coordinates of a free rod: seen at the nodes (nodes, m), stiffness (m,); ``joints``
+    (m, m): damping by these."""
 
     at_nodes: Array
     values: Array
     remainder: Remainder | None
     unreduced: Unreduced | None
+    joints: Array
 
 
 def _reduced(
@@ -222,25 +231,28 @@ def _reduced(
     rigid: bool,
 ) -> _Reduced:
     elements = _elements(rod, spindle, mesh, fineness)
-    whole = loaded_rod(spindle, elements.mesh, elements.matrices(), rod.selection)
+    whole = loaded_rod(spindle, elements, rod.selection)
     if rigid:
         count = elements.mesh.nodes
         one = np.ones((mesh.nodes, 1)) / math.sqrt(whole.mass[:count, :count].sum())
-        return _Reduced(one, np.zeros(1), None, None)
+        return _Reduced(one, np.zeros(1), None, None, np.zeros((1, 1)))
     seen = rod_displacements(elements, mesh.x)
     loads = seen[sorted(set(stations))].T
     together = (np.arange(elements.size) < elements.mesh.nodes).astype(float)[:, None]
     basis = ritz_basis(whole.mass, whole.stiffness, fineness.cutoff, loads, together)
     left_out = remainder(elements, basis, {"mass": whole.mass}, seen)
-    return _Reduced(seen @ basis.vectors, basis.values, left_out, Unreduced(basis, seen))
+    damped = jump_damping(elements, basis.vectors)
+    unreduced = Unreduced(basis, seen)
+    return _Reduced(seen @ basis.vectors, basis.values, left_out, unreduced, damped)
 
 
 def _elements(rod: _Rod, spindle: Spindle, mesh: Mesh, fineness: Fineness) -> Hierarchy:
     """Linear rods between all nodes, or those that the accuracy asks for."""
     if fineness.accuracy is None:
-        return rods(mesh, np.ones(mesh.nodes - 1, dtype=np.intp), rod.properties)
+        degree = np.ones(mesh.nodes - 1, dtype=np.intp)
+        return rods(mesh, degree, rod.properties, jumps(spindle, (rod.way,)))
     omega = 2.0 * math.pi * fineness.frequency
-    return rod_hierarchy(spindle, omega, fineness.accuracy, rod.properties)
+    return rod_hierarchy(spindle, omega, fineness.accuracy, rod.properties, rod.way)
 
 
 def _carried(spindle: Spindle, sliding: list[Sleeve], axial_stiffness: Array) -> Array:

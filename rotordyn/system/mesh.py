@@ -79,9 +79,9 @@ class Mesh:
 def build_mesh(spindle: Spindle, element_length: float | None = None) -> Mesh:
     """Nodes at every station, and between them so that no element exceeds ``element_length``.
 
-    Stations are section boundaries, seats, supports, points, masses, discs and those of the
-    drawbar. ``element_length`` None is 1/50 of the shaft: then the nodes are places at which motion
-    is seen and axial force changes, between which elements are as fine as an accuracy asks
+    Stations are section boundaries, seats, supports, points, masses, discs, joints and those of
+    the drawbar. ``element_length`` None is 1/50 of the shaft: then the nodes are places at which
+    motion is seen and axial force changes, between which elements are as fine as an accuracy asks
     (``hierarchic_rotor``). Where a length is given, standard elements lie between them.
 
     Raises
@@ -121,7 +121,7 @@ def _longest(shaft: Shaft, element_length: float | None) -> float:
 
 def _placed(spindle: Spindle) -> Iterator[tuple[str, float]]:
     """What sits on the shaft, by a name to complain with."""
-    for kind in ("seats", "supports", "masses", "discs"):
+    for kind in ("seats", "supports", "masses", "discs", "joints"):
         for number, item in enumerate(getattr(spindle, kind), start=1):
             yield f"{kind} {number} ({item.name})", item.x
     for x in spindle.drawbar.stations if spindle.drawbar else ():

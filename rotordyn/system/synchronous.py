@@ -66,6 +66,10 @@ def support_forces(system: System, speed: Array, moved: Complex) -> Complex:
     between = np.einsum("skij,skj->ski", matrix, at)
     first = force.shape[1] - len(system.at_supports)
     force[:, first:] -= between[..., _ACROSS]
+    if system.carried is not None:
+        under = np.einsum("kin,sn->ski", system.carried.under, moved)
+        matrix = _dynamic(system.carried.held, system.carried.damped, speed)
+        force += np.einsum("skij,skj->ski", matrix, under)[..., _ACROSS]
     return force
 
 

@@ -25,7 +25,7 @@ def dense_poles(spindle: Spindle, spin: float, highest: float, accuracy: float) 
     both keep the digits of slow modes.
     """
     elements = bending_hierarchy(spindle, 2.0 * math.pi * highest, spin, accuracy)
-    plane = loaded_plane(spindle, elements.mesh, elements.matrices())
+    plane = loaded_plane(spindle, elements)
     turn = np.eye(elements.size)
     turn[:, :2] = rigid_motions(elements)
     turn[:, 1] -= turn[0, 1] * turn[:, 0]

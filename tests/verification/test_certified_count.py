@@ -15,6 +15,8 @@ from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions
 from rotordyn.exact.count import modes_below, whirl_frequencies
 from rotordyn.exact.rotor import exact_rotor
+from rotordyn.machine.housing import RigidHousing
+from rotordyn.machine.joint import Joint
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.reduction import RitzBasis
 from rotordyn.report.warnings import result_warnings
@@ -160,3 +162,27 @@ def test_poles_of_long_random_rotors_by_one_dense_solve(seed: int) -> None:
     assert found["certified"]
     assert found["counted"] == found["modes"]
     assert max(found["errors"]) < 1e-5
+
+
+def test_housings_and_dampers_of_joints_have_no_proof(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No bound is known of their forces: found modes are told, their number is not, in one go."""
+    reduced: list[float] = []
+    whole = Scene.beyond
+    monkeypatch.setattr(Scene, "beyond", lambda s, k: reduced.append(k) or whole(s, k))
+    supports = [support("a", 0.2, (1e8, 1e8), 1e3), support("b", 0.8, (1e8, 1e8), 1e3)]
+    bar = uniform(1.0, 0.05, supports=supports)
+    stiffness = {("y", "y"): 1e8, ("z", "z"): 1e8}
+    joint = Joint("cone", 0.4, tilt=1e6)
+    for spindle, proven in (
+        (replace(bar, joints=(joint,)), True),
+        (replace(bar, joints=(replace(joint, tilt_damping=1.0),)), False),
+        (replace(bar, housings=(RigidHousing("wall", ("a",), 0.2, 5.0, stiffness),)), False),
+    ):
+        result = answered(spindle, [0.0, 300.0], 2000.0)
+        assert result.certified.all() == result.certified.any() == proven
+        assert np.isfinite(result.modes_below).all() == proven
+        assert (result.modes_found > 0).all()
+        assert bool(result_warnings({"campbell": result})) != proven
+        assert not reduced
+    rigid = replace(bar, housings=(RigidHousing("wall", ("a",), 0.2, 5.0, stiffness),))
+    assert answered(rigid, [0.0, 300.0], 2000.0, rotor="rigid").certified.all()

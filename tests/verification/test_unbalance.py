@@ -24,7 +24,7 @@ from rotordyn.analysis.orbit import orbit
 from rotordyn.analysis.registry import answer_spindle
 from rotordyn.analysis.results import FrfResult, UnbalanceResult
 from rotordyn.errors import NoSolution
-from rotordyn.machine import LinearSupport, PointMass, Section, Shaft, Spindle
+from rotordyn.machine import LinearSupport, PointMass, RigidHousing, Section, Shaft, Spindle
 from rotordyn.machine.inertia import rotor_inertia
 from tests.oracles.spindles import RPM, mfw2310, undamped
 
@@ -327,3 +327,30 @@ def test_estimated_error_is_the_true_one(element: float, ratio: float) -> None:
     fine = solved(spindle, speed, Unbalance(0.2, U), conditions=Conditions(accuracy=1e-7))
     off = np.abs(coarse.displacement - fine.displacement).max() / np.abs(fine.displacement).max()
     assert coarse.error[0] == pytest.approx(off, rel=0.05)
+
+
+@pytest.mark.parametrize("rotor", ["rigid", "flexible"])
+def test_pedestals_in_closed_form(rotor: str) -> None:
+    """A rotor that moves in parallel on equal pedestals: the force of a support is that of its
+    spring and damper over the difference of two motions, m and M in a row for each direction."""
+    own, ground, c0 = 10.0, 0.8 * K, 120.0
+    pedestals = tuple(
+        RigidHousing(f"under {name}", (name,), x, own, block(ground, 2 * ground), block(c0, 0.0))
+        for name, x in (("left", 0.0), ("right", 1.0))
+    )
+    stiff = replace(STEEL, young_modulus=2.1e18)
+    spindle = on_two(block(K, K), block(C, C), stiff, housings=pedestals)
+    mass = rotor_inertia(spindle).mass
+    speed = np.linspace(10.0, 2.5 * math.sqrt(K / mass), 30)
+    result = solved(
+        spindle, speed, Unbalance("disc", U), conditions=Conditions(rotor=rotor, accuracy=1e-6)
+    )
+    for plane, (held, damped) in enumerate(((ground, c0), (2 * ground, 0.0))):
+        for row, spin in enumerate(speed):
+            spring = K / 2 + 0.5j * spin * C
+            below = held + 1j * spin * damped - own * spin**2
+            matrix = [[spring - mass / 2 * spin**2, -spring], [-spring, spring + below]]
+            moved, under = np.linalg.solve(matrix, [U / 2 * spin**2 * (1, -1j)[plane], 0.0])
+            met = result.displacement[row, 0, plane], *result.force[row, :, plane]
+            closed = moved, *[-spring * (moved - under)] * 2
+            np.testing.assert_allclose(met, closed, rtol=1e-9 if rotor == "rigid" else 2e-5)

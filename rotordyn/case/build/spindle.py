@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import Any
 
 from rotordyn import units
 from rotordyn.case.build.bearing import bearing, material
+from rotordyn.case.build.joint import joint
 from rotordyn.case.schema.drawbar import DrawbarEntry
 from rotordyn.case.schema.growth import GrowthEntry, QuadraticEntry, ShorteningEntry
+from rotordyn.case.schema.housing import HousingEntry
 from rotordyn.case.schema.material import MaterialEntry
 from rotordyn.case.schema.matrix import entries
 from rotordyn.case.schema.reference import KIND_OF_UNIT, ReferenceEntry
 from rotordyn.case.schema.shaft import DiscEntry, MassEntry, SectionEntry, ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.case.schema.support import SeatEntry, SleeveEntry, SupportEntry
+from rotordyn.machine.cone import cone
 from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.growth import (
@@ -23,6 +27,7 @@ from rotordyn.machine.growth import (
     QuadraticInSpeed,
     RingGrowth,
 )
+from rotordyn.machine.housing import Housing, ReducedHousing, RigidHousing
 from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.reference import QUANTITIES, Reference
 from rotordyn.machine.shaft import Section, Shaft
@@ -52,6 +57,8 @@ def spindle(entry: SpindleEntry, name: str) -> Spindle:
         title=entry.title,
         note=entry.note,
         references=references(entry.references),
+        housings=tuple(housing(each) for each in entry.housings),
+        joints=tuple(joint(each) for each in entry.joints),
     )
 
 
@@ -63,6 +70,7 @@ def tool(entry: ToolEntry, name: str) -> Tool:
         masses=tuple(_mass(mass) for mass in entry.masses),
         points=dict(entry.points),
         references=references(entry.references),
+        joints=tuple(joint(each) for each in entry.joints),
     )
 
 
@@ -90,10 +98,9 @@ def _reference(entry: ReferenceEntry) -> Reference:
 
 def _sections(entries: Sequence[SectionEntry], common: MaterialEntry | None) -> tuple[Section, ...]:
     return tuple(
-        Section(
-            s.length, s.outer_diameter, s.inner_diameter, material(s.material or common), s.name
-        )
+        cylinder
         for s in entries
+        for cylinder in cone(s.length, s.outer, s.inner, material(s.material or common), s.name)
     )
 
 
@@ -164,7 +171,27 @@ def _sleeve(entry: SleeveEntry) -> Sleeve:
 def support(entry: SupportEntry) -> LinearSupport:
     """A linear support, its matrices however they are written."""
     matrices = entries(entry.stiffness), entries(entry.damping)
-    return LinearSupport(entry.name, entry.x, *matrices, tuple(entry.rigid))
+    rigid, speeds = tuple(entry.rigid), tuple(entry.speeds)
+    return LinearSupport(entry.name, entry.x, *matrices, rigid, speeds)
+
+
+def housing(entry: HousingEntry) -> Housing:
+    """A rigid housing, or one by its reduced model."""
+    carries, model = tuple(entry.carries), entry.model
+    if model is None:
+        matrices = entries(entry.stiffness), entries(entry.damping)
+        inertias = entry.polar_inertia, entry.diametral_inertia
+        place = (entry.name, carries, entry.x or 0.0, entry.mass or 0.0)
+        return RigidHousing(*place, *matrices, *inertias)
+    matrix = {name: _rows(getattr(model, name)) for name in ("shape", *_MATRICES)}
+    return ReducedHousing(entry.name, carries, model.places, **matrix)
+
+
+_MATRICES = ("mass", "stiffness", "damping")
+
+
+def _rows(matrix: Any) -> tuple[tuple[float, ...], ...]:
+    return tuple(tuple(row) for row in matrix.tolist())
 
 
 def _drawbar(entry: DrawbarEntry | None) -> Drawbar | None:

@@ -117,7 +117,7 @@ def _hole(entry: SpindleEntry, x: float) -> float | None:
     left = entry.shaft.start
     for section in entry.shaft.sections:
         if left <= x < left + section.length:
-            return section.inner_diameter
+            return max(section.inner)
         left += section.length
     return None
 

@@ -15,8 +15,11 @@ from rotordyn.case.agreement import (
     rigid_supports,
 )
 from rotordyn.case.build.spindle import support
+from rotordyn.case.build.sweep import values
 from rotordyn.case.checks.conditions import conditions, sideways
 from rotordyn.case.checks.frf import frf, slices
+from rotordyn.case.checks.housing import on_housings
+from rotordyn.case.checks.joint import on_joints
 from rotordyn.case.checks.loads import elements, section_forces, unbalance
 from rotordyn.case.checks.names import exists
 from rotordyn.case.checks.references import references
@@ -133,6 +136,9 @@ def against_machine(
     _elements(entry, spindle, tool, root, faults)
     supports = _supports(spindle)
     conditions(entry.conditions, supports, spindle, root, faults)
+    _known_there(entry, supports, root, faults)
+    on_housings(entry, spindle, root, faults)
+    on_joints(entry, spindle, tool, root, faults)
     points = [*spindle.points, *(tool.points if tool else {})]
     for name in NEEDS_BEARINGS:
         if getattr(entry.analyses, name) is not None and not spindle.bearings:
@@ -150,6 +156,15 @@ def against_machine(
         sideways(entry, supports, root, faults)
     if not faults:
         elements(entry, spindle, tool, root, faults)
+
+
+def _known_there(
+    entry: CaseEntry, supports: Sequence[LinearSupport], root: Node, faults: Faults
+) -> None:
+    """Tables of supports reach over the speeds of the case."""
+    for each in supports:
+        for sentence in each.beyond(values(entry.speeds)):
+            faults.at(root, ("speeds",), sentence)
 
 
 def _rigid(entry: CaseEntry, spindle: SpindleEntry, root: Node, faults: Faults) -> None:

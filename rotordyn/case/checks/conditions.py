@@ -32,7 +32,7 @@ def conditions(
     if entry.formulation == ROTATING:
         for support in supports:
             _even(support, root, faults)
-    held = any(s.stiffness.get(("x", "x")) or "x" in s.rigid for s in supports)
+    held = any(s.along or "x" in s.rigid for s in supports)
     if spindle.bearings or held:
         return
     for key, acts in (("axial_force", entry.axial_force), ("gravity", entry.gravity != "none")):
@@ -48,7 +48,9 @@ def conditions(
 
 def _even(support: LinearSupport, root: Node, faults: Faults) -> None:
     """Bearings under axial load are even; supports are where their matrices say so."""
-    from rotordyn.elements.support import answers_alike, node_matrix
+    import numpy as np
+
+    from rotordyn.elements.support import answers_alike, support_matrices
 
     way = ("conditions", "formulation")
     if "bending" in coupled_motions([support]):
@@ -59,8 +61,9 @@ def _even(support: LinearSupport, root: Node, faults: Faults) -> None:
             "cannot describe: given 'rotating'; allowed: inertial",
         )
         return
+    speeds = np.array(support.speeds or (0.0,))
     for name in ("stiffness", "damping"):
-        if not answers_alike(node_matrix(getattr(support, name))):
+        if not answers_alike(support_matrices(support, name, speeds)):
             faults.at(
                 root,
                 way,

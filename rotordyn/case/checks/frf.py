@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from contextlib import suppress
 
 from rotordyn.analysis.formulation import ROTATING, turned
 from rotordyn.analysis.specs import QUANTITIES
 from rotordyn.case.agreement import uncoupled
+from rotordyn.case.build.spindle import housing
 from rotordyn.case.build.sweep import values
 from rotordyn.case.checks.names import exists
 from rotordyn.case.faults import Faults
@@ -14,6 +16,8 @@ from rotordyn.case.node import Node
 from rotordyn.case.schema.analyses import FrfEntry, Place
 from rotordyn.case.schema.case import CaseEntry
 from rotordyn.case.schema.spindle import SpindleEntry
+from rotordyn.errors import InvalidInput
+from rotordyn.machine.housing import housed_motions
 from rotordyn.machine.support import MOTIONS, LinearSupport, coupled_motions
 
 WAY = ("analyses", "frf")
@@ -50,7 +54,7 @@ def frf(
         _listed(getattr(entry.matrix, key), key, points, root, faults)
     # a support whose faults are reported already might couple anything
     known = len(supports) == len(spindle.supports)
-    coupled = coupled_motions(supports) if known else _ALL_MOTIONS
+    coupled = coupled_motions(supports) | _housed(spindle) if known else _ALL_MOTIONS
     seen: set[str] = set()
     for index, pair in enumerate(entry.pairs):
         way = (*WAY, "pairs", index)
@@ -61,6 +65,15 @@ def frf(
         _coupled(pair.response, pair.excitation, coupled, root, way, faults)
     for response, excitation in entry.asked[len(seen) :]:
         _coupled(response, excitation, coupled, root, (*WAY, "matrix"), faults)
+
+
+def _housed(spindle: SpindleEntry) -> frozenset[str]:
+    """The motions of the housings that are without fault."""
+    found = []
+    for entry in spindle.housings:
+        with suppress(InvalidInput):
+            found.append(housing(entry))
+    return housed_motions(found)
 
 
 def _listed(

@@ -9,6 +9,7 @@ from rotordyn.case.checks.names import unique
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
 from rotordyn.case.schema.shaft import DiscEntry, MassEntry, SectionEntry
+from rotordyn.machine.cone import cone_faults
 from rotordyn.units import format_quantity
 
 Span = tuple[float, float]
@@ -24,6 +25,7 @@ def sections(
     for index, entry in enumerate(entries):
         here = (*way, index)
         wall(entry, root, here, faults)
+        _rear_wall(entry, root, here, faults)
         if not common and root.at(*here).child("material") is None:
             faults.missing(root, (*here, "material"), "missing key: this section has no material")
 
@@ -40,6 +42,15 @@ def wall(
             (*way, "inner_diameter"),
             f"no wall left: given inner diameter '{inner}'; allowed: below the outer, '{outer}'",
         )
+
+
+def _rear_wall(entry: SectionEntry, root: Node, way: tuple[object, ...], faults: Faults) -> None:
+    """A cone has a wall at its rear end, and is not too steep for its cylinders."""
+    known = (*entry.outer, *entry.inner)
+    if entry.inner_diameter >= entry.outer_diameter or any(math.isnan(d) for d in known):
+        return
+    for sentence in cone_faults(entry.outer, entry.inner):
+        faults.at(root, way, sentence)
 
 
 def span(start: float, entries: Sequence[SectionEntry]) -> Span:

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rotordyn.case.checks.bearing import seats, sleeves
+from rotordyn.case.checks.housing import housings
+from rotordyn.case.checks.joint import joints
 from rotordyn.case.checks.names import exists, unique
 from rotordyn.case.checks.references import references
 from rotordyn.case.checks.shaft import (
@@ -24,7 +26,7 @@ from rotordyn.case.schema.shaft import MassEntry, SectionEntry, ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.case.schema.support import SupportEntry
 from rotordyn.machine.spindle import held_twice
-from rotordyn.machine.support import rigid_and_elastic
+from rotordyn.machine.support import acts, rigid_and_elastic, table_faults
 
 
 def spindle(entry: SpindleEntry, root: Node, tool: ToolEntry | None, faults: Faults) -> None:
@@ -40,6 +42,8 @@ def spindle(entry: SpindleEntry, root: Node, tool: ToolEntry | None, faults: Fau
     _shortening(entry, reach, root, faults)
     _drawbar(entry, reach, root, faults)
     _held(entry, root, faults)
+    housings(entry, root, faults)
+    joints(entry.joints, (reach[0] - _length(tool), reach[1]), (), root, faults)
     references(entry.references, root, faults)
 
 
@@ -52,9 +56,11 @@ def tool(entry: ToolEntry, root: Node, machine: SpindleEntry | None, faults: Fau
         return
     nose = machine.shaft.start
     reach = (nose - _length(entry), nose)
+    machine_end = span(machine.shaft.start, machine.shaft.sections)[1]
     points_on_shaft(entry.points, reach, root, faults)
     for index, mass in enumerate(entry.masses):
         on_shaft(mass.x, reach, "mass", root, ("masses", index, "x"), faults)
+    joints(entry.joints, (reach[0], machine_end), machine.joints, root, faults)
     for name in entry.points:
         if name in machine.points:
             faults.at_key(root, ("points", name), "name already taken by a point of the spindle")
@@ -101,6 +107,11 @@ def _support(entry: SupportEntry, root: Node, way: tuple[object, ...], faults: F
     named = (*entries(entry.stiffness), *entries(entry.damping))
     for sentence in rigid_and_elastic(entry.rigid, named):
         faults.at(root, (*way, "rigid"), sentence)
+    ascending(entry.speeds, root, (*way, "speeds"), faults)
+    for place, sentence in table_faults(
+        entries(entry.stiffness), entries(entry.damping), entry.speeds
+    ):
+        faults.at(root, (*way, *place), sentence)
 
 
 def _lumped(entry: SpindleEntry, root: Node, faults: Faults) -> None:
@@ -161,7 +172,8 @@ def _held(entry: SpindleEntry, root: Node, faults: Faults) -> None:
         key
         for key in ("yy", "zz")
         if not any(
-            entries(support.stiffness).get(ENTRIES[key]) or ENTRIES[key][0] in support.rigid
+            acts(entries(support.stiffness).get(ENTRIES[key], 0.0))
+            or ENTRIES[key][0] in support.rigid
             for support in entry.supports
         )
     ]

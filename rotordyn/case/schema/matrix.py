@@ -49,12 +49,32 @@ def _rotations(row: str, column: str) -> int:
 
 
 def _by_entries(title: str, kind: str) -> Any:
-    """An entry with one optional key per place of a 6×6 matrix."""
-    types = [Annotated[float, reader] for reader in _readers(kind)]
+    """An entry with one optional key per place of a 6×6 matrix: a value, or one per speed."""
+    types = [Annotated[float | tuple[float, ...], _or_row(one)] for one in _readers(kind)]
     fields: dict[str, Any] = {
         key: (types[_rotations(*pair)] | None, None) for key, pair in ENTRIES.items()
     }
     return create_model(title, __base__=Entry, **fields)
+
+
+def _or_row(reader: PlainValidator) -> PlainValidator:
+    """Reads one value, or a list of them as a tuple."""
+    one, shape = cast(Reader, reader.func), reader.json_schema_input_type
+
+    def read(value: Any) -> float | tuple[float, ...]:
+        if not isinstance(value, list):
+            return cast(float, one(value))
+        found, faults = [], list[InitErrorDetails]()
+        for index, item in enumerate(value):
+            try:
+                found.append(one(item))
+            except PydanticCustomError as error:
+                faults.append({"type": wrong(error.message()), "loc": (index,), "input": item})
+        if faults:
+            raise ValidationError.from_exception_data("entry", faults)
+        return tuple(found)
+
+    return PlainValidator(read, json_schema_input_type=shape | list[shape])  # type: ignore[valid-type]
 
 
 def _freedoms(value: Any) -> list[str]:
@@ -162,8 +182,11 @@ StiffnessMatrix: Any = _either(WholeStiffnessEntry, StiffnessMatrixEntry)
 DampingMatrix: Any = _either(WholeDampingEntry, DampingMatrixEntry)
 
 
-def entries(matrix: Any) -> dict[tuple[str, str], float]:
-    """What a matrix says, by pair of freedoms, however it is written; NaN where it is faulty."""
+def entries(matrix: Any) -> dict[tuple[str, str], Any]:
+    """What a matrix says, by pair of freedoms, however it is written; NaN where it is faulty.
+
+    A value, or a tuple of one per speed.
+    """
     if isinstance(matrix, WholeStiffnessEntry | WholeDampingEntry):
         if not matrix.matrix:
             return dict.fromkeys(ENTRIES.values(), math.nan)

@@ -7,6 +7,7 @@ from typing import Annotated
 from pydantic import Discriminator, Field, Tag
 
 from rotordyn.case.schema.base import Entry, form
+from rotordyn.case.schema.joint import JointEntry
 from rotordyn.case.schema.material import OptionalMaterial
 from rotordyn.case.schema.reference import ReferenceEntry
 from rotordyn.case.schema.values import (
@@ -26,13 +27,27 @@ from rotordyn.quantity import SHEAR_COEFFICIENT
 
 
 class SectionEntry(Entry):
-    """A hollow cylinder."""
+    """A hollow cylinder, or a cone where diameters at its rear end are given."""
 
     name: Name = ""
     length: Length
     outer_diameter: Diameter
     inner_diameter: Bore = 0.0
+    rear_outer_diameter: Diameter | None = None
+    rear_inner_diameter: Bore | None = None
     material: OptionalMaterial = None
+
+    @property
+    def outer(self) -> tuple[float, float]:
+        """Outer diameters at both ends [m]."""
+        rear = self.rear_outer_diameter
+        return self.outer_diameter, self.outer_diameter if rear is None else rear
+
+    @property
+    def inner(self) -> tuple[float, float]:
+        """Inner diameters at both ends [m]."""
+        rear = self.rear_inner_diameter
+        return self.inner_diameter, self.inner_diameter if rear is None else rear
 
 
 Sections = Annotated[list[SectionEntry], Field(min_length=1)]
@@ -89,4 +104,5 @@ class ToolEntry(Entry):
     sections: Sections
     masses: list[MassEntry] = []
     points: dict[Name, Station] = {}
+    joints: list[JointEntry] = []
     references: list[ReferenceEntry] = []

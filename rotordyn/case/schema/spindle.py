@@ -7,6 +7,8 @@ from typing import Any
 from rotordyn.case.schema.base import Entry
 from rotordyn.case.schema.drawbar import DrawbarEntry
 from rotordyn.case.schema.growth import GrowthEntry, ShorteningEntry
+from rotordyn.case.schema.housing import HousingEntry
+from rotordyn.case.schema.joint import JointEntry
 from rotordyn.case.schema.reference import ReferenceEntry
 from rotordyn.case.schema.shaft import DiscEntry, MassEntry, ShaftEntry
 from rotordyn.case.schema.support import (
@@ -66,6 +68,8 @@ class SpindleEntry(Entry):
     shortening: ShorteningEntry | None = None
     sleeves: list[SleeveEntry] = []
     supports: list[SupportEntry] = []
+    housings: list[HousingEntry] = []
+    joints: list[JointEntry] = []
     drawbar: DrawbarEntry | None = None
     damping: DampingEntry = DampingEntry()
     points: dict[Name, Station] = {}

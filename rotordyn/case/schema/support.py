@@ -23,8 +23,10 @@ from rotordyn.case.schema.values import (
     Name,
     Preload,
     Rigidity,
+    Speed,
     Station,
     StopTravel,
+    Text,
     choice,
     none_if_unknown,
 )
@@ -70,7 +72,8 @@ class SleeveEntry(Entry):
 class SupportEntry(Entry):
     """A linear support to ground, by its matrices; nothing is made symmetric.
 
-    Or freedoms held rigidly, which only `section_forces` takes.
+    An entry by name may be a list, one value at each of `speeds`, straight lines in between. Or
+    freedoms held rigidly, which only `section_forces` takes.
     """
 
     name: Name
@@ -78,3 +81,5 @@ class SupportEntry(Entry):
     stiffness: StiffnessMatrix = StiffnessMatrixEntry()
     damping: DampingMatrix = DampingMatrixEntry()
     rigid: Freedoms = []
+    speeds: list[Speed] = []
+    table: Text = ""

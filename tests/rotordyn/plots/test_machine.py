@@ -9,12 +9,17 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from rotordyn.machine.cone import cone
 from rotordyn.machine.drawbar import Drawbar
+from rotordyn.machine.housing import RigidHousing
+from rotordyn.machine.joint import Joint
+from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.support import BearingSeat
 from rotordyn.plots.labels import spread
-from rotordyn.plots.machine import machine_figure
+from rotordyn.plots.machine import _runs, machine_figure
 from rotordyn.plots.sketch import Sketch
 from rotordyn.plots.symbols import contact_line, draw_drawbar
+from tests.oracles.rotors import STEPPED, support
 from tests.rotordyn.plots import samples
 
 
@@ -110,3 +115,22 @@ def test_spread_of_too_many_stays_inside():
     assert placed.min() >= 0.0
     assert placed.max() <= 10.0
     assert np.diff(np.sort(placed)).min() > 0.0
+
+
+def test_a_cone_is_drawn_whole_its_joints_and_housing_named() -> None:
+    steel = STEPPED.shaft.sections[0].material
+    shaft = Shaft(0.0, (*cone(0.1, (0.03, 0.06), (0.0, 0.01), steel), *STEPPED.shaft.sections))
+    supports = (support("left", 0.12, (1e7, 1e7)), support("right", 0.3, (1e7, 1e7)))
+    box = RigidHousing("box", ("left", "right"), 0.2, 9.0, {("y", "y"): 1e8, ("z", "z"): 1e8})
+    machine = replace(
+        STEPPED,
+        shaft=shaft,
+        masses=(),
+        supports=supports,
+        housings=(box,),
+        joints=(Joint("flange", 0.2, tilt=1e5),),
+    )
+    runs = _runs(shaft.sections)
+    assert [len(run) for run in runs] == [len(shaft.sections) - 4, 1, 1, 1, 1]
+    words = {text.get_text() for text in machine_figure(machine).axes[0].texts}
+    assert {"flange", "box", "left", "right"} <= words

@@ -1,0 +1,89 @@
+"""A table of a support over speed, read from a CSV file into the keys it stands for.
+
+The first line names the columns, each with its unit: ``speed [rpm], stiffness.yy [N/um],
+damping.yy [N s/m]``. Further lines hold plain numbers; empty lines and those that begin with ``#``
+are passed over. Every value keeps its place in that file.
+"""
+
+from __future__ import annotations
+
+import csv
+import re
+from pathlib import Path
+
+from rotordyn.case.document import read_text, shown
+from rotordyn.case.faults import Faults
+from rotordyn.case.node import Node, joined
+from rotordyn.errors import Fault
+
+_HEAD = re.compile(r"\s*(speed|(stiffness|damping)\.(\w+))\s*\[([^\]]+)\]\s*")
+_ALLOWED = "speed [rpm], stiffness.yy [N/um], damping.yy [N s/m] and the like"
+
+
+def tabled(support: Node, path: Path, faults: Faults, contents: dict[Path, bytes]) -> None:
+    """Puts the columns of the CSV file at ``path`` into the support that names it as its table."""
+    text = read_text(path, faults, contents)
+    if text is None:
+        return
+    file = shown(path)
+    rows = [
+        (line, row)
+        for line, row in enumerate(csv.reader(text.splitlines()), start=1)
+        if any(cell.strip() for cell in row) and not row[0].lstrip().startswith("#")
+    ]
+    columns = _columns(rows, file, faults)
+    for column, (way, unit) in enumerate(columns):
+        cells = [
+            Node(f"{row[column].strip()} {unit}", file, line, column + 1, raw=row[column].strip())
+            for line, row in rows[1:]
+        ]
+        _put(support, way, Node(cells, file, rows[0][0], column + 1), faults)
+
+
+def _columns(
+    rows: list[tuple[int, list[str]]], file: str, faults: Faults
+) -> list[tuple[tuple[str, ...], str]]:
+    """The way to the key of every column, and its unit; nothing where the file is no table."""
+    if not rows:
+        faults.add(Fault(file, 0, 0, "", f"holds no table: allowed: columns {_ALLOWED}"))
+        return []
+    (line, head), fine = rows[0], True
+    found: list[tuple[tuple[str, ...], str]] = []
+    for column, name in enumerate(head, start=1):
+        match = _HEAD.fullmatch(name)
+        if match is None:
+            message = f"not a column of a table: given '{name.strip()}'; allowed: {_ALLOWED}"
+            faults.add(Fault(file, line, column, "", message))
+            fine = False
+            continue
+        whole, which, entry, unit = match.groups()
+        way = ("speeds",) if whole == "speed" else (str(which), str(entry))
+        if way in [known for known, _ in found]:
+            faults.add(Fault(file, line, column, "", f"column repeated: given '{whole}'"))
+            fine = False
+        found.append((way, unit.strip()))
+    if fine and ("speeds",) not in [way for way, _ in found]:
+        faults.add(Fault(file, line, 1, "", "column missing: 'speed [rpm]' must be given"))
+        fine = False
+    for where, row in rows[1:]:
+        if len(row) != len(head):
+            message = f"not as many values as columns: given {len(row)} for {len(head)}"
+            faults.add(Fault(file, where, 1, "", message))
+            fine = False
+    return found if fine else []
+
+
+def _put(support: Node, way: tuple[str, ...], values: Node, faults: Faults) -> None:
+    holder = support
+    for key in way[:-1]:
+        if holder.child(key) is None:
+            place = joined(holder.path, key)
+            holder.value[key] = Node({}, values.file, values.line, values.column, place)
+        holder = holder.at(key)
+    if not isinstance(holder.value, dict):
+        return  # reported by the schema
+    if {way[-1], "freedoms", "matrix"} & set(holder.value):
+        name = ".".join(way)
+        faults.at(support, ("table",), f"both in the table and beside it: given {name}")
+        return
+    holder.value[way[-1]] = values

@@ -1,0 +1,302 @@
+"""Joints in the shaft: closed forms, two shafts tied by springs, limits."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.linalg import block_diag
+from scipy.optimize import brentq
+
+import rotordyn
+from rotordyn.analysis import campbell, frf, stiffness
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec, StiffnessSpec
+from rotordyn.errors import InvalidInput
+from rotordyn.machine.joint import Joint
+from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.spindle import Spindle
+from rotordyn.numerics.modes import modes
+from rotordyn.system.assemble import rotor_matrices
+from rotordyn.system.dofs import ALL
+from rotordyn.system.mesh import build_mesh
+from tests.oracles.rotors import STEEL, STEPPED, support, uniform
+from tests.oracles.spindles import RPM, case, mfw2310, pairs
+
+PARTED = Joint("cone", 0.05, radial=4e8, tilt=2e5, axial=9e8, torsion=6e4)
+HELD = (support("a", 0.08, (6e7, 4e7), 1e3), support("b", 0.2, (4e7, 4e7), 1e3))
+
+
+def scene(spindle: Spindle, rpm: tuple[float, ...], highest: float, **given: object) -> Scene:
+    ports = tuple(spindle.points.values())
+    return Scene(spindle, Conditions(**given), np.array(rpm) * RPM, highest, ports)  # type: ignore[arg-type]
+
+
+def hinged(spring: float) -> Spindle:
+    ends = tuple(support(name, x, (1e11, 1e11)) for name, x in (("left", 0.0), ("right", 2.0)))
+    rotor = uniform(2.0, 0.01, supports=ends)
+    return replace(rotor, joints=(Joint("hinge", 1.0, tilt=spring),))
+
+
+@pytest.mark.parametrize("spring", [1.0, 50.0, 500.0])
+def test_a_slender_beam_with_a_hinge(spring: float) -> None:
+    """Pinned ends, spring k in the middle: EI β (tanh βl cos βl − sin βl) + 4 k cos βl = 0 of the
+    symmetric modes, l half the length; the others, sin βl = 0, do not feel it."""
+    rigidity, mass, half = 2.1e11 * math.pi * 0.01**4 / 64, 7800 * math.pi * 0.01**2 / 4, 1.0
+
+    def closed(b: float) -> float:
+        c, s, t = math.cos(b * half), math.sin(b * half), math.tanh(b * half)
+        return rigidity * b * (t * c - s) + 2.0 * 2.0 * spring * c
+
+    found = campbell.answer(scene(hinged(spring), (0.0,), 200.0), CampbellSpec(max_frequency=100.0))
+    bent = found.frequency[0, [k for k, kind in enumerate(found.kind) if kind == "bending"]][::2]
+    grid = np.linspace(0.05, 8.0, 400)
+    crossed = [(a, b) for a, b in pairwise(grid) if closed(a) * closed(b) < 0.0]
+    betas = [brentq(closed, a, b, xtol=1e-12) for a, b in crossed] + [math.pi, 2 * math.pi]
+    exact = np.sort(np.array(betas)) ** 2 * math.sqrt(rigidity / mass) / (2 * math.pi)
+    exact = exact[exact < 100.0]
+    assert len(bent) == len(exact) >= 4
+    assert bent == pytest.approx(exact, rel=1e-3)
+
+
+def parts() -> tuple[Spindle, Spindle]:
+    """STEPPED cut at its joint."""
+    shaft = STEPPED.shaft
+    x = PARTED.x
+    front = Shaft(shaft.start, (shaft.sections[0], replace(shaft.sections[1], length=0.05)))
+    rear = Shaft(x, (replace(shaft.sections[1], length=0.05), *shaft.sections[2:]))
+    masses = [m for m in STEPPED.masses if m.x > x]
+    return (
+        replace(STEPPED, shaft=front, masses=(), points={}),
+        replace(STEPPED, shaft=rear, masses=tuple(masses), points={}),
+    )
+
+
+def tied(rpm: float, length: float) -> np.ndarray:
+    """Poles of both parts, all freedoms of every node, tied by the springs."""
+    halves = [(part, build_mesh(part, length)) for part in parts()]
+    free = [rotor_matrices(part, mesh, ALL) for part, mesh in halves]
+    mass, gyroscopic, stiff = (
+        block_diag(*(getattr(f, name) for f in free))
+        for name in ("mass", "gyroscopic", "stiffness")
+    )
+    behind = 6 * halves[0][1].nodes
+    front = behind - 6 + np.arange(6)
+    springs = np.diag([9e8, 4e8, 4e8, 6e4, 2e5, 2e5])
+    both = np.concatenate([front, behind + np.arange(6)])
+    stiff[np.ix_(both, both)] += np.block([[springs, -springs], [-springs, springs]])
+    damping = rpm * RPM * gyroscopic
+    for held in HELD:
+        at = behind + 6 * halves[1][1].node_of(held.x)
+        for place, freedom in ((1, "y"), (2, "z")):
+            stiff[at + place, at + place] += held.stiffness[freedom, freedom]
+            damping[at + place, at + place] += held.damping[freedom, freedom]
+    return _poles(mass, damping, stiff)
+
+
+def _poles(mass: np.ndarray, damping: np.ndarray, stiff: np.ndarray) -> np.ndarray:
+    n = len(mass)
+    inverse = np.linalg.inv(mass)
+    companion = np.block([[np.zeros((n, n)), np.eye(n)], [-inverse @ stiff, -inverse @ damping]])
+    return np.linalg.eigvals(companion)
+
+
+@pytest.mark.parametrize("rpm", [0.0, 20000.0])
+def test_two_shafts_tied_by_springs(rpm: float) -> None:
+    rotor = replace(STEPPED, joints=(PARTED,), supports=HELD)
+    found = scene(rotor, (rpm,), 3000.0, element_length=0.01)
+    exact = tied(rpm, 0.01)
+    ours = np.concatenate(
+        [getattr(found, f"{m}_modes").pole[0] for m in ("bending", "axial", "torsion")]
+    )
+    ours = ours[(ours.imag > 100.0) & (ours.imag < 2 * np.pi * 3000.0)]
+    exact = exact[(exact.imag > 100.0) & (exact.imag < 2 * np.pi * 3000.0)]
+    assert len(ours) == len(exact) >= 6
+    for pole in exact:
+        assert np.abs(ours / pole - 1.0).min() < 2e-6
+
+
+def test_the_finer_elements_agree() -> None:
+    rotor = replace(STEPPED, joints=(PARTED,), supports=HELD)
+    spec = CampbellSpec(max_frequency=3000.0)
+    fine, accurate = (
+        campbell.answer(scene(rotor, (20000.0,), 3000.0, **given), spec)
+        for given in ({"element_length": 0.002}, {"accuracy": 1e-6})
+    )
+    assert fine.frequency == pytest.approx(accurate.frequency, rel=2e-4)
+    coarse = campbell.answer(scene(rotor, (20000.0,), 3000.0, element_length=0.05), spec)
+    error = np.abs(coarse.frequency / accurate.frequency - 1.0)[0]
+    worst = int(np.argmax(error))
+    assert error[worst] > 1e-3
+    assert coarse.frequency_error[0, worst] == pytest.approx(error[worst], rel=0.4)
+
+
+def test_a_stiff_joint_is_none() -> None:
+    spec = CampbellSpec(max_frequency=3000.0)
+    plain = replace(STEPPED, supports=HELD, points={"cut": 0.05})
+    whole, stiff, along = (
+        campbell.answer(scene(replace(plain, joints=joints), (0.0, 20000.0), 3000.0), spec)
+        for joints in (
+            (),
+            (Joint("j", 0.05, 1e12, 1e11, 1e12, 1e11),),
+            (Joint("j", 0.05, axial=1e8),),
+        )
+    )
+    assert stiff.mode == whole.mode
+    assert stiff.frequency == pytest.approx(whole.frequency, rel=2e-4)
+    bent = [k for k, kind in enumerate(along.kind) if kind != "axial"]
+    same = [k for k, kind in enumerate(whole.kind) if kind != "axial"]
+    assert along.frequency[:, bent] == pytest.approx(whole.frequency[:, same], rel=1e-9)
+
+
+@pytest.mark.parametrize(("way", "motion"), [("axial", "axial"), ("torsion", "torsion")])
+def test_two_bodies_on_a_spring(way: str, motion: str) -> None:
+    """A soft joint between two stubs: ω² = k (1/m₁ + 1/m₂), to the give of the stubs."""
+    sections = (Section(0.03, 0.05, 0.0, STEEL), Section(0.06, 0.08, 0.0, STEEL))
+    mass = [7800 * math.pi / 4 * d**2 * h for d, h in ((0.05, 0.03), (0.08, 0.06))]
+    inertia = [m * d**2 / 8 for m, d in zip(mass, (0.05, 0.08), strict=True)]
+    spring, bodies = (1e5, mass) if way == "axial" else (1e2, inertia)
+    damper = 1e-4 * spring
+    joint = Joint("j", 0.03, **{way: spring, f"{way}_damping": damper})
+    rotor = Spindle(
+        "stubs", Shaft(0.0, sections), joints=(joint,), supports=(support("a", 0.0, (1e7, 1e7)),)
+    )
+    found = scene(rotor, (5000.0,), 500.0)
+    pole = getattr(found, f"{motion}_modes").pole[0]
+    lowest = pole[pole.imag > 1.0][np.argmin(pole[pole.imag > 1.0].imag)]
+    together = sum(1.0 / m for m in bodies)
+    assert abs(lowest) == pytest.approx(math.sqrt(spring * together), rel=1e-4)
+    assert lowest.real == pytest.approx(-damper * together / 2.0, rel=1e-3)
+
+
+def test_a_damper_that_turns_drives_forward_whirl_above_its_speed() -> None:
+    """A light damper in a joint moves the pole by −c (ω − Ω)/ω |θ|²/2: it changes sign at Ω = ω."""
+    even = tuple(replace(s, stiffness={("y", "y"): 4e7, ("z", "z"): 4e7}, damping={}) for s in HELD)
+    plain = replace(STEPPED, joints=(PARTED,), supports=even)
+    damped = replace(plain, joints=(replace(PARTED, tilt_damping=0.5),))
+    rpm = (0.0, 10000.0, 200000.0)
+    ours, free = (scene(each, rpm, 3000.0).bending_modes.pole for each in (damped, plain))
+    for row, one in enumerate(rpm):
+        spin = one * RPM
+        turning = free[row][np.abs(free[row].imag) < 2 * np.pi * 2000.0]
+        for pole in turning[np.abs(turning.imag) > 100.0]:
+            moved = ours[row][np.abs(ours[row] - pole).argmin()]
+            expected = -np.sign(pole.imag) * np.sign(pole.imag - spin)
+            assert np.sign(moved.real) == expected
+    turned = scene(damped, rpm, 3000.0, formulation="rotating")
+    for row, one in enumerate(rpm):
+        seen = turned.bending_modes.pole[row] + 1j * one * RPM
+        near = ours[row][np.abs(ours[row].imag) < 2 * np.pi * 2000.0]
+        for pole in near:
+            assert np.abs(seen - pole).min() < 1e-6 * max(abs(pole), 1e3)
+    uneven = replace(
+        damped,
+        supports=(replace(even[0], stiffness={("y", "y"): 4e7, ("z", "z"): 4.0000004e7}), even[1]),
+    )
+    real = scene(uneven, rpm, 3000.0)
+    assert not real.bending.isotropic
+    for row in range(3):
+        for pole in ours[row][np.abs(ours[row].imag) < 2 * np.pi * 1000.0]:
+            assert np.abs(real.bending_modes.pole[row] - pole).min() < 1e-5 * max(abs(pole), 1e3)
+
+
+def test_radial_stiffness_is_the_receptance_at_rest() -> None:
+    joint = Joint("HSK", 0.0, radial=8e8, tilt=4e6)
+    spindle = mfw2310(joints=(joint,), rotor_damping=())
+    conditions = replace(case().conditions, axial_stiffening=False)
+    found = Scene(
+        spindle, conditions, np.array([0.0, 24000.0]) * RPM, 500.0, tuple(spindle.points.values())
+    )
+    spec = StiffnessSpec("Oc1", 10.0, steps=1, variants=("full",))
+    tangent = stiffness.answer(found, spec).tangent[:, 0]
+    curve = frf.answer(found, FrfSpec((0.1, 1.0), pairs("Oc1.y/Oc1.y"))).receptance[:, 0, 0]
+    assert 1.0 / np.abs(curve) == pytest.approx(tangent, rel=1e-4)
+    stiff = Scene(mfw2310(rotor_damping=()), conditions, found.speed, 500.0)
+    assert tangent[0] < 0.9 * stiffness.answer(stiff, spec).tangent[0, 0]
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        ({}, "gives way nowhere"),
+        ({"radial": 1e8, "tilt_damping": 1.0}, "tilt is rigid and has a damper"),
+        ({"radial": 0.0}, "stiffness out of range: given 0 N/m"),
+    ],
+)
+def test_joints_that_are_none(given: dict[str, float], words: str) -> None:
+    with pytest.raises(InvalidInput, match=words):
+        Joint("j", 0.0, **given)
+
+
+def test_joints_lie_within_the_shaft() -> None:
+    with pytest.raises(InvalidInput, match=r"joins no two parts: given 0.27 m"):
+        replace(STEPPED, joints=(replace(PARTED, x=0.27),))
+    with pytest.raises(InvalidInput, match="are at the same station"):
+        replace(STEPPED, joints=(PARTED, replace(PARTED, name="other")))
+
+
+CASE = """
+title: stepped shaft with a joint
+spindle:
+  shaft:
+    start: 0 mm
+    material: steel_rotor
+    sections: [{length: 0.4 m, outer_diameter: 50 mm}]
+  supports:
+    - {name: front, x: 50 mm, stiffness: {yy: 30 N/um, zz: 30 N/um}}
+    - {name: rear, x: 350 mm, stiffness: {yy: 30 N/um, zz: 30 N/um}}
+  joints:
+    - {name: flange, x: 200 mm, tilt: 0.1 MN m/rad, damping: {tilt: 2 N m s/rad}}
+tool:
+  material: steel_rotor
+  sections: [{length: 80 mm, outer_diameter: 20 mm}]
+  joints: [{name: HSK, x: %s, radial: 800 N/um, tilt: 1 MN m/rad}]
+speeds: [0 rpm, 6000 rpm]
+analyses: {campbell: {max_frequency: 800 Hz}}
+"""
+
+
+def test_joints_of_spindle_and_tool(tmp_path: Path) -> None:
+    (tmp_path / "case.yaml").write_text(CASE % "0 mm")
+    made = rotordyn.load(tmp_path / "case.yaml")
+    assert made.spindle is not None
+    assert made.spindle.joints == (
+        Joint("flange", 0.2, tilt=1e5, tilt_damping=2.0),
+        Joint("HSK", 0.0, radial=8e8, tilt=1e6),
+    )
+    assert np.isfinite(rotordyn.run(made)["campbell"].frequency.values).all()
+
+
+def test_a_joint_beside_the_tool_is_refused(tmp_path: Path) -> None:
+    (tmp_path / "case.yaml").write_text(CASE % "-80 mm")
+    with pytest.raises(
+        InvalidInput, match=r"given '-80 mm'; allowed: between -80.00 mm and 400.0 mm"
+    ):
+        rotordyn.load(tmp_path / "case.yaml")
+
+
+def test_what_turns_with_the_shaft_does_not_damp_synchronous_whirl() -> None:
+    """Internal damping of the shaft and dampers of joints, each once: K + iΩD is Hermitian, so
+    forward whirl at the speed of the shaft does no work; the real form has the same poles."""
+    ends = tuple(support(s.name, s.x, (4e7, 4e7)) for s in HELD)
+    joint = replace(PARTED, radial_damping=3e3, tilt_damping=20.0)
+    rotor = replace(
+        STEPPED, supports=ends, joints=(joint,), rotor_damping=(0.02,), internal_damping=1.0
+    )
+    one = scene(rotor, (9000.0,), 2000.0).bending
+    assert one.isotropic
+    turning = one.stiffness[0] + 1j * 9000.0 * RPM * one.damping[0]
+    lost = np.abs(turning - turning.conj().T).max()
+    assert lost < 1e-9 * np.abs(9000.0 * RPM * one.damping[0].real).max()
+    real = modes(one.in_planes.stiffness, one.in_planes.damping).pole[0]
+    uneven = replace(ends[0], stiffness={**ends[0].stiffness, ("z", "z"): 4e7 * (1.0 + 1e-8)})
+    other = scene(replace(rotor, supports=(uneven, ends[1])), (9000.0,), 2000.0)
+    assert not other.bending.isotropic
+    found = other.bending_modes.pole[0]
+    for pole in modes(one.stiffness, one.damping).pole[0]:
+        for poles in (real, found):
+            assert np.abs(poles - pole).min() < 1e-5 * abs(pole)

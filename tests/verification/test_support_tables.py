@@ -1,0 +1,302 @@
+"""Supports whose matrices follow the speed, against supports that are constant at each speed."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import rotordyn
+from rotordyn.analysis import campbell, criticals, frf, section_forces, stiffness
+from rotordyn.analysis.branches import branches_of
+from rotordyn.analysis.roots import Start, solved
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import (
+    CampbellSpec,
+    Conditions,
+    FrfSpec,
+    PointLoad,
+    SectionForcesSpec,
+    StiffnessSpec,
+)
+from rotordyn.machine.inertia import rotor_inertia
+from rotordyn.machine.joint import Joint
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import LinearSupport
+from tests.oracles.rotors import STEPPED, support
+from tests.oracles.spindles import RPM, case, mfw2310, pairs
+
+SPEEDS = (0.0, 6000.0 * RPM, 20000.0 * RPM)
+FREQUENCY = tuple(np.linspace(20.0, 1500.0, 60))
+TABLED = LinearSupport(
+    "film",
+    0.03,
+    {
+        ("y", "y"): (2e7, 5e7, 9e7),
+        ("z", "z"): (3e7, 4e7, 9e7),
+        ("y", "z"): (1e6, 8e6, 3e7),
+        ("z", "y"): (-1e6, -7e6, -2e7),
+        ("thz", "thz"): 2e4,
+        ("x", "x"): 1e7,
+    },
+    {("y", "y"): (4e3, 2e3, 1e3), ("z", "z"): 2e3, ("y", "z"): (0.0, 3e2, 1e2)},
+    speeds=SPEEDS,
+)
+OTHER = support("other", 0.2, (4e7, 4e7), 1e3)
+
+
+def on(*supports: LinearSupport) -> Spindle:
+    return replace(STEPPED, supports=supports)
+
+
+def scene(spindle: Spindle, rpm: tuple[float, ...], **conditions: object) -> Scene:
+    ports = tuple(spindle.points.values())
+    return Scene(spindle, Conditions(**conditions), np.array(rpm) * RPM, 1500.0, ports)  # type: ignore[arg-type]
+
+
+RPMS = (0.0, 3000.0, 6000.0, 15000.0, 20000.0)
+
+
+def halfway(rpm: float) -> LinearSupport:
+    """The table read by hand."""
+    speed = rpm * RPM
+
+    def at(value: object) -> float:
+        return float(np.interp(speed, SPEEDS, value)) if isinstance(value, tuple) else value  # type: ignore[arg-type, return-value]
+
+    entries = (TABLED.stiffness, TABLED.damping)
+    own = ({pair: at(value) for pair, value in each.items()} for each in entries)
+    return LinearSupport("film", 0.03, *own)
+
+
+@pytest.mark.parametrize("shaft", ["elements", "exact"])
+def test_every_speed_is_a_machine_of_its_own(shaft: str) -> None:
+    whole = scene(on(TABLED, OTHER), RPMS, shaft=shaft)
+    spec = FrfSpec(FREQUENCY, pairs("nose.y/tip.y", "nose.z/tip.y", "tip.thy/nose.z"))
+    curves = frf.answer(whole, spec).receptance
+    for row, rpm in enumerate(RPMS):
+        alone = scene(on(halfway(rpm), OTHER), (rpm,), shaft=shaft)
+        own = frf.answer(alone, spec).receptance[0]
+        assert np.abs(curves[row] - own).max() < 1e-8 * np.abs(own).max()
+        ours, theirs = (np.sort_complex(p) for p in (whole.bending_modes.pole[row], poles(alone)))
+        assert np.abs(ours - theirs).max() < 1e-7 * np.abs(theirs).max()
+
+
+def poles(alone: Scene) -> np.ndarray:
+    return alone.bending_modes.pole[0]
+
+
+def test_rigid_rotor_follows_its_supports() -> None:
+    """A table that is a straight line of speed: both modes of a rigid rotor in closed form."""
+    rotor = replace(STEPPED, masses=(), supports=())
+    body = rotor_inertia(rotor)
+    pair = tuple(
+        LinearSupport(
+            name,
+            body.centre + side * 0.05,
+            dict.fromkeys(diagonal, (1e6, 9e6)),
+            speeds=(0.0, 800.0),
+        )
+        for name, side, diagonal in (
+            ("a", -1.0, (("y", "y"), ("z", "z"))),
+            ("b", 1.0, (("y", "y"), ("z", "z"))),
+        )
+    )
+    speed = np.linspace(0.0, 800.0, 5)
+    found = Scene(
+        replace(rotor, supports=pair), Conditions(rotor="rigid", shaft="elements"), speed, 500.0
+    )
+    k = 1e6 + 1e4 * speed
+    bounce = np.sqrt(2.0 * k / body.mass)
+    half = 0.5 * body.polar / body.diametral * speed
+    rock = np.sqrt(half**2 + 2.0 * k * 0.05**2 / body.diametral)
+    exact = np.stack([bounce, -bounce, half + rock, half - rock], axis=1)
+    turning = np.sort(found.bending_modes.pole.imag, axis=1)
+    assert turning == pytest.approx(np.sort(exact, axis=1), rel=1e-9)
+
+
+@pytest.mark.parametrize("bearings", ["static", "dynamic"])
+def test_radial_stiffness_beside_bearings(bearings: str) -> None:
+    table = LinearSupport(
+        "film", 0.1, {("y", "y"): (2e7, 9e7), ("z", "z"): 5e7}, speeds=(0.0, 30000.0 * RPM)
+    )
+    rpm = (0.0, 12000.0, 24000.0)
+    spec = StiffnessSpec(
+        "nose_face", 500.0, steps=2, variants=("nonlinear", "full", "constant_preload")
+    )
+    base = replace(case().conditions, bearings=bearings)
+    whole = stiffness.answer(Scene(mfw2310(supports=(table,)), base, np.array(rpm) * RPM), spec)
+    for row, one in enumerate(rpm):
+        fixed = LinearSupport("film", 0.1, {("y", "y"): 2e7 + 7e7 * one / 30000.0, ("z", "z"): 5e7})
+        alone = Scene(mfw2310(supports=(fixed,)), base, np.array([one]) * RPM)
+        own = stiffness.answer(alone, spec)
+        assert whole.deflection[row] == pytest.approx(own.deflection[0], rel=1e-7)
+    assert np.ptp(whole.tangent[:, 0]) > 0.005 * whole.tangent[0, 0]
+
+
+def test_reactions_of_a_beam() -> None:
+    """A force between two springs is shared by levers; what it sinks is force over stiffness."""
+    table = replace(
+        support("a", 0.03, (1e7, 1e7)),
+        stiffness={("y", "y"): (1e7, 4e7), ("z", "z"): 1e7, ("x", "x"): 1e7, ("thx", "thx"): 1e3},
+        speeds=(0.0, 1000.0),
+    )
+    rotor = on(table, support("b", 0.2, (4e7, 4e7)))
+    loads = SectionForcesSpec(loads=(PointLoad(at=0.1, Fy=100.0),))
+    found = section_forces.answer(Scene(rotor, Conditions(), np.array([0.0, 500.0])), loads)
+    front = np.flatnonzero(np.isclose(found.cut, 0.03))[0]
+    assert found.reaction[:, 0, 1] == pytest.approx(-100.0 * 0.1 / 0.17, rel=1e-9)
+    sunk = found.deflection_y[:, front]
+    assert sunk == pytest.approx(100.0 * 0.1 / 0.17 / np.array([1e7, 2.5e7]), rel=1e-9)
+
+
+CASE = """
+title: rotor on films
+spindle:
+  shaft:
+    start: 0 mm
+    material: steel_rotor
+    sections: [{length: 1 m, outer_diameter: 50 mm}]
+  supports:
+    - {name: left, x: 0 m, %s}
+    - {name: right, x: 1 m, stiffness: {yy: 1 N/um, zz: 1 N/um}}
+speeds: [0 rpm, 4000 rpm]
+analyses: {campbell: {max_frequency: 200 Hz}}
+"""
+LISTS = (
+    "speeds: [0 rpm, 3000 rpm, 6000 rpm], stiffness: {yy: [1 N/um, 2 N/um, 4 N/um], zz: 1 N/um},"
+    " damping: {yy: [100 N s/m, 50 N s/m, 20 N s/m]}"
+)
+CSV = """# film of the left bearing
+speed [rpm], stiffness.yy [N/mm], damping.yy [kN s/m]
+0, 1000, 0.1
+3000, 2000, 0.05
+6000, 4000, 0.02
+"""
+
+
+def test_a_csv_file_is_the_lists(tmp_path: Path) -> None:
+    (tmp_path / "film.csv").write_text(CSV)
+    (tmp_path / "lists.yaml").write_text(CASE % LISTS)
+    (tmp_path / "file.yaml").write_text(CASE % "table: film.csv, stiffness: {zz: 1 N/um}")
+    lists, file = (rotordyn.load(tmp_path / f"{name}.yaml") for name in ("lists", "file"))
+    assert lists.spindle is not None
+    assert file.spindle is not None
+    given, read = lists.spindle.supports[0], file.spindle.supports[0]
+    assert read.speeds == given.speeds == pytest.approx(np.array([0, 3000, 6000]) * RPM)
+    for which in ("stiffness", "damping"):
+        ours, theirs = getattr(read, which), getattr(given, which)
+        assert set(ours) == set(theirs)
+        for pair, value in theirs.items():
+            assert ours[pair] == pytest.approx(value, rel=1e-12)
+    assert tmp_path / "film.csv" in file.files
+    found = rotordyn.run(file)["campbell"]
+    slow, fast = (float(np.nansum(found.frequency[row])) for row in (0, 1))
+    assert fast > 1.01 * slow
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "words"),
+    [
+        ("", 0, "holds no table"),
+        ("speed [rpm], stiffnes.yy [N/m]\n0, 1\n", 1, "not a column of a table: given 'stiffnes"),
+        ("speed [rpm], damping.yy [N s/m]\n0, 1, 2\n", 2, "not as many values as columns: given 3"),
+        ("stiffness.yy [N/m]\n1\n", 1, "column missing"),
+        ("speed [rpm], speed [rpm]\n1, 1\n", 1, "column repeated: given 'speed'"),
+        ("speed [rpm], stiffness.yy [N/mm]\n0, 1\n9, x\n", 3, "not a finite number: given 'x N/mm"),
+        ("speed [Hz], stiffness.yy [N/m]\n0, 1\n9, 1\n", 2, "'Hz' is not a unit of speed"),
+        ("speed [rpm], stiffness.yy [N/m]\n9, 1\n0, 1\n", 3, "not in ascending order"),
+    ],
+)
+def test_a_broken_csv_file_says_where(tmp_path: Path, text: str, line: int, words: str) -> None:
+    (tmp_path / "film.csv").write_text(text)
+    (tmp_path / "a.yaml").write_text(CASE % "table: film.csv, stiffness: {zz: 1 N/um}")
+    with pytest.raises(rotordyn.InvalidInput) as caught:
+        rotordyn.load(tmp_path / "a.yaml")
+    first = next(fault for fault in caught.value.faults if fault.file.endswith("film.csv"))
+    assert first.line == line
+    assert words in first.message
+
+
+def test_no_support_beyond_its_table() -> None:
+    with pytest.raises(rotordyn.InvalidInput, match=r"given 21000 rpm; allowed: 0 rpm to 20000 rp"):
+        scene(on(TABLED, OTHER), (0.0, 21000.0)).bending  # noqa: B018
+
+
+@pytest.mark.parametrize(
+    ("changes", "words"),
+    [
+        ({"speeds": (0.0, 1.0)}, "stiffness yy needs one value for each of speeds: given 3"),
+        ({"stiffness": {("x", "x"): (1.0, 2.0, 3.0)}}, "stiffness xx takes one value for all sp"),
+        ({"stiffness": {("y", "y"): 1.0}, "damping": {}}, "speeds without a table"),
+        ({"speeds": (0.0, math.pi, 1.0)}, "must ascend"),
+    ],
+)
+def test_tables_that_contradict_themselves(changes: dict, words: str) -> None:
+    with pytest.raises(rotordyn.InvalidInput, match=words):
+        replace(TABLED, **changes)
+
+
+def test_critical_speeds_and_threshold_within_the_table() -> None:
+    """Each critical speed is that of the machine whose supports are constant, as they are there;
+    machines solved between the speeds of the case do not leave the table."""
+    top = SPEEDS[-1]
+    rotor = replace(
+        on(TABLED, OTHER),
+        rotor_damping=(0.02,),
+        internal_damping=1.0,
+        joints=(Joint("cone", 0.05, tilt=2e5, tilt_damping=20.0),),
+    )
+    found = Scene(rotor, Conditions(), np.linspace(0.0, top, 9), 1500.0)
+    result = campbell.answer(found, CampbellSpec(1500.0, engine_orders=(1, 2)))
+    assert sorted(result.critical) == 2 * ["axial 1"] + 2 * ["bending 1"] + 2 * ["bending 2"]
+    for k in range(len(result.critical)):
+        speed = float(result.critical_speed[k])
+        assert 0.0 < speed <= top
+        alone = replace(rotor, supports=(halfway(speed / RPM), OTHER))
+        one = Scene(alone, Conditions(), np.array([speed]), 1500.0)
+        every = [one.bending_modes, one.axial_modes, one.torsion_modes]
+        turning = np.concatenate([np.abs(m.pole[0].imag) for m in every])
+        order = result.critical_order[k]
+        assert np.abs(turning / (order * speed) - 1.0).min() < 1e-8
+    growth = [
+        float(Scene(rotor, Conditions(), np.array([at]), 1500.0).bending_modes.pole.real.max())
+        for at in result.stability_threshold * np.array([1.0 - 1e-6, 1.0 + 1e-6])
+    ]
+    assert growth[0] < 0.0 < growth[1]
+
+
+def rising() -> Scene:
+    """Both planes alike, stiffer with speed: the second mode stays above the line of rotation."""
+    both = {(way, way): (1e6, 5e7, 9e7) for way in "yz"}
+    film = LinearSupport("film", 0.03, both, speeds=SPEEDS)
+    rotor = on(film, support("other", 0.2, (4e7, 4e7)))
+    return Scene(rotor, Conditions(), np.linspace(0.0, SPEEDS[-1], 5), 1500.0)
+
+
+def test_no_critical_speed_by_the_supports_of_one_speed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The eigenproblem of constant supports is not asked where tables make them change."""
+
+    def asked(*_: object) -> None:
+        raise AssertionError("solved as if the supports were constant")
+
+    monkeypatch.setattr(criticals, "synchronous", asked)
+    found = campbell.answer(rising(), CampbellSpec(1500.0, engine_orders=(1,)))
+    assert len([name for name in found.critical if name.startswith("bending")]) == 2
+
+
+def test_no_critical_speed_where_a_search_ends_at_the_range() -> None:
+    """Without a root the secants stay at an end of the range; that is none."""
+    whole, spec = rising(), CampbellSpec(1500.0)
+    branches, top = branches_of(whole, spec), SPEEDS[-1]
+    above = [
+        Start(k, 1, 0.5 * top, 0.0, top, b.vector[-1], float(np.sign(b.pole[-1].imag)))
+        for k, b in enumerate(branches)
+        if b.kind == "bending" and (np.abs(b.pole.imag) > whole.speed).all()
+    ]
+    assert len(above) >= 1
+    for _, speed, state in solved(whole, spec, branches, above):
+        assert speed == pytest.approx(abs(state.pole.imag), rel=1e-6)
