@@ -21,7 +21,7 @@ from bearings.ring import axial_ring, full_ring
 from bearings.state import BearingState, Cause
 
 Array = NDArray[np.float64]
-TOGETHER = 20000  # balls in one batch: bounds the memory
+TOGETHER = 8000  # balls in one batch: what it works on stays near the processor
 
 REMEDIES = {
     "overloaded": "the balls are pressed far out of their grooves; is the unit of the load right?",
