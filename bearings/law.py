@@ -8,7 +8,9 @@ from dataclasses import dataclass
 from numbers import Real
 
 from bearings.errors import InvalidBearing
-from bearings.kinematics import HYPOTHESES, SHARINGS
+
+KINEMATICS = ("hybrid", "outer", "inner", "geometric")
+MOMENT_SHARING = ("equal", "outer", "inner", "hybrid")
 
 
 @dataclass(frozen=True, slots=True)
@@ -31,8 +33,8 @@ class Law:
     friction: float | None = None
 
     def __post_init__(self) -> None:
-        check_name("kinematics", self.kinematics, HYPOTHESES)
-        check_name("moment_sharing", self.moment_sharing, SHARINGS)
+        check_name("kinematics", self.kinematics, KINEMATICS)
+        check_name("moment_sharing", self.moment_sharing, MOMENT_SHARING)
         mu: object = self.friction
         if mu is None:
             return

@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 from bearings.ball import LawNumbers
 from bearings.constants import BallConstants, ball_constants
 from bearings.geometry import Geometry
-from bearings.kinematics import HYPOTHESES, SHARINGS
-from bearings.law import Law
+from bearings.law import KINEMATICS, MOMENT_SHARING, Law
 
 Array = NDArray[np.float64]
 SLOW = 2e-9  # of the groove reach: a ball pressed in less by its own motion is at rest
@@ -33,10 +32,9 @@ class BallModel:
     @cached_property
     def numbers(self) -> LawNumbers:
         """Assumptions for the balance of a ball."""
-        kinematics, sharing = list(HYPOTHESES), list(SHARINGS)
         return LawNumbers(
-            kinematics=kinematics.index(self.law.kinematics),
-            sharing=sharing.index(self.law.moment_sharing),
+            kinematics=KINEMATICS.index(self.law.kinematics),
+            sharing=MOMENT_SHARING.index(self.law.moment_sharing),
             limited=self.law.friction is not None,
         )
 

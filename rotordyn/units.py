@@ -16,6 +16,8 @@ from functools import cache, lru_cache
 
 from rotordyn.errors import InvalidInput
 
+STANDARD_GRAVITY = 9.80665  # m/s²
+
 Dimension = tuple[int, int, int, int, int]
 
 NONE: Dimension = (0, 0, 0, 0, 0)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Annotated
 
-from bearings.law import Law
+from bearings.law import KINEMATICS, MOMENT_SHARING, Law
 from rotordyn.analysis.formulation import FORMULATIONS, INERTIAL
 from rotordyn.analysis.loads import (
     BalanceGrade,
@@ -40,8 +40,6 @@ from rotordyn.quantity import (
 
 VARIANTS = ("nonlinear", "full", "diagonal", "constant_preload")
 TANGENTS = ("complete", "frozen", "difference")
-KINEMATICS = ("hybrid", "outer", "inner", "geometric")
-MOMENT_SHARING = ("equal", "outer", "inner", "hybrid")
 BEARINGS = ("dynamic", "static")
 ROTOR = ("flexible", "rigid")
 GRAVITY = ("none", "+x", "-x")

@@ -12,11 +12,12 @@ from rotordyn.analysis.buckling import Loading
 from rotordyn.analysis.specs import Conditions
 from rotordyn.analysis.stage import Staged, stage
 from rotordyn.errors import NoSolution
-from rotordyn.machine.inertia import STANDARD_GRAVITY, rotor_inertia
+from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.axial_force import AxialForce, axial_force
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.system.mesh import Mesh, build_mesh
+from rotordyn.units import STANDARD_GRAVITY
 
 Array = NDArray[np.float64]
 

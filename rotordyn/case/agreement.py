@@ -25,7 +25,6 @@ from rotordyn.analysis.specs import (
 )
 from rotordyn.case.loads import misplaced, misplaced_unbalance, overheld, unheld
 from rotordyn.machine.housing import housed_motions
-from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import RigidSupport, Spindle
 from rotordyn.machine.support import MOTIONS, acts, coupled_motions, entry_name
@@ -216,6 +215,8 @@ def _frf(name: str, spec: FrfSpec, spindle: Spindle, conditions: Conditions) -> 
 
 
 def _unbalance(name: str, spec: UnbalanceSpec, spindle: Spindle) -> Iterator[str]:
+    from rotordyn.machine.inertia import rotor_inertia  # numpy, which a check seldom needs
+
     reach = spindle.shaft.start, spindle.shaft.end
     centre = rotor_inertia(spindle).centre
     for way, sentence in misplaced_unbalance(spec, spindle.points, reach, centre):

@@ -13,7 +13,7 @@ from rotordyn.case.faults import Faults
 from rotordyn.case.library import UnknownModel, find
 from rotordyn.case.node import UNKNOWN, Node
 from rotordyn.case.override import apply
-from rotordyn.case.reduced import NoModel, ReducedModel, from_archive, from_market
+from rotordyn.case.reduced import NoModel, ReducedModel
 from rotordyn.case.schema.housing import ModelFilesEntry
 from rotordyn.case.table import tabled
 from rotordyn.case.validate import validate
@@ -141,6 +141,8 @@ def _model_of_housing(housing: Node, reader: Reader) -> None:
 
 def _reduced(reference: Node, reader: Reader) -> ReducedModel | None:
     """The reduced model of a housing, from an archive or from Matrix Market files."""
+    from rotordyn.case.reduced_files import from_archive, from_market
+
     if isinstance(reference.value, dict):
         entry = validate(ModelFilesEntry, reference, reader.faults)
         if entry is None or reader.faults:

@@ -14,8 +14,7 @@ from typing import Any, NamedTuple
 from rotordyn.analysis.display import response_unit
 from rotordyn.analysis.specs import QUANTITIES
 from rotordyn.errors import InvalidInput
-from rotordyn.machine.inertia import STANDARD_GRAVITY
-from rotordyn.units import parse_unit, shown
+from rotordyn.units import STANDARD_GRAVITY, parse_unit, shown
 
 _MOTIONS = {8: "receptance", 11: "mobility", 12: "inertance"}
 _FRF, _COMPLEX = 4, (5, 6)

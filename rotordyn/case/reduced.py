@@ -1,26 +1,15 @@
-"""Reduced models of housings from files: numpy archives (.npz) or Matrix Market (.mtx), SI units.
-
-An archive holds ``places`` with either ``mass``, ``stiffness`` and perhaps ``damping``, n × n, or
-``frequency`` [Hz], ``damping_ratio`` and ``shape`` (places × n) of modes of unit modal mass
-[1/√kg]. Of matrices ``places`` names every coordinate, an inner one by an empty word.
-"""
+"""What a reduced model of a housing is, once read; how it is read: ``case.reduced_files``."""
 
 from __future__ import annotations
 
-import io
-import math
-from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
-from zipfile import BadZipFile
+from typing import TYPE_CHECKING
 
-import numpy as np
-from numpy.typing import NDArray
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-MOST = 400  # coordinates of a reduced model
-_MODAL = ("frequency", "damping_ratio", "shape")
-_MATRICES = ("mass", "stiffness", "damping")
+    Array = NDArray[np.float64]
 
 
 class NoModel(Exception):
@@ -36,100 +25,3 @@ class ReducedModel:
     mass: Array
     stiffness: Array
     damping: Array
-
-
-def from_archive(raw: bytes) -> ReducedModel:
-    """The model in a numpy archive; raises NoModel."""
-    try:
-        with np.load(io.BytesIO(raw), allow_pickle=False) as archive:
-            held: dict[str, Any] = {name: archive[name] for name in archive.files}
-    except (ValueError, OSError, EOFError, KeyError, TypeError, AttributeError, BadZipFile):
-        raise NoModel("is not a numpy archive (.npz) of plain arrays") from None
-    if "places" not in held:
-        raise NoModel(_lacks("places", held))
-    places = [str(place) for place in np.atleast_1d(held["places"])]
-    if any(name in held for name in _MODAL):
-        return _from_modes(places, held)
-    return from_matrices(places, held)
-
-
-def from_market(raw: Mapping[str, bytes], places: Sequence[str]) -> ReducedModel:
-    """The model in Matrix Market files by the names of the matrices; raises NoModel."""
-    from scipy.io import mmread
-    from scipy.sparse import issparse
-
-    held: dict[str, Any] = {}
-    for name, content in raw.items():
-        try:
-            found: Any = mmread(io.BytesIO(content))
-        except (ValueError, OSError, TypeError, IndexError):
-            raise NoModel(f"{name} is not a Matrix Market file") from None
-        held[name] = found.toarray() if issparse(found) else found
-    return from_matrices(list(places), held)
-
-
-def from_matrices(places: list[str], held: Mapping[str, Any]) -> ReducedModel:
-    """The model by its matrices, ``places`` naming every coordinate; raises NoModel."""
-    for name in ("mass", "stiffness"):
-        if name not in held:
-            raise NoModel(_lacks(name, held))
-    n = len(places)
-    if n > MOST:
-        raise NoModel(f"has {n} coordinates: allowed are up to {MOST}; reduce it further")
-    square = (n, n)
-    matrices = {name: _real(name, held[name], square) for name in _MATRICES if name in held}
-    seen = [k for k, place in enumerate(places) if place]
-    return ReducedModel(
-        places=tuple(places[k] for k in seen),
-        shape=np.eye(n)[seen],
-        mass=_positive(matrices["mass"]),
-        stiffness=matrices["stiffness"],
-        damping=matrices.get("damping", np.zeros(square)),
-    )
-
-
-def _from_modes(places: list[str], held: Mapping[str, Any]) -> ReducedModel:
-    for name in _MODAL:
-        if name not in held:
-            raise NoModel(_lacks(name, held))
-    n = len(np.atleast_1d(held["frequency"]))
-    if n > MOST:
-        raise NoModel(f"has {n} modes: allowed are up to {MOST}")
-    frequency = _real("frequency", np.atleast_1d(held["frequency"]), (n,))
-    ratio = _real("damping_ratio", np.atleast_1d(held["damping_ratio"]), (n,))
-    shape = _real("shape", held["shape"], (len(places), n))
-    if (frequency < 0.0).any() or (ratio < 0.0).any():
-        raise NoModel("frequency and damping_ratio: given a negative value; allowed: from 0")
-    omega = 2.0 * math.pi * frequency
-    return ReducedModel(
-        tuple(places), shape, np.eye(n), np.diag(omega**2), np.diag(2.0 * ratio * omega)
-    )
-
-
-def _real(name: str, value: Any, shape: tuple[int, ...]) -> Array:
-    found = np.asarray(value)
-    if found.shape != shape:
-        given, wanted = (" × ".join(map(str, s)) or "one value" for s in (found.shape, shape))
-        raise NoModel(f"{name} has not the shape that its places need: given {given}; {wanted}")
-    if found.dtype.kind not in "iuf" or not np.isfinite(found).all():
-        raise NoModel(f"{name} holds what is no finite real number")
-    return np.asarray(found, dtype=np.float64)
-
-
-def _positive(mass: Array) -> Array:
-    largest = np.abs(mass).max(initial=0.0)
-    if np.abs(mass - mass.T).max(initial=0.0) > 1e-6 * largest:
-        raise NoModel("mass is not symmetric")
-    try:
-        np.linalg.cholesky(mass)
-    except np.linalg.LinAlgError:
-        raise NoModel("mass is not positive definite; leave out coordinates without mass") from None
-    return mass
-
-
-def _lacks(name: str, held: Mapping[str, Any]) -> str:
-    given = ", ".join(held) or "nothing"
-    return (
-        f"lacks {name}: given {given}; allowed: places with mass, stiffness (and damping), or with "
-        f"{', '.join(_MODAL)}"
-    )

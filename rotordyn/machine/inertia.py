@@ -9,8 +9,6 @@ from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.shaft import Section
 from rotordyn.machine.spindle import Spindle
 
-STANDARD_GRAVITY = 9.80665  # m/s²
-
 
 @dataclass(frozen=True, slots=True)
 class RotorInertia:

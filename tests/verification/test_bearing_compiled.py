@@ -16,7 +16,10 @@ from bearings import Follower, InvalidBearing, NoEquilibrium
 from bearings.ball import turning_balance
 from bearings.compiled import states
 from bearings.compiled.jit import compiled
-from bearings.law import Law
+from bearings.kinematics import HYPOTHESES as BY_NAME
+from bearings.kinematics import SHARINGS as LAWS_OF_SHARING
+from bearings.kinematics import Angles, inner_share, tan_beta
+from bearings.law import KINEMATICS, MOMENT_SHARING, Law
 from benchmarks.random_bearings import rings
 from tests.oracles.known_bearings import HARRIS_218, HYPOTHESES, RPM, SHARINGS, VEX70
 
@@ -34,6 +37,15 @@ def thrown(seed: int) -> tuple[np.ndarray, np.ndarray]:
     speed = rng.uniform(0.0, 32000.0, COUNT) * RPM
     speed[::8] = 0.0
     return load, speed
+
+
+def test_names_and_numbers_of_the_laws_agree() -> None:
+    """The numbers by which the compiled code chooses are places in the lists of names."""
+    angles = Angles(0.4, (1.0 - 0.4**2) ** 0.5, 0.3, (1.0 - 0.3**2) ** 0.5, 0.1, 0.7)
+    for law, name in enumerate(KINEMATICS):
+        assert tan_beta(law, angles) == BY_NAME[name](angles)
+    for law, name in enumerate(MOMENT_SHARING):
+        assert inner_share(law, 0.7) == LAWS_OF_SHARING[name](0.7)
 
 
 def test_the_source_is_the_same() -> None:

@@ -16,7 +16,6 @@ from rotordyn.case.node import Node
 from rotordyn.case.schema.case import CaseEntry
 from rotordyn.case.schema.shaft import ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
-from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
 
 WAY, UNBALANCE = ("analyses", "section_forces"), ("analyses", "unbalance")
@@ -48,6 +47,7 @@ def unbalance(
     asked = entry.analyses.unbalance
     if asked is None:
         return
+
     points, reach = _places(spindle, tool)
     centre = math.nan if faults else rotor_inertia(_whole(spindle, tool)).centre
     for way, sentence in misplaced_unbalance(asked, points, reach, centre):
