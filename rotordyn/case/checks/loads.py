@@ -48,6 +48,8 @@ def unbalance(
     if asked is None:
         return
 
+    from rotordyn.machine.inertia import rotor_inertia  # numpy, which a check seldom needs
+
     points, reach = _places(spindle, tool)
     centre = math.nan if faults else rotor_inertia(_whole(spindle, tool)).centre
     for way, sentence in misplaced_unbalance(asked, points, reach, centre):
