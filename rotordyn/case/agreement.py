@@ -90,6 +90,8 @@ def resolved_agree(
     speeds: tuple[float, ...],
 ) -> Iterator[str]:
     """Elements of a given length carry what is asked of them."""
+    if conditions.element_length is None:
+        return
     from rotordyn.analysis.resolution import beyond_elements
 
     for sentence in beyond_elements(spindle, conditions, analyses, max(speeds, default=0.0)):
