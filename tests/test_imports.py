@@ -89,3 +89,9 @@ def test_bearings_stands_alone(tmp_path: Path) -> None:
     loaded = modules_after(EVERY_MODULE_OF_BEARINGS, tmp_path)
     assert "bearings.angular_contact" in loaded
     assert not packages(loaded) & {"rotordyn", "yaml", "pydantic", "matplotlib", "xarray"}
+
+
+def test_a_check_of_the_flagship_loads_no_numpy(tmp_path: Path) -> None:
+    """Nothing is computed to check a case: half the time of a check was loading numpy once."""
+    modules = modules_after(COMMAND_LINE, tmp_path, "check", "cases/mfw2310.yaml")
+    assert "numpy" not in packages(modules)
