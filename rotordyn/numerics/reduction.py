@@ -76,10 +76,8 @@ def ritz_basis(
     K at least semi-definite. All is computed from the flexible side, (K + σM)⁻¹ M, where stiff
     freedoms do not drown the slow ones in rounding.
     """
-    from scipy.linalg import cho_factor, cho_solve, eigh
-
-    shift, shifted = _definite(mass, stiffness, SHIFT * cutoff**2)
-    inverse, vectors = eigh(mass, shifted)
+    shift, factor = _definite(mass, stiffness, SHIFT * cutoff**2)
+    inverse, vectors = _flexible(mass, factor)
     known = inverse > ROUNDING * inverse[-1]  # others are too stiff to be told apart, or to matter
     inverse, vectors = inverse[known][::-1], vectors[:, known][:, ::-1]
     vectors = _beside(mass, rigid, vectors / np.sqrt(inverse))
@@ -89,7 +87,7 @@ def ritz_basis(
     low = vectors[:, :kept]
     loads = np.concatenate([loads, *(_made(c, low[:, :LEAST_MODES]) for c in couplings)], axis=1)
     loads = loads - mass @ (low @ (low.T @ loads))  # what the modes kept do not answer
-    answers = cho_solve(cho_factor(shifted), loads)
+    answers = np.linalg.solve(factor.T, np.linalg.solve(factor, loads))
     forces = loads - shift * (mass @ answers)
     rest = vectors[:, kept:]
     met = (rest.T @ loads) / (values[kept:] + shift)[:, None]
@@ -124,15 +122,23 @@ def _beside(mass: Array, rigid: Array, vectors: Array) -> Array:
 
     The eigensolver leaves stiff ones askew by rounding of the slow.
     """
-    from scipy.linalg import solve_triangular
-
     whole = np.concatenate([rigid, vectors[:, rigid.shape[1] :]], axis=1)
     factor = np.linalg.cholesky(whole.T @ mass @ whole)
-    return np.asarray(solve_triangular(factor, whole.T, lower=True).T)
+    return np.asarray(np.linalg.solve(factor, whole.T).T)
+
+
+def _flexible(mass: Array, factor: Array) -> tuple[Array, Array]:
+    """1/λ (n,), ascending, and φ (n, n) of M φ = L Lᵀ φ/λ with L the lower triangular ``factor``,
+    φᵀ L Lᵀ φ = 1."""
+    half = np.linalg.solve(factor, mass)
+    inner = np.linalg.solve(factor, half.T)
+    inverse, turned = np.linalg.eigh((inner + inner.T) / 2.0)
+    return inverse, np.linalg.solve(factor.T, turned)
 
 
 def _definite(mass: Array, stiffness: Array, shift: float) -> tuple[float, Array]:
-    """σ, from ``shift`` upwards, and K + σM, where rounding of K is small beside σM.
+    """σ, from ``shift`` upwards, and Cholesky's L of K + σM, where rounding of K is small beside
+    σM.
 
     Of a cutoff far below all that bends, σ would drown in the rounding of stiff freedoms.
     """
@@ -142,7 +148,7 @@ def _definite(mass: Array, stiffness: Array, shift: float) -> tuple[float, Array
         except np.linalg.LinAlgError:
             shift *= MORE
         else:
-            return shift, stiffness + shift * mass
+            return shift, np.linalg.cholesky(stiffness + shift * mass)
 
 
 def _completed(

@@ -16,7 +16,6 @@ from rotordyn.system.mesh import Mesh
 from rotordyn.system.stiffening import Stiffening, stiffening
 
 Array = NDArray[np.float64]
-BAND = 3  # a freedom is coupled to those of its own and of the neighbouring nodes
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -94,19 +93,15 @@ def _flexible(
 
 def _schur(stiffness: Array, chosen: NDArray[np.intp]) -> Array:
     """Chosen freedoms with all others left to themselves; NaN where these would buckle."""
-    from scipy.linalg import solveh_banded
-
     others = np.setdiff1d(np.arange(len(stiffness)), chosen)
     own = stiffness[chosen][:, chosen]
     if not others.size:
         return own
     inner, across = stiffness[others][:, others], stiffness[others][:, chosen]
-    bands = np.zeros((BAND + 1, len(others)))
-    for k in range(min(BAND + 1, len(others))):
-        bands[BAND - k, k:] = np.diagonal(inner, k)
     try:
-        return np.asarray(own - across.T @ solveh_banded(bands, across))
-    except (np.linalg.LinAlgError, ValueError):  # not positive definite, or no axial force known
+        np.linalg.cholesky(inner)  # refuses what is not positive definite
+        return np.asarray(own - across.T @ np.linalg.solve(inner, across))
+    except np.linalg.LinAlgError:
         return np.full_like(own, np.nan)
 
 
