@@ -91,13 +91,15 @@ class RadialProblem:
     def curve(self, force: Array) -> RadialCurve:
         """Deflection under loads that ascend evenly from zero.
 
-        Each load starts from the parabola through the last three; every speed stands on its own.
+        Each load starts from the cubic that has the places and slopes of the last two; every speed
+        stands on its own.
         """
         p = len(self.rotor.point)
         start = np.concatenate([np.zeros((len(self.position), p)), self.position], axis=1)
         problem, here = self, self.evaluate(start, None)
-        slope = problem._per_newton(here)
-        path = [start, start - (force[1] - force[0]) * slope]  # a point before the first
+        every = np.ones(len(start), dtype=bool)
+        step, slope = float(force[1] - force[0]), problem._per_newton(here, every)
+        first, last = None, (start, step * slope)
         deflection = np.zeros((len(start), len(force)))
         outcome = np.full(len(start), "", dtype=object)
         reach = problem._travel(start)
@@ -105,11 +107,11 @@ class RadialProblem:
             if (outcome != "").all():
                 deflection[:, k:] = np.nan
                 break
-            guess = 2.0 * path[0] - path[1] if k == 1 else 3.0 * (path[0] - path[1]) + path[2]
+            guess = _ahead(first, last)
             problem, here, found = problem._solved(guess, here, float(force[k]), outcome == "")
             lost = (outcome == "") & ~found
             outcome[lost] = [_why(point, force[k]) for point in here.pressure[lost]]
-            path = [here.coordinates, *path[:2]]
+            first, last = last, (here.coordinates, step * problem._per_newton(here, outcome == ""))
             deflection[:, k] = here.coordinates[:, :p] @ self.rotor.point
             deflection[outcome != "", k] = np.nan
             reach = np.fmax(reach, problem._travel(here.coordinates))
@@ -166,11 +168,12 @@ class RadialProblem:
         total[:, p + SHAFT] += self.network.arrangement.force
         return np.where(self._fixed, 0.0, total)
 
-    def _per_newton(self, here: Point) -> Array:
-        """Change of the unknowns per newton of radial force (speeds, unknowns)."""
+    def _per_newton(self, here: Point, alive: Flags) -> Array:
+        """Change of the unknowns per newton of radial force where ``alive`` (speeds, unknowns)."""
         unit = np.zeros((len(self.held), self.rows.shape[2], 1))
         unit[:, : len(self.rotor.point), 0] = self.rotor.point
-        return np.asarray(np.linalg.solve(self._matrix(here), unit)[..., 0])
+        matrix = np.where(alive[:, None, None], self._matrix(here), np.eye(unit.shape[1]))
+        return np.asarray(np.linalg.solve(matrix, unit)[..., 0])
 
     def _error(self, here: Point, force: float) -> tuple[Array, Array]:
         """Unbalanced forces, and the largest over the largest force of the balance (speeds,)."""
@@ -247,6 +250,15 @@ class RadialProblem:
         for push in self.network.arrangement.pushes:
             direction[push.body] = push.direction
         return -direction * moved
+
+
+def _ahead(first: tuple[Array, Array] | None, last: tuple[Array, Array]) -> Array:
+    """Where the next of evenly spaced points is likely to be, from (place, slope) of two; slopes
+    are per spacing."""
+    place, slope = last
+    if first is None:
+        return place + slope
+    return 5.0 * first[0] + 2.0 * first[1] - 4.0 * place + 4.0 * slope
 
 
 def _why(pressure: float, force: float) -> str:
