@@ -20,7 +20,6 @@ if TYPE_CHECKING:
     from rotordyn.case.shipped import Shipped
     from rotordyn.job import Progress
 
-BLAS_THREADS = ("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS")  # more slow small matrices down
 CASE = "case file (YAML), or the name of a case that comes with rotordyn"
 FILE = "case (default), spindle, tool, bearing or material"
 EXIT_CODES = """exit codes: 0 done; 2 bad input, nothing written; 3 no speed of the case has a
@@ -30,8 +29,6 @@ physical solution (with --strict: one has not); 1 a bug of rotordyn"""
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code."""
     arguments = _parser().parse_args(argv)
-    for name in BLAS_THREADS:
-        os.environ.setdefault(name, "1")
     try:
         code: int = arguments.command(arguments)
         sys.stdout.flush()

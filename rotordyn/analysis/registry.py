@@ -71,6 +71,7 @@ def answer_spindle(
     """
     from rotordyn.analysis.scene import Scene
     from rotordyn.analysis.unbalance_loads import marked
+    from rotordyn.numerics.threads import linear_algebra_alone
 
     for spec in analyses.values():
         if isinstance(spec, UnbalanceSpec):
@@ -83,13 +84,15 @@ def answer_spindle(
         ports=_ports(spindle, analyses),
     )
     results: dict[str, Result] = {}
-    scene.require_solution()
-    for name, spec in analyses.items():
-        progress(name)
-        answer = import_module(SPINDLE_ANALYSES[name]).answer
-        results[name] = scene.timed(f"answer {name}", partial(answer, scene, spec))
-    unasked = dict.fromkeys(scene.skipped, "no analysis of this case needs it")
-    return Answers(results, scene.seconds, unasked, scene.tolerances, scene.warnings, scene.notes)
+    with linear_algebra_alone():
+        scene.require_solution()
+        for name, spec in analyses.items():
+            progress(name)
+            answer = import_module(SPINDLE_ANALYSES[name]).answer
+            results[name] = scene.timed(f"answer {name}", partial(answer, scene, spec))
+        unasked = dict.fromkeys(scene.skipped, "no analysis of this case needs it")
+        words = scene.warnings, scene.notes
+        return Answers(results, scene.seconds, unasked, scene.tolerances, *words)
 
 
 def answer_bearing(

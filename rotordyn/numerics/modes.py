@@ -8,6 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.numerics.threads import in_threads
+
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Matrix = NDArray[np.inexact[Any]]
@@ -15,6 +17,7 @@ NOISE = 1e-7  # of the highest own frequency: what rounding makes of a pole at z
 HELD = 1e-13  # of a coordinate's own stiffness: a motion with less than that is held by nothing
 NEUTRAL = 1e-6  # of |pole|: less growth or decay than that is rounding
 SMALL = 1e-3  # of a pole: more is no rounding
+LEAST = 4  # systems to a thread
 WELL_CONDITIONED = 1e7  # of unit vectors: the sum over poles then keeps nine digits
 
 
@@ -66,9 +69,14 @@ class Modes:
         """
         batch = self.pole.shape[:-1]
         total = np.empty((*batch, len(responses), len(omega)), dtype=complex)
-        for place in np.ndindex(*batch):
-            answer = self._summed if self.condition[place] < WELL_CONDITIONED else self._solved
-            total[place] = answer(place, omega, responses, excitations)
+        places = list(np.ndindex(*batch))
+
+        def fill(part: slice) -> None:
+            for place in places[part]:
+                answer = self._summed if self.condition[place] < WELL_CONDITIONED else self._solved
+                total[place] = answer(place, omega, responses, excitations)
+
+        in_threads(fill, len(places), LEAST)
         return total
 
     def answers(self, s: Complex, force: Array, response: Array) -> tuple[Complex, Complex]:
@@ -132,7 +140,7 @@ def modes(stiffness: Matrix, damping: Matrix) -> Modes:
     scale = float(np.sqrt(np.abs(stiffness).max())) or 1.0  # balances displacement and velocity
     matrix[..., :n, n:] *= scale
     matrix[..., n:, :n] /= scale
-    pole, vectors = (part.astype(complex) for part in np.linalg.eig(matrix))
+    pole, vectors = _eigenpairs(matrix)
     left = _inverse(vectors)
     vector, participation = vectors[..., :n, :], left[..., n:] / scale
     return Modes(
@@ -143,6 +151,15 @@ def modes(stiffness: Matrix, damping: Matrix) -> Modes:
         participation=participation,
         condition=np.abs(left).sum(axis=-1).max(axis=-1),
     )
+
+
+def _eigenpairs(matrix: Matrix) -> tuple[Complex, Complex]:
+    """Eigenvalues (…, k) and right vectors (…, k, k) of a batch."""
+    size = matrix.shape[-1]
+    flat = matrix.reshape(-1, size, size)
+    parts = in_threads(lambda part: np.linalg.eig(flat[part]), len(flat), LEAST)
+    pole, vectors = (np.concatenate(found).astype(complex) for found in zip(*parts, strict=True))
+    return pole.reshape(matrix.shape[:-1]), vectors.reshape(matrix.shape)
 
 
 def _polished(

@@ -148,7 +148,7 @@ def _definite(mass: Array, stiffness: Array, shift: float) -> tuple[float, Array
         except np.linalg.LinAlgError:
             shift *= MORE
         else:
-            return shift, np.linalg.cholesky(stiffness + shift * mass)
+            return shift, np.asarray(np.linalg.cholesky(stiffness + shift * mass))
 
 
 def _completed(
