@@ -68,6 +68,10 @@ def _parser() -> argparse.ArgumentParser:
     run.add_argument("-o", "--output", metavar="DIR", help="results folder (out/<case name>)")
     run.add_argument("--only", metavar="NAME,…", help="only these analyses of the case")
     run.add_argument("--variant", metavar="NAME", help="only this variant of a case that compares")
+    run.add_argument("--no-figures", action="store_true", help="write numbers and tables alone")
+    run.add_argument(
+        "--explain", action="store_true", help="also print what was solved, spared and skipped, why"
+    )
     run.add_argument("--quiet", action="store_true", help="print nothing but errors")
     run.add_argument(
         "--strict", action="store_true", help="exit with 3 if any speed has no physical solution"
@@ -150,10 +154,12 @@ def _run(arguments: argparse.Namespace) -> int:
     target = Path("out") / case.name if arguments.output is None else Path(arguments.output)
     steps = max(len(case.variants), 1) * len(case.analyses) + 1
     with _progress(steps, quiet=arguments.quiet) as progress:
-        delivery = deliver(case, target, progress)
+        delivery = deliver(case, target, progress, figures=not arguments.no_figures)
     if not arguments.quiet:
         print(delivery.summary)
         print(f"results in {delivery.folder}")
+    if arguments.explain:
+        print(delivery.plan)
     if delivery.unsolved:
         print(f"not solved: {delivery.unsolved[0]}", file=sys.stderr)
         return 3 if arguments.strict else 0

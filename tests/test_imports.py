@@ -95,3 +95,14 @@ def test_a_check_of_the_flagship_loads_no_numpy(tmp_path: Path) -> None:
     """Nothing is computed to check a case: half the time of a check was loading numpy once."""
     modules = modules_after(COMMAND_LINE, tmp_path, "check", "cases/mfw2310.yaml")
     assert "numpy" not in packages(modules)
+
+
+def test_linear_supports_without_figures_load_no_bearing_solver_and_nothing_that_draws(
+    tmp_path: Path,
+) -> None:
+    out = str(tmp_path / "out")
+    argv = ("run", "cases/lalanne_ferraris.yaml", "--no-figures", "--quiet", "-o", out)
+    loaded = modules_after(COMMAND_LINE, tmp_path, *argv)
+    assert "rotordyn.analysis.campbell" in loaded
+    assert "bearings.equilibrium" not in loaded
+    assert not packages(loaded) & {"matplotlib", "pyvista", "vtkmodules", "numba"}

@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 from importlib import import_module
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -24,6 +24,9 @@ from rotordyn.analysis.specs import (
     UnbalanceSpec,
 )
 from rotordyn.machine.spindle import Spindle
+
+if TYPE_CHECKING:
+    from rotordyn.analysis.scene import Scene
 
 SPINDLE_ANALYSES = {
     "preload": "rotordyn.analysis.preload",
@@ -42,15 +45,18 @@ Progress = Callable[[str], None]
 
 @dataclass(frozen=True, slots=True)
 class Answers:
-    """Results by analysis name; seconds by stage, unasked stages, residuals.
+    """Results by analysis name; seconds by stage, and who ``asked`` for it first; residuals.
 
-    ``warnings``: what a designer should know about the machine; ``notes``: what was chosen that
-    changes how the results read. Sentences.
+    ``skipped``: stages that did not run -> why; ``spared``: what the structure of the machine
+    saved. ``warnings``: what a designer should know about the machine; ``notes``: what was chosen
+    that changes how the results read. Sentences.
     """
 
     results: dict[str, Result]
     seconds: dict[str, float] = field(default_factory=dict)
+    asked: dict[str, str] = field(default_factory=dict)
     skipped: dict[str, str] = field(default_factory=dict)
+    spared: tuple[str, ...] = ()
     tolerances: dict[str, float] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
@@ -62,13 +68,18 @@ def answer_spindle(
     speeds: tuple[float, ...],
     analyses: Mapping[str, Spec],
     progress: Progress,
+    known: list[Scene] | None = None,
 ) -> Answers:
     """Answer ``analyses`` for a spindle at ``speeds`` [rad/s]; shared stages are solved once.
+
+    ``known``: scenes of like machines, whose stages of the same inputs are taken over; this one
+    joins them.
 
     Raises
     ------
     NoSolution : no speed has a physical solution
     """
+    from rotordyn.analysis.plan import reasons, spared
     from rotordyn.analysis.scene import Scene
     from rotordyn.analysis.unbalance_loads import marked
     from rotordyn.numerics.threads import linear_algebra_alone
@@ -84,15 +95,26 @@ def answer_spindle(
         ports=_ports(spindle, analyses),
     )
     results: dict[str, Result] = {}
+    for other in known or ():
+        scene.adopt(other)
     with linear_algebra_alone():
         scene.require_solution()
         for name, spec in analyses.items():
             progress(name)
             answer = import_module(SPINDLE_ANALYSES[name]).answer
             results[name] = scene.timed(f"answer {name}", partial(answer, scene, spec))
-        unasked = dict.fromkeys(scene.skipped, "no analysis of this case needs it")
-        words = scene.warnings, scene.notes
-        return Answers(results, scene.seconds, unasked, scene.tolerances, *words)
+        if known is not None:
+            known.append(scene)
+        return Answers(
+            results,
+            seconds=scene.seconds,
+            asked=scene.asked,
+            skipped=reasons(scene),
+            spared=spared(scene),
+            tolerances=scene.tolerances,
+            warnings=scene.warnings,
+            notes=scene.notes,
+        )
 
 
 def answer_bearing(
@@ -110,7 +132,7 @@ def answer_bearing(
         answer: Any = import_module(BEARING_ANALYSES[name]).answer
         results[name] = answer(bearing, conditions, np.array(speeds), spec)
         seconds[name] = time.perf_counter() - begin
-    return Answers(results, seconds)
+    return Answers(results, seconds, dict.fromkeys(seconds, ""))
 
 
 def _highest(analyses: Mapping[str, Spec], top: float) -> float:

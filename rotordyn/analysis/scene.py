@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,7 +24,7 @@ from rotordyn.analysis.statics import Statics
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.housing import housed_motions
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import coupled_motions
+from rotordyn.machine.support import Sleeve, Spring, coupled_motions
 from rotordyn.numerics.modes import Modes, modes, residual
 from rotordyn.preload.growth import released_fits
 from rotordyn.system.coupled import CoupledSystem, coupled_system
@@ -32,13 +33,14 @@ from rotordyn.system.lateral_rotor import Fineness, LateralRotor, lateral_rotor
 from rotordyn.system.longitudinal import RodSystem, axial_system, torsion_system
 
 Array = NDArray[np.float64]
+ANY_SPRING = Spring(preload=1.0, stiffness=1.0)
 
 
 class Scene(Statics):
     """A machine under given conditions at given speeds [rad/s], ascending, with its vibrations.
 
     ``max_frequency`` [Hz]: highest frequency any question asks for; ``ports``: stations [m] where
-    forces act or responses are read besides the bearings.
+    forces act or responses are read besides the bearings. ``taken``: stages solved by another.
     """
 
     def __init__(
@@ -52,6 +54,7 @@ class Scene(Statics):
         super().__init__(spindle, conditions, speed)
         self.max_frequency = max_frequency
         self.ports = ports
+        self.taken: set[str] = set()
 
     def beyond(self, factor: float) -> Scene:
         """The same machine with as many more vibrations as ``factor`` times the band would ask."""
@@ -61,6 +64,13 @@ class Scene(Statics):
         still = {name for kind in Statics.__mro__ for name in vars(kind)}
         more.solved.update({n: value for n, value in self.solved.items() if n in still})
         return more
+
+    def adopt(self, other: Scene) -> None:
+        """Take over what another scene has solved from the same inputs."""
+        for name, inputs in _INPUTS.items():
+            if name in other.solved and name not in self.solved and inputs(self) == inputs(other):
+                self.solved[name] = other.solved[name]
+                self.taken.add(name)
 
     def at(self, speed: Array) -> Scene:
         """The same machine and coordinates at other speeds [rad/s], ascending."""
@@ -228,3 +238,29 @@ class Scene(Statics):
         """The system that ``motion`` is part of, and its modes."""
         name = "coupled" if motion in self.coupled_motions else motion
         return getattr(self, name), getattr(self, f"{name}_modes")
+
+
+def _elements(scene: Scene) -> tuple[object, ...]:
+    """Everything that the free rotor in its coordinates follows from; its springs are no part."""
+    body = replace(scene.spindle, sleeves=tuple(_unsprung(s) for s in scene.spindle.sleeves))
+    asked = (scene.conditions.element_length, scene.fineness, scene.ports, scene.rigid)
+    return (replace(body, title="", note="", references=()), *asked)
+
+
+def _unsprung(sleeve: Sleeve) -> Sleeve:
+    return replace(sleeve, spring=ANY_SPRING, stop_travel=math.inf)
+
+
+def _axial_balance(scene: Scene) -> tuple[object, ...]:
+    """Everything that the preload state follows from."""
+    speeds = tuple(scene.bearing_speed.tolist())
+    return (scene.spindle, scene.law, scene.axial_force, speeds)
+
+
+_INPUTS: dict[str, Callable[[Scene], tuple[object, ...]]] = {
+    "mesh": _elements,
+    "preload": _axial_balance,
+    "rotor": _elements,
+    "torsion": _elements,
+    "torsion_modes": _elements,
+}

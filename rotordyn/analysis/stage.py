@@ -25,25 +25,31 @@ class stage(property):  # noqa: N801
 
 
 class Staged:
-    """Holds what its stages have solved, and the seconds each of them took."""
+    """Holds what its stages have solved, the seconds each of them took, and who ``asked`` first.
+
+    What nothing else asked for was asked for by the case (``""``).
+    """
 
     def __init__(self) -> None:
         self.solved: dict[str, Any] = {}
         self.seconds: dict[str, float] = {}
-        self._running: list[float] = []
+        self.asked: dict[str, str] = {}
+        self._running: list[tuple[str, float]] = []
 
     def timed(self, name: str, work: Callable[[], T]) -> T:
         """Run ``work`` and add its own seconds, without those of stages inside it, to ``name``."""
         begin = time.perf_counter()
-        self._running.append(0.0)
+        self.asked.setdefault(name, self._running[-1][0] if self._running else "")
+        self._running.append((name, 0.0))
         try:
             return work()
         finally:
-            inside = self._running.pop()
+            _, inside = self._running.pop()
             spent = time.perf_counter() - begin
             self.seconds[name] = self.seconds.get(name, 0.0) + spent - inside
             if self._running:
-                self._running[-1] += spent
+                outer, before = self._running[-1]
+                self._running[-1] = outer, before + spent
 
     @property
     def skipped(self) -> tuple[str, ...]:

@@ -14,17 +14,19 @@ from rotordyn.analysis.registry import BEARING_ANALYSES, SPINDLE_ANALYSES, Answe
 from rotordyn.case.case import Case
 from rotordyn.job.solving import solve, solve_variants, unsolved
 from rotordyn.job.space import InSpace, LeftOut, write_meshes
-from rotordyn.plots.catalogue import figures
+from rotordyn.plots.catalogue import figures as figures_of
 from rotordyn.plots.compared.catalogue import comparison_figures
 from rotordyn.plots.draw import Job
 
 
 @dataclass(frozen=True, slots=True)
 class Delivery:
-    """What a run left behind: the folder, its one-screen summary, speeds without a solution."""
+    """What a run left behind: the folder, its one-screen summary, how it was solved, speeds without
+    a solution."""
 
     folder: Path
     summary: str
+    plan: str
     unsolved: tuple[str, ...]
 
 
@@ -79,32 +81,69 @@ class Parcel:
         return tuple(found)
 
 
-def deliver(case: Case, target: Path, progress: Progress = lambda name: None) -> Delivery:
+def deliver(
+    case: Case,
+    target: Path,
+    progress: Progress = lambda name: None,
+    *,
+    figures: bool = True,
+) -> Delivery:
     """Solve ``case`` and write everything into ``target``, all or nothing.
+
+    Without ``figures`` nothing is drawn, and what draws is not even loaded.
 
     Raises
     ------
     OutputRefused : ``target`` holds something that is not ours
     NoSolution : no speed (of any variant) has a solution; nothing is written
     """
-    from rotordyn.plots.draw import Drawing
     from rotordyn.report.folder import check_target, results_folder
 
     check_target(target)
     seconds: dict[str, float] = {}
     with _timed(seconds, "solve, all stages"):
         parcel = _solved(case, progress, seconds)
-    with results_folder(target) as folder, InSpace(parcel.parts) as space:
-        progress("figures")
-        drawing = Drawing(_figures(parcel), folder)
-        with _timed(seconds, "write"):
-            _write_numbers(parcel, folder)
-        with _timed(seconds, "draw"):
-            drawn = drawing.finish() | space.draw(folder)
-        parcel = replace(parcel, left_out=space.left_out)
+    with results_folder(target) as folder:
+        progress("figures" if figures else "files")
+        drawn, left_out = (_drawn if figures else _written)(parcel, folder)
+        parcel = replace(parcel, left_out=left_out)
         text = _write_summary(parcel, folder)
         _write_record(parcel, drawn, folder)
-    return Delivery(target, text, parcel.unsolved)
+    return Delivery(target, text, _plan(parcel), parcel.unsolved)
+
+
+def _drawn(parcel: Parcel, folder: Path) -> tuple[dict[str, float], LeftOut]:
+    """Numbers and figures, made side by side; seconds by figure, and which are missing."""
+    from rotordyn.plots.draw import Drawing
+
+    with InSpace(parcel.parts) as space:
+        drawing = Drawing(_figures(parcel), folder)
+        _written(parcel, folder)
+        with _timed(parcel.seconds, "draw"):
+            drawn = drawing.finish() | space.draw(folder)
+        return drawn, space.left_out
+
+
+def _written(parcel: Parcel, folder: Path) -> tuple[dict[str, float], LeftOut]:
+    """Numbers alone."""
+    with _timed(parcel.seconds, "write"):
+        _write_numbers(parcel, folder)
+    return {}, LeftOut({"figures": "none are asked for"})
+
+
+def _plan(parcel: Parcel) -> str:
+    """How every part was solved, and how long what surrounds it took."""
+    from rotordyn.report.plan import plan
+
+    around = {name: own for name, own in parcel.seconds.items() if name in ("write", "draw")}
+    texts = []
+    for name, (_, own) in parcel.parts.items():
+        last = not parcel.case.variants
+        skipped = own.skipped | (parcel.left_out.figures if last else {})
+        job = around if last else {}
+        text = plan(own.seconds, own.asked, own.spared, skipped, job)
+        texts.append(f"{name}: {text}" if name else text)
+    return "\n".join(texts)
 
 
 def _solved(case: Case, progress: Progress, seconds: dict[str, float]) -> Parcel:
@@ -128,7 +167,7 @@ def labelled(case: Case) -> dict[str, Case]:
 
 def _figures(parcel: Parcel) -> list[Job]:
     if not parcel.case.variants:
-        return figures(parcel.case, parcel.results)
+        return figures_of(parcel.case, parcel.results)
     shown = [(part, answers.results) for part, answers in parcel.parts.values()]
     return comparison_figures(shown)
 

@@ -14,6 +14,8 @@ from rotordyn.errors import InvalidInput, NoSolution
 if TYPE_CHECKING:
     import xarray as xr
 
+    from rotordyn.analysis.scene import Scene
+
 
 @dataclass(frozen=True, slots=True)
 class VariantAnswers:
@@ -48,25 +50,32 @@ def run(case: Case) -> Mapping[str, xr.Dataset]:
     }
 
 
-def solve(case: Case, progress: Progress = lambda name: None) -> Answers:
-    """Answer every question of ``case`` with frozen results; its variants are left aside."""
+def solve(
+    case: Case, progress: Progress = lambda name: None, known: list[Scene] | None = None
+) -> Answers:
+    """Answer every question of ``case`` with frozen results; its variants are left aside.
+
+    ``known``: scenes of cases solved before, for what they have in common; this one's joins them.
+    """
     if case.spindle is not None:
-        return answer_spindle(case.spindle, case.conditions, case.speeds, case.analyses, progress)
+        own = (case.spindle, case.conditions, case.speeds, case.analyses)
+        return answer_spindle(*own, progress, known)
     assert case.bearing is not None, "a case has one of the two"
     return answer_bearing(case.bearing, case.conditions, case.speeds, case.analyses, progress)
 
 
 def solve_variants(case: Case, progress: Progress = lambda name: None) -> VariantAnswers:
-    """Answer the questions of every variant of ``case``.
+    """Answer the questions of every variant of ``case``; what does not differ is solved once.
 
     Raises
     ------
     NoSolution : no variant has a physical solution at any speed
     """
     found = VariantAnswers({})
+    known: list[Scene] = []
     for name, variant in case.variants.items():
         try:
-            found.answers[name] = solve(variant, partial(_part, progress, name))
+            found.answers[name] = solve(variant, partial(_part, progress, name), known)
         except NoSolution as error:
             found.failed[name] = f"variant {name}: {error}"
     if not found.answers:

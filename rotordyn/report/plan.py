@@ -1,0 +1,52 @@
+"""How a case was solved, as text: stages below what asked for them, what was spared or not run."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from rotordyn.report.text import wrapped
+
+COLUMN = 48  # of the times
+
+
+def plan(
+    seconds: Mapping[str, float],
+    asked: Mapping[str, str],
+    spared: Sequence[str],
+    skipped: Mapping[str, str],
+    job: Mapping[str, float],
+) -> str:
+    """Stages as a tree with their own ``seconds``, each below the one that ``asked`` first.
+
+    ``spared``: sentences; ``skipped``: stages and pictures that were not made -> why; ``job``:
+    seconds of what is done around the stages.
+    """
+    lines = ["stages, each below what first asked for it, and its own time"]
+    lines += _tree(seconds, asked, "", 1)
+    lines += [_timed(name, value, 1) for name, value in job.items()]
+    if spared:
+        lines += ["spared", *_entries(spared)]
+    if skipped:
+        together: dict[str, list[str]] = {}
+        for name, why in skipped.items():
+            together.setdefault(why, []).append(name)
+        lines += ["not run", *_entries(f"{', '.join(names)}: {w}" for w, names in together.items())]
+    return "\n".join(lines)
+
+
+def _tree(
+    seconds: Mapping[str, float], asked: Mapping[str, str], above: str, depth: int
+) -> Iterator[str]:
+    for name in (name for name, by in asked.items() if by == above and name in seconds):
+        yield _timed(name, seconds[name], depth)
+        yield from _tree(seconds, asked, name, depth + 1)
+
+
+def _timed(name: str, seconds: float, depth: int) -> str:
+    label = "  " * depth + name
+    return f"{label:{COLUMN}}{1e3 * seconds:9.1f} ms"
+
+
+def _entries(sentences: Sequence[str] | Iterator[str]) -> Iterator[str]:
+    for sentence in sentences:
+        yield from wrapped(f"  {sentence}")

@@ -1,0 +1,95 @@
+"""What a run says of itself, and what it does not do twice or at all."""
+
+from __future__ import annotations
+
+import json
+from dataclasses import fields
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import rotordyn
+from rotordyn.cli import main
+from rotordyn.job.solving import solve, solve_variants
+
+ROOT = Path(__file__).resolve().parents[2]
+CASES = ROOT / "cases"
+SPEEDS = [0.0, 400.0 * np.pi, 800.0 * np.pi]  # up to 24 000 rpm
+BODY = {"mesh", "rotor", "torsion", "torsion_modes"}
+
+
+def few_speeds(name: str) -> Any:
+    case = rotordyn.load(CASES / f"{name}.yaml")
+    return rotordyn.vary(case, {"speeds": SPEEDS})
+
+
+@pytest.mark.parametrize(
+    ("name", "spared"),
+    [
+        ("mfw2310_preload_springs", [set(), BODY, BODY, BODY, BODY]),
+        ("mfw2310_tangents", [set(), BODY | {"preload"}]),
+    ],
+)
+def test_what_variants_share_is_solved_once(name: str, spared: list[set[str]]) -> None:
+    solved = [set(own.seconds) for own in solve_variants(few_speeds(name)).answers.values()]
+    for own, missing in zip(solved, spared, strict=True):
+        assert solved[0] - own == missing
+
+
+@pytest.mark.parametrize("name", ["mfw2310_preload_springs", "mfw2310_decomposition"])
+def test_a_variant_in_company_is_the_variant_alone(name: str) -> None:
+    case = few_speeds(name)
+    together = solve_variants(case).answers
+    for variant, one in case.variants.items():
+        for analysis, result in solve(one).results.items():
+            shared = together[variant].results[analysis]
+            for field in fields(result):
+                alone, beside = getattr(result, field.name), getattr(shared, field.name)
+                if isinstance(alone, np.ndarray) and alone.dtype.kind in "fc":
+                    assert np.array_equal(alone, beside, equal_nan=True), (variant, field.name)
+
+
+def test_another_shaft_shares_no_rotor() -> None:
+    case = rotordyn.load(CASES / "mfw2310_preload_springs.yaml")
+    case = rotordyn.vary(case, {"speeds": SPEEDS})
+    name = list(case.variants)[1]
+    path = f"variants.{name}.spindle.shaft.sections.hsk_flange.outer_diameter"
+    other = rotordyn.vary(case, {path: "64 mm"})
+    kept = solve_variants(other).answers[name].results["campbell"]
+    alone = solve(other.variants[name]).results["campbell"]
+    same = solve(case.variants[name]).results["campbell"]
+    assert np.array_equal(kept.frequency, alone.frequency)
+    assert not np.array_equal(kept.frequency, same.frequency)
+
+
+def test_the_plan_names_stages_what_was_spared_and_what_did_not_run(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    options = ("--only", "campbell", "--no-figures", "--quiet", "--explain")
+    assert main(["run", str(CASES / "mfw2310.yaml"), "-o", str(tmp_path / "out"), *options]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    stages = lines[: lines.index("spared")]
+    place = {line.split()[0]: len(line) - len(line.lstrip()) for line in stages[1:]}
+    assert place["bending"] > place["answer"] >= place["preload"]
+    assert all(line.endswith("ms") for line in stages[1:])
+    text = " ".join(" ".join(lines).split())
+    assert "bearings a, b are alike and share their load: one of them is solved" in text
+    assert "one of 21 or 25 is solved" in text
+    assert "half the unknowns" in text
+    assert "coupled, coupled_modes: no support couples its motions" in text
+    assert "figures: none are asked for" in text
+
+
+def test_no_figures_leaves_numbers_alone(tmp_path: Path) -> None:
+    out = tmp_path / "out"
+    options = ("--no-figures", "--quiet")
+    assert main(["run", str(CASES / "lalanne_ferraris.yaml"), "-o", str(out), *options]) == 0
+    names = {path.name for path in out.iterdir()}
+    assert {"results.nc", "campbell.csv", "summary.txt"} <= names
+    assert not [name for name in names if name.endswith((".png", ".svg", ".pdf"))]
+    record = json.loads((out / "run.json").read_text(encoding="utf-8"))
+    assert record["figures"] == {}
+    assert record["skipped"]["figures"] == "none are asked for"
+    assert "draw" not in record["stages"]
