@@ -108,13 +108,18 @@ class Whole:
 
 @dataclass(frozen=True)
 class Named:
-    """A name by which paths and messages can call a thing; ``optional``: or none."""
+    """A name by which paths and messages can call a thing.
+
+    ``optional``: or none; ``dotted``: or a name of something and one within it.
+    """
 
     optional: bool = False
+    dotted: bool = False
 
     def refusal(self, value: str) -> str:
         """Why ``value`` is not taken; empty where it is."""
-        if NAME.fullmatch(value) or (self.optional and not value):
+        parts = value.split(".", 1) if self.dotted else [value]
+        if all(NAME.fullmatch(part) for part in parts) or (self.optional and not value):
             return ""
         return f"not a name: given {value!r}; allowed: a letter, then letters, digits, _, -"
 
@@ -161,6 +166,7 @@ SHARE = Quantity("ratio", at_least="0 %", at_most="100 %")
 MASS_DAMPING = Quantity("rate", at_least="0 1/s", at_most="1000000 1/s")
 STIFFNESS_DAMPING = Quantity("time", at_least="0 s", at_most="1 s")
 RADIAL_SHARE = Quantity("number", at_least="0", at_most="10")
+SPEED_RATIO = Quantity("number", at_least="-100", at_most="100")
 SHEAR_COEFFICIENT = Quantity("number", above="0", at_most="1")
 FRICTION = Quantity("number", at_least="0.001", at_most="10", infinite="none")
 AMPLITUDE = Quantity("ratio", above="0 %", at_most="20 %")
@@ -174,6 +180,7 @@ Friction = Annotated[float, FRICTION]
 MassDamping = Annotated[float, MASS_DAMPING]
 StiffnessDamping = Annotated[float, STIFFNESS_DAMPING]
 RadialShare = Annotated[float, RADIAL_SHARE]
+SpeedRatio = Annotated[float, SPEED_RATIO]
 Diameter = Annotated[float, DIAMETER]
 Bore = Annotated[float, BORE]
 Growth = Annotated[float, GROWTH]
@@ -203,4 +210,5 @@ Damping = Annotated[float, DAMPING]
 DampingRatio = Annotated[float, DAMPING_RATIO]
 Share = Annotated[float, SHARE]
 Name = Annotated[str, Named()]
+PointName = Annotated[str, Named(dotted=True)]
 OptionalName = Annotated[str, Named(optional=True)]

@@ -208,7 +208,7 @@ def _judged(pole: Complex, omega: Array) -> Array:
 
 def _end(scene: Scene, motion: str, port: Port) -> End:
     """A port as the system of ``motion`` sees it."""
-    node = scene.mesh.node_of(scene.spindle.points[port.point])
+    node = scene.node(port.point)
     return _end_at(scene, motion, node, port.direction)
 
 

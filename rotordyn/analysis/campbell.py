@@ -62,7 +62,8 @@ def _answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     return kind(
         speed=scene.speed,
         mode=names,
-        node=scene.mesh.x,
+        node=scene.mesh.stations,
+        rotor=tuple(scene.spindle.ratios),
         dof=FREEDOMS,
         shape_speed=scene.speed[scene.usable][ends],
         critical=tuple(c.mode for c in criticals),
@@ -71,6 +72,8 @@ def _answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         frequency_error=scene.scattered(_errors(scene, branches)),
         resolved_frequency=scene.resolved_frequency,
         free=scene.scattered(_free(scene)),
+        node_rotor=scene.mesh.rotor,
+        speed_ratio=np.array(list(scene.spindle.ratios.values())),
         certified=certified,
         modes_below=scene.scattered(below),
         modes_found=scene.scattered(seen),
@@ -85,7 +88,8 @@ def _answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         stability_threshold=threshold,
         first_to_grow=growing,
         critical_speed=np.array([c.speed for c in criticals]),
-        critical_order=np.array([float(c.order) for c in criticals]),
+        critical_rotor=tuple(c.line.rotor for c in criticals),
+        critical_order=np.array([float(c.line.order) for c in criticals]),
         critical_kind=tuple(c.kind for c in criticals),
         critical_whirl=tuple(c.whirl for c in criticals),
         critical_damping=np.array([c.damping_ratio for c in criticals]),
@@ -181,7 +185,7 @@ def _names(branches: list[Branch]) -> tuple[str, ...]:
 
 def _shapes(scene: Scene, branches: list[Branch], ends: list[int]) -> Complex:
     """Node displacements (ends, modes, nodes, 6), each scaled to a largest value of 1."""
-    shape = (len(ends), len(branches), scene.mesh.nodes, 6)
+    shape = (len(ends), len(branches), len(scene.mesh.stations), 6)
     shapes = np.full(shape, complex(np.nan, np.nan))
     for place, row in enumerate(ends):
         for k, branch in enumerate(branches):

@@ -17,11 +17,10 @@ Complex = NDArray[np.complex128]
 System = LateralSystem | RodSystem | CoupledSystem | ExactBending
 MOSTLY = 0.5  # of the kinetic energy
 FELT = 1e-3  # of the largest deflection squared: where less moves, no direction is seen
-_RIGID = {"bending": 2, "axial": 1, "torsion": 1}  # first coordinates of a free rotor
 
 
 def rigid_share(system: System, branch: Branch) -> Array:
-    """Share of the kinetic energy of a mode (speeds,) in motions of a rigid shaft, NaN if lost."""
+    """Share of the kinetic energy of a mode (speeds,) in motions of rigid rotors, NaN if lost."""
     moved = branch.vector @ _rigid_motions(system, branch)
     whole = (np.abs(branch.vector) ** 2).sum(axis=1)
     share = (np.abs(moved) ** 2).sum(axis=1) / whole
@@ -62,8 +61,12 @@ def _rigid_motions(system: System, branch: Branch) -> Array:
     for part, start, name in parts:
         width = part.motion.shape[-1] // 2 if name == "bending" else 0
         for plane in range(part.planes):
-            columns += [start + plane * width + k for k in range(_RIGID[name])]
+            columns += [start + plane * width + int(k) for k in np.flatnonzero(_rigid(part))]
     return np.eye(size)[:, columns]
+
+
+def _rigid(part: LateralSystem | RodSystem) -> NDArray[np.bool_]:
+    return part.rotor.rigid if isinstance(part, LateralSystem) else part.rigid
 
 
 def _of_nodes(system: ExactBending, size: int) -> Array:

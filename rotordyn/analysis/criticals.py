@@ -1,4 +1,4 @@
-"""Critical speeds: where a mode turns at a whole multiple of the speed, each solved for.
+"""Critical speeds: where a mode turns at a whole multiple of a rotor's speed, each solved for.
 
 Two ways lead to them. Where nothing but the gyroscopic effect depends on speed, all are the
 eigenvalues of one problem (``synchronous``), whatever the speeds of the case. Where bearings change
@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from rotordyn.analysis.branches import Branch, whirl_degree
 from rotordyn.analysis.character import whirl_along
 from rotordyn.analysis.formulation import ROTATING, SOFTENED
+from rotordyn.analysis.on_rotors import Line, exciting
 from rotordyn.analysis.roots import Start, State, solved
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec
@@ -35,11 +36,11 @@ SAME, ALIKE = 1e-7, 0.5  # of the speed, likeness: one root found twice
 
 @dataclass(frozen=True, slots=True)
 class Critical:
-    """A mode that turns at ``order`` times ``speed`` [rad/s]."""
+    """A mode that turns, at the ``speed`` of the spindle [rad/s], on a ``line``."""
 
     mode: str
     speed: float
-    order: int
+    line: Line
     kind: str
     whirl: str
     damping_ratio: float
@@ -49,28 +50,30 @@ class Critical:
 def critical_speeds(
     scene: Scene, spec: CampbellSpec, branches: Sequence[Branch], names: Sequence[str]
 ) -> list[Critical]:
-    """Of all ``engine_orders`` between the speeds of the case, ascending by order and speed."""
+    """Of all ``engine_orders`` of every rotor between the speeds of the case, ascending by rotor,
+    order and speed."""
+    lines = exciting(scene.spindle.ratios, spec.engine_orders)
     starts = [
         start
-        for order in spec.engine_orders
-        for start in (*_direct(scene, branches, order), *_crossed(scene, branches, order))
+        for line in lines
+        for start in (*_direct(scene, branches, line), *_crossed(scene, branches, line))
     ]
     found: list[tuple[Start, float, State]] = []
     for start, speed, state in solved(scene, spec, branches, starts):
         if not any(_same(start, speed, state, other) for other in found):
             found.append((start, speed, state))
     criticals = [
-        _named(scene, branches[start.branch], names[start.branch], start.order, speed, state)
+        _named(scene, branches[start.branch], names[start.branch], start.line, speed, state)
         for start, speed, state in found
     ]
-    return sorted(criticals, key=lambda c: (c.order, c.speed))
+    return sorted(criticals, key=lambda c: (lines.index(c.line), c.speed))
 
 
-def _crossed(scene: Scene, branches: Sequence[Branch], order: int) -> list[Start]:
-    """Crossings of followed modes with the line of ``order``, on the local cubic."""
+def _crossed(scene: Scene, branches: Sequence[Branch], line: Line) -> list[Start]:
+    """Crossings of followed modes with a line, on the local cubic."""
     starts, speed = [], scene.speed[scene.usable]
     for place, branch in enumerate(branches):
-        miss = np.abs(branch.pole.imag) - order * speed
+        miss = np.abs(branch.pole.imag) - line.size * speed
         for zero in zero_crossings(speed, miss):
             if zero <= 0.0:
                 continue
@@ -79,11 +82,11 @@ def _crossed(scene: Scene, branches: Sequence[Branch], order: int) -> list[Start
             near = min(ends, key=lambda k: abs(speed[k] - zero))
             side = np.sign(branch.pole[near].imag)
             low, high = float(speed[ends[0]]), float(speed[ends[-1]])
-            starts.append(Start(place, order, zero, low, high, branch.vector[near], side))
+            starts.append(Start(place, line, zero, low, high, branch.vector[near], side))
     return starts
 
 
-def _direct(scene: Scene, branches: Sequence[Branch], order: int) -> list[Start]:
+def _direct(scene: Scene, branches: Sequence[Branch], line: Line) -> list[Start]:
     """All synchronous motions of bending between the speeds of the case, where only the gyroscopic
     effect depends on speed; each for the followed mode that it is most like."""
     if not _constant(scene):
@@ -95,14 +98,14 @@ def _direct(scene: Scene, branches: Sequence[Branch], order: int) -> list[Start]
         gyroscopic = -1j * side * polar
         if not system.isotropic:
             gyroscopic = np.block([[zero, polar], [-polar, zero]])
-        spins, vectors = synchronous(system.stiffness[0], gyroscopic, order)
+        spins, vectors = synchronous(system.stiffness[0], gyroscopic, line.size)
         for spin, vector in zip(spins, vectors.T, strict=True):
             if not speed[0] <= spin <= speed[-1]:
                 continue
-            place = _owner(branches, speed, spin, order, vector, side)
+            place = _owner(branches, speed, spin, line, vector, side)
             if place is not None:
                 low, high = float(speed[0]), float(speed[-1])
-                starts.append(Start(place, order, float(spin), low, high, vector, side))
+                starts.append(Start(place, line, float(spin), low, high, vector, side))
     return starts
 
 
@@ -120,7 +123,7 @@ def _constant(scene: Scene) -> bool:
 
 
 def _owner(
-    branches: Sequence[Branch], speed: Array, spin: float, order: int, vector: Complex, side: float
+    branches: Sequence[Branch], speed: Array, spin: float, line: Line, vector: Complex, side: float
 ) -> int | None:
     """The followed bending mode most like a motion, at the speed of the case next to it."""
     row = int(np.abs(speed - spin).argmin())
@@ -129,7 +132,8 @@ def _owner(
         pole = branch.pole[row]
         if branch.kind == "bending" and branch.column[row] >= 0 and side * pole.imag > 0.0:
             alike = float(likeness(branch.vector[row][:, None], vector[:, None])[0, 0])
-            apart = abs(abs(pole.imag) - order * spin) / max(abs(pole.imag), order * spin)
+            turned = line.size * spin
+            apart = abs(abs(pole.imag) - turned) / max(abs(pole.imag), turned)
             score[place] = alike - apart
     return int(score.argmax()) if np.isfinite(score).any() else None
 
@@ -138,7 +142,7 @@ def _same(start: Start, speed: float, state: State, other: tuple[Start, float, S
     """True where two searches ended in one root."""
     begun, at, known = other
     return bool(
-        begun.order == start.order
+        begun.line == start.line
         and abs(speed - at) <= SAME * at
         and np.sign(known.pole.imag) == np.sign(state.pole.imag)
         and len(known.vector) == len(state.vector)
@@ -147,10 +151,10 @@ def _same(start: Start, speed: float, state: State, other: tuple[Start, float, S
 
 
 def _named(
-    scene: Scene, branch: Branch, name: str, order: int, speed: float, state: State
+    scene: Scene, branch: Branch, name: str, line: Line, speed: float, state: State
 ) -> Critical:
     """What a root is called and whether something that turns with the shaft excites it."""
-    whirl, excited = "", order != 1
+    whirl, excited = "", line.order != 1
     if branch.kind == "bending":
         system = scene.exact if scene.bends_exactly else scene.vibration("bending")[0]
         isotropic = not isinstance(system, CoupledSystem | RodSystem) and system.isotropic
@@ -163,6 +167,7 @@ def _named(
             own = vector[system.places["bending"]] if isinstance(system, CoupledSystem) else vector
             degree = float(whirl_degree(own[None], np.zeros(1, dtype=bool))[0])
         whirl = whirl_along(system, vector, float(degree))
-        excited = excited or not (isotropic and whirl == "backward")
+        against = "backward" if line.multiple > 0.0 else "forward"
+        excited = excited or not (isotropic and whirl == against)
     ratio = 0.0 - state.pole.real / abs(state.pole)
-    return Critical(name, speed, order, branch.kind, whirl, float(ratio), excited)
+    return Critical(name, speed, line, branch.kind, whirl, float(ratio), excited)

@@ -103,7 +103,7 @@ def _within(
 
 def _row(scene: Scene, motion: Array, port: Port) -> Array:
     """A port's displacement by the coordinates."""
-    node = scene.mesh.node_of(scene.spindle.points[port.point])
+    node = scene.node(port.point)
     return np.asarray(motion[node, FREEDOMS.index(port.direction)])
 
 

@@ -13,7 +13,6 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from bearings.angular_contact import AngularContactBallBearing
-from rotordyn.analysis.loads import station
 from rotordyn.analysis.results import Result
 from rotordyn.analysis.specs import (
     CampbellSpec,
@@ -23,6 +22,7 @@ from rotordyn.analysis.specs import (
     StiffnessSpec,
     UnbalanceSpec,
 )
+from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
 
 if TYPE_CHECKING:
@@ -91,7 +91,7 @@ def answer_spindle(
         spindle,
         conditions,
         np.array(speeds),
-        max_frequency=_highest(analyses, speeds[-1]),
+        max_frequency=_highest(analyses, speeds[-1] * max(map(abs, spindle.ratios.values()))),
         ports=_ports(spindle, analyses),
     )
     results: dict[str, Result] = {}
@@ -143,14 +143,14 @@ def _highest(analyses: Mapping[str, Spec], top: float) -> float:
     return max(asked, default=0.0) or 1000.0
 
 
-def _ports(spindle: Spindle, analyses: Mapping[str, Spec]) -> tuple[float, ...]:
-    """Stations where forces act or responses are read."""
-    names, stations = set(), set()
+def _ports(spindle: Spindle, analyses: Mapping[str, Spec]) -> tuple[Place, ...]:
+    """Places where forces act or responses are read."""
+    found: set[str | float] = set()
     for spec in analyses.values():
         if isinstance(spec, FrfSpec):
-            names |= {port.point for pair in spec.pairs for port in pair}
+            found |= {port.point for pair in spec.pairs for port in pair}
         elif isinstance(spec, StiffnessSpec):
-            names.add(spec.point)
+            found.add(spec.point)
         elif isinstance(spec, UnbalanceSpec):
-            stations |= {station(spindle, at) for at in spec.places}
-    return tuple(sorted(stations | {spindle.points[name] for name in names}))
+            found |= set(spec.places)
+    return tuple(sorted({spindle.place(at) for at in found}))

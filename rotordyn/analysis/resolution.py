@@ -21,11 +21,17 @@ def beyond_elements(
     ``top``: highest speed [rad/s]. Elements that follow the accuracy carry whatever is asked.
     """
     longest = conditions.element_length
-    asked = {name: _highest(spec, top) for name, spec in analyses.items()}
+    fastest = top * max(abs(ratio) for ratio in spindle.ratios.values())
+    asked = {name: _highest(spec, fastest) for name, spec in analyses.items()}
     if longest is None or conditions.rotor == "rigid" or not any(asked.values()):
         return
-    mesh = build_mesh(spindle, longest)
-    limit = half_wave(spindle, mesh, top) / (2.0 * math.pi)
+    meshes = build_mesh(spindle, longest).of_rotors
+    limits = {
+        name: half_wave(spindle.part(name), meshes[name], abs(ratio) * top) / (2.0 * math.pi)
+        for name, ratio in spindle.ratios.items()
+    }
+    weakest = min(limits, key=lambda name: limits[name])
+    limit, mesh = limits[weakest], meshes[weakest]
     for name, highest in asked.items():
         if highest > limit and not (name == "frf" and conditions.shaft == EXACT):
             turned = f" ({highest * 2.0 * math.pi * RPM.factor:.0f} rpm)" if name != "frf" else ""
@@ -37,7 +43,7 @@ def beyond_elements(
 
 
 def _highest(spec: Spec, top: float) -> float:
-    """Highest frequency of a response [Hz], 0 where there is none."""
+    """Highest frequency of a response [Hz], 0 where there is none; ``top``: of all rotors."""
     if isinstance(spec, FrfSpec):
         return max(spec.frequencies, default=0.0)
     return top / (2.0 * math.pi) if isinstance(spec, UnbalanceSpec) else 0.0

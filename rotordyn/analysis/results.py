@@ -75,8 +75,11 @@ class CampbellResult:
     (``modes_below``, NaN where it is not) and as many were followed (``modes_found``). Modes so
     strongly damped that their |pole| lies beyond the disc of that proof are not counted.
     ``stability_threshold``: lowest speed of the range at which a mode begins to grow, infinite
-    where none does; ``first_to_grow``: that mode, or "". ``critical``: the mode that turns at
-    ``critical_order`` times ``critical_speed``, with its kind and damping ratio there;
+    where none does; ``first_to_grow``: that mode, or "". ``rotor``: the spindle's shaft and further
+    rotors, at ``speed_ratio`` times its speed; ``node_rotor``: the one that a node is of; whirl is
+    forward the way the spindle turns. ``critical``: the mode that turns at ``critical_order`` times
+    the speed of ``critical_rotor`` where the spindle has ``critical_speed``, with its kind and
+    damping ratio there;
     ``critical_whirl``: forward, backward, planar, or mixed where parts of the shaft whirl either
     way; ``critical_excited``: false where a force that turns with the shaft does no work on it
     (order 1; axial, torsion, backward whirl of an isotropic rotor).
@@ -86,6 +89,7 @@ class CampbellResult:
     mode: Words = coordinate("mode", unit="", label="mode")
     node: Array = coordinate("node", unit="m", label="station", printed=MILLIMETRE)
     dof: Words = coordinate("dof", unit="", label="freedom")
+    rotor: Words = coordinate("rotor", unit="", label="rotor")
     shape_speed: Array = coordinate("shape_speed", unit="rad/s", label="speed of the shapes")
     critical: Words = coordinate("critical", unit="", label="critical speed")
     outcome: Words = quantity("speed", unit="", label="outcome")
@@ -97,6 +101,8 @@ class CampbellResult:
     free: Array = quantity(
         "speed", unit="1", label="eigenvalues at zero, of motions that nothing holds: no modes"
     )
+    node_rotor: Words = quantity("node", unit="", label="rotor of the node")
+    speed_ratio: Array = quantity("rotor", unit="1", label="speed over that of the spindle")
     certified: Flags = quantity("speed", unit="", label="number of modes proven")
     modes_below: Array = quantity("speed", unit="1", label="modes below the highest frequency")
     modes_found: Array = quantity("speed", unit="1", label="modes followed below it")
@@ -111,7 +117,8 @@ class CampbellResult:
     stability_threshold: float = quantity(unit="rad/s", label="speed from which a mode grows")
     first_to_grow: str = quantity(unit="", label="mode that grows from there")
     critical_speed: Array = quantity("critical", unit="rad/s", label="critical speed")
-    critical_order: Array = quantity("critical", unit="1", label="order of rotation")
+    critical_rotor: Words = quantity("critical", unit="", label="rotor that excites")
+    critical_order: Array = quantity("critical", unit="1", label="order of its rotation")
     critical_kind: Words = quantity("critical", unit="", label="kind of critical speed")
     critical_whirl: Words = quantity("critical", unit="", label="whirl at the critical speed")
     critical_damping: Array = quantity("critical", unit="1", label="damping ratio there")

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from rotordyn.analysis.branches import Branch, home_of, modes_of
 from rotordyn.analysis.certificate import swings
 from rotordyn.analysis.exact_bending import ExactModes
+from rotordyn.analysis.on_rotors import Line
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec
 from rotordyn.numerics.follow import likeness
@@ -31,11 +32,11 @@ NEARNESS = 2.0  # of likeness that a distance as large as the frequency costs
 class Start:
     """Where to look: ``speed`` [rad/s] for ``branch``, between ``low`` and ``high``.
 
-    ``order``: of rotation; ``before``: a speed already looked at, and what it missed by.
+    ``line``: what excites there; ``before``: a speed already looked at, and what it missed by.
     """
 
     branch: int
-    order: int
+    line: Line
     speed: float
     low: float
     high: float
@@ -92,7 +93,7 @@ def solved(
 def _next(start: Start, at: float, miss: float) -> float:
     """The secant through the last two speeds, at first the speed at which the frequency met would
     be the multiple; not beyond the ends of the search."""
-    before, onward = start.before, at + miss / start.order
+    before, onward = start.before, at + miss / start.line.size
     if before is not None and before[1] != miss:
         onward = at - miss * (at - before[0]) / (miss - before[1])
     return float(np.clip(onward, start.low, start.high))
@@ -129,7 +130,7 @@ def _nearest(
     if not columns.size:
         return None
     alike = likeness(start.vector[:, None], modes.vector[row][:, columns])[0]
-    line = start.order * speed
+    line = start.line.size * speed
     apart = np.abs(turning[columns] - line) / np.maximum(turning[columns], line)
     best = columns[int((alike - NEARNESS * apart).argmax())]
     return State(complex(pole[best]), modes.vector[row][:, best], abs(pole[best].imag) - line)

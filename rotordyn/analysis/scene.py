@@ -23,6 +23,7 @@ from rotordyn.analysis.stage import stage
 from rotordyn.analysis.statics import Statics
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.housing import housed_motions
+from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve, Spring, coupled_motions
 from rotordyn.numerics.modes import Modes, modes, residual
@@ -39,8 +40,9 @@ ANY_SPRING = Spring(preload=1.0, stiffness=1.0)
 class Scene(Statics):
     """A machine under given conditions at given speeds [rad/s], ascending, with its vibrations.
 
-    ``max_frequency`` [Hz]: highest frequency any question asks for; ``ports``: stations [m] where
-    forces act or responses are read besides the bearings. ``taken``: stages solved by another.
+    ``max_frequency`` [Hz]: highest frequency any question asks for; ``ports``: places, or stations
+    [m] on the shaft, where forces act or responses are read besides the bearings. ``taken``: stages
+    solved by another.
     """
 
     def __init__(
@@ -49,7 +51,7 @@ class Scene(Statics):
         conditions: Conditions,
         speed: Array,
         max_frequency: float = 4000.0,
-        ports: tuple[float, ...] = (),
+        ports: tuple[float | Place, ...] = (),
     ) -> None:
         super().__init__(spindle, conditions, speed)
         self.max_frequency = max_frequency
@@ -127,7 +129,12 @@ class Scene(Statics):
 
     @property
     def _port_nodes(self) -> tuple[int, ...]:
-        return tuple(self.mesh.node_of(x) for x in self.ports)
+        return tuple(self.node(at) for at in self.ports)
+
+    def node(self, at: str | float | Place) -> int:
+        """The node of a named point, of a station on the shaft or of a place, among those of all
+        rotors."""
+        return self.mesh.node_at(*self.spindle.place(at))
 
     @stage
     def rotor(self) -> LateralRotor:

@@ -32,6 +32,11 @@ class Statics(Staged):
         self.speed = speed
 
     @property
+    def grounded(self) -> Spindle:
+        """The spindle's shaft by itself: its state along the axis knows of no further rotor."""
+        return self.spindle.grounded
+
+    @property
     def law(self) -> Law:
         """Hypotheses of the ball model."""
         return self.conditions.law
@@ -77,7 +82,7 @@ class Statics(Staged):
     @property
     def axial_force(self) -> float:
         """External force and weight along the axis [N]."""
-        return self.conditions.axial_force + self.gravity * rotor_inertia(self.spindle).mass
+        return self.conditions.axial_force + self.gravity * rotor_inertia(self.grounded).mass
 
     @property
     def outcome(self) -> tuple[str, ...]:
@@ -121,7 +126,7 @@ class Statics(Staged):
     @stage
     def preload(self) -> PreloadState:
         """Dynamic preload state at ``bearing_speed``."""
-        return dynamic_preload(self.spindle, self.bearing_speed, self.law, self.axial_force)
+        return dynamic_preload(self.grounded, self.bearing_speed, self.law, self.axial_force)
 
     @stage
     def shaft_force(self) -> AxialForce:
@@ -144,7 +149,7 @@ class Statics(Staged):
         if not self.conditions.axial_stiffening or rigid:
             return ("",) * len(speed)
         loading = Loading(
-            self.spindle,
+            self.grounded,
             speed,
             lambda: self.mesh,
             seat_load,
@@ -166,7 +171,7 @@ class Statics(Staged):
         return along.bending(self.mesh.middle)
 
     def _along(self, seat_load: Array) -> AxialForce:
-        return axial_force(self.spindle, seat_load, self.conditions.axial_force, self.gravity)
+        return axial_force(self.grounded, seat_load, self.conditions.axial_force, self.gravity)
 
     @property
     def _seat_load(self) -> Array:

@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from rotordyn.machine.joint import Joint
     from rotordyn.machine.lumped import Disc, PointMass
     from rotordyn.machine.reference import Reference
+    from rotordyn.machine.rotor import Rotor
     from rotordyn.machine.shaft import Section, Shaft
     from rotordyn.machine.spindle import Spindle, Tool
     from rotordyn.machine.support import BearingSeat, LinearSupport, Sleeve, Spring
@@ -39,6 +40,7 @@ _HOME = {
     "Reference": "reference",
     "RigidHousing": "housing",
     "RingGrowth": "growth",
+    "Rotor": "rotor",
     "Section": "shaft",
     "Shaft": "shaft",
     "Sleeve": "support",
@@ -62,6 +64,7 @@ __all__ = [
     "Reference",
     "RigidHousing",
     "RingGrowth",
+    "Rotor",
     "Section",
     "Shaft",
     "Sleeve",

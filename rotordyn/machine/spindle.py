@@ -9,6 +9,7 @@ from itertools import pairwise
 from typing import Protocol
 
 from rotordyn.description import Description, doubled
+from rotordyn.errors import InvalidInput
 from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.growth import ComputedShortening, InterferenceFit, PrescribedShortening
@@ -16,8 +17,9 @@ from rotordyn.machine.housing import Housing
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.reference import Reference
+from rotordyn.machine.rotor import Place, Rotor, ends_faults, freedoms_held, rotor_faults
 from rotordyn.machine.shaft import Section, Shaft
-from rotordyn.machine.support import BearingSeat, LinearSupport, Sleeve
+from rotordyn.machine.support import GROUND, SPINDLE, BearingSeat, LinearSupport, Sleeve, acts
 from rotordyn.quantity import DampingRatio, Name, Share, Station, suggestion
 
 SLACK = 1e-9  # [m] by which a station may lie beside the shaft
@@ -52,7 +54,8 @@ class Spindle(Description):
     order; the last one serves all that follow; empty = none. ``rayleigh`` is added to it.
     ``internal_damping`` [-]: share of both, in bending, which turns with the shaft. ``points``:
     named stations [m]. ``housings``: what bearings and supports stand on; those that none carries
-    stand on ground. ``joints``: between parts of the shaft.
+    stand on ground. ``joints``: between parts of the shaft. ``rotors``: further ones on the same
+    axis, joined to the shaft, to ground and to one another by supports.
     """
 
     name: str
@@ -73,17 +76,72 @@ class Spindle(Description):
     references: tuple[Reference, ...] = ()
     housings: tuple[Housing, ...] = ()
     joints: tuple[Joint, ...] = ()
+    rotors: tuple[Rotor, ...] = ()
 
     @property
     def damped(self) -> bool:
         """The rotor itself is damped, besides its bearings and supports."""
         return any(self.rotor_damping) or bool(self.rayleigh)
 
+    @property
+    def ratios(self) -> dict[str, float]:
+        """Speed of every rotor over that of the spindle's shaft, which comes first."""
+        return {SPINDLE: 1.0} | {rotor.name: rotor.speed_ratio for rotor in self.rotors}
+
+    @property
+    def places(self) -> dict[str, Place]:
+        """All named points; those of a further rotor as ``rotor.point``."""
+        found = {name: Place(SPINDLE, x) for name, x in self.points.items()}
+        for rotor in self.rotors:
+            found |= {f"{rotor.name}.{n}": Place(rotor.name, x) for n, x in rotor.points.items()}
+        return found
+
+    def place(self, at: str | float | Place) -> Place:
+        """Where a point's name, a station [m] on the spindle's shaft or a place is."""
+        if isinstance(at, Place):
+            return at
+        return self.places[at] if isinstance(at, str) else Place(SPINDLE, at)
+
+    def part(self, name: str) -> Spindle:
+        """A rotor by itself, as a spindle, with the supports that have an end on it.
+
+        Those join it to ground, whatever their other end; housings are left out.
+        """
+        if not self.rotors:
+            return self
+        touching = tuple(
+            replace(s, holds=SPINDLE, against=GROUND) for s in self.supports if name in s.ends
+        )
+        if name == SPINDLE:
+            return replace(self, supports=touching, housings=(), rotors=())
+        rotor = next(each for each in self.rotors if each.name == name)
+        return Spindle(
+            name=name,
+            shaft=rotor.shaft,
+            masses=rotor.masses,
+            discs=rotor.discs,
+            supports=touching,
+            points=rotor.points,
+            rotor_damping=rotor.rotor_damping,
+            internal_damping=rotor.internal_damping,
+            rayleigh=rotor.rayleigh,
+            joints=rotor.joints,
+        )
+
+    @property
+    def grounded(self) -> Spindle:
+        """The spindle's shaft by itself, with the supports that join it to ground."""
+        if not self.rotors:
+            return self
+        own = tuple(s for s in self.supports if set(s.ends) == {SPINDLE, GROUND})
+        return replace(self, supports=own, housings=(), rotors=())
+
     def _faults(self) -> Iterator[str]:
         yield from _named_twice("seats", self.seats)
         yield from _named_twice("sleeves", self.sleeves)
         yield from _named_twice("supports", self.supports)
         yield from _named_twice("masses and discs", self.masses + self.discs)
+        yield from self._ends_faults()
         yield from self._station_faults()
         yield from self._sleeve_faults()
         yield from self._shift_faults()
@@ -97,9 +155,29 @@ class Spindle(Description):
             )
         )
 
+    def _ends_faults(self) -> Iterator[str]:
+        names = [rotor.name for rotor in self.rotors]
+        faults = [sentence for _, sentence in ends_faults(self.supports, names)]
+        yield from faults
+        if faults or not self.rotors:
+            return
+        held = {n: self._held(s for s in self.supports if n in s.ends) for n in names}
+        yield from (sentence for _, sentence in rotor_faults(self.rotors, held))
+        for name in names:
+            try:
+                self.part(name)
+            except InvalidInput as refusal:
+                yield f"rotors: {refusal}"
+
+    @staticmethod
+    def _held(supports: Iterable[LinearSupport]) -> frozenset[str]:
+        stiff = (pair for s in supports for pair, value in s.stiffness.items() if acts(value))
+        return freedoms_held(stiff)
+
     def _station_faults(self) -> Iterator[str]:
         placed: tuple[PointMass | Disc | BearingSeat | LinearSupport, ...]
-        placed = (*self.masses, *self.discs, *self.seats, *self.supports)
+        own = tuple(support for support in self.supports if SPINDLE in support.ends)
+        placed = (*self.masses, *self.discs, *self.seats, *own)
         for item in placed:
             yield from self.off_the_shaft(f"{type(item).__name__} {item.name}", item.x)
         for x in self.drawbar.stations if self.drawbar else ():

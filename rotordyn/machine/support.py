@@ -26,6 +26,7 @@ from rotordyn.quantity import (
 )
 
 FREEDOMS = ("x", "y", "z", "thx", "thy", "thz")
+SPINDLE, GROUND = "spindle", "ground"  # ends of a support that are no further rotor
 Freedom = Annotated[str, Choice(FREEDOMS)]
 
 # The motions that a straight rotor keeps apart, by the freedoms of its nodes.
@@ -119,6 +120,9 @@ class Sleeve(Description):
 class LinearSupport(Description):
     """Stiffness and damping to ground at station ``x``, or freedoms held ``rigid``.
 
+    It ``holds`` the spindle's shaft or a further rotor, ``against`` ground (a housing, where one
+    carries it) or another rotor. Matrices are of the fixed frame, whatever turns.
+
     ``stiffness`` [N/m, N/rad …] and ``damping`` map a pair of node freedoms (load, displacement),
     such as ``("y", "y")`` or ``("y", "thz")``, to the entry of the 6×6 matrix; freedoms are
     x, y, z, thx, thy, thz. Entries not named are zero; nothing is symmetrised. Freedoms in
@@ -133,6 +137,8 @@ class LinearSupport(Description):
     damping: Entries = field(default_factory=dict)
     rigid: tuple[Freedom, ...] = ()
     speeds: tuple[Speed, ...] = ()
+    holds: Name = SPINDLE
+    against: Name = GROUND
 
     def _faults(self) -> Iterator[str]:
         found = table_faults(self.stiffness, self.damping, self.speeds)
@@ -142,6 +148,11 @@ class LinearSupport(Description):
         for freedom in doubled(self.rigid):
             yield f"rigid: repeated: given '{freedom}'"
         yield from rigid_and_elastic(self.rigid, (*self.stiffness, *self.damping))
+
+    @property
+    def ends(self) -> tuple[str, str]:
+        """What it joins: a rotor, and a rotor or ground."""
+        return self.holds, self.against
 
     @property
     def along(self) -> float:

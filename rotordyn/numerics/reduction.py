@@ -26,7 +26,8 @@ class RitzBasis:
     ``rest_mass`` (r, m): restᵀMΦ, from the loads, since stiff modes meet too little of the answers
     to be seen in their difference. ``rounding`` (m,): how far rounding of the entries of K is
     likely to move the value of each vector: the root of Σ (u K_ij φ_i φ_j)², u half the last digit;
-    none for rigid motions. ``shift`` σ: the answers are those of K + σM.
+    none for rigid motions. ``shift`` σ: the answers are those of K + σM; of bases side by side one
+    for each vector of the rest (r,).
     """
 
     vectors: Array
@@ -35,7 +36,7 @@ class RitzBasis:
     rest_values: Array
     rest_mass: Array
     rounding: Array
-    shift: float
+    shift: float | Array
 
     @property
     def complement(self) -> Complement:
@@ -47,6 +48,23 @@ class RitzBasis:
         whole = np.linalg.qr(added, mode="complete")[0] if added.size else np.eye(len(root))
         turn = whole[:, added.shape[1] :] / root
         return Complement(self.rest @ turn, turn.T @ turn, turn.T @ self.rest_mass)
+
+
+def side_by_side(bases: Sequence[RitzBasis]) -> RitzBasis:
+    """Of problems that nothing couples, as one; the values ascend within each alone."""
+    from scipy.linalg import block_diag
+
+    if len(bases) == 1:
+        return bases[0]
+    return RitzBasis(
+        vectors=block_diag(*(basis.vectors for basis in bases)),
+        values=np.concatenate([basis.values for basis in bases]),
+        rest=block_diag(*(basis.rest for basis in bases)),
+        rest_values=np.concatenate([basis.rest_values for basis in bases]),
+        rest_mass=block_diag(*(basis.rest_mass for basis in bases)),
+        rounding=np.concatenate([basis.rounding for basis in bases]),
+        shift=np.concatenate([np.full(len(b.rest_values), b.shift) for b in bases]),
+    )
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -1,4 +1,4 @@
-"""Motions that turn at a multiple of the spin, solved for at once.
+"""Motions that turn at a multiple of the spin, whole or not, solved for at once.
 
 Where K and M do not depend on the spin Ω, undamped whirl ω = ±nΩ of K + ωΩP − ω² M is an ordinary
 eigenproblem, K φ = ω² (M ∓ P/n) φ: every root at once, no crossing to be looked for.
@@ -17,7 +17,7 @@ Matrix = NDArray[np.inexact[Any]]
 REAL = 1e-6  # of ω²: less imaginary part than that is rounding or a slight asymmetry
 
 
-def synchronous(stiffness: Matrix, gyroscopic: Matrix, order: int) -> tuple[Array, Complex]:
+def synchronous(stiffness: Matrix, gyroscopic: Matrix, order: float) -> tuple[Array, Complex]:
     """Spins Ω > 0 (k,), ascending, and vectors (n, k) of q̈ + Ω G q̇ + K q = 0 with e^(i n Ω t).
 
     Of unit mass: K φ = (nΩ)² (1 − i G/n) φ. ``gyroscopic`` G (n, n); −iP in the complex form, where

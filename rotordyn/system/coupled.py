@@ -17,6 +17,7 @@ from rotordyn.elements.node import FREEDOMS
 from rotordyn.elements.support import along_and_about, support_matrices, turn
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import MOTIONS
+from rotordyn.system.connections import connections, moved, supported
 from rotordyn.system.foundation import foundation
 from rotordyn.system.lateral import LateralSystem
 from rotordyn.system.longitudinal import RodSystem
@@ -48,7 +49,7 @@ class CoupledSystem:
     ``places``: the coordinates that belong to each motion; ``motion`` (nodes, 6, n): displacements
     of the nodes by the coordinates.
     ``parts``: the systems joined; ``supports`` (2, supports, 6, 6): what supports add between
-    them, stiffness and damping; ``at_supports`` (supports, 6, n): motion of their nodes.
+    them, stiffness and damping; ``at_supports`` (supports, 6, n): motion between their ends.
     ``carried``: what stands on housings; None where nothing does.
     """
 
@@ -76,7 +77,7 @@ def coupled_system(
     (speeds,) [rad/s]; needed where housings carry something.
     """
     motion = np.concatenate([part.motion for part in parts.values()], axis=-1)
-    rows = motion[mesh.nodes_of(spindle.supports)]
+    rows = moved(supported(spindle.supports, mesh), motion)
     ends = [0, *accumulate(part.motion.shape[-1] for part in parts.values())]
     between = np.array(
         [
@@ -106,7 +107,7 @@ def _on_housings(
     base, size = foundation(spindle), rotor.motion.shape[-1]
     held = _connections(spindle, seat_stiffness, speed, "stiffness")
     damped = _connections(spindle, seat_stiffness, speed, "damping")
-    rows = rotor.motion[mesh.nodes_of(spindle.seats, spindle.supports)]
+    rows = moved(connections(spindle, mesh), rotor.motion)
     under = np.pad(base.under, ((0, 0), (0, 0), (size, 0)))
     wide = ((0, 0), (0, 0), (0, base.size))
     return replace(

@@ -28,7 +28,7 @@ class Reduced(Protocol):
 
     ``rows`` (c, k, m): k displacements between the ends of each bearing or support in the m
     coordinates of a plane; ``held``, ``damped`` (speeds, c, p·k, p·k): their matrices over p
-    planes; ``connected`` (c,): nodes; ``freedoms``: per node of a plane.
+    planes; ``connected`` (c, nodes): what they join; ``freedoms``: per node of a plane.
     """
 
     @property
@@ -38,7 +38,7 @@ class Reduced(Protocol):
     @property
     def rows(self) -> Array: ...
     @property
-    def connected(self) -> tuple[int, ...]: ...
+    def connected(self) -> Array: ...
     @property
     def held(self) -> Inexact: ...
     @property
@@ -133,7 +133,7 @@ class Unbalanced:
         if left_out is None:
             return None
         nodal = left_out.at_nodes.reshape(len(left_out.own_mass), -1, system.freedoms)
-        at_ends = nodal[:, list(system.connected)]
+        at_ends = np.einsum("cn,rnf->rcf", system.connected, nodal, optimize=True)
         pressed = np.zeros((1, *left_out.mass.shape))
         if system.force is not None:
             pressed = np.tensordot(system.force, left_out.per_newton, 1)

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -149,5 +150,5 @@ def divided(mesh: Mesh, parts: Degrees) -> Mesh:
     x = np.concatenate([mesh.x[:1], mesh.x[0] + np.cumsum(step)])
     x[np.concatenate([[0], np.cumsum(parts)])] = mesh.x
     names = ("outer_diameter", "inner_diameter", "young_modulus", "poisson_ratio", "density")
-    own = {name: np.repeat(getattr(mesh, name), parts) for name in names}
+    own: dict[str, Any] = {name: np.repeat(getattr(mesh, name), parts) for name in names}
     return replace(mesh, x=x, **own)

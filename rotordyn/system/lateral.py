@@ -66,8 +66,8 @@ class LateralSystem:
         return np.tile(self.rotor.weightless, self.planes)
 
     @property
-    def connected(self) -> tuple[int, ...]:
-        """The nodes of bearings and supports."""
+    def connected(self) -> Array:
+        """The nodes that bearings and supports join (c, nodes)."""
         return self.rotor.connected
 
     @property
@@ -146,11 +146,10 @@ def lateral_system(
     if softened:
         own_stiffness -= (speed**2)[:, None, None] * rotor.translational_mass
     own_damping = np.diag(rotor.damping) + rotor.joints
-    turned = speed[:, None, None] * rotor.joints  # dampers that turn with the shaft
     gyroscopic = speed[:, None, None] * rotor.polar
-    internal = speed[:, None, None] * spindle.internal_damping * np.diag(rotor.damping)
+    internal = speed[:, None, None] * rotor.turning
     if _alike(k) and _alike(c):
-        stiffness = own_stiffness - 1j * (internal + turned) + _gathered(rows, _complex(k))
+        stiffness = own_stiffness - 1j * internal + _gathered(rows, _complex(k))
         damping = own_damping + _gathered(rows, _complex(c))
         blocks = _complex(k), _complex(c)
         if turning:
@@ -170,7 +169,7 @@ def lateral_system(
         rotor,
         False,
         _both(own_stiffness + zero)
-        + _two_by_two(zero, internal + turned, -internal - turned, zero)
+        + _two_by_two(zero, internal, -internal, zero)
         + _gathered(_both(rows), k),
         _both(own_damping + zero) + across + _gathered(_both(rows), c),
         np.zeros_like(speed),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -13,6 +14,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve
 from rotordyn.numerics.reduction import ritz_basis
 from rotordyn.system.assemble import bending_plane, loaded_plane
+from rotordyn.system.connections import connections, moved
 from rotordyn.system.dofs import PLANE_Y
 from rotordyn.system.hierarchic_rotor import (
     beams,
@@ -67,18 +69,21 @@ class Fineness:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class LateralRotor:
-    """The rotor's bending plane in m coordinates of unit mass.
+    """The bending plane of the rotor, or of all rotors, in m coordinates of unit mass.
 
-    ``basis`` (2·nodes, m); ``stiffness`` (m,); ``polar`` and ``translational_mass`` (m, m);
-    ``damping`` (m,): the rotor's own. ``per_newton`` (elements, m, m): stiffness per newton of
-    axial force in each element; ``bar`` (m, m): that of the drawbar. ``seats`` (seats, 2, m):
-    deflection and tilt between the rings of each bearing; ``supports`` (supports, 2, m): those of
-    the node of each linear support, and ``connected`` the nodes of both. The last coordinates are
-    the sprung sleeves, if any; ``weightless`` (m,) is 1 for those that have no mass of their own,
-    else 0. ``remainder``: what the coordinates leave out; None for a rigid rotor. ``unreduced``:
-    the assembled rotor they were taken from, likewise. ``resolved`` [Hz]: highest frequency that
-    the elements carry within the accuracy asked for, or within ``USUAL`` where none is. ``joints``
-    (m, m): damping by joints, which turn with the shaft.
+    ``basis`` (2·nodes, m); ``stiffness`` (m,); ``polar`` (m, m): per unit of the spindle's speed,
+    a further rotor's times its speed ratio; ``translational_mass`` (m, m); ``damping`` (m,): the
+    rotors' own. ``per_newton`` (elements, m, m): stiffness per newton of axial force in each
+    element of the shaft; ``bar`` (m, m): that of the drawbar. ``seats`` (seats, 2, m): deflection
+    and tilt between the rings of each bearing; ``supports`` (supports, 2, m): those between the
+    ends of each linear support, and ``connected`` the nodes of both (``connections``). The last
+    coordinates are the sprung sleeves, if any; ``weightless`` (m,) is 1 for those that have no
+    mass of their own, else 0. ``rigid`` (m,): coordinates that are rigid motions of a rotor.
+    ``remainder``: what the coordinates leave out; None for a rigid rotor. ``unreduced``: the
+    assembled rotor they were taken from, likewise. ``resolved`` [Hz]: highest frequency that the
+    elements carry within the accuracy asked for, or within ``USUAL`` where none is. ``joints``
+    (m, m): damping by joints. ``turning`` (m, m): damping that turns with its rotor, per unit of
+    the spindle's speed.
     """
 
     basis: Array
@@ -90,12 +95,14 @@ class LateralRotor:
     bar: Array
     seats: Array
     supports: Array
-    connected: tuple[int, ...]
+    connected: Array
     weightless: Array
+    rigid: NDArray[np.bool_]
     remainder: Remainder | None
     unreduced: Unreduced | None
     resolved: float
     joints: Array
+    turning: Array
 
     @property
     def size(self) -> int:
@@ -109,10 +116,13 @@ class LateralRotor:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Reduced:
-    """The free rotor: coordinates seen at the nodes of the mesh, and its matrices in them."""
+    """The free rotor: coordinates seen at the nodes of the mesh, and its matrices in them.
+
+    The stiffness of the drawbar is apart, as is what turns with the rotor."""
 
     at_nodes: Array
     values: Array
+    damping: Array
     polar: Array
     translational_mass: Array
     per_newton: Array
@@ -120,12 +130,49 @@ class _Reduced:
     unreduced: Unreduced | None
     resolved: float
     joints: Array
+    turning: Array
+
+    def at_ratio(self, ratio: float) -> _Reduced:
+        """The same rotor at ``ratio`` times the speed."""
+        left_out, whole = self.remainder, self.unreduced
+        if left_out is not None:
+            left_out = replace(left_out, polar=ratio * left_out.polar)
+        if whole is not None and whole.polar is not None:
+            whole = replace(whole, polar=ratio * whole.polar)
+        return replace(
+            self,
+            polar=ratio * self.polar,
+            turning=ratio * self.turning,
+            remainder=left_out,
+            unreduced=whole,
+        )
+
+    def beside(self, others: Sequence[_Reduced]) -> _Reduced:
+        """With other rotors, on which no axial force acts."""
+        from scipy.linalg import block_diag
+
+        if not others:
+            return self
+        every = (self, *others)
+        names = ("at_nodes", "polar", "translational_mass", "joints", "turning")
+        blocks = {name: block_diag(*(getattr(one, name) for one in every)) for name in names}
+        left_out = [one.remainder for one in others if one.remainder]
+        wholes = [one.unreduced for one in others if one.unreduced]
+        return _Reduced(
+            **blocks,
+            values=np.concatenate([one.values for one in every]),
+            damping=np.concatenate([one.damping for one in every]),
+            per_newton=_bordered(self.per_newton, sum(len(one.values) for one in others)),
+            remainder=self.remainder and self.remainder.beside(left_out),
+            unreduced=self.unreduced and self.unreduced.beside(wholes),
+            resolved=min(one.resolved for one in every),
+        )
 
 
 def lateral_rotor(
     spindle: Spindle, mesh: Mesh, fineness: Fineness, ports: tuple[int, ...], *, rigid: bool
 ) -> LateralRotor:
-    """Reduce the rotor's bending plane, seen at the nodes of ``mesh``.
+    """Reduce the bending plane of all rotors, each by itself, seen at the nodes of ``mesh``.
 
     Kept are the free-free modes up to the cutoff of ``fineness`` and the static answers to forces
     and moments at bearings, supports, contacts of the drawbar and the nodes ``ports``, and to what
@@ -133,43 +180,62 @@ def lateral_rotor(
     of a rigid body.
     """
     tension = stiffening(spindle, mesh)
-    free = (
-        _rigid(spindle, mesh, tension)
-        if rigid
-        else _flexible(spindle, mesh, fineness, ports, tension)
-    )
+    reduced = [
+        _alone(spindle, name, mesh, fineness, ports, rigid=rigid).at_ratio(ratio)
+        for name, ratio in spindle.ratios.items()
+    ]
+    free = reduced[0].beside(reduced[1:])
     basis, values = free.at_nodes, free.values
     sprung = [s for s in spindle.sleeves if math.isfinite(s.radial_stiffness)]
     more = len(sprung)
     masses = np.array([sleeve_mass(s, s.radial_stiffness, fineness.beyond) for s in sprung])
     held = np.array([s.radial_stiffness for s in sprung]) / masses
-    nodes = mesh.nodes_of(spindle.seats, spindle.supports)
-    connected = _widened(_rows(basis, nodes), more)
-    seats, supports = np.split(connected, [len(spindle.seats)])
+    ends = connections(spindle, mesh)
+    nodes = _widened(basis.reshape(-1, 2, basis.shape[1]), more)
+    seats, supports = np.split(moved(ends, nodes), [len(spindle.seats)])
     for k, seat in enumerate(spindle.seats):
         for place, sleeve in enumerate(sprung):
             if seat.name in sleeve.bearings:
                 seats[k, 0, basis.shape[1] + place] = -1.0 / math.sqrt(masses[place])
-    wide = _widened(_rows(basis, list(range(mesh.nodes))), more)
     return LateralRotor(
         basis=_widened(basis, more),
         stiffness=np.concatenate([values, held]),
         polar=_bordered(free.polar, more),
         translational_mass=_bordered(free.translational_mass, more),
-        damping=np.concatenate([own_damping(values, spindle), np.zeros(more)]),
+        damping=np.concatenate([free.damping, np.zeros(more)]),
         per_newton=_bordered(free.per_newton, more),
-        bar=tension.bar(wide),
+        bar=tension.bar(nodes),
         seats=seats,
         supports=supports,
-        connected=tuple(nodes),
+        connected=ends,
         weightless=np.concatenate(
             [np.zeros(basis.shape[1]), [float(s.mass == 0.0) for s in sprung]]
         ),
+        rigid=np.concatenate([values == 0.0, np.zeros(more, dtype=bool)]),
         remainder=free.remainder.widened(more) if free.remainder else None,
         unreduced=replace(free.unreduced, more=more) if free.unreduced else None,
         resolved=free.resolved,
         joints=_bordered(free.joints, more),
+        turning=_bordered(free.turning, more),
     )
+
+
+def _alone(
+    spindle: Spindle,
+    name: str,
+    mesh: Mesh,
+    fineness: Fineness,
+    ports: tuple[int, ...],
+    *,
+    rigid: bool,
+) -> _Reduced:
+    """One of the rotors, turning at the speed that the others are told by."""
+    part, own = spindle.part(name), mesh.of_rotors[name]
+    tension = stiffening(part, own)
+    if rigid:
+        return _rigid(part, own, tension)
+    spin = abs(spindle.ratios[name]) * fineness.spin
+    return _flexible(part, own, replace(fineness, spin=spin), mesh.within(name, ports), tension)
 
 
 def _flexible(
@@ -184,9 +250,11 @@ def _flexible(
     basis = ritz_basis(plane.mass, plane.stiffness, fineness.cutoff, loads, rigid, couplings)
     vectors = basis.vectors
     slope = slopes(spindle, elements, _places(mesh).ravel())
+    damping, joints = own_damping(basis.values, spindle), jump_damping(elements, vectors)
     return _Reduced(
         at_nodes=seen @ vectors,
         values=basis.values,
+        damping=damping,
         polar=vectors.T @ plane.polar @ vectors,
         translational_mass=vectors.T @ plane.translational_mass @ vectors,
         per_newton=_shortening(slope @ vectors, slope @ vectors, mesh),
@@ -209,7 +277,8 @@ def _flexible(
         ),
         resolved=resolved_whirl(spindle, elements, fineness.spin, fineness.accuracy or USUAL)
         / (2.0 * math.pi),
-        joints=jump_damping(elements, vectors),
+        joints=joints,
+        turning=spindle.internal_damping * np.diag(damping) + joints,
     )
 
 
@@ -242,8 +311,21 @@ def _rigid(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> _Reduced:
     basis = np.asarray(np.linalg.solve(factor, shape.T).T)
     polar, translation = (basis.T @ m @ basis for m in (plane.polar, plane.translational_mass))
     along = tension.projected(basis.reshape(-1, 2, 2))
-    none = np.zeros((2, 2))
-    return _Reduced(basis, np.zeros(2), polar, translation, along, None, None, math.inf, none)
+    still, none = np.zeros(2), np.zeros((2, 2))
+    damping = own_damping(still, spindle)
+    return _Reduced(
+        at_nodes=basis,
+        values=still,
+        damping=damping,
+        polar=polar,
+        translational_mass=translation,
+        per_newton=along,
+        remainder=None,
+        unreduced=None,
+        resolved=math.inf,
+        joints=none,
+        turning=spindle.internal_damping * np.diag(damping),
+    )
 
 
 def _drawbar(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> list[Array]:
@@ -281,11 +363,6 @@ def _loaded(spindle: Spindle, mesh: Mesh, ports: tuple[int, ...]) -> list[int]:
     stations = mesh.nodes_of(spindle.seats, spindle.supports)
     stations += [mesh.node_of(x) for x in (spindle.drawbar.stations if spindle.drawbar else ())]
     return sorted({PLANE_Y.row(n, f) for n in (*stations, *ports) for f in PLANE_Y.names})
-
-
-def _rows(basis: Array, nodes: list[int]) -> Array:
-    """(deflection, tilt) rows of nodes, (nodes, 2, m)."""
-    return basis.reshape(-1, 2, basis.shape[1])[nodes]
 
 
 def _widened(rows: Array, more: int) -> Array:

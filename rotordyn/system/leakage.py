@@ -15,6 +15,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.system.connections import moved
 from rotordyn.system.coupled import CoupledSystem
 from rotordyn.system.unreduced import Unreduced
 
@@ -33,7 +34,7 @@ class Joined(Protocol):
     @property
     def rows(self) -> Array: ...
     @property
-    def connected(self) -> tuple[int, ...]: ...
+    def connected(self) -> Array: ...
     @property
     def held(self) -> Inexact: ...
     @property
@@ -94,13 +95,13 @@ class Leakage:
         """By bearings and supports (speeds, k)."""
         if not len(self.system.rows):
             return np.zeros((1, 1))
-        moved = np.einsum("cim,spmk->scpik", self.system.rows, v, optimize=True)
-        moved = moved.reshape(*moved.shape[:2], -1, moved.shape[-1])
+        stretched = np.einsum("cim,spmk->scpik", self.system.rows, v, optimize=True)
+        stretched = stretched.reshape(*stretched.shape[:2], -1, stretched.shape[-1])
         held, damped = self.system.held, self.system.damped
         if side < 0.0:
             held, damped = np.swapaxes(held, -1, -2), np.swapaxes(damped, -1, -2)
-        force = np.linalg.norm(held @ moved, axis=2)
-        force = force + self.radius[:, None, None] * np.linalg.norm(damped @ moved, axis=2)
+        force = np.linalg.norm(held @ stretched, axis=2)
+        force = force + self.radius[:, None, None] * np.linalg.norm(damped @ stretched, axis=2)
         return np.einsum("c,sck->sk", self._ends(), force)
 
     def _force(self) -> Array:
@@ -112,10 +113,12 @@ class Leakage:
         """Motion at every bearing and support by what is left out, at most (c,)."""
         return self.ends(self.system.connected)
 
-    def ends(self, nodes: tuple[int, ...]) -> Array:
-        """The same at some nodes."""
-        seen, width = self.whole.seen, self.system.freedoms
-        return np.array([_norm(seen[width * n : width * (n + 1)]) for n in nodes])
+    def ends(self, connected: Array) -> Array:
+        """The same at some of them."""
+        seen = self.whole.seen
+        width = self.system.freedoms
+        nodal = seen.reshape(len(seen) // width, width, seen.shape[1])
+        return np.array([_norm(each) for each in moved(connected, nodal)])
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -139,8 +142,8 @@ class CoupledLeakage:
         system = self.system
         own = [p.forces(vector[:, system.places[name]], side) for name, p in self.parts.items()]
         blocks = system.supports if side > 0.0 else np.swapaxes(system.supports, -1, -2)
-        moved = np.einsum("cin,snk->scik", system.at_supports, vector, optimize=True)
-        stiff, damped = (np.linalg.norm(block @ moved, axis=2) for block in blocks)
+        at = np.einsum("cin,snk->scik", system.at_supports, vector, optimize=True)
+        stiff, damped = (np.linalg.norm(block @ at, axis=2) for block in blocks)
         between = stiff + self.radius[:, None, None] * damped
         squares = np.sum([part**2 for part in own], axis=0)
         return np.asarray(np.sqrt(squares) + np.einsum("c,sck->sk", self._ends(), between))

@@ -1,4 +1,4 @@
-"""Axial motion of shaft and sleeves, and torsion of the shaft, at many speeds.
+"""Axial motion of rotors and sleeves, and torsion of the rotors, at many speeds.
 
 Each is a system of its own unless a support couples it to another motion (``coupled``). Along the
 axis a bearing on a sleeve is in series with the sleeve's spring (a stop that is closed grounds the
@@ -8,7 +8,7 @@ sleeve); nothing but linear supports holds the spin.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -20,6 +20,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve
 from rotordyn.numerics.reduction import ritz_basis
 from rotordyn.system.assemble import loaded_rod
+from rotordyn.system.connections import connections, moved, supported
 from rotordyn.system.dofs import AXIAL, TORSION, Selection
 from rotordyn.system.hierarchic_rotor import (
     axial_properties,
@@ -46,8 +47,9 @@ class RodSystem:
     """q̈ + ``damping`` q̇ + ``stiffness`` q = f, arrays (speeds, n, n).
 
     ``basis`` (nodes, n): the nodes' ``freedom``, x or thx. ``rows`` (c, 1, n): motion between the
-    ends of each bearing or support, at the nodes ``connected``; ``held``, ``damped``
-    (speeds, c, 1, 1): what they answer. ``weightless`` (n,): 1 for sleeves without mass, else 0.
+    ends of each bearing or support, which join the nodes ``connected`` (c, nodes); ``held``,
+    ``damped`` (speeds, c, 1, 1): what they answer. ``weightless`` (n,): 1 for sleeves without mass,
+    else 0; ``rigid`` (n,): coordinates that are rigid motions of a rotor.
     ``remainder``: what the coordinates leave out; ``unreduced``: the assembled rod they were taken
     from; None where the shaft is rigid.
     """
@@ -57,10 +59,11 @@ class RodSystem:
     stiffness: Array
     damping: Array
     rows: Array
-    connected: tuple[int, ...]
+    connected: Array
     held: Array
     damped: Array
     weightless: Array
+    rigid: Flags
     remainder: Remainder | None
     unreduced: Unreduced | None
 
@@ -103,8 +106,8 @@ def axial_system(
     rigid: bool,
 ) -> RodSystem:
     """Axial motion; ``axial_stiffness`` (speeds, seats), closed ``stops`` (speeds, sleeves)."""
-    nodes = mesh.nodes_of(spindle.seats, spindle.supports)
-    free = _reduced(_AXIAL, spindle, mesh, fineness, (*nodes, *ports), rigid=rigid)
+    ends = connections(spindle, mesh)
+    free = _reduced(_AXIAL, spindle, mesh, fineness, ports, rigid=rigid)
     basis, values = free.at_nodes, free.values
     sliding = [s for s in spindle.sleeves if math.isfinite(s.spring.stiffness)]
     carried = _carried(spindle, sliding, axial_stiffness)
@@ -115,8 +118,8 @@ def axial_system(
         ]
     )
     modal, size = basis.shape[1], basis.shape[1] + len(sliding)
-    rows = np.zeros((len(nodes), size))
-    rows[:, :modal] = basis[nodes]
+    rows = np.zeros((len(ends), size))
+    rows[:, :modal] = moved(ends, basis)
     for row, seat in enumerate(spindle.seats):
         for place, sleeve in enumerate(sliding):
             if seat.name in sleeve.bearings:
@@ -131,7 +134,7 @@ def axial_system(
     own = np.arange(modal)
     damping[:modal, :modal] += free.joints
     stiffness[:, own, own] += values
-    damping[own, own] += own_damping(values, spindle, bending=False)
+    damping[own, own] += free.damping
     closed = stops[:, [spindle.sleeves.index(s) for s in sliding]]
     springs = np.array([s.spring.stiffness for s in sliding]) + CLOSED * closed * carried
     there = modal + np.arange(len(sliding))
@@ -144,10 +147,11 @@ def axial_system(
         stiffness,
         np.broadcast_to(damping, stiffness.shape),
         rows[:, None],
-        tuple(nodes),
+        ends,
         springs_held[..., None, None],
         np.broadcast_to(np.array(dampers)[:, None, None], (*springs_held.shape, 1, 1)),
         np.concatenate([np.zeros(modal), [float(s.mass == 0.0) for s in sliding]]),
+        np.concatenate([values == 0.0, np.zeros(len(sliding), dtype=bool)]),
         left_out,
         replace(free.unreduced, more=len(sliding)) if free.unreduced else None,
     )
@@ -162,16 +166,16 @@ def torsion_system(
     *,
     rigid: bool,
 ) -> RodSystem:
-    """Torsion of the shaft, free but for linear supports; the same at all ``speeds``."""
-    nodes = [mesh.node_of(support.x) for support in spindle.supports]
-    free = _reduced(_TORSION, spindle, mesh, fineness, (*nodes, *ports), rigid=rigid)
+    """Torsion of all rotors, free but for linear supports; the same at all ``speeds``."""
+    ends = supported(spindle.supports, mesh)
+    free = _reduced(_TORSION, spindle, mesh, fineness, ports, rigid=rigid)
     basis, values = free.at_nodes, free.values
     spin = position("thx")
-    rows = basis[nodes]
+    rows = moved(ends, basis)
     matrices, blocks = [], []
     for which, diagonal in (
         ("stiffness", values),
-        ("damping", own_damping(values, spindle, bending=False)),
+        ("damping", free.damping),
     ):
         entries = [along_and_about(s, which)[spin, spin] for s in spindle.supports]
         held = np.einsum("c,ci,cj->ij", np.array(entries), rows, rows)
@@ -186,10 +190,11 @@ def torsion_system(
         matrices[0],
         matrices[1],
         rows[:, None],
-        tuple(nodes),
+        ends,
         blocks[0],
         blocks[1],
         np.zeros(basis.shape[1]),
+        values == 0.0,
         free.remainder,
         free.unreduced,
     )
@@ -211,17 +216,57 @@ _TORSION = _Rod(torsion_properties, TORSION, "torsion")
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Reduced:
-    """Reduced coordinates of a free rod: seen at the nodes (nodes, m), stiffness (m,); ``joints``
-    (m, m): damping by these."""
+    """Reduced coordinates of free rods: seen at the nodes (nodes, m), stiffness and own damping
+    (m,); ``joints`` (m, m): damping by these."""
 
     at_nodes: Array
     values: Array
+    damping: Array
     remainder: Remainder | None
     unreduced: Unreduced | None
     joints: Array
 
 
+    def beside(self, others: Sequence[_Reduced]) -> _Reduced:
+        """With the rods of other rotors."""
+        from scipy.linalg import block_diag
+
+        if not others:
+            return self
+        every = (self, *others)
+        left_out = [one.remainder for one in others if one.remainder]
+        wholes = [one.unreduced for one in others if one.unreduced]
+        return _Reduced(
+            at_nodes=block_diag(*(one.at_nodes for one in every)),
+            values=np.concatenate([one.values for one in every]),
+            damping=np.concatenate([one.damping for one in every]),
+            remainder=self.remainder and self.remainder.beside(left_out),
+            unreduced=self.unreduced and self.unreduced.beside(wholes),
+            joints=block_diag(*(one.joints for one in every)),
+        )
+
+
 def _reduced(
+    rod: _Rod,
+    spindle: Spindle,
+    mesh: Mesh,
+    fineness: Fineness,
+    ports: tuple[int, ...],
+    *,
+    rigid: bool,
+) -> _Reduced:
+    """All rotors, each reduced by itself."""
+    found = []
+    for name in spindle.ratios:
+        part, own = spindle.part(name), mesh.of_rotors[name]
+        seats = part.seats if rod is _AXIAL else ()
+        nodes = own.nodes_of(seats, part.supports)
+        stations = (*nodes, *mesh.within(name, ports))
+        found.append(_alone(rod, part, own, fineness, stations, rigid=rigid))
+    return found[0].beside(found[1:])
+
+
+def _alone(
     rod: _Rod,
     spindle: Spindle,
     mesh: Mesh,
@@ -235,15 +280,18 @@ def _reduced(
     if rigid:
         count = elements.mesh.nodes
         one = np.ones((mesh.nodes, 1)) / math.sqrt(whole.mass[:count, :count].sum())
-        return _Reduced(one, np.zeros(1), None, None, np.zeros((1, 1)))
+        still = np.zeros(1)
+        own = own_damping(still, spindle, bending=False)
+        return _Reduced(one, still, own, None, None, np.zeros((1, 1)))
     seen = rod_displacements(elements, mesh.x)
     loads = seen[sorted(set(stations))].T
     together = (np.arange(elements.size) < elements.mesh.nodes).astype(float)[:, None]
     basis = ritz_basis(whole.mass, whole.stiffness, fineness.cutoff, loads, together)
     left_out = remainder(elements, basis, {"mass": whole.mass}, seen)
     damped = jump_damping(elements, basis.vectors)
+    own = own_damping(basis.values, spindle, bending=False)
     unreduced = Unreduced(basis, seen)
-    return _Reduced(seen @ basis.vectors, basis.values, left_out, unreduced, damped)
+    return _Reduced(seen @ basis.vectors, basis.values, own, left_out, unreduced, damped)
 
 
 def _elements(rod: _Rod, spindle: Spindle, mesh: Mesh, fineness: Fineness) -> Hierarchy:

@@ -3,9 +3,9 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
-from itertools import pairwise
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from itertools import accumulate, pairwise
 from typing import Protocol
 
 import numpy as np
@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import SPINDLE
 
 Array = NDArray[np.float64]
 
@@ -30,7 +31,10 @@ class HasStation(Protocol):
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Mesh:
-    """Nodes ``x`` (nodes,) [m], ascending; all else per element, shape (nodes − 1,), SI."""
+    """Nodes ``x`` (nodes,) [m], ascending; all else per element, shape (nodes − 1,), SI.
+
+    ``further``: meshes of further rotors by name, whose nodes are numbered behind these.
+    """
 
     x: Array
     outer_diameter: Array
@@ -38,11 +42,33 @@ class Mesh:
     young_modulus: Array
     poisson_ratio: Array
     density: Array
+    further: Mapping[str, Mesh] = field(default_factory=dict)
 
     @property
     def nodes(self) -> int:
-        """Number of nodes."""
+        """Number of nodes of the shaft."""
         return len(self.x)
+
+    @property
+    def of_rotors(self) -> dict[str, Mesh]:
+        """The mesh of every rotor by itself, in the order of their nodes."""
+        return {SPINDLE: self, **self.further}
+
+    @property
+    def spans(self) -> dict[str, slice]:
+        """The nodes of every rotor among those of all."""
+        ends = [0, *accumulate(mesh.nodes for mesh in self.of_rotors.values())]
+        return {name: slice(*own) for name, own in zip(self.of_rotors, pairwise(ends), strict=True)}
+
+    @property
+    def stations(self) -> Array:
+        """Where the nodes of all rotors are [m]."""
+        return np.concatenate([mesh.x for mesh in self.of_rotors.values()])
+
+    @property
+    def rotor(self) -> tuple[str, ...]:
+        """The rotor of each of these nodes."""
+        return tuple(name for name, own in self.of_rotors.items() for _ in own.x)
 
     @property
     def length(self) -> Array:
@@ -71,6 +97,15 @@ class Mesh:
             raise InvalidInput(f"no node at x = {x:g} m; the nearest is at {self.x[node]:g} m")
         return node
 
+    def node_at(self, rotor: str, x: float) -> int:
+        """The node of a rotor at station ``x`` [m], among those of all; errors as above."""
+        return self.spans[rotor].start + self.of_rotors[rotor].node_of(x)
+
+    def within(self, rotor: str, nodes: Iterable[int]) -> tuple[int, ...]:
+        """Those of ``nodes`` that are a rotor's, as its own mesh counts them."""
+        own = self.spans[rotor]
+        return tuple(n - own.start for n in nodes if own.start <= n < own.stop)
+
     def nodes_of(self, *groups: Iterable[HasStation]) -> list[int]:
         """The nodes of everything in ``groups``, in order."""
         return [self.node_of(item.x) for group in groups for item in group]
@@ -80,7 +115,7 @@ def build_mesh(spindle: Spindle, element_length: float | None = None) -> Mesh:
     """Nodes at every station, and between them so that no element exceeds ``element_length``.
 
     Stations are section boundaries, seats, supports, points, masses, discs, joints and those of
-    the drawbar. ``element_length`` None is 1/50 of the shaft: then the nodes are places at which
+    the drawbar; those of a further rotor lie on it. ``element_length`` None is 1/50 of a shaft: then the nodes are places at which
     motion is seen and axial force changes, between which elements are as fine as an accuracy asks
     (``hierarchic_rotor``). Where a length is given, standard elements lie between them.
 
@@ -88,7 +123,9 @@ def build_mesh(spindle: Spindle, element_length: float | None = None) -> Mesh:
     ------
     InvalidInput : something sits off the shaft, or ``element_length`` is not positive
     """
-    return _mesh(spindle, _longest(spindle.shaft, element_length))
+    parts = {name: spindle.part(name) for name in spindle.ratios}
+    meshes = {n: _mesh(p, _longest(p.shaft, element_length)) for n, p in parts.items()}
+    return replace(meshes.pop(SPINDLE), further=meshes)
 
 
 def station_mesh(spindle: Spindle) -> Mesh:

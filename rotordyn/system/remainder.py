@@ -9,6 +9,7 @@ elements would add, and the modes of the free rotor that the reduction did not k
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, fields
 
 import numpy as np
@@ -52,6 +53,24 @@ class Remainder:
             per_newton=np.pad(self.per_newton, ((0, 0), (0, 0), (0, more))),
             rounding=np.pad(self.rounding, (0, more)),
         )
+
+
+    def beside(self, others: Sequence[Remainder]) -> Remainder:
+        """With what other rotors leave out, on which no axial force acts."""
+        from scipy.linalg import block_diag
+
+        every = (self, *others)
+        blocks = {
+            n: block_diag(*(getattr(one, n) for one in every)) for n in (*_COUPLINGS, "at_nodes")
+        }
+        rows = {
+            n: np.concatenate([getattr(one, n) for one in every])
+            for n in ("own_mass", "own_stiffness", "rounding")
+        }
+        _, left_out, kept = self.per_newton.shape
+        more = (len(rows["own_mass"]) - left_out, len(rows["rounding"]) - kept)
+        pressed = np.pad(self.per_newton, ((0, 0), (0, more[0]), (0, more[1])))
+        return Remainder(**blocks, **rows, per_newton=pressed)
 
 
 _COUPLINGS = ("mass", "stiffness", "polar")

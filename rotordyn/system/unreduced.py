@@ -8,13 +8,13 @@ drawbar, which the coordinates answer, then hardly reach these c.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.numerics.reduction import Complement, RitzBasis
+from rotordyn.numerics.reduction import Complement, RitzBasis, side_by_side
 
 Array = NDArray[np.float64]
 
@@ -42,10 +42,25 @@ class Unreduced:
         """The c coordinates left out."""
         return self.basis.complement
 
+    def beside(self, others: Sequence[Unreduced]) -> Unreduced:
+        """With other rotors, on which neither axial force nor a drawbar acts."""
+        from scipy.linalg import block_diag
+
+        every = (self, *others)
+        size = sum(len(one.basis.vectors) for one in others)
+        polar = None if self.polar is None else block_diag(*(one.polar for one in every))
+        return replace(
+            self,
+            basis=side_by_side([one.basis for one in every]),
+            at_nodes=block_diag(*(one.at_nodes for one in every)),
+            polar=polar,
+            slope=None if self.slope is None else np.pad(self.slope, ((0, 0), (0, size))),
+        )
+
     @property
     def shift(self) -> float:
-        """σ [1/s²]."""
-        return self.basis.shift
+        """σ [1/s²], the largest of rotors side by side: what is bounded by it grows with it."""
+        return float(np.max(self.basis.shift, initial=0.0))
 
     @cached_property
     def mass_coupling(self) -> Array:

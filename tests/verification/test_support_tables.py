@@ -12,6 +12,7 @@ import pytest
 import rotordyn
 from rotordyn.analysis import campbell, criticals, frf, section_forces, stiffness
 from rotordyn.analysis.branches import branches_of
+from rotordyn.analysis.on_rotors import Line
 from rotordyn.analysis.roots import Start, solved
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import (
@@ -293,7 +294,7 @@ def test_no_critical_speed_where_a_search_ends_at_the_range() -> None:
     whole, spec = rising(), CampbellSpec(1500.0)
     branches, top = branches_of(whole, spec), SPEEDS[-1]
     above = [
-        Start(k, 1, 0.5 * top, 0.0, top, b.vector[-1], float(np.sign(b.pole[-1].imag)))
+        Start(k, Line("spindle", 1, 1.0), 0.5 * top, 0.0, top, b.vector[-1], float(np.sign(b.pole[-1].imag)))
         for k, b in enumerate(branches)
         if b.kind == "bending" and (np.abs(b.pole.imag) > whole.speed).all()
     ]

@@ -1,0 +1,115 @@
+"""What machines of several rotors cannot be asked, and what in them excites at which speed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import NamedTuple, Protocol
+
+from rotordyn.analysis.formulation import INERTIAL
+from rotordyn.analysis.shaft import EXACT
+from rotordyn.machine.support import SPINDLE
+
+_REFUSED = {
+    "stiffness": "the radial stiffness takes no further rotors: ask frf at a low frequency instead",
+    "section_forces": "section forces take no further rotors: leave out the rotors",
+}
+
+
+class Conditioned(Protocol):
+    """Conditions, as they are given or as they are read."""
+
+    @property
+    def shaft(self) -> str: ...
+    @property
+    def formulation(self) -> str: ...
+    @property
+    def gravity(self) -> str: ...
+    @property
+    def axial_force(self) -> float: ...
+
+
+class Line(NamedTuple):
+    """What excites at ``order`` times the speed of ``rotor``: ``multiple`` times the spindle's.
+
+    A negative multiple is of a rotor that turns the other way round.
+    """
+
+    rotor: str
+    order: int
+    multiple: float
+
+    @property
+    def size(self) -> float:
+        """Frequency over the speed of the spindle."""
+        return abs(self.multiple)
+
+
+def exciting(ratios: Mapping[str, float], orders: Iterable[int]) -> list[Line]:
+    """Lines of ``orders`` of every rotor that turns; of rotors at one speed those of the first.
+
+    >>> [line.multiple for line in exciting({"spindle": 1.0, "sleeve": 1.0, "outer": -1.5}, [1, 2])]
+    [1.0, 2.0, -1.5, -3.0]
+    """
+    first: dict[float, str] = {}
+    for name, ratio in ratios.items():
+        if ratio != 0.0:
+            first.setdefault(ratio, name)
+    return [Line(name, order, order * ratio) for ratio, name in first.items() for order in orders]
+
+
+def obstacles_of_rotors(
+    conditions: Conditioned, asked: Iterable[str]
+) -> Iterator[tuple[tuple[str, ...], str]]:
+    """Where a case asks what further rotors do not allow, and a sentence."""
+    for name in sorted(set(asked) & set(_REFUSED)):
+        yield ("analyses", name), _REFUSED[name]
+    if conditions.formulation != INERTIAL:
+        yield (
+            ("conditions", "formulation"),
+            "rotors of different speeds have no common turning frame: given "
+            f"'{conditions.formulation}'; allowed: {INERTIAL}",
+        )
+    if conditions.shaft == EXACT:
+        yield (
+            ("conditions", "shaft"),
+            "the exact shaft takes no further rotors: given 'exact'; allowed: elements",
+        )
+    if conditions.gravity != "none":
+        yield (
+            ("conditions", "gravity"),
+            "weight along the axis takes no further rotors, on whose supports it would be shared: "
+            f"given '{conditions.gravity}'; allowed: none",
+        )
+    if conditions.axial_force != 0.0:
+        yield (
+            ("conditions", "axial_force"),
+            "an axial force takes no further rotors, on whose supports it would be shared: leave "
+            "it out",
+        )
+
+
+class Joining(Protocol):
+    """A support with its entries."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def ends(self) -> tuple[str, str]: ...
+    @property
+    def stiffness(self) -> Mapping[tuple[str, str], object]: ...
+
+
+def joined_along(supports: Iterable[Joining], rotors: Iterable[str]) -> Iterator[str]:
+    """Beside bearings, whose preload moves the shaft along, nothing ties it to another rotor there.
+
+    The preload state is that of the shaft by itself.
+    """
+    others = set(rotors)
+    for support in supports:
+        ties = SPINDLE in support.ends and others & set(support.ends)
+        if ties and any("x" in pair for pair in support.stiffness):
+            yield (
+                f"support '{support.name}' ties the shaft along the axis to another rotor beside "
+                "bearings, whose preload state is that of the shaft alone: leave out its entries "
+                "of x"
+            )
