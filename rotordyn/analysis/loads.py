@@ -19,6 +19,7 @@ from rotordyn.quantity import (
     Moment,
     Name,
     OptionalName,
+    PointName,
     Station,
     TopSpeed,
     TwistAngle,
@@ -79,7 +80,7 @@ class Unbalance(Description):
     Its force is U Ω²: turning with the shaft, or in a static question as it stands at this angle.
     """
 
-    at: Name | Station
+    at: PointName | Station
     unbalance: UnbalanceSize
     angle: Angle = 0.0
     name: OptionalName = ""
@@ -92,8 +93,8 @@ class EccentricSpan(Description):
     At ``angle`` [rad] from y to z. Point masses and discs on it are not meant.
     """
 
-    start: Name | Station
-    to: Name | Station
+    start: PointName | Station
+    to: PointName | Station
     eccentricity: Eccentricity
     angle: Angle = 0.0
     name: OptionalName = ""
@@ -110,7 +111,7 @@ class BalanceGrade(Description):
 
     quality: BalanceQuality
     speed: TopSpeed
-    planes: tuple[Name | Station, ...]
+    planes: tuple[PointName | Station, ...]
     phase: Annotated[str, Choice(PHASES)] = "static"
     angle: Angle = 0.0
 

@@ -32,6 +32,7 @@ from rotordyn.quantity import (
     Length,
     Load,
     Name,
+    PointName,
     RadialShare,
     Speed,
     Travel,
@@ -135,9 +136,9 @@ class CampbellSpec(Description):
 
 @dataclass(frozen=True, slots=True)
 class Port(Description):
-    """A point of the machine and one of its directions."""
+    """A point of the machine (of a further rotor: ``rotor.point``) and one of its directions."""
 
-    point: Name
+    point: PointName
     direction: Freedom
 
     def __str__(self) -> str:
@@ -261,7 +262,7 @@ class UnbalanceSpec(Description):
     All of ``unbalances``, ``spans`` and ``grade`` act together; motion is given at ``points``.
     """
 
-    points: tuple[Name, ...]
+    points: tuple[PointName, ...]
     unbalances: tuple[Unbalance, ...] = ()
     spans: tuple[EccentricSpan, ...] = ()
     grade: BalanceGrade | None = None

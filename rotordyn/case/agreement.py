@@ -8,6 +8,7 @@ from dataclasses import fields
 from rotordyn.analysis.formulation import ROTATING, turned
 from rotordyn.analysis.on_housings import directions_on_housings, obstacles_on_housings
 from rotordyn.analysis.on_joints import obstacles_of_joints
+from rotordyn.analysis.on_rotors import joined_along, obstacles_of_rotors
 from rotordyn.analysis.shaft import obstacles
 from rotordyn.analysis.specs import (
     QUANTITIES,
@@ -27,7 +28,7 @@ from rotordyn.case.loads import misplaced, misplaced_unbalance, overheld, unheld
 from rotordyn.machine.housing import housed_motions
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import RigidSupport, Spindle
-from rotordyn.machine.support import MOTIONS, acts, coupled_motions, entry_name
+from rotordyn.machine.support import MOTIONS, SPINDLE, acts, coupled_motions, entry_name
 from rotordyn.quantity import suggestion
 
 ANALYSES: dict[str, type[Spec]] = {
@@ -133,7 +134,11 @@ def supports_agree(
 def housings_agree(
     spindle: Spindle, conditions: Conditions, analyses: Iterable[str]
 ) -> Iterator[str]:
-    """The questions and conditions of a case take housings and joints."""
+    """The questions and conditions of a case take housings, joints and further rotors."""
+    for way, sentence in obstacles_of_rotors(conditions, analyses) if spindle.rotors else ():
+        yield f"{'.'.join(way)}: {sentence}"
+    if spindle.seats:
+        yield from joined_along(spindle.supports, [rotor.name for rotor in spindle.rotors])
     for way, sentence in obstacles_of_joints(conditions, analyses) if spindle.joints else ():
         yield f"{'.'.join(way)}: {sentence}"
     if not spindle.housings:
@@ -166,10 +171,12 @@ def uncoupled(response: str, excitation: str, coupled: frozenset[str]) -> tuple[
 def _machine(spindle: Spindle, conditions: Conditions) -> Iterator[str]:
     for name, x in spindle.points.items():
         yield from spindle.off_the_shaft(f"point {name}", x)
-    held = {
-        pair for support in spindle.supports for pair, k in support.stiffness.items() if acts(k)
-    }
-    held |= {(freedom, freedom) for support in spindle.supports for freedom in support.rigid}
+    for rotor in spindle.rotors:
+        for name, x in rotor.points.items():
+            yield from spindle.part(rotor.name).off_the_shaft(f"point {rotor.name}.{name}", x)
+    own = [support for support in spindle.supports if SPINDLE in support.ends]
+    held = {pair for support in own for pair, k in support.stiffness.items() if acts(k)}
+    held |= {(freedom, freedom) for support in own for freedom in support.rigid}
     free = [freedom for freedom in ("y", "z") if (freedom, freedom) not in held]
     if free and not spindle.seats:
         axes = " and ".join(free)
@@ -206,7 +213,7 @@ def _frf(name: str, spec: FrfSpec, spindle: Spindle, conditions: Conditions) -> 
     if spec.quantity != QUANTITIES[0] and conditions.formulation == ROTATING:
         yield f"{name}: quantity: {turned(spec.quantity)}"
     for point in {port.point: None for pair in spec.pairs for port in pair}:
-        yield from _exists(point, spindle.points, f"{name}: unknown point")
+        yield from _exists(point, spindle.places, f"{name}: unknown point")
     for pair in spec.pairs:
         ends = (pair[0].direction, pair[1].direction)
         if motions := uncoupled(*ends, _coupled(spindle)):

@@ -23,6 +23,9 @@ _MATERIALS_OF_SPINDLE = (
     ("shaft", "material"),
     ("shaft", "sections", "*", "material"),
     ("discs", "*", "material"),
+    ("rotors", "*", "shaft", "material"),
+    ("rotors", "*", "shaft", "sections", "*", "material"),
+    ("rotors", "*", "discs", "*", "material"),
 )
 _MATERIALS_OF_TOOL = (("material",), ("sections", "*", "material"))
 

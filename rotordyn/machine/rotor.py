@@ -73,7 +73,8 @@ def rotor_faults(
     names = [rotor.name for rotor in rotors]
     for place, name in enumerate(names):
         if name in (SPINDLE, GROUND):
-            yield place, f"'{name}' cannot name a further rotor: it is the word for something else"
+            taken = f"allowed: any other name than {SPINDLE} and {GROUND}"
+            yield place, f"a further rotor cannot be called that: given '{name}'; {taken}"
         free = [freedom for freedom in HELD if freedom not in held.get(name, ())]
         if free:
             yield (
@@ -85,20 +86,23 @@ def rotor_faults(
         yield names.index(name), f"two rotors are named '{name}'"
 
 
-def ends_faults(supports: Iterable[Between], rotors: Iterable[str]) -> Iterator[tuple[int, str]]:
-    """What is wrong with what supports join: which support, and a sentence."""
+def ends_faults(
+    supports: Iterable[Between], rotors: Iterable[str]
+) -> Iterator[tuple[int, str, str]]:
+    """What is wrong with what supports join: which support, its key, and a sentence."""
     known = (SPINDLE, *rotors)
     for place, support in enumerate(supports):
         for key, allowed in (("holds", known), ("against", (GROUND, *known))):
             given = getattr(support, key)
-            if given not in allowed:
+            if given and given not in allowed:
                 yield (
                     place,
-                    f"support '{support.name}' {key} an unknown rotor '{given}'; allowed: "
-                    f"{', '.join(allowed)}{suggestion(given, allowed)}",
+                    key,
+                    f"unknown rotor: given '{given}'; allowed: {', '.join(allowed)}"
+                    f"{suggestion(given, allowed)}",
                 )
-        if support.holds == support.against:
-            yield place, f"support '{support.name}' joins '{support.holds}' with itself"
+        if support.holds and support.holds == support.against:
+            yield place, "against", f"a rotor is not held against itself: given '{support.holds}'"
 
 
 def freedoms_held(pairs: Iterable[tuple[str, str]]) -> frozenset[str]:

@@ -157,7 +157,10 @@ class Spindle(Description):
 
     def _ends_faults(self) -> Iterator[str]:
         names = [rotor.name for rotor in self.rotors]
-        faults = [sentence for _, sentence in ends_faults(self.supports, names)]
+        faults = [
+            f"support {self.supports[place].name}: {key}: {sentence}"
+            for place, key, sentence in ends_faults(self.supports, names)
+        ]
         yield from faults
         if faults or not self.rotors:
             return

@@ -226,7 +226,6 @@ class _Reduced:
     unreduced: Unreduced | None
     joints: Array
 
-
     def beside(self, others: Sequence[_Reduced]) -> _Reduced:
         """With the rods of other rotors."""
         from scipy.linalg import block_diag

@@ -115,9 +115,10 @@ def build_mesh(spindle: Spindle, element_length: float | None = None) -> Mesh:
     """Nodes at every station, and between them so that no element exceeds ``element_length``.
 
     Stations are section boundaries, seats, supports, points, masses, discs, joints and those of
-    the drawbar; those of a further rotor lie on it. ``element_length`` None is 1/50 of a shaft: then the nodes are places at which
-    motion is seen and axial force changes, between which elements are as fine as an accuracy asks
-    (``hierarchic_rotor``). Where a length is given, standard elements lie between them.
+    the drawbar; those of a further rotor lie on it. ``element_length`` None is 1/50 of a shaft:
+    then the nodes are places at which motion is seen and axial force changes, between which
+    elements are as fine as an accuracy asks (``hierarchic_rotor``). Where a length is given,
+    standard elements lie between them.
 
     Raises
     ------

@@ -54,7 +54,6 @@ class Remainder:
             rounding=np.pad(self.rounding, (0, more)),
         )
 
-
     def beside(self, others: Sequence[Remainder]) -> Remainder:
         """With what other rotors leave out, on which no axial force acts."""
         from scipy.linalg import block_diag

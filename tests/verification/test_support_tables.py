@@ -294,7 +294,15 @@ def test_no_critical_speed_where_a_search_ends_at_the_range() -> None:
     whole, spec = rising(), CampbellSpec(1500.0)
     branches, top = branches_of(whole, spec), SPEEDS[-1]
     above = [
-        Start(k, Line("spindle", 1, 1.0), 0.5 * top, 0.0, top, b.vector[-1], float(np.sign(b.pole[-1].imag)))
+        Start(
+            k,
+            Line("spindle", 1, 1.0),
+            0.5 * top,
+            0.0,
+            top,
+            b.vector[-1],
+            float(np.sign(b.pole[-1].imag)),
+        )
         for k, b in enumerate(branches)
         if b.kind == "bending" and (np.abs(b.pole.imag) > whole.speed).all()
     ]

@@ -14,7 +14,8 @@ from rotordyn.case.schema.housing import HousingEntry
 from rotordyn.case.schema.material import MaterialEntry
 from rotordyn.case.schema.matrix import entries
 from rotordyn.case.schema.reference import KIND_OF_UNIT, ReferenceEntry
-from rotordyn.case.schema.shaft import DiscEntry, MassEntry, SectionEntry, ToolEntry
+from rotordyn.case.schema.rotor import RotorEntry
+from rotordyn.case.schema.shaft import DiscEntry, MassEntry, SectionEntry, ShaftEntry, ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.case.schema.support import SeatEntry, SleeveEntry, SupportEntry
 from rotordyn.machine.cone import cone
@@ -30,6 +31,7 @@ from rotordyn.machine.growth import (
 from rotordyn.machine.housing import Housing, ReducedHousing, RigidHousing
 from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.reference import QUANTITIES, Reference
+from rotordyn.machine.rotor import Rotor
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle, Tool
 from rotordyn.machine.support import BearingSeat, LinearSupport, Sleeve, Spring
@@ -37,12 +39,9 @@ from rotordyn.machine.support import BearingSeat, LinearSupport, Sleeve, Spring
 
 def spindle(entry: SpindleEntry, name: str) -> Spindle:
     """The spindle of a checked file, without a tool."""
-    shaft = entry.shaft
     return Spindle(
         name=name,
-        shaft=Shaft(
-            shaft.start, _sections(shaft.sections, shaft.material), shaft.shear_coefficient
-        ),
+        shaft=_shaft(entry.shaft),
         masses=tuple(_mass(mass) for mass in entry.masses),
         discs=tuple(_disc(disc) for disc in entry.discs),
         seats=tuple(_seat(seat, entry) for seat in entry.bearings),
@@ -59,7 +58,29 @@ def spindle(entry: SpindleEntry, name: str) -> Spindle:
         references=references(entry.references),
         housings=tuple(housing(each) for each in entry.housings),
         joints=tuple(joint(each) for each in entry.joints),
+        rotors=tuple(rotor(each) for each in entry.rotors),
     )
+
+
+def rotor(entry: RotorEntry) -> Rotor:
+    """A further rotor of a checked file."""
+    return Rotor(
+        name=entry.name,
+        speed_ratio=entry.speed_ratio,
+        shaft=_shaft(entry.shaft),
+        masses=tuple(_mass(mass) for mass in entry.masses),
+        discs=tuple(_disc(disc) for disc in entry.discs),
+        points=dict(entry.points),
+        rotor_damping=tuple(entry.damping.rotor),
+        internal_damping=entry.damping.internal,
+        rayleigh=RayleighDamping(**entry.damping.rayleigh.model_dump()),
+        joints=tuple(joint(each) for each in entry.joints),
+    )
+
+
+def _shaft(entry: ShaftEntry) -> Shaft:
+    sections = _sections(entry.sections, entry.material)
+    return Shaft(entry.start, sections, entry.shear_coefficient)
 
 
 def tool(entry: ToolEntry, name: str) -> Tool:
@@ -172,7 +193,7 @@ def support(entry: SupportEntry) -> LinearSupport:
     """A linear support, its matrices however they are written."""
     matrices = entries(entry.stiffness), entries(entry.damping)
     rigid, speeds = tuple(entry.rigid), tuple(entry.speeds)
-    return LinearSupport(entry.name, entry.x, *matrices, rigid, speeds)
+    return LinearSupport(entry.name, entry.x, *matrices, rigid, speeds, *entry.ends)
 
 
 def housing(entry: HousingEntry) -> Housing:

@@ -23,6 +23,7 @@ from rotordyn.case.checks.joint import on_joints
 from rotordyn.case.checks.loads import elements, section_forces, unbalance
 from rotordyn.case.checks.names import exists
 from rotordyn.case.checks.references import references
+from rotordyn.case.checks.rotor import on_rotors
 from rotordyn.case.checks.sweep import ascending, sweep
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
@@ -139,7 +140,9 @@ def against_machine(
     _known_there(entry, supports, root, faults)
     on_housings(entry, spindle, root, faults)
     on_joints(entry, spindle, tool, root, faults)
+    on_rotors(entry, spindle, supports, root, faults)
     points = [*spindle.points, *(tool.points if tool else {})]
+    points += [f"{rotor.name}.{point}" for rotor in spindle.rotors for point in rotor.points]
     for name in NEEDS_BEARINGS:
         if getattr(entry.analyses, name) is not None and not spindle.bearings:
             faults.at_key(root, ("analyses", name), "needs bearings: this spindle has none")

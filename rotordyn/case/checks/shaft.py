@@ -71,6 +71,17 @@ def masses(entries: Sequence[MassEntry], root: Node, faults: Faults) -> None:
             )
 
 
+def lumped_names(
+    masses: Sequence[MassEntry], discs: Sequence[DiscEntry], root: Node, faults: Faults
+) -> None:
+    """No disc bears the name of another one or of a mass."""
+    taken = [mass.name for mass in masses]
+    unique([disc.name for disc in discs], root, ("discs",), faults)
+    for index, disc in enumerate(discs):
+        if disc.name and disc.name in taken:
+            faults.at(root, ("discs", index, "name"), f"name taken by a mass: '{disc.name}'")
+
+
 def on_shaft(
     x: float, reach: Span, what: str, root: Node, way: tuple[object, ...], faults: Faults
 ) -> None:

@@ -9,8 +9,10 @@ from rotordyn.case.checks.housing import housings
 from rotordyn.case.checks.joint import joints
 from rotordyn.case.checks.names import exists, unique
 from rotordyn.case.checks.references import references
+from rotordyn.case.checks.rotor import reaches, rotors
 from rotordyn.case.checks.shaft import (
     Span,
+    lumped_names,
     masses,
     on_shaft,
     points_on_shaft,
@@ -26,7 +28,7 @@ from rotordyn.case.schema.shaft import MassEntry, SectionEntry, ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.case.schema.support import SupportEntry
 from rotordyn.machine.spindle import held_twice
-from rotordyn.machine.support import acts, rigid_and_elastic, table_faults
+from rotordyn.machine.support import SPINDLE, acts, rigid_and_elastic, table_faults
 
 
 def spindle(entry: SpindleEntry, root: Node, tool: ToolEntry | None, faults: Faults) -> None:
@@ -43,6 +45,7 @@ def spindle(entry: SpindleEntry, root: Node, tool: ToolEntry | None, faults: Fau
     _drawbar(entry, reach, root, faults)
     _held(entry, root, faults)
     housings(entry, root, faults)
+    rotors(entry, root, faults)
     joints(entry.joints, (reach[0] - _length(tool), reach[1]), (), root, faults)
     references(entry.references, root, faults)
 
@@ -93,8 +96,12 @@ def _stations(entry: SpindleEntry, reach: Span, root: Node, faults: Faults) -> N
     unique([support.name for support in entry.supports], root, ("supports",), faults)
     for sentence in held_twice(entry.bearings, entry.supports):
         faults.at(root, ("supports",), sentence)
+    every = {SPINDLE: reach, **reaches(entry)}
     for index, support in enumerate(entry.supports):
-        on_shaft(support.x, reach, "support", root, ("supports", index, "x"), faults)
+        for end in support.ends:
+            if end in every:
+                what = "support" if end == SPINDLE else f"support on {end}"
+                on_shaft(support.x, every[end], what, root, ("supports", index, "x"), faults)
         _support(support, root, ("supports", index), faults)
 
 
@@ -115,12 +122,9 @@ def _support(entry: SupportEntry, root: Node, way: tuple[object, ...], faults: F
 
 
 def _lumped(entry: SpindleEntry, root: Node, faults: Faults) -> None:
-    taken = [mass.name for mass in entry.masses]
-    unique([disc.name for disc in entry.discs], root, ("discs",), faults)
+    lumped_names(entry.masses, entry.discs, root, faults)
     for index, disc in enumerate(entry.discs):
         wall(disc, root, ("discs", index), faults)
-        if disc.name and disc.name in taken:
-            faults.at(root, ("discs", index, "name"), f"name taken by a mass: '{disc.name}'")
 
 
 def _shortening(entry: SpindleEntry, reach: Span, root: Node, faults: Faults) -> None:
@@ -175,6 +179,7 @@ def _held(entry: SpindleEntry, root: Node, faults: Faults) -> None:
             acts(entries(support.stiffness).get(ENTRIES[key], 0.0))
             or ENTRIES[key][0] in support.rigid
             for support in entry.supports
+            if SPINDLE in support.ends
         )
     ]
     if free:

@@ -20,6 +20,7 @@ from rotordyn.case.schema.values import (
     LineForce,
     Moment,
     Name,
+    PointName,
     QuantityReader,
     Station,
     TopSpeed,
@@ -29,7 +30,7 @@ from rotordyn.case.schema.values import (
     given,
     wrong,
 )
-from rotordyn.quantity import NAME, STATION
+from rotordyn.quantity import STATION, Named
 
 _station = QuantityReader(STATION)
 
@@ -37,7 +38,7 @@ _station = QuantityReader(STATION)
 def _at(value: Any) -> str | float:
     if value is UNKNOWN:
         return ""
-    if isinstance(value, str) and NAME.fullmatch(value):
+    if isinstance(value, str) and not Named(dotted=True).refusal(value):
         return value
     if not isinstance(value, str) or not value.strip():
         raise wrong(
@@ -47,7 +48,7 @@ def _at(value: Any) -> str | float:
     return _station(value)
 
 
-_SHAPE = {"anyOf": [shapes.NAME, shapes.quantity(STATION)], "description": "a point, or a station"}
+_SHAPE = {"anyOf": [shapes.POINT, shapes.quantity(STATION)], "description": "a point, or a station"}
 At = Annotated[
     Any, PlainValidator(_at, json_schema_input_type=Annotated[Any, WithJsonSchema(_SHAPE)])
 ]
@@ -131,7 +132,7 @@ class BalanceGradeEntry(Entry):
 class UnbalanceResponseEntry(Entry):
     """Steady response to unbalance at every speed: amplitudes are zero to peak."""
 
-    points: Annotated[list[Name], Field(min_length=1)]
+    points: Annotated[list[PointName], Field(min_length=1)]
     unbalances: list[UnbalanceEntry] = []
     spans: list[EccentricSpanEntry] = []
     grade: BalanceGradeEntry | None = None

@@ -13,6 +13,8 @@ Shape = dict[str, Any]
 
 _LETTER = r"A-Za-z_\u00a1-\uffff"
 NAME: Shape = {"type": "string", "pattern": rf"^[{_LETTER}][{_LETTER}0-9 -]*$"}
+_NAME = rf"[{_LETTER}][{_LETTER}0-9 -]*"
+POINT: Shape = {"type": "string", "pattern": rf"^{_NAME}(\.{_NAME})?$"}
 PLACE: Shape = {
     "type": "string",
     "pattern": rf"^.+\.({'|'.join(FREEDOMS)})$",

@@ -10,6 +10,7 @@ from rotordyn.case.schema.growth import GrowthEntry, ShorteningEntry
 from rotordyn.case.schema.housing import HousingEntry
 from rotordyn.case.schema.joint import JointEntry
 from rotordyn.case.schema.reference import ReferenceEntry
+from rotordyn.case.schema.rotor import RotorDampingEntry, RotorEntry
 from rotordyn.case.schema.shaft import DiscEntry, MassEntry, ShaftEntry
 from rotordyn.case.schema.support import (
     BearingDampingEntry,
@@ -17,36 +18,13 @@ from rotordyn.case.schema.support import (
     SleeveEntry,
     SupportEntry,
 )
-from rotordyn.case.schema.values import (
-    DampingRatio,
-    MassDamping,
-    Name,
-    Share,
-    Station,
-    StiffnessDamping,
-    Text,
-)
+from rotordyn.case.schema.values import Name, Station, Text
 
 
-class RayleighEntry(Entry):
-    """Damping α M + β K of the rotor."""
-
-    mass: MassDamping = 0.0
-    stiffness: StiffnessDamping = 0.0
-
-
-class DampingEntry(Entry):
+class DampingEntry(RotorDampingEntry):
     """Damping of all bearings that give none of their own, and of the rotor."""
 
     bearings: BearingDampingEntry = BearingDampingEntry()
-    rotor: list[DampingRatio] = []
-    internal: Share = 0.0
-    rayleigh: RayleighEntry = RayleighEntry()
-
-    @property
-    def of_rotor(self) -> bool:
-        """The rotor itself is damped."""
-        return any(self.rotor) or bool(self.rayleigh.mass or self.rayleigh.stiffness)
 
 
 class SpindleEntry(Entry):
@@ -70,6 +48,7 @@ class SpindleEntry(Entry):
     supports: list[SupportEntry] = []
     housings: list[HousingEntry] = []
     joints: list[JointEntry] = []
+    rotors: list[RotorEntry] = []
     drawbar: DrawbarEntry | None = None
     damping: DampingEntry = DampingEntry()
     points: dict[Name, Station] = {}

@@ -30,6 +30,7 @@ from rotordyn.case.schema.values import (
     choice,
     none_if_unknown,
 )
+from rotordyn.machine.support import GROUND, SPINDLE
 
 
 class BearingDampingEntry(Entry):
@@ -70,7 +71,7 @@ class SleeveEntry(Entry):
 
 
 class SupportEntry(Entry):
-    """A linear support to ground, by its matrices; nothing is made symmetric.
+    """A linear support to ground or to another rotor, by its matrices; nothing is made symmetric.
 
     An entry by name may be a list, one value at each of `speeds`, straight lines in between. Or
     freedoms held rigidly, which only `section_forces` takes.
@@ -83,3 +84,10 @@ class SupportEntry(Entry):
     rigid: Freedoms = []
     speeds: list[Speed] = []
     table: Text = ""
+    holds: Name = SPINDLE
+    against: Name = GROUND
+
+    @property
+    def ends(self) -> tuple[str, str]:
+        """What it joins: a rotor, and a rotor or ground."""
+        return self.holds, self.against

@@ -19,7 +19,7 @@ from rotordyn import units
 from rotordyn.case.node import UNKNOWN
 from rotordyn.case.schema import shapes
 from rotordyn.errors import InvalidInput
-from rotordyn.quantity import NAME, Quantity, suggestion
+from rotordyn.quantity import NAME, Named, Quantity, suggestion
 
 Reader = Callable[[Any], Any]
 
@@ -131,6 +131,16 @@ def _name(value: Any) -> str:
     return value
 
 
+def _point(value: Any) -> str:
+    if value is UNKNOWN:
+        return ""
+    if not isinstance(value, str) or Named(dotted=True).refusal(value):
+        raise wrong(
+            f"not a point: given {given(value)}; allowed: the name of a point, or ROTOR.POINT"
+        )
+    return value
+
+
 def _text(value: Any) -> str:
     if value is UNKNOWN:
         return ""
@@ -155,10 +165,12 @@ def none_if_unknown(value: Any) -> Any:
 
 
 Name = Annotated[str, PlainValidator(_name, json_schema_input_type=_shaped(shapes.NAME))]
+PointName = Annotated[str, PlainValidator(_point, json_schema_input_type=_shaped(shapes.POINT))]
 Text = Annotated[str, PlainValidator(_text, json_schema_input_type=str)]
 Flag = Annotated[bool, PlainValidator(_flag, json_schema_input_type=bool)]
 
 Station = Annotated[float, reads(limits.STATION)]
+SpeedRatio = Annotated[float, reads(limits.SPEED_RATIO)]
 Length = Annotated[float, reads(limits.LENGTH)]
 Amplitude = Annotated[float, reads(limits.AMPLITUDE)]
 Accuracy = Annotated[float, reads(limits.ACCURACY)]
