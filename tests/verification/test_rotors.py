@@ -1,0 +1,415 @@
+"""Several rotors on one axis: closed forms, limits, symmetry, and dense matrices of all of them."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.linalg import eig
+
+from bearings.materials import Material
+from rotordyn.analysis import campbell, frf
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec, Port
+from rotordyn.errors import InvalidInput
+from rotordyn.machine.housing import RigidHousing
+from rotordyn.machine.inertia import rotor_inertia
+from rotordyn.machine.lumped import PointMass
+from rotordyn.machine.rotor import Rotor
+from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import LinearSupport
+from tests.oracles.coaxial import COAXIAL, INNER, OUTER, Together, bearing
+from tests.oracles.rotors import STEEL
+from tests.oracles.spindles import RPM
+
+LIGHT = Material("light and stiff", 2.1e14, 0.3, 1.0)
+
+
+def scene(machine: Spindle, rpm: tuple[float, ...], highest: float, **given: object) -> Scene:
+    asked = {"accuracy": 1e-7} | given
+    ports = tuple(machine.places.values())
+    return Scene(machine, Conditions(**asked), np.array(rpm) * RPM, highest, ports)  # type: ignore[arg-type]
+
+
+def swinging(found: Scene, row: int = 0) -> np.ndarray:
+    """Poles of bending of one sign, by frequency, as in both planes."""
+    pole = found.bending_modes.pole[row]
+    if found.bending.isotropic:
+        pole = np.where(pole.imag < 0.0, pole.conj(), pole)
+    pole = pole[pole.imag > 1.0]
+    return pole[np.argsort(pole.imag)]
+
+
+def every_way(name: str, x: float, k: float, *ends: str) -> LinearSupport:
+    """Nearly rigid across the axis and in tilt."""
+    held = dict(zip(("holds", "against"), ends, strict=False))
+    entries = {("y", "y"): k, ("z", "z"): k, ("thy", "thy"): 0.01 * k, ("thz", "thz"): 0.01 * k}
+    return LinearSupport(name, x, entries, **held)
+
+
+# --- limits ------------------------------------------------------------------------------------
+
+
+def one_shaft() -> Spindle:
+    sections = (Section(0.3, 0.04, 0.0, STEEL), Section(0.3, 0.06, 0.02, STEEL))
+    return Spindle(
+        "one",
+        Shaft(0.0, sections),
+        masses=(PointMass("a", 0.2, 3.0, 0.03, 0.016), PointMass("b", 0.5, 4.0, 0.05, 0.026)),
+        supports=(bearing("front", 0.05, 4e7, 4e7), bearing("rear", 0.55, 3e7, 3e7)),
+    )
+
+
+def in_two(k: float) -> Spindle:
+    """The same cut at 0.3 m and held together again."""
+    whole = one_shaft()
+    tail = Rotor("tail", 1.0, Shaft(0.3, whole.shaft.sections[1:]), masses=whole.masses[1:])
+    return replace(
+        whole,
+        shaft=Shaft(0.0, whole.shaft.sections[:1]),
+        masses=whole.masses[:1],
+        rotors=(tail,),
+        supports=(
+            whole.supports[0],
+            replace(whole.supports[1], holds="tail"),
+            every_way("flange", 0.3, k, "tail", "spindle"),
+        ),
+    )
+
+
+def test_rotors_joined_ever_more_stiffly_become_one() -> None:
+    """The error falls with the stiffness of what joins them, tenfold each time."""
+    exact = swinging(scene(one_shaft(), (20000.0,), 1500.0))[:6]
+    errors = []
+    for k in (1e10, 1e11, 1e12):
+        found = swinging(scene(in_two(k), (20000.0,), 1500.0))[:6]
+        errors.append(np.abs(found / exact - 1.0).max())
+    assert errors[0] < 0.02
+    assert np.array(errors[:-1]) / errors[1:] == pytest.approx(10.0, rel=0.1)
+
+
+def test_a_still_and_ever_heavier_sleeve_becomes_ground() -> None:
+    """Held softly to ground; the error falls with its mass."""
+    grounded = one_shaft()
+    exact = swinging(scene(grounded, (20000.0,), 1000.0))[:4]
+    errors = []
+    for mass in (1e3, 1e4):
+        body = PointMass("body", 0.3, mass, 0.0, 0.1 * mass)
+        sleeve = Rotor("sleeve", 0.0, Shaft(0.0, (Section(0.6, 0.2, 0.1, LIGHT),)), masses=(body,))
+        held = tuple(replace(s, against="sleeve") for s in grounded.supports)
+        soft = (every_way("soft", 0.3, 1e4, "sleeve"),)
+        found = scene(replace(grounded, rotors=(sleeve,), supports=held + soft), (20000.0,), 1000.0)
+        pole = swinging(found)
+        near = np.abs(pole[:, None] / exact - 1.0).min(axis=0)
+        errors.append(near.max())
+    assert errors[0] < 0.02
+    assert errors[0] / errors[1] == pytest.approx(10.0, rel=0.1)
+
+
+@pytest.mark.parametrize(("ratio", "polar"), [(0.0, 0.0), (1.0, 0.03)])
+def test_the_speed_ratio_is_that_of_the_gyroscopic_effect(ratio: float, polar: float) -> None:
+    """A disc on a sleeve that stands still has none of it; at ratio 1 it is one on the shaft."""
+    bare = replace(one_shaft(), masses=())
+    body = PointMass("body", 0.2, 3.0, 0.03, 0.016)
+    tube = Shaft(0.19, (Section(0.02, 0.2, 0.19, LIGHT),))
+    sleeve = Rotor("sleeve", ratio, tube, masses=(body,))
+    supports = (*bare.supports, every_way("fit", 0.2, 1e13, "sleeve", "spindle"))
+    found = swinging(scene(replace(bare, rotors=(sleeve,), supports=supports), (30000.0,), 800.0))
+    own = rotor_inertia(Spindle("tube", tube))
+    on_shaft = PointMass("body", 0.2, 3.0 + own.mass, polar, 0.016 + own.diametral)
+    alone = swinging(scene(replace(bare, masses=(on_shaft,)), (30000.0,), 800.0))
+    assert found[:4] == pytest.approx(alone[:4], rel=3e-6)
+
+
+# --- closed form of two rigid rotors -------------------------------------------------------------
+
+SPRINGS = (("a", 0.05, 2e7), ("b", 0.45, 1e7))  # inner rotor to ground
+OUTWARD = ("c", 0.40, 1.5e7)  # outer rotor to ground
+BETWEEN = ("d", 0.15, 0.8e7)
+
+
+def rigid_pair(ratio: float) -> Spindle:
+    """Two uniform tubes, one within the other."""
+    outer = Rotor("outer", ratio, Shaft(0.1, (Section(0.35, 0.2, 0.1, STEEL),)), points={"e": 0.4})
+    supports = [bearing(name, x, k, k) for name, x, k in SPRINGS]
+    supports.append(bearing(*OUTWARD[:2], OUTWARD[2], OUTWARD[2], "outer"))
+    supports.append(bearing(*BETWEEN[:2], BETWEEN[2], BETWEEN[2], "spindle", "outer"))
+    inner = Shaft(0.0, (Section(0.5, 0.08, 0.0, STEEL),))
+    return Spindle("pair", inner, supports=tuple(supports), rotors=(outer,), points={"t": 0.05})
+
+
+def four_freedoms(ratio: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """M, K and P of M q̈ − iΩ P q̇ + K q = 0: y + i z and tilt about the centre of each."""
+    bodies = []
+    for length, outer, inner in ((0.5, 0.08, 0.0), (0.35, 0.2, 0.1)):
+        mass = 7800.0 * math.pi / 4.0 * (outer**2 - inner**2) * length
+        squares = (outer**2 + inner**2) / 4.0
+        bodies.append((mass, mass * (squares / 4.0 + length**2 / 12.0), mass * squares / 2.0))
+    mass = np.diag([v for m, d, _ in bodies for v in (m, d)])
+    polar = np.diag([0.0, bodies[0][2], 0.0, ratio * bodies[1][2]])
+    stiffness = np.zeros((4, 4))
+    at = (
+        (lambda x: np.array([1.0, x - 0.25, 0.0, 0.0])),
+        (lambda x: np.array([0.0, 0.0, 1.0, x - 0.275])),
+    )
+    rows = [(k, at[0](x)) for _, x, k in SPRINGS]
+    rows += [(OUTWARD[2], at[1](OUTWARD[1]))]
+    rows += [(BETWEEN[2], at[0](BETWEEN[1]) - at[1](BETWEEN[1]))]
+    for k, row in rows:
+        stiffness += k * np.outer(row, row)
+    return mass, stiffness, polar
+
+
+@pytest.mark.parametrize("ratio", [1.7, 0.0, -1.3])
+def test_two_rigid_rotors_and_a_spring_between_them(ratio: float) -> None:
+    mass, stiffness, polar = four_freedoms(ratio)
+    found = scene(rigid_pair(ratio), (0.0, 12000.0, 40000.0), 900.0, rotor="rigid")
+    assert found.bending.isotropic
+    for row, speed in enumerate(found.speed):
+        one, none = np.eye(4), np.zeros((4, 4))
+        inverse = np.linalg.inv(mass)
+        whole = np.block([[none, one], [-inverse @ stiffness, 1j * speed * inverse @ polar]])
+        expected = np.sort(np.linalg.eigvals(whole).imag)
+        pole = found.bending_modes.pole[row]
+        assert np.sort(pole.imag) == pytest.approx(expected, rel=1e-9)
+        assert np.abs(pole.real).max() < 1e-6
+
+
+@pytest.mark.parametrize("ratio", [1.7, -1.3])
+def test_critical_speeds_of_each_rotor_by_closed_form(ratio: float) -> None:
+    """K φ = ω² (M − P/r) φ at ω = r Ω, forward, and with the other sign backward."""
+    mass, stiffness, polar = four_freedoms(ratio)
+    top = 12000.0 * RPM
+    found = campbell.answer(
+        scene(rigid_pair(ratio), (0.0, 12000.0), 900.0, rotor="rigid"),
+        CampbellSpec(900.0, engine_orders=(1, 2)),
+    )
+    bending = np.array(found.critical_kind) == "bending"
+    for name, own in (("spindle", 1.0), ("outer", ratio)):
+        for order in (1, 2):
+            multiple = order * abs(own)
+            expected = []
+            for side, whirl in ((1.0, "forward"), (-1.0, "backward")):
+                squares = eig(stiffness, mass - side * polar / multiple)[0].real
+                at = np.sqrt(squares[squares > 0.0]) / multiple
+                expected += [(speed, whirl) for speed in at if speed < top]
+            chosen = bending & (np.array(found.critical_rotor) == name)
+            chosen &= found.critical_order == order
+            ours = [
+                (found.critical_speed[k], found.critical_whirl[k]) for k in np.flatnonzero(chosen)
+            ]
+            assert len(ours) == len(expected) > 1
+            for (speed, whirl), (wanted, way) in zip(sorted(ours), sorted(expected), strict=True):
+                assert speed == pytest.approx(wanted, rel=1e-9)
+                assert whirl == way
+            excited = found.critical_excited[chosen].tolist()
+            way = "forward" if own > 0.0 else "backward"
+            assert excited == [
+                order > 1 or found.critical_whirl[k] == way for k in np.flatnonzero(chosen)
+            ]
+
+
+def test_axial_motion_and_torsion_of_two_rigid_rotors() -> None:
+    """Two masses and a spring between them, one of which is free: k (1/m + 1/M)."""
+    machine = rigid_pair(1.7)
+    k, twist = 3e7, 5e4
+    tie = LinearSupport(
+        "tie", 0.3, {("x", "x"): k, ("thx", "thx"): twist}, holds="outer", against="spindle"
+    )
+    found = scene(replace(machine, supports=(*machine.supports, tie)), (0.0,), 900.0, rotor="rigid")
+    bodies = [rotor_inertia(found.spindle.part(name)) for name in ("spindle", "outer")]
+    for modes, stiff, inertia in (
+        (found.axial_modes, k, [body.mass for body in bodies]),
+        (found.torsion_modes, twist, [body.polar for body in bodies]),
+    ):
+        expected = math.sqrt(stiff * sum(1.0 / each for each in inertia))
+        assert modes.pole[0].imag.max() == pytest.approx(expected, rel=1e-9)
+        assert modes.at_rest(None)[0].sum() == 2
+
+
+# --- symmetry ------------------------------------------------------------------------------------
+
+
+def swapped(machine: Spindle) -> Spindle:
+    """The further rotor as the spindle, and the other way round."""
+    (outer,) = machine.rotors
+    inner = Rotor(
+        "outer", 1.0 / outer.speed_ratio, machine.shaft, machine.masses, points=machine.points
+    )
+    ends = {"spindle": "outer", "outer": "spindle", "ground": "ground"}
+    supports = tuple(
+        replace(s, holds=ends[s.holds], against=ends[s.against]) for s in machine.supports
+    )
+    return Spindle(
+        "swapped",
+        outer.shaft,
+        masses=outer.masses,
+        supports=supports,
+        rotors=(inner,),
+        points=outer.points,
+    )
+
+
+@pytest.mark.parametrize("ratio", [1.5, -0.8])
+def test_neither_rotor_is_the_first(ratio: float) -> None:
+    machine = replace(COAXIAL, rotors=(replace(OUTER, speed_ratio=ratio),))
+    ours = swinging(scene(machine, (9000.0,), 900.0))
+    theirs = swinging(scene(swapped(machine), (9000.0 * abs(ratio),), 900.0))
+    # no spindle turns backwards: with all speeds reversed, whirl is the other way, as fast
+    count = int((ours.imag < 2.0 * math.pi * 900.0).sum())
+    assert count > 8
+    assert ours[:count] == pytest.approx(theirs[:count], rel=1e-8)
+
+
+# --- dense matrices ------------------------------------------------------------------------------
+
+ELEMENT = 0.02
+DAMPED = replace(
+    COAXIAL,
+    rotors=(
+        replace(OUTER, speed_ratio=-1.2),
+        Rotor(
+            "quill",
+            0.4,
+            Shaft(0.3, (Section(0.3, 0.02, 0.0, STEEL),)),
+            masses=(PointMass("head", 0.6, 0.8, 0.002, 0.0012),),
+            points={"head": 0.6},
+        ),
+    ),
+    supports=(
+        *(replace(s, damping={("y", "y"): 900.0, ("z", "z"): 1500.0}) for s in COAXIAL.supports),
+        LinearSupport(
+            "splined",
+            0.457,
+            {
+                ("y", "y"): 5e6,
+                ("z", "z"): 7e6,
+                ("y", "z"): 1e6,
+                ("thz", "thz"): 2e4,
+                ("thy", "thy"): 1e4,
+            }
+            | {("x", "x"): 6e6, ("thx", "thx"): 3e4},
+            {("y", "y"): 300.0, ("z", "z"): 300.0},
+            holds="quill",
+            against="spindle",
+        ),
+        bearing("nose", 0.356, 4e6, 4e6, "quill", "outer"),
+        LinearSupport("thrust", 0.1, {("x", "x"): 8e6}, {("x", "x"): 100.0}),
+    ),
+)
+
+
+@pytest.fixture(scope="module")
+def damped() -> Scene:
+    return scene(DAMPED, (0.0, 12000.0), 1200.0, element_length=ELEMENT, accuracy=1e-4)
+
+
+@pytest.mark.parametrize("row", [0, 1])
+def test_three_rotors_by_dense_matrices(damped: Scene, row: int) -> None:
+    expected = Together(DAMPED, ELEMENT, float(damped.speed[row])).poles(1200.0)
+    found = [damped.bending_modes, damped.axial_modes, damped.torsion_modes]
+    poles = np.concatenate([modes.pole[min(row, len(modes.pole) - 1)] for modes in found])
+    near = np.abs(poles[:, None] / expected - 1.0).min(axis=0)
+    assert len(expected) > 20
+    assert near.max() < 1e-6
+
+
+@pytest.mark.parametrize(
+    ("response", "excitation"),
+    [
+        ("d4.y", "outer.d3.y"),
+        ("quill.head.z", "d1.y"),
+        ("quill.head.thz", "outer.d2.z"),
+        ("quill.head.x", "d1.x"),
+    ],
+)
+def test_responses_across_rotors_by_dense_matrices(
+    damped: Scene, response: str, excitation: str
+) -> None:
+    ports = tuple(Port(*text.rsplit(".", 1)) for text in (response, excitation))
+    frequency = (7.0, 61.0, 133.0, 304.0, 611.0)
+    found = frf.answer(damped, FrfSpec(frequency, ((ports[0], ports[1]),)))
+    assert found.error.max() < 1e-3
+    for row, speed in enumerate(damped.speed):
+        dense = Together(DAMPED, ELEMENT, float(speed))
+        rows = []
+        for port in ports:
+            rotor, x = DAMPED.places[port.point]
+            rows.append(dense.row[rotor, port.direction](x))
+        expected = [dense.receptance(*rows, 2.0 * math.pi * f) for f in frequency]
+        assert found.receptance[row, 0] == pytest.approx(expected, rel=1e-5)
+
+
+def test_the_count_of_modes_is_proven(damped: Scene) -> None:
+    found = campbell.answer(damped, CampbellSpec(1000.0))
+    assert found.certified.all()
+    for row, speed in enumerate(damped.speed):
+        assert found.modes_below[row] == len(Together(DAMPED, ELEMENT, float(speed)).poles(1000.0))
+
+
+def test_the_error_of_coarse_elements_is_estimated() -> None:
+    """Against nearly exact ones: at most twice as large as told, and not a tenth of it."""
+    fine = swinging(scene(COAXIAL, (9000.0,), 900.0))
+    coarse = scene(COAXIAL, (9000.0,), 900.0, element_length=0.25)
+    found = campbell.answer(coarse, CampbellSpec(900.0, shapes=False))
+    bending = np.array(found.kind) == "bending"
+    frequency = np.sort(found.frequency[0, bending])[:8]
+    told = found.frequency_error[0, bending][np.argsort(found.frequency[0, bending])][:8]
+    error = np.abs(frequency * 2.0 * math.pi / fine.imag[:8] - 1.0)
+    seen = error > 1e-6
+    assert seen.sum() > 5
+    assert (error[seen] < 2.0 * told[seen]).all()
+    assert (error[seen] > 0.1 * told[seen]).all()
+
+
+def test_a_pedestal_is_a_still_rotor_of_its_mass() -> None:
+    """The same body under the outer rotor as a housing and as a rotor that does not turn."""
+    stiffness = {("y", "y"): 3e7, ("z", "z"): 5e7}
+    pedestal = RigidHousing("pedestal", ("b2",), 0.152, 20.0, stiffness)
+    housed = scene(replace(COAXIAL, housings=(pedestal,)), (9000.0,), 600.0)
+    ring = Rotor("ring", 0.0, Shaft(0.142, (Section(0.02, 0.2, 0.19, STEEL),)))
+    rest = 20.0 - rotor_inertia(Spindle("ring", ring.shaft)).mass
+    ring = replace(ring, masses=(PointMass("body", 0.152, rest, 0.0, 1.0),))
+    own = LinearSupport("foot", 0.152, stiffness, holds="ring")
+    b2 = replace(COAXIAL.supports[1], against="ring")
+    supports = (COAXIAL.supports[0], b2, *COAXIAL.supports[2:], own)
+    plain = scene(replace(COAXIAL, rotors=(OUTER, ring), supports=supports), (9000.0,), 600.0)
+    ours = housed.coupled_modes.pole[0]
+    expected = swinging(plain)
+    expected = expected[expected.imag < 2.0 * math.pi * 600.0]
+    assert len(expected) > 10
+    assert np.abs(ours[:, None] / expected - 1.0).min(axis=0).max() < 1e-6
+
+
+# --- refusals ------------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"supports": COAXIAL.supports[:1]}, "rotor 'outer' is not held"),
+        (
+            {"supports": (replace(COAXIAL.supports[0], against="outr"), *COAXIAL.supports[1:])},
+            r"support b1: against: unknown rotor: given 'outr'; allowed: ground, spindle, outer "
+            r"\(did you mean outer\?\)",
+        ),
+        (
+            {"supports": (replace(COAXIAL.supports[0], against="spindle"), *COAXIAL.supports[1:])},
+            "not held against itself",
+        ),
+        ({"rotors": (replace(OUTER, name="ground"),)}, "unknown rotor|cannot be called"),
+        ({"rotors": (OUTER, OUTER)}, "two rotors are named 'outer'"),
+        ({"rotors": (replace(OUTER, shaft=Shaft(0.16, OUTER.shaft.sections)),)}, "off the shaft"),
+    ],
+)
+def test_rotors_that_cannot_be(changes: dict[str, object], said: str) -> None:
+    with pytest.raises(InvalidInput, match=said):
+        replace(COAXIAL, **changes)  # type: ignore[arg-type]
+
+
+def test_the_spindle_alone_is_as_before() -> None:
+    assert INNER.part("spindle") is INNER
+    assert INNER.grounded is INNER
