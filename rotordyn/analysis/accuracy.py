@@ -114,18 +114,18 @@ def receptance_error(
 
 
 def synchronous_change(
-    scene: Scene, place: int, nodes: Sequence[int], excited: Sequence[int]
+    scene: Scene, place: int, nodes: Sequence[int], excited: Sequence[int], ratio: float = 1.0
 ) -> Complex:
-    """Estimated change (nodes, excited, 2) of what forces e^(iΩt) that turn with the shaft do.
+    """Estimated change (nodes, excited, 2) of what forces e^(irΩt) that turn with a rotor do.
 
     Along y and z at ``nodes``, per unit force on the nodes ``excited``, at one usable speed
-    (``place``); zero for a rigid rotor.
+    (``place``), ``ratio`` r; zero for a rigid rotor.
     """
     change = np.zeros((len(nodes), len(excited), 2), dtype=complex)
     if left_out(scene, "bending") is None:
         return change
     one = _at(scene, "bending", place)
-    s = np.array([1j * (scene.speed[scene.usable[place]] - one.frame)])
+    s = np.array([1j * (ratio * scene.speed[scene.usable[place]] - one.frame)])
     force = {n: [_end_at(scene, "bending", n, way) for way in "yz"] for n in {*nodes, *excited}}
     for row, node in enumerate(nodes):
         for column, at in enumerate(excited):

@@ -317,13 +317,14 @@ class SectionForcesResult:
 
 @dataclass(frozen=True)
 class UnbalanceResult:
-    """Steady motion by unbalance: y(t) = Re(``displacement`` e^(iΩt)), z likewise.
+    """Steady motion by unbalance: y(t) = Re(``displacement`` e^(i|r|Ωt)), z likewise.
 
-    Amplitudes are zero to peak. At t = 0 the mark of the shaft from which angles count points to y,
+    ``rotor`` is out of balance, of ``speed_ratio`` r; ``speed`` Ω is that of the spindle.
+    Amplitudes are zero to peak. At t = 0 the mark of the rotor from which angles count points to y,
     so that ``phase`` is how far a motion leads it. Axes of the orbit: half lengths,
-    ``minor_axis`` below zero where the orbit runs against the speed; ``inclination`` of the major
-    one from y to z. ``force``: of a bearing or support on the shaft, ``force_amplitude`` the major
-    half axis of its hodograph. ``critical_speed``: synchronous criticals among the speeds.
+    ``minor_axis`` below zero where the orbit runs against the spindle; ``inclination`` of the major
+    one from y to z. ``force``: of a bearing or support on what it holds, ``force_amplitude`` the
+    major half axis of its hodograph. ``critical_speed``: synchronous criticals among the speeds.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -347,6 +348,8 @@ class UnbalanceResult:
     force_amplitude: Array = quantity(
         "speed", "support", unit="N", label="amplitude of the force, zero to peak"
     )
+    rotor: str = quantity(unit="", label="rotor out of balance")
+    speed_ratio: float = quantity(unit="1", label="its speed over that of the spindle")
     unbalance_station: Array = quantity("unbalance", unit="m", label="station", printed=MILLIMETRE)
     unbalance_size: Array = quantity(
         "unbalance", unit="kg·m", label="unbalance", printed=GRAM_MILLIMETRE

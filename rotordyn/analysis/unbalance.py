@@ -17,8 +17,9 @@ from rotordyn.analysis.orbit import orbit
 from rotordyn.analysis.results import UnbalanceResult
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, UnbalanceSpec
-from rotordyn.analysis.unbalance_loads import Acting, acting, node_loads
+from rotordyn.analysis.unbalance_loads import Acting, acting, node_loads, unbalanced
 from rotordyn.errors import NoSolution
+from rotordyn.machine.rotor import Place
 from rotordyn.numerics.modes import Modes
 from rotordyn.system.longitudinal import RodSystem
 from rotordyn.system.synchronous import displacements, frame_of, support_forces, synchronous
@@ -37,7 +38,9 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
     ------
     NoSolution : no speed has one
     """
-    spindle, speed = scene.spindle, scene.speed[scene.usable]
+    spindle, rotor = scene.spindle, unbalanced(scene.spindle, spec)
+    ratio = spindle.ratios[rotor]
+    speed = ratio * scene.speed[scene.usable]
     system, found = scene.vibration("bending")
     assert not isinstance(system, RodSystem), "bending is no rod"
     frame = frame_of(system, speed)
@@ -45,14 +48,14 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
     if all(absent):
         raise NoSolution(f"no speed of the case has a steady response to unbalance: {absent[0]}")
     steady = np.array([word == "" for word in absent])
-    nodes = [scene.mesh.node_of(spindle.points[name]) for name in spec.points]
+    nodes = [scene.node(name) for name in spec.points]
     moved = synchronous(system, speed, node_loads(spindle, scene.mesh, spec))
     moved[~steady] = complex(np.nan, np.nan)
-    displacement = scene.scattered(displacements(system, moved, nodes))
-    force = scene.scattered(support_forces(system, speed, moved))
+    displacement = scene.scattered(_in_time(ratio, displacements(system, moved, nodes)))
+    force = scene.scattered(_in_time(ratio, support_forces(system, speed, moved)))
     ellipse = orbit(displacement[..., 0], displacement[..., 1])
     placed = acting(spindle, scene.mesh, spec)
-    critical = _criticals(scene)
+    critical = _criticals(scene, ratio)
     return UnbalanceResult(
         speed=scene.speed,
         point=spec.points,
@@ -69,12 +72,19 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         inclination=ellipse.inclination,
         force=force,
         force_amplitude=orbit(force[..., 0], force[..., 1]).major,
-        unbalance_station=np.array([one.x for one in placed]),
+        rotor=rotor,
+        speed_ratio=ratio,
+        unbalance_station=np.array([one.place.x for one in placed]),
         unbalance_size=np.array([abs(one.size) for one in placed]),
         unbalance_angle=np.array([np.angle(one.size) for one in placed]),
         critical_speed=np.array([speed for _, speed in critical]),
-        error=_errors(scene, displacement, nodes, placed),
+        error=_errors(scene, displacement, nodes, placed, ratio),
     )
+
+
+def _in_time(ratio: float, moved: Complex) -> Complex:
+    """From motions e^(irΩt) to motions e^(i|r|Ωt)."""
+    return moved if ratio > 0.0 else moved.conj()
 
 
 def _absences(found: Modes, speed: Array, frame: Array) -> list[str]:
@@ -83,13 +93,13 @@ def _absences(found: Modes, speed: Array, frame: Array) -> list[str]:
     for row, turning in enumerate(speed):
         pole = found.pole[row]
         growing = found.growing[row]
-        near = np.abs(pole - 1j * (turning - frame[row])).min() <= UNDAMPED * turning
+        near = np.abs(pole - 1j * (turning - frame[row])).min() <= UNDAMPED * abs(turning)
         if growing.any():
             own = pole[growing][pole[growing].real.argmax()] + 1j * frame[row]
             hertz = abs(own.imag) / (2.0 * math.pi)
             how = f"vibrates by itself at {hertz:.1f} Hz" if hertz else "moves away by itself"
             words.append(f"unstable: the machine {how}")
-        elif near and turning > 0.0:
+        elif near and turning != 0.0:
             words.append("a critical speed without damping: the response grows without bound")
         else:
             words.append("")
@@ -104,18 +114,24 @@ def _outcome(scene: Scene, absent: list[str]) -> tuple[str, ...]:
     return tuple(words)
 
 
-def _criticals(scene: Scene) -> list[tuple[str, float]]:
-    """Critical speeds among those of the case, by the name of the mode."""
+def _criticals(scene: Scene, ratio: float) -> list[tuple[str, float]]:
+    """Critical speeds among those of the case, by the name of the mode, of what turns ``ratio``
+    times as fast."""
     top = float(scene.speed[-1])
     if len(scene.usable) < 2 or top == 0.0:
         return []
-    asked = CampbellSpec(max_frequency=BEYOND * top / (2.0 * math.pi), shapes=False)
-    found = campbell.answer(scene, asked)
-    every = zip(found.critical, found.critical_speed.tolist(), found.critical_excited, strict=True)
-    return [(name, speed) for name, speed, excited in every if excited]
+    highest = BEYOND * abs(ratio) * top / (2.0 * math.pi)
+    found = campbell.answer(scene, CampbellSpec(max_frequency=highest, shapes=False))
+    own = found.critical_excited & np.array(
+        [scene.spindle.ratios[name] == ratio for name in found.critical_rotor], dtype=bool
+    )
+    every = zip(found.critical, found.critical_speed.tolist(), own, strict=True)
+    return [(name, speed) for name, speed, met in every if met]
 
 
-def _errors(scene: Scene, displacement: Complex, nodes: list[int], placed: list[Acting]) -> Array:
+def _errors(
+    scene: Scene, displacement: Complex, nodes: list[int], placed: list[Acting], ratio: float
+) -> Array:
     """Largest estimated error over the largest displacement (points,), of some speeds."""
     size = np.abs(displacement[scene.usable]).max(axis=(1, 2))
     steady = np.flatnonzero(np.isfinite(size) & (scene.speed[scene.usable] > 0.0))
@@ -123,13 +139,20 @@ def _errors(scene: Scene, displacement: Complex, nodes: list[int], placed: list[
         return np.zeros(len(nodes))
     rows = steady[np.unique(np.linspace(0, steady.size - 1, MOST_SPEEDS).round().astype(int))]
     rows = np.union1d(rows, steady[size[steady].argmax()])
-    excited = [int(np.abs(scene.mesh.x - one.x).argmin()) for one in placed]
+    excited = [_nearest(scene, one.place) for one in placed]
     force = np.array([one.size for one in placed])
     worst = np.zeros(len(nodes))
     for row in rows.tolist():
-        change = synchronous_change(scene, row, nodes, excited)
-        spin = scene.speed[scene.usable[row]]
+        change = synchronous_change(scene, row, nodes, excited, ratio)
+        spin = ratio * scene.speed[scene.usable[row]]
         off = np.abs(np.einsum("pkx,k->px", change, force * spin**2)).max(axis=1)
         worst = np.maximum(worst, off)
     peak = np.nanmax(np.abs(displacement), axis=(0, 2))
     return np.asarray(worst / np.where(peak > 0.0, peak, 1.0))
+
+
+def _nearest(scene: Scene, place: Place) -> int:
+    """The node next to a place, among those of all rotors."""
+    rotor, x = place
+    own = scene.mesh.of_rotors[rotor].x
+    return scene.mesh.spans[rotor].start + int(np.abs(own - x).argmin())

@@ -24,7 +24,7 @@ from rotordyn.analysis.specs import (
     UnbalanceSpec,
     ascending,
 )
-from rotordyn.case.loads import misplaced, misplaced_unbalance, overheld, unheld
+from rotordyn.case.loads import misplaced, misplaced_unbalance, overheld, rotors_of, unheld
 from rotordyn.machine.housing import housed_motions
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import RigidSupport, Spindle
@@ -224,11 +224,7 @@ def _frf(name: str, spec: FrfSpec, spindle: Spindle, conditions: Conditions) -> 
 
 
 def _unbalance(name: str, spec: UnbalanceSpec, spindle: Spindle) -> Iterator[str]:
-    from rotordyn.machine.inertia import rotor_inertia  # numpy, which a check seldom needs
-
-    reach = spindle.shaft.start, spindle.shaft.end
-    centre = rotor_inertia(spindle).centre
-    for way, sentence in misplaced_unbalance(spec, spindle.points, reach, centre):
+    for way, sentence in misplaced_unbalance(spec, rotors_of(spindle)):
         yield f"{'.'.join(map(str, (name, *way)))}: {sentence}"
 
 

@@ -1,4 +1,4 @@
-"""Motion of a rotor that turns with its shaft: what unbalance does, and what supports answer.
+"""Motion that turns with a rotor: what unbalance does, and what supports answer.
 
 In the fixed frame a motion r = ρ e^(iΩt) of both planes is y = Re(ρ e^(iΩt)), z = Re(−iρ e^(iΩt));
 in the frame that turns with the shaft it stands still.
@@ -30,13 +30,14 @@ def frame_of(system: System, speed: Array) -> Array:
 def synchronous(system: System, speed: Array, loads: Complex) -> Complex:
     """Coordinates (speeds, n) under ``loads`` Ω² e^(iΩt); at rest nothing moves.
 
-    ``speed`` (speeds,) [rad/s]: those of the system; ``loads`` (nodes, 2) [kg·m, kg·m²]: on
+    ``speed`` Ω (speeds,) [rad/s]: of the rotor that is out of balance, below 0 where it turns
+    against the spindle, at the speeds of the system; ``loads`` (nodes, 2) [kg·m, kg·m²]: on
     r = y + i z and on its tilt. Where the dynamic stiffness is singular the answer is not finite.
     """
     force = _on_coordinates(system, loads)
     moved = np.zeros((len(speed), len(force)), dtype=complex)
     omega = speed - frame_of(system, speed)
-    for row in np.flatnonzero(speed > 0.0):
+    for row in np.flatnonzero(speed):
         w = omega[row]
         dynamic = system.stiffness[row] + 1j * w * system.damping[row] - w**2 * np.eye(len(force))
         try:

@@ -92,6 +92,7 @@ class Together:
         self.damping = speed * block_diag(
             *(ratio * one.gyroscopic for ratio, one in zip(ratios, free, strict=True))
         )
+        self._inverse: dict[float, NDArray[np.complex128]] = {}
         for support in spindle.supports:
             reach = np.zeros((6, len(self.mass)))
             for sign, end in ((1.0, support.holds), (-1.0, support.against)):
@@ -112,7 +113,7 @@ class Together:
 
     def receptance(self, response: int, excitation: int, omega: float) -> complex:
         """Displacement of a row per unit load on another."""
-        dynamic = self.stiffness + 1j * omega * self.damping - omega**2 * self.mass
-        unit = np.zeros(len(self.mass))
-        unit[excitation] = 1.0
-        return complex(np.linalg.solve(dynamic, unit)[response])
+        if omega not in self._inverse:
+            dynamic = self.stiffness + 1j * omega * self.damping - omega**2 * self.mass
+            self._inverse[omega] = np.linalg.inv(dynamic)
+        return complex(self._inverse[omega][response, excitation])

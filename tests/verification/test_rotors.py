@@ -10,9 +10,10 @@ import pytest
 from scipy.linalg import eig
 
 from bearings.materials import Material
-from rotordyn.analysis import campbell, frf
+from rotordyn.analysis import campbell, frf, unbalance
+from rotordyn.analysis.loads import BalanceGrade, EccentricSpan, Unbalance
 from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec, Port
+from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec, Port, UnbalanceSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.housing import RigidHousing
 from rotordyn.machine.inertia import rotor_inertia
@@ -266,7 +267,7 @@ def test_neither_rotor_is_the_first(ratio: float) -> None:
 
 # --- dense matrices ------------------------------------------------------------------------------
 
-ELEMENT = 0.02
+ELEMENT = 0.04
 DAMPED = replace(
     COAXIAL,
     rotors=(
@@ -288,6 +289,7 @@ DAMPED = replace(
                 ("y", "y"): 5e6,
                 ("z", "z"): 7e6,
                 ("y", "z"): 1e6,
+                ("z", "y"): 1e6,
                 ("thz", "thz"): 2e4,
                 ("thy", "thy"): 1e4,
             }
@@ -382,6 +384,99 @@ def test_a_pedestal_is_a_still_rotor_of_its_mass() -> None:
     expected = expected[expected.imag < 2.0 * math.pi * 600.0]
     assert len(expected) > 10
     assert np.abs(ours[:, None] / expected - 1.0).min(axis=0).max() < 1e-6
+
+
+# --- unbalance -----------------------------------------------------------------------------------
+
+SIZE, ANGLE = 3e-4, 0.7
+
+
+def out_of_balance(at: str, *points: str) -> UnbalanceSpec:
+    return UnbalanceSpec(points, unbalances=(Unbalance(at, SIZE, ANGLE),))
+
+
+@pytest.mark.parametrize("ratio", [1.7, -1.3])
+def test_unbalance_of_the_outer_rotor_in_closed_form(ratio: float) -> None:
+    """(K + ω Ω P − ω² M) q = U ω² e^(iα) at ω = r Ω; circular, the way the outer rotor turns."""
+    mass, stiffness, polar = four_freedoms(ratio)
+    machine = scene(rigid_pair(ratio), (0.0, 3000.0, 9000.0, 30000.0), 900.0, rotor="rigid")
+    found = unbalance.answer(machine, out_of_balance("outer.e", "t", "outer.e"))
+    assert (found.rotor, found.speed_ratio) == ("outer", ratio)
+    at = {"t": np.array([1.0, 0.05 - 0.25, 0.0, 0.0]), "outer.e": np.array([0.0, 0.0, 1.0, 0.125])}
+    assert not found.amplitude[0].any()
+    for row, speed in list(enumerate(machine.speed))[1:]:
+        omega = ratio * speed
+        dynamic = stiffness + omega * speed * polar - omega**2 * mass
+        q = np.linalg.solve(dynamic, SIZE * omega**2 * np.exp(1j * ANGLE) * at["outer.e"])
+        for column, name in enumerate(("t", "outer.e")):
+            r = at[name] @ q  # y + i z = r e^(iωt)
+            for t in (0.0, 0.3 / speed):
+                expected = r * np.exp(1j * omega * t)
+                turn = np.exp(1j * abs(omega) * t)
+                moved = (found.displacement[row, column] * turn).real
+                assert moved == pytest.approx([expected.real, expected.imag], rel=1e-9)
+            minor = found.minor_axis[row, column]
+            assert minor == pytest.approx(np.sign(ratio) * abs(r), rel=1e-9)
+
+
+@pytest.mark.parametrize("at", ["d1", "outer.d3", "quill.head"])
+def test_unbalance_of_each_rotor_by_dense_matrices(damped: Scene, at: str) -> None:
+    names = ("d4", "outer.d2", "quill.head")
+    found = unbalance.answer(damped, out_of_balance(at, *names))
+    ratio, speed = DAMPED.ratios[DAMPED.places[at].rotor], float(damped.speed[1])
+    dense, omega = Together(DAMPED, ELEMENT, speed), abs(ratio) * speed
+    size = SIZE * omega**2 * np.exp(1j * ANGLE * np.sign(ratio))
+    load = {"y": size, "z": -1j * np.sign(ratio) * size}
+    row = {
+        (name, way): dense.row[DAMPED.places[name].rotor, way](DAMPED.places[name].x)
+        for name in (at, *names)
+        for way in "yz"
+    }
+    for column, name in enumerate(names):
+        for axis, way in enumerate("yz"):
+            expected = sum(
+                dense.receptance(row[name, way], row[at, other], omega) * force
+                for other, force in load.items()
+            )
+            assert found.displacement[1, column, axis] == pytest.approx(expected, rel=1e-5)
+    assert found.error.max() < 1e-4
+
+
+def test_the_force_of_an_intershaft_bearing_is_what_it_transmits(damped: Scene) -> None:
+    found = unbalance.answer(damped, out_of_balance("outer.d3", "d1"))
+    speed = float(damped.speed[1])
+    dense, omega = Together(DAMPED, ELEMENT, speed), 1.2 * speed
+    b3 = DAMPED.supports[2]
+    size = SIZE * omega**2 * np.exp(-1j * ANGLE)
+    gap = {}
+    for way in "yz":
+        ends = [dense.row[rotor, way](b3.x) for rotor in ("spindle", "outer")]
+        moved = [
+            sum(
+                dense.receptance(end, dense.row["outer", other](0.356), omega) * force
+                for other, force in (("y", size), ("z", 1j * size))
+            )
+            for end in ends
+        ]
+        gap[way] = moved[0] - moved[1]
+    for axis, way in enumerate("yz"):
+        dynamic = b3.stiffness[way, way] + 1j * omega * b3.damping[way, way]
+        assert found.force[1, 2, axis] == pytest.approx(-dynamic * gap[way], rel=1e-4)
+
+
+def test_a_span_and_a_grade_of_the_outer_rotor() -> None:
+    """A span off the axis as a whole is one unbalance where a rigid rotor has its middle."""
+    machine = scene(rigid_pair(1.7), (9000.0,), 900.0, rotor="rigid")
+    (rotor,) = machine.spindle.rotors
+    rotor = replace(rotor, points={"a": 0.1, "m": 0.275, "b": 0.45})
+    machine = scene(replace(machine.spindle, rotors=(rotor,)), (9000.0,), 900.0, rotor="rigid")
+    body = rotor_inertia(machine.spindle.part("outer"))
+    whole = UnbalanceSpec(("t",), spans=(EccentricSpan("outer.a", "outer.b", 1e-5),))
+    graded = UnbalanceSpec(("t",), grade=BalanceGrade(2.5e-3, 1000.0, ("outer.m",)))
+    ours = [unbalance.answer(machine, spec).displacement for spec in (whole, graded)]
+    for found, size in zip(ours, (1e-5 * body.mass, 2.5e-3 * body.mass / 1000.0), strict=True):
+        one = UnbalanceSpec(("t",), unbalances=(Unbalance("outer.m", size),))
+        assert found == pytest.approx(unbalance.answer(machine, one).displacement, rel=1e-9)
 
 
 # --- refusals ------------------------------------------------------------------------------------

@@ -2,21 +2,29 @@
 
 from __future__ import annotations
 
-import math
-
 from rotordyn.case.build.questions import conditions, questions
 from rotordyn.case.build.questions import section_forces as built
 from rotordyn.case.build.spindle import spindle as machine
 from rotordyn.case.build.spindle import tool as clamped
 from rotordyn.case.build.sweep import values
+from rotordyn.case.checks.rotor import reaches
 from rotordyn.case.checks.shaft import span
 from rotordyn.case.faults import Faults
-from rotordyn.case.loads import misplaced, misplaced_unbalance, overheld, unheld
+from rotordyn.case.loads import (
+    Rotors,
+    misplaced,
+    misplaced_unbalance,
+    overheld,
+    rotors_of,
+    unheld,
+)
 from rotordyn.case.node import Node
 from rotordyn.case.schema.case import CaseEntry
 from rotordyn.case.schema.shaft import ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
+from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import SPINDLE
 
 WAY, UNBALANCE = ("analyses", "section_forces"), ("analyses", "unbalance")
 
@@ -48,11 +56,8 @@ def unbalance(
     if asked is None:
         return
 
-    from rotordyn.machine.inertia import rotor_inertia  # numpy, which a check seldom needs
-
-    points, reach = _places(spindle, tool)
-    centre = math.nan if faults else rotor_inertia(_whole(spindle, tool)).centre
-    for way, sentence in misplaced_unbalance(asked, points, reach, centre):
+    known = _rotors(spindle, tool) if faults else rotors_of(_whole(spindle, tool))
+    for way, sentence in misplaced_unbalance(asked, known):
         faults.at(root, (*UNBALANCE, *way), sentence)
 
 
@@ -69,6 +74,16 @@ def elements(
     for sentence in beyond_elements(_whole(spindle, tool), own, asked, top):
         way = ("conditions", "element_length")
         faults.at(root, way, f"{sentence}: given '{root.at(*way).raw}'")
+
+
+def _rotors(spindle: SpindleEntry, tool: ToolEntry | None) -> Rotors:
+    """What is known of rotors whose files have faults: not where their centres of gravity are."""
+    points, reach = _places(spindle, tool)
+    places = {name: Place(SPINDLE, x) for name, x in points.items()}
+    for rotor in spindle.rotors:
+        places |= {f"{rotor.name}.{n}": Place(rotor.name, x) for n, x in rotor.points.items()}
+    ratio = {SPINDLE: 1.0} | {rotor.name: rotor.speed_ratio for rotor in spindle.rotors}
+    return Rotors(places, {SPINDLE: reach, **reaches(spindle)}, ratio, {})
 
 
 def _places(

@@ -384,6 +384,8 @@ def unbalance(count: int = 49) -> UnbalanceResult:
     ahead = 0.5 * np.abs(moved[..., 0] + 1j * moved[..., 1])
     behind = 0.5 * np.abs(moved[..., 0] - 1j * moved[..., 1])
     return UnbalanceResult(
+        rotor="spindle",
+        speed_ratio=1.0,
         speed=speed,
         point=("Oc2", "O3"),
         axis=("y", "z"),
