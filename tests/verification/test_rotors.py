@@ -309,6 +309,12 @@ def damped() -> Scene:
     return scene(DAMPED, (0.0, 12000.0), 1200.0, element_length=ELEMENT, accuracy=1e-4)
 
 
+@pytest.fixture(scope="module")
+def at_speed() -> Scene:
+    """At one speed alone, which has no critical ones to be sought."""
+    return scene(DAMPED, (12000.0,), 1200.0, element_length=ELEMENT, accuracy=1e-4)
+
+
 @pytest.mark.parametrize("row", [0, 1])
 def test_three_rotors_by_dense_matrices(damped: Scene, row: int) -> None:
     expected = Together(DAMPED, ELEMENT, float(damped.speed[row])).poles(1200.0)
@@ -346,7 +352,7 @@ def test_responses_across_rotors_by_dense_matrices(
 
 
 def test_the_count_of_modes_is_proven(damped: Scene) -> None:
-    found = campbell.answer(damped, CampbellSpec(1000.0))
+    found = campbell.answer(damped, CampbellSpec(1000.0, shapes=False, engine_orders=()))
     assert found.certified.all()
     for row, speed in enumerate(damped.speed):
         assert found.modes_below[row] == len(Together(DAMPED, ELEMENT, float(speed)).poles(1000.0))
@@ -420,10 +426,10 @@ def test_unbalance_of_the_outer_rotor_in_closed_form(ratio: float) -> None:
 
 
 @pytest.mark.parametrize("at", ["d1", "outer.d3", "quill.head"])
-def test_unbalance_of_each_rotor_by_dense_matrices(damped: Scene, at: str) -> None:
+def test_unbalance_of_each_rotor_by_dense_matrices(at_speed: Scene, at: str) -> None:
     names = ("d4", "outer.d2", "quill.head")
-    found = unbalance.answer(damped, out_of_balance(at, *names))
-    ratio, speed = DAMPED.ratios[DAMPED.places[at].rotor], float(damped.speed[1])
+    found = unbalance.answer(at_speed, out_of_balance(at, *names))
+    ratio, speed = DAMPED.ratios[DAMPED.places[at].rotor], float(at_speed.speed[0])
     dense, omega = Together(DAMPED, ELEMENT, speed), abs(ratio) * speed
     size = SIZE * omega**2 * np.exp(1j * ANGLE * np.sign(ratio))
     load = {"y": size, "z": -1j * np.sign(ratio) * size}
@@ -438,13 +444,13 @@ def test_unbalance_of_each_rotor_by_dense_matrices(damped: Scene, at: str) -> No
                 dense.receptance(row[name, way], row[at, other], omega) * force
                 for other, force in load.items()
             )
-            assert found.displacement[1, column, axis] == pytest.approx(expected, rel=1e-5)
+            assert found.displacement[0, column, axis] == pytest.approx(expected, rel=1e-5)
     assert found.error.max() < 1e-4
 
 
-def test_the_force_of_an_intershaft_bearing_is_what_it_transmits(damped: Scene) -> None:
-    found = unbalance.answer(damped, out_of_balance("outer.d3", "d1"))
-    speed = float(damped.speed[1])
+def test_the_force_of_an_intershaft_bearing_is_what_it_transmits(at_speed: Scene) -> None:
+    found = unbalance.answer(at_speed, out_of_balance("outer.d3", "d1"))
+    speed = float(at_speed.speed[0])
     dense, omega = Together(DAMPED, ELEMENT, speed), 1.2 * speed
     b3 = DAMPED.supports[2]
     size = SIZE * omega**2 * np.exp(-1j * ANGLE)
@@ -461,7 +467,7 @@ def test_the_force_of_an_intershaft_bearing_is_what_it_transmits(damped: Scene) 
         gap[way] = moved[0] - moved[1]
     for axis, way in enumerate("yz"):
         dynamic = b3.stiffness[way, way] + 1j * omega * b3.damping[way, way]
-        assert found.force[1, 2, axis] == pytest.approx(-dynamic * gap[way], rel=1e-4)
+        assert found.force[0, 2, axis] == pytest.approx(-dynamic * gap[way], rel=1e-4)
 
 
 def test_a_span_and_a_grade_of_the_outer_rotor() -> None:
