@@ -213,7 +213,7 @@ def _write_tables(case: Case, results: Mapping[str, Any], folder: Path) -> None:
 
     write_tables(folder, results)
     if "frf" in results and case.spindle is not None:
-        nodes = {name: k for k, name in enumerate(case.spindle.points, start=1)}
+        nodes = {name: k for k, name in enumerate(case.spindle.places, start=1)}
         write_uff(folder / "frf.uff", results["frf"], case=case.name, nodes=nodes)
 
 

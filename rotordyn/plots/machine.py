@@ -11,7 +11,7 @@ from rotordyn.machine.housing import Housing
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.shaft import Section
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import Sleeve
+from rotordyn.machine.support import GROUND, SPINDLE, LinearSupport, Sleeve
 from rotordyn.plots.labels import spread
 from rotordyn.plots.sketch import Sketch
 from rotordyn.plots.style import BLACK, BLUE, FONT_SIZE, RED, add_axes, new_figure, round_ticks
@@ -31,11 +31,12 @@ if TYPE_CHECKING:
 
 SHADES = ("#B9C4CE", "#D8C3A5", "#B5CDB8", "#CBB9D1", "#E3D9A9", "#C7C7C7")
 _WIDTH, _SIDE = 168.0, 4.0
+OUTSIDE = 2  # zorder of what is seen from outside, thicker rotors in front
 SLOPE = 0.02  # of the outer diameter: a smaller step from section to section is that of a cone
 
 
 def machine_figure(spindle: Spindle) -> Figure:
-    """The shaft cut above its axis, with all that it carries and all that holds it [mm]."""
+    """All rotors cut above their axis, with all that they carry and all that holds them [mm]."""
     left, right = _extent(spindle)
     reach = _reach(spindle)
     scale = (_WIDTH - 2.0 * _SIDE) / (right - left)
@@ -50,8 +51,10 @@ def machine_figure(spindle: Spindle) -> Figure:
     for side in ("left", "right", "top"):
         axes.spines[side].set_visible(False)
     sketch = Sketch()
-    _draw_shaft(sketch, spindle, left, right)
-    _draw_discs(sketch, spindle)
+    for rank, part in enumerate(_by_size(spindle)):
+        _draw_shaft(sketch, part, _shades(spindle), rank)
+        _draw_discs(sketch, part, _shades(spindle), rank)
+    sketch.line([(left, 0.0), (right, 0.0)], BLACK, 0.5, "dashdot", z=6)
     if spindle.drawbar:
         draw_drawbar(sketch, spindle.drawbar, spindle.shaft)
     for seat in spindle.seats:
@@ -65,45 +68,63 @@ def machine_figure(spindle: Spindle) -> Figure:
     return figure
 
 
+def _parts(spindle: Spindle) -> dict[str, Spindle]:
+    """Every rotor by itself."""
+    return {name: spindle.part(name) for name in spindle.ratios}
+
+
+def _by_size(spindle: Spindle) -> list[Spindle]:
+    """The same, the thickest last: it covers the others."""
+    return sorted(_parts(spindle).values(), key=_radius)
+
+
+def _radius(part: Spindle) -> float:
+    return max(section.outer_diameter for section in part.shaft.sections) / 2.0
+
+
 def _extent(spindle: Spindle) -> tuple[float, float]:
-    start, end = spindle.shaft.start * 1e3, spindle.shaft.end * 1e3
+    shafts = [part.shaft for part in _parts(spindle).values()]
+    start = min(shaft.start for shaft in shafts) * 1e3
+    end = max(shaft.end for shaft in shafts) * 1e3
     room = 0.04 * (end - start)
     return start - room, end + room
 
 
 def _reach(spindle: Spindle) -> float:
     """Largest radius of anything drawn [mm]."""
-    radii = [s.outer_diameter / 2.0 for s in spindle.shaft.sections]
-    radii += [d.outer_diameter / 2.0 for d in spindle.discs]
+    parts = _parts(spindle).values()
+    radii = [_radius(part) for part in parts]
+    radii += [d.outer_diameter / 2.0 for part in parts for d in part.discs]
     radii += [(s.bearing.pitch_diameter + 2.1 * s.bearing.ball_diameter) / 2 for s in spindle.seats]
     sleeves = 9.0 if spindle.sleeves else 0.0
     return max(radii) * 1e3 + max(sleeves, 12.0 if spindle.supports else 2.0)
 
 
-def _draw_shaft(sketch: Sketch, spindle: Spindle, left: float, right: float) -> None:
-    shades = _shades(spindle)
+def _draw_shaft(sketch: Sketch, spindle: Spindle, shades: dict[str, str], rank: int) -> None:
+    """One rotor; of ``rank`` 0 the thinnest, alone with what is within its bore."""
     edges = [x * 1e3 for x in spindle.shaft.boundaries]
     begin = 0
     for run in _runs(spindle.shaft.sections):
         own, shade = edges[begin : begin + len(run) + 1], shades[run[0].material.name]
         if len(run) == 1:
-            _draw_section(sketch, run[0], own[0], own[1], shade)
+            _draw_section(sketch, run[0], own[0], own[1], shade, rank)
         else:
-            _draw_cone(sketch, run, own, shade)
+            _draw_cone(sketch, run, own, shade, rank)
         begin += len(run)
     for joint in spindle.joints:
         x, radius = joint.x * 1e3, spindle.shaft.section_at(joint.x).outer_diameter * 500.0
         sketch.line([(x, -radius), (x, radius)], RED, 1.4, z=7)
-    sketch.line([(left, 0.0), (right, 0.0)], BLACK, 0.5, "dashdot", z=6)
 
 
-def _draw_section(sketch: Sketch, section: Section, a: float, b: float, shade: str) -> None:
+def _draw_section(
+    sketch: Sketch, section: Section, a: float, b: float, shade: str, rank: int
+) -> None:
     """The wall cut above the axis with the bore open behind it; the outside below."""
     outer, inner = section.outer_diameter * 500.0, section.inner_diameter * 500.0
     sketch.box(a, b, inner, outer, shade)
-    if inner > 0.0:
+    if inner > 0.0 and not rank:
         sketch.box(a, b, 0.0, inner, "#F7F7F7", width=0.35, edge="#999999")
-    sketch.box(a, b, -outer, 0.0, "#ECEFF1", width=0.7)
+    sketch.box(a, b, -outer, 0.0, "#ECEFF1", width=0.7, z=OUTSIDE + 2 * rank)
 
 
 def _runs(sections: Sequence[Section]) -> list[list[Section]]:
@@ -123,7 +144,9 @@ def _slopes(one: Section, other: Section) -> bool:
     return other.material == one.material and 0.0 < max(step, wall) < SLOPE * one.outer_diameter
 
 
-def _draw_cone(sketch: Sketch, run: Sequence[Section], edges: list[float], shade: str) -> None:
+def _draw_cone(
+    sketch: Sketch, run: Sequence[Section], edges: list[float], shade: str, rank: int
+) -> None:
     """The same of a cone."""
     x = [edges[0], *((a + b) / 2.0 for a, b in pairwise(edges)), edges[-1]]
     outer, inner = (
@@ -135,26 +158,27 @@ def _draw_cone(sketch: Sketch, run: Sequence[Section], edges: list[float], shade
     )
     top, bore = list(zip(x, outer, strict=True)), list(zip(x, inner, strict=True))
     sketch.polygon([*top, *bore[::-1]], shade)
-    if max(inner) > 0.0:
+    if max(inner) > 0.0 and not rank:
         axis = [(x[-1], 0.0), (x[0], 0.0)]
         sketch.polygon([*bore, *axis], "#F7F7F7", edge="#999999", width=0.35)
     bottom = [(a, -r) for a, r in top]
-    sketch.polygon([(x[0], 0.0), *bottom, (x[-1], 0.0)], "#ECEFF1", width=0.7)
+    outside = OUTSIDE + 2 * rank
+    sketch.polygon([(x[0], 0.0), *bottom, (x[-1], 0.0)], "#ECEFF1", width=0.7, z=outside)
 
 
 def _shades(spindle: Spindle) -> dict[str, str]:
-    names = [s.material.name for s in spindle.shaft.sections]
-    names += [d.material.name for d in spindle.discs]
+    parts = _parts(spindle).values()
+    names = [s.material.name for part in parts for s in part.shaft.sections]
+    names += [d.material.name for part in parts for d in part.discs]
     return {n: SHADES[k % len(SHADES)] for k, n in enumerate(dict.fromkeys(names))}
 
 
-def _draw_discs(sketch: Sketch, spindle: Spindle) -> None:
-    shades = _shades(spindle)
+def _draw_discs(sketch: Sketch, spindle: Spindle, shades: dict[str, str], rank: int) -> None:
     for disc in spindle.discs:
         a, b = (disc.x - disc.width / 2) * 1e3, (disc.x + disc.width / 2) * 1e3
         inner, outer = disc.inner_diameter * 500.0, disc.outer_diameter * 500.0
         sketch.box(a, b, inner, outer, shades[disc.material.name], z=3)
-        sketch.box(a, b, -outer, -inner, "#ECEFF1", z=3)
+        sketch.box(a, b, -outer, -inner, "#ECEFF1", z=OUTSIDE + 1 + 2 * rank)
 
 
 def _hold(
@@ -180,6 +204,8 @@ def _hold(
         _hold_sleeve(sketch, spindle, sleeve)
     words = [_sleeve_words(s) for s in spindle.sleeves]
     middles = [_sleeve_middle(spindle, s) for s in spindle.sleeves]
+    words += [f"{r.name}: {r.speed_ratio:g} × the speed" for r in spindle.rotors]
+    middles += [(r.shaft.start + r.shaft.end) * 500.0 for r in spindle.rotors]
     sizes = [_text(w, scale) for w in words]
     for x, text in zip(spread(middles, sizes, *limits), words, strict=True):
         axes.text(
@@ -211,28 +237,61 @@ def _sleeve_words(sleeve: Sleeve) -> str:
 
 
 def _supports(sketch: Sketch, spindle: Spindle) -> None:
-    """Linear supports as a spring from the shaft down to the ground, rigid ones as a wedge."""
+    """Linear supports as a spring from a rotor down to the ground, rigid ones as a wedge."""
     for support in spindle.supports:
         x = support.x * 1e3
-        radius = spindle.shaft.section_at(support.x).outer_diameter * 500.0
+        if support.against != GROUND:
+            _between(sketch, spindle, support)
+            continue
+        radius, foot = _outside(spindle, support), _foot(spindle, support)
         if support.rigid:
-            foot = -radius - 10.0
             sketch.polygon([(x, -radius), (x - 4.0, foot), (x + 4.0, foot)], "#FFFFFF", edge=BLUE)
         else:
-            sketch.line(spring((x, -radius), (x, -radius - 10.0), 2.0), BLUE, 1.0)
+            sketch.line(spring((x, -radius), (x, foot), 2.0), BLUE, 1.0)
         if support.name not in {name for each in spindle.housings for name in each.carries}:
-            draw_ground(sketch, x, -radius - 10.0, 4.0, upright=False, side=-1.0)
+            draw_ground(sketch, x, foot, 4.0, upright=False, side=-1.0)
     for housing in spindle.housings:
         _housing(sketch, spindle, housing)
 
 
+def _outside(spindle: Spindle, support: LinearSupport) -> float:
+    """Radius of what a support holds [mm]."""
+    shaft = _parts(spindle)[support.holds].shaft
+    return shaft.section_at(support.x).outer_diameter * 500.0
+
+
+def _foot(spindle: Spindle, support: LinearSupport) -> float:
+    """Where a support stands on ground [mm]: below every rotor there."""
+    there = [
+        part.shaft.section_at(support.x).outer_diameter * 500.0
+        for part in _parts(spindle).values()
+        if part.shaft.start <= support.x <= part.shaft.end
+    ]
+    return -max(_outside(spindle, support), *there, 0.0) - 10.0
+
+
+def _between(sketch: Sketch, spindle: Spindle, support: LinearSupport) -> None:
+    """A crossed box between two rotors, in the gap from the thinner to the wall of the thicker."""
+    low, high = _gap(spindle, support)
+    half, x = 0.5 * max(high - low, 5.0), support.x * 1e3
+    sketch.box(x - half, x + half, low, high, "#FFFFFF", edge=BLUE, z=5)
+    sketch.line([(x - half, low), (x + half, high)], BLUE, 0.7, z=6)
+    sketch.line([(x - half, high), (x + half, low)], BLUE, 0.7, z=6)
+
+
+def _gap(spindle: Spindle, support: LinearSupport) -> tuple[float, float]:
+    """Radii between which a support joins two rotors [mm]."""
+    ends = [_parts(spindle)[end].shaft.section_at(support.x) for end in support.ends]
+    thin, thick = sorted(ends, key=lambda section: section.outer_diameter)
+    low, high = thin.outer_diameter * 500.0, thick.inner_diameter * 500.0
+    if high > low:
+        return low, high
+    return low - 2.0, low + 2.0  # side by side, or one on the other
+
+
 def _housing(sketch: Sketch, spindle: Spindle, housing: Housing) -> None:
     """A block under the supports that it carries."""
-    feet = [
-        (s.x * 1e3, -spindle.shaft.section_at(s.x).outer_diameter * 500.0 - 10.0)
-        for s in spindle.supports
-        if s.name in housing.carries
-    ]
+    feet = [(s.x * 1e3, _foot(spindle, s)) for s in spindle.supports if s.name in housing.carries]
     if feet:
         left, right = min(x for x, _ in feet) - 4.0, max(x for x, _ in feet) + 4.0
         low = min(y for _, y in feet) - 3.0
@@ -270,21 +329,34 @@ def _name_below(
 def _marks(sketch: Sketch, spindle: Spindle, size: float) -> list[tuple[float, float, str]]:
     """What is to be named: place of the leader's start [mm] and the words."""
     marks = []
-    for mass in spindle.masses:
-        _mass_symbol(sketch, mass, size)
-        words = f"{mass.name.replace('_', ' ')}\n{mass.mass:.3g} kg"
-        marks.append((mass.x * 1e3, 0.0, words))
-    for name, x in spindle.points.items():
-        sketch.circle(x * 1e3, 0.0, 0.55 * size, "#FFFFFF", edge=BLACK, z=8)
-        marks.append((x * 1e3, 0.0, f"{name}\n{x * 1e3:.1f}"))
+    for rotor, part in _parts(spindle).items():
+        for mass in part.masses:
+            height = _height(part, mass.x, rotor)
+            _mass_symbol(sketch, mass, height, size)
+            words = f"{mass.name.replace('_', ' ')}\n{mass.mass:.3g} kg"
+            marks.append((mass.x * 1e3, height, words))
+        marks += [(joint.x * 1e3, 0.0, joint.name) for joint in part.joints]
+    for name, (rotor, x) in spindle.places.items():
+        height = _height(_parts(spindle)[rotor], x, rotor)
+        sketch.circle(x * 1e3, height, 0.55 * size, "#FFFFFF", edge=BLACK, z=8)
+        marks.append((x * 1e3, height, f"{name}\n{x * 1e3:.1f}"))
     foot = -_reach(spindle)
-    marks += [(support.x * 1e3, foot, support.name) for support in spindle.supports]
-    marks += [(joint.x * 1e3, 0.0, joint.name) for joint in spindle.joints]
+    for support in spindle.supports:
+        low = foot if support.against == GROUND else _gap(spindle, support)[0]
+        marks.append((support.x * 1e3, low, support.name))
     marks += [(_middle(spindle, h), foot - 3.0, h.name) for h in _below(spindle)]
-    marks += [(disc.x * 1e3, foot, disc.name) for disc in spindle.discs]
+    discs = [disc for part in _parts(spindle).values() for disc in part.discs]
+    marks += [(disc.x * 1e3, foot, disc.name) for disc in discs]
     if bar := spindle.drawbar:
         marks.append(((bar.start + bar.end) * 500.0, 0.0, f"drawbar\n{bar.force / 1e3:.3g} kN"))
     return marks
+
+
+def _height(part: Spindle, x: float, rotor: str) -> float:
+    """Where something on a rotor is marked [mm]: on the axis, of a further one in its wall."""
+    section = part.shaft.section_at(x)
+    wall = (section.outer_diameter + section.inner_diameter) * 250.0
+    return 0.0 if rotor == SPINDLE else wall
 
 
 def _below(spindle: Spindle) -> list[Housing]:
@@ -299,14 +371,14 @@ def _middle(spindle: Spindle, housing: Housing) -> float:
     return (min(places) + max(places)) / 2.0
 
 
-def _mass_symbol(sketch: Sketch, mass: PointMass, size: float) -> None:
-    """The quartered circle of a centre of gravity on the axis."""
+def _mass_symbol(sketch: Sketch, mass: PointMass, height: float, size: float) -> None:
+    """The quartered circle of a centre of gravity."""
     x = mass.x * 1e3
-    sketch.circle(x, 0.0, size, "#FFFFFF", edge=BLACK, z=7)
+    sketch.circle(x, height, size, "#FFFFFF", edge=BLACK, z=7)
     for start in (0.0, math.pi):
         turn = [start + k * math.pi / 16.0 for k in range(9)]
-        arc = [(x + size * math.cos(t), size * math.sin(t)) for t in turn]
-        sketch.polygon([(x, 0.0), *arc], BLACK, edge=BLACK, width=0.3, z=7)
+        arc = [(x + size * math.cos(t), height + size * math.sin(t)) for t in turn]
+        sketch.polygon([(x, height), *arc], BLACK, edge=BLACK, width=0.3, z=7)
 
 
 def _text(words: str, scale: float) -> float:
