@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM
+from rotordyn.analysis.on_rotors import exciting
 from rotordyn.analysis.results import CampbellResult, turning
 from rotordyn.machine.reference import Reference
 from rotordyn.plots.labels import axis_label, spread
@@ -55,9 +56,8 @@ def campbell_figure(
 ) -> Figure:
     """Modes with their whirl, 1× and tooth-passing lines, critical speeds, known frequencies."""
     figure = new_figure(168.0, 115.0)
-    axes = add_axes(
-        figure, (15.0, 11.0, 112.0, 92.0), "speed [rpm]", axis_label(result, "frequency")
-    )
+    whose = "speed of the spindle [rpm]" if len(result.rotor) > 1 else "speed [rpm]"
+    axes = add_axes(figure, (15.0, 11.0, 112.0, 92.0), whose, axis_label(result, "frequency"))
     rpm = result.speed * RPM.factor
     if not result.mode:
         axes.text(0.5, 0.5, "no mode in this band", transform=axes.transAxes, ha="center")
@@ -170,16 +170,23 @@ def _look(kind: str, whirl: float) -> str:
     return {1: "forward", -1: "backward"}.get(int(whirl) if whirl == whirl else 0, "planar")
 
 
-def orders(result: CampbellResult, teeth: Sequence[int]) -> dict[int, str]:
-    """Orders of rotation at which something excites, with their names.
+def orders(result: CampbellResult, teeth: Sequence[int]) -> dict[float, str]:
+    """Multiples of the speed at which something excites, with their names; those of further rotors
+    bear these.
 
     In the turning frame unbalance stands still, and a force of k teeth, fixed in space, comes as
     (k − 1)× for forward and (k + 1)× for backward whirl.
     """
     if not turning(result):
         met = sorted({int(order) for order in result.critical_order} - {1, *teeth})
-        named = {1: "1×", **{k: f"{k}×" for k in met}}
-        return {**named, **{k: f"{k}× (teeth)" for k in teeth if k != 1}}
+        named: dict[float, str] = {}
+        lines = exciting(_ratios(result), [1, *met])
+        several = len({line.rotor for line in lines}) > 1
+        for line in lines:
+            name = f"{line.order}× {line.rotor}" if several else f"{line.order}×"
+            same = named.get(line.size)
+            named[line.size] = f"{same}, {name}" if same else name
+        return {**named, **{k: f"{k}× (teeth)" for k in teeth if k not in named}}
     named = {0: "unbalance at 0 Hz"}
     for k in teeth:
         named.setdefault(k - 1, f"{k - 1}× ({k} teeth, forward)")
@@ -187,8 +194,12 @@ def orders(result: CampbellResult, teeth: Sequence[int]) -> dict[int, str]:
     return named
 
 
+def _ratios(result: CampbellResult) -> dict[str, float]:
+    return dict(zip(result.rotor, result.speed_ratio.tolist(), strict=True))
+
+
 def draw_orders(
-    axes: Axes, orders: Mapping[int, str], rpm: float, top: float
+    axes: Axes, orders: Mapping[float, str], rpm: float, top: float
 ) -> list[tuple[float, str]]:
     """Lines f = k n; returns height [Hz] and name of those that leave on the right."""
     from matplotlib.collections import LineCollection
@@ -218,10 +229,12 @@ def _criticals(axes: Axes, result: CampbellResult) -> None:
     if turning(result):
         shown &= result.critical_order == 1  # others meet no line there: see ``orders``
     speeds = result.critical_speed[shown] * RPM.factor
+    turned = np.array([abs(_ratios(result)[name]) for name in result.critical_rotor])
+    multiple = (result.critical_order * turned)[shown]
     if speeds.size:
         axes.plot(
             speeds,
-            0.0 * speeds if turning(result) else result.critical_order[shown] * speeds / 60.0,
+            0.0 * speeds if turning(result) else multiple * speeds / 60.0,
             "o",
             mfc="white",
             mec=RED,

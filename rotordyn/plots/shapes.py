@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -16,7 +17,10 @@ from rotordyn.plots.style import (
     BLACK,
     BLUE,
     FONT_SIZE,
+    GREEN,
     GREY,
+    ORANGE,
+    PURPLE,
     RED,
     add_axes,
     grid_boxes,
@@ -30,6 +34,7 @@ if TYPE_CHECKING:
 
 MOST = 9
 _COLUMNS = 3
+_COLOURS = (BLUE, GREEN, PURPLE, ORANGE)  # of the rotors
 _MOTION = {"bending": ("y", "z"), "axial": ("x",), "torsion": ("thx",)}
 
 
@@ -43,13 +48,25 @@ def shapes_figure(result: CampbellResult, spindle: Spindle | None = None) -> Fig
     both = f"{low:.0f} rpm (thin) and {high:.0f} rpm (thick)"
     when = both if result.shape_speed.size > 1 else f"{low:.0f} rpm"
     title = f"mode shapes at {when}, scaled to 1{note}"
-    figure = new_figure(168.0, 26.0 + 30.0 * rows, title)
-    boxes = grid_boxes(figure, rows, _COLUMNS, margins=(9.0, 4.0, 12.0, 13.0), gaps=(6.0, 7.0))
+    several = 6.0 if len(result.rotor) > 1 else 0.0  # [mm] for their names
+    height = 26.0 + several + 30.0 * rows
+    figure = new_figure(168.0, height, title)
+    margins = (9.0, 4.0, 12.0, 13.0 + several)
+    boxes = grid_boxes(figure, rows, _COLUMNS, margins=margins, gaps=(6.0, 7.0))
     for place, (mode, box) in enumerate(zip(modes, boxes, strict=False)):
         last_row = place + _COLUMNS >= len(modes)
         axes = add_axes(figure, box, "x [mm]" if last_row else "")
         _panel(axes, result, mode, spindle)
         axes.tick_params(labelbottom=last_row, labelleft=place % _COLUMNS == 0)
+    if modes and several:
+        figure.legend(
+            *figure.axes[0].get_legend_handles_labels(),
+            loc="center",
+            bbox_to_anchor=(0.5, 1.0 - 10.0 / height),
+            ncols=len(result.rotor),
+            frameon=False,
+            fontsize=FONT_SIZE - 0.5,
+        )
     return figure
 
 
@@ -77,30 +94,41 @@ def _chosen(result: CampbellResult) -> list[int]:
 
 def _panel(axes: Axes, result: CampbellResult, mode: int, spindle: Spindle | None) -> None:
     node = result.node * 1e3
-    axes.set(xlim=(node[0], node[-1]), ylim=(-1.25, 1.25))
+    ends_of_all = float(node.min()), float(node.max())
+    axes.set(xlim=ends_of_all, ylim=(-1.25, 1.25))
     axes.set_yticks([-1.0, 0.0, 1.0])
-    axes.set_xticks(round_ticks(node[0], node[-1], 4))
+    axes.set_xticks(round_ticks(*ends_of_all, 4))
     axes.grid(visible=False)
     if spindle is not None:
         _outline(axes, spindle)
     columns = [result.dof.index(d) for d in _MOTION.get(result.kind[mode], ("y", "z"))]
     first = plane_curve(result.shape[0, mode][:, columns])
     last = plane_curve(result.shape[-1, mode][:, columns])
-    axes.plot(node, first, color=BLACK, lw=0.7)
-    axes.plot(node, np.sign(first @ last or 1.0) * last, color=BLUE, lw=1.5)
+    last = np.sign(first @ last or 1.0) * last
+    for place, rotor in enumerate(result.rotor):
+        own = np.array([name == rotor for name in result.node_rotor])
+        axes.plot(node[own], first[own], color=BLACK, lw=0.7)
+        axes.plot(node[own], last[own], color=_COLOURS[place % len(_COLOURS)], lw=1.5, label=rotor)
     ends = (0, -1) if result.shape_speed.size > 1 else (-1,)
     hertz = " → ".join(f"{result.frequency[end, mode]:.0f}" for end in ends)
     axes.set_title(f"{result.mode[mode]}: {hertz} Hz", fontsize=FONT_SIZE - 0.5, pad=3.0)
 
 
 def _outline(axes: Axes, spindle: Spindle) -> None:
-    """The shaft to its own scale along x and a common one across; bearings as marks."""
+    """The shafts to their own scale along x and a common one across; bearings as marks."""
     sketch = Sketch()
-    widest = max(s.outer_diameter for s in spindle.shaft.sections)
-    edges = spindle.shaft.boundaries
-    for section, a, b in zip(spindle.shaft.sections, edges, edges[1:], strict=False):
-        half = 0.55 * section.outer_diameter / widest
-        sketch.box(a * 1e3, b * 1e3, -half, half, "#F0F1F2", edge="#D5D8DA", width=0.5, z=1)
+    shafts = [spindle.part(name).shaft for name in spindle.ratios]
+    widest = max(s.outer_diameter for shaft in shafts for s in shaft.sections)
+    edges = sorted(x for shaft in shafts for x in shaft.boundaries)
+    for shaft in shafts:
+        ends = pairwise(shaft.boundaries)
+        for section, (a, b) in zip(shaft.sections, ends, strict=True):
+            half, hollow = (
+                0.55 * d / widest for d in (section.outer_diameter, section.inner_diameter)
+            )
+            walls = [(-half, half)] if shaft is shafts[0] else [(-half, -hollow), (hollow, half)]
+            for low, high in walls:
+                sketch.box(a * 1e3, b * 1e3, low, high, "#F0F1F2", edge="#D5D8DA", width=0.5, z=1)
     sketch.line([(edges[0] * 1e3, 0.0), (edges[-1] * 1e3, 0.0)], GREY, 0.5, "dashdot", z=2)
     for x in [s.x * 1e3 for s in spindle.seats] + [s.x * 1e3 for s in spindle.supports]:
         for side in (-1.0, 1.0):

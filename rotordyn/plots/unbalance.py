@@ -103,7 +103,8 @@ def _panel(
     *,
     last: bool,
 ) -> Axes:
-    axes = add_axes(figure, box, "speed [rpm]" if last else "", name)
+    whose = "speed [rpm]" if result.speed_ratio == 1.0 else "speed of the spindle [rpm]"
+    axes = add_axes(figure, box, whose if last else "", name)
     axes.tick_params(labelbottom=last)
     speed_ticks(axes, float(result.speed[-1]) * RPM.factor, 8)
     return axes
@@ -130,13 +131,15 @@ def _finish(axes: Axes) -> None:
 
 
 def _criticals(panels: Sequence[Axes], result: UnbalanceResult, wide: float) -> None:
-    """A thin line at every critical speed, its name above the first panel."""
+    """A thin line at every critical speed, its name above the first panel where there is room."""
     rpm = result.critical_speed * RPM.factor
     for axes in panels:
         for speed in rpm:
             axes.axvline(speed, color=GREY, lw=0.7, ls=":", zorder=1)
     low, high = panels[0].get_xlim()
     words = [f"{shortened(n, 20)}: {s:.0f}" for n, s in zip(result.critical, rpm, strict=True)]
+    if sum(map(len, words)) * _LETTER > wide:
+        words = [f"{speed:.0f}" for speed in rpm]  # too many to be named
     sizes = [(len(word) * _LETTER + 2.0) * (high - low) / wide for word in words]
     for place, word in zip(spread(rpm.tolist(), sizes, low, high), words, strict=True):
         panels[0].annotate(

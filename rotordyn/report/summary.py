@@ -11,6 +11,7 @@ import numpy as np
 
 from rotordyn.analysis.display import RPM, STIFFNESS
 from rotordyn.analysis.known import matches
+from rotordyn.analysis.on_rotors import Line, exciting
 from rotordyn.analysis.race_control import BOUNDARY_WORDS, fit_words
 from rotordyn.analysis.results import (
     BearingMapResult,
@@ -24,7 +25,7 @@ from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import Sleeve
+from rotordyn.machine.support import SPINDLE, Sleeve
 from rotordyn.report.accuracy import accuracy_words
 from rotordyn.report.known import known_lines
 from rotordyn.report.measured import measured_lines
@@ -88,11 +89,14 @@ def summary(
 
 
 def _machine(spindle: Spindle) -> list[str]:
-    m = rotor_inertia(spindle)
-    lines = [
-        f"rotor      {_mass(m.mass)}, centre of gravity at {m.centre * 1e3:.1f} mm, inertia polar "
-        f"{m.polar:.4g}, diametral {m.diametral:.4g} kg m²"
-    ]
+    lines = []
+    for name, ratio in spindle.ratios.items():
+        m = rotor_inertia(spindle.part(name))
+        turns = f"{name}, {ratio:g} × the speed, " if name != SPINDLE else ""
+        lines.append(
+            f"rotor      {turns}{_mass(m.mass)}, centre of gravity at {m.centre * 1e3:.1f} mm, "
+            f"inertia polar {m.polar:.4g}, diametral {m.diametral:.4g} kg m²"
+        )
     if spindle.seats:
         rows = ", ".join(
             unbroken(f"{s.name} {'+' if s.thrust > 0 else '−'} at {s.x * 1e3:.1f}")
@@ -139,31 +143,39 @@ def _modes(result: CampbellResult) -> list[str]:
     lines = [f"modes [Hz]{frame} {rpm}: " + "; ".join(map(unbroken, entries))]
     if len(result.speed) == 1:
         return lines
-    for order in sorted({1, *result.critical_order.astype(int).tolist()}):
-        known = _criticals(result, order)
-        none = "" if order > 1 else f"none from {rpm.replace('→', 'to')}{_nearest(result)}"
+    ratios = dict(zip(result.rotor, result.speed_ratio.tolist(), strict=True))
+    every = exciting(ratios, sorted({1, *result.critical_order.astype(int).tolist()}))
+    several = len({line.rotor for line in every}) > 1
+    for line in every:
+        known = _criticals(result, line)
+        none = "" if line.order > 1 else f"none from {rpm.replace('→', 'to')}"
+        if none and line.rotor == SPINDLE:
+            none += _nearest(result)
         if known or none:
-            lines.append(f"critical   {order}×, margin to top speed: {', '.join(known) or none}")
+            of = f" of {line.rotor}" if several else ""
+            told = ", ".join(known) or none
+            lines.append(f"critical   {line.order}×{of}, margin to top speed: {told}")
     return lines
 
 
-def _criticals(result: CampbellResult, order: int) -> list[str]:
-    """Critical speeds of an order that something which turns excites."""
+def _criticals(result: CampbellResult, line: Line) -> list[str]:
+    """Critical speeds on a line that something which turns excites."""
     last = result.speed[-1]
     return [
         unbroken(
             f"{name}{_turn(name, whirl)} {speed * RPM.factor:.0f} rpm "
             f"({(speed / last - 1.0) * 100.0:+.0f} %)"
         )
-        for name, whirl, speed, own, excited in zip(
+        for name, whirl, speed, rotor, own, excited in zip(
             result.critical,
             result.critical_whirl,
             result.critical_speed,
+            result.critical_rotor,
             result.critical_order,
             result.critical_excited,
             strict=True,
         )
-        if own == order and excited and last > 0.0
+        if (rotor, own) == (line.rotor, line.order) and excited and last > 0.0
     ]
 
 

@@ -29,13 +29,15 @@ from rotordyn.report.variables import as_array
 class Layout:
     """One file: a line per combination of ``rows``, the dimensions ``across`` side by side.
 
-    ``repeating``: quantities over some of the rows only are repeated along the others.
+    ``repeating``: quantities over some of the rows only are repeated along the others; ``several``:
+    written only where there is more than one of this dimension.
     """
 
     name: str
     rows: tuple[str, ...]
     across: tuple[str, ...] = ()
     repeating: bool = False
+    several: str = ""
 
 
 LAYOUTS = {
@@ -50,6 +52,8 @@ LAYOUTS = {
         Layout("campbell_modes", ("mode",)),
         Layout("campbell_critical", ("critical",)),
         Layout("campbell_shapes", ("shape_speed", "mode", "node"), ("dof",)),
+        Layout("campbell_nodes", ("node",), several="rotor"),
+        Layout("campbell_rotors", ("rotor",), several="rotor"),
     ),
     "frf": (
         Layout("frf_measured", ("measured",)),
@@ -88,6 +92,8 @@ def write_tables(folder: Path, results: Mapping[str, Any]) -> list[str]:
     names = []
     for analysis, result in results.items():
         for layout in LAYOUTS.get(analysis, ()):
+            if layout.several and len(getattr(result, layout.several)) < 2:
+                continue
             columns = tidy_columns(result, layout)
             if columns[0][1]:
                 names.append(_write(folder / f"{layout.name}.csv", columns))

@@ -32,8 +32,9 @@ def unbalance_lines(result: UnbalanceResult) -> list[str]:
         unbroken(f"{name} {_peak(values, '.4g')} N{_at(result, values)}")
         for name, values in zip(result.support, result.force_amplitude.T, strict=True)
     ]
+    turns = "" if result.speed_ratio == 1.0 else f" on {result.rotor}, at its speed"
     return [
-        f"unbalance  {_few(acting)}",
+        f"unbalance  {_few(acting)}{turns}",
         f"           largest half axis of the orbit, zero to peak: {_few(moved)}",
         f"           largest force, zero to peak: {_few(pushed)}",
         *_backward(result),
