@@ -27,9 +27,9 @@ PAGES = {
         "support.SeatEntry growth.GrowthEntry growth.QuadraticEntry growth.FitEntry "
         "growth.ShorteningEntry support.SleeveEntry support.SpringEntry support.SupportEntry "
         "housing.HousingEntry housing.ModelFilesEntry "
-        "joint.JointEntry joint.JointDampingEntry "
+        "joint.JointEntry joint.JointDampingEntry rotor.RotorEntry rotor.RotorDampingEntry "
         "matrix.WholeStiffnessEntry matrix.WholeDampingEntry "
-        "drawbar.DrawbarEntry spindle.DampingEntry spindle.RayleighEntry "
+        "drawbar.DrawbarEntry spindle.DampingEntry rotor.RayleighEntry "
         "support.BearingDampingEntry"
     ),
     "tool": "shaft.ToolEntry",

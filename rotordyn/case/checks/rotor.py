@@ -74,7 +74,9 @@ def on_rotors(
     """The questions and conditions of a case take further rotors."""
     if not spindle.rotors:
         return
-    for way, sentence in obstacles_of_rotors(entry.conditions, entry.analyses.model_fields_set):
+    asked, modes = entry.analyses.model_fields_set, entry.analyses.campbell
+    in_space = modes is not None and modes.shapes_3d is not None
+    for way, sentence in obstacles_of_rotors(entry.conditions, asked, in_space=in_space):
         faults.at_key(root, way, sentence)
     if spindle.bearings:
         for sentence in joined_along(supports, [rotor.name for rotor in spindle.rotors]):
