@@ -94,6 +94,7 @@ def _read_by(reader: PlainValidator, annotation: Any) -> str:
         "not freedoms": f"list: {allowed}",
         "not a name": "name",
         "not a point": "name of a point, or length",
+        "no name of a point": "name of a point",
         "not text": "text",
         "not a whole": f"whole number, {allowed}",
     }

@@ -135,7 +135,8 @@ def bounded(scene: Scene, motion: str) -> bool:
             return False
         named = list(system.parts)
     ways = tuple(way for name in named for way in _WAYS[name])
-    return not any(jump.damping for jump in jumps(scene.spindle, ways))
+    parts = (scene.spindle.part(name) for name in scene.spindle.ratios)
+    return not any(jump.damping for part in parts for jump in jumps(part, ways))
 
 
 def _left_vectors(found: Modes) -> NDArray[np.complex128]:

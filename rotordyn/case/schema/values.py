@@ -136,7 +136,7 @@ def _point(value: Any) -> str:
         return ""
     if not isinstance(value, str) or Named(dotted=True).refusal(value):
         raise wrong(
-            f"not a point: given {given(value)}; allowed: the name of a point, or ROTOR.POINT"
+            f"no name of a point: given {given(value)}; allowed: POINT, or ROTOR.POINT"
         )
     return value
 
