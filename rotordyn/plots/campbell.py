@@ -186,7 +186,11 @@ def orders(result: CampbellResult, teeth: Sequence[int]) -> dict[float, str]:
             name = f"{line.order}× {line.rotor}" if several else f"{line.order}×"
             same = named.get(line.size)
             named[line.size] = f"{same}, {name}" if same else name
-        return {**named, **{k: f"{k}× (teeth)" for k in teeth if k not in named}}
+        for k in teeth:
+            if k != 1:
+                same = named.get(k)
+                named[k] = f"{same}, {k}× (teeth)" if same else f"{k}× (teeth)"
+        return named
     named = {0: "unbalance at 0 Hz"}
     for k in teeth:
         named.setdefault(k - 1, f"{k - 1}× ({k} teeth, forward)")

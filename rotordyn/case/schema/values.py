@@ -135,9 +135,7 @@ def _point(value: Any) -> str:
     if value is UNKNOWN:
         return ""
     if not isinstance(value, str) or Named(dotted=True).refusal(value):
-        raise wrong(
-            f"no name of a point: given {given(value)}; allowed: POINT, or ROTOR.POINT"
-        )
+        raise wrong(f"no name of a point: given {given(value)}; allowed: POINT, or ROTOR.POINT")
     return value
 
 

@@ -1,0 +1,125 @@
+"""How figures and text tell several rotors apart, on the co-axial rotor of the cases."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from matplotlib.collections import LineCollection, PolyCollection
+
+from rotordyn.analysis import campbell, unbalance
+from rotordyn.analysis.loads import Unbalance
+from rotordyn.analysis.results import CampbellResult
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import CampbellSpec, Conditions, UnbalanceSpec
+from rotordyn.plots.campbell import campbell_figure, orders
+from rotordyn.plots.machine import machine_figure
+from rotordyn.plots.shapes import shapes_figure
+from rotordyn.plots.unbalance import response_figure
+from rotordyn.report.summary import summary
+from rotordyn.report.tables import write_tables
+from tests.oracles.coaxial import COAXIAL, OUTER
+from tests.oracles.spindles import RPM, case
+
+
+@pytest.fixture(scope="module")
+def scene() -> Scene:
+    return Scene(COAXIAL, Conditions(), np.linspace(0.0, 15000.0, 11) * RPM, 250.0)
+
+
+@pytest.fixture(scope="module")
+def modes(scene: Scene) -> CampbellResult:
+    return campbell.answer(scene, CampbellSpec(250.0, engine_orders=(1, 2)))
+
+
+def turning(ratio: float, modes: CampbellResult) -> CampbellResult:
+    return replace(modes, speed_ratio=np.array([1.0, ratio]))
+
+
+def test_every_rotor_has_its_lines(modes: CampbellResult) -> None:
+    assert orders(modes, [3, 4]) == {
+        1.0: "1× spindle",
+        2.0: "2× spindle",
+        1.5: "1× outer",
+        3.0: "2× outer, 3× (teeth)",
+        4: "4× (teeth)",
+    }
+    assert orders(turning(0.0, modes), ()) == {1.0: "1×", 2.0: "2×"}
+    assert orders(turning(-1.0, modes), ())[1.0] == "1× spindle, 1× outer"
+
+
+def test_critical_speeds_lie_on_the_line_that_excites(modes: CampbellResult) -> None:
+    (axes,) = campbell_figure(modes, max_frequency=250.0).axes
+    assert axes.get_xlabel() == "speed of the spindle [rpm]"
+    dots = next(line for line in axes.get_lines() if line.get_label() == "critical speed")
+    rpm, hertz = np.asarray(dots.get_xdata()), np.asarray(dots.get_ydata())
+    multiple = hertz / rpm * 60.0
+    assert set(np.round(multiple, 9)) == {1.0, 1.5, 2.0, 3.0}
+    for speed, frequency in zip(rpm[hertz < 250.0], hertz[hertz < 250.0], strict=True):
+        near = [np.interp(speed * RPM, modes.speed, f) for f in modes.frequency.T]
+        assert np.abs(np.array(near) / frequency - 1.0).min() < 0.02
+    lines = [c for c in axes.collections if isinstance(c, LineCollection)]
+    assert any(len(c.get_segments()) == 4 for c in lines)
+
+
+def test_shapes_have_a_line_per_rotor(modes: CampbellResult) -> None:
+    figure = shapes_figure(modes, COAXIAL)
+    for axes in figure.axes:
+        first, last = axes.get_xlim()
+        assert (first, last) == pytest.approx((0.0, 508.0))
+        spans = [np.asarray(line.get_xdata())[[0, -1]].tolist() for line in axes.get_lines()]
+        assert spans[:4] == [pytest.approx([0.0, 508.0])] * 2 + [pytest.approx([152.0, 406.0])] * 2
+    (legend,) = figure.legends
+    assert [text.get_text() for text in legend.get_texts()] == ["spindle", "outer"]
+    top = legend.get_window_extent(figure.canvas.get_renderer())  # type: ignore[attr-defined]
+    titles = [axes.title.get_window_extent() for axes in figure.axes]
+    assert not any(top.overlaps(box) for box in titles)
+
+
+def test_the_drawing_shows_the_outer_rotor_around_the_inner() -> None:
+    figure = machine_figure(COAXIAL)
+    (axes,) = figure.axes
+    words = {text.get_text() for text in axes.texts}
+    assert {"outer: 1.5 × the speed", "b3", "d2\n7 kg", "outer.d2\n203.0"} <= words
+    boxes = [
+        path.vertices[:4]
+        for c in axes.collections
+        if isinstance(c, PolyCollection)
+        for path in c.get_paths()
+        if len(path.vertices) == 5
+    ]
+    corners = {(*np.round(b.min(axis=0), 6), *np.round(b.max(axis=0), 6)) for b in boxes}
+    assert (152.0, 25.0, 406.0, 30.0) in corners  # its wall, cut
+    assert (152.0, -30.0, 406.0, 0.0) in corners  # its outside
+    assert (0.0, 0.0, 508.0, 15.0) in corners  # the inner one, seen in the bore
+    assert (401.0, 15.0, 411.0, 25.0) in corners  # the bearing between them
+
+
+def test_a_rotor_beside_and_one_within_can_be_drawn() -> None:
+    shaft = replace(OUTER.shaft, start=0.508)
+    beside = replace(OUTER, name="tail", shaft=shaft, masses=(), points={})
+    joint = replace(COAXIAL.supports[3], holds="tail", against="spindle")
+    machine = replace(
+        COAXIAL, rotors=(OUTER, beside), supports=(*COAXIAL.supports, replace(joint, name="b5"))
+    )
+    axes = machine_figure(machine).axes[0]
+    assert axes.get_xlim()[1] > 762.0
+    assert "tail: 1.5 × the speed" in {text.get_text() for text in axes.texts}
+
+
+def test_text_and_tables_name_the_rotors(modes: CampbellResult, scene: Scene, tmp_path) -> None:
+    spec = UnbalanceSpec(("d1", "outer.d2"), unbalances=(Unbalance("outer.d2", 1e-4),))
+    moved = unbalance.answer(scene, spec)
+    own = replace(case("lalanne_ferraris"), spindle=COAXIAL)
+    text = " ".join(summary(own, {"campbell": modes, "unbalance": moved}).split())
+    assert "rotor outer, 1.5 × the speed, 12.32 kg" in text
+    assert "critical 1× of spindle, margin to top speed: bending 1 bw 4289 rpm" in text
+    assert "critical 1× of outer, margin to top speed: bending 1 bw 3060 rpm" in text
+    assert "100 g·mm at 203.0 mm on outer, at its speed" in text
+    assert response_figure(moved).axes[-1].get_xlabel() == "speed of the spindle [rpm]"
+    names = write_tables(tmp_path, {"campbell": modes})
+    assert {"campbell_rotors.csv", "campbell_nodes.csv"} <= set(names)
+    lines = (tmp_path / "campbell_nodes.csv").read_text(encoding="utf-8").splitlines()
+    assert lines[0] == "station [mm],rotor of the node"
+    assert [line.rpartition(",")[2] for line in lines[1:]] == list(modes.node_rotor)
