@@ -74,7 +74,8 @@ def test_not_a_number_and_negative_zero_survive(tmp_path):
 
 def test_machine_without_sleeves_and_critical_speeds(tmp_path):
     none = {f"critical_{n}": np.array([]) for n in ("speed", "order", "damping")}
-    none |= {"critical_kind": (), "critical_whirl": (), "critical_excited": np.zeros(0, dtype=bool)}
+    none |= {f"critical_{n}": () for n in ("kind", "whirl", "rotor")}
+    none |= {"critical_excited": np.zeros(0, dtype=bool)}
     result = replace(samples.campbell(3), critical=(), **none)
     write_results(tmp_path / "r.nc", {"campbell": result})
     back = read_results(tmp_path / "r.nc")["campbell"]

@@ -26,7 +26,8 @@ def _rows(path):
 
 
 def test_every_layout_and_slice_has_its_file(folder):
-    planned = {f"{layout.name}.csv" for layouts in LAYOUTS.values() for layout in layouts}
+    every = (layout for layouts in LAYOUTS.values() for layout in layouts)
+    planned = {f"{layout.name}.csv" for layout in every if not layout.several}  # one rotor
     slices = {f"frf_{n}rpm.csv" for n in (0, 12000, 24000)}
     measured = {"frf_measured.csv", "frf_measured_peaks.csv"}  # nothing was
     assert {p.name for p in folder.iterdir()} == planned - measured | slices
