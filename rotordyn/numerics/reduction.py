@@ -54,8 +54,6 @@ def side_by_side(bases: Sequence[RitzBasis]) -> RitzBasis:
     """Of problems that nothing couples, as one; the values ascend within each alone."""
     from scipy.linalg import block_diag
 
-    if len(bases) == 1:
-        return bases[0]
     return RitzBasis(
         vectors=block_diag(*(basis.vectors for basis in bases)),
         values=np.concatenate([basis.values for basis in bases]),

@@ -149,10 +149,10 @@ class _Reduced:
 
     def beside(self, others: Sequence[_Reduced]) -> _Reduced:
         """With other rotors, on which no axial force acts."""
-        from scipy.linalg import block_diag
-
         if not others:
             return self
+        from scipy.linalg import block_diag
+
         every = (self, *others)
         names = ("at_nodes", "polar", "translational_mass", "joints", "turning")
         blocks = {name: block_diag(*(getattr(one, name) for one in every)) for name in names}

@@ -228,10 +228,10 @@ class _Reduced:
 
     def beside(self, others: Sequence[_Reduced]) -> _Reduced:
         """With the rods of other rotors."""
-        from scipy.linalg import block_diag
-
         if not others:
             return self
+        from scipy.linalg import block_diag
+
         every = (self, *others)
         left_out = [one.remainder for one in others if one.remainder]
         wholes = [one.unreduced for one in others if one.unreduced]
