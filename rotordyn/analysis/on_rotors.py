@@ -7,7 +7,7 @@ from typing import NamedTuple, Protocol
 
 from rotordyn.analysis.formulation import INERTIAL
 from rotordyn.analysis.shaft import EXACT
-from rotordyn.machine.support import SPINDLE
+from rotordyn.machine.support import GROUND, SPINDLE
 
 _REFUSED = {
     "stiffness": "the radial stiffness takes no further rotors: ask frf at a low frequency instead",
@@ -105,17 +105,24 @@ class Joining(Protocol):
     def stiffness(self) -> Mapping[tuple[str, str], object]: ...
 
 
-def joined_along(supports: Iterable[Joining], rotors: Iterable[str]) -> Iterator[str]:
-    """Beside bearings, whose preload moves the shaft along, nothing ties it to another rotor there.
+def joined_along(supports: Iterable[Joining]) -> Iterator[str]:
+    """Beside bearings, whose preload moves the shaft along, no other rotor ties it to ground there.
 
-    The preload state is that of the shaft by itself.
+    The preload state is that of the shaft by itself; what only hangs on the shaft goes along.
     """
-    others = set(rotors)
-    for support in supports:
-        ties = SPINDLE in support.ends and others & set(support.ends)
-        if ties and any("x" in pair for pair in support.stiffness):
-            yield (
-                f"support '{support.name}' ties the shaft along the axis to another rotor beside "
-                "bearings, whose preload state is that of the shaft alone: leave out its entries "
-                "of x"
-            )
+    ties = [s for s in supports if set(s.ends) != {SPINDLE, GROUND} and _along(s)]
+    reached, further = set[str](), {SPINDLE}
+    while further:
+        reached |= further
+        ends = {end for tie in ties for end in tie.ends if reached & set(tie.ends) - {GROUND}}
+        further = ends - reached
+    if GROUND in reached:
+        names = ", ".join(f"'{tie.name}'" for tie in ties if set(tie.ends) <= reached)
+        yield (
+            f"supports {names} tie the shaft along the axis to ground by way of another rotor, "
+            "beside bearings whose preload state is that of the shaft alone: leave out entries of x"
+        )
+
+
+def _along(support: Joining) -> bool:
+    return any("x" in pair for pair in support.stiffness)

@@ -141,7 +141,7 @@ def housings_agree(
     for way, sentence in refused if spindle.rotors else ():
         yield f"{'.'.join(way)}: {sentence}"
     if spindle.seats:
-        yield from joined_along(spindle.supports, [rotor.name for rotor in spindle.rotors])
+        yield from joined_along(spindle.supports)
     for way, sentence in obstacles_of_joints(conditions, analyses) if spindle.joints else ():
         yield f"{'.'.join(way)}: {sentence}"
     if not spindle.housings:

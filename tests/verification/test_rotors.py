@@ -26,7 +26,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from tests.oracles.coaxial import COAXIAL, INNER, OUTER, Together, bearing
 from tests.oracles.rotors import STEEL
-from tests.oracles.spindles import RPM
+from tests.oracles.spindles import RPM, case, mfw2310
 
 LIGHT = Material("light and stiff", 2.1e14, 0.3, 1.0)
 
@@ -125,6 +125,46 @@ def test_the_speed_ratio_is_that_of_the_gyroscopic_effect(ratio: float, polar: f
     on_shaft = PointMass("body", 0.2, 3.0 + own.mass, polar, 0.016 + own.diametral)
     alone = swinging(scene(replace(bare, masses=(on_shaft,)), (30000.0,), 800.0))
     assert found[:4] == pytest.approx(alone[:4], rel=3e-6)
+
+
+def ring_on(spindle: Spindle, **ends: str) -> Spindle:
+    """A balancing ring on a spindle, held in every way."""
+    x = 0.2
+    tube = Shaft(x - 0.01, (Section(0.02, 0.2, 0.19, STEEL),))
+    body = PointMass("body", x, 2.0, 0.02, 0.011)
+    ways = ("x", "y", "z", "thx", "thy", "thz")
+    every = {(way, way): 1e12 if len(way) == 1 else 1e10 for way in ways}
+    fit = LinearSupport("fit", x, every, holds="ring", against="spindle")
+    more = [replace(fit, name="foot", stiffness={("x", "x"): 1e6}, against="ground")]
+    return replace(
+        spindle,
+        rotors=(Rotor("ring", 1.0, tube, masses=(body,)),),
+        supports=(*spindle.supports, fit, *(more if ends else ())),
+    )
+
+
+def test_a_ring_on_a_spindle_with_bearings_is_a_mass_on_its_shaft() -> None:
+    """All motions, bearings in their preload state of the speed; their loads do not know of it."""
+    bare = mfw2310(rotor_damping=())  # modal, it would be of other modes
+    own = rotor_inertia(Spindle("tube", ring_on(bare).rotors[0].shaft))
+    mass = PointMass("ring", 0.2, 2.0 + own.mass, 0.02 + own.polar, 0.011 + own.diametral)
+    found, expected = (
+        Scene(machine, Conditions(accuracy=1e-7), np.array([24000.0]) * RPM, 3000.0)
+        for machine in (ring_on(bare), replace(bare, masses=(*bare.masses, mass)))
+    )
+    assert found.preload.net.response.load == pytest.approx(expected.preload.net.response.load)
+    for motion in ("bending", "axial", "torsion"):
+        ours, theirs = (s.vibration(motion)[1].pole[0] for s in (found, expected))
+        theirs = theirs[(theirs.imag > 1.0) & (theirs.imag < 2.0 * math.pi * 3000.0)]
+        assert len(theirs)
+        assert np.abs(ours[:, None] / theirs - 1.0).min(axis=0).max() < 1e-4
+
+
+def test_no_other_rotor_ties_a_spindle_with_bearings_to_ground_along_its_axis() -> None:
+    base = case("mfw2310")
+    assert replace(base, spindle=ring_on(mfw2310()), analyses={"campbell": CampbellSpec()})
+    with pytest.raises(InvalidInput, match="'fit', 'foot' tie the shaft along the axis to ground"):
+        replace(base, spindle=ring_on(mfw2310(), foot=""), analyses={"campbell": CampbellSpec()})
 
 
 # --- closed form of two rigid rotors -------------------------------------------------------------

@@ -79,5 +79,5 @@ def on_rotors(
     for way, sentence in obstacles_of_rotors(entry.conditions, asked, in_space=in_space):
         faults.at_key(root, way, sentence)
     if spindle.bearings:
-        for sentence in joined_along(supports, [rotor.name for rotor in spindle.rotors]):
+        for sentence in joined_along(supports):
             faults.at_key(root, (SPINDLE,), sentence)
