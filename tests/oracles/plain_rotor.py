@@ -78,8 +78,9 @@ class PlainRotor:
         mass, polar, stiffness = (np.zeros((4, 4)) for _ in range(3))
         for x, weight in zip(0.5 * h * (points + 1.0), 0.5 * h * weights, strict=True):
             v, theta, curvature, slip = at(x) @ shapes
-            mass += weight * self.density * (area * np.outer(v, v) + second * np.outer(theta, theta))
-            polar += weight * self.density * 2.0 * second * np.outer(theta, theta)
+            turning = weight * self.density * second * np.outer(theta, theta)
+            mass += weight * self.density * area * np.outer(v, v) + turning
+            polar += 2.0 * turning
             stiffness += weight * bending * np.outer(curvature, curvature)
             stiffness += weight * shear * np.outer(slip, slip)
         return mass, polar, stiffness
