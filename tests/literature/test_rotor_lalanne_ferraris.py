@@ -175,15 +175,7 @@ def test_undamped_values_from_a_case_file(tmp_path: Path) -> None:
 
 
 CRITICAL = (3620.4, 3798.1, 10016.9, 11278.2, 16768.9, 24398.8, 26602.7)  # CHECKED, undamped
-BOOK = (
-    3620.4,
-    3798.1,
-    10018.0,
-    11279.0,
-    16785.0,
-    24408.0,
-    26611.0,
-)  # the book's as quoted elsewhere, 1e-3 apart
+BOOK = (3620.4, 3798.1, 10018.0, 11279.0, 16785.0, 24408.0, 26611.0)  # as quoted elsewhere, 1e-3
 
 
 def test_unbalance_response_peaks_at_the_critical_speeds() -> None:
