@@ -1,9 +1,9 @@
 """Friswell, Penny, Garvey, Lees: Dynamics of Rotating Machines (2010), examples as case files.
 
 Each is written as a user would write it and run through the public interface. CHECKED are values of
-an independent finite-element code with the book's six elements and Hutchinson's coefficient, ROSS
-those that the open code of that name prints in its user guide or tests, with Cowper's; both of them
-to the digits printed. ROSS has a torsion mode at 103.52 Hz in its lists, which the book's model has
+an independent finite-element code with the book's six elements and Hutchinson's coefficient, those
+called ross are printed by the open code of that name (Timbó and others 2020) in its user guide or
+its tests, with Cowper's coefficient; both of them are met to the digits printed. ROSS has a torsion mode at 103.52 Hz in its lists, which the book's model has
 not; it is left out here (``test_rotor_friswell.py`` meets it as torsion).
 """
 

@@ -1,8 +1,8 @@
 """Further examples of Friswell, Penny, Garvey, Lees: Dynamics of Rotating Machines (2010).
 
-As case files, against what the open code ROSS prints for them in its user guide (examples 16, 24,
-25), to the digits printed: disc and shaft joined in four ways, an overhung rotor on nine pairs of
-bearings, a tapered shaft.
+As case files, against what the open code ROSS (Timbó and others 2020) prints for them in its user
+guide (examples 16, 24, 25), to the digits printed: disc and shaft joined in four ways, an overhung
+rotor on nine pairs of bearings, a tapered shaft.
 """
 
 from __future__ import annotations
