@@ -13,6 +13,7 @@ from rotordyn.analysis.display import RPM, STIFFNESS
 from rotordyn.analysis.known import matches
 from rotordyn.analysis.race_control import BOUNDARY_WORDS, fit_words
 from rotordyn.analysis.results import (
+    CREEPING,
     BearingMapResult,
     CampbellResult,
     ControlResult,
@@ -132,9 +133,12 @@ def _modes(result: CampbellResult) -> list[str]:
         return ["modes      none in the band asked for"]
     rpm = f"{from_to(result.speed * RPM.factor, 0)} rpm"
     entries = [
-        f"{name} {from_to(values)}{_whirl(name, w)}"
-        for name, values, w in zip(result.mode, result.frequency.T, result.whirl[-1], strict=True)
+        f"{result.mode[k]} {from_to(result.frequency[:, k])}"
+        f"{_whirl(result.mode[k], result.whirl[-1, k])}"
+        for k in np.flatnonzero(~result.creeping)
     ]
+    if result.creeping.any():
+        entries.append(f"{result.creeping.sum()} more that hardly swing")
     frame = " in the turning frame" if turning(result) else ""
     lines = [f"modes [Hz]{frame} {rpm}: " + "; ".join(map(unbroken, entries))]
     if len(result.speed) == 1:
@@ -160,7 +164,7 @@ def _criticals(result: CampbellResult, order: int) -> list[str]:
             result.critical_whirl,
             result.critical_speed,
             result.critical_order,
-            result.critical_excited,
+            result.critical_excited & (result.critical_damping <= CREEPING),
             strict=True,
         )
         if own == order and excited and last > 0.0
@@ -177,8 +181,8 @@ def _nearest(result: CampbellResult) -> str:
     hertz = result.speed[-1] / (2.0 * math.pi)
     chosen = [
         k
-        for k, kind in enumerate(result.kind)
-        if kind == "bending" and result.whirl[-1, k] >= 0.0 and hertz > 0.0
+        for k in np.flatnonzero(~result.creeping)
+        if result.kind[k] == "bending" and result.whirl[-1, k] >= 0.0 and hertz > 0.0
     ]
     if not chosen:
         return ""
