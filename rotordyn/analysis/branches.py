@@ -28,9 +28,25 @@ Matrix = NDArray[np.inexact[Any]]
 MARGIN = 1.5  # modes up to this multiple of the highest frequency are followed
 WITHIN = 1.1  # doubts about modes above this multiple are left
 ROUNDS, MOST_STEPS = 12, 400  # of further speeds; of speeds in all
+MOST_KNOTS = 200  # of tables of supports, beyond which only every second (third …) is taken
 NARROWEST = 1e-7  # of the range of speeds: no finer steps
 FARTHEST = 0.3  # of a pole: a larger change over a step is not believed
 PLANAR = 1e-6  # whirl degree below which a motion is straight
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Track:
+    """One mode at every ``speed`` (s,) [rad/s] at which it was solved for, those between the speeds
+    of the case included; ``pole`` (s,) is NaN where it is ``lost``; ``vector`` (s, n)."""
+
+    speed: Array
+    pole: Complex
+    vector: Complex
+
+    @property
+    def lost(self) -> NDArray[np.bool_]:
+        """(s,)"""
+        return np.isnan(self.pole)
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +55,7 @@ class Branch:
 
     ``degree``: share of the kinetic energy in forward circular motion less that in backward.
     ``vector`` (speeds, n): its displacements in the coordinates of its system.
-    Poles are those of the fixed frame, whatever the formulation.
+    Poles are those of the fixed frame, whatever the formulation. ``track``: at more speeds.
     """
 
     kind: str
@@ -47,6 +63,7 @@ class Branch:
     degree: Array
     column: NDArray[np.intp]
     vector: Complex
+    track: Track
 
     @property
     def frequency(self) -> Array:
@@ -129,6 +146,10 @@ def _followed(
     Where it is not clear between two speeds who is who, the machine is solved at further ones.
     """
     sweep = _Sweep.of(scene, home, spec.max_frequency)
+    bends = home == "bending" or {"bending", home} <= scene.coupled_motions
+    knots = knots_between(scene) if bends else ()
+    if len(knots):
+        sweep = sweep.refined(scene, home, spec.max_frequency, list(knots))
     for _ in range(ROUNDS):
         wanted = [x for side in sides for x in sweep.doubts(spec, side)]
         if not wanted or len(sweep.steps) > MOST_STEPS:
@@ -224,10 +245,9 @@ class _Sweep:
         ahead = [side * pole.imag[own] for pole, own in zip(expected, columns, strict=True)]
         path = follow(*self._followable(columns, side), ahead)
         given = [k for k, step in enumerate(self.steps) if step.given]
-        seen = path[given]
         return [
-            self._branch(kind, side, given, [columns[k] for k in given], seen[:, own])
-            for own in np.flatnonzero((seen >= 0).any(axis=0))
+            self._branch(kind, side, given, columns, path[:, own])
+            for own in np.flatnonzero((path[given] >= 0).any(axis=0))
         ]
 
     def _followable(
@@ -242,18 +262,28 @@ class _Sweep:
         self,
         kind: str,
         side: float,
-        rows: list[int],
+        given: list[int],
         columns: list[NDArray[np.intp]],
         place: NDArray[np.intp],
     ) -> Branch:
-        """One path: its ``place`` among the ``columns`` of every given step."""
+        """One path: its ``place`` among the ``columns`` of every step; −1 where it is lost."""
         column = np.array([c[p] if p >= 0 else -1 for c, p in zip(columns, place, strict=True)])
-        steps = [self.steps[row] for row in rows]
-        pole = np.array([step.pole[c] for step, c in zip(steps, column, strict=True)])
-        pole = np.where(column >= 0, pole, complex(np.nan, np.nan))
-        vector = np.array([step.vector[:, c] for step, c in zip(steps, column, strict=True)])
-        degree = side if kind == "bending" else 0.0
-        return Branch(kind, pole, np.where(column < 0, np.nan, degree), column, vector)
+        both = list(zip(self.steps, column, strict=True))
+        pole = np.array([step.pole[c] for step, c in both])
+        vector = np.array([step.vector[:, c] for step, c in both])
+        pole[column < 0] = complex(np.nan, np.nan)
+        track = Track(np.array([step.speed for step in self.steps]), pole, vector)
+        seen, degree = column[given], side if kind == "bending" else 0.0
+        whirl = np.where(seen < 0, np.nan, degree)
+        return Branch(kind, pole[given], whirl, seen, vector[given], track)
+
+
+def knots_between(scene: Scene) -> Array:
+    """Speeds [rad/s] of tables of supports between those of the case, where lines bend."""
+    speed = scene.speed[scene.usable]
+    knots = np.array([at for support in scene.spindle.supports for at in support.speeds])
+    inside = knots[(knots > speed[0]) & (knots < speed[-1])] if len(knots) else knots
+    return np.unique(inside)[:: 1 + len(inside) // MOST_KNOTS]
 
 
 def whirl_degree(vector: Complex, lost: NDArray[np.bool_]) -> Array:

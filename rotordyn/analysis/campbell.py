@@ -14,7 +14,7 @@ from rotordyn.analysis.character import character, rigid_share
 from rotordyn.analysis.criticals import critical_speeds
 from rotordyn.analysis.exact_bending import ExactBending
 from rotordyn.analysis.formulation import ROTATING
-from rotordyn.analysis.results import CampbellResult, TurningCampbellResult
+from rotordyn.analysis.results import CREEPING, CampbellResult, TurningCampbellResult
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.shapes import both_planes, scaled
 from rotordyn.analysis.specs import CampbellSpec
@@ -163,11 +163,12 @@ def _within(branches: list[Branch], highest: float, radius: Array) -> Array:
     return np.sum(inside, axis=0) + np.zeros(len(radius))
 
 
-def _place(branch: Branch) -> tuple[str, float, float]:
-    """Bending, axial, torsion; from below; of twins the backward one first."""
+def _place(branch: Branch) -> tuple[str, bool, float, float]:
+    """Bending, axial, torsion; creeping ones last; from below; of twins the backward one first."""
     kind = {"bending": "0", "axial": "1", "torsion": "2"}[branch.kind]
+    creeps = not (-branch.pole.real <= CREEPING * np.abs(branch.pole)).any()
     first = branch.born
-    return kind, float(f"{branch.frequency[first]:.8g}"), float(branch.whirl[first])
+    return kind, creeps, float(f"{branch.frequency[first]:.8g}"), float(branch.whirl[first])
 
 
 def _names(branches: list[Branch]) -> tuple[str, ...]:

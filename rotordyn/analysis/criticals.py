@@ -1,21 +1,23 @@
 """Critical speeds: where a mode turns at a whole multiple of a rotor's speed, each solved for.
 
-Two ways lead to them. Where nothing but the gyroscopic effect depends on speed, all are the
-eigenvalues of one problem (``synchronous``), whatever the speeds of the case. Where bearings change
-with speed, and for axial motion and torsion, the lines of the followed modes say between which
-speeds they are. Either way the machine is then solved anew at the speed found, damping and all,
-until the mode turns at the multiple of it to rounding.
+Two ways lead to them. Where but the gyroscopic effect only the tables of supports depend on speed,
+all between two knots are the eigenvalues of one problem (``synchronous``), whatever the speeds of
+the case. Where bearings change with speed, and for axial motion and torsion, the lines of the
+followed modes say between which speeds they are. Either way the machine is then solved anew at the
+speed found, damping and all, until the mode turns at the multiple of it to rounding.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import pairwise
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.branches import Branch, whirl_degree
+from rotordyn.analysis.branches import Branch, knots_between, whirl_degree
 from rotordyn.analysis.character import whirl_along
 from rotordyn.analysis.formulation import ROTATING, SOFTENED
 from rotordyn.analysis.on_rotors import Line, exciting
@@ -31,6 +33,7 @@ from rotordyn.system.longitudinal import RodSystem
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+Matrix = NDArray[np.inexact[Any]]
 SAME, ALIKE = 1e-7, 0.5  # of the speed, likeness: one root found twice
 
 
@@ -56,7 +59,7 @@ def critical_speeds(
     starts = [
         start
         for line in lines
-        for start in (*_direct(scene, branches, line), *_crossed(scene, branches, line))
+        for start in (*_direct(scene, branches, line), *_crossed(branches, line))
     ]
     found: list[tuple[Start, float, State]] = []
     for start, speed, state in solved(scene, spec, branches, starts):
@@ -69,69 +72,80 @@ def critical_speeds(
     return sorted(criticals, key=lambda c: (lines.index(c.line), c.speed))
 
 
-def _crossed(scene: Scene, branches: Sequence[Branch], line: Line) -> list[Start]:
-    """Crossings of followed modes with a line, on the local cubic."""
-    starts, speed = [], scene.speed[scene.usable]
+def _crossed(branches: Sequence[Branch], line: Line) -> list[Start]:
+    """Crossings of followed modes with the line, on the local cubic."""
+    starts = []
     for place, branch in enumerate(branches):
-        miss = np.abs(branch.pole.imag) - line.size * speed
+        track, speed = branch.track, branch.track.speed
+        miss = np.abs(track.pole.imag) - line.size * speed
         for zero in zero_crossings(speed, miss):
             if zero <= 0.0:
                 continue
             row = int(np.clip(np.searchsorted(speed, zero) - 1, 0, max(len(speed) - 2, 0)))
-            ends = [k for k in (row, row + 1) if k < len(speed) and branch.column[k] >= 0]
+            ends = [k for k in (row, row + 1) if k < len(speed) and not track.lost[k]]
             near = min(ends, key=lambda k: abs(speed[k] - zero))
-            side = np.sign(branch.pole[near].imag)
+            side = np.sign(track.pole[near].imag)
             low, high = float(speed[ends[0]]), float(speed[ends[-1]])
-            starts.append(Start(place, line, zero, low, high, branch.vector[near], side))
+            starts.append(Start(place, line, zero, low, high, track.vector[near], side))
     return starts
 
 
 def _direct(scene: Scene, branches: Sequence[Branch], line: Line) -> list[Start]:
-    """All synchronous motions of bending between the speeds of the case, where only the gyroscopic
-    effect depends on speed; each for the followed mode that it is most like."""
-    if not _constant(scene):
+    """All synchronous motions of bending between the speeds of the case, where the matrices follow
+    straight lines of speed from knot to knot; each for the followed mode that it is most like."""
+    if not _piecewise(scene):
         return []
     system: LateralSystem = scene.bending
-    speed, polar = scene.speed[scene.usable], system.rotor.polar
+    polar, speed = system.rotor.polar, scene.speed[scene.usable]
+    ends = np.unique(np.concatenate([speed[[0, -1]], knots_between(scene)]))
+    stiffness = _conservative(scene.at(ends).bending.stiffness)
     starts, zero = [], np.zeros_like(polar)
     for side in (1.0, -1.0) if system.isotropic else (1.0,):
         gyroscopic = -1j * side * polar
         if not system.isotropic:
             gyroscopic = np.block([[zero, polar], [-polar, zero]])
-        spins, vectors = synchronous(system.stiffness[0], gyroscopic, line.size)
-        for spin, vector in zip(spins, vectors.T, strict=True):
-            if not speed[0] <= spin <= speed[-1]:
-                continue
-            place = _owner(branches, speed, spin, line, vector, side)
-            if place is not None:
-                low, high = float(speed[0]), float(speed[-1])
-                starts.append(Start(place, line, float(spin), low, high, vector, side))
+        for (low, high), (slow, fast) in zip(pairwise(ends), pairwise(stiffness), strict=True):
+            slope = (fast - slow) / (high - low)
+            spins, vectors = synchronous(slow - low * slope, gyroscopic, line.size, slope)
+            for spin, vector in zip(spins, vectors.T, strict=True):
+                if not low <= spin <= high:
+                    continue
+                place = _owner(branches, spin, line, vector, side)
+                if place is not None:
+                    at = float(speed[0]), float(speed[-1])
+                    starts.append(Start(place, line, float(spin), *at, vector, side))
     return starts
 
 
-def _constant(scene: Scene) -> bool:
-    """True where bending is that of elements on supports that do not change with speed."""
+def _conservative(stiffness: Matrix) -> Matrix:
+    """Its Hermitian part: what turns with the shaft or couples the planes one way only shifts roots
+    off the real axis, from where they would not be taken up."""
+    return np.asarray(0.5 * (stiffness + np.swapaxes(stiffness, -1, -2).conj()))
+
+
+def _piecewise(scene: Scene) -> bool:
+    """True where bending is that of elements, and its stiffness changes with the tables of supports
+    alone."""
     force = None if "bending" in scene.coupled_motions else scene.bending.force
     return (
         "bending" not in scene.coupled_motions
         and not scene.bends_exactly
         and not scene.spindle.seats
-        and not any(support.speeds for support in scene.spindle.supports)
         and scene.conditions.formulation not in (ROTATING, SOFTENED)
         and (force is None or bool((force == force[:1]).all()))
     )
 
 
 def _owner(
-    branches: Sequence[Branch], speed: Array, spin: float, line: Line, vector: Complex, side: float
+    branches: Sequence[Branch], spin: float, line: Line, vector: Complex, side: float
 ) -> int | None:
-    """The followed bending mode most like a motion, at the speed of the case next to it."""
-    row = int(np.abs(speed - spin).argmin())
+    """The followed bending mode most like a motion, at the speed known next to it."""
     score = np.full(len(branches), -np.inf)
     for place, branch in enumerate(branches):
-        pole = branch.pole[row]
-        if branch.kind == "bending" and branch.column[row] >= 0 and side * pole.imag > 0.0:
-            alike = float(likeness(branch.vector[row][:, None], vector[:, None])[0, 0])
+        row = int(np.abs(branch.track.speed - spin).argmin())
+        pole = branch.track.pole[row]
+        if branch.kind == "bending" and side * pole.imag > 0.0:
+            alike = float(likeness(branch.track.vector[row][:, None], vector[:, None])[0, 0])
             turned = line.size * spin
             apart = abs(abs(pole.imag) - turned) / max(abs(pole.imag), turned)
             score[place] = alike - apart

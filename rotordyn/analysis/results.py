@@ -22,6 +22,7 @@ Complex = NDArray[np.complex128]
 Flags = NDArray[np.bool_]
 Words = tuple[str, ...]
 ROUNDING = 1e-6  # of a damping ratio
+CREEPING = 0.99  # damping ratio above which a motion hardly swings
 
 
 @dataclass(frozen=True)
@@ -128,6 +129,11 @@ class CampbellResult:
     def unstable(self) -> Flags:
         """Where a mode grows by itself (speeds, modes)."""
         return np.asarray(self.damping_ratio < -ROUNDING)
+
+    @property
+    def creeping(self) -> Flags:
+        """Modes that hardly swing at any speed (modes,): counted, but neither drawn nor listed."""
+        return np.asarray(~(self.damping_ratio <= CREEPING).any(axis=0))
 
 
 @dataclass(frozen=True)

@@ -30,14 +30,15 @@ def stability_threshold(
 
     Infinite and "" where none does; the first speed where one grows from there on.
     """
-    speed, found = scene.speed[scene.usable], [(math.inf, "")]
+    found = [(math.inf, "")]
     for branch, name in zip(branches, names, strict=True):
-        growing = branch.pole.real > NEUTRAL * np.abs(branch.pole)
+        track, speed = branch.track, branch.track.speed
+        growing = track.pole.real > NEUTRAL * np.abs(track.pole)
         if not growing.any():
             continue
         row = int(growing.argmax())
         begin = float(speed[row])
-        if row and branch.column[row - 1] >= 0:
+        if row and not track.lost[row - 1]:
             home = home_of(scene, branch.kind)
             begin = _begin(scene, spec, home, float(speed[row - 1]), begin)
         found.append((begin, name))

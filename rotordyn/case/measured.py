@@ -135,7 +135,7 @@ def _flat(text: str) -> str:
 def _from_table(path: Path, pair: str) -> Record:
     try:
         with path.open(newline="", encoding="utf-8-sig") as file:
-            rows = [row for row in csv.reader(file) if any(cell.strip() for cell in row)]
+            rows = [row for row in csv.reader(file) if _holds(row)]
     except (UnicodeDecodeError, csv.Error) as error:
         raise InvalidInput(f"not a table in UTF-8: {error}") from None
     if not rows:
@@ -156,6 +156,11 @@ def _from_table(path: Path, pair: str) -> Record:
     if min(one) < 0.0:
         raise InvalidInput(f"an amplitude below zero: given {min(one) / scale:g}")
     return _record(quantity, frequency, [cmath.rect(a, p) for a, p in zip(one, phase, strict=True)])
+
+
+def _holds(row: Sequence[str]) -> bool:
+    """False for an empty line and for a remark, which begins with #."""
+    return any(cell.strip() for cell in row) and not row[0].lstrip().startswith("#")
 
 
 def _columns(header: Sequence[str], pair: str) -> dict[str, tuple[int, str]]:

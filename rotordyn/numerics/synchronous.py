@@ -1,7 +1,8 @@
 """Motions that turn at a multiple of the spin, whole or not, solved for at once.
 
-Where K and M do not depend on the spin Ω, undamped whirl ω = ±nΩ of K + ωΩP − ω² M is an ordinary
-eigenproblem, K φ = ω² (M ∓ P/n) φ: every root at once, no crossing to be looked for.
+Where M does not depend on the spin Ω and K = K₀ + Ω K₁ at most on a straight line, undamped whirl
+ω = ±nΩ of K + ωΩP − ω² M is an eigenproblem of Ω, K₀ φ + Ω K₁ φ = (nΩ)² (M ∓ P/n) φ: every root
+at once, no crossing to be looked for.
 """
 
 from __future__ import annotations
@@ -14,22 +15,36 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Matrix = NDArray[np.inexact[Any]]
-REAL = 1e-6  # of ω²: less imaginary part than that is rounding or a slight asymmetry
+REAL = 1e-6  # of Ω²: less imaginary part than that is rounding or a slight asymmetry
 
 
-def synchronous(stiffness: Matrix, gyroscopic: Matrix, order: float) -> tuple[Array, Complex]:
-    """Spins Ω > 0 (k,), ascending, and vectors (n, k) of q̈ + Ω G q̇ + K q = 0 with e^(i n Ω t).
+def synchronous(
+    stiffness: Matrix, gyroscopic: Matrix, order: float, slope: Matrix | None = None
+) -> tuple[Array, Complex]:
+    """Spins Ω > 0 (k,), ascending, and vectors (n, k) of q̈ + Ω G q̇ + (K₀ + Ω K₁) q = 0 with
+    e^(i n Ω t).
 
-    Of unit mass: K φ = (nΩ)² (1 − i G/n) φ. ``gyroscopic`` G (n, n); −iP in the complex form, where
+    Of unit mass: (K₀ + Ω K₁) φ = (nΩ)² (1 − i G/n) φ. ``stiffness`` K₀, ``gyroscopic`` G and
+    ``slope`` K₁ (n, n), which is zero if not given; G is −iP in the complex form, where
     e^(−i n Ω t), backward, is found by the conjugate G.
     """
     from scipy.linalg import eig
 
-    mass = np.eye(len(stiffness)) - 1j * gyroscopic / order
-    squares, vectors = eig(stiffness, mass)
+    size = len(stiffness)
+    inertia = np.eye(size) - 1j * gyroscopic / order
+    if slope is None or not slope.any():
+        squares, vectors = eig(stiffness, inertia)
+        squares = squares / order**2
+    else:
+        one, zero = np.eye(size), np.zeros((size, size))
+        scale = np.sqrt(np.abs(stiffness).max()) / order
+        whole = np.block([[zero, one], [stiffness / scale**2, slope / scale]])
+        spins, vectors = eig(whole, np.block([[one, zero], [zero, order**2 * inertia]]))
+        spins, vectors = scale * spins[spins.real > 0.0], vectors[:size, spins.real > 0.0]
+        squares = spins**2
     with np.errstate(invalid="ignore"):
         turning = np.isfinite(squares) & (squares.real > 0.0)
         turning &= np.abs(squares.imag) <= REAL * np.abs(squares)
-    spin = np.sqrt(squares[turning].real) / order
+    spin = np.sqrt(squares[turning].real)
     ascending = np.argsort(spin)
     return spin[ascending], vectors[:, turning][:, ascending]

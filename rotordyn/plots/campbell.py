@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM
 from rotordyn.analysis.on_rotors import exciting
-from rotordyn.analysis.results import CampbellResult, turning
+from rotordyn.analysis.results import CREEPING, CampbellResult, turning
 from rotordyn.machine.reference import Reference
 from rotordyn.plots.labels import axis_label, spread
 from rotordyn.plots.legends import legend
@@ -65,7 +65,7 @@ def campbell_figure(
     speed_ticks(axes, float(rpm[-1]))
     axes.set_ylim(0.0, top)
     draw_modes(axes, result)
-    _unstable(axes, result)
+    draw_unstable(axes, result)
     excitation = draw_orders(axes, orders(result, teeth), float(rpm[-1]), top)
     _criticals(axes, result)
     draw_known(axes, () if turning(result) else references)
@@ -86,7 +86,8 @@ def whirl_segments(result: CampbellResult) -> Segments:
     """Curves of (rpm, Hz) by look; a mode that changes its whirl is cut there."""
     rpm = result.speed * RPM.factor
     found: Segments = {}
-    for column, kind in enumerate(result.kind):
+    for column in np.flatnonzero(~result.creeping):
+        kind = result.kind[column]
         frequency, whirl = result.frequency[:, column], result.whirl[:, column]
         looks = [_look(kind, w) for w in whirl]
         if len(looks) > 1:
@@ -153,7 +154,7 @@ def draw_known(axes: Axes, references: Sequence[Reference], edge: str = BLACK) -
         )
 
 
-def _unstable(axes: Axes, result: CampbellResult) -> None:
+def draw_unstable(axes: Axes, result: CampbellResult) -> None:
     """A broad band behind every mode where it grows by itself."""
     if not result.unstable.any():
         return
@@ -230,6 +231,7 @@ def draw_orders(
 
 def _criticals(axes: Axes, result: CampbellResult) -> None:
     shown = result.critical_excited & (result.critical_speed <= result.speed[-1])
+    shown &= result.critical_damping <= CREEPING
     if turning(result):
         shown &= result.critical_order == 1  # others meet no line there: see ``orders``
     speeds = result.critical_speed[shown] * RPM.factor
@@ -256,7 +258,8 @@ def _name_modes(
     from matplotlib.collections import LineCollection
 
     last = result.frequency[-1]
-    shown = [k for k in range(last.size) if np.isfinite(last[k]) and last[k] <= top]
+    drawn = np.isfinite(last) & (last <= top) & ~result.creeping
+    shown = np.flatnonzero(drawn).tolist()
     labels = [(float(last[k]), f"{result.mode[k]}  {last[k]:.0f}") for k in shown]
     looks = [LOOKS[_look(result.kind[k], result.whirl[-1, k])][0] for k in shown]
     labels += list(excitation)

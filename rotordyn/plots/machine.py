@@ -97,7 +97,7 @@ def _reach(spindle: Spindle) -> float:
     radii += [d.outer_diameter / 2.0 for part in parts for d in part.discs]
     radii += [(s.bearing.pitch_diameter + 2.1 * s.bearing.ball_diameter) / 2 for s in spindle.seats]
     sleeves = 9.0 if spindle.sleeves else 0.0
-    return max(radii) * 1e3 + max(sleeves, 12.0 if spindle.supports else 2.0)
+    return max(radii) * 1e3 + max(sleeves, 1.2 * _foot(spindle) if spindle.supports else 2.0)
 
 
 def _draw_shaft(sketch: Sketch, spindle: Spindle, shades: dict[str, str], rank: int) -> None:
@@ -236,20 +236,28 @@ def _sleeve_words(sleeve: Sleeve) -> str:
     return f"{sleeve.name}: {', '.join(parts)}"
 
 
+def _foot(spindle: Spindle) -> float:
+    """How far the ground is below the shaft [mm]."""
+    return 0.02 * (spindle.shaft.end - spindle.shaft.start) * 1e3
+
+
 def _supports(sketch: Sketch, spindle: Spindle) -> None:
     """Linear supports as a spring from a rotor down to the ground, rigid ones as a wedge."""
+    foot = _foot(spindle)
     for support in spindle.supports:
         x = support.x * 1e3
         if support.against != GROUND:
             _between(sketch, spindle, support)
             continue
-        radius, foot = _outside(spindle, support), _foot(spindle, support)
+        radius, ground = _outside(spindle, support), _ground(spindle, support)
         if support.rigid:
-            sketch.polygon([(x, -radius), (x - 4.0, foot), (x + 4.0, foot)], "#FFFFFF", edge=BLUE)
+            left, right = (x - 0.4 * foot, ground), (x + 0.4 * foot, ground)
+            sketch.polygon([(x, -radius), left, right], "#FFFFFF", edge=BLUE)
         else:
-            sketch.line(spring((x, -radius), (x, foot), 2.0), BLUE, 1.0)
+            sketch.line(spring((x, -radius), (x, ground), 0.2 * foot), BLUE, 1.0)
         if support.name not in {name for each in spindle.housings for name in each.carries}:
-            draw_ground(sketch, x, foot, 4.0, upright=False, side=-1.0)
+            unit = 0.1 * foot
+            draw_ground(sketch, x, ground, 4.0 * unit, upright=False, side=-1.0, unit=unit)
     for housing in spindle.housings:
         _housing(sketch, spindle, housing)
 
@@ -260,14 +268,14 @@ def _outside(spindle: Spindle, support: LinearSupport) -> float:
     return shaft.section_at(support.x).outer_diameter * 500.0
 
 
-def _foot(spindle: Spindle, support: LinearSupport) -> float:
+def _ground(spindle: Spindle, support: LinearSupport) -> float:
     """Where a support stands on ground [mm]: below every rotor there."""
     there = [
         part.shaft.section_at(support.x).outer_diameter * 500.0
         for part in _parts(spindle).values()
         if part.shaft.start <= support.x <= part.shaft.end
     ]
-    return -max(_outside(spindle, support), *there, 0.0) - 10.0
+    return -max(_outside(spindle, support), *there, 0.0) - _foot(spindle)
 
 
 def _between(sketch: Sketch, spindle: Spindle, support: LinearSupport) -> None:
@@ -291,13 +299,14 @@ def _gap(spindle: Spindle, support: LinearSupport) -> tuple[float, float]:
 
 def _housing(sketch: Sketch, spindle: Spindle, housing: Housing) -> None:
     """A block under the supports that it carries."""
-    feet = [(s.x * 1e3, _foot(spindle, s)) for s in spindle.supports if s.name in housing.carries]
+    foot = _foot(spindle)
+    feet = [(s.x * 1e3, _ground(spindle, s)) for s in spindle.supports if s.name in housing.carries]
     if feet:
-        left, right = min(x for x, _ in feet) - 4.0, max(x for x, _ in feet) + 4.0
-        low = min(y for _, y in feet) - 3.0
-        sketch.box(left, right, low, low + 3.0, SLEEVE, z=4)
+        left, right = min(x for x, _ in feet) - 0.4 * foot, max(x for x, _ in feet) + 0.4 * foot
+        low = min(y for _, y in feet) - 0.3 * foot
+        sketch.box(left, right, low, low + 0.3 * foot, SLEEVE, z=4)
         for x, y in feet:
-            sketch.line([(x, y), (x, low + 3.0)], BLUE, 1.0)
+            sketch.line([(x, y), (x, low + 0.3 * foot)], BLUE, 1.0)
 
 
 def _name_below(

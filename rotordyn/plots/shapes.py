@@ -84,7 +84,8 @@ def plane_curve(shape: NDArray[np.complex128]) -> NDArray[np.float64]:
 
 def _chosen(result: CampbellResult) -> list[int]:
     """The modes shown: those with a shape, lowest first; of a whirling pair both when they fit."""
-    known = [k for k in range(len(result.mode)) if np.isfinite(result.shape[:, k]).any()]
+    has_shape = np.asarray(np.isfinite(result.shape).any(axis=(0, 2, 3)))
+    known = [k for k in range(len(result.mode)) if has_shape[k] and not result.creeping[k]]
     known.sort(key=lambda k: float(np.nan_to_num(result.frequency[0, k], nan=np.inf)))
     if len(known) > MOST:
         forward = [k for k in known if result.whirl[-1, k] >= 0.0]

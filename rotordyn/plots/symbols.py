@@ -59,17 +59,24 @@ def spring(start: tuple[float, float], end: tuple[float, float], half: float) ->
 
 
 def draw_ground(
-    sketch: Sketch, x: float, y: float, half: float, *, upright: bool, side: float
+    sketch: Sketch,
+    x: float,
+    y: float,
+    half: float,
+    *,
+    upright: bool,
+    side: float,
+    unit: float = 1.0,
 ) -> None:
-    """A hatched wall through (x, y), its hatching towards ``side`` (+1 or −1)."""
-    count, depth = max(round(2.0 * half / 2.2), 2), 1.8
+    """A hatched wall through (x, y), its hatching, in ``unit`` mm, towards ``side`` (+1 or −1)."""
+    count, depth, step = max(round(2.0 * half / (2.2 * unit)), 2), 1.8 * unit, 1.2 * unit
     if upright:
         sketch.line([(x, y - half), (x, y + half)], GROUND, 1.0)
     else:
         sketch.line([(x - half, y), (x + half, y)], GROUND, 1.0)
-    for at in np.linspace(-half, half - 1.2, count):
+    for at in np.linspace(-half, half - step, count):
         start = (x, y + at) if upright else (x + at, y)
-        end = (x + side * depth, y + at + 1.2) if upright else (x + at + 1.2, y + side * depth)
+        end = (x + side * depth, y + at + step) if upright else (x + at + step, y + side * depth)
         sketch.line([start, end], GROUND, 0.5)
 
 

@@ -33,7 +33,7 @@ def accuracy_words(results: Mapping[str, Any]) -> list[str]:
         swinging = modes.damping_ratio < OVERDAMPED
         worst = float(np.nanmax(np.where(swinging, modes.frequency_error, 0.0), initial=0.0))
         words.append(f"frequencies within {rounded_up(worst)}")
-        if math.isfinite(modes.resolved_frequency):
+        if 1.0 <= modes.resolved_frequency < math.inf:
             words.append(f"mesh good to {modes.resolved_frequency:.0f} Hz")
         if modes.certified[[not word for word in modes.outcome]].all():
             words.append(f"number of modes proven ({_range(modes)})")

@@ -14,6 +14,7 @@ from rotordyn.analysis.results import (
     BearingMapResult,
     CampbellResult,
     ControlResult,
+    FrequencyResponse,
     PreloadResult,
     SectionForcesResult,
     StiffnessResult,
@@ -41,7 +42,7 @@ def comparison_summary(
     lines = opening(warnings, called(case), notes)
     for name, (title, cells) in TABLES.items():
         rows = [(own.title, cells(found[name], own)) for own, found in variants if name in found]
-        if rows:
+        if any(entries for _, entries in rows):
             lines += ["", f"{title}, {_ends(variants, name)}", *_aligned(rows)]
     known = _known(variants)
     return "\n".join([*lines, *([""] if known else []), *known])
@@ -89,14 +90,14 @@ def _campbell(result: CampbellResult, _: Described) -> Cells:
 
 def _bending(result: CampbellResult, row: int) -> list[str]:
     """Backward/forward frequencies of the bending modes at a speed, one number where equal."""
-    chosen = [k for k, kind in enumerate(result.kind) if kind == "bending"]
+    chosen = [k for k in np.flatnonzero(~result.creeping) if result.kind[k] == "bending"]
     values = result.frequency[row, chosen]
-    known = np.isfinite(result.whirl).any(axis=1)
-    whirl = result.whirl[int(known.argmax()), chosen]
+    known = np.flatnonzero(np.isfinite(result.whirl).any(axis=1))
+    whirl = result.whirl[known[-1], chosen]  # at rest twins need not turn either way
     order = np.argsort(values, kind="stable")
-    if not set(whirl) >= {-1.0, 1.0}:
-        return [number(values[k]) for k in order]
     backward, forward = ([values[k] for k in order if whirl[k] == w] for w in (-1.0, 1.0))
+    if abs(len(backward) - len(forward)) > 1 or len(backward) + len(forward) < len(order):
+        return [number(values[k]) for k in order]
     return [
         number(b) if _alike(b, f) else f"{number(b)}/{number(f)}"
         for b, f in zip(backward, forward, strict=False)
@@ -106,6 +107,15 @@ def _bending(result: CampbellResult, row: int) -> list[str]:
 def _alike(one: float, other: float) -> bool:
     """Equal as printed, or both without a value."""
     return math.isclose(one, other, rel_tol=1e-6) or not (math.isfinite(one + other))
+
+
+def _frf(result: FrequencyResponse, _: Described) -> Cells:
+    """The likeness of every measured response to the computed one, 1 at best."""
+    measured = zip(result.measured, result.measured_speed, result.likeness, strict=True)
+    return {
+        f"{name} at {speed * RPM.factor:.0f} rpm": f"{likeness:.3f}"
+        for name, speed, likeness in measured
+    }
 
 
 def _preload(result: PreloadResult, case: Described) -> Cells:
@@ -150,6 +160,7 @@ def _unbalance(result: UnbalanceResult, _: Described) -> Cells:
 TABLES: dict[str, tuple[str, Callable[[Any, Described], Cells]]] = {
     "campbell": ("bending modes, backward/forward [Hz]", _campbell),
     "preload": ("preload", _preload),
+    "frf": ("likeness of measured responses, 1 at best", _frf),
     "stiffness": ("radial stiffness at no load", _stiffness),
     "section_forces": ("section forces of largest amount", _section_forces),
     "unbalance": ("largest half axis of the orbit by unbalance", _unbalance),

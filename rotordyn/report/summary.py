@@ -14,6 +14,7 @@ from rotordyn.analysis.known import matches
 from rotordyn.analysis.on_rotors import Line, exciting
 from rotordyn.analysis.race_control import BOUNDARY_WORDS, fit_words
 from rotordyn.analysis.results import (
+    CREEPING,
     BearingMapResult,
     CampbellResult,
     ControlResult,
@@ -136,9 +137,12 @@ def _modes(result: CampbellResult) -> list[str]:
         return ["modes      none in the band asked for"]
     rpm = f"{from_to(result.speed * RPM.factor, 0)} rpm"
     entries = [
-        f"{name} {from_to(values)}{_whirl(name, w)}"
-        for name, values, w in zip(result.mode, result.frequency.T, result.whirl[-1], strict=True)
+        f"{result.mode[k]} {from_to(result.frequency[:, k])}"
+        f"{_whirl(result.mode[k], result.whirl[-1, k])}"
+        for k in np.flatnonzero(~result.creeping)
     ]
+    if result.creeping.any():
+        entries.append(f"{result.creeping.sum()} more that hardly swing")
     frame = " in the turning frame" if turning(result) else ""
     lines = [f"modes [Hz]{frame} {rpm}: " + "; ".join(map(unbroken, entries))]
     if len(result.speed) == 1:
@@ -172,7 +176,7 @@ def _criticals(result: CampbellResult, line: Line) -> list[str]:
             result.critical_speed,
             result.critical_rotor,
             result.critical_order,
-            result.critical_excited,
+            result.critical_excited & (result.critical_damping <= CREEPING),
             strict=True,
         )
         if (rotor, own) == (line.rotor, line.order) and excited and last > 0.0
@@ -189,8 +193,8 @@ def _nearest(result: CampbellResult) -> str:
     hertz = result.speed[-1] / (2.0 * math.pi)
     chosen = [
         k
-        for k, kind in enumerate(result.kind)
-        if kind == "bending" and result.whirl[-1, k] >= 0.0 and hertz > 0.0
+        for k in np.flatnonzero(~result.creeping)
+        if result.kind[k] == "bending" and result.whirl[-1, k] >= 0.0 and hertz > 0.0
     ]
     if not chosen:
         return ""

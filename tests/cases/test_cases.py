@@ -5,12 +5,14 @@ from __future__ import annotations
 import json
 import math
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
 import rotordyn
 from docs.site.runs import case_run
+from rotordyn.analysis.results import CREEPING
 from rotordyn.report.netcdf import read_results
 from tests.oracles.spindles import CASES
 
@@ -27,9 +29,16 @@ def test_every_case_is_in_the_table_of_the_folder() -> None:
     assert [name for name in NAMES if f"`{name}.yaml`" not in table] == []
 
 
+WARNED = {  # what the case is there to show
+    "friswell_oil_films": ("unstable", "grows by itself"),
+    "friswell_tapered_shaft": ("unstable", "grows by itself"),
+    "spindle_on_housing": ("no proof of their number",),
+}
+
+
 @pytest.mark.parametrize("path", FILES, ids=NAMES)
 def test_case_runs(path: Path, runs: Path) -> None:
-    """No warning, every speed solved, every number finite, every figure drawn twice."""
+    """Warnings as meant, every speed solved, every number finite, every figure drawn twice."""
     case = rotordyn.load(path)
     assert case.name == path.stem
     assert case.title
@@ -40,11 +49,22 @@ def test_case_runs(path: Path, runs: Path) -> None:
     for name, words in record["outcomes"].items():
         assert set(words) == {""}, name
     assert len((folder / "summary.txt").read_text(encoding="utf-8").splitlines()) <= 60
-    assert record["warnings"] == []
+    meant = WARNED.get(path.stem, ())
+    assert [w for w in record["warnings"] if not any(words in w for words in meant)] == []
+    assert all(any(words in w for w in record["warnings"]) for words in meant)
     figures = {p.stem for p in folder.glob("*.png")}
     assert figures
     assert figures == {p.stem for p in folder.glob("*.svg")}
     _look_at_numbers(folder / "results.nc", answered, len(case.speeds))
+
+
+def _told(data: Any) -> Any:
+    """Without the number of modes where it is not proven, and without modes that hardly swing."""
+    if "certified" not in data:
+        return data.data_vars
+    swinging = np.flatnonzero((data.damping_ratio <= CREEPING).any("speed"))
+    left = data.isel(mode=swinging).data_vars
+    return left if data.certified.any() else {k: v for k, v in left.items() if k != "modes_below"}
 
 
 MAY_BE_INFINITE = ("stop_speed", "resolved_frequency", "stability_threshold")
@@ -55,7 +75,7 @@ def _look_at_numbers(path: Path, analyses: set[str], speeds: int) -> None:
     assert set(found) == analyses
     for name, data in found.items():
         assert data.sizes["speed"] == speeds
-        for variable, values in data.data_vars.items():
+        for variable, values in _told(data).items():
             if values.dtype.kind in "fc" and variable not in MAY_BE_INFINITE:
                 assert np.isfinite(values.values).all(), f"{name}: {variable}"
 

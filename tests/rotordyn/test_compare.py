@@ -129,6 +129,40 @@ def test_whirls_are_paired_where_the_first_speed_has_no_solution() -> None:
     assert any(f"none → {pair[0]:.1f}/{pair[1]:.1f}" in row for row in rows)
 
 
+def test_whirls_of_twins_are_paired_as_they_turn_at_speed() -> None:
+    """On a housing both planes are solved together: at rest twins turn either way or none."""
+    whole = rotordyn.load("spindle_on_housing")
+    asked = {"campbell": CampbellSpec(1000.0, shapes=False)}
+    on_body = replace(whole.variants["body"], speeds=(0.0, 24000 * RPM), analyses=asked)
+    result = rotordyn.run(on_body)["campbell"]
+    alone = replace(whole, variants={"body": on_body}, speeds=on_body.speeds, analyses=asked)
+    solved = solve_variants(alone).answers["body"].results["campbell"]
+    rows = comparison_summary(alone, [(on_body, {"campbell": solved})]).splitlines()
+    pairs_at = [np.sort(f[np.isfinite(f)])[:4] for f in result.frequency.values]
+    first, second, third, fourth = pairs_at[1]
+    shown = f"{pairs_at[0][0]:.1f} → {first:.1f}/{second:.1f}"
+    assert any(shown in row for row in rows)
+    assert any(f"{pairs_at[0][2]:.1f} → {third:.1f}/{fourth:.1f}" in row for row in rows)
+
+
+def test_likeness_of_measured_responses_is_told_of_every_variant() -> None:
+    whole = rotordyn.load("tool_holder_joint")
+    frf = whole.analyses["frf"]
+    assert isinstance(frf, FrfSpec)
+    asked = {"frf": replace(frf, slices=(0.0,))}
+    own = {
+        name: replace(each, speeds=(0.0,), analyses=asked) for name, each in whole.variants.items()
+    }
+    alone = replace(whole, variants=own, speeds=(0.0,), analyses=asked)
+    found = solve_variants(alone).answers
+    rows = comparison_summary(alone, [(own[v], found[v].results) for v in own]).splitlines()
+    head = next(k for k, row in enumerate(rows) if "made-up tap test at 0 rpm" in row)
+    told = [float(row.split()[-1]) for row in rows[head + 1 : head + 3]]
+    likeness = [float(found[name].results["frf"].likeness[0]) for name in own]
+    assert told == pytest.approx(likeness, abs=6e-4)
+    assert likeness[1] > 0.8 > 0.5 > likeness[0]
+
+
 def test_variants_of_one_title_are_all_shown(tmp_path: Path) -> None:
     whole = compared()
     flexible = whole.variants["flexible"]

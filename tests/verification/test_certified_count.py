@@ -153,14 +153,18 @@ def test_more_modes_are_taken_where_the_count_is_not_proven(
     assert np.diff(np.log2(asked)) == pytest.approx(1.0)
 
 
-@pytest.mark.parametrize("seed", [1, 7, 29])
+@pytest.mark.parametrize("seed", [1, 7, 29, 309, 359])
 def test_poles_of_long_random_rotors_by_one_dense_solve(seed: int) -> None:
-    """Up to sixty sections on damped uneven supports: the survey of the benchmarks, a few of it."""
+    """Up to sixty sections on damped uneven supports: the survey of the benchmarks, a few of it.
+
+    In 309 a mode hardly swings, in 359 one is damped so strongly that its |pole| lies beyond the
+    edge and its frequency below: both are counted, and not compared.
+    """
     found = random_rotors.against_dense(seed)
     assert found["modes"] > 3
     assert (found["missing"], found["spurious"], found["warnings"]) == (0, 0, 0)
     assert found["certified"]
-    assert found["counted"] == found["modes"]
+    assert found["counted"] == found["in_disc"] >= found["modes"]
     assert max(found["errors"]) < 1e-5
 
 

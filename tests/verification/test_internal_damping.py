@@ -13,6 +13,7 @@ from bearings import Material
 from rotordyn.analysis import campbell
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions
+from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
@@ -106,3 +107,18 @@ def test_damping_in_the_fixed_frame_never_grows() -> None:
     assert found.stability_threshold == math.inf
     assert found.first_to_grow == ""
     assert result_warnings({"campbell": found}) == []
+
+
+def test_what_hardly_swings_is_numbered_last_and_not_listed() -> None:
+    """β of the shaft overdamps its short waves, which in the fixed frame turn with it: they are
+    modes by the letter, and counted, but stand behind those that swing."""
+    damping = RayleighDamping(stiffness=2e-5)
+    spindle = replace(rotor(1e3), rotor_damping=(), rayleigh=damping)
+    found = answered(spindle, [100.0, 300.0])
+    creeping = found.creeping[[kind == "bending" for kind in found.kind]]
+    assert creeping.any()
+    assert not creeping[0]
+    assert (np.diff(creeping.astype(int)) >= 0).all()
+    ratio = found.damping_ratio[:, found.creeping]
+    assert (ratio[np.isfinite(ratio)] > 0.99).all()
+    assert found.modes_below == pytest.approx(found.modes_found)

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pytest
 
 from rotordyn.system.assemble import bending_plane
 from rotordyn.system.dofs import PLANE_Y
 from rotordyn.system.mesh import build_mesh
+from tests.oracles.case_files import answered, bending_poles
 from tests.oracles.rotors import uniform
 from tests.oracles.spinning_beam import PinnedBeam
 from tests.oracles.whirl import frequencies_at_rest, whirl_frequencies
@@ -64,6 +67,7 @@ def test_closed_form_second_spectrum() -> None:
     assert SLENDER.frequencies(1, 0.0)[3] == pytest.approx(243099.0703, abs=6e-5)
     expected = [-241110.3742, 245104.2703]
     assert SLENDER.frequencies(1, 2000.0)[[0, 3]] == pytest.approx(expected, abs=6e-5)
+    assert STUBBY.frequencies(1, 0.0)[3] == pytest.approx(126832.9599, abs=6e-5)
     expected = [-124891.5078, 128807.2382]
     assert STUBBY.frequencies(1, 2000.0)[[0, 3]] == pytest.approx(expected, abs=6e-5)
 
@@ -149,3 +153,35 @@ def test_no_spin_softening_in_the_inertial_frame() -> None:
     softened = plane.stiffness[inner] - 500.0**2 * plane.translational_mass[inner]
     found = whirl_frequencies(plane.mass[inner], plane.polar[inner], softened, 500.0)
     assert abs(found[0] / SLENDER.bending_whirl(1, 500.0)[0]) < 0.7
+
+
+PINNED = """
+spindle:
+  shaft:
+    start: 0 mm
+    material: {{name: steel, young_modulus: 210 GPa, poisson_ratio: 0.3, density: 7800 kg/m^3}}
+    sections: [{{length: {length} m, outer_diameter: {diameter} m}}]
+  supports:
+    - {{name: left, x: 0 m, stiffness: &pin {{yy: {pin} N/um, zz: {pin} N/um}}}}
+    - {{name: right, x: {length} m, stiffness: *pin}}
+conditions: {{shaft: exact, accuracy: 1e-8}}
+speeds: [0 rad/s, 2000 rad/s]
+analyses: {{campbell: {{max_frequency: {highest} Hz, shapes: false}}}}
+"""
+
+
+@BEAMS
+def test_the_table_from_a_case_file(beam: PinnedBeam, tmp_path: Path) -> None:
+    """Exact shaft on pins of 1e12 N/m, a half and a quarter of it, led to no compliance."""
+    highest = 1.01 * FORWARD[beam][-1] / (2.0 * np.pi)
+    shape = {"length": beam.length, "diameter": beam.diameter, "highest": highest}
+    hard, half, quarter = (
+        answered(PINNED.format(pin=pin, **shape), tmp_path)["campbell"]
+        for pin in ("1e6", "5e5", "2.5e5")
+    )
+    twice = np.repeat(AT_REST[beam], 2)
+    pairs = np.stack([BACKWARD[beam], FORWARD[beam]], axis=1).ravel()
+    for row, expected in enumerate((twice, pairs)):
+        found = [bending_poles(modes, row).imag[:12] for modes in (hard, half, quarter)]
+        stiff = (8.0 * found[0] - 6.0 * found[1] + found[2]) / 3.0
+        assert stiff == pytest.approx(np.sort(expected), rel=1e-6)

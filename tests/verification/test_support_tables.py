@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import rotordyn
-from rotordyn.analysis import campbell, criticals, frf, section_forces, stiffness
+from rotordyn.analysis import campbell, frf, section_forces, stiffness
 from rotordyn.analysis.branches import branches_of
 from rotordyn.analysis.on_rotors import Line
 from rotordyn.analysis.roots import Start, solved
@@ -270,6 +270,95 @@ def test_critical_speeds_and_threshold_within_the_table() -> None:
     assert growth[0] < 0.0 < growth[1]
 
 
+def steep(seed: int) -> Spindle:
+    """A table whose values leap by up to three decades from knot to knot."""
+    rng = np.random.default_rng(seed)
+    inner = np.sort(rng.uniform(0.0, 1.0, rng.integers(0, 6)))
+    knots = (0.0, *(inner * SPEEDS[-1]).tolist(), SPEEDS[-1])
+
+    def leaping() -> tuple[float, ...]:
+        return tuple((10.0 ** rng.uniform(5.5, 8.5, len(knots))).tolist())
+
+    own = leaping()
+    stiffness = {("y", "y"): own, ("z", "z"): own if seed % 2 else leaping()}
+    if seed % 3 == 0:
+        across = tuple((1e6 * rng.uniform(-1.0, 1.0, len(knots))).tolist())
+        stiffness |= {("y", "z"): across, ("z", "y"): tuple(-value for value in across)}
+    damping = {("y", "y"): 50.0, ("z", "z"): 50.0}
+    film = LinearSupport("film", 0.03, stiffness, damping, speeds=knots)
+    return on(film, support("other", 0.2, (4e7, 4e7), 50.0))
+
+
+@pytest.mark.parametrize(
+    ("seed", "coupled"), [(1, False), (2, False), (3, False), (1, True), (5, True)]
+)
+def test_no_critical_speed_is_missed_between_few_speeds(seed: int, coupled: bool) -> None:
+    """Three speeds of the case; at two hundred, modes slower than the line of rotation are counted
+    without following them, and change by as many as are found between."""
+    rotor, spec = steep(seed), CampbellSpec(1500.0, shapes=False, engine_orders=(1, 2))
+    if coupled:  # with axial motion, hardly: no eigenproblem then, knots alone
+        along = {("x", "x"): 1e3, ("x", "y"): 1e-3, ("y", "x"): 1e-3}
+        rotor = replace(rotor, supports=(*rotor.supports, LinearSupport("link", 0.1, along)))
+    few = Scene(rotor, Conditions(), np.linspace(0.0, SPEEDS[-1], 3), 1500.0)
+    result = campbell.answer(few, spec)
+    at = np.linspace(0.0, SPEEDS[-1], 201)[1:]
+    poles = Scene(rotor, Conditions(), at, 1500.0).vibration("bending")[1].pole
+    both_signs = 1 if poles.shape[1] == 2 * few.rotor.size else 2
+    for order in spec.engine_orders:
+        below = (np.abs(poles.imag) < order * at[:, None]).sum(axis=1) // both_signs
+        own = (result.critical_order == order) & (np.array(result.critical_kind) != "torsion")
+        found = np.histogram(result.critical_speed[own], at)[0]
+        assert (found >= np.abs(np.diff(below))).all()
+        assert ((found - np.diff(below)) % 2 == 0).all()
+    assert len(result.critical) >= 6
+
+
+def test_two_critical_speeds_between_two_knots() -> None:
+    """ω² = ω₁² (5 Ω/ω₁ − 3/2) of a rigid rotor that moves in parallel: 2 Ω = ω at Ω = ω₁/2 and at
+    3/4 ω₁, at both ends of the table 2 Ω is faster."""
+    rotor = replace(STEPPED, masses=(), supports=())
+    body, first = rotor_inertia(rotor), 500.0
+    table = (0.31 * first, first)
+    held = tuple(0.5 * body.mass * first**2 * (5.0 * spin / first - 1.5) for spin in table)
+    pair = tuple(
+        LinearSupport(name, body.centre + way, {("y", "y"): held, ("z", "z"): held}, speeds=table)
+        for name, way in (("a", -0.05), ("b", 0.05))
+    )
+    whole = Scene(replace(rotor, supports=pair), Conditions(rotor="rigid"), np.array(table), 500.0)
+    found = campbell.answer(whole, CampbellSpec(500.0, shapes=False, engine_orders=(2,)))
+    for expected in (0.5 * first, 0.75 * first):
+        assert (np.abs(found.critical_speed / expected - 1.0) < 1e-8).sum() == 2
+
+
+def test_threshold_of_what_grows_between_the_speeds_only() -> None:
+    """m r̈ + c ṙ + (k − iq) r = 0 grows where q > c √(k/m); q has its peak at a knot, where the case
+    has no speed."""
+    rotor = replace(STEPPED, masses=(), supports=())
+    body, top, stiff, damper = rotor_inertia(rotor), 800.0, 2e6, 200.0
+    enough = damper * math.sqrt(2.0 * stiff / body.mass)
+    cross = (0.0, 4.0 * enough, 0.0)
+    pair = tuple(
+        LinearSupport(
+            name,
+            body.centre + way,
+            {
+                ("y", "y"): stiff,
+                ("z", "z"): stiff,
+                ("y", "z"): cross,
+                ("z", "y"): tuple(-value for value in cross),
+            },
+            {("y", "y"): damper, ("z", "z"): damper},
+            speeds=(0.0, 0.5 * top, top),
+        )
+        for name, way in (("a", -0.1), ("b", 0.1))
+    )
+    whole = Scene(
+        replace(rotor, supports=pair), Conditions(rotor="rigid"), np.array([0.0, top]), 500.0
+    )
+    found = campbell.answer(whole, CampbellSpec(500.0, shapes=False))
+    assert found.stability_threshold == pytest.approx(0.25 * 0.5 * top, rel=1e-8)
+
+
 def rising() -> Scene:
     """Both planes alike, stiffer with speed: the second mode stays above the line of rotation."""
     both = {(way, way): (1e6, 5e7, 9e7) for way in "yz"}
@@ -278,13 +367,8 @@ def rising() -> Scene:
     return Scene(rotor, Conditions(), np.linspace(0.0, SPEEDS[-1], 5), 1500.0)
 
 
-def test_no_critical_speed_by_the_supports_of_one_speed(monkeypatch: pytest.MonkeyPatch) -> None:
-    """The eigenproblem of constant supports is not asked where tables make them change."""
-
-    def asked(*_: object) -> None:
-        raise AssertionError("solved as if the supports were constant")
-
-    monkeypatch.setattr(criticals, "synchronous", asked)
+def test_no_critical_speed_by_the_supports_of_one_speed() -> None:
+    """The stiffness asked for is that of the knots on either side."""
     found = campbell.answer(rising(), CampbellSpec(1500.0, engine_orders=(1,)))
     assert len([name for name in found.critical if name.startswith("bending")]) == 2
 

@@ -8,7 +8,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from rotordyn.analysis.display import RPM
-from rotordyn.plots.campbell import draw_known, draw_modes, draw_orders, orders
+from rotordyn.plots.campbell import (
+    draw_known,
+    draw_modes,
+    draw_orders,
+    draw_unstable,
+    orders,
+)
 from rotordyn.plots.compared.panels import Shown, beside, colour, panels
 from rotordyn.plots.labels import axis_label
 from rotordyn.plots.legends import shortened, top_legend
@@ -34,6 +40,7 @@ def panels_figure(
         axes = add_axes(figure, box, below, beside(labels, place))
         _prepare(axes, variant, top, teeth)
         draw_modes(axes, variant.result)
+        draw_unstable(axes, variant.result)
         draw_known(axes, variant.known)
         axes.set_title(shortened(variant.title), fontsize=FONT_SIZE, pad=4.0)
     top_legend(figure, *figure.axes)

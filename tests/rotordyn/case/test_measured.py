@@ -99,6 +99,14 @@ def test_amplitude_and_phase_with_units(
     np.testing.assert_allclose(record.values, [2j * scale, -3.0 * scale], atol=1e-15 * scale)
 
 
+def test_remarks_in_a_table_are_passed_over(tmp_path: Path) -> None:
+    path = tmp_path / "tap.csv"
+    path.write_text(
+        "# a hammer, and a day\n\nfrequency [Hz],real [m/N],imag [m/N]\n#\n1,2,3\n2,2,3\n"
+    )
+    assert read_record(path, PAIR, None).values == (2.0 + 3.0j, 2.0 + 3.0j)
+
+
 def test_rotations_have_units_of_their_own(tmp_path: Path) -> None:
     path = tmp_path / "tap.csv"
     path.write_text("frequency [Hz],real [rad/(N m)],imag [mrad/(N·m)]\n1,2,3\n2,2,3\n")

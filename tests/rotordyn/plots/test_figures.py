@@ -12,6 +12,7 @@ from matplotlib.collections import LineCollection
 from rotordyn.analysis.results import InertanceResult, MobilityResult
 from rotordyn.machine.reference import Reference
 from rotordyn.plots.campbell import LOOKS, campbell_figure, whirl_segments
+from rotordyn.plots.compared.campbell import panels_figure
 from rotordyn.plots.compared.catalogue import comparison_figures
 from rotordyn.plots.compared.frf import curves_figure
 from rotordyn.plots.compared.panels import Shown
@@ -81,6 +82,30 @@ def test_campbell_shows_where_a_mode_is_unstable():
     drawn = [np.isfinite(line.get_ydata()) for line in bands]
     assert [flags.tolist() for flags in drawn if flags.any()] == [[False] * 6 + [True] * 3]
     assert "unstable" not in _labels(campbell_figure(result).axes[0])
+
+
+def test_campbell_leaves_out_what_hardly_swings():
+    result = samples.campbell(9)
+    ratio = result.damping_ratio.copy()
+    ratio[:, 0], ratio[4, 2] = 0.9999, 0.9999  # the second does swing, but at one speed
+    creeping = replace(result, damping_ratio=ratio)
+    lines = [len(whirl_segments(r).get("backward", [])) for r in (result, creeping)]
+    assert lines[1] == lines[0] - 1
+    names = [
+        {t.get_text() for t in campbell_figure(r).axes[0].texts if t.get_text() != "1×"}
+        for r in (result, creeping)
+    ]
+    (gone,) = names[0] - names[1]
+    assert gone.startswith(result.mode[0])
+
+
+def test_campbell_of_variants_shows_where_a_mode_is_unstable():
+    result = samples.campbell(9)
+    ratio = result.damping_ratio.copy()
+    ratio[6:, 2] = -1e-3
+    grown = replace(result, damping_ratio=ratio)
+    figure = panels_figure([Shown("a", result, (), None), Shown("b", grown, (), None)])
+    assert ["unstable" in _labels(axes) for axes in figure.axes] == [False, True]
 
 
 def test_campbell_names_do_not_overlap():
