@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analysis.accuracy import frequency_error
 from rotordyn.analysis.branches import Branch, branches_of, home_of
-from rotordyn.analysis.certificate import Count, bounded, count
+from rotordyn.analysis.certificate import Count, count, unbounded
 from rotordyn.analysis.character import character, rigid_share
 from rotordyn.analysis.criticals import critical_speeds
 from rotordyn.analysis.exact_bending import ExactBending
@@ -45,7 +45,15 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
 
 def _provable(scene: Scene) -> bool:
     """False where no reduction, however fine, has a proof."""
-    return all(bounded(scene, motion) for motion in ("bending", "axial", "torsion"))
+    return not _obstacles(scene)
+
+
+def _obstacles(scene: Scene) -> list[str]:
+    """What keeps the number of modes from being proven, however fine the reduction."""
+    homes = {home_of(scene, motion) for motion in ("bending", "axial", "torsion")}
+    if scene.bends_exactly:
+        homes -= {"bending"}
+    return sorted({unbounded(scene, home) for home in homes} - {""})
 
 
 def _answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
@@ -72,6 +80,7 @@ def _answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         resolved_frequency=scene.resolved_frequency,
         free=scene.scattered(_free(scene)),
         certified=certified,
+        no_proof="" if certified[scene.usable].all() else ", ".join(_obstacles(scene)),
         modes_below=scene.scattered(below),
         modes_found=scene.scattered(seen),
         damping_ratio=scene.scattered(-pole.real / np.abs(pole)),

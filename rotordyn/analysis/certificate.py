@@ -86,7 +86,7 @@ def certificate(scene: Scene, motion: str, highest: float) -> Certificate:
     """Of the system that ``motion`` is part of, for all up to ``highest`` [rad/s].
 
     A rigid rotor is its own assembled system: its count needs no proof. Nothing is proven of an
-    elastic one on housings or with dampers in its joints (bound ∞).
+    elastic one on housings, with dampers in its joints or with loss factors (bound ∞).
     """
     system, found = scene.vibration(motion)
     pole = (
@@ -96,7 +96,7 @@ def certificate(scene: Scene, motion: str, highest: float) -> Certificate:
     leakage = _leakage(scene, motion, system, radius)
     if leakage is None:
         return Certificate(radius, np.zeros(len(radius)))
-    if not bounded(scene, motion):
+    if unbounded(scene, motion):
         return Certificate(radius, np.full(len(radius), np.inf))
     free = found.at_rest(getattr(system, "frame", None))
     right = leakage.forces(found.vector, 1.0)
@@ -127,15 +127,21 @@ def _leakage(
     return Leakage(system, system.unreduced, spin, radius, softened)
 
 
-def bounded(scene: Scene, motion: str) -> bool:
-    """False where housings or dampers of joints put forces on the rest that have no known bound."""
+def unbounded(scene: Scene, motion: str) -> str:
+    """Why no proof reaches the system that ``motion`` is part of; "" where one does.
+
+    Housings and dampers of joints put forces on the rest that have no known bound; with loss
+    factors the problem is not analytic in s, since each mode has signs of its own.
+    """
     system, named = scene.vibration(motion)[0], [motion]
+    if system.hysteresis is not None:
+        return "loss factors"
     if isinstance(system, CoupledSystem):
         if system.carried is not None:
-            return False
+            return "housings"
         named = list(system.parts)
     ways = tuple(way for name in named for way in _WAYS[name])
-    return not any(jump.damping for jump in jumps(scene.spindle, ways))
+    return "dampers in joints" if any(j.damping for j in jumps(scene.spindle, ways)) else ""
 
 
 def _left_vectors(found: Modes) -> NDArray[np.complex128]:

@@ -18,6 +18,8 @@ from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec
 from rotordyn.numerics.follow import likeness
 from rotordyn.numerics.modes import Modes
+from rotordyn.system.hysteresis import Signs, signs_of
+from rotordyn.system.lateral import LateralSystem
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -108,14 +110,29 @@ def _states(
         return [None] * len(starts)
     place = np.full(len(speeds), -1)
     place[other.usable] = np.arange(len(other.usable))
-    homes = [home_of(scene, branches[start.branch].kind) for start in starts]
-    known = {home: modes_of(other, home, spec.max_frequency) for home in set(homes)}
-    still = np.zeros(len(speeds))
-    frames = {home: other.bending.frame if home == "bending" else still for home in known}
-    return [
-        None if k < 0 else _nearest(known[home], frames[home], int(k), start, float(speed))
-        for home, start, k, speed in zip(homes, starts, place[row], at, strict=True)
+    homes = [
+        (home_of(scene, branches[start.branch].kind), start.order, start.side) for start in starts
     ]
+    known = {way: _known(other, spec, *way) for way in set(homes)}
+    still = np.zeros(len(speeds))
+    frames = {way: other.bending.frame if way[0] == "bending" else still for way in known}
+    return [
+        None if k < 0 else _nearest(known[way], frames[way], int(k), start, float(speed))
+        for way, start, k, speed in zip(homes, starts, place[row], at, strict=True)
+    ]
+
+
+def _known(
+    scene: Scene, spec: CampbellSpec, home: str, order: int, side: float
+) -> Modes | ExactModes:
+    """Modes of a system; with loss factors, of motions that turn at ``order`` times the speed."""
+    system = scene.vibration(home)[0]
+    if system.hysteresis is None:
+        return modes_of(scene, home, spec.max_frequency)
+    whirling = isinstance(system, LateralSystem) and system.isotropic
+    turning = side * order if whirling else float(order)
+    signs = signs_of(np.array([turning]), np.ones(1), whirling=whirling)
+    return scene.answering(home, Signs(*map(int, signs[0])))[1]
 
 
 def _nearest(

@@ -18,7 +18,7 @@ from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.support import BearingSeat, LinearSupport, Sleeve
-from rotordyn.quantity import DampingRatio, Name, Share, Station, suggestion
+from rotordyn.quantity import DampingRatio, LossFactor, Name, Share, Station, suggestion
 
 SLACK = 1e-9  # [m] by which a station may lie beside the shaft
 
@@ -50,9 +50,10 @@ class Spindle(Description):
 
     ``rotor_damping`` [-]: modal damping ratios of the flexible free-free bending modes at rest, in
     order; the last one serves all that follow; empty = none. ``rayleigh`` is added to it.
-    ``internal_damping`` [-]: share of both, in bending, which turns with the shaft. ``points``:
-    named stations [m]. ``housings``: what bearings and supports stand on; those that none carries
-    stand on ground. ``joints``: between parts of the shaft.
+    ``internal_damping`` [-]: share of both, in bending, which turns with the shaft.
+    ``loss_factor`` [-]: hysteretic damping, of the stiffness of shaft and joints; it turns with the
+    shaft. ``points``: named stations [m]. ``housings``: what bearings and supports stand on; those
+    that none carries stand on ground. ``joints``: between parts of the shaft.
     """
 
     name: str
@@ -73,11 +74,22 @@ class Spindle(Description):
     references: tuple[Reference, ...] = ()
     housings: tuple[Housing, ...] = ()
     joints: tuple[Joint, ...] = ()
+    loss_factor: LossFactor = 0.0
 
     @property
     def damped(self) -> bool:
         """The rotor itself is damped, besides its bearings and supports."""
         return any(self.rotor_damping) or bool(self.rayleigh)
+
+    @property
+    def connection_losses(self) -> tuple[float, ...]:
+        """Loss factors of bearings, which have none, then of supports."""
+        return (*(0.0 for _ in self.seats), *(support.loss_factor for support in self.supports))
+
+    @property
+    def hysteretic(self) -> bool:
+        """Something has a loss factor."""
+        return self.loss_factor > 0.0 or any(self.connection_losses)
 
     def _faults(self) -> Iterator[str]:
         yield from _named_twice("seats", self.seats)

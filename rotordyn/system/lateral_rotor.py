@@ -78,7 +78,8 @@ class LateralRotor:
     else 0. ``remainder``: what the coordinates leave out; None for a rigid rotor. ``unreduced``:
     the assembled rotor they were taken from, likewise. ``resolved`` [Hz]: highest frequency that
     the elements carry within the accuracy asked for, or within ``USUAL`` where none is. ``joints``
-    (m, m): damping by joints, which turn with the shaft.
+    (m, m): damping by joints, which turn with the shaft. ``loss`` (m,): loss factor of the shaft
+    times stiffness.
     """
 
     basis: Array
@@ -96,6 +97,7 @@ class LateralRotor:
     unreduced: Unreduced | None
     resolved: float
     joints: Array
+    loss: Array
 
     @property
     def size(self) -> int:
@@ -169,6 +171,7 @@ def lateral_rotor(
         unreduced=replace(free.unreduced, more=more) if free.unreduced else None,
         resolved=free.resolved,
         joints=_bordered(free.joints, more),
+        loss=np.concatenate([spindle.loss_factor * values, np.zeros(more)]),
     )
 
 

@@ -19,6 +19,7 @@ from rotordyn.case.schema.support import (
 )
 from rotordyn.case.schema.values import (
     DampingRatio,
+    LossFactor,
     MassDamping,
     Name,
     Share,
@@ -42,6 +43,7 @@ class DampingEntry(Entry):
     rotor: list[DampingRatio] = []
     internal: Share = 0.0
     rayleigh: RayleighEntry = RayleighEntry()
+    loss_factor: LossFactor = 0.0
 
     @property
     def of_rotor(self) -> bool:

@@ -19,6 +19,7 @@ from rotordyn.case.schema.matrix import (
 )
 from rotordyn.case.schema.values import (
     Damping,
+    LossFactor,
     Mass,
     Name,
     Preload,
@@ -83,3 +84,4 @@ class SupportEntry(Entry):
     rigid: Freedoms = []
     speeds: list[Speed] = []
     table: Text = ""
+    loss_factor: LossFactor = 0.0
