@@ -64,6 +64,7 @@ def solved(
     at = np.array([s.speed for s in starts])
     starts = list(starts)
     open_, done = list(range(len(starts))), []
+    near: dict[int, tuple[Start, float, State]] = {}
     for _ in range(ITERATIONS):
         states = _states(scene, spec, branches, [starts[k] for k in open_], at[open_])
         still = []
@@ -73,22 +74,23 @@ def solved(
             if abs(state.miss) <= CLOSE * abs(state.pole):
                 done.append((starts[k], float(at[k]), state))
                 continue
+            if abs(state.miss) <= ROUNDED * abs(state.pole):
+                near[k] = starts[k], float(at[k]), state
             onward = _next(starts[k], float(at[k]), state.miss)
             starts[k] = replace(
                 starts[k],
                 vector=state.vector,
                 before=(float(at[k]), state.miss),
             )
-            if onward == at[k]:
-                if abs(state.miss) <= ROUNDED * abs(state.pole):
-                    done.append((starts[k], float(at[k]), state))
-                continue
-            at[k] = onward
-            still.append(k)
+            if onward != at[k]:
+                at[k] = onward
+                still.append(k)
+            elif k in near:
+                done.append(near[k])
         open_ = still
         if not open_:
             break
-    return done
+    return done + [near[k] for k in open_ if k in near]  # where rounding keeps secants moving
 
 
 def _next(start: Start, at: float, miss: float) -> float:
