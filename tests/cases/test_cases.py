@@ -16,6 +16,16 @@ from tests.oracles.spindles import CASES
 
 FILES = sorted(CASES.glob("*.yaml"))
 NAMES = [path.stem for path in FILES]
+# What cases that show it warn of; no other case warns of anything.
+WARNED = {
+    "friswell_internal_damping": (
+        "viscous: bending 1 forward grows by itself",
+        "hysteretic: bending 1 forward grows by itself",
+        "is unstable at",
+        ": unstable at",
+        "no proof of their number (loss factors)",
+    )
+}
 
 
 def test_cases_of_the_main_job_are_there() -> None:
@@ -29,7 +39,7 @@ def test_every_case_is_in_the_table_of_the_folder() -> None:
 
 @pytest.mark.parametrize("path", FILES, ids=NAMES)
 def test_case_runs(path: Path, runs: Path) -> None:
-    """No warning, every speed solved, every number finite, every figure drawn twice."""
+    """Warnings where expected only, every speed solved, every number finite, figures twice."""
     case = rotordyn.load(path)
     assert case.name == path.stem
     assert case.title
@@ -40,7 +50,10 @@ def test_case_runs(path: Path, runs: Path) -> None:
     for name, words in record["outcomes"].items():
         assert set(words) == {""}, name
     assert len((folder / "summary.txt").read_text(encoding="utf-8").splitlines()) <= 60
-    assert record["warnings"] == []
+    expected = WARNED.get(path.stem, ())
+    unforeseen = [w for w in record["warnings"] if not any(part in w for part in expected)]
+    assert unforeseen == []
+    assert all(any(part in w for w in record["warnings"]) for part in expected)
     figures = {p.stem for p in folder.glob("*.png")}
     assert figures
     assert figures == {p.stem for p in folder.glob("*.svg")}
