@@ -56,6 +56,12 @@ def _obstacles(scene: Scene) -> list[str]:
     return sorted({unbounded(scene, home) for home in homes} - {""})
 
 
+def _why_not(scene: Scene) -> str:
+    """What in the machine keeps the number of modes from being proven; "" if nothing special."""
+    lossy = ["loss factors"] if scene.spindle.hysteretic else []
+    return ", ".join(_obstacles(scene) or lossy)
+
+
 def _answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     branches = sorted(branches_of(scene, spec), key=_place)
     names = _names(branches)
@@ -80,7 +86,7 @@ def _answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         resolved_frequency=scene.resolved_frequency,
         free=scene.scattered(_free(scene)),
         certified=certified,
-        no_proof="" if certified[scene.usable].all() else ", ".join(_obstacles(scene)),
+        no_proof="" if certified[scene.usable].all() else _why_not(scene),
         modes_below=scene.scattered(below),
         modes_found=scene.scattered(seen),
         damping_ratio=scene.scattered(-pole.real / np.abs(pole)),

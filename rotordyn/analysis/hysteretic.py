@@ -77,6 +77,17 @@ class Hysteretic:
                 total[row][:, own] = one.receptance(omega[own], responses, excitations)[0]
         return total
 
+    def regions(self) -> list[tuple[Signs, Array, Array]]:
+        """Signs of motions with ``low`` < ω < ``high`` (speeds,) [rad/s]: of both directions in the
+        complex form, else of ω > 0; none with ``low`` = ``high``."""
+        still, far = np.zeros_like(self.spin), np.full_like(self.spin, np.inf)
+        turn = self.spin if self.loss.turning.any() else still
+        behind = 0 if self.whirling else 1
+        found = [(Signs(1, behind, 1), turn, far), (Signs(-1, behind, 1), still, turn)]
+        if self.whirling:
+            found.append((Signs(-1, 0, -1), -far, still))
+        return found
+
     @property
     def residual(self) -> float:
         """Largest relative residual of all eigenpairs solved."""

@@ -23,7 +23,6 @@ WARNED = {
         "hysteretic: bending 1 forward grows by itself",
         "is unstable at",
         ": unstable at",
-        "no proof of their number (loss factors)",
     )
 }
 
