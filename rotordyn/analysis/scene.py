@@ -249,11 +249,6 @@ class Scene(Statics):
         lossy = self.hysteretic(motion)
         return lossy.answering(signs) if lossy else self.vibration(motion)
 
-    def hysteretic(self, motion: str) -> Hysteretic | None:
-        """The system that ``motion`` is part of, by signs; None without loss factors."""
-        self.vibration(motion)
-        return self._hysteretic.get(self._name(motion))
-
     def receptance(
         self, motion: str, omega: Array, responses: Array, excitations: Array
     ) -> NDArray[np.complex128]:
