@@ -162,6 +162,7 @@ TILT_RIGIDITY = Quantity(
 TILT_DAMPING = Quantity("tilt damping", at_least="0 N m s/rad", at_most="1e6 kN m s/rad")
 DAMPING = Quantity("damping", at_least="0 N s/m", at_most="1e6 kN s/m")
 DAMPING_RATIO = Quantity("ratio", at_least="0 %", below="100 %")
+LOSS_FACTOR = Quantity("ratio", at_least="0 %", at_most="100 %")
 SHARE = Quantity("ratio", at_least="0 %", at_most="100 %")
 MASS_DAMPING = Quantity("rate", at_least="0 1/s", at_most="1000000 1/s")
 STIFFNESS_DAMPING = Quantity("time", at_least="0 s", at_most="1 s")
@@ -208,6 +209,7 @@ TiltRigidity = Annotated[float, TILT_RIGIDITY]
 TiltDamping = Annotated[float, TILT_DAMPING]
 Damping = Annotated[float, DAMPING]
 DampingRatio = Annotated[float, DAMPING_RATIO]
+LossFactor = Annotated[float, LOSS_FACTOR]
 Share = Annotated[float, SHARE]
 Name = Annotated[str, Named()]
 PointName = Annotated[str, Named(dotted=True)]

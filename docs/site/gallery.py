@@ -20,6 +20,7 @@ EXAMPLES = DOCS / "examples"
 # The picture that stands for a page: the first that is there.
 FACES = (
     "shapes_3d_24000rpm_1",
+    "damping",
     "campbell_overlay",
     "stiffness",
     "campbell",

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,6 +24,7 @@ from rotordyn.system.estimate import (
     receptance_shift,
     rounding_shift,
 )
+from rotordyn.system.hysteresis import Signs, gathered, signs_of
 from rotordyn.system.lateral import LateralSystem
 from rotordyn.system.longitudinal import RodSystem
 
@@ -34,9 +35,12 @@ TILTS = ("thy", "thz")
 GRID = 24  # frequencies at which they are, besides those of the modes
 
 
-def left_out(scene: Scene, motion: str) -> LeftOut | None:
-    """What the system that ``motion`` is part of leaves out; None of a rigid rotor."""
-    system, found = scene.vibration(motion)
+def left_out(scene: Scene, motion: str, signs: Signs | None = None) -> LeftOut | None:
+    """What the system that ``motion`` is part of leaves out; None of a rigid rotor.
+
+    ``signs``: of the motions that its supports answer with their loss factors, none if left out.
+    """
+    system, found = scene.answering(motion, signs) if signs else scene.vibration(motion)
     if isinstance(system, CoupledSystem):
         parts = {}
         for name, part in system.parts.items():
@@ -138,12 +142,14 @@ def synchronous_change(
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _OneSpeed:
-    """A system at one speed: its modes, and what it leaves out."""
+    """A system at one speed: its modes, and what it leaves out, for every set of signs."""
 
-    found: Modes
-    rest: LeftOut
+    scene: Scene
+    motion: str
+    place: int
     frame: float
     whirling: bool
+    known: dict[Signs | None, tuple[Modes, LeftOut]]
 
     def error(self, force: End, response: End, omega: Array, power: int) -> float:
         """Largest change of the receptance over its largest value at ``omega`` (f,)."""
@@ -164,16 +170,47 @@ class _OneSpeed:
     @property
     def _planar(self) -> bool:
         """True where whirl shows that nothing couples the planes."""
-        coupled = self.found.stiffness.imag.any() or self.found.damping.imag.any()
+        system, found = self.scene.vibration(self.motion)
+        own = found.at(np.array([self.place]))
+        coupled = bool(own.stiffness.imag.any() or own.damping.imag.any())
+        if system.hysteresis is not None and system.hysteresis.turning.any():
+            coupled = coupled or self._spin > 0.0
         return self.whirling and not coupled
+
+    @property
+    def _spin(self) -> float:
+        if isinstance(self.scene.vibration(self.motion)[0], RodSystem):
+            return 0.0
+        return float(self.scene.speed[self.scene.usable[self.place]])
 
     def _receptance(self, force: End, response: End, s: Complex) -> tuple[Complex, Complex]:
         """Receptance and its change at ``s`` (f,)."""
-        given, taken = self.found.answers(s, force.row, response.row)
-        at = (s + 1j * self.frame)[None]
-        ends = force.seen, response.seen
-        change = receptance_shift(self.rest, at, given[None], taken[None], ends)
-        return response.row @ given, change[0]
+        value, change = np.zeros((2, len(s)), dtype=complex)
+        for signs, at in self._signs(s):
+            found, rest = self._answering(signs)
+            given, taken = found.answers(s[at], force.row, response.row)
+            seen = (s[at] + 1j * self.frame)[None]
+            ends = force.seen, response.seen
+            value[at] = response.row @ given
+            change[at] = receptance_shift(rest, seen, given[None], taken[None], ends)[0]
+        return value, change
+
+    def _signs(self, s: Complex) -> Iterable[tuple[Signs | None, NDArray[np.bool_]]]:
+        """Sets of signs at ``s`` (f,), and where they are; None without loss factors."""
+        if self.scene.vibration(self.motion)[0].hysteresis is None:
+            return [(None, np.ones(len(s), dtype=bool))]
+        turning = s.imag + self.frame
+        return gathered(signs_of(turning, np.array(self._spin), whirling=self.whirling))
+
+    def _answering(self, signs: Signs | None) -> tuple[Modes, LeftOut]:
+        if signs not in self.known:
+            scene, motion = self.scene, self.motion
+            found = (scene.answering(motion, signs) if signs else scene.vibration(motion))[1]
+            rest = left_out(scene, motion, signs)
+            if rest is None:
+                raise ValueError("a rigid rotor leaves nothing out")
+            self.known[signs] = found.at(np.array([self.place])), rest.at(self.place)
+        return self.known[signs]
 
 
 def _folded(values: Complex, force: int, response: int) -> Complex:
@@ -187,14 +224,10 @@ def _folded(values: Complex, force: int, response: int) -> Complex:
 
 def _at(scene: Scene, motion: str, place: int) -> _OneSpeed:
     """The system of a motion at one of its speeds."""
-    system, found = scene.vibration(motion)
-    one = Modes(*(getattr(found, f.name)[place : place + 1] for f in fields(found)))
-    rest = left_out(scene, motion)
-    if rest is None:
-        raise ValueError("a rigid rotor leaves nothing out")
+    system = scene.vibration(motion)[0]
     frame = 0.0 if isinstance(system, CoupledSystem) else float(system.frame[place])
     whirling = isinstance(system, LateralSystem) and system.isotropic
-    return _OneSpeed(one, rest.at(place), frame, whirling)
+    return _OneSpeed(scene, motion, place, frame, whirling, {})
 
 
 def _judged(pole: Complex, omega: Array) -> Array:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analysis.accuracy import frequency_error
 from rotordyn.analysis.branches import Branch, branches_of, home_of
-from rotordyn.analysis.certificate import Count, bounded, count
+from rotordyn.analysis.certificate import Count, count, unbounded
 from rotordyn.analysis.character import character, rigid_share
 from rotordyn.analysis.criticals import critical_speeds
 from rotordyn.analysis.exact_bending import ExactBending
@@ -45,7 +45,21 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
 
 def _provable(scene: Scene) -> bool:
     """False where no reduction, however fine, has a proof."""
-    return all(bounded(scene, motion) for motion in ("bending", "axial", "torsion"))
+    return not _obstacles(scene)
+
+
+def _obstacles(scene: Scene) -> list[str]:
+    """What keeps the number of modes from being proven, however fine the reduction."""
+    homes = {home_of(scene, motion) for motion in ("bending", "axial", "torsion")}
+    if scene.bends_exactly:
+        homes -= {"bending"}
+    return sorted({unbounded(scene, home) for home in homes} - {""})
+
+
+def _why_not(scene: Scene) -> str:
+    """What in the machine keeps the number of modes from being proven; "" if nothing special."""
+    lossy = ["loss factors"] if scene.spindle.hysteretic else []
+    return ", ".join(_obstacles(scene) or lossy)
 
 
 def _answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
@@ -75,6 +89,7 @@ def _answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         node_rotor=scene.mesh.rotor,
         speed_ratio=np.array(list(scene.spindle.ratios.values())),
         certified=certified,
+        no_proof="" if certified[scene.usable].all() else _why_not(scene),
         modes_below=scene.scattered(below),
         modes_found=scene.scattered(seen),
         damping_ratio=scene.scattered(-pole.real / np.abs(pole)),

@@ -13,9 +13,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.formulation import SOFTENED
+from rotordyn.analysis.hysteretic import Hysteretic
 from rotordyn.analysis.scene import Scene
 from rotordyn.numerics.modes import Modes
-from rotordyn.numerics.rouche import same_count, wide_gap
+from rotordyn.numerics.rouche import same_count, to_circle, to_segment, wide_gap
 from rotordyn.system.coupled import CoupledSystem
 from rotordyn.system.jumps import BENDING, jumps
 from rotordyn.system.lateral import LateralSystem
@@ -28,6 +29,7 @@ System = LateralSystem | RodSystem | CoupledSystem
 _WAYS = {"bending": BENDING, "axial": ("axial",), "torsion": ("torsion",)}
 BEYOND = 1.5  # the disc ends in the widest gap of the poles up to this multiple of the band
 OSCILLATING = 1e-6  # of |pole|: less imaginary part than that is no vibration
+SAME = 1e-9  # of the radius: poles so near are one
 UNMOVED = 1e-9  # of the largest force of any mode: less is rounding
 
 
@@ -89,32 +91,85 @@ def certificate(scene: Scene, motion: str, highest: float) -> Certificate:
     elastic one on housings or with dampers in its joints (bound ∞).
     """
     system, found = scene.vibration(motion)
-    pole = (
-        found.pole + 1j * np.asarray(getattr(system, "frame", np.zeros(len(found.pole))))[:, None]
-    )
+    pole = _in_fixed_frame(system, found)
     radius = wide_gap(np.abs(pole), np.full(len(pole), highest), BEYOND)
-    leakage = _leakage(scene, motion, system, radius)
-    if leakage is None:
-        return Certificate(radius, np.zeros(len(radius)))
-    if not bounded(scene, motion):
+    if unbounded(scene, motion):
         return Certificate(radius, np.full(len(radius), np.inf))
+    lossy = scene.hysteretic(motion)
+    if lossy is None:
+        bound = _bound(scene, motion, system, found, radius, to_circle(pole, radius))
+    else:
+        bound = _by_signs(scene, motion, lossy, found, radius)
+    return Certificate(radius, bound)
+
+
+def _in_fixed_frame(system: System, found: Modes) -> NDArray[np.complex128]:
+    frame = np.asarray(getattr(system, "frame", np.zeros(len(found.pole))))
+    return np.asarray(found.pole + 1j * frame[:, None])
+
+
+def _by_signs(scene: Scene, motion: str, lossy: Hysteretic, found: Modes, radius: Array) -> Array:
+    """The largest of what has to be below 1 in the part of the disc that belongs to each set of
+    signs, ∞ where the system of these signs has other modes there than were ``found``."""
+    free = found.at_rest(getattr(lossy.system, "frame", None))
+    seen, worst = _in_fixed_frame(lossy.system, found), np.zeros(len(radius))
+    for signs, low, high in lossy.regions():
+        linear, own = lossy.answering(signs)
+        pole = _in_fixed_frame(linear, own)
+        apart = to_segment(pole, radius, low, high)
+        bound = _bound(scene, motion, linear, own, radius, apart, scene.spindle.loss_factor)
+        resting = own.at_rest(getattr(linear, "frame", None))
+        for row in np.flatnonzero(low < high):
+            edge = radius[row], low[row], high[row]
+            mine, theirs = (
+                _inside(pole[row, ~resting[row]], *edge),
+                _inside(seen[row, ~free[row]], *edge),
+            )
+            same = len(mine) == len(theirs) and np.allclose(
+                mine, theirs, rtol=0.0, atol=SAME * radius[row]
+            )
+            worst[row] = max(worst[row], bound[row]) if same else np.inf
+    return worst
+
+
+def _inside(
+    pole: NDArray[np.complex128], radius: float, low: float, high: float
+) -> NDArray[np.complex128]:
+    """Vibrations of a part of a disc, in order."""
+    swinging = swings(pole, np.abs(pole.imag)) & (np.abs(pole) < radius)
+    return np.sort_complex(pole[swinging & (low < pole.imag) & (pole.imag < high)])
+
+
+def _bound(
+    scene: Scene,
+    motion: str,
+    system: System,
+    found: Modes,
+    radius: Array,
+    apart: Array,
+    loss: float = 0.0,
+) -> Array:
+    """What has to be below 1 (speeds,), with poles ``apart`` (speeds, k) from the edge."""
+    leakage = _leakage(scene, motion, system, radius, loss)
+    if leakage is None:
+        return np.zeros(len(radius))
     free = found.at_rest(getattr(system, "frame", None))
     right = leakage.forces(found.vector, 1.0)
     left = leakage.forces(_left_vectors(found), -1.0)
     with np.errstate(invalid="ignore", over="ignore"):
         unmoved = free & (right <= UNMOVED * right.max(axis=1, keepdims=True))
     right, left = (np.where(unmoved, 0.0, side) for side in (right, left))
-    return Certificate(radius, same_count(pole, right, left, radius, leakage.own()))
+    return same_count(apart, right, left, radius, leakage.own())
 
 
 def _leakage(
-    scene: Scene, motion: str, system: System, radius: Array
+    scene: Scene, motion: str, system: System, radius: Array, loss: float
 ) -> Leakage | CoupledLeakage | None:
     """None of a rigid rotor."""
     if isinstance(system, CoupledSystem):
         parts = {}
         for name, part in system.parts.items():
-            own = _leakage(scene, name, part, radius)
+            own = _leakage(scene, name, part, radius, loss)
             if not isinstance(own, Leakage):
                 return None
             parts[name] = own
@@ -124,19 +179,25 @@ def _leakage(
     bending = motion == "bending"
     spin = scene.speed[scene.usable] if bending else np.zeros(len(radius))
     softened = spin**2 if scene.conditions.formulation == SOFTENED else 0.0 * spin
-    return Leakage(system, system.unreduced, spin, radius, softened)
+    return Leakage(system, system.unreduced, spin, radius, softened, loss)
 
 
-def bounded(scene: Scene, motion: str) -> bool:
-    """False where housings or dampers of joints put forces on the rest that have no known bound."""
+def unbounded(scene: Scene, motion: str) -> str:
+    """Why no proof reaches the system that ``motion`` is part of; "" where one does.
+
+    Housings and dampers of joints put forces on the rest that have no known bound.
+    """
     system, named = scene.vibration(motion)[0], [motion]
+    if scene.rigid:
+        return ""
     if isinstance(system, CoupledSystem):
         if system.carried is not None:
-            return False
+            return "housings"
         named = list(system.parts)
     ways = tuple(way for name in named for way in _WAYS[name])
     parts = (scene.spindle.part(name) for name in scene.spindle.ratios)
-    return not any(jump.damping for part in parts for jump in jumps(part, ways))
+    damped = any(jump.damping for part in parts for jump in jumps(part, ways))
+    return "dampers in joints" if damped else ""
 
 
 def _left_vectors(found: Modes) -> NDArray[np.complex128]:

@@ -176,7 +176,8 @@ def exact_bending(scene: Scene) -> ExactBending:
     from rotordyn.analysis.shaft import obstacles
 
     spindle = scene.spindle
-    for sentence in obstacles(scene.conditions, spindle.damped, spindle.supports):
+    damping = spindle.damped, spindle.loss_factor
+    for sentence in obstacles(scene.conditions, *damping, spindle.supports):
         raise InvalidInput(sentence)
     if spindle.housings:
         raise InvalidInput("the exact shaft takes no housings: take shaft: elements")

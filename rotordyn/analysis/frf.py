@@ -24,7 +24,6 @@ from rotordyn.analysis.specs import QUANTITIES, FrfSpec, Port
 from rotordyn.elements.node import FREEDOMS
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.support import MOTIONS
-from rotordyn.numerics.modes import Modes
 from rotordyn.system.lateral import LateralSystem
 
 Array = NDArray[np.float64]
@@ -92,13 +91,14 @@ def _within(
     """Receptance of pairs whose motions are of one group (speeds, pairs, frequencies)."""
     if scene.bends_exactly and group == {"bending"}:
         return scene.timed("exact receptance", partial(_exact, scene, pairs, frequency))
-    system, found = scene.vibration(min(group))
+    system = scene.vibration(min(group))[0]
     rows = [[_row(scene, system.motion, port) for port in pair] for pair in pairs]
     response, excitation = np.array(rows).swapaxes(0, 1)
     omega = 2.0 * math.pi * frequency
     if isinstance(system, LateralSystem) and system.isotropic:
-        return _whirling(system, found, omega, pairs, response, excitation)
-    return found.receptance(omega, response, excitation)  # one speed serves all in torsion
+        return _whirling(scene, system, omega, pairs, response, excitation)
+    # one speed serves all in torsion
+    return scene.receptance(min(group), omega, response, excitation)
 
 
 def _row(scene: Scene, motion: Array, port: Port) -> Array:
@@ -108,8 +108,8 @@ def _row(scene: Scene, motion: Array, port: Port) -> Array:
 
 
 def _whirling(
+    scene: Scene,
     system: LateralSystem,
-    found: Modes,
     omega: Array,
     pairs: list[tuple[Port, Port]],
     response: Array,
@@ -118,9 +118,11 @@ def _whirling(
     """Receptance in the complex form."""
     m = system.rotor.size
     folded = [r[:, :m] + r[:, m:] for r in (response, excitation)]
-    both = found.receptance(np.concatenate([omega, -omega]), *folded)
+    both = scene.receptance("bending", np.concatenate([omega, -omega]), *folded)
     planar = (system.stiffness.imag == 0.0).all(axis=(1, 2))
     planar &= (system.damping.imag == 0.0).all(axis=(1, 2))
+    if system.hysteresis is not None and system.hysteresis.turning.any():
+        planar &= scene.speed[scene.usable] == 0.0
     return _both_ways(both, planar, pairs)
 
 

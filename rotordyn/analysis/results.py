@@ -73,7 +73,8 @@ class CampbellResult:
     ``shape``: displacements of the nodes at the speeds ``shape_speed``, scaled to a largest
     translation (or rotation) of 1, complex.
     ``certified``: the number of modes up to the highest frequency asked for is proven
-    (``modes_below``, NaN where it is not) and as many were followed (``modes_found``). Modes so
+    (``modes_below``, NaN where it is not) and as many were followed (``modes_found``);
+    ``no_proof``: what in the machine keeps it from being proven, or "". Modes so
     strongly damped that their |pole| lies beyond the disc of that proof are not counted.
     ``stability_threshold``: lowest speed of the range at which a mode begins to grow, infinite
     where none does; ``first_to_grow``: that mode, or "". ``rotor``: the spindle's shaft and further
@@ -105,6 +106,7 @@ class CampbellResult:
     node_rotor: Words = quantity("node", unit="", label="rotor of the node")
     speed_ratio: Array = quantity("rotor", unit="1", label="speed over that of the spindle")
     certified: Flags = quantity("speed", unit="", label="number of modes proven")
+    no_proof: str = quantity(unit="", label="what keeps their number from being proven")
     modes_below: Array = quantity("speed", unit="1", label="modes below the highest frequency")
     modes_found: Array = quantity("speed", unit="1", label="modes followed below it")
     damping_ratio: Array = quantity("speed", "mode", unit="1", label="damping ratio")

@@ -19,6 +19,8 @@ from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec
 from rotordyn.numerics.follow import likeness
 from rotordyn.numerics.modes import Modes
+from rotordyn.system.hysteresis import Signs, signs_of
+from rotordyn.system.lateral import LateralSystem
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -63,6 +65,7 @@ def solved(
     at = np.array([s.speed for s in starts])
     starts = list(starts)
     open_, done = list(range(len(starts))), []
+    near: dict[int, tuple[Start, float, State]] = {}
     for _ in range(ITERATIONS):
         states = _states(scene, spec, branches, [starts[k] for k in open_], at[open_])
         still = []
@@ -72,22 +75,23 @@ def solved(
             if abs(state.miss) <= CLOSE * abs(state.pole):
                 done.append((starts[k], float(at[k]), state))
                 continue
+            if abs(state.miss) <= ROUNDED * abs(state.pole):
+                near[k] = starts[k], float(at[k]), state
             onward = _next(starts[k], float(at[k]), state.miss)
             starts[k] = replace(
                 starts[k],
                 vector=state.vector,
                 before=(float(at[k]), state.miss),
             )
-            if onward == at[k]:
-                if abs(state.miss) <= ROUNDED * abs(state.pole):
-                    done.append((starts[k], float(at[k]), state))
-                continue
-            at[k] = onward
-            still.append(k)
+            if onward != at[k]:
+                at[k] = onward
+                still.append(k)
+            elif k in near:
+                done.append(near[k])
         open_ = still
         if not open_:
             break
-    return done
+    return done + [near[k] for k in open_ if k in near]  # where rounding keeps secants moving
 
 
 def _next(start: Start, at: float, miss: float) -> float:
@@ -109,14 +113,30 @@ def _states(
         return [None] * len(starts)
     place = np.full(len(speeds), -1)
     place[other.usable] = np.arange(len(other.usable))
-    homes = [home_of(scene, branches[start.branch].kind) for start in starts]
-    known = {home: modes_of(other, home, spec.max_frequency) for home in set(homes)}
-    still = np.zeros(len(speeds))
-    frames = {home: other.bending.frame if home == "bending" else still for home in known}
-    return [
-        None if k < 0 else _nearest(known[home], frames[home], int(k), start, float(speed))
-        for home, start, k, speed in zip(homes, starts, place[row], at, strict=True)
+    homes = [
+        (home_of(scene, branches[start.branch].kind), start.line.size, start.side)
+        for start in starts
     ]
+    known = {way: _known(other, spec, *way) for way in set(homes)}
+    still = np.zeros(len(speeds))
+    frames = {way: other.bending.frame if way[0] == "bending" else still for way in known}
+    return [
+        None if k < 0 else _nearest(known[way], frames[way], int(k), start, float(speed))
+        for way, start, k, speed in zip(homes, starts, place[row], at, strict=True)
+    ]
+
+
+def _known(
+    scene: Scene, spec: CampbellSpec, home: str, order: float, side: float
+) -> Modes | ExactModes:
+    """Modes of a system; with loss factors, of motions that turn at ``order`` times the speed."""
+    system = scene.vibration(home)[0]
+    if system.hysteresis is None:
+        return modes_of(scene, home, spec.max_frequency)
+    whirling = isinstance(system, LateralSystem) and system.isotropic
+    turning = side * order if whirling else order
+    signs = signs_of(np.array([turning]), np.ones(1), whirling=whirling)
+    return scene.answering(home, Signs(*map(int, signs[0])))[1]
 
 
 def _nearest(

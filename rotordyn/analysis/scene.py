@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 from rotordyn.analysis.display import RPM
 from rotordyn.analysis.exact_bending import ExactBending, exact_bending
 from rotordyn.analysis.formulation import ROTATING, SOFTENED, told
+from rotordyn.analysis.hysteretic import Hysteretic
 from rotordyn.analysis.shaft import EXACT
 from rotordyn.analysis.specs import Conditions
 from rotordyn.analysis.stability import instability
@@ -29,12 +30,14 @@ from rotordyn.machine.support import Sleeve, Spring, coupled_motions
 from rotordyn.numerics.modes import Modes, modes, residual
 from rotordyn.preload.growth import released_fits
 from rotordyn.system.coupled import CoupledSystem, coupled_system
+from rotordyn.system.hysteresis import Signs
 from rotordyn.system.lateral import LateralSystem, lateral_system
 from rotordyn.system.lateral_rotor import Fineness, LateralRotor, lateral_rotor
 from rotordyn.system.longitudinal import RodSystem, axial_system, torsion_system
 
 Array = NDArray[np.float64]
 ANY_SPRING = Spring(preload=1.0, stiffness=1.0)
+System = LateralSystem | RodSystem | CoupledSystem
 
 
 class Scene(Statics):
@@ -57,6 +60,7 @@ class Scene(Statics):
         self.max_frequency = max_frequency
         self.ports = ports
         self.taken: set[str] = set()
+        self._hysteretic: dict[str, Hysteretic] = {}
 
     def beyond(self, factor: float) -> Scene:
         """The same machine with as many more vibrations as ``factor`` times the band would ask."""
@@ -93,8 +97,9 @@ class Scene(Statics):
         for motion in ("bending", "coupled"):
             if f"{motion}_modes" in self.solved:
                 found: Modes = self.solved[f"{motion}_modes"]
-                reached[f"{motion} modes: residual of the eigenpairs"] = residual(
-                    found, found.stiffness, found.damping
+                lossy = self._hysteretic.get(motion)
+                reached[f"{motion} modes: residual of the eigenpairs"] = (
+                    lossy.residual if lossy else residual(found, found.stiffness, found.damping)
                 )
         return reached
 
@@ -159,7 +164,7 @@ class Scene(Statics):
     @stage
     def bending_modes(self) -> Modes:
         """All eigenvalues of the bending system."""
-        return modes(self.bending.stiffness, self.bending.damping)
+        return self._free_motions("bending", self.bending)
 
     @stage
     def exact(self) -> ExactBending:
@@ -190,7 +195,7 @@ class Scene(Statics):
     @stage
     def axial_modes(self) -> Modes:
         """All eigenvalues of the axial system."""
-        return modes(self.axial.stiffness, self.axial.damping)
+        return self._free_motions("axial", self.axial)
 
     @stage
     def torsion(self) -> RodSystem:
@@ -207,7 +212,7 @@ class Scene(Statics):
     @stage
     def torsion_modes(self) -> Modes:
         """All eigenvalues of the torsion system, the same at every speed."""
-        return modes(self.torsion.stiffness, self.torsion.damping)
+        return self._free_motions("torsion", self.torsion)
 
     @property
     def coupled_motions(self) -> frozenset[str]:
@@ -239,12 +244,47 @@ class Scene(Statics):
     @stage
     def coupled_modes(self) -> Modes:
         """All eigenvalues of the coupled system."""
-        return modes(self.coupled.stiffness, self.coupled.damping)
+        return self._free_motions("coupled", self.coupled)
 
-    def vibration(self, motion: str) -> tuple[LateralSystem | RodSystem | CoupledSystem, Modes]:
+    def vibration(self, motion: str) -> tuple[System, Modes]:
         """The system that ``motion`` is part of, and its modes."""
-        name = "coupled" if motion in self.coupled_motions else motion
+        name = self._name(motion)
         return getattr(self, name), getattr(self, f"{name}_modes")
+
+    def answering(self, motion: str, signs: Signs) -> tuple[System, Modes]:
+        """The same for motions of some signs, where loss factors depend on these."""
+        lossy = self.hysteretic(motion)
+        return lossy.answering(signs) if lossy else self.vibration(motion)
+
+    def receptance(
+        self, motion: str, omega: Array, responses: Array, excitations: Array
+    ) -> NDArray[np.complex128]:
+        """Receptance at i·``omega`` (f,) of paired rows (pairs, n) of the system that ``motion`` is
+        part of: (speeds or 1, pairs, f)."""
+        found = self.hysteretic(motion) or self.vibration(motion)[1]
+        return found.receptance(omega, responses, excitations)
+
+    def hysteretic(self, motion: str) -> Hysteretic | None:
+        """The system that ``motion`` is part of, by signs; None without loss factors."""
+        return self._by_signs(self._name(motion))
+
+    def _by_signs(self, name: str) -> Hysteretic | None:
+        system: System = getattr(self, name)
+        if system.hysteresis is None:
+            return None
+        if name not in self._hysteretic:
+            turning = not isinstance(system, RodSystem)
+            speed = self.speed[self.usable] if turning else np.zeros(len(system.stiffness))
+            self._hysteretic[name] = Hysteretic(system, system.hysteresis, speed)
+        return self._hysteretic[name]
+
+    def _name(self, motion: str) -> str:
+        return "coupled" if motion in self.coupled_motions else motion
+
+    def _free_motions(self, name: str, system: System) -> Modes:
+        """Modes of a system; with loss factors, each with those of its own frequency."""
+        lossy = self._by_signs(name)
+        return lossy.free_motions() if lossy else modes(system.stiffness, system.damping)
 
 
 def _elements(scene: Scene) -> tuple[object, ...]:

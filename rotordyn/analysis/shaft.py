@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterator, Sequence
 from typing import Protocol
 
 from rotordyn.analysis.formulation import SOFTENED
@@ -18,6 +18,11 @@ UNDAMPED = (
     "(override: {damping.rotor: []}), and damping.rayleigh out"
 )
 
+LOSSLESS = (
+    "the exact shaft is counted and solved without loss factors: leave damping.loss_factor of the "
+    "spindle and loss_factor of its supports out"
+)
+
 
 class Modelled(Protocol):
     """Conditions, as they are given or as they are read."""
@@ -31,16 +36,18 @@ class Modelled(Protocol):
 
 
 def obstacles(
-    conditions: Modelled, damped: bool, supports: Iterable[LinearSupport]
+    conditions: Modelled, damped: bool, loss_factor: float, supports: Sequence[LinearSupport]
 ) -> Iterator[str]:
     """A sentence for everything that the exact shaft, where it is asked for, cannot describe.
 
-    ``damped``: the rotor itself is.
+    ``damped``: the rotor itself is, with or without its ``loss_factor``.
     """
     if conditions.shaft != EXACT:
         return
     if damped:
         yield UNDAMPED
+    if loss_factor or any(support.loss_factor for support in supports):
+        yield LOSSLESS
     if conditions.rotor == "rigid":
         yield "a rigid rotor does not bend, exactly or not: take rotor: flexible"
     if conditions.formulation == SOFTENED:

@@ -16,11 +16,11 @@ from rotordyn.analysis.branches import MARGIN, Branch, home_of, modes_of
 from rotordyn.analysis.certificate import swings
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec
+from rotordyn.errors import NoSolution
 from rotordyn.numerics.modes import NEUTRAL
 
 Array = NDArray[np.float64]
 CLOSE = 1e-10  # of the speed: it is known so well
-ITERATIONS = 60
 
 
 def stability_threshold(
@@ -46,23 +46,28 @@ def stability_threshold(
 
 
 def _begin(scene: Scene, spec: CampbellSpec, home: str, low: float, high: float) -> float:
-    """Where the largest growth becomes positive between two speeds, by false position; each time
-    that one end stays its weight is halved (Dowell & Jarratt, BIT 11 (1971) 168)."""
-    ends, growth = [low, high], [_growth(scene, spec, home, x) for x in (low, high)]
-    if not growth[0] < 0.0 < growth[1]:
-        return low if growth[0] >= 0.0 else high
-    last = -1
-    for _ in range(ITERATIONS):
-        if ends[1] - ends[0] <= CLOSE * ends[1] or not math.isfinite(growth[last]):
-            break
-        at = ends[0] + (ends[1] - ends[0]) * growth[0] / (growth[0] - growth[1])
-        at = float(np.clip(at, ends[0] + 0.1 * CLOSE * ends[1], ends[1] - 0.1 * CLOSE * ends[1]))
-        value = _growth(scene, spec, home, at)
-        side = int(value > 0.0)
-        if side == last:
-            growth[1 - side] *= 0.5
-        ends[side], growth[side], last = at, value, side
-    return ends[1]
+    """Where the largest growth becomes positive between two speeds, by Brent's method, which finds
+    jumps too: by loss factors growth changes its sign at once. Where there is no equilibrium on the
+    way, the lowest speed known to grow."""
+    from scipy.optimize import brentq
+
+    growing = [high]
+
+    def growth(speed: float) -> float:
+        value = _growth(scene, spec, home, speed)
+        if not math.isfinite(value):
+            raise NoSolution(f"no equilibrium at {speed:.6g} rad/s")
+        if value > 0.0:
+            growing.append(speed)
+        return value
+
+    try:
+        ends = growth(low), growth(high)
+        if not ends[0] < 0.0 < ends[1]:
+            return low if ends[0] >= 0.0 else high
+        return float(brentq(growth, low, high, xtol=CLOSE * high, rtol=CLOSE))
+    except NoSolution:
+        return min(growing)
 
 
 def _growth(scene: Scene, spec: CampbellSpec, home: str, speed: float) -> float:

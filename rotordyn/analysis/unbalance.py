@@ -21,6 +21,7 @@ from rotordyn.analysis.unbalance_loads import Acting, acting, node_loads, unbala
 from rotordyn.errors import NoSolution
 from rotordyn.machine.rotor import Place
 from rotordyn.numerics.modes import Modes
+from rotordyn.system.hysteresis import SYNCHRONOUS
 from rotordyn.system.longitudinal import RodSystem
 from rotordyn.system.synchronous import displacements, frame_of, support_forces, synchronous
 
@@ -41,10 +42,10 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
     spindle, rotor = scene.spindle, unbalanced(scene.spindle, spec)
     ratio = spindle.ratios[rotor]
     speed = ratio * scene.speed[scene.usable]
-    system, found = scene.vibration("bending")
+    system, turning = scene.answering("bending", SYNCHRONOUS)
     assert not isinstance(system, RodSystem), "bending is no rod"
     frame = frame_of(system, speed)
-    absent = _absences(found, speed, frame)
+    absent = _absences(scene.vibration("bending")[1], turning, speed, frame)
     if all(absent):
         raise NoSolution(f"no speed of the case has a steady response to unbalance: {absent[0]}")
     steady = np.array([word == "" for word in absent])
@@ -87,19 +88,22 @@ def _in_time(ratio: float, moved: Complex) -> Complex:
     return moved if ratio > 0.0 else moved.conj()
 
 
-def _absences(found: Modes, speed: Array, frame: Array) -> list[str]:
-    """Per speed: empty, or why there is no steady response."""
+def _absences(found: Modes, turning: Modes, speed: Array, frame: Array) -> list[str]:
+    """Per speed: empty, or why there is no steady response.
+
+    ``turning``: the modes of motions that turn with the shaft.
+    """
     words = []
-    for row, turning in enumerate(speed):
+    for row, spin in enumerate(speed):
         pole = found.pole[row]
         growing = found.growing[row]
-        near = np.abs(pole - 1j * (turning - frame[row])).min() <= UNDAMPED * abs(turning)
+        near = np.abs(turning.pole[row] - 1j * (spin - frame[row])).min() <= UNDAMPED * abs(spin)
         if growing.any():
             own = pole[growing][pole[growing].real.argmax()] + 1j * frame[row]
             hertz = abs(own.imag) / (2.0 * math.pi)
             how = f"vibrates by itself at {hertz:.1f} Hz" if hertz else "moves away by itself"
             words.append(f"unstable: the machine {how}")
-        elif near and turning != 0.0:
+        elif near and spin != 0.0:
             words.append("a critical speed without damping: the response grows without bound")
         else:
             words.append("")

@@ -184,7 +184,7 @@ def _machine(spindle: Spindle, conditions: Conditions) -> Iterator[str]:
     if free and not spindle.seats:
         axes = " and ".join(free)
         yield f"the shaft is not held: no bearings, no support with stiffness along {axes}"
-    for sentence in obstacles(conditions, spindle.damped, spindle.supports):
+    for sentence in obstacles(conditions, spindle.damped, spindle.loss_factor, spindle.supports):
         yield f"conditions.shaft: {sentence}"
     longest = conditions.element_length
     least = (spindle.shaft.end - spindle.shaft.start) / MOST_ELEMENTS

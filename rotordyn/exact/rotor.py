@@ -76,6 +76,8 @@ def exact_rotor(
             "the exact shaft has no modes to damp one by one: leave damping.rotor of the spindle "
             "empty (override: {damping.rotor: []}), and damping.rayleigh out"
         )
+    if spindle.loss_factor or any(support.loss_factor for support in spindle.supports):
+        raise InvalidInput("the exact shaft is counted and solved without loss factors")
     mesh = mesh or station_mesh(spindle)
     terms, planes = node_terms(spindle, mesh, seat_stiffness, pulled=axial_force is not None)
     tension = np.zeros(mesh.nodes - 1) if axial_force is None else axial_force

@@ -15,6 +15,10 @@ from rotordyn.machine.support import GROUND, MOTIONS, SPINDLE
 from rotordyn.quantity import DampingRatio, Name, Share, SpeedRatio, Station, suggestion
 
 HELD = ("y", "z")
+ONE_ROTOR = (
+    "loss factors are known of machines with one rotor, since each sees whirl from its own speed: "
+    "take viscous damping"
+)
 
 
 class Place(NamedTuple):

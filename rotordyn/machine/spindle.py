@@ -17,10 +17,17 @@ from rotordyn.machine.housing import Housing
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.reference import Reference
-from rotordyn.machine.rotor import Place, Rotor, ends_faults, freedoms_held, rotor_faults
+from rotordyn.machine.rotor import (
+    ONE_ROTOR,
+    Place,
+    Rotor,
+    ends_faults,
+    freedoms_held,
+    rotor_faults,
+)
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.support import GROUND, SPINDLE, BearingSeat, LinearSupport, Sleeve, acts
-from rotordyn.quantity import DampingRatio, Name, Share, Station, suggestion
+from rotordyn.quantity import DampingRatio, LossFactor, Name, Share, Station, suggestion
 
 SLACK = 1e-9  # [m] by which a station may lie beside the shaft
 
@@ -55,7 +62,8 @@ class Spindle(Description):
     ``internal_damping`` [-]: share of both, in bending, which turns with the shaft. ``points``:
     named stations [m]. ``housings``: what bearings and supports stand on; those that none carries
     stand on ground. ``joints``: between parts of the shaft. ``rotors``: further ones on the same
-    axis, joined to the shaft, to ground and to one another by supports.
+    axis, joined to the shaft, to ground and to one another by supports. ``loss_factor`` [-]:
+    hysteretic damping, of the stiffness of shaft and joints; it turns with the shaft.
     """
 
     name: str
@@ -77,6 +85,7 @@ class Spindle(Description):
     housings: tuple[Housing, ...] = ()
     joints: tuple[Joint, ...] = ()
     rotors: tuple[Rotor, ...] = ()
+    loss_factor: LossFactor = 0.0
 
     @property
     def damped(self) -> bool:
@@ -136,6 +145,16 @@ class Spindle(Description):
         own = tuple(s for s in self.supports if set(s.ends) == {SPINDLE, GROUND})
         return replace(self, supports=own, housings=(), rotors=())
 
+    @property
+    def connection_losses(self) -> tuple[float, ...]:
+        """Loss factors of bearings, which have none, then of supports."""
+        return (*(0.0 for _ in self.seats), *(support.loss_factor for support in self.supports))
+
+    @property
+    def hysteretic(self) -> bool:
+        """Something has a loss factor."""
+        return self.loss_factor > 0.0 or any(self.connection_losses)
+
     def _faults(self) -> Iterator[str]:
         yield from _named_twice("seats", self.seats)
         yield from _named_twice("sleeves", self.sleeves)
@@ -148,6 +167,8 @@ class Spindle(Description):
         yield from self._fit_faults()
         yield from held_twice(self.seats, self.supports)
         yield from self._joint_faults()
+        if self.rotors and self.hysteretic:
+            yield ONE_ROTOR
         yield from (
             sentence
             for _, sentence in housing_faults(

@@ -16,6 +16,7 @@ from rotordyn.machine.growth import InterferenceFit, RingGrowth
 from rotordyn.quantity import (
     Choice,
     Damping,
+    LossFactor,
     Mass,
     Name,
     Preload,
@@ -42,6 +43,7 @@ Value = float | tuple[float, ...]
 Entries = Mapping[tuple[Freedom, Freedom], Value]
 TABLED = ("y", "z", "thy", "thz")  # freedoms whose entries may follow the speed
 RPM = math.pi / 30.0
+SYMMETRIC = 1e-9  # of an entry: less than that is rounding
 SLACK = 1e-9  # of the highest speed of a table, by which a speed may lie beside it
 
 
@@ -128,7 +130,8 @@ class LinearSupport(Description):
     x, y, z, thx, thy, thz. Entries not named are zero; nothing is symmetrised. Freedoms in
     ``rigid`` do not move at all and have no stiffness; only section forces take them.
     An entry among y, z, thy and thz may be a tuple of values, one at each of ``speeds`` [rad/s],
-    linear in between and not known beyond.
+    linear in between and not known beyond. ``loss_factor`` [-]: hysteretic damping, of its
+    stiffness.
     """
 
     name: Name
@@ -139,10 +142,13 @@ class LinearSupport(Description):
     speeds: tuple[Speed, ...] = ()
     holds: Name = SPINDLE
     against: Name = GROUND
+    loss_factor: LossFactor = 0.0
 
     def _faults(self) -> Iterator[str]:
-        found = table_faults(self.stiffness, self.damping, self.speeds)
+        found = [*table_faults(self.stiffness, self.damping, self.speeds)]
         yield from (sentence for _, sentence in found)
+        if not found:
+            yield from loss_faults(self.stiffness, self.loss_factor)
         if any(b <= a for a, b in pairwise(self.speeds)):
             yield "the speeds of its table must ascend without repeats"
         for freedom in doubled(self.rigid):
@@ -238,6 +244,53 @@ def table_faults(
         yield ("speeds",), "a table needs at least two speeds: given 1"
     if speeds and not rows:
         yield ("speeds",), "speeds without a table: no entry has a list of values"
+
+
+def loss_faults(stiffness: Entries, loss_factor: float) -> Iterator[str]:
+    """A sentence where a loss factor has no spring whose energy it could be a share of."""
+    if loss_factor == 0.0:
+        return
+    if not any(acts(value) for value in stiffness.values()):
+        yield "loss_factor is of a stiffness, and there is none"
+        return
+    rows = max(len(value) if isinstance(value, tuple) else 1 for value in stiffness.values())
+    for k in range(rows):
+        own = {p: v[k] if isinstance(v, tuple) else v for p, v in stiffness.items()}
+        for (row, column), value in own.items():
+            other = own.get((column, row), 0.0)
+            if abs(value - other) > SYMMETRIC * max(abs(value), abs(other)):
+                yield (
+                    "loss_factor is of a spring, and its stiffness is not symmetric: given "
+                    f"{entry_name(row, column)} {value:.6g} and {entry_name(column, row)} "
+                    f"{other:.6g}"
+                )
+                return
+        if not _resists(own):
+            yield "loss_factor is of a spring, and there is a motion that its stiffness drives"
+            return
+
+
+def _resists(entries: Mapping[tuple[str, str], float]) -> bool:
+    """No motion is driven by a symmetric matrix; by elimination, freedoms in their own measure."""
+    names = list(dict.fromkeys(row for row, _ in entries))
+    size = {name: entries.get((name, name), 0.0) for name in names}
+    if any(size[r] <= 0.0 or size[c] <= 0.0 for (r, c), v in entries.items() if v != 0.0):
+        return False
+    held = [name for name in names if size[name] > 0.0]
+    rest = [[entries.get((r, c), 0.0) / math.sqrt(size[r] * size[c]) for c in held] for r in held]
+    while rest:
+        (pivot, *across), below = rest[0], rest[1:]
+        if pivot < -SYMMETRIC:
+            return False
+        if pivot <= SYMMETRIC:
+            if any(abs(value) > math.sqrt(SYMMETRIC) for value in across):
+                return False
+            across = [0.0 for _ in across]
+        rest = [
+            [v - row[0] * a / (pivot or 1.0) for v, a in zip(row[1:], across, strict=True)]
+            for row in below
+        ]
+    return True
 
 
 def _between(speeds: tuple[float, ...], value: Value, speed: float) -> float:

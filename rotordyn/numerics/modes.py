@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from typing import Any
 
 import numpy as np
@@ -56,6 +56,10 @@ class Modes:
             held = _held(self.stiffness[place], self.damping[place], still)
             small[place] &= rank[place] < 2 * (len(self.stiffness[place]) - held)
         return small
+
+    def at(self, rows: NDArray[np.intp]) -> Modes:
+        """Of some of the systems, of a batch along one axis."""
+        return Modes(*(getattr(self, field.name)[rows] for field in fields(self)))
 
     @property
     def growing(self) -> NDArray[np.bool_]:

@@ -4,11 +4,14 @@ Let a problem T(s), analytic in s, have the blocks Z (reduced), E, F and Y, with
 
     Z⁻¹ = Σ v_k w_k / (s − λ_k)
 
-Where Y has no eigenvalue in the disc |s| ≤ R and ‖Y⁻¹ F Z⁻¹ E‖ < 1 on its edge, T has as many
-eigenvalues in it as Z, since det(Y − t F Z⁻¹ E) meets no zero there for any t from 0 to 1 (Rouché;
-for matrices Gohberg & Sigal, Math. USSR-Sb. 13 (1971) 603). With ‖Y⁻¹‖ ≤ 1/(1 − q) that is so if
+Where Y has no eigenvalue in a region of the disc |s| ≤ R and ‖Y⁻¹ F Z⁻¹ E‖ < 1 on its edge, T has
+as many eigenvalues in it as Z, since det(Y − t F Z⁻¹ E) meets no zero there for any t from 0 to 1
+(Rouché; for matrices Gohberg & Sigal, Math. USSR-Sb. 13 (1971) 603). With ‖Y⁻¹‖ ≤ 1/(1 − q) that is
+so if
 
-    Σ ‖F v_k‖ ‖w_k E‖ / ||λ_k| − R| < 1 − q.
+    Σ ‖F v_k‖ ‖w_k E‖ / d_k < 1 − q,
+
+d_k being the distance of λ_k to the edge: ||λ_k| − R| for the whole disc.
 """
 
 from __future__ import annotations
@@ -21,15 +24,28 @@ Complex = NDArray[np.complex128]
 FEWEST = 1e-12  # of R: a pole nearer than that lies on the edge
 
 
-def same_count(pole: Complex, right: Array, left: Array, radius: Array, own: Array) -> Array:
-    """Σ ‖F v‖ ‖w E‖ / ||λ| − R| / (1 − q) (…): below 1 the counts are the same; infinite, q ≥ 1.
+def same_count(apart: Array, right: Array, left: Array, radius: Array, own: Array) -> Array:
+    """Σ ‖F v‖ ‖w E‖ / d / (1 − q) (…): below 1 the counts are the same; infinite, q ≥ 1.
 
-    ``pole``, ``right`` ‖F v‖ and ``left`` ‖w E‖ (…, k); ``radius`` R and ``own`` q (…).
+    ``apart`` d, ``right`` ‖F v‖ and ``left`` ‖w E‖ (…, k); ``radius`` R and ``own`` q (…).
     """
-    apart = np.maximum(np.abs(np.abs(pole) - radius[..., None]), FEWEST * radius[..., None])
+    apart = np.maximum(apart, FEWEST * radius[..., None])
     with np.errstate(invalid="ignore", over="ignore"):
         reach = (right * left / apart).sum(axis=-1) / np.maximum(1.0 - own, 1e-300)
     return np.where((own < 1.0) & np.isfinite(reach), reach, np.inf)
+
+
+def to_circle(pole: Complex, radius: Array) -> Array:
+    """Distance of poles (…, k) to the circle of ``radius`` (…)."""
+    return np.asarray(np.abs(np.abs(pole) - radius[..., None]))
+
+
+def to_segment(pole: Complex, radius: Array, low: Array, high: Array) -> Array:
+    """Distance of poles (…, k) to the edge of the disc of ``radius`` (…) between Im s = ``low`` and
+    ``high`` (…), or less: to the circle and to both chords."""
+    beyond = np.maximum(np.abs(pole.real) - radius[..., None], 0.0)
+    chords = [np.hypot(pole.imag - end[..., None], beyond) for end in (low, high)]
+    return np.minimum(to_circle(pole, radius), np.minimum(*chords))
 
 
 def wide_gap(size: Array, low: Array, high: float) -> Array:

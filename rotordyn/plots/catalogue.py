@@ -50,6 +50,8 @@ def _campbell(case: Drawable, result: Any, _: Mapping[str, Any]) -> Iterator[Job
     teeth, highest = getattr(spec, "teeth", ()), getattr(spec, "max_frequency", 0.0)
     known = case.known
     yield "campbell", partial(call, "campbell", "campbell_figure", result, teeth, known, highest)
+    if result.unstable.any() and result.speed.size > 1:
+        yield "damping", partial(call, "damping", "damping_figure", result)
     if result.shape_speed.size and result.node.size:
         yield "mode_shapes", partial(call, "shapes", "shapes_figure", result, case.spindle)
 

@@ -34,7 +34,8 @@ def _uncertified(results: Mapping[str, Any]) -> list[str]:
     if not at.size:
         return []
     number, seen = result.modes_below[at[0]], result.modes_found[at[0]]
-    proven = f"proven {number:.0f}" if np.isfinite(number) else "no proof of their number"
+    why = f" ({result.no_proof})" if result.no_proof else ""
+    proven = f"proven {number:.0f}" if np.isfinite(number) else f"no proof of their number{why}"
     return [
         f"modes not certified at {at.size} of {len(open_)} speeds, first at "
         f"{result.speed[at[0]] * RPM.factor:.0f} rpm: {proven}, found {seen:.0f}"

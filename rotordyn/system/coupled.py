@@ -6,9 +6,10 @@ two motions joins them. Housings follow with theirs (``foundation``).
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import accumulate, pairwise
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,11 +20,13 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import MOTIONS
 from rotordyn.system.connections import connections, moved, supported
 from rotordyn.system.foundation import foundation
+from rotordyn.system.hysteresis import Hysteresis, Signs
 from rotordyn.system.lateral import LateralSystem
 from rotordyn.system.longitudinal import RodSystem
 from rotordyn.system.mesh import Mesh
 
 Array = NDArray[np.float64]
+Matrix = NDArray[np.inexact[Any]]
 _OWNER = np.array([MOTIONS[freedom] for freedom in FREEDOMS])
 BETWEEN = _OWNER[:, None] != _OWNER  # places of a 6×6 matrix that couple two motions
 
@@ -36,7 +39,7 @@ class Carried:
     (connections, 6, n): motion of the place under each, by all coordinates.
     """
 
-    held: Array
+    held: Matrix
     damped: Array
     under: Array
     size: int
@@ -50,17 +53,37 @@ class CoupledSystem:
     of the nodes by the coordinates.
     ``parts``: the systems joined; ``supports`` (2, supports, 6, 6): what supports add between
     them, stiffness and damping; ``at_supports`` (supports, 6, n): motion between their ends.
-    ``carried``: what stands on housings; None where nothing does.
+    ``carried``: what stands on housings; None where nothing does. ``hysteresis``: what loss factors
+    add to the stiffness; None where there are none.
     """
 
     parts: Mapping[str, LateralSystem | RodSystem]
     places: Mapping[str, slice]
     motion: Array
-    stiffness: Array
+    stiffness: Matrix
     damping: Array
-    supports: Array
+    supports: Matrix
     at_supports: Array
     carried: Carried | None = None
+    hysteresis: Hysteresis | None = None
+
+    def answering(self, signs: Signs) -> CoupledSystem:
+        """The linear system that answers motions of these signs: loss is in its stiffness."""
+        own, carried = self.hysteresis, self.carried
+        if own is None:
+            return self
+        supports = own.connections[len(own.connections) - len(self.at_supports) :]
+        lossy = 1.0 + 1j * signs.fixed * supports[:, None, None]
+        if carried is not None:
+            carried = replace(carried, held=own.held(carried.held, signs))
+        return replace(
+            self,
+            parts={name: part.answering(signs) for name, part in self.parts.items()},
+            stiffness=self.stiffness + own.stiffness(signs),
+            supports=np.stack([self.supports[0] * lossy, self.supports[1] + 0j]),
+            carried=carried,
+            hysteresis=None,
+        )
 
 
 def coupled_system(
@@ -94,6 +117,7 @@ def coupled_system(
         damping=_side_by_side([part.damping for part in parts.values()]) + joined[1],
         supports=between,
         at_supports=rows,
+        hysteresis=_hysteresis(spindle, parts, rows, between[0]),
     )
     if not spindle.housings or seat_stiffness is None or speed is None:
         return rotor
@@ -117,10 +141,48 @@ def _on_housings(
         stiffness=_wide(rotor.stiffness, rows, held, base.under, base.stiffness),
         damping=_wide(rotor.damping, rows, damped, base.under, base.damping),
         carried=Carried(held, damped, under, base.size),
+        hysteresis=_hysteresis_on_housings(rotor.hysteresis, rows, held, base.under),
     )
 
 
-def _wide(before: Array, rows: Array, blocks: Array, under: Array, own: Array) -> Array:
+def _hysteresis(
+    spindle: Spindle, parts: Mapping[str, LateralSystem | RodSystem], rows: Array, between: Array
+) -> Hysteresis | None:
+    """Of all parts, and of what supports add ``between`` them (supports, 6, 6)."""
+    own = [part.hysteresis for part in parts.values() if part.hysteresis is not None]
+    if not own:
+        return None
+    factors = np.array([support.loss_factor for support in spindle.supports])
+    joined = np.einsum("kin,kij,kjm->nm", rows, factors[:, None, None] * between, rows)
+    return Hysteresis(
+        _side_by_side([each.fixed for each in own]) + joined,
+        _side_by_side([each.turning[None] for each in own])[0],
+        _side_by_side([_across(each)[None] for each in own])[0],
+        np.array(spindle.connection_losses),
+    )
+
+
+def _across(own: Hysteresis) -> Array:
+    return np.zeros_like(own.turning) if own.across is None else own.across
+
+
+def _hysteresis_on_housings(
+    own: Hysteresis | None, rows: Array, held: Array, under: Array
+) -> Hysteresis | None:
+    """The same with the coordinates of the housings, which have no loss factor themselves."""
+    if own is None:
+        return None
+    more = under.shape[-1]
+    lossy, wide = held * own.connections[:, None, None], ((0, more), (0, more))
+    return Hysteresis(
+        _wide(own.fixed, rows, lossy, under, np.zeros((more, more))),
+        np.pad(own.turning, wide),
+        np.pad(_across(own), wide),
+        own.connections,
+    )
+
+
+def _wide(before: Matrix, rows: Array, blocks: Array, under: Array, own: Array) -> Array:
     """A matrix of the rotor on ground, on housings with their ``own``."""
     size = before.shape[-1]
     whole = np.zeros((len(blocks), size + len(own), size + len(own)))
@@ -149,7 +211,7 @@ def _between(left: Array, blocks: Array, right: Array) -> Array:
     return np.einsum("cia,scij,cjb->sab", left, blocks, right, optimize=True)
 
 
-def _side_by_side(matrices: list[NDArray[np.inexact]]) -> Array:
+def _side_by_side(matrices: Sequence[Matrix]) -> Array:
     """Block diagonal of (speeds or 1, k, k) matrices."""
     size = sum(matrix.shape[-1] for matrix in matrices)
     whole = np.zeros((max(len(matrix) for matrix in matrices), size, size))

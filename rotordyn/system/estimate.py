@@ -204,7 +204,7 @@ class Ground:
     """Bearings, then supports, on housings: matrices (speeds, c, 6, 6) and motion ``under`` them
     (c, 6, n), of which the last ``size`` coordinates are those of the housings."""
 
-    held: Array
+    held: Inexact
     damped: Array
     under: Array
     size: int
@@ -231,7 +231,7 @@ class Joined:
 
     parts: Mapping[str, Unbalanced]
     places: Mapping[str, slice]
-    supports: Array
+    supports: Inexact
     motion: Array
     ground: Ground | None = None
 

@@ -17,6 +17,7 @@ from rotordyn.elements.support import ALIKE, support_matrices, turn
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.system.dofs import BOTH_PLANES
+from rotordyn.system.hysteresis import Hysteresis, Signs, answering
 from rotordyn.system.lateral_rotor import LateralRotor
 from rotordyn.system.remainder import Remainder
 from rotordyn.system.unreduced import Unreduced
@@ -34,6 +35,7 @@ class LateralSystem:
     ``held``, ``damped`` (speeds, connections, k, k): stiffness and damping of bearings and
     supports, over (deflection, tilt) in the complex form, of both planes otherwise. ``force``
     (speeds, elements) [N]: axial force that acts on bending; None where it does not.
+    ``hysteresis``: what loss factors add to the stiffness; None where there are none.
     """
 
     rotor: LateralRotor
@@ -44,6 +46,7 @@ class LateralSystem:
     held: NDArray[np.inexact]
     damped: NDArray[np.inexact]
     force: Array | None = None
+    hysteresis: Hysteresis | None = None
 
     @property
     def planes(self) -> int:
@@ -93,6 +96,10 @@ class LateralSystem:
             motion[:, position(freedom), own] = sign * plane[:, place % 2]
         return motion
 
+    def answering(self, signs: Signs) -> LateralSystem:
+        """The linear system that answers motions of these signs: loss is in its stiffness."""
+        return answering(self, signs)
+
     @property
     def in_planes(self) -> LateralSystem:
         """The same system in its real form: A + iB on y + iz is [[A, −B], [B, A]] on (y, z)."""
@@ -105,7 +112,15 @@ class LateralSystem:
             _two_by_two(k.real, -k.imag, k.imag, k.real) for k in (self.held, self.damped)
         )
         return LateralSystem(
-            self.rotor, False, stiffness, damping, self.frame, held, damped, self.force
+            self.rotor,
+            False,
+            stiffness,
+            damping,
+            self.frame,
+            held,
+            damped,
+            self.force,
+            self.hysteresis and _hysteresis_in_planes(self.hysteresis),
         )
 
 
@@ -148,15 +163,21 @@ def lateral_system(
     own_damping = np.diag(rotor.damping) + rotor.joints
     gyroscopic = speed[:, None, None] * rotor.polar
     internal = speed[:, None, None] * rotor.turning
-    if _alike(k) and _alike(c):
+    alike = _alike(k) and _alike(c)
+    lossy = _hysteresis(spindle, rotor, rows, k, alike=alike)
+    if alike:
         stiffness = own_stiffness - 1j * internal + _gathered(rows, _complex(k))
         damping = own_damping + _gathered(rows, _complex(c))
         blocks = _complex(k), _complex(c)
         if turning:
-            return replace(_turned(rotor, speed, stiffness, damping, blocks), force=axial_force)
+            return replace(
+                _turned(rotor, speed, stiffness, damping, blocks),
+                force=axial_force,
+                hysteresis=lossy,
+            )
         still = np.zeros_like(speed)
         return LateralSystem(
-            rotor, True, stiffness, damping - 1j * gyroscopic, still, *blocks, axial_force
+            rotor, True, stiffness, damping - 1j * gyroscopic, still, *blocks, axial_force, lossy
         )
     if turning:
         raise InvalidInput(
@@ -176,6 +197,36 @@ def lateral_system(
         k,
         c,
         axial_force,
+        lossy,
+    )
+
+
+def _hysteresis(
+    spindle: Spindle, rotor: LateralRotor, rows: Array, held: Array, *, alike: bool
+) -> Hysteresis | None:
+    """By the loss factors of shaft and supports, in the form that the supports allow.
+
+    ``held`` (speeds, c, 4, 4): stiffness at the ``rows`` of bearings and supports.
+    """
+    if not spindle.hysteretic:
+        return None
+    turning, connections = np.diag(rotor.loss), np.array(spindle.connection_losses)
+    lossy = connections[:, None, None] * held
+    if alike:
+        return Hysteresis(_gathered(rows, _complex(lossy)), turning, None, connections)
+    across = _two_by_two(0.0 * turning, turning, -turning, 0.0 * turning)
+    return Hysteresis(_gathered(_both(rows), lossy), _both(turning), across, connections)
+
+
+def _hysteresis_in_planes(own: Hysteresis) -> Hysteresis:
+    """The same of the real form."""
+    fixed, turning = own.fixed, own.turning
+    zero = np.zeros_like(turning)
+    return Hysteresis(
+        _two_by_two(fixed.real, -fixed.imag, fixed.imag, fixed.real),
+        _both(turning),
+        _two_by_two(zero, turning, -turning, zero),
+        own.connections,
     )
 
 

@@ -83,7 +83,8 @@ class LateralRotor:
     assembled rotor they were taken from, likewise. ``resolved`` [Hz]: highest frequency that the
     elements carry within the accuracy asked for, or within ``USUAL`` where none is. ``joints``
     (m, m): damping by joints. ``turning`` (m, m): damping that turns with its rotor, per unit of
-    the spindle's speed.
+    the spindle's speed. ``loss`` (m,): loss factor of the shaft times
+    stiffness.
     """
 
     basis: Array
@@ -103,6 +104,7 @@ class LateralRotor:
     resolved: float
     joints: Array
     turning: Array
+    loss: Array
 
     @property
     def size(self) -> int:
@@ -217,6 +219,7 @@ def lateral_rotor(
         resolved=free.resolved,
         joints=_bordered(free.joints, more),
         turning=_bordered(free.turning, more),
+        loss=np.concatenate([spindle.loss_factor * values, np.zeros(more)]),
     )
 
 

@@ -50,6 +50,7 @@ class Leakage:
     """Of one motion at ``spin`` (speeds,) [rad/s] on circles of ``radius`` (speeds,) [rad/s].
 
     ``softened`` [1/s²] (speeds,): Ω² where it is subtracted with the translational mass, else 0.
+    ``loss``: of the rotor's stiffness, a factor of it in either plane or between them.
     """
 
     system: Joined
@@ -57,13 +58,15 @@ class Leakage:
     spin: Array
     radius: Array
     softened: Array
+    loss: float = 0.0
 
     def own(self) -> Array:
         """q: the rest of the rotor over its stiffness K + σM, less 1 (speeds,)."""
         whole, ends = self.whole, self._ends()
         blocks = _norms(self.system.held) + self.radius[:, None] * _norms(self.system.damped)
         return np.asarray(
-            (self.radius**2 + whole.shift + self.softened) * whole.mass_norm
+            self.loss
+            + (self.radius**2 + whole.shift + self.softened) * whole.mass_norm
             + self.radius * np.abs(self.spin) * whole.polar_norm
             + self._force() * whole.slope_norm**2
             + _norm(whole.bar_rows[0]) ** 2
@@ -75,7 +78,7 @@ class Leakage:
         left vectors."""
         whole, planes = self.whole, self.system.planes
         v = vector.reshape(len(vector), planes, -1, vector.shape[-1])
-        inertia = self.radius**2 + whole.shift
+        inertia = self.radius**2 + (1.0 + self.loss) * whole.shift
         total = inertia[:, None] * _moved(_triangle(whole.mass_coupling), v)
         if self.spin.any() and whole.polar is not None:
             gyroscopic = self.radius * np.abs(self.spin)

@@ -31,6 +31,7 @@ from rotordyn.system.hierarchic_rotor import (
     torsion_properties,
 )
 from rotordyn.system.hierarchy import Hierarchy
+from rotordyn.system.hysteresis import Hysteresis, Signs, answering
 from rotordyn.system.jumps import jumps
 from rotordyn.system.lateral_rotor import Fineness, own_damping, sleeve_mass
 from rotordyn.system.mesh import Mesh
@@ -51,7 +52,8 @@ class RodSystem:
     ``damped`` (speeds, c, 1, 1): what they answer. ``weightless`` (n,): 1 for sleeves without mass,
     else 0; ``rigid`` (n,): coordinates that are rigid motions of a rotor.
     ``remainder``: what the coordinates leave out; ``unreduced``: the assembled rod they were taken
-    from; None where the shaft is rigid.
+    from; None where the shaft is rigid. ``hysteresis``: what loss factors add to the stiffness;
+    None where there are none.
     """
 
     freedom: str
@@ -66,6 +68,11 @@ class RodSystem:
     rigid: Flags
     remainder: Remainder | None
     unreduced: Unreduced | None
+    hysteresis: Hysteresis | None = None
+
+    def answering(self, signs: Signs) -> RodSystem:
+        """The linear system that answers motions of these signs: loss is in its stiffness."""
+        return answering(self, signs)
 
     @property
     def planes(self) -> int:
@@ -154,6 +161,7 @@ def axial_system(
         np.concatenate([values == 0.0, np.zeros(len(sliding), dtype=bool)]),
         left_out,
         replace(free.unreduced, more=len(sliding)) if free.unreduced else None,
+        _hysteresis(spindle, rows, springs_held, values, spindle.connection_losses),
     )
 
 
@@ -197,7 +205,31 @@ def torsion_system(
         values == 0.0,
         free.remainder,
         free.unreduced,
+        _hysteresis(
+            spindle,
+            rows,
+            blocks[0][..., 0, 0],
+            values,
+            spindle.connection_losses[len(spindle.seats) :],
+        ),
     )
+
+
+def _hysteresis(
+    spindle: Spindle, rows: Array, held: Array, values: Array, factors: Sequence[float]
+) -> Hysteresis | None:
+    """By the loss factors of shaft and supports: nothing here turns out of its own direction.
+
+    ``rows`` (c, n); ``held`` (speeds, c): stiffness, with ``factors`` (c,); ``values``: of the
+    shaft's own coordinates, the first ones.
+    """
+    if not spindle.hysteretic:
+        return None
+    own = np.zeros(rows.shape[1])
+    own[: len(values)] = spindle.loss_factor * values
+    connections = np.array(factors, dtype=float)
+    fixed = np.diag(own) + np.einsum("sc,ci,cj->sij", held * connections, rows, rows)
+    return Hysteresis(fixed, np.zeros_like(fixed[0]), None, connections)
 
 
 @dataclass(frozen=True, slots=True)

@@ -53,6 +53,7 @@ def spindle(entry: SpindleEntry, name: str) -> Spindle:
         rotor_damping=tuple(entry.damping.rotor),
         internal_damping=entry.damping.internal,
         rayleigh=RayleighDamping(**entry.damping.rayleigh.model_dump()),
+        loss_factor=entry.damping.loss_factor,
         title=entry.title,
         note=entry.note,
         references=references(entry.references),
@@ -193,7 +194,9 @@ def support(entry: SupportEntry) -> LinearSupport:
     """A linear support, its matrices however they are written."""
     matrices = entries(entry.stiffness), entries(entry.damping)
     rigid, speeds = tuple(entry.rigid), tuple(entry.speeds)
-    return LinearSupport(entry.name, entry.x, *matrices, rigid, speeds, *entry.ends)
+    return LinearSupport(
+        entry.name, entry.x, *matrices, rigid, speeds, *entry.ends, entry.loss_factor
+    )
 
 
 def housing(entry: HousingEntry) -> Housing:

@@ -27,7 +27,9 @@ def conditions(
 
     The exact shaft has no modes to damp, nor anything but bending.
     """
-    for sentence in obstacles(entry, spindle.damping.of_rotor, supports):
+    for sentence in obstacles(
+        entry, spindle.damping.of_rotor, spindle.damping.loss_factor, supports
+    ):
         faults.at(root, ("conditions", "shaft"), f"{sentence}: given 'exact'; allowed: elements")
     if entry.formulation == ROTATING:
         for support in supports:

@@ -28,7 +28,7 @@ from rotordyn.case.schema.shaft import MassEntry, SectionEntry, ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.case.schema.support import SupportEntry
 from rotordyn.machine.spindle import held_twice
-from rotordyn.machine.support import SPINDLE, acts, rigid_and_elastic, table_faults
+from rotordyn.machine.support import SPINDLE, acts, loss_faults, rigid_and_elastic, table_faults
 
 
 def spindle(entry: SpindleEntry, root: Node, tool: ToolEntry | None, faults: Faults) -> None:
@@ -115,10 +115,11 @@ def _support(entry: SupportEntry, root: Node, way: tuple[object, ...], faults: F
     for sentence in rigid_and_elastic(entry.rigid, named):
         faults.at(root, (*way, "rigid"), sentence)
     ascending(entry.speeds, root, (*way, "speeds"), faults)
-    for place, sentence in table_faults(
-        entries(entry.stiffness), entries(entry.damping), entry.speeds
-    ):
+    found = [*table_faults(entries(entry.stiffness), entries(entry.damping), entry.speeds)]
+    for place, sentence in found:
         faults.at(root, (*way, *place), sentence)
+    for sentence in () if found else loss_faults(entries(entry.stiffness), entry.loss_factor):
+        faults.at(root, (*way, "loss_factor"), sentence)
 
 
 def _lumped(entry: SpindleEntry, root: Node, faults: Faults) -> None:

@@ -18,13 +18,14 @@ from rotordyn.case.schema.support import (
     SleeveEntry,
     SupportEntry,
 )
-from rotordyn.case.schema.values import Name, Station, Text
+from rotordyn.case.schema.values import LossFactor, Name, Station, Text
 
 
 class DampingEntry(RotorDampingEntry):
     """Damping of all bearings that give none of their own, and of the rotor."""
 
     bearings: BearingDampingEntry = BearingDampingEntry()
+    loss_factor: LossFactor = 0.0
 
 
 class SpindleEntry(Entry):

@@ -19,6 +19,7 @@ from rotordyn.case.schema.matrix import (
 )
 from rotordyn.case.schema.values import (
     Damping,
+    LossFactor,
     Mass,
     Name,
     Preload,
@@ -84,6 +85,7 @@ class SupportEntry(Entry):
     rigid: Freedoms = []
     speeds: list[Speed] = []
     table: Text = ""
+    loss_factor: LossFactor = 0.0
     holds: Name = SPINDLE
     against: Name = GROUND
 

@@ -44,6 +44,9 @@ def _campbell(spec: Any, shown: Sequence[Shown]) -> Iterator[Job]:
         "campbell_overlay",
         partial(_draw, "campbell", "overlay_figure", shown, teeth, highest),
     )
+    growing = any(variant.result.unstable.any() for variant in shown)
+    if growing and len(shown) <= MOST_PANELS and shown[0].result.speed.size > 1:
+        yield "damping", partial(_draw, "damping", "damping_figure", shown)
 
 
 def _frf(_: Any, shown: Sequence[Shown]) -> Iterator[Job]:

@@ -252,6 +252,7 @@ def campbell(count: int = 49) -> CampbellResult:
         resolved_frequency=5000.0,
         free=np.full(count, 2.0),
         certified=np.ones(count, dtype=bool),
+        no_proof="",
         modes_below=np.full(count, float(len(_MODES))),
         modes_found=np.full(count, float(len(_MODES))),
         decrement=np.full((count, len(_MODES)), 0.02 * 2.0 * math.pi),

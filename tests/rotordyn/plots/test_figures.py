@@ -12,6 +12,7 @@ from matplotlib.collections import LineCollection
 from rotordyn.analysis.results import InertanceResult, MobilityResult
 from rotordyn.machine.reference import Reference
 from rotordyn.plots.campbell import LOOKS, campbell_figure, whirl_segments
+from rotordyn.plots.catalogue import figures
 from rotordyn.plots.compared.campbell import panels_figure
 from rotordyn.plots.compared.catalogue import comparison_figures
 from rotordyn.plots.compared.frf import curves_figure
@@ -398,3 +399,41 @@ def test_mobility_and_inertance_say_so_on_every_figure(kind, unit):
         assert any(kind.kind in word for word in words)
         assert any(f"[{unit}]" in word for word in words)
         assert not any("receptance" in word for word in words)
+
+
+def growing() -> object:
+    """A mode that grows from 9000 rpm on, beside one damped far more."""
+    plain = samples.campbell(49)
+    ratio = plain.damping_ratio.copy()
+    ratio[:, 1] = 0.02 * (1.0 - plain.speed / (9000.0 * np.pi / 30.0))
+    ratio[:, 0] = 0.9
+    return replace(
+        plain,
+        damping_ratio=ratio,
+        stability_threshold=9000.0 * np.pi / 30.0,
+        first_to_grow=plain.mode[1],
+    )
+
+
+def test_damping_is_drawn_where_a_mode_grows():
+    own, result = samples.case(), growing()
+    assert "damping" not in dict(figures(own, {"campbell": samples.campbell(9)}))
+    axes = dict(figures(own, {"campbell": result}))["damping"]().axes[0]
+    line = next(one for one in axes.get_lines() if one.get_label() == result.mode[1])
+    np.testing.assert_allclose(line.get_ydata(), result.damping_ratio[:, 1] * 100.0)
+    assert result.mode[0] not in _labels(axes), "beyond the limits"
+    low, high = axes.get_ylim()
+    assert low < line.get_ydata().min() < line.get_ydata().max() < high < 90.0
+    assert [text.get_text() for text in axes.texts] == ["9000 rpm"]
+
+
+def test_damping_of_variants_has_equal_axes():
+    own, calm = samples.case(), samples.campbell(49)
+    shown = [
+        (replace(own, title="grows"), {"campbell": growing()}),
+        (replace(own, title="calm"), {"campbell": calm}),
+    ]
+    panels = dict(comparison_figures(shown))["damping"]().axes
+    assert panels[0].get_ylim() == panels[1].get_ylim()
+    assert [len(axes.texts) for axes in panels] == [1, 0]
+    assert "damping" not in dict(comparison_figures(shown[1:] * 2))

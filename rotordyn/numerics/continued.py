@@ -1,0 +1,80 @@
+"""Which mode of a system each mode becomes as a little is added to its stiffness."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.numerics.follow import likeness
+from rotordyn.numerics.modes import Modes
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Flags = NDArray[np.bool_]
+Places = NDArray[np.intp]
+FARTHEST = 1.0  # of a pole: a larger change is not believed
+NEARNESS = 4.0  # of likeness that a pole as far away as it is large costs
+
+
+def continued(before: Modes, after: Modes, rows: Iterable[int]) -> Places:
+    """Column of ``after`` for every one of ``before`` (speeds, k), each taken once, at ``rows``.
+
+    A pole λ with the right vector v and the left one w is expected at λ − w ΔK v; of all ways to
+    pair expected and found poles the one with the least sum of distance and unlikeness is taken.
+    Rows not asked for stay in their order.
+    """
+    from scipy.optimize import linear_sum_assignment
+
+    column = np.tile(np.arange(before.pole.shape[-1]), (len(before.pole), 1))
+    if before is after:
+        return column
+    expected = _expected(before, after)
+    for row in rows:
+        poles, found = expected[row], after.pole[row]
+        apart = np.abs(poles[:, None] - found)
+        size = np.abs(poles)[:, None] + np.abs(found)
+        alike = likeness(before.vector[row], after.vector[row])
+        cost = NEARNESS * apart / np.where(size > 0.0, size, 1.0) - alike
+        own, other = linear_sum_assignment(cost)
+        column[row, own] = other
+    return column
+
+
+def _expected(before: Modes, after: Modes) -> Complex:
+    """Poles (speeds, k) to first order; as they were where that is no small change."""
+    added = after.stiffness - before.stiffness
+    with np.errstate(invalid="ignore", over="ignore"):
+        step = np.einsum("snk,skn->sk", added @ before.vector, before.participation)
+        known = np.abs(step) < FARTHEST * np.abs(before.pole)
+    return np.where(known, before.pole - step, before.pole)
+
+
+def conjugate(found: Modes) -> Modes:
+    """Modes of the conjugate system."""
+    return Modes(
+        found.stiffness.conj(),
+        found.damping.conj(),
+        found.pole.conj(),
+        found.vector.conj(),
+        found.participation.conj(),
+        found.condition,
+    )
+
+
+def collected(base: Modes, parts: Iterable[tuple[Modes, Places, Flags]]) -> Modes:
+    """``base`` with modes of other systems in place of its own: each of ``parts`` gives modes, the
+    column of them for every mode of the base (speeds, k), and where they are taken (speeds, k).
+
+    The systems stay those of the base.
+    """
+    pole, vector, left, condition = base.pole, base.vector, base.participation, base.condition
+    for found, column, taken in parts:
+        pole = np.where(taken, np.take_along_axis(found.pole, column, -1), pole)
+        seen = np.take_along_axis(found.vector, column[:, None, :], -1)
+        vector = np.where(taken[:, None, :], seen, vector)
+        seen = np.take_along_axis(found.participation, column[:, :, None], -2)
+        left = np.where(taken[:, :, None], seen, left)
+        condition = np.maximum(condition, np.where(taken.any(axis=-1), found.condition, 0.0))
+    return Modes(base.stiffness, base.damping, pole, vector, left, condition)
