@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analysis.accuracy import frequency_error
 from rotordyn.analysis.branches import Branch, branches_of, home_of
-from rotordyn.analysis.certificate import Count, count, unbounded
+from rotordyn.analysis.certificate import Count, count
 from rotordyn.analysis.character import character, rigid_share
 from rotordyn.analysis.criticals import critical_speeds
 from rotordyn.analysis.exact_bending import ExactBending
@@ -32,34 +32,20 @@ FINER = 2  # times that more modes are tried where the count is not proven
 def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     """Bending, axial and torsion modes up to ``spec.max_frequency``.
 
-    Where their number is not proven, but could be, once more from more free-free modes.
+    Where their number is not proven, once more from more free-free modes.
     """
     found = _answer(scene, spec)
     for _ in range(FINER):
-        if found.certified[scene.usable].all() or not _provable(scene):
+        if found.certified[scene.usable].all():
             break
         scene = scene.beyond(2.0)
         found = _answer(scene, spec)
     return found
 
 
-def _provable(scene: Scene) -> bool:
-    """False where no reduction, however fine, has a proof."""
-    return not _obstacles(scene)
-
-
-def _obstacles(scene: Scene) -> list[str]:
-    """What keeps the number of modes from being proven, however fine the reduction."""
-    homes = {home_of(scene, motion) for motion in ("bending", "axial", "torsion")}
-    if scene.bends_exactly:
-        homes -= {"bending"}
-    return sorted({unbounded(scene, home) for home in homes} - {""})
-
-
 def _why_not(scene: Scene) -> str:
     """What in the machine keeps the number of modes from being proven; "" if nothing special."""
-    lossy = ["loss factors"] if scene.spindle.hysteretic else []
-    return ", ".join(_obstacles(scene) or lossy)
+    return "loss factors" if scene.spindle.hysteretic else ""
 
 
 def _answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:

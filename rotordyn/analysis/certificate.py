@@ -18,7 +18,6 @@ from rotordyn.analysis.scene import Scene
 from rotordyn.numerics.modes import Modes
 from rotordyn.numerics.rouche import same_count, to_circle, to_segment, wide_gap
 from rotordyn.system.coupled import CoupledSystem
-from rotordyn.system.jumps import BENDING, jumps
 from rotordyn.system.lateral import LateralSystem
 from rotordyn.system.leakage import CoupledLeakage, Leakage
 from rotordyn.system.longitudinal import RodSystem
@@ -26,7 +25,6 @@ from rotordyn.system.longitudinal import RodSystem
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 System = LateralSystem | RodSystem | CoupledSystem
-_WAYS = {"bending": BENDING, "axial": ("axial",), "torsion": ("torsion",)}
 BEYOND = 1.5  # the disc ends in the widest gap of the poles up to this multiple of the band
 OSCILLATING = 1e-6  # of |pole|: less imaginary part than that is no vibration
 SAME = 1e-9  # of the radius: poles so near are one
@@ -87,14 +85,11 @@ def _whirling(system: object) -> bool:
 def certificate(scene: Scene, motion: str, highest: float) -> Certificate:
     """Of the system that ``motion`` is part of, for all up to ``highest`` [rad/s].
 
-    A rigid rotor is its own assembled system: its count needs no proof. Nothing is proven of an
-    elastic one on housings or with dampers in its joints (bound ∞).
+    A rigid rotor is its own assembled system: its count needs no proof.
     """
     system, found = scene.vibration(motion)
     pole = _in_fixed_frame(system, found)
     radius = wide_gap(np.abs(pole), np.full(len(pole), highest), BEYOND)
-    if unbounded(scene, motion):
-        return Certificate(radius, np.full(len(radius), np.inf))
     lossy = scene.hysteretic(motion)
     if lossy is None:
         bound = _bound(scene, motion, system, found, radius, to_circle(pole, radius))
@@ -180,24 +175,6 @@ def _leakage(
     spin = scene.speed[scene.usable] if bending else np.zeros(len(radius))
     softened = spin**2 if scene.conditions.formulation == SOFTENED else 0.0 * spin
     return Leakage(system, system.unreduced, spin, radius, softened, loss)
-
-
-def unbounded(scene: Scene, motion: str) -> str:
-    """Why no proof reaches the system that ``motion`` is part of; "" where one does.
-
-    Housings and dampers of joints put forces on the rest that have no known bound.
-    """
-    system, named = scene.vibration(motion)[0], [motion]
-    if scene.rigid:
-        return ""
-    if isinstance(system, CoupledSystem):
-        if system.carried is not None:
-            return "housings"
-        named = list(system.parts)
-    ways = tuple(way for name in named for way in _WAYS[name])
-    parts = (scene.spindle.part(name) for name in scene.spindle.ratios)
-    damped = any(jump.damping for part in parts for jump in jumps(part, ways))
-    return "dampers in joints" if damped else ""
 
 
 def _left_vectors(found: Modes) -> NDArray[np.complex128]:

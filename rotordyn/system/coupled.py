@@ -36,12 +36,15 @@ class Carried:
     """Bearings, then supports, and the housings under them: k coordinates, the last of the system.
 
     ``held``, ``damped`` (speeds, connections, 6, 6): matrices of the connections; ``under``
-    (connections, 6, n): motion of the place under each, by all coordinates.
+    (connections, 6, n): motion of the place under each, by all coordinates; ``apart``, likewise: of
+    what it holds against that place. ``connected`` (connections, nodes): what each holds.
     """
 
     held: Matrix
     damped: Array
     under: Array
+    apart: Array
+    connected: Array
     size: int
 
 
@@ -131,7 +134,8 @@ def _on_housings(
     base, size = foundation(spindle), rotor.motion.shape[-1]
     held = _connections(spindle, seat_stiffness, speed, "stiffness")
     damped = _connections(spindle, seat_stiffness, speed, "damping")
-    rows = moved(connections(spindle, mesh), rotor.motion)
+    connected = connections(spindle, mesh)
+    rows = moved(connected, rotor.motion)
     under = np.pad(base.under, ((0, 0), (0, 0), (size, 0)))
     wide = ((0, 0), (0, 0), (0, base.size))
     return replace(
@@ -140,7 +144,7 @@ def _on_housings(
         at_supports=np.pad(rotor.at_supports, wide),
         stiffness=_wide(rotor.stiffness, rows, held, base.under, base.stiffness),
         damping=_wide(rotor.damping, rows, damped, base.under, base.damping),
-        carried=Carried(held, damped, under, base.size),
+        carried=Carried(held, damped, under, np.pad(rows, wide) - under, connected, base.size),
         hysteresis=_hysteresis_on_housings(rotor.hysteresis, rows, held, base.under),
     )
 
@@ -198,7 +202,7 @@ def _connections(spindle: Spindle, seat_stiffness: Array, speed: Array, which: s
     blocks = []
     for k, seat in enumerate(spindle.seats):
         if which == "stiffness":
-            blocks.append(turn(seat_stiffness[:, k], seat.thrust))
+            blocks.append(np.where(BETWEEN, 0.0, turn(seat_stiffness[:, k], seat.thrust)))
         else:
             damper = np.diag([seat.axial_damping, *[seat.radial_damping] * 2, 0.0, 0.0, 0.0])
             blocks.append(np.broadcast_to(damper, (len(speed), 6, 6)))

@@ -53,6 +53,17 @@ class Hierarchy:
             [[0], np.cumsum(counts, dtype=np.intp)]
         )
 
+    @property
+    def dampers(self) -> dict[int, float]:
+        """Freedom of every jump that damps, and its damping."""
+        first = self.size - len(self.jumps)
+        return {first + k: jump.damping for k, jump in enumerate(self.jumps) if jump.damping}
+
+    @property
+    def damper_loads(self) -> Array:
+        """A unit force in each of these (size, dampers)."""
+        return np.eye(self.size)[:, list(self.dampers)]
+
     def rows(self, element: int) -> Degrees:
         """All freedoms of an element in the order of its matrices."""
         nodal = self.width * element + np.arange(2 * self.width)

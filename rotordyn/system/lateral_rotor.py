@@ -139,8 +139,8 @@ class _Reduced:
         left_out, whole = self.remainder, self.unreduced
         if left_out is not None:
             left_out = replace(left_out, polar=ratio * left_out.polar)
-        if whole is not None and whole.polar is not None:
-            whole = replace(whole, polar=ratio * whole.polar)
+        if whole is not None:
+            whole = whole.at_ratio(ratio)
         return replace(
             self,
             polar=ratio * self.polar,
@@ -248,6 +248,7 @@ def _flexible(
     plane = loaded_plane(spindle, elements)
     seen = deflections(spindle, elements, mesh.x)
     loads = seen[_loaded(spindle, mesh, ports)].T
+    loads = np.concatenate([loads, elements.damper_loads], axis=1)
     couplings = [plane.polar, *(seen.T @ c @ seen for c in _drawbar(spindle, mesh, tension))]
     rigid = rigid_motions(elements)
     basis = ritz_basis(plane.mass, plane.stiffness, fineness.cutoff, loads, rigid, couplings)
@@ -277,6 +278,7 @@ def _flexible(
                 (PLANE_Y.row(left, "y"), PLANE_Y.row(right, "y"), stiffness)
                 for left, right, stiffness in tension.spans
             ],
+            elements.dampers,
         ),
         resolved=resolved_whirl(spindle, elements, fineness.spin, fineness.accuracy or USUAL)
         / (2.0 * math.pi),

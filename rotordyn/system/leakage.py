@@ -70,12 +70,13 @@ class Leakage:
             + self.radius * np.abs(self.spin) * whole.polar_norm
             + self._force() * whole.slope_norm**2
             + _norm(whole.bar_rows[0]) ** 2
+            + self._turning @ np.linalg.norm(whole.damper_rows[0], axis=1) ** 2
             + blocks @ ends**2
         )
 
-    def forces(self, vector: Complex, side: float) -> Array:
+    def forces(self, vector: Complex, side: float, *, grounded: bool = True) -> Array:
         """Norms of the forces on the rest (speeds, k) by motions (speeds, n, k); ``side`` −1: by
-        left vectors."""
+        left vectors. Without those of bearings and supports where these are not ``grounded``."""
         whole, planes = self.whole, self.system.planes
         v = vector.reshape(len(vector), planes, -1, vector.shape[-1])
         inertia = self.radius**2 + (1.0 + self.loss) * whole.shift
@@ -92,7 +93,15 @@ class Leakage:
         rest, bar = whole.bar_rows
         if len(bar):
             total += _norm(rest) * _moved(bar, v)
-        return np.asarray(total + self._held(v, side))
+        for rate, rest, damped in zip(self._turning.T, *whole.damper_rows, strict=True):
+            total += (rate * np.linalg.norm(rest))[:, None] * _moved(damped[None], v)
+        return np.asarray(total + self._held(v, side) if grounded else total)
+
+    @property
+    def _turning(self) -> Array:
+        """|s − iΩ| of every damper that turns with its rotor, at most (speeds, dampers)."""
+        ratio = np.abs(np.array(self.whole.turning))
+        return np.asarray(self.radius[:, None] + np.abs(self.spin)[:, None] * ratio)
 
     def _held(self, v: Complex, side: float) -> Array:
         """By bearings and supports (speeds, k)."""
@@ -142,14 +151,36 @@ class CoupledLeakage:
 
     def forces(self, vector: Complex, side: float) -> Array:
         """As of one motion."""
+        system, grounded = self.system, self.system.carried is None
+        own = [
+            part.forces(vector[:, system.places[name]], side, grounded=grounded)
+            for name, part in self.parts.items()
+        ]
+        squares = np.sum([part**2 for part in own], axis=0)
+        joined = self._between(vector, side) if grounded else self._on_housings(vector, side)
+        return np.asarray(np.sqrt(squares) + joined)
+
+    def _between(self, vector: Complex, side: float) -> Array:
+        """By what supports add between motions (speeds, k)."""
         system = self.system
-        own = [p.forces(vector[:, system.places[name]], side) for name, p in self.parts.items()]
         blocks = system.supports if side > 0.0 else np.swapaxes(system.supports, -1, -2)
         at = np.einsum("cin,snk->scik", system.at_supports, vector, optimize=True)
         stiff, damped = (np.linalg.norm(block @ at, axis=2) for block in blocks)
         between = stiff + self.radius[:, None, None] * damped
-        squares = np.sum([part**2 for part in own], axis=0)
-        return np.asarray(np.sqrt(squares) + np.einsum("c,sck->sk", self._ends(), between))
+        return np.einsum("c,sck->sk", self._ends(), between)
+
+    def _on_housings(self, vector: Complex, side: float) -> Array:
+        """By bearings and supports, which answer to the motion against what they stand on."""
+        on = self.system.carried
+        assert on is not None, "asked of a rotor on housings only"
+        held, damped = on.held, on.damped
+        if side < 0.0:
+            held, damped = np.swapaxes(held, -1, -2), np.swapaxes(damped, -1, -2)
+        apart = np.einsum("cin,snk->scik", on.apart, vector, optimize=True)
+        force = np.linalg.norm(held @ apart, axis=2)
+        force = force + self.radius[:, None, None] * np.linalg.norm(damped @ apart, axis=2)
+        ends = np.max([part.ends(on.connected) for part in self.parts.values()], axis=0)
+        return np.einsum("c,sck->sk", ends, force)
 
     def _ends(self) -> Array:
         """Motion at every support by what is left out, at most (supports,)."""

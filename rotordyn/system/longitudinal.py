@@ -315,13 +315,13 @@ def _alone(
         own = own_damping(still, spindle, bending=False)
         return _Reduced(one, still, own, None, None, np.zeros((1, 1)))
     seen = rod_displacements(elements, mesh.x)
-    loads = seen[sorted(set(stations))].T
+    loads = np.concatenate([seen[sorted(set(stations))].T, elements.damper_loads], axis=1)
     together = (np.arange(elements.size) < elements.mesh.nodes).astype(float)[:, None]
     basis = ritz_basis(whole.mass, whole.stiffness, fineness.cutoff, loads, together)
     left_out = remainder(elements, basis, {"mass": whole.mass}, seen)
     damped = jump_damping(elements, basis.vectors)
     own = own_damping(basis.values, spindle, bending=False)
-    unreduced = Unreduced(basis, seen)
+    unreduced = Unreduced(basis, seen, dampers=elements.dampers).at_ratio(0.0)
     return _Reduced(seen @ basis.vectors, basis.values, own, left_out, unreduced, damped)
 
 

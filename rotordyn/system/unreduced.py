@@ -7,9 +7,10 @@ drawbar, which the coordinates answer, then hardly reach these c.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from functools import cached_property
+from itertools import accumulate
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,8 +27,9 @@ class Unreduced:
     ``at_nodes`` (rows, n): motion of the nodes of the mesh; ``polar`` (n, n): None without
     gyroscopic effect; ``slope`` (places, n): slopes v′ times the root of the length that each
     stands for, None where axial force does nothing; ``spans``: rows of the two ends and stiffness
-    of every straight part of the drawbar; ``more``: coordinates of the reduced system that are none
-    of the rotor's.
+    of every straight part of the drawbar; ``dampers``: freedom and damping of every joint that
+    damps; ``turning``: at how many times the speed each of these turns; ``more``: coordinates of
+    the reduced system that are none of the rotor's.
     """
 
     basis: RitzBasis
@@ -35,12 +37,19 @@ class Unreduced:
     polar: Array | None = None
     slope: Array | None = None
     spans: Sequence[tuple[int, int, float]] = ()
+    dampers: Mapping[int, float] = field(default_factory=dict)
+    turning: tuple[float, ...] = ()
     more: int = 0
 
     @cached_property
     def rest(self) -> Complement:
         """The c coordinates left out."""
         return self.basis.complement
+
+    def at_ratio(self, ratio: float) -> Unreduced:
+        """The same rotor at ``ratio`` times the speed."""
+        polar = None if self.polar is None else ratio * self.polar
+        return replace(self, polar=polar, turning=(ratio,) * len(self.dampers))
 
     def beside(self, others: Sequence[Unreduced]) -> Unreduced:
         """With other rotors, on which neither axial force nor a drawbar acts."""
@@ -49,11 +58,19 @@ class Unreduced:
         every = (self, *others)
         size = sum(len(one.basis.vectors) for one in others)
         polar = None if self.polar is None else block_diag(*(one.polar for one in every))
+        first = accumulate((len(one.basis.vectors) for one in every), initial=0)
+        dampers = {
+            begin + row: damping
+            for begin, one in zip(first, every, strict=False)
+            for row, damping in one.dampers.items()
+        }
         return replace(
             self,
             basis=side_by_side([one.basis for one in every]),
             at_nodes=block_diag(*(one.at_nodes for one in every)),
             polar=polar,
+            dampers=dampers,
+            turning=tuple(ratio for one in every for ratio in one.turning),
             slope=None if self.slope is None else np.pad(self.slope, ((0, 0), (0, size))),
         )
 
@@ -101,6 +118,14 @@ class Unreduced:
         out (spans, c), by the coordinates (spans, m)."""
         moved = self.at_nodes @ self.basis.vectors
         return self._stretch(self.seen), self._widened(self._stretch(moved))
+
+    @cached_property
+    def damper_rows(self) -> tuple[Array, Array]:
+        """Root of the damping times the motion of every joint that damps: by what is left out
+        (dampers, c), by the coordinates (dampers, m)."""
+        rows, root = list(self.dampers), np.sqrt(list(self.dampers.values()))[:, None]
+        left_out, own = self.rest.vectors[rows], self.basis.vectors[rows]
+        return root * left_out, self._widened(root * own)
 
     def _stretch(self, moved: Array) -> Array:
         rows = [np.sqrt(k) * (moved[right] - moved[left]) for left, right, k in self.spans]

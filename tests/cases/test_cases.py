@@ -38,7 +38,6 @@ WARNED = {  # what the case is there to show
     ),
     "friswell_oil_films": ("unstable", "grows by itself"),
     "friswell_tapered_shaft": ("unstable", "grows by itself"),
-    "spindle_on_housing": ("no proof of their number",),
 }
 
 

@@ -104,7 +104,17 @@ def test_bearings_damping_drawbar_and_both_frames() -> None:
     assert inertial.modes_found == pytest.approx(inertial.modes_below)
 
 
-def test_a_mode_that_the_basis_lacks_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
+WALL = RigidHousing("wall", ("a",), 0.0, 5.0, {("y", "y"): 1e8, ("z", "z"): 1e8})
+
+
+@pytest.mark.parametrize(
+    "more",
+    [{}, {"housings": (WALL,)}, {"joints": (Joint("cone", 0.4, tilt=1e6, tilt_damping=5.0),)}],
+    ids=["grounded", "on a housing", "with a joint that damps"],
+)
+def test_a_mode_that_the_basis_lacks_is_noticed(
+    more: dict[str, Any], monkeypatch: pytest.MonkeyPatch
+) -> None:
     """The second bending vector is put among those left out: no proof, and the warning says so."""
     whole = lateral_rotor.ritz_basis
 
@@ -122,9 +132,8 @@ def test_a_mode_that_the_basis_lacks_is_noticed(monkeypatch: pytest.MonkeyPatch)
             rounding=basis.rounding[kept],
         )
 
-    rotor = uniform(
-        1.0, 0.05, supports=[support("a", 0.0, (1e7, 1e7)), support("b", 1.0, (1e7, 1e7))]
-    )
+    ends = [support("a", 0.0, (1e7, 1e7)), support("b", 1.0, (1e7, 1e7))]
+    rotor = replace(uniform(1.0, 0.05, supports=ends), **more)
     complete = answered(rotor, [100.0], 2000.0)
     assert complete.certified.all()
     monkeypatch.setattr(lateral_rotor, "ritz_basis", poorer)
@@ -166,27 +175,3 @@ def test_poles_of_long_random_rotors_by_one_dense_solve(seed: int) -> None:
     assert found["certified"]
     assert found["counted"] == found["in_disc"] >= found["modes"]
     assert max(found["errors"]) < 1e-5
-
-
-def test_housings_and_dampers_of_joints_have_no_proof(monkeypatch: pytest.MonkeyPatch) -> None:
-    """No bound is known of their forces: found modes are told, their number is not, in one go."""
-    reduced: list[float] = []
-    whole = Scene.beyond
-    monkeypatch.setattr(Scene, "beyond", lambda s, k: reduced.append(k) or whole(s, k))
-    supports = [support("a", 0.2, (1e8, 1e8), 1e3), support("b", 0.8, (1e8, 1e8), 1e3)]
-    bar = uniform(1.0, 0.05, supports=supports)
-    stiffness = {("y", "y"): 1e8, ("z", "z"): 1e8}
-    joint = Joint("cone", 0.4, tilt=1e6)
-    for spindle, proven in (
-        (replace(bar, joints=(joint,)), True),
-        (replace(bar, joints=(replace(joint, tilt_damping=1.0),)), False),
-        (replace(bar, housings=(RigidHousing("wall", ("a",), 0.2, 5.0, stiffness),)), False),
-    ):
-        result = answered(spindle, [0.0, 300.0], 2000.0)
-        assert result.certified.all() == result.certified.any() == proven
-        assert np.isfinite(result.modes_below).all() == proven
-        assert (result.modes_found > 0).all()
-        assert bool(result_warnings({"campbell": result})) != proven
-        assert not reduced
-    rigid = replace(bar, housings=(RigidHousing("wall", ("a",), 0.2, 5.0, stiffness),))
-    assert answered(rigid, [0.0, 300.0], 2000.0, rotor="rigid").certified.all()

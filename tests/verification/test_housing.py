@@ -173,6 +173,22 @@ def one_housing() -> Spindle:
     return replace(STEPPED, supports=supports, housings=(box,))
 
 
+@pytest.mark.parametrize("rpm", [0.0, 12000.0])
+def test_the_number_of_modes_is_that_of_all_freedoms(rpm: float) -> None:
+    """Proven with housings under the supports: dense eigenvalues of rotor and housing."""
+    found = scene(one_housing(), (rpm,), element_length=0.01)
+    highest = 2500.0
+    result = campbell.answer(found, CampbellSpec(highest, shapes=False))
+    dense = Dense(found, 0)
+    n, inverse = len(dense.mass), np.linalg.inv(dense.mass)
+    companion = np.block(
+        [[np.zeros((n, n)), np.eye(n)], [-inverse @ dense.stiffness, -inverse @ dense.damping]]
+    )
+    frequency = np.linalg.eigvals(companion).imag / (2.0 * np.pi)
+    assert result.certified.all()
+    assert result.modes_below[0] == ((frequency > 1.0) & (frequency <= highest)).sum() > 8
+
+
 def test_two_supports_on_one_housing() -> None:
     names = ("nose.y/tip.y", "tip.z/tip.y", "nose.x/tip.x", "tip.thz/nose.z")
     against_dense(one_housing(), (0.0, 12000.0), names, element_length=0.01)

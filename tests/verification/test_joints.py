@@ -76,8 +76,9 @@ def parts() -> tuple[Spindle, Spindle]:
     )
 
 
-def tied(rpm: float, length: float) -> np.ndarray:
-    """Poles of both parts, all freedoms of every node, tied by the springs."""
+def tied(rpm: float, length: float, dampers: tuple[float, ...] = (0.0,) * 6) -> np.ndarray:
+    """Poles of both parts, all freedoms of every node, tied by the springs and by ``dampers`` that
+    turn with the shaft: c(ẏ + Ωz), c(ż − Ωy), and as much of the tilts."""
     halves = [(part, build_mesh(part, length)) for part in parts()]
     free = [rotor_matrices(part, mesh, ALL) for part, mesh in halves]
     mass, gyroscopic, stiff = (
@@ -90,6 +91,14 @@ def tied(rpm: float, length: float) -> np.ndarray:
     both = np.concatenate([front, behind + np.arange(6)])
     stiff[np.ix_(both, both)] += np.block([[springs, -springs], [-springs, springs]])
     damping = rpm * RPM * gyroscopic
+    turned = np.zeros((6, 6))
+    for one, other in ((1, 2), (4, 5)):
+        turned[one, other], turned[other, one] = (
+            rpm * RPM * dampers[one],
+            -rpm * RPM * dampers[one],
+        )
+    for matrix, block in ((damping, np.diag(dampers)), (stiff, turned)):
+        matrix[np.ix_(both, both)] += np.block([[block, -block], [-block, block]])
     for held in HELD:
         at = behind + 6 * halves[1][1].node_of(held.x)
         for place, freedom in ((1, "y"), (2, "z")):
@@ -116,6 +125,26 @@ def test_two_shafts_tied_by_springs(rpm: float) -> None:
     ours = ours[(ours.imag > 100.0) & (ours.imag < 2 * np.pi * 3000.0)]
     exact = exact[(exact.imag > 100.0) & (exact.imag < 2 * np.pi * 3000.0)]
     assert len(ours) == len(exact) >= 6
+    for pole in exact:
+        assert np.abs(ours / pole - 1.0).min() < 2e-6
+
+
+@pytest.mark.parametrize("rpm", [0.0, 20000.0])
+def test_dampers_of_joints_between_two_shafts(rpm: float) -> None:
+    """Poles, and how many there are: proven with dampers in the joint too."""
+    dampers = {"radial": 3e3, "tilt": 20.0, "axial": 1e3, "torsion": 1.0}
+    joint = replace(PARTED, **{f"{way}_damping": value for way, value in dampers.items()})
+    rotor = replace(STEPPED, joints=(joint,), supports=HELD)
+    found = scene(rotor, (rpm,), 3000.0, element_length=0.01)
+    poles = tied(rpm, 0.01, (1e3, 3e3, 3e3, 1.0, 20.0, 20.0))
+    band = 2 * np.pi * 3000.0
+    exact = poles[(poles.imag > 100.0) & (poles.imag < band) & (np.abs(poles) < 1.5 * band)]
+    result = campbell.answer(found, CampbellSpec(max_frequency=3000.0))
+    assert result.certified.all()
+    assert result.modes_below[0] == result.modes_found[0] == len(exact) >= 6
+    ours = np.concatenate(
+        [getattr(found, f"{m}_modes").pole[0] for m in ("bending", "axial", "torsion")]
+    )
     for pole in exact:
         assert np.abs(ours / pole - 1.0).min() < 2e-6
 
