@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.state import BearingState
-from benchmarks.random_bearings.judged import UNEQUAL, rounding
+from benchmarks.random_bearings.judged import OPEN, UNEQUAL, judged
 from tests.oracles.random_states import (
     Drawn,
     draw_bearing,
@@ -157,26 +157,24 @@ def _balanced(
     good: NDArray[np.intp],
 ) -> None:
     """Balls and ring after the equations written once more."""
-    balls, speed = asked.drawn.equations, asked.speed[good, None]
+    balls = asked.drawn.equations
     centre = balls.centres(state.displacement[good], asked.static[good], asked.growth[good])
-    fault, action = balls.forces(balls.loads(centre, state.ball_centre[:, good], speed))
-    idle = state.status[good] == "unloaded"
+    found = judged(balls, state, good, centre)
     top = np.maximum(state.inner_load, state.outer_load)[good].max(axis=-1)
-    ball = np.where(idle, 0.0, np.abs(fault).max(axis=0)).max(axis=-1)
     want = np.where(asked.free, asked.load[good], state.load[good])
-    got = balls.ring_load(np.where(idle, 0.0, action))
-    ring = np.abs((got - want) / asked.lever).max(axis=-1)
+    kept = np.where(asked.free, state.displacement[good], asked.displacement[good])
+    ring = np.abs((balls.ring_load(found.action) - want) / asked.lever).max(axis=-1)
     size = np.maximum(np.abs(want / asked.lever).max(axis=-1), top)
     some = top > 0.0
-    floor = rounding(balls, top)
-    for name, miss, unit, times in (("ball", ball, top, 1), ("ring", ring, size, idle.shape[1])):
+    ball = np.abs(found.fault).max(axis=(0, -1))
+    for name, miss, unit in (("ball", ball, top), ("ring", ring, size)):
         scaled = miss[some] / unit[some]
-        noise = times * floor[some] / unit[some]
-        tally[f"{name} residual above 1e-9"] += int((scaled > UNEQUAL).sum())
-        wrong = scaled > np.maximum(UNEQUAL, noise)
-        tally[f"{name} above 1e-9 and rounding"] += int(wrong.sum())
-        calm = scaled[noise < UNEQUAL]
-        worst[name] = max(worst[name], float(calm.max(initial=0.0)))
+        tally[f"{name} residual above 1e-9"] += int((~(scaled <= UNEQUAL)).sum())
+        worst[name] = max(worst[name], float(scaled.max(initial=0.0)))
+    tally["not as asked"] += int((kept != state.displacement[good]).any(axis=-1).sum())
+    gap = found.gap.max(axis=-1)
+    tally["not closed"] += int((~(gap <= OPEN)).sum())
+    worst["gap"] = max(worst["gap"], float(gap.max()))
 
 
 def _symmetric(
