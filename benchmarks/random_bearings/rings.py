@@ -20,6 +20,7 @@ from tests.oracles.random_states import (
     draw_loads,
     draw_speeds,
 )
+from tests.oracles.wide_tangent import DIGITS, wide_tangent
 
 Array = NDArray[np.float64]
 EACH = 50
@@ -29,6 +30,7 @@ KINDS = ("load", "load", "load", "displacement", "mixed")
 FROM = 30_000  # bearings of their own
 FRICTION = 0.1
 FADING = ("equal", "inner")  # sharings under which friction lets a light ball fade out of contact
+OFF = 1e-6  # of the largest entry: a tangent off by more is looked at closer
 FAR = 20.0  # steps of the difference that a contact must be away from opening or closing
 
 
@@ -200,7 +202,10 @@ def tangent_errors(
     state: BearingState,
     good: NDArray[np.intp],
 ) -> None:
-    """Five-point differences of the solver, the best of five steps, away from contact loss."""
+    """Five-point differences of the solver, the best of five steps, away from contact loss.
+
+    Where none of them agrees, differences of the judge's equations in more digits decide.
+    """
     top = state.inner_load[good].max(axis=-1)
     step = 3e-4 * (top / asked.drawn.equations.inner.k) ** (2.0 / 3.0)
     far = (_nearest(asked, state, good) > FAR * 8.0 * step) & (top > 0.0)
@@ -211,15 +216,30 @@ def tangent_errors(
     size = np.abs(k).max(axis=(1, 2))
     error = np.full(chosen.size, np.inf)
     for factor in (1.0, 0.25, 4.0, 32.0, 256.0):  # large ones where balls are held by little
-        todo = np.flatnonzero(~(error < 1e-6))
+        todo = np.flatnonzero(~(error < OFF))
         if not todo.size:
             break
         slope = _differences(asked, state, chosen[todo], factor * step[todo])
         apart = np.abs(slope - k[todo]).max(axis=(1, 2)) / size[todo]
         error[todo] = np.fmin(error[todo], apart)
+    rounded = np.flatnonzero(~(error < OFF)) if DIGITS else []
+    for i in rounded:
+        error[i] = np.abs(_wide(asked, state, chosen[i]) - k[i]).max() / size[i]
     tally["tangents"] += error.size
-    tally["tangents off by more than 1e-6"] += int((~(error < 1e-6)).sum())
+    tally["tangents decided in extended precision"] += len(rounded)
+    tally["tangents off by more than 1e-6"] += int((~(error < OFF)).sum())
     worst["tangent"] = max(worst["tangent"], float(error.max()))
+
+
+def _wide(asked: Asked, state: BearingState, index: int) -> Array:
+    """∂f/∂d (5, 5) in extended precision, freedoms as lengths; infinite where not found."""
+    growth = asked.static[index], asked.growth[index]
+    d, x = state.displacement[index], state.ball_centre[:, index]
+    try:
+        k = wide_tangent(asked.drawn.equations, d, x, asked.speed[index], growth)
+    except ArithmeticError:
+        return np.full((5, 5), np.inf)
+    return np.asarray(k / asked.lever / asked.lever[:, None], dtype=float)
 
 
 def _nearest(asked: Asked, state: BearingState, good: NDArray[np.intp]) -> Array:

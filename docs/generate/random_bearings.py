@@ -44,6 +44,12 @@ def random_bearings(found: Found) -> str:
         ("largest gap of the geometry", *(f"{f['worst']['gap']:.0e}" for f in (balls, rings))),
         ("gaps above 10⁻¹²", *(str(f["not closed"]) for f in (balls, rings))),
         ("K against differences: states", "–", _count(rings["tangents"])),
+        (
+            "of these decided with more digits",
+            "–",
+            str(rings["tangents decided in extended precision"]),
+        ),
+        ("K off by more than 10⁻⁶", "–", str(rings["tangents off by more than 1e-6"])),
         ("K against differences: worst", "–", f"{rings['worst']['tangent']:.0e}"),
         ("K at rest: states", "–", _count(rings["at rest"])),
         ("K at rest: asymmetry", "–", f"{rings['worst']['asymmetry at rest']:.0e}"),

@@ -17,6 +17,7 @@ from tests.oracles.ball_bearing import race
 from tests.oracles.ball_equations import contact
 from tests.oracles.known_bearings import HARRIS_218, VEX70
 from tests.oracles.plain_newton import plain_newton
+from tests.oracles.wide_tangent import DIGITS
 
 
 @pytest.mark.parametrize("bearing", [VEX70, HARRIS_218], ids=["VEX70", "218"])
@@ -166,3 +167,45 @@ def test_the_judge_sees_loads_that_balance_each_other_but_not_the_geometry() -> 
     assert tally["ball residual above 1e-9"] == tally["ring residual above 1e-9"] == 0
     assert _flagged(state, asked)["not closed"] == 0
     assert tally["not closed"] == (state.inner_load > 0.0).any(axis=-1).sum() > 20
+
+
+@pytest.mark.parametrize(("number", "index"), [(440, 38), (620, 25), (1916, 33)])
+def test_tangents_of_balls_under_millinewtons_equal_differences(number: int, index: int) -> None:
+    """K is a thousandth of a contact's and less; also in more digits."""
+    asked = rings.draw_states(number)
+    state, tally, worst = asked.solve(), Counter(), Counter()
+    rings.tangent_errors(tally, worst, asked, state, np.array([index]))
+    assert worst["tangent"] < 1e-6
+    assert tally["tangents decided in extended precision"] == 0
+    k = state.complete_stiffness[index] / asked.lever / asked.lever[:, None]
+    if DIGITS:
+        assert np.abs(rings._wide(asked, state, index) - k).max() < 1e-6 * np.abs(k).max()
+
+
+@pytest.mark.skipif(not DIGITS, reason="longdouble has the digits of double here")
+def test_more_digits_decide_where_differences_disagree(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A difference that is off condemns no K that is right; a K that is off is found."""
+    asked, chosen = rings.draw_states(440), np.array([38])
+    state = asked.solve()
+    off = replace(state, complete_stiffness=state.complete_stiffness * (1.0 + 4e-6))
+    tally: Counter[str] = Counter()
+    rings.tangent_errors(tally, Counter(), asked, off, chosen)
+    assert tally["tangents off by more than 1e-6"] == 1
+    whole = rings._differences
+    monkeypatch.setattr(rings, "_differences", lambda *ask: (1.0 + 4e-6) * whole(*ask))
+    tally.clear()
+    rings.tangent_errors(tally, Counter(), asked, state, chosen)
+    assert tally["tangents decided in extended precision"] == 1
+    assert tally["tangents off by more than 1e-6"] == 0
+
+
+def test_differences_with_more_digits_agree_with_the_solver() -> None:
+    """Under ordinary loads."""
+    asked = rings.draw_states(22)
+    state = asked.solve()
+    k = state.complete_stiffness / asked.lever / asked.lever[:, None]
+    some = np.flatnonzero((asked.speed > 0.0) & (state.inner_load.min(axis=1) > 1.0))
+    assert some.size > 5
+    for i in some:
+        apart = np.abs(rings._wide(asked, state, i) - k[i]).max()
+        assert apart < 1e-7 * np.abs(k[i]).max()
