@@ -74,6 +74,23 @@ def test_a_bearing_path_arrives_where_the_solver_is() -> None:
     assert found["odd"] == []
 
 
+def test_a_path_ends_where_a_contact_opens_with_a_jump() -> None:
+    """By a twelfth of the load, which a stride of the path would step over."""
+    asked, index = rings.draw_states(10014), 6
+    path = paths.ring_path(asked, index)
+    assert path.end == "jump"
+    assert path.changes == 1
+    assert asked.solve().outcome[index] == "no equilibrium"
+
+
+def test_a_contact_that_opens_under_outer_control_ends_no_path() -> None:
+    """The moment fades with the load; two balls lose their inner race on the way."""
+    asked, index = rings.draw_states(10049), 1
+    path = paths.ring_path(asked, index)
+    assert path.end == "arrived"
+    assert path.changes == 2
+
+
 def test_a_ring_that_two_balls_hold_moves_on_to_the_next() -> None:
     """On the way nothing resists one direction of the ring; an independent path arrives there."""
     asked, index = rings.draw_states(10056), 34
