@@ -42,6 +42,8 @@ from bearings.rest import resting_balance
 from bearings.ring import rows
 
 Array = NDArray[np.float64]
+PLAINLY_REGULAR = 1e-14  # determinant of K over its largest entry
+SINGULAR = 1e-13  # least singular value of K over its largest entry: there it is rounding
 Answers = tuple[Array, Array, NDArray[np.str_], "Linear | None"]
 
 
@@ -219,7 +221,11 @@ def _step(problem: Problem, linear: Linear) -> tuple[Array, Array]:
 def _solve(k: Array, gap: Array) -> Array:
     """K⁻¹ gap, zero where K is singular to rounding."""
     largest = np.abs(k).max(axis=(1, 2), keepdims=True) + 1e-300
-    regular = np.abs(np.linalg.det(k / largest)) > 1e-14
+    part = k / largest
+    regular = np.abs(np.linalg.det(part)) > PLAINLY_REGULAR
+    soft = np.flatnonzero(~regular & np.isfinite(part).all(axis=(1, 2)))
+    if soft.size:
+        regular[soft] = np.linalg.svd(part[soft], compute_uv=False)[:, -1] > SINGULAR
     safe = np.where(regular[:, None, None], k, np.eye(k.shape[-1]))
     return np.where(regular[:, None], np.linalg.solve(safe, gap[..., None])[..., 0], 0.0)
 
