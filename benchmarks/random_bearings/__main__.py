@@ -3,7 +3,8 @@
 ``--balls N`` single balls, ``--bearings N`` bearing states, ``--paths N`` refused and as many
 solved balls (a third as many bearings) followed by pseudo-arclength, ``--endings N`` refusals
 whose speed is compared with a scan, ``--starts N`` states solved from elsewhere, ``--sweeps N``.
-What each part comes to is written into ``benchmarks/results.json`` when it is done.
+What each part comes to is written into ``benchmarks/results.json`` when it is done; ``--only``
+names the parts that are looked at.
 """
 
 from __future__ import annotations
@@ -19,6 +20,18 @@ from benchmarks.random_bearings.paths import survey_ball_paths, survey_ring_path
 from benchmarks.random_bearings.rings import FRICTION, survey_friction, survey_rings
 from benchmarks.random_bearings.starts import survey_starts, survey_sweeps
 
+PARTS = (
+    "balls",
+    "bearings",
+    "ball_paths",
+    "bearing_paths",
+    "endings",
+    "starts",
+    "sweeps",
+    "friction",
+    "friction_sweeps",
+)
+
 
 def main() -> None:
     """Survey and keep the outcome."""
@@ -31,6 +44,7 @@ def main() -> None:
     sizes["endings"] = 60
     for name, size in sizes.items():
         parser.add_argument(f"--{name}", type=int, default=size)
+    parser.add_argument("--only", nargs="+", choices=PARTS, metavar="PART")
     asked = parser.parse_args()
     parts: dict[str, Callable[[], dict[str, Any]]] = {
         "balls": lambda: survey_balls(asked.balls),
@@ -43,8 +57,8 @@ def main() -> None:
         "friction": lambda: survey_friction(asked.bearings // 5),
         "friction_sweeps": lambda: survey_sweeps(asked.sweeps, FRICTION),
     }
-    for name, survey in parts.items():
-        keep("random_bearings", **{name: survey()})
+    for name in asked.only or parts:
+        keep("random_bearings", **{name: parts[name]()})
 
 
 if __name__ == "__main__":

@@ -68,6 +68,19 @@ def random_paths(found: Found) -> str:
             (f"{name} refused: no path ({', '.join(ends)})", *_agreed(f, "refused")),
             (f"{name} solved: the path arrives there", *_agreed(f, "solved")),
         ]
+    ends = found["endings"]
+    rows += [
+        (
+            "bearings refused: a state at every speed up to the one told",
+            str(ends["refusals"]),
+            str(ends["states at all speeds below"]),
+        ),
+        (
+            "bearings refused with states again above it: told",
+            str(ends["states again above"]),
+            str(ends["states again above, told"]),
+        ),
+    ]
     starts, sweeps, held = found["starts"], found["sweeps"], found["friction_sweeps"]
     rows += [
         (
