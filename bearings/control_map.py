@@ -21,6 +21,7 @@ from bearings.state import BearingState
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 RACES = ("inner", "outer")
+LIGHTEST = 1e-3  # N
 LEVELS = 48  # loads between which a change of control is looked for
 LOG_TOLERANCE = 1e-10  # of a boundary, relative
 UPWARD = np.array([[[1.0]], [[-1.0]]])  # how the margin of each race crosses zero at its boundary
@@ -79,14 +80,14 @@ def control_map(
     Parameters
     ----------
     speed : of the inner ring, shape (s,) [rad/s]
-    lowest, highest : axial loads between which to look [N]
+    lowest, highest : axial loads between which to look, from 1 mN up [N]
     radial : radial over axial load; 0 = purely axial, where all balls are alike
     static_growth, growth : as for ``equilibrium``; growth (s,) [m]
     law : what is assumed of the balls
 
     Raises
     ------
-    InvalidBearing : no speeds, loads that are not 0 < lowest < highest, radial below 0
+    InvalidBearing : no speeds, loads that are not 1 mN ≤ lowest < highest, radial below 0
     """
     omega = np.asarray(speed, dtype=float)
     _check(omega, lowest, highest, radial)
@@ -219,5 +220,7 @@ def _check(speed: Array, lowest: float, highest: float, radial: float) -> None:
         raise InvalidBearing(
             f"loads must be 0 < lowest < highest, finite, got {lowest!r} and {highest!r} N"
         )
+    if lowest < LIGHTEST:
+        raise InvalidBearing(f"the lowest load must be {LIGHTEST:g} N or more, got {lowest!r} N")
     if not 0.0 <= radial < np.inf:
         raise InvalidBearing(f"radial over axial load must be from 0 and finite, got {radial!r}")

@@ -20,6 +20,7 @@ from bearings.ball import Balance, Settled, settled, turning_balance
 from bearings.constants import EPS
 from bearings.convex_stage import convex_state
 from bearings.free_motion import beyond
+from bearings.last_digits import after_step
 from bearings.plane import Pair, dot, turned_far
 from bearings.problem import (
     FINE_BLEND,
@@ -31,6 +32,7 @@ from bearings.problem import (
     NEWTON_STEPS,
     ON_THE_WAY,
     QUICK_STEPS,
+    ROUNDING,
     SHORTEST_BLEND,
     TOLERANCE,
     Index,
@@ -40,6 +42,8 @@ from bearings.rest import resting_balance
 from bearings.ring import rows
 
 Array = NDArray[np.float64]
+PLAINLY_REGULAR = 1e-14  # determinant of K over its largest entry
+SINGULAR = 1e-13  # least singular value of K over its largest entry: there it is rounding
 Answers = tuple[Array, Array, NDArray[np.str_], "Linear | None"]
 
 
@@ -87,11 +91,12 @@ def solve(
         d, x, outcome, linear = _together(problem, displacement, guess)
     if linear is None:
         linear = linearise(problem, d, x, np.ones(len(d)))
+    d, x, balance, ring_load = _last_digits(problem, d, x, linear, outcome == "")
     return Solution(
         displacement=d,
         ball=x,
-        balance=linear.balance,
-        ring_load=linear.ring_load,
+        balance=balance,
+        ring_load=ring_load,
         stiffness=tangent(problem, linear.balls),
         residual=linear.error,
         outcome=outcome,
@@ -161,13 +166,32 @@ def tangent(problem: Problem, balls: Settled) -> Array:
     return problem.ring.stiffness(rows(balls.tangent))
 
 
-def _error(problem: Problem, balance: Balance, ring_load: Array) -> Array:
-    """Largest scaled residual of balls and ring; rounding of the lengths is not counted."""
+def _last_digits(
+    problem: Problem, d: Array, x: Array, linear: Linear, found: NDArray[np.bool_]
+) -> tuple[Array, Array, Balance, Array]:
+    """(d, X), balance and ring load, freed from what rounding of the lengths has left in them."""
+    exact = _error(problem, linear.balance, linear.ring_load, rounding=0.0)
+    left = found & (exact >= TOLERANCE)
+    if not left.any():
+        return d, x, linear.balance, linear.ring_load
+    dd, dx = _step(problem, linear)
+    dd, dx = np.where(left[:, None], dd, 0.0), np.where(left[:, None], dx, 0.0)
+    part = tangent(problem, linear.balls) @ dd[..., None]
+    load = problem.ring.load(np.stack(linear.balls.action)) + part[..., 0]
+    ring_load = np.where(left[:, None], load, linear.ring_load)
+    there = d + dd, x + dx
+    return *there, after_step(problem, linear.balance, there, (dd, dx)), ring_load
+
+
+def _error(
+    problem: Problem, balance: Balance, ring_load: Array, rounding: float = ROUNDING
+) -> Array:
+    """Largest scaled residual of balls and ring but for some roundings of the lengths."""
     g = problem.model.geometry
     largest = np.maximum(balance.outer_load, balance.inner_load).max(axis=-1)
     reach = g.inner_reach + g.outer_reach
     slope = 1.5 * (g.inner.stiffness**2 * np.maximum(largest, 1e-300)) ** (1.0 / 3.0)
-    noise = 16.0 * EPS * reach * slope
+    noise = rounding * EPS * reach * slope
     ball = np.maximum(*np.abs(balance.residual)).max(axis=-1) / (
         largest + noise / TOLERANCE + 1e-300
     )
@@ -197,7 +221,11 @@ def _step(problem: Problem, linear: Linear) -> tuple[Array, Array]:
 def _solve(k: Array, gap: Array) -> Array:
     """K⁻¹ gap, zero where K is singular to rounding."""
     largest = np.abs(k).max(axis=(1, 2), keepdims=True) + 1e-300
-    regular = np.abs(np.linalg.det(k / largest)) > 1e-14
+    part = k / largest
+    regular = np.abs(np.linalg.det(part)) > PLAINLY_REGULAR
+    soft = np.flatnonzero(~regular & np.isfinite(part).all(axis=(1, 2)))
+    if soft.size:
+        regular[soft] = np.linalg.svd(part[soft], compute_uv=False)[:, -1] > SINGULAR
     safe = np.where(regular[:, None, None], k, np.eye(k.shape[-1]))
     return np.where(regular[:, None], np.linalg.solve(safe, gap[..., None])[..., 0], 0.0)
 

@@ -14,6 +14,7 @@ Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 
 TOLERANCE = 1e-11  # of the largest ball load (ball balance) and ring load (ring balance)
+ROUNDING = 16.0  # of the lengths, granted above that
 
 # first stage
 CONVEX_STEPS = 100

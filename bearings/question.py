@@ -46,9 +46,9 @@ class Question:
         """States that no load presses together, free to retreat along the axis (s,)."""
         return np.asarray(self.free[0] & (self.load == 0.0).all(axis=1))
 
-    def repeated(self, index: int, speeds: Array) -> Question:
-        """The same question about one of its states at other ``speeds`` (k,)."""
-        row = np.full(len(speeds), index)
+    def repeated(self, index: int | NDArray[np.intp], speeds: Array) -> Question:
+        """The same question about one of its states, or some (k,), at other ``speeds`` (k,)."""
+        row = np.broadcast_to(index, speeds.shape)
         parts = (self.load[row], self.displacement[row])
         growth = (self.static_growth[row], self.growth[row])
         return Question(self.free, *parts, speeds, *growth, speeds.shape)

@@ -94,8 +94,9 @@ class BearingState:
         the 4.2 GPa of ISO 76, ``"beyond the groove (balls 2)"`` past 90°,
         ``"slips on the inner race (balls 0–4)"``; where there is no state ``"no contact angle"``,
         ``"no equilibrium: stiffness vanishes above … rpm at this load"`` or ``"no equilibrium:
-        balls 2–4 are thrown off a race above … rpm at this load"``, the speed being searched for
-        now. Balls count from 0.
+        balls 2–4 are thrown off a race above … rpm at this load"``: the first speed without a
+        state, spinning up from rest, searched for now (``bearings.spin_up``); ``"(states again from
+        … to … rpm)"`` where some were met above it. Balls count from 0.
         """
         from bearings.condition import conditions
 

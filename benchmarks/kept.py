@@ -10,10 +10,14 @@ from benchmarks.processes import ROOT
 RESULTS = ROOT / "benchmarks" / "results.json"
 
 
-def keep(**found: Any) -> None:
-    """Write each part anew, with four digits that count; leave the others as they are."""
+def keep(group: str | None = None, **found: Any) -> None:
+    """Write each part anew, with four digits that count; leave the others as they are.
+
+    ``group``: the part that they are parts of.
+    """
     results = json.loads(RESULTS.read_text(encoding="utf-8")) if RESULTS.exists() else {}
-    results |= rounded(found)
+    whole = results if group is None else results.setdefault(group, {})
+    whole |= rounded(found)
     text = json.dumps(results, indent=1, ensure_ascii=False) + "\n"
     RESULTS.write_text(text, encoding="utf-8")
 

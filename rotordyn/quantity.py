@@ -153,6 +153,7 @@ ECCENTRICITY = Quantity("length", at_least="0 um", at_most="100 mm")
 ANGLE = Quantity("angle", at_least="-360 deg", at_most="360 deg")
 TWIST_ANGLE = Quantity("angle", above="0 deg", at_most="360 deg")
 LOAD = Quantity("force", above="0 N", at_most="10000 kN")
+LIGHT_LOAD = Quantity("force", at_least="0.001 N", at_most="10000 kN")
 PRELOAD = Quantity("force", at_least="0 N", at_most="10000 kN")
 PULL = Quantity("force", at_least="0 N", at_most="100000 kN")
 RIGIDITY = Quantity("stiffness", above="0 N/m", at_most="1e6 MN/m", infinite="rigid")
@@ -202,6 +203,7 @@ Eccentricity = Annotated[float, ECCENTRICITY]
 Angle = Annotated[float, ANGLE]
 TwistAngle = Annotated[float, TWIST_ANGLE]
 Load = Annotated[float, LOAD]
+LightLoad = Annotated[float, LIGHT_LOAD]
 Preload = Annotated[float, PRELOAD]
 Pull = Annotated[float, PULL]
 Rigidity = Annotated[float, RIGIDITY]

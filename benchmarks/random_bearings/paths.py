@@ -59,7 +59,7 @@ def survey_ring_paths(refused: int, solved: int, *, each: int = 2) -> dict[str, 
 def ball_path(equations: Any, centre: Array, speed: float) -> Path:
     """The path of one ball, its groove centre (2, 1) held."""
     zero = np.zeros(5)
-    return follow(Blend(equations, lambda _: centre, float(speed), zero, NONE, zero))
+    return _followed(equations, lambda _: centre, float(speed), zero, NONE, zero)
 
 
 def ring_path(asked: Asked, index: int) -> Path:
@@ -71,7 +71,13 @@ def ring_path(asked: Asked, index: int) -> Path:
 
     free = np.asarray(asked.free)
     d = np.where(free, 0.0, asked.displacement[index])
-    return follow(Blend(equations, centre, asked.speed[index], asked.load[index], free, d))
+    return _followed(equations, centre, asked.speed[index], asked.load[index], free, d)
+
+
+def _followed(*question: Any) -> Path:
+    """With more digits where rounding stops it, near a pole of the rolling relations."""
+    path = follow(Blend(*question))
+    return follow(Blend(*question, np.longdouble)) if path.end == "stuck" else path
 
 
 def _some(

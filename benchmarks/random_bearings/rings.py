@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.state import BearingState
-from benchmarks.random_bearings.judged import UNEQUAL, rounding
+from benchmarks.random_bearings.judged import OPEN, UNEQUAL, judged
 from tests.oracles.random_states import (
     Drawn,
     draw_bearing,
@@ -20,6 +20,7 @@ from tests.oracles.random_states import (
     draw_loads,
     draw_speeds,
 )
+from tests.oracles.wide_tangent import DIGITS, wide_tangent
 
 Array = NDArray[np.float64]
 EACH = 50
@@ -29,6 +30,7 @@ KINDS = ("load", "load", "load", "displacement", "mixed")
 FROM = 30_000  # bearings of their own
 FRICTION = 0.1
 FADING = ("equal", "inner")  # sharings under which friction lets a light ball fade out of contact
+OFF = 1e-6  # of the largest entry: a tangent off by more is looked at closer
 FAR = 20.0  # steps of the difference that a contact must be away from opening or closing
 
 
@@ -157,26 +159,24 @@ def _balanced(
     good: NDArray[np.intp],
 ) -> None:
     """Balls and ring after the equations written once more."""
-    balls, speed = asked.drawn.equations, asked.speed[good, None]
+    balls = asked.drawn.equations
     centre = balls.centres(state.displacement[good], asked.static[good], asked.growth[good])
-    fault, action = balls.forces(balls.loads(centre, state.ball_centre[:, good], speed))
-    idle = state.status[good] == "unloaded"
+    found = judged(balls, state, good, centre)
     top = np.maximum(state.inner_load, state.outer_load)[good].max(axis=-1)
-    ball = np.where(idle, 0.0, np.abs(fault).max(axis=0)).max(axis=-1)
     want = np.where(asked.free, asked.load[good], state.load[good])
-    got = balls.ring_load(np.where(idle, 0.0, action))
-    ring = np.abs((got - want) / asked.lever).max(axis=-1)
+    kept = np.where(asked.free, state.displacement[good], asked.displacement[good])
+    ring = np.abs((balls.ring_load(found.action) - want) / asked.lever).max(axis=-1)
     size = np.maximum(np.abs(want / asked.lever).max(axis=-1), top)
     some = top > 0.0
-    floor = rounding(balls, top)
-    for name, miss, unit, times in (("ball", ball, top, 1), ("ring", ring, size, idle.shape[1])):
+    ball = np.abs(found.fault).max(axis=(0, -1))
+    for name, miss, unit in (("ball", ball, top), ("ring", ring, size)):
         scaled = miss[some] / unit[some]
-        noise = times * floor[some] / unit[some]
-        tally[f"{name} residual above 1e-9"] += int((scaled > UNEQUAL).sum())
-        wrong = scaled > np.maximum(UNEQUAL, noise)
-        tally[f"{name} above 1e-9 and rounding"] += int(wrong.sum())
-        calm = scaled[noise < UNEQUAL]
-        worst[name] = max(worst[name], float(calm.max(initial=0.0)))
+        tally[f"{name} residual above 1e-9"] += int((~(scaled <= UNEQUAL)).sum())
+        worst[name] = max(worst[name], float(scaled.max(initial=0.0)))
+    tally["not as asked"] += int((kept != state.displacement[good]).any(axis=-1).sum())
+    gap = found.gap.max(axis=-1)
+    tally["not closed"] += int((~(gap <= OPEN)).sum())
+    worst["gap"] = max(worst["gap"], float(gap.max()))
 
 
 def _symmetric(
@@ -202,7 +202,10 @@ def tangent_errors(
     state: BearingState,
     good: NDArray[np.intp],
 ) -> None:
-    """Five-point differences of the solver, the best of five steps, away from contact loss."""
+    """Five-point differences of the solver, the best of five steps, away from contact loss.
+
+    Where none of them agrees, differences of the judge's equations in more digits decide.
+    """
     top = state.inner_load[good].max(axis=-1)
     step = 3e-4 * (top / asked.drawn.equations.inner.k) ** (2.0 / 3.0)
     far = (_nearest(asked, state, good) > FAR * 8.0 * step) & (top > 0.0)
@@ -213,15 +216,30 @@ def tangent_errors(
     size = np.abs(k).max(axis=(1, 2))
     error = np.full(chosen.size, np.inf)
     for factor in (1.0, 0.25, 4.0, 32.0, 256.0):  # large ones where balls are held by little
-        todo = np.flatnonzero(~(error < 1e-6))
+        todo = np.flatnonzero(~(error < OFF))
         if not todo.size:
             break
         slope = _differences(asked, state, chosen[todo], factor * step[todo])
         apart = np.abs(slope - k[todo]).max(axis=(1, 2)) / size[todo]
         error[todo] = np.fmin(error[todo], apart)
+    rounded = np.flatnonzero(~(error < OFF)) if DIGITS else []
+    for i in rounded:
+        error[i] = np.abs(_wide(asked, state, chosen[i]) - k[i]).max() / size[i]
     tally["tangents"] += error.size
-    tally["tangents off by more than 1e-6"] += int((~(error < 1e-6)).sum())
+    tally["tangents decided in extended precision"] += len(rounded)
+    tally["tangents off by more than 1e-6"] += int((~(error < OFF)).sum())
     worst["tangent"] = max(worst["tangent"], float(error.max()))
+
+
+def _wide(asked: Asked, state: BearingState, index: int) -> Array:
+    """∂f/∂d (5, 5) in extended precision, freedoms as lengths; infinite where not found."""
+    growth = asked.static[index], asked.growth[index]
+    d, x = state.displacement[index], state.ball_centre[:, index]
+    try:
+        k = wide_tangent(asked.drawn.equations, d, x, asked.speed[index], growth)
+    except ArithmeticError:
+        return np.full((5, 5), np.inf)
+    return np.asarray(k / asked.lever / asked.lever[:, None], dtype=float)
 
 
 def _nearest(asked: Asked, state: BearingState, good: NDArray[np.intp]) -> Array:

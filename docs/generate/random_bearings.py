@@ -30,15 +30,26 @@ def random_bearings(found: Found) -> str:
         ("a contact beyond 90°", *(_share(f, wide, "solved") for f, _, wide in both)),
         ("numbers not finite", *(str(f["not finite"]) for f, _, _ in both)),
         ("contacts that pull", *(str(f["tensile"]) for f, _, _ in both)),
-        ("largest residual of a ball", f"{balls['worst']:.0e}", f"{rings['worst']['ball']:.0e}"),
-        ("residuals above 10⁻⁹", *(str(f[f"{name} above 1e-9"]) for f, name, _ in both)),
         (
-            "of these more than rounding",
-            str(balls["above 1e-9 and rounding"]),
-            str(rings["ball above 1e-9 and rounding"]),
+            "largest residual of a ball",
+            f"{balls['worst']['force']:.0e}",
+            f"{rings['worst']['ball']:.0e}",
         ),
         ("largest residual of the ring", "–", f"{rings['worst']['ring']:.0e}"),
+        (
+            "residuals above 10⁻⁹",
+            str(balls["residual above 1e-9"]),
+            str(rings["ball residual above 1e-9"] + rings["ring residual above 1e-9"]),
+        ),
+        ("largest gap of the geometry", *(f"{f['worst']['gap']:.0e}" for f in (balls, rings))),
+        ("gaps above 10⁻¹²", *(str(f["not closed"]) for f in (balls, rings))),
         ("K against differences: states", "–", _count(rings["tangents"])),
+        (
+            "of these decided with more digits",
+            "–",
+            str(rings["tangents decided in extended precision"]),
+        ),
+        ("K off by more than 10⁻⁶", "–", str(rings["tangents off by more than 1e-6"])),
         ("K against differences: worst", "–", f"{rings['worst']['tangent']:.0e}"),
         ("K at rest: states", "–", _count(rings["at rest"])),
         ("K at rest: asymmetry", "–", f"{rings['worst']['asymmetry at rest']:.0e}"),
@@ -57,6 +68,19 @@ def random_paths(found: Found) -> str:
             (f"{name} refused: no path ({', '.join(ends)})", *_agreed(f, "refused")),
             (f"{name} solved: the path arrives there", *_agreed(f, "solved")),
         ]
+    ends = found["endings"]
+    rows += [
+        (
+            "bearings refused: a state at every speed up to the one told",
+            str(ends["refusals"]),
+            str(ends["states at all speeds below"]),
+        ),
+        (
+            "bearings refused with states again above it: told",
+            str(ends["states again above"]),
+            str(ends["states again above, told"]),
+        ),
+    ]
     starts, sweeps, held = found["starts"], found["sweeps"], found["friction_sweeps"]
     rows += [
         (

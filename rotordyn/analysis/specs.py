@@ -30,6 +30,7 @@ from rotordyn.quantity import (
     Friction,
     Growth,
     Length,
+    LightLoad,
     Load,
     Name,
     PointName,
@@ -315,7 +316,7 @@ class ControlSpec(Description):
     """
 
     max_load: Load
-    min_load: Load = 10.0
+    min_load: LightLoad = 10.0
     radial: RadialShare = 0.0
     static_growth: Growth = 0.0
 

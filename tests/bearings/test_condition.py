@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from bearings import NoEquilibrium, equilibrium
+from bearings import NoEquilibrium, condition, equilibrium
 from benchmarks.random_bearings import rings
 from tests.oracles.known_bearings import HARRIS_218, RPM, VEX70
 
@@ -83,6 +83,32 @@ def test_stiffness_that_vanishes() -> None:
     softest = np.linalg.eigvals(k).real.min(axis=1)
     assert softest[2] < softest[1] < softest[0]
     assert softest[2] < 0.3 * softest[0]
+
+
+@pytest.mark.parametrize("compiled", [False, True])
+def test_a_ring_that_two_balls_hold_turns_as_slowly_as_one_likes(compiled: bool) -> None:
+    """Balls that Fc alone holds, by 10⁻⁶ N at 1 rpm, hold the last freedom; it moves as ω²."""
+    speed = np.geomspace(0.1, 100.0, 25) * RPM
+    load = [11.0, 5.0, 0.0, 0.0, 0.0]
+    state = HARRIS_218.equilibrium(load=load, speed=speed, compiled=compiled)
+    assert (state.outcome == "").all()
+    assert (np.sort(state.inner_load, axis=-1)[:, -3] < 1.0).all()
+    step = np.diff(state.displacement[:10, 0])
+    assert step[1:] / step[:-1] == pytest.approx((speed[1] / speed[0]) ** 2, rel=1e-3)
+
+
+def test_states_again_are_told() -> None:
+    asked, index = rings.draw_states(83), 1
+    state = asked.solve()
+    (word,) = condition.endings(state.cause, np.array([index]))
+    match = re.fullmatch(
+        r"balls 4 are thrown off a race above (\d+) rpm at this \w+ "
+        r"\(states again, with gaps, from (\d+) to (\d+) rpm\)",
+        word,
+    )
+    assert match, word
+    first, again, last = (float(n) for n in match.groups())
+    assert first < again < last < state.speed[index] / RPM
 
 
 def test_balls_that_are_solved(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,13 +18,18 @@ from tests.oracles.ball_equations import Balls
 Array = NDArray[np.float64]
 CLOSE = 1e-3  # of the deflection: a contact this near to nothing is about to open or close
 
+STEP = 2e-6  # of the differences, in deflections
+HALVINGS = 30
+UNLIKE = 1e-5  # of the reference load
+
 
 @dataclass
 class Path:
     """How a path went.
 
-    ``end``: ``"arrived"`` at t = 1; ``"fold"``: t turns back; ``"jump"``: it stops where an inner
-    contact opens or closes and the equations jump; ``"lifted"``: a ball leaves the outer race;
+    ``end``: ``"arrived"`` at t = 1; ``"fold"``: t turns back, or would if the ring were held: the
+    determinant of a ball changes its sign; ``"jump"``: an inner contact opens or closes and the
+    equations jump; ``"lifted"``: a ball leaves the outer race;
     ``"stuck"`` or ``"no start"``: not decided. ``d`` (5,) and ``x`` (2, balls) belong to the last
     point, ``t`` is the largest reached, ``changes`` counts inner contacts opened and closed.
     """
@@ -37,7 +43,10 @@ class Path:
 
 
 class Blend:
-    """One turning bearing, or one ball, as equations in u = (free displacements, X) and t."""
+    """One turning bearing, or one ball, as equations in u = (free displacements, X) and t.
+
+    ``number``: the type the equations are evaluated in; linear systems are solved in double.
+    """
 
     def __init__(
         self,
@@ -47,9 +56,10 @@ class Blend:
         load: Array,
         free: NDArray[np.bool_],
         displacement: Array,
+        number: Any = np.float64,
     ) -> None:
-        self.eq, self.centre, self.speed = equations, centre, speed
-        self.free, self.given = np.flatnonzero(free), displacement.astype(float)
+        self.eq, self.centre, self.speed, self.number = equations, centre, speed, number
+        self.free, self.given = np.flatnonzero(free), displacement.astype(number)
         self.lever = np.array([1.0, 1.0, 1.0, equations.radius, equations.radius])
         self.push = float(equations.frozen_push(speed))
         self.n = centre(self.given).shape[-1]
@@ -90,7 +100,7 @@ class Blend:
     def slopes(self, u: Array, t: float) -> tuple[Array, Array]:
         """∂fault/∂u, ∂fault/∂t by central differences; all balls move at once, each its own X."""
         m, n = self.free.size, self.n
-        jac, h = np.zeros((u.size, u.size)), 2e-6
+        jac, h = np.zeros((u.size, u.size)), STEP
         for k in range(m):
             step = h * (np.arange(u.size) == k)
             jac[:, k] = (self.fault(u + step, t) - self.fault(u - step, t)) / (2.0 * h)
@@ -107,7 +117,18 @@ class Blend:
                 one[:, np.arange(n), np.arange(n)] = action
                 jac[:m, columns] = (self.eq.ring_load(one) / self.lever)[:, self.free].T / self.q
         dt = 1e-6
-        return jac, (self.fault(u, t + dt) - self.fault(u, t - dt)) / (2.0 * dt)
+        by_t = (self.fault(u, t + dt) - self.fault(u, t - dt)) / (2.0 * dt)
+        return jac, by_t.astype(float)
+
+    def determinants(self, u: Array, t: float) -> Array:
+        """Of ∂fault/∂X of every ball (balls,), the ring held."""
+        slope = np.zeros((2, 2, self.n))
+        for c in range(2):
+            step = np.zeros(u.size)
+            step[self.free.size + c * self.n + np.arange(self.n)] = STEP
+            up, down = self._parts(u + step, t)[0], self._parts(u - step, t)[0]
+            slope[:, c] = (up - down) / (2.0 * STEP)
+        return np.asarray(slope[0, 0] * slope[1, 1] - slope[0, 1] * slope[1, 0])
 
     def energy(self, u: Array) -> float:
         """The potential at t = 0, in units of reference load times deflection."""
@@ -169,7 +190,7 @@ class Blend:
 
     def noise(self) -> float:
         """Below this a residual is rounding."""
-        return 1e-9 + 400.0 * np.finfo(float).eps * (self.eq.li + self.eq.lo) / self.size
+        return 1e-9 + 400.0 * np.finfo(self.number).eps * (self.eq.li + self.eq.lo) / self.size
 
 
 def follow(blend: Blend, *, longest: float = 0.04, most: int = 6000) -> Path:
@@ -180,10 +201,11 @@ def follow(blend: Blend, *, longest: float = 0.04, most: int = 6000) -> Path:
         return Path("no start", 0.0, d, x)
     weight = np.full(u.size + 1, (blend.size / (0.1 * (blend.eq.li + blend.eq.lo))) ** 2)
     weight[-1] = 1.0
-    point = np.append(u, 0.0)
+    point = np.append(u, 0.0).astype(blend.number)
     way = _direction(blend, point, weight, None)
     path = Path("stuck", 0.0, *blend.split(u))
     ds, touching = 0.01, blend.gaps(u)[0] > 0.0
+    upright = blend.determinants(u, 0.0) > 0.0
     low = 0
     while path.steps < most and ds > 1e-9:
         reach = min(ds, (1.0 - point[-1]) / way[-1]) if way[-1] > 1e-3 else ds
@@ -194,11 +216,21 @@ def follow(blend: Blend, *, longest: float = 0.04, most: int = 6000) -> Path:
             continue
         path.steps += 1
         now = blend.gaps(found[:-1])[0] > 0.0
-        path.changes += int((now != touching).sum())
+        changed = np.flatnonzero(now != touching)
+        path.changes += changed.size
+        ended = any(
+            _jumps(blend, _opening(blend, point, way, reach, weight, k), k) for k in changed
+        )
         point, way, touching = found, new_way, now
         ds = min(ds * 1.4, longest)
         path.t = max(path.t, float(point[-1]))
         path.d, path.x = blend.split(point[:-1])
+        if ended:
+            path.end = "jump"
+            return path
+        if ((blend.determinants(point[:-1], point[-1]) > 0.0) != upright).any():
+            path.end = "fold"
+            return path
         low = low + 1 if way[-1] < 0.0 else 0
         if low >= 3 and point[-1] < path.t - 1e-7:
             path.end = "fold"
@@ -213,7 +245,7 @@ def _landed(blend: Blend, point: Array, path: Path) -> Path:
     """The last point put on t = 1 exactly."""
     u = point[:-1]
     for _ in range(4):
-        u = u - np.linalg.solve(blend.slopes(u, 1.0)[0], blend.fault(u, 1.0))
+        u = u - np.linalg.solve(blend.slopes(u, 1.0)[0], blend.fault(u, 1.0).astype(float))
     path.end, path.t = "arrived", 1.0
     path.d, path.x = blend.split(u)
     return path
@@ -227,9 +259,27 @@ def _stop(blend: Blend, point: Array) -> str:
     ball = int(np.abs(inner).argmin())
     if abs(inner[ball]) > CLOSE:
         return "stuck"
+    return "jump" if _jumps(blend, point, ball) else "stuck"
+
+
+def _opening(blend: Blend, point: Array, way: Array, ds: float, weight: Array, ball: int) -> Array:
+    """The last point between here and ``ds`` ahead at which the inner contact is as it is here."""
+    held, low, high = blend.gaps(point[:-1])[0, ball] > 0.0, 0.0, ds
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        found = _corrected(blend, point, way, middle, weight)
+        if found is not None and (blend.gaps(found[:-1])[0, ball] > 0.0) == held:
+            low, near = middle, found
+        else:
+            high = middle
+    return point if low == 0.0 else near
+
+
+def _jumps(blend: Blend, point: Array, ball: int) -> bool:
+    """Whether the equations differ on both sides of the opening of an inner contact."""
     ends = (_shifted(blend, point[:-1], ball, gap) for gap in (1e-9, -1e-9))
     sides = [blend.fault(end, point[-1]) for end in ends]
-    return "jump" if np.abs(sides[0] - sides[1]).max() > 1e-5 else "stuck"
+    return bool(np.abs(sides[0] - sides[1]).max() > UNLIKE)
 
 
 def _shifted(blend: Blend, u: Array, ball: int, gap: float) -> Array:
@@ -270,7 +320,8 @@ def _corrected(blend: Blend, point: Array, way: Array, ds: float, weight: Array)
         jac, by_t = blend.slopes(new[:-1], new[-1])
         matrix = np.vstack([np.column_stack([jac, by_t]), weight * way])
         try:
-            step = np.linalg.solve(matrix, -np.append(fault, (weight * way) @ (new - target)))
+            gap = np.append(fault, (weight * way) @ (new - target))
+            step = np.linalg.solve(matrix, -gap.astype(float))
         except np.linalg.LinAlgError:
             return None
         new = new + step

@@ -213,6 +213,7 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
     "steps: out of range: given 0": lambda: StiffnessSpec("tip", steps=0),
     r"second_stop\[rear\]: length": lambda: StiffnessSpec("tip", second_stop={"rear": -1e-6}),
     "ControlSpec: max_load: not above min_load: given 10 N after 10 N": lambda: ControlSpec(10.0),
+    "ControlSpec: min_load: force out of range": lambda: ControlSpec(10.0, 1e-9),
     r"ControlSpec: radial: number out of range: given -0.1": lambda: ControlSpec(20.0, radial=-0.1),
     "loads: not in ascending": lambda: BearingMapSpec((2.0, 1.0)),
     r"Case c: speeds\[0\]: speed out of range: given -1 rad/s": lambda: case(speeds=(-1.0,)),

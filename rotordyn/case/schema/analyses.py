@@ -26,6 +26,7 @@ from rotordyn.case.schema.values import (
     Flag,
     Frequency,
     Growth,
+    LightLoad,
     Load,
     Name,
     RadialShare,
@@ -169,7 +170,7 @@ class ControlEntry(Entry):
     """Which race controls the balls of a single bearing, over axial load."""
 
     max_load: Load
-    min_load: Load = 10.0
+    min_load: LightLoad = 10.0
     radial: RadialShare = 0.0
     static_growth: Growth = 0.0
 

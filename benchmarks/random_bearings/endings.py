@@ -1,0 +1,65 @@
+"""The speed that a refusal tells against a fine scan of all speeds below the one asked for."""
+
+from __future__ import annotations
+
+import time
+from collections import Counter
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.condition import first_gaps
+from bearings.spin_up import Gap
+from bearings.state import BearingState
+from benchmarks.random_bearings.rings import draw_states
+
+FINE = 1000  # speeds
+EACH = 2  # refusals of a bearing
+MOST_BALLS = 30
+RARE = 4  # of the bearings with hybrid and outer kinematics are looked at one in four
+
+
+def survey_endings(count: int) -> dict[str, Any]:
+    """What ``count`` refusals tell, mostly of kinematics that know jumps."""
+    tally: Counter[str] = Counter()
+    odd: list[list[Any]] = []
+    seconds, number = 0.0, 0
+    while tally["refusals"] < count:
+        asked = draw_states(number)
+        smooth = asked.drawn.kinematics in ("hybrid", "outer")
+        if asked.drawn.bearing.balls <= MOST_BALLS and not (smooth and number // 4 % RARE):
+            state = asked.solve()
+            refused = np.flatnonzero(state.outcome == "no equilibrium")[:EACH]
+            refused = refused[: count - tally["refusals"]]
+            if refused.size:
+                begin = time.process_time()
+                gaps = first_gaps(state.cause, refused)
+                seconds += time.process_time() - begin
+                for index, gap in zip(refused, gaps, strict=True):
+                    word = _compared(tally, state, int(index), gap)
+                    odd += [[number, int(index), asked.drawn.kinematics, *word]] if word else []
+        number += 1
+    return {**tally, "odd": odd, "milliseconds": 1e3 * seconds / count}
+
+
+def _compared(tally: Counter[str], state: BearingState, index: int, gap: Gap) -> list[str]:
+    """Counts; what is wrong is returned in words."""
+    speed = float(state.speed[index]) * np.arange(1, FINE + 1) / FINE
+    there = _there(state, index, speed)
+    above = bool(there[speed > gap.low].any())
+    tally["refusals"] += 1
+    tally[f"refusals, {state.cause.law.kinematics}"] += 1
+    tally["states at all speeds below"] += int(there[speed <= gap.low].all())
+    tally["states again above"] += int(above)
+    tally["states again above, told"] += int(above and gap.again is not None)
+    words = []
+    if not there[speed <= gap.low].all():
+        words.append("none at a speed below the one told")
+    if above and gap.again is None:
+        words.append("states again that are not told")
+    return words
+
+
+def _there(state: BearingState, index: int, speed: NDArray[np.float64]) -> NDArray[np.bool_]:
+    return state.cause.solved(state.cause.question.repeated(index, speed)).outcome == ""
