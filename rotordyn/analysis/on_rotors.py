@@ -58,15 +58,9 @@ def exciting(ratios: Mapping[str, float], orders: Iterable[int]) -> list[Line]:
 
 
 def obstacles_of_rotors(
-    conditions: Conditioned, asked: Iterable[str], *, in_space: bool
+    conditions: Conditioned, asked: Iterable[str]
 ) -> Iterator[tuple[tuple[str, ...], str]]:
-    """Where a case asks what further rotors do not allow, and a sentence; ``in_space``: for shapes
-    in space."""
-    if in_space:
-        yield (
-            ("analyses", "campbell", "shapes_3d"),
-            "shapes in space show one rotor: leave shapes_3d out",
-        )
+    """Where a case asks what further rotors do not allow, and a sentence."""
     for name in sorted(set(asked) & set(_REFUSED)):
         yield ("analyses", name), _REFUSED[name]
     if conditions.formulation != INERTIAL:

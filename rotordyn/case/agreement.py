@@ -132,13 +132,10 @@ def supports_agree(
 
 
 def housings_agree(
-    spindle: Spindle, conditions: Conditions, analyses: Mapping[str, Spec]
+    spindle: Spindle, conditions: Conditions, analyses: Iterable[str]
 ) -> Iterator[str]:
     """The questions and conditions of a case take housings, joints and further rotors."""
-    modes = analyses.get("campbell")
-    in_space = isinstance(modes, CampbellSpec) and modes.shapes_3d is not None
-    refused = obstacles_of_rotors(conditions, analyses, in_space=in_space)
-    for way, sentence in refused if spindle.rotors else ():
+    for way, sentence in obstacles_of_rotors(conditions, analyses) if spindle.rotors else ():
         yield f"{'.'.join(way)}: {sentence}"
     if spindle.seats:
         yield from joined_along(spindle.supports)

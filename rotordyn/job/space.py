@@ -43,7 +43,7 @@ class Asked:
         """What is to be rendered."""
         frames = FRAMES if self.spec.animation else 0
         own = self.result
-        return Order(self.spindle, own.node, own.shape, self.spec.amplitude, frames)
+        return Order(self.spindle, own.node, own.node_rotor, own.shape, self.spec.amplitude, frames)
 
     def inside(self, file: str) -> str:
         """``file`` in the folder of this part."""

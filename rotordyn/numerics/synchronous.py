@@ -33,13 +33,13 @@ def synchronous(
     size = len(stiffness)
     inertia = np.eye(size) - 1j * gyroscopic / order
     if slope is None or not slope.any():
-        squares, vectors = eig(stiffness, inertia)
+        squares, vectors = _finite(*eig(stiffness, inertia))
         squares = squares / order**2
     else:
         one, zero = np.eye(size), np.zeros((size, size))
         scale = np.sqrt(np.abs(stiffness).max()) / order
         whole = np.block([[zero, one], [stiffness / scale**2, slope / scale]])
-        spins, vectors = eig(whole, np.block([[one, zero], [zero, order**2 * inertia]]))
+        spins, vectors = _finite(*eig(whole, np.block([[one, zero], [zero, order**2 * inertia]])))
         spins, vectors = scale * spins[spins.real > 0.0], vectors[:size, spins.real > 0.0]
         squares = spins**2
     with np.errstate(invalid="ignore"):
@@ -48,3 +48,9 @@ def synchronous(
     spin = np.sqrt(squares[turning].real)
     ascending = np.argsort(spin)
     return spin[ascending], vectors[:, turning][:, ascending]
+
+
+def _finite(values: Complex, vectors: Complex) -> tuple[Complex, Complex]:
+    """Without what has no inertia left: a thin disc, Jp = 2 Jd, tilting at twice its speed."""
+    known = np.isfinite(values)
+    return values[known], vectors[:, known]

@@ -21,10 +21,10 @@ from rotordyn.analysis.specs import ShapesInSpaceSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.report.gltf import write_glb
-from rotordyn.surface.body import Array, Surface
-from rotordyn.surface.motion import Complex, at_phase, displacement, drawn_scale, reach
+from rotordyn.surface.body import Array, Surface, together
+from rotordyn.surface.motion import Complex, at_phase, drawn_scale, reach
 from rotordyn.surface.orbit import phases
-from rotordyn.surface.rotor import rotor_surface
+from rotordyn.surface.several import displacements, surfaces
 
 FOLDER = "shapes_3d"
 INSTANTS = 24  # of a period in a series
@@ -72,11 +72,12 @@ def moving_surfaces(
     spindle: Spindle, result: CampbellResult, amplitude: float
 ) -> Iterator[MovingSurface]:
     """Each mode at each speed of its shapes; ``amplitude``: as in ``ShapesInSpaceSpec``."""
-    surface, shaft = rotor_surface(spindle), spindle.shaft
+    parts, shaft = surfaces(spindle), spindle.shaft
+    surface = together(list(parts.values()))
     length = amplitude * (shaft.end - shaft.start)
     for speed, mode in np.argwhere(np.isfinite(result.shape).all(axis=(2, 3))).tolist():
         shape = result.shape[speed, mode]
-        moved = displacement(surface, shaft, result.node, shape)
+        moved = displacements(spindle, parts, result.node, result.node_rotor, shape)
         name = shape_name(result, speed, mode)
         yield MovingSurface(name, surface, moved, drawn_scale(moved, shape, length))
 

@@ -36,14 +36,14 @@ def render(order: Order, number: int, folder: Path) -> None:
 
     scene = RotorScene(order.spindle, order.amplitude, order.colours, STILL)
     for speed, mode in order.places:
-        scene.show(order.node, order.shape[speed, mode])
+        scene.show(order.node, order.rotor, order.shape[speed, mode])
         np.save(folder / still_name(number, speed, mode), scene.picture(0.0))
     scene.close()
     if not order.frames:
         return
     scene = RotorScene(order.spindle, order.amplitude, order.colours, 2 * MOVING)
     for speed, mode in order.places:
-        scene.show(order.node, order.shape[speed, mode])
+        scene.show(order.node, order.rotor, order.shape[speed, mode])
         frames = [_halved(scene.picture(float(phase))) for phase in phases(order.frames)]
         np.save(folder / moving_name(number, speed, mode), np.stack(frames))
     scene.close()

@@ -14,14 +14,15 @@ from rotordyn.machine.spindle import Spindle
 class Order:
     """Pictures of mode shapes of a spindle.
 
-    ``node`` [m] and ``shape`` (speeds, modes, nodes, 6) as a ``CampbellResult`` has them; of shapes
-    that do not exist (NaN) there is no picture. ``amplitude``: largest displacement drawn, over the
-    length of the shaft. ``frames`` of one period, 0 = no animation. ``colours`` of the motion: name
-    of a colour map of matplotlib.
+    ``node`` [m], ``rotor`` of each and ``shape`` (speeds, modes, nodes, 6) as a ``CampbellResult``
+    has them; of shapes that do not exist (NaN) there is no picture. ``amplitude``: largest
+    displacement drawn, over the length of the shaft. ``frames`` of one period, 0 = no animation.
+    ``colours`` of the motion: name of a colour map of matplotlib.
     """
 
     spindle: Spindle
     node: NDArray[np.float64]
+    rotor: tuple[str, ...]
     shape: NDArray[np.complex128]
     amplitude: float
     frames: int = 0

@@ -1,19 +1,20 @@
-"""One rotor in space, in any of its modes at any instant: the only file that knows pyvista."""
+"""Rotors in space, in any of their modes at any instant: the only file that knows pyvista."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.machine.spindle import Spindle
-from rotordyn.surface.body import Surface
-from rotordyn.surface.motion import at_phase, displacement, drawn_scale, reach, section_motion
+from rotordyn.surface.body import Surface, together
+from rotordyn.surface.motion import at_phase, drawn_scale, reach
 from rotordyn.surface.orbit import orbit, turning
 from rotordyn.surface.projection import projected, screen
-from rotordyn.surface.rotor import holder_surface, orbit_stations, rotor_surface
+from rotordyn.surface.rotor import orbit_stations
+from rotordyn.surface.several import displacements, holders, section_motions, surfaces
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -21,6 +22,7 @@ Pixels = NDArray[np.uint8]
 TURNING = {1: "#0072B2", -1: "#D55E00", 0: "#222222"}
 EDGE, REST, HOLDER, AXIS = "#3F4A42", "#8A9097", "#7D8FA3", "#222222"
 SHARP = 30.0  # degrees between facets that an edge separates
+THROUGH = 0.45  # opacity of a rotor that may hide another one
 SMOOTH = 72  # points of an orbit
 ALONG_AXIS = 120  # points of the deflected axis
 BESIDE, IN_FRONT = -4.0, -66000.0  # units of depth by which lines are drawn nearer than they are
@@ -35,14 +37,20 @@ class RotorScene:
     def __init__(self, spindle: Spindle, amplitude: float, colours: str, width: int) -> None:
         import pyvista
 
-        self._shaft = spindle.shaft
+        self._spindle = spindle
         self._length = spindle.shaft.end - spindle.shaft.start
         self._reach = amplitude * self._length
         self._pixel = width / 1200.0  # width of lines
-        self._surface = rotor_surface(spindle)
-        self._stations = _on_axis(np.array(orbit_stations(spindle)))
-        ends = spindle.shaft.start, spindle.shaft.end
-        self._axis_at_rest = _on_axis(np.linspace(*ends, ALONG_AXIS))
+        self._parts = surfaces(spindle)
+        self._surface = together(list(self._parts.values()))
+        own = {name: spindle.part(name) for name in spindle.ratios}
+        self._orbits = {name: np.array(orbit_stations(part)) for name, part in own.items()}
+        self._along = {
+            name: np.linspace(part.shaft.start, part.shaft.end, ALONG_AXIS)
+            for name, part in own.items()
+        }
+        self._stations = _on_axis(np.concatenate(list(self._orbits.values())))
+        self._axis_at_rest = _on_axis(np.concatenate(list(self._along.values())))
         frame = self._frame()
         size = [width, round(width * frame[1] / frame[0])]
         plotter: Any = pyvista.Plotter(off_screen=True, window_size=size)
@@ -50,30 +58,34 @@ class RotorScene:
         self._plotter.render_window.SetMultiSamples(0)  # whoever shows it makes it smaller
         self._plotter.set_background("white")
         self._look(frame[1])
-        self._skin = _split(self._surface)
-        self._origin = np.asarray(self._skin.point_data["origin"])
+        self._skins = [_split(surface) for surface in self._parts.values()]
         shade = dict(ambient=0.35, diffuse=0.7, specular=0.15)
         colour = dict(scalars="motion", cmap=colours, clim=(0.0, 1.0), show_scalar_bar=False)
-        self._add(self._skin, **shade, **colour).prop.interpolation = "Phong"
+        widest = {name: _widest(part) for name, part in own.items()}
+        for name, skin in zip(own, self._skins, strict=True):
+            seen = 1.0 if widest[name] == min(widest.values()) else THROUGH
+            self._add(skin, **shade, **colour, opacity=seen).prop.interpolation = "Phong"
         self._lines = _polylines(self._surface.points, self._surface.lines)
         _nearer(self._add(self._lines, color=EDGE, line_width=1.3, opacity=0.75), BESIDE)
-        self._rest(holder_surface(spindle))
-        self._axis = _row(self._axis_at_rest)
+        self._rest(holders(spindle))
+        self._axis = _rows(self._axis_at_rest)
         self._front(self._axis, "axis", color=AXIS, line_width=2.4)
         self._dots: Any = pyvista.PolyData(self._stations)
         self._dots.point_data["colour"] = np.zeros((len(self._stations), 3), np.uint8)
         dots = dict(scalars="colour", rgb=True, render_points_as_spheres=True, lighting=False)
         self._front(self._dots, "dots", point_size=14.0 * self._pixel, **dots)
 
-    def show(self, node: Array, shape: Complex) -> None:
+    def show(self, node: Array, rotor: Sequence[str], shape: Complex) -> None:
         """Take the mode with node displacements ``shape`` (nodes, 6)."""
-        moved = displacement(self._surface, self._shaft, node, shape)
+        spindle, mode = self._spindle, (node, rotor, shape)
+        moved = displacements(spindle, self._parts, *mode)
         size = reach(moved)
         factor = drawn_scale(moved, shape, self._reach)
         self._moved = factor * moved
-        self._skin.point_data["motion"] = (size / (size.max() or 1.0))[self._origin]
-        self._centre = factor * section_motion(self._shaft, node, shape, self._axis_at_rest[:, 0])
-        self._paths = factor * section_motion(self._shaft, node, shape, self._stations[:, 0])
+        for skin, own in self._of_skins(size / (size.max() or 1.0)):
+            skin.point_data["motion"] = own
+        self._centre = factor * section_motions(spindle, self._along, *mode)
+        self._paths = factor * section_motions(spindle, self._orbits, *mode)
         turns = np.array([turning(motion) for motion in self._paths])
         self._dots.point_data["colour"] = np.array([_rgb(TURNING[turn]) for turn in turns])
         for turn, colour in TURNING.items():
@@ -84,10 +96,11 @@ class RotorScene:
         """The mode at ``phase`` [rad] of its period, (height, width, 3)."""
         points = self._surface.points + at_phase(self._moved, phase)
         self._lines.points = points
-        self._skin.points = points[self._origin]
-        self._skin.compute_normals(
-            cell_normals=False, split_vertices=False, consistent_normals=False, inplace=True
-        )
+        for skin, own in self._of_skins(points):
+            skin.points = own
+            skin.compute_normals(
+                cell_normals=False, split_vertices=False, consistent_normals=False, inplace=True
+            )
         self._axis.points = self._axis_at_rest + at_phase(self._centre[:, :3], phase)
         self._dots.points = self._stations + at_phase(self._paths[:, :3], phase)
         self._plotter.render()
@@ -98,14 +111,20 @@ class RotorScene:
         """Give the window back."""
         self._plotter.close()
 
-    def _rest(self, holders: Surface | None) -> None:
+    def _of_skins(self, values: Array) -> Iterator[tuple[Any, Array]]:
+        """What the points of every rotor's skin take of ``values`` of all points."""
+        ends = np.cumsum([len(surface.points) for surface in self._parts.values()])[:-1]
+        for skin, own in zip(self._skins, np.split(values, ends), strict=True):
+            yield skin, own[np.asarray(skin.point_data["origin"])]
+
+    def _rest(self, rings: Surface | None) -> None:
         """What does not move: rings around the shaft, and the edges of the shaft at rest."""
-        if holders is not None:
-            self._add(_split(holders), color=HOLDER, opacity=0.22)
-            self._add(_polylines(holders.points, _circles(holders)), color=HOLDER, line_width=1.5)
+        if rings is not None:
+            self._add(_split(rings), color=HOLDER, opacity=0.22)
+            self._add(_polylines(rings.points, _circles(rings)), color=HOLDER, line_width=1.5)
         rest = _polylines(self._surface.points, _circles(self._surface))
         self._add(rest, color=REST, line_width=1.2, opacity=0.6)
-        self._front(_row(self._axis_at_rest), "rest", color=REST, line_width=1.6)
+        self._front(_rows(self._axis_at_rest), "rest", color=REST, line_width=1.6)
 
     def _draw_orbits(self, at: Array, motions: Complex, turn: int, colour: str) -> None:
         """The paths of the axis at ``at`` (n, 3), with an arrow where one sees them best turn."""
@@ -207,9 +226,13 @@ def _rgb(colour: str) -> NDArray[np.uint8]:
     return np.frombuffer(bytes.fromhex(colour.removeprefix("#")), np.uint8)
 
 
-def _row(points: Array) -> Any:
-    """One line through ``points``."""
-    return _polylines(points, (np.arange(len(points)),))
+def _rows(points: Array) -> Any:
+    """One line through every ``ALONG_AXIS`` of ``points``."""
+    return _polylines(points, tuple(np.arange(len(points)).reshape(-1, ALONG_AXIS)))
+
+
+def _widest(part: Spindle) -> float:
+    return max(section.outer_diameter for section in part.shaft.sections)
 
 
 def _on_axis(x: Array) -> Array:

@@ -76,9 +76,7 @@ def on_rotors(
     """The questions and conditions of a case take further rotors."""
     if not spindle.rotors:
         return
-    asked, modes = entry.analyses.model_fields_set, entry.analyses.campbell
-    in_space = modes is not None and modes.shapes_3d is not None
-    for way, sentence in obstacles_of_rotors(entry.conditions, asked, in_space=in_space):
+    for way, sentence in obstacles_of_rotors(entry.conditions, entry.analyses.model_fields_set):
         faults.at_key(root, way, sentence)
     if spindle.bearings:
         for sentence in joined_along(supports):

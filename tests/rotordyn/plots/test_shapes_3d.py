@@ -13,7 +13,7 @@ from rotordyn.view.order import Order
 from tests.rotordyn.plots import samples
 
 RESULT = samples.campbell(3)
-LOOK = Order(samples.spindle(), RESULT.node, RESULT.shape, 0.06)
+LOOK = Order(samples.spindle(), RESULT.node, RESULT.node_rotor, RESULT.shape, 0.06)
 
 
 def picture(speed: int, mode: int) -> np.ndarray:

@@ -21,7 +21,7 @@ def order(modes: list[int], frames: int = 0) -> Order:
     found = samples.campbell(3)
     shape = found.shape[:, modes].copy()
     shape[0] = np.nan
-    return Order(samples.spindle(), found.node, shape, 0.06, frames)
+    return Order(samples.spindle(), found.node, found.node_rotor, shape, 0.06, frames)
 
 
 @pytest.fixture(scope="module")
