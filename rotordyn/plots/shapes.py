@@ -96,7 +96,8 @@ def _chosen(result: CampbellResult) -> list[int]:
 def _panel(axes: Axes, result: CampbellResult, mode: int, spindle: Spindle | None) -> None:
     node = result.node * 1e3
     ends_of_all = float(node.min()), float(node.max())
-    axes.set(xlim=ends_of_all, ylim=(-1.25, 1.25))
+    room = 0.015 * (ends_of_all[1] - ends_of_all[0])  # for the marks of supports at the ends
+    axes.set(xlim=(ends_of_all[0] - room, ends_of_all[1] + room), ylim=(-1.25, 1.25))
     axes.set_yticks([-1.0, 0.0, 1.0])
     axes.set_xticks(round_ticks(*ends_of_all, 4))
     axes.grid(visible=False)

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+import rotordyn
 from bearings import Material
 from rotordyn.analysis import campbell
 from rotordyn.analysis.scene import Scene
@@ -122,3 +123,21 @@ def test_what_hardly_swings_is_numbered_last_and_not_listed() -> None:
     ratio = found.damping_ratio[:, found.creeping]
     assert (ratio[np.isfinite(ratio)] > 0.99).all()
     assert found.modes_below == pytest.approx(found.modes_found)
+
+
+def test_tapered_shaft_grows_from_where_its_ratios_say() -> None:
+    """Ω_t = ω (1 + ζ_e/ζ_i) of the first mode, ζ at rest from the bearings alone and from both;
+    ζ_i is βω/2 of what the shaft bends. Softer bearings let the dampers win."""
+    whole = rotordyn.load("friswell_tapered_shaft").vary({"speeds": ["0 rpm", "2000 rpm"]})
+    found = rotordyn.run(whole)
+    outer, both = (
+        found[f"{name}/campbell"].sel(mode="bending 1 forward").damping_ratio.values[0]
+        for name in ("published", "material")
+    )
+    modes = found["material/campbell"]
+    omega = 2.0 * math.pi * float(modes.frequency.sel(mode="bending 1 forward")[0])
+    assert both - outer == pytest.approx(0.5 * 2e-5 * omega, rel=0.03)
+    predicted = omega * (1.0 + outer / (both - outer))
+    assert float(modes.stability_threshold) == pytest.approx(predicted, rel=5e-3)
+    assert found["soft/campbell"].stability_threshold == math.inf
+    assert found["published/campbell"].stability_threshold == math.inf
