@@ -67,7 +67,7 @@ def test_shapes_have_a_line_per_rotor(modes: CampbellResult) -> None:
     figure = shapes_figure(modes, COAXIAL)
     for axes in figure.axes:
         first, last = axes.get_xlim()
-        assert (first, last) == pytest.approx((0.0, 508.0))
+        assert first < 0.0 < 508.0 < last < 530.0
         spans = [np.asarray(line.get_xdata())[[0, -1]].tolist() for line in axes.get_lines()]
         assert spans[:4] == [pytest.approx([0.0, 508.0])] * 2 + [pytest.approx([152.0, 406.0])] * 2
     (legend,) = figure.legends
