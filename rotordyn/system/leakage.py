@@ -185,7 +185,8 @@ class CoupledLeakage:
     def _ends(self) -> Array:
         """Motion at every support by what is left out, at most (supports,)."""
         count = len(self.system.at_supports)
-        found = [p.ends(p.system.connected[-count:]) for p in self.parts.values()]
+        parts = ((part, part.system.connected) for part in self.parts.values())
+        found = [part.ends(connected[len(connected) - count :]) for part, connected in parts]
         return np.asarray(np.max(found, axis=0))
 
 

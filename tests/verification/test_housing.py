@@ -194,16 +194,46 @@ def test_two_supports_on_one_housing() -> None:
     against_dense(one_housing(), (0.0, 12000.0), names, element_length=0.01)
 
 
-def test_bearings_of_a_spindle_on_one_housing() -> None:
+def boxed_spindle() -> tuple[Spindle, dict[str, object]]:
+    """The flagship, whose bearings stand on one housing, and its conditions."""
     base = mfw2310(rotor_damping=())
     seats = tuple(seat.name for seat in base.seats)
     sleeves = tuple(replace(s, radial_stiffness=np.inf) for s in base.sleeves)
     stiffness = {("y", "y"): 3e8, ("z", "z"): 2e8, ("thy", "thy"): 5e6, ("thz", "thz"): 5e6}
     box = RigidHousing("box", seats, 0.2, 40.0, stiffness, {}, 0.0, 0.9)
-    spindle = replace(base, sleeves=sleeves, housings=(box,))
     given = {f: getattr(case().conditions, f) for f in ("kinematics", "moment_sharing")}
+    spindle = replace(base, sleeves=sleeves, housings=(box,))
+    return spindle, {**given, **standard(base), "axial_stiffening": False}
+
+
+def test_bearings_of_a_spindle_on_one_housing() -> None:
+    spindle, given = boxed_spindle()
     names = ("nose_face.y/nose_face.y", "O1.z/nose_face.y")
-    against_dense(spindle, (0.0, 24000.0), names, **given, **standard(base), axial_stiffening=False)
+    against_dense(spindle, (0.0, 24000.0), names, **given)
+
+
+@pytest.mark.parametrize("rpm", [0.0, 24000.0])
+def test_the_number_of_modes_of_a_spindle_without_supports(rpm: float) -> None:
+    """Only bearings stand on its housing; the dense eigenvalues are those of bending."""
+    spindle, given = boxed_spindle()
+    found, highest = scene(spindle, (rpm,), **given), 2500.0
+    result = campbell.answer(found, CampbellSpec(highest, shapes=False))
+    dense = Dense(found, 0)
+    rows = [place for row, place in dense.rows.items() if row % 6 in (1, 2, 4, 5)]
+    mass, damping, stiffness = (
+        m[np.ix_(rows, rows)] for m in (dense.mass, dense.damping, dense.stiffness)
+    )
+    n, inverse = len(mass), np.linalg.inv(mass)
+    companion = np.block(
+        [[np.zeros((n, n)), np.eye(n)], [-inverse @ stiffness, -inverse @ damping]]
+    )
+    frequency = np.linalg.eigvals(companion).imag / (2.0 * np.pi)
+    others = sum(
+        kind != "bending" and hertz <= highest
+        for kind, hertz in zip(result.kind, result.frequency[0], strict=True)
+    )
+    assert result.certified.all()
+    assert result.modes_below[0] - others == ((frequency > 1.0) & (frequency <= highest)).sum() >= 8
 
 
 def test_a_stiff_housing_is_ground() -> None:
