@@ -173,7 +173,7 @@ class _OneSpeed:
         system, found = self.scene.vibration(self.motion)
         own = found.at(np.array([self.place]))
         coupled = bool(own.stiffness.imag.any() or own.damping.imag.any())
-        if system.hysteresis is not None and system.hysteresis.turning.any():
+        if system.hysteresis is not None and system.hysteresis.turns:
             coupled = coupled or self._spin > 0.0
         return self.whirling and not coupled
 

@@ -121,7 +121,7 @@ def _whirling(
     both = scene.receptance("bending", np.concatenate([omega, -omega]), *folded)
     planar = (system.stiffness.imag == 0.0).all(axis=(1, 2))
     planar &= (system.damping.imag == 0.0).all(axis=(1, 2))
-    if system.hysteresis is not None and system.hysteresis.turning.any():
+    if system.hysteresis is not None and system.hysteresis.turns:
         planar &= scene.speed[scene.usable] == 0.0
     return _both_ways(both, planar, pairs)
 

@@ -58,7 +58,7 @@ class Hysteretic:
         signs = self._signs(self._plain.pole)
         signs[..., 0] = 0
         found = self._continued([signs])
-        if not self.loss.turning.any():
+        if not self.loss.turns:
             return found
         onward = self._signs(found.pole)
         onward[..., 1:] = signs[..., 1:]
@@ -81,7 +81,7 @@ class Hysteretic:
         """Signs of motions with ``low`` < ω < ``high`` (speeds,) [rad/s]: of both directions in the
         complex form, else of ω > 0; none with ``low`` = ``high``."""
         still, far = np.zeros_like(self.spin), np.full_like(self.spin, np.inf)
-        turn = self.spin if self.loss.turning.any() else still
+        turn = self.spin if self.loss.turns else still
         behind = 0 if self.whirling else 1
         found = [(Signs(1, behind, 1), turn, far), (Signs(-1, behind, 1), still, turn)]
         if self.whirling:
