@@ -282,8 +282,8 @@ def knots_between(scene: Scene) -> Array:
     """Speeds [rad/s] of tables of supports between those of the case, where lines bend."""
     speed = scene.speed[scene.usable]
     knots = np.array([at for support in scene.spindle.supports for at in support.speeds])
-    inside = knots[(knots > speed[0]) & (knots < speed[-1])] if len(knots) else knots
-    return np.unique(inside)[:: 1 + len(inside) // MOST_KNOTS]
+    inside = np.unique(knots[(knots > speed[0]) & (knots < speed[-1])] if len(knots) else knots)
+    return inside[:: 1 + len(inside) // MOST_KNOTS]
 
 
 def whirl_degree(vector: Complex, lost: NDArray[np.bool_]) -> Array:

@@ -32,7 +32,7 @@ FINER = 2  # times that more modes are tried where the count is not proven
 def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     """Bending, axial and torsion modes up to ``spec.max_frequency``.
 
-    Where their number is not proven, once more from more free-free modes.
+    Where their number is not proven, again from more free-free modes, ``FINER`` times at most.
     """
     found = _answer(scene, spec)
     for _ in range(FINER):
@@ -146,8 +146,9 @@ def _counted(
     for home in set(homes.values()):
         own = [b for b in branches if homes[b.kind] == home]
         if home == "bending" and scene.bends_exactly:
-            number = _within(own, highest, np.full(len(proven), np.inf))
-            known = Count(number, proven, number)
+            whole = np.full(len(proven), np.inf)
+            number = _within(own, highest, whole)
+            known = Count(number, proven, whole)
         else:
             known = count(scene, home, highest)
             number = _within(own, highest, known.radius)

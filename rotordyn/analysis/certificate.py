@@ -57,10 +57,7 @@ class Count:
 
 
 def count(scene: Scene, home: str, highest: float) -> Count:
-    """Modes of a system that swing at ``highest`` [rad/s] at most, with poles in a proven disc.
-
-    Of the exact shaft, all that swing there were counted when they were sought.
-    """
+    """Modes of a system that swing at ``highest`` [rad/s] at most, with poles in a proven disc."""
     system, found = scene.vibration(home)
     frame = np.asarray(getattr(system, "frame", np.zeros(len(found.pole))))
     own = certificate(scene, home, highest)
@@ -68,8 +65,8 @@ def count(scene: Scene, home: str, highest: float) -> Count:
     turning = np.abs(pole.imag) if _whirling(system) else pole.imag
     inside = (np.abs(pole) < own.radius[:, None]) & (turning <= highest) & ~free
     number = (inside & swings(pole, turning)).sum(axis=1)
-    every = np.ones(len(scene.usable))
-    return Count(number * every, own.proven & (every > 0.0), own.radius * every)
+    every = (number, own.proven, own.radius)
+    return Count(*(np.broadcast_to(each, len(scene.usable)) for each in every))
 
 
 def swings(pole: NDArray[np.complex128], turning: Array) -> Flags:

@@ -22,7 +22,10 @@ def _reason(scene: Scene, name: str) -> str:
     vibrates = any(motion in scene.solved for motion in VIBRATIONS)
     known = (
         (stem == "exact" and not scene.bends_exactly, "the shaft is one of elements"),
-        (stem == "coupled" and not scene.coupled_motions, "no support couples its motions"),
+        (
+            stem == "coupled" and not scene.coupled_motions,
+            "no support or housing couples its motions",
+        ),
         (name in ("preload", "tangents") and not scene.spindle.seats, "supports are linear"),
         (name == "shaft_force" and not scene.conditions.axial_stiffening, "it does not act here"),
         (name != stem and coupled, "it is part of the coupled system"),

@@ -40,6 +40,7 @@ BEARING_ANALYSES = {
     "bearing": "rotordyn.analysis.bearing_map",
     "control": "rotordyn.analysis.race_control",
 }
+UNASKED_BAND = 1000.0  # Hz, where no question names a frequency
 Progress = Callable[[str], None]
 
 
@@ -140,7 +141,7 @@ def _highest(analyses: Mapping[str, Spec], top: float) -> float:
     asked = [s.max_frequency for s in analyses.values() if isinstance(s, CampbellSpec)]
     asked += [max(s.frequencies) for s in analyses.values() if isinstance(s, FrfSpec)]
     asked += [top / (2.0 * math.pi) for s in analyses.values() if isinstance(s, UnbalanceSpec)]
-    return max(asked, default=0.0) or 1000.0
+    return max(asked, default=0.0) or UNASKED_BAND
 
 
 def _ports(spindle: Spindle, analyses: Mapping[str, Spec]) -> tuple[Place, ...]:

@@ -87,7 +87,7 @@ class Scene(Statics):
 
     @property
     def tolerances(self) -> dict[str, float]:
-        """Residuals reached by the stages that were solved."""
+        """Residuals reached: of the axial balance, and of the eigenpairs of bending."""
         reached = {}
         if "preload" in self.solved:
             state = self.preload
@@ -221,7 +221,7 @@ class Scene(Statics):
 
     @stage
     def coupled(self) -> CoupledSystem:
-        """The motions that supports couple, in one system.
+        """The motions that supports or housings couple, in one system.
 
         Raises
         ------

@@ -112,9 +112,10 @@ class Spindle(Description):
         return self.places[at] if isinstance(at, str) else Place(SPINDLE, at)
 
     def part(self, name: str) -> Spindle:
-        """A rotor by itself, as a spindle, with the supports that have an end on it.
+        """A rotor by itself, as a spindle; the only one of a machine is that machine.
 
-        Those join it to ground, whatever their other end; housings are left out.
+        Of several it has the supports with an end on it, which join it to ground, whatever their
+        other end; housings are left out.
         """
         if not self.rotors:
             return self

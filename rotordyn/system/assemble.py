@@ -1,8 +1,8 @@
-"""From elements to the rotor's matrices, with cost linear in the number of elements.
+"""From elements to the rotor's matrices.
 
 M q̈ + Ω G q̇ + K q = f. ``translational_mass`` is the share of M that belongs to motion across the
-axis, M_ω of what is called spin softening. Bearings and supports are not included: they are added
-node by node with ``add_at_nodes``.
+axis, M_ω of what is called spin softening. Bearings and supports are not included: they join the
+rotor in its reduced coordinates.
 """
 
 from __future__ import annotations

@@ -570,6 +570,6 @@ def test_rotors_that_cannot_be(changes: dict[str, object], said: str) -> None:
         replace(COAXIAL, **changes)  # type: ignore[arg-type]
 
 
-def test_the_spindle_alone_is_as_before() -> None:
+def test_one_rotor_is_its_own_part() -> None:
     assert INNER.part("spindle") is INNER
     assert INNER.grounded is INNER
