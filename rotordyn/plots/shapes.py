@@ -44,7 +44,8 @@ def shapes_figure(result: CampbellResult, spindle: Spindle | None = None) -> Fig
     rows = max(math.ceil(len(modes) / _COLUMNS), 1)
     low, high = result.shape_speed[[0, -1]] * RPM.factor
     left_out = len(result.mode) - len(modes)
-    note = f"; {left_out} more modes in the results file" if left_out else ""
+    modes_left = "mode" if left_out == 1 else "modes"
+    note = f"; {left_out} more {modes_left} in the results file" if left_out else ""
     both = f"{low:.0f} rpm (thin) and {high:.0f} rpm (thick)"
     when = both if result.shape_speed.size > 1 else f"{low:.0f} rpm"
     title = f"mode shapes at {when}, scaled to 1{note}"
@@ -88,8 +89,9 @@ def _chosen(result: CampbellResult) -> list[int]:
     known = [k for k in range(len(result.mode)) if has_shape[k] and not result.creeping[k]]
     known.sort(key=lambda k: float(np.nan_to_num(result.frequency[0, k], nan=np.inf)))
     if len(known) > MOST:
-        forward = [k for k in known if result.whirl[-1, k] >= 0.0]
-        known = forward or known
+        names = {result.mode[k] for k in known}
+        twin = [name.replace(" backward", " forward") for name in result.mode]
+        known = [k for k in known if twin[k] == result.mode[k] or twin[k] not in names]
     return known[:MOST]
 
 
