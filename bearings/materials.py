@@ -8,7 +8,6 @@ from numbers import Real
 
 from bearings.errors import InvalidBearing
 
-
 RANGES = {"young_modulus": (1.0, 1e20), "density": (1e-12, 1e12)}  # [Pa], [kg/m³]
 
 

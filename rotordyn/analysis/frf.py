@@ -100,8 +100,8 @@ def _refuse_unlimited(
     frequency: Array,
     values: Complex,
 ) -> None:
-    """Raise InvalidInput where ``values`` (speeds, pairs, frequencies) have no limit: at the pole of
-    a motion without damping, or where nothing holds it and its inertia is next to none."""
+    """Raise InvalidInput where ``values`` (speeds, pairs, frequencies) have no limit: at the pole
+    of a motion without damping, or so slow that a free one's overflow."""
     lost = ~np.isfinite(values).all(axis=1)
     own = _suspects(scene, group, frequency, values)
     if own.any() and not lost.any():

@@ -45,6 +45,7 @@ TABLED = ("y", "z", "thy", "thz")  # freedoms whose entries may follow the speed
 RPM = math.pi / 30.0
 SYMMETRIC = 1e-9  # of an entry: less than that is rounding
 MOST = {"stiffness": 1e20, "damping": 1e13}  # [SI] of any entry: beyond, rounding rules
+LEAST_MASS, LEAST_HOLD = 1e-12, 1.0  # [kg], [N/m] of a sleeve: less is lost in rounding
 SLACK = 1e-9  # of the highest speed of a table, by which a speed may lie beside it
 
 
@@ -115,6 +116,15 @@ class Sleeve(Description):
     def _faults(self) -> Iterator[str]:
         if not self.bearings:
             yield "a sleeve carries at least one bearing"
+        if 0.0 < self.mass < LEAST_MASS:
+            yield (
+                f"mass out of range: given {self.mass:g} kg; allowed: 0, or from {LEAST_MASS:g} kg"
+            )
+        if self.radial_stiffness < LEAST_HOLD:
+            yield (
+                f"radial_stiffness out of range: given {self.radial_stiffness:g} N/m; allowed: "
+                f"from {LEAST_HOLD:g} N/m, or infinite"
+            )
         for name in doubled(self.bearings):
             yield f"bearing '{name}' is named twice"
 
