@@ -134,7 +134,9 @@ def test_stations_a_nanometre_apart_are_one(shaft: str) -> None:
 
 
 @pytest.mark.parametrize("shaft", ["elements", "exact"])
-@pytest.mark.parametrize(("length", "young", "density"), [(-7, 0, 0), (6, 26, -40), (0, -30, 26)])
+@pytest.mark.parametrize(
+    ("length", "young", "density"), [(-7, 0, 0), (6, 26, -2), (0, -30, -36), (0, -30, 26)]
+)
 def test_units_do_not_matter(length: int, young: int, density: int, shaft: str) -> None:
     """Lengths × 2ᵃ, E × 2ᵇ, ρ × 2ᶜ: frequencies go by 2^(b/2 − c/2 − a)."""
     scale = 2.0**length
@@ -144,10 +146,6 @@ def test_units_do_not_matter(length: int, young: int, density: int, shaft: str) 
     bar = uniform(0.5 * scale, 0.05 * scale, material, supports=held)
     faster = 2.0 ** (young / 2.0 - density / 2.0 - length)
     top = 2000.0 * faster
-    if top > 1e6:
-        with pytest.raises(InvalidInput, match="frequency out of range"):
-            modes(bar, (0.0, 500.0 * faster), top, shaft=shaft)
-        return
     plain, scaled = (
         modes(on_two(), shaft=shaft),
         modes(bar, (0.0, 500.0 * faster), top, shaft=shaft),
