@@ -102,7 +102,7 @@ def _refuse_unlimited(
 ) -> None:
     """Raise InvalidInput where ``values`` (speeds, pairs, frequencies) have no limit: at the pole
     of a motion without damping, or so slow that a free one's overflow."""
-    lost = ~np.isfinite(values).all(axis=1)
+    lost = np.asarray(~np.isfinite(values).all(axis=1))
     own = _suspects(scene, group, frequency, values)
     if own.any() and not lost.any():
         near = frequency[own]
