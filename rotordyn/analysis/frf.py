@@ -32,6 +32,7 @@ Complex = NDArray[np.complex128]
 MOST_VALUES = 100_000_000
 UNDAMPED = 1e-9  # of the frequency: a pole so near to it has no damping
 BESIDE = 1e-8  # of the frequency, to either side of which a response is compared with its
+PEAK, FEW = 1e5, 3  # of the smallest response, frequencies: to tell a peak by
 HIGHER = 10.0  # times what it is there: so near to a pole its size is nothing but rounding
 _KINDS: dict[str, type[FrequencyResponse]] = {
     kind.kind: kind for kind in (FrfResult, MobilityResult, InertanceResult)
@@ -121,11 +122,11 @@ def _refuse_unlimited(
 def _suspects(
     scene: Scene, group: frozenset[str], frequency: Array, values: Complex
 ) -> NDArray[np.bool_]:
-    """Frequencies (f,) that may lie on an undamped pole; of the exact shaft, every peak."""
+    """Frequencies (f,) that may lie on an undamped pole; of the exact shaft, every high peak."""
     if scene.bends_exactly and group == {"bending"}:
-        size = np.pad(np.abs(values), [(0, 0), (0, 0), (1, 1)])
-        peak = (size[..., 1:-1] >= size[..., 2:]) & (size[..., 1:-1] >= size[..., :-2])
-        return np.asarray(peak.any(axis=(0, 1)))
+        size = np.abs(values)
+        high = size > PEAK * size.min(axis=-1, keepdims=True)
+        return np.asarray(high.any(axis=(0, 1)) | (len(frequency) < FEW))
     pole = scene.vibration(min(group))[1].pole
     own = np.unique(np.abs(pole.imag[np.abs(pole.real) <= UNDAMPED * np.abs(pole)]))
     omega = 2.0 * math.pi * frequency

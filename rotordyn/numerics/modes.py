@@ -136,7 +136,7 @@ class Modes:
         return np.asarray(np.einsum("pn,fnp->pf", responses, answer))
 
 
-def grows(pole: Complex, largest: Array) -> NDArray[np.bool_]:
+def grows(pole: Complex, largest: Array | float) -> NDArray[np.bool_]:
     """Where poles mean growth by more than rounding; ``largest``: |pole| of their system."""
     return np.asarray(pole.real > np.maximum(NEUTRAL * np.abs(pole), UNSEEN * largest))
 
