@@ -8,6 +8,8 @@ from numbers import Real
 
 from bearings.errors import InvalidBearing
 
+RANGES = {"young_modulus": (1.0, 1e20), "density": (1e-12, 1e12)}  # [Pa], [kg/m³]
+
 
 @dataclass(frozen=True, slots=True)
 class Material:
@@ -16,9 +18,9 @@ class Material:
     Parameters
     ----------
     name : shown in tables
-    young_modulus : E [Pa]
+    young_modulus : E [Pa], from 1 to 1e20
     poisson_ratio : ν, above -1 and below 0.5
-    density : ρ [kg/m³]
+    density : ρ [kg/m³], from 1e-12 to 1e12
 
     Raises
     ------
@@ -35,10 +37,15 @@ class Material:
             value = getattr(self, key)
             if isinstance(value, bool) or not isinstance(value, Real) or not math.isfinite(value):
                 raise InvalidBearing(f"material {self.name}: {key} must be a number, got {value!r}")
-        for key in ("young_modulus", "density"):
+        for key, (low, high) in RANGES.items():
             value = getattr(self, key)
             if value <= 0.0:
                 raise InvalidBearing(f"material {self.name}: {key} must be positive, got {value!r}")
+            if not low <= value <= high:
+                raise InvalidBearing(
+                    f"material {self.name}: {key} must lie between {low:g} and {high:g}, "
+                    f"got {value!r}"
+                )
         if not -1.0 < self.poisson_ratio < 0.5:
             raise InvalidBearing(
                 f"material {self.name}: poisson_ratio must lie between -1 and 0.5, "

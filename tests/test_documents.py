@@ -266,6 +266,18 @@ def test_every_source_is_listed_once_and_cited() -> None:
         assert surname in citing, entry
 
 
+def test_every_extreme_has_a_test_and_every_stress_test_its_row() -> None:
+    page = text(DOCS / "stress.md")
+    rows = [r for r in re.findall(r"^\| .*$", page, re.M) if "shown by" not in r]
+    named = [re.findall(r"`([\w/]+\.py)::(\w+)`", row.rsplit("|", 2)[1]) for row in rows]
+    assert all(named)
+    for file, name in (one for row in named for one in row):
+        assert f"\ndef {name}(" in text(ROOT / "tests" / file), f"{file}::{name}"
+    for path in sorted((ROOT / "tests" / "verification").glob("test_stress_*.py")):
+        own = set(re.findall(r"^def (test_\w+)", text(path), re.M))
+        assert own == {n for row in named for f, n in row if f == f"verification/{path.name}"}
+
+
 def test_figures_are_there_and_small() -> None:
     images = {path.name: path for path in FIGURES.iterdir()}
     assert set(images) == {

@@ -17,7 +17,7 @@ THEORY, CASES = "docs/theory/README", "cases/README"
 GROUPS = {
     "Use": ("guide", "docs/choosing", CASES, "models/README", "docs/keys", "docs/conventions"),
     "Reference": (THEORY, "api/index"),
-    "Evidence": ("accuracy", "docs/mfw2310", "docs/benchmarks"),
+    "Evidence": ("accuracy", "docs/mfw2310", "docs/stress", "docs/benchmarks"),
     "Project": ("docs/house", "CONTRIBUTING", "CHANGELOG"),
 }
 

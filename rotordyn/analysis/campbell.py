@@ -20,6 +20,7 @@ from rotordyn.analysis.shapes import both_planes, scaled
 from rotordyn.analysis.specs import CampbellSpec
 from rotordyn.analysis.threshold import stability_threshold
 from rotordyn.elements.node import FREEDOMS
+from rotordyn.errors import InvalidInput
 from rotordyn.system.coupled import CoupledSystem
 from rotordyn.system.lateral import LateralSystem
 from rotordyn.system.longitudinal import RodSystem
@@ -39,7 +40,10 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         if found.certified[scene.usable].all():
             break
         scene = scene.beyond(2.0)
-        found = _answer(scene, spec)
+        try:
+            found = _answer(scene, spec)
+        except InvalidInput:  # more than its matrices hold
+            break
     return found
 
 

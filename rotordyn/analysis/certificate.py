@@ -29,6 +29,7 @@ BEYOND = 1.5  # the disc ends in the widest gap of the poles up to this multiple
 OSCILLATING = 1e-6  # of |pole|: less imaginary part than that is no vibration
 SAME = 1e-9  # of the radius: poles so near are one
 UNMOVED = 1e-9  # of the largest force of any mode: less is rounding
+DEFECTIVE = 1e100  # larger left vectors are those of poles that share one vector
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -147,8 +148,8 @@ def _bound(
         return np.zeros(len(radius))
     free = found.at_rest(getattr(system, "frame", None))
     right = leakage.forces(found.vector, 1.0)
-    left = leakage.forces(_left_vectors(found), -1.0)
     with np.errstate(invalid="ignore", over="ignore"):
+        left = leakage.forces(_left_vectors(found), -1.0)
         unmoved = free & (right <= UNMOVED * right.max(axis=1, keepdims=True))
     right, left = (np.where(unmoved, 0.0, side) for side in (right, left))
     return same_count(apart, right, left, radius, leakage.own())
@@ -177,7 +178,7 @@ def _leakage(
 def _left_vectors(found: Modes) -> NDArray[np.complex128]:
     """Left vectors as columns (speeds, n, k), those of a defective system one by one."""
     left = np.swapaxes(found.participation, 1, 2)
-    lost = np.flatnonzero(~np.isfinite(left).all(axis=(1, 2)))
+    lost = np.flatnonzero(~(np.abs(left) < DEFECTIVE).all(axis=(1, 2)))
     if not lost.size:
         return left
     left = left.copy()

@@ -35,6 +35,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Matrix = NDArray[np.inexact[Any]]
 NARROW = 0.01  # of the range of speeds: pieces of tables shorter than that
+APART = 1e-9  # [rad/s]: speeds closer than that are one
 SAME, ALIKE = 1e-7, 0.5  # of the speed, likeness: one root found twice
 
 
@@ -106,7 +107,7 @@ def _direct(scene: Scene, branches: Sequence[Branch], line: Line) -> list[Start]
         if not system.isotropic:
             gyroscopic = np.block([[zero, polar], [-polar, zero]])
         for (low, high), (slow, fast) in zip(pairwise(ends), pairwise(stiffness), strict=True):
-            if high - low < NARROW * (ends[-1] - ends[0]):
+            if high - low < max(NARROW * (ends[-1] - ends[0]), APART):
                 continue  # two crossings of one mode hardly fit; of one the lines tell
             slope = (fast - slow) / (high - low)
             spins, vectors = synchronous(slow - low * slope, gyroscopic, line.size, slope)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.accuracy import receptance_error
+from rotordyn.analysis.display import RPM
 from rotordyn.analysis.formulation import ROTATING, turned
 from rotordyn.analysis.measured import measured_fields
 from rotordyn.analysis.results import (
@@ -28,6 +29,11 @@ from rotordyn.system.lateral import LateralSystem
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+MOST_VALUES = 100_000_000
+UNDAMPED = 1e-9  # of the frequency: a pole so near to it has no damping
+BESIDE = 1e-8  # of the frequency, to either side of which a response is compared with its
+PEAK, FEW = 1e5, 3  # of the smallest response, frequencies: to tell a peak by
+HIGHER = 10.0  # times what it is there: so near to a pole its size is nothing but rounding
 _KINDS: dict[str, type[FrequencyResponse]] = {
     kind.kind: kind for kind in (FrfResult, MobilityResult, InertanceResult)
 }
@@ -40,11 +46,19 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
 
     Raises
     ------
-    InvalidInput : mobility or inertance in the turning frame
+    InvalidInput : mobility or inertance in the turning frame; more values than fit; a frequency at
+        which nothing limits the response
     """
     if spec.quantity != QUANTITIES[0] and scene.conditions.formulation == ROTATING:
         raise InvalidInput(turned(spec.quantity))
     frequency = np.array(spec.frequencies)
+    count = len(scene.usable) * len(spec.pairs) * len(frequency)
+    if count > MOST_VALUES:
+        raise InvalidInput(
+            f"frf: too many values: given {count:.3g} by {len(scene.usable)} speeds, "
+            f"{len(spec.pairs)} pairs and {len(frequency)} frequencies; allowed: up to "
+            f"{MOST_VALUES:.0e}"
+        )
     values = np.zeros((len(scene.usable), len(spec.pairs), len(frequency)), dtype=complex)
     error, power = np.zeros(len(spec.pairs)), QUANTITIES.index(spec.quantity)
     for group in _groups(scene):
@@ -55,7 +69,9 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
         ]
         if own:
             pairs = [spec.pairs[k] for k in own]
-            values[:, own] = _within(scene, group, pairs, frequency)
+            with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
+                values[:, own] = _within(scene, group, pairs, frequency)
+            _refuse_unlimited(scene, group, pairs, frequency, values[:, own])
             if not (scene.bends_exactly and group == {"bending"}):
                 error[own] = receptance_error(scene, min(group), pairs, frequency, power)
     ends = scene.speed[scene.usable[[0, -1]]]
@@ -76,6 +92,49 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
         error=error,
         **rest,
     )
+
+
+def _refuse_unlimited(
+    scene: Scene,
+    group: frozenset[str],
+    pairs: list[tuple[Port, Port]],
+    frequency: Array,
+    values: Complex,
+) -> None:
+    """Raise InvalidInput where ``values`` (speeds, pairs, frequencies) have no limit: at the pole
+    of a motion without damping, or so slow that a free one's overflow."""
+    lost = np.asarray(~np.isfinite(values).all(axis=1))
+    own = _suspects(scene, group, frequency, values)
+    if own.any() and not lost.any():
+        near = frequency[own]
+        beside = [np.abs(_within(scene, group, pairs, near * (1.0 + s))) for s in (BESIDE, -BESIDE)]
+        lost[:, own] = (np.abs(values[..., own]) > HIGHER * np.maximum(*beside)).any(axis=1)
+    if lost.any():
+        row, column = np.argwhere(lost)[0]
+        rpm = scene.speed[scene.usable[min(row, len(scene.usable) - 1)]] * RPM.factor
+        raise InvalidInput(
+            f"frf: nothing limits the response at {frequency[column]:.10g} Hz and {rpm:.6g} rpm, "
+            "where a motion that nothing damps, or nothing holds, has its frequency: damp or hold "
+            "it, or leave that frequency out"
+        )
+
+
+def _suspects(
+    scene: Scene, group: frozenset[str], frequency: Array, values: Complex
+) -> NDArray[np.bool_]:
+    """Frequencies (f,) that may lie on an undamped pole; of the exact shaft, every high peak."""
+    if scene.bends_exactly and group == {"bending"}:
+        size = np.abs(values)
+        high = size > PEAK * size.min(axis=-1, keepdims=True)
+        return np.asarray(high.any(axis=(0, 1)) | (len(frequency) < FEW))
+    pole = scene.vibration(min(group))[1].pole
+    own = np.unique(np.abs(pole.imag[np.abs(pole.real) <= UNDAMPED * np.abs(pole)]))
+    omega = 2.0 * math.pi * frequency
+    if not own.size:
+        return np.zeros(len(omega), dtype=bool)
+    place = np.searchsorted(own, omega)
+    gaps = [np.abs(own[np.clip(place + k, 0, len(own) - 1)] - omega) for k in (-1, 0)]
+    return np.asarray(np.minimum(*gaps) <= UNDAMPED * omega)
 
 
 def _groups(scene: Scene) -> list[frozenset[str]]:

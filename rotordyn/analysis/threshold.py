@@ -17,7 +17,7 @@ from rotordyn.analysis.certificate import swings
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec
 from rotordyn.errors import NoSolution
-from rotordyn.numerics.modes import NEUTRAL
+from rotordyn.numerics.modes import grows
 
 Array = NDArray[np.float64]
 CLOSE = 1e-10  # of the speed: it is known so well
@@ -33,13 +33,13 @@ def stability_threshold(
     found = [(math.inf, "")]
     for branch, name in zip(branches, names, strict=True):
         track, speed = branch.track, branch.track.speed
-        growing = track.pole.real > NEUTRAL * np.abs(track.pole)
+        home = home_of(scene, branch.kind)
+        growing = grows(track.pole, scene.vibration(home)[1].largest.max())
         if not growing.any():
             continue
         row = int(growing.argmax())
         begin = float(speed[row])
         if row and not track.lost[row - 1]:
-            home = home_of(scene, branch.kind)
             begin = _begin(scene, spec, home, float(speed[row - 1]), begin)
         found.append((begin, name))
     return min(found)

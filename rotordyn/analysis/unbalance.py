@@ -28,6 +28,7 @@ from rotordyn.system.synchronous import displacements, frame_of, support_forces,
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 AXES = ("y", "z")
+SLOWEST = 1e-9  # [rad/s]: below, no critical speed is sought
 UNDAMPED = 1e-9  # of the speed: a pole so near to the excitation has no damping
 BEYOND = 1.2  # times the top speed: up to there criticals are looked for
 
@@ -122,7 +123,7 @@ def _criticals(scene: Scene, ratio: float) -> list[tuple[str, float]]:
     """Critical speeds among those of the case, by the name of the mode, of what turns ``ratio``
     times as fast."""
     top = float(scene.speed[-1])
-    if len(scene.usable) < 2 or top == 0.0:
+    if len(scene.usable) < 2 or top < SLOWEST:
         return []
     highest = BEYOND * abs(ratio) * top / (2.0 * math.pi)
     found = campbell.answer(scene, CampbellSpec(max_frequency=highest, shapes=False))

@@ -11,6 +11,7 @@ from rotordyn.machine.support import FREEDOMS, MOTIONS, Freedom, entry_name
 from rotordyn.quantity import Inertia, Mass, Name, Station, suggestion
 
 Matrix = tuple[tuple[float, ...], ...]
+LEAST = 1e-12  # [kg], [kg·m²]
 INERTIAS = {"thx": "polar_inertia", "thy": "diametral_inertia", "thz": "diametral_inertia"}
 
 
@@ -122,8 +123,13 @@ def rigid_faults(housing: Rigid) -> Iterator[tuple[str, str]]:
         yield "stiffness", "a housing needs the stiffness of at least one freedom"
     for freedom in freedoms:
         key = INERTIAS.get(freedom, "mass")
-        if getattr(housing, key) == 0.0:
-            yield key, f"a housing that moves in {freedom} needs {key}: given 0; allowed: above 0"
+        own = getattr(housing, key)
+        if own < LEAST:
+            yield (
+                key,
+                f"a housing that moves in {freedom} needs {key}: given {own:g}; allowed: at least "
+                f"{LEAST:g}",
+            )
     for pair in housing.damping:
         if not set(pair) <= set(freedoms):
             yield (

@@ -44,6 +44,8 @@ Entries = Mapping[tuple[Freedom, Freedom], Value]
 TABLED = ("y", "z", "thy", "thz")  # freedoms whose entries may follow the speed
 RPM = math.pi / 30.0
 SYMMETRIC = 1e-9  # of an entry: less than that is rounding
+MOST = {"stiffness": 1e20, "damping": 1e13}  # [SI] of any entry: beyond, rounding rules
+LEAST_MASS, LEAST_HOLD = 1e-12, 1.0  # [kg], [N/m] of a sleeve: less is lost in rounding
 SLACK = 1e-9  # of the highest speed of a table, by which a speed may lie beside it
 
 
@@ -114,6 +116,15 @@ class Sleeve(Description):
     def _faults(self) -> Iterator[str]:
         if not self.bearings:
             yield "a sleeve carries at least one bearing"
+        if 0.0 < self.mass < LEAST_MASS:
+            yield (
+                f"mass out of range: given {self.mass:g} kg; allowed: 0, or from {LEAST_MASS:g} kg"
+            )
+        if self.radial_stiffness < LEAST_HOLD:
+            yield (
+                f"radial_stiffness out of range: given {self.radial_stiffness:g} N/m; allowed: "
+                f"from {LEAST_HOLD:g} N/m, or infinite"
+            )
         for name in doubled(self.bearings):
             yield f"bearing '{name}' is named twice"
 
@@ -149,6 +160,7 @@ class LinearSupport(Description):
         yield from (sentence for _, sentence in found)
         if not found:
             yield from loss_faults(self.stiffness, self.loss_factor)
+        yield from _too_large(self.stiffness, self.damping)
         if any(b <= a for a, b in pairwise(self.speeds)):
             yield "the speeds of its table must ascend without repeats"
         for freedom in doubled(self.rigid):
@@ -216,6 +228,17 @@ class LinearSupport(Description):
 def acts(value: Value) -> bool:
     """False for an entry that is zero at all speeds."""
     return any(value) if isinstance(value, tuple) else value != 0.0
+
+
+def _too_large(stiffness: Entries, damping: Entries) -> Iterator[str]:
+    for which, entries in (("stiffness", stiffness), ("damping", damping)):
+        for pair, value in entries.items():
+            worst = max(value if isinstance(value, tuple) else (value,), key=abs, default=0.0)
+            if abs(worst) > MOST[which]:
+                yield (
+                    f"{which} {entry_name(*pair)} out of range: given {worst:.6g}; allowed: "
+                    f"from {-MOST[which]:.0e} to {MOST[which]:.0e}"
+                )
 
 
 def table_faults(

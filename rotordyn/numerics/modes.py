@@ -17,6 +17,8 @@ NOISE = 1e-7  # of the highest own frequency: what rounding makes of a pole at z
 HELD = 1e-13  # of a coordinate's own stiffness: a motion with less than that is held by nothing
 NEUTRAL = 1e-6  # of |pole|: less growth or decay than that is rounding
 SMALL = 1e-3  # of a pole: more is no rounding
+NOTHING = 1e-23  # of the largest stiffness: too little to tell its motion from a free one
+UNSEEN = 1e-15  # of the largest |pole|: growth below that is rounding as well
 LEAST = 4  # systems to a thread
 WELL_CONDITIONED = 1e7  # of unit vectors: the sum over poles then keeps nine digits
 
@@ -62,9 +64,14 @@ class Modes:
         return Modes(*(getattr(self, field.name)[rows] for field in fields(self)))
 
     @property
+    def largest(self) -> Array:
+        """Of each system the largest |pole| (…, 1) [rad/s]."""
+        return np.abs(self.pole).max(axis=-1, keepdims=True)
+
+    @property
     def growing(self) -> NDArray[np.bool_]:
         """Poles of motions that grow by themselves (…, 2n)."""
-        return np.asarray((self.pole.real > NEUTRAL * np.abs(self.pole)) & ~self.at_rest())
+        return np.asarray(grows(self.pole, self.largest) & ~self.at_rest())
 
     def receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
         """Receptance at i·``omega`` (f,) of paired rows: (…, pairs, f).
@@ -109,18 +116,29 @@ class Modes:
         """
         pole = self.pole[place]
         residue = (responses @ self.vector[place]) * (self.participation[place] @ excitations.T).T
-        table = 1.0 / (pole.real[:, None] ** 2 + (omega - pole.imag[:, None]) ** 2)
+        with np.errstate(divide="ignore", over="ignore"):
+            table = 1.0 / (pole.real[:, None] ** 2 + (omega - pole.imag[:, None]) ** 2)
         turned = residue * (1j * pole.imag - pole.real)
         return _times_real(turned, table) - 1j * omega * _times_real(residue, table)
 
     def _solved(
         self, place: tuple[int, ...], omega: Array, responses: Array, excitations: Array
     ) -> Complex:
-        """The dynamic stiffness solved at every frequency."""
+        """The dynamic stiffness solved at every frequency; infinite where one has no inverse."""
         k, d = self.stiffness[place], self.damping[place]
         w = omega[:, None, None]
-        answer = np.linalg.solve(k + 1j * w * d - w**2 * np.eye(len(k)), excitations.T + 0j)
+        with np.errstate(over="ignore", invalid="ignore"):
+            try:
+                dynamic = k + 1j * w * d - w**2 * np.eye(len(k))
+                answer = np.linalg.solve(dynamic, excitations.T + 0j)
+            except np.linalg.LinAlgError:
+                return np.full((len(responses), len(omega)), np.inf + 0j)
         return np.asarray(np.einsum("pn,fnp->pf", responses, answer))
+
+
+def grows(pole: Complex, largest: Array | float) -> NDArray[np.bool_]:
+    """Where poles mean growth by more than rounding; ``largest``: |pole| of their system."""
+    return np.asarray(pole.real > np.maximum(NEUTRAL * np.abs(pole), UNSEEN * largest))
 
 
 def _held(stiffness: Matrix, damping: Matrix, s: complex) -> int:
@@ -134,7 +152,11 @@ def _held(stiffness: Matrix, damping: Matrix, s: complex) -> int:
 
 
 def modes(stiffness: Matrix, damping: Matrix) -> Modes:
-    """Modes of q̈ + D q̇ + K q = f; ``stiffness``, ``damping`` (…, n, n), real or complex."""
+    """Modes of q̈ + D q̇ + K q = f; ``stiffness``, ``damping`` (…, n, n), real or complex.
+
+    A coordinate whose stiffness is ``NOTHING`` beside the largest counts as free.
+    """
+    stiffness = _of_weight(stiffness)
     shape = np.broadcast_shapes(stiffness.shape, damping.shape)
     n = shape[-1]
     matrix = np.zeros((*shape[:-2], 2 * n, 2 * n), dtype=np.result_type(stiffness, damping))
@@ -155,6 +177,16 @@ def modes(stiffness: Matrix, damping: Matrix) -> Modes:
         participation=participation,
         condition=np.abs(left).sum(axis=-1).max(axis=-1),
     )
+
+
+def _of_weight(stiffness: Matrix) -> Matrix:
+    """Without the rows and columns of coordinates that are held by next to nothing."""
+    size = np.abs(stiffness)
+    each = np.maximum(size.max(axis=-1), size.max(axis=-2))
+    free = each < NOTHING * size.max(axis=(-2, -1))[..., None]
+    if not each[free].any():
+        return stiffness
+    return np.where(free[..., None] | free[..., None, :], 0.0, stiffness)
 
 
 def _eigenpairs(matrix: Matrix) -> tuple[Complex, Complex]:

@@ -12,7 +12,7 @@ from rotordyn.machine.support import entry_name
 from rotordyn.preload.arrangement import SHAFT
 from rotordyn.preload.network import Network, NetworkState
 
-NOTHING = 1e-3  # N
+NOTHING = 0.05  # N: balls are placed to rounding, and loads below that no better than 1e-9
 STILL = 1e-9  # m
 LEAST_LOAD = 1e-6  # of the largest axial force: below it a bearing counts as unloaded
 

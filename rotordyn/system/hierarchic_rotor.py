@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from rotordyn.elements import hierarchic_bending as bending
 from rotordyn.elements import hierarchic_rod as rod_element
 from rotordyn.elements.plane_bending import shear_parameter
+from rotordyn.errors import InvalidInput
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
 from rotordyn.system.assemble import beam_arguments, shear_coefficients
@@ -26,6 +27,7 @@ from rotordyn.system.jumps import BENDING, Jump, jumps
 from rotordyn.system.mesh import Mesh, station_mesh
 
 Array = NDArray[np.float64]
+MOST_FREEDOMS = 6000  # a dozen matrices of that size are 3.5 GB
 
 
 def bending_hierarchy(spindle: Spindle, omega: float, spin: float, tolerance: float) -> Hierarchy:
@@ -33,8 +35,19 @@ def bending_hierarchy(spindle: Spindle, omega: float, spin: float, tolerance: fl
     coarse = station_mesh(spindle)
     wave = bending_wave(omega, spin, *_rigidities(spindle, coarse))
     parts, degree = parts_and_degree(wave * coarse.length, tolerance)
+    _refuse_many("bending", float((np.where(degree < 2, 0, 2 * degree - 1) + 2) @ parts), omega)
     mesh = divided(coarse, parts)
     return beams(spindle, mesh, np.repeat(degree, parts))
+
+
+def _refuse_many(motion: str, freedoms: float, omega: float) -> None:
+    """Raise InvalidInput where the matrices of a motion would not fit."""
+    if freedoms > MOST_FREEDOMS:
+        raise InvalidInput(
+            f"{motion} up to {omega / (2.0 * math.pi):.6g} Hz takes {freedoms:.3g} freedoms, and "
+            f"the dense matrices of this version hold {MOST_FREEDOMS}: ask for lower frequencies "
+            "or speeds, less accuracy, or join sections that are alike"
+        )
 
 
 def resolved_whirl(spindle: Spindle, elements: Hierarchy, spin: float, tolerance: float) -> float:
@@ -125,6 +138,7 @@ def rod_hierarchy(
     coarse = station_mesh(spindle)
     wave = rod_wave(omega, *properties(coarse))
     parts, degree = parts_and_degree(wave * coarse.length, tolerance)
+    _refuse_many("torsion" if way == "torsion" else "axial motion", float(degree @ parts), omega)
     given = jumps(spindle, (way,))
     return rods(divided(coarse, parts), np.repeat(degree, parts), properties, given)
 

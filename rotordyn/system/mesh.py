@@ -20,6 +20,7 @@ Array = NDArray[np.float64]
 
 COINCIDENT = 1.5e-7  # of the shaft's length: stations closer than that are one node
 ELEMENTS_OVER_LENGTH = 50
+MOST_NODES = 3000  # matrices are dense
 
 
 class HasStation(Protocol):
@@ -135,8 +136,16 @@ def station_mesh(spindle: Spindle) -> Mesh:
 
 
 def _mesh(spindle: Spindle, longest: float) -> Mesh:
-    shaft = spindle.shaft
-    stations = _merged(shaft, list(_placed(spindle)))
+    shaft, placed = spindle.shaft, list(_placed(spindle))
+    nodes = len(shaft.sections) + len(placed) + (shaft.end - shaft.start) / longest
+    if nodes > MOST_NODES:
+        raise InvalidInput(
+            f"too many nodes for the dense matrices of this version: given {nodes:.0f} by "
+            f"{len(shaft.sections)} sections, {len(placed)} things on them and the length of "
+            f"elements; allowed: up to {MOST_NODES}; join sections that are alike, or ask for "
+            "longer elements"
+        )
+    stations = _merged(shaft, placed)
     x = np.concatenate([*(_divided(*ends, longest) for ends in pairwise(stations)), stations[-1:]])
     sections = [shaft.section_at(float(middle)) for middle in (x[1:] + x[:-1]) / 2.0]
     return Mesh(

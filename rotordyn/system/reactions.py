@@ -79,7 +79,8 @@ def _solved(matrix: Array, right: Array) -> Array:
     if (np.linalg.cond(matrix) > WORST_CONDITION).any():
         raise InvalidInput(
             "the reactions are not determined: rigid supports hold the shaft more often than its "
-            "elasticity can tell apart; leave one out, or give it a stiffness"
+            "elasticity can tell apart, or supports are so much softer or stiffer than the shaft "
+            "that rounding hides it; leave one out, or give it another stiffness"
         )
     found = np.linalg.solve(matrix, right)
     return np.asarray(found + np.linalg.solve(matrix, right - matrix @ found))

@@ -1,0 +1,160 @@
+"""Spindles at the edge: lost contact, preloads and springs of next to nothing (docs/stress.md)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from bearings.law import Law
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import CampbellSpec, FrfSpec, PreloadSpec
+from rotordyn.errors import InvalidInput
+from rotordyn.machine.spindle import Spindle
+from rotordyn.preload.state import PreloadState, dynamic_preload
+from tests.oracles.spindles import RPM, TOP, answers, conditions, mfw2310, pairs, undamped
+
+LAW = Law("outer", "equal")
+STILL = np.zeros(1)
+
+
+def preloaded(preload: float) -> Spindle:
+    """The flagship with the same preload on both sleeves [N]."""
+    spindle = mfw2310()
+    sleeves = (replace(s, spring=replace(s.spring, preload=preload)) for s in spindle.sleeves)
+    return replace(spindle, sleeves=tuple(sleeves))
+
+
+def on_sleeves(**changes: float) -> Spindle:
+    spindle = mfw2310()
+    return replace(spindle, sleeves=tuple(replace(s, **changes) for s in spindle.sleeves))
+
+
+def at_rest(force: float) -> PreloadState:
+    return dynamic_preload(mfw2310(), STILL, LAW, force)
+
+
+def test_a_million_rpm_is_named_and_leaves_the_rest_as_it_is() -> None:
+    """Beyond its bearings by far: no state there, every answer at rest as if alone."""
+    asked = {
+        "preload": PreloadSpec(),
+        "campbell": CampbellSpec(2000.0, shapes=False),
+        "frf": FrfSpec((100.0, 700.0), pairs("Oc2.y/Oc2.y")),
+    }
+    both, alone = (answers(mfw2310(), rpm, asked) for rpm in ((0, 1_000_000), (0,)))
+    for name, result in both.items():
+        assert "no equilibrium at 1000000 rpm" in result.outcome[1], name
+        assert result.outcome[0] == ""
+    assert both["frf"].receptance[0] == pytest.approx(alone["frf"].receptance[0], rel=1e-3)
+    assert both["campbell"].frequency[0] == pytest.approx(alone["campbell"].frequency[0], rel=1e-4)
+    assert np.isnan(both["frf"].receptance[1]).all()
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_edge_of_lost_contact(way: float) -> None:
+    """Up to the force that takes the last load off a bearing all is finite, beyond it is said.
+
+    The bearing lost is the one whose load falls to nothing, in proportion to none of its rivals.
+    """
+    inside, outside = 0.0, way * 1e5
+    for _ in range(22):
+        middle = 0.5 * (inside + outside)
+        (word,) = at_rest(middle).outcome
+        inside, outside = (inside, middle) if word else (middle, outside)
+    edge, beyond = at_rest(inside), at_rest(outside)
+    load = edge.seat_load()[0]
+    assert (load > 0.0).all()
+    assert load.min() < 1e-3 * load.max()
+    assert np.isfinite(edge.seat_stiffness()).all()
+    lost = mfw2310().seats[int(load.argmin())].name
+    (word,) = beyond.outcome
+    assert lost in word.split(" is unloaded")[0].removeprefix("bearing ").split(", ")
+    assert "(preload lost)" in word
+    scene = Scene(mfw2310(), conditions(axial_force=inside), STILL, 500.0)
+    assert np.isfinite(scene.bending_modes.pole).all()
+
+
+@pytest.mark.parametrize("preload", [5e-324, 1e-5, 1e-2, 0.04])
+def test_next_to_no_preload_is_none(preload: float) -> None:
+    found = dynamic_preload(preloaded(preload), STILL, LAW)
+    assert found.outcome == ("no bearing is preloaded at 0 rpm: give the springs a preload",)
+
+
+@pytest.mark.parametrize("preload", [0.1, 30.0])
+def test_preload_at_rest_is_what_is_stated(preload: float) -> None:
+    """Of tandem twins each carries half; the tangent goes with the cube root of the load."""
+    found = dynamic_preload(preloaded(preload), STILL, LAW)
+    assert found.outcome == ("",)
+    thrust = np.array([seat.thrust for seat in mfw2310().seats])
+    load = found.seat_load()[0]
+    assert abs(float(thrust @ load)) < 1e-9 * load.max()
+    assert found.spring_force[0] == pytest.approx(preload, rel=1e-9)
+    if preload < 1.0:
+        stiffer = dynamic_preload(preloaded(8.0 * preload), STILL, LAW)
+        rate = stiffer.seat_stiffness()[0, :, 0, 0] / found.seat_stiffness()[0, :, 0, 0]
+        assert rate == pytest.approx(2.0, rel=0.01)
+
+
+def test_more_preload_than_contacts_bear_is_named() -> None:
+    (word,) = dynamic_preload(preloaded(1e7), STILL, LAW).outcome
+    assert "overloaded at 0 rpm" in word
+    assert "lower its preload" in word
+
+
+@pytest.mark.parametrize("stiffness", [5e-324, 1e-9])
+def test_a_spring_of_next_to_no_stiffness_keeps_its_force(stiffness: float) -> None:
+    spindle = mfw2310()
+    soft = replace(
+        spindle,
+        sleeves=tuple(
+            replace(s, spring=replace(s.spring, stiffness=stiffness), stop_travel=math.inf)
+            for s in spindle.sleeves
+        ),
+    )
+    found = dynamic_preload(soft, np.array([0.0, TOP]), LAW)
+    assert found.outcome == ("", "")
+    stated = [s.spring.preload for s in spindle.sleeves]
+    assert found.spring_force == pytest.approx(np.array([stated, stated]), rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("changes", "said"),
+    [
+        ({"mass": 1e-300}, "mass out of range: given 1e-300 kg; allowed: 0, or from 1e-12 kg"),
+        ({"radial_stiffness": 1e-300}, "radial_stiffness out of range: given 1e-300 N/m"),
+    ],
+)
+def test_sleeves_beyond_sense_are_refused(changes: dict[str, float], said: str) -> None:
+    with pytest.raises(InvalidInput, match=said) as refused:
+        on_sleeves(**changes)
+    assert "\n" not in str(refused.value)
+
+
+@pytest.mark.parametrize(
+    ("one", "other"),
+    [
+        ({"radial_stiffness": 1e12}, {}),
+        ({"radial_stiffness": 1e6, "mass": 1e-12}, {"radial_stiffness": 1e6}),
+        ({"radial_stiffness": 1.0}, {"radial_stiffness": 1.0, "mass": 1e-6}),
+    ],
+    ids=["rigid", "weightless", "not held"],
+)
+def test_sleeves_at_the_ends_of_their_range(one: dict[str, float], other: dict[str, float]) -> None:
+    """Next to rigid, next to weightless, next to free: as without."""
+    found = []
+    for changes in (one, other):
+        scene = Scene(undamped(on_sleeves(**changes)), conditions(), STILL, 2000.0)
+        pole = np.sort(np.abs(scene.bending_modes.pole[0].imag))
+        found.append(pole[pole > 1.0][:8])
+    assert found[0] == pytest.approx(found[1], rel=2e-4)
+
+
+@pytest.mark.parametrize("travel", [5e-324, 1e-15])
+def test_stops_without_travel_are_rigid_preload(travel: float) -> None:
+    """From the first speed the sleeve stands at its stop, or bearings alone say the load."""
+    found = dynamic_preload(on_sleeves(stop_travel=travel), np.array([0.0, 6000.0 * RPM]), LAW)
+    nought = dynamic_preload(on_sleeves(stop_travel=0.0), np.array([0.0, 6000.0 * RPM]), LAW)
+    assert found.outcome == ("", "")
+    assert found.seat_load() == pytest.approx(nought.seat_load(), rel=1e-6)
