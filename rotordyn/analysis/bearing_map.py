@@ -9,7 +9,8 @@ from bearings.angular_contact import AngularContactBallBearing
 from bearings.state import BearingState
 from rotordyn.analysis.display import RPM
 from rotordyn.analysis.preload import BALL_QUANTITIES, FREEDOMS
-from rotordyn.analysis.results import Array, BearingMapResult
+from rotordyn.analysis.results import BearingMapResult
+from rotordyn.analysis.results.kinds import Array
 from rotordyn.analysis.specs import BearingMapSpec, Conditions
 from rotordyn.errors import NoSolution
 from rotordyn.machine.limits import HIGHEST_PRESSURE

@@ -8,7 +8,8 @@ from numpy.typing import NDArray
 from bearings.angular_contact import AngularContactBallBearing
 from bearings.control_map import RACES, ControlMap, control_map, quadratic, resting_weight
 from rotordyn.analysis.display import RPM
-from rotordyn.analysis.results import Array, ControlResult
+from rotordyn.analysis.results import ControlResult
+from rotordyn.analysis.results.kinds import Array
 from rotordyn.analysis.specs import Conditions, ControlSpec
 from rotordyn.errors import NoSolution
 from rotordyn.machine.limits import HIGHEST_PRESSURE

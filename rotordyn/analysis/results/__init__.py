@@ -1,0 +1,68 @@
+"""What the analyses answer: frozen arrays that know their dimensions and units, nothing else.
+
+Every field is declared with its dimensions and unit (``result``). A value that does not exist is
+NaN only where an ``outcome`` of the same speed, an ``absence``, or the label of the same mode says
+why.
+"""
+
+from __future__ import annotations
+
+from rotordyn.analysis.results.bearings import (
+    BearingMapResult,
+    ControlResult,
+    PreloadResult,
+)
+from rotordyn.analysis.results.modes import (
+    CREEPING,
+    ROUNDING,
+    CampbellResult,
+    TurningCampbellResult,
+)
+from rotordyn.analysis.results.responses import (
+    FrequencyResponse,
+    FrfResult,
+    InertanceResult,
+    MobilityResult,
+    TurningFrfResult,
+    UnbalanceResult,
+)
+from rotordyn.analysis.results.statics import (
+    SectionForcesResult,
+    StiffnessResult,
+)
+
+Result = (
+    PreloadResult
+    | CampbellResult
+    | FrequencyResponse
+    | StiffnessResult
+    | SectionForcesResult
+    | UnbalanceResult
+    | BearingMapResult
+    | ControlResult
+)
+
+__all__ = [
+    "CREEPING",
+    "ROUNDING",
+    "BearingMapResult",
+    "CampbellResult",
+    "ControlResult",
+    "FrequencyResponse",
+    "FrfResult",
+    "InertanceResult",
+    "MobilityResult",
+    "PreloadResult",
+    "Result",
+    "SectionForcesResult",
+    "StiffnessResult",
+    "TurningCampbellResult",
+    "TurningFrfResult",
+    "UnbalanceResult",
+    "turning",
+]
+
+
+def turning(result: object) -> bool:
+    """True where frequencies are those seen from the frame that turns with the shaft."""
+    return isinstance(result, TurningCampbellResult | TurningFrfResult)

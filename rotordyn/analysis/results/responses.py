@@ -1,0 +1,159 @@
+"""Answers to forces that swing, and to unbalance."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis.display import GRAM_MILLIMETRE, MILLIMETRE, response_unit
+from rotordyn.analysis.result import coordinate, quantity
+from rotordyn.analysis.results.kinds import Array, Complex, Flags, Words
+
+
+@dataclass(frozen=True)
+class FrequencyResponse:
+    """Complex frequency responses at independent speed and frequency; ``pair`` reads ``out / in``.
+
+    Subclasses add the values, whose name is their ``kind``. What was ``measured`` has frequencies
+    of its own, NaN beyond its last ``sample``; its highest peaks stand beside the computed ones
+    next to them, NaN where there are fewer. ``likeness``: frequency response assurance criterion.
+    """
+
+    kind: ClassVar[str]
+
+    speed: Array = coordinate("speed", unit="rad/s", label="speed")
+    frequency: Array = coordinate("frequency", unit="Hz", label="frequency")
+    pair: Words = coordinate("pair", unit="", label="response / excitation")
+    outcome: Words = quantity("speed", unit="", label="outcome")
+    is_slice: Flags = quantity("speed", unit="", label="drawn as slice")
+    error: Array = quantity("pair", unit="1", label="estimated error over the largest value")
+    measured: Words = coordinate("measured", unit="", label="measured response")
+    sample: NDArray[np.int_] = coordinate("sample", unit="", label="sample")
+    peak: NDArray[np.int_] = coordinate("peak", unit="", label="peak")
+    measured_pair: Words = quantity("measured", unit="", label="response / excitation")
+    measured_speed: Array = quantity("measured", unit="rad/s", label="speed")
+    measured_frequency: Array = quantity("measured", "sample", unit="Hz", label="frequency")
+    measured_response: Complex = quantity(
+        "measured", "sample", unit="SI, as computed", label="measured, as the computed quantity"
+    )
+    measured_peak: Array = quantity("measured", "peak", unit="Hz", label="measured peak")
+    measured_peak_amplitude: Array = quantity(
+        "measured", "peak", unit="SI, as computed", label="amplitude of the measured peak"
+    )
+    computed_peak: Array = quantity("measured", "peak", unit="Hz", label="computed peak")
+    computed_peak_amplitude: Array = quantity(
+        "measured", "peak", unit="SI, as computed", label="amplitude of the computed peak"
+    )
+    likeness: Array = quantity("measured", unit="1", label="likeness of measured and computed")
+
+    @property
+    def response(self) -> Complex:
+        """The values of its kind (speeds, pairs, frequencies)."""
+        values: Complex = getattr(self, self.kind)
+        return values
+
+    def unit(self, pair: int) -> str:
+        """SI unit of the values of a pair."""
+        return response_unit(self.pair[pair], self.kind)
+
+
+@dataclass(frozen=True)
+class FrfResult(FrequencyResponse):
+    """Receptance: displacement over force."""
+
+    kind: ClassVar[str] = "receptance"
+
+    receptance: Complex = quantity(
+        "speed", "pair", "frequency", unit="m/N, rad/N, rad/(N·m)", label="receptance"
+    )
+
+
+@dataclass(frozen=True)
+class MobilityResult(FrequencyResponse):
+    """Mobility: velocity over force, iω times the receptance."""
+
+    kind: ClassVar[str] = "mobility"
+
+    mobility: Complex = quantity(
+        *("speed", "pair", "frequency"),
+        unit="(m/s)/N, (rad/s)/N, (rad/s)/(N·m)",
+        label="mobility",
+    )
+
+
+@dataclass(frozen=True)
+class InertanceResult(FrequencyResponse):
+    """Inertance: acceleration over force, −ω² times the receptance."""
+
+    kind: ClassVar[str] = "inertance"
+
+    inertance: Complex = quantity(
+        *("speed", "pair", "frequency"),
+        unit="(m/s²)/N, (rad/s²)/N, (rad/s²)/(N·m)",
+        label="inertance",
+    )
+
+
+@dataclass(frozen=True)
+class TurningFrfResult(FrfResult):
+    """The same in the frame that turns with the shaft: y, z, force and frequency belong to it.
+
+    In the complex form H there at ω is H of the fixed frame at ω + Ω. Axial motion and torsion are
+    the same in both.
+    """
+
+    frequency: Array = coordinate("frequency", unit="Hz", label="frequency in the turning frame")
+    receptance: Complex = quantity(
+        "speed",
+        "pair",
+        "frequency",
+        unit="m/N, rad/N, rad/(N·m)",
+        label="receptance in the turning frame",
+    )
+
+
+@dataclass(frozen=True)
+class UnbalanceResult:
+    """Steady motion by unbalance: y(t) = Re(``displacement`` e^(i|r|Ωt)), z likewise.
+
+    ``rotor`` is out of balance, of ``speed_ratio`` r; ``speed`` Ω is that of the spindle.
+    Amplitudes are zero to peak. At t = 0 the mark of the rotor from which angles count points to y,
+    so that ``phase`` is how far a motion leads it. Axes of the orbit: half lengths,
+    ``minor_axis`` below zero where the orbit runs against the spindle; ``inclination`` of the major
+    one from y to z. ``force``: of a bearing or support on what it holds, ``force_amplitude`` the
+    major half axis of its hodograph. ``critical_speed``: synchronous criticals among the speeds.
+    """
+
+    speed: Array = coordinate("speed", unit="rad/s", label="speed")
+    point: Words = coordinate("point", unit="", label="point")
+    axis: Words = coordinate("axis", unit="", label="axis")
+    support: Words = coordinate("support", unit="", label="support")
+    unbalance: Words = coordinate("unbalance", unit="", label="unbalance")
+    critical: Words = coordinate("critical", unit="", label="critical speed")
+    outcome: Words = quantity("speed", unit="", label="outcome")
+    displacement: Complex = quantity("speed", "point", "axis", unit="m", label="displacement")
+    amplitude: Array = quantity("speed", "point", "axis", unit="m", label="amplitude, zero to peak")
+    phase: Array = quantity("speed", "point", "axis", unit="rad", label="phase lead")
+    major_axis: Array = quantity("speed", "point", unit="m", label="major half axis of the orbit")
+    minor_axis: Array = quantity(
+        "speed", "point", unit="m", label="minor half axis of the orbit, backward below 0"
+    )
+    inclination: Array = quantity(
+        "speed", "point", unit="rad", label="inclination of the major axis"
+    )
+    force: Complex = quantity("speed", "support", "axis", unit="N", label="force on the shaft")
+    force_amplitude: Array = quantity(
+        "speed", "support", unit="N", label="amplitude of the force, zero to peak"
+    )
+    rotor: str = quantity(unit="", label="rotor out of balance")
+    speed_ratio: float = quantity(unit="1", label="its speed over that of the spindle")
+    unbalance_station: Array = quantity("unbalance", unit="m", label="station", printed=MILLIMETRE)
+    unbalance_size: Array = quantity(
+        "unbalance", unit="kg·m", label="unbalance", printed=GRAM_MILLIMETRE
+    )
+    unbalance_angle: Array = quantity("unbalance", unit="rad", label="angle")
+    critical_speed: Array = quantity("critical", unit="rad/s", label="critical speed, 1× rotation")
+    error: Array = quantity("point", unit="1", label="estimated error over the largest value")
