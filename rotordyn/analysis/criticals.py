@@ -21,6 +21,7 @@ from rotordyn.analysis.branches import Branch, knots_between, whirl_degree
 from rotordyn.analysis.character import whirl_along
 from rotordyn.analysis.formulation import ROTATING, SOFTENED
 from rotordyn.analysis.on_rotors import Line, exciting
+from rotordyn.analysis.results import CREEPING
 from rotordyn.analysis.roots import Start, State, solved
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec
@@ -65,7 +66,8 @@ def critical_speeds(
     ]
     found: list[tuple[Start, float, State]] = []
     for start, speed, state in solved(scene, spec, branches, starts):
-        if not any(_same(start, speed, state, other) for other in found):
+        swings = -state.pole.real <= CREEPING * abs(state.pole)  # or else nothing resonates
+        if swings and not any(_same(start, speed, state, other) for other in found):
             found.append((start, speed, state))
     criticals = [
         _named(scene, branches[start.branch], names[start.branch], start.line, speed, state)

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM
 from rotordyn.analysis.on_rotors import exciting
-from rotordyn.analysis.results import CREEPING, CampbellResult, turning
+from rotordyn.analysis.results import CampbellResult, turning
 from rotordyn.machine.reference import Reference
 from rotordyn.plots.labels import axis_label, spread
 from rotordyn.plots.legends import legend
@@ -231,7 +231,6 @@ def draw_orders(
 
 def _criticals(axes: Axes, result: CampbellResult) -> None:
     shown = result.critical_excited & (result.critical_speed <= result.speed[-1])
-    shown &= result.critical_damping <= CREEPING
     if turning(result):
         shown &= result.critical_order == 1  # others meet no line there: see ``orders``
     speeds = result.critical_speed[shown] * RPM.factor

@@ -14,7 +14,6 @@ from rotordyn.analysis.known import matches
 from rotordyn.analysis.on_rotors import Line, exciting
 from rotordyn.analysis.race_control import BOUNDARY_WORDS, fit_words
 from rotordyn.analysis.results import (
-    CREEPING,
     BearingMapResult,
     CampbellResult,
     ControlResult,
@@ -176,7 +175,7 @@ def _criticals(result: CampbellResult, line: Line) -> list[str]:
             result.critical_speed,
             result.critical_rotor,
             result.critical_order,
-            result.critical_excited & (result.critical_damping <= CREEPING),
+            result.critical_excited,
             strict=True,
         )
         if (rotor, own) == (line.rotor, line.order) and excited and last > 0.0

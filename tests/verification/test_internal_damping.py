@@ -115,7 +115,7 @@ def test_what_hardly_swings_is_numbered_last_and_not_listed() -> None:
     modes by the letter, and counted, but stand behind those that swing."""
     damping = RayleighDamping(stiffness=2e-5)
     spindle = replace(rotor(1e3), rotor_damping=(), rayleigh=damping)
-    found = answered(spindle, [100.0, 300.0])
+    found = answered(spindle, [100.0, 600.0])
     creeping = found.creeping[[kind == "bending" for kind in found.kind]]
     assert creeping.any()
     assert not creeping[0]
@@ -123,6 +123,8 @@ def test_what_hardly_swings_is_numbered_last_and_not_listed() -> None:
     ratio = found.damping_ratio[:, found.creeping]
     assert (ratio[np.isfinite(ratio)] > 0.99).all()
     assert found.modes_below == pytest.approx(found.modes_found)
+    assert len(found.critical_speed) > 0
+    assert (found.critical_damping < 0.99).all()
 
 
 def test_tapered_shaft_grows_from_where_its_ratios_say() -> None:
