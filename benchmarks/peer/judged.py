@@ -1,0 +1,117 @@
+"""Errors of both sides: against the exact shaft, and against their own matrices solved densely."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import rotordyn
+from benchmarks.peer import machine
+from benchmarks.peer.cases import ALL, CAMPBELL, EXACT, RESPONSE, case, spindle
+from benchmarks.peer.dense import Dense, of_ours, of_theirs
+from rotordyn.analysis.specs import Conditions
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+FREEDOMS = (0, 1, 3, 4)  # of the peer's node: our ``machine.MOTIONS``
+MATCHED = 1e-2  # relative: a mode farther from all others is another one
+RESPONSES = (RESPONSE, ALL)
+SPEEDS = machine.SPEEDS[machine.JUDGED]
+SAMPLE = machine.FREQUENCIES[machine.SAMPLE]
+
+
+def judged(kind: str, settings: dict[str, Conditions], theirs: dict[str, Array]) -> dict[str, Any]:
+    """Errors of the works, by setting of ours and of the ``peer``."""
+    truth = {CAMPBELL: [own[: machine.MODES] for own in our_modes(kind, EXACT, SPEEDS)]}
+    truth |= {work: our_response(work, kind, EXACT) for work in RESPONSES}
+    peer, column = of_theirs(theirs, FREEDOMS), theirs["response"]
+    found = {"peer": {CAMPBELL: mode_errors(theirs["pole"][machine.JUDGED], truth[CAMPBELL], peer)}}
+    for work in RESPONSES:
+        own = column if work == ALL else column[:, [[machine.INPUT]], :1]
+        found["peer"][work] = response_errors(own.reshape(truth[work].shape), truth[work], peer)
+    for name, conditions in settings.items():
+        found[name] = _ours(kind, conditions, truth)
+    return found
+
+
+def _ours(kind: str, conditions: Conditions, truth: dict[str, Any]) -> dict[str, Any]:
+    def dense(work: str, highest: float, spin: float) -> Dense:
+        accuracy = None if conditions.element_length is not None else conditions.accuracy
+        return of_ours(spindle(kind, every_node=work == ALL), accuracy, highest, spin)
+
+    modes, own = our_modes(kind, conditions), dense(CAMPBELL, machine.BAND, machine.SPEEDS[-1])
+    found = {CAMPBELL: mode_errors(modes, truth[CAMPBELL], own)}
+    for work in RESPONSES:
+        own = dense(work, machine.FREQUENCIES[-1], machine.SPEED)
+        response = our_response(work, kind, conditions)
+        found[work] = response_errors(response, truth[work], own)
+    return found
+
+
+def our_modes(
+    kind: str, conditions: Conditions, speeds: tuple[float, ...] | None = None
+) -> list[Complex]:
+    """Poles of all modes of the band at every speed judged, by frequency."""
+    found = rotordyn.run(case(CAMPBELL, kind, conditions, speeds))["campbell"]
+    frequency, ratio = found["frequency"].to_numpy(), found["damping_ratio"].to_numpy()
+    pole = 2.0 * math.pi * frequency * (1j - ratio / np.sqrt(1.0 - ratio**2))
+    rows = (row[np.isfinite(row)] for row in (pole if speeds else pole[machine.JUDGED]))
+    return [row[np.argsort(row.imag)] for row in rows]
+
+
+def our_response(work: str, kind: str, conditions: Conditions) -> Complex:
+    """Motions of the nodes (frequencies, nodes, 4), or that of the input (frequencies, 1, 1)."""
+    found = rotordyn.run(case(work, kind, conditions, frequencies=SAMPLE))["frf"]
+    values = found["receptance"].to_numpy()[0].T
+    shape = (machine.NODES, len(machine.MOTIONS)) if work == ALL else (1, 1)
+    return np.asarray(values.reshape(len(SAMPLE), *shape))
+
+
+def mode_errors(found: Any, exact: list[Complex], dense: Dense) -> dict[str, Any]:
+    """Largest relative errors of the poles, and how many modes have no partner."""
+    true, discrete, missing = [], [], 0
+    for spin, own, truth in zip(SPEEDS, found, exact, strict=True):
+        pairs = partners(truth, np.asarray(own))
+        missing += len(truth) - len(pairs)
+        true += [abs(a - b) / abs(a) for a, b in pairs]
+        same = partners(dense.poles(spin), np.array([b for _, b in pairs]))
+        discrete += [abs(a - b) / abs(a) for a, b in same]
+    return {"true": max(true), "discrete": max(discrete), "missing": missing}
+
+
+def partners(wanted: Complex, found: Complex) -> list[tuple[complex, complex]]:
+    """Each of ``wanted`` with the nearest of ``found`` that is left, the closest pairs first."""
+    apart = np.abs(wanted[:, None] - found) / np.abs(wanted)[:, None]
+    pairs = []
+    while apart.size and apart.min() < MATCHED:
+        a, b = np.unravel_index(int(apart.argmin()), apart.shape)
+        pairs.append((complex(wanted[a]), complex(found[b])))
+        apart[a], apart[:, b] = math.inf, math.inf
+    return pairs
+
+
+def response_errors(found: Complex, exact: Complex, dense: Dense) -> dict[str, float]:
+    """Errors over the largest response of the same unit at the same frequency."""
+    omega = 2.0 * math.pi * np.array(SAMPLE)
+    own = dense.response(machine.SPEED, omega, 4 * machine.INPUT)
+    if found.shape[1] == 1:
+        own = own[:, [machine.INPUT], :1]
+    true, discrete = off(found, exact), off(found, own)
+    return {
+        "true": float(np.median(true)),
+        "worst": float(true.max()),
+        "discrete": float(discrete.max()),
+    }
+
+
+def off(found: Complex, wanted: Complex) -> Array:
+    """Largest difference over largest value, of deflections and of tilts (frequencies, 1 or 2)."""
+    halves = (slice(None, 2), slice(2, None)) if wanted.shape[2] > 1 else (slice(None),)
+    ratios = [
+        np.abs((found - wanted)[..., part]).max(axis=(1, 2)) / np.abs(wanted[..., part]).max((1, 2))
+        for part in halves
+    ]
+    return np.stack(ratios, axis=1)

@@ -1,0 +1,93 @@
+"""Our side of the comparison, in a process of its own so that it has its own threads.
+
+``python -m benchmarks.peer.ours FOLDER REPEATS`` writes times into FOLDER; with ``--once WORK
+KIND`` it answers one case and ends, as a script of a user would.
+"""
+
+from __future__ import annotations
+
+import argparse
+import cProfile
+import json
+import pstats
+import time
+from collections.abc import Callable
+from pathlib import Path
+from statistics import median
+from typing import Any
+
+import rotordyn
+from benchmarks.peer import machine
+from benchmarks.peer.cases import ALL, BEST, CAMPBELL, SAME, WORKS, case
+
+SETTINGS = {"best": BEST, "same elements": SAME}
+SLOW = 2  # repeats of what takes seconds
+LINES = 8  # of a profile
+
+
+def measured(repeats: int) -> list[dict[str, Any]]:
+    """A line per work, kind of bearings and setting: seconds of ``rotordyn.run`` on a case."""
+    return [
+        {"work": work, "kind": kind, "setting": setting, **_line(work, kind, setting, repeats)}
+        for work in WORKS
+        for kind in machine.KINDS
+        for setting in SETTINGS
+        if setting == "best" or work != ALL
+    ]
+
+
+def _line(work: str, kind: str, setting: str, repeats: int) -> dict[str, Any]:
+    asked = case(work, kind, SETTINGS[setting])
+    few = SLOW if work == ALL else repeats
+    found = seconds(lambda: rotordyn.run(asked), few, warm=work != ALL)
+    return {"seconds": median(found), "fastest": min(found), "repeats": few}
+
+
+def seconds(work: Callable[[], Any], repeats: int, *, warm: bool = True) -> list[float]:
+    """Seconds of each of some repeats, after one that does not count."""
+    if warm:
+        work()
+    found = []
+    for _ in range(repeats):
+        begin = time.perf_counter()
+        work()
+        found.append(time.perf_counter() - begin)
+    return found
+
+
+def profile(work: str, kind: str) -> str:
+    """Where the time of ``rotordyn.run`` goes, the most expensive functions by their own time."""
+    asked = case(work, kind)
+    rotordyn.run(asked)
+    with cProfile.Profile() as kept:
+        rotordyn.run(asked)
+    ranked = sorted(pstats.Stats(kept).stats.items(), key=lambda item: -item[1][2])  # type: ignore[attr-defined]
+    whole = sum(item[1][2] for item in ranked)
+    lines = [
+        f"{100.0 * own / whole:5.1f} % own {100.0 * both / whole:5.1f} % with callees "
+        f"{calls:7d} calls  {Path(file).name}:{line} {name}"
+        for (file, line, name), (_, calls, own, both, _) in ranked[:LINES]
+    ]
+    return "\n".join([f"{work}, {kind}: {whole:.3f} s under the profiler", *lines])
+
+
+def main() -> None:
+    """Answer one case, show where the time goes, or measure all works."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("folder", nargs="?", type=Path)
+    parser.add_argument("repeats", nargs="?", type=int, default=5)
+    parser.add_argument("--once", nargs=2, metavar=("WORK", "KIND"))
+    parser.add_argument("--profile", action="store_true")
+    asked = parser.parse_args()
+    if asked.once:
+        rotordyn.run(case(*asked.once))
+    elif asked.profile:
+        for work in WORKS:
+            for kind in machine.KINDS:
+                print(profile(work, kind))  # noqa: T201
+    else:
+        (asked.folder / "ours.json").write_text(json.dumps(measured(asked.repeats)))
+
+
+if __name__ == "__main__":
+    main()
