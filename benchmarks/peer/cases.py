@@ -15,9 +15,16 @@ from rotordyn.machine.support import LinearSupport
 CAMPBELL, RESPONSE, ALL, MAP = "campbell", "one response", "all responses", "map of one response"
 WORKS = (CAMPBELL, RESPONSE, ALL, MAP)
 BEST = Conditions(accuracy=1e-4)
+FINE = Conditions(accuracy=1e-8)
 SAME = Conditions(element_length=1.0001 * machine.ELEMENT)  # the peer's elements
+SETTINGS = {"accuracy 1e-4": BEST, "accuracy 1e-8": FINE, "60 standard elements": SAME}
 EXACT = Conditions(shaft="exact", accuracy=1e-8)  # axial motion and torsion keep elements
 INPUT = Port("input", "y")
+
+
+def settings(work: str) -> dict[str, Conditions]:
+    """Ways of ours to do a work; with a node at every output, only the peer's elements."""
+    return {n: s for n, s in SETTINGS.items() if work != ALL or s.element_length is not None}
 
 
 def case(

@@ -10,7 +10,16 @@ from numpy.typing import NDArray
 
 import rotordyn
 from benchmarks.peer import machine
-from benchmarks.peer.cases import ALL, CAMPBELL, EXACT, RESPONSE, case, spindle
+from benchmarks.peer.cases import (
+    ALL,
+    CAMPBELL,
+    EXACT,
+    RESPONSE,
+    SETTINGS,
+    case,
+    settings,
+    spindle,
+)
 from benchmarks.peer.dense import Dense, of_ours, of_theirs
 from rotordyn.analysis.specs import Conditions
 
@@ -23,7 +32,7 @@ SPEEDS = machine.SPEEDS[machine.JUDGED]
 SAMPLE = machine.FREQUENCIES[machine.SAMPLE]
 
 
-def judged(kind: str, settings: dict[str, Conditions], theirs: dict[str, Array]) -> dict[str, Any]:
+def judged(kind: str, theirs: dict[str, Array]) -> dict[str, Any]:
     """Errors of the works, by setting of ours and of the ``peer``."""
     truth = {CAMPBELL: [own[: machine.MODES] for own in our_modes(kind, EXACT, SPEEDS)]}
     truth |= {work: our_response(work, kind, EXACT) for work in RESPONSES}
@@ -32,7 +41,7 @@ def judged(kind: str, settings: dict[str, Conditions], theirs: dict[str, Array])
     for work in RESPONSES:
         own = column if work == ALL else column[:, [[machine.INPUT]], :1]
         found["peer"][work] = response_errors(own.reshape(truth[work].shape), truth[work], peer)
-    for name, conditions in settings.items():
+    for name, conditions in SETTINGS.items():
         found[name] = _ours(kind, conditions, truth)
     return found
 
@@ -45,6 +54,8 @@ def _ours(kind: str, conditions: Conditions, truth: dict[str, Any]) -> dict[str,
     modes, own = our_modes(kind, conditions), dense(CAMPBELL, machine.BAND, machine.SPEEDS[-1])
     found = {CAMPBELL: mode_errors(modes, truth[CAMPBELL], own)}
     for work in RESPONSES:
+        if conditions not in settings(work).values():
+            continue
         own = dense(work, machine.FREQUENCIES[-1], machine.SPEED)
         response = our_response(work, kind, conditions)
         found[work] = response_errors(response, truth[work], own)

@@ -18,10 +18,8 @@ from typing import Any
 
 import rotordyn
 from benchmarks.peer import machine
-from benchmarks.peer.cases import ALL, BEST, CAMPBELL, SAME, WORKS, case
+from benchmarks.peer.cases import ALL, SETTINGS, WORKS, case, settings
 
-SETTINGS = {"best": BEST, "same elements": SAME}
-SLOW = 2  # repeats of what takes seconds
 LINES = 8  # of a profile
 
 
@@ -31,14 +29,13 @@ def measured(repeats: int) -> list[dict[str, Any]]:
         {"work": work, "kind": kind, "setting": setting, **_line(work, kind, setting, repeats)}
         for work in WORKS
         for kind in machine.KINDS
-        for setting in SETTINGS
-        if setting == "best" or work != ALL
+        for setting in settings(work)
     ]
 
 
 def _line(work: str, kind: str, setting: str, repeats: int) -> dict[str, Any]:
     asked = case(work, kind, SETTINGS[setting])
-    few = SLOW if work == ALL else repeats
+    few = 1 if work == ALL else repeats  # it takes seconds
     found = seconds(lambda: rotordyn.run(asked), few, warm=work != ALL)
     return {"seconds": median(found), "fastest": min(found), "repeats": few}
 

@@ -64,7 +64,7 @@ def campbell(kind, speeds):
 
 
 def response(kind, frequencies):
-    """Seconds per frequency of the whole transfer matrix, and one column (frequencies, nodes, 4)."""
+    """Seconds per frequency of the whole transfer matrix; one column (frequencies, nodes, 4)."""
     fresh, column = rotor(kind), 6 * machine.INPUT
     omega = [2.0 * math.pi * f for f in frequencies]
     begin = time.perf_counter()

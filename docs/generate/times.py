@@ -7,6 +7,7 @@ from typing import Any
 
 from docs.generate.bearing_times import bearing_parts
 from docs.generate.marked import table
+from docs.generate.peer import peer_parts
 from docs.generate.places import MEASURED
 from docs.generate.random_bearings import (
     plain_newton,
@@ -57,6 +58,7 @@ def benchmark_parts(found: Measured) -> dict[str, str]:
         **bearing_parts(found["bearing"]),
         "frf": _frf(found),
         "precision": _precision(found),
+        **peer_parts(found["peer"]),
         "random": _random(found),
         "random-dense": _random_dense(found),
         "random-bearings": random_bearings(found["random_bearings"]),
