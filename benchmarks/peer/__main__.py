@@ -20,6 +20,7 @@ from pathlib import Path
 from statistics import median
 from typing import Any
 
+import rotordyn
 from benchmarks.kept import keep
 from benchmarks.peer import machine
 from benchmarks.processes import ROOT, cost, python
@@ -48,7 +49,11 @@ def measured(peer: str, repeats: int) -> dict[str, Any]:
         return {
             "busy": busy,
             "python": platform.python_version(),
-            "libraries": {name: version(name) for name in ("rotordyn", "numpy", "scipy")},
+            "libraries": {
+                "rotordyn": rotordyn.__version__,
+                "numpy": version("numpy"),
+                "scipy": version("scipy"),
+            },
             "peer": {key: first["theirs"].pop(key) for key in ("python", "libraries")},
             "threads": times,
             "errors": _errors(folder / f"{THREADS[0]}" / "theirs.npz"),
@@ -59,8 +64,8 @@ def measured(peer: str, repeats: int) -> dict[str, Any]:
 def _sides(peer: str, repeats: int, number: int, folder: Path) -> dict[str, Any]:
     own = folder / str(number)
     own.mkdir()
-    sample = ["--sample"] if number != THREADS[0] else []
-    _run([peer, "-W", "ignore", "-m", "benchmarks.peer.theirs", str(own), "2", *sample], number)
+    how = ["2"] if number == THREADS[0] else ["1", "--sample"]
+    _run([peer, "-W", "ignore", "-m", "benchmarks.peer.theirs", str(own), *how], number)
     _run(python("-m", "benchmarks.peer.ours", str(own), str(repeats)), number)
     read = {name: json.loads((own / f"{name}.json").read_text()) for name in ("ours", "theirs")}
     return {"ours": read["ours"], "theirs": read["theirs"]}

@@ -12,12 +12,12 @@ import rotordyn
 from benchmarks.peer import machine
 from benchmarks.peer.cases import (
     ALL,
+    ASKED,
     CAMPBELL,
     EXACT,
     RESPONSE,
     SETTINGS,
     case,
-    settings,
     spindle,
 )
 from benchmarks.peer.dense import Dense, of_ours, of_theirs
@@ -34,7 +34,7 @@ SAMPLE = machine.FREQUENCIES[machine.SAMPLE]
 
 def judged(kind: str, theirs: dict[str, Array]) -> dict[str, Any]:
     """Errors of the works, by setting of ours and of the ``peer``."""
-    truth = {CAMPBELL: [own[: machine.MODES] for own in our_modes(kind, EXACT, SPEEDS)]}
+    truth = {CAMPBELL: [own[: machine.MODES] for own in our_modes(kind, EXACT)]}
     truth |= {work: our_response(work, kind, EXACT) for work in RESPONSES}
     peer, column = of_theirs(theirs, FREEDOMS), theirs["response"]
     found = {"peer": {CAMPBELL: mode_errors(theirs["pole"][machine.JUDGED], truth[CAMPBELL], peer)}}
@@ -51,25 +51,28 @@ def _ours(kind: str, conditions: Conditions, truth: dict[str, Any]) -> dict[str,
         accuracy = None if conditions.element_length is not None else conditions.accuracy
         return of_ours(spindle(kind, every_node=work == ALL), accuracy, highest, spin)
 
-    modes, own = our_modes(kind, conditions), dense(CAMPBELL, machine.BAND, machine.SPEEDS[-1])
-    found = {CAMPBELL: mode_errors(modes, truth[CAMPBELL], own)}
+    found = {}
+    if conditions in ASKED[CAMPBELL]:
+        modes = our_modes(kind, conditions)
+        own = dense(CAMPBELL, machine.BAND, machine.SPEEDS[-1])
+        found[CAMPBELL] = mode_errors(modes, truth[CAMPBELL], own)
     for work in RESPONSES:
-        if conditions not in settings(work).values():
-            continue
-        own = dense(work, machine.FREQUENCIES[-1], machine.SPEED)
-        response = our_response(work, kind, conditions)
-        found[work] = response_errors(response, truth[work], own)
+        if conditions in ASKED[work]:
+            own = dense(work, machine.FREQUENCIES[-1], machine.SPEED)
+            response = our_response(work, kind, conditions)
+            found[work] = response_errors(response, truth[work], own)
     return found
 
 
 def our_modes(
-    kind: str, conditions: Conditions, speeds: tuple[float, ...] | None = None
+    kind: str, conditions: Conditions, speeds: tuple[float, ...] = SPEEDS
 ) -> list[Complex]:
-    """Poles of all modes of the band at every speed judged, by frequency."""
+    """Poles of all modes of the band at every speed, by frequency; the last speed is the highest
+    of the work, so that the elements are its own."""
     found = rotordyn.run(case(CAMPBELL, kind, conditions, speeds))["campbell"]
     frequency, ratio = found["frequency"].to_numpy(), found["damping_ratio"].to_numpy()
     pole = 2.0 * math.pi * frequency * (1j - ratio / np.sqrt(1.0 - ratio**2))
-    rows = (row[np.isfinite(row)] for row in (pole if speeds else pole[machine.JUDGED]))
+    rows = (row[np.isfinite(row)] for row in pole)
     return [row[np.argsort(row.imag)] for row in rows]
 
 
@@ -81,10 +84,12 @@ def our_response(work: str, kind: str, conditions: Conditions) -> Complex:
     return np.asarray(values.reshape(len(SAMPLE), *shape))
 
 
-def mode_errors(found: Any, exact: list[Complex], dense: Dense) -> dict[str, Any]:
+def mode_errors(
+    found: Any, exact: list[Complex], dense: Dense, speeds: tuple[float, ...] = SPEEDS
+) -> dict[str, Any]:
     """Largest relative errors of the poles, and how many modes have no partner."""
     true, discrete, missing = [], [], 0
-    for spin, own, truth in zip(SPEEDS, found, exact, strict=True):
+    for spin, own, truth in zip(speeds, found, exact, strict=True):
         pairs = partners(truth, np.asarray(own))
         missing += len(truth) - len(pairs)
         true += [abs(a - b) / abs(a) for a, b in pairs]

@@ -73,7 +73,7 @@ def _compared(line: Measured, both: Measured) -> tuple[str, ...]:
     theirs = peer_seconds(both["theirs"], line["kind"], line["work"])
     target = TARGETS[line["work"]][machine.KINDS.index(line["kind"])]
     ratio = theirs / line["seconds"]
-    verdict = "met" if ratio >= target else f"**missed by {target / ratio:.1f} ×**"
+    verdict = "met" if ratio >= target else f"**missed by a factor of {target / ratio:.3g}**"
     times = (f"{line['seconds']:.3g}", f"{theirs:.3g}")
     return (*times, f"{ratio:.0f} ×", f"{target:.0f} ×", verdict)
 
@@ -83,9 +83,9 @@ def _errors(found: Measured) -> str:
         "work",
         "bearings",
         "side",
-        "error, true:",
+        "true error:",
         "the largest:",
-        "from the same matrices, solved densely:",
+        "against a dense solve:",
     )
     rows = [
         (NAMES[work], kind, side, *_error(own[work]))

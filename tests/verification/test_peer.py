@@ -67,14 +67,14 @@ def test_dense_matrices_are_those_of_every_freedom(kind: str) -> None:
 @kinds
 def test_our_side_equals_a_dense_solve_where_that_is_asked(kind: str) -> None:
     modes = of_ours(spindle(kind), FINE.accuracy, machine.BAND, machine.SPEEDS[-1])
-    found = our_modes(kind, FINE)
-    dense = [modes.poles(spin)[:8] for spin in SPEEDS]
+    found = our_modes(kind, FINE, SPEEDS[::4])
+    dense = [modes.poles(spin)[:8] for spin in SPEEDS[::4]]
     errors = [
         abs(a - b) / abs(a)
         for own, whole in zip(found, dense, strict=True)
         for a, b in partners(whole, own)
     ]
-    assert len(errors) == 8 * len(SPEEDS)
+    assert len(errors) == 8 * len(found) == 16
     assert max(errors) < 1e-9
     response = our_response(RESPONSE, kind, FINE)
     whole = of_ours(spindle(kind), FINE.accuracy, TOP, machine.SPEED)
@@ -88,12 +88,13 @@ def test_a_mode_moved_or_lost_is_noticed() -> None:
     moved = dict(partners(truth, truth * (1.0 + 1e-4)))
     assert [abs(moved[t] / t - 1.0) for t in truth] == pytest.approx([1e-4] * 4)
     dense = of_ours(spindle(machine.ISOTROPIC), None, TOP, machine.SPEEDS[-1])
-    poles = [dense.poles(spin)[: machine.MODES] for spin in SPEEDS]
-    assert mode_errors(poles, poles, dense) == {"true": 0.0, "discrete": 0.0, "missing": 0}
-    lost = [own[1:] * (1.0 + 1e-4) for own in poles]
-    found = mode_errors(lost, poles, dense)
-    assert found["missing"] >= len(SPEEDS) - 1  # a twin may stand in
-    assert found["true"] >= 0.99e-4 <= found["discrete"]
+    top = SPEEDS[-1:]
+    poles = [dense.poles(top[0])[: machine.MODES]]
+    assert mode_errors(poles, poles, dense, top) == {"true": 0.0, "discrete": 0.0, "missing": 0}
+    found = mode_errors([poles[0][:-1] * (1.0 + 1e-4)], poles, dense, top)
+    assert found["missing"] == 1
+    assert found["true"] == pytest.approx(1e-4)
+    assert found["discrete"] == pytest.approx(1e-4)
 
 
 def test_an_error_of_tilts_is_not_hidden_by_deflections() -> None:
