@@ -124,8 +124,7 @@ def test_both_sides_had_the_same_machine(kind: str) -> None:
     errors: dict[str, Any] = measured()["peer"]["errors"][kind]
     ours, theirs = errors["60 standard elements"], errors["peer"]
     assert ours["campbell"]["true"] == pytest.approx(theirs["campbell"]["true"], rel=1e-3)
-    for side in errors.values():
-        assert side["campbell"]["missing"] == 0
+    assert all(e["campbell"]["missing"] == 0 for e in errors.values() if "campbell" in e)
     both = (side["all responses"]["true"] for side in (ours, theirs))
     assert next(both) == pytest.approx(next(both), rel=1e-3)
 
@@ -135,10 +134,7 @@ def test_a_missed_target_says_by_how_much() -> None:
     line = next(own for own in found["threads"]["1"]["ours"] if own["work"] == CAMPBELL)
     theirs = peer_seconds(found["threads"]["1"]["theirs"], line["kind"], CAMPBELL)
     line["seconds"] = theirs / 150.0
-    assert cells(peer_parts(found)["peer-times"])[0][-3:] == [
-        "150 ×",
-        "300 ×",
-        "**missed by 2.0 ×**",
-    ]
+    missed = ["150 ×", "300 ×", "**missed by a factor of 2**"]
+    assert cells(peer_parts(found)["peer-times"])[0][-3:] == missed
     line["seconds"] = theirs / 301.0
     assert cells(peer_parts(found)["peer-times"])[0][-1] == "met"
