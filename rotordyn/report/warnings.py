@@ -47,10 +47,11 @@ def _unstable_modes(results: Mapping[str, Any]) -> list[str]:
     if not isinstance(result, CampbellResult):
         return []
     found = []
+    onward = " on" if result.unstable[-1].any() else ""  # or stable again before the top speed
     if 0.0 < result.stability_threshold < result.speed[-1]:
         found.append(
             f"{result.first_to_grow} grows by itself from "
-            f"{result.stability_threshold * RPM.factor:.0f} rpm on"
+            f"{result.stability_threshold * RPM.factor:.0f} rpm{onward}"
         )
     for name, ratio, growing in zip(
         result.mode, result.damping_ratio.T, result.unstable.T, strict=True

@@ -298,6 +298,15 @@ def test_unstable_machine_has_no_steady_response() -> None:
         solved(unstable, [100.0, 200.0], Unbalance("disc", U), conditions=RIGID)
 
 
+def test_rest_is_no_steady_response() -> None:
+    """Internal damping: stable at rest, not at the speeds asked for. Nothing acts at rest."""
+    spindle = replace(on_two(block(K, K), block(0.0, 0.0)), rotor_damping=(0.02,))
+    spindle = replace(spindle, internal_damping=1.0)
+    top = 6.0 * math.sqrt(K / rotor_inertia(spindle).mass)
+    with pytest.raises(NoSolution, match="steady response to unbalance: unstable"):
+        solved(spindle, [0.0, top], Unbalance("disc", U))
+
+
 def test_critical_speed_without_damping() -> None:
     """Only there is no response, and the outcome says why."""
     spindle = on_two(block(K, K), block(0.0, 0.0))
