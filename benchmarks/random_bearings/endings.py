@@ -17,7 +17,7 @@ from benchmarks.random_bearings.rings import draw_states
 FINE = 1000  # speeds
 EACH = 2  # refusals of a bearing
 MOST_BALLS = 30
-RARE = 2  # of the bearings with hybrid and outer kinematics every second one is looked at
+RARE = 4  # of the bearings with hybrid and outer kinematics one in four is looked at
 
 
 def survey_endings(count: int) -> dict[str, Any]:
