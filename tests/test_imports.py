@@ -106,3 +106,11 @@ def test_linear_supports_without_figures_load_no_bearing_solver_and_nothing_that
     assert "rotordyn.analysis.campbell" in loaded
     assert "bearings.equilibrium" not in loaded
     assert not packages(loaded) & {"matplotlib", "pyvista", "vtkmodules", "numba"}
+
+
+def test_a_spindle_is_solved_by_numpy_alone(tmp_path: Path) -> None:
+    """The linear algebra of scipy takes a tenth of a second to load, as long as a stage."""
+    code = "import rotordyn; from rotordyn.job import solve; solve(rotordyn.load('mfw2310'))"
+    modules = modules_after(code, tmp_path)
+    assert "rotordyn.analysis.stiffness" in modules
+    assert "scipy.linalg" not in modules

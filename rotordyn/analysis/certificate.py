@@ -189,12 +189,10 @@ def _left_vectors(found: Modes) -> NDArray[np.complex128]:
 
 def _left_of_simple(found: Modes, row: int) -> NDArray[np.complex128]:
     """Left vectors (n, k) from the transposed problem, scaled by w (2λ + D) v = 1."""
-    from scipy.linalg import eig
-
     stiffness, damping = found.stiffness[row], found.damping[row]
     n, pole = len(stiffness), found.pole[row]
     zero, one = np.zeros((n, n)), np.eye(n)
-    values, vectors = eig(np.block([[zero, one], [-stiffness.T, -damping.T]]))
+    values, vectors = np.linalg.eig(np.block([[zero, one], [-stiffness.T, -damping.T]]))
     own = np.abs(values[:, None] - pole).argmin(axis=0)
     left, right = vectors[:n, own], found.vector[row]
     slope = (left * (2.0 * pole * right + damping @ right)).sum(axis=0)
