@@ -173,7 +173,7 @@ class Spindle(Description):
         yield from (
             sentence
             for _, sentence in housing_faults(
-                self.housings, self.seats, self.sleeves, self.supports
+                self.housings, self.seats, self.sleeves, self.supports, self.rotors
             )
         )
 
@@ -312,6 +312,8 @@ class RigidSupport(Protocol):
     def x(self) -> float: ...
     @property
     def rigid(self) -> Sequence[str]: ...
+    @property
+    def against(self) -> str: ...
 
 
 def held_twice(seats: Iterable[object], supports: Iterable[RigidSupport]) -> Iterator[str]:
@@ -362,8 +364,10 @@ def housing_faults(
     seats: Iterable[Called],
     sleeves: Iterable[Sprung],
     supports: Iterable[RigidSupport],
+    rotors: Iterable[Called] = (),
 ) -> Iterator[tuple[int, str]]:
     """What is wrong with what housings carry: which housing, and a sentence."""
+    turning = (SPINDLE, *(rotor.name for rotor in rotors))
     bearings = [seat.name for seat in seats]
     held = {support.name: support for support in supports}
     sprung = {n: s.name for s in sleeves if s.radial_stiffness < math.inf for n in s.bearings}
@@ -382,6 +386,8 @@ def housing_faults(
                 yield place, f"'{name}' is both a support and a bearing: rename one of them"
             elif name in held and held[name].rigid:
                 yield place, f"support '{name}' is rigid, and a housing that gives way is not"
+            elif name in held and held[name].against in turning:
+                yield place, f"support '{name}' stands between two rotors, not on ground"
             elif name in sprung:
                 yield (
                     place,

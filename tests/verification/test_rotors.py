@@ -562,6 +562,10 @@ def test_a_span_and_a_grade_of_the_outer_rotor() -> None:
         ),
         ({"rotors": (replace(OUTER, name="ground"),)}, "unknown rotor|cannot be called"),
         ({"rotors": (OUTER, OUTER)}, "two rotors are named 'outer'"),
+        (
+            {"housings": (RigidHousing("casing", ("b2", "b3"), 0.4, 5.0, {("y", "y"): 1e8}),)},
+            "support 'b3' stands between two rotors, not on ground$",
+        ),
         ({"rotors": (replace(OUTER, shaft=Shaft(0.16, OUTER.shaft.sections)),)}, "off the shaft"),
     ],
 )

@@ -39,8 +39,8 @@ def housings(entry: SpindleEntry, root: Node, faults: Faults) -> None:
             _rigid(housing, root, way, faults)
         else:
             _reduced(housing, root, way, faults)
-    named = housing_faults(entry.housings, entry.bearings, entry.sleeves, entry.supports)
-    for place, sentence in named:
+    parts = entry.bearings, entry.sleeves, entry.supports, entry.rotors
+    for place, sentence in housing_faults(entry.housings, *parts):
         if not sentence.startswith("two housings"):
             faults.at(root, ("housings", place, "carries"), sentence)
 

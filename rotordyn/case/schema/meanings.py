@@ -303,7 +303,8 @@ MEANINGS: dict[str, dict[str, str]] = {
     },
     "housing": {
         "name": "of the housing",
-        "carries": "supports and bearings that stand on it; all others stand on ground",
+        "carries": "supports (none between two rotors) and bearings that stand on it; all others "
+        "stand on ground",
         "x": "station of its centre of gravity, where its stiffness and damping act",
         "mass": "of the body",
         "polar_inertia": "about the axis",
