@@ -17,11 +17,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.case.reduced import NoModel, ReducedModel
+from rotordyn.quantity import DAMPING_RATIO, suggestion
+from rotordyn.units import shown
 
 Array = NDArray[np.float64]
 MOST = 400  # coordinates of a reduced model
 _MODAL = ("frequency", "damping_ratio", "shape")
 _MATRICES = ("mass", "stiffness", "damping")
+_KNOWN = ("places", *_MATRICES, *_MODAL)
+_FORMS = f"places with mass, stiffness (and damping), or with {', '.join(_MODAL)}"
 
 
 def from_archive(raw: bytes) -> ReducedModel:
@@ -31,8 +35,18 @@ def from_archive(raw: bytes) -> ReducedModel:
             held: dict[str, Any] = {name: archive[name] for name in archive.files}
     except (ValueError, OSError, EOFError, KeyError, TypeError, AttributeError, BadZipFile):
         raise NoModel("is not a numpy archive (.npz) of plain arrays") from None
+    for name in held:
+        if name not in _KNOWN:
+            hint = suggestion(name, _KNOWN)
+            raise NoModel(f"unknown array: given {shown(name)}; allowed: {', '.join(_KNOWN)}{hint}")
     if "places" not in held:
         raise NoModel(_lacks("places", held))
+    both = [[name for name in kind if name in held] for kind in (_MATRICES, _MODAL)]
+    if all(both):
+        matrices, modal = (", ".join(names) for names in both)
+        raise NoModel(
+            f"holds both matrices and modes: given {matrices} and {modal}; allowed: {_FORMS}"
+        )
     places = [str(place) for place in np.atleast_1d(held["places"])]
     if any(name in held for name in _MODAL):
         return _from_modes(places, held)
@@ -84,8 +98,11 @@ def _from_modes(places: list[str], held: Mapping[str, Any]) -> ReducedModel:
     frequency = _real("frequency", np.atleast_1d(held["frequency"]), (n,))
     ratio = _real("damping_ratio", np.atleast_1d(held["damping_ratio"]), (n,))
     shape = _real("shape", held["shape"], (len(places), n))
-    if (frequency < 0.0).any() or (ratio < 0.0).any():
-        raise NoModel("frequency and damping_ratio: given a negative value; allowed: from 0")
+    if (frequency < 0.0).any():
+        raise NoModel(f"frequency below zero: given {frequency.min():g} Hz; allowed: from 0 Hz")
+    for value in ratio:
+        if refusal := DAMPING_RATIO.refusal(float(value)):
+            raise NoModel(f"damping_ratio: {refusal}")
     omega = 2.0 * math.pi * frequency
     return ReducedModel(
         tuple(places), shape, np.eye(n), np.diag(omega**2), np.diag(2.0 * ratio * omega)
@@ -96,7 +113,9 @@ def _real(name: str, value: Any, shape: tuple[int, ...]) -> Array:
     found = np.asarray(value)
     if found.shape != shape:
         given, wanted = (" × ".join(map(str, s)) or "one value" for s in (found.shape, shape))
-        raise NoModel(f"{name} has not the shape that its places need: given {given}; {wanted}")
+        raise NoModel(
+            f"{name} has not the shape that its places need: given {given}; allowed: {wanted}"
+        )
     if found.dtype.kind not in "iuf" or not np.isfinite(found).all():
         raise NoModel(f"{name} holds what is no finite real number")
     return np.asarray(found, dtype=np.float64)
@@ -114,8 +133,4 @@ def _positive(mass: Array) -> Array:
 
 
 def _lacks(name: str, held: Mapping[str, Any]) -> str:
-    given = ", ".join(held) or "nothing"
-    return (
-        f"lacks {name}: given {given}; allowed: places with mass, stiffness (and damping), or with "
-        f"{', '.join(_MODAL)}"
-    )
+    return f"lacks {name}: given {', '.join(held) or 'nothing'}; allowed: {_FORMS}"

@@ -415,13 +415,22 @@ def test_a_rigid_housing_in_a_case(tmp_path: Path) -> None:
     assert np.isfinite(frequency).all()
 
 
+PLAIN: dict[str, object] = {"places": PLACES, "mass": MATRIX, "stiffness": STIFFNESS}
+MODAL: dict[str, object] = {
+    "places": ["front.y", "rear.y"],
+    "frequency": [50.0],
+    "damping_ratio": [0.02],
+    "shape": [[1.0], [0.5]],
+}
+
+
 @pytest.mark.parametrize(
     ("held", "words"),
     [
         ({"mass": MATRIX, "stiffness": STIFFNESS}, "lacks places: given mass, stiffness"),
         ({"places": PLACES, "mass": MATRIX}, "lacks stiffness: given places, mass"),
         ({"places": PLACES, "frequency": [1.0]}, "lacks damping_ratio"),
-        ({"places": PLACES, "mass": MATRIX, "stiffness": np.eye(3)}, "given 3 × 3; 4 × 4"),
+        ({"places": PLACES, "mass": MATRIX, "stiffness": np.eye(3)}, "given 3 × 3; allowed: 4 × 4"),
         ({"places": PLACES, "mass": 0 * MATRIX, "stiffness": STIFFNESS}, "not positive definite"),
         ({"places": PLACES, "mass": MATRIX + np.inf, "stiffness": STIFFNESS}, "no finite real"),
         ({"places": ["front.y"], "mass": [[1.0]], "stiffness": [[1.0]]}, "no place under 'rear'"),
@@ -429,6 +438,19 @@ def test_a_rigid_housing_in_a_case(tmp_path: Path) -> None:
             {"places": ["front.y", "rera.y"], "mass": np.eye(2), "stiffness": np.eye(2)},
             "unknown place 'rera.y'",
         ),
+        (
+            {**PLAIN, "dampening": STIFFNESS},
+            "unknown array: given 'dampening'; allowed: places, .*did you mean damping",
+        ),
+        (
+            {**PLAIN, "frequency": [50.0]},
+            "both matrices and modes: given mass, stiffness and frequency; allowed: places with",
+        ),
+        (
+            {**MODAL, "damping_ratio": [5.0]},
+            "damping_ratio: ratio out of range: given 5; allowed: from 0 % below 100 %",
+        ),
+        ({**MODAL, "frequency": [-5.0]}, "frequency below zero: given -5 Hz; allowed: from 0 Hz"),
     ],
 )
 def test_broken_models_say_why(tmp_path: Path, held: dict[str, object], words: str) -> None:
