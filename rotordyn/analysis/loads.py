@@ -104,9 +104,10 @@ class EccentricSpan(Description):
 class BalanceGrade(Description):
     """Residual unbalance that ISO 21940-11 permits: U = G m / Ω, m the mass of the rotor.
 
-    ``quality`` G [m/s] at the highest ``speed`` of service [rad/s]. All of it is in one of
-    ``planes``, or in two by the levers of the centre of gravity between them, neither share below
-    0.3; at ``angle`` [rad] both (``phase`` ``"static"``), or the second opposite (``"couple"``).
+    ``quality`` G [m/s] at the highest ``speed`` of service of the spindle [rad/s]; Ω of a further
+    rotor is that times its ratio, without sign. All of it is in one of ``planes``, or in two by the
+    levers of the centre of gravity between them, neither share below 0.3; at ``angle`` [rad] both
+    (``phase`` ``"static"``), or the second opposite (``"couple"``).
     """
 
     quality: BalanceQuality

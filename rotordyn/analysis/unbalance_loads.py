@@ -85,8 +85,10 @@ def node_loads(spindle: Spindle, mesh: Mesh, spec: UnbalanceSpec) -> Complex:
 
 def _permitted(spindle: Spindle, grade: BalanceGrade) -> list[Acting]:
     places = [spindle.place(at) for at in grade.planes]
-    rotor = rotor_inertia(spindle.part(places[0].rotor))
-    whole = permissible_unbalance(grade.quality, rotor.mass, grade.speed)
+    name = places[0].rotor
+    rotor = rotor_inertia(spindle.part(name))
+    own_speed = abs(spindle.ratios[name]) * grade.speed
+    whole = permissible_unbalance(grade.quality, rotor.mass, own_speed)
     ends = [place.x for place in places]
     shares = (1.0,) if len(places) == 1 else plane_shares(rotor.centre, ends[0], ends[1])
     signs = (1.0, 1.0 if grade.phase == "static" else -1.0)

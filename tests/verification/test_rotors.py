@@ -529,9 +529,11 @@ def test_the_force_of_an_intershaft_bearing_is_what_it_transmits(at_speed: Scene
         assert found.force[0, 2, axis] == pytest.approx(-dynamic * gap[way], rel=1e-4)
 
 
-def test_a_span_and_a_grade_of_the_outer_rotor() -> None:
-    """A span off the axis as a whole is one unbalance where a rigid rotor has its middle."""
-    machine = scene(rigid_pair(1.7), (9000.0,), 900.0, rotor="rigid")
+@pytest.mark.parametrize("ratio", [1.7, -1.7])
+def test_a_span_and_a_grade_of_the_outer_rotor(ratio: float) -> None:
+    """A span off the axis as a whole is one unbalance where a rigid rotor has its middle; a grade
+    is that of the rotor's own speed, 1.7 times the one given, which is of the spindle."""
+    machine = scene(rigid_pair(ratio), (9000.0,), 900.0, rotor="rigid")
     (rotor,) = machine.spindle.rotors
     rotor = replace(rotor, points={"a": 0.1, "m": 0.275, "b": 0.45})
     machine = scene(replace(machine.spindle, rotors=(rotor,)), (9000.0,), 900.0, rotor="rigid")
@@ -539,7 +541,7 @@ def test_a_span_and_a_grade_of_the_outer_rotor() -> None:
     whole = UnbalanceSpec(("t",), spans=(EccentricSpan("outer.a", "outer.b", 1e-5),))
     graded = UnbalanceSpec(("t",), grade=BalanceGrade(2.5e-3, 1000.0, ("outer.m",)))
     ours = [unbalance.answer(machine, spec).displacement for spec in (whole, graded)]
-    for found, size in zip(ours, (1e-5 * body.mass, 2.5e-3 * body.mass / 1000.0), strict=True):
+    for found, size in zip(ours, (1e-5 * body.mass, 2.5e-3 * body.mass / 1700.0), strict=True):
         one = UnbalanceSpec(("t",), unbalances=(Unbalance("outer.m", size),))
         assert found == pytest.approx(unbalance.answer(machine, one).displacement, rel=1e-9)
 

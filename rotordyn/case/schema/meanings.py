@@ -151,7 +151,8 @@ MEANINGS: dict[str, dict[str, str]] = {
     },
     "balance grade": {
         "quality": "G",
-        "speed": "highest speed of service, to which the grade belongs",
+        "speed": "highest speed of service of the spindle; the grade belongs to that of the rotor "
+        "itself, which is this times its `speed_ratio`",
         "planes": "one or two points or stations that hold it; two share it by the levers of the "
         "centre of gravity between them, neither below 0.3",
         "phase": "of the second plane: `static` like the first, `couple` opposite",
