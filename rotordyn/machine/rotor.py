@@ -79,6 +79,8 @@ def rotor_faults(
         if name in (SPINDLE, GROUND):
             taken = f"allowed: any other name than {SPINDLE} and {GROUND}"
             yield place, f"a further rotor cannot be called that: given '{name}'; {taken}"
+        if misnamed(names):
+            continue
         free = [freedom for freedom in HELD if freedom not in held.get(name, ())]
         if free:
             yield (
@@ -90,10 +92,20 @@ def rotor_faults(
         yield names.index(name), f"two rotors are named '{name}'"
 
 
+def misnamed(rotors: Sequence[str]) -> bool:
+    """Names of rotors are at fault, so that what bears them elsewhere cannot be judged."""
+    return bool({SPINDLE, GROUND, ""} & {*rotors}) or any(doubled(rotors))
+
+
 def ends_faults(
-    supports: Iterable[Between], rotors: Iterable[str]
+    supports: Iterable[Between], rotors: Sequence[str]
 ) -> Iterator[tuple[int, str, str]]:
-    """What is wrong with what supports join: which support, its key, and a sentence."""
+    """What is wrong with what supports join: which support, its key, and a sentence.
+
+    Nothing where rotors are misnamed, which is to be put right first.
+    """
+    if misnamed(rotors):
+        return
     known = (SPINDLE, *rotors)
     for place, support in enumerate(supports):
         for key, allowed in (("holds", known), ("against", (GROUND, *known))):

@@ -562,7 +562,7 @@ def test_a_span_and_a_grade_of_the_outer_rotor(ratio: float) -> None:
             {"supports": (replace(COAXIAL.supports[0], against="spindle"), *COAXIAL.supports[1:])},
             "not held against itself",
         ),
-        ({"rotors": (replace(OUTER, name="ground"),)}, "unknown rotor|cannot be called"),
+        ({"rotors": (replace(OUTER, name="ground"),)}, "cannot be called that: given"),
         ({"rotors": (OUTER, OUTER)}, "two rotors are named 'outer'"),
         (
             {"housings": (RigidHousing("casing", ("b2", "b3"), 0.4, 5.0, {("y", "y"): 1e8}),)},

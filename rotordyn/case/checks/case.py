@@ -36,6 +36,7 @@ from rotordyn.case.schema.case import CaseEntry
 from rotordyn.case.schema.shaft import ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.errors import InvalidInput
+from rotordyn.machine.rotor import misnamed
 from rotordyn.machine.support import LinearSupport, entry_name
 from rotordyn.units import format_quantity
 
@@ -133,7 +134,10 @@ def against_machine(
     root: Node,
     faults: Faults,
 ) -> None:
-    """Points, sleeves and bearings that the questions name exist."""
+    """Points, sleeves and bearings that the questions name exist.
+
+    Where rotors are misnamed, so may be their points: these wait.
+    """
     _elements(entry, spindle, tool, root, faults)
     supports = _supports(spindle)
     conditions(entry.conditions, supports, spindle, root, faults)
@@ -141,6 +145,8 @@ def against_machine(
     on_housings(entry, spindle, root, faults)
     on_joints(entry, spindle, tool, root, faults)
     on_rotors(entry, spindle, supports, root, faults)
+    if misnamed([rotor.name for rotor in spindle.rotors]):
+        return
     points = [*spindle.points, *(tool.points if tool else {})]
     points += [f"{rotor.name}.{point}" for rotor in spindle.rotors for point in rotor.points]
     for name in NEEDS_BEARINGS:

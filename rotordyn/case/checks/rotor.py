@@ -21,7 +21,7 @@ from rotordyn.case.schema.case import CaseEntry
 from rotordyn.case.schema.matrix import entries
 from rotordyn.case.schema.rotor import RotorEntry
 from rotordyn.case.schema.spindle import SpindleEntry
-from rotordyn.machine.rotor import ONE_ROTOR, ends_faults, freedoms_held, rotor_faults
+from rotordyn.machine.rotor import ONE_ROTOR, ends_faults, freedoms_held, misnamed, rotor_faults
 from rotordyn.machine.support import SPINDLE, LinearSupport, acts
 
 
@@ -42,7 +42,9 @@ def rotors(entry: SpindleEntry, root: Node, faults: Faults) -> None:
 
 
 def reaches(entry: SpindleEntry) -> dict[str, Span]:
-    """First and last station of every further rotor [m]."""
+    """First and last station of every further rotor [m]; nothing where they are misnamed."""
+    if misnamed([rotor.name for rotor in entry.rotors]):
+        return {}
     return {r.name: span(r.shaft.start, r.shaft.sections) for r in entry.rotors}
 
 
