@@ -15,10 +15,6 @@ from rotordyn.machine.support import GROUND, MOTIONS, SPINDLE
 from rotordyn.quantity import DampingRatio, Name, Share, SpeedRatio, Station, suggestion
 
 HELD = ("y", "z")
-ONE_ROTOR = (
-    "loss factors are known of machines with one rotor, since each sees whirl from its own speed: "
-    "take viscous damping"
-)
 
 
 class Place(NamedTuple):
@@ -119,6 +115,14 @@ def ends_faults(
                 )
         if support.holds and support.holds == support.against:
             yield place, "against", f"a rotor is not held against itself: given '{support.holds}'"
+
+
+def of_one_rotor(given: str) -> str:
+    """Why a loss factor, as it is given, is refused beside further rotors."""
+    return (
+        "loss factors are known of machines with one rotor, since each sees whirl from its own "
+        f"speed: given '{given}' beside rotors; allowed: 0, with viscous damping instead"
+    )
 
 
 def freedoms_held(pairs: Iterable[tuple[str, str]]) -> frozenset[str]:

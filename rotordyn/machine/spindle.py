@@ -18,11 +18,11 @@ from rotordyn.machine.joint import Joint
 from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.rotor import (
-    ONE_ROTOR,
     Place,
     Rotor,
     ends_faults,
     freedoms_held,
+    of_one_rotor,
     rotor_faults,
 )
 from rotordyn.machine.shaft import Section, Shaft
@@ -168,14 +168,19 @@ class Spindle(Description):
         yield from self._fit_faults()
         yield from held_twice(self.seats, self.supports)
         yield from self._joint_faults()
-        if self.rotors and self.hysteretic:
-            yield ONE_ROTOR
+        if self.rotors:
+            yield from self._loss_faults()
         yield from (
             sentence
             for _, sentence in housing_faults(
                 self.housings, self.seats, self.sleeves, self.supports, self.rotors
             )
         )
+
+    def _loss_faults(self) -> Iterator[str]:
+        own = [("loss_factor", self.loss_factor)]
+        own += [(f"support {s.name}: loss_factor", s.loss_factor) for s in self.supports]
+        yield from (f"{key}: {of_one_rotor(f'{eta:g}')}" for key, eta in own if eta)
 
     def _ends_faults(self) -> Iterator[str]:
         names = [rotor.name for rotor in self.rotors]

@@ -564,6 +564,11 @@ def test_a_span_and_a_grade_of_the_outer_rotor(ratio: float) -> None:
         ),
         ({"rotors": (replace(OUTER, name="ground"),)}, "cannot be called that: given"),
         ({"rotors": (OUTER, OUTER)}, "two rotors are named 'outer'"),
+        ({"loss_factor": 0.01}, ": loss_factor: .* one rotor, .*: given '0.01' beside rotors"),
+        (
+            {"supports": (replace(COAXIAL.supports[0], loss_factor=0.1), *COAXIAL.supports[1:])},
+            "support b1: loss_factor: .* one rotor, .*: given '0.1' beside rotors",
+        ),
         (
             {"housings": (RigidHousing("casing", ("b2", "b3"), 0.4, 5.0, {("y", "y"): 1e8}),)},
             "support 'b3' stands between two rotors, not on ground$",

@@ -21,7 +21,7 @@ from rotordyn.case.schema.case import CaseEntry
 from rotordyn.case.schema.matrix import entries
 from rotordyn.case.schema.rotor import RotorEntry
 from rotordyn.case.schema.spindle import SpindleEntry
-from rotordyn.machine.rotor import ONE_ROTOR, ends_faults, freedoms_held, misnamed, rotor_faults
+from rotordyn.machine.rotor import ends_faults, freedoms_held, misnamed, of_one_rotor, rotor_faults
 from rotordyn.machine.support import SPINDLE, LinearSupport, acts
 
 
@@ -33,12 +33,21 @@ def rotors(entry: SpindleEntry, root: Node, faults: Faults) -> None:
         _alone(rotor, root.at("rotors", index), faults)
     for place, key, sentence in ends_faults(entry.supports, names):
         faults.at(root, ("supports", place, key), sentence)
-    if entry.rotors and (entry.damping.loss_factor or any(s.loss_factor for s in entry.supports)):
-        faults.at(root, ("rotors",), ONE_ROTOR)
+    if entry.rotors:
+        _without_loss(entry, root, faults)
     held = {name: _held(entry, name) for name in names}
     for place, sentence in rotor_faults(entry.rotors, held):
         if not sentence.startswith("two rotors") and names[place]:
             faults.at(root, ("rotors", place, "name"), sentence)
+
+
+def _without_loss(entry: SpindleEntry, root: Node, faults: Faults) -> None:
+    given: list[tuple[tuple[object, ...], float]]
+    given = [(("damping", "loss_factor"), entry.damping.loss_factor)]
+    given += [(("supports", k, "loss_factor"), s.loss_factor) for k, s in enumerate(entry.supports)]
+    for way, value in given:
+        if value:
+            faults.at(root, way, of_one_rotor(str(root.at(*way).raw)))
 
 
 def reaches(entry: SpindleEntry) -> dict[str, Span]:

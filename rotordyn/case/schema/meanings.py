@@ -281,8 +281,8 @@ MEANINGS: dict[str, dict[str, str]] = {
         "speeds": "of the values in lists, ascending; nothing is known beyond the first and last",
         "table": "CSV file that holds these lists instead "
         "([columns](conventions.md#tables-over-speed))",
-        "loss_factor": "η of its stiffness: hysteretic damping in the fixed frame "
-        "([how](theory/damping.md#hysteretic-damping))",
+        "loss_factor": "η of its stiffness: hysteretic damping in the fixed frame, without further "
+        "rotors ([how](theory/damping.md#hysteretic-damping))",
         "holds": "the rotor at one end; `spindle` is its shaft",
         "against": "what is at the other end: `ground` (or a housing), `spindle` or another rotor",
     },
@@ -357,7 +357,7 @@ MEANINGS: dict[str, dict[str, str]] = {
         "rotor": "modal ratios of the flexible free-free bending modes at rest, the last repeated",
         "internal": "share of `rotor` that turns with the shaft ([why](theory/damping.md))",
         "loss_factor": "η of the stiffness of the rotor: hysteretic damping, which turns with the "
-        "shaft ([how](theory/damping.md#hysteretic-damping))",
+        "shaft, without further rotors ([how](theory/damping.md#hysteretic-damping))",
     },
     "rayleigh": {
         "mass": "α, by which the mass matrix of the rotor is multiplied",
