@@ -12,8 +12,9 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from rotordyn.analysis.display import response_unit
-from rotordyn.analysis.specs import QUANTITIES
+from rotordyn.analysis.specs import QUANTITIES, ascending
 from rotordyn.errors import InvalidInput
+from rotordyn.quantity import FREQUENCY
 from rotordyn.units import STANDARD_GRAVITY, parse_unit, shown
 
 _MOTIONS = {8: "receptance", 11: "mobility", 12: "inertance"}
@@ -153,7 +154,7 @@ def _from_table(path: Path, pair: str) -> Record:
         two = _scaled(numbers, columns[second], own)
         return _record(quantity, frequency, list(map(complex, one, two)))
     phase = _scaled(numbers, columns[second], _angle(columns[second][1]))
-    if min(one) < 0.0:
+    if min(one, default=0.0) < 0.0:
         raise InvalidInput(f"an amplitude below zero: given {min(one) / scale:g}")
     return _record(quantity, frequency, [cmath.rect(a, p) for a, p in zip(one, phase, strict=True)])
 
@@ -233,6 +234,11 @@ def _plain(text: str, like: str, what: str, allowed: str) -> float:
 def _record(quantity: str, frequency: list[float], values: list[complex]) -> Record:
     if len(frequency) != len(values):
         raise InvalidInput(f"{len(values)} values at {len(frequency)} frequencies")
+    if len(frequency) < 2:
+        raise InvalidInput(f"too few frequencies: given {len(frequency)}; allowed: at least 2")
+    for sentence in (*map(FREQUENCY.refusal, frequency), *ascending("frequency", frequency)):
+        if sentence:
+            raise InvalidInput(sentence)
     if values and not all(map(cmath.isfinite, values)):
         raise InvalidInput("a value is not a finite number")
     return Record(quantity, tuple(frequency), tuple(values))

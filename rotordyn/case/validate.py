@@ -23,7 +23,6 @@ _SHAPES = {
     "union_tag_not_found": "a mapping (key: value)",
     "list_type": "a list",
     "too_short": "at least one item",
-    "too_long": "fewer items",
 }
 
 _FORMS: dict[object, str] = {
@@ -65,6 +64,9 @@ def _report(
         faults.at_key(root, keys, _unknown_key(model, keys))
     elif kind == "rotordyn":
         faults.at(root, keys, detail["msg"])
+    elif kind == "too_long":
+        most, count = (detail["ctx"][key] for key in ("max_length", "actual_length"))
+        faults.at(root, keys, f"too many items: given {count}; allowed: up to {most}")
     else:
         shown = units.shown(root.at(*keys).value if kind != "too_short" else [])
         given = "an empty list" if kind == "too_short" else shown

@@ -160,8 +160,10 @@ TABLES = {
     "frequency [Hz],amplitude [m/N],phase [deg]\n1,-2,3\n": "an amplitude below zero: given -2",
     "frequency [Hz],amplitude [m/N],phase [mm]\n1,2,3\n": "not a unit of phase: given 'mm'",
     "frequency [Hz],a real [m/N],b real [m/N],imag [m/N]\n1,2,3,4\n": "2 columns for real: one",
-    "frequency [Hz],real [m/N],imag [m/N]\n2,2,2\n1,2,2\n": "frequency: not in ascending order",
-    "frequency [Hz],real [m/N],imag [m/N]\n2,2,2\n": "at least two values, as many in each",
+    "frequency [Hz],real [m/N],imag [m/N]\n2,2,2\n1,2,2\n": "csv: frequency: not in ascending",
+    "frequency [Hz],real [m/N],imag [m/N]\n2,2,2\n": "csv: too few frequencies: given 1; allo",
+    "frequency [Hz],amplitude [m/N],phase [deg]\n": "csv: too few frequencies: given 0;",
+    "frequency [Hz],real [m/N],imag [m/N]\n-2,2,2\n2,2,2\n": "csv: frequency out of range: given",
     "frequency [Hz],real [m/N],imag [m/N]\n70,2,2\n90,2,2\n": "fewer than two frequencies in the "
     "band of the case: given 70 to 90 Hz; allowed: 1 to 60 Hz",
     "": "the file is empty",
