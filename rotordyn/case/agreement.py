@@ -246,9 +246,11 @@ def _section_forces(
     name: str, spec: SectionForcesSpec, spindle: Spindle, conditions: Conditions
 ) -> Iterator[str]:
     reach = spindle.shaft.start, spindle.shaft.end
-    faults = list(misplaced(spec, spindle.points, reach, conditions.gravity))
+    otherwise = bool(spindle.seats or spindle.drawbar or conditions.axial_force)
+    where = spindle.points, reach, conditions.gravity
+    faults = list(misplaced(spec, *where, otherwise=otherwise))
     for way, sentence in faults or unheld(spec, spindle, conditions):
-        yield f"{name}: {'.'.join(map(str, way))}: {sentence}"
+        yield ": ".join(filter(None, (name, ".".join(map(str, way)), sentence)))
     yield from (f"conditions.rotor: {sentence}" for sentence in overheld(spindle, conditions))
 
 

@@ -51,12 +51,22 @@ class AskedUnbalance(Protocol):
 
 
 def misplaced(
-    asked: Asked, points: Mapping[str, float], reach: tuple[float, float], along: str
+    asked: Asked,
+    points: Mapping[str, float],
+    reach: tuple[float, float],
+    along: str,
+    *,
+    otherwise: bool = False,
 ) -> Iterator[Fault]:
-    """Unknown points, stations off the shaft, spans without length, weight given twice.
+    """Unknown points, stations off the shaft, spans without length, weight given twice,
+    nothing that acts.
 
-    ``reach``: first and last station of the shaft [m]; ``along``: the gravity of the conditions.
+    ``reach``: first and last station of the shaft [m]; ``along``: the gravity of the conditions;
+    ``otherwise``: the shaft is loaded besides, by preload, drawbar or an axial force.
     """
+    weighed = any(word != "none" for word in (asked.gravity, along))
+    if not (asked.loads or asked.line_loads or asked.unbalances or weighed or otherwise):
+        yield (), "nothing acts: allowed: at least one of loads, line_loads, unbalances, gravity"
     for key in ("loads", "unbalances"):
         for index, load in enumerate(getattr(asked, key)):
             yield from _place(load.at, points, reach, (key, index, "at"))

@@ -129,6 +129,10 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
     "preload: support 'l' holds y rigidly, which only section_forces takes": lambda: case(
         spindle=spindle(supports=(LinearSupport("l", 0.1, rigid=("y",)),))
     ),
+    "section_forces: nothing acts: allowed: at least one of loads": lambda: case(
+        spindle=spindle(seats=(), sleeves=(), supports=(SUPPORT,)),
+        analyses={"section_forces": SectionForcesSpec()},
+    ),
     "section_forces: loads.0.at: unknown point: given 'tp'.*did you mean tip": lambda: case(
         analyses={"section_forces": SectionForcesSpec((PointLoad("tp"),))}
     ),

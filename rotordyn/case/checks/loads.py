@@ -37,7 +37,8 @@ def section_forces(
     if asked is None:
         return
     points, reach = _places(spindle, tool)
-    for way, sentence in misplaced(asked, points, reach, own.gravity):
+    otherwise = bool(spindle.bearings or spindle.drawbar or own.axial_force)
+    for way, sentence in misplaced(asked, points, reach, own.gravity, otherwise=otherwise):
         faults.at(root, (*WAY, *way), sentence)
     if faults:
         return
