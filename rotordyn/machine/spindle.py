@@ -168,6 +168,10 @@ class Spindle(Description):
         yield from self._fit_faults()
         yield from held_twice(self.seats, self.supports)
         yield from self._joint_faults()
+        for kind, place, sentence in name_faults(
+            self.housings, self.rotors, self.seats, self.supports
+        ):
+            yield f"{kind} {getattr(self, kind)[place].name}: {sentence}"
         if self.rotors:
             yield from self._loss_faults()
         yield from (
@@ -362,6 +366,29 @@ class Called(Protocol):
 
     @property
     def name(self) -> str: ...
+
+
+def name_faults(
+    housings: Sequence[Called],
+    rotors: Sequence[Called],
+    seats: Iterable[Called],
+    supports: Iterable[Called],
+) -> Iterator[tuple[str, int, str]]:
+    """Housings and rotors that bear the name of something else: of which, its place, a sentence."""
+    taken = {seat.name: "a bearing" for seat in seats}
+    taken |= {support.name: "a support" for support in supports}
+    for place, rotor in enumerate(rotors):
+        if rotor.name and (what := taken.get(rotor.name)):
+            yield "rotors", place, _taken(what, rotor.name)
+    taken |= {rotor.name: "a rotor" for rotor in rotors}
+    taken |= {GROUND: "ground", SPINDLE: "the shaft"}
+    for place, housing in enumerate(housings):
+        if housing.name and (what := taken.get(housing.name)):
+            yield "housings", place, _taken(what, housing.name)
+
+
+def _taken(what: str, name: str) -> str:
+    return f"name already taken by {what}: given '{name}'; allowed: any other"
 
 
 def housing_faults(

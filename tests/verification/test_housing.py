@@ -239,7 +239,7 @@ def test_the_number_of_modes_of_a_spindle_without_supports(rpm: float) -> None:
 def test_a_stiff_housing_is_ground() -> None:
     supports = two()
     stiff = {("y", "y"): 1e13, ("z", "z"): 1e13}
-    own = tuple(pedestal(s.name, (s.name,), s.x, stiffness=stiff) for s in supports)
+    own = tuple(pedestal(f"under {s.name}", (s.name,), s.x, stiffness=stiff) for s in supports)
     rotor = replace(STEPPED, supports=supports)
     spec = CampbellSpec(max_frequency=900.0)
     ground, housed = (

@@ -564,6 +564,14 @@ def test_a_span_and_a_grade_of_the_outer_rotor(ratio: float) -> None:
         ),
         ({"rotors": (replace(OUTER, name="ground"),)}, "cannot be called that: given"),
         ({"rotors": (OUTER, OUTER)}, "two rotors are named 'outer'"),
+        (
+            {"supports": (*COAXIAL.supports, replace(COAXIAL.supports[1], name="outer"))},
+            "rotors outer: name already taken by a support: given 'outer'; allowed: any other",
+        ),
+        (
+            {"housings": (RigidHousing("b1", ("b1",), 0.0, 5.0, {("y", "y"): 1e8}),)},
+            "housings b1: name already taken by a support: given 'b1'; allowed: any other",
+        ),
         ({"loss_factor": 0.01}, ": loss_factor: .* one rotor, .*: given '0.01' beside rotors"),
         (
             {"supports": (replace(COAXIAL.supports[0], loss_factor=0.1), *COAXIAL.supports[1:])},

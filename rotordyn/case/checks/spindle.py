@@ -27,7 +27,7 @@ from rotordyn.case.schema.matrix import ENTRIES, entries
 from rotordyn.case.schema.shaft import MassEntry, SectionEntry, ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.case.schema.support import SupportEntry
-from rotordyn.machine.spindle import held_twice
+from rotordyn.machine.spindle import held_twice, name_faults
 from rotordyn.machine.support import SPINDLE, acts, loss_faults, rigid_and_elastic, table_faults
 
 
@@ -44,6 +44,9 @@ def spindle(entry: SpindleEntry, root: Node, tool: ToolEntry | None, faults: Fau
     _shortening(entry, reach, root, faults)
     _drawbar(entry, reach, root, faults)
     _held(entry, root, faults)
+    parts = entry.housings, entry.rotors, entry.bearings, entry.supports
+    for kind, place, sentence in name_faults(*parts):
+        faults.at(root, (kind, place, "name"), sentence)
     housings(entry, root, faults)
     rotors(entry, root, faults)
     joints(entry.joints, (reach[0] - _length(tool), reach[1]), (), root, faults)

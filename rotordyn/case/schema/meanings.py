@@ -287,7 +287,7 @@ MEANINGS: dict[str, dict[str, str]] = {
         "against": "what is at the other end: `ground` (or a housing), `spindle` or another rotor",
     },
     "rotor": {
-        "name": "by which supports, points and results call it",
+        "name": "by which supports, points and results call it, and of no support or bearing",
         "speed_ratio": "its speed over that of the spindle: 1 turns with it, 0 stands still, below "
         "0 turns the other way round",
         "shaft": "its own, at stations of the same axis",
@@ -303,7 +303,7 @@ MEANINGS: dict[str, dict[str, str]] = {
         "internal": "share of `rotor` that turns with it ([why](theory/damping.md))",
     },
     "housing": {
-        "name": "of the housing",
+        "name": "of the housing, and of no support, bearing or rotor",
         "carries": "supports (none between two rotors) and bearings that stand on it; all others "
         "stand on ground",
         "x": "station of its centre of gravity, where its stiffness and damping act",
