@@ -146,6 +146,9 @@ class Port(Description):
         return f"{self.point}.{self.direction}"
 
 
+NO_RESPONSE = "no response: given zero at every frequency; allowed: at least one other value"
+
+
 @dataclass(frozen=True, slots=True)
 class MeasuredResponse(Description):
     """A measured frequency response in SI: ``quantity`` over ``frequency`` [Hz], in two parts.
@@ -175,6 +178,8 @@ class MeasuredResponse(Description):
                 f"{', '.join(map(str, counts))}"
             )
         yield from ascending("frequency", self.frequency)
+        if not any((*self.real, *self.imaginary)):
+            yield NO_RESPONSE
 
 
 @dataclass(frozen=True, slots=True)

@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from rotordyn.analysis.display import response_unit
-from rotordyn.analysis.specs import QUANTITIES, ascending
+from rotordyn.analysis.specs import NO_RESPONSE, QUANTITIES, ascending
 from rotordyn.errors import InvalidInput
 from rotordyn.quantity import FREQUENCY
 from rotordyn.units import STANDARD_GRAVITY, parse_unit, shown
@@ -239,6 +239,8 @@ def _record(quantity: str, frequency: list[float], values: list[complex]) -> Rec
     for sentence in (*map(FREQUENCY.refusal, frequency), *ascending("frequency", frequency)):
         if sentence:
             raise InvalidInput(sentence)
-    if values and not all(map(cmath.isfinite, values)):
+    if not any(values):
+        raise InvalidInput(NO_RESPONSE)
+    if not all(map(cmath.isfinite, values)):
         raise InvalidInput("a value is not a finite number")
     return Record(quantity, tuple(frequency), tuple(values))

@@ -33,7 +33,7 @@ from rotordyn.analysis import (
     UnbalanceSpec,
 )
 from rotordyn.analysis.registry import BEARING_ANALYSES, SPINDLE_ANALYSES
-from rotordyn.analysis.specs import KINEMATICS, MOMENT_SHARING
+from rotordyn.analysis.specs import KINEMATICS, MOMENT_SHARING, MeasuredResponse
 from rotordyn.case.agreement import ANALYSES
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import (
@@ -240,6 +240,9 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
     ),
     "frf: slices: not within": lambda: case(
         analyses={"frf": FrfSpec((1.0,), ((TIP, TIP),), (2000.0,))}
+    ),
+    "MeasuredResponse m: no response: given zero at every": lambda: MeasuredResponse(
+        "m", TIP, TIP, (1.0, 2.0), (0.0, 0.0), (0.0, 0.0)
     ),
     "stiffness: unknown point": lambda: case(analyses={"stiffness": StiffnessSpec("nose")}),
     "unknown sleeve 'front'; allowed: rear": lambda: case(

@@ -166,6 +166,7 @@ TABLES = {
     "frequency [Hz],real [m/N],imag [m/N]\n-2,2,2\n2,2,2\n": "csv: frequency out of range: given",
     "frequency [Hz],real [m/N],imag [m/N]\n70,2,2\n90,2,2\n": "fewer than two frequencies in the "
     "band of the case: given 70 to 90 Hz; allowed: 1 to 60 Hz",
+    "frequency [Hz],real [m/N],imag [m/N]\n2,0,0\n4,0,0\n": "csv: no response: given zero at every",
     "": "the file is empty",
 }
 
