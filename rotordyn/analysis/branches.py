@@ -87,7 +87,8 @@ def branches_of(scene: Scene, spec: CampbellSpec) -> list[Branch]:
     for motion, alone in (("bending", _bending), ("axial", _axial), ("torsion", _torsion)):
         if motion not in scene.coupled_motions:
             branches += alone(scene, spec)
-    return [b for b in branches if np.nanmin(b.frequency) <= spec.max_frequency]
+    band = 2.0 * math.pi * spec.max_frequency
+    return [b for b in branches if np.nanmin(np.abs(b.track.pole.imag)) <= band]
 
 
 def home_of(scene: Scene, kind: str) -> str:

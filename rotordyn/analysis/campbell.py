@@ -74,6 +74,7 @@ def _answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         outcome=scene.outcome,
         frequency=scene.scattered(_seen(scene, branches)),
         frequency_error=scene.scattered(_errors(scene, branches)),
+        max_frequency=spec.max_frequency,
         resolved_frequency=scene.resolved_frequency,
         free=scene.scattered(_free(scene)),
         node_rotor=scene.mesh.rotor,

@@ -5,10 +5,14 @@ all between two knots are the eigenvalues of one problem (``synchronous``), what
 the case. Where bearings change with speed, and for axial motion and torsion, the lines of the
 followed modes say between which speeds they are. Either way the machine is then solved anew at the
 speed found, damping and all, until the mode turns at the multiple of it to rounding.
+
+Told are those in the band in which modes are followed, each by the followed mode that is like it
+and has its frequency there.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import pairwise
@@ -17,7 +21,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.branches import Branch, knots_between, whirl_degree
+from rotordyn.analysis.branches import MARGIN, Branch, home_of, knots_between, whirl_degree
 from rotordyn.analysis.character import whirl_along
 from rotordyn.analysis.formulation import ROTATING, SOFTENED
 from rotordyn.analysis.on_rotors import Line, exciting
@@ -38,6 +42,8 @@ Matrix = NDArray[np.inexact[Any]]
 NARROW = 0.01  # of the range of speeds: pieces of tables shorter than that
 APART = 1e-9  # [rad/s]: speeds closer than that are one
 SAME, ALIKE = 1e-7, 0.5  # of the speed, likeness: one root found twice
+FITS = 0.1  # of a frequency: farther from those of a mode at the speeds around, it is none of it
+ROUNDING = 1e-9  # of the highest frequency
 
 
 @dataclass(frozen=True, slots=True)
@@ -56,23 +62,30 @@ class Critical:
 def critical_speeds(
     scene: Scene, spec: CampbellSpec, branches: Sequence[Branch], names: Sequence[str]
 ) -> list[Critical]:
-    """Of all ``engine_orders`` of every rotor between the speeds of the case, ascending by rotor,
-    order and speed."""
+    """Of all ``engine_orders`` of every rotor between the speeds of the case, up to
+    ``spec.max_frequency``, ascending by rotor, order and speed."""
     lines = exciting(scene.spindle.ratios, spec.engine_orders)
+    band = 2.0 * math.pi * spec.max_frequency
     starts = [
         start
         for line in lines
-        for start in (*_direct(scene, branches, line), *_crossed(branches, line))
+        for start in (*_crossed(branches, line), *_direct(scene, branches, line))
+        if line.size * start.speed <= MARGIN * band
     ]
     found: list[tuple[Start, float, State]] = []
     for start, speed, state in solved(scene, spec, branches, starts):
         swings = -state.pole.real <= CREEPING * abs(state.pole)  # or else nothing resonates
-        if swings and not any(_same(start, speed, state, other) for other in found):
+        within = abs(state.pole.imag) <= (1.0 + ROUNDING) * band
+        known = any(_same(start, speed, state, other) for other in found)
+        if swings and within and not known:
             found.append((start, speed, state))
-    criticals = [
-        _named(scene, branches[start.branch], names[start.branch], start.line, speed, state)
-        for start, speed, state in found
-    ]
+    criticals = []
+    for start, speed, state in found:
+        kind = branches[start.branch].kind
+        place = _owner(scene, branches, home_of(scene, kind), speed, state)
+        name = f"{kind}, not followed" if place is None else names[place]
+        kind = kind if place is None else branches[place].kind
+        criticals.append(_named(scene, kind, name, start.line, speed, state))
     return sorted(criticals, key=lambda c: (lines.index(c.line), c.speed))
 
 
@@ -96,8 +109,9 @@ def _crossed(branches: Sequence[Branch], line: Line) -> list[Start]:
 
 def _direct(scene: Scene, branches: Sequence[Branch], line: Line) -> list[Start]:
     """All synchronous motions of bending between the speeds of the case, where the matrices follow
-    straight lines of speed from knot to knot; each for the followed mode that it is most like."""
-    if not _piecewise(scene):
+    straight lines of speed from knot to knot."""
+    bending = [place for place, branch in enumerate(branches) if branch.kind == "bending"]
+    if not _piecewise(scene) or not bending:
         return []
     system: LateralSystem = scene.bending
     polar, speed = system.rotor.polar, scene.speed[scene.usable]
@@ -114,12 +128,9 @@ def _direct(scene: Scene, branches: Sequence[Branch], line: Line) -> list[Start]
             slope = (fast - slow) / (high - low)
             spins, vectors = synchronous(slow - low * slope, gyroscopic, line.size, slope)
             for spin, vector in zip(spins, vectors.T, strict=True):
-                if not low <= spin <= high:
-                    continue
-                place = _owner(branches, spin, line, vector, side)
-                if place is not None:
+                if low <= spin <= high:
                     at = float(speed[0]), float(speed[-1])
-                    starts.append(Start(place, line, float(spin), *at, vector, side))
+                    starts.append(Start(bending[0], line, float(spin), *at, vector, side))
     return starts
 
 
@@ -143,19 +154,28 @@ def _piecewise(scene: Scene) -> bool:
 
 
 def _owner(
-    branches: Sequence[Branch], spin: float, line: Line, vector: Complex, side: float
+    scene: Scene, branches: Sequence[Branch], home: str, speed: float, state: State
 ) -> int | None:
-    """The followed bending mode most like a motion, at the speed known next to it."""
-    score = np.full(len(branches), -np.inf)
+    """The followed mode that a root is part of: like it, and of its frequency, at the speeds known
+    around; the likest and nearest of several."""
+    best, owner = -math.inf, None
+    turned = abs(state.pole.imag)
     for place, branch in enumerate(branches):
-        row = int(np.abs(branch.track.speed - spin).argmin())
-        pole = branch.track.pole[row]
-        if branch.kind == "bending" and side * pole.imag > 0.0:
-            alike = float(likeness(branch.track.vector[row][:, None], vector[:, None])[0, 0])
-            turned = line.size * spin
-            apart = abs(abs(pole.imag) - turned) / max(abs(pole.imag), turned)
-            score[place] = alike - apart
-    return int(score.argmax()) if np.isfinite(score).any() else None
+        if home_of(scene, branch.kind) != home:
+            continue
+        track = branch.track
+        row = int(np.clip(np.searchsorted(track.speed, speed), 1, max(len(track.speed) - 1, 1)))
+        ends = [k for k in (row - 1, row) if k < len(track.speed) and not track.lost[k]]
+        ends = [k for k in ends if track.pole[k].imag * state.pole.imag > 0.0]
+        if not ends:
+            continue
+        own = np.abs(track.pole[ends].imag)
+        outside = max(own.min() - turned, turned - own.max(), 0.0) / turned
+        alike = float(likeness(track.vector[ends].T, state.vector[:, None]).max())
+        apart = abs(float(np.interp(speed, track.speed[ends], own)) - turned) / turned
+        if outside <= FITS and alike >= ALIKE and alike - apart > best:
+            best, owner = alike - apart, place
+    return owner
 
 
 def _same(start: Start, speed: float, state: State, other: tuple[Start, float, State]) -> bool:
@@ -170,12 +190,10 @@ def _same(start: Start, speed: float, state: State, other: tuple[Start, float, S
     )
 
 
-def _named(
-    scene: Scene, branch: Branch, name: str, line: Line, speed: float, state: State
-) -> Critical:
+def _named(scene: Scene, kind: str, name: str, line: Line, speed: float, state: State) -> Critical:
     """What a root is called and whether something that turns with the shaft excites it."""
     whirl, excited = "", line.order != 1
-    if branch.kind == "bending":
+    if kind == "bending":
         system = scene.exact if scene.bends_exactly else scene.vibration("bending")[0]
         isotropic = not isinstance(system, CoupledSystem | RodSystem) and system.isotropic
         vector = state.vector
@@ -190,4 +208,4 @@ def _named(
         against = "backward" if line.multiple > 0.0 else "forward"
         excited = excited or not (isotropic and whirl == against)
     ratio = 0.0 - state.pole.real / abs(state.pole)
-    return Critical(name, speed, line, branch.kind, whirl, float(ratio), excited)
+    return Critical(name, speed, line, kind, whirl, float(ratio), excited)

@@ -134,7 +134,8 @@ def _mass(mass: float) -> str:
 def _modes(result: CampbellResult) -> list[str]:
     if not result.mode:
         return ["modes      none in the band asked for"]
-    rpm = f"{from_to(result.speed * RPM.factor, 0)} rpm"
+    speeds = result.speed * RPM.factor
+    rpm = f"{from_to(speeds, 0)} rpm"
     entries = [
         f"{result.mode[k]} {from_to(result.frequency[:, k])}"
         f"{_whirl(result.mode[k], result.whirl[-1, k])}"
@@ -151,13 +152,17 @@ def _modes(result: CampbellResult) -> list[str]:
     several = len({line.rotor for line in every}) > 1
     for line in every:
         known = _criticals(result, line)
+        of = f" of {line.rotor}" if several else ""
+        name, leaves = f"{line.order}×{of}", 60.0 * result.max_frequency / line.size
+        beyond = f"; {name} leaves the band at {leaves:.0f} rpm" if leaves < speeds[-1] else ""
         none = "" if line.order > 1 else f"none from {rpm.replace('→', 'to')}"
-        if none and line.rotor == SPINDLE:
+        if none and leaves < speeds[-1]:
+            none = "none in the band asked for"
+        elif none and line.rotor == SPINDLE:
             none += _nearest(result)
         if known or none:
-            of = f" of {line.rotor}" if several else ""
             told = ", ".join(known) or none
-            lines.append(f"critical   {line.order}×{of}, margin to top speed: {told}")
+            lines.append(f"critical   {name}, margin to top speed: {told}{beyond}")
     return lines
 
 

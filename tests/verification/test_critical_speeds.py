@@ -63,6 +63,37 @@ def test_published_synchronous_criticals_from_two_speeds(
     assert found.critical_damping[own] == pytest.approx(0.0, abs=1e-12)
 
 
+@pytest.mark.parametrize("highest", [10.0, 14.5, 90.0, 101.5, 150.0])
+@pytest.mark.parametrize("skew", [1.0, 0.9], ids=["isotropic", "planes differ"])
+def test_told_are_those_in_the_band_by_the_mode_that_has_the_frequency(
+    skew: float, highest: float
+) -> None:
+    """A narrower band has the same ones as a wide one, up to its end and by the same names; each
+    name is that of the mode with that frequency where the speed is one of the case."""
+    rotor = overhung()
+    softer = tuple(
+        replace(s, stiffness={k: v * (skew if k == ("z", "z") else 1.0) for k, v in rates.items()})
+        for s in rotor.supports
+        for rates in [s.stiffness]
+    )
+    rotor = replace(rotor, supports=softer)
+    wide = answered(rotor, np.linspace(0.0, 9000.0, 31), 400.0, (1, 2), element=0.25)
+    inside = wide.critical_order * wide.critical_speed <= 2.0 * math.pi * highest
+    found = answered(rotor, [0, 4000, 9000], highest, (1, 2), element=0.25)
+    assert found.critical_speed == pytest.approx(wide.critical_speed[inside], rel=1e-5)
+    if not inside.any():
+        return
+    assert np.isin(found.critical, found.mode).all()
+    every = np.union1d([0, 4000, 9000], found.critical_speed / RPM)
+    there = answered(rotor, every, highest, (1, 2), element=0.25)
+    for name, speed, order in zip(
+        found.critical, found.critical_speed, found.critical_order, strict=True
+    ):
+        row = int(np.abs(there.speed - speed).argmin())
+        turning = there.frequency[row, there.mode.index(name)]
+        assert turning == pytest.approx(order * speed / (2.0 * math.pi), rel=1e-6)
+
+
 @pytest.mark.parametrize("order", [1, 2, 5])
 @pytest.mark.parametrize("stiffness", [(1e6, 1e6), (1e6, 0.3e6), (1e6, 1e6, 0.5e6)])
 def test_any_order_by_dense_matrices(stiffness: tuple[float, ...], order: int) -> None:

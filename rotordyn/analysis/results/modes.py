@@ -34,7 +34,7 @@ class CampbellResult:
     rotors, at ``speed_ratio`` times its speed; ``node_rotor``: the one that a node is of; whirl is
     forward the way the spindle turns. ``critical``: the mode that turns at ``critical_order`` times
     the speed of ``critical_rotor`` where the spindle has ``critical_speed``, with its kind and
-    damping ratio there;
+    damping ratio there; all are told where it turns at ``max_frequency`` at most;
     ``critical_whirl``: forward, backward, planar, or mixed where parts of the shaft whirl either
     way; ``critical_excited``: false where a force that turns with the shaft does no work on it
     (order 1; axial, torsion, backward whirl of an isotropic rotor).
@@ -52,6 +52,7 @@ class CampbellResult:
     frequency_error: Array = quantity(
         "speed", "mode", unit="1", label="estimated relative error of the frequency"
     )
+    max_frequency: float = quantity(unit="Hz", label="modes and critical speeds up to")
     resolved_frequency: float = quantity(unit="Hz", label="highest frequency the mesh resolves")
     free: Array = quantity(
         "speed", unit="1", label="eigenvalues at zero, of motions that nothing holds: no modes"

@@ -249,6 +249,7 @@ def campbell(count: int = 49) -> CampbellResult:
         frequency=rest + change * s**2,
         damping_ratio=np.full((count, len(_MODES)), 0.02),
         frequency_error=1e-6 * np.abs(np.full((count, len(_MODES)), 0.02)),
+        max_frequency=4000.0,
         resolved_frequency=5000.0,
         free=np.full(count, 2.0),
         certified=np.ones(count, dtype=bool),

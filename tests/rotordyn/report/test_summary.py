@@ -69,6 +69,18 @@ def test_drawbar_is_named(case, results, guides, words):
     assert words in " ".join(summary(replace(case, spindle=machine), results).split())
 
 
+def test_where_a_line_leaves_the_band_is_told(case, results):
+    modes = results["campbell"]
+    assert "leaves the band" not in summary(case, results)
+    top = modes.speed[-1] * 30.0 / np.pi
+    narrow = replace(modes, max_frequency=0.9 * top / 60.0)
+    said = " ".join(summary(case, results | {"campbell": narrow}).split())
+    assert f"(-15 %); 1× leaves the band at {0.9 * top:.0f} rpm" in said
+    quiet = replace(narrow, critical_excited=np.zeros(1, dtype=bool))
+    told = " ".join(summary(case, results | {"campbell": quiet}).split())
+    assert "none in the band asked for; 1× leaves the band" in told
+
+
 def test_notes_stand_below_the_title(case, results):
     lines = summary(case, results, ["first"], ["a choice " * 20]).splitlines()
     assert lines[0] == "WARNING: first"
