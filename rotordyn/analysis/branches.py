@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analysis.certificate import swings
 from rotordyn.analysis.exact_bending import ExactModes
+from rotordyn.analysis.results.modes import creeps
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec
 from rotordyn.numerics.follow import doubts, follow
@@ -74,6 +75,11 @@ class Branch:
     def whirl(self) -> Array:
         """+1 forward, −1 backward, 0 planar: which circular part of y, z dominates."""
         return np.where(np.abs(self.degree) < PLANAR, 0.0, np.sign(self.degree))
+
+    @property
+    def creeping(self) -> bool:
+        """It hardly swings at most speeds."""
+        return bool(creeps((-self.pole.real / np.abs(self.pole))[:, None])[0])
 
     @property
     def born(self) -> int:

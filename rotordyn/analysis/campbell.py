@@ -14,7 +14,7 @@ from rotordyn.analysis.character import character, rigid_share
 from rotordyn.analysis.criticals import critical_speeds
 from rotordyn.analysis.exact_bending import ExactBending
 from rotordyn.analysis.formulation import ROTATING
-from rotordyn.analysis.results import CREEPING, CampbellResult, TurningCampbellResult
+from rotordyn.analysis.results import CampbellResult, TurningCampbellResult
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.shapes import both_planes, scaled
 from rotordyn.analysis.specs import CampbellSpec
@@ -173,9 +173,13 @@ def _within(branches: list[Branch], highest: float, radius: Array) -> Array:
 def _place(branch: Branch) -> tuple[str, bool, float, float]:
     """Bending, axial, torsion; creeping ones last; from below; of twins the backward one first."""
     kind = {"bending": "0", "axial": "1", "torsion": "2"}[branch.kind]
-    creeps = not (-branch.pole.real <= CREEPING * np.abs(branch.pole)).any()
     first = branch.born
-    return kind, creeps, float(f"{branch.frequency[first]:.8g}"), float(branch.whirl[first])
+    return (
+        kind,
+        branch.creeping,
+        float(f"{branch.frequency[first]:.8g}"),
+        float(branch.whirl[first]),
+    )
 
 
 def _names(branches: list[Branch]) -> tuple[str, ...]:

@@ -83,6 +83,8 @@ def critical_speeds(
     for start, speed, state in found:
         kind = branches[start.branch].kind
         place = _owner(scene, branches, home_of(scene, kind), speed, state)
+        if place is not None and branches[place].creeping:
+            continue
         name = f"{kind}, not followed" if place is None else names[place]
         kind = kind if place is None else branches[place].kind
         criticals.append(_named(scene, kind, name, start.line, speed, state))

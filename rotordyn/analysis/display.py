@@ -41,6 +41,18 @@ def shown(unit: str) -> Shown:
     return _ENGINEERING.get(unit, Shown(unit))
 
 
+def rounded_up(error: float) -> str:
+    """An error with one digit, never less than it is; "rounding" where elements leave none.
+
+    >>> rounded_up(1.4e-4), rounded_up(0.0)
+    ('2e-04', 'rounding')
+    """
+    if error <= 0.0:
+        return "rounding"
+    power = math.floor(math.log10(error))
+    return f"{math.ceil(error / 10.0**power - 1e-9) * 10.0**power:.0e}"
+
+
 def is_rotation(freedom: str) -> bool:
     """Whether a freedom (``y``, ``thz`` …) is an angle."""
     return freedom.startswith("th")

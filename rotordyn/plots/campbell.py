@@ -70,7 +70,7 @@ def campbell_figure(
     _criticals(axes, result)
     draw_known(axes, () if turning(result) else references)
     _name_modes(axes, result, excitation, top)
-    note_error(axes, float(np.nanmax(result.frequency_error, initial=0.0)))
+    note_error(axes, result.largest_error)
     legend(
         axes,
         loc="lower left",

@@ -9,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from rotordyn.analysis.display import rounded_up
+
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
@@ -118,7 +120,7 @@ def note_error(axes: Axes, error: float) -> None:
         axes.text(
             1.0,
             -0.085,
-            f"estimated error ≤ {error:.0e}",
+            f"estimated error ≤ {rounded_up(error)}",
             transform=axes.transAxes,
             ha="right",
             va="top",

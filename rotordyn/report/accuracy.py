@@ -8,31 +8,17 @@ from typing import Any
 
 import numpy as np
 
+from rotordyn.analysis.display import rounded_up
 from rotordyn.analysis.results import CampbellResult, FrequencyResponse, UnbalanceResult
 
 _PLURAL = {"receptance": "receptances", "mobility": "mobilities", "inertance": "inertances"}
-OVERDAMPED = 0.7  # damping ratio from which a motion hardly swings
-
-
-def rounded_up(error: float) -> str:
-    """With one digit, never less than it is; "rounding" where elements leave none.
-
-    >>> rounded_up(1.4e-4), rounded_up(0.0)
-    ('2e-04', 'rounding')
-    """
-    if error <= 0.0:
-        return "rounding"
-    power = math.floor(math.log10(error))
-    return f"{math.ceil(error / 10.0**power - 1e-9) * 10.0**power:.0e}"
 
 
 def accuracy_words(results: Mapping[str, Any]) -> list[str]:
     """A phrase per question: the largest estimated errors, and how far the mesh is good."""
     words = []
     if isinstance(modes := results.get("campbell"), CampbellResult) and modes.mode:
-        swinging = modes.damping_ratio < OVERDAMPED
-        worst = float(np.nanmax(np.where(swinging, modes.frequency_error, 0.0), initial=0.0))
-        words.append(f"frequencies within {rounded_up(worst)}")
+        words.append(f"frequencies within {rounded_up(modes.largest_error)}")
         if 1.0 <= modes.resolved_frequency < math.inf:
             words.append(f"mesh good to {modes.resolved_frequency:.0f} Hz")
         if modes.certified[[not word for word in modes.outcome]].all():

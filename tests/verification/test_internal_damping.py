@@ -12,6 +12,7 @@ import pytest
 import rotordyn
 from bearings import Material
 from rotordyn.analysis import campbell
+from rotordyn.analysis.results import CREEPING
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions
 from rotordyn.machine.damping import RayleighDamping
@@ -123,6 +124,19 @@ def test_what_hardly_swings_is_numbered_last_and_not_listed() -> None:
     ratio = found.damping_ratio[:, found.creeping]
     assert (ratio[np.isfinite(ratio)] > 0.99).all()
     assert found.modes_below == pytest.approx(found.modes_found)
+
+
+def test_what_swings_at_one_end_only_by_a_hair_creeps() -> None:
+    """Relaxations −1/β + iΩ in the fixed frame, damping ratio 1/√(1 + (βΩ)²): 0.983 at the last of
+    five speeds. They turn at Ω at every speed, and resonate at none."""
+    spindle = replace(rotor(1e3), rotor_damping=(), rayleigh=RayleighDamping(stiffness=2e-4))
+    found = answered(spindle, [0.0, 200.0, 500.0, 700.0, 930.0])
+    last, bending = found.damping_ratio[-1], np.array(found.kind) == "bending"
+    hair = found.creeping & (last < CREEPING)
+    assert hair.any()
+    assert last[hair] == pytest.approx(1.0 / math.hypot(1.0, 2e-4 * 930.0), abs=2e-3)
+    assert (np.diff(found.creeping[bending].astype(int)) >= 0).all()
+    assert not np.isin(found.critical, np.array(found.mode)[found.creeping]).any()
     assert len(found.critical_speed) > 0
     assert (found.critical_damping < 0.99).all()
 

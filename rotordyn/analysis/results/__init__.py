@@ -17,6 +17,7 @@ from rotordyn.analysis.results.modes import (
     ROUNDING,
     CampbellResult,
     TurningCampbellResult,
+    creeps,
 )
 from rotordyn.analysis.results.responses import (
     FrequencyResponse,
@@ -59,6 +60,7 @@ __all__ = [
     "TurningCampbellResult",
     "TurningFrfResult",
     "UnbalanceResult",
+    "creeps",
     "turning",
 ]
 

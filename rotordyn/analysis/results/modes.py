@@ -14,6 +14,14 @@ ROUNDING = 1e-6  # of a damping ratio
 CREEPING = 0.99  # damping ratio above which a motion hardly swings
 
 
+def creeps(damping_ratio: Array) -> Flags:
+    """Which motions (modes,) hardly swing at most of the speeds (speeds, modes) at which they are
+    there, NaN where they are not: those of a damping ratio above ``CREEPING``."""
+    known = np.isfinite(damping_ratio).sum(axis=0)
+    crept = (damping_ratio > CREEPING).sum(axis=0)
+    return np.asarray((2 * crept > known) | (known == 0))
+
+
 @dataclass(frozen=True)
 class CampbellResult:
     """Damped modes over speed, each followed by its shape.
@@ -88,8 +96,14 @@ class CampbellResult:
 
     @property
     def creeping(self) -> Flags:
-        """Modes that hardly swing at any speed (modes,): counted, but neither drawn nor listed."""
-        return np.asarray(~(self.damping_ratio <= CREEPING).any(axis=0))
+        """Modes (modes,) that hardly swing at most speeds: counted, neither drawn nor listed."""
+        return creeps(self.damping_ratio)
+
+    @property
+    def largest_error(self) -> float:
+        """Of the frequencies where modes swing; those that hardly do are left out."""
+        swinging = ~self.creeping & (self.damping_ratio <= CREEPING)
+        return float(np.nanmax(np.where(swinging, self.frequency_error, 0.0), initial=0.0))
 
 
 @dataclass(frozen=True)

@@ -35,6 +35,7 @@ from rotordyn.plots.shapes import plane_curve, shapes_figure
 from rotordyn.plots.stiffness import stiffness_figure
 from rotordyn.plots.tangents import tangents_figure
 from rotordyn.plots.unbalance import response_figure, round_orbits
+from rotordyn.report.accuracy import accuracy_words
 from tests.rotordyn.plots import samples
 
 
@@ -98,6 +99,20 @@ def test_campbell_leaves_out_what_hardly_swings():
     ]
     (gone,) = names[0] - names[1]
     assert gone.startswith(result.mode[0])
+
+
+def test_figure_and_summary_tell_one_error_of_what_swings():
+    """The largest of a motion that creeps is told by neither, that of a strongly damped one is."""
+    result = samples.campbell(9)
+    ratio, error = result.damping_ratio.copy(), result.frequency_error.copy()
+    ratio[:5, 0], ratio[:4, 1], ratio[:, 2] = 0.9999, 0.9999, 0.9
+    error[:, 0], error[0, 1], error[3, 2] = 0.5, 0.4, 0.021
+    strong = replace(result, damping_ratio=ratio, frequency_error=error)
+    assert strong.creeping.tolist() == [k == 0 for k in range(len(result.mode))]
+    assert strong.largest_error == 0.021
+    assert accuracy_words({"campbell": strong})[0] == "frequencies within 3e-02"
+    said = [t.get_text() for t in campbell_figure(strong).axes[0].texts]
+    assert "estimated error ≤ 3e-02" in said
 
 
 def test_campbell_of_variants_shows_where_a_mode_is_unstable():
