@@ -124,6 +124,8 @@ def test_what_hardly_swings_is_numbered_last_and_not_listed() -> None:
     ratio = found.damping_ratio[:, found.creeping]
     assert (ratio[np.isfinite(ratio)] > 0.99).all()
     assert found.modes_below == pytest.approx(found.modes_found)
+    assert len(found.critical_speed) > 0
+    assert (found.critical_damping < 0.99).all()
 
 
 def test_what_swings_at_one_end_only_by_a_hair_creeps() -> None:
@@ -137,8 +139,27 @@ def test_what_swings_at_one_end_only_by_a_hair_creeps() -> None:
     assert last[hair] == pytest.approx(1.0 / math.hypot(1.0, 2e-4 * 930.0), abs=2e-3)
     assert (np.diff(found.creeping[bending].astype(int)) >= 0).all()
     assert not np.isin(found.critical, np.array(found.mode)[found.creeping]).any()
-    assert len(found.critical_speed) > 0
-    assert (found.critical_damping < 0.99).all()
+
+
+@pytest.mark.parametrize(("slow", "creeps"), [(0.995, True), (0.985, False)])
+def test_what_creeps_at_most_speeds_has_no_critical_speed(slow: float, creeps: bool) -> None:
+    """A damper whose rate falls with speed: the disc, of ω √(1 − ζ²), meets the speed where it has
+    ζ < 0.97, and that is told of a mode that swings at most of the speeds only."""
+    omega, stiff = still(rotor(0.0))
+    rate = tuple(2.0 * zeta * stiff / omega for zeta in (slow, slow, 0.96))
+    speeds = [0.0, 0.02 * omega, 0.04 * omega, 0.06 * omega, 0.3 * omega]
+    bare = replace(rotor(0.0), rotor_damping=(), internal_damping=0.0)
+    damper = LinearSupport(
+        "damper",
+        LENGTH / 2,
+        {},
+        {("y", "y"): rate, ("z", "z"): rate},
+        speeds=(0.0, 0.06 * omega, 0.3 * omega),
+    )
+    found = answered(replace(bare, supports=(*bare.supports[:2], damper)), speeds)
+    assert found.creeping.any() == creeps
+    assert found.critical_excited.any() == (not creeps)
+    assert (found.critical_damping[found.critical_excited] < 0.97).all()
 
 
 def test_tapered_shaft_grows_from_where_its_ratios_say() -> None:
