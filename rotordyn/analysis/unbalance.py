@@ -66,7 +66,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         axis=AXES,
         support=(*(s.name for s in spindle.seats), *(s.name for s in spindle.supports)),
         unbalance=tuple(one.name for one in placed),
-        critical=tuple(name for name, _ in critical),
+        critical=tuple(name for name, *_ in critical),
         outcome=_outcome(scene, absent),
         displacement=displacement,
         amplitude=np.abs(displacement),
@@ -81,7 +81,8 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         unbalance_station=np.array([one.place.x for one in placed]),
         unbalance_size=np.array([abs(one.size) for one in placed]),
         unbalance_angle=np.array([np.angle(one.size) for one in placed]),
-        critical_speed=np.array([speed for _, speed in critical]),
+        critical_speed=np.array([speed for _, speed, _ in critical]),
+        critical_damping=np.array([damping for *_, damping in critical]),
         error=_errors(scene, displacement, nodes, placed, ratio),
     )
 
@@ -121,9 +122,9 @@ def _outcome(scene: Scene, absent: list[str]) -> tuple[str, ...]:
     return tuple(words)
 
 
-def _criticals(scene: Scene, ratio: float) -> list[tuple[str, float]]:
-    """Critical speeds among those of the case, by the name of the mode, of what turns ``ratio``
-    times as fast."""
+def _criticals(scene: Scene, ratio: float) -> list[tuple[str, float, float]]:
+    """Critical speeds among those of the case and the damping ratio at each, by the name of the
+    mode, of what turns ``ratio`` times as fast."""
     top = float(scene.speed[-1])
     if len(scene.usable) < 2 or top < SLOWEST:
         return []
@@ -132,8 +133,9 @@ def _criticals(scene: Scene, ratio: float) -> list[tuple[str, float]]:
     own = found.critical_excited & np.array(
         [scene.spindle.ratios[name] == ratio for name in found.critical_rotor], dtype=bool
     )
-    every = zip(found.critical, found.critical_speed.tolist(), own, strict=True)
-    return [(name, speed) for name, speed, met in every if met]
+    known = (found.critical_speed.tolist(), found.critical_damping.tolist(), own)
+    every = zip(found.critical, *known, strict=True)
+    return [(name, speed, damping) for name, speed, damping, met in every if met]
 
 
 def _errors(

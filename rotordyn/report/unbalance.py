@@ -38,6 +38,7 @@ def unbalance_lines(result: UnbalanceResult) -> list[str]:
         f"           largest half axis of the orbit, zero to peak: {_few(moved)}",
         f"           largest force, zero to peak: {_few(pushed)}",
         *_backward(result),
+        *_missed(result),
     ]
 
 
@@ -60,6 +61,22 @@ def _at(result: UnbalanceResult, values: Array) -> str:
 def _few(words: list[str]) -> str:
     rest = len(words) - MOST
     return ", ".join(words[:MOST]) + (f" and {rest} more" if rest > 0 else "")
+
+
+def _missed(result: UnbalanceResult) -> list[str]:
+    """Critical speeds whose peak is narrower than the next speed of the case is away: within half
+    its width, ζ Ω, the amplitude falls by 3 dB."""
+    known = result.speed[np.isfinite(result.major_axis).all(axis=1)]
+    words = [
+        unbroken(f"{name} {speed * RPM.factor:.0f} rpm")
+        for name, speed, damping in zip(
+            result.critical, result.critical_speed, result.critical_damping, strict=True
+        )
+        if np.abs(known - speed).min(initial=np.inf) > max(damping, 0.0) * speed
+    ]
+    if not words:
+        return []
+    return [f"           peaks between the speeds of the case, higher than these: {_few(words)}"]
 
 
 def _backward(result: UnbalanceResult) -> list[str]:

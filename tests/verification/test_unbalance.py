@@ -26,6 +26,7 @@ from rotordyn.analysis.results import FrfResult, UnbalanceResult
 from rotordyn.errors import NoSolution
 from rotordyn.machine import LinearSupport, PointMass, RigidHousing, Section, Shaft, Spindle
 from rotordyn.machine.inertia import rotor_inertia
+from rotordyn.report.unbalance import unbalance_lines
 from tests.oracles.spindles import RPM, mfw2310, undamped
 
 STEEL = Material("steel", 210e9, 0.3, 7850.0)
@@ -296,6 +297,18 @@ def test_unstable_machine_has_no_steady_response() -> None:
         NoSolution, match=r"^no speed .* steady response to unbalance: unstable: .*Hz$"
     ):
         solved(unstable, [100.0, 200.0], Unbalance("disc", U), conditions=RIGID)
+
+
+@pytest.mark.parametrize(("beside", "told"), [(0.4, False), (3.0, True)])
+def test_a_peak_between_the_speeds_of_the_case_is_told(beside: float, told: bool) -> None:
+    """Speeds ``beside`` half the width of the peak on either side of the critical speed."""
+    spindle = on_two(block(K, K), block(C, C))
+    critical = math.sqrt(K / rotor_inertia(spindle).mass)
+    half = C / (2.0 * math.sqrt(K * rotor_inertia(spindle).mass))
+    speeds = [0.2 * critical, *(critical * (1.0 + k * beside * half) for k in (-1, 1))]
+    result = solved(spindle, [*speeds, 2.0 * critical], Unbalance("disc", U), conditions=RIGID)
+    assert result.critical_damping == pytest.approx(half, rel=1e-3)
+    assert any("peaks between the speeds" in line for line in unbalance_lines(result)) == told
 
 
 def test_rest_is_no_steady_response() -> None:

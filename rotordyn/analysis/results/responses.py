@@ -156,4 +156,5 @@ class UnbalanceResult:
     )
     unbalance_angle: Array = quantity("unbalance", unit="rad", label="angle")
     critical_speed: Array = quantity("critical", unit="rad/s", label="critical speed, 1× rotation")
+    critical_damping: Array = quantity("critical", unit="1", label="damping ratio there")
     error: Array = quantity("point", unit="1", label="estimated error over the largest value")

@@ -407,6 +407,7 @@ def unbalance(count: int = 49) -> UnbalanceResult:
         unbalance_size=np.array([1e-5]),
         unbalance_angle=np.array([0.5]),
         critical_speed=own,
+        critical_damping=np.full(2, 0.02),
         error=np.array([1e-5, 2e-5]),
     )
 
