@@ -54,6 +54,7 @@ GENERATED = {
             "bearing",
             *(f"bearing-{n}" for n in ("first", "methods", "tolerance", "strides", "hertz")),
             "frf",
+            "study",
             *(f"peer-{n}" for n in ("versions", "times", "errors", "starts")),
             "random",
             "random-dense",

@@ -24,7 +24,7 @@ WALL_TARGETS = {
     "check": 0.4,
     "--help": 0.08,
 }
-SOLVE_TARGET, MEMORY_TARGET = 1.0, 350.0
+SOLVE_TARGET, MEMORY_TARGET, STUDY_TARGET = 1.0, 350.0, 60.0
 
 
 def measured() -> Measured:
@@ -57,6 +57,7 @@ def benchmark_parts(found: Measured) -> dict[str, str]:
         "stages": _stages(found),
         **bearing_parts(found["bearing"]),
         "frf": _frf(found),
+        "study": _study(found),
         "precision": _precision(found),
         **peer_parts(found["peer"]),
         "random": _random(found),
@@ -170,6 +171,17 @@ def _random(found: Measured) -> str:
         for r in found["random_rotors"]
     ]
     return table(head, lines)
+
+
+def _study(found: Measured) -> str:
+    """What many variants of one machine cost."""
+    head = ("variants:", "speeds each:", "processes:", "seconds in all:", "target:", "")
+    s = found["study"]
+    words = (f"{s['seconds']:.3g}", *_verdict(s["seconds"], STUDY_TARGET, "s"))
+    text = table(head, [(str(s["count"]), str(s["speeds"]), str(s["processes"]), *words)])
+    lost = sum(s["unsolved"].values())
+    each = f"{1e3 * s['variant']:.3g} ms"
+    return f"{text}\n\nOf these {lost} have no solution; a variant takes {each}."
 
 
 def _random_dense(found: Measured) -> str:
