@@ -6,6 +6,8 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
+
 import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import NDArray
@@ -32,6 +34,10 @@ def _integral(p: Array, degree: NDArray[np.intp]) -> Array:
     return np.asarray((p[:, degree + 1] - before) / (2.0 * degree + 1.0))
 
 
+@lru_cache(maxsize=64)
 def points(degree: int) -> tuple[Array, Array]:
-    """Gauss points on [−1, 1] and weights, exact for polynomials up to ``degree``."""
-    return legendre.leggauss(degree // 2 + 1)
+    """Gauss points on [−1, 1] and weights, exact for polynomials up to ``degree``; read only."""
+    found = legendre.leggauss(degree // 2 + 1)
+    for array in found:
+        array.flags.writeable = False
+    return found

@@ -24,13 +24,17 @@ CLOSER = 1e-4  # share of the bracket that is searched next around the zero of t
 EPS = 1e-12
 
 
-def with_stops(network: Network, rest: Array, limit: Array) -> NetworkState:
+def with_stops(
+    network: Network, rest: Array, limit: Array, start: Array | None = None
+) -> NetworkState:
     """Equilibrium with unilateral stops at ``limit`` (bodies,), NaN where there is none.
 
+    Sought from ``rest`` (bodies,), or from ``start`` (speeds, bodies), places likely to be near.
     Stops that would be overrun are closed and those that would have to pull are opened, until
     neither happens; a speed where that never ends is not ``found``.
     """
-    start = np.repeat(rest[None], len(network.arrangement.speed), axis=0)
+    if start is None:
+        start = np.repeat(rest[None], len(network.arrangement.speed), axis=0)
     held = np.zeros(start.shape, dtype=bool)
     net = solve(network, start, held, limit)
     for _ in range(2 * len(limit) + 2):
@@ -78,8 +82,13 @@ def meeting_speed(
     released = limit.copy()
     released[push.body] = np.nan
 
+    known: list[tuple[Array, Array]] = []
+
     def gaps(squares: Array) -> Array:
-        net = with_stops(at(np.sqrt(squares)), rest, released)
+        near = _between(squares, *known[-1]) if known else None
+        net = with_stops(at(np.sqrt(squares)), rest, released, near)
+        if net.found.all():
+            known.append((squares, net.position))
         gap = push.direction * (net.position[:, push.body] - limit[push.body])
         return np.where(net.found, gap, -np.inf)
 
@@ -103,3 +112,8 @@ def meeting_speed(
         margin = CLOSER * (high - low)
         guess = (low, high) if zero is None else (max(low, zero - margin), min(high, zero + margin))
     return math.sqrt(0.5 * (low + high))
+
+
+def _between(at: Array, places: Array, values: Array) -> Array:
+    """``values`` (places, columns) on straight lines between ascending ``places``."""
+    return np.stack([np.interp(at, places, column) for column in values.T], axis=1)
