@@ -11,6 +11,7 @@ import pytest
 
 from benchmarks import random_rotors
 from rotordyn.analysis import campbell
+from rotordyn.analysis.certificate import certificate
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions
 from rotordyn.exact.count import modes_below, whirl_frequencies
@@ -21,6 +22,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.reduction import RitzBasis
 from rotordyn.report.warnings import result_warnings
 from rotordyn.system import lateral_rotor
+from rotordyn.system.hierarchy import Hierarchy
 from rotordyn.system.mesh import build_mesh
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.rotors import STEEL, support, uniform
@@ -175,3 +177,40 @@ def test_poles_of_long_random_rotors_by_one_dense_solve(seed: int) -> None:
     assert found["certified"]
     assert found["counted"] == found["in_disc"] >= found["modes"]
     assert max(found["errors"]) < 1e-5
+
+
+def bounds(spindle: Spindle) -> np.ndarray:
+    """What has to be below 1 for bending up to 2 kHz."""
+    scene = Scene(spindle, Conditions(), np.array([0.0, 300.0]), 2000.0)
+    return certificate(scene, "bending", HZ * 2000.0).bound
+
+
+def test_forces_of_supports_on_housings_count_as_those_on_ground(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Without static answers to them these forces rule the bound; a heavy housing is ground."""
+    whole = lateral_rotor.ritz_basis
+
+    def unanswered(mass: Any, stiffness: Any, cutoff: float, loads: Any, *rest: Any) -> RitzBasis:
+        return whole(mass, stiffness, cutoff, loads[:, :0], *rest)
+
+    ends = [support("a", 0.0, (2e5, 1e5)), support("b", 1.0, (2e5, 1e5))]
+    rotor = uniform(1.0, 0.05, supports=ends)
+    ground = RigidHousing("wall", ("a",), 0.0, 5e4, {("y", "y"): 1e12, ("z", "z"): 1e12})
+    answered_for = bounds(rotor)
+    monkeypatch.setattr(lateral_rotor, "ritz_basis", unanswered)
+    bare, housed = bounds(rotor), bounds(replace(rotor, housings=(ground,)))
+    assert (bare > 5.0 * answered_for).all()
+    assert housed == pytest.approx(bare, rel=1e-2)
+
+
+def test_dampers_of_joints_without_answers_leave_no_proof(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    ends = [support("a", 0.2, (1e8, 1e8), 1e3), support("b", 0.8, (1e8, 1e8), 1e3)]
+    joint = Joint("cone", 0.4, tilt=1e6, tilt_damping=100.0)
+    rotor = replace(uniform(1.0, 0.05, supports=ends), joints=(joint,))
+    assert (bounds(rotor) < 0.1).all()
+    none = property(lambda elements: np.zeros((elements.size, 0)))
+    monkeypatch.setattr(Hierarchy, "damper_loads", none)
+    assert (bounds(rotor) > 1.0).all()
