@@ -23,10 +23,9 @@ from bearings.free_motion import beyond
 from bearings.last_digits import after_step
 from bearings.plane import Pair, dot, turned_far
 from bearings.problem import (
-    FINE_BLEND,
-    FINE_TURN,
     FIRST_BLEND,
     FIRST_FREE,
+    JUMP,
     LONGEST_TURN,
     MOST_FREE_MOTIONS,
     NEWTON_STEPS,
@@ -236,31 +235,42 @@ def _correct(
     """Plain Newton at ``blend`` from a point close by.
 
     Returns new (d, X), success, the linearisation there, and the iterations used. Success means:
-    converged, no angle turned far, every ball on the outer race, no fold passed.
+    converged, no angle turned far, every ball on the outer race, no fold and no jump passed.
     """
     before = _segments(problem, d, x)
     d, x = d.copy(), x.copy()
     used = np.zeros(len(d), dtype=int)
     needed = np.where(blend < 1.0, ON_THE_WAY, TOLERANCE)
-    for step in range(NEWTON_STEPS + 1):
-        linear = linearise(problem, d, x, blend)
-        moving = linear.error >= needed
-        if not moving.any() or step == NEWTON_STEPS:
+    linear = linearise(problem, d, x, blend)
+    first, moving = linear.balance, linear.error >= needed
+    for _ in range(NEWTON_STEPS):
+        if not moving.any():
             break
         used += moving
         dd, dx = _step(problem, linear)
         d += np.where(moving[:, None], dd, 0.0)
         x += np.where(moving[:, None], dx, 0.0)
+        linear = linearise(problem, d, x, blend)
+        moving = linear.error >= needed
     good = ~moving & (linear.fold > 0.0)
-    turn = LONGEST_TURN if problem.model.one_branch else FINE_TURN
     for then, now in zip(before, _segments(problem, d, x), strict=True):
-        good &= ~turned_far(then, now, turn).any(axis=-1)
+        good &= ~turned_far(then, now, LONGEST_TURN).any(axis=-1)
     good &= (linear.balance.outer_load > 0.0).all(axis=-1)
+    if not problem.model.one_branch:
+        good &= ~_jumped(problem.model.constants.ball_diameter, first, linear.balance).any(axis=-1)
     free = problem.free
     if free.any():
         k = tangent(problem, linear.balls)[:, free][:, :, free]
         good &= np.linalg.det(_relative(k, problem.scale[free])) > 0.0
     return d, x, good, linear, used
+
+
+def _jumped(diameter: float, before: Balance, now: Balance) -> NDArray[np.bool_]:
+    """Whether an inner contact (s, n) has opened or closed with a moment that does not fade."""
+    changed = (before.inner_load > 0.0) != (now.inner_load > 0.0)
+    moment = np.maximum(np.abs(before.gyroscopic_moment), np.abs(now.gyroscopic_moment))
+    largest = np.maximum(now.outer_load, now.inner_load).max(axis=-1, keepdims=True)
+    return changed & (2.0 * moment > JUMP * diameter * largest)
 
 
 def _relative(k: Array, scale: Array) -> Array:
@@ -279,8 +289,7 @@ def _blended(
     problem: Problem, d: Array, x: Array, done: NDArray[np.bool_]
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Follow the states that are ``done`` at blend 0 to the full problem."""
-    first, longest = (FIRST_BLEND, 1.0) if problem.model.one_branch else (FINE_BLEND, FINE_BLEND)
-    blend, stride = np.zeros(len(d)), np.full(len(d), first)
+    blend, stride = np.zeros(len(d)), np.full(len(d), FIRST_BLEND)
     freed = np.zeros(len(d), dtype=int)
     while True:
         todo = np.flatnonzero(done & (blend < 1.0) & (stride >= SHORTEST_BLEND))
@@ -294,8 +303,7 @@ def _blended(
         new_d, new_x, good, _, used = _correct(problem.take(todo), d[todo], x[:, todo], target)
         won = todo[good]
         d[won], x[:, won], blend[won] = new_d[good], new_x[:, good], target[good]
-        longer = stride[won] * np.where(used[good] <= QUICK_STEPS, 2.0, 1.0)
-        stride[won] = np.minimum(longer, longest)
+        stride[won] *= np.where(used[good] <= QUICK_STEPS, 2.0, 1.0)
         stride[todo[~good]] *= 0.25
     return d, x, done & (blend >= 1.0)
 

@@ -22,10 +22,9 @@ from bearings.constants import EPS
 from bearings.plane import turned_far
 from bearings.problem import (
     CONVEX_STEPS,
-    FINE_BLEND,
-    FINE_TURN,
     FIRST_BLEND,
     HALVINGS,
+    JUMP,
     LONGEST_STEP,
     LONGEST_TURN,
     NEWTON_STEPS,
@@ -46,8 +45,7 @@ def find(p: One, d: Array, x: Array, near: bool, w: Work) -> bool:
 
     ``near``: the start is a state close by, which is tried first.
     """
-    first, longest = (FIRST_BLEND, 1.0) if p.one_branch else (FINE_BLEND, FINE_BLEND)
-    blend, stride, direct = 0.0, first, near and p.turning
+    blend, stride, direct = 0.0, FIRST_BLEND, near and p.turning
     if not direct and not convex(p, d, x, w):
         return False
     if not p.turning:
@@ -57,7 +55,7 @@ def find(p: One, d: Array, x: Array, near: bool, w: Work) -> bool:
         target = 1.0 if direct else min(1.0, blend + stride)
         good, used = _tried(p, d, x, target, w)
         if good:
-            blend, stride = target, min(longest, stride * (2.0 if used <= QUICK_STEPS else 1.0))
+            blend, stride = target, stride * (2.0 if used <= QUICK_STEPS else 1.0)
         elif not direct:
             stride *= 0.25
         elif not convex(p, d, x, w):
@@ -90,12 +88,13 @@ def correct(p: One, d: Array, x: Array, blend: float, w: Work) -> tuple[bool, in
     """Plain Newton at ``blend`` from a point close by, kept: success, and the iterations used."""
     needed, used = (ON_THE_WAY if blend < 1.0 else TOLERANCE), 0
     found = evaluate(p, d, x, blend, w)
+    w.first_grip[:] = w.grip
     while error(p, found, w) >= needed and used < NEWTON_STEPS:
         used += 1
         _newton(p, d, x, w)
         found = evaluate(p, d, x, blend, w)
     good = error(p, found, w) < needed and found.fold > 0.0 and found.pressed
-    good = good and _turned_little(p, w.d, w.x, d, x)
+    good = good and _turned_little(p, w.d, w.x, d, x) and not _jumped(p, found.largest, w)
     return good and (len(p.free) == 0 or _missing(p, w.action, w)[1] > 0.0), used
 
 
@@ -222,12 +221,24 @@ def _work(p: One, d: Array) -> float:
 
 def _turned_little(p: One, there: Array, at: Array, d: Array, x: Array) -> bool:
     """Whether no direction to a groove centre has turned far since (there, at)."""
-    turn = LONGEST_TURN if p.one_branch else FINE_TURN
     for ball in range(len(x)):
         before, now = centre_of(p, there, ball), centre_of(p, d, ball)
-        turned = turned_far((at[ball, 0], at[ball, 1]), (x[ball, 0], x[ball, 1]), turn)
+        turned = turned_far((at[ball, 0], at[ball, 1]), (x[ball, 0], x[ball, 1]), LONGEST_TURN)
         inner = (before[0] - at[ball, 0], before[1] - at[ball, 1])
-        turned |= turned_far(inner, (now[0] - x[ball, 0], now[1] - x[ball, 1]), turn)
+        turned |= turned_far(inner, (now[0] - x[ball, 0], now[1] - x[ball, 1]), LONGEST_TURN)
         if turned:
             return False
     return True
+
+
+def _jumped(p: One, largest: float, w: Work) -> bool:
+    """Whether an inner contact has opened or closed with a moment that does not fade."""
+    if p.one_branch:
+        return False
+    for ball in range(len(w.grip)):
+        before, now = w.first_grip[ball], w.grip[ball]
+        changed = (before[0] > 0.0) != (now[0] > 0.0)
+        moment = max(abs(before[1]), abs(now[1]))
+        if changed and 2.0 * moment > JUMP * p.constants.ball_diameter * largest:
+            return True
+    return False

@@ -42,13 +42,16 @@ class One(NamedTuple):
 class Work(NamedTuple):
     """Room for what an evaluation finds.
 
-    ``still`` (n, 2), ``follow`` (n, 4): how each ball moves with the ring. ``action``, ``settled``
-    (5,): load on the ring, as it is and with the balls settled. ``stiffness`` (5, 5). ``d``, ``x``:
-    where the last stride began.
+    ``still`` (n, 2), ``follow`` (n, 4): how each ball moves with the ring. ``grip`` (n, 2): inner
+    load and gyroscopic moment of each ball, ``first_grip`` where a stride began. ``action``,
+    ``settled`` (5,): load on the ring, as it is and with the balls settled. ``stiffness`` (5, 5).
+    ``d``, ``x``: where the last stride began.
     """
 
     still: Array
     follow: Array
+    grip: Array
+    first_grip: Array
     action: Array
     settled: Array
     stiffness: Array
@@ -73,8 +76,9 @@ class Found(NamedTuple):
 def room(balls: int) -> Work:
     """Empty room for a ring of so many balls."""
     five, x = np.zeros(5), np.zeros((balls, 2))
-    stiffness = np.zeros((5, 5))
-    return Work(x, np.zeros((balls, 4)), five, five.copy(), stiffness, five.copy(), x.copy())
+    follow, stiffness = np.zeros((balls, 4)), np.zeros((5, 5))
+    grip, first = x.copy(), x.copy()
+    return Work(x, follow, grip, first, five, five.copy(), stiffness, five.copy(), x.copy())
 
 
 def centre_of(p: One, d: Array, ball: int) -> Pair:
@@ -107,6 +111,7 @@ def evaluate(p: One, d: Array, x: Array, blend: float, w: Work) -> Found:
         largest = max(largest, b.inner_load, b.outer_load)
         imbalance = max(imbalance, abs(b.residual[0]), abs(b.residual[1]))
         fold, pressed = min(fold, s.fold), pressed and b.outer_load > 0.0
+        w.grip[ball, 0], w.grip[ball, 1] = b.inner_load, b.gyroscopic_moment
         w.still[ball, 0], w.still[ball, 1] = s.still
         w.follow[ball, 0], w.follow[ball, 1] = s.follow[0]
         w.follow[ball, 2], w.follow[ball, 3] = s.follow[1]

@@ -18,8 +18,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.problem import (
-    FINE_BLEND,
-    FINE_TURN,
     FIRST_BLEND,
     FIRST_FREE,
     LONGEST_TURN,
@@ -46,16 +44,13 @@ class Strides:
     shortest: float = SHORTEST_BLEND
     quick: int = QUICK_STEPS
     free: float = FIRST_FREE
-    alike: bool = True  # the same where a contact may be lost with a jump
 
     @contextmanager
     def used(self) -> Iterator[None]:
         """The solver strides so."""
         names = {
             "FIRST_BLEND": self.first,
-            "FINE_BLEND": self.first if self.alike else FINE_BLEND,
             "LONGEST_TURN": self.turn,
-            "FINE_TURN": self.turn if self.alike else FINE_TURN,
             "SHORTEST_BLEND": self.shortest,
             "QUICK_STEPS": self.quick,
             "FIRST_FREE": self.free,
@@ -70,7 +65,6 @@ def fixed(length: float) -> Strides:
 
 
 VARIED = {
-    "as shipped": {FIRST_BLEND: Strides(alike=False)},
     "first stride": {v: Strides(first=v) for v in (1.0, 0.5, 0.25, 2.0**-4)},
     "longest turn [rad]": {v: Strides(turn=v) for v in (1.5, 0.6, 0.3, 0.15, 0.075, 0.0375, 0.02)},
     "shortest stride": {

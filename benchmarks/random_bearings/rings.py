@@ -53,12 +53,14 @@ class Asked:
         circumstances = dict(speed=self.speed, static_growth=self.static, growth=self.growth)
         return circumstances | self.drawn.how
 
-    def solve(self, start: BearingState | None = None) -> BearingState:
+    def solve(
+        self, start: BearingState | None = None, *, compiled: bool | None = None
+    ) -> BearingState:
         """All states in one call."""
         force = np.where(self.free, self.load, np.nan)
         move = np.where(self.free, np.nan, self.displacement)
         return self.drawn.bearing.equilibrium(
-            load=force, displacement=move, start=start, **self.how
+            load=force, displacement=move, start=start, compiled=compiled, **self.how
         )
 
     @property

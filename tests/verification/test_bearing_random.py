@@ -74,13 +74,17 @@ def test_a_bearing_path_arrives_where_the_solver_is() -> None:
     assert found["odd"] == []
 
 
-def test_a_path_ends_where_a_contact_opens_with_a_jump() -> None:
-    """By a twelfth of the load, which a stride of the path would step over."""
-    asked, index = rings.draw_states(10014), 6
+@pytest.mark.parametrize("compiled", [False, True])
+@pytest.mark.parametrize(("number", "index"), [(10014, 6), (10007, 2)], ids=["twelfth", "7e-4"])
+def test_a_path_ends_where_a_contact_opens_with_a_jump(
+    number: int, index: int, compiled: bool
+) -> None:
+    """By that part of the load, which a stride of the path would step over."""
+    asked = rings.draw_states(number)
     path = paths.ring_path(asked, index)
     assert path.end == "jump"
     assert path.changes == 1
-    assert asked.solve().outcome[index] == "no equilibrium"
+    assert asked.solve(compiled=compiled).outcome[index] == "no equilibrium"
 
 
 def test_a_contact_that_opens_under_outer_control_ends_no_path() -> None:
