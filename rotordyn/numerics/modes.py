@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.numerics.conservative import conservative_modes
 from rotordyn.numerics.threads import in_threads
 
 Array = NDArray[np.float64]
@@ -158,6 +159,27 @@ def modes(stiffness: Matrix, damping: Matrix) -> Modes:
     """
     stiffness = _of_weight(stiffness)
     shape = np.broadcast_shapes(stiffness.shape, damping.shape)
+    known = conservative_modes(stiffness, damping)
+    if known is None:
+        pole, vector, participation, condition = _general(stiffness, damping, shape)
+    else:
+        pole, vector, participation = known
+        condition = np.ones(pole.shape[:-1])
+    pole = _polished(pole, vector, participation, stiffness, damping)
+    return Modes(
+        stiffness=np.broadcast_to(stiffness, shape),
+        damping=np.broadcast_to(damping, shape),
+        pole=pole if known is None else np.asarray(1j * pole.imag),
+        vector=vector,
+        participation=participation,
+        condition=condition,
+    )
+
+
+def _general(
+    stiffness: Matrix, damping: Matrix, shape: tuple[int, ...]
+) -> tuple[Complex, Complex, Complex, Array]:
+    """Poles, vectors, participations and the condition of the vectors, of any system."""
     n = shape[-1]
     matrix = np.zeros((*shape[:-2], 2 * n, 2 * n), dtype=np.result_type(stiffness, damping))
     matrix[..., :n, n:] = np.eye(n)
@@ -168,15 +190,8 @@ def modes(stiffness: Matrix, damping: Matrix) -> Modes:
     matrix[..., n:, :n] /= scale
     pole, vectors = _eigenpairs(matrix)
     left = _inverse(vectors)
-    vector, participation = vectors[..., :n, :], left[..., n:] / scale
-    return Modes(
-        stiffness=np.broadcast_to(stiffness, shape),
-        damping=np.broadcast_to(damping, shape),
-        pole=_polished(pole, vector, participation, stiffness, damping),
-        vector=vector,
-        participation=participation,
-        condition=np.abs(left).sum(axis=-1).max(axis=-1),
-    )
+    condition = np.abs(left).sum(axis=-1).max(axis=-1)
+    return pole, vectors[..., :n, :], left[..., n:] / scale, condition
 
 
 def _of_weight(stiffness: Matrix) -> Matrix:

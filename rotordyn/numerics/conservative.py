@@ -1,0 +1,92 @@
+"""Poles of systems that neither lose nor gain energy: a symmetric eigenproblem.
+
+With K = L Lᴴ, H = i D and λ = iν, λ² q + λ D q + K q = 0 is
+
+    ν (v, u) = [[H, L], [Lᴴ, 0]] (v, u),   v = ν q, u = Lᴴ q,
+
+whose matrix is Hermitian: its vectors are orthonormal, and those of the left come with them. Where
+the stiffness is real and D imaginary, as of an isotropic rotor without damping, it is real. Stiff
+coordinates stand first: the reduction to three diagonals, which begins there, then leaves the
+slow ones their digits.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.numerics.threads import in_threads
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Matrix = NDArray[np.inexact[Any]]
+ROUNDING = 1e-14  # of the largest entry of a coordinate's row
+HELD = 1e-6  # of a coordinate's stiffness, left when the others may follow: less loses digits
+SLOWEST = 1e-8  # of the fastest: slower poles lose digits
+LEAST = 8  # systems to a thread
+
+
+def conservative_modes(stiffness: Matrix, damping: Matrix) -> tuple[Complex, ...] | None:
+    """Poles (…, 2n), vectors (…, n, 2n) and participations (…, 2n, n) of ``numerics.modes``.
+
+    None where the stiffness (…, n, n) is not Hermitian and clearly positive definite, or the
+    damping not anti-Hermitian, or where digits would be lost.
+    """
+    if not (_hermitian(stiffness) and _hermitian(1j * damping)):
+        return None
+    order = np.argsort(-_largest(stiffness))
+    swapped = order[:, None], order
+    root = _root(_real_if_so(stiffness[..., *swapped]))
+    if root is None:
+        return None
+    upper = np.swapaxes(root.conj(), -1, -2)
+    rate, strain = _whirls(_real_if_so(1j * damping[..., *swapped]), upper)
+    if not np.abs(rate).min() > SLOWEST * np.abs(rate).max():
+        return None
+    vector = np.linalg.solve(upper, strain)[..., order.argsort(), :]
+    pole = np.asarray(1j * rate, dtype=complex)
+    left = pole.conj()[..., None] * np.swapaxes(vector.conj(), -1, -2)
+    return pole, np.asarray(vector, dtype=complex), left
+
+
+def _root(stiffness: Matrix) -> Matrix | None:
+    """L (…, n, n), None where K is not clearly positive definite."""
+    try:
+        root = np.linalg.cholesky(stiffness)
+    except np.linalg.LinAlgError:
+        return None
+    pivots, own = (np.abs(np.diagonal(part, axis1=-2, axis2=-1)) for part in (root, stiffness))
+    return root if (pivots**2 > HELD * own).all() else None
+
+
+def _whirls(turning: Matrix, upper: Matrix) -> tuple[Array, Matrix]:
+    """ν (…, 2n), ascending, and u (…, n, 2n)."""
+    n = upper.shape[-1]
+    shape = np.broadcast_shapes(upper.shape, turning.shape)[:-2]
+    matrix = np.zeros((*shape, 2 * n, 2 * n), dtype=np.result_type(upper, turning))
+    matrix[..., :n, :n] = turning
+    matrix[..., n:, :n] = upper  # the lower half is all that is read
+    flat = matrix.reshape(-1, 2 * n, 2 * n)
+    parts = in_threads(lambda part: np.linalg.eigh(flat[part]), len(flat), LEAST)
+    rate = np.concatenate([values for values, _ in parts])
+    strain = np.concatenate([vectors[:, n:] for _, vectors in parts])
+    return rate.reshape(*shape, 2 * n), strain.reshape(*shape, n, 2 * n)
+
+
+def _largest(stiffness: Matrix) -> Array:
+    """Of each coordinate its stiffness, the largest of the batch (n,)."""
+    own = np.abs(np.diagonal(stiffness, axis1=-2, axis2=-1))
+    return np.asarray(own.reshape(-1, own.shape[-1]).max(axis=0))
+
+
+def _hermitian(matrix: Matrix) -> bool:
+    size = np.abs(matrix)
+    apart = np.abs(matrix - np.swapaxes(matrix.conj(), -1, -2))
+    each = np.maximum(size.max(axis=-1), size.max(axis=-2))
+    return bool((apart <= ROUNDING * np.maximum(each[..., None], each[..., None, :])).all())
+
+
+def _real_if_so(matrix: Matrix) -> Matrix:
+    return matrix.real if np.iscomplexobj(matrix) and not matrix.imag.any() else matrix
