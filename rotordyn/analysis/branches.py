@@ -7,9 +7,9 @@ energy, on the mean of all speeds: of two modes that veer, what each is over mos
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import partial
-from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -188,18 +188,27 @@ class _Step:
         columns = np.flatnonzero(swings(self.pole, turning) & (turning < ceiling) & ~self.free)
         return columns[np.argsort(turning[columns])]
 
-    def ahead(self, other: _Step) -> Complex:
-        """Poles (k,) to be expected at ``other``: λ − w (λ ΔD + ΔK) v."""
-        if self.system is None or other.system is None:
-            return self.pole
-        pole = self.pole - 1j * self.frame
-        left, stiffness, damping = self.system
-        change = pole * ((other.system[2] - damping) @ self.vector)
-        change = change + (other.system[1] - stiffness) @ self.vector
-        with np.errstate(invalid="ignore", over="ignore"):
-            step = np.einsum("kn,nk->k", left, change)
-            known = np.abs(step) < FARTHEST * np.abs(self.pole)
-        return np.where(known, pole - step + 1j * other.frame, self.pole)
+
+def _ahead(steps: Sequence[_Step]) -> list[Complex]:
+    """Poles (k,) to be expected of each step at the next one: λ − w (λ ΔD + ΔK) v."""
+    poles = [step.pole for step in steps]
+    if len(steps) < 2 or any(step.system is None for step in steps):
+        return poles
+    left, stiffness, damping = map(
+        np.stack, zip(*(s.system for s in steps if s.system), strict=True)
+    )
+    frame, vector = (
+        np.array([step.frame for step in steps]),
+        np.stack([s.vector for s in steps[:-1]]),
+    )
+    pole = np.stack(poles[:-1]) - 1j * frame[:-1, None]
+    change = (
+        pole[:, None] * (np.diff(damping, axis=0) @ vector) + np.diff(stiffness, axis=0) @ vector
+    )
+    with np.errstate(invalid="ignore", over="ignore"):
+        move = np.einsum("skn,snk->sk", left[:-1], change)
+        known = np.abs(move) < FARTHEST * np.abs(np.stack(poles[:-1]))
+    return [*np.where(known, pole - move + 1j * frame[1:, None], poles[:-1]), poles[-1]]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -247,9 +256,8 @@ class _Sweep:
         """Those that turn to ``side``, at the speeds of the case."""
         ceiling = 2.0 * math.pi * MARGIN * spec.max_frequency
         columns = [step.chosen(side, ceiling) for step in self.steps]
-        expected = [step.ahead(other) for step, other in pairwise(self.steps)]
-        expected.append(self.steps[-1].pole)
-        ahead = [side * pole.imag[own] for pole, own in zip(expected, columns, strict=True)]
+        expected = zip(_ahead(self.steps), columns, strict=True)
+        ahead = [side * pole.imag[own] for pole, own in expected]
         path = follow(*self._followable(columns, side), ahead)
         given = [k for k, step in enumerate(self.steps) if step.given]
         return [

@@ -36,24 +36,34 @@ def follow(
     to that is taken. The most alike pairs are matched first, each vector once; a vector that nobody
     claims begins a path of its own.
     """
-    last = np.zeros((vectors[0].shape[0], 0), dtype=complex)
-    at = np.zeros(0)
-    path = np.zeros((len(vectors), 0), dtype=np.intp)
-    for step, (fresh, value) in enumerate(zip(vectors, values, strict=True)):
-        if last.shape[1] and fresh.shape[1]:
-            distance = np.abs(value - at[:, None])
-            apart = distance / (np.abs(at[:, None]) + np.abs(value) + 1e-300)
-            column = _matched(likeness(last, fresh) - NEARNESS * apart)
-        else:
-            column = np.full(last.shape[1], -1, dtype=np.intp)
+    last, at = np.zeros((vectors[0].shape[0], 0), dtype=complex), np.zeros(0)
+    rows = []
+    for fresh, value, expected in zip(vectors, values, ahead or values, strict=True):
+        column = _partners(last, at, fresh, value)
         found = column >= 0
-        born = np.setdiff1d(np.arange(fresh.shape[1]), column[found])
-        expected = value if ahead is None else ahead[step]
+        new = np.ones(fresh.shape[1], dtype=bool)
+        new[column[found]] = False
+        born = np.flatnonzero(new)
+        rows.append(np.append(column, born))
+        if found.all():
+            last, at = fresh[:, rows[-1]], expected[rows[-1]]
+            continue
+        last, at = last.copy(), at.copy()
         last[:, found], at[found] = fresh[:, column[found]], expected[column[found]]
         last, at = np.concatenate([last, fresh[:, born]], axis=1), np.append(at, expected[born])
-        path = np.pad(path, ((0, 0), (0, born.size)), constant_values=-1)
-        path[step] = np.append(column, born)
+    path = np.full((len(rows), len(at)), -1, dtype=np.intp)
+    for step, row in enumerate(rows):
+        path[step, : len(row)] = row
     return path
+
+
+def _partners(last: Complex, at: Array, fresh: Complex, value: Array) -> NDArray[np.intp]:
+    """Which of ``fresh`` (n, l) each of ``last`` (n, k) has become (k,), −1 for none."""
+    if not (last.shape[1] and fresh.shape[1]):
+        return np.full(last.shape[1], -1, dtype=np.intp)
+    distance = np.abs(value - at[:, None])
+    apart = distance / (np.abs(at[:, None]) + np.abs(value) + 1e-300)
+    return _matched(likeness(last, fresh) - NEARNESS * apart)
 
 
 def doubts(
@@ -67,14 +77,34 @@ def doubts(
     show. No step becomes smaller than ``narrowest``.
     """
     wanted = []
-    for k in range(len(at) - 1):
-        if at[k + 1] - at[k] <= 2.0 * narrowest:
-            continue
+    for k in np.flatnonzero(_may_doubt(vectors, values, within) & (np.diff(at) > 2.0 * narrowest)):
         share = _doubt(vectors[k : k + 2], values[k : k + 2], within)
         if share is not None:
             room = narrowest / (at[k + 1] - at[k])
             wanted.append(float(at[k] + (at[k + 1] - at[k]) * np.clip(share, room, 1.0 - room)))
     return wanted
+
+
+def _may_doubt(vectors: list[Complex], values: list[Array], within: float) -> NDArray[np.bool_]:
+    """Pairs of steps (steps − 1,) that ``_doubt`` has to look at: in all others all is clear."""
+    most, steps = max(len(own) for own in values), len(values)
+    if not most:
+        return np.zeros(steps - 1, dtype=bool)
+    whole = np.zeros((steps, len(vectors[0]), most), dtype=complex)
+    value = np.full((steps, most), np.nan)
+    for k, (vector, own) in enumerate(zip(vectors, values, strict=True)):
+        whole[k, :, : len(own)], value[k, : len(own)] = vector, own
+    size = np.sqrt((whole.real**2 + whole.imag**2).sum(axis=1, keepdims=True))
+    whole /= np.where(size > 0.0, size, 1.0)
+    alike = np.abs(np.swapaxes(whole[:-1].conj(), 1, 2) @ whole[1:]) ** 2
+    twins = np.abs(value[:, :, None] - value[:, None]) <= TWINS * np.abs(value)[:, None]
+    shared = np.minimum(twins[:-1] @ alike @ twins[1:], 1.0)
+    doubt = ((shared.max(axis=2) < CLEAR) & (value[:-1] < within)).any(axis=1)
+    doubt |= ((shared.max(axis=1) < CLEAR) & (value[1:] < within)).any(axis=1)
+    after = np.take_along_axis(value[1:], shared.argmax(axis=2), axis=1)
+    before = np.where(value[:-1] < within, value[:-1], np.nan)
+    swapped = (before[:, :, None] - before[:, None]) * (after[:, :, None] - after[:, None]) < 0.0
+    return np.asarray(doubt | swapped.any(axis=(1, 2)))
 
 
 def _doubt(vectors: list[Complex], values: list[Array], within: float) -> float | None:
@@ -123,6 +153,9 @@ def _crossing(one: Array, other: Array, asked: NDArray[np.bool_]) -> float | Non
 
 def _matched(score: NDArray[np.float64]) -> NDArray[np.intp]:
     """Greedy matching of rows to columns, best score first."""
+    partner = score.argmax(axis=1)
+    if len(set(partner.tolist())) == len(partner) and score.max(axis=1).min() >= LEAST_LIKENESS:
+        return partner  # each its own best
     partner = np.full(score.shape[0], -1, dtype=np.intp)
     left = score.copy()
     for _ in range(min(score.shape)):
