@@ -165,7 +165,8 @@ def _followed(
         if len(finer.steps) == len(sweep.steps):
             break
         sweep = finer
-    return [b for side in sides for b in sweep.branches(home, spec, side)]
+    expected = _ahead(sweep.steps)
+    return [b for side in sides for b in sweep.branches(home, spec, side, expected)]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -252,12 +253,14 @@ class _Sweep:
         narrowest = NARROWEST * float(np.ptp(speed))
         return doubts(speed, *self._followable(columns, side), WITHIN * band, narrowest)
 
-    def branches(self, kind: str, spec: CampbellSpec, side: float) -> list[Branch]:
-        """Those that turn to ``side``, at the speeds of the case."""
+    def branches(
+        self, kind: str, spec: CampbellSpec, side: float, expected: list[Complex]
+    ) -> list[Branch]:
+        """Those that turn to ``side``, at the speeds of the case; poles ``expected`` at the next
+        step."""
         ceiling = 2.0 * math.pi * MARGIN * spec.max_frequency
         columns = [step.chosen(side, ceiling) for step in self.steps]
-        expected = zip(_ahead(self.steps), columns, strict=True)
-        ahead = [side * pole.imag[own] for pole, own in expected]
+        ahead = [side * pole.imag[own] for pole, own in zip(expected, columns, strict=True)]
         path = follow(*self._followable(columns, side), ahead)
         given = [k for k, step in enumerate(self.steps) if step.given]
         return [
