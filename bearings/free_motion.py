@@ -1,8 +1,8 @@
 """A ring that few balls hold can move without any change of load, until another ball takes part.
 
 Two loaded balls hold four of the five freedoms. Where the load of a third fades while a state is
-followed, nothing resists the fifth: all positions up to where the next ball is touched balance the
-same load, and the path goes on from there.
+followed, nothing resists the fifth: all positions up to where the next ball is touched, or this one
+from its other side, balance the same load, and the path goes on from there.
 """
 
 from __future__ import annotations
@@ -37,7 +37,7 @@ def beyond(problem: Problem, d: Array, x: Array, balance: Balance) -> Array | No
         gap = a[:, fading] - x[:, fading]
         if float((gap * moving[:, fading]).sum()) > 0.0:
             way, moving = -way, -moving
-    idle = np.flatnonzero(load == 0.0)
+    idle = np.flatnonzero(~carrying)  # what fades may be met again, from the other side
     pressed = (TOUCHING * load.max() / c.inner_stiffness) ** (2.0 / 3.0)
     travel = _touch(c, a[:, idle] - x[:, idle], moving[:, idle], pressed)
     if not np.isfinite(travel).any():

@@ -25,8 +25,8 @@ SOFT = 1e-13  # of a bearing's stiffness at a thousandth of its free distance, w
 LONGEST_STEP = 0.2  # of the free distance
 
 # second stage
-NEWTON_STEPS = 8
-QUICK_STEPS = 5  # a stride that took no more is followed by a longer one
+NEWTON_STEPS = 5  # more lead to other states across a fold
+QUICK_STEPS = 3  # a stride that took no more is followed by a longer one
 ON_THE_WAY = 1e-7  # scaled residual of a state that is only followed further
 FIRST_BLEND = 0.5  # tried from the convex problem
 LONGEST_TURN = 0.15  # rad a contact angle may move in one stride

@@ -21,6 +21,7 @@ from bearings.problem import (
     FIRST_BLEND,
     FIRST_FREE,
     LONGEST_TURN,
+    NEWTON_STEPS,
     QUICK_STEPS,
     SHORTEST_BLEND,
 )
@@ -42,6 +43,7 @@ class Strides:
     first: float = FIRST_BLEND
     turn: float = LONGEST_TURN
     shortest: float = SHORTEST_BLEND
+    most: int = NEWTON_STEPS
     quick: int = QUICK_STEPS
     free: float = FIRST_FREE
 
@@ -52,6 +54,7 @@ class Strides:
             "FIRST_BLEND": self.first,
             "LONGEST_TURN": self.turn,
             "SHORTEST_BLEND": self.shortest,
+            "NEWTON_STEPS": self.most,
             "QUICK_STEPS": self.quick,
             "FIRST_FREE": self.free,
         }
@@ -61,12 +64,16 @@ class Strides:
 
 def fixed(length: float) -> Strides:
     """Strides of one length, shortened only where they fail, never longer again."""
-    return Strides(first=length, turn=0.05, shortest=2.0**-24, quick=-1, free=length)
+    return Strides(first=length, turn=0.05, shortest=2.0**-24, most=8, quick=-1, free=length)
 
 
 VARIED = {
     "first stride": {v: Strides(first=v) for v in (1.0, 0.5, 0.25, 2.0**-4)},
     "longest turn [rad]": {v: Strides(turn=v) for v in (1.5, 0.6, 0.3, 0.15, 0.075, 0.0375, 0.02)},
+    "most steps, few steps": {
+        f"{most}, {quick}": Strides(most=most, quick=quick)
+        for most, quick in ((8, 5), (6, 4), (5, 4), (5, 3), (5, 2), (4, 3))
+    },
     "shortest stride": {
         v: Strides(shortest=v) for v in (0.5, 2.0**-3, 2.0**-5, 2.0**-9, 2.0**-17, 2.0**-25)
     },
@@ -98,11 +105,15 @@ def measure_strides(bearings: int = 24, repeats: int = 2) -> dict[str, Any]:
     return {"states": states, "sure": sure, "exist": exist, "lines": lines}
 
 
-def _judged(number: int) -> Judged:
+def fast_states(number: int) -> Asked:
+    """A bearing and what is asked of it in the upper half of its speeds."""
     asked = draw_states(number, EACH)
     share = np.random.default_rng([3, number]).uniform(0.5, 1.0, EACH)
-    asked = replace(asked, speed=HIGHEST / asked.drawn.bearing.pitch_diameter * share)
-    found = []
+    return replace(asked, speed=HIGHEST / asked.drawn.bearing.pitch_diameter * share)
+
+
+def _judged(number: int) -> Judged:
+    asked, found = fast_states(number), []
     for length in (FINER, FINE):
         with fixed(length).used():
             found.append(asked.solve())

@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from bearings import STEEL, AngularContactBallBearing
+from benchmarks.bearing.strides import fast_states
 from benchmarks.random_bearings import balls, paths, rings, starts
 from benchmarks.random_bearings.judged import judged
 from tests.oracles.ball_bearing import race
@@ -104,6 +105,25 @@ def test_a_ring_that_two_balls_hold_moves_on_to_the_next() -> None:
     assert path.end == "arrived"
     deep = (state.outer_load[index].max() / asked.drawn.equations.outer.k) ** (2.0 / 3.0)
     assert np.abs(path.x - state.ball_centre[:, index]).max() < 1e-6 * deep
+
+
+@pytest.mark.parametrize("compiled", [False, True])
+def test_a_fold_of_a_soft_ring_is_not_stepped_over(compiled: bool) -> None:
+    """Beyond it, by Newton steps turning an angle by 7° there and back, lies another state."""
+    asked, index = fast_states(164), 28
+    assert paths.ring_path(asked, index).end == "fold"
+    assert asked.solve(compiled=compiled).outcome[index] == "no equilibrium"
+
+
+def test_a_ball_that_fades_is_met_again_from_the_other_side() -> None:
+    """Of three balls two hold the ring, which moves on about them."""
+    asked, index = fast_states(152), 46
+    state, path = asked.solve(), paths.ring_path(asked, index)
+    assert path.end == "arrived"
+    assert path.changes == 2
+    assert state.outcome[index] == ""
+    deep = (state.outer_load[index].max() / asked.drawn.equations.outer.k) ** (2.0 / 3.0)
+    assert np.abs(path.x - state.ball_centre[:, index]).max() < 1e-5 * deep
 
 
 def test_the_start_decides_nothing() -> None:
