@@ -161,7 +161,9 @@ class RadialProblem:
     def evaluate(self, coordinates: Array, near: Point | None) -> Point:
         """Each bearing solved by itself at given coordinates, from where it was ``near`` by."""
         states = self.network.solve_bearings(
-            self.joints, self._displacement(coordinates), None if near is None else near.states
+            self.joints,
+            None if near is None else near.states,
+            displacement=self._displacement(coordinates),
         )
         bearings = {
             model: (solved.places, iterate(solved.state, half_ring))

@@ -114,7 +114,8 @@ class Network:
 
         displacement = self._displacement(x)
         near_by = near.states if near is not None and near.states else None
-        states = self.solve_bearings(range(displacement.shape[1]), displacement, near_by)
+        every = range(displacement.shape[1])
+        states = self.solve_bearings(every, near_by, displacement=displacement)
         bearings = {
             model: (solved.places, iterate(solved.state, axial_ring))
             for model, solved in states.items()
@@ -146,12 +147,17 @@ class Network:
         return Response(load, slope, states, bearings, imbalance)
 
     def solve_bearings(
-        self, joints: Sequence[int], displacement: Array, near: States | None
+        self,
+        joints: Sequence[int],
+        near: States | None,
+        *,
+        displacement: Array | None = None,
+        load: Array | None = None,
     ) -> States:
-        """Bearings at given displacements in their own frames (speeds, places, 5).
+        """Bearings at given displacements or under loads in their own frames (speeds, places, 5).
 
         ``joints``: the joint of every place. Each bearing model is solved in one call; ``near``,
-        the same places at displacements close by, speeds the search up.
+        states of the same places close by, speeds the search up.
         """
         places: dict[AngularContactBallBearing, list[int]] = {}
         for place, joint in enumerate(joints):
@@ -160,7 +166,8 @@ class Network:
             bearing: Solved(
                 where,
                 bearing.equilibrium(
-                    displacement=displacement[:, where],
+                    displacement=None if displacement is None else displacement[:, where],
+                    load=None if load is None else load[:, where],
                     speed=self.arrangement.speed[:, None],
                     static_growth=[self.arrangement.joints[joints[p]].static_growth for p in where],
                     growth=np.stack(

@@ -128,6 +128,8 @@ class PreloadState:
             return float("nan")
         first = int(held[0])
         before = float(self.speed[first - 1]) if first else 0.0
+        known = np.where(self.net.found[:, None], self.net.position, self.rest)
+        near = np.stack([known[first - 1] if first else self.rest, known[first]])
         return meeting_speed(
             lambda speed: replace(
                 self.network, arrangement=arrangement(self.spindle, speed, self.force)
@@ -136,6 +138,7 @@ class PreloadState:
             self.limit,
             push,
             (before, float(self.speed[first])),
+            near,
         )
 
 
