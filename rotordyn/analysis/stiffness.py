@@ -6,7 +6,7 @@ arrangement are free to follow.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
@@ -19,7 +19,7 @@ from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import StiffnessSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.preload.outcome import LEAST_LOAD
-from rotordyn.preload.state import PreloadState, dynamic_preload
+from rotordyn.preload.state import PreloadState
 from rotordyn.system.condensed import CondensedRotor, condensed_rotor
 
 Array = NDArray[np.float64]
@@ -141,16 +141,7 @@ def _short_stop(scene: Scene, spec: StiffnessSpec, force: Array, usual: RadialCu
             differs |= ~(usual.reach[:, push.body] < nearer - REACHED) | (other.outcome != "")
     anew = np.flatnonzero(differs)
     if anew.size:
-        sleeves = tuple(
-            replace(s, stop_travel=spec.second_stop.get(s.name, s.stop_travel))
-            for s in scene.spindle.sleeves
-        )
-        state = dynamic_preload(
-            replace(scene.spindle, sleeves=sleeves),
-            scene.bearing_speed[rows[anew]],
-            scene.law,
-            scene.axial_force,
-        )
+        state = scene.preload.with_travels(spec.second_stop, rows[anew])
         speeds = scene.state_speed[rows[anew]]
         rotor = _rotor(scene, spec, state.seat_load(), speeds)
         curve = _nonlinear(state, rotor, np.arange(anew.size), force)
