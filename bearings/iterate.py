@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from bearings.equilibrium import Linear, linearise, tangent
 from bearings.geometry import Geometry, geometry, groove_origin
 from bearings.model import BallModel
-from bearings.plane import turned_far
+from bearings.plane import Pair, turned_far
 from bearings.problem import LONGEST_TURN, Index, Problem
 from bearings.ring import Ring
 from bearings.state import BearingState
@@ -33,7 +33,8 @@ class Iterate:
     ``load`` (…, 5) and ``stiffness`` (…, 5, 5) of the rings with the balls settled to first order;
     ``error`` (…): largest imbalance of a ball over the largest ball load, NaN where there is no
     state; ``pressure`` (…): largest of both races [Pa]; ``sound`` (…): every ball on the physical
-    branch. A ball moves by ``still``, and by ``follow`` times what its groove centre does.
+    branch. A turning ball moves by ``still``, and by ``follow`` times what its groove centre does;
+    at rest balls have no place of their own.
     """
 
     parts: Parts
@@ -65,20 +66,19 @@ class Iterate:
 
     def follows(self, before: Iterate) -> Flags:
         """Where every ball is on the physical branch and no angle has turned far (…)."""
-        near = self.sound.copy()
-        for now, then in zip(self._segments, before._segments, strict=True):
-            far = turned_far((then[0], then[1]), (now[0], now[1]), LONGEST_TURN)
-            near &= ~far.any(axis=-1)
-        return near
-
-    @property
-    def _segments(self) -> tuple[Array, Array]:
-        """From the outer groove centre to the ball, and on to the inner one (2, …, n)."""
-        centre = np.empty_like(self.ball)
-        flat, d = centre.reshape(2, -1, centre.shape[-1]), self.displacement.reshape(-1, 5)
+        near = self.sound.reshape(-1).copy()
         for index, problem in self.parts:
-            flat[:, index] = problem.centres(d[index])
-        return self.ball, centre - self.ball
+            if problem.turning:
+                pair = (part._segments(index, problem) for part in (before, self))
+                for then, now in zip(*pair, strict=True):
+                    near[index] &= ~turned_far(then, now, LONGEST_TURN).any(axis=-1)
+        return near.reshape(self.shape)
+
+    def _segments(self, index: Index, problem: Problem) -> tuple[Pair, Pair]:
+        """From the outer groove centre to the ball, and on to the inner one."""
+        x = self.ball.reshape(2, -1, self.ball.shape[-1])[:, index]
+        inner = problem.centres(self.displacement.reshape(-1, 5)[index]) - x
+        return (x[0], x[1]), (inner[0], inner[1])
 
 
 def iterate(state: BearingState, ring: Callable[[Geometry], Ring]) -> Iterate:
@@ -109,13 +109,14 @@ def _linearised(parts: Parts, shape: tuple[int, ...], displacement: Array, ball:
     d, x = displacement.reshape(count, 5), ball.reshape(2, count, balls)
     load, stiffness = np.empty((count, 5)), np.empty((count, 5, 5))
     error, pressure = np.empty(count), np.empty(count)
-    sound = np.ones(count, dtype=bool)
+    sound = np.empty(count, dtype=bool)
     still, follow = np.zeros((2, count, balls)), np.zeros((2, 2, count, balls))
     for k, problem in parts:
         found = linearise(problem, d[k], x[:, k], np.ones(len(k)))
         load[k] = problem.ring.load(np.stack(found.balls.action))
         stiffness[k] = tangent(problem, found.balls)
         error[k], pressure[k] = found.error, _pressure(problem, found)
+        sound[k] = np.isfinite(found.error)
         if problem.turning:
             sound[k] = (found.fold > 0.0) & (found.balance.outer_load > 0.0).all(axis=-1)
             still[:, k] = found.balls.still

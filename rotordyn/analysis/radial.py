@@ -292,16 +292,18 @@ class RadialProblem:
     ) -> tuple[RadialProblem, Point, Flags]:
         """Equilibrium under ``force`` from a guess, and where there is one (speeds,).
 
-        Shaft and balls together; where that fails, with every bearing solved by itself on the way.
+        Shaft and balls together; where that fails, or balls know two branches, with every bearing
+        solved by itself on the way.
         """
-        first = self._at([np.where(alive[:, None], guess[0], near.coordinates), *guess[1:]], near)
-        problem, there, found = self._searched(first, force, alive, RadialProblem.advance, 1)
-        found &= there.follows(near)
-        if not (alive & ~found).any():
-            return problem, there, found
-        held = np.where(found[:, None], problem.held, self.held)
-        start = np.where(found[:, None], there.coordinates, first.coordinates)
-        problem = replace(self, held=held)
+        problem, start = self, np.where(alive[:, None], guess[0], near.coordinates)
+        if self.network.law.one_branch:
+            first = self._at([start, *guess[1:]], near)
+            problem, there, found = self._searched(first, force, alive, RadialProblem.advance, 1)
+            found &= there.follows(near)
+            if not (alive & ~found).any():
+                return problem, there, found
+            start = np.where(found[:, None], there.coordinates, start)
+            problem = replace(self, held=np.where(found[:, None], problem.held, self.held))
         there = problem.evaluate(problem._placed(start), None)
         return problem._searched(there, force, alive, RadialProblem.evaluate, HALVINGS)
 

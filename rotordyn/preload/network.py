@@ -214,16 +214,18 @@ def solve(
 ) -> NetworkState:
     """Newton from ``position``; bodies ``held`` stay at ``limit``.
 
-    Bodies and balls together; where that fails, in shortened steps with every bearing solved by
-    itself. ``near``: bearing states close to those sought, which only speed the search up.
+    Bodies and balls together; where that fails, or balls know two branches, in shortened steps with
+    every bearing solved by itself. ``near``: bearings close to those sought, which only speed the
+    search up.
     """
-    fixed = held | network.springs.fixed
-    place = np.where(network.springs.fixed, network.springs.rest, position)
-    first = np.where(held, limit, place)
-    quick = _together(network, first, held, near)
-    if quick.found.all():
-        return quick
-    x = np.where(quick.found[:, None], quick.position, first)
+    springs = network.springs
+    fixed = held | springs.fixed
+    x = np.where(held, limit, np.where(springs.fixed, springs.rest, position))
+    if network.law.one_branch:
+        quick = _together(network, x, held, near)
+        if quick.found.all():
+            return quick
+        x = np.where(quick.found[:, None], quick.position, x)
     response = network.respond(x)
     stuck = np.zeros(len(x), dtype=bool)
     for _ in range(ITERATIONS):
