@@ -41,6 +41,14 @@ class Law:
         if isinstance(mu, bool) or not isinstance(mu, Real) or not 1e-6 <= float(mu) <= 1e6:
             raise InvalidBearing(f"friction must be a number from 1e-6 to 1e6 or None, got {mu!r}")
 
+    @property
+    def one_branch(self) -> bool:
+        """True where a ball is never loaded or lost at the same place: a neighbour may be a start.
+
+        Inner control and the geometric hypothesis end their loaded branch with a jump.
+        """
+        return self.kinematics in ("hybrid", "outer")
+
 
 def check_name(what: str, name: object, known: Iterable[str]) -> None:
     """Refuse a name that is not among ``known``, with the nearest one."""

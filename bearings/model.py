@@ -50,11 +50,8 @@ class BallModel:
 
     @property
     def one_branch(self) -> bool:
-        """True where a ball is never loaded or lost at the same place: a neighbour may be a start.
-
-        Inner control and the geometric hypothesis end their loaded branch with a jump.
-        """
-        return self.law.kinematics in ("hybrid", "outer")
+        """See ``Law``."""
+        return self.law.one_branch
 
     def turns(self, speed: Array) -> NDArray[np.bool_]:
         """False where the centrifugal force does not press a ball measurably into its race."""

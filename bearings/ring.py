@@ -24,8 +24,8 @@ class Ring:
 
     ``azimuth`` (n, 6): 1, cos ψ, sin ψ, cos² ψ, cos ψ sin ψ, sin² ψ. ``spread`` (2, 5, n):
     A = A₀ + spread·d. ``gather`` (5, 3, n): f = Σ gather·action. ``pairs`` (6·n, 25):
-    K = Σ action-by-A (6·n) · pairs. With ``balls`` = 1 the one ball stands for all of an axially
-    loaded bearing.
+    K = Σ action-by-A (6·n) · pairs. Balls that symmetry makes alike are solved once: with ``balls``
+    = 1 the one ball stands for all of an axially loaded bearing.
     """
 
     azimuth: Array
@@ -84,6 +84,26 @@ def axial_ring(geometry: Geometry) -> Ring:
     one[0, 0] = 1.0
     azimuth = _without_noise(_azimuth(geometry).sum(axis=0, keepdims=True))
     return Ring(azimuth, one, _without_noise(total), _without_noise(rows.sum(axis=1)))
+
+
+@lru_cache(maxsize=256)
+def half_ring(geometry: Geometry) -> Ring:
+    """The balls on one side of the plane of y, each for its mirror image too; not to be compiled.
+
+    The ring moves in that plane alone. Fz and My are exactly zero, and so is what couples the
+    planes in the tangent.
+    """
+    spread, gather = _maps(geometry)
+    count = geometry.balls // 2 + 1
+    alike = np.full(count, 2.0)
+    alike[0] = 1.0
+    if geometry.balls % 2 == 0:
+        alike[-1] = 1.0
+    spread, gather = spread[..., :count], alike * gather[..., :count]
+    plane = np.array([True, True, False, False, True])
+    pairs = _pairs(spread, gather).reshape(-1, 5, 5) * (plane[:, None] == plane)
+    gather = plane[:, None, None] * gather
+    return Ring(_azimuth(geometry)[:count], spread, gather, pairs.reshape(-1, 25))
 
 
 def _maps(geometry: Geometry) -> tuple[Array, Array]:

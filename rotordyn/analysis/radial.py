@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bearings.angular_contact import AngularContactBallBearing
+from bearings.iterate import Iterate, iterate
+from bearings.ring import half_ring
 from rotordyn.machine.limits import HIGHEST_PRESSURE
-from rotordyn.preload.arrangement import HOUSING, SHAFT
+from rotordyn.preload.arrangement import HOUSING, SHAFT, Joint
 from rotordyn.preload.network import Network, States
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.stops import stops_wanted
@@ -17,25 +22,57 @@ from rotordyn.system.condensed import CondensedRotor
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 Words = NDArray[np.str_]
+Bearings = dict[AngularContactBallBearing, tuple[list[int], Iterate]]
+Place = Callable[["RadialProblem", Array, Any], "Point"]
 PLANE = [0, 1, 4]  # x, y, θz of a bearing's five freedoms
-TOLERANCE = 1e-9  # of the largest force in the balance
+TOLERANCE = 1e-9  # of the largest force in the balance, and of the largest ball load
 ITERATIONS = 20
 HALVINGS = 8
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Point:
-    """Coordinates (speeds, p + bodies), bearing states, loads and tangents in plane y.
+    """Coordinates (speeds, p + bodies), bearings, their loads and tangents in plane y.
 
-    ``load`` (speeds, seats, 3), ``tangent`` (speeds, seats, 3, 3): (x, y, θz) of the spindle;
-    ``pressure`` (speeds,): largest contact pressure [Pa].
+    ``bearings``: by model, the seats it stands on and their balls; ``states``: where each bearing
+    was solved by itself. ``load`` (speeds, seats, 3), ``tangent`` (speeds, seats, 3, 3): (x, y, θz)
+    of the spindle; ``imbalance`` (speeds,) of the balls; ``pressure`` (speeds,): largest contact
+    pressure [Pa].
     """
 
     coordinates: Array
-    states: States
+    bearings: Bearings
+    states: States | None
     load: Array
     tangent: Array
+    imbalance: Array
     pressure: Array
+
+    def follows(self, before: Point) -> Flags:
+        """Speeds at which every ball is still where it can come to from ``before`` (speeds,)."""
+        near = [
+            found.follows(before.bearings[model][1]).all(axis=1)
+            for model, (_, found) in self.bearings.items()
+        ]
+        return np.all(near, axis=0)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Knot:
+    """A point of the curve: where it is and its change per step of the load.
+
+    First of the coordinates, then of the balls of each bearing model.
+    """
+
+    place: list[Array]
+    slope: list[Array]
+
+    def ahead(self, first: Knot | None) -> list[Array]:
+        """What the next of evenly spaced points is likely to be, ``first`` the one before."""
+        if first is None:
+            return [x + dx for x, dx in zip(self.place, self.slope, strict=True)]
+        every = zip(first.place, first.slope, self.place, self.slope, strict=True)
+        return [5.0 * x0 + 2.0 * dx0 - 4.0 * x1 + 4.0 * dx1 for x0, dx0, x1, dx1 in every]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -91,52 +128,113 @@ class RadialProblem:
     def curve(self, force: Array) -> RadialCurve:
         """Deflection under loads that ascend evenly from zero.
 
-        Each load starts from the cubic that has the places and slopes of the last two; every speed
-        stands on its own.
+        Each load starts from the cubic that has the places and slopes of the last two, balls
+        included; every speed stands on its own.
         """
         p = len(self.rotor.point)
         start = np.concatenate([np.zeros((len(self.position), p)), self.position], axis=1)
         problem, here = self, self.evaluate(start, None)
         every = np.ones(len(start), dtype=bool)
         step, slope = float(force[1] - force[0]), problem._per_newton(here, every)
-        first, last = None, (start, step * slope)
-        deflection = np.zeros((len(start), len(force)))
+        first, last = None, problem._knot(here, step * slope)
+        deflection, tangent = (
+            np.zeros((len(start), len(force))),
+            1.0 / slope[:, :p].dot(self.rotor.point),
+        )
         outcome = np.full(len(start), "", dtype=object)
         reach = problem._travel(start)
         for k in range(1, len(force)):
             if (outcome != "").all():
                 deflection[:, k:] = np.nan
                 break
-            guess = _ahead(first, last)
+            guess = last.ahead(first)
             problem, here, found = problem._solved(guess, here, float(force[k]), outcome == "")
             lost = (outcome == "") & ~found
             outcome[lost] = [_why(point, force[k]) for point in here.pressure[lost]]
-            first, last = last, (here.coordinates, step * problem._per_newton(here, outcome == ""))
+            slope = problem._per_newton(here, outcome == "")
+            first, last = last, problem._knot(here, step * slope)
             deflection[:, k] = here.coordinates[:, :p] @ self.rotor.point
             deflection[outcome != "", k] = np.nan
             reach = np.fmax(reach, problem._travel(here.coordinates))
-        tangent = 1.0 / slope[:, :p].dot(self.rotor.point)
         return RadialCurve(deflection, tangent, outcome.astype(str), reach)
 
-    def evaluate(self, coordinates: Array, near: States | None) -> Point:
-        """Bearing loads and tangents at given coordinates."""
-        joints = [self.network.arrangement.joints[k] for k in self.joints]
-        sign = np.array([[j.thrust, 1.0, j.thrust] for j in joints], dtype=float)
-        moved = np.einsum("kiu,su->ski", self.rows, coordinates)
-        displacement = np.zeros((*moved.shape[:2], 5))
-        displacement[..., PLANE] = moved * sign
-        displacement[..., 0] += sign[:, 0] * np.stack([j.shortening for j in joints], axis=1)
-        states = self.network.solve_bearings(self.joints, displacement, near)
-        load, tangent = np.empty_like(moved), np.empty((*moved.shape, 3))
-        pressure = np.zeros(len(moved))
-        for solved in states.values():
-            state, own = solved.state, sign[solved.places]
-            k = state.complete_stiffness[..., PLANE, :][..., PLANE]
-            load[:, solved.places] = state.load[..., PLANE] * own
-            tangent[:, solved.places] = k * own[:, :, None] * own[:, None, :]
-            peak = np.fmax(state.inner_pressure, state.outer_pressure)
-            pressure = np.maximum(pressure, peak.max(axis=(1, 2)))
-        return Point(coordinates, states, load, tangent, pressure)
+    def evaluate(self, coordinates: Array, near: Point | None) -> Point:
+        """Each bearing solved by itself at given coordinates, from where it was ``near`` by."""
+        states = self.network.solve_bearings(
+            self.joints,
+            None if near is None else near.states,
+            displacement=self._displacement(coordinates),
+        )
+        bearings = {
+            model: (solved.places, iterate(solved.state, half_ring))
+            for model, solved in states.items()
+        }
+        return self._point(coordinates, bearings, states)
+
+    def advance(self, coordinates: Array, near: Point) -> Point:
+        """Bearings moved to given coordinates, their balls by a Newton step."""
+        displacement = self._displacement(coordinates)
+        bearings = {
+            model: (places, found.moved(displacement[:, places]))
+            for model, (places, found) in near.bearings.items()
+        }
+        return self._point(coordinates, bearings)
+
+    def _at(self, guess: list[Array], near: Point) -> Point:
+        """Coordinates and balls where a knot expects them, as far as bodies can move."""
+        coordinates = self._placed(guess[0])
+        displacement = self._displacement(coordinates)
+        bearings = {
+            model: (places, found.at(displacement[:, places], ball))
+            for (model, (places, found)), ball in zip(near.bearings.items(), guess[1:], strict=True)
+        }
+        return self._point(coordinates, bearings)
+
+    def _knot(self, here: Point, slope: Array) -> Knot:
+        """A point of the curve with the change of its coordinates."""
+        own = self._own(slope)
+        found = here.bearings.values()
+        return Knot(
+            [here.coordinates, *(each.ball for _, each in found)],
+            [slope, *(each.along(own[:, places]) for places, each in found)],
+        )
+
+    def _point(self, coordinates: Array, bearings: Bearings, states: States | None = None) -> Point:
+        load = np.empty((len(coordinates), len(self.joints), len(PLANE)))
+        tangent = np.empty((*load.shape, len(PLANE)))
+        imbalance, pressure = np.zeros(len(load)), np.zeros(len(load))
+        for places, found in bearings.values():
+            own = self._sign[places]
+            k = found.stiffness[..., PLANE, :][..., PLANE]
+            load[:, places] = found.load[..., PLANE] * own
+            tangent[:, places] = k * own[:, :, None] * own[:, None, :]
+            imbalance = np.maximum(imbalance, found.error.max(axis=1))
+            pressure = np.maximum(pressure, found.pressure.max(axis=1))
+        return Point(coordinates, bearings, states, load, tangent, imbalance, pressure)
+
+    @property
+    def _seats(self) -> list[Joint]:
+        """The joint of every seat."""
+        return [self.network.arrangement.joints[k] for k in self.joints]
+
+    @property
+    def _sign(self) -> Array:
+        """From (x, y, θz) of the spindle to those of a bearing (seats, 3)."""
+        return np.array([[j.thrust, 1.0, j.thrust] for j in self._seats], dtype=float)
+
+    def _own(self, coordinates: Array) -> Array:
+        """Five freedoms of every bearing (speeds, seats, 5) from the unknowns."""
+        moved = np.einsum("kiu,su->ski", self.rows, coordinates) * self._sign
+        own = np.zeros((*moved.shape[:2], 5))
+        own[..., PLANE] = moved
+        return own
+
+    def _displacement(self, coordinates: Array) -> Array:
+        """Displacements of the bearings (speeds, seats, 5), the shaft's shortening included."""
+        shift = np.stack([j.thrust * j.shortening for j in self._seats], axis=1)
+        displacement = self._own(coordinates)
+        displacement[..., 0] += shift
+        return displacement
 
     @property
     def _fixed(self) -> Flags:
@@ -176,10 +274,11 @@ class RadialProblem:
         return np.asarray(np.linalg.solve(matrix, unit)[..., 0])
 
     def _error(self, here: Point, force: float) -> tuple[Array, Array]:
-        """Unbalanced forces, and the largest over the largest force of the balance (speeds,)."""
+        """Unbalanced forces, and the largest of balls and shaft, each over its largest force."""
         miss = self._unbalanced(here, force)
         size = np.maximum(np.abs(here.load[..., :2]).max(axis=(1, 2)), abs(force))
-        return miss, np.abs(miss).max(axis=1) / (size + np.abs(self.network.springs.force).max())
+        shaft = np.abs(miss).max(axis=1) / (size + np.abs(self.network.springs.force).max())
+        return miss, np.maximum(shaft, here.imbalance)
 
     def _placed(self, coordinates: Array) -> Array:
         """Coordinates with every body that cannot move where it stands."""
@@ -189,17 +288,34 @@ class RadialProblem:
         return np.concatenate([coordinates[:, :p], position], axis=1)
 
     def _solved(
-        self, guess: Array, near: Point, force: float, alive: Flags
+        self, guess: list[Array], near: Point, force: float, alive: Flags
     ) -> tuple[RadialProblem, Point, Flags]:
         """Equilibrium under ``force`` from a guess, and where there is one (speeds,).
+
+        Shaft and balls together; where that fails, or balls know two branches, with every bearing
+        solved by itself on the way.
+        """
+        problem, start = self, np.where(alive[:, None], guess[0], near.coordinates)
+        if self.network.law.one_branch:
+            first = self._at([start, *guess[1:]], near)
+            problem, there, found = self._searched(first, force, alive, RadialProblem.advance, 1)
+            found &= there.follows(near)
+            if not (alive & ~found).any():
+                return problem, there, found
+            start = np.where(found[:, None], there.coordinates, start)
+            problem = replace(self, held=np.where(found[:, None], problem.held, self.held))
+        there = problem.evaluate(problem._placed(start), None)
+        return problem._searched(there, force, alive, RadialProblem.evaluate, HALVINGS)
+
+    def _searched(
+        self, there: Point, force: float, alive: Flags, place: Place, tries: int
+    ) -> tuple[RadialProblem, Point, Flags]:
+        """Newton steps with at most so many ``tries`` of their length, and where they end well.
 
         Only speeds still ``alive`` are sought; where no step helps any more the search ends. Stops
         close and open as they must.
         """
-        problem = self
-        guess = np.where(alive[:, None], guess, near.coordinates)
-        there = problem.evaluate(problem._placed(guess), near.states)
-        found = np.zeros(len(guess), dtype=bool)
+        problem, found = self, np.zeros(len(alive), dtype=bool)
         for _ in range(ITERATIONS):
             miss, error = problem._error(there, force)
             found = (error < TOLERANCE) & (there.pressure <= HIGHEST_PRESSURE)
@@ -207,13 +323,13 @@ class RadialProblem:
             changed = found & (wanted != problem.held).any(axis=1)
             if changed.any():
                 problem = replace(problem, held=np.where(changed[:, None], wanted, problem.held))
-                there = problem.evaluate(problem._placed(there.coordinates), there.states)
+                there = place(problem, problem._placed(there.coordinates), there)
                 continue
             alive = alive & (there.pressure <= HIGHEST_PRESSURE)
             moving = alive & np.isfinite(error) & ~(error < TOLERANCE)
             if not moving.any():
                 break
-            there, helped = problem._moved(there, miss, error, moving, force)
+            there, helped = problem._moved(there, miss, error, moving, force, place, tries)
             alive = alive & helped
         return problem, there, found
 
@@ -225,7 +341,14 @@ class RadialProblem:
         return stops_wanted(self.network, here.coordinates[:, p:], force, self.held, self.limit)
 
     def _moved(
-        self, here: Point, miss: Array, error: Array, moving: Flags, force: float
+        self,
+        here: Point,
+        miss: Array,
+        error: Array,
+        moving: Flags,
+        force: float,
+        place: Place,
+        tries: int,
     ) -> tuple[Point, Flags]:
         """A Newton step at the speeds still moving, shortened where the balance gets worse.
 
@@ -235,8 +358,8 @@ class RadialProblem:
         step = np.linalg.solve(matrix, np.where(moving[:, None], miss, 0.0)[..., None])[..., 0]
         length = moving.astype(float)
         there, worse = here, moving
-        for _ in range(HALVINGS):
-            there = self.evaluate(here.coordinates + length[:, None] * step, here.states)
+        for _ in range(tries):
+            there = place(self, here.coordinates + length[:, None] * step, here)
             worse = moving & ~(self._error(there, force)[1] < error)
             if not worse.any():
                 break
@@ -250,15 +373,6 @@ class RadialProblem:
         for push in self.network.arrangement.pushes:
             direction[push.body] = push.direction
         return -direction * moved
-
-
-def _ahead(first: tuple[Array, Array] | None, last: tuple[Array, Array]) -> Array:
-    """Where the next of evenly spaced points is likely to be, from (place, slope) of two; slopes
-    are per spacing."""
-    place, slope = last
-    if first is None:
-        return place + slope
-    return 5.0 * first[0] + 2.0 * first[1] - 4.0 * place + 4.0 * slope
 
 
 def _why(pressure: float, force: float) -> str:

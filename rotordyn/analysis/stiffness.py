@@ -6,7 +6,7 @@ arrangement are free to follow.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
@@ -19,7 +19,7 @@ from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import StiffnessSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.preload.outcome import LEAST_LOAD
-from rotordyn.preload.state import PreloadState, dynamic_preload
+from rotordyn.preload.state import PreloadState
 from rotordyn.system.condensed import CondensedRotor, condensed_rotor
 
 Array = NDArray[np.float64]
@@ -141,16 +141,7 @@ def _short_stop(scene: Scene, spec: StiffnessSpec, force: Array, usual: RadialCu
             differs |= ~(usual.reach[:, push.body] < nearer - REACHED) | (other.outcome != "")
     anew = np.flatnonzero(differs)
     if anew.size:
-        sleeves = tuple(
-            replace(s, stop_travel=spec.second_stop.get(s.name, s.stop_travel))
-            for s in scene.spindle.sleeves
-        )
-        state = dynamic_preload(
-            replace(scene.spindle, sleeves=sleeves),
-            scene.bearing_speed[rows[anew]],
-            scene.law,
-            scene.axial_force,
-        )
+        state = scene.preload.with_travels(spec.second_stop, rows[anew])
         speeds = scene.state_speed[rows[anew]]
         rotor = _rotor(scene, spec, state.seat_load(), speeds)
         curve = _nonlinear(state, rotor, np.arange(anew.size), force)
@@ -171,8 +162,9 @@ def _linear(
     rows = scene.bearing_row[scene.usable]
     outcome = np.full(len(scene.preload.speed), "", dtype=object)
     if name == "constant_preload":
-        stiffness, outcome = _constant_preload(scene)
-        load = _by_seat(scene.preload, scene.preload.rest_loads())
+        rest = scene.preload.rest_loads()
+        stiffness, outcome = _constant_preload(scene, rest)
+        load = _by_seat(scene.preload, rest)
         rotor = _rotor(scene, spec, load)
         load = np.repeat(load, len(outcome), axis=0)
         buckled = scene.buckled(load, stiffness, scene.state_speed)
@@ -186,36 +178,30 @@ def _linear(
     return Variant(flexibility[:, None] * force, 1.0 / flexibility, outcome[rows].astype(str))
 
 
-def _constant_preload(scene: Scene) -> tuple[Array, NDArray[np.object_]]:
-    """Bearing tangents under the axial load each carries at rest, speed effects acting.
+def _constant_preload(scene: Scene, rest: Array) -> tuple[Array, NDArray[np.object_]]:
+    """Bearing tangents under the axial load each joint carries at ``rest``, speed effects acting.
 
     Also an outcome per bearing speed.
     """
-    state = scene.preload
-    rest = state.rest_loads()
+    state, joints = scene.preload, scene.preload.network.arrangement.joints
     blocks = np.empty((len(state.speed), len(scene.spindle.seats), 5, 5))
     outcome = np.full(len(state.speed), "", dtype=object)
-    largest = float(np.nanmax(np.abs(rest), initial=0.0))
-    for k, joint in enumerate(state.network.arrangement.joints):
-        names = ", ".join(scene.spindle.seats[seat].name for seat in joint.seats)
-        if not rest[k] > LEAST_LOAD * largest:
-            blocks[:, list(joint.seats)] = np.nan
-            outcome[outcome == ""] = f"bearing {names} carries no load at rest"
-            continue
-        load = np.zeros((len(state.speed), 5))
-        load[:, 0] = rest[k]
-        held = joint.bearing.equilibrium(
-            load=load,
-            speed=state.speed,
-            static_growth=joint.static_growth,
-            growth=joint.growth,
-            kinematics=scene.law.kinematics,
-            moment_sharing=scene.law.moment_sharing,
-            friction=scene.law.friction,
-        )
-        blocks[:, list(joint.seats)] = held.stiffness(scene.conditions.tangent)[:, None]
-        lost = (held.outcome != "") & (outcome == "")
-        outcome[lost] = f"bearing {names} has no equilibrium under its load at rest"
+    names = [", ".join(scene.spindle.seats[seat].name for seat in j.seats) for j in joints]
+    carries = rest > LEAST_LOAD * float(np.nanmax(np.abs(rest), initial=0.0))
+    for k in np.flatnonzero(~carries):
+        blocks[:, list(joints[k].seats)] = np.nan
+        outcome[outcome == ""] = f"bearing {names[k]} carries no load at rest"
+    carrying = [int(k) for k in np.flatnonzero(carries)]
+    load = np.zeros((len(state.speed), len(carrying), 5))
+    load[..., 0] = rest[carrying]
+    near = state.net.response.states if carries.all() else None
+    for held in state.network.solve_bearings(carrying, near, load=load).values():
+        tangents = held.state.stiffness(scene.conditions.tangent)
+        for column, place in enumerate(held.places):
+            k = carrying[place]
+            blocks[:, list(joints[k].seats)] = tangents[:, column, None]
+            lost = (held.state.outcome[:, column] != "") & (outcome == "")
+            outcome[lost] = f"bearing {names[k]} has no equilibrium under its load at rest"
     return blocks, outcome
 
 

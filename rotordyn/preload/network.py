@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,9 +18,14 @@ from bearings.law import Law
 from bearings.state import BearingState
 from rotordyn.preload.arrangement import HOUSING, SHAFT, Arrangement
 
+if TYPE_CHECKING:
+    from bearings.iterate import Iterate
+
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 TOLERANCE = 1e-11  # of the largest force
+BALLS = 1e-9  # of the largest ball load: what is left of it acts on the rings squared
+TOGETHER = 12  # iterations
 ITERATIONS = 60
 HALVINGS = 12
 LONGEST_STEP = 50e-6  # m
@@ -47,15 +53,30 @@ class Solved:
 
 
 States = dict[AngularContactBallBearing, Solved]
+Iterates = dict[AngularContactBallBearing, tuple[list[int], "Iterate"]]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Response:
-    """Joint loads and slopes (speeds, joints) [N, N/m], and the bearing states behind them."""
+    """Joint loads and slopes (speeds, joints) [N, N/m], and the bearing states behind them.
+
+    ``states``: empty where balls were moved together with the bodies; ``bearings``: by model, its
+    joints and one ball of each; ``imbalance`` (speeds,) of the balls.
+    """
 
     load: Array
     slope: Array
     states: States
+    bearings: Iterates
+    imbalance: Array
+
+    def follows(self, before: Response) -> Flags:
+        """Speeds at which every ball is where it can come to from ``before`` (speeds,)."""
+        near = [
+            found.follows(before.bearings[model][1]).all(axis=1)
+            for model, (_, found) in self.bearings.items()
+        ]
+        return np.all(near, axis=0)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -87,25 +108,56 @@ class Network:
         return x @ self.incidence.T + shift
 
     def respond(self, x: Array, near: Response | None = None) -> Response:
-        """Loads and slopes of the joints at positions ``x``."""
+        """Loads and slopes of the joints at positions ``x``, every bearing solved by itself."""
+        from bearings.iterate import iterate
+        from bearings.ring import axial_ring
+
+        displacement = self._displacement(x)
+        near_by = near.states if near is not None and near.states else None
+        every = range(displacement.shape[1])
+        states = self.solve_bearings(every, near_by, displacement=displacement)
+        bearings = {
+            model: (solved.places, iterate(solved.state, axial_ring))
+            for model, solved in states.items()
+        }
+        return self._response(bearings, states)
+
+    def move(self, x: Array, near: Response) -> Response:
+        """Loads and slopes at positions ``x``, balls a Newton step on from where they were."""
+        displacement = self._displacement(x)
+        bearings = {
+            model: (places, found.moved(displacement[:, places]))
+            for model, (places, found) in near.bearings.items()
+        }
+        return self._response(bearings, {})
+
+    def _displacement(self, x: Array) -> Array:
         deflection = self.deflection(x)
         displacement = np.zeros((*deflection.shape, 5))
         displacement[..., 0] = deflection
-        every = range(deflection.shape[1])
-        states = self.solve_bearings(every, displacement, None if near is None else near.states)
-        load, slope = np.empty_like(deflection), np.empty_like(deflection)
-        for solved in states.values():
-            load[:, solved.places] = solved.state.load[..., 0]
-            slope[:, solved.places] = solved.state.complete_stiffness[..., 0, 0]
-        return Response(load, slope, states)
+        return displacement
+
+    def _response(self, bearings: Iterates, states: States) -> Response:
+        shape = (len(self.arrangement.speed), len(self.arrangement.joints))
+        load, slope, imbalance = np.empty(shape), np.empty(shape), np.zeros(shape[0])
+        for places, found in bearings.values():
+            load[:, places] = found.load[..., 0]
+            slope[:, places] = found.stiffness[..., 0, 0]
+            imbalance = np.maximum(imbalance, found.error.max(axis=1))
+        return Response(load, slope, states, bearings, imbalance)
 
     def solve_bearings(
-        self, joints: Sequence[int], displacement: Array, near: States | None
+        self,
+        joints: Sequence[int],
+        near: States | None,
+        *,
+        displacement: Array | None = None,
+        load: Array | None = None,
     ) -> States:
-        """Bearings at given displacements in their own frames (speeds, places, 5).
+        """Bearings at given displacements or under loads in their own frames (speeds, places, 5).
 
         ``joints``: the joint of every place. Each bearing model is solved in one call; ``near``,
-        the same places at displacements close by, speeds the search up.
+        states of the same places close by, speeds the search up.
         """
         places: dict[AngularContactBallBearing, list[int]] = {}
         for place, joint in enumerate(joints):
@@ -114,7 +166,8 @@ class Network:
             bearing: Solved(
                 where,
                 bearing.equilibrium(
-                    displacement=displacement[:, where],
+                    displacement=None if displacement is None else displacement[:, where],
+                    load=None if load is None else load[:, where],
                     speed=self.arrangement.speed[:, None],
                     static_growth=[self.arrangement.joints[joints[p]].static_growth for p in where],
                     growth=np.stack(
@@ -159,14 +212,21 @@ class NetworkState:
 def solve(
     network: Network, position: Array, held: Flags, limit: Array, near: Response | None = None
 ) -> NetworkState:
-    """Newton with shortened steps from ``position``; bodies ``held`` stay at ``limit``.
+    """Newton from ``position``; bodies ``held`` stay at ``limit``.
 
-    ``near``: bearing states close to those sought, which only speed the search up.
+    Bodies and balls together; where that fails, or balls know two branches, in shortened steps with
+    every bearing solved by itself. ``near``: bearings close to those sought, which only speed the
+    search up.
     """
     springs = network.springs
     fixed = held | springs.fixed
     x = np.where(held, limit, np.where(springs.fixed, springs.rest, position))
-    response = network.respond(x, near)
+    if network.law.one_branch:
+        quick = _together(network, x, held, near)
+        if quick.found.all():
+            return quick
+        x = np.where(quick.found[:, None], quick.position, x)
+    response = network.respond(x)
     stuck = np.zeros(len(x), dtype=bool)
     for _ in range(ITERATIONS):
         miss, error = network.error(x, response, fixed)
@@ -178,6 +238,24 @@ def solve(
         stuck |= moving & ~helped
     error = network.error(x, response, fixed)[1]
     return NetworkState(x, held, response, error, error < TOLERANCE)
+
+
+def _together(network: Network, x: Array, held: Flags, near: Response | None) -> NetworkState:
+    """Newton of bodies and balls, no step shortened; none may turn a ball's angles far."""
+    fixed = held | network.springs.fixed
+    response = network.respond(x) if near is None else network.move(x, near)
+    near_by = np.ones(len(x), dtype=bool) if near is None else response.follows(near)
+    for _ in range(TOGETHER):
+        miss, error = network.error(x, response, fixed)
+        moving = np.isfinite(error) & ~((error < TOLERANCE) & (response.imbalance < BALLS))
+        if not moving.any():
+            break
+        x = x + np.where(moving[:, None], _newton(network, response, miss, fixed), 0.0)
+        before, response = response, network.move(x, response)
+        near_by &= response.follows(before)
+    error = network.error(x, response, fixed)[1]
+    found = (error < TOLERANCE) & (response.imbalance < BALLS) & near_by
+    return NetworkState(x, held, response, error, found)
 
 
 def confirmed(network: Network, net: NetworkState) -> NetworkState:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -30,18 +31,23 @@ Flags = NDArray[np.bool_]
 class PreloadState:
     """Axial equilibrium at every speed.
 
-    ``force``: external axial force [N]; ``rest`` and ``limit`` (bodies,): positions at rest, and
-    where a stop ends the travel (NaN without one); ``net``: the solved network; ``outcome`` per
-    speed: empty, or why there is no usable state.
+    ``force``: external axial force [N]; ``still``: the network at rest under its stated preloads;
+    ``limit`` (bodies,): where a stop ends the travel (NaN without one); ``net``: the network at
+    every speed; ``outcome`` per speed: empty, or why there is no usable state.
     """
 
     spindle: Spindle
     force: float
     network: Network
-    rest: Array
+    still: NetworkState
     limit: Array
     net: NetworkState
     outcome: tuple[str, ...]
+
+    @property
+    def rest(self) -> Array:
+        """Positions at rest (bodies,)."""
+        return self.still.position[0]
 
     @property
     def speed(self) -> Array:
@@ -114,9 +120,26 @@ class PreloadState:
 
     def rest_loads(self) -> Array:
         """Axial load of every joint at rest, external force included (joints,) [N]; NaN: none."""
-        still = replace(at_rest(self.network.arrangement), force=self.force)
-        net = with_stops(replace(self.network, arrangement=still), self.rest, self.limit)
+        net = self.still
+        if self.force:
+            still = replace(at_rest(self.network.arrangement), force=self.force)
+            net = with_stops(replace(self.network, arrangement=still), self.rest, self.limit)
         return np.where(net.found[0], net.response.load[0], np.nan)
+
+    def with_travels(self, travel: Mapping[str, float], index: NDArray[np.intp]) -> PreloadState:
+        """The state at some of its speeds, stops of some sleeves ending another ``travel`` [m]."""
+        sleeves = tuple(
+            replace(sleeve, stop_travel=travel.get(sleeve.name, sleeve.stop_travel))
+            for sleeve in self.spindle.sleeves
+        )
+        part = self.network.arrangement.at(index)
+        pushes = tuple(
+            replace(push, travel=sleeve.stop_travel)
+            for push, sleeve in zip(part.pushes, sleeves, strict=True)
+        )
+        network = replace(self.network, arrangement=replace(part, pushes=pushes))
+        spindle = replace(self.spindle, sleeves=sleeves)
+        return _settled(spindle, network, self.still, self.net.position[index])
 
     def stop_speeds(self) -> Array:
         """Speed at which each sleeve meets its stop (sleeves,) [rad/s]; NaN: it does not."""
@@ -128,6 +151,8 @@ class PreloadState:
             return float("nan")
         first = int(held[0])
         before = float(self.speed[first - 1]) if first else 0.0
+        known = np.where(self.net.found[:, None], self.net.position, self.rest)
+        near = np.stack([known[first - 1] if first else self.rest, known[first]])
         return meeting_speed(
             lambda speed: replace(
                 self.network, arrangement=arrangement(self.spindle, speed, self.force)
@@ -136,6 +161,7 @@ class PreloadState:
             self.limit,
             push,
             (before, float(self.speed[first])),
+            near,
         )
 
 
@@ -149,12 +175,19 @@ def dynamic_preload(
     """
     joined = arrangement(spindle, speed, axial_force)
     still = _rest(joined, law)
-    rest = still.position[0]
-    springs, limit = _springs(spindle, joined, rest)
-    network = Network(joined, law, springs)
-    net = confirmed(network, with_stops(network, rest, limit))
+    network = Network(joined, law, _springs(spindle, joined, still.position[0]))
+    return _settled(spindle, network, still)
+
+
+def _settled(
+    spindle: Spindle, network: Network, still: NetworkState, start: Array | None = None
+) -> PreloadState:
+    """The network at its speeds, sought from rest or from ``start`` (speeds, bodies)."""
+    joined, rest = network.arrangement, still.position[0]
+    limit = _limits(joined, rest)
+    net = confirmed(network, with_stops(network, rest, limit, start))
     words = outcomes(spindle, network, still, net)
-    return PreloadState(spindle, axial_force, network, rest, limit, net, words)
+    return PreloadState(spindle, joined.force, network, still, limit, net, words)
 
 
 def _rest(joined: Arrangement, law: Law) -> NetworkState:
@@ -190,17 +223,23 @@ def _seated(network: Network) -> Array:
     return np.linalg.lstsq(b, np.array(deflection), rcond=None)[0]
 
 
-def _springs(spindle: Spindle, joined: Arrangement, rest: Array) -> tuple[Springs, Array]:
-    """Springs acting about the place at rest, and where each stop ends the travel (bodies,).
+def _springs(spindle: Spindle, joined: Arrangement, rest: Array) -> Springs:
+    """Springs acting about the place at rest.
 
     Linear supports hold the shaft along the axis without force at rest.
     """
-    stiffness, limit = np.zeros_like(rest), np.full_like(rest, np.nan)
-    fixed = np.zeros(len(rest), dtype=bool)
+    stiffness, fixed = np.zeros_like(rest), np.zeros(len(rest), dtype=bool)
     stiffness[SHAFT] = sum(s.along for s in spindle.supports)
     for push in joined.pushes:
         fixed[push.body] = rigid(push)
         stiffness[push.body] = 0.0 if rigid(push) else push.stiffness
+    return Springs(_preloads(joined), stiffness, rest, fixed)
+
+
+def _limits(joined: Arrangement, rest: Array) -> Array:
+    """Where each stop ends the travel (bodies,); NaN without one."""
+    limit = np.full_like(rest, np.nan)
+    for push in joined.pushes:
         if np.isfinite(push.travel) and not rigid(push):
             limit[push.body] = rest[push.body] - push.direction * push.travel
-    return Springs(_preloads(joined), stiffness, rest, fixed), limit
+    return limit

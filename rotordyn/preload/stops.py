@@ -72,27 +72,28 @@ def meeting_speed(
     limit: Array,
     push: Push,
     between: tuple[float, float],
+    near: Array,
 ) -> float:
     """First speed within ``between`` [rad/s] at which the sleeve of ``push`` meets its stop.
 
     ``at`` gives the network at any speeds. The sleeve's own stop is taken away and its gap followed
     over Ω², all other stops acting; the bracket around its zero is narrowed by local cubics. A
-    speed that has no equilibrium without the stop counts as overrun.
+    speed that has no equilibrium without the stop counts as overrun. ``near`` (2, bodies): places
+    at the two speeds, to start from.
     """
     released = limit.copy()
     released[push.body] = np.nan
-
-    known: list[tuple[Array, Array]] = []
+    low, high = between[0] ** 2, between[1] ** 2
+    known = [(np.array([low, high]), near)]
 
     def gaps(squares: Array) -> Array:
-        near = _between(squares, *known[-1]) if known else None
-        net = with_stops(at(np.sqrt(squares)), rest, released, near)
+        start = _between(squares, *known[-1])
+        net = with_stops(at(np.sqrt(squares)), rest, released, start)
         if net.found.all():
             known.append((squares, net.position))
         gap = push.direction * (net.position[:, push.body] - limit[push.body])
         return np.where(net.found, gap, -np.inf)
 
-    low, high = between[0] ** 2, between[1] ** 2
     guess = (low, high)
     for _ in range(ROUNDS):
         squares = np.linspace(*guess, SAMPLES)

@@ -11,9 +11,13 @@ import numpy as np
 import pytest
 from scipy.optimize import root
 
+from bearings.iterate import Iterate
+from rotordyn.analysis.radial import RadialProblem
 from rotordyn.analysis.specs import PreloadSpec, StiffnessSpec
+from rotordyn.analysis.stiffness import answer as stiffness_answer
 from rotordyn.elements.support import turn
 from rotordyn.machine.shaft import Shaft
+from rotordyn.preload.network import Network
 from rotordyn.system.assemble import add_at_nodes, bending_plane
 from rotordyn.system.dofs import PLANE_Y
 from rotordyn.system.mesh import build_mesh
@@ -255,3 +259,39 @@ def test_external_force_acts_on_the_stiffness_too() -> None:
     still = pushed["stiffness"].tangent[0]
     assert still[3] == pytest.approx(still[1], rel=1e-8), "at rest the preload is what it is"
     assert math.isfinite(pushed["preload"].axial_load.sum())
+
+
+def test_balls_moved_with_the_shaft_or_solved_at_every_move(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The same curves where no ball is ever taken to follow: bearings solved one by one."""
+    asked = {"stiffness": StiffnessSpec("Oc2", 500.0, 5, ("nonlinear",), {"front": 45e-6})}
+    rpm = (0, 12000, 18000, 22000)
+    together = answers(mfw2310(), rpm, asked)["stiffness"]
+    monkeypatch.setattr(Iterate, "follows", lambda self, before: np.zeros(self.shape, dtype=bool))
+    alone = answers(mfw2310(), rpm, asked)["stiffness"]
+    assert together.deflection == pytest.approx(alone.deflection, rel=1e-9)
+    assert together.tangent == pytest.approx(alone.tangent, rel=1e-9)
+
+
+def test_a_load_takes_two_moves_of_the_balls(monkeypatch: pytest.MonkeyPatch) -> None:
+    """One where the curve is expected, one Newton step; bearings by themselves at no load alone."""
+    found = scene(mfw2310(), np.arange(0, 24001, 2000))
+    assert found.preload.usable.all()
+    moves, solves = [], []
+    move, solve = RadialProblem._point, Network.solve_bearings
+    monkeypatch.setattr(RadialProblem, "_point", lambda *given: (moves.append(1), move(*given))[1])
+    monkeypatch.setattr(
+        Network, "solve_bearings", lambda *a, **k: (solves.append(1), solve(*a, **k))[1]
+    )
+    spec = StiffnessSpec("Oc2", 500.0, 10, ("nonlinear",))
+    assert stiffness_answer(found, spec).outcome == ("",) * 13
+    assert len(solves) == 1
+    assert len(moves) <= 1 + 10 * 2 + 2  # no load; ten loads; stops that close
+
+
+def test_kinematics_of_two_branches_are_not_followed(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(Iterate, "moved", lambda *given: pytest.fail("a ball was moved"))
+    asked = {"stiffness": StiffnessSpec("Oc2", 500.0, 2, ("nonlinear",))}
+    found = answers(mfw2310(), (0, 12000), asked, kinematics="geometric")["stiffness"]
+    assert np.isfinite(found.deflection).all()

@@ -9,11 +9,13 @@ from typing import Any
 import numpy as np
 import pytest
 
+from bearings.iterate import Iterate
 from bearings.law import Law
 from rotordyn.machine.growth import PrescribedShortening
 from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Spring
+from rotordyn.preload.network import Network
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from tests.oracles.spindles import RPM, TOP, mfw2310, with_sleeve, with_springs
 
@@ -270,3 +272,46 @@ def test_bearings_between_shaft_and_housing_only() -> None:
         pytest.approx(500.0, rel=1e-9)
     )
     assert found.spring_force.shape == found.stop_force.shape == (2, 0)
+
+
+def test_balls_moved_with_the_bodies_or_solved_at_every_move(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """The same states and stop speeds where no ball is ever taken to follow."""
+    rpm = np.arange(0, 24001, 3000)
+    together = state(mfw2310(), rpm, 50.0)
+    speeds = together.stop_speeds()
+    monkeypatch.setattr(Iterate, "follows", lambda self, before: np.zeros(self.shape, dtype=bool))
+    alone = state(mfw2310(), rpm, 50.0)
+    assert loads(together) == pytest.approx(loads(alone), rel=1e-9)
+    assert together.shift == pytest.approx(alone.shift, rel=1e-9, abs=1e-15)
+    assert (together.net.held == alone.net.held).all()
+    assert speeds == pytest.approx(alone.stop_speeds(), rel=1e-9, nan_ok=True)
+
+
+def test_bearings_are_solved_by_themselves_at_the_start_and_at_the_end(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """At rest once; at speed from rest and to confirm, though a stop closes on the way."""
+    solves = []
+    solve = Network.solve_bearings
+    monkeypatch.setattr(
+        Network, "solve_bearings", lambda *a, **k: (solves.append(1), solve(*a, **k))[1]
+    )
+    found = state(mfw2310(), np.arange(0, 24001, 3000))
+    assert found.net.held.any()
+    assert len(solves) == 3
+    found.rest_loads()
+    assert len(solves) == 3
+
+
+@pytest.mark.parametrize("travel", [45e-6, 80e-6])
+def test_other_travels_are_those_of_a_spindle_that_has_them(travel: float) -> None:
+    index = np.array([1, 3])
+    found = state(mfw2310(), [0, 12000, 18000, 24000]).with_travels({"front": travel}, index)
+    expected = state(with_sleeve(mfw2310(), "front", stop_travel=travel), [12000, 24000])
+    assert found.spindle == expected.spindle
+    assert loads(found) == pytest.approx(loads(expected), rel=1e-9)
+    assert found.shift == pytest.approx(expected.shift, rel=1e-9, abs=1e-15)
+    assert (found.net.held == expected.net.held).all()
+    assert found.outcome == expected.outcome
