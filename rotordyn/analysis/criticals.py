@@ -23,8 +23,8 @@ from numpy.typing import NDArray
 
 from rotordyn.analysis.branches import MARGIN, Branch, home_of, knots_between, whirl_degree
 from rotordyn.analysis.character import whirl_along
+from rotordyn.analysis.excitation import Line, exciting
 from rotordyn.analysis.formulation import ROTATING, SOFTENED
-from rotordyn.analysis.on_rotors import Line, exciting
 from rotordyn.analysis.results import CREEPING
 from rotordyn.analysis.roots import Start, State, solved
 from rotordyn.analysis.scene import Scene

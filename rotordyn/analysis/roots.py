@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from rotordyn.analysis.branches import Branch, home_of, modes_of
 from rotordyn.analysis.certificate import swings
 from rotordyn.analysis.exact_bending import ExactModes
-from rotordyn.analysis.on_rotors import Line
+from rotordyn.analysis.excitation import Line
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec
 from rotordyn.numerics.follow import likeness

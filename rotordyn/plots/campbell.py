@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM
-from rotordyn.analysis.on_rotors import exciting
+from rotordyn.analysis.excitation import exciting
 from rotordyn.analysis.results import CampbellResult, turning
 from rotordyn.machine.reference import Reference
 from rotordyn.plots.labels import axis_label, spread

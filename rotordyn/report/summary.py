@@ -10,8 +10,8 @@ from typing import Any, Protocol
 import numpy as np
 
 from rotordyn.analysis.display import RPM, STIFFNESS
+from rotordyn.analysis.excitation import Line, exciting
 from rotordyn.analysis.known import matches
-from rotordyn.analysis.on_rotors import Line, exciting
 from rotordyn.analysis.race_control import BOUNDARY_WORDS, fit_words
 from rotordyn.analysis.results import (
     BearingMapResult,

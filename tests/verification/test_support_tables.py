@@ -12,7 +12,7 @@ import pytest
 import rotordyn
 from rotordyn.analysis import campbell, frf, section_forces, stiffness
 from rotordyn.analysis.branches import branches_of
-from rotordyn.analysis.on_rotors import Line
+from rotordyn.analysis.excitation import Line
 from rotordyn.analysis.results import CREEPING
 from rotordyn.analysis.roots import Start, solved
 from rotordyn.analysis.scene import Scene
