@@ -13,8 +13,16 @@ class Line(NamedTuple):
     """
 
     rotor: str
-    order: int
+    order: float
     multiple: float
+
+    @property
+    def name(self) -> str:
+        """
+        >>> Line("spindle", 0.43, 0.43).name, Line("spindle", 1.0, 1.0).name
+        ('0.43×', '1×')
+        """
+        return f"{self.order:g}×"
 
     @property
     def size(self) -> float:
@@ -22,7 +30,7 @@ class Line(NamedTuple):
         return abs(self.multiple)
 
 
-def exciting(ratios: Mapping[str, float], orders: Iterable[int]) -> list[Line]:
+def exciting(ratios: Mapping[str, float], orders: Iterable[float]) -> list[Line]:
     """Lines of ``orders`` of every rotor that turns; of rotors at one speed those of the first.
 
     >>> [line.multiple for line in exciting({"spindle": 1.0, "sleeve": 1.0, "outer": -1.5}, [1, 2])]

@@ -1,4 +1,4 @@
-"""Speeds at which a followed mode turns at a whole multiple of the speed, by secants.
+"""Speeds at which a followed mode turns at a multiple of the speed, by secants.
 
 The machine, its bearings and damping included, is solved anew at each trial, all searches at once.
 """

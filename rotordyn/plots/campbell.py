@@ -179,18 +179,17 @@ def orders(result: CampbellResult, teeth: Sequence[int]) -> dict[float, str]:
     (k − 1)× for forward and (k + 1)× for backward whirl.
     """
     if not turning(result):
-        met = sorted({int(order) for order in result.critical_order} - {1, *teeth})
         named: dict[float, str] = {}
-        lines = exciting(_ratios(result), [1, *met])
+        lines = exciting(_ratios(result), sorted({1.0, *result.engine_order.tolist()}))
         several = len({line.rotor for line in lines}) > 1
         for line in lines:
-            name = f"{line.order}× {line.rotor}" if several else f"{line.order}×"
-            same = named.get(line.size)
-            named[line.size] = f"{same}, {name}" if same else name
+            size = float(f"{line.size:.12g}")  # 0.2 times 1.5 is 0.3
+            name = f"{line.name} {line.rotor}" if several else line.name
+            named[size] = f"{named[size]}, {name}" if size in named else name
         for k in teeth:
             if k != 1:
-                same = named.get(k)
-                named[k] = f"{same}, {k}× (teeth)" if same else f"{k}× (teeth)"
+                same, name = named.get(k, f"{k}×"), f"{k}× (teeth)"
+                named[k] = name if same == f"{k}×" else f"{same}, {name}"
         return named
     named = {0: "unbalance at 0 Hz"}
     for k in teeth:

@@ -148,21 +148,20 @@ def _modes(result: CampbellResult) -> list[str]:
     if len(result.speed) == 1:
         return lines
     ratios = dict(zip(result.rotor, result.speed_ratio.tolist(), strict=True))
-    every = exciting(ratios, sorted({1, *result.critical_order.astype(int).tolist()}))
+    every = exciting(ratios, result.engine_order.tolist())
     several = len({line.rotor for line in every}) > 1
     for line in every:
         known = _criticals(result, line)
         of = f" of {line.rotor}" if several else ""
-        name, leaves = f"{line.order}×{of}", 60.0 * result.max_frequency / line.size
+        name, leaves = f"{line.name}{of}", 60.0 * result.max_frequency / line.size
         beyond = f"; {name} leaves the band at {leaves:.0f} rpm" if leaves < speeds[-1] else ""
-        none = "" if line.order > 1 else f"none from {rpm.replace('→', 'to')}"
-        if none and leaves < speeds[-1]:
+        none = f"none from {rpm.replace('→', 'to')}"
+        if leaves < speeds[-1]:
             none = "none in the band asked for"
-        elif none and line.rotor == SPINDLE:
+        elif (line.rotor, line.order) == (SPINDLE, 1.0):
             none += _nearest(result)
-        if known or none:
-            told = ", ".join(known) or none
-            lines.append(f"critical   {name}, margin to top speed: {told}{beyond}")
+        told = ", ".join(known) or none
+        lines.append(f"critical   {name}, margin to top speed: {told}{beyond}")
     return lines
 
 

@@ -123,6 +123,19 @@ def test_the_threshold_is_the_critical_speed(formulation: str) -> None:
         assert found.critical_damping[back] == pytest.approx(expected, rel=1e-3)
 
 
+@pytest.mark.parametrize("order", [0.43, 0.5, 1.0, 1.5, 2.37])
+def test_damping_at_critical_speeds_of_any_order(order: float) -> None:
+    """At ω = nΩ forward whirl is slower than the shaft where n < 1, which drives it, and faster
+    where n > 1, which damps it; whirl back is damped always."""
+    omega, _ = still()
+    asked = CampbellSpec(150.0, shapes=False, engine_orders=(order,))
+    found = campbell.answer(scene(disc(), [0.0, 1.5 * omega / order]), asked)
+    assert found.critical_speed == pytest.approx([omega / order] * 2, rel=2e-3)
+    ratio = dict(zip(found.critical_whirl, found.critical_damping, strict=True))
+    assert ratio["backward"] == pytest.approx(HALF, rel=1e-3)
+    assert ratio["forward"] == pytest.approx(np.sign(order - 1.0) * HALF, rel=1e-3, abs=1e-9)
+
+
 @pytest.mark.parametrize("ratio", [0.0, 0.5, 0.999, 1.001, 2.0])
 def test_an_outer_damper_forbids_growth_at_all_speeds_or_at_none(ratio: float) -> None:
     """Of c ω against η k: above 1 forward whirl never grows, below it does from ω on."""

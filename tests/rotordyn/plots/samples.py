@@ -245,6 +245,7 @@ def campbell(count: int = 49) -> CampbellResult:
         critical_rotor=("spindle",),
         shape_speed=speed[[0, -1]],
         critical=("axial",),
+        engine_order=np.ones(1),
         outcome=("solved",) * count,
         frequency=rest + change * s**2,
         damping_ratio=np.full((count, len(_MODES)), 0.02),

@@ -47,6 +47,18 @@ def test_every_rotor_has_its_lines(modes: CampbellResult) -> None:
     }
     assert orders(turning(0.0, modes), ()) == {1.0: "1×", 2.0: "2×"}
     assert orders(turning(-1.0, modes), ())[1.0] == "1× spindle, 1× outer"
+    asked = replace(modes, engine_order=np.array([0.2, 0.3, 3.0]))
+    assert orders(asked, [3]) == {
+        0.2: "0.2× spindle",
+        0.3: "0.3× spindle, 0.2× outer",
+        0.45: "0.3× outer",
+        1.0: "1× spindle",
+        1.5: "1× outer",
+        3.0: "3× spindle, 3× (teeth)",
+        4.5: "3× outer",
+    }
+    alone = replace(turning(0.0, modes), engine_order=np.array([0.43, 1.0, 3.0]))
+    assert orders(alone, [3]) == {0.43: "0.43×", 1.0: "1×", 3.0: "3× (teeth)"}
 
 
 def test_critical_speeds_lie_on_the_line_that_excites(modes: CampbellResult) -> None:

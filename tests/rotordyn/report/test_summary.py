@@ -81,6 +81,18 @@ def test_where_a_line_leaves_the_band_is_told(case, results):
     assert "none in the band asked for; 1× leaves the band" in told
 
 
+def test_critical_speeds_are_told_of_the_orders_asked_for_alone(case, results):
+    """Whether there are some or none; of what was not sought nothing is said."""
+    modes = results["campbell"]
+    half = replace(modes, engine_order=np.array([0.43, 2.5]), critical_order=np.array([0.43]))
+    said = " ".join(summary(case, {"campbell": half}).split())
+    assert "critical 0.43×, margin to top speed: axial 20400 rpm (-15 %) critical 2.5×" in said
+    assert "critical 2.5×, margin to top speed: none from 0 to 24000 rpm" in said
+    assert "1×, margin" not in said
+    nothing = summary(case, {"campbell": replace(half, engine_order=np.zeros(0))})
+    assert "critical " not in nothing
+
+
 def test_notes_stand_below_the_title(case, results):
     lines = summary(case, results, ["first"], ["a choice " * 20]).splitlines()
     assert lines[0] == "WARNING: first"
