@@ -11,7 +11,7 @@ import pytest
 from scipy.interpolate import PchipInterpolator
 from scipy.linalg import eigvals
 
-from rotordyn.analysis import campbell
+from rotordyn.analysis import campbell, roots
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions
 from rotordyn.machine.lumped import PointMass
@@ -110,6 +110,23 @@ def test_any_order_by_dense_matrices(stiffness: tuple[float, ...], order: float)
     expected = spins[spins < top * RPM]
     found = answered(rotor, [0, 2500, top], order * top / 60.0, (order,), element=0.25)
     assert found.critical_speed[bending(found, order)] == pytest.approx(expected, rel=1e-7)
+
+
+@pytest.mark.parametrize("order", [0.43, 1.5])
+@pytest.mark.parametrize("stiffness", [(1e6, 1e6), (1e6, 0.3e6)], ids=["isotropic", "differ"])
+def test_without_damping_the_eigenproblem_of_the_order_needs_no_search(
+    stiffness: tuple[float, ...], order: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """One look at each speed it gives, and no secant, finds all there are."""
+    asked = base(stiffness), [0, 2500, 6000], order * 100.0, (order,)
+    searched = answered(*asked, element=0.25)
+    monkeypatch.setattr(roots, "ITERATIONS", 1)
+    found = answered(*asked, element=0.25)
+    own = bending(searched, order)
+    assert len(own) >= 3
+    assert found.critical_speed[bending(found, order)] == pytest.approx(
+        searched.critical_speed[own], rel=1e-6
+    )
 
 
 @pytest.mark.parametrize("order", [0.43, 0.5, 1.0, 1.5, 1.7, 2.37])
