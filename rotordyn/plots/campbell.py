@@ -45,6 +45,7 @@ KNOWN = {
     "torsion_frequency": ("^", ", torsion"),
 }
 PALE = "#F6D78A"  # behind the lines
+LETTER = 0.6  # mean width over the size of the font
 Segments = dict[str, list[NDArray[np.float64]]]
 
 
@@ -208,24 +209,37 @@ def draw_orders(
     """Lines f = k n; returns height [Hz] and name of those that leave on the right."""
     from matplotlib.collections import LineCollection
 
-    lines, right = [], []
-    for order, name in orders.items():
-        end = order * rpm / 60.0
-        lines.append([(0.0, 0.0), (rpm, end)])
-        if end <= top:
-            right.append((end, name))
-            continue
+    end = {order: order * rpm / 60.0 for order in orders}
+    lines = [[(0.0, 0.0), (rpm, height)] for height in end.values()]
+    axes.add_collection(LineCollection(lines, colors=GREY, linewidths=0.8, zorder=2), autolim=False)
+    _name_at_the_top(axes, {k: name for k, name in orders.items() if end[k] > top}, rpm, top)
+    return [(end[k], name) for k, name in orders.items() if end[k] <= top]
+
+
+def _name_at_the_top(axes: Axes, orders: Mapping[float, str], rpm: float, top: float) -> None:
+    """Names beside their lines, each in the highest row in which it has room."""
+    letter = LETTER * (FONT_SIZE - 1.0) / 72.0 * axes.figure.dpi * rpm / axes.bbox.width
+    taken: list[float] = []
+    for order in sorted(orders, reverse=True):
+        row, start = 0, top * 60.0 / order
+        while row < len(taken) and start < taken[row]:
+            row += 1
+            start = _row(row) * top * 60.0 / order
+        taken[row : row + 1] = [start + letter * (len(orders[order]) + 2)]
         axes.text(
-            top * 60.0 / order,
-            top * 0.985,
-            f" {name}",
+            start,
+            top * (_row(row) - 0.015),
+            f" {orders[order]}",
             ha="left",
             va="top",
             color=GREY,
             fontsize=FONT_SIZE - 1.0,
         )
-    axes.add_collection(LineCollection(lines, colors=GREY, linewidths=0.8, zorder=2), autolim=False)
-    return right
+
+
+def _row(number: int) -> float:
+    """Upper edge of a row of names, over the height of the axes."""
+    return 1.0 - 0.037 * number
 
 
 def _criticals(axes: Axes, result: CampbellResult) -> None:
