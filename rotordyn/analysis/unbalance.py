@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analysis import campbell
 from rotordyn.analysis.accuracy import MOST_SPEEDS, synchronous_change
+from rotordyn.analysis.display import number
 from rotordyn.analysis.orbit import orbit
 from rotordyn.analysis.results import UnbalanceResult
 from rotordyn.analysis.scene import Scene
@@ -105,7 +106,7 @@ def _absences(found: Modes, turning: Modes, speed: Array, frame: Array) -> list[
         if growing.any():
             own = pole[growing][pole[growing].real.argmax()] + 1j * frame[row]
             hertz = abs(own.imag) / (2.0 * math.pi)
-            how = f"vibrates by itself at {hertz:.1f} Hz" if hertz else "moves away by itself"
+            how = f"vibrates by itself at {number(hertz)} Hz" if hertz else "moves away by itself"
             words.append(f"unstable: the machine {how}")
         elif near and spin != 0.0:
             words.append("a critical speed without damping: the response grows without bound")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.display import RPM
+from rotordyn.analysis.display import RPM, number
 from rotordyn.analysis.excitation import exciting
 from rotordyn.analysis.results import CampbellResult, turning
 from rotordyn.machine.reference import Reference
@@ -272,7 +272,7 @@ def _name_modes(
     last = result.frequency[-1]
     drawn = np.isfinite(last) & (last <= top) & ~result.creeping
     shown = np.flatnonzero(drawn).tolist()
-    labels = [(float(last[k]), f"{result.mode[k]}  {last[k]:.0f}") for k in shown]
+    labels = [(float(last[k]), f"{result.mode[k]}  {number(float(last[k]), 0)}") for k in shown]
     looks = [LOOKS[_look(result.kind[k], result.whirl[-1, k])][0] for k in shown]
     labels += list(excitation)
     looks += [GREY] * len(excitation)

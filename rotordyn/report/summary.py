@@ -9,7 +9,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from rotordyn.analysis.display import RPM, STIFFNESS
+from rotordyn.analysis.display import RPM, STIFFNESS, number
 from rotordyn.analysis.excitation import Line, exciting
 from rotordyn.analysis.known import matches
 from rotordyn.analysis.race_control import BOUNDARY_WORDS, fit_words
@@ -154,7 +154,9 @@ def _modes(result: CampbellResult) -> list[str]:
         known = _criticals(result, line)
         of = f" of {line.rotor}" if several else ""
         name, leaves = f"{line.name}{of}", 60.0 * result.max_frequency / line.size
-        beyond = f"; {name} leaves the band at {leaves:.0f} rpm" if leaves < speeds[-1] else ""
+        beyond = (
+            f"; {name} leaves the band at {number(leaves, 0)} rpm" if leaves < speeds[-1] else ""
+        )
         none = f"none from {rpm.replace('→', 'to')}"
         if leaves < speeds[-1]:
             none = "none in the band asked for"
@@ -170,7 +172,7 @@ def _criticals(result: CampbellResult, line: Line) -> list[str]:
     last = result.speed[-1]
     return [
         unbroken(
-            f"{name}{_turn(name, whirl)} {speed * RPM.factor:.0f} rpm "
+            f"{name}{_turn(name, whirl)} {number(speed * RPM.factor, 0)} rpm "
             f"({(speed / last - 1.0) * 100.0:+.0f} %)"
         )
         for name, whirl, speed, rotor, own, excited in zip(
@@ -203,7 +205,7 @@ def _nearest(result: CampbellResult) -> str:
         return ""
     if turning(result):  # the 1× line stands still there, at 0 Hz
         near = min(chosen, key=lambda k: float(result.frequency[-1, k]))
-        return f"; {result.mode[near]} is nearest, {result.frequency[-1, near]:.0f} Hz away"
+        return f"; {result.mode[near]} is nearest, {number(result.frequency[-1, near], 0)} Hz away"
     near = min(chosen, key=lambda k: abs(float(result.frequency[-1, k]) - hertz))
     ratio = float(result.frequency[-1, near]) / hertz
     return f"; {result.mode[near]} is nearest, {ratio:.2f} × the top speed"

@@ -93,6 +93,16 @@ def test_critical_speeds_are_told_of_the_orders_asked_for_alone(case, results):
     assert "critical " not in nothing
 
 
+def test_slow_modes_are_told_with_their_digits(case, results):
+    modes = results["campbell"]
+    slow = replace(modes, frequency=modes.frequency * 1e-5, critical_speed=np.array([0.05]))
+    said = " ".join(summary(case, {"campbell": slow}).split())
+    assert "1 fw 0.00903 → 0.00713 fw" in said
+    assert "axial 0.477 rpm" in said
+    rows = comparison_summary(case, [(case, {"campbell": slow})]).splitlines()
+    assert any("0.00903 → " in row for row in rows)
+
+
 def test_notes_stand_below_the_title(case, results):
     lines = summary(case, results, ["first"], ["a choice " * 20]).splitlines()
     assert lines[0] == "WARNING: first"
