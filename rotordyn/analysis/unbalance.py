@@ -78,6 +78,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         force=force,
         force_amplitude=orbit(force[..., 0], force[..., 1]).major,
         rotor=rotor,
+        grade_speed=spec.grade.speed if spec.grade else 0.0,
         speed_ratio=ratio,
         unbalance_station=np.array([one.place.x for one in placed]),
         unbalance_size=np.array([abs(one.size) for one in placed]),

@@ -283,6 +283,7 @@ def test_balance_grade(phase: str) -> None:
     )
     np.testing.assert_allclose(found.displacement, hand.displacement, rtol=1e-9)
     np.testing.assert_allclose(found.unbalance_size, [0.4 * whole, 0.6 * whole])
+    assert (found.grade_speed, hand.grade_speed) == (1000.0, 0.0)
 
 
 def test_unstable_machine_has_no_steady_response() -> None:

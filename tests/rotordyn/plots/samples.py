@@ -388,6 +388,7 @@ def unbalance(count: int = 49) -> UnbalanceResult:
     behind = 0.5 * np.abs(moved[..., 0] - 1j * moved[..., 1])
     return UnbalanceResult(
         rotor="spindle",
+        grade_speed=0.0,
         speed_ratio=1.0,
         speed=speed,
         point=("Oc2", "O3"),

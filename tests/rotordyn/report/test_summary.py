@@ -103,6 +103,20 @@ def test_slow_modes_are_told_with_their_digits(case, results):
     assert any("0.00903 → " in row for row in rows)
 
 
+def test_a_grade_for_another_speed_than_the_highest_is_told(case, results):
+    result = results["unbalance"]
+    top = float(result.speed[-1])
+    for speed, words in (
+        (0.0, ""),
+        (top, ""),
+        (1.25 * top, "; the grade is for 30000 rpm, above all of the case"),
+        (0.5 * top, "; the grade is for 12000 rpm, coarser than that beyond"),
+    ):
+        lines = summary(case, {"unbalance": replace(result, grade_speed=speed)})
+        text = " ".join(lines.split())
+        assert f"g·mm at -52.4 mm to 28.65°{words} largest half axis" in text
+
+
 def test_notes_stand_below_the_title(case, results):
     lines = summary(case, results, ["first"], ["a choice " * 20]).splitlines()
     assert lines[0] == "WARNING: first"
