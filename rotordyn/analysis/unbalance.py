@@ -11,9 +11,11 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis import campbell
 from rotordyn.analysis.accuracy import MOST_SPEEDS, synchronous_change
+from rotordyn.analysis.branches import branches_of
+from rotordyn.analysis.criticals import critical_speeds
 from rotordyn.analysis.display import number
+from rotordyn.analysis.mode_names import named
 from rotordyn.analysis.orbit import orbit
 from rotordyn.analysis.results import UnbalanceResult
 from rotordyn.analysis.scene import Scene
@@ -131,13 +133,14 @@ def _criticals(scene: Scene, ratio: float) -> list[tuple[str, float, float]]:
     if len(scene.usable) < 2 or top < SLOWEST:
         return []
     highest = BEYOND * abs(ratio) * top / (2.0 * math.pi)
-    found = campbell.answer(scene, CampbellSpec(max_frequency=highest, shapes=False))
-    own = found.critical_excited & np.array(
-        [scene.spindle.ratios[name] == ratio for name in found.critical_rotor], dtype=bool
-    )
-    known = (found.critical_speed.tolist(), found.critical_damping.tolist(), own)
-    every = zip(found.critical, *known, strict=True)
-    return [(name, speed, damping) for name, speed, damping, met in every if met]
+    spec = CampbellSpec(max_frequency=highest, shapes=False)
+    branches, names = named(branches_of(scene, spec, ("bending",)))
+    ratios = scene.spindle.ratios
+    return [
+        (each.mode, each.speed, each.damping_ratio)
+        for each in critical_speeds(scene, spec, branches, names)
+        if each.excited and ratios[each.line.rotor] == ratio
+    ]
 
 
 def _errors(
