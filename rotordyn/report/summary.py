@@ -85,7 +85,15 @@ def summary(
     top = opening(warnings, called(case), notes)
     text = [*top, *(part for line in lines for part in wrapped(line))]
     found = matches(case.known, results, case.spindle)
-    return "\n".join((text + known_lines(found, HEIGHT - len(text)))[:HEIGHT])
+    return "\n".join(_screen(text + known_lines(found, HEIGHT - len(text))))
+
+
+def _screen(lines: list[str]) -> list[str]:
+    """At most ``HEIGHT`` lines; where some are left out, the last one says how many."""
+    if len(lines) <= HEIGHT:
+        return lines
+    kept = lines[: HEIGHT - 1]
+    return [*kept, f"… and {len(lines) - len(kept)} more lines: see the tables and results.nc"]
 
 
 def _machine(spindle: Spindle) -> list[str]:

@@ -93,6 +93,19 @@ def test_critical_speeds_are_told_of_the_orders_asked_for_alone(case, results):
     assert "critical " not in nothing
 
 
+def test_what_one_screen_does_not_hold_is_counted(case, results):
+    modes = results["campbell"]
+    many = replace(modes, engine_order=np.linspace(0.1, 5.0, 50))
+    lines = summary(case, results | {"campbell": many}).splitlines()
+    assert len(lines) == HEIGHT
+    assert lines[-1].startswith("… and ")
+    assert lines[-1].endswith(" more lines: see the tables and results.nc")
+    left = int(lines[-1].split()[2])
+    few = replace(modes, engine_order=np.linspace(0.1, 5.0, 49))
+    other = summary(case, results | {"campbell": few}).splitlines()[-1]
+    assert left - int(other.split()[2]) == 1
+
+
 def test_slow_modes_are_told_with_their_digits(case, results):
     modes = results["campbell"]
     slow = replace(modes, frequency=modes.frequency * 1e-5, critical_speed=np.array([0.05]))
