@@ -169,6 +169,7 @@ MASS_DAMPING = Quantity("rate", at_least="0 1/s", at_most="1000000 1/s")
 STIFFNESS_DAMPING = Quantity("time", at_least="0 s", at_most="1 s")
 RADIAL_SHARE = Quantity("number", at_least="0", at_most="10")
 SPEED_RATIO = Quantity("number", at_least="-100", at_most="100")
+ENGINE_ORDER = Quantity("number", at_least="0.001", at_most="1000")
 SHEAR_COEFFICIENT = Quantity("number", above="0", at_most="1")
 FRICTION = Quantity("number", at_least="0.001", at_most="10", infinite="none")
 AMPLITUDE = Quantity("ratio", above="0 %", at_most="20 %")
@@ -183,6 +184,7 @@ MassDamping = Annotated[float, MASS_DAMPING]
 StiffnessDamping = Annotated[float, STIFFNESS_DAMPING]
 RadialShare = Annotated[float, RADIAL_SHARE]
 SpeedRatio = Annotated[float, SPEED_RATIO]
+EngineOrder = Annotated[float, ENGINE_ORDER]
 Diameter = Annotated[float, DIAMETER]
 Bore = Annotated[float, BORE]
 Growth = Annotated[float, GROWTH]

@@ -26,6 +26,7 @@ from rotordyn.numerics.modes import Modes
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Matrix = NDArray[np.inexact[Any]]
+MOTIONS = ("bending", "axial", "torsion")
 MARGIN = 1.5  # modes up to this multiple of the highest frequency are followed
 WITHIN = 1.1  # doubts about modes above this multiple are left
 ROUNDS, MOST_STEPS = 12, 400  # of further speeds; of speeds in all
@@ -87,12 +88,14 @@ class Branch:
         return int((self.column >= 0).argmax())
 
 
-def branches_of(scene: Scene, spec: CampbellSpec) -> list[Branch]:
-    """All modes that come below ``spec.max_frequency``."""
-    branches = _coupled(scene, spec)
-    for motion, alone in (("bending", _bending), ("axial", _axial), ("torsion", _torsion)):
+def branches_of(scene: Scene, spec: CampbellSpec, motions: Sequence[str] = MOTIONS) -> list[Branch]:
+    """Modes of ``motions``, and of what supports couple to them, that come below
+    ``spec.max_frequency``."""
+    alone = {"bending": _bending, "axial": _axial, "torsion": _torsion}
+    branches = _coupled(scene, spec) if scene.coupled_motions & set(motions) else []
+    for motion in motions:
         if motion not in scene.coupled_motions:
-            branches += alone(scene, spec)
+            branches += alone[motion](scene, spec)
     band = 2.0 * math.pi * spec.max_frequency
     return [b for b in branches if np.nanmin(np.abs(b.track.pole.imag)) <= band]
 
@@ -130,8 +133,6 @@ def _torsion(scene: Scene, spec: CampbellSpec) -> list[Branch]:
 
 def _coupled(scene: Scene, spec: CampbellSpec) -> list[Branch]:
     """The modes of the motions that supports couple."""
-    if not scene.coupled_motions:
-        return []
     branches, places = [], scene.coupled.places
     for branch in _followed(min(scene.coupled_motions), scene, spec, (+1.0,)):
         squares = np.abs(branch.vector[branch.column >= 0]) ** 2

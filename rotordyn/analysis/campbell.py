@@ -14,6 +14,7 @@ from rotordyn.analysis.character import character, rigid_share
 from rotordyn.analysis.criticals import critical_speeds
 from rotordyn.analysis.exact_bending import ExactBending
 from rotordyn.analysis.formulation import ROTATING
+from rotordyn.analysis.mode_names import named
 from rotordyn.analysis.results import CampbellResult, TurningCampbellResult
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.shapes import both_planes, scaled
@@ -53,8 +54,7 @@ def _why_not(scene: Scene) -> str:
 
 
 def _answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
-    branches = sorted(branches_of(scene, spec), key=_place)
-    names = _names(branches)
+    branches, names = named(branches_of(scene, spec))
     ends = sorted({0, len(scene.usable) - 1}) if spec.shapes else []
     criticals = critical_speeds(scene, spec, branches, names)
     threshold, growing = stability_threshold(scene, spec, branches, names)
@@ -71,6 +71,7 @@ def _answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         dof=FREEDOMS,
         shape_speed=scene.speed[scene.usable][ends],
         critical=tuple(c.mode for c in criticals),
+        engine_order=np.array(spec.engine_orders, dtype=float),
         outcome=scene.outcome,
         frequency=scene.scattered(_seen(scene, branches)),
         frequency_error=scene.scattered(_errors(scene, branches)),
@@ -95,7 +96,7 @@ def _answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         first_to_grow=growing,
         critical_speed=np.array([c.speed for c in criticals]),
         critical_rotor=tuple(c.line.rotor for c in criticals),
-        critical_order=np.array([float(c.line.order) for c in criticals]),
+        critical_order=np.array([c.line.order for c in criticals]),
         critical_kind=tuple(c.kind for c in criticals),
         critical_whirl=tuple(c.whirl for c in criticals),
         critical_damping=np.array([c.damping_ratio for c in criticals]),
@@ -168,31 +169,6 @@ def _within(branches: list[Branch], highest: float, radius: Array) -> Array:
     """How many branches swing at ``highest`` [rad/s] at most, their poles in discs (usable,)."""
     inside = [(np.abs(b.pole.imag) <= highest) & (np.abs(b.pole) < radius) for b in branches]
     return np.sum(inside, axis=0) + np.zeros(len(radius))
-
-
-def _place(branch: Branch) -> tuple[str, bool, float, float]:
-    """Bending, axial, torsion; creeping ones last; from below; of twins the backward one first."""
-    kind = {"bending": "0", "axial": "1", "torsion": "2"}[branch.kind]
-    first = branch.born
-    return (
-        kind,
-        branch.creeping,
-        float(f"{branch.frequency[first]:.8g}"),
-        float(branch.whirl[first]),
-    )
-
-
-def _names(branches: list[Branch]) -> tuple[str, ...]:
-    """Number the modes of each kind (and whirl, where it is one throughout) from below."""
-    counts: dict[str, int] = {}
-    names = []
-    paired = all(np.unique(b.whirl[b.column >= 0]).size == 1 for b in branches)
-    for branch in branches:
-        whirl = {1.0: " forward", -1.0: " backward"}.get(float(branch.whirl[branch.born]), "")
-        family = branch.kind + (whirl if paired else "")
-        counts[family] = counts.get(family, 0) + 1
-        names.append(f"{branch.kind} {counts[family]}{whirl if paired else ''}")
-    return tuple(names)
 
 
 def _shapes(scene: Scene, branches: list[Branch], ends: list[int]) -> Complex:

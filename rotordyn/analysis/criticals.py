@@ -1,4 +1,4 @@
-"""Critical speeds: where a mode turns at a whole multiple of a rotor's speed, each solved for.
+"""Critical speeds: where a mode turns at a multiple of a rotor's speed, each solved for.
 
 Two ways lead to them. Where but the gyroscopic effect only the tables of supports depend on speed,
 all between two knots are the eigenvalues of one problem (``synchronous``), whatever the speeds of
@@ -23,8 +23,8 @@ from numpy.typing import NDArray
 
 from rotordyn.analysis.branches import MARGIN, Branch, home_of, knots_between, whirl_degree
 from rotordyn.analysis.character import whirl_along
+from rotordyn.analysis.excitation import Line, exciting
 from rotordyn.analysis.formulation import ROTATING, SOFTENED
-from rotordyn.analysis.on_rotors import Line, exciting
 from rotordyn.analysis.results import CREEPING
 from rotordyn.analysis.roots import Start, State, solved
 from rotordyn.analysis.scene import Scene
@@ -44,6 +44,7 @@ APART = 1e-9  # [rad/s]: speeds closer than that are one
 SAME, ALIKE = 1e-7, 0.5  # of the speed, likeness: one root found twice
 FITS = 0.1  # of a frequency: farther from those of a mode at the speeds around, it is none of it
 ROUNDING = 1e-9  # of the highest frequency
+OF_UNBALANCE = 1.0  # the order of what turns with the shaft; forces of others point anywhere
 
 
 @dataclass(frozen=True, slots=True)
@@ -194,7 +195,7 @@ def _same(start: Start, speed: float, state: State, other: tuple[Start, float, S
 
 def _named(scene: Scene, kind: str, name: str, line: Line, speed: float, state: State) -> Critical:
     """What a root is called and whether something that turns with the shaft excites it."""
-    whirl, excited = "", line.order != 1
+    whirl, excited = "", line.order != OF_UNBALANCE
     if kind == "bending":
         system = scene.exact if scene.bends_exactly else scene.vibration("bending")[0]
         isotropic = not isinstance(system, CoupledSystem | RodSystem) and system.isotropic

@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+ROUNDING = 1e-6  # of a printed value: less is none
+
 
 @dataclass(frozen=True, slots=True)
 class Shown:
@@ -39,6 +41,19 @@ _ENGINEERING = {
 def shown(unit: str) -> Shown:
     """How a value of SI ``unit`` is printed; unknown units stay as they are."""
     return _ENGINEERING.get(unit, Shown(unit))
+
+
+def number(value: float, digits: int = 1) -> str:
+    """Printed with ``digits`` decimals, with three digits where these would leave hardly any;
+    "none" where there is no value.
+
+    >>> [number(each) for each in (903.04, 0.0347, 1e-12, math.nan)], number(5.28, 0)
+    (['903.0', '0.0347', '0.0', 'none'], '5.28')
+    """
+    if not math.isfinite(value):
+        return "none"
+    small = ROUNDING < abs(value) < 10.0 ** (1 - digits)
+    return f"{value:.3g}" if small else f"{value:.{digits}f}"
 
 
 def rounded_up(error: float) -> str:

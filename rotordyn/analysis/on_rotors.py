@@ -1,9 +1,9 @@
-"""What machines of several rotors cannot be asked, and what in them excites at which speed."""
+"""What machines of several rotors cannot be asked."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import NamedTuple, Protocol
+from typing import Protocol
 
 from rotordyn.analysis.formulation import INERTIAL
 from rotordyn.analysis.shaft import EXACT
@@ -26,35 +26,6 @@ class Conditioned(Protocol):
     def gravity(self) -> str: ...
     @property
     def axial_force(self) -> float: ...
-
-
-class Line(NamedTuple):
-    """What excites at ``order`` times the speed of ``rotor``: ``multiple`` times the spindle's.
-
-    A negative multiple is of a rotor that turns the other way round.
-    """
-
-    rotor: str
-    order: int
-    multiple: float
-
-    @property
-    def size(self) -> float:
-        """Frequency over the speed of the spindle."""
-        return abs(self.multiple)
-
-
-def exciting(ratios: Mapping[str, float], orders: Iterable[int]) -> list[Line]:
-    """Lines of ``orders`` of every rotor that turns; of rotors at one speed those of the first.
-
-    >>> [line.multiple for line in exciting({"spindle": 1.0, "sleeve": 1.0, "outer": -1.5}, [1, 2])]
-    [1.0, 2.0, -1.5, -3.0]
-    """
-    first: dict[float, str] = {}
-    for name, ratio in ratios.items():
-        if ratio != 0.0:
-            first.setdefault(ratio, name)
-    return [Line(name, order, order * ratio) for ratio, name in first.items() for order in orders]
 
 
 def obstacles_of_rotors(

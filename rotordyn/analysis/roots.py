@@ -1,4 +1,4 @@
-"""Speeds at which a followed mode turns at a whole multiple of the speed, by secants.
+"""Speeds at which a followed mode turns at a multiple of the speed, by secants.
 
 The machine, its bearings and damping included, is solved anew at each trial, all searches at once.
 """
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from rotordyn.analysis.branches import Branch, home_of, modes_of
 from rotordyn.analysis.certificate import swings
 from rotordyn.analysis.exact_bending import ExactModes
-from rotordyn.analysis.on_rotors import Line
+from rotordyn.analysis.excitation import Line
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec
 from rotordyn.numerics.follow import likeness

@@ -25,6 +25,7 @@ from rotordyn.quantity import (
     Accuracy,
     Amplitude,
     Choice,
+    EngineOrder,
     Force,
     Frequency,
     Friction,
@@ -47,7 +48,7 @@ ROTOR = ("flexible", "rigid")
 GRAVITY = ("none", "+x", "-x")
 WEIGHT = ("none", "+x", "-x", "+y", "-y", "+z", "-z")
 MESH_FILES = ("vtu", "vtk", "xdmf", "glb", "stl", "ply", "obj", "off")
-MOST_TEETH = MOST_STEPS = MOST_ORDERS = 1000
+MOST_TEETH = MOST_STEPS = 1000
 QUANTITIES = ("receptance", "mobility", "inertance")
 Tangent = Annotated[str, Choice(TANGENTS)]
 
@@ -119,14 +120,14 @@ class CampbellSpec(Description):
 
     ``teeth``: numbers of cutter teeth whose tooth-passing line is of interest; ``shapes``: keep the
     mode shapes at the first and the last speed; ``shapes_3d``: see them in space;
-    ``engine_orders``: multiples of the speed whose critical speeds are solved for.
+    ``engine_orders``: multiples of the speed, whole or not, whose critical speeds are solved for.
     """
 
     max_frequency: Frequency = 4000.0
     teeth: tuple[Annotated[int, Whole(1, MOST_TEETH)], ...] = ()
     shapes: bool = True
     shapes_3d: ShapesInSpaceSpec | None = None
-    engine_orders: tuple[Annotated[int, Whole(1, MOST_ORDERS)], ...] = (1,)
+    engine_orders: tuple[EngineOrder, ...] = (1.0,)
 
     def _faults(self) -> Iterator[str]:
         yield from ascending("teeth", self.teeth)

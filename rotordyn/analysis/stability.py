@@ -8,7 +8,7 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.display import RPM
+from rotordyn.analysis.display import RPM, number
 from rotordyn.numerics.modes import Modes
 
 
@@ -27,9 +27,9 @@ def instability(found: Iterable[Modes], speed: NDArray[np.float64]) -> list[str]
         return []
     worst = fastest[fastest.real.argmax()]
     hertz = abs(worst.imag) / (2.0 * math.pi)
-    how = f"vibrates at {hertz:.1f} Hz" if hertz else "moves away without vibrating"
+    how = f"vibrates at {number(hertz)} Hz" if hertz else "moves away without vibrating"
     return [
-        f"unstable at {at.size} of {len(speed)} speeds, first at {speed[at[0]] * RPM.factor:.0f} "
-        f"rpm: the machine {how}, growing e-fold in {1.0 / worst.real:.3g} s; receptances there "
-        "are no steady vibration"
+        f"unstable at {at.size} of {len(speed)} speeds, first at "
+        f"{number(speed[at[0]] * RPM.factor, 0)} rpm: the machine {how}, growing e-fold in "
+        f"{1.0 / worst.real:.3g} s; receptances there are no steady vibration"
     ]

@@ -11,8 +11,11 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis import campbell
 from rotordyn.analysis.accuracy import MOST_SPEEDS, synchronous_change
+from rotordyn.analysis.branches import branches_of
+from rotordyn.analysis.criticals import critical_speeds
+from rotordyn.analysis.display import number
+from rotordyn.analysis.mode_names import named
 from rotordyn.analysis.orbit import orbit
 from rotordyn.analysis.results import UnbalanceResult
 from rotordyn.analysis.scene import Scene
@@ -77,6 +80,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         force=force,
         force_amplitude=orbit(force[..., 0], force[..., 1]).major,
         rotor=rotor,
+        grade_speed=spec.grade.speed if spec.grade else 0.0,
         speed_ratio=ratio,
         unbalance_station=np.array([one.place.x for one in placed]),
         unbalance_size=np.array([abs(one.size) for one in placed]),
@@ -105,7 +109,7 @@ def _absences(found: Modes, turning: Modes, speed: Array, frame: Array) -> list[
         if growing.any():
             own = pole[growing][pole[growing].real.argmax()] + 1j * frame[row]
             hertz = abs(own.imag) / (2.0 * math.pi)
-            how = f"vibrates by itself at {hertz:.1f} Hz" if hertz else "moves away by itself"
+            how = f"vibrates by itself at {number(hertz)} Hz" if hertz else "moves away by itself"
             words.append(f"unstable: the machine {how}")
         elif near and spin != 0.0:
             words.append("a critical speed without damping: the response grows without bound")
@@ -129,13 +133,14 @@ def _criticals(scene: Scene, ratio: float) -> list[tuple[str, float, float]]:
     if len(scene.usable) < 2 or top < SLOWEST:
         return []
     highest = BEYOND * abs(ratio) * top / (2.0 * math.pi)
-    found = campbell.answer(scene, CampbellSpec(max_frequency=highest, shapes=False))
-    own = found.critical_excited & np.array(
-        [scene.spindle.ratios[name] == ratio for name in found.critical_rotor], dtype=bool
-    )
-    known = (found.critical_speed.tolist(), found.critical_damping.tolist(), own)
-    every = zip(found.critical, *known, strict=True)
-    return [(name, speed, damping) for name, speed, damping, met in every if met]
+    spec = CampbellSpec(max_frequency=highest, shapes=False)
+    branches, names = named(branches_of(scene, spec, ("bending",)))
+    ratios = scene.spindle.ratios
+    return [
+        (each.mode, each.speed, each.damping_ratio)
+        for each in critical_speeds(scene, spec, branches, names)
+        if each.excited and ratios[each.line.rotor] == ratio
+    ]
 
 
 def _errors(

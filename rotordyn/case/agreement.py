@@ -25,9 +25,10 @@ from rotordyn.analysis.specs import (
     ascending,
 )
 from rotordyn.case.loads import misplaced, misplaced_unbalance, overheld, rotors_of, unheld
+from rotordyn.machine.held import RigidSupport
 from rotordyn.machine.housing import housed_motions
 from rotordyn.machine.reference import Reference
-from rotordyn.machine.spindle import RigidSupport, Spindle
+from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import MOTIONS, SPINDLE, acts, coupled_motions, entry_name
 from rotordyn.quantity import suggestion
 

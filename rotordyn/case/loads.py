@@ -13,7 +13,8 @@ from typing import Any, Protocol
 from rotordyn.analysis.specs import Conditions, SectionForcesSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.rotor import Place
-from rotordyn.machine.spindle import SLACK, Spindle
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.station import SLACK
 from rotordyn.machine.support import SPINDLE
 from rotordyn.quantity import suggestion
 from rotordyn.units import format_quantity

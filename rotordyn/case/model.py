@@ -24,7 +24,8 @@ from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.case.shipped import known_kind
 from rotordyn.case.validate import validate
 from rotordyn.errors import InvalidInput
-from rotordyn.machine.spindle import Spindle, Tool
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.tool import Tool
 
 Model = Spindle | Tool | AngularContactBallBearing | Material
 T = TypeVar("T")

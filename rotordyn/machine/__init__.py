@@ -21,8 +21,9 @@ if TYPE_CHECKING:
     from rotordyn.machine.reference import Reference
     from rotordyn.machine.rotor import Rotor
     from rotordyn.machine.shaft import Section, Shaft
-    from rotordyn.machine.spindle import Spindle, Tool
+    from rotordyn.machine.spindle import Spindle
     from rotordyn.machine.support import BearingSeat, LinearSupport, Sleeve, Spring
+    from rotordyn.machine.tool import Tool
 
 _HOME = {
     "BearingSeat": "support",
@@ -46,7 +47,7 @@ _HOME = {
     "Sleeve": "support",
     "Spindle": "spindle",
     "Spring": "support",
-    "Tool": "spindle",
+    "Tool": "tool",
 }
 __all__ = [
     "BearingSeat",

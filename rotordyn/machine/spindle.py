@@ -2,20 +2,20 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
-from typing import Protocol
 
-from rotordyn.description import Description, doubled
+from rotordyn.description import Description
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.drawbar import Drawbar
-from rotordyn.machine.growth import ComputedShortening, InterferenceFit, PrescribedShortening
+from rotordyn.machine.growth import ComputedShortening, PrescribedShortening
+from rotordyn.machine.held import held_twice, housing_faults
 from rotordyn.machine.housing import Housing
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.lumped import Disc, PointMass
+from rotordyn.machine.naming import name_faults, named_twice
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.rotor import (
     Place,
@@ -25,32 +25,12 @@ from rotordyn.machine.rotor import (
     of_one_rotor,
     rotor_faults,
 )
-from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.shaft import Shaft
+from rotordyn.machine.sleeved import shift_faults, sleeve_faults
+from rotordyn.machine.station import fit_faults, joint_faults, off_the_shaft
 from rotordyn.machine.support import GROUND, SPINDLE, BearingSeat, LinearSupport, Sleeve, acts
-from rotordyn.quantity import DampingRatio, LossFactor, Name, Share, Station, suggestion
-
-SLACK = 1e-9  # [m] by which a station may lie beside the shaft
-
-
-@dataclass(frozen=True, slots=True)
-class Tool(Description):
-    """What is clamped into the nose: sections from its tip to the nose face, turning with it.
-
-    ``points`` and ``masses`` are in spindle coordinates: x = 0 at the nose face, the tip negative.
-    """
-
-    name: str
-    sections: tuple[Section, ...]
-    masses: tuple[PointMass, ...] = ()
-    points: Mapping[Name, Station] = field(default_factory=dict)
-    references: tuple[Reference, ...] = ()
-    joints: tuple[Joint, ...] = ()
-
-    def _faults(self) -> Iterator[str]:
-        if not self.sections:
-            yield "a tool needs at least one section"
-        yield from _named_twice("sections", self.sections)
-        yield from _named_twice("masses", self.masses)
+from rotordyn.machine.tool import Tool
+from rotordyn.quantity import DampingRatio, LossFactor, Name, Share, Station
 
 
 @dataclass(frozen=True, slots=True)
@@ -157,17 +137,17 @@ class Spindle(Description):
         return self.loss_factor > 0.0 or any(self.connection_losses)
 
     def _faults(self) -> Iterator[str]:
-        yield from _named_twice("seats", self.seats)
-        yield from _named_twice("sleeves", self.sleeves)
-        yield from _named_twice("supports", self.supports)
-        yield from _named_twice("masses and discs", self.masses + self.discs)
+        yield from named_twice("seats", self.seats)
+        yield from named_twice("sleeves", self.sleeves)
+        yield from named_twice("supports", self.supports)
+        yield from named_twice("masses and discs", self.masses + self.discs)
         yield from self._ends_faults()
         yield from self._station_faults()
-        yield from self._sleeve_faults()
+        yield from sleeve_faults(self.seats, self.sleeves)
         yield from self._shift_faults()
-        yield from self._fit_faults()
+        yield from fit_faults(self.shaft, self.seats)
         yield from held_twice(self.seats, self.supports)
-        yield from self._joint_faults()
+        yield from joint_faults(self.shaft, self.joints)
         for kind, place, sentence in name_faults(
             self.housings, self.rotors, self.seats, self.supports
         ):
@@ -217,59 +197,15 @@ class Spindle(Description):
         for x in self.drawbar.stations if self.drawbar else ():
             yield from self.off_the_shaft("drawbar", x)
 
-    def _joint_faults(self) -> Iterator[str]:
-        for name in doubled(joint.name for joint in self.joints):
-            yield f"two joints are named '{name}'"
-        start, end = self.shaft.start, self.shaft.end
-        taken: list[Joint] = []
-        for joint in self.joints:
-            if not start + SLACK < joint.x < end - SLACK:
-                yield (
-                    f"Joint {joint.name} joins no two parts: given {joint.x:.6g} m; allowed: "
-                    f"between {start:.6g} m and {end:.6g} m"
-                )
-            for other in taken:
-                if abs(joint.x - other.x) <= SLACK:
-                    yield f"joints '{other.name}' and '{joint.name}' are at the same station"
-            taken.append(joint)
-
-    def off_the_shaft(self, what: str, x: float) -> Iterator[str]:
-        """A sentence where station ``x`` [m] of ``what`` does not lie on the shaft."""
-        start, end = self.shaft.start, self.shaft.end
-        if not start - SLACK <= x <= end + SLACK:
-            yield f"{what} off the shaft: given {x:.6g} m; allowed: {start:.6g} m to {end:.6g} m"
-
-    def _seat_named(self, name: str, where: str) -> Iterator[str]:
-        names = [seat.name for seat in self.seats]
-        if name not in names:
-            allowed = ", ".join(names) or "none, there are no seats"
-            yield f"{where}: unknown bearing '{name}'; allowed: {allowed}{suggestion(name, names)}"
-
-    def _sleeve_faults(self) -> Iterator[str]:
-        thrust = {seat.name: seat.thrust for seat in self.seats}
-        for sleeve in self.sleeves:
-            for name in sleeve.bearings:
-                yield from self._seat_named(name, f"sleeve {sleeve.name}")
-            if len({thrust.get(name, 0) for name in sleeve.bearings}) > 1:
-                yield f"sleeve {sleeve.name}: its bearings must all have the same thrust"
-        for name in doubled(name for sleeve in self.sleeves for name in sleeve.bearings):
-            yield f"bearing '{name}' is on more than one sleeve"
-
     def _shift_faults(self) -> Iterator[str]:
         if isinstance(self.shortening, ComputedShortening):
             yield from self.off_the_shaft("reference of shortening", self.shortening.reference)
         elif self.shortening is not None:
-            for name in self.shortening.shift:
-                yield from self._seat_named(name, "shortening.shift")
+            yield from shift_faults(self.seats, self.shortening.shift)
 
-    def _fit_faults(self) -> Iterator[str]:
-        for seat in self.seats:
-            fit, hole = seat.growth.centrifugal, self.shaft.section_at(seat.x).inner_diameter
-            if isinstance(fit, InterferenceFit) and fit.bore_diameter <= hole:
-                yield (
-                    f"the bore of bearing {seat.name} leaves no shaft: given "
-                    f"{fit.bore_diameter:.6g} m; allowed: above {hole:.6g} m"
-                )
+    def off_the_shaft(self, what: str, x: float) -> Iterator[str]:
+        """A sentence where station ``x`` [m] of ``what`` does not lie on the shaft."""
+        yield from off_the_shaft(self.shaft, what, x)
 
     def at_speed(self, speed: float) -> Spindle:
         """This machine with its supports as they are at ``speed`` [rad/s]."""
@@ -310,131 +246,3 @@ class Spindle(Description):
             references=self.references + tool.references,
             joints=self.joints + tool.joints,
         )
-
-
-class RigidSupport(Protocol):
-    """A support, as it is given or as it is read."""
-
-    @property
-    def name(self) -> str: ...
-    @property
-    def x(self) -> float: ...
-    @property
-    def rigid(self) -> Sequence[str]: ...
-    @property
-    def against(self) -> str: ...
-
-
-def held_twice(seats: Iterable[object], supports: Iterable[RigidSupport]) -> Iterator[str]:
-    """A sentence where two supports hold one freedom of a station, or one x beside bearings."""
-    taken: dict[str, list[RigidSupport]] = {}
-    for support in supports:
-        for freedom in support.rigid:
-            for other in taken.get(freedom, ()):
-                if abs(support.x - other.x) <= SLACK:
-                    yield f"supports '{other.name}' and '{support.name}' both hold {freedom} there"
-            taken.setdefault(freedom, []).append(support)
-    if "x" in taken and any(True for _ in seats):
-        yield (
-            f"support '{taken['x'][0].name}' holds x rigidly beside bearings, whose preload moves "
-            "the shaft along: give it a stiffness xx"
-        )
-
-
-class Carrier(Protocol):
-    """A housing, as it is given or as it is read."""
-
-    @property
-    def name(self) -> str: ...
-    @property
-    def carries(self) -> Sequence[str]: ...
-
-
-class Sprung(Protocol):
-    """A sleeve, as it is given or as it is read."""
-
-    @property
-    def name(self) -> str: ...
-    @property
-    def bearings(self) -> Sequence[str]: ...
-    @property
-    def radial_stiffness(self) -> float: ...
-
-
-class Called(Protocol):
-    """Something that has a name."""
-
-    @property
-    def name(self) -> str: ...
-
-
-def name_faults(
-    housings: Sequence[Called],
-    rotors: Sequence[Called],
-    seats: Iterable[Called],
-    supports: Iterable[Called],
-) -> Iterator[tuple[str, int, str]]:
-    """Housings and rotors that bear the name of something else: of which, its place, a sentence."""
-    taken = {seat.name: "a bearing" for seat in seats}
-    taken |= {support.name: "a support" for support in supports}
-    for place, rotor in enumerate(rotors):
-        if rotor.name and (what := taken.get(rotor.name)):
-            yield "rotors", place, _taken(what, rotor.name)
-    taken |= {rotor.name: "a rotor" for rotor in rotors}
-    taken |= {GROUND: "ground", SPINDLE: "the shaft"}
-    for place, housing in enumerate(housings):
-        if housing.name and (what := taken.get(housing.name)):
-            yield "housings", place, _taken(what, housing.name)
-
-
-def _taken(what: str, name: str) -> str:
-    return f"name already taken by {what}: given '{name}'; allowed: any other"
-
-
-def housing_faults(
-    housings: Sequence[Carrier],
-    seats: Iterable[Called],
-    sleeves: Iterable[Sprung],
-    supports: Iterable[RigidSupport],
-    rotors: Iterable[Called] = (),
-) -> Iterator[tuple[int, str]]:
-    """What is wrong with what housings carry: which housing, and a sentence."""
-    turning = (SPINDLE, *(rotor.name for rotor in rotors))
-    bearings = [seat.name for seat in seats]
-    held = {support.name: support for support in supports}
-    sprung = {n: s.name for s in sleeves if s.radial_stiffness < math.inf for n in s.bearings}
-    taken: dict[str, str] = {}
-    for place, housing in enumerate(housings):
-        for name in dict.fromkeys(housing.carries):
-            known = [*bearings, *held]
-            if name not in known:
-                allowed = ", ".join(known) or "none, there are none"
-                yield (
-                    place,
-                    f"carries an unknown support or bearing '{name}'; allowed: {allowed}"
-                    f"{suggestion(name, known)}",
-                )
-            elif name in bearings and name in held:
-                yield place, f"'{name}' is both a support and a bearing: rename one of them"
-            elif name in held and held[name].rigid:
-                yield place, f"support '{name}' is rigid, and a housing that gives way is not"
-            elif name in held and held[name].against in turning:
-                yield place, f"support '{name}' stands between two rotors, not on ground"
-            elif name in sprung:
-                yield (
-                    place,
-                    f"bearing '{name}' is on sleeve '{sprung[name]}', whose radial_stiffness holds "
-                    "it against ground: leave that out, or the bearing off the housing",
-                )
-            if name in taken:
-                yield place, f"'{name}' stands on two housings: {taken[name]} and {housing.name}"
-            taken[name] = housing.name
-    for name in doubled(housing.name for housing in housings):
-        yield 0, f"two housings are named '{name}'"
-
-
-def _named_twice(
-    what: str, items: Iterable[Section | PointMass | Disc | BearingSeat | Sleeve | LinearSupport]
-) -> Iterator[str]:
-    for name in doubled(item.name for item in items):
-        yield f"two {what} are named '{name}'"

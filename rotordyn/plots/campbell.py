@@ -8,8 +8,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.display import RPM
-from rotordyn.analysis.on_rotors import exciting
+from rotordyn.analysis.display import RPM, number
+from rotordyn.analysis.excitation import exciting
 from rotordyn.analysis.results import CampbellResult, turning
 from rotordyn.machine.reference import Reference
 from rotordyn.plots.labels import axis_label, spread
@@ -45,6 +45,7 @@ KNOWN = {
     "torsion_frequency": ("^", ", torsion"),
 }
 PALE = "#F6D78A"  # behind the lines
+LETTER = 0.6  # mean width over the size of the font
 Segments = dict[str, list[NDArray[np.float64]]]
 
 
@@ -179,18 +180,17 @@ def orders(result: CampbellResult, teeth: Sequence[int]) -> dict[float, str]:
     (k − 1)× for forward and (k + 1)× for backward whirl.
     """
     if not turning(result):
-        met = sorted({int(order) for order in result.critical_order} - {1, *teeth})
         named: dict[float, str] = {}
-        lines = exciting(_ratios(result), [1, *met])
+        lines = exciting(_ratios(result), sorted({1.0, *result.engine_order.tolist()}))
         several = len({line.rotor for line in lines}) > 1
         for line in lines:
-            name = f"{line.order}× {line.rotor}" if several else f"{line.order}×"
-            same = named.get(line.size)
-            named[line.size] = f"{same}, {name}" if same else name
+            size = float(f"{line.size:.12g}")  # 0.2 times 1.5 is 0.3
+            name = f"{line.name} {line.rotor}" if several else line.name
+            named[size] = f"{named[size]}, {name}" if size in named else name
         for k in teeth:
             if k != 1:
-                same = named.get(k)
-                named[k] = f"{same}, {k}× (teeth)" if same else f"{k}× (teeth)"
+                same, name = named.get(k, f"{k}×"), f"{k}× (teeth)"
+                named[k] = name if same == f"{k}×" else f"{same}, {name}"
         return named
     named = {0: "unbalance at 0 Hz"}
     for k in teeth:
@@ -209,24 +209,37 @@ def draw_orders(
     """Lines f = k n; returns height [Hz] and name of those that leave on the right."""
     from matplotlib.collections import LineCollection
 
-    lines, right = [], []
-    for order, name in orders.items():
-        end = order * rpm / 60.0
-        lines.append([(0.0, 0.0), (rpm, end)])
-        if end <= top:
-            right.append((end, name))
-            continue
+    end = {order: order * rpm / 60.0 for order in orders}
+    lines = [[(0.0, 0.0), (rpm, height)] for height in end.values()]
+    axes.add_collection(LineCollection(lines, colors=GREY, linewidths=0.8, zorder=2), autolim=False)
+    _name_at_the_top(axes, {k: name for k, name in orders.items() if end[k] > top}, rpm, top)
+    return [(end[k], name) for k, name in orders.items() if end[k] <= top]
+
+
+def _name_at_the_top(axes: Axes, orders: Mapping[float, str], rpm: float, top: float) -> None:
+    """Names beside their lines, each in the highest row in which it has room."""
+    letter = LETTER * (FONT_SIZE - 1.0) / 72.0 * axes.figure.dpi * rpm / axes.bbox.width
+    taken: list[float] = []
+    for order in sorted(orders, reverse=True):
+        row, start = 0, top * 60.0 / order
+        while row < len(taken) and start < taken[row]:
+            row += 1
+            start = _row(row) * top * 60.0 / order
+        taken[row : row + 1] = [start + letter * (len(orders[order]) + 2)]
         axes.text(
-            top * 60.0 / order,
-            top * 0.985,
-            f" {name}",
+            start,
+            top * (_row(row) - 0.015),
+            f" {orders[order]}",
             ha="left",
             va="top",
             color=GREY,
             fontsize=FONT_SIZE - 1.0,
         )
-    axes.add_collection(LineCollection(lines, colors=GREY, linewidths=0.8, zorder=2), autolim=False)
-    return right
+
+
+def _row(number: int) -> float:
+    """Upper edge of a row of names, over the height of the axes."""
+    return 1.0 - 0.037 * number
 
 
 def _criticals(axes: Axes, result: CampbellResult) -> None:
@@ -259,7 +272,7 @@ def _name_modes(
     last = result.frequency[-1]
     drawn = np.isfinite(last) & (last <= top) & ~result.creeping
     shown = np.flatnonzero(drawn).tolist()
-    labels = [(float(last[k]), f"{result.mode[k]}  {last[k]:.0f}") for k in shown]
+    labels = [(float(last[k]), f"{result.mode[k]}  {number(float(last[k]), 0)}") for k in shown]
     looks = [LOOKS[_look(result.kind[k], result.whirl[-1, k])][0] for k in shown]
     labels += list(excitation)
     looks += [GREY] * len(excitation)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.display import RPM
+from rotordyn.analysis.display import RPM, number
 from rotordyn.analysis.results import CampbellResult
 from rotordyn.machine.spindle import Spindle
 from rotordyn.plots.sketch import Sketch
@@ -114,7 +114,7 @@ def _panel(axes: Axes, result: CampbellResult, mode: int, spindle: Spindle | Non
         axes.plot(node[own], first[own], color=BLACK, lw=0.7)
         axes.plot(node[own], last[own], color=_COLOURS[place % len(_COLOURS)], lw=1.5, label=rotor)
     ends = (0, -1) if result.shape_speed.size > 1 else (-1,)
-    hertz = " → ".join(f"{result.frequency[end, mode]:.0f}" for end in ends)
+    hertz = " → ".join(number(float(result.frequency[end, mode]), 0) for end in ends)
     axes.set_title(f"{result.mode[mode]}: {hertz} Hz", fontsize=FONT_SIZE - 0.5, pad=3.0)
 
 

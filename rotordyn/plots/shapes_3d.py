@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.display import RPM
+from rotordyn.analysis.display import RPM, number
 from rotordyn.analysis.results import CampbellResult
 from rotordyn.plots.style import (
     BLACK,
@@ -52,8 +52,8 @@ def sheets(result: CampbellResult) -> Iterator[tuple[str, int, list[int]]]:
         known = np.isfinite(result.shape[speed]).all(axis=(1, 2)) & ~result.creeping
         modes = sorted(np.flatnonzero(known).tolist(), key=lambda k: _hertz(result, speed, k))
         pages = [modes[k : k + PANELS] for k in range(0, len(modes), PANELS)]
-        for number, page in enumerate(pages, start=1):
-            part = f"_{number}" if len(pages) > 1 else ""
+        for place, page in enumerate(pages, start=1):
+            part = f"_{place}" if len(pages) > 1 else ""
             yield f"shapes_3d_{rpm:.6g}rpm{part}", speed, page
 
 
@@ -133,7 +133,7 @@ def _called(result: CampbellResult, speed: int, mode: int) -> str:
     turn = "" if known else {1.0: " forward", -1.0: " backward"}.get(float(whirl), "")
     damping = 100.0 * float(result.damping_ratio[row, mode])
     shown = f"{damping:.2g}" if abs(damping) > 1e-4 else "0"
-    return f"{name}{turn}: {_hertz(result, speed, mode):.1f} Hz, damping {shown} %".replace(
+    return f"{name}{turn}: {number(_hertz(result, speed, mode))} Hz, damping {shown} %".replace(
         "-", "−"
     )
 

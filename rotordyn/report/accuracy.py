@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from rotordyn.analysis.display import rounded_up
+from rotordyn.analysis.display import number, rounded_up
 from rotordyn.analysis.results import CampbellResult, FrequencyResponse, UnbalanceResult
 
 _PLURAL = {"receptance": "receptances", "mobility": "mobilities", "inertance": "inertances"}
@@ -20,7 +20,7 @@ def accuracy_words(results: Mapping[str, Any]) -> list[str]:
     if isinstance(modes := results.get("campbell"), CampbellResult) and modes.mode:
         words.append(f"frequencies within {rounded_up(modes.largest_error)}")
         if 1.0 <= modes.resolved_frequency < math.inf:
-            words.append(f"mesh good to {modes.resolved_frequency:.0f} Hz")
+            words.append(f"mesh good to {number(modes.resolved_frequency, 0)} Hz")
         if modes.certified[[not word for word in modes.outcome]].all():
             words.append(f"number of modes proven ({_range(modes)})")
     if isinstance(response := results.get("frf"), FrequencyResponse):

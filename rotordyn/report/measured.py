@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import math
 
-from rotordyn.analysis.display import RPM, shown
+import numpy as np
+
+from rotordyn.analysis.display import RPM, number, shown
 from rotordyn.analysis.results import FrequencyResponse
 from rotordyn.report.text import unbroken
 
 MOST = 4  # responses told
+SAME = 1e-6  # of a speed
 
 
 def measured_lines(result: FrequencyResponse) -> list[str]:
@@ -19,11 +22,11 @@ def measured_lines(result: FrequencyResponse) -> list[str]:
 
 
 def _line(result: FrequencyResponse, row: int) -> str:
-    pair, rpm = result.measured_pair[row], result.measured_speed[row] * RPM.factor
+    pair = result.measured_pair[row]
     to = shown(result.unit(result.pair.index(pair)))
     peaks = [
         unbroken(
-            f"{seen:.1f} Hz {high * to.factor:.3g} (computed {found:.1f} Hz, "
+            f"{number(seen)} Hz {high * to.factor:.3g} (computed {number(found)} Hz, "
             f"{(found / seen - 1.0) * 100.0:+.1f} %, {own * to.factor:.3g}, "
             f"{(own / high - 1.0) * 100.0:+.0f} %)"
         )
@@ -37,7 +40,18 @@ def _line(result: FrequencyResponse, row: int) -> str:
         if math.isfinite(seen) and math.isfinite(found)
     ]
     told = f"; peaks [{to.unit}] {', '.join(peaks)}" if peaks else "; no peaks in common"
-    return (
-        f"measured   {result.measured[row]}, {result.kind} {pair} at {rpm:.0f} rpm: likeness "
-        f"{result.likeness[row]:.3f}{told}"
+    head = (
+        f"measured   {result.measured[row]}, {result.kind} {pair} at {speeds_compared(result, row)}"
     )
+    if not math.isfinite(result.likeness[row]):
+        return f"{head}, where there is no response"
+    return f"{head}: likeness {result.likeness[row]:.3f}{told}"
+
+
+def speeds_compared(result: FrequencyResponse, row: int) -> str:
+    """The speed of a measured response, and that of the computed one where it is another."""
+    own = float(result.measured_speed[row])
+    near = float(result.speed[np.abs(result.speed - own).argmin()])
+    rpm, other = (number(speed * RPM.factor, 0) for speed in (own, near))
+    same = abs(near - own) <= SAME * max(near, own)
+    return f"{rpm} rpm" if same else f"{rpm} rpm, computed at {other} rpm"

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from rotordyn.analysis.display import RPM, STIFFNESS
+from rotordyn.analysis.display import RPM, STIFFNESS, number
 from rotordyn.analysis.known import matches, preload_sum
 from rotordyn.analysis.results import (
     BearingMapResult,
@@ -22,9 +22,10 @@ from rotordyn.analysis.results import (
 )
 from rotordyn.machine.reference import Reference
 from rotordyn.report.known import computed_values, known_values
+from rotordyn.report.measured import speeds_compared
 from rotordyn.report.section_forces import extremes
 from rotordyn.report.summary import Described, called
-from rotordyn.report.text import from_to, number, opening, wrapped
+from rotordyn.report.text import from_to, opening, wrapped
 from rotordyn.report.unbalance import largest_amplitudes
 
 MODES = 5  # of the lowest bending modes
@@ -111,10 +112,11 @@ def _alike(one: float, other: float) -> bool:
 
 def _frf(result: FrequencyResponse, _: Described) -> Cells:
     """The likeness of every measured response to the computed one, 1 at best."""
-    measured = zip(result.measured, result.measured_speed, result.likeness, strict=True)
     return {
-        f"{name} at {speed * RPM.factor:.0f} rpm": f"{likeness:.3f}"
-        for name, speed, likeness in measured
+        f"{name} at {speeds_compared(result, row)}": (
+            f"{result.likeness[row]:.3f}" if math.isfinite(result.likeness[row]) else "–"
+        )
+        for row, name in enumerate(result.measured)
     }
 
 

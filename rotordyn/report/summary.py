@@ -9,9 +9,9 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from rotordyn.analysis.display import RPM, STIFFNESS
+from rotordyn.analysis.display import RPM, STIFFNESS, number
+from rotordyn.analysis.excitation import Line, exciting
 from rotordyn.analysis.known import matches
-from rotordyn.analysis.on_rotors import Line, exciting
 from rotordyn.analysis.race_control import BOUNDARY_WORDS, fit_words
 from rotordyn.analysis.results import (
     BearingMapResult,
@@ -85,7 +85,15 @@ def summary(
     top = opening(warnings, called(case), notes)
     text = [*top, *(part for line in lines for part in wrapped(line))]
     found = matches(case.known, results, case.spindle)
-    return "\n".join((text + known_lines(found, HEIGHT - len(text)))[:HEIGHT])
+    return "\n".join(_screen(text + known_lines(found, HEIGHT - len(text))))
+
+
+def _screen(lines: list[str]) -> list[str]:
+    """At most ``HEIGHT`` lines; where some are left out, the last one says how many."""
+    if len(lines) <= HEIGHT:
+        return lines
+    kept = lines[: HEIGHT - 1]
+    return [*kept, f"… and {len(lines) - len(kept)} more lines: see the tables and results.nc"]
 
 
 def _machine(spindle: Spindle) -> list[str]:
@@ -148,21 +156,22 @@ def _modes(result: CampbellResult) -> list[str]:
     if len(result.speed) == 1:
         return lines
     ratios = dict(zip(result.rotor, result.speed_ratio.tolist(), strict=True))
-    every = exciting(ratios, sorted({1, *result.critical_order.astype(int).tolist()}))
+    every = exciting(ratios, result.engine_order.tolist())
     several = len({line.rotor for line in every}) > 1
     for line in every:
         known = _criticals(result, line)
         of = f" of {line.rotor}" if several else ""
-        name, leaves = f"{line.order}×{of}", 60.0 * result.max_frequency / line.size
-        beyond = f"; {name} leaves the band at {leaves:.0f} rpm" if leaves < speeds[-1] else ""
-        none = "" if line.order > 1 else f"none from {rpm.replace('→', 'to')}"
-        if none and leaves < speeds[-1]:
+        name, leaves = f"{line.name}{of}", 60.0 * result.max_frequency / line.size
+        beyond = (
+            f"; {name} leaves the band at {number(leaves, 0)} rpm" if leaves < speeds[-1] else ""
+        )
+        none = f"none from {rpm.replace('→', 'to')}"
+        if leaves < speeds[-1]:
             none = "none in the band asked for"
-        elif none and line.rotor == SPINDLE:
+        elif (line.rotor, line.order) == (SPINDLE, 1.0):
             none += _nearest(result)
-        if known or none:
-            told = ", ".join(known) or none
-            lines.append(f"critical   {name}, margin to top speed: {told}{beyond}")
+        told = ", ".join(known) or none
+        lines.append(f"critical   {name}, margin to top speed: {told}{beyond}")
     return lines
 
 
@@ -171,7 +180,7 @@ def _criticals(result: CampbellResult, line: Line) -> list[str]:
     last = result.speed[-1]
     return [
         unbroken(
-            f"{name}{_turn(name, whirl)} {speed * RPM.factor:.0f} rpm "
+            f"{name}{_turn(name, whirl)} {number(speed * RPM.factor, 0)} rpm "
             f"({(speed / last - 1.0) * 100.0:+.0f} %)"
         )
         for name, whirl, speed, rotor, own, excited in zip(
@@ -204,7 +213,7 @@ def _nearest(result: CampbellResult) -> str:
         return ""
     if turning(result):  # the 1× line stands still there, at 0 Hz
         near = min(chosen, key=lambda k: float(result.frequency[-1, k]))
-        return f"; {result.mode[near]} is nearest, {result.frequency[-1, near]:.0f} Hz away"
+        return f"; {result.mode[near]} is nearest, {number(result.frequency[-1, near], 0)} Hz away"
     near = min(chosen, key=lambda k: abs(float(result.frequency[-1, k]) - hertz))
     ratio = float(result.frequency[-1, near]) / hertz
     return f"; {result.mode[near]} is nearest, {ratio:.2f} × the top speed"

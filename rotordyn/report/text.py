@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import math
 import textwrap
 from collections.abc import Sequence
 
 import numpy as np
 from numpy.typing import NDArray
+
+from rotordyn.analysis.display import number
 
 WIDTH = 100
 INDENT = " " * 11  # of what follows the first word of a line
@@ -33,11 +34,6 @@ def wrapped(line: str) -> list[str]:
     """Lines of at most ``WIDTH`` columns, the later ones set in."""
     lines = textwrap.wrap(line, WIDTH, subsequent_indent=INDENT, break_on_hyphens=False)
     return [part.replace(_NO_BREAK, " ") for part in lines]
-
-
-def number(value: float, digits: int = 1) -> str:
-    """Printed with ``digits`` decimals; "none" where there is no value."""
-    return f"{value:.{digits}f}" if math.isfinite(value) else "none"
 
 
 def from_to(values: NDArray[np.float64], digits: int = 1) -> str:

@@ -11,6 +11,7 @@ from rotordyn.report.text import unbroken
 
 Array = NDArray[np.float64]
 MOST = 6  # unbalances, points or supports told
+SAME = 1e-6  # of a speed
 STRAIGHT = 1e-6  # of the major half axis: less backward than that is rounding
 
 
@@ -34,12 +35,21 @@ def unbalance_lines(result: UnbalanceResult) -> list[str]:
     ]
     turns = "" if result.speed_ratio == 1.0 else f" on {result.rotor}, at its speed"
     return [
-        f"unbalance  {_few(acting)}{turns}",
+        f"unbalance  {_few(acting)}{turns}{_graded(result)}",
         f"           largest half axis of the orbit, zero to peak: {_few(moved)}",
         f"           largest force, zero to peak: {_few(pushed)}",
         *_backward(result),
         *_missed(result),
     ]
+
+
+def _graded(result: UnbalanceResult) -> str:
+    """Where a balance grade is given for another speed than the highest of the case."""
+    top = float(result.speed[-1])
+    if result.grade_speed == 0.0 or abs(result.grade_speed - top) <= SAME * top:
+        return ""
+    beyond = "above all of the case" if result.grade_speed > top else "coarser than that beyond"
+    return f"; the grade is for {result.grade_speed * RPM.factor:.0f} rpm, {beyond}"
 
 
 def largest_amplitudes(result: UnbalanceResult) -> dict[str, str]:

@@ -71,20 +71,9 @@ def test_rotor_on_oil_films() -> None:
     """5.9.6 from its case file, at a knot of the table: the poles of matrices written down apart
     from the program."""
     found = rotordyn.run(rotordyn.load("friswell_oil_films"))["campbell"]
-    mass, gyroscopic, damping, stiffness = films().matrices()
     for rpm in (500.0, 1500.0, 4500.0):
         row = int(np.abs(found.speed_rpm.values - rpm).argmin())
-        _, k, c = case_data.film(rpm * RPM)
-        held, damped = stiffness.copy(), damping + rpm * RPM * gyroscopic
-        for node in (0, 6):
-            place = np.ix_([4 * node, 4 * node + 2], [4 * node, 4 * node + 2])
-            held[place] += k
-            damped[place] += c
-        size = len(mass)
-        state = np.block([[np.zeros((size, size)), np.eye(size)]] * 2)
-        state[size:, :size] = -np.linalg.solve(mass, held)
-        state[size:, size:] = -np.linalg.solve(mass, damped)
-        every = np.linalg.eigvals(state)
+        every = poles(rpm * RPM, *case_data.film(rpm * RPM)[1:])
         for ours, ratio in zip(
             found.frequency.values[row], found.damping_ratio.values[row], strict=True
         ):
@@ -93,6 +82,42 @@ def test_rotor_on_oil_films() -> None:
             pole = 2.0 * math.pi * ours * complex(-ratio / math.sqrt(1.0 - ratio**2), 1.0)
             assert np.abs(every / pole - 1.0).min() < 2e-5
     assert 2000.0 * RPM < float(found.stability_threshold) < 2250.0 * RPM
+
+
+def test_half_speed_whirl_of_the_rotor_on_oil_films() -> None:
+    """At each critical speed of order ½, with films on the straight line between two knots of
+    their table, those matrices have a pole with |Im λ| = Ω/2 and that damping. Forward whirl hardly
+    grows there: the threshold is near."""
+    found = rotordyn.run(rotordyn.load("friswell_oil_films"))["campbell"]
+    half = np.flatnonzero(found.critical_order.values == 0.5)
+    assert len(half) == 2
+    for k in half:
+        spin = float(found.critical_speed.values[k])
+        below = 100.0 * math.floor(spin / (100.0 * RPM))
+        share = spin / (100.0 * RPM) - below / 100.0
+        knots = [case_data.film((below + ahead) * RPM)[1:] for ahead in (0.0, 100.0)]
+        held = [(1.0 - share) * low + share * high for low, high in zip(*knots, strict=True)]
+        every = poles(spin, *held)
+        near = every[np.abs(every.imag - 0.5 * spin).argmin()]
+        assert near.imag == pytest.approx(0.5 * spin, rel=1e-5)
+        assert -near.real / abs(near) == pytest.approx(found.critical_damping.values[k], abs=2e-6)
+    at = found.critical_speed.values[half][found.critical_whirl.values[half] == "forward"]
+    assert at == pytest.approx(float(found.stability_threshold), rel=0.01)
+
+
+def poles(spin: float, stiffness: np.ndarray, damping: np.ndarray) -> np.ndarray:
+    """Of the rotor on films of this stiffness and damping, turning with ``spin``."""
+    mass, gyroscopic, damped, held = films().matrices()
+    damped = damped + spin * gyroscopic
+    for node in (0, 6):
+        place = np.ix_([4 * node, 4 * node + 2], [4 * node, 4 * node + 2])
+        held[place] += stiffness
+        damped[place] += damping
+    size = len(mass)
+    state = np.block([[np.zeros((size, size)), np.eye(size)]] * 2)
+    state[size:, :size] = -np.linalg.solve(mass, held)
+    state[size:, size:] = -np.linalg.solve(mass, damped)
+    return np.linalg.eigvals(state)
 
 
 def films() -> PlainRotor:

@@ -182,6 +182,12 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
     "Conditions: element_length: .* given 0 m": lambda: Conditions(element_length=0.0),
     r"CampbellSpec: teeth\[0\]: wrong type: given 2.5": lambda: CampbellSpec(teeth=(2.5,)),
     "teeth: not in ascending order": lambda: CampbellSpec(teeth=(3, 2)),
+    r"engine_orders\[1\]: number out of range: given 1000.5; allowed: from 0.001 up to 1000": (
+        lambda: CampbellSpec(engine_orders=(0.43, 1000.5))
+    ),
+    r"engine_orders\[0\]: number out of range: given 0": (
+        lambda: CampbellSpec(engine_orders=(0.0, 1.0))
+    ),
     "frequencies: repeated: given 1 after 1": lambda: FrfSpec((1.0, 1.0), ((TIP, TIP),)),
     "no pairs": lambda: FrfSpec((1.0,), ()),
     "pairs: repeated": lambda: FrfSpec((1.0,), ((TIP, TIP),) * 2),

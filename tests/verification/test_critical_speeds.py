@@ -8,17 +8,19 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.interpolate import PchipInterpolator
 from scipy.linalg import eigvals
 
-from rotordyn.analysis import campbell
+from rotordyn.analysis import campbell, roots
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions
+from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from rotordyn.system.mesh import build_mesh
 from tests.literature.test_rotor_friswell import base, overhung
 from tests.oracles.full_rotor import FullRotor
-from tests.oracles.rotors import STEEL, uniform
+from tests.oracles.rotors import STEEL, support, uniform
 from tests.oracles.spindles import RPM, mfw2310
 
 NO_SEATS = np.zeros((0, 5, 5))
@@ -28,7 +30,7 @@ def answered(
     spindle: Spindle,
     rpm: Any,
     highest: float,
-    orders: tuple[int, ...] = (1,),
+    orders: tuple[float, ...] = (1,),
     element: float | None = None,
     **conditions: Any,
 ) -> Any:
@@ -37,7 +39,7 @@ def answered(
     return campbell.answer(scene, CampbellSpec(highest, shapes=False, engine_orders=orders))
 
 
-def bending(result: Any, order: int) -> np.ndarray:
+def bending(result: Any, order: float) -> np.ndarray:
     return np.flatnonzero(
         (result.critical_order == order) & (np.array(result.critical_kind) == "bending")
     )
@@ -94,9 +96,9 @@ def test_told_are_those_in_the_band_by_the_mode_that_has_the_frequency(
         assert turning == pytest.approx(order * speed / (2.0 * math.pi), rel=1e-6)
 
 
-@pytest.mark.parametrize("order", [1, 2, 5])
+@pytest.mark.parametrize("order", [0.43, 1, 1.5, 2, 5])
 @pytest.mark.parametrize("stiffness", [(1e6, 1e6), (1e6, 0.3e6), (1e6, 1e6, 0.5e6)])
-def test_any_order_by_dense_matrices(stiffness: tuple[float, ...], order: int) -> None:
+def test_any_order_by_dense_matrices(stiffness: tuple[float, ...], order: float) -> None:
     """All of K q = (nΩ)² (M − iG/n) q of the assembled matrices, none missing, none besides."""
     rotor = base(stiffness)
     top = 6000.0
@@ -110,8 +112,69 @@ def test_any_order_by_dense_matrices(stiffness: tuple[float, ...], order: int) -
     assert found.critical_speed[bending(found, order)] == pytest.approx(expected, rel=1e-7)
 
 
-@pytest.mark.parametrize("order", [1, 3])
-def test_damped_criticals_turn_at_the_multiple(order: int) -> None:
+@pytest.mark.parametrize("order", [0.43, 1.5])
+@pytest.mark.parametrize("stiffness", [(1e6, 1e6), (1e6, 0.3e6)], ids=["isotropic", "differ"])
+def test_without_damping_the_eigenproblem_of_the_order_needs_no_search(
+    stiffness: tuple[float, ...], order: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """One look at each speed it gives, and no secant, finds all there are."""
+    asked = base(stiffness), [0, 2500, 6000], order * 100.0, (order,)
+    searched = answered(*asked, element=0.25)
+    monkeypatch.setattr(roots, "ITERATIONS", 1)
+    found = answered(*asked, element=0.25)
+    own = bending(searched, order)
+    assert len(own) >= 3
+    assert found.critical_speed[bending(found, order)] == pytest.approx(
+        searched.critical_speed[own], rel=1e-6
+    )
+
+
+@pytest.mark.parametrize("order", [0.43, 0.5, 1.0, 1.5, 1.7, 2.37])
+@pytest.mark.parametrize(("polar", "diametral"), [(0.02, 0.05), (0.09, 0.05)], ids=["long", "flat"])
+def test_a_rigid_rotor_in_closed_form(polar: float, diametral: float, order: float) -> None:
+    """m (nΩ)² = 2k in translation, (Id ∓ Ip/n) (nΩ)² = 2kb² in tilt: whirl forward has a critical
+    speed of order n only where n > Ip/Id, whirl back always; of order 1 unbalance excites but
+    forward whirl, of another a force may point anywhere."""
+    light = replace(STEEL, density=1e-3)
+    k, b, top = 3e6, 0.1, 20000 * RPM
+    ends = (support("front", 0.15 - b, (k, k)), support("rear", 0.15 + b, (k, k)))
+    body = PointMass("body", 0.15, 6.0, polar, diametral)
+    rotor = uniform(0.3, 0.02, light, masses=(body,), supports=ends)
+    found = answered(rotor, [0, 20000], order * 20000 / 60.0, (order,), rotor="rigid")
+    whole = {"forward": [math.sqrt(2.0 * k / 6.0) / order], "backward": []}
+    whole["backward"] += whole["forward"]
+    for side, whirl in ((1.0, "forward"), (-1.0, "backward")):
+        inertia = diametral - side * polar / order
+        if inertia > 0.0:
+            whole[whirl].append(math.sqrt(2.0 * k * b**2 / inertia) / order)
+    assert (len(whole["forward"]) == 2) == (order > polar / diametral)
+    for whirl, speeds in whole.items():
+        own = [j for j in bending(found, order) if found.critical_whirl[j] == whirl]
+        expected = sorted(speed for speed in speeds if speed < top)
+        assert found.critical_speed[own] == pytest.approx(expected, rel=1e-6)
+        assert all(found.critical_excited[own] == (order != 1.0 or whirl == "forward"))
+
+
+@pytest.mark.parametrize("order", [0.43, 0.5, 1.5])
+def test_a_fine_diagram_crosses_the_line_at_the_critical_speeds(order: float) -> None:
+    """Damped, and the planes differ: the curves of the modes, of 2 % steps, meet f = n Ω/2π where
+    the search, from three speeds, has found it."""
+    rotor = base((1e6, 0.7e6), damping=300.0)
+    found = answered(rotor, [0, 3000, 6000], order * 100.0, (order,), element=0.25)
+    fine = answered(rotor, np.linspace(0, 6000, 51), order * 100.0, (), element=0.25)
+    crossings = []
+    for k in np.flatnonzero(~fine.creeping & (np.array(fine.kind) == "bending")):
+        miss = PchipInterpolator(
+            fine.speed, fine.frequency[:, k] - order * fine.speed / (2.0 * math.pi)
+        )
+        crossings += [x for x in miss.roots(extrapolate=False) if x > 0.0]
+    own = found.critical_speed[bending(found, order)]
+    assert len(own) >= 3
+    assert own == pytest.approx(np.sort(crossings), rel=1e-5)
+
+
+@pytest.mark.parametrize("order", [0.5, 1, 2.37, 3])
+def test_damped_criticals_turn_at_the_multiple(order: float) -> None:
     """At each speed found the assembled matrices have a pole with |Im λ| = nΩ and that damping."""
     rotor = base((1e6, 0.7e6), damping=1e3)
     mesh = build_mesh(rotor, 0.25)
@@ -150,22 +213,23 @@ def test_torsion_and_axial_motion_in_closed_form() -> None:
         assert set(np.array(found.critical_whirl)[own]) <= {""}
 
 
-def test_bearings_that_change_with_speed() -> None:
-    """The flagship at 3×: a mode of the machine solved at the speed found turns at 3Ω exactly; the
+@pytest.mark.parametrize("order", [2.37, 3])
+def test_bearings_that_change_with_speed(order: float) -> None:
+    """The flagship: a mode of the machine solved at the speed found turns at nΩ exactly; the
     sampling does not matter."""
-    coarse = answered(mfw2310(), [0, 12000, 24000], 1500.0, (3,))
-    fine = answered(mfw2310(), np.arange(0, 24001, 2000), 1500.0, (3,))
-    own = bending(coarse, 3)
+    coarse = answered(mfw2310(), [0, 12000, 24000], 1500.0, (order,))
+    fine = answered(mfw2310(), np.arange(0, 24001, 2000), 1500.0, (order,))
+    own = bending(coarse, order)
     assert len(own) >= 2
-    assert fine.critical_speed[bending(fine, 3)] == pytest.approx(
+    assert fine.critical_speed[bending(fine, order)] == pytest.approx(
         coarse.critical_speed[own], rel=1e-9
     )
     for k in own:
         spin = coarse.critical_speed[k]
         there = answered(mfw2310(), [spin / RPM], 1500.0)
         turning = 2.0 * math.pi * there.frequency[0]
-        nearest = int(np.abs(turning - 3.0 * spin).argmin())
-        assert turning[nearest] == pytest.approx(3.0 * spin, rel=1e-8)
+        nearest = int(np.abs(turning - order * spin).argmin())
+        assert turning[nearest] == pytest.approx(order * spin, rel=1e-8)
         assert there.damping_ratio[0, nearest] == pytest.approx(
             coarse.critical_damping[k], rel=1e-6
         )
@@ -174,10 +238,11 @@ def test_bearings_that_change_with_speed() -> None:
 def test_the_frame_and_the_exact_shaft_agree() -> None:
     rotor = overhung()
     inertial, turning = (
-        answered(rotor, [0, 4000, 7000], 150.0, (1, 2), formulation=f, accuracy=1e-6)
+        answered(rotor, [0, 4000, 7000], 150.0, (0.43, 1, 2), formulation=f, accuracy=1e-6)
         for f in ("inertial", "rotating")
     )
-    exact = answered(rotor, [0, 4000, 7000], 150.0, (1, 2), shaft="exact")
+    exact = answered(rotor, [0, 4000, 7000], 150.0, (0.43, 1, 2), shaft="exact")
+    assert set(inertial.critical_order) == {0.43, 1.0, 2.0}
     assert turning.critical_speed == pytest.approx(inertial.critical_speed, rel=1e-9)
     assert turning.critical == inertial.critical
     assert exact.critical_speed == pytest.approx(inertial.critical_speed, rel=1e-6)

@@ -123,6 +123,19 @@ def test_the_threshold_is_the_critical_speed(formulation: str) -> None:
         assert found.critical_damping[back] == pytest.approx(expected, rel=1e-3)
 
 
+@pytest.mark.parametrize("order", [0.43, 0.5, 1.0, 1.5, 2.37])
+def test_damping_at_critical_speeds_of_any_order(order: float) -> None:
+    """At ω = nΩ forward whirl is slower than the shaft where n < 1, which drives it, and faster
+    where n > 1, which damps it; whirl back is damped always."""
+    omega, _ = still()
+    asked = CampbellSpec(150.0, shapes=False, engine_orders=(order,))
+    found = campbell.answer(scene(disc(), [0.0, 1.5 * omega / order]), asked)
+    assert found.critical_speed == pytest.approx([omega / order] * 2, rel=2e-3)
+    ratio = dict(zip(found.critical_whirl, found.critical_damping, strict=True))
+    assert ratio["backward"] == pytest.approx(HALF, rel=1e-3)
+    assert ratio["forward"] == pytest.approx(np.sign(order - 1.0) * HALF, rel=1e-3, abs=1e-9)
+
+
 @pytest.mark.parametrize("ratio", [0.0, 0.5, 0.999, 1.001, 2.0])
 def test_an_outer_damper_forbids_growth_at_all_speeds_or_at_none(ratio: float) -> None:
     """Of c ω against η k: above 1 forward whirl never grows, below it does from ω on."""
@@ -486,20 +499,27 @@ def test_a_rotor_of_many_modes_begins_to_grow_at_its_first_forward_critical_spee
 
 
 def test_a_sign_that_never_changes_drives_forward_whirl_at_rest() -> None:
-    """As written by Zorzi and Nelson (1977), a skew stiffness η K at every frequency: forward whirl
-    would grow at all speeds, at rest too, where no direction is forward. Beyond the whirl's own
+    """A skew stiffness η K at every frequency, λ = ±iω √(1 − iη): forward whirl would grow at all
+    speeds, at rest too, where no direction is forward; whirl back decays. Beyond the whirl's own
     frequency it is the same as ours."""
     omega, _ = still()
     found = scene(disc(), [0.0, 0.5 * omega, 2.0 * omega])
     skew = found.answering("bending", Signs(-1, 0, 1))[1].pole
     ours = found.bending_modes.pole
 
-    def forward(poles: Complex) -> Complex:
-        return np.array([p[(p.imag > 0.5 * omega) & (p.imag < 2.0 * omega)][0] for p in poles])
+    def whirling(poles: Complex, side: float) -> Complex:
+        turning = side * poles.imag / omega
+        return np.array([p[(t > 0.5) & (t < 2.0)][0] for p, t in zip(poles, turning, strict=True)])
 
-    growth = forward(skew).real / omega, forward(ours).real / omega
-    np.testing.assert_allclose(growth[0], ETA / 2.0, rtol=1e-3)
-    np.testing.assert_allclose(growth[1], ETA / 2.0 * np.array([-1.0, -1.0, 1.0]), rtol=1e-3)
+    exact = np.sqrt(1.0 - 1j * ETA)
+    assert exact.imag == pytest.approx(-ETA / 2.0, rel=1e-3)
+    for side in (1.0, -1.0):
+        poles = whirling(skew, side) / omega
+        np.testing.assert_allclose(poles, side * 1j * exact, rtol=1e-3)
+        np.testing.assert_allclose(poles.real, -side * exact.imag, rtol=1e-3)
+    growth = whirling(ours, 1.0).real / omega, whirling(ours, -1.0).real / omega
+    np.testing.assert_allclose(growth[0], ETA / 2.0 * np.array([-1.0, -1.0, 1.0]), rtol=1e-3)
+    np.testing.assert_allclose(growth[1], -ETA / 2.0, rtol=1e-3)
 
 
 @pytest.mark.parametrize("machine", [uneven, whole_machine])

@@ -10,19 +10,24 @@ from typing import Any
 import numpy as np
 import pytest
 
+import rotordyn
 from bearings import Material
 from rotordyn.analysis import (
     BalanceGrade,
+    CampbellSpec,
     Conditions,
     EccentricSpan,
     FrfSpec,
     Port,
     Unbalance,
     UnbalanceSpec,
+    campbell,
+    unbalance,
 )
 from rotordyn.analysis.orbit import orbit
 from rotordyn.analysis.registry import answer_spindle
 from rotordyn.analysis.results import FrfResult, UnbalanceResult
+from rotordyn.analysis.scene import Scene
 from rotordyn.errors import NoSolution
 from rotordyn.machine import LinearSupport, PointMass, RigidHousing, Section, Shaft, Spindle
 from rotordyn.machine.inertia import rotor_inertia
@@ -283,6 +288,7 @@ def test_balance_grade(phase: str) -> None:
     )
     np.testing.assert_allclose(found.displacement, hand.displacement, rtol=1e-9)
     np.testing.assert_allclose(found.unbalance_size, [0.4 * whole, 0.6 * whole])
+    assert (found.grade_speed, hand.grade_speed) == (1000.0, 0.0)
 
 
 def test_unstable_machine_has_no_steady_response() -> None:
@@ -376,3 +382,31 @@ def test_pedestals_in_closed_form(rotor: str) -> None:
             met = result.displacement[row, 0, plane], *result.force[row, :, plane]
             closed = moved, *[-spring * (moved - under)] * 2
             np.testing.assert_allclose(met, closed, rtol=1e-9 if rotor == "rigid" else 2e-5)
+
+
+@pytest.mark.parametrize("along", [False, True], ids=["apart", "coupled"])
+def test_critical_speeds_are_those_of_the_campbell_diagram_without_its_other_work(
+    along: bool,
+) -> None:
+    """By name, speed and damping ratio; axial motion and torsion are solved for only where supports
+    couple them with bending."""
+    spindle = rotordyn.load("friswell_unbalance").variants["even"].spindle
+    assert spindle is not None
+    if along:
+        ties = {("x", "x"): 1e5, ("x", "y"): 2e3, ("y", "x"): 2e3}
+        spindle = replace(spindle, supports=(*spindle.supports, LinearSupport("tie", 0.3, ties)))
+    top, band, places = 4000.0 * RPM, 200.0, tuple(spindle.places.values())
+    whole = Scene(spindle, Conditions(), np.array([0.0, 0.5 * top, top]), band, places)
+    found = unbalance.answer(whole, UnbalanceSpec(("left_disc",), (Unbalance("left_disc", U),)))
+    touched = {motion for motion in ("axial", "torsion") if motion in whole.solved}
+    assert touched == ({"axial"} if along else set())
+    other = Scene(spindle, Conditions(), whole.speed, band, places)
+    spec = CampbellSpec(1.2 * top / (2.0 * math.pi), shapes=False)
+    modes = campbell.answer(other, spec)
+    own = modes.critical_excited
+    assert own.sum() >= 2
+    assert found.critical == tuple(np.array(modes.critical)[own])
+    np.testing.assert_allclose(found.critical_speed, modes.critical_speed[own], rtol=1e-9)
+    np.testing.assert_allclose(
+        found.critical_damping, modes.critical_damping[own], rtol=1e-6, atol=1e-12
+    )

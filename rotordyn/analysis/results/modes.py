@@ -40,12 +40,14 @@ class CampbellResult:
     ``stability_threshold``: lowest speed of the range at which a mode begins to grow, infinite
     where none does; ``first_to_grow``: that mode, or "". ``rotor``: the spindle's shaft and further
     rotors, at ``speed_ratio`` times its speed; ``node_rotor``: the one that a node is of; whirl is
-    forward the way the spindle turns. ``critical``: the mode that turns at ``critical_order`` times
+    forward the way the spindle turns. ``engine_order``: those whose critical speeds were sought;
+    ``critical``: the mode that turns at ``critical_order`` times
     the speed of ``critical_rotor`` where the spindle has ``critical_speed``, with its kind and
     damping ratio there; all are told where it turns at ``max_frequency`` at most;
     ``critical_whirl``: forward, backward, planar, or mixed where parts of the shaft whirl either
     way; ``critical_excited``: false where a force that turns with the shaft does no work on it
-    (order 1; axial, torsion, backward whirl of an isotropic rotor).
+    (order 1; axial, torsion, backward whirl of an isotropic rotor); a force of another order may
+    point anywhere.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -55,6 +57,7 @@ class CampbellResult:
     rotor: Words = coordinate("rotor", unit="", label="rotor")
     shape_speed: Array = coordinate("shape_speed", unit="rad/s", label="speed of the shapes")
     critical: Words = coordinate("critical", unit="", label="critical speed")
+    engine_order: Array = coordinate("engine_order", unit="1", label="engine order")
     outcome: Words = quantity("speed", unit="", label="outcome")
     frequency: Array = quantity("speed", "mode", unit="Hz", label="damped frequency")
     frequency_error: Array = quantity(

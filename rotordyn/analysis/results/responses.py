@@ -125,6 +125,7 @@ class UnbalanceResult:
     ``minor_axis`` below zero where the orbit runs against the spindle; ``inclination`` of the major
     one from y to z. ``force``: of a bearing or support on what it holds, ``force_amplitude`` the
     major half axis of its hodograph. ``critical_speed``: synchronous criticals among the speeds.
+    ``grade_speed``: of the spindle, for which a balance grade is given; 0 without one.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -149,6 +150,7 @@ class UnbalanceResult:
         "speed", "support", unit="N", label="amplitude of the force, zero to peak"
     )
     rotor: str = quantity(unit="", label="rotor out of balance")
+    grade_speed: float = quantity(unit="rad/s", label="highest speed of service of the grade")
     speed_ratio: float = quantity(unit="1", label="its speed over that of the spindle")
     unbalance_station: Array = quantity("unbalance", unit="m", label="station", printed=MILLIMETRE)
     unbalance_size: Array = quantity(

@@ -33,8 +33,9 @@ from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.reference import QUANTITIES, Reference
 from rotordyn.machine.rotor import Rotor
 from rotordyn.machine.shaft import Section, Shaft
-from rotordyn.machine.spindle import Spindle, Tool
+from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import BearingSeat, LinearSupport, Sleeve, Spring
+from rotordyn.machine.tool import Tool
 
 
 def spindle(entry: SpindleEntry, name: str) -> Spindle:

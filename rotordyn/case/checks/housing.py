@@ -12,8 +12,8 @@ from rotordyn.case.schema.case import CaseEntry
 from rotordyn.case.schema.housing import HousingEntry
 from rotordyn.case.schema.matrix import entries
 from rotordyn.case.schema.spindle import SpindleEntry
+from rotordyn.machine.held import housing_faults
 from rotordyn.machine.housing import carried_faults, place_faults, rigid_faults
-from rotordyn.machine.spindle import housing_faults
 from rotordyn.machine.support import TABLED
 
 _OF_RIGID = ("x", "mass", "stiffness")

@@ -14,7 +14,7 @@ from rotordyn.case.schema.joint import JointEntry
 from rotordyn.case.schema.shaft import ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.machine.joint import joint_faults
-from rotordyn.machine.spindle import SLACK
+from rotordyn.machine.station import SLACK
 from rotordyn.units import format_quantity
 
 

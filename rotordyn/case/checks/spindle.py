@@ -27,7 +27,8 @@ from rotordyn.case.schema.matrix import ENTRIES, entries
 from rotordyn.case.schema.shaft import MassEntry, SectionEntry, ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.case.schema.support import SupportEntry
-from rotordyn.machine.spindle import held_twice, name_faults
+from rotordyn.machine.held import held_twice
+from rotordyn.machine.naming import name_faults
 from rotordyn.machine.support import SPINDLE, acts, loss_faults, rigid_and_elastic, table_faults
 
 

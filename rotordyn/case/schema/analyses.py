@@ -8,7 +8,6 @@ from pydantic import BeforeValidator, ConfigDict, Field, PlainValidator, WithJso
 
 from rotordyn.analysis.specs import (
     MESH_FILES,
-    MOST_ORDERS,
     MOST_STEPS,
     MOST_TEETH,
     QUANTITIES,
@@ -23,6 +22,7 @@ from rotordyn.case.schema.shapes import PLACE
 from rotordyn.case.schema.sweep import Frequencies
 from rotordyn.case.schema.values import (
     Amplitude,
+    EngineOrder,
     Flag,
     Frequency,
     Growth,
@@ -68,7 +68,7 @@ class CampbellEntry(Entry):
     teeth: list[Annotated[int, whole(1, MOST_TEETH)]] = []
     shapes: Flag = True
     shapes_3d: Annotated[ShapesInSpaceEntry | None, _BARE] = None
-    engine_orders: list[Annotated[int, whole(1, MOST_ORDERS)]] = [1]
+    engine_orders: list[EngineOrder] = [1]
 
 
 class Place(NamedTuple):

@@ -69,7 +69,7 @@ MEANINGS: dict[str, dict[str, str]] = {
     "campbell": {
         "max_frequency": "modes that come below it are followed",
         "teeth": "numbers of teeth whose passing frequency is drawn",
-        "engine_orders": "multiples of the speed whose critical speeds are solved for",
+        "engine_orders": "multiples of the speed, whole or not, whose critical speeds are sought",
         "shapes": "keep the mode shapes at the first and last speed",
         "shapes_3d": "draw them in space too, and write them as meshes ([how](theory/shapes.md))",
     },

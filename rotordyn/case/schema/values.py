@@ -169,6 +169,7 @@ Flag = Annotated[bool, PlainValidator(_flag, json_schema_input_type=bool)]
 
 Station = Annotated[float, reads(limits.STATION)]
 SpeedRatio = Annotated[float, reads(limits.SPEED_RATIO)]
+EngineOrder = Annotated[float, reads(limits.ENGINE_ORDER)]
 Length = Annotated[float, reads(limits.LENGTH)]
 Amplitude = Annotated[float, reads(limits.AMPLITUDE)]
 Accuracy = Annotated[float, reads(limits.ACCURACY)]

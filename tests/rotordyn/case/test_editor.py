@@ -131,6 +131,8 @@ def test_every_key_has_its_meaning_and_no_default_in_bare_si() -> None:
         ({"analyses": {"preload": None}}, True),
         ({"analyses": {}}, False),
         ({"analyses": {"campbell": {"teeth": [0]}}}, False),
+        ({"analyses": {"campbell": {"engine_orders": [0.43, 1, 2.37]}}}, True),
+        ({"analyses": {"campbell": {"engine_orders": [0]}}}, False),
         ({"analyses": {"stiffness": {"point": "P", "second_stop": {"3": "1 um"}}}}, False),
         ({"analysis": {}}, False),
         ({"override": {"any.path": [1, "x"]}}, True),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -13,6 +14,7 @@ import rotordyn
 from rotordyn.case.measured import read_record
 from rotordyn.errors import InvalidInput
 from rotordyn.job import deliver, solve
+from rotordyn.report.measured import measured_lines
 
 pytestmark = pytest.mark.filterwarnings("ignore:unclosed file:ResourceWarning")
 PAIR = "left_disc.y / right_disc.y"
@@ -244,3 +246,22 @@ def test_summary_and_figure_show_what_was_measured(tmp_path: Path) -> None:
     assert (tmp_path / "o" / "frf_measured_peaks.csv").exists()
     assert math.isfinite(result.likeness[0])
     assert result.likeness[0] < 0.9
+
+
+def test_a_response_compared_at_another_speed_than_its_own_is_told(tmp_path: Path) -> None:
+    rows = "".join(f"{f},{1.0 + f % 3},0\n" for f in range(5, 40))
+    (tmp_path / "tap.csv").write_text("frequency [Hz],amplitude [um/N],phase [deg]\n" + rows)
+    for rpm, words in ((400, "400 rpm, computed at 0 rpm"), (1000, "1000 rpm"), (0, "0 rpm")):
+        asked = MEASURED % ("tap.csv", f", name: tap, speed: {rpm} rpm")
+        found = deliver(case(tmp_path, measured=asked), tmp_path / "o")
+        text = " ".join(found.summary.split())
+        assert f"measured tap, receptance {PAIR} at {words}: likeness 0." in text
+
+
+def test_a_response_where_none_is_computed_is_told(tmp_path: Path) -> None:
+    (tmp_path / "tap.csv").write_text(
+        "frequency [Hz],amplitude [um/N],phase [deg]\n10,1,0\n20,2,0\n30,1,0\n"
+    )
+    result = solve(case(tmp_path, measured=MEASURED % ("tap.csv", ""))).results["frf"]
+    (line,) = measured_lines(replace(result, likeness=np.array([np.nan])))
+    assert line == f"measured   measured 1, receptance {PAIR} at 0 rpm, where there is no response"

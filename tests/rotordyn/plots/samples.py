@@ -245,6 +245,7 @@ def campbell(count: int = 49) -> CampbellResult:
         critical_rotor=("spindle",),
         shape_speed=speed[[0, -1]],
         critical=("axial",),
+        engine_order=np.ones(1),
         outcome=("solved",) * count,
         frequency=rest + change * s**2,
         damping_ratio=np.full((count, len(_MODES)), 0.02),
@@ -387,6 +388,7 @@ def unbalance(count: int = 49) -> UnbalanceResult:
     behind = 0.5 * np.abs(moved[..., 0] - 1j * moved[..., 1])
     return UnbalanceResult(
         rotor="spindle",
+        grade_speed=0.0,
         speed_ratio=1.0,
         speed=speed,
         point=("Oc2", "O3"),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from itertools import combinations
 
 import numpy as np
 import pytest
@@ -47,6 +48,35 @@ def test_every_rotor_has_its_lines(modes: CampbellResult) -> None:
     }
     assert orders(turning(0.0, modes), ()) == {1.0: "1×", 2.0: "2×"}
     assert orders(turning(-1.0, modes), ())[1.0] == "1× spindle, 1× outer"
+    asked = replace(modes, engine_order=np.array([0.2, 0.3, 3.0]))
+    assert orders(asked, [3]) == {
+        0.2: "0.2× spindle",
+        0.3: "0.3× spindle, 0.2× outer",
+        0.45: "0.3× outer",
+        1.0: "1× spindle",
+        1.5: "1× outer",
+        3.0: "3× spindle, 3× (teeth)",
+        4.5: "3× outer",
+    }
+    alone = replace(turning(0.0, modes), engine_order=np.array([0.43, 1.0, 3.0]))
+    assert orders(alone, [3]) == {0.43: "0.43×", 1.0: "1×", 3.0: "3× (teeth)"}
+
+
+def test_names_of_steep_lines_do_not_overlap_and_stand_beside_their_lines(
+    modes: CampbellResult,
+) -> None:
+    asked = replace(modes, engine_order=np.array([2.37, 2.5, 3.0, 40.0]))
+    figure = campbell_figure(asked, teeth=(3, 5), max_frequency=250.0)
+    (axes,) = figure.axes
+    renderer = figure.canvas.get_renderer()  # type: ignore[attr-defined]
+    names = {f" {name}": k for k, name in orders(asked, (3, 5)).items()}
+    inside = [text for text in axes.texts if text.get_text() in names]
+    boxes = [text.get_window_extent(renderer) for text in inside]
+    assert len(boxes) >= 9
+    assert not any(a.overlaps(b) for a, b in combinations(boxes, 2))
+    for text in inside:
+        rpm, hertz = text.get_position()
+        assert names[text.get_text()] * rpm / 60.0 == pytest.approx(hertz + 0.015 * 250.0)
 
 
 def test_critical_speeds_lie_on_the_line_that_excites(modes: CampbellResult) -> None:

@@ -81,6 +81,55 @@ def test_where_a_line_leaves_the_band_is_told(case, results):
     assert "none in the band asked for; 1× leaves the band" in told
 
 
+def test_critical_speeds_are_told_of_the_orders_asked_for_alone(case, results):
+    """Whether there are some or none; of what was not sought nothing is said."""
+    modes = results["campbell"]
+    half = replace(modes, engine_order=np.array([0.43, 2.5]), critical_order=np.array([0.43]))
+    said = " ".join(summary(case, {"campbell": half}).split())
+    assert "critical 0.43×, margin to top speed: axial 20400 rpm (-15 %) critical 2.5×" in said
+    assert "critical 2.5×, margin to top speed: none from 0 to 24000 rpm" in said
+    assert "1×, margin" not in said
+    nothing = summary(case, {"campbell": replace(half, engine_order=np.zeros(0))})
+    assert "critical " not in nothing
+
+
+def test_what_one_screen_does_not_hold_is_counted(case, results):
+    modes = results["campbell"]
+    many = replace(modes, engine_order=np.linspace(0.1, 5.0, 50))
+    lines = summary(case, results | {"campbell": many}).splitlines()
+    assert len(lines) == HEIGHT
+    assert lines[-1].startswith("… and ")
+    assert lines[-1].endswith(" more lines: see the tables and results.nc")
+    left = int(lines[-1].split()[2])
+    few = replace(modes, engine_order=np.linspace(0.1, 5.0, 49))
+    other = summary(case, results | {"campbell": few}).splitlines()[-1]
+    assert left - int(other.split()[2]) == 1
+
+
+def test_slow_modes_are_told_with_their_digits(case, results):
+    modes = results["campbell"]
+    slow = replace(modes, frequency=modes.frequency * 1e-5, critical_speed=np.array([0.05]))
+    said = " ".join(summary(case, {"campbell": slow}).split())
+    assert "1 fw 0.00903 → 0.00713 fw" in said
+    assert "axial 0.477 rpm" in said
+    rows = comparison_summary(case, [(case, {"campbell": slow})]).splitlines()
+    assert any("0.00903 → " in row for row in rows)
+
+
+def test_a_grade_for_another_speed_than_the_highest_is_told(case, results):
+    result = results["unbalance"]
+    top = float(result.speed[-1])
+    for speed, words in (
+        (0.0, ""),
+        (top, ""),
+        (1.25 * top, "; the grade is for 30000 rpm, above all of the case"),
+        (0.5 * top, "; the grade is for 12000 rpm, coarser than that beyond"),
+    ):
+        lines = summary(case, {"unbalance": replace(result, grade_speed=speed)})
+        text = " ".join(lines.split())
+        assert f"g·mm at -52.4 mm to 28.65°{words} largest half axis" in text
+
+
 def test_notes_stand_below_the_title(case, results):
     lines = summary(case, results, ["first"], ["a choice " * 20]).splitlines()
     assert lines[0] == "WARNING: first"

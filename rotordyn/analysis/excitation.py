@@ -1,0 +1,43 @@
+"""What excites at multiples of the speed: the lines of a Campbell diagram."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
+
+
+class Line(NamedTuple):
+    """What excites at ``order`` times the speed of ``rotor``: ``multiple`` times the spindle's.
+
+    A negative multiple is of a rotor that turns the other way round.
+    """
+
+    rotor: str
+    order: float
+    multiple: float
+
+    @property
+    def name(self) -> str:
+        """
+        >>> Line("spindle", 0.43, 0.43).name, Line("spindle", 1.0, 1.0).name
+        ('0.43×', '1×')
+        """
+        return f"{self.order:g}×"
+
+    @property
+    def size(self) -> float:
+        """Frequency over the speed of the spindle."""
+        return abs(self.multiple)
+
+
+def exciting(ratios: Mapping[str, float], orders: Iterable[float]) -> list[Line]:
+    """Lines of ``orders`` of every rotor that turns; of rotors at one speed those of the first.
+
+    >>> [line.multiple for line in exciting({"spindle": 1.0, "sleeve": 1.0, "outer": -1.5}, [1, 2])]
+    [1.0, 2.0, -1.5, -3.0]
+    """
+    first: dict[float, str] = {}
+    for name, ratio in ratios.items():
+        if ratio != 0.0:
+            first.setdefault(ratio, name)
+    return [Line(name, order, order * ratio) for ratio, name in first.items() for order in orders]

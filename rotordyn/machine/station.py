@@ -1,0 +1,49 @@
+"""Stations along the shaft: what may be where."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from rotordyn.description import doubled
+from rotordyn.machine.growth import InterferenceFit
+from rotordyn.machine.joint import Joint
+from rotordyn.machine.shaft import Shaft
+from rotordyn.machine.support import BearingSeat
+
+SLACK = 1e-9  # [m] by which a station may lie beside the shaft
+
+
+def off_the_shaft(shaft: Shaft, what: str, x: float) -> Iterator[str]:
+    """A sentence where station ``x`` [m] of ``what`` does not lie on the shaft."""
+    start, end = shaft.start, shaft.end
+    if not start - SLACK <= x <= end + SLACK:
+        yield f"{what} off the shaft: given {x:.6g} m; allowed: {start:.6g} m to {end:.6g} m"
+
+
+def joint_faults(shaft: Shaft, joints: Sequence[Joint]) -> Iterator[str]:
+    """Two joints of one name or station, or one that joins no two parts."""
+    for name in doubled(joint.name for joint in joints):
+        yield f"two joints are named '{name}'"
+    start, end = shaft.start, shaft.end
+    taken: list[Joint] = []
+    for joint in joints:
+        if not start + SLACK < joint.x < end - SLACK:
+            yield (
+                f"Joint {joint.name} joins no two parts: given {joint.x:.6g} m; allowed: "
+                f"between {start:.6g} m and {end:.6g} m"
+            )
+        for other in taken:
+            if abs(joint.x - other.x) <= SLACK:
+                yield f"joints '{other.name}' and '{joint.name}' are at the same station"
+        taken.append(joint)
+
+
+def fit_faults(shaft: Shaft, seats: Iterable[BearingSeat]) -> Iterator[str]:
+    """A fit whose bore is no larger than that of the shaft."""
+    for seat in seats:
+        fit, hole = seat.growth.centrifugal, shaft.section_at(seat.x).inner_diameter
+        if isinstance(fit, InterferenceFit) and fit.bore_diameter <= hole:
+            yield (
+                f"the bore of bearing {seat.name} leaves no shaft: given "
+                f"{fit.bore_diameter:.6g} m; allowed: above {hole:.6g} m"
+            )
