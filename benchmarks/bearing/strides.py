@@ -67,13 +67,11 @@ def fixed(length: float) -> Strides:
     return Strides(first=length, turn=0.05, shortest=2.0**-24, most=8, quick=-1, free=length)
 
 
-VARIED = {
+VARIED: dict[str, dict[float, Strides]] = {
+    "as shipped": {FIRST_BLEND: Strides()},
     "first stride": {v: Strides(first=v) for v in (1.0, 0.5, 0.25, 2.0**-4)},
     "longest turn [rad]": {v: Strides(turn=v) for v in (1.5, 0.6, 0.3, 0.15, 0.075, 0.0375, 0.02)},
-    "most steps, few steps": {
-        f"{most}, {quick}": Strides(most=most, quick=quick)
-        for most, quick in ((8, 5), (6, 4), (5, 4), (5, 3), (5, 2), (4, 3))
-    },
+    "most Newton steps": {v: Strides(most=v) for v in (8, 6, 5, 4)},
     "shortest stride": {
         v: Strides(shortest=v) for v in (0.5, 2.0**-3, 2.0**-5, 2.0**-9, 2.0**-17, 2.0**-25)
     },

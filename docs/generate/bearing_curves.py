@@ -30,6 +30,7 @@ STARTS = {"warm": (BLUE, "o-"), "cold": (RED, "s--")}
 VARIED = {
     "first stride": (ORANGE, "v-."),
     "longest turn [rad]": (BLUE, "o-"),
+    "most Newton steps": (PURPLE, "d-"),
     "shortest stride": (RED, "s--"),
     "fixed strides": (GREEN, "^:"),
 }
