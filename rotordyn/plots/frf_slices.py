@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
+ROUNDING = 1e-12  # of the largest amplitude
 
 
 def amplitude_phase_figure(result: FrequencyResponse, pairs: Sequence[int]) -> Figure:
@@ -83,6 +84,16 @@ def _lines(axes: Axes, result: FrequencyResponse, pair: int, part: str) -> None:
         axes.set_yticks([-180.0, -90.0, 0.0, 90.0, 180.0])
     elif part == "amplitude":
         log_axis(axes)
+    else:
+        _keep_rounding_flat(
+            axes, float(np.abs(result.response[result.is_slice, pair]).max()) * factor
+        )
+
+
+def _keep_rounding_flat(axes: Axes, largest: float) -> None:
+    """A part that is nothing but rounding (imaginary, without damping) is drawn as a zero."""
+    if max(map(abs, axes.get_ylim())) < ROUNDING * largest:
+        axes.set_ylim(-largest, largest)
 
 
 def draw_measured(

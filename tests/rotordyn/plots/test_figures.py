@@ -214,6 +214,15 @@ def test_slices_have_a_line_per_speed():
     np.testing.assert_allclose(real, frf.receptance[-1, 1].real * 1e6)
 
 
+@pytest.mark.parametrize(("part", "flat"), [(1e-15, True), (1e-6, False)])
+def test_an_imaginary_part_of_mere_rounding_is_drawn_as_zero(part, flat):
+    frf = samples.frf(3, 200)
+    values = frf.receptance.real * (1.0 + 1j * part)
+    axes = real_imaginary_figure(replace(frf, receptance=values), [0]).axes[1]
+    largest = np.abs(values[:, 0]).max() * 1e6
+    assert (axes.get_ylim()[1] == pytest.approx(largest)) == flat
+
+
 def test_phase_does_not_draw_its_jumps():
     frf = samples.frf(3, 2000)
     figure = amplitude_phase_figure(frf, [1])
