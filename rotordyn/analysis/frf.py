@@ -151,7 +151,8 @@ def _within(
     if scene.bends_exactly and group == {"bending"}:
         return scene.timed("exact receptance", partial(_exact, scene, pairs, frequency))
     system = scene.vibration(min(group))[0]
-    rows = [[_row(scene, system.motion, port) for port in pair] for pair in pairs]
+    motion = system.motion
+    rows = [[_row(scene, motion, port) for port in pair] for pair in pairs]
     response, excitation = np.array(rows).swapaxes(0, 1)
     omega = 2.0 * math.pi * frequency
     if isinstance(system, LateralSystem) and system.isotropic:
