@@ -9,8 +9,9 @@ stand side by side, A + iB on y + iz being [[A, −B], [B, A]] on (y, z).
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any, Protocol
 
 import numpy as np
@@ -30,8 +31,8 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Values = NDArray[np.inexact[Any]]
 Motion = dict[int, Values]
-DOUBTFUL = 1e4  # terms of a pivot over their sum: four digits fewer, and all freedoms are kept
-BATCH = 1024  # frequencies at once, of a chain of which the middle of a computer has room
+DOUBTFUL = 1e5  # terms of a pivot over their sum: five digits fewer, and all freedoms are kept
+BATCH = 1024  # frequencies at once, so that what is worked on stays near the processor
 ENTRIES = 2**22  # of dense matrices at once
 
 
@@ -60,18 +61,41 @@ class Supported:
         """True where they answer alike in all directions."""
         return self.held.shape[-1] == 2
 
-    def at(self, chosen: Sequence[int], omega: Array) -> Values:
-        """Of some of them at ``omega`` (f,): (chosen, k, k, f); real where nothing is complex."""
-        own = list(chosen)
-        held, damped, losses = self.held[own][..., None], self.damped[own][..., None], self.losses[own]
-        total = held
-        if not held.imag.any():
-            total = held.real
-        if damped.any():
-            total = total + 1j * omega * damped
-        if losses.any():
-            total = total + 1j * np.sign(omega) * losses[:, None, None, None] * held
-        return np.asarray(total)
+    def added(self, matrix: Values, rows: Array, omega: Array) -> Values:
+        """``matrix`` (n, n, f) with them, of coordinates that move their ends by ``rows``
+        (c, k, n)."""
+        gathered = [
+            np.einsum("cin,cij,cjm->nm", rows, own, rows, optimize=True)
+            for own in (self.held, self.damped, self._lossy)
+        ]
+        where = np.nonzero(sum(np.abs(own) for own in gathered))
+        values = _at(*(own[where][:, None] for own in gathered), omega)
+        total = matrix.astype(np.result_type(matrix, values), copy=False)
+        total[where] += values
+        return total
+
+    def chosen(self, which: Sequence[int]) -> Supported:
+        """Some of them."""
+        own = list(which)
+        return Supported(self.held[own], self.damped[own], self.losses[own])
+
+    @property
+    def _lossy(self) -> Values:
+        return self.losses[:, None, None] * self.held
+
+    def at(self, omega: Array) -> Values:
+        """At ``omega`` (f,): (c, k, k, f); real where nothing damps or couples the planes."""
+        parts = (m[..., None] for m in (self.held, self.damped, self._lossy))
+        return _at(*parts, omega)
+
+
+def _at(held: Values, damped: Values, lossy: Values, omega: Array) -> Values:
+    total = held if held.imag.any() else held.real
+    if damped.any():
+        total = total + 1j * omega * damped
+    if lossy.any():
+        total = total + 1j * np.sign(omega) * lossy
+    return np.asarray(total)
 
 
 class Dynamic(Protocol):
@@ -333,7 +357,7 @@ class DirectBending:
         own = self.supported[row]
         ends = self._ends
         at: dict[int, Values] = {}
-        for c, matrix in zip(local, own.at(local, seen), strict=True):
+        for c, matrix in zip(local, own.chosen(local).at(seen), strict=True):
             node = int(np.flatnonzero(ends[c])[0])
             at[node] = at[node] + matrix if node in at else matrix
         force = None if self.force is None else self.force[row]
@@ -342,12 +366,12 @@ class DirectBending:
         others = [c for c in range(len(ends)) if c not in local]
         rows = self._rows(coordinates, others)
         matrix = self._widened(coordinates, dynamic.matrix, signed)
-        blocks = own.at(others, seen)
+        joined = partial(own.chosen(others).added, rows=rows, omega=seen)
         forces = list(dict.fromkeys(end for _, end in pairs))
         wanted = {response.node for response, _ in pairs}
         column = [forces.index(end) for _, end in pairs]
         solve = self._whirled if self.whirling else self._in_planes
-        motion = solve(coordinates, dynamic, matrix, rows, blocks, forces, wanted)
+        motion = solve(coordinates, dynamic, matrix, joined, forces, wanted)
         values = [
             end.sign * motion[end.plane, end.node][end.place, k]
             for (end, _), k in zip(pairs, column, strict=True)
@@ -356,14 +380,19 @@ class DirectBending:
         return np.array(values, dtype=complex), doubt
 
     def _rows(self, coordinates: Coordinates, chosen: Sequence[int]) -> Array:
-        """Deflection and tilt between the ends of connections (chosen, 2, n)."""
+        """Deflection and tilt between the ends of connections (chosen, 2·planes, n·planes)."""
         more = len(self._sprung)
         rows = np.zeros((len(chosen), 2, coordinates.size + more))
         for own, c in zip(rows, chosen, strict=True):
             for node in np.flatnonzero(self._ends[c]):
                 own[:, : coordinates.size] += self._ends[c, node] * coordinates.rows(int(node))
             own[0, coordinates.size :] = self._on_sleeves[c]
-        return rows
+        if self.whirling:
+            return rows
+        n = rows.shape[-1]
+        both = np.zeros((len(chosen), 4, 2 * n))
+        both[:, :2, :n], both[:, 2:, n:] = rows, rows
+        return both
 
     def _widened(self, coordinates: Coordinates, matrix: Values, omega: Array) -> Values:
         """With sleeves behind the coordinates, and the drawbar between nodes."""
@@ -382,14 +411,12 @@ class DirectBending:
         coordinates: Coordinates,
         dynamic: Dynamic,
         matrix: Values,
-        rows: Array,
-        blocks: Values,
+        joined: Callable[[Values], Values],
         forces: Sequence[End],
         wanted: Collection[int],
     ) -> dict[tuple[int, int], Values]:
         """Motion of nodes in circular coordinates, the same of either plane."""
-        if len(rows):
-            matrix = matrix + np.einsum("cin,cijf,cjm->nmf", rows, blocks, rows, optimize=True)
+        matrix = joined(matrix)
         right = np.zeros((len(matrix), len(forces)))
         for column, end in zip(right.T, forces, strict=True):
             column[: coordinates.size] = end.sign * coordinates.rows(end.node)[end.place]
@@ -402,8 +429,7 @@ class DirectBending:
         coordinates: Coordinates,
         dynamic: Dynamic,
         matrix: Values,
-        rows: Array,
-        blocks: Values,
+        joined: Callable[[Values], Values],
         forces: Sequence[End],
         wanted: Collection[int],
     ) -> dict[tuple[int, int], Values]:
@@ -413,9 +439,7 @@ class DirectBending:
         whole[:n, :n] = whole[n:, n:] = 0.5 * (plus + minus.conj())
         whole[n:, :n] = -0.5j * (plus - minus.conj())
         whole[:n, n:] = -whole[n:, :n]
-        both = np.zeros((len(rows), 4, 2 * n))
-        both[:, :2, :n], both[:, 2:, n:] = rows, rows
-        whole += np.einsum("cin,cijf,cjm->nmf", both, blocks, both, optimize=True)
+        whole = joined(whole)
         right = np.zeros((2, n, len(forces)))
         for k, end in enumerate(forces):
             own = end.sign * coordinates.rows(end.node)[end.place]
