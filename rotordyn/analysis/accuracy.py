@@ -36,23 +36,26 @@ TILTS = ("thy", "thz")
 GRID = 24  # frequencies at which they are, besides those of the modes
 
 
-def left_out(scene: Scene, motion: str, signs: Signs | None = None) -> LeftOut | None:
+def left_out(
+    scene: Scene, motion: str, signs: Signs | None = None, *, elements: bool = False
+) -> LeftOut | None:
     """What the system that ``motion`` is part of leaves out; None of a rigid rotor.
 
-    ``signs``: of the motions that its supports answer with their loss factors, none if left out.
+    ``signs``: of the motions that its supports answer with their loss factors, none if left out;
+    ``elements``: what these leave out, and not the coordinates they are reduced to.
     """
     system, found = scene.answering(motion, signs) if signs else scene.vibration(motion)
     if isinstance(system, CoupledSystem):
         parts = {}
         for name, part in system.parts.items():
-            own = Unbalanced.of(part, _spin(scene, name, len(found.pole)))
+            own = Unbalanced.of(part, _spin(scene, name, len(found.pole)), elements=elements)
             if own is None:
                 return None
             parts[name] = own
         on = system.carried
         ground = None if on is None else Ground(on.held, on.damped, on.under, on.size)
         return Joined(parts, system.places, system.supports, system.at_supports, ground)
-    return Unbalanced.of(system, _spin(scene, motion, len(found.pole)))
+    return Unbalanced.of(system, _spin(scene, motion, len(found.pole)), elements=elements)
 
 
 def _spin(scene: Scene, motion: str, speeds: int) -> Array:
@@ -98,8 +101,12 @@ def receptance_error(
     pairs: Sequence[tuple[Port, Port]],
     frequency: Array,
     power: int = 0,
+    *,
+    elements: bool = False,
 ) -> Array:
     """Largest estimated error of each receptance over its peak (pairs,), of some speeds.
+
+    By what is left out, or by the ``elements`` alone.
 
     Judged at ``GRID`` frequencies and those next to the modes; zero for a rigid rotor. ``power`` of
     the frequency by which receptances are multiplied: 1 of mobility, 2 of inertance.
@@ -108,10 +115,10 @@ def receptance_error(
     if rest is None:
         return np.zeros(len(pairs))
     rows = np.linspace(0, len(found.pole) - 1, min(MOST_SPEEDS, len(found.pole))).round()
-    ends = _ends(scene, motion, pairs)
+    ends = _ends(_motion(scene, motion, elements=elements), scene, pairs)
     worst = np.zeros(len(pairs))
     for place in np.unique(rows).astype(int):
-        one = _at(scene, motion, place)
+        one = _at(scene, motion, place, elements=elements)
         omega = _judged(found.pole[place], 2.0 * math.pi * frequency)
         worst = np.maximum(worst, one.errors(ends, omega, power))
     return worst
@@ -147,6 +154,7 @@ class _OneSpeed:
     place: int
     frame: float
     whirling: bool
+    elements: bool
     known: dict[Signs | None, tuple[Modes, LeftOut]]
 
     def errors(self, pairs: Sequence[tuple[End, End]], omega: Array, power: int) -> Array:
@@ -213,7 +221,7 @@ class _OneSpeed:
         if signs not in self.known:
             scene, motion = self.scene, self.motion
             found = (scene.answering(motion, signs) if signs else scene.vibration(motion))[1]
-            rest = left_out(scene, motion, signs)
+            rest = left_out(scene, motion, signs, elements=self.elements)
             if rest is None:
                 raise ValueError("a rigid rotor leaves nothing out")
             self.known[signs] = found.at(np.array([self.place])), rest.at(self.place)
@@ -235,12 +243,12 @@ def _folded(values: Complex, turn: NDArray[np.intp]) -> Complex:
     return np.where(turn[:, None] == 0, 0.5 * (plus + minus.conj()), across)
 
 
-def _at(scene: Scene, motion: str, place: int) -> _OneSpeed:
+def _at(scene: Scene, motion: str, place: int, *, elements: bool = False) -> _OneSpeed:
     """The system of a motion at one of its speeds."""
     system = scene.vibration(motion)[0]
     frame = 0.0 if isinstance(system, CoupledSystem) else float(system.frame[place])
     whirling = isinstance(system, LateralSystem) and system.isotropic
-    return _OneSpeed(scene, motion, place, frame, whirling, {})
+    return _OneSpeed(scene, motion, place, frame, whirling, elements, {})
 
 
 def _judged(pole: Complex, omega: Array) -> Array:
@@ -254,25 +262,28 @@ def _judged(pole: Complex, omega: Array) -> Array:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Motion:
-    """How the nodes move in the system of a motion: ``rows`` (nodes, 6, n), by its parts."""
+    """How the nodes move in the system of a motion: ``rows`` (nodes, 6, n), by its parts; and by
+    what they or the ``elements`` alone leave out."""
 
     rows: Array
     parts: Mapping[str, LateralSystem | RodSystem]
     folded: int | None
+    elements: bool
 
 
-def _motion(scene: Scene, motion: str) -> _Motion:
+def _motion(scene: Scene, motion: str, *, elements: bool = False) -> _Motion:
     system = scene.vibration(motion)[0]
     parts = system.parts if isinstance(system, CoupledSystem) else {motion: system}
     folded = None
     if isinstance(system, LateralSystem) and system.isotropic:
         folded = system.rotor.size
-    return _Motion(system.motion, parts, folded)
+    return _Motion(system.motion, parts, folded, elements)
 
 
-def _ends(scene: Scene, motion: str, pairs: Sequence[tuple[Port, Port]]) -> list[tuple[End, End]]:
-    """Ports as the system of ``motion`` sees them, each once."""
-    moved = _motion(scene, motion)
+def _ends(
+    moved: _Motion, scene: Scene, pairs: Sequence[tuple[Port, Port]]
+) -> list[tuple[End, End]]:
+    """Ports as a system sees them, each once."""
     known = {
         port: _end_at(moved, scene.node(port.point), port.direction)
         for port in {port for pair in pairs for port in pair}
@@ -282,17 +293,22 @@ def _ends(scene: Scene, motion: str, pairs: Sequence[tuple[Port, Port]]) -> list
 
 def _end_at(motion: _Motion, node: int, direction: str) -> End:
     row = motion.rows[node, FREEDOMS.index(direction)]
-    seen = [_seen(part, name, node, direction) for name, part in motion.parts.items()]
+    seen = [
+        _seen(part, name, node, direction, motion.elements) for name, part in motion.parts.items()
+    ]
     if motion.folded is not None:
         row = row[: motion.folded] + row[motion.folded :]
     return End(row, np.concatenate(seen), 0 if direction in ("y", "thz") else 1)
 
 
-def _seen(part: LateralSystem | RodSystem, motion: str, node: int, direction: str) -> Array:
+def _seen(
+    part: LateralSystem | RodSystem, motion: str, node: int, direction: str, elements: bool
+) -> Array:
     """A node's freedom by what a part leaves out, zero if it is of another motion."""
     rest = part.remainder
     if rest is None:
         return np.zeros(0)
+    rest = rest.of_elements if elements else rest
     count = len(rest.own_mass)
     if MOTIONS[direction] != motion:
         return np.zeros(count * part.planes)

@@ -44,9 +44,9 @@ def direct_bending(scene: Scene) -> DirectBending:
             own if pulled and name == SPINDLE else None,
         )
     formulation = scene.conditions.formulation
-    held, damped = connection_blocks(spindle, speed, scene.seat_stiffness)
-    if are_alike(held) and are_alike(damped):
-        held, damped = circular(held), circular(damped)
+    blocks = connection_blocks(spindle, speed, scene.seat_stiffness)
+    alike = all(are_alike(block) for block in blocks)
+    held, damped = (circular(block) for block in blocks) if alike else blocks
     losses = np.array(spindle.connection_losses)
     return DirectBending(
         spindle,
@@ -65,9 +65,7 @@ def end(scene: Scene, port: Port) -> End:
     return End(scene.node(port.point), place % 2, place // 2, BOTH_PLANES.signs[place])
 
 
-def receptance(
-    direct: DirectBending, omega: Array, pairs: Sequence[tuple[End, End]]
-) -> Complex:
+def receptance(direct: DirectBending, omega: Array, pairs: Sequence[tuple[End, End]]) -> Complex:
     """Receptances at every speed (speeds, pairs, f), as ``DirectBending.receptance``."""
     rows = range(len(direct.speed))
     return np.stack([direct.receptance(row, omega, pairs) for row in rows])

@@ -71,6 +71,15 @@ class Scene(Statics):
         more.solved.update({n: value for n, value in self.solved.items() if n in still})
         return more
 
+    def seen_from(self, ports: tuple[Place, ...]) -> Scene:
+        """The same machine, its motion meant to be good at fewer places; this one if it is known
+        already."""
+        if "rotor" in self.solved:
+            return self
+        own = Scene(self.spindle, self.conditions, self.speed, self.max_frequency, ports)
+        own.solved.update(self.solved)
+        return own
+
     def adopt(self, other: Scene) -> None:
         """Take over what another scene has solved from the same inputs."""
         for name, inputs in _INPUTS.items():

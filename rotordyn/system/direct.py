@@ -69,7 +69,8 @@ class Supported:
             for own in (self.held, self.damped, self._lossy)
         ]
         where = np.nonzero(sum(np.abs(own) for own in gathered))
-        values = _at(*(own[where][:, None] for own in gathered), omega)
+        held, damped, lossy = (own[where][:, None] for own in gathered)
+        values = _at(held, damped, lossy, omega)
         total = matrix.astype(np.result_type(matrix, values), copy=False)
         total[where] += values
         return total
@@ -85,8 +86,8 @@ class Supported:
 
     def at(self, omega: Array) -> Values:
         """At ``omega`` (f,): (c, k, k, f); real where nothing damps or couples the planes."""
-        parts = (m[..., None] for m in (self.held, self.damped, self._lossy))
-        return _at(*parts, omega)
+        held, damped, lossy = (m[..., None] for m in (self.held, self.damped, self._lossy))
+        return _at(held, damped, lossy, omega)
 
 
 def _at(held: Values, damped: Values, lossy: Values, omega: Array) -> Values:
@@ -273,6 +274,12 @@ class DirectBending:
         """True where forward and backward whirl are apart."""
         return self.supported[0].whirling
 
+    @property
+    def planar(self) -> NDArray[np.bool_]:
+        """Speeds (speeds,) at which nothing couples the planes, of those that whirl."""
+        still = [not (own.held.imag.any() or own.damped.imag.any()) for own in self.supported]
+        return np.array(still) & (self.speed == 0.0)
+
     def receptance(self, row: int, omega: Array, pairs: Sequence[tuple[End, End]]) -> Complex:
         """Receptances (response, force) at one of the speeds and at ``omega`` (f,) (pairs, f).
 
@@ -446,7 +453,7 @@ class DirectBending:
             right[end.plane, : coordinates.size, k] = own
         y, z = _answers(whole, right.reshape(2 * n, -1)).reshape(2, n, len(forces), -1)
         turning = np.concatenate([y + 1j * z, (y - 1j * z).conj()], axis=-1)
-        motion = {}
+        motion: dict[tuple[int, int], Values] = {}
         for node, each in dynamic.motion(turning[: coordinates.size], wanted).items():
             ahead, back = np.split(each, 2, axis=-1)
             motion[0, node] = 0.5 * (ahead + back.conj())

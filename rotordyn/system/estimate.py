@@ -129,11 +129,12 @@ class Unbalanced:
     pressed: Array
 
     @classmethod
-    def of(cls, system: Reduced, spin: Array) -> Unbalanced | None:
-        """None where nothing is left out (a rigid rotor)."""
+    def of(cls, system: Reduced, spin: Array, *, elements: bool = False) -> Unbalanced | None:
+        """None where nothing is left out (a rigid rotor); ``elements``: by these alone."""
         left_out = system.remainder
         if left_out is None:
             return None
+        left_out = left_out.of_elements if elements else left_out
         nodal = left_out.at_nodes.reshape(len(left_out.own_mass), -1, system.freedoms)
         at_ends = np.einsum("cn,rnf->rcf", system.connected, nodal, optimize=True)
         pressed = np.zeros((1, *left_out.mass.shape))

@@ -196,7 +196,10 @@ def lateral_system(
 
 def connection_blocks(spindle: Spindle, speed: Array, seat_stiffness: Array) -> tuple[Array, Array]:
     """Stiffness and damping of bearings, then supports, in both planes (speeds, c, 4, 4)."""
-    stiffness = [_seat_blocks(spindle, seat_stiffness), _support_blocks(spindle, speed, "stiffness")]
+    stiffness = [
+        _seat_blocks(spindle, seat_stiffness),
+        _support_blocks(spindle, speed, "stiffness"),
+    ]
     damping = [_seat_dampers(spindle, len(speed)), _support_blocks(spindle, speed, "damping")]
     return np.concatenate(stiffness, axis=1), np.concatenate(damping, axis=1)
 

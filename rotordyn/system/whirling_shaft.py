@@ -14,9 +14,10 @@ asks for, as it joins all freedoms.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -41,7 +42,7 @@ from rotordyn.system.mesh import Mesh
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-Values = NDArray[np.inexact]
+Values = NDArray[np.inexact[Any]]
 GAUSS = 7  # degree up to which the work of the axial force is integrated exactly
 RIGID = 2  # motions of a free rotor in a plane
 DIGITS = 12  # lengths that agree in so many are the same
@@ -79,7 +80,7 @@ class WhirlingShaft:
         ``at`` nodes. ``force`` (elements of the mesh ``pressed``,) [N]."""
         doubt, terms = np.ones(len(whirl.omega)), self._terms(whirl)
         order = self._alike if force is None else list(range(len(self.elements.degree)))
-        pieces = {
+        pieces: dict[Hashable, Piece] = {
             k: self._piece(k, whirl, terms, force, doubt) for k in sorted(set(order))
         }
         added = {node: _summed(own, terms) for node, own in self._lumped.items()}
