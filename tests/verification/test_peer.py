@@ -52,7 +52,9 @@ def test_the_machine_has_60_equal_elements_and_5_bearings() -> None:
 def test_dense_matrices_are_those_of_every_freedom(kind: str) -> None:
     """Against the plain assembly, node by node, of the same 60 elements."""
     built = spindle(kind)
-    whole = FullRotor(built, build_mesh(built, SAME.element_length), NO_SEATS, machine.SPEED)
+    whole = FullRotor(
+        built, build_mesh(built, SAME.conditions.element_length), NO_SEATS, machine.SPEED
+    )
     ours = of_ours(built, None, TOP, machine.SPEED)
     few = ours.poles(machine.SPEED)[: machine.MODES]
     assert few == pytest.approx(whole.poles(TOP * 2)[: machine.MODES], rel=1e-7)
