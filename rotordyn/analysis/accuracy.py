@@ -308,9 +308,8 @@ def _seen(
     rest = part.remainder
     if rest is None:
         return np.zeros(0)
-    rest = rest.of_elements if elements else rest
-    count = len(rest.own_mass)
-    if MOTIONS[direction] != motion:
+    count = int(rest.finer.sum()) if elements else len(rest.own_mass)
+    if MOTIONS[direction] != motion or elements:  # what finer elements add vanishes at nodes
         return np.zeros(count * part.planes)
     column = part.freedoms * node + (1 if motion == "bending" and direction in TILTS else 0)
     own = rest.at_nodes[:, column]

@@ -32,10 +32,13 @@ from rotordyn.system.lateral import LateralSystem
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+Pairs = list[tuple[Port, Port]]
+Answered = Callable[[Array], Complex]
 MOST_VALUES = 100_000_000
 UNDAMPED = 1e-9  # of the frequency: a pole so near to it has no damping
 BESIDE = 1e-8  # of the frequency, to either side of which a response is compared with its
 PEAK, FEW = 1e5, 3  # of the smallest response, frequencies: to tell a peak by
+WIDE = 1e-6  # of the frequency, beyond which its neighbours are not on the same pole
 HIGHER = 10.0  # times what it is there: so near to a pole its size is nothing but rounding
 _KINDS: dict[str, type[FrequencyResponse]] = {
     kind.kind: kind for kind in (FrfResult, MobilityResult, InertanceResult)
@@ -73,7 +76,7 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
         if own:
             pairs = [spec.pairs[k] for k in own]
             way = _way(scene, group, spec.method)
-            within = partial(_WITHIN[way], scene, group, pairs)
+            within = _WITHIN[way](scene, group, pairs)
             with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
                 values[:, own] = within(frequency)
             suspects = partial(_near_poles, scene, group) if way == REDUCED else _high_peaks
@@ -101,7 +104,7 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
 
 def _refuse_unlimited(
     scene: Scene,
-    within: Callable[[Array], Complex],
+    within: Answered,
     suspects: Callable[[Array, Complex], NDArray[np.bool_]],
     frequency: Array,
     values: Complex,
@@ -128,9 +131,15 @@ def _refuse_unlimited(
 
 
 def _high_peaks(frequency: Array, values: Complex) -> NDArray[np.bool_]:
-    """Where poles are not known."""
+    """Where poles are not known: far above the frequencies beside, unless these are as near."""
     size = np.abs(values)
     high = size > PEAK * size.min(axis=-1, keepdims=True)
+    beside = np.zeros_like(size)
+    beside[..., 1:] = size[..., :-1]
+    beside[..., :-1] = np.maximum(beside[..., :-1], size[..., 1:])
+    apart = np.diff(frequency, prepend=-math.inf, append=math.inf) / WIDE
+    dense = np.minimum(apart[:-1], apart[1:]) < frequency
+    high &= dense | (size > HIGHER * beside)
     return np.asarray(high.any(axis=(0, 1)) | (len(frequency) < FEW))
 
 
@@ -149,12 +158,7 @@ def _near_poles(
 
 
 def _error(
-    way: str,
-    scene: Scene,
-    group: frozenset[str],
-    pairs: list[tuple[Port, Port]],
-    frequency: Array,
-    power: int,
+    way: str, scene: Scene, group: frozenset[str], pairs: Pairs, frequency: Array, power: int
 ) -> Array | float:
     """Estimated errors of pairs; the exact shaft has none."""
     if way == REDUCED:
@@ -186,19 +190,21 @@ def _way(scene: Scene, group: frozenset[str], method: str) -> str:
     return REDUCED if scene.rigid else method
 
 
-def _modal(
-    scene: Scene, group: frozenset[str], pairs: list[tuple[Port, Port]], frequency: Array
-) -> Complex:
-    """Receptance of the reduced system (speeds, pairs, frequencies)."""
+def _modal(scene: Scene, group: frozenset[str], pairs: Pairs) -> Answered:
+    """By the reduced system."""
     system = scene.vibration(min(group))[0]
     motion = system.motion
     rows = [[_row(scene, motion, port) for port in pair] for pair in pairs]
     response, excitation = np.array(rows).swapaxes(0, 1)
-    omega = 2.0 * math.pi * frequency
-    if isinstance(system, LateralSystem) and system.isotropic:
-        return _whirling(scene, system, omega, pairs, response, excitation)
-    # one speed serves all in torsion
-    return scene.receptance(min(group), omega, response, excitation)
+
+    def answered(frequency: Array) -> Complex:
+        omega = 2.0 * math.pi * frequency
+        if isinstance(system, LateralSystem) and system.isotropic:
+            return _whirling(scene, system, omega, pairs, response, excitation)
+        # one speed serves all in torsion
+        return scene.receptance(min(group), omega, response, excitation)
+
+    return answered
 
 
 def _row(scene: Scene, motion: Array, port: Port) -> Array:
@@ -211,7 +217,7 @@ def _whirling(
     scene: Scene,
     system: LateralSystem,
     omega: Array,
-    pairs: list[tuple[Port, Port]],
+    pairs: Pairs,
     response: Array,
     excitation: Array,
 ) -> Complex:
@@ -226,40 +232,38 @@ def _whirling(
     return _both_ways(both, planar, pairs)
 
 
-def _direct(
-    scene: Scene, group: frozenset[str], pairs: list[tuple[Port, Port]], frequency: Array
-) -> Complex:
-    """Receptance of the assembled matrices."""
-    return scene.timed("direct receptance", partial(_unreduced, scene, pairs, frequency))
-
-
-def _unreduced(scene: Scene, pairs: list[tuple[Port, Port]], frequency: Array) -> Complex:
-    omega, system = 2.0 * math.pi * frequency, direct_bending(scene)
+def _direct(scene: Scene, group: frozenset[str], pairs: Pairs) -> Answered:
+    """By the assembled matrices."""
+    system = direct_bending(scene)
     known = {port: end(scene, port) for port in {port for pair in pairs for port in pair}}
     ends = [(known[response], known[excitation]) for response, excitation in pairs]
-    if not system.whirling:
-        return receptance(system, omega, ends)
-    both = receptance(system, np.concatenate([omega, -omega]), ends)
-    return _both_ways(both, system.planar, pairs)
+
+    def answered(frequency: Array) -> Complex:
+        omega = 2.0 * math.pi * frequency
+        if not system.whirling:
+            return receptance(system, omega, ends)
+        both = receptance(system, np.concatenate([omega, -omega]), ends)
+        return _both_ways(both, system.planar, pairs)
+
+    return lambda frequency: scene.timed("direct receptance", partial(answered, frequency))
 
 
-def _exact(
-    scene: Scene, group: frozenset[str], pairs: list[tuple[Port, Port]], frequency: Array
-) -> Complex:
-    """Receptance of the exact shaft."""
-    return scene.timed("exact receptance", partial(_continuous, scene, pairs, frequency))
-
-
-def _continuous(scene: Scene, pairs: list[tuple[Port, Port]], frequency: Array) -> Complex:
-    omega, points = 2.0 * math.pi * frequency, scene.spindle.points
+def _exact(scene: Scene, group: frozenset[str], pairs: Pairs) -> Answered:
+    """By the exact shaft."""
+    points = scene.spindle.points
     ends = [(points[r.point], r, points[e.point], e) for r, e in pairs]
-    if not scene.exact.isotropic:
-        return scene.exact.receptance(omega, ends)[0]
-    both, planar = scene.exact.receptance(np.concatenate([omega, -omega]), ends)
-    return _both_ways(both, planar, pairs)
+
+    def answered(frequency: Array) -> Complex:
+        omega = 2.0 * math.pi * frequency
+        if not scene.exact.isotropic:
+            return scene.exact.receptance(omega, ends)[0]
+        both, planar = scene.exact.receptance(np.concatenate([omega, -omega]), ends)
+        return _both_ways(both, planar, pairs)
+
+    return lambda frequency: scene.timed("exact receptance", partial(answered, frequency))
 
 
-def _both_ways(both: Complex, planar: NDArray[np.bool_], pairs: list[tuple[Port, Port]]) -> Complex:
+def _both_ways(both: Complex, planar: NDArray[np.bool_], pairs: Pairs) -> Complex:
     """Receptance from the complex form at ω and −ω, where a force in one plane turns both ways.
 
     With H± the answers at ±ω, yy and zz are (H₊ + conj H₋)/2, zy is −i (H₊ − conj H₋)/2 and yz
@@ -273,7 +277,12 @@ def _both_ways(both: Complex, planar: NDArray[np.bool_], pairs: list[tuple[Port,
     return np.where(turn == 0, same, turn * across)
 
 
-_WITHIN = {REDUCED: _modal, DIRECT: _direct, EXACT: _exact}
+# Receptances (speeds, pairs, frequencies) of pairs whose motions are of one group, by frequency.
+_WITHIN: dict[str, Callable[[Scene, frozenset[str], Pairs], Answered]] = {
+    REDUCED: _modal,
+    DIRECT: _direct,
+    EXACT: _exact,
+}
 
 
 def _quarter_turns(response: Port, excitation: Port) -> int:

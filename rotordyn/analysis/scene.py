@@ -61,6 +61,7 @@ class Scene(Statics):
         self.ports = ports
         self.taken: set[str] = set()
         self._hysteretic: dict[str, Hysteretic] = {}
+        self._nodes: dict[str | float | Place, int] = {}
 
     def beyond(self, factor: float) -> Scene:
         """The same machine with as many more vibrations as ``factor`` times the band would ask."""
@@ -148,7 +149,9 @@ class Scene(Statics):
     def node(self, at: str | float | Place) -> int:
         """The node of a named point, of a station on the shaft or of a place, among those of all
         rotors."""
-        return self.mesh.node_at(*self.spindle.place(at))
+        if at not in self._nodes:
+            self._nodes[at] = self.mesh.node_at(*self.spindle.place(at))
+        return self._nodes[at]
 
     @stage
     def rotor(self) -> LateralRotor:

@@ -215,14 +215,22 @@ class Whole:
 
     def rows(self, node: int) -> Array:
         """Of any node."""
-        name, x = self.shafts.place(node)
-        parts = [
-            deflections(shaft.spindle, shaft.elements, np.array([x]))
-            if own == name
-            else np.zeros((2, shaft.elements.size))
-            for own, shaft in self.shafts.of.items()
-        ]
-        return np.concatenate(parts, axis=1)
+        return self.rows_of([node])[0]
+
+    def rows_of(self, nodes: Sequence[int]) -> Array:
+        """Of some of them (nodes, 2, n)."""
+        rows = np.zeros((len(nodes), 2, self.size))
+        begin = 0
+        for name, span in self.shafts.mesh.spans.items():
+            shaft = self.shafts.of[name]
+            own = [k for k, node in enumerate(nodes) if span.start <= node < span.stop]
+            x = self.shafts.mesh.stations[np.array([nodes[k] for k in own], dtype=np.intp)]
+            size = shaft.elements.size
+            if own:
+                seen = deflections(shaft.spindle, shaft.elements, x)
+                rows[own, :, begin : begin + size] = seen.reshape(len(own), 2, size)
+            begin += size
+        return rows
 
     def dynamic(self, whirl: Whirl, force: Array | None, at: Mapping[int, Values]) -> _Assembled:
         """With matrices (2, 2, f or 1) added ``at`` nodes."""
@@ -248,8 +256,9 @@ class _Assembled:
         return np.ones(self.matrix.shape[-1])
 
     def motion(self, moved: Values, wanted: Collection[int]) -> Motion:
-        rows = self.coordinates.rows
-        return {node: np.tensordot(rows(node), moved, 1) for node in wanted}
+        nodes = list(wanted)
+        found = np.tensordot(self.coordinates.rows_of(nodes), moved, 1)
+        return dict(zip(nodes, found, strict=True))
 
 
 @dataclass(frozen=True, eq=False, slots=True)
