@@ -34,6 +34,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Pairs = list[tuple[Port, Port]]
 Answered = Callable[[Array], Complex]
+DIRECTLY = "direct receptance"  # the stage
 MOST_VALUES = 100_000_000
 UNDAMPED = 1e-9  # of the frequency: a pole so near to it has no damping
 BESIDE = 1e-8  # of the frequency, to either side of which a response is compared with its
@@ -245,7 +246,7 @@ def _direct(scene: Scene, group: frozenset[str], pairs: Pairs) -> Answered:
         both = receptance(system, np.concatenate([omega, -omega]), ends)
         return _both_ways(both, system.planar, pairs)
 
-    return lambda frequency: scene.timed("direct receptance", partial(answered, frequency))
+    return lambda frequency: scene.timed(DIRECTLY, partial(answered, frequency))
 
 
 def _exact(scene: Scene, group: frozenset[str], pairs: Pairs) -> Answered:

@@ -184,11 +184,14 @@ class MeasuredResponse(Description):
             yield NO_RESPONSE
 
 
+BENDS = {"bending"}
+
+
 def not_direct(asked: Collection[str], coupled: Collection[str]) -> str:
     """Why responses of the motions ``asked`` are not given directly, where some are ``coupled`` to
     one another or to housings; empty where they are."""
-    others = sorted(set(asked) - {"bending"})
-    if "bending" in coupled:
+    others = ["axial motion" if name == "axial" else name for name in sorted(set(asked) - BENDS)]
+    if BENDS & set(coupled):
         why = "and supports or housings join it to more here"
     elif others:
         why = f"not {' and '.join(others)}"

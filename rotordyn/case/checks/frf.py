@@ -56,7 +56,7 @@ def frf(
     known = len(supports) == len(spindle.supports)
     coupled = coupled_motions(supports) | _housed(spindle) if known else _ALL_MOTIONS
     if entry.method == DIRECT:
-        _bending(entry, coupled, root, faults)
+        _bending(entry, coupled if known else frozenset(), root, faults)
     seen: set[str] = set()
     for index, pair in enumerate(entry.pairs):
         way = (*WAY, "pairs", index)
