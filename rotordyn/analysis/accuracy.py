@@ -115,7 +115,7 @@ def receptance_error(
     if rest is None:
         return np.zeros(len(pairs))
     rows = np.linspace(0, len(found.pole) - 1, min(MOST_SPEEDS, len(found.pole))).round()
-    ends = _ends(_motion(scene, motion, elements=elements), scene, pairs)
+    ends = _ends(_motion(scene, motion), scene, pairs)
     worst = np.zeros(len(pairs))
     for place in np.unique(rows).astype(int):
         one = _at(scene, motion, place, elements=elements)
@@ -262,22 +262,20 @@ def _judged(pole: Complex, omega: Array) -> Array:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Motion:
-    """How the nodes move in the system of a motion: ``rows`` (nodes, 6, n), by its parts; and by
-    what they or the ``elements`` alone leave out."""
+    """How the nodes move in the system of a motion: ``rows`` (nodes, 6, n), by its parts."""
 
     rows: Array
     parts: Mapping[str, LateralSystem | RodSystem]
     folded: int | None
-    elements: bool
 
 
-def _motion(scene: Scene, motion: str, *, elements: bool = False) -> _Motion:
+def _motion(scene: Scene, motion: str) -> _Motion:
     system = scene.vibration(motion)[0]
     parts = system.parts if isinstance(system, CoupledSystem) else {motion: system}
     folded = None
     if isinstance(system, LateralSystem) and system.isotropic:
         folded = system.rotor.size
-    return _Motion(system.motion, parts, folded, elements)
+    return _Motion(system.motion, parts, folded)
 
 
 def _ends(
@@ -293,23 +291,19 @@ def _ends(
 
 def _end_at(motion: _Motion, node: int, direction: str) -> End:
     row = motion.rows[node, FREEDOMS.index(direction)]
-    seen = [
-        _seen(part, name, node, direction, motion.elements) for name, part in motion.parts.items()
-    ]
+    seen = [_seen(part, name, node, direction) for name, part in motion.parts.items()]
     if motion.folded is not None:
         row = row[: motion.folded] + row[motion.folded :]
     return End(row, np.concatenate(seen), 0 if direction in ("y", "thz") else 1)
 
 
-def _seen(
-    part: LateralSystem | RodSystem, motion: str, node: int, direction: str, elements: bool
-) -> Array:
+def _seen(part: LateralSystem | RodSystem, motion: str, node: int, direction: str) -> Array:
     """A node's freedom by what a part leaves out, zero if it is of another motion."""
     rest = part.remainder
     if rest is None:
         return np.zeros(0)
-    count = int(rest.finer.sum()) if elements else len(rest.own_mass)
-    if MOTIONS[direction] != motion or elements:  # what finer elements add vanishes at nodes
+    count = len(rest.own_mass)
+    if MOTIONS[direction] != motion:
         return np.zeros(count * part.planes)
     column = part.freedoms * node + (1 if motion == "bending" and direction in TILTS else 0)
     own = rest.at_nodes[:, column]

@@ -117,7 +117,8 @@ class Unbalanced:
     """Forces on what a system leaves out, at ``spin`` (speeds,) [rad/s].
 
     ``connected`` (r, c, k): the vectors left out at bearings and supports; ``pressed``
-    (speeds or 1, r, m): their coupling by the axial force.
+    (speeds or 1, r, m): their coupling by the axial force; ``counted`` (r,): 0 for those that shall
+    not answer, else 1.
     """
 
     system: Reduced
@@ -127,6 +128,7 @@ class Unbalanced:
     damped: Inexact
     connected: Array
     pressed: Array
+    counted: Array
 
     @classmethod
     def of(cls, system: Reduced, spin: Array, *, elements: bool = False) -> Unbalanced | None:
@@ -134,13 +136,15 @@ class Unbalanced:
         left_out = system.remainder
         if left_out is None:
             return None
-        left_out = left_out.of_elements if elements else left_out
         nodal = left_out.at_nodes.reshape(len(left_out.own_mass), -1, system.freedoms)
         at_ends = np.einsum("cn,rnf->rcf", system.connected, nodal, optimize=True)
         pressed = np.zeros((1, *left_out.mass.shape))
         if system.force is not None:
             pressed = np.tensordot(system.force, left_out.per_newton, 1)
-        return cls(system, left_out, spin, system.held, system.damped, at_ends, pressed)
+        counted = np.ones(len(left_out.own_mass))
+        if elements:  # what finer ones add vanishes at nodes
+            counted[left_out.at_nodes.any(axis=1)] = 0.0
+        return cls(system, left_out, spin, system.held, system.damped, at_ends, pressed, counted)
 
     @property
     def weightless(self) -> Array:
@@ -231,7 +235,7 @@ class Unbalanced:
         """1/(k + s² m) of every vector left out (speeds, p·r, k)."""
         own = self.remainder
         dynamic = own.own_stiffness[:, None] + (s * s)[:, None, :] * own.own_mass[:, None]
-        return np.concatenate([1.0 / dynamic] * self.system.planes, axis=1)
+        return np.concatenate([self.counted[:, None] / dynamic] * self.system.planes, axis=1)
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -10,7 +10,7 @@ elements would add, and the modes of the free rotor that the reduction did not k
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields, replace
+from dataclasses import dataclass, fields
 
 import numpy as np
 from numpy.typing import NDArray
@@ -30,8 +30,7 @@ class Remainder:
     ``own_stiffness`` (r,); ``at_nodes`` (r, 2·nodes): deflections and tilts of the mesh's nodes.
     ``per_newton`` (elements, r, m): coupling per newton of axial force in each element of the mesh
     (none for rods; what finer elements would add to it is left aside). ``rounding`` (m,): of the
-    stiffness of the coordinates themselves. ``finer`` (r,): vectors that finer elements would add;
-    the others are modes of these elements.
+    stiffness of the coordinates themselves.
     """
 
     mass: Array
@@ -42,15 +41,6 @@ class Remainder:
     at_nodes: Array
     per_newton: Array
     rounding: Array
-    finer: NDArray[np.bool_]
-
-    @property
-    def of_elements(self) -> Remainder:
-        """What the elements leave out, and not the coordinates."""
-        rows = ("mass", "stiffness", "polar", "own_mass", "own_stiffness", "at_nodes")
-        own = {name: getattr(self, name)[self.finer] for name in rows}
-        own |= {"per_newton": self.per_newton[:, self.finer], "finer": self.finer[self.finer]}
-        return replace(self, **own)
 
     def widened(self, more: int) -> Remainder:
         """Beside ``more`` further coordinates that couple with nothing left out."""
@@ -62,7 +52,6 @@ class Remainder:
             at_nodes=self.at_nodes,
             per_newton=np.pad(self.per_newton, ((0, 0), (0, 0), (0, more))),
             rounding=np.pad(self.rounding, (0, more)),
-            finer=self.finer,
         )
 
     def beside(self, others: Sequence[Remainder]) -> Remainder:
@@ -75,7 +64,7 @@ class Remainder:
         }
         rows = {
             n: np.concatenate([getattr(one, n) for one in every])
-            for n in ("own_mass", "own_stiffness", "rounding", "finer")
+            for n in ("own_mass", "own_stiffness", "rounding")
         }
         _, left_out, kept = self.per_newton.shape
         more = (len(rows["own_mass"]) - left_out, len(rows["rounding"]) - kept)
@@ -120,7 +109,6 @@ def _of_finer_elements(elements: Hierarchy, basis: RitzBasis, rows: int, pressed
         at_nodes=np.zeros((len(zero), rows)),
         per_newton=np.zeros((pressed, *zero.shape)),
         rounding=np.zeros(0),
-        finer=np.ones(len(zero), dtype=bool),
     )
 
 
@@ -140,5 +128,4 @@ def _of_modes(
         at_nodes=(displayed @ rest).T,
         per_newton=per_newton,
         rounding=basis.rounding,
-        finer=np.zeros(len(mass), dtype=bool),
     )
