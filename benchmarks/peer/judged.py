@@ -17,11 +17,11 @@ from benchmarks.peer.cases import (
     EXACT,
     RESPONSE,
     SETTINGS,
+    Setting,
     case,
     spindle,
 )
 from benchmarks.peer.dense import Dense, of_ours, of_theirs
-from rotordyn.analysis.specs import Conditions
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -41,44 +41,43 @@ def judged(kind: str, theirs: dict[str, Array]) -> dict[str, Any]:
     for work in RESPONSES:
         own = column if work == ALL else column[:, [[machine.INPUT]], :1]
         found["peer"][work] = response_errors(own.reshape(truth[work].shape), truth[work], peer)
-    for name, conditions in SETTINGS.items():
-        found[name] = _ours(kind, conditions, truth)
+    for name, setting in SETTINGS.items():
+        found[name] = _ours(kind, setting, truth)
     return found
 
 
-def _ours(kind: str, conditions: Conditions, truth: dict[str, Any]) -> dict[str, Any]:
+def _ours(kind: str, setting: Setting, truth: dict[str, Any]) -> dict[str, Any]:
     def dense(work: str, highest: float, spin: float) -> Dense:
+        conditions = setting.conditions
         accuracy = None if conditions.element_length is not None else conditions.accuracy
         return of_ours(spindle(kind, every_node=work == ALL), accuracy, highest, spin)
 
     found = {}
-    if conditions in ASKED[CAMPBELL]:
-        modes = our_modes(kind, conditions)
+    if setting in ASKED[CAMPBELL]:
+        modes = our_modes(kind, setting)
         own = dense(CAMPBELL, machine.BAND, machine.SPEEDS[-1])
         found[CAMPBELL] = mode_errors(modes, truth[CAMPBELL], own)
     for work in RESPONSES:
-        if conditions in ASKED[work]:
+        if setting in ASKED[work]:
             own = dense(work, machine.FREQUENCIES[-1], machine.SPEED)
-            response = our_response(work, kind, conditions)
+            response = our_response(work, kind, setting)
             found[work] = response_errors(response, truth[work], own)
     return found
 
 
-def our_modes(
-    kind: str, conditions: Conditions, speeds: tuple[float, ...] = SPEEDS
-) -> list[Complex]:
+def our_modes(kind: str, setting: Setting, speeds: tuple[float, ...] = SPEEDS) -> list[Complex]:
     """Poles of all modes of the band at every speed, by frequency; the last speed is the highest
     of the work, so that the elements are its own."""
-    found = rotordyn.run(case(CAMPBELL, kind, conditions, speeds))["campbell"]
+    found = rotordyn.run(case(CAMPBELL, kind, setting, speeds))["campbell"]
     frequency, ratio = found["frequency"].to_numpy(), found["damping_ratio"].to_numpy()
     pole = 2.0 * math.pi * frequency * (1j - ratio / np.sqrt(1.0 - ratio**2))
     rows = (row[np.isfinite(row)] for row in pole)
     return [row[np.argsort(row.imag)] for row in rows]
 
 
-def our_response(work: str, kind: str, conditions: Conditions) -> Complex:
+def our_response(work: str, kind: str, setting: Setting) -> Complex:
     """Motions of the nodes (frequencies, nodes, 4), or that of the input (frequencies, 1, 1)."""
-    found = rotordyn.run(case(work, kind, conditions, frequencies=SAMPLE))["frf"]
+    found = rotordyn.run(case(work, kind, setting, frequencies=SAMPLE))["frf"]
     values = found["receptance"].to_numpy()[0].T
     shape = (machine.NODES, len(machine.MOTIONS)) if work == ALL else (1, 1)
     return np.asarray(values.reshape(len(SAMPLE), *shape))

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -13,6 +13,7 @@ from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import Port
 from rotordyn.elements.node import FREEDOMS
 from rotordyn.machine.support import MOTIONS
+from rotordyn.numerics.answers import answers
 from rotordyn.numerics.modes import Modes
 from rotordyn.system.coupled import CoupledSystem
 from rotordyn.system.estimate import (
@@ -20,8 +21,8 @@ from rotordyn.system.estimate import (
     Joined,
     LeftOut,
     Unbalanced,
+    met,
     pole_shift,
-    receptance_shift,
     rounding_shift,
 )
 from rotordyn.system.hysteresis import Signs, gathered, signs_of
@@ -35,23 +36,26 @@ TILTS = ("thy", "thz")
 GRID = 24  # frequencies at which they are, besides those of the modes
 
 
-def left_out(scene: Scene, motion: str, signs: Signs | None = None) -> LeftOut | None:
+def left_out(
+    scene: Scene, motion: str, signs: Signs | None = None, *, elements: bool = False
+) -> LeftOut | None:
     """What the system that ``motion`` is part of leaves out; None of a rigid rotor.
 
-    ``signs``: of the motions that its supports answer with their loss factors, none if left out.
+    ``signs``: of the motions that its supports answer with their loss factors, none if left out;
+    ``elements``: what these leave out, and not the coordinates they are reduced to.
     """
     system, found = scene.answering(motion, signs) if signs else scene.vibration(motion)
     if isinstance(system, CoupledSystem):
         parts = {}
         for name, part in system.parts.items():
-            own = Unbalanced.of(part, _spin(scene, name, len(found.pole)))
+            own = Unbalanced.of(part, _spin(scene, name, len(found.pole)), elements=elements)
             if own is None:
                 return None
             parts[name] = own
         on = system.carried
         ground = None if on is None else Ground(on.held, on.damped, on.under, on.size)
         return Joined(parts, system.places, system.supports, system.at_supports, ground)
-    return Unbalanced.of(system, _spin(scene, motion, len(found.pole)))
+    return Unbalanced.of(system, _spin(scene, motion, len(found.pole)), elements=elements)
 
 
 def _spin(scene: Scene, motion: str, speeds: int) -> Array:
@@ -97,8 +101,12 @@ def receptance_error(
     pairs: Sequence[tuple[Port, Port]],
     frequency: Array,
     power: int = 0,
+    *,
+    elements: bool = False,
 ) -> Array:
     """Largest estimated error of each receptance over its peak (pairs,), of some speeds.
+
+    By what is left out, or by the ``elements`` alone.
 
     Judged at ``GRID`` frequencies and those next to the modes; zero for a rigid rotor. ``power`` of
     the frequency by which receptances are multiplied: 1 of mobility, 2 of inertance.
@@ -107,13 +115,12 @@ def receptance_error(
     if rest is None:
         return np.zeros(len(pairs))
     rows = np.linspace(0, len(found.pole) - 1, min(MOST_SPEEDS, len(found.pole))).round()
+    ends = _ends(_motion(scene, motion), scene, pairs)
     worst = np.zeros(len(pairs))
     for place in np.unique(rows).astype(int):
-        one = _at(scene, motion, place)
+        one = _at(scene, motion, place, elements=elements)
         omega = _judged(found.pole[place], 2.0 * math.pi * frequency)
-        for k, pair in enumerate(pairs):
-            ends = [_end(scene, motion, port) for port in pair]
-            worst[k] = max(worst[k], one.error(ends[1], ends[0], omega, power))
+        worst = np.maximum(worst, one.errors(ends, omega, power))
     return worst
 
 
@@ -130,14 +137,12 @@ def synchronous_change(
         return change
     one = _at(scene, "bending", place)
     s = np.array([1j * (ratio * scene.speed[scene.usable[place]] - one.frame)])
-    force = {n: [_end_at(scene, "bending", n, way) for way in "yz"] for n in {*nodes, *excited}}
-    for row, node in enumerate(nodes):
-        for column, at in enumerate(excited):
-            own = [one.change(f, r, s) for r in force[node] for f in force[at]]
-            forward = np.array([1.0, -1.0j])
-            turned = own[0] * forward if one.whirling else np.reshape(own, (2, 2)) @ forward
-            change[row, column] = turned
-    return change
+    motion = _motion(scene, "bending")
+    seen = {n: [_end_at(motion, n, way) for way in "yz"] for n in {*nodes, *excited}}
+    pairs = [(r, f) for n in nodes for at in excited for r in seen[n] for f in seen[at]]
+    own = one.receptances(pairs, s)[1].reshape(len(nodes), len(excited), 2, 2)
+    forward = np.array([1.0, -1.0j])
+    return own[..., 0, :1] * forward if one.whirling else own @ forward
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -149,23 +154,21 @@ class _OneSpeed:
     place: int
     frame: float
     whirling: bool
+    elements: bool
     known: dict[Signs | None, tuple[Modes, LeftOut]]
 
-    def error(self, force: End, response: End, omega: Array, power: int) -> float:
-        """Largest change of the receptance over its largest value at ``omega`` (f,)."""
-        if force.plane != response.plane and self._planar:
-            return 0.0
+    def errors(self, pairs: Sequence[tuple[End, End]], omega: Array, power: int) -> Array:
+        """Largest change of each receptance over its largest value at ``omega`` (f,) (pairs,)."""
         both = np.concatenate([omega, -omega]) if self.whirling else omega
-        value, change = self._receptance(force, response, np.asarray(1j * both))
+        value, change = self.receptances(pairs, np.asarray(1j * both))
+        turn = np.array([response.plane - force.plane for response, force in pairs])
         if self.whirling:
-            value, change = (_folded(v, force.plane, response.plane) for v in (value, change))
+            value, change = _folded(value, turn), _folded(change, turn)
         weight = omega**power
-        peak = float(np.abs(value * weight).max())
-        return float(np.abs(change * weight).max()) / peak if peak > 0.0 else 0.0
-
-    def change(self, force: End, response: End, s: Complex) -> complex:
-        """Change of the receptance at one ``s`` (1,); of whirl in the complex form."""
-        return complex(self._receptance(force, response, s)[1][0])
+        peak = np.abs(value * weight).max(axis=1)
+        most = np.abs(change * weight).max(axis=1)
+        told = (peak > 0.0) & ((turn == 0) | (not self._planar))
+        return np.where(told, most / np.where(told, peak, 1.0), 0.0)
 
     @property
     def _planar(self) -> bool:
@@ -183,16 +186,28 @@ class _OneSpeed:
             return 0.0
         return float(self.scene.speed[self.scene.usable[self.place]])
 
-    def _receptance(self, force: End, response: End, s: Complex) -> tuple[Complex, Complex]:
-        """Receptance and its change at ``s`` (f,)."""
-        value, change = np.zeros((2, len(s)), dtype=complex)
+    def receptances(self, pairs: Sequence[tuple[End, End]], s: Complex) -> tuple[Complex, Complex]:
+        """Receptances (response, force) and their changes at ``s`` (f,), (pairs, f) each.
+
+        Those with an end in common are had from the answer to a force there, or to one where the
+        response is taken, whichever are fewer.
+        """
+        forces, responses = ({id(pair[k]) for pair in pairs} for k in (1, 0))
+        given = 1 if len(forces) <= len(responses) else 0
+        side = 1.0 if given else -1.0
+        value, change = np.zeros((2, len(pairs), len(s)), dtype=complex)
         for signs, at in self._signs(s):
             found, rest = self._answering(signs)
-            given, taken = found.answers(s[at], force.row, response.row)
             seen = (s[at] + 1j * self.frame)[None]
-            ends = force.seen, response.seen
-            value[at] = response.row @ given
-            change[at] = receptance_shift(rest, seen, given[None], taken[None], ends)[0]
+            for own in _alike([pair[given] for pair in pairs]):
+                end = pairs[own[0]][given]
+                rows = np.array([pairs[k][1 - given].row for k in own])
+                others = np.array([pairs[k][1 - given].seen for k in own])
+                answer = answers(found, s[at], end.row[:, None], side)
+                moved, back = met(rest, seen, answer[None], end.seen, side)
+                value[np.ix_(own, at)] = rows @ answer
+                onward = rows @ answers(found, s[at], back[0], side)
+                change[np.ix_(own, at)] = onward - others @ moved[0]
         return value, change
 
     def _signs(self, s: Complex) -> Iterable[tuple[Signs | None, NDArray[np.bool_]]]:
@@ -206,28 +221,34 @@ class _OneSpeed:
         if signs not in self.known:
             scene, motion = self.scene, self.motion
             found = (scene.answering(motion, signs) if signs else scene.vibration(motion))[1]
-            rest = left_out(scene, motion, signs)
+            rest = left_out(scene, motion, signs, elements=self.elements)
             if rest is None:
                 raise ValueError("a rigid rotor leaves nothing out")
             self.known[signs] = found.at(np.array([self.place])), rest.at(self.place)
         return self.known[signs]
 
 
-def _folded(values: Complex, force: int, response: int) -> Complex:
-    """From whirl at ±ω to planes, as in ``frf``."""
-    plus, minus = np.split(values, 2)
-    turn = response - force
-    if turn == 0:
-        return np.asarray(0.5 * (plus + minus.conj()))
-    return np.asarray(-0.5j * turn * (plus - minus.conj()))
+def _alike(ends: Sequence[End]) -> Iterable[NDArray[np.intp]]:
+    """Places of each end in a list of them."""
+    found: dict[int, list[int]] = {}
+    for k, end in enumerate(ends):
+        found.setdefault(id(end), []).append(k)
+    return map(np.array, found.values())
 
 
-def _at(scene: Scene, motion: str, place: int) -> _OneSpeed:
+def _folded(values: Complex, turn: NDArray[np.intp]) -> Complex:
+    """From whirl at ±ω to planes, as in ``frf``; ``turn`` (pairs,): from which to which."""
+    plus, minus = np.split(values, 2, axis=1)
+    across = -0.5j * turn[:, None] * (plus - minus.conj())
+    return np.where(turn[:, None] == 0, 0.5 * (plus + minus.conj()), across)
+
+
+def _at(scene: Scene, motion: str, place: int, *, elements: bool = False) -> _OneSpeed:
     """The system of a motion at one of its speeds."""
     system = scene.vibration(motion)[0]
     frame = 0.0 if isinstance(system, CoupledSystem) else float(system.frame[place])
     whirling = isinstance(system, LateralSystem) and system.isotropic
-    return _OneSpeed(scene, motion, place, frame, whirling, {})
+    return _OneSpeed(scene, motion, place, frame, whirling, elements, {})
 
 
 def _judged(pole: Complex, omega: Array) -> Array:
@@ -239,20 +260,41 @@ def _judged(pole: Complex, omega: Array) -> Array:
     return np.unique(np.concatenate([grid, near]))
 
 
-def _end(scene: Scene, motion: str, port: Port) -> End:
-    """A port as the system of ``motion`` sees it."""
-    node = scene.node(port.point)
-    return _end_at(scene, motion, node, port.direction)
+@dataclass(frozen=True, eq=False, slots=True)
+class _Motion:
+    """How the nodes move in the system of a motion: ``rows`` (nodes, 6, n), by its parts."""
+
+    rows: Array
+    parts: Mapping[str, LateralSystem | RodSystem]
+    folded: int | None
 
 
-def _end_at(scene: Scene, motion: str, node: int, direction: str) -> End:
+def _motion(scene: Scene, motion: str) -> _Motion:
     system = scene.vibration(motion)[0]
-    row = system.motion[node, FREEDOMS.index(direction)]
     parts = system.parts if isinstance(system, CoupledSystem) else {motion: system}
-    seen = np.concatenate([_seen(part, n, node, direction) for n, part in parts.items()])
+    folded = None
     if isinstance(system, LateralSystem) and system.isotropic:
-        row = row[: system.rotor.size] + row[system.rotor.size :]
-    return End(row, seen, 0 if direction in ("y", "thz") else 1)
+        folded = system.rotor.size
+    return _Motion(system.motion, parts, folded)
+
+
+def _ends(
+    moved: _Motion, scene: Scene, pairs: Sequence[tuple[Port, Port]]
+) -> list[tuple[End, End]]:
+    """Ports as a system sees them, each once."""
+    known = {
+        port: _end_at(moved, scene.node(port.point), port.direction)
+        for port in {port for pair in pairs for port in pair}
+    }
+    return [(known[response], known[excitation]) for response, excitation in pairs]
+
+
+def _end_at(motion: _Motion, node: int, direction: str) -> End:
+    row = motion.rows[node, FREEDOMS.index(direction)]
+    seen = [_seen(part, name, node, direction) for name, part in motion.parts.items()]
+    if motion.folded is not None:
+        row = row[: motion.folded] + row[motion.folded :]
+    return End(row, np.concatenate(seen), 0 if direction in ("y", "thz") else 1)
 
 
 def _seen(part: LateralSystem | RodSystem, motion: str, node: int, direction: str) -> Array:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from functools import partial
 from typing import Any
 
@@ -10,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.accuracy import receptance_error
+from rotordyn.analysis.direct import direct_bending, end, receptance
 from rotordyn.analysis.display import RPM
 from rotordyn.analysis.formulation import ROTATING, turned
 from rotordyn.analysis.measured import measured_fields
@@ -21,7 +23,8 @@ from rotordyn.analysis.results import (
     TurningFrfResult,
 )
 from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import QUANTITIES, FrfSpec, Port
+from rotordyn.analysis.shaft import EXACT
+from rotordyn.analysis.specs import DIRECT, QUANTITIES, REDUCED, FrfSpec, Port, not_direct
 from rotordyn.elements.node import FREEDOMS
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.support import MOTIONS
@@ -29,10 +32,14 @@ from rotordyn.system.lateral import LateralSystem
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+Pairs = list[tuple[Port, Port]]
+Answered = Callable[[Array], Complex]
+DIRECTLY = "direct receptance"  # the stage
 MOST_VALUES = 100_000_000
 UNDAMPED = 1e-9  # of the frequency: a pole so near to it has no damping
 BESIDE = 1e-8  # of the frequency, to either side of which a response is compared with its
 PEAK, FEW = 1e5, 3  # of the smallest response, frequencies: to tell a peak by
+WIDE = 1e-6  # of the frequency, beyond which its neighbours are not on the same pole
 HIGHER = 10.0  # times what it is there: so near to a pole its size is nothing but rounding
 _KINDS: dict[str, type[FrequencyResponse]] = {
     kind.kind: kind for kind in (FrfResult, MobilityResult, InertanceResult)
@@ -69,11 +76,13 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
         ]
         if own:
             pairs = [spec.pairs[k] for k in own]
+            way = _way(scene, group, spec.method)
+            within = _WITHIN[way](scene, group, pairs)
             with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
-                values[:, own] = _within(scene, group, pairs, frequency)
-            _refuse_unlimited(scene, group, pairs, frequency, values[:, own])
-            if not (scene.bends_exactly and group == {"bending"}):
-                error[own] = receptance_error(scene, min(group), pairs, frequency, power)
+                values[:, own] = within(frequency)
+            suspects = partial(_near_poles, scene, group) if way == REDUCED else _high_peaks
+            _refuse_unlimited(scene, within, suspects, frequency, values[:, own])
+            error[own] = _error(way, scene, group, pairs, frequency, power)
     ends = scene.speed[scene.usable[[0, -1]]]
     slices = {int(np.abs(scene.speed - wanted).argmin()) for wanted in spec.slices or ends}
     values = scene.scattered(values * (2j * math.pi * frequency) ** power)
@@ -96,18 +105,21 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
 
 def _refuse_unlimited(
     scene: Scene,
-    group: frozenset[str],
-    pairs: list[tuple[Port, Port]],
+    within: Answered,
+    suspects: Callable[[Array, Complex], NDArray[np.bool_]],
     frequency: Array,
     values: Complex,
 ) -> None:
     """Raise InvalidInput where ``values`` (speeds, pairs, frequencies) have no limit: at the pole
-    of a motion without damping, or so slow that a free one's overflow."""
+    of a motion without damping, or so slow that a free one's overflow.
+
+    ``suspects``: frequencies (f,) that may lie on such a pole.
+    """
     lost = np.asarray(~np.isfinite(values).all(axis=1))
-    own = _suspects(scene, group, frequency, values)
+    own = suspects(frequency, values)
     if own.any() and not lost.any():
         near = frequency[own]
-        beside = [np.abs(_within(scene, group, pairs, near * (1.0 + s))) for s in (BESIDE, -BESIDE)]
+        beside = [np.abs(within(near * (1.0 + s))) for s in (BESIDE, -BESIDE)]
         lost[:, own] = (np.abs(values[..., own]) > HIGHER * np.maximum(*beside)).any(axis=1)
     if lost.any():
         row, column = np.argwhere(lost)[0]
@@ -119,14 +131,23 @@ def _refuse_unlimited(
         )
 
 
-def _suspects(
+def _high_peaks(frequency: Array, values: Complex) -> NDArray[np.bool_]:
+    """Where poles are not known: far above the frequencies beside, unless these are as near."""
+    size = np.abs(values)
+    high = size > PEAK * size.min(axis=-1, keepdims=True)
+    beside = np.zeros_like(size)
+    beside[..., 1:] = size[..., :-1]
+    beside[..., :-1] = np.maximum(beside[..., :-1], size[..., 1:])
+    apart = np.diff(frequency, prepend=-math.inf, append=math.inf) / WIDE
+    dense = np.minimum(apart[:-1], apart[1:]) < frequency
+    high &= dense | (size > HIGHER * beside)
+    return np.asarray(high.any(axis=(0, 1)) | (len(frequency) < FEW))
+
+
+def _near_poles(
     scene: Scene, group: frozenset[str], frequency: Array, values: Complex
 ) -> NDArray[np.bool_]:
-    """Frequencies (f,) that may lie on an undamped pole; of the exact shaft, every high peak."""
-    if scene.bends_exactly and group == {"bending"}:
-        size = np.abs(values)
-        high = size > PEAK * size.min(axis=-1, keepdims=True)
-        return np.asarray(high.any(axis=(0, 1)) | (len(frequency) < FEW))
+    """Where poles are known."""
     pole = scene.vibration(min(group))[1].pole
     own = np.unique(np.abs(pole.imag[np.abs(pole.real) <= UNDAMPED * np.abs(pole)]))
     omega = 2.0 * math.pi * frequency
@@ -137,6 +158,18 @@ def _suspects(
     return np.asarray(np.minimum(*gaps) <= UNDAMPED * omega)
 
 
+def _error(
+    way: str, scene: Scene, group: frozenset[str], pairs: Pairs, frequency: Array, power: int
+) -> Array | float:
+    """Estimated errors of pairs; the exact shaft has none."""
+    if way == REDUCED:
+        return receptance_error(scene, min(group), pairs, frequency, power)
+    if way == EXACT:
+        return 0.0
+    few = scene.seen_from(tuple({scene.spindle.place(e.point) for _, e in pairs}))
+    return receptance_error(few, "bending", pairs, frequency, power, elements=True)
+
+
 def _groups(scene: Scene) -> list[frozenset[str]]:
     """Motions that answer one another's forces."""
     coupled = scene.coupled_motions
@@ -144,20 +177,35 @@ def _groups(scene: Scene) -> list[frozenset[str]]:
     return [coupled, *alone] if coupled else alone
 
 
-def _within(
-    scene: Scene, group: frozenset[str], pairs: list[tuple[Port, Port]], frequency: Array
-) -> Complex:
-    """Receptance of pairs whose motions are of one group (speeds, pairs, frequencies)."""
+def _way(scene: Scene, group: frozenset[str], method: str) -> str:
+    """How pairs whose motions are of one group are answered.
+
+    Raises
+    ------
+    InvalidInput : directly, and they are not of bending alone
+    """
     if scene.bends_exactly and group == {"bending"}:
-        return scene.timed("exact receptance", partial(_exact, scene, pairs, frequency))
+        return EXACT
+    if method == DIRECT and (why := not_direct(group, scene.coupled_motions)):
+        raise InvalidInput(f"frf: {why}")
+    return REDUCED if scene.rigid else method
+
+
+def _modal(scene: Scene, group: frozenset[str], pairs: Pairs) -> Answered:
+    """By the reduced system."""
     system = scene.vibration(min(group))[0]
-    rows = [[_row(scene, system.motion, port) for port in pair] for pair in pairs]
+    motion = system.motion
+    rows = [[_row(scene, motion, port) for port in pair] for pair in pairs]
     response, excitation = np.array(rows).swapaxes(0, 1)
-    omega = 2.0 * math.pi * frequency
-    if isinstance(system, LateralSystem) and system.isotropic:
-        return _whirling(scene, system, omega, pairs, response, excitation)
-    # one speed serves all in torsion
-    return scene.receptance(min(group), omega, response, excitation)
+
+    def answered(frequency: Array) -> Complex:
+        omega = 2.0 * math.pi * frequency
+        if isinstance(system, LateralSystem) and system.isotropic:
+            return _whirling(scene, system, omega, pairs, response, excitation)
+        # one speed serves all in torsion
+        return scene.receptance(min(group), omega, response, excitation)
+
+    return answered
 
 
 def _row(scene: Scene, motion: Array, port: Port) -> Array:
@@ -170,7 +218,7 @@ def _whirling(
     scene: Scene,
     system: LateralSystem,
     omega: Array,
-    pairs: list[tuple[Port, Port]],
+    pairs: Pairs,
     response: Array,
     excitation: Array,
 ) -> Complex:
@@ -185,17 +233,38 @@ def _whirling(
     return _both_ways(both, planar, pairs)
 
 
-def _exact(scene: Scene, pairs: list[tuple[Port, Port]], frequency: Array) -> Complex:
-    """Receptance of the exact shaft."""
-    omega, points = 2.0 * math.pi * frequency, scene.spindle.points
+def _direct(scene: Scene, group: frozenset[str], pairs: Pairs) -> Answered:
+    """By the assembled matrices."""
+    system = direct_bending(scene)
+    known = {port: end(scene, port) for port in {port for pair in pairs for port in pair}}
+    ends = [(known[response], known[excitation]) for response, excitation in pairs]
+
+    def answered(frequency: Array) -> Complex:
+        omega = 2.0 * math.pi * frequency
+        if not system.whirling:
+            return receptance(system, omega, ends)
+        both = receptance(system, np.concatenate([omega, -omega]), ends)
+        return _both_ways(both, system.planar, pairs)
+
+    return lambda frequency: scene.timed(DIRECTLY, partial(answered, frequency))
+
+
+def _exact(scene: Scene, group: frozenset[str], pairs: Pairs) -> Answered:
+    """By the exact shaft."""
+    points = scene.spindle.points
     ends = [(points[r.point], r, points[e.point], e) for r, e in pairs]
-    if not scene.exact.isotropic:
-        return scene.exact.receptance(omega, ends)[0]
-    both, planar = scene.exact.receptance(np.concatenate([omega, -omega]), ends)
-    return _both_ways(both, planar, pairs)
+
+    def answered(frequency: Array) -> Complex:
+        omega = 2.0 * math.pi * frequency
+        if not scene.exact.isotropic:
+            return scene.exact.receptance(omega, ends)[0]
+        both, planar = scene.exact.receptance(np.concatenate([omega, -omega]), ends)
+        return _both_ways(both, planar, pairs)
+
+    return lambda frequency: scene.timed("exact receptance", partial(answered, frequency))
 
 
-def _both_ways(both: Complex, planar: NDArray[np.bool_], pairs: list[tuple[Port, Port]]) -> Complex:
+def _both_ways(both: Complex, planar: NDArray[np.bool_], pairs: Pairs) -> Complex:
     """Receptance from the complex form at ω and −ω, where a force in one plane turns both ways.
 
     With H± the answers at ±ω, yy and zz are (H₊ + conj H₋)/2, zy is −i (H₊ − conj H₋)/2 and yz
@@ -207,6 +276,14 @@ def _both_ways(both: Complex, planar: NDArray[np.bool_], pairs: list[tuple[Port,
     same, across = 0.5 * (plus + minus), -0.5j * (plus - minus)
     across[planar] = 0.0  # nothing couples the planes: not even rounding
     return np.where(turn == 0, same, turn * across)
+
+
+# Receptances (speeds, pairs, frequencies) of pairs whose motions are of one group, by frequency.
+_WITHIN: dict[str, Callable[[Scene, frozenset[str], Pairs], Answered]] = {
+    REDUCED: _modal,
+    DIRECT: _direct,
+    EXACT: _exact,
+}
 
 
 def _quarter_turns(response: Port, excitation: Port) -> int:

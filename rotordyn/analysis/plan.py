@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from rotordyn.analysis.frf import DIRECTLY
 from rotordyn.analysis.scene import Scene
 from rotordyn.system.lateral import LateralSystem
 
@@ -66,6 +67,11 @@ def _vibration(scene: Scene) -> Iterator[str]:
         yield (
             "every bearing and support answers alike in all directions: both planes of bending are "
             "one complex coordinate, half the unknowns"
+        )
+    if DIRECTLY in scene.seconds:
+        yield (
+            "responses asked for directly take no modes: nodes between forces and supports are "
+            "eliminated, pieces of shaft that are alike once"
         )
     unreduced = None if bending is None else bending.unreduced
     if unreduced is not None:

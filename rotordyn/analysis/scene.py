@@ -61,6 +61,7 @@ class Scene(Statics):
         self.ports = ports
         self.taken: set[str] = set()
         self._hysteretic: dict[str, Hysteretic] = {}
+        self._nodes: dict[str | float | Place, int] = {}
 
     def beyond(self, factor: float) -> Scene:
         """The same machine with as many more vibrations as ``factor`` times the band would ask."""
@@ -70,6 +71,15 @@ class Scene(Statics):
         still = {name for kind in Statics.__mro__ for name in vars(kind)}
         more.solved.update({n: value for n, value in self.solved.items() if n in still})
         return more
+
+    def seen_from(self, ports: tuple[Place, ...]) -> Scene:
+        """The same machine, its motion meant to be good at fewer places; this one if it is known
+        already."""
+        if "rotor" in self.solved:
+            return self
+        own = Scene(self.spindle, self.conditions, self.speed, self.max_frequency, ports)
+        own.solved.update(self.solved)
+        return own
 
     def adopt(self, other: Scene) -> None:
         """Take over what another scene has solved from the same inputs."""
@@ -139,7 +149,9 @@ class Scene(Statics):
     def node(self, at: str | float | Place) -> int:
         """The node of a named point, of a station on the shaft or of a place, among those of all
         rotors."""
-        return self.mesh.node_at(*self.spindle.place(at))
+        if at not in self._nodes:
+            self._nodes[at] = self.mesh.node_at(*self.spindle.place(at))
+        return self._nodes[at]
 
     @stage
     def rotor(self) -> LateralRotor:

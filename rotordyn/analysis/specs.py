@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Annotated
@@ -50,6 +50,7 @@ WEIGHT = ("none", "+x", "-x", "+y", "-y", "+z", "-z")
 MESH_FILES = ("vtu", "vtk", "xdmf", "glb", "stl", "ply", "obj", "off")
 MOST_TEETH = MOST_STEPS = 1000
 QUANTITIES = ("receptance", "mobility", "inertance")
+REDUCED, DIRECT = METHODS = ("reduced", "direct")
 Tangent = Annotated[str, Choice(TANGENTS)]
 
 
@@ -183,6 +184,22 @@ class MeasuredResponse(Description):
             yield NO_RESPONSE
 
 
+BENDS = {"bending"}
+
+
+def not_direct(asked: Collection[str], coupled: Collection[str]) -> str:
+    """Why responses of the motions ``asked`` are not given directly, where some are ``coupled`` to
+    one another or to housings; empty where they are."""
+    others = ["axial motion" if name == "axial" else name for name in sorted(set(asked) - BENDS)]
+    if BENDS & set(coupled):
+        why = "and supports or housings join it to more here"
+    elif others:
+        why = f"not {' and '.join(others)}"
+    else:
+        return ""
+    return f"method direct answers bending by itself, {why}: take method: reduced"
+
+
 @dataclass(frozen=True, slots=True)
 class FrfSpec(Description):
     """Responses between ``pairs`` (response, excitation) at every speed and frequency [Hz].
@@ -190,7 +207,9 @@ class FrfSpec(Description):
     ``quantity``: of ``QUANTITIES``: displacement, velocity or acceleration over force. ``measured``
     is laid over what is computed.
     ``slices``: speeds [rad/s] at which curves are drawn and UFF58 records written (nearest speed
-    of the case); none given = the lowest and the highest.
+    of the case); none given = the lowest and the highest. ``method``: of ``METHODS``, ``"reduced"``
+    (modes and static answers, with an estimate of what they leave out) or ``"direct"`` (the
+    assembled matrices at every frequency; bending only).
     """
 
     frequencies: tuple[Frequency, ...]
@@ -198,6 +217,7 @@ class FrfSpec(Description):
     slices: tuple[Speed, ...] = ()
     quantity: Annotated[str, Choice(QUANTITIES)] = QUANTITIES[0]
     measured: tuple[MeasuredResponse, ...] = ()
+    method: Annotated[str, Choice(METHODS)] = REDUCED
 
     def _faults(self) -> Iterator[str]:
         if not self.frequencies or not self.pairs:

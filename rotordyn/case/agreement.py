@@ -11,6 +11,7 @@ from rotordyn.analysis.on_joints import obstacles_of_joints
 from rotordyn.analysis.on_rotors import joined_along, obstacles_of_rotors
 from rotordyn.analysis.shaft import obstacles
 from rotordyn.analysis.specs import (
+    DIRECT,
     QUANTITIES,
     BearingMapSpec,
     CampbellSpec,
@@ -23,6 +24,7 @@ from rotordyn.analysis.specs import (
     StiffnessSpec,
     UnbalanceSpec,
     ascending,
+    not_direct,
 )
 from rotordyn.case.loads import misplaced, misplaced_unbalance, overheld, rotors_of, unheld
 from rotordyn.machine.held import RigidSupport
@@ -213,6 +215,9 @@ def _question(name: str, spec: Spec, spindle: Spindle, conditions: Conditions) -
 def _frf(name: str, spec: FrfSpec, spindle: Spindle, conditions: Conditions) -> Iterator[str]:
     if spec.quantity != QUANTITIES[0] and conditions.formulation == ROTATING:
         yield f"{name}: quantity: {turned(spec.quantity)}"
+    asked = {MOTIONS[port.direction] for pair in spec.pairs for port in pair}
+    if spec.method == DIRECT and (why := not_direct(asked, _coupled(spindle))):
+        yield f"{name}: method: {why}"
     for point in {port.point: None for pair in spec.pairs for port in pair}:
         yield from _exists(point, spindle.places, f"{name}: unknown point")
     for pair in spec.pairs:

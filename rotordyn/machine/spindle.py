@@ -89,7 +89,9 @@ class Spindle(Description):
         """Where a point's name, a station [m] on the spindle's shaft or a place is."""
         if isinstance(at, Place):
             return at
-        return self.places[at] if isinstance(at, str) else Place(SPINDLE, at)
+        if not isinstance(at, str):
+            return Place(SPINDLE, at)
+        return Place(SPINDLE, self.points[at]) if at in self.points else self.places[at]
 
     def part(self, name: str) -> Spindle:
         """A rotor by itself, as a spindle; the only one of a machine is that machine.

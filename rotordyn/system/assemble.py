@@ -103,14 +103,20 @@ def _jointed(spindle: Spindle, mesh: Mesh, blocks: Array) -> Array:
 
 def loaded_plane(spindle: Spindle, elements: Hierarchy) -> BendingPlane:
     """A bending plane of any elements, with what is lumped at their nodes."""
-    lumped, matrices = _Lumped.of(spindle, elements.mesh), elements.matrices()
-    at_nodes = {
+    (nodes, at_nodes), matrices = lumped_plane(spindle, elements.mesh), elements.matrices()
+    added = {n: _loaded(elements, matrices[n], nodes, b) for n, b in at_nodes.items()}
+    return BendingPlane(stiffness=matrices["stiffness"], **added)
+
+
+def lumped_plane(spindle: Spindle, mesh: Mesh) -> tuple[tuple[int, ...], dict[str, Array]]:
+    """Nodes of point masses and discs, and their matrices by name (bodies, 2, 2) in a bending
+    plane; a node may be named more than once."""
+    lumped = _Lumped.of(spindle, mesh)
+    return lumped.nodes, {
         "mass": lumped.mass(PLANE_Y),
         "polar": lumped.gyroscopic(PLANE_Y, PLANE_Z),
         "translational_mass": lumped.translational(PLANE_Y),
     }
-    added = {n: _loaded(elements, matrices[n], lumped.nodes, b) for n, b in at_nodes.items()}
-    return BendingPlane(stiffness=matrices["stiffness"], **added)
 
 
 def loaded_rod(spindle: Spindle, elements: Hierarchy, selection: Selection) -> RodMatrices:

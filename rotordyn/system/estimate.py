@@ -57,6 +57,7 @@ class LeftOut(Protocol):
     """What a reduced system leaves out: forces on it, and how it answers them."""
 
     def forces(self, s: Complex, vector: Complex, side: float) -> Complex: ...
+    def returned(self, s: Complex, moved: Complex, side: float) -> Complex: ...
     def answer(self, s: Complex) -> Complex: ...
     @property
     def weightless(self) -> Array: ...
@@ -91,18 +92,19 @@ def rounding_shift(
     return np.asarray(np.sqrt(digits + (own * left).sum(axis=1) * (own * right).sum(axis=1)))
 
 
-def receptance_shift(
-    left_out: LeftOut, s: Complex, given: Complex, taken: Complex, ends: tuple[Array, Array]
-) -> Complex:
-    """Change of receptances (speeds, f) at ``s`` (speeds, f).
+def met(
+    left_out: LeftOut, s: Complex, answer: Complex, end: Array, side: float
+) -> tuple[Complex, Complex]:
+    """What is left out moves by (speeds, r, f), and its forces back on the system (speeds, n, f).
 
-    ``given``, ``taken`` (speeds, n, f): answers to a unit force where it acts, and (as left
-    vectors) where the response is taken; ``ends``: what is left out, seen at these two (r,).
+    ``answer`` (speeds, n, f): of the system at ``s`` (speeds, f) to a unit force where what is left
+    out is seen as ``end`` (r,); ``side`` −1: as a left vector. With rows t and u of another end a
+    receptance changes by t Z⁻¹ F − u m, m the motion and F the forces: one more solution serves
+    all receptances that have an end in common.
     """
-    right = left_out.forces(s, given, 1.0) - ends[0][:, None]
-    left = left_out.forces(s, taken, -1.0) - ends[1][:, None]
-    missed = (left * right * left_out.answer(s)).sum(axis=1)
-    return np.asarray(missed + _lent(left_out, s, given, taken))
+    moved = (left_out.forces(s, answer, side) - end[:, None]) * left_out.answer(s)
+    lent = (s * s)[:, None, :] * left_out.weightless[:, None] * answer
+    return moved, left_out.returned(s, moved, side) + lent
 
 
 def _lent(left_out: LeftOut, s: Complex, right: Complex, left: Complex) -> Complex:
@@ -115,7 +117,8 @@ class Unbalanced:
     """Forces on what a system leaves out, at ``spin`` (speeds,) [rad/s].
 
     ``connected`` (r, c, k): the vectors left out at bearings and supports; ``pressed``
-    (speeds or 1, r, m): their coupling by the axial force.
+    (speeds or 1, r, m): their coupling by the axial force; ``counted`` (r,): 0 for those that shall
+    not answer, else 1.
     """
 
     system: Reduced
@@ -125,10 +128,11 @@ class Unbalanced:
     damped: Inexact
     connected: Array
     pressed: Array
+    counted: Array
 
     @classmethod
-    def of(cls, system: Reduced, spin: Array) -> Unbalanced | None:
-        """None where nothing is left out (a rigid rotor)."""
+    def of(cls, system: Reduced, spin: Array, *, elements: bool = False) -> Unbalanced | None:
+        """None where nothing is left out (a rigid rotor); ``elements``: by these alone."""
         left_out = system.remainder
         if left_out is None:
             return None
@@ -137,7 +141,10 @@ class Unbalanced:
         pressed = np.zeros((1, *left_out.mass.shape))
         if system.force is not None:
             pressed = np.tensordot(system.force, left_out.per_newton, 1)
-        return cls(system, left_out, spin, system.held, system.damped, at_ends, pressed)
+        counted = np.ones(len(left_out.own_mass))
+        if elements:  # what finer ones add vanishes at nodes
+            counted[left_out.at_nodes.any(axis=1)] = 0.0
+        return cls(system, left_out, spin, system.held, system.damped, at_ends, pressed, counted)
 
     @property
     def weightless(self) -> Array:
@@ -174,6 +181,32 @@ class Unbalanced:
         )
         return np.concatenate(forces, axis=1)
 
+    def returned(self, s: Complex, moved: Complex, side: float) -> Complex:
+        """Forces on the coordinates (speeds, n, k) of motions (speeds, p·r, k) of what is left out:
+        transposed to ``forces`` of the other side."""
+        spun = (s * self.spin[:, None])[:, None, :]
+        square = (s * s)[:, None, :]
+        polar = self.remainder.polar.T
+        if self.system.planes == 1:
+            own = self._plane_back(square, moved) - 1j * spun * (polar @ moved)
+            return np.asarray(own + self._held_back(s, moved[:, None], side)[:, 0])
+        y, z = np.split(moved, 2, axis=1)
+        held = self._held_back(s, np.stack([y, z], axis=1), side)
+        forces = (
+            self._plane_back(square, y) + side * spun * (polar @ z) + held[:, 0],
+            self._plane_back(square, z) - side * spun * (polar @ y) + held[:, 1],
+        )
+        return np.concatenate(forces, axis=1)
+
+    def _plane_back(self, square: Complex, moved: Complex) -> Complex:
+        own = self.remainder
+        still = np.swapaxes(own.stiffness + self.pressed, -1, -2) @ moved
+        return np.asarray(still + square * (own.mass.T @ moved))
+
+    def _held_back(self, s: Complex, moved: Complex, side: float) -> Complex:
+        rows, onto = self.connected.transpose(1, 2, 0), self.system.rows.transpose(2, 0, 1)
+        return self._between(s, moved, side, rows, onto)
+
     def _plane(self, square: Complex, vector: Complex) -> Complex:
         """Of stiffness and inertia within a plane."""
         own = self.remainder
@@ -182,21 +215,27 @@ class Unbalanced:
 
     def _held(self, s: Complex, vector: Complex, side: float) -> Complex:
         """Of bearings and supports (speeds, p, r, k) for motions (speeds, p, m, k) of p planes."""
-        moved = np.einsum("cim,spmk->scpik", self.system.rows, vector, optimize=True)
+        return self._between(s, vector, side, self.system.rows, self.connected)
+
+    def _between(
+        self, s: Complex, vector: Complex, side: float, rows: Array, onto: Array
+    ) -> Complex:
+        """Forces of bearings and supports on vectors that move as ``onto`` (b, c, i) there, of
+        motions (speeds, p, a, k) of vectors that do as ``rows`` (c, i, a)."""
+        moved = np.einsum("cia,spak->scpik", rows, vector, optimize=True)
         shape = moved.shape
         moved = moved.reshape(*shape[:2], shape[2] * shape[3], shape[-1])
         held, damped = self.held, self.damped
         if side < 0.0:
             held, damped = np.swapaxes(held, -1, -2), np.swapaxes(damped, -1, -2)
         force = held @ moved + (damped @ moved) * s[:, None, None, :]
-        force = force.reshape(shape)
-        return np.einsum("rci,scpik->sprk", self.connected, force, optimize=True)
+        return np.einsum("bci,scpik->spbk", onto, force.reshape(shape), optimize=True)
 
     def answer(self, s: Complex) -> Complex:
         """1/(k + s² m) of every vector left out (speeds, p·r, k)."""
         own = self.remainder
         dynamic = own.own_stiffness[:, None] + (s * s)[:, None, :] * own.own_mass[:, None]
-        return np.concatenate([1.0 / dynamic] * self.system.planes, axis=1)
+        return np.concatenate([self.counted[:, None] / dynamic] * self.system.planes, axis=1)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -220,6 +259,16 @@ class Ground:
             held, damped = np.swapaxes(held, -1, -2), np.swapaxes(damped, -1, -2)
         moved = np.einsum("cin,snk->scik", self.under, vector, optimize=True)
         return np.asarray(held @ moved + (damped @ moved) * s[:, None, None, :])
+
+    def returned(self, s: Complex, moved: Complex, side: float) -> Complex:
+        """Forces on the coordinates (speeds, n, k) of motions (speeds, c, 6, k) at connections, or
+        at supports alone where there are as many."""
+        moved = np.pad(moved, ((0, 0), (len(self.under) - moved.shape[1], 0), (0, 0), (0, 0)))
+        held, damped = self.held, self.damped
+        if side < 0.0:
+            held, damped = np.swapaxes(held, -1, -2), np.swapaxes(damped, -1, -2)
+        force = held @ moved + (damped @ moved) * s[:, None, None, :]
+        return np.einsum("cin,scik->snk", self.under, force, optimize=True)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -267,6 +316,24 @@ class Joined:
             found.append(own)
         return np.concatenate(found, axis=1)
 
+    def returned(self, s: Complex, moved: Complex, side: float) -> Complex:
+        """Forces on the coordinates (speeds, n, k) of motions (speeds, r, k) of what is left out:
+        transposed to ``forces`` of the other side."""
+        blocks = self.supports if side > 0.0 else np.swapaxes(self.supports, -1, -2)
+        size, count = self.motion.shape[-1], len(self.motion)
+        whole = np.zeros((len(moved), size, moved.shape[-1]), dtype=complex)
+        sizes = [len(part.answer(s)[0]) for part in self.parts.values()]
+        own = np.split(moved, np.cumsum(sizes)[:-1], axis=1)
+        for (name, part), mine in zip(self.parts.items(), own, strict=True):
+            whole[:, self.places[name]] += part.returned(s, mine, side)
+            ends = _at_connections(part, name, mine)
+            at = ends[:, ends.shape[1] - count :]
+            between = blocks[0] @ at + (blocks[1] @ at) * s[:, None, None, :]
+            whole += np.einsum("cin,scik->snk", self.motion, between, optimize=True)
+            if self.ground is not None:
+                whole -= self.ground.returned(s, ends, side)
+        return whole
+
     def answer(self, s: Complex) -> Complex:
         """1/(k + s² m) of every vector left out."""
         return np.concatenate([part.answer(s) for part in self.parts.values()], axis=1)
@@ -287,3 +354,15 @@ def _onto(part: Unbalanced, name: str, force: Complex) -> Complex:
     at_supports = part.connected[:, part.connected.shape[1] - force.shape[1] :]
     found = np.einsum("rci,scpik->sprk", at_supports, shaped, optimize=True)
     return found.reshape(len(force), -1, force.shape[-1])
+
+
+def _at_connections(part: Unbalanced, name: str, moved: Complex) -> Complex:
+    """Motion (speeds, c, 6, k) of nodes of bearings and supports by what a part leaves out, moved
+    by (speeds, p·r, k)."""
+    planes, places = part.system.planes, list(_ENDS[name])
+    shaped = moved.reshape(len(moved), planes, -1, moved.shape[-1])
+    found = np.einsum("rci,sprk->scpik", part.connected, shaped, optimize=True)
+    own = found.reshape(*found.shape[:2], len(places), -1)
+    whole = np.zeros((*own.shape[:2], 6, own.shape[-1]), dtype=complex)
+    whole[:, :, places] = own * _SIGNS[: len(places), None]
+    return whole

@@ -146,14 +146,7 @@ def lateral_system(
     ------
     InvalidInput : ``turning``, and a support does not answer alike in all directions
     """
-    k = np.concatenate(
-        [_seat_blocks(spindle, seat_stiffness), _support_blocks(spindle, speed, "stiffness")],
-        axis=1,
-    )
-    c = np.concatenate(
-        [_seat_dampers(spindle, len(speed)), _support_blocks(spindle, speed, "damping")],
-        axis=1,
-    )
+    k, c = connection_blocks(spindle, speed, seat_stiffness)
     rows = np.concatenate([rotor.seats, rotor.supports])
     own_stiffness = np.tile(np.diag(rotor.stiffness), (len(speed), 1, 1))
     if axial_force is not None:
@@ -163,12 +156,12 @@ def lateral_system(
     own_damping = np.diag(rotor.damping) + rotor.joints
     gyroscopic = speed[:, None, None] * rotor.polar
     internal = speed[:, None, None] * rotor.turning
-    alike = _alike(k) and _alike(c)
+    alike = are_alike(k) and are_alike(c)
     lossy = _hysteresis(spindle, rotor, rows, k, alike=alike)
     if alike:
-        stiffness = own_stiffness - 1j * internal + _gathered(rows, _complex(k))
-        damping = own_damping + _gathered(rows, _complex(c))
-        blocks = _complex(k), _complex(c)
+        stiffness = own_stiffness - 1j * internal + _gathered(rows, circular(k))
+        damping = own_damping + _gathered(rows, circular(c))
+        blocks = circular(k), circular(c)
         if turning:
             return replace(
                 _turned(rotor, speed, stiffness, damping, blocks),
@@ -201,6 +194,16 @@ def lateral_system(
     )
 
 
+def connection_blocks(spindle: Spindle, speed: Array, seat_stiffness: Array) -> tuple[Array, Array]:
+    """Stiffness and damping of bearings, then supports, in both planes (speeds, c, 4, 4)."""
+    stiffness = [
+        _seat_blocks(spindle, seat_stiffness),
+        _support_blocks(spindle, speed, "stiffness"),
+    ]
+    damping = [_seat_dampers(spindle, len(speed)), _support_blocks(spindle, speed, "damping")]
+    return np.concatenate(stiffness, axis=1), np.concatenate(damping, axis=1)
+
+
 def _hysteresis(
     spindle: Spindle, rotor: LateralRotor, rows: Array, held: Array, *, alike: bool
 ) -> Hysteresis | None:
@@ -213,7 +216,7 @@ def _hysteresis(
     turning, connections = np.diag(rotor.loss), np.array(spindle.connection_losses)
     lossy = connections[:, None, None] * held
     if alike:
-        return Hysteresis(_gathered(rows, _complex(lossy)), turning, None, connections)
+        return Hysteresis(_gathered(rows, circular(lossy)), turning, None, connections)
     across = _two_by_two(0.0 * turning, turning, -turning, 0.0 * turning)
     return Hysteresis(_gathered(_both(rows), lossy), _both(turning), across, connections)
 
@@ -275,7 +278,7 @@ def _support_blocks(spindle: Spindle, speed: Array, which: str) -> Array:
     return np.stack(blocks, axis=1) if blocks else np.zeros((len(speed), 0, 4, 4))
 
 
-def _alike(blocks: Array) -> bool:
+def are_alike(blocks: Array) -> bool:
     """True where both planes answer alike: blocks of the form [[P, Q], [−Q, P]], entry by entry."""
     return _equal(blocks[..., :2, :2], blocks[..., 2:, 2:]) and _equal(
         blocks[..., :2, 2:], -blocks[..., 2:, :2]
@@ -286,7 +289,7 @@ def _equal(a: Array, b: Array) -> bool:
     return bool((np.abs(a - b) <= ALIKE * np.maximum(np.abs(a), np.abs(b))).all())
 
 
-def _complex(blocks: Array) -> Complex:
+def circular(blocks: Array) -> Complex:
     """P − i Q of blocks [[P, Q], [−Q, P]] acting on r = y + i z."""
     return blocks[..., :2, :2] - 1j * blocks[..., :2, 2:]
 

@@ -244,7 +244,7 @@ def _alone(
 def _flexible(
     spindle: Spindle, mesh: Mesh, fineness: Fineness, ports: tuple[int, ...], tension: Stiffening
 ) -> _Reduced:
-    elements = _elements(spindle, mesh, fineness)
+    elements = bending_elements(spindle, mesh, fineness)
     plane = loaded_plane(spindle, elements)
     seen = deflections(spindle, elements, mesh.x)
     loads = seen[_loaded(spindle, mesh, ports)].T
@@ -299,7 +299,7 @@ def _shortening(one: Array, other: Array, mesh: Mesh) -> Array:
     return np.einsum("eq,eqa,eqb->eab", weight, *shaped, optimize=True)
 
 
-def _elements(spindle: Spindle, mesh: Mesh, fineness: Fineness) -> Hierarchy:
+def bending_elements(spindle: Spindle, mesh: Mesh, fineness: Fineness) -> Hierarchy:
     """Standard elements between all nodes, or those that the accuracy asks for."""
     if fineness.accuracy is None:
         return beams(spindle, mesh, np.ones(mesh.nodes - 1, dtype=np.intp))

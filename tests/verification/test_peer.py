@@ -52,7 +52,9 @@ def test_the_machine_has_60_equal_elements_and_5_bearings() -> None:
 def test_dense_matrices_are_those_of_every_freedom(kind: str) -> None:
     """Against the plain assembly, node by node, of the same 60 elements."""
     built = spindle(kind)
-    whole = FullRotor(built, build_mesh(built, SAME.element_length), NO_SEATS, machine.SPEED)
+    whole = FullRotor(
+        built, build_mesh(built, SAME.conditions.element_length), NO_SEATS, machine.SPEED
+    )
     ours = of_ours(built, None, TOP, machine.SPEED)
     few = ours.poles(machine.SPEED)[: machine.MODES]
     assert few == pytest.approx(whole.poles(TOP * 2)[: machine.MODES], rel=1e-7)
@@ -66,7 +68,7 @@ def test_dense_matrices_are_those_of_every_freedom(kind: str) -> None:
 
 @kinds
 def test_our_side_equals_a_dense_solve_where_that_is_asked(kind: str) -> None:
-    modes = of_ours(spindle(kind), FINE.accuracy, machine.BAND, machine.SPEEDS[-1])
+    modes = of_ours(spindle(kind), FINE.conditions.accuracy, machine.BAND, machine.SPEEDS[-1])
     found = our_modes(kind, FINE, SPEEDS[::4])
     dense = [modes.poles(spin)[:8] for spin in SPEEDS[::4]]
     errors = [
@@ -77,7 +79,7 @@ def test_our_side_equals_a_dense_solve_where_that_is_asked(kind: str) -> None:
     assert len(errors) == 8 * len(found) == 16
     assert max(errors) < 1e-9
     response = our_response(RESPONSE, kind, FINE)
-    whole = of_ours(spindle(kind), FINE.accuracy, TOP, machine.SPEED)
+    whole = of_ours(spindle(kind), FINE.conditions.accuracy, TOP, machine.SPEED)
     assert response_errors(response, response, whole)["discrete"] < 1e-9
 
 

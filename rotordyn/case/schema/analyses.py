@@ -8,6 +8,7 @@ from pydantic import BeforeValidator, ConfigDict, Field, PlainValidator, WithJso
 
 from rotordyn.analysis.specs import (
     MESH_FILES,
+    METHODS,
     MOST_STEPS,
     MOST_TEETH,
     QUANTITIES,
@@ -137,6 +138,7 @@ class FrfEntry(Entry):
     pairs: Annotated[list[PairEntry], Field(min_length=1)] = []
     matrix: ResponseMatrixEntry | None = None
     slices: list[Speed] = []
+    method: Annotated[str, choice(*METHODS)] = METHODS[0]
     measured: list[MeasuredEntry] = []
 
     @property

@@ -84,6 +84,7 @@ MEANINGS: dict[str, dict[str, str]] = {
         "pairs": "which responses to which forces; these or `matrix`, or both",
         "matrix": "lists instead: every response to every excitation",
         "slices": "speeds drawn as curves and written as UFF58 (nearest speed of the case)",
+        "method": "by modes, or all freedoms solved ([which](theory/analyses.md#two-methods))",
         "measured": "measured responses laid over ([how](theory/analyses.md#measured-responses))",
     },
     "pair": {

@@ -1,0 +1,221 @@
+"""Responses by the assembled matrices: against dense solves, the exact shaft, the reduced basis."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.linalg import eigh
+
+from rotordyn.analysis.direct import direct_bending, end
+from rotordyn.analysis.frf import answer
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import Conditions, FrfSpec
+from rotordyn.machine.damping import RayleighDamping
+from rotordyn.machine.drawbar import Drawbar
+from rotordyn.machine.joint import Joint
+from rotordyn.machine.spindle import Spindle
+from rotordyn.system import direct
+from rotordyn.system.assemble import loaded_plane
+from rotordyn.system.dofs import LATERAL
+from rotordyn.system.hierarchic_rotor import bending_hierarchy
+from rotordyn.system.mesh import build_mesh
+from tests.oracles.coaxial import COAXIAL
+from tests.oracles.full_rotor import FullRotor
+from tests.oracles.rotors import STEPPED, support
+from tests.oracles.spindles import RPM, mfw2310, pairs, with_sleeve
+from tests.oracles.stepped_rotors import stepped_rotor
+
+BAND = tuple(np.linspace(3.0, 3000.0, 120))
+ASKED = pairs("tip.y/tip.y", "mid.z/tip.y", "tip.thy/mid.z", "end.thz/mid.y")
+POINTS = {"tip": -0.05, "mid": 0.11, "end": 0.27}
+EVEN = (support("front", 0.0, (8e7, 8e7), 300.0), support("rear", 0.2, (6e7, 6e7), 200.0))
+UNEVEN = (
+    support("front", 0.0, (8e7, 5e7, 6e6), 300.0),
+    replace(
+        support("rear", 0.2, (6e7, 6e7), 200.0),
+        stiffness={("y", "y"): 6e7, ("z", "z"): 4e7, ("y", "z"): 9e6, ("z", "y"): -4e6},
+    ),
+)
+SKEW = tuple(replace(s, stiffness={**s.stiffness, ("y", "z"): 5e6, ("z", "y"): -5e6}) for s in EVEN)
+ROTOR = replace(STEPPED, points=POINTS, supports=EVEN)
+
+
+def response(spindle: Spindle, rpm: float, method: str, asked: Any = ASKED, **more: Any) -> Any:
+    """The result, by one of the methods."""
+    ports = tuple({spindle.place(port.point) for pair in asked for port in pair})
+    scene = Scene(spindle, Conditions(**more), np.array([rpm * RPM]), BAND[-1], ports)
+    return answer(scene, FrfSpec(BAND, asked, method=method))
+
+
+def values(result: Any) -> np.ndarray:
+    """(pairs, frequencies)"""
+    kind = "receptance" if hasattr(result, "receptance") else "turning_receptance"
+    return getattr(result, kind)[0]
+
+
+def apart(one: Any, other: Any) -> float:
+    """Largest difference over the peak of each pair."""
+    a, b = (x if isinstance(x, np.ndarray) else values(x) for x in (one, other))
+    return float((np.abs(a - b).max(axis=1) / np.abs(b).max(axis=1)).max())
+
+
+@pytest.mark.parametrize("ratios", [(), (0.02, 0.05)], ids=["plain", "modal"])
+@pytest.mark.parametrize("supports", [EVEN, SKEW, UNEVEN], ids=["even", "skew", "uneven"])
+def test_a_dense_solve_of_four_freedoms_a_node(supports: tuple, ratios: tuple) -> None:
+    """Assembled otherwise: both planes node by node, no circular coordinates."""
+    spindle = replace(ROTOR, supports=supports, rotor_damping=ratios)
+    length = 0.011
+    found = response(spindle, 20000.0, "direct", element_length=length)
+    mesh = build_mesh(spindle, length)
+    full = FullRotor(spindle, mesh, np.zeros((0, 6, 6)), 20000.0 * RPM, LATERAL)
+    ends = [
+        tuple(full.row(spindle.points[port.point], port.direction) for port in pair)
+        for pair in ASKED
+    ]
+    assert apart(found, full.receptance(ends, np.array(BAND))) < 1e-9
+
+
+def test_a_spindle_under_axial_force_and_on_bearings() -> None:
+    """Of the flagship, tension in the shaft by its drawbar included."""
+    spindle = mfw2310(rotor_damping=(), drawbar=Drawbar(2e4, 0.02, 0.3, (0.15,)))
+    asked = pairs("Oc2.y/Oc2.y", "Oc1.z/Oc2.y")
+    ports = tuple({spindle.place(port.point) for pair in asked for port in pair})
+    conditions = Conditions(element_length=0.02)
+    scene = Scene(spindle, conditions, np.array([18000.0 * RPM]), BAND[-1], ports)
+    found = answer(scene, FrfSpec(BAND, asked, method="direct"))
+    force = scene.bending_force()
+    full = FullRotor(
+        spindle, scene.mesh, scene.seat_stiffness[0], scene.speed[0], LATERAL, force[0]
+    )
+    ends = [
+        tuple(full.row(spindle.points[port.point], port.direction) for port in pair)
+        for pair in asked
+    ]
+    assert apart(found, full.receptance(ends, np.array(BAND))) < 1e-9
+
+
+def machines() -> dict[str, tuple[Spindle, dict[str, Any]]]:
+    """Everything that bending may have, with its conditions."""
+    hinge = Joint("hinge", 0.05, radial=3e8, tilt=4e5, radial_damping=200.0, tilt_damping=1.0)
+    tilting = Joint("flange", 0.15, tilt=6e5)
+    lossy = (replace(UNEVEN[0], loss_factor=0.03), UNEVEN[1])
+    fixed = (replace(EVEN[0], stiffness={**EVEN[0].stiffness, ("x", "x"): 1e8}), EVEN[1])
+    grown = RayleighDamping(20.0, 2e-6)
+    coaxial = replace(COAXIAL, points={"tip": 0.0, "mid": 0.254, "end": 0.508}, rayleigh=grown)
+    sprung = with_sleeve(mfw2310(rotor_damping=()), "front", radial_stiffness=2e8, mass=0.7)
+    light = with_sleeve(mfw2310(rotor_damping=()), "front", radial_stiffness=2e8)
+    places = {"tip": 0.0, "mid": 0.15, "end": 0.3}
+    return {
+        "rayleigh": (replace(ROTOR, rayleigh=grown, internal_damping=0.4), {}),
+        "rayleigh, uneven": (replace(ROTOR, supports=UNEVEN, rayleigh=grown), {}),
+        "modal": (replace(ROTOR, rotor_damping=(0.01, 0.03), internal_damping=0.3), {}),
+        "joints": (replace(ROTOR, joints=(hinge, tilting)), {}),
+        "joints, uneven": (replace(ROTOR, joints=(hinge,), supports=UNEVEN), {}),
+        "loss factors": (replace(ROTOR, loss_factor=0.02), {}),
+        "loss factors, uneven": (replace(ROTOR, loss_factor=0.02, supports=lossy), {}),
+        "softened": (replace(ROTOR, supports=UNEVEN), {"formulation": "fixed-frame softening"}),
+        "turning": (replace(ROTOR, supports=SKEW), {"formulation": "rotating"}),
+        "turning, lossy": (replace(ROTOR, loss_factor=0.02), {"formulation": "rotating"}),
+        "two rotors": (coaxial, {}),
+        "sleeve": (replace(sprung, points=places), {}),
+        "sleeve without mass": (replace(light, points=places), {}),
+        "pulled": (replace(ROTOR, supports=fixed), {"axial_force": -3e4}),
+    }
+
+
+MACHINES = machines()
+
+
+@pytest.mark.parametrize("kind", MACHINES)
+def test_elimination_is_the_whole_matrix(kind: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    """By elements joined one after another, and by all freedoms at once, joints counted from the
+    front."""
+    spindle, more = MACHINES[kind]
+    found = response(spindle, 15000.0, "direct", **more)
+    monkeypatch.setattr(direct, "DOUBTFUL", -1.0)
+    assert apart(found, response(spindle, 15000.0, "direct", **more)) < 1e-9
+
+
+@pytest.mark.parametrize("kind", MACHINES)
+def test_the_reduced_basis_comes_to_the_same(kind: str) -> None:
+    """As more of its modes are kept. Modal damping of coordinates is not quite that of modes; a
+    sleeve without mass is lent one."""
+    spindle, more = MACHINES[kind]
+    found, other = (
+        response(spindle, 15000.0, method, accuracy=1e-8, **more)
+        for method in ("direct", "reduced")
+    )
+    rough = {"modal": 2e-7, "sleeve without mass": 3e-8}
+    assert apart(other, found) < rough.get(kind, 2e-10)
+
+
+@pytest.mark.parametrize("supports", [EVEN, UNEVEN], ids=["even", "uneven"])
+def test_told_errors_are_those_of_the_elements(supports: tuple) -> None:
+    """Against the exact shaft."""
+    spindle = replace(ROTOR, supports=supports)
+    exact = response(spindle, 20000.0, "reduced", shaft="exact")
+    for more in ({"accuracy": 1e-3}, {"accuracy": 1e-5}, {"element_length": 0.04}):
+        found = response(spindle, 20000.0, "direct", **more)
+        true = np.abs(values(found) - values(exact)).max(axis=1)
+        true = true / np.abs(values(exact)).max(axis=1)
+        assert true.max() > 1e-8
+        assert np.abs(np.log(found.error / true)).max() < math.log(3.0)
+
+
+@settings(max_examples=15)
+@given(seed=st.integers(0, 10_000), isotropic=st.booleans(), speed=st.floats(0.0, 30_000.0))
+def test_random_rotors(seed: int, isotropic: bool, speed: float) -> None:
+    """Stubby and slender sections side by side: elimination against all freedoms at once, to what
+    rounding of the stiffest element does to the softest support."""
+    spindle = stepped_rotor(np.random.default_rng(seed), isotropic=isotropic, sections=4)
+    calm = tuple(
+        replace(s, damping={way: 1e-3 * k for way, k in s.stiffness.items()})
+        for s in spindle.supports
+    )
+    points = {"tip": 0.0, "mid": 0.4 * spindle.shaft.end}
+    spindle = replace(spindle, points=points, supports=calm, rayleigh=RayleighDamping(0.0, 1e-5))
+    asked = pairs("tip.y/tip.y", "mid.z/tip.y", "mid.y/mid.y", "tip.z/mid.z")
+    scene = Scene(spindle, Conditions(), np.array([speed * RPM]), 1000.0, ())
+    system = direct_bending(scene)
+    ends = [(end(scene, r), end(scene, e)) for r, e in asked]
+    omega = 2.0 * math.pi * np.geomspace(1.0, 1000.0, 12)
+    found = system.receptance(0, omega, ends)
+    whole, _ = system._solved(0, omega, ends, direct.Whole(system.shafts), ())
+    stiff = loaded_plane(spindle, system.shafts.of["spindle"].elements).stiffness.max()
+    soft = min(held for own in spindle.supports for held in own.stiffness.values())
+    rounding = np.finfo(float).eps * stiff / soft
+    assert np.abs(found - whole).max() <= max(1e-9, 1e3 * rounding) * np.abs(whole).max()
+
+
+def clamped_frequency(spindle: Spindle, accuracy: float) -> float:
+    """Lowest of the shaft at rest with the nodes held at which something acts [Hz]."""
+    elements = bending_hierarchy(spindle, 2.0 * math.pi * BAND[-1], 0.0, accuracy)
+    plane = loaded_plane(spindle, elements)
+    fixed = [elements.mesh.node_of(x) for x in (POINTS["tip"], *(s.x for s in spindle.supports))]
+    free = np.setdiff1d(np.arange(elements.size), [2 * n + k for n in fixed for k in (0, 1)])
+    squares = eigh(plane.stiffness[np.ix_(free, free)], plane.mass[np.ix_(free, free)])[0]
+    return math.sqrt(squares[0]) / (2.0 * math.pi)
+
+
+def test_where_a_part_resonates_by_itself(monkeypatch: pytest.MonkeyPatch) -> None:
+    """There elimination is not trusted, rightly."""
+    asked = pairs("tip.y/tip.y")
+    spindle = replace(ROTOR, supports=UNEVEN)
+    clamped = clamped_frequency(spindle, 1e-4)
+    spec = FrfSpec((clamped * (1.0 - 1e-3), clamped), asked, method="direct")
+    ports = (spindle.place("tip"),)
+    scene = Scene(spindle, Conditions(), np.array([0.0]), BAND[-1], ports)
+    found = answer(scene, spec).receptance[0, 0]
+    monkeypatch.setattr(direct, "DOUBTFUL", math.inf)
+    lost = answer(scene, spec).receptance[0, 0]
+    monkeypatch.setattr(direct, "DOUBTFUL", -1.0)
+    whole = answer(scene, spec).receptance[0, 0]
+    assert found == pytest.approx(whole, rel=1e-9)
+    assert lost[0] == pytest.approx(whole[0], rel=1e-9)
+    assert abs(lost[1] / whole[1] - 1.0) > 1e-9
