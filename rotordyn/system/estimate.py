@@ -136,7 +136,7 @@ class Unbalanced:
         at_ends = np.einsum("cn,rnf->rcf", system.connected, nodal, optimize=True)
         pressed = np.zeros((1, *left_out.mass.shape))
         if system.force is not None:
-            pressed = np.tensordot(system.force, left_out.per_newton, 1)
+            pressed = left_out.per_newton.under(system.force)
         return cls(system, left_out, spin, system.held, system.damped, at_ends, pressed)
 
     @property
