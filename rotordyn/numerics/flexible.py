@@ -52,6 +52,14 @@ class Problem:
         """n."""
         return len(self.rigid)
 
+    def below(self, omega: float) -> int:
+        """Eigenvalues below ``omega``²; 0 where they cannot be counted."""
+        return self.count(omega**2) or 0
+
+    def count(self, bound: float) -> int | None:
+        """Eigenvalues below ``bound``; None where they cannot be counted."""
+        return count_below(self.stiffness, self.mass, bound, self.order)
+
 
 @dataclass(frozen=True, eq=False)
 class Flexible:
@@ -207,7 +215,7 @@ def _eigenvectors(problem: Problem, cutoff: float) -> tuple[Array, Array, float]
     that counts as many below it."""
     rigid = orthonormal(problem.mass, problem.rigid)
     still = rigid.shape[1]
-    wanted = max(_count(problem, cutoff**2) or 0, LEAST_MODES) - still
+    wanted = max(problem.below(cutoff), LEAST_MODES) - still
     for _ in range(ROUNDS):
         vectors, values = _lanczos(problem, Flexible.of(problem, rigid), wanted + 1)
         kept = max(int(np.searchsorted(values, cutoff**2)), LEAST_MODES - still)
@@ -215,7 +223,7 @@ def _eigenvectors(problem: Problem, cutoff: float) -> tuple[Array, Array, float]
             wanted = kept
             continue
         above = float(values[kept - 1] + BETWEEN * (values[kept] - values[kept - 1]))
-        counted = _count(problem, above)
+        counted = problem.count(above)
         if counted is None or counted == kept + still:
             low = orthonormal(problem.mass, np.concatenate([rigid, vectors[:, :kept]], axis=1))
             proven = 0.0 if counted is None else above
@@ -225,10 +233,6 @@ def _eigenvectors(problem: Problem, cutoff: float) -> tuple[Array, Array, float]
         "the vibrations of the free rotor cannot be told from one another to the last one: its "
         "sections differ by more than its matrices keep; join or leave out what hardly matters"
     )
-
-
-def _count(problem: Problem, bound: float) -> int | None:
-    return count_below(problem.stiffness, problem.mass, bound, problem.order)
 
 
 def _lanczos(problem: Problem, flexible: Flexible, count: int) -> tuple[Array, Array]:

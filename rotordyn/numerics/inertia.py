@@ -7,6 +7,8 @@ has missed is seen.
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -29,8 +31,28 @@ def count_below(
     return None
 
 
+def condensed(
+    matrix: Matrix, chosen: NDArray[np.intp], others: NDArray[np.intp]
+) -> NDArray[np.float64]:
+    """A symmetric matrix of compressed rows on its ``chosen`` rows, nothing acting on the
+    ``others``, which are eliminated in this order; NaN where these are not positive definite."""
+    own = matrix[chosen][:, chosen].toarray()
+    factors = _eliminated(matrix[others][:, others])
+    if factors is None or (factors.U.diagonal() <= 0.0).any():
+        return np.full_like(own, np.nan)
+    across = matrix[others][:, chosen].toarray()
+    return np.asarray(own - across.T @ factors.solve(across))
+
+
 def _pivots(matrix: Matrix) -> NDArray[np.float64] | None:
     """Of a symmetric elimination that exchanges nothing; None where it cannot be done."""
+    factors = _eliminated(matrix)
+    pivots = None if factors is None else factors.U.diagonal()
+    return pivots if pivots is not None and np.isfinite(pivots).all() and pivots.all() else None
+
+
+def _eliminated(matrix: Matrix) -> Any:
+    """Factors L U without any exchange, or None."""
     from scipy.sparse.linalg import splu
 
     try:
@@ -43,7 +65,5 @@ def _pivots(matrix: Matrix) -> NDArray[np.float64] | None:
     except RuntimeError:  # singular to the last bit
         return None
     every = np.arange(matrix.shape[0])
-    if (factors.perm_r != every).any() or (factors.perm_c != every).any():
-        return None
-    pivots = factors.U.diagonal()
-    return pivots if np.isfinite(pivots).all() and pivots.all() else None
+    exchanged = (factors.perm_r != every).any() or (factors.perm_c != every).any()
+    return None if exchanged else factors

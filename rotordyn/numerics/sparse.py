@@ -15,7 +15,8 @@ Array = NDArray[np.float64]
 Indices = NDArray[np.intp]
 Matrix = Any  # NDArray[np.float64], or csr_array of scipy.sparse
 Part = tuple[Indices, Indices, Array]
-LARGE = 1000  # freedoms from which compressed rows are faster
+LARGE = 250  # freedoms from which few vectors of all are found faster in compressed rows
+LONG = 1000  # from which a chain is stored in them
 
 
 def summed(shape: tuple[int, int], parts: Iterable[Part], *, large: bool) -> Matrix:

@@ -20,7 +20,7 @@ from rotordyn.elements.shear import shear_coefficient
 from rotordyn.elements.timoshenko import shaft_element
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
-from rotordyn.numerics.sparse import LARGE, Matrix, is_sparse, summed
+from rotordyn.numerics.sparse import LONG, Matrix, is_sparse, summed
 from rotordyn.system.dofs import ALL, AXIAL, PLANE_Y, PLANE_Z, TORSION, Selection
 from rotordyn.system.hierarchy import Hierarchy
 from rotordyn.system.jumps import hinged
@@ -155,7 +155,7 @@ def chain(blocks: Array) -> Matrix:
     elements, width = len(blocks), blocks.shape[-1] // 2
     rows = width * np.arange(elements)[:, None] + np.arange(2 * width)
     size = (elements + 1) * width
-    return summed((size, size), [(rows, rows, blocks)], large=size >= LARGE)
+    return summed((size, size), [(rows, rows, blocks)], large=size >= LONG)
 
 
 def add_at_nodes(matrix: Matrix, nodes: Sequence[int], blocks: Array) -> Matrix:

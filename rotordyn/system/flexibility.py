@@ -13,16 +13,20 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.flexible import Problem, ritz_basis_of_large
 from rotordyn.numerics.reduction import RitzBasis, ritz_basis
-from rotordyn.numerics.sparse import Matrix
+from rotordyn.numerics.sparse import Matrix, filled
 from rotordyn.system.hierarchic_rotor import bending_rigidities
 from rotordyn.system.hierarchy import Hierarchy
 
 Array = NDArray[np.float64]
 Answer = Callable[[Array], Array]
 AT_ONCE = 32  # loads, whose fields are kept small
+MANY = 8  # vectors made for each vibration or load that is kept, about
+MOST_DENSE = 6000  # freedoms; a dozen matrices of that size are 3.5 GB
+MOST_ENTRIES = 400_000_000  # of such vectors, 3.2 GB
 
 
 class Matrices(Protocol):
@@ -45,10 +49,25 @@ def free_vectors(
     fields: Callable[[], Sequence[Matrix]] = tuple,
 ) -> RitzBasis:
     """The few vectors that carry a motion: of all eigenvectors, or of a large rotor from its static
-    ``answer`` (``numerics.flexible``), the rest of which shall answer ``fields``."""
+    ``answer`` (``numerics.flexible``), the rest of which shall answer ``fields``.
+
+    Raises
+    ------
+    InvalidInput : they do not fit into memory
+    """
     if not elements.large:
         return ritz_basis(own.mass, own.stiffness, cutoff, loads, rigid, couplings)
     problem = Problem(own.mass, own.stiffness, rigid, answer(), elements.order)
+    many = MANY * (problem.below(cutoff) + loads.shape[1])
+    if many > problem.size and problem.size <= MOST_DENSE:
+        dense = [filled(coupling) for coupling in couplings]
+        return ritz_basis(filled(own.mass), filled(own.stiffness), cutoff, loads, rigid, dense)
+    if many * problem.size > MOST_ENTRIES:
+        raise InvalidInput(
+            f"{many / MANY:.0f} vibrations and loads of a rotor of {problem.size} freedoms are too "
+            f"many; allowed: up to {MOST_ENTRIES / MANY / problem.size:.0f}; ask for lower "
+            "frequencies or less accuracy, or join sections that are alike"
+        )
     return ritz_basis_of_large(problem, cutoff, loads, couplings, fields())
 
 

@@ -313,8 +313,8 @@ def _shortening(one: Array, other: Array, mesh: Mesh, *, large: bool) -> Pressed
     """∫ v′ v′ dx over each element of two sets of weighted slopes at its Gauss points."""
     if large:
         return Slopes(one, other)
-    count = mesh.nodes - 1
-    shaped = (slope.reshape(count, -1, slope.shape[1]) for slope in (one, other))
+    each = mesh.nodes - 1, len(points(GAUSS)[0])
+    shaped = (slope.reshape(*each, slope.shape[1]) for slope in (one, other))
     return Table(np.einsum("eqa,eqb->eab", *shaped, optimize=True))
 
 

@@ -147,7 +147,7 @@ def _mesh(spindle: Spindle, longest: float) -> Mesh:
             "sections that are alike, or ask for longer elements"
         )
     stations = _merged(shaft, placed)
-    x = np.concatenate([*(_divided(*ends, longest) for ends in pairwise(stations)), stations[-1:]])
+    x = _divided(stations, longest)
     sections = shaft.sections_at((x[1:] + x[:-1]) / 2.0)
     return Mesh(
         x=x,
@@ -180,21 +180,27 @@ def _placed(spindle: Spindle) -> Iterator[tuple[str, float]]:
 
 def _merged(shaft: Shaft, placed: Sequence[tuple[str, float]]) -> Array:
     """All stations in order, those that coincide only once; section boundaries have precedence."""
-    tolerance = COINCIDENT * (shaft.end - shaft.start)
+    edges = shaft.boundaries
+    start, end = edges[0], edges[-1]
+    tolerance = COINCIDENT * (end - start)
     for name, x in placed:
-        if not shaft.start - tolerance <= x <= shaft.end + tolerance:
-            raise InvalidInput(
-                f"{name} at x = {x:g} m is off the shaft ({shaft.start:g} to {shaft.end:g} m)"
-            )
-    kept: list[float] = []
-    for x in (shaft.start, shaft.end, *shaft.boundaries, *sorted(x for _, x in placed)):
+        if not start - tolerance <= x <= end + tolerance:
+            raise InvalidInput(f"{name} at x = {x:g} m is off the shaft ({start:g} to {end:g} m)")
+    kept = list(edges)
+    more = sorted(x for _, x in placed)
+    if (np.diff(edges) <= tolerance).any():
+        kept, more = [start, end], [*edges, *more]
+    for x in more:
         place = bisect_left(kept, x)
         if all(abs(x - other) > tolerance for other in kept[max(place - 1, 0) : place + 1]):
             kept.insert(place, x)
     return np.array(kept)
 
 
-def _divided(left: float, right: float, longest: float) -> Array:
-    """Nodes from ``left`` on, ``right`` excluded."""
-    parts = max(1, math.ceil((right - left) / longest * (1.0 - COINCIDENT)))
-    return np.linspace(left, right, parts, endpoint=False, dtype=np.float64)
+def _divided(stations: Array, longest: float) -> Array:
+    """Nodes at ``stations``, and at equal distances between them that do not exceed ``longest``."""
+    span = np.diff(stations)
+    parts = np.maximum(1, np.ceil(span / longest * (1.0 - COINCIDENT))).astype(np.intp)
+    number = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
+    inside = number * np.repeat(span / parts, parts) + np.repeat(stations[:-1], parts)
+    return np.concatenate([inside, stations[-1:]])

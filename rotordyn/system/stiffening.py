@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from rotordyn.elements.plane_bending import axial_force_stiffness, shear_parameter
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
-from rotordyn.numerics.sparse import LARGE, Matrix, summed
+from rotordyn.numerics.sparse import LONG, Matrix, summed
 from rotordyn.system.assemble import chain, shear_coefficients
 from rotordyn.system.mesh import Mesh
 
@@ -47,7 +47,7 @@ class Stiffening:
         size, sign = 2 * nodes, np.array([[1.0, -1.0], [-1.0, 1.0]])
         ends = np.array([(2 * left, 2 * right) for left, right, _ in self.spans])
         stiffness = np.array([stiffness for *_, stiffness in self.spans])[:, None, None]
-        return summed((size, size), [(ends, ends, stiffness * sign)], large=size >= LARGE)
+        return summed((size, size), [(ends, ends, stiffness * sign)], large=size >= LONG)
 
     def bar(self, rows: Array) -> Array:
         """Stiffness of the drawbar (m, m), nodes moving by ``rows`` (nodes, 2, m)."""
