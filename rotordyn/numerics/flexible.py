@@ -29,6 +29,8 @@ Array = NDArray[np.float64]
 Answer = Callable[[Array], Array]
 BETWEEN = 0.9  # of the way from the last eigenvalue kept to the next, where they are counted
 ROUNDS = 3
+CLEARLY_NEW = 1e-5, 1e-4, 1e-3, 1e-2  # of their length: what vectors must add to the others
+ROUNDING = 1e-6
 NEAR = 1e-3  # relative: how well a norm is known
 SEED = 1
 
@@ -173,7 +175,7 @@ def ritz_basis_of_large(
     vectors = np.concatenate([low, added], axis=1)[:, order]
     asked = [problem.mass @ added, *(field @ vectors for field in fields)]
     known = np.concatenate([low, added], axis=1), np.concatenate([low_forces, forces], axis=1)
-    rest, rest_values, share = _rest(problem, flexible, known, added_values, asked)
+    rest, rest_values, share = _rest(problem, flexible, known, added_values, asked, above)
     coupling = np.concatenate([np.zeros((len(rest_values), len(values))), share], axis=1)
     rounding = HALF_DIGIT * np.sqrt(problem.size) * both[order]
     return RitzBasis(
@@ -194,20 +196,26 @@ def _rest(
     known: tuple[Array, Array],
     values: Array,
     asked: Sequence[Array],
+    above: float,
 ) -> tuple[Array, Array, Array]:
     """Ritz vectors (n, r) of the answers added, of ``values`` (l,), and of those to loads
-    ``asked``, their values (r,), and RᵀM of the answers added (r, l)."""
+    ``asked``, their values (r,), and RᵀM of the answers added (r, l).
+
+    A value that is not ``above`` shows that vectors were taken for new that rounding tells apart.
+    """
     loads = flexible.unanswered(np.concatenate(asked, axis=1))
     loads = loads[:, np.abs(loads).max(axis=0, initial=0.0) > 0.0]
     answers = flexible.free(problem.held(loads))
-    none = np.zeros((0, loads.shape[1]))
-    more, forces, _ = completed(problem.mass, *known, answers, loads, none)
-    count = len(values)
+    none, count = np.zeros((0, loads.shape[1])), len(values)
     added = known[0][:, known[0].shape[1] - count :]
-    across, own = added.T @ forces, more.T @ forces
-    inner = np.block([[np.diag(values), across], [across.T, (own + own.T) / 2.0]])
-    rest_values, turn = np.linalg.eigh(inner)
-    return np.concatenate([added, more], axis=1) @ turn, rest_values, turn[:count].T
+    for new in CLEARLY_NEW:
+        more, forces, _ = completed(problem.mass, *known, answers, loads, none, new)
+        across, own = added.T @ forces, more.T @ forces
+        inner = np.block([[np.diag(values), across], [across.T, (own + own.T) / 2.0]])
+        rest_values, turn = np.linalg.eigh(inner)
+        if (rest_values > above * (1.0 - ROUNDING)).all():
+            return np.concatenate([added, more], axis=1) @ turn, rest_values, turn[:count].T
+    return added, values, np.eye(count)
 
 
 def _eigenvectors(problem: Problem, cutoff: float) -> tuple[Array, Array, float]:

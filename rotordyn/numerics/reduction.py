@@ -217,12 +217,18 @@ def _definite(mass: Array, stiffness: Array, shift: float) -> tuple[float, Array
 
 
 def completed(
-    mass: Matrix, low: Array, low_forces: Array, answers: Array, forces: Array, met: Array
+    mass: Matrix,
+    low: Array,
+    low_forces: Array,
+    answers: Array,
+    forces: Array,
+    met: Array,
+    new: float = NEW,
 ) -> tuple[Array, Array, Array]:
     """M-orthonormal span of what ``answers`` (n, l) add to the vectors ``low``, and K times it.
 
     ``low_forces``, ``forces``: K times these and the answers; ``met`` (r, l): what other modes have
-    of them, returned for the span likewise. What is rounding is dropped.
+    of them, returned for the span likewise. What is rounding, less than ``new``, is dropped.
     """
     size = _norms(mass, answers)
     answers, forces, met = answers / size, forces / size, met / size
@@ -231,10 +237,10 @@ def completed(
         answers = answers - low @ share
         forces = forces - low_forces @ share
         size = _norms(mass, answers)
-        new = size > NEW  # small ones may still differ much
-        answers, forces, met = (a[:, new] / size[new] for a in (answers, forces, met))
+        clear = size > new  # small ones may still differ much
+        answers, forces, met = (a[:, clear] / size[clear] for a in (answers, forces, met))
         values, turn = np.linalg.eigh(answers.T @ mass @ answers)
-        keep = values > NEW**2
+        keep = values > new**2
         turn = turn[:, keep] / np.sqrt(values[keep])
         answers, forces, met = answers @ turn, forces @ turn, met @ turn
     return answers, forces, met
