@@ -94,14 +94,13 @@ class Flexible:
 class Outside:
     """All that a basis leaves out of a large problem, at its ``rows`` of several side by side.
 
-    ``flexible``: by its eigenvectors; ``added`` (n, l) and ``forces`` (n, l): the answers that it
-    has besides, AᵀK A = diag(``values``), and K · added. ``above``: no eigenvalue left out is lower.
+    ``flexible``: by its eigenvectors; ``added`` A (n, l): the answers that it has besides,
+    AᵀK A = diag(``values``). ``above``: no eigenvalue left out is lower.
     """
 
     rows: slice
     flexible: Flexible
     added: Array
-    forces: Array
     values: Array
     above: float
 
@@ -186,7 +185,7 @@ def ritz_basis_of_large(
         coupling[:, order],
         rounding,
         0.0,
-        (Outside(slice(0, problem.size), flexible, added, forces, added_values, above),),
+        (Outside(slice(0, problem.size), flexible, added, added_values, above),),
     )
 
 

@@ -63,9 +63,7 @@ class RitzBasis:
         added = answers[:, np.abs(answers).max(axis=0, initial=0.0) > 0.0]
         whole = np.linalg.qr(added, mode="complete")[0] if added.size else np.eye(len(root))
         turn = whole[:, added.shape[1] :] / root
-        return Complement(
-            self.rest @ turn, turn.T @ turn, turn.T @ self.rest_mass, self.outside
-        )
+        return Complement(self.rest @ turn, turn.T @ turn, turn.T @ self.rest_mass, self.outside)
 
 
 def side_by_side(bases: Sequence[RitzBasis]) -> RitzBasis:

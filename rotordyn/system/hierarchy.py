@@ -82,7 +82,7 @@ class Hierarchy:
         return np.argsort(np.concatenate([nodal, inner, last]), kind="stable")
 
     def rows(self, elements: Degrees) -> Degrees:
-        """All freedoms of ``elements`` (e,) of one degree, in the order of their matrices (e, k)."""
+        """All freedoms of ``elements`` (e,) of one degree, as their matrices have them (e, k)."""
         nodal = self.width * elements[:, None] + np.arange(2 * self.width)
         inner = np.arange(self.inner(int(self.degree[elements[0]])))
         return np.concatenate([nodal, self.first[elements][:, None] + inner], axis=1)
@@ -169,7 +169,8 @@ class Hierarchy:
             kept, new = self.added(degree, degree + LEVELS)
             for start in range(0, len(every), AT_ONCE):
                 elements = every[start : start + AT_ONCE]
-                blocks, moved = self.element(elements, degree + LEVELS), self._moved(basis, elements)
+                blocks = self.element(elements, degree + LEVELS)
+                moved = self._moved(basis, elements)
                 part = {
                     name: (block[:, new][:, :, kept] @ moved).reshape(-1, basis.shape[1])
                     for name, block in blocks.items()

@@ -304,9 +304,7 @@ def _weighted_slopes(spindle: Spindle, elements: Hierarchy, mesh: Mesh) -> Matri
     xi, weight = points(GAUSS)
     half = mesh.length[:, None] / 2.0
     places = mesh.middle[:, None] + half * xi
-    return scaled_rows(
-        slopes(spindle, elements, places.ravel()), np.sqrt(weight * half).ravel()
-    )
+    return scaled_rows(slopes(spindle, elements, places.ravel()), np.sqrt(weight * half).ravel())
 
 
 def _shortening(one: Array, other: Array, mesh: Mesh, *, large: bool) -> Pressed:

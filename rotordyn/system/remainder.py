@@ -144,9 +144,7 @@ def _gathered(elements: Hierarchy, basis: RitzBasis) -> dict[str, Array]:
     }
 
 
-def _of_modes(
-    basis: RitzBasis, matrices: dict[str, Matrix], displayed: Matrix
-) -> dict[str, Array]:
+def _of_modes(basis: RitzBasis, matrices: dict[str, Matrix], displayed: Matrix) -> dict[str, Array]:
     """Modes of the free rotor above those kept."""
     rest = basis.rest
     mass = basis.rest_mass

@@ -131,4 +131,3 @@ class Unreduced:
 
     def _widened(self, matrix: Array) -> Array:
         return np.pad(matrix, ((0, 0), (0, self.more)))
-

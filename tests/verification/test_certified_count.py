@@ -157,7 +157,9 @@ def test_more_modes_are_taken_where_the_count_is_not_proven(
     )
     asked: list[float] = []
     whole = lateral_rotor.free_vectors
-    monkeypatch.setattr(lateral_rotor, "free_vectors", lambda *a: (asked.append(a[3]), whole(*a))[1])
+    monkeypatch.setattr(
+        lateral_rotor, "free_vectors", lambda *a: (asked.append(a[3]), whole(*a))[1]
+    )
     result = answered(rotor, [100.0], 6000.0)
     assert result.certified.all()
     assert len(asked) > 1

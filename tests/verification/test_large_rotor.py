@@ -80,7 +80,9 @@ MACHINES = {
     "free": wavy(90, supports=()),
     "with joint, mass and drawbar": wavy(
         90,
-        joints=(Joint("cone", 0.35, radial=8e8, tilt=5e6, axial=9e8, torsion=6e5, tilt_damping=20.0),),
+        joints=(
+            Joint("cone", 0.35, radial=8e8, tilt=5e6, axial=9e8, torsion=6e5, tilt_damping=20.0),
+        ),
         masses=(PointMass("wheel", 0.7, 5.0, 0.04, 0.02),),
         drawbar=Drawbar(20000.0, 0.02, 0.6, (0.3,)),
     ),
@@ -206,7 +208,9 @@ def test_a_vibration_that_lanczos_misses_is_counted(monkeypatch: pytest.MonkeyPa
         scene(rotor, (0.0,), 2000.0).rotor  # noqa: B018
     always = False
     dropped.clear()
-    np.testing.assert_allclose(modes(rotor, (0.0,), 2000.0).frequency, expected.frequency, rtol=1e-9)
+    np.testing.assert_allclose(
+        modes(rotor, (0.0,), 2000.0).frequency, expected.frequency, rtol=1e-9
+    )
 
 
 def test_a_mode_that_the_basis_lacks_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -236,5 +240,5 @@ def test_too_many_vibrations_are_refused_before_they_are_sought(
 ) -> None:
     monkeypatch.setattr(flexibility, "MOST_ENTRIES", 100_000)
     monkeypatch.setattr(flexibility, "MOST_DENSE", 0)
-    with pytest.raises(InvalidInput, match="vibrations and loads of a rotor of .* are too many"):
+    with pytest.raises(InvalidInput, match=r"vibrations and loads of a rotor of .* are too many"):
         modes(uniform(1.0, 0.02, supports=[support("a", 0.0, (1e7, 1e7))]), (0.0,), 9e4)
