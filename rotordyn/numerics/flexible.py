@@ -24,6 +24,7 @@ from rotordyn.numerics.reduction import (
     orthonormal,
 )
 from rotordyn.numerics.sparse import Matrix
+from rotordyn.numerics.threads import linear_algebra_alone
 
 Array = NDArray[np.float64]
 Answer = Callable[[Array], Array]
@@ -115,23 +116,12 @@ class Outside:
 
     def norm(self, matrix: Matrix) -> float:
         """The same of a semi-definite matrix (n of all, n of all)."""
-        from scipy.sparse.linalg import LinearOperator, eigsh
-
         own = matrix[self.rows][:, self.rows]
         trace = float(own.diagonal().sum())
         if trace == 0.0:
             return 0.0
-        own, shape = own * np.sign(trace), own.shape
-        found = eigsh(
-            own,
-            k=1,
-            M=own,
-            sigma=0.0,
-            OPinv=LinearOperator(shape, matvec=self._answer, dtype=np.float64),
-            v0=np.random.default_rng(SEED).standard_normal(shape[0]),
-            tol=NEAR,
-            return_eigenvectors=False,
-        )
+        start = np.random.default_rng(SEED).standard_normal(own.shape[0])
+        found, _ = _lowest(own * np.sign(trace), self._answer, start, 1, NEAR)
         return float((1.0 + 10.0 * NEAR) / found[0])
 
     def _answer(self, load: Array) -> Array:
@@ -244,23 +234,29 @@ def _eigenvectors(problem: Problem, cutoff: float) -> tuple[Array, Array, float]
 
 def _lanczos(problem: Problem, flexible: Flexible, count: int) -> tuple[Array, Array]:
     """The ``count`` lowest eigenvectors (n, count) that bend, and their values, ascending."""
-    from scipy.sparse.linalg import LinearOperator, eigsh
-
-    shape = (problem.size, problem.size)
     start = np.random.default_rng(SEED).standard_normal((problem.size, 1))
-    answer = LinearOperator(
-        shape, matvec=lambda load: flexible(load.reshape(-1, 1)).ravel(), dtype=np.float64
+
+    def answer(load: Array) -> Array:
+        return flexible(load.reshape(-1, 1)).ravel()
+
+    values, vectors = _lowest(
+        problem.mass, answer, flexible(problem.mass @ start).ravel(), count, 0.0
     )
-    values, vectors = eigsh(
-        problem.stiffness,
-        k=count,
-        M=problem.mass,
-        sigma=0.0,
-        OPinv=answer,
-        v0=flexible(problem.mass @ start).ravel(),
-    )
-    order = np.argsort(values)
-    vectors = flexible.free(vectors[:, order])
+    vectors = flexible.free(vectors[:, np.argsort(values)])
     vectors = orthonormal(problem.mass, vectors)
     inverse = np.einsum("ij,ij->j", vectors, problem.mass @ flexible(problem.mass @ vectors))
     return vectors, 1.0 / inverse
+
+
+def _lowest(
+    mass: Matrix, answer: Answer, start: Array, count: int, tolerance: float
+) -> tuple[Array, Array]:
+    """λ (count,) and φ (n, count) of the lowest K φ = λ M φ, from ``answer`` (n,) -> (n,)."""
+    from scipy.sparse.linalg import LinearOperator, eigsh
+
+    inverse = LinearOperator(mass.shape, matvec=answer, dtype=np.float64)
+    with linear_algebra_alone():  # its library of linear algebra may have come just now
+        found: tuple[Array, Array] = eigsh(
+            mass, count, M=mass, sigma=0.0, OPinv=inverse, v0=start, tol=tolerance
+        )
+    return found
