@@ -61,7 +61,8 @@ def scaling_figure(found: dict[str, Lines]) -> Figure:
     )
     time.loglog(sizes, [line["seconds"] for line in lines], "o-", color=BLUE, ms=4.0, label="call")
     _target(time, MOST_SECONDS)
-    memory.loglog(sizes, [line["memory"] for line in lines], "o-", color=BLUE, ms=4.0)
+    memory.plot(sizes, [line["memory"] for line in lines], "o-", color=BLUE, ms=4.0)
+    memory.set_ylim(bottom=0.0)
     _target(memory, MOST_MEGABYTES)
     _straight(time, sizes, lines[-1]["seconds"])
     for name, (colour, look) in LOOKS.items():
@@ -71,7 +72,8 @@ def scaling_figure(found: dict[str, Lines]) -> Figure:
         others.loglog(ratio, spent, look, color=colour, ms=4.0, label=name)
     others.loglog([1.0, 16.0], [1.0, 16.0], ":", color=GREY, lw=1.0, label="linear")
     for axes, title in ((time, "a shaft's modes"), (memory, "the same"), (others, "other sweeps")):
-        plain_ticks(axes)
+        if axes is not memory:
+            plain_ticks(axes)
         axes.set_title(title, fontsize=8.0, pad=4.0)
     legend(time, loc="upper left")
     legend(others, loc="upper left")
