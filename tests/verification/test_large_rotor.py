@@ -114,6 +114,20 @@ def test_receptances_agree_both_ways(both_ways: Any) -> None:
     np.testing.assert_allclose(few, dense, rtol=0.0, atol=1e-8 * np.abs(dense).max())
 
 
+@pytest.mark.parametrize("name", MACHINES)
+def test_norms_of_all_that_is_left_out(name: str, both_ways: Any) -> None:
+    """What the count of modes is proven by, against singular values of all eigenvectors."""
+
+    def norms() -> list[float]:
+        own = scene(MACHINES[name], (0.0,), 2000.0).rotor.unreduced
+        return [own.mass_norm, own.polar_norm, own.slope_norm]  # type: ignore[union-attr]
+
+    dense, few = np.array(both_ways(norms))
+    assert (few[1:] >= dense[1:] * (1.0 - 1e-9)).all()
+    np.testing.assert_allclose(few[1:], dense[1:], rtol=0.02)
+    assert dense[0] * (1.0 - 1e-9) <= few[0] < 1.0 / (HZ * 8000.0) ** 2
+
+
 def test_vectors_and_the_rest_are_orthonormal() -> None:
     """In mass, and in stiffness with each other's values; the rest holds what was added."""
     own = scene(wavy(400), (0.0,), 2000.0).rotor.unreduced
