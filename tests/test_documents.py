@@ -55,6 +55,8 @@ GENERATED = {
             *(f"bearing-{n}" for n in ("first", "methods", "tolerance", "strides", "hertz")),
             "frf",
             "study",
+            "scaling-sections",
+            "scaling",
             *(f"peer-{n}" for n in ("versions", "times", "errors", "starts")),
             "random",
             "random-dense",
@@ -285,6 +287,7 @@ def test_figures_are_there_and_small() -> None:
     assert set(images) == {
         "bearing_error.png",
         "precision.png",
+        "scaling.png",
         *(f"mfw2310_{name}.png" for name in SHOWN),
     }
     assert sum(path.stat().st_size for path in images.values()) < 400_000

@@ -12,6 +12,7 @@ from scipy.linalg import eigvals, solve
 from benchmarks.peer import machine
 from rotordyn.elements.support import node_matrix
 from rotordyn.machine.spindle import Spindle
+from rotordyn.numerics.sparse import filled
 from rotordyn.system.assemble import loaded_plane
 from rotordyn.system.dofs import BOTH_PLANES
 from rotordyn.system.hierarchic_rotor import beams, bending_hierarchy, deflections
@@ -72,8 +73,9 @@ def of_ours(spindle: Spindle, accuracy: float | None, highest: float, spin: floa
     else:
         elements = bending_hierarchy(spindle, 2.0 * math.pi * highest, spin, accuracy)
     plane = loaded_plane(spindle, elements)
-    zero = np.zeros_like(plane.mass)
-    mass, stiffness = (np.block([[m, zero], [zero, m]]) for m in (plane.mass, plane.stiffness))
+    own, polar = filled(plane.mass), filled(plane.polar)
+    zero = np.zeros_like(own)
+    mass, stiffness = (np.block([[m, zero], [zero, m]]) for m in (own, filled(plane.stiffness)))
     damping = np.zeros_like(mass)
     for support in spindle.supports:
         rows = _both(spindle, elements, (support.x,))
@@ -82,7 +84,7 @@ def of_ours(spindle: Spindle, accuracy: float | None, highest: float, spin: floa
     return Dense(
         mass,
         damping,
-        np.block([[zero, plane.polar], [-plane.polar, zero]]),
+        np.block([[zero, polar], [-polar, zero]]),
         stiffness,
         np.concatenate([_in_order(_both(spindle, elements, (x,))) for x in machine.STATIONS]),
     )
@@ -90,7 +92,7 @@ def of_ours(spindle: Spindle, accuracy: float | None, highest: float, spin: floa
 
 def _both(spindle: Spindle, elements: Hierarchy, x: tuple[float, ...]) -> Array:
     """Deflection and slope in plane y, then in plane z, at one station (4, 2n)."""
-    seen = deflections(spindle, elements, np.array(x))
+    seen = filled(deflections(spindle, elements, np.array(x)))
     return np.block([[seen, 0.0 * seen], [0.0 * seen, seen]])
 
 

@@ -21,12 +21,14 @@ def main() -> int:
     from docs.generate.bearing_curves import draw_bearing_curves
     from docs.generate.figures import draw_figures
     from docs.generate.precision import draw_precision
+    from docs.generate.scaling_curves import draw_scaling
 
     for name, work in pages.PAGES.items():
         _step(name, work)
     _step("docs/figures", draw_figures)
     _step("docs/figures/precision.png", draw_precision)
     _step("docs/figures/bearing_error.png", draw_bearing_curves)
+    _step("docs/figures/scaling.png", draw_scaling)
     return 0
 
 

@@ -15,6 +15,7 @@ from docs.generate.random_bearings import (
     random_friction,
     random_paths,
 )
+from docs.generate.scaling import scaling_parts
 
 Measured = dict[str, Any]
 # Name of a process measured -> target of its wall time [s].
@@ -59,6 +60,7 @@ def benchmark_parts(found: Measured) -> dict[str, str]:
         "frf": _frf(found),
         "study": _study(found),
         "precision": _precision(found),
+        **scaling_parts(found["scaling"]),
         **peer_parts(found["peer"]),
         "random": _random(found),
         "random-dense": _random_dense(found),

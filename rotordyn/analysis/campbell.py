@@ -175,6 +175,7 @@ def _shapes(scene: Scene, branches: list[Branch], ends: list[int]) -> Complex:
     """Node displacements (ends, modes, nodes, 6), each scaled to a largest value of 1."""
     shape = (len(ends), len(branches), len(scene.mesh.stations), 6)
     shapes = np.full(shape, complex(np.nan, np.nan))
+    motion: dict[str, Array] = {}
     for place, row in enumerate(ends):
         for k, branch in enumerate(branches):
             if branch.column[row] < 0:
@@ -182,7 +183,10 @@ def _shapes(scene: Scene, branches: list[Branch], ends: list[int]) -> Complex:
             system, vector = _system(scene, branch.kind), branch.vector[row]
             if isinstance(system, LateralSystem | ExactBending) and system.isotropic:
                 vector = both_planes(vector, branch.pole[row].imag)
-            shapes[place, k] = scaled(system.motion @ vector, branch.kind)
+            if branch.kind not in motion:
+                motion[branch.kind] = system.motion
+            moved = motion[branch.kind] @ np.stack([vector.real, vector.imag], axis=-1)
+            shapes[place, k] = scaled(moved[..., 0] + 1j * moved[..., 1], branch.kind)
     return shapes
 
 

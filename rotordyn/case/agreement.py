@@ -172,11 +172,10 @@ def uncoupled(response: str, excitation: str, coupled: frozenset[str]) -> tuple[
 
 
 def _machine(spindle: Spindle, conditions: Conditions) -> Iterator[str]:
-    for name, x in spindle.points.items():
-        yield from spindle.off_the_shaft(f"point {name}", x)
+    yield from spindle.off_the_shaft(*((f"point {n}", x) for n, x in spindle.points.items()))
     for rotor in spindle.rotors:
-        for name, x in rotor.points.items():
-            yield from spindle.part(rotor.name).off_the_shaft(f"point {rotor.name}.{name}", x)
+        named = ((f"point {rotor.name}.{name}", x) for name, x in rotor.points.items())
+        yield from spindle.part(rotor.name).off_the_shaft(*named)
     own = [support for support in spindle.supports if SPINDLE in support.ends]
     held = {pair for support in own for pair, k in support.stiffness.items() if acts(k)}
     held |= {(freedom, freedom) for support in own for freedom in support.rigid}

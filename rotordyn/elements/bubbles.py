@@ -16,22 +16,22 @@ Array = NDArray[np.float64]
 
 
 def bubbles(last: int, xi: Array) -> tuple[Array, Array, Array]:
-    """∫ψ_k dξ from −1, ψ_k, and dψ_k/dξ for k = 2 … ``last`` at ``xi``, each (points, last − 1).
+    """∫ψ_k dξ from −1, ψ_k, and dψ_k/dξ for k = 2 … ``last`` at ``xi``, each (…, last − 1).
 
     The integral of ψ_k vanishes at ξ = 1, too, for k ≥ 3.
     """
     k = np.arange(2, last + 1)
     p = np.asarray(legendre.legvander(xi, last + 1), dtype=np.float64)
     scale = np.sqrt(2.0 * (2.0 * k - 1.0))
-    value = (p[:, 2:-1] - p[:, : last - 1]) / scale
-    slope = p[:, 1:last] * np.sqrt((2.0 * k - 1.0) / 2.0)
+    value = (p[..., 2:-1] - p[..., : last - 1]) / scale
+    slope = p[..., 1:last] * np.sqrt((2.0 * k - 1.0) / 2.0)
     return (_integral(p, k) - _integral(p, k - 2)) / scale, value, slope
 
 
 def _integral(p: Array, degree: NDArray[np.intp]) -> Array:
     """∫ P_k dξ from −1."""
-    before = np.where(degree == 0, -p[:, :1], p[:, np.abs(degree - 1)])
-    return np.asarray((p[:, degree + 1] - before) / (2.0 * degree + 1.0))
+    before = np.where(degree == 0, -p[..., :1], p[..., np.abs(degree - 1)])
+    return np.asarray((p[..., degree + 1] - before) / (2.0 * degree + 1.0))
 
 
 @lru_cache(maxsize=64)

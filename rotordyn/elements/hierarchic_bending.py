@@ -112,7 +112,10 @@ class Shapes:
 
 
 def shapes(length: Array, phi: Array, degree: int, xi: Array) -> Shapes:
-    """v, v′, φ and φ′ at ``xi`` (points,) on [−1, 1]; ``phi`` Φ = 12 EI/(κGA L²), (elements,)."""
+    """v, v′, φ and φ′ at ``xi`` on [−1, 1]; ``phi`` Φ = 12 EI/(κGA L²), (elements,).
+
+    ``xi``: (points,) the same of all elements, or (elements, points).
+    """
     nodal = _nodal(length, phi, xi)
     if degree < 2:
         return Shapes(*nodal)
@@ -124,16 +127,16 @@ def _inner(length: Array, degree: int, xi: Array) -> list[Array]:
     """v, v′, φ, φ′ of the inner freedoms."""
     half = length[:, None, None] / 2.0
     integral, psi, rise = bubbles(degree + 1, xi)
-    none = np.zeros((len(xi), degree))
-    level = integral[:, :1] + _CONSTANT * (xi[:, None] + 1.0)  # vanishes at both ends
-    bent = np.concatenate([level, integral[:, 1:-1]], axis=1)
-    leaning = np.concatenate([psi[:, :1] + _CONSTANT, psi[:, 1:-1]], axis=1)
+    none = np.zeros((*xi.shape, degree))
+    level = integral[..., :1] + _CONSTANT * (xi[..., None] + 1.0)  # vanishes at both ends
+    bent = np.concatenate([level, integral[..., 1:-1]], axis=-1)
+    leaning = np.concatenate([psi[..., :1] + _CONSTANT, psi[..., 1:-1]], axis=-1)
     wide = np.ones_like(half)
     return [
         np.concatenate([psi * wide, half * bent], axis=-1),
         np.concatenate([rise / half, leaning * wide], axis=-1),
-        np.concatenate([none, psi[:, :-1]], axis=-1) * wide,
-        np.concatenate([none, rise[:, :-1]], axis=-1) / half,
+        np.concatenate([none, psi[..., :-1]], axis=-1) * wide,
+        np.concatenate([none, rise[..., :-1]], axis=-1) / half,
     ]
 
 

@@ -47,6 +47,6 @@ def hierarchic_rod(length: Array, rigidity: Array, line_inertia: Array, *, degre
 
 
 def shapes(degree: int, xi: Array) -> Array:
-    """Shape functions at ``xi`` (points,) on [−1, 1], (points, degree + 1)."""
-    linear = np.stack([(1.0 - xi) / 2.0, (1.0 + xi) / 2.0], axis=1)
-    return linear if degree < 2 else np.concatenate([linear, bubbles(degree, xi)[1]], axis=1)
+    """Shape functions at ``xi`` (…) on [−1, 1], (…, degree + 1)."""
+    linear = np.stack([(1.0 - xi) / 2.0, (1.0 + xi) / 2.0], axis=-1)
+    return linear if degree < 2 else np.concatenate([linear, bubbles(degree, xi)[1]], axis=-1)

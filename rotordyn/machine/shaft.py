@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from bisect import bisect_right
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
 from itertools import accumulate
 from typing import Annotated
@@ -67,11 +68,12 @@ class Shaft(Description):
 
     def section_at(self, x: float) -> Section:
         """The section that covers ``x``; at a step, the one after it."""
-        edges = self.boundaries
-        for section, right in zip(self.sections, edges[1:], strict=True):
-            if x < right:
-                return section
-        return self.sections[-1]
+        return self.sections_at((x,))[0]
+
+    def sections_at(self, stations: Iterable[float]) -> list[Section]:
+        """The same at each of ``stations``."""
+        rights, last = self.boundaries[1:], len(self.sections) - 1
+        return [self.sections[min(bisect_right(rights, x), last)] for x in stations]
 
     def preceded_by(self, sections: tuple[Section, ...]) -> Shaft:
         """This shaft with ``sections`` put in front of its start (a tool in the nose)."""

@@ -194,20 +194,21 @@ class Spindle(Description):
         placed: tuple[PointMass | Disc | BearingSeat | LinearSupport, ...]
         own = tuple(support for support in self.supports if SPINDLE in support.ends)
         placed = (*self.masses, *self.discs, *self.seats, *own)
-        for item in placed:
-            yield from self.off_the_shaft(f"{type(item).__name__} {item.name}", item.x)
-        for x in self.drawbar.stations if self.drawbar else ():
-            yield from self.off_the_shaft("drawbar", x)
+        yield from self.off_the_shaft(
+            *((f"{type(item).__name__} {item.name}", item.x) for item in placed),
+            *(("drawbar", x) for x in (self.drawbar.stations if self.drawbar else ())),
+        )
 
     def _shift_faults(self) -> Iterator[str]:
         if isinstance(self.shortening, ComputedShortening):
-            yield from self.off_the_shaft("reference of shortening", self.shortening.reference)
+            yield from self.off_the_shaft(("reference of shortening", self.shortening.reference))
         elif self.shortening is not None:
             yield from shift_faults(self.seats, self.shortening.shift)
 
-    def off_the_shaft(self, what: str, x: float) -> Iterator[str]:
-        """A sentence where station ``x`` [m] of ``what`` does not lie on the shaft."""
-        yield from off_the_shaft(self.shaft, what, x)
+    def off_the_shaft(self, *placed: tuple[str, float]) -> Iterator[str]:
+        """A sentence for each of ``placed``, a name and its station [m], that does not lie on the
+        shaft."""
+        yield from off_the_shaft(self.shaft, placed)
 
     def at_speed(self, speed: float) -> Spindle:
         """This machine with its supports as they are at ``speed`` [rad/s]."""

@@ -13,11 +13,12 @@ from rotordyn.machine.support import BearingSeat
 SLACK = 1e-9  # [m] by which a station may lie beside the shaft
 
 
-def off_the_shaft(shaft: Shaft, what: str, x: float) -> Iterator[str]:
-    """A sentence where station ``x`` [m] of ``what`` does not lie on the shaft."""
+def off_the_shaft(shaft: Shaft, placed: Iterable[tuple[str, float]]) -> Iterator[str]:
+    """A sentence for each of ``placed``, a name and its station [m], that does not lie on it."""
     start, end = shaft.start, shaft.end
-    if not start - SLACK <= x <= end + SLACK:
-        yield f"{what} off the shaft: given {x:.6g} m; allowed: {start:.6g} m to {end:.6g} m"
+    for what, x in placed:
+        if not start - SLACK <= x <= end + SLACK:
+            yield f"{what} off the shaft: given {x:.6g} m; allowed: {start:.6g} m to {end:.6g} m"
 
 
 def joint_faults(shaft: Shaft, joints: Sequence[Joint]) -> Iterator[str]:

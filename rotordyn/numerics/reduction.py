@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from itertools import accumulate
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
+
+from rotordyn.numerics.sparse import Matrix
 
 Array = NDArray[np.float64]
 LEAST_MODES = 8
@@ -18,6 +23,15 @@ CANCELLED = 1e-12  # of its summands: what is left of a force then is rounding
 SHIFT = 1e-5  # of cutoff²: eigenvalues much below it keep fewer digits
 
 
+class LeftOut(Protocol):
+    """What is known of all that a basis leaves out of a large problem (``flexible``)."""
+
+    @property
+    def mass_norm(self) -> float: ...
+    def norm(self, matrix: Matrix) -> float: ...
+    def behind(self, before: int) -> LeftOut: ...
+
+
 @dataclass(frozen=True, eq=False, slots=True)
 class RitzBasis:
     """``vectors`` Φ (n, m) with ΦᵀMΦ = 1 and ΦᵀKΦ = diag(``values``), ascending.
@@ -27,7 +41,8 @@ class RitzBasis:
     to be seen in their difference. ``rounding`` (m,): how far rounding of the entries of K is
     likely to move the value of each vector: the root of Σ (u K_ij φ_i φ_j)², u half the last digit;
     none for rigid motions. ``shift`` σ: the answers are those of K + σM; of bases side by side one
-    for each vector of the rest (r,).
+    for each vector of the rest (r,). ``outside``: of large problems, whose rest holds but what the
+    vectors ask of it, what else is known of all that is left out.
     """
 
     vectors: Array
@@ -37,6 +52,7 @@ class RitzBasis:
     rest_mass: Array
     rounding: Array
     shift: float | Array
+    outside: tuple[LeftOut, ...] = ()
 
     @property
     def complement(self) -> Complement:
@@ -47,13 +63,14 @@ class RitzBasis:
         added = answers[:, np.abs(answers).max(axis=0, initial=0.0) > 0.0]
         whole = np.linalg.qr(added, mode="complete")[0] if added.size else np.eye(len(root))
         turn = whole[:, added.shape[1] :] / root
-        return Complement(self.rest @ turn, turn.T @ turn, turn.T @ self.rest_mass)
+        return Complement(self.rest @ turn, turn.T @ turn, turn.T @ self.rest_mass, self.outside)
 
 
 def side_by_side(bases: Sequence[RitzBasis]) -> RitzBasis:
     """Of problems that nothing couples, as one; the values ascend within each alone."""
     from scipy.linalg import block_diag
 
+    sizes = [len(basis.vectors) for basis in bases]
     return RitzBasis(
         vectors=block_diag(*(basis.vectors for basis in bases)),
         values=np.concatenate([basis.values for basis in bases]),
@@ -62,17 +79,42 @@ def side_by_side(bases: Sequence[RitzBasis]) -> RitzBasis:
         rest_mass=block_diag(*(basis.rest_mass for basis in bases)),
         rounding=np.concatenate([basis.rounding for basis in bases]),
         shift=np.concatenate([np.full(len(b.rest_values), b.shift) for b in bases]),
+        outside=tuple(
+            part.behind(before)
+            for before, basis in zip(accumulate(sizes, initial=0), bases, strict=False)
+            for part in basis.outside
+        ),
     )
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Complement:
     """``vectors`` Ψ (n, c) with Ψᵀ(K + σM)Ψ = 1 and Ψᵀ(K + σM)Φ = 0; ``mass`` ΨᵀMΨ (c, c) and
-    ``coupling`` ΨᵀMΦ (c, m)."""
+    ``coupling`` ΨᵀMΦ (c, m).
+
+    Norms are those of all that is left out, vectors of a large problem that are not here
+    included (``outside``)."""
 
     vectors: Array
     mass: Array
     coupling: Array
+    outside: tuple[LeftOut, ...] = ()
+
+    @property
+    def mass_norm(self) -> float:
+        """Of M on vectors of unit stiffness."""
+        return max([norm_of(self.mass), *(part.mass_norm for part in self.outside)])
+
+    def norm(self, matrix: Matrix) -> float:
+        """Of a semi-definite matrix (n, n), likewise."""
+        own = norm_of(self.vectors.T @ (matrix @ self.vectors))
+        return max([own, *(part.norm(matrix) for part in self.outside)])
+
+    def reach(self, rows: Matrix) -> float:
+        """Of ``rows`` (k, n), likewise."""
+        if not self.outside:
+            return norm_of(rows @ self.vectors)
+        return math.sqrt(self.norm(rows.T @ rows))
 
 
 def ritz_basis(
@@ -101,13 +143,14 @@ def ritz_basis(
     values[: rigid.shape[1]] = 0.0
     kept = max(int(np.searchsorted(values, cutoff**2)), min(LEAST_MODES, len(values)))
     low = vectors[:, :kept]
-    loads = np.concatenate([loads, *(_made(c, low[:, :LEAST_MODES]) for c in couplings)], axis=1)
+    loads = np.concatenate([loads, *(made(c, low[:, :LEAST_MODES]) for c in couplings)], axis=1)
     loads = loads - mass @ (low @ (low.T @ loads))  # what the modes kept do not answer
     answers = np.linalg.solve(factor.T, np.linalg.solve(factor, loads))
     forces = loads - shift * (mass @ answers)
     rest = vectors[:, kept:]
     met = (rest.T @ loads) / (values[kept:] + shift)[:, None]
-    answers, forces, met = _completed(mass, low, values[:kept], answers, forces, met)
+    low_forces = mass @ (low * values[:kept])
+    answers, forces, met = completed(mass, low, low_forces, answers, forces, met)
     inner = answers.T @ forces
     values_added, turn = np.linalg.eigh((inner + inner.T) / 2.0)
     order = np.argsort(np.concatenate([values[:kept], values_added]), kind="stable")
@@ -126,10 +169,10 @@ def ritz_basis(
     )
 
 
-def _made(coupling: Array, low: Array) -> Array:
+def made(coupling: Matrix, low: Array) -> Array:
     """Forces that a coupling makes of each of some modes, but those that are mere rounding."""
     force = coupling @ low
-    felt = np.abs(force).max(axis=0) > CANCELLED * (np.abs(coupling) @ np.abs(low)).max(axis=0)
+    felt = np.abs(force).max(axis=0) > CANCELLED * (abs(coupling) @ np.abs(low)).max(axis=0)
     return np.asarray(force[:, felt])
 
 
@@ -138,9 +181,13 @@ def _beside(mass: Array, rigid: Array, vectors: Array) -> Array:
 
     The eigensolver leaves stiff ones askew by rounding of the slow.
     """
-    whole = np.concatenate([rigid, vectors[:, rigid.shape[1] :]], axis=1)
-    factor = np.linalg.cholesky(whole.T @ mass @ whole)
-    return np.asarray(np.linalg.solve(factor, whole.T).T)
+    return orthonormal(mass, np.concatenate([rigid, vectors[:, rigid.shape[1] :]], axis=1))
+
+
+def orthonormal(mass: Matrix, vectors: Array) -> Array:
+    """Vectors (n, k) made M-orthonormal in turn."""
+    factor = np.linalg.cholesky(vectors.T @ (mass @ vectors))
+    return np.asarray(np.linalg.solve(factor, vectors.T).T)
 
 
 def _flexible(mass: Array, factor: Array) -> tuple[Array, Array]:
@@ -167,29 +214,40 @@ def _definite(mass: Array, stiffness: Array, shift: float) -> tuple[float, Array
             return shift, np.asarray(np.linalg.cholesky(stiffness + shift * mass))
 
 
-def _completed(
-    mass: Array, low: Array, low_values: Array, answers: Array, forces: Array, met: Array
+def completed(
+    mass: Matrix,
+    low: Array,
+    low_forces: Array,
+    answers: Array,
+    forces: Array,
+    met: Array,
+    new: float = NEW,
 ) -> tuple[Array, Array, Array]:
-    """M-orthonormal span of what ``answers`` (n, l) add to the modes ``low``, and K times it.
+    """M-orthonormal span of what ``answers`` (n, l) add to the vectors ``low``, and K times it.
 
-    ``forces``: K times the answers; ``met`` (r, l): what other modes have of them, returned for the
-    span likewise. What is rounding is dropped.
+    ``low_forces``, ``forces``: K times these and the answers; ``met`` (r, l): what other modes have
+    of them, returned for the span likewise. What is rounding, less than ``new``, is dropped.
     """
     size = _norms(mass, answers)
     answers, forces, met = answers / size, forces / size, met / size
     for _ in range(2):
         share = low.T @ (mass @ answers)
         answers = answers - low @ share
-        forces = forces - mass @ (low @ (low_values[:, None] * share))
+        forces = forces - low_forces @ share
         size = _norms(mass, answers)
-        new = size > NEW  # small ones may still differ much
-        answers, forces, met = (a[:, new] / size[new] for a in (answers, forces, met))
+        clear = size > new  # small ones may still differ much
+        answers, forces, met = (a[:, clear] / size[clear] for a in (answers, forces, met))
         values, turn = np.linalg.eigh(answers.T @ mass @ answers)
-        keep = values > NEW**2
+        keep = values > new**2
         turn = turn[:, keep] / np.sqrt(values[keep])
         answers, forces, met = answers @ turn, forces @ turn, met @ turn
     return answers, forces, met
 
 
-def _norms(mass: Array, vectors: Array) -> Array:
+def _norms(mass: Matrix, vectors: Array) -> Array:
     return np.sqrt(np.maximum(np.einsum("ij,ij->j", vectors, mass @ vectors), 0.0))
+
+
+def norm_of(matrix: Array) -> float:
+    """Largest singular value; nothing for an empty matrix."""
+    return float(np.linalg.norm(matrix, 2)) if matrix.size else 0.0

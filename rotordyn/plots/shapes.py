@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM, number
 from rotordyn.analysis.results import CampbellResult
+from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.plots.sketch import Sketch
 from rotordyn.plots.style import (
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 MOST = 9
+MOST_PIECES = 300  # of a shaft, as wide as a line
 _COLUMNS = 3
 _COLOURS = (BLUE, GREEN, PURPLE, ORANGE)  # of the rotors
 _MOTION = {"bending": ("y", "z"), "axial": ("x",), "torsion": ("thx",)}
@@ -125,8 +127,7 @@ def _outline(axes: Axes, spindle: Spindle) -> None:
     widest = max(s.outer_diameter for shaft in shafts for s in shaft.sections)
     edges = sorted(x for shaft in shafts for x in shaft.boundaries)
     for shaft in shafts:
-        ends = pairwise(shaft.boundaries)
-        for section, (a, b) in zip(shaft.sections, ends, strict=True):
+        for section, (a, b) in _pieces(shaft):
             half, hollow = (
                 0.55 * d / widest for d in (section.outer_diameter, section.inner_diameter)
             )
@@ -140,3 +141,12 @@ def _outline(axes: Axes, spindle: Spindle) -> None:
             size = 0.011 * (edges[-1] - edges[0]) * 1e3
             sketch.polygon([(x, tip), (x - size, foot), (x + size, foot)], RED, edge=RED, z=2)
     sketch.draw(axes)
+
+
+def _pieces(shaft: Shaft) -> list[tuple[Section, tuple[float, float]]]:
+    """Sections and their ends [m]; of many as many as can be told apart, the middle ones."""
+    if len(shaft.sections) <= MOST_PIECES:
+        return list(zip(shaft.sections, pairwise(shaft.boundaries), strict=True))
+    edges = np.linspace(shaft.start, shaft.end, MOST_PIECES + 1)
+    middles = shaft.sections_at((edges[1:] + edges[:-1]) / 2.0)
+    return list(zip(middles, pairwise(edges.tolist()), strict=True))

@@ -36,8 +36,11 @@ class AxialForce:
 
     def at(self, x: Array) -> Array:
         """Force in the wall of the shaft at ``x`` (p,) [m], tension positive, (states, p) [N]."""
-        in_front = (self.station[:, None] < x).astype(float)
-        return -self.push @ in_front - np.interp(x, self.edge, self.weight)
+        order = np.argsort(self.station, kind="stable")
+        none = np.zeros((len(self.push), 1))
+        pushed = np.concatenate([none, np.cumsum(self.push[:, order], axis=1)], axis=1)
+        in_front = np.searchsorted(self.station[order], x)
+        return -pushed[:, in_front] - np.interp(x, self.edge, self.weight)
 
     def bending(self, x: Array) -> Array:
         """Force that follows the slope of the shaft at ``x``, tension positive, (states, p) [N].

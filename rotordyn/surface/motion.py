@@ -62,7 +62,7 @@ def at_phase(displacement: Complex, phase: float) -> Array:
 
 
 def _shear_parameters(shaft: Shaft, node: Array) -> Array:
-    sections = [shaft.section_at(float(x)) for x in (node[1:] + node[:-1]) / 2.0]
+    sections = shaft.sections_at((node[1:] + node[:-1]) / 2.0)
     outer = np.array([s.outer_diameter for s in sections])
     inner = np.array([s.inner_diameter for s in sections])
     young = np.array([s.material.young_modulus for s in sections])

@@ -20,6 +20,7 @@ from rotordyn.elements.shear import shear_coefficient
 from rotordyn.elements.timoshenko import shaft_element
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
+from rotordyn.numerics.sparse import LONG, Matrix, is_sparse, summed
 from rotordyn.system.dofs import ALL, AXIAL, PLANE_Y, PLANE_Z, TORSION, Selection
 from rotordyn.system.hierarchy import Hierarchy
 from rotordyn.system.jumps import hinged
@@ -32,10 +33,10 @@ Array = NDArray[np.float64]
 class RotorMatrices:
     """Free rotor, each of shape (width·nodes, width·nodes); ``gyroscopic`` per unit of spin."""
 
-    mass: Array
-    gyroscopic: Array
-    stiffness: Array
-    translational_mass: Array
+    mass: Matrix
+    gyroscopic: Matrix
+    stiffness: Matrix
+    translational_mass: Matrix
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -46,18 +47,18 @@ class BendingPlane:
     (K + ω Ω Jp − ω² M) φ = 0 with ``polar`` Jp ≥ 0.
     """
 
-    mass: Array
-    polar: Array
-    stiffness: Array
-    translational_mass: Array
+    mass: Matrix
+    polar: Matrix
+    stiffness: Matrix
+    translational_mass: Matrix
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class RodMatrices:
     """Axial or torsional motion of the free rotor, each of shape (nodes, nodes)."""
 
-    mass: Array
-    stiffness: Array
+    mass: Matrix
+    stiffness: Matrix
 
 
 def rotor_matrices(spindle: Spindle, mesh: Mesh, selection: Selection = ALL) -> RotorMatrices:
@@ -126,15 +127,9 @@ def loaded_rod(spindle: Spindle, elements: Hierarchy, selection: Selection) -> R
     return RodMatrices(mass, matrices["stiffness"])
 
 
-def _loaded(elements: Hierarchy, matrix: Array, nodes: Sequence[int], blocks: Array) -> Array:
+def _loaded(elements: Hierarchy, matrix: Matrix, nodes: Sequence[int], blocks: Array) -> Matrix:
     """``matrix`` plus what sits at nodes, which the jumps in front of them move as well."""
-    if not elements.jumps:
-        return add_at_nodes(matrix, nodes, blocks)
-    total = matrix.copy()
-    for node, block in zip(nodes, blocks, strict=True):
-        rows = elements.at_node(node)
-        total += rows.T @ block @ rows
-    return total
+    return matrix + elements.at_nodes(nodes, blocks) if nodes else matrix
 
 
 def axial_rod(spindle: Spindle, mesh: Mesh) -> RodMatrices:
@@ -161,24 +156,23 @@ def shear_coefficients(spindle: Spindle, mesh: Mesh) -> Array:
     return shear_coefficient(spindle.shaft.shear_coefficient, mesh.poisson_ratio, ratio)
 
 
-def chain(blocks: Array) -> Array:
+def chain(blocks: Array) -> Matrix:
     """Elements in a row, (elements, 2w, 2w), each sharing a node with the next -> (N, N)."""
     elements, width = len(blocks), blocks.shape[-1] // 2
-    nodes = elements + 1
-    whole = np.zeros((nodes, width, nodes, width))
-    left = np.arange(elements)
-    for rows, row_half in ((left, slice(None, width)), (left + 1, slice(width, None))):
-        for columns, column_half in ((left, slice(None, width)), (left + 1, slice(width, None))):
-            whole[rows, :, columns, :] += blocks[:, row_half, column_half]
-    return whole.reshape(nodes * width, nodes * width)
+    rows = width * np.arange(elements)[:, None] + np.arange(2 * width)
+    size = (elements + 1) * width
+    return summed((size, size), [(rows, rows, blocks)], large=size >= LONG)
 
 
-def add_at_nodes(matrix: Array, nodes: Sequence[int], blocks: Array) -> Array:
+def add_at_nodes(matrix: Matrix, nodes: Sequence[int], blocks: Array) -> Matrix:
     """``matrix`` (…, N, N) plus blocks (…, k, w, w) on the diagonal at k nodes; a new array.
 
-    Leading dimensions broadcast; a node may be named more than once.
+    Leading dimensions broadcast; a node may be named more than once. Of compressed rows, (N, N).
     """
     width = blocks.shape[-1]
+    if is_sparse(matrix):
+        rows = width * np.asarray(nodes, dtype=np.intp)[:, None] + np.arange(width)
+        return matrix + summed(matrix.shape, [(rows, rows, blocks)], large=True)
     leading = np.broadcast_shapes(matrix.shape[:-2], blocks.shape[:-3])
     total = np.broadcast_to(matrix, (*leading, *matrix.shape[-2:])).copy()
     for place, node in enumerate(nodes):
@@ -216,7 +210,7 @@ def _stack(matrices: list[Array]) -> Array:
     return np.array(matrices).reshape(-1, 6, 6)
 
 
-def _joined(blocks: Array, lumped: _Lumped, at_nodes: Array) -> Array:
+def _joined(blocks: Array, lumped: _Lumped, at_nodes: Array) -> Matrix:
     return add_at_nodes(chain(blocks), lumped.nodes, at_nodes)
 
 

@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 
 from rotordyn.elements.support import support_matrices
 from rotordyn.machine.spindle import Spindle
+from rotordyn.numerics.inertia import condensed
+from rotordyn.numerics.sparse import Matrix, is_sparse
 from rotordyn.system.assemble import bending_plane
 from rotordyn.system.dofs import PLANE_Y
 from rotordyn.system.mesh import Mesh
@@ -82,7 +84,7 @@ def condensed_rotor(
 
 
 def _flexible(
-    plane: Array, tension: Stiffening, axial_force: Array | None, kept: list[int]
+    plane: Matrix, tension: Stiffening, axial_force: Array | None, kept: list[int]
 ) -> Array:
     """The shaft in every state, condensed to the nodes ``kept`` (states, 2·kept, 2·kept)."""
     chosen = np.array([PLANE_Y.row(n, f) for n in kept for f in PLANE_Y.names])
@@ -91,9 +93,11 @@ def _flexible(
     return np.array([_schur(plane + tension.shaft(force), chosen) for force in axial_force])
 
 
-def _schur(stiffness: Array, chosen: NDArray[np.intp]) -> Array:
+def _schur(stiffness: Matrix, chosen: NDArray[np.intp]) -> Array:
     """Chosen freedoms with all others left to themselves; NaN where these would buckle."""
-    others = np.setdiff1d(np.arange(len(stiffness)), chosen)
+    others = np.setdiff1d(np.arange(stiffness.shape[0]), chosen)
+    if is_sparse(stiffness):
+        return condensed(stiffness, chosen, others)
     own = stiffness[chosen][:, chosen]
     if not others.size:
         return own

@@ -140,7 +140,7 @@ class Unbalanced:
         at_ends = np.einsum("cn,rnf->rcf", system.connected, nodal, optimize=True)
         pressed = np.zeros((1, *left_out.mass.shape))
         if system.force is not None:
-            pressed = np.tensordot(system.force, left_out.per_newton, 1)
+            pressed = left_out.per_newton.under(system.force)
         counted = np.ones(len(left_out.own_mass))
         if elements:  # what finer ones add vanishes at nodes
             counted[left_out.at_nodes.any(axis=1)] = 0.0

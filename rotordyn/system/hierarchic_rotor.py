@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,6 +14,7 @@ from rotordyn.elements.plane_bending import shear_parameter
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
+from rotordyn.numerics.sparse import Matrix, Part, summed
 from rotordyn.system.assemble import beam_arguments, shear_coefficients
 from rotordyn.system.degrees import (
     bending_wave,
@@ -27,7 +28,7 @@ from rotordyn.system.jumps import BENDING, Jump, jumps
 from rotordyn.system.mesh import Mesh, station_mesh
 
 Array = NDArray[np.float64]
-MOST_FREEDOMS = 6000  # a dozen matrices of that size are 3.5 GB
+MOST_FREEDOMS = 200_000
 
 
 def bending_hierarchy(spindle: Spindle, omega: float, spin: float, tolerance: float) -> Hierarchy:
@@ -44,9 +45,9 @@ def _refuse_many(motion: str, freedoms: float, omega: float) -> None:
     """Raise InvalidInput where the matrices of a motion would not fit."""
     if freedoms > MOST_FREEDOMS:
         raise InvalidInput(
-            f"{motion} up to {omega / (2.0 * math.pi):.6g} Hz takes {freedoms:.3g} freedoms, and "
-            f"the dense matrices of this version hold {MOST_FREEDOMS}: ask for lower frequencies "
-            "or speeds, less accuracy, or join sections that are alike"
+            f"{motion} up to {omega / (2.0 * math.pi):.6g} Hz takes {freedoms:.3g} freedoms; "
+            f"allowed: up to {MOST_FREEDOMS}; ask for lower frequencies or speeds, less accuracy, "
+            "or join sections that are alike"
         )
 
 
@@ -92,36 +93,45 @@ def rigid_motions(elements: Hierarchy) -> Array:
     return whole
 
 
-def deflections(spindle: Spindle, elements: Hierarchy, x: Array) -> Array:
+def deflections(spindle: Spindle, elements: Hierarchy, x: Array) -> Matrix:
     """Deflection and tilt at stations ``x`` by all freedoms (2·stations, size)."""
-    mesh, (element, xi) = elements.mesh, elements.place(x)
-    shear, bend, *_ = _rigidities(spindle, mesh)
-    phi = shear_parameter(mesh.length, bend, shear)
-    whole = np.zeros((len(x), 2, elements.size))
-    for k in np.unique(element):
-        at, own = np.flatnonzero(element == k), slice(k, k + 1)
-        n = int(elements.degree[k])
-        shape = bending.shapes(mesh.length[own], phi[own], n, xi[at])
-        rows = elements.rows(int(k))
-        whole[at[:, None], 0, rows] = shape.deflection[0]
-        whole[at[:, None], 1, rows] = shape.rotation[0]
-    flat = whole.reshape(2 * len(x), -1)
-    flat[:, elements.size - len(elements.jumps) :] = elements.jumped(x)
-    return flat
+    parts = []
+    for at, rows, shape in _shapes(spindle, elements, x):
+        both = np.stack([shape.deflection[:, 0], shape.rotation[:, 0]], axis=1)
+        parts.append((2 * at[:, None] + np.arange(2), rows, both))
+    return _with_jumps(elements, parts, elements.jumped(x))
 
 
-def slopes(spindle: Spindle, elements: Hierarchy, x: Array) -> Array:
+def slopes(spindle: Spindle, elements: Hierarchy, x: Array) -> Matrix:
     """Slope v′ at places ``x`` between nodes by all freedoms (places, size)."""
+    found = _shapes(spindle, elements, x)
+    parts = [(at[:, None], rows, shape.slope) for at, rows, shape in found]
+    return _with_jumps(elements, parts, elements.jumped(x)[1::2])
+
+
+def _shapes(
+    spindle: Spindle, elements: Hierarchy, x: Array
+) -> Iterator[tuple[Degrees, Degrees, bending.Shapes]]:
+    """Of the stations ``x`` in elements of one degree: which, freedoms of their elements
+    (stations, k), shape functions (stations, 1, k)."""
     mesh, (element, xi) = elements.mesh, elements.place(x)
-    shear, bend, *_ = _rigidities(spindle, mesh)
+    shear, bend = bending_rigidities(spindle, mesh)
     phi = shear_parameter(mesh.length, bend, shear)
-    whole = np.zeros((len(x), elements.size))
-    for k in np.unique(element):
-        at, own = np.flatnonzero(element == k), slice(k, k + 1)
-        shape = bending.shapes(mesh.length[own], phi[own], int(elements.degree[k]), xi[at])
-        whole[at[:, None], elements.rows(int(k))] = shape.slope[0]
-    whole[:, elements.size - len(elements.jumps) :] = elements.jumped(x)[1::2]
-    return whole
+    degree = elements.degree[element]
+    for n in np.unique(degree):
+        at = np.flatnonzero(degree == n)
+        own = element[at]
+        shape = bending.shapes(mesh.length[own], phi[own], int(n), xi[at, None])
+        yield at, elements.rows(own), shape
+
+
+def _with_jumps(elements: Hierarchy, parts: list[Part], jumped: Array) -> Matrix:
+    """Motion of places by elements' freedoms, and by the jumps (places, jumps)."""
+    every = np.arange(len(jumped))
+    if jumped.size:
+        own = np.arange(elements.size - jumped.shape[1], elements.size)
+        parts = [*parts, (every[:, None], np.broadcast_to(own, jumped.shape), jumped[:, None])]
+    return summed((len(jumped), elements.size), parts, large=elements.large)
 
 
 def rod_hierarchy(
@@ -162,17 +172,15 @@ def rods(
     return Hierarchy(mesh, degree, 1, inner, element, added, given)
 
 
-def rod_displacements(elements: Hierarchy, x: Array) -> Array:
+def rod_displacements(elements: Hierarchy, x: Array) -> Matrix:
     """Displacement at stations ``x`` by all freedoms (stations, size)."""
     element, xi = elements.place(x)
-    whole = np.zeros((len(x), elements.size))
-    for k in np.unique(element):
-        at = np.flatnonzero(element == k)
-        whole[at[:, None], elements.rows(int(k))] = rod_element.shapes(
-            int(elements.degree[k]), xi[at]
-        )
-    whole[:, elements.size - len(elements.jumps) :] = elements.jumped(x)
-    return whole
+    degree, parts = elements.degree[element], []
+    for n in np.unique(degree):
+        at = np.flatnonzero(degree == n)
+        shape = rod_element.shapes(int(n), xi[at, None])
+        parts.append((at[:, None], elements.rows(element[at]), shape))
+    return _with_jumps(elements, parts, elements.jumped(x))
 
 
 def jump_damping(elements: Hierarchy, vectors: Array) -> Array:
@@ -191,6 +199,12 @@ def torsion_properties(mesh: Mesh) -> tuple[Array, Array]:
     """G Ip [N·m²] and ρ Ip [kg·m] of every element."""
     polar = 2.0 * second_moment(mesh.outer_diameter, mesh.inner_diameter)
     return mesh.shear_modulus * polar, mesh.density * polar
+
+
+def bending_rigidities(spindle: Spindle, mesh: Mesh) -> tuple[Array, Array]:
+    """κGA [N] and EI [N·m²] of every element."""
+    shear, bend, *_ = _rigidities(spindle, mesh)
+    return shear, bend
 
 
 def _rigidities(spindle: Spindle, mesh: Mesh) -> tuple[Array, Array, Array, Array]:

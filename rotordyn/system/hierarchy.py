@@ -6,7 +6,7 @@ then the jumps at joints.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
@@ -14,11 +14,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.numerics.sparse import LARGE, Matrix, Part, summed
 from rotordyn.system.jumps import Jump
 from rotordyn.system.mesh import COINCIDENT, Mesh
 
 Array = NDArray[np.float64]
 Degrees = NDArray[np.intp]
+AT_ONCE = 2000  # elements, whose blocks are kept small
 LEVELS = 2  # degrees above its own by which what an element leaves out is judged
 
 
@@ -62,52 +64,83 @@ class Hierarchy:
     @property
     def damper_loads(self) -> Array:
         """A unit force in each of these (size, dampers)."""
-        return np.eye(self.size)[:, list(self.dampers)]
+        loads = np.zeros((self.size, len(self.dampers)))
+        loads[list(self.dampers), np.arange(len(self.dampers))] = 1.0
+        return loads
 
-    def rows(self, element: int) -> Degrees:
-        """All freedoms of an element in the order of its matrices."""
-        nodal = self.width * element + np.arange(2 * self.width)
-        return np.concatenate([nodal, np.arange(self.first[element], self.first[element + 1])])
+    @property
+    def large(self) -> bool:
+        """True where matrices are of compressed rows."""
+        return self.size >= LARGE
 
-    def matrices(self) -> dict[str, Array]:
+    @property
+    def order(self) -> Degrees:
+        """Freedoms from front to rear, jumps last: the order in which elimination stays narrow."""
+        inner = np.repeat(np.arange(len(self.degree)), np.diff(self.first))
+        nodal = np.repeat(np.arange(self.mesh.nodes), self.width)
+        last = np.full(len(self.jumps), self.mesh.nodes)
+        return np.argsort(np.concatenate([nodal, inner, last]), kind="stable")
+
+    def rows(self, elements: Degrees) -> Degrees:
+        """All freedoms of ``elements`` (e,) of one degree, as their matrices have them (e, k)."""
+        nodal = self.width * elements[:, None] + np.arange(2 * self.width)
+        inner = np.arange(self.inner(int(self.degree[elements[0]])))
+        return np.concatenate([nodal, self.first[elements][:, None] + inner], axis=1)
+
+    def matrices(self) -> dict[str, Matrix]:
         """Assembled matrices (size, size) by name, without what is lumped at nodes."""
-        whole: dict[str, Array] = {}
-        for degree, elements in self._by_degree():
+        parts: dict[str, list[Part]] = {}
+        for degree, elements in self.by_degree():
+            rows = self.rows(elements)
             for name, blocks in self.element(elements, degree).items():
-                total = whole.setdefault(name, np.zeros((self.size, self.size)))
-                for k, block in zip(elements, blocks, strict=True):
-                    rows = self.rows(int(k))
-                    total[rows[:, None], rows] += block
-                    if name != "stiffness" and self.jumps:
-                        self._add_carried(total, int(k), rows, block)
-        own = np.arange(self.size - len(self.jumps), self.size)
+                own = parts.setdefault(name, [])
+                own.append((rows, rows, blocks))
+                if name != "stiffness" and self.jumps:
+                    own += self._carrying(elements, rows, blocks)
         if self.jumps:
-            whole["stiffness"][own, own] = [jump.stiffness for jump in self.jumps]
-        return whole
+            own_rows = np.arange(self.size - len(self.jumps), self.size)[:, None]
+            stiff = np.array([jump.stiffness for jump in self.jumps]).reshape(-1, 1, 1)
+            parts["stiffness"].append((own_rows, own_rows, stiff))
+        shape = self.size, self.size
+        return {name: summed(shape, own, large=self.large) for name, own in parts.items()}
 
-    def _add_carried(self, total: Array, k: int, rows: Degrees, block: Array) -> None:
-        """What an element adds to the jumps that carry it."""
-        carried, own = self.carried(k), slice(self.size - len(self.jumps), None)
-        total[rows, own] += block @ carried
-        total[own, rows] += carried.T @ block
-        total[own, own] += carried.T @ block @ carried
+    def _carrying(self, elements: Degrees, rows: Degrees, blocks: Array) -> list[Part]:
+        """What elements add to the jumps that carry them."""
+        return self._with_jumps(rows, blocks, self.carried(elements, rows.shape[1]))
 
-    def carried(self, element: int) -> Array:
-        """Freedoms of an element by the jumps (k, jumps)."""
-        ends = self.mesh.x[element : element + 2]
-        rows = np.zeros((len(self.rows(element)), len(self.jumps)))
+    def _with_jumps(self, rows: Degrees, blocks: Array, carried: Array) -> list[Part]:
+        """Of blocks whose freedoms the jumps move by ``carried`` (…, k, jumps), all but the blocks
+        themselves."""
+        last = np.arange(self.size - len(self.jumps), self.size)
+        own = np.broadcast_to(last, (len(rows), len(last)))
+        felt, turned = blocks @ carried, np.swapaxes(carried, 1, 2)
+        return [
+            (rows, own, felt),
+            (own, rows, np.swapaxes(felt, 1, 2)),
+            (own, own, turned @ felt),
+        ]
+
+    def carried(self, elements: Degrees, freedoms: int) -> Array:
+        """Freedoms of ``elements`` (e,) by the jumps (e, freedoms, jumps)."""
+        x, ends = self.mesh.x, 2 * self.width
+        rows = np.zeros((len(elements), freedoms, len(self.jumps)))
         for column, jump in enumerate(self.jumps):
-            if self.mesh.middle[element] > jump.x:
-                rows[: 2 * self.width, column] = jump.motion(ends, self.width)
+            behind = (self.mesh.middle[elements] > jump.x)[:, None]
+            stations = np.stack([x[elements], x[elements + 1]], axis=1)
+            moved = jump.motion(stations.ravel(), self.width).reshape(len(elements), ends)
+            rows[:, :ends, column] = np.where(behind, moved, 0.0)
         return rows
 
-    def at_node(self, node: int) -> Array:
-        """Freedoms of a node, of the part in front at a joint, by all freedoms (width, size)."""
-        rows = np.zeros((self.width, self.size))
-        own = np.arange(self.width)
-        rows[own, self.width * node + own] = 1.0
-        rows[:, self.size - len(self.jumps) :] = self.jumped(self.mesh.x[node : node + 1])
-        return rows
+    def at_nodes(self, nodes: Sequence[int], blocks: Array) -> Matrix:
+        """What sits at nodes, blocks (k, width, width), by all freedoms (size, size); a joint there
+        is behind it."""
+        place = np.asarray(nodes, dtype=np.intp)
+        rows = self.width * place[:, None] + np.arange(self.width)
+        parts = [(rows, rows, blocks)]
+        if self.jumps:
+            carried = self.jumped(self.mesh.x[place]).reshape(len(place), self.width, -1)
+            parts += self._with_jumps(rows, blocks, carried)
+        return summed((self.size, self.size), parts, large=self.large)
 
     def jumped(self, x: Array) -> Array:
         """Motion by the jumps at stations ``x``, in front of a joint there (width·x, jumps)."""
@@ -125,22 +158,31 @@ class Hierarchy:
         ``own_stiffness`` (new,): of the new freedoms by themselves.
         """
         found: dict[str, list[Array]] = {}
-        for degree, elements in self._by_degree():
-            kept, new = self.added(degree, degree + LEVELS)
-            blocks = self.element(elements, degree + LEVELS)
-            moved = np.stack([self._moved(basis, int(k)) for k in elements])
-            for name, block in blocks.items():
-                coupling = block[:, new][:, :, kept] @ moved
-                found.setdefault(name, []).append(coupling.reshape(-1, basis.shape[1]))
-            for name in ("mass", "stiffness"):
-                own = blocks[name][:, new, new]
-                found.setdefault(f"own_{name}", []).append(own.ravel())
+        for part in self.left_out_by_parts(basis):
+            for name, values in part.items():
+                found.setdefault(name, []).append(values)
         return {name: np.concatenate(parts) for name, parts in found.items()}
 
-    def _moved(self, basis: Array, k: int) -> Array:
-        """Freedoms of an element by vectors (k, m)."""
-        own = basis[self.rows(k)]
-        return own + self.carried(k) @ basis[self.size - len(self.jumps) :] if self.jumps else own
+    def left_out_by_parts(self, basis: Array) -> Iterator[dict[str, Array]]:
+        """The same, ``AT_ONCE`` elements at a time."""
+        for degree, every in self.by_degree():
+            kept, new = self.added(degree, degree + LEVELS)
+            for start in range(0, len(every), AT_ONCE):
+                elements = every[start : start + AT_ONCE]
+                blocks = self.element(elements, degree + LEVELS)
+                moved = self._moved(basis, elements)
+                part = {
+                    name: (block[:, new][:, :, kept] @ moved).reshape(-1, basis.shape[1])
+                    for name, block in blocks.items()
+                }
+                own = {f"own_{n}": blocks[n][:, new, new].ravel() for n in ("mass", "stiffness")}
+                yield part | own
+
+    def _moved(self, basis: Array, elements: Degrees) -> Array:
+        """Freedoms of elements of one degree by vectors (e, k, m)."""
+        rows = self.rows(elements)
+        own, jumped = basis[rows], basis[self.size - len(self.jumps) :]
+        return own + self.carried(elements, rows.shape[1]) @ jumped if self.jumps else own
 
     def place(self, x: Array) -> tuple[Degrees, Array]:
         """Element and ξ on [−1, 1] of stations ``x`` [m]."""
@@ -150,7 +192,8 @@ class Hierarchy:
         left = self.mesh.x[element]
         return element, 2.0 * (x - left) / self.mesh.length[element] - 1.0
 
-    def _by_degree(self) -> Iterator[tuple[int, Degrees]]:
+    def by_degree(self) -> Iterator[tuple[int, Degrees]]:
+        """Every degree and its elements."""
         for degree in np.unique(self.degree):
             yield int(degree), np.flatnonzero(self.degree == degree)
 

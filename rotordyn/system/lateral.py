@@ -150,7 +150,7 @@ def lateral_system(
     rows = np.concatenate([rotor.seats, rotor.supports])
     own_stiffness = np.tile(np.diag(rotor.stiffness), (len(speed), 1, 1))
     if axial_force is not None:
-        own_stiffness += np.tensordot(axial_force, rotor.per_newton, 1) + rotor.bar
+        own_stiffness += rotor.per_newton.under(axial_force) + rotor.bar
     if softened:
         own_stiffness -= (speed**2)[:, None, None] * rotor.translational_mass
     own_damping = np.diag(rotor.damping) + rotor.joints

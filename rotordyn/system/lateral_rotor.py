@@ -12,10 +12,11 @@ from numpy.typing import NDArray
 from rotordyn.elements.bubbles import points
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve
-from rotordyn.numerics.reduction import ritz_basis
+from rotordyn.numerics.sparse import Matrix, filled, scaled_rows
 from rotordyn.system.assemble import bending_plane, loaded_plane
 from rotordyn.system.connections import connections, moved
 from rotordyn.system.dofs import PLANE_Y
+from rotordyn.system.flexibility import bending_answer, free_vectors
 from rotordyn.system.hierarchic_rotor import (
     beams,
     bending_hierarchy,
@@ -27,6 +28,7 @@ from rotordyn.system.hierarchic_rotor import (
 )
 from rotordyn.system.hierarchy import Hierarchy
 from rotordyn.system.mesh import Mesh
+from rotordyn.system.pressed import Pressed, Slopes, Table
 from rotordyn.system.remainder import Remainder, remainder
 from rotordyn.system.stiffening import Stiffening, stiffening
 from rotordyn.system.unreduced import Unreduced
@@ -73,7 +75,7 @@ class LateralRotor:
 
     ``basis`` (2·nodes, m); ``stiffness`` (m,); ``polar`` (m, m): per unit of the spindle's speed,
     a further rotor's times its speed ratio; ``translational_mass`` (m, m); ``damping`` (m,): the
-    rotors' own. ``per_newton`` (elements, m, m): stiffness per newton of axial force in each
+    rotors' own. ``per_newton`` (m, m): stiffness by the axial force in each
     element of the shaft; ``bar`` (m, m): that of the drawbar. ``seats`` (seats, 2, m): deflection
     and tilt between the rings of each bearing; ``supports`` (supports, 2, m): those between the
     ends of each linear support, and ``connected`` the nodes of both (``connections``). The last
@@ -92,7 +94,7 @@ class LateralRotor:
     polar: Array
     translational_mass: Array
     damping: Array
-    per_newton: Array
+    per_newton: Pressed
     bar: Array
     seats: Array
     supports: Array
@@ -127,7 +129,7 @@ class _Reduced:
     damping: Array
     polar: Array
     translational_mass: Array
-    per_newton: Array
+    per_newton: Pressed
     remainder: Remainder | None
     unreduced: Unreduced | None
     resolved: float
@@ -155,7 +157,7 @@ class _Reduced:
             return self
         from scipy.linalg import block_diag
 
-        every = (self, *others)
+        every, more = (self, *others), sum(len(one.values) for one in others)
         names = ("at_nodes", "polar", "translational_mass", "joints", "turning")
         blocks = {name: block_diag(*(getattr(one, name) for one in every)) for name in names}
         left_out = [one.remainder for one in others if one.remainder]
@@ -164,7 +166,7 @@ class _Reduced:
             **blocks,
             values=np.concatenate([one.values for one in every]),
             damping=np.concatenate([one.damping for one in every]),
-            per_newton=_bordered(self.per_newton, sum(len(one.values) for one in others)),
+            per_newton=self.per_newton.padded(rows=more, columns=more),
             remainder=self.remainder and self.remainder.beside(left_out),
             unreduced=self.unreduced and self.unreduced.beside(wholes),
             resolved=min(one.resolved for one in every),
@@ -205,7 +207,7 @@ def lateral_rotor(
         polar=_bordered(free.polar, more),
         translational_mass=_bordered(free.translational_mass, more),
         damping=np.concatenate([free.damping, np.zeros(more)]),
-        per_newton=_bordered(free.per_newton, more),
+        per_newton=free.per_newton.padded(rows=more, columns=more),
         bar=tension.bar(nodes),
         seats=seats,
         supports=supports,
@@ -247,33 +249,42 @@ def _flexible(
     elements = bending_elements(spindle, mesh, fineness)
     plane = loaded_plane(spindle, elements)
     seen = deflections(spindle, elements, mesh.x)
-    loads = seen[_loaded(spindle, mesh, ports)].T
+    loads = filled(seen[_loaded(spindle, mesh, ports)].T)
     loads = np.concatenate([loads, elements.damper_loads], axis=1)
     couplings = [plane.polar, *(seen.T @ c @ seen for c in _drawbar(spindle, mesh, tension))]
-    rigid = rigid_motions(elements)
-    basis = ritz_basis(plane.mass, plane.stiffness, fineness.cutoff, loads, rigid, couplings)
+    slope = _weighted_slopes(spindle, elements, mesh)
+    basis = free_vectors(
+        elements,
+        plane,
+        lambda: bending_answer(spindle, elements, plane.stiffness),
+        fineness.cutoff,
+        loads,
+        rigid_motions(elements),
+        couplings,
+        lambda: [plane.polar, slope.T @ slope],
+    )
     vectors = basis.vectors
-    slope = slopes(spindle, elements, _places(mesh).ravel())
+    sloped = slope @ vectors
     damping, joints = own_damping(basis.values, spindle), jump_damping(elements, vectors)
     return _Reduced(
         at_nodes=seen @ vectors,
         values=basis.values,
         damping=damping,
-        polar=vectors.T @ plane.polar @ vectors,
-        translational_mass=vectors.T @ plane.translational_mass @ vectors,
-        per_newton=_shortening(slope @ vectors, slope @ vectors, mesh),
+        polar=vectors.T @ (plane.polar @ vectors),
+        translational_mass=vectors.T @ (plane.translational_mass @ vectors),
+        per_newton=_shortening(sloped, sloped, mesh, large=elements.large),
         remainder=remainder(
             elements,
             basis,
             {"mass": plane.mass, "polar": plane.polar},
             seen,
-            _shortening(slope @ basis.rest, slope @ vectors, mesh),
+            _shortening(slope @ basis.rest, sloped, mesh, large=elements.large),
         ),
         unreduced=Unreduced(
             basis,
             seen,
             plane.polar,
-            slope * np.sqrt(points(GAUSS)[1] * mesh.length[:, None] / 2.0).reshape(-1, 1),
+            slope,
             [
                 (PLANE_Y.row(left, "y"), PLANE_Y.row(right, "y"), stiffness)
                 for left, right, stiffness in tension.spans
@@ -287,16 +298,22 @@ def _flexible(
     )
 
 
-def _places(mesh: Mesh) -> Array:
-    """Gauss points of every element of the mesh (elements, points) [m]."""
-    return np.asarray(mesh.middle[:, None] + mesh.length[:, None] / 2.0 * points(GAUSS)[0])
+def _weighted_slopes(spindle: Spindle, elements: Hierarchy, mesh: Mesh) -> Matrix:
+    """Slopes at the Gauss points of every element of the mesh, times the root of the length that
+    each stands for (elements·points, size)."""
+    xi, weight = points(GAUSS)
+    half = mesh.length[:, None] / 2.0
+    places = mesh.middle[:, None] + half * xi
+    return scaled_rows(slopes(spindle, elements, places.ravel()), np.sqrt(weight * half).ravel())
 
 
-def _shortening(one: Array, other: Array, mesh: Mesh) -> Array:
-    """∫ v′ v′ dx over each element of two sets of slopes at its Gauss points (elements, a, b)."""
-    weight = points(GAUSS)[1] * mesh.length[:, None] / 2.0
-    shaped = (slope.reshape(*weight.shape, -1) for slope in (one, other))
-    return np.einsum("eq,eqa,eqb->eab", weight, *shaped, optimize=True)
+def _shortening(one: Array, other: Array, mesh: Mesh, *, large: bool) -> Pressed:
+    """∫ v′ v′ dx over each element of two sets of weighted slopes at its Gauss points."""
+    if large:
+        return Slopes(one, other)
+    each = mesh.nodes - 1, len(points(GAUSS)[0])
+    shaped = (slope.reshape(*each, slope.shape[1]) for slope in (one, other))
+    return Table(np.einsum("eqa,eqb->eab", *shaped, optimize=True))
 
 
 def bending_elements(spindle: Spindle, mesh: Mesh, fineness: Fineness) -> Hierarchy:
@@ -312,10 +329,10 @@ def _rigid(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> _Reduced:
     plane = bending_plane(spindle, mesh)
     shape = np.zeros((2 * mesh.nodes, 2))
     shape[0::2, 0], shape[0::2, 1], shape[1::2, 1] = 1.0, mesh.x, 1.0
-    factor = np.linalg.cholesky(shape.T @ plane.mass @ shape)
+    factor = np.linalg.cholesky(shape.T @ (plane.mass @ shape))
     basis = np.asarray(np.linalg.solve(factor, shape.T).T)
-    polar, translation = (basis.T @ m @ basis for m in (plane.polar, plane.translational_mass))
-    along = tension.projected(basis.reshape(-1, 2, 2))
+    polar, translation = (basis.T @ (m @ basis) for m in (plane.polar, plane.translational_mass))
+    along = Table(tension.projected(basis.reshape(-1, 2, 2)))
     still, none = np.zeros(2), np.zeros((2, 2))
     damping = own_damping(still, spindle)
     return _Reduced(
@@ -333,14 +350,13 @@ def _rigid(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> _Reduced:
     )
 
 
-def _drawbar(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> list[Array]:
+def _drawbar(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> list[Matrix]:
     """Stiffness by the drawbar alone (2·nodes, 2·nodes), where there is one that acts."""
     bar = spindle.drawbar
     if bar is None or not bar.contacts:
         return []
     inside = (bar.start < mesh.middle) & (mesh.middle < bar.end)
-    every = np.eye(2 * mesh.nodes).reshape(mesh.nodes, 2, -1)
-    return [tension.bar(every) - tension.shaft(bar.force * inside.astype(float))]
+    return [tension.strung(mesh.nodes) - tension.shaft(bar.force * inside.astype(float))]
 
 
 def own_damping(values: Array, spindle: Spindle, *, bending: bool = True) -> Array:

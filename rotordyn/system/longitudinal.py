@@ -18,10 +18,11 @@ from rotordyn.elements.node import FREEDOMS, position
 from rotordyn.elements.support import along_and_about
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve
-from rotordyn.numerics.reduction import ritz_basis
+from rotordyn.numerics.sparse import filled
 from rotordyn.system.assemble import loaded_rod
 from rotordyn.system.connections import connections, moved, supported
 from rotordyn.system.dofs import AXIAL, TORSION, Selection
+from rotordyn.system.flexibility import free_vectors, rod_answer
 from rotordyn.system.hierarchic_rotor import (
     axial_properties,
     jump_damping,
@@ -315,9 +316,18 @@ def _alone(
         own = own_damping(still, spindle, bending=False)
         return _Reduced(one, still, own, None, None, np.zeros((1, 1)))
     seen = rod_displacements(elements, mesh.x)
-    loads = np.concatenate([seen[sorted(set(stations))].T, elements.damper_loads], axis=1)
+    acting = filled(seen[sorted(set(stations))].T)
+    loads = np.concatenate([acting, elements.damper_loads], axis=1)
     together = (np.arange(elements.size) < elements.mesh.nodes).astype(float)[:, None]
-    basis = ritz_basis(whole.mass, whole.stiffness, fineness.cutoff, loads, together)
+    rigidity, _ = rod.properties(elements.mesh)
+    basis = free_vectors(
+        elements,
+        whole,
+        lambda: rod_answer(rigidity, elements, whole.stiffness),
+        fineness.cutoff,
+        loads,
+        together,
+    )
     left_out = remainder(elements, basis, {"mass": whole.mass}, seen)
     damped = jump_damping(elements, basis.vectors)
     own = own_damping(basis.values, spindle, bending=False)

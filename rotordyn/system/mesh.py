@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import accumulate, pairwise
@@ -20,7 +21,7 @@ Array = NDArray[np.float64]
 
 COINCIDENT = 1.5e-7  # of the shaft's length: stations closer than that are one node
 ELEMENTS_OVER_LENGTH = 50
-MOST_NODES = 3000  # matrices are dense
+MOST_NODES = 100_000
 
 
 class HasStation(Protocol):
@@ -93,7 +94,8 @@ class Mesh:
         ------
         InvalidInput : no node is there
         """
-        node = int(np.abs(self.x - x).argmin())
+        right = min(max(int(np.searchsorted(self.x, x)), 1), len(self.x) - 1)
+        node = right - int(x - self.x[right - 1] <= self.x[right] - x)
         if abs(float(self.x[node]) - x) > 2.0 * COINCIDENT * float(self.x[-1] - self.x[0]):
             raise InvalidInput(f"no node at x = {x:g} m; the nearest is at {self.x[node]:g} m")
         return node
@@ -140,14 +142,13 @@ def _mesh(spindle: Spindle, longest: float) -> Mesh:
     nodes = len(shaft.sections) + len(placed) + (shaft.end - shaft.start) / longest
     if nodes > MOST_NODES:
         raise InvalidInput(
-            f"too many nodes for the dense matrices of this version: given {nodes:.0f} by "
-            f"{len(shaft.sections)} sections, {len(placed)} things on them and the length of "
-            f"elements; allowed: up to {MOST_NODES}; join sections that are alike, or ask for "
-            "longer elements"
+            f"too many nodes: given {nodes:.0f} by {len(shaft.sections)} sections, {len(placed)} "
+            f"things on them and the length of elements; allowed: up to {MOST_NODES}; join "
+            "sections that are alike, or ask for longer elements"
         )
     stations = _merged(shaft, placed)
-    x = np.concatenate([*(_divided(*ends, longest) for ends in pairwise(stations)), stations[-1:]])
-    sections = [shaft.section_at(float(middle)) for middle in (x[1:] + x[:-1]) / 2.0]
+    x = _divided(stations, longest)
+    sections = shaft.sections_at((x[1:] + x[:-1]) / 2.0)
     return Mesh(
         x=x,
         outer_diameter=np.array([s.outer_diameter for s in sections]),
@@ -179,20 +180,27 @@ def _placed(spindle: Spindle) -> Iterator[tuple[str, float]]:
 
 def _merged(shaft: Shaft, placed: Sequence[tuple[str, float]]) -> Array:
     """All stations in order, those that coincide only once; section boundaries have precedence."""
-    tolerance = COINCIDENT * (shaft.end - shaft.start)
+    edges = shaft.boundaries
+    start, end = edges[0], edges[-1]
+    tolerance = COINCIDENT * (end - start)
     for name, x in placed:
-        if not shaft.start - tolerance <= x <= shaft.end + tolerance:
-            raise InvalidInput(
-                f"{name} at x = {x:g} m is off the shaft ({shaft.start:g} to {shaft.end:g} m)"
-            )
-    kept: list[float] = []
-    for x in (shaft.start, shaft.end, *shaft.boundaries, *sorted(x for _, x in placed)):
-        if all(abs(x - other) > tolerance for other in kept):
-            kept.append(x)
-    return np.array(sorted(kept))
+        if not start - tolerance <= x <= end + tolerance:
+            raise InvalidInput(f"{name} at x = {x:g} m is off the shaft ({start:g} to {end:g} m)")
+    kept = list(edges)
+    more = sorted(x for _, x in placed)
+    if (np.diff(edges) <= tolerance).any():
+        kept, more = [start, end], [*edges, *more]
+    for x in more:
+        place = bisect_left(kept, x)
+        if all(abs(x - other) > tolerance for other in kept[max(place - 1, 0) : place + 1]):
+            kept.insert(place, x)
+    return np.array(kept)
 
 
-def _divided(left: float, right: float, longest: float) -> Array:
-    """Nodes from ``left`` on, ``right`` excluded."""
-    parts = max(1, math.ceil((right - left) / longest * (1.0 - COINCIDENT)))
-    return np.linspace(left, right, parts, endpoint=False, dtype=np.float64)
+def _divided(stations: Array, longest: float) -> Array:
+    """Nodes at ``stations``, and at equal distances between them that do not exceed ``longest``."""
+    span = np.diff(stations)
+    parts = np.maximum(1, np.ceil(span / longest * (1.0 - COINCIDENT))).astype(np.intp)
+    number = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
+    inside = number * np.repeat(span / parts, parts) + np.repeat(stations[:-1], parts)
+    return np.concatenate([inside, stations[-1:]])

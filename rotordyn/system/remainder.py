@@ -10,16 +10,19 @@ elements would add, and the modes of the free rotor that the reduction did not k
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.numerics.reduction import RitzBasis
+from rotordyn.numerics.sparse import Matrix
 from rotordyn.system.hierarchy import Hierarchy
+from rotordyn.system.pressed import Pressed, Table
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+DEPENDENT = 1e-14  # of the largest, each in its own measure: directions that are rounding
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -28,7 +31,7 @@ class Remainder:
 
     ``mass``, ``stiffness``, ``polar`` (r, m): coupling with the coordinates; ``own_mass``,
     ``own_stiffness`` (r,); ``at_nodes`` (r, 2·nodes): deflections and tilts of the mesh's nodes.
-    ``per_newton`` (elements, r, m): coupling per newton of axial force in each element of the mesh
+    ``per_newton``: (r, m) by the axial force in each element of the mesh
     (none for rods; what finer elements would add to it is left aside). ``rounding`` (m,): of the
     stiffness of the coordinates themselves.
     """
@@ -39,7 +42,7 @@ class Remainder:
     own_mass: Array
     own_stiffness: Array
     at_nodes: Array
-    per_newton: Array
+    per_newton: Pressed
     rounding: Array
 
     def widened(self, more: int) -> Remainder:
@@ -50,7 +53,7 @@ class Remainder:
             own_mass=self.own_mass,
             own_stiffness=self.own_stiffness,
             at_nodes=self.at_nodes,
-            per_newton=np.pad(self.per_newton, ((0, 0), (0, 0), (0, more))),
+            per_newton=self.per_newton.padded(columns=more),
             rounding=np.pad(self.rounding, (0, more)),
         )
 
@@ -66,9 +69,8 @@ class Remainder:
             n: np.concatenate([getattr(one, n) for one in every])
             for n in ("own_mass", "own_stiffness", "rounding")
         }
-        _, left_out, kept = self.per_newton.shape
-        more = (len(rows["own_mass"]) - left_out, len(rows["rounding"]) - kept)
-        pressed = np.pad(self.per_newton, ((0, 0), (0, more[0]), (0, more[1])))
+        more = [len(rows[name]) - len(getattr(self, name)) for name in ("own_mass", "rounding")]
+        pressed = self.per_newton.padded(rows=more[0], columns=more[1])
         return Remainder(**blocks, **rows, per_newton=pressed)
 
 
@@ -78,54 +80,80 @@ _COUPLINGS = ("mass", "stiffness", "polar")
 def remainder(
     elements: Hierarchy,
     basis: RitzBasis,
-    matrices: dict[str, Array],
-    displayed: Array,
-    per_newton: Array | None = None,
+    matrices: dict[str, Matrix],
+    displayed: Matrix,
+    per_newton: Pressed | None = None,
 ) -> Remainder:
     """Of ``elements`` reduced to ``basis``; ``displayed`` (2·nodes, size) as for the basis.
 
-    ``matrices``: those of the whole, lumped bodies included; ``per_newton`` (elements of the mesh,
-    rest of the basis, m): how axial force couples the two.
+    ``matrices``: those of the whole, lumped bodies included; ``per_newton`` (rest of the basis, m):
+    how axial force couples the two.
     """
     if per_newton is None:
-        per_newton = np.zeros((0, basis.rest.shape[1], basis.vectors.shape[1]))
-    finer = _of_finer_elements(elements, basis, len(displayed), len(per_newton))
-    higher = _of_modes(basis, matrices, displayed, per_newton)
-    parts = {f.name: [getattr(finer, f.name), getattr(higher, f.name)] for f in fields(Remainder)}
-    axis = {"per_newton": 1}
-    return Remainder(**{n: np.concatenate(v, axis=axis.get(n, 0)) for n, v in parts.items()})
-
-
-def _of_finer_elements(elements: Hierarchy, basis: RitzBasis, rows: int, pressed: int) -> Remainder:
-    """Inner freedoms of higher degree: they vanish at nodes and stand alone in stiffness."""
-    found = elements.left_out(basis.vectors)
-    zero = np.zeros_like(found["mass"])
+        per_newton = Table(np.zeros((0, basis.rest.shape[1], basis.vectors.shape[1])))
+    finer = _gathered if elements.large else _of_finer_elements
+    parts = [finer(elements, basis), _of_modes(basis, matrices, displayed)]
+    names = (*_COUPLINGS, "own_mass", "own_stiffness")
+    whole = {name: np.concatenate([part[name] for part in parts]) for name in names}
+    count = len(parts[0]["own_mass"])
     return Remainder(
-        mass=found["mass"],
-        stiffness=zero,
-        polar=found.get("polar", zero),
-        own_mass=found["own_mass"],
-        own_stiffness=found["own_stiffness"],
-        at_nodes=np.zeros((len(zero), rows)),
-        per_newton=np.zeros((pressed, *zero.shape)),
-        rounding=np.zeros(0),
+        **whole,
+        at_nodes=np.pad(parts[1]["at_nodes"], ((count, 0), (0, 0))),
+        per_newton=per_newton.padded(before=count),
+        rounding=basis.rounding,
     )
 
 
-def _of_modes(
-    basis: RitzBasis, matrices: dict[str, Array], displayed: Array, per_newton: Array
-) -> Remainder:
+def _of_finer_elements(elements: Hierarchy, basis: RitzBasis) -> dict[str, Array]:
+    """Inner freedoms of higher degree: they vanish at nodes and stand alone in stiffness."""
+    found = elements.left_out(basis.vectors)
+    zero = np.zeros_like(found["mass"])
+    names = ("mass", "own_mass", "own_stiffness")
+    return {name: found[name] for name in names} | {
+        "stiffness": zero,
+        "polar": found.get("polar", zero),
+    }
+
+
+def _gathered(elements: Hierarchy, basis: RitzBasis) -> dict[str, Array]:
+    """The same of many elements in as few vectors as the basis couples with.
+
+    Of inner freedoms x = k^-½ y only the y within the span of k^-½ [mass, polar] are met by forces.
+    """
+    m = basis.vectors.shape[1]
+    gram, weighed = np.zeros((2 * m, 2 * m)), np.zeros((2 * m, 2 * m))
+    for part in elements.left_out_by_parts(basis.vectors):
+        met = np.concatenate([part["mass"], part.get("polar", 0.0 * part["mass"])], axis=1)
+        met /= np.sqrt(part["own_stiffness"])[:, None]
+        gram += met.T @ met
+        weighed += met.T @ (met * (part["own_mass"] / part["own_stiffness"])[:, None])
+    scale = np.sqrt(np.diagonal(gram))
+    scale = np.where(scale > 0.0, scale, 1.0)
+    size, turn = np.linalg.eigh(gram / scale[:, None] / scale)
+    known = size > DEPENDENT * size[-1]
+    root, turn = np.sqrt(size[known]), turn[:, known]
+    inner = turn.T @ (weighed / scale[:, None] / scale) @ turn
+    own, swung = np.linalg.eigh(inner / root[:, None] / root)
+    met = swung.T @ (root[:, None] * turn.T) * scale
+    return {
+        "mass": met[:, :m],
+        "polar": met[:, m:],
+        "stiffness": np.zeros((len(own), m)),
+        "own_mass": own,
+        "own_stiffness": np.ones(len(own)),
+    }
+
+
+def _of_modes(basis: RitzBasis, matrices: dict[str, Matrix], displayed: Matrix) -> dict[str, Array]:
     """Modes of the free rotor above those kept."""
     rest = basis.rest
     mass = basis.rest_mass
     polar = rest.T @ (matrices["polar"] @ basis.vectors) if "polar" in matrices else 0.0 * mass
-    return Remainder(
-        mass=mass,
-        stiffness=basis.rest_values[:, None] * mass,
-        polar=polar,
-        own_mass=np.ones(len(mass)),
-        own_stiffness=basis.rest_values,
-        at_nodes=(displayed @ rest).T,
-        per_newton=per_newton,
-        rounding=basis.rounding,
-    )
+    return {
+        "mass": mass,
+        "stiffness": basis.rest_values[:, None] * mass,
+        "polar": polar,
+        "own_mass": np.ones(len(mass)),
+        "own_stiffness": basis.rest_values,
+        "at_nodes": (displayed @ rest).T,
+    }

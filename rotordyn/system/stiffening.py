@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from rotordyn.elements.plane_bending import axial_force_stiffness, shear_parameter
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
+from rotordyn.numerics.sparse import LONG, Matrix, summed
 from rotordyn.system.assemble import chain, shear_coefficients
 from rotordyn.system.mesh import Mesh
 
@@ -32,7 +33,7 @@ class Stiffening:
     per_newton: Array
     spans: tuple[tuple[int, int, float], ...]
 
-    def shaft(self, force: Array) -> Array:
+    def shaft(self, force: Array) -> Matrix:
         """Stiffness (2·nodes, 2·nodes) under the axial ``force`` (elements,) [N]."""
         return chain(self.per_newton * force[:, None, None])
 
@@ -40,6 +41,13 @@ class Stiffening:
         """Per newton in each element (elements, m, m), nodes moving by ``rows`` (nodes, 2, m)."""
         ends = np.concatenate([rows[:-1], rows[1:]], axis=1)
         return np.asarray(np.swapaxes(ends, 1, 2) @ self.per_newton @ ends)
+
+    def strung(self, nodes: int) -> Matrix:
+        """Stiffness of the drawbar by the freedoms of all nodes (2·nodes, 2·nodes)."""
+        size, sign = 2 * nodes, np.array([[1.0, -1.0], [-1.0, 1.0]])
+        ends = np.array([(2 * left, 2 * right) for left, right, _ in self.spans])
+        stiffness = np.array([stiffness for *_, stiffness in self.spans])[:, None, None]
+        return summed((size, size), [(ends, ends, stiffness * sign)], large=size >= LONG)
 
     def bar(self, rows: Array) -> Array:
         """Stiffness of the drawbar (m, m), nodes moving by ``rows`` (nodes, 2, m)."""

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.numerics.reduction import Complement, RitzBasis, side_by_side
+from rotordyn.numerics.sparse import Matrix, block_diagonal, wider
 
 Array = NDArray[np.float64]
 
@@ -33,9 +34,9 @@ class Unreduced:
     """
 
     basis: RitzBasis
-    at_nodes: Array
-    polar: Array | None = None
-    slope: Array | None = None
+    at_nodes: Matrix
+    polar: Matrix | None = None
+    slope: Matrix | None = None
     spans: Sequence[tuple[int, int, float]] = ()
     dampers: Mapping[int, float] = field(default_factory=dict)
     turning: tuple[float, ...] = ()
@@ -53,11 +54,9 @@ class Unreduced:
 
     def beside(self, others: Sequence[Unreduced]) -> Unreduced:
         """With other rotors, on which neither axial force nor a drawbar acts."""
-        from scipy.linalg import block_diag
-
         every = (self, *others)
         size = sum(len(one.basis.vectors) for one in others)
-        polar = None if self.polar is None else block_diag(*(one.polar for one in every))
+        polar = None if self.polar is None else block_diagonal([one.polar for one in every])
         first = accumulate((len(one.basis.vectors) for one in every), initial=0)
         dampers = {
             begin + row: damping
@@ -67,11 +66,11 @@ class Unreduced:
         return replace(
             self,
             basis=side_by_side([one.basis for one in every]),
-            at_nodes=block_diag(*(one.at_nodes for one in every)),
+            at_nodes=block_diagonal([one.at_nodes for one in every]),
             polar=polar,
             dampers=dampers,
             turning=tuple(ratio for one in every for ratio in one.turning),
-            slope=None if self.slope is None else np.pad(self.slope, ((0, 0), (0, size))),
+            slope=None if self.slope is None else wider(self.slope, size),
         )
 
     @property
@@ -87,8 +86,9 @@ class Unreduced:
     @cached_property
     def polar_coupling(self) -> Array:
         """ΨᵀPΦ (c, m)."""
-        polar = self._polar
-        return self._widened(self.rest.vectors.T @ polar @ self.basis.vectors)
+        if self.polar is None:
+            return np.zeros_like(self.mass_coupling)
+        return self._widened(self.rest.vectors.T @ (self.polar @ self.basis.vectors))
 
     @cached_property
     def seen(self) -> Array:
@@ -98,19 +98,17 @@ class Unreduced:
     @cached_property
     def mass_norm(self) -> float:
         """Of ΨᵀMΨ, on vectors of unit stiffness [s²]."""
-        return _norm(self.rest.mass)
+        return self.rest.mass_norm
 
     @cached_property
     def polar_norm(self) -> float:
         """Of ΨᵀPΨ [s²]."""
-        return _norm(self.rest.vectors.T @ self._polar @ self.rest.vectors)
+        return 0.0 if self.polar is None else self.rest.norm(self.polar)
 
     @cached_property
     def slope_norm(self) -> float:
         """Of the slopes by what is left out, the root of ∫ v′² dx at most [N^-½]."""
-        if self.slope is None:
-            return 0.0
-        return _norm(self.slope @ self.rest.vectors)
+        return 0.0 if self.slope is None else self.rest.reach(self.slope)
 
     @cached_property
     def bar_rows(self) -> tuple[Array, Array]:
@@ -131,15 +129,5 @@ class Unreduced:
         rows = [np.sqrt(k) * (moved[right] - moved[left]) for left, right, k in self.spans]
         return np.array(rows).reshape(len(rows), moved.shape[1])
 
-    @property
-    def _polar(self) -> Array:
-        size = len(self.basis.vectors)
-        return np.zeros((size, size)) if self.polar is None else self.polar
-
     def _widened(self, matrix: Array) -> Array:
         return np.pad(matrix, ((0, 0), (0, self.more)))
-
-
-def _norm(matrix: Array) -> float:
-    """Largest singular value; nothing for an empty matrix."""
-    return float(np.linalg.norm(matrix, 2)) if matrix.size else 0.0

@@ -10,6 +10,7 @@ from scipy.linalg import eigvals, solve
 
 from rotordyn.elements.support import node_matrix
 from rotordyn.machine.spindle import Spindle
+from rotordyn.numerics.sparse import filled
 from rotordyn.system.assemble import loaded_plane
 from rotordyn.system.dofs import BOTH_PLANES
 from rotordyn.system.hierarchic_rotor import bending_hierarchy, deflections, rigid_motions
@@ -29,13 +30,13 @@ def dense_poles(spindle: Spindle, spin: float, highest: float, accuracy: float) 
     turn = np.eye(elements.size)
     turn[:, :2] = rigid_motions(elements)
     turn[:, 1] -= turn[0, 1] * turn[:, 0]
-    own, polar = (turn.T @ m @ turn for m in (plane.mass, plane.polar))
-    elastic, zero = plane.stiffness.copy(), np.zeros_like(own)
+    own, polar = (turn.T @ filled(m) @ turn for m in (plane.mass, plane.polar))
+    elastic, zero = filled(plane.stiffness).copy(), np.zeros_like(own)
     elastic[:2], elastic[:, :2] = 0.0, 0.0
     mass, stiffness = (np.block([[m, zero], [zero, m]]) for m in (own, elastic))
     damping = spin * np.block([[zero, polar], [-polar, zero]])
     for support in spindle.supports:
-        seen = deflections(spindle, elements, np.array([support.x])) @ turn
+        seen = filled(deflections(spindle, elements, np.array([support.x]))) @ turn
         rows = np.block([[seen, 0.0 * seen], [0.0 * seen, seen]])
         stiffness = stiffness + rows.T @ BOTH_PLANES.take(node_matrix(support.stiffness)) @ rows
         damping = damping + rows.T @ BOTH_PLANES.take(node_matrix(support.damping)) @ rows

@@ -21,7 +21,7 @@ from rotordyn.machine.joint import Joint
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.reduction import RitzBasis
 from rotordyn.report.warnings import result_warnings
-from rotordyn.system import lateral_rotor
+from rotordyn.system import flexibility, lateral_rotor
 from rotordyn.system.hierarchy import Hierarchy
 from rotordyn.system.mesh import build_mesh
 from tests.oracles.full_rotor import FullRotor
@@ -118,7 +118,7 @@ def test_a_mode_that_the_basis_lacks_is_noticed(
     more: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The second bending vector is put among those left out: no proof, and the warning says so."""
-    whole = lateral_rotor.ritz_basis
+    whole = flexibility.ritz_basis
 
     def poorer(*arguments: Any) -> RitzBasis:
         basis = whole(*arguments)
@@ -138,7 +138,7 @@ def test_a_mode_that_the_basis_lacks_is_noticed(
     rotor = replace(uniform(1.0, 0.05, supports=ends), **more)
     complete = answered(rotor, [100.0], 2000.0)
     assert complete.certified.all()
-    monkeypatch.setattr(lateral_rotor, "ritz_basis", poorer)
+    monkeypatch.setattr(flexibility, "ritz_basis", poorer)
     result = answered(rotor, [100.0], 2000.0)
     assert not result.certified.any()
     assert np.isnan(result.modes_below).all()
@@ -156,8 +156,10 @@ def test_more_modes_are_taken_where_the_count_is_not_proven(
         1.0, 0.02, supports=[support("a", 0.0, (1e7, 1e7)), support("b", 1.0, (1e7, 1e7))]
     )
     asked: list[float] = []
-    whole = lateral_rotor.ritz_basis
-    monkeypatch.setattr(lateral_rotor, "ritz_basis", lambda *a: (asked.append(a[2]), whole(*a))[1])
+    whole = lateral_rotor.free_vectors
+    monkeypatch.setattr(
+        lateral_rotor, "free_vectors", lambda *a: (asked.append(a[3]), whole(*a))[1]
+    )
     result = answered(rotor, [100.0], 6000.0)
     assert result.certified.all()
     assert len(asked) > 1
@@ -189,7 +191,7 @@ def test_forces_of_supports_on_housings_count_as_those_on_ground(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Without static answers to them these forces rule the bound; a heavy housing is ground."""
-    whole = lateral_rotor.ritz_basis
+    whole = flexibility.ritz_basis
 
     def unanswered(mass: Any, stiffness: Any, cutoff: float, loads: Any, *rest: Any) -> RitzBasis:
         return whole(mass, stiffness, cutoff, loads[:, :0], *rest)
@@ -198,7 +200,7 @@ def test_forces_of_supports_on_housings_count_as_those_on_ground(
     rotor = uniform(1.0, 0.05, supports=ends)
     ground = RigidHousing("wall", ("a",), 0.0, 5e4, {("y", "y"): 1e12, ("z", "z"): 1e12})
     answered_for = bounds(rotor)
-    monkeypatch.setattr(lateral_rotor, "ritz_basis", unanswered)
+    monkeypatch.setattr(flexibility, "ritz_basis", unanswered)
     bare, housed = bounds(rotor), bounds(replace(rotor, housings=(ground,)))
     assert (bare > 5.0 * answered_for).all()
     assert housed == pytest.approx(bare, rel=1e-2)

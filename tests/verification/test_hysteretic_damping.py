@@ -34,7 +34,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from rotordyn.numerics.reduction import RitzBasis
 from rotordyn.report.warnings import result_warnings
-from rotordyn.system import lateral_rotor
+from rotordyn.system import flexibility
 from rotordyn.system.assemble import rotor_matrices
 from rotordyn.system.dofs import LATERAL
 from rotordyn.system.hysteresis import Signs
@@ -483,7 +483,7 @@ def test_housings_carry_lossy_supports() -> None:
     seen = [r.damping_ratio[:, [k == "bending" for k in r.kind]] for r in (ours, theirs)]
     for row in range(2):
         for ratio in seen[0][row]:
-            assert np.abs(seen[1][row] - ratio).min() < 1e-3
+            assert np.nanmin(np.abs(seen[1][row] - ratio)) < 1e-3
 
 
 def test_a_rotor_of_many_modes_begins_to_grow_at_its_first_forward_critical_speed() -> None:
@@ -558,7 +558,7 @@ def test_no_proof_where_a_mode_turns_with_the_shaft() -> None:
 
 def test_a_mode_that_the_basis_lacks_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:
     """The lowest bending vector is put among those left out: no proof with losses either."""
-    whole = lateral_rotor.ritz_basis
+    whole = flexibility.ritz_basis
 
     def poorer(*arguments: Any) -> RitzBasis:
         basis = whole(*arguments)
@@ -574,7 +574,7 @@ def test_a_mode_that_the_basis_lacks_is_noticed(monkeypatch: pytest.MonkeyPatch)
         )
 
     assert modes(whole_machine(0.05), [0.0, 4000.0], 2000.0).certified.all()
-    monkeypatch.setattr(lateral_rotor, "ritz_basis", poorer)
+    monkeypatch.setattr(flexibility, "ritz_basis", poorer)
     found = modes(whole_machine(0.05), [0.0, 4000.0], 2000.0)
     assert not found.certified.any()
     assert found.no_proof == "loss factors"

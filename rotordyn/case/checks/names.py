@@ -11,9 +11,11 @@ from rotordyn.quantity import suggestion
 
 def unique(names: Sequence[str], root: Node, way: tuple[object, ...], faults: Faults) -> None:
     """No item of the list at ``way`` bears the name of an earlier one (empty ones aside)."""
+    earlier: set[str] = set()
     for index, name in enumerate(names):
-        if name and name in names[:index]:
+        if name and name in earlier:
             faults.at(root, (*way, index, "name"), f"name given twice: '{name}'")
+        earlier.add(name)
 
 
 def exists(

@@ -4,7 +4,13 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+import pytest
+
 import rotordyn
+from rotordyn.machine.lumped import PointMass
+from rotordyn.machine.shaft import Shaft
+from rotordyn.system.mesh import build_mesh
+from tests.oracles.rotors import uniform
 
 
 def test_the_arrangement_is_named_from_the_thrusts():
@@ -13,3 +19,18 @@ def test_the_arrangement_is_named_from_the_thrusts():
     assert spindle.pairings == (("b", "c", "O"),)
     turned = tuple(replace(seat, thrust=-seat.thrust) for seat in spindle.seats)
     assert replace(spindle, seats=turned).pairings == (("b", "c", "X"),)
+
+
+def test_the_work_of_checking_is_linear(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The ends of the shaft are summed up as often for a hundred masses as for ten."""
+    asked: list[int] = []
+    summed = Shaft.boundaries.fget  # type: ignore[attr-defined]
+    monkeypatch.setattr(Shaft, "boundaries", property(lambda s: (asked.append(1), summed(s))[1]))
+    counts = []
+    for masses in (10, 100):
+        asked.clear()
+        held = tuple(PointMass(f"m{k}", 0.3 * k / masses, 0.1) for k in range(masses))
+        spindle = replace(uniform(0.3, 0.05), masses=held, points={m.name: m.x for m in held})
+        build_mesh(spindle)
+        counts.append(len(asked))
+    assert counts[0] == counts[1]

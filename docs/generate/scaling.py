@@ -1,0 +1,82 @@
+"""How cost grows with machine and questions, as it was measured last."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from docs.generate.marked import table
+
+Lines = list[dict[str, Any]]
+MOST_SECONDS, MOST_MEGABYTES, SECTIONS = 1.0, 300.0, 10_000
+WORDS = {
+    "sections": "sections of a shaft, its modes at one speed",
+    "speeds": "speeds of the flagship's Campbell diagram",
+    "frequencies": "frequencies of its receptances at 7 speeds",
+    "bearings": "bearings of a shaft, all different: preload and modes at 25 speeds",
+    "balls": "balls of a bearing under thrust, radial load and moment, a state",
+}
+
+
+def scaling_parts(found: dict[str, Lines]) -> dict[str, str]:
+    """The tables on the page of times."""
+    return {"scaling-sections": _sections(found["sections"]), "scaling": _sweeps(found)}
+
+
+def _sections(lines: Lines) -> str:
+    """What a shaft of many sections costs."""
+    head = (
+        "sections:",
+        "modes:",
+        "number proven:",
+        "told error:",
+        "first call [s]:",
+        "call [s]:",
+        "peak memory of the process [MB]:",
+    )
+    rows = [
+        (
+            f"{line['size']:,}".replace(",", " "),
+            str(line["modes"]),
+            "yes" if line["proven"] else "no",
+            f"{line['told']:.0e}",
+            f"{line['first']:.2f}",
+            f"{line['seconds']:.3f}",
+            f"{line['memory']:.0f}",
+        )
+        for line in lines
+    ]
+    long = next(line for line in lines if line["size"] == SECTIONS)
+    held = long["seconds"] <= MOST_SECONDS and long["memory"] <= MOST_MEGABYTES
+    verdict = "met" if held else "**missed**"
+    target = f"{MOST_SECONDS:g} s of call and {MOST_MEGABYTES:g} MB"
+    return f"{table(head, rows)}\n\nTarget at 10 000 sections, {target}: {verdict}."
+
+
+def _sweeps(found: dict[str, Lines]) -> str:
+    """From the least to the most of each thing, and how time grows at the end."""
+    head = ("what is doubled", "from:", "to:", "time, first:", "time, last:", "grows with power:")
+    rows = []
+    for name, words in WORDS.items():
+        lines = found[name]
+        first, last = lines[0], lines[-1]
+        rows.append(
+            (
+                words,
+                *(f"{line['size']}" for line in (first, last)),
+                *(_seconds(line["seconds"]) for line in (first, last)),
+                f"{power(lines):.2f}",
+            )
+        )
+    return table(head, rows)
+
+
+def power(lines: Lines) -> float:
+    """Exponent of the time over the last three sizes."""
+    size, seconds = (np.log([line[key] for line in lines[-3:]]) for key in ("size", "seconds"))
+    return float(np.polyfit(size, seconds, 1)[0])
+
+
+def _seconds(value: float) -> str:
+    return f"{1e6 * value:.3g} µs" if value < 1e-3 else f"{1e3 * value:.3g} ms"

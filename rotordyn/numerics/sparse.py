@@ -1,0 +1,77 @@
+"""Matrices of few entries: dense arrays while they are small, compressed rows where they are large.
+
+Both know ``@``, ``.T``, ``+``, ``.diagonal()`` and ``.shape``; what they do not share is here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Indices = NDArray[np.intp]
+Matrix = Any  # NDArray[np.float64], or csr_array of scipy.sparse
+Part = tuple[Indices, Indices, Array]
+LARGE = 250  # freedoms from which few vectors of all are found faster in compressed rows
+LONG = 1000  # from which a chain is stored in them
+
+
+def summed(shape: tuple[int, int], parts: Iterable[Part], *, large: bool) -> Matrix:
+    """Blocks (…, r, c) at rows (…, r) and columns (…, c) added up."""
+    if not large:
+        total = np.zeros(shape)
+        for rows, columns, blocks in parts:
+            np.add.at(total, (rows[..., :, None], columns[..., None, :]), blocks)
+        return total
+    from scipy.sparse import coo_array
+
+    row, column, value = [], [], []
+    for rows, columns, blocks in parts:
+        filled = blocks != 0.0
+        row.append(np.broadcast_to(rows[..., :, None], blocks.shape)[filled])
+        column.append(np.broadcast_to(columns[..., None, :], blocks.shape)[filled])
+        value.append(blocks[filled])
+    places = np.concatenate(row), np.concatenate(column)
+    return coo_array((np.concatenate(value), places), shape=shape).tocsr()
+
+
+def block_diagonal(blocks: Sequence[Matrix]) -> Matrix:
+    """Side by side; of compressed rows where one of them is."""
+    if any(is_sparse(block) for block in blocks):
+        from scipy.sparse import block_diag
+
+        return block_diag(blocks, format="csr")
+    from scipy.linalg import block_diag as dense_diag
+
+    return dense_diag(*blocks)
+
+
+def is_sparse(matrix: Matrix) -> bool:
+    """True of compressed rows."""
+    return not isinstance(matrix, np.ndarray)
+
+
+def filled(matrix: Matrix) -> Array:
+    """As a dense array."""
+    return np.asarray(matrix.toarray() if is_sparse(matrix) else matrix)
+
+
+def scaled_rows(matrix: Matrix, factor: Array) -> Matrix:
+    """Each row times its ``factor`` (rows,)."""
+    if not is_sparse(matrix):
+        return matrix * factor[:, None]
+    from scipy.sparse import diags_array
+
+    return (diags_array(factor) @ matrix).tocsr()
+
+
+def wider(matrix: Matrix, more: int) -> Matrix:
+    """With ``more`` empty columns behind the last."""
+    if not is_sparse(matrix):
+        return np.pad(matrix, ((0, 0), (0, more)))
+    wide = matrix.copy()
+    wide.resize(matrix.shape[0], matrix.shape[1] + more)
+    return wide

@@ -1,0 +1,80 @@
+"""What the axial force in the shaft does between two sets of vectors, a table or from their slopes.
+
+N ∫ v′ w′ dx of every element of the mesh, N the force in it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+NOTHING = 1e-15  # of the largest: fields of force that are rounding of the others
+
+
+class Pressed(Protocol):
+    """Stiffness between a vectors and b others, linear in the axial force of every element."""
+
+    def under(self, force: Array) -> Array:
+        """(states, a, b) of ``force`` (states, elements) [N]."""
+        ...
+
+    def padded(self, before: int = 0, rows: int = 0, columns: int = 0) -> Pressed:
+        """With further vectors, on which it does not act: ``before`` the a and ``rows`` behind
+        them, ``columns`` behind the b."""
+        ...
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Table:
+    """``entries`` (elements, a, b) per newton."""
+
+    entries: Array
+
+    def under(self, force: Array) -> Array:
+        return np.asarray(np.tensordot(force, self.entries, 1))
+
+    def padded(self, before: int = 0, rows: int = 0, columns: int = 0) -> Table:
+        return Table(np.pad(self.entries, ((0, 0), (before, rows), (0, columns))))
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Slopes:
+    """Slopes ``left`` (places, a) and ``right`` (places, b) times the root of the length that each
+    of the places stands for, as many places in every element: no table of many elements."""
+
+    left: Array
+    right: Array
+    before: int = 0
+    rows: int = 0
+    columns: int = 0
+
+    def under(self, force: Array) -> Array:
+        states, fields = _fields(force)
+        found = [self._of(field) for field in fields]
+        shape = self.left.shape[1], self.right.shape[1]
+        own = np.tensordot(states, np.array(found).reshape(-1, *shape), 1)
+        return np.pad(own, ((0, 0), (self.before, self.rows), (0, self.columns)))
+
+    def _of(self, force: Array) -> Array:
+        each = np.repeat(force, len(self.left) // len(force))[:, None]
+        return np.asarray(self.left.T @ (each * self.right))
+
+    def padded(self, before: int = 0, rows: int = 0, columns: int = 0) -> Slopes:
+        return Slopes(
+            self.left,
+            self.right,
+            self.before + before,
+            self.rows + rows,
+            self.columns + columns,
+        )
+
+
+def _fields(force: Array) -> tuple[Array, Array]:
+    """Forces (states, elements) as sums (states, k) of few fields (k, elements)."""
+    states, size, fields = np.linalg.svd(force, full_matrices=False)
+    known = size > NOTHING * size[0] if size.size else size > 0.0
+    return states[:, known] * size[known], fields[known]
