@@ -55,6 +55,7 @@ def measure(runs: int = 7, *, install: bool = False) -> None:
     from benchmarks.kept import keep
     from benchmarks.precision import curves
     from benchmarks.rotor import measure_frf
+    from benchmarks.sweeps import measure_sweeps
 
     found = {
         "machine": _machine(busy),
@@ -64,6 +65,7 @@ def measure(runs: int = 7, *, install: bool = False) -> None:
         "stages": stages,
         "frf": measure_frf(),
         "precision": curves(),
+        "sweeps": measure_sweeps(),
     }
     if install:
         found["install"] = measure_installation()
@@ -85,6 +87,7 @@ def _processes(
     long: dict[str, Callable[[], Cost]] = {
         "run, the first ever": partial(first_cost, run),
         "run": recorded,
+        "run --no-figures": partial(cost, [*run, "--no-figures"]),
         "the same from Python, no files and no figures": partial(cost, python("-c", LIBRARY)),
     }
     short: dict[str, Callable[[], Cost]] = {

@@ -22,6 +22,7 @@ def main() -> int:
     from docs.generate.figures import draw_figures
     from docs.generate.precision import draw_precision
     from docs.generate.scaling_curves import draw_scaling
+    from docs.generate.sweep_curves import draw_sweeps
 
     for name, work in pages.PAGES.items():
         _step(name, work)
@@ -29,6 +30,7 @@ def main() -> int:
     _step("docs/figures/precision.png", draw_precision)
     _step("docs/figures/bearing_error.png", draw_bearing_curves)
     _step("docs/figures/scaling.png", draw_scaling)
+    _step("docs/figures/sweeps.png", draw_sweeps)
     return 0
 
 

@@ -1,0 +1,94 @@
+"""Time against true error of two sweeps of the flagship: its preload states and its FRF map.
+
+The map is judged by the exact shaft, over its own largest value; the preload states, all 49, by
+those of a tolerance of 10⁻¹³, in axial shifts over the largest one. Times are the fastest of some
+runs, those of the map with the bearings known.
+"""
+
+from __future__ import annotations
+
+import time
+from dataclasses import replace
+from typing import Any
+from unittest import mock
+
+import numpy as np
+from numpy.typing import NDArray
+
+import rotordyn
+from benchmarks.precision import Machine
+from benchmarks.processes import ROOT
+from rotordyn.analysis import frf
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import DIRECT, FrfSpec, Port
+
+TOLERANCES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-11)  # of the forces on rings; of those on balls the root
+FINEST = 1e-13
+ACCURACIES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7)
+PARTS = (25, 50, 100, 200)
+DIRECTLY = (1e-4, 1e-8)
+POINT = Port("Oc2", "y")
+FREQUENCIES = tuple(np.linspace(10.0, 4000.0, 400))
+RUNS = 5
+
+
+def measure_sweeps() -> dict[str, list[dict[str, Any]]]:
+    """A line per setting of each sweep: seconds and error."""
+    return {"preload": preload_lines(), "map": map_lines()}
+
+
+def preload_lines() -> list[dict[str, Any]]:
+    """By the tolerance of the balance of forces."""
+    case = rotordyn.load(ROOT / "cases" / "mfw2310.yaml")
+    assert case.spindle is not None
+
+    def found(tolerance: float) -> tuple[float, NDArray[np.float64]]:
+        small = {"TOLERANCE": tolerance, "BALLS": min(1e-2, 10.0 * tolerance**0.5)}
+        with mock.patch.multiple("rotordyn.preload.network", **small):
+            scene = Scene(case.spindle, case.conditions, np.array(case.speeds))
+            begin = time.perf_counter()
+            state = scene.preload
+            return time.perf_counter() - begin, state.shift
+
+    truth = found(FINEST)[1]
+    lines = []
+    for tolerance in TOLERANCES:
+        runs = [found(tolerance) for _ in range(RUNS)]
+        error = float(np.abs(runs[0][1] - truth).max() / np.abs(truth).max())
+        lines.append({"tolerance": tolerance, "seconds": min(r[0] for r in runs), "error": error})
+    return lines
+
+
+def map_lines() -> list[dict[str, Any]]:
+    """By the accuracy asked for, by the length of standard elements, and without modes."""
+    machine = Machine.of_case("mfw2310", "", 4000.0)
+    truth = _map(machine, {"shaft": "exact"})[1]
+    reduced = FrfSpec(FREQUENCIES, ((POINT, POINT),))
+    direct = replace(reduced, method=DIRECT)
+    length = machine.spindle.shaft.end - machine.spindle.shaft.start
+    asked = [("any degree", f"{a:.0e}", {"accuracy": a}, reduced) for a in ACCURACIES]
+    asked += [
+        ("standard", f"1/{n} of the shaft", {"element_length": length / n}, reduced) for n in PARTS
+    ]
+    asked += [("direct", f"{a:.0e}", {"accuracy": a}, direct) for a in DIRECTLY]
+    lines = []
+    for way, setting, conditions, spec in asked:
+        runs = [_map(machine, conditions, spec) for _ in range(RUNS)]
+        error = float(np.abs(runs[0][1] - truth).max() / np.abs(truth).max())
+        best, told = min(r[0] for r in runs), runs[0][2]
+        lines.append(
+            {"way": way, "setting": setting, "seconds": best, "error": error, "told": told}
+        )
+    return lines
+
+
+def _map(
+    machine: Machine, conditions: dict[str, Any], spec: FrfSpec | None = None
+) -> tuple[float, NDArray[np.complex128], float]:
+    """Seconds, receptances (speeds, 1, frequencies) and the error that is told."""
+    asked = spec or FrfSpec(FREQUENCIES, ((POINT, POINT),))
+    scene = machine.scene(**conditions)
+    scene.ports = (machine.spindle.points[POINT.point],)
+    begin = time.perf_counter()
+    found = frf.answer(scene, asked)
+    return time.perf_counter() - begin, found.response, float(found.error.max())
