@@ -34,7 +34,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Pairs = list[tuple[Port, Port]]
 Answered = Callable[[Array], Complex]
-DIRECTLY = "direct receptance"  # the stage
+DIRECTLY, JUDGE = "direct receptance", "modes that direct receptances are judged by"
 MOST_VALUES = 100_000_000
 UNDAMPED = 1e-9  # of the frequency: a pole so near to it has no damping
 BESIDE = 1e-8  # of the frequency, to either side of which a response is compared with its
@@ -167,6 +167,7 @@ def _error(
     if way == EXACT:
         return 0.0
     few = scene.seen_from(tuple({scene.spindle.place(e.point) for _, e in pairs}))
+    scene.solved[JUDGE] = few.vibration("bending")[1]  # growth is told of all modes solved
     return receptance_error(few, "bending", pairs, frequency, power, elements=True)
 
 

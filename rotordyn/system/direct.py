@@ -21,6 +21,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import SPINDLE, Sleeve
 from rotordyn.numerics.chain import Chain
+from rotordyn.numerics.sparse import filled
 from rotordyn.system.connections import connections
 from rotordyn.system.hierarchic_rotor import deflections
 from rotordyn.system.hysteresis import signs_of
@@ -229,7 +230,7 @@ class Whole:
             x = self.shafts.mesh.stations[np.array([nodes[k] for k in own], dtype=np.intp)]
             size = shaft.elements.size
             if own:
-                seen = deflections(shaft.spindle, shaft.elements, x)
+                seen = filled(deflections(shaft.spindle, shaft.elements, x))
                 rows[own, :, begin : begin + size] = seen.reshape(len(own), 2, size)
             begin += size
         return rows
