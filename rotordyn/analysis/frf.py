@@ -119,8 +119,9 @@ def _refuse_unlimited(
     own = suspects(frequency, values)
     if own.any() and not lost.any():
         near = frequency[own]
-        beside = [np.abs(within(near * (1.0 + s))) for s in (BESIDE, -BESIDE)]
-        lost[:, own] = (np.abs(values[..., own]) > HIGHER * np.maximum(*beside)).any(axis=1)
+        both = np.concatenate([near * (1.0 - BESIDE), near * (1.0 + BESIDE)])
+        beside = np.maximum(*np.split(np.abs(within(both)), 2, axis=-1))
+        lost[:, own] = (np.abs(values[..., own]) > HIGHER * beside).any(axis=1)
     if lost.any():
         row, column = np.argwhere(lost)[0]
         rpm = scene.speed[scene.usable[min(row, len(scene.usable) - 1)]] * RPM.factor

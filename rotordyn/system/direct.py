@@ -34,7 +34,7 @@ Complex = NDArray[np.complex128]
 Values = NDArray[np.inexact[Any]]
 Motion = dict[int, Values]
 DOUBTFUL = 1e5  # terms of a pivot over their sum: five digits fewer, and all freedoms are kept
-BATCH = 1024  # frequencies at once, so that what is worked on stays near the processor
+BATCH = 2048  # frequencies at once, so that what is worked on stays near the processor
 ENTRIES = 2**22  # of dense matrices at once
 MOST_AT_ONCE = 3000  # freedoms a plane that are solved without elimination
 
