@@ -34,7 +34,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Pairs = list[tuple[Port, Port]]
 Answered = Callable[[Array], Complex]
-DIRECTLY = "direct receptance"  # the stage
+DIRECTLY, JUDGE = "direct receptance", "modes that direct receptances are judged by"
 MOST_VALUES = 100_000_000
 UNDAMPED = 1e-9  # of the frequency: a pole so near to it has no damping
 BESIDE = 1e-8  # of the frequency, to either side of which a response is compared with its
@@ -119,8 +119,9 @@ def _refuse_unlimited(
     own = suspects(frequency, values)
     if own.any() and not lost.any():
         near = frequency[own]
-        beside = [np.abs(within(near * (1.0 + s))) for s in (BESIDE, -BESIDE)]
-        lost[:, own] = (np.abs(values[..., own]) > HIGHER * np.maximum(*beside)).any(axis=1)
+        both = np.concatenate([near * (1.0 - BESIDE), near * (1.0 + BESIDE)])
+        beside = np.maximum(*np.split(np.abs(within(both)), 2, axis=-1))
+        lost[:, own] = (np.abs(values[..., own]) > HIGHER * beside).any(axis=1)
     if lost.any():
         row, column = np.argwhere(lost)[0]
         rpm = scene.speed[scene.usable[min(row, len(scene.usable) - 1)]] * RPM.factor
@@ -167,6 +168,7 @@ def _error(
     if way == EXACT:
         return 0.0
     few = scene.seen_from(tuple({scene.spindle.place(e.point) for _, e in pairs}))
+    scene.solved[JUDGE] = few.vibration("bending")[1]  # growth is told of all modes solved
     return receptance_error(few, "bending", pairs, frequency, power, elements=True)
 
 

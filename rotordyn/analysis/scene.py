@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -226,7 +227,7 @@ class Scene(Statics):
         """All eigenvalues of the torsion system, the same at every speed."""
         return self._free_motions("torsion", self.torsion)
 
-    @property
+    @cached_property
     def coupled_motions(self) -> frozenset[str]:
         """Those of bending, axial motion and torsion that supports or housings couple."""
         return coupled_motions(self.spindle.supports) | housed_motions(self.spindle.housings)

@@ -141,36 +141,28 @@ def _inner(length: Array, degree: int, xi: Array) -> list[Array]:
 
 
 def _nodal(length: Array, phi: Array, xi: Array) -> list[Array]:
-    """Exact static answers to unit displacements of the nodes: of constant shear force."""
+    """v, v′, φ, φ′ of exact static answers to unit displacements of the nodes: of constant shear
+    force.
+
+    Cubics in the place s from 0 to 1: those of a beam without shear and Φ times others, over 1 + Φ.
+    """
     s = (xi + 1.0) / 2.0 * np.ones((len(length), 1))
-    h, f = length[:, None], phi[:, None]
-    c = 1.0 / (1.0 + f)
-    zero = np.zeros_like(s)
-    v = [
-        c * (1.0 - 3.0 * s**2 + 2.0 * s**3 + f * (1.0 - s)),
-        c * h * (s - 2.0 * s**2 + s**3 + f / 2.0 * (s - s**2)),
-        c * (3.0 * s**2 - 2.0 * s**3 + f * s),
-        c * h * (s**3 - s**2 + f / 2.0 * (s**2 - s)),
-    ]
-    slope = [
-        c / h * (6.0 * s**2 - 6.0 * s - f),
-        c * (1.0 - 4.0 * s + 3.0 * s**2 + f / 2.0 * (1.0 - 2.0 * s)),
-        c / h * (6.0 * s - 6.0 * s**2 + f),
-        c * (3.0 * s**2 - 2.0 * s + f / 2.0 * (2.0 * s - 1.0)),
-    ]
-    turn = [
-        6.0 * c / h * (s**2 - s),
-        c * (1.0 - 4.0 * s + 3.0 * s**2 + f * (1.0 - s)),
-        6.0 * c / h * (s - s**2),
-        c * (3.0 * s**2 - 2.0 * s + f * s),
-    ]
-    bend = [
-        6.0 * c / h**2 * (2.0 * s - 1.0),
-        c / h * (6.0 * s - 4.0 - f),
-        6.0 * c / h**2 * (1.0 - 2.0 * s),
-        c / h * (6.0 * s - 2.0 + f),
-    ]
-    return [np.stack([a + zero for a in each], axis=-1) for each in (v, slope, turn, bend)]
+    h, f = length[:, None, None], phi[:, None, None]
+    one = np.ones_like(s)
+    place = np.stack([one, s, s * s, s * s * s], axis=-1)
+    rate = np.stack([0.0 * one, one, 2.0 * s, 3.0 * s * s], axis=-1) / h
+    lever = np.where(_TILTS, h, 1.0)
+    v = (_DEFLECTION + f * _DEFLECTION_SHEAR) / (1.0 + f) * lever
+    turn = (_ROTATION + f * _ROTATION_SHEAR) / (1.0 + f) * lever / h
+    return [place @ v, rate @ v, place @ turn, rate @ turn]
+
+
+# Coefficients of 1, s, s², s³ (rows) in the answers to (v1, φ1, v2, φ2).
+_TILTS = np.array([False, True, False, True])
+_DEFLECTION = np.array([[1, 0, 0, 0], [0, 1, 0, 0], [-3, -2, 3, -1], [2, 1, -2, 1]], dtype=float)
+_DEFLECTION_SHEAR = np.array([[1, 0, 0, 0], [-1, 0.5, 1, -0.5], [0, -0.5, 0, 0.5], [0, 0, 0, 0]])
+_ROTATION = np.array([[0, 1, 0, 0], [-6, -4, 6, -2], [6, 3, -6, 3], [0, 0, 0, 0]], dtype=float)
+_ROTATION_SHEAR = np.array([[0, 1, 0, 0], [0, -1, 0, 1], [0, 0, 0, 0], [0, 0, 0, 0]], dtype=float)
 
 
 def _product(shape: Array, factor: Array, along: Array) -> Array:

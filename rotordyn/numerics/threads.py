@@ -8,20 +8,31 @@ times longer than they work.
 from __future__ import annotations
 
 import os
+import sys
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import AbstractContextManager
+from functools import lru_cache
 from itertools import pairwise
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar
+
+if TYPE_CHECKING:
+    from threadpoolctl import ThreadpoolController
 
 T = TypeVar("T")
 
 
 def linear_algebra_alone() -> AbstractContextManager[object]:
     """Linear algebra on one thread per call, however many processors there are."""
-    from threadpoolctl import threadpool_limits
+    return _pools(len(sys.modules)).limit(limits=1, user_api="blas")
 
-    return threadpool_limits(1, "blas")
+
+@lru_cache(maxsize=1)
+def _pools(modules: int) -> ThreadpoolController:
+    """The libraries loaded with so many modules; to look for them takes a millisecond."""
+    from threadpoolctl import ThreadpoolController
+
+    return ThreadpoolController()
 
 
 def processors() -> int:

@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 Degrees = NDArray[np.intp]
 
 HIGHEST = 10
-FAR, HALVINGS = 1e12, 60
+FAR, HALVINGS = 1e12, 30
 SAFETY = 5.0  # what is aimed at lies below what is asked by this
 _DEGREES = np.arange(1, HIGHEST + 1)
 _FACTOR = np.array(

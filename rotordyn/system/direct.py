@@ -17,9 +17,11 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import SPINDLE, Sleeve
 from rotordyn.numerics.chain import Chain
+from rotordyn.numerics.sparse import filled
 from rotordyn.system.connections import connections
 from rotordyn.system.hierarchic_rotor import deflections
 from rotordyn.system.hysteresis import signs_of
@@ -32,8 +34,9 @@ Complex = NDArray[np.complex128]
 Values = NDArray[np.inexact[Any]]
 Motion = dict[int, Values]
 DOUBTFUL = 1e5  # terms of a pivot over their sum: five digits fewer, and all freedoms are kept
-BATCH = 1024  # frequencies at once, so that what is worked on stays near the processor
+BATCH = 2048  # frequencies at once, so that what is worked on stays near the processor
 ENTRIES = 2**22  # of dense matrices at once
+MOST_AT_ONCE = 3000  # freedoms a plane that are solved without elimination
 
 
 @dataclass(frozen=True, slots=True)
@@ -227,7 +230,7 @@ class Whole:
             x = self.shafts.mesh.stations[np.array([nodes[k] for k in own], dtype=np.intp)]
             size = shaft.elements.size
             if own:
-                seen = deflections(shaft.spindle, shaft.elements, x)
+                seen = filled(deflections(shaft.spindle, shaft.elements, x))
                 rows[own, :, begin : begin + size] = seen.reshape(len(own), 2, size)
             begin += size
         return rows
@@ -292,10 +295,22 @@ class DirectBending:
     def receptance(self, row: int, omega: Array, pairs: Sequence[tuple[End, End]]) -> Complex:
         """Receptances (response, force) at one of the speeds and at ``omega`` (f,) (pairs, f).
 
-        Of whirl in circular coordinates, where ω has either sign, if they are apart.
+        Of whirl in circular coordinates, where ω has either sign, if they are apart. Where the
+        doubt of the elimination is large all freedoms are solved, unless they are too many.
+
+        Raises
+        ------
+        InvalidInput : modal damping, which joins all freedoms, and these are too many
         """
         whole, local = Whole(self.shafts), self._local
         dense = any(shaft.spindle.rotor_damping for shaft in self.shafts.of.values())
+        many = whole.size > MOST_AT_ONCE
+        if dense and many:
+            raise InvalidInput(
+                f"modal damping joins all freedoms, and {whole.size} a plane are too many to solve "
+                f"at every frequency: allowed: up to {MOST_AT_ONCE}; take damping.rayleigh, "
+                "method: reduced, or longer elements"
+            )
         kept = self._kept(pairs, local)
         found = np.empty((len(pairs), len(omega)), dtype=complex)
         with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
@@ -306,7 +321,7 @@ class DirectBending:
                 few = Eliminated(self.shafts, kept)
                 for own in _batches(len(omega), self._most_at_once):
                     found[:, own], doubt[own] = self._solved(row, omega[own], pairs, few, local)
-                lost = ~(doubt <= DOUBTFUL)
+                lost = ~(doubt <= DOUBTFUL) & (not many)
             again = np.flatnonzero(lost)
             for part in _batches(len(again), max(1, ENTRIES // (2 * whole.size) ** 2)):
                 at = again[part]

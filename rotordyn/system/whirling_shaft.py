@@ -28,8 +28,8 @@ from rotordyn.elements.plane_bending import shear_parameter
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.chain import Chain, Piece, without_inner
+from rotordyn.numerics.sparse import filled
 from rotordyn.system.assemble import (
-    BendingPlane,
     loaded_plane,
     lumped_plane,
     shear_coefficients,
@@ -102,16 +102,17 @@ class WhirlingShaft:
             given = self.pressed
             x = (given.middle[:, None] + given.length[:, None] / 2.0 * xi).ravel()
             along = ((force * given.length)[:, None] / 2.0 * weight).reshape(-1, 1)
-            slope = slopes(self.spindle, self.elements, x)
+            slope = filled(slopes(self.spindle, self.elements, x))
             found = found + (slope.T @ (along * slope))[..., None]
         return found
 
     @cached_property
     def _whole(self) -> dict[str, Array]:
         plane = loaded_plane(self.spindle, self.elements)
-        found = {name: getattr(plane, name) for name in NAMES}
+        found = {name: filled(getattr(plane, name)) for name in NAMES}
         if self.spindle.rotor_damping:
-            found["modal"] = modal_damping(plane, self.spindle.rotor_damping)
+            given = self.spindle.rotor_damping
+            found["modal"] = modal_damping(found["mass"], found["stiffness"], given)
         if self.elements.dampers:
             own = np.zeros(self.elements.size)
             own[list(self.elements.dampers)] = list(self.elements.dampers.values())
@@ -238,13 +239,13 @@ class WhirlingShaft:
         return found
 
 
-def modal_damping(plane: BendingPlane, given: tuple[float, ...]) -> Array:
+def modal_damping(mass: Array, stiffness: Array, given: tuple[float, ...]) -> Array:
     """Damping of the free rotor's modes by the ratios ``given`` in order (n, n): M Φ 2ζω Φᵀ M."""
     from scipy.linalg import eigh
 
-    values, vectors = eigh(plane.stiffness, plane.mass)
+    values, vectors = eigh(stiffness, mass)
     values = np.where(np.arange(len(values)) < RIGID, 0.0, np.maximum(values, 0.0))
-    shapes = plane.mass @ vectors
+    shapes = mass @ vectors
     return np.asarray(shapes * (2.0 * damping_ratios(values, given) * np.sqrt(values)) @ shapes.T)
 
 

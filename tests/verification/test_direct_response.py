@@ -16,10 +16,12 @@ from rotordyn.analysis.direct import direct_bending, end
 from rotordyn.analysis.frf import answer
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import Conditions, FrfSpec
+from rotordyn.errors import InvalidInput
 from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.spindle import Spindle
+from rotordyn.numerics.sparse import filled
 from rotordyn.system import direct
 from rotordyn.system.assemble import loaded_plane
 from rotordyn.system.dofs import LATERAL
@@ -193,13 +195,33 @@ def test_random_rotors(seed: int, isotropic: bool, speed: float) -> None:
     assert np.abs(found - whole).max() <= max(1e-9, 1e3 * rounding) * np.abs(whole).max()
 
 
+def test_growth_is_told_without_modes_in_the_answer() -> None:
+    """Supports that drive forward whirl."""
+    driving = {("y", "z"): 3e7, ("z", "y"): -3e7}
+    supports = tuple(replace(s, stiffness={**s.stiffness, **driving}, damping={}) for s in EVEN)
+    spindle = replace(ROTOR, supports=supports)
+    ports = (spindle.place("tip"),)
+    scene = Scene(spindle, Conditions(), np.array([1000.0 * RPM]), BAND[-1], ports)
+    answer(scene, FrfSpec(BAND, pairs("tip.y/tip.y"), method="direct"))
+    assert "unstable at 1 of 1 speeds" in "".join(scene.warnings)
+
+
+def test_modal_damping_of_very_many_freedoms_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Where all would have to be solved at once; elimination has no such limit."""
+    monkeypatch.setattr(direct, "MOST_AT_ONCE", 10)
+    assert np.isfinite(values(response(ROTOR, 0.0, "direct"))).all()
+    with pytest.raises(InvalidInput, match=r"modal damping joins all freedoms, and \d+ a plane"):
+        response(replace(ROTOR, rotor_damping=(0.01,)), 0.0, "direct")
+
+
 def clamped_frequency(spindle: Spindle, accuracy: float) -> float:
     """Lowest of the shaft at rest with the nodes held at which something acts [Hz]."""
     elements = bending_hierarchy(spindle, 2.0 * math.pi * BAND[-1], 0.0, accuracy)
     plane = loaded_plane(spindle, elements)
     fixed = [elements.mesh.node_of(x) for x in (POINTS["tip"], *(s.x for s in spindle.supports))]
     free = np.setdiff1d(np.arange(elements.size), [2 * n + k for n in fixed for k in (0, 1)])
-    squares = eigh(plane.stiffness[np.ix_(free, free)], plane.mass[np.ix_(free, free)])[0]
+    stiffness, mass = (filled(m)[np.ix_(free, free)] for m in (plane.stiffness, plane.mass))
+    squares = eigh(stiffness, mass)[0]
     return math.sqrt(squares[0]) / (2.0 * math.pi)
 
 
