@@ -39,7 +39,7 @@ SPEEDS = (25, 50, 100, 200, 400)
 FREQUENCIES = (1000, 2000, 4000, 8000, 16_000)
 BEARINGS = (2, 4, 8, 16, 32)
 BALLS = (8, 16, 32, 64, 128)
-RUNS = 3
+RUNS = 7
 BAND = 1500.0  # Hz: ten modes of the shaft
 STATES = 200
 

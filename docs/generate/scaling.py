@@ -79,4 +79,6 @@ def power(lines: Lines) -> float:
 
 
 def _seconds(value: float) -> str:
-    return f"{1e6 * value:.3g} µs" if value < 1e-3 else f"{1e3 * value:.3g} ms"
+    if value < 1e-3:
+        return f"{1e6 * value:.3g} µs"
+    return f"{1e3 * value:.3g} ms" if value < 1.0 else f"{value:.3g} s"

@@ -6,6 +6,7 @@ import math
 import tracemalloc
 from collections.abc import Callable
 from dataclasses import replace
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -22,7 +23,8 @@ from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics import flexible
 from rotordyn.numerics.reduction import RitzBasis
-from rotordyn.system import flexibility, hierarchy
+from rotordyn.system import flexibility, hierarchy, remainder
+from rotordyn.system.hierarchic_rotor import bending_hierarchy
 from tests.oracles.rotors import STEEL, support, uniform
 from tests.oracles.spindles import pairs
 from tests.oracles.spinning_beam import PinnedBeam
@@ -126,6 +128,41 @@ def test_norms_of_all_that_is_left_out(name: str, both_ways: Any) -> None:
     assert (few[1:] >= dense[1:] * (1.0 - 1e-9)).all()
     np.testing.assert_allclose(few[1:], dense[1:], rtol=0.02)
     assert dense[0] * (1.0 - 1e-9) <= few[0] < 1.0 / (HZ * 8000.0) ** 2
+
+
+@pytest.mark.parametrize("name", MACHINES)
+def test_forces_on_all_that_is_left_out(name: str, both_ways: Any) -> None:
+    """Of inertia, gyroscopic moments and axial force of each vector, in the measure of stiffness:
+    those on the few vectors of the rest are those on all eigenvectors."""
+
+    def forces() -> np.ndarray:
+        own = scene(MACHINES[name], (0.0,), 2000.0).rotor.unreduced
+        assert own is not None
+        basis, rest = own.basis, own.rest.vectors
+        pressed = (own.slope @ rest).T @ (own.slope @ basis.vectors)
+        both = (own.mass_coupling, own.polar_coupling, pressed)
+        return np.array([np.linalg.norm(part, axis=0)[: len(basis.values)] for part in both])
+
+    dense, few = both_ways(forces)
+    for one, other in zip(dense, few, strict=True):
+        np.testing.assert_allclose(other, one, rtol=1e-3, atol=1e-5 * one.max())
+
+
+def test_finer_elements_are_gathered_without_loss() -> None:
+    """What 2m vectors answer to forces is what all inner freedoms answer, inertia included."""
+    spindle = wavy(40)
+    elements = bending_hierarchy(spindle, HZ * 3000.0, 2000.0, 1e-3)
+    vectors = np.random.default_rng(2).standard_normal((elements.size, 6))
+    basis = SimpleNamespace(vectors=vectors)
+    found = []
+    for gather in (remainder._of_finer_elements, remainder._gathered):
+        part = gather(elements, basis)  # type: ignore[arg-type]
+        met = np.concatenate([part["mass"], part["polar"]], axis=1)
+        soft = 1.0 / part["own_stiffness"][:, None]
+        found.append([met.T @ (soft * met), met.T @ (soft**2 * part["own_mass"][:, None] * met)])
+    assert len(part["own_mass"]) <= 12
+    for every, few in zip(*found, strict=True):
+        np.testing.assert_allclose(few, every, rtol=1e-7, atol=1e-9 * np.abs(every).max())
 
 
 def test_vectors_and_the_rest_are_orthonormal() -> None:

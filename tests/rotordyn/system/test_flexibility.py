@@ -8,6 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
@@ -24,6 +25,7 @@ from rotordyn.system.hierarchic_rotor import (
 )
 from rotordyn.system.mesh import build_mesh
 from rotordyn.system.pressed import Slopes, Table
+from rotordyn.system.stiffening import stiffening
 from tests.oracles.rotors import STEEL, uniform
 
 HZ = 2.0 * math.pi
@@ -105,3 +107,11 @@ def test_slopes_answer_axial_forces_as_their_table() -> None:
         found = Slopes(left, right).padded(before=1, rows=2, columns=3).under(force)
         np.testing.assert_allclose(found, expected, rtol=1e-12, atol=1e-12)
     assert not Slopes(left, right).under(np.zeros((2, 10))).any()
+
+
+def test_the_drawbar_by_all_nodes() -> None:
+    spindle = stepped(drawbar=Drawbar(20000.0, 0.05, 0.4, (0.2, 0.3)))
+    mesh = build_mesh(spindle)
+    tension = stiffening(spindle, mesh)
+    every = np.eye(2 * mesh.nodes).reshape(mesh.nodes, 2, -1)
+    np.testing.assert_allclose(tension.strung(mesh.nodes), tension.bar(every), rtol=1e-14)
