@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """How cost grows with a machine and its questions:  python -m benchmarks.scaling [SWEEP …]
 
-Each sweep doubles one thing and leaves the rest: sections of a shaft, speeds and frequencies of the
-flagship, bearings on a shaft, balls of a bearing. Times are the fastest of some calls. Every shaft
-has a process of its own, whose memory is told and whose first call also loads the libraries.
+Each sweep enlarges one thing and leaves the rest: sections of a shaft, speeds and frequencies of
+the flagship, bearings on a shaft, balls of a bearing. Times are the fastest of some calls. Every
+shaft has a process of its own, whose memory is told and whose first call also loads the libraries.
 """
 
 from __future__ import annotations
@@ -40,7 +40,7 @@ FREQUENCIES = (1000, 2000, 4000, 8000, 16_000)
 BEARINGS = (2, 4, 8, 16, 32)
 BALLS = (8, 16, 32, 64, 128)
 RUNS = 7
-BAND = 1500.0  # Hz: ten modes of the shaft
+BAND = 1500.0  # Hz: more than ten modes of the shaft
 STATES = 200
 
 

@@ -19,7 +19,7 @@ class QuadraticInSpeed(Description):
 
 @dataclass(frozen=True, slots=True)
 class InterferenceFit(Description):
-    """The centrifugal part is computed from shaft section and inner ring (physics: rings).
+    """The centrifugal part is computed from shaft section and inner ring (theory: rings).
 
     ``bore_diameter`` [m] of the inner ring; ``interference`` [m], on the radius, at rest.
     """

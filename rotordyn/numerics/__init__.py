@@ -1,1 +1,1 @@
-"""Algorithms that know no rotor: small dense eigenproblems and modal sums, batched over speed."""
+"""Algorithms that know no rotor: eigenproblems, eliminations and following, dense and sparse."""

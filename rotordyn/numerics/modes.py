@@ -91,23 +91,6 @@ class Modes:
         in_threads(fill, len(places), LEAST)
         return total
 
-    def answers(self, s: Complex, force: Array, response: Array) -> tuple[Complex, Complex]:
-        """Answers x and left answers y (n, f) of the first system at ``s`` (f,).
-
-        With Z = s² + s D + K those of Z x = ``force`` and Zᵀ y = ``response`` (n,).
-        """
-        if self.condition[0] >= WELL_CONDITIONED:
-            stiff = self.stiffness[0] + s[:, None, None] * self.damping[0]
-            dynamic = stiff + (s * s)[:, None, None] * np.eye(len(force))
-            left = np.swapaxes(dynamic, -1, -2)
-            both = ((dynamic, force), (left, response))
-            given, taken = (np.linalg.solve(z, f[:, None] + 0j)[..., 0].T for z, f in both)
-            return np.asarray(given, dtype=complex), np.asarray(taken, dtype=complex)
-        near = 1.0 / (s - self.pole[0][:, None])
-        vector, left = self.vector[0], self.participation[0]
-        given = vector @ (near * (left @ force)[:, None])
-        return given, left.T @ (near * (response @ vector)[:, None])
-
     def _summed(
         self, place: tuple[int, ...], omega: Array, responses: Array, excitations: Array
     ) -> Complex:
