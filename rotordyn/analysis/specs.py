@@ -209,7 +209,8 @@ class FrfSpec(Description):
     ``slices``: speeds [rad/s] at which curves are drawn and UFF58 records written (nearest speed
     of the case); none given = the lowest and the highest. ``method``: of ``METHODS``, ``"reduced"``
     (modes and static answers, with an estimate of what they leave out) or ``"direct"`` (the
-    assembled matrices at every frequency; bending only).
+    assembled matrices at every frequency; bending only). A rigid rotor and the exact shaft
+    (``Conditions``) leave nothing out, whatever the method.
     """
 
     frequencies: tuple[Frequency, ...]
