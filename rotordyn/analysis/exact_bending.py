@@ -34,6 +34,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+MOST_NODES = 3000  # memory grows with their square
 NEAR = 1.2  # the band of the search ends in the widest gap of the elements' poles up to this beyond
 LOWEST = 1e-5  # of the band, where it begins at the latest
 SWINGING = 1e-6  # of |ω|: less real part than that is no vibration
@@ -171,7 +172,7 @@ def exact_bending(scene: Scene) -> ExactBending:
 
     Raises
     ------
-    InvalidInput : what the exact shaft cannot describe (``shaft.obstacles``)
+    InvalidInput : what the exact shaft cannot describe (``shaft.obstacles``), or too many pieces
     """
     from rotordyn.analysis.shaft import obstacles
 
@@ -185,6 +186,11 @@ def exact_bending(scene: Scene) -> ExactBending:
         raise InvalidInput("the exact shaft takes no joints: take shaft: elements")
     # weight differs along a section: constant within elements only
     mesh = scene.mesh if scene.gravity else station_mesh(spindle)
+    if mesh.nodes > MOST_NODES:
+        raise InvalidInput(
+            f"too many pieces for the exact shaft: given {mesh.nodes - 1}; allowed: up to "
+            f"{MOST_NODES - 1}; join sections that are alike, or take shaft: elements"
+        )
     force = np.zeros((1, 0))
     if scene.conditions.axial_stiffening:
         force = scene.shaft_force.bending(mesh.middle)

@@ -181,6 +181,12 @@ def test_more_sections_than_fit_are_refused_before_any_matrix(
         tracemalloc.stop()
 
 
+def test_the_exact_shaft_of_too_many_pieces_is_refused() -> None:
+    thin = Section(5e-5, 0.05, 0.0, STEEL)
+    with pytest.raises(InvalidInput, match=r"given 100\d\d; allowed: up to 2999; .*elements"):
+        modes(row(*[thin] * 10_000), (0.0,), 200.0, shaft="exact")
+
+
 def test_waves_shorter_than_matrices_hold_are_refused() -> None:
     long = uniform(50.0, 0.02, supports=[support("a", 1.0, (HELD, HELD))])
     tracemalloc.start()
