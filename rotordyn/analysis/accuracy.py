@@ -17,9 +17,11 @@ from rotordyn.numerics.answers import answers
 from rotordyn.numerics.modes import Modes
 from rotordyn.system.coupled import CoupledSystem
 from rotordyn.system.estimate import (
+    NO_LOSS,
     Ground,
     Joined,
     LeftOut,
+    Loss,
     Unbalanced,
     met,
     pole_shift,
@@ -48,14 +50,27 @@ def left_out(
     if isinstance(system, CoupledSystem):
         parts = {}
         for name, part in system.parts.items():
-            own = Unbalanced.of(part, _spin(scene, name, len(found.pole)), elements=elements)
+            spin, loss = _spin(scene, name, len(found.pole)), _loss(scene, name, signs, part)
+            own = Unbalanced.of(part, spin, loss, elements=elements)
             if own is None:
                 return None
             parts[name] = own
         on = system.carried
         ground = None if on is None else Ground(on.held, on.damped, on.under, on.size)
         return Joined(parts, system.places, system.supports, system.at_supports, ground)
-    return Unbalanced.of(system, _spin(scene, motion, len(found.pole)), elements=elements)
+    spin, loss = _spin(scene, motion, len(found.pole)), _loss(scene, motion, signs, system)
+    return Unbalanced.of(system, spin, loss, elements=elements)
+
+
+def _loss(scene: Scene, motion: str, signs: Signs | None, part: LateralSystem | RodSystem) -> Loss:
+    """Of the shaft in bending, as in ``Hysteresis``."""
+    factor = scene.spindle.loss_factor
+    if signs is None or motion != "bending" or not factor:
+        return NO_LOSS
+    ahead, behind, _ = signs
+    if part.planes == 1:
+        return Loss(1j * factor * ahead, 0j)
+    return Loss(0.5j * factor * (ahead + behind), -0.5 * factor * (ahead - behind) + 0j)
 
 
 def _spin(scene: Scene, motion: str, speeds: int) -> Array:

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -58,9 +58,8 @@ class LeftOut(Protocol):
 
     def forces(self, s: Complex, vector: Complex, side: float) -> Complex: ...
     def returned(self, s: Complex, moved: Complex, side: float) -> Complex: ...
+    def amiss(self, s: Complex, vector: Complex, side: float) -> Complex: ...
     def answer(self, s: Complex) -> Complex: ...
-    @property
-    def weightless(self) -> Array: ...
     @property
     def rounding(self) -> Array: ...
     def at(self, row: int) -> LeftOut: ...
@@ -73,8 +72,8 @@ def pole_shift(
     ones (speeds, k, n)."""
     right = left_out.forces(pole, vector, 1.0)
     left = left_out.forces(pole, np.swapaxes(participation, 1, 2), -1.0)
-    missed = (left * right * left_out.answer(pole)).sum(axis=1)
-    return np.asarray(missed + _lent(left_out, pole, vector, np.swapaxes(participation, 1, 2)))
+    amiss = left_out.amiss(pole, vector, 1.0) * np.swapaxes(participation, 1, 2)
+    return np.asarray((left * right * left_out.answer(pole)).sum(axis=1) + amiss.sum(axis=1))
 
 
 def rounding_shift(
@@ -103,13 +102,18 @@ def met(
     all receptances that have an end in common.
     """
     moved = (left_out.forces(s, answer, side) - end[:, None]) * left_out.answer(s)
-    lent = (s * s)[:, None, :] * left_out.weightless[:, None] * answer
-    return moved, left_out.returned(s, moved, side) + lent
+    return moved, left_out.returned(s, moved, side) + left_out.amiss(s, answer, side)
 
 
-def _lent(left_out: LeftOut, s: Complex, right: Complex, left: Complex) -> Complex:
-    """What taking away the mass lent to sleeves without any would do (speeds, k)."""
-    return np.asarray(s * s * (left_out.weightless[:, None] * left * right).sum(axis=1))
+class Loss(NamedTuple):
+    """What a loss factor adds to a stiffness: its ``even`` times that within a plane, ``odd`` times
+    it from plane z to y, and back with opposite sign."""
+
+    even: complex
+    odd: complex
+
+
+NO_LOSS = Loss(0j, 0j)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -117,8 +121,8 @@ class Unbalanced:
     """Forces on what a system leaves out, at ``spin`` (speeds,) [rad/s].
 
     ``connected`` (r, c, k): the vectors left out at bearings and supports; ``pressed``
-    (speeds or 1, r, m): their coupling by the axial force; ``counted`` (r,): 0 for those that shall
-    not answer, else 1.
+    (speeds or 1, r, m): their coupling by the axial force; ``loss``: of the shaft;
+    ``elements``: only what these leave out answers, and not modes.
     """
 
     system: Reduced
@@ -128,10 +132,13 @@ class Unbalanced:
     damped: Inexact
     connected: Array
     pressed: Array
-    counted: Array
+    loss: Loss
+    elements: bool
 
     @classmethod
-    def of(cls, system: Reduced, spin: Array, *, elements: bool = False) -> Unbalanced | None:
+    def of(
+        cls, system: Reduced, spin: Array, loss: Loss = NO_LOSS, *, elements: bool = False
+    ) -> Unbalanced | None:
         """None where nothing is left out (a rigid rotor); ``elements``: by these alone."""
         left_out = system.remainder
         if left_out is None:
@@ -141,10 +148,9 @@ class Unbalanced:
         pressed = np.zeros((1, *left_out.mass.shape))
         if system.force is not None:
             pressed = left_out.per_newton.under(system.force)
-        counted = np.ones(len(left_out.own_mass))
-        if elements:  # what finer ones add vanishes at nodes
-            counted[left_out.at_nodes.any(axis=1)] = 0.0
-        return cls(system, left_out, spin, system.held, system.damped, at_ends, pressed, counted)
+        return cls(
+            system, left_out, spin, system.held, system.damped, at_ends, pressed, loss, elements
+        )
 
     @property
     def weightless(self) -> Array:
@@ -167,17 +173,17 @@ class Unbalanced:
     def forces(self, s: Complex, vector: Complex, side: float) -> Complex:
         """Unbalanced forces (speeds, p·r, k) of motions e^(st); ``side`` −1: of left vectors."""
         spun = (s * self.spin[:, None])[:, None, :]
-        square = (s * s)[:, None, :]
         m = self.remainder.mass.shape[1]
         if self.system.planes == 1:
-            own = self._plane(square, vector) - 1j * spun * (self.remainder.polar @ vector)
+            own = self._plane(s, vector) - 1j * spun * (self.remainder.polar @ vector)
+            own = own - 1j * self._turned(vector)
             return np.asarray(own + self._held(s, vector[:, None], side)[:, 0])
         y, z = vector[:, :m], vector[:, m:]
-        across = [side * spun * (self.remainder.polar @ v) for v in (z, y)]
+        across = [side * (spun * (self.remainder.polar @ v) + self._turned(v)) for v in (z, y)]
         held = self._held(s, np.stack([y, z], axis=1), side)
         forces = (
-            self._plane(square, y) + across[0] + held[:, 0],
-            self._plane(square, z) - across[1] + held[:, 1],
+            self._plane(s, y) + across[0] + held[:, 0],
+            self._plane(s, z) - across[1] + held[:, 1],
         )
         return np.concatenate(forces, axis=1)
 
@@ -185,33 +191,71 @@ class Unbalanced:
         """Forces on the coordinates (speeds, n, k) of motions (speeds, p·r, k) of what is left out:
         transposed to ``forces`` of the other side."""
         spun = (s * self.spin[:, None])[:, None, :]
-        square = (s * s)[:, None, :]
         polar = self.remainder.polar.T
         if self.system.planes == 1:
-            own = self._plane_back(square, moved) - 1j * spun * (polar @ moved)
+            own = self._plane_back(s, moved) - 1j * spun * (polar @ moved)
+            own = own - 1j * self._turned_back(moved)
             return np.asarray(own + self._held_back(s, moved[:, None], side)[:, 0])
         y, z = np.split(moved, 2, axis=1)
         held = self._held_back(s, np.stack([y, z], axis=1), side)
+        across = [side * (spun * (polar @ v) + self._turned_back(v)) for v in (z, y)]
         forces = (
-            self._plane_back(square, y) + side * spun * (polar @ z) + held[:, 0],
-            self._plane_back(square, z) - side * spun * (polar @ y) + held[:, 1],
+            self._plane_back(s, y) + across[0] + held[:, 0],
+            self._plane_back(s, z) - across[1] + held[:, 1],
         )
         return np.concatenate(forces, axis=1)
 
-    def _plane_back(self, square: Complex, moved: Complex) -> Complex:
+    def _plane_back(self, s: Complex, moved: Complex) -> Complex:
+        own, at = self.remainder, s[:, None, :]
+        held = (1.0 + self.loss.even) * own.stiffness + self.pressed
+        still = np.swapaxes(held, -1, -2) @ moved
+        if own.damped is not None:
+            still = still + at * (own.damped.coupling.T @ moved)
+        return np.asarray(still + at * at * (own.mass.T @ moved))
+
+    def _turned_back(self, moved: Complex) -> Complex:
         own = self.remainder
-        still = np.swapaxes(own.stiffness + self.pressed, -1, -2) @ moved
-        return np.asarray(still + square * (own.mass.T @ moved))
+        turned = self.loss.odd * (own.stiffness.T @ moved)
+        if own.damped is not None:
+            turned = turned + self.spin[:, None, None] * (own.damped.turning.T @ moved)
+        return np.asarray(turned)
 
     def _held_back(self, s: Complex, moved: Complex, side: float) -> Complex:
         rows, onto = self.connected.transpose(1, 2, 0), self.system.rows.transpose(2, 0, 1)
         return self._between(s, moved, side, rows, onto)
 
-    def _plane(self, square: Complex, vector: Complex) -> Complex:
-        """Of stiffness and inertia within a plane."""
+    def _plane(self, s: Complex, vector: Complex) -> Complex:
+        """Of stiffness, damping in the fixed frame and inertia within a plane."""
+        own, at = self.remainder, s[:, None, :]
+        still = ((1.0 + self.loss.even) * own.stiffness + self.pressed) @ vector
+        if own.damped is not None:
+            still = still + at * (own.damped.coupling @ vector)
+        return np.asarray(still + at * at * (own.mass @ vector))
+
+    def _turned(self, vector: Complex) -> Complex:
+        """Of damping that turns with the rotor, a quarter turn ahead."""
         own = self.remainder
-        still = (own.stiffness + self.pressed) @ vector
-        return np.asarray(still + square * (own.mass @ vector))
+        turned = self.loss.odd * (own.stiffness @ vector)
+        if own.damped is not None:
+            turned = turned + self.spin[:, None, None] * (own.damped.turning @ vector)
+        return np.asarray(turned)
+
+    def amiss(self, s: Complex, vector: Complex, side: float) -> Complex:
+        """Forces on the coordinates (speeds, n, k) that the system has and the machine has not, of
+        motions (speeds, n, k): mass lent to sleeves without any, damping of static answers."""
+        if self.elements:
+            return np.zeros_like(vector)
+        lent = (s * s)[:, None, :] * self.weightless[:, None] * vector
+        own = self.remainder.damped
+        if own is None:
+            return np.asarray(lent)
+        parts = np.split(vector, self.system.planes, axis=1)
+        still = [s[:, None, :] * (own.amiss @ part) for part in parts]
+        turned = [self.spin[:, None, None] * (own.turning_amiss @ part) for part in parts]
+        if len(parts) == 1:
+            return np.asarray(lent - still[0] + 1j * turned[0])
+        found = [still[0] + side * turned[1], still[1] - side * turned[0]]
+        return np.asarray(lent - np.concatenate(found, axis=1))
 
     def _held(self, s: Complex, vector: Complex, side: float) -> Complex:
         """Of bearings and supports (speeds, p, r, k) for motions (speeds, p, m, k) of p planes."""
@@ -234,8 +278,14 @@ class Unbalanced:
     def answer(self, s: Complex) -> Complex:
         """1/(k + s² m) of every vector left out (speeds, p·r, k)."""
         own = self.remainder
-        dynamic = own.own_stiffness[:, None] + (s * s)[:, None, :] * own.own_mass[:, None]
-        return np.concatenate([self.counted[:, None] / dynamic] * self.system.planes, axis=1)
+        held = (1.0 + self.loss.even) * own.own_stiffness[:, None]
+        dynamic = held + (s * s)[:, None, :] * own.own_mass[:, None]
+        if own.damped is not None:
+            dynamic = dynamic + s[:, None, :] * own.damped.own[:, None]
+        moved = 1.0 / dynamic
+        if self.elements:  # what finer ones add vanishes at nodes
+            moved[:, (own.at_nodes != 0.0).any(axis=1)] = 0.0
+        return np.concatenate([moved] * self.system.planes, axis=1)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -284,10 +334,13 @@ class Joined:
     motion: Array
     ground: Ground | None = None
 
-    @property
-    def weightless(self) -> Array:
-        """Of all parts, in the order of the coordinates (n,)."""
-        return self._padded([part.weightless for part in self.parts.values()])
+    def amiss(self, s: Complex, vector: Complex, side: float) -> Complex:
+        """Of all parts, in the order of the coordinates (speeds, n, k)."""
+        whole = np.zeros_like(vector)
+        for name, part in self.parts.items():
+            own = self.places[name]
+            whole[:, own] = part.amiss(s, vector[:, own], side)
+        return whole
 
     @property
     def rounding(self) -> Array:

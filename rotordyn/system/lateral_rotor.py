@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from rotordyn.elements.bubbles import points
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve
+from rotordyn.numerics.reduction import RitzBasis
 from rotordyn.numerics.sparse import Matrix, filled, scaled_rows
 from rotordyn.system.assemble import bending_plane, loaded_plane
 from rotordyn.system.connections import connections, moved
@@ -27,6 +28,7 @@ from rotordyn.system.hierarchic_rotor import (
     slopes,
 )
 from rotordyn.system.hierarchy import Hierarchy
+from rotordyn.system.left_damping import LeftDamping, modal_amiss
 from rotordyn.system.mesh import Mesh
 from rotordyn.system.pressed import Pressed, Slopes, Table
 from rotordyn.system.remainder import Remainder, remainder
@@ -140,7 +142,8 @@ class _Reduced:
         """The same rotor at ``ratio`` times the speed."""
         left_out, whole = self.remainder, self.unreduced
         if left_out is not None:
-            left_out = replace(left_out, polar=ratio * left_out.polar)
+            damped = left_out.damped and left_out.damped.at_ratio(ratio)
+            left_out = replace(left_out, polar=ratio * left_out.polar, damped=damped)
         if whole is not None:
             whole = whole.at_ratio(ratio)
         return replace(
@@ -266,6 +269,13 @@ def _flexible(
     vectors = basis.vectors
     sloped = slope @ vectors
     damping, joints = own_damping(basis.values, spindle), jump_damping(elements, vectors)
+    left_out = remainder(
+        elements,
+        basis,
+        {"mass": plane.mass, "polar": plane.polar},
+        seen,
+        _shortening(slope @ basis.rest, sloped, mesh, large=elements.large),
+    )
     return _Reduced(
         at_nodes=seen @ vectors,
         values=basis.values,
@@ -273,13 +283,7 @@ def _flexible(
         polar=vectors.T @ (plane.polar @ vectors),
         translational_mass=vectors.T @ (plane.translational_mass @ vectors),
         per_newton=_shortening(sloped, sloped, mesh, large=elements.large),
-        remainder=remainder(
-            elements,
-            basis,
-            {"mass": plane.mass, "polar": plane.polar},
-            seen,
-            _shortening(slope @ basis.rest, sloped, mesh, large=elements.large),
-        ),
+        remainder=replace(left_out, damped=_left_damping(spindle, elements, basis, left_out)),
         unreduced=Unreduced(
             basis,
             seen,
@@ -357,6 +361,33 @@ def _drawbar(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> list[Matrix]:
         return []
     inside = (bar.start < mesh.middle) & (mesh.middle < bar.end)
     return [tension.strung(mesh.nodes) - tension.shaft(bar.force * inside.astype(float))]
+
+
+def _left_damping(
+    spindle: Spindle, elements: Hierarchy, basis: RitzBasis, left_out: Remainder
+) -> LeftDamping | None:
+    """The rotor's own damping on what is left out; of modes not kept the last modal ratio."""
+    if not (spindle.damped or elements.dampers):
+        return None
+    own, finer = spindle.rayleigh, len(left_out.own_mass) - len(basis.rest_values)
+    last = spindle.rotor_damping[-1] if spindle.rotor_damping else 0.0
+    modal = 2.0 * last * np.sqrt(np.maximum(basis.rest_values, 0.0))
+    every = np.pad(modal, (finer, 0))
+    proportional = own.mass * left_out.mass + own.stiffness * left_out.stiffness
+    proportional += every[:, None] * left_out.mass
+    given = 2.0 * damping_ratios(basis.values, spindle.rotor_damping) * np.sqrt(basis.values)
+    amiss = modal_amiss(basis.rest_mass, modal, given)
+    joints = np.zeros_like(proportional)
+    for row, damping in elements.dampers.items():
+        joints[finer:] += damping * np.outer(basis.rest[row], basis.vectors[row])
+    share = spindle.internal_damping
+    return LeftDamping(
+        proportional + joints,
+        every + own.mass * left_out.own_mass + own.stiffness * left_out.own_stiffness,
+        amiss,
+        share * proportional + joints,
+        share * amiss,
+    )
 
 
 def own_damping(values: Array, spindle: Spindle, *, bending: bool = True) -> Array:

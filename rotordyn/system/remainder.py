@@ -10,7 +10,7 @@ elements would add, and the modes of the free rotor that the reduction did not k
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from rotordyn.numerics.reduction import RitzBasis
 from rotordyn.numerics.sparse import Matrix
 from rotordyn.system.hierarchy import Hierarchy
+from rotordyn.system.left_damping import LeftDamping, side_by_side
 from rotordyn.system.pressed import Pressed, Table
 
 Array = NDArray[np.float64]
@@ -33,7 +34,8 @@ class Remainder:
     ``own_stiffness`` (r,); ``at_nodes`` (r, 2·nodes): deflections and tilts of the mesh's nodes.
     ``per_newton``: (r, m) by the axial force in each element of the mesh
     (none for rods; what finer elements would add to it is left aside). ``rounding`` (m,): of the
-    stiffness of the coordinates themselves.
+    stiffness of the coordinates themselves. ``damped``: the rotor's own damping; None without any,
+    and of rods.
     """
 
     mass: Array
@@ -44,17 +46,21 @@ class Remainder:
     at_nodes: Array
     per_newton: Pressed
     rounding: Array
+    damped: LeftDamping | None = None
 
     def widened(self, more: int) -> Remainder:
         """Beside ``more`` further coordinates that couple with nothing left out."""
         wide = {n: np.pad(getattr(self, n), ((0, 0), (0, more))) for n in _COUPLINGS}
         return Remainder(
-            **wide,
+            mass=wide["mass"],
+            stiffness=wide["stiffness"],
+            polar=wide["polar"],
             own_mass=self.own_mass,
             own_stiffness=self.own_stiffness,
             at_nodes=self.at_nodes,
             per_newton=self.per_newton.padded(columns=more),
             rounding=np.pad(self.rounding, (0, more)),
+            damped=self.damped and self.damped.widened(more),
         )
 
     def beside(self, others: Sequence[Remainder]) -> Remainder:
@@ -71,7 +77,16 @@ class Remainder:
         }
         more = [len(rows[name]) - len(getattr(self, name)) for name in ("own_mass", "rounding")]
         pressed = self.per_newton.padded(rows=more[0], columns=more[1])
-        return Remainder(**blocks, **rows, per_newton=pressed)
+        damped = None
+        if any(one.damped for one in every):
+            damped = side_by_side([one.damped or one.undamped for one in every])
+        return replace(self, **blocks, **rows, per_newton=pressed, damped=damped)
+
+    @property
+    def undamped(self) -> LeftDamping:
+        """That of a rotor without any damping."""
+        none, still = np.zeros_like(self.mass), np.zeros((self.mass.shape[1],) * 2)
+        return LeftDamping(none, np.zeros(len(none)), still, none, still)
 
 
 _COUPLINGS = ("mass", "stiffness", "polar")
@@ -97,7 +112,11 @@ def remainder(
     whole = {name: np.concatenate([part[name] for part in parts]) for name in names}
     count = len(parts[0]["own_mass"])
     return Remainder(
-        **whole,
+        mass=whole["mass"],
+        stiffness=whole["stiffness"],
+        polar=whole["polar"],
+        own_mass=whole["own_mass"],
+        own_stiffness=whole["own_stiffness"],
         at_nodes=np.pad(parts[1]["at_nodes"], ((count, 0), (0, 0))),
         per_newton=per_newton.padded(before=count),
         rounding=basis.rounding,

@@ -157,6 +157,22 @@ def test_the_reduced_basis_comes_to_the_same(kind: str) -> None:
     assert apart(other, found) < rough.get(kind, 2e-10)
 
 
+@pytest.mark.parametrize("accuracy", [1e-4, 1e-8])
+@pytest.mark.parametrize("kind", MACHINES)
+def test_the_reduced_basis_tells_what_it_leaves_out(kind: str, accuracy: float) -> None:
+    """Neither less than the elements and the basis do, nor much more: damping of the rotor, of
+    joints and by loss factors reaches what is left out."""
+    spindle, more = MACHINES[kind]
+    found, other = (
+        response(spindle, 15000.0, method, accuracy=accuracy, **more)
+        for method in ("direct", "reduced")
+    )
+    basis = np.abs(values(other) - values(found)).max(axis=1) / np.abs(values(found)).max(axis=1)
+    rounding = 1e-9
+    assert (other.error < 1.5 * (found.error + basis) + rounding).all()
+    assert (other.error > 0.5 * np.abs(basis - found.error) - rounding).all()
+
+
 @pytest.mark.parametrize("supports", [EVEN, UNEVEN], ids=["even", "uneven"])
 def test_told_errors_are_those_of_the_elements(supports: tuple) -> None:
     """Against the exact shaft."""
