@@ -134,7 +134,7 @@ def _veering(values: list[Array], unclear: list[NDArray[np.intp]]) -> float:
         apart = np.abs(value[own, None] - value)
         apart[np.arange(len(own)), own] = np.inf
         gaps.append(math.sqrt(float(apart.min(initial=1e300))))
-    if max(gaps) > FAR * min(gaps):
+    if max(gaps) >= FAR * min(gaps):  # also where both are none
         return 0.5
     return gaps[0] / (gaps[0] + gaps[1])
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from rotordyn.numerics import follow as module
@@ -82,6 +82,7 @@ def test_equally_alike_goes_to_the_nearer_value() -> None:
 
 
 @settings(max_examples=60)
+@example(7285, 5, 0.0, True)
 @given(st.integers(0, 10**6), st.integers(1, 6), st.floats(0.0, 1.0), st.booleans())
 def test_pairs_of_steps_that_are_not_looked_at_hold_no_doubt(
     seed: int, size: int, turned: float, twins: bool
