@@ -18,11 +18,11 @@ from rotordyn.numerics.modes import Modes
 from rotordyn.system.coupled import CoupledSystem
 from rotordyn.system.estimate import (
     NO_LOSS,
+    CoupledResidualForces,
     Ground,
-    Joined,
     LeftOut,
     Loss,
-    Unbalanced,
+    ResidualForces,
     met,
     pole_shift,
     rounding_shift,
@@ -51,15 +51,17 @@ def left_out(
         parts = {}
         for name, part in system.parts.items():
             spin, loss = _spin(scene, name, len(found.pole)), _loss(scene, name, signs, part)
-            own = Unbalanced.of(part, spin, loss, elements=elements)
+            own = ResidualForces.of(part, spin, loss, elements=elements)
             if own is None:
                 return None
             parts[name] = own
         on = system.carried
         ground = None if on is None else Ground(on.held, on.damped, on.under, on.size)
-        return Joined(parts, system.places, system.supports, system.at_supports, ground)
+        return CoupledResidualForces(
+            parts, system.places, system.supports, system.at_supports, ground
+        )
     spin, loss = _spin(scene, motion, len(found.pole)), _loss(scene, motion, signs, system)
-    return Unbalanced.of(system, spin, loss, elements=elements)
+    return ResidualForces.of(system, spin, loss, elements=elements)
 
 
 def _loss(scene: Scene, motion: str, signs: Signs | None, part: LateralSystem | RodSystem) -> Loss:

@@ -1,7 +1,7 @@
 """The few vectors of a large problem (``reduction``), from its static answers alone.
 
 Eigenvectors come one by one from the flexible side, by Lanczos on K⁺M; that none below the cutoff
-was missed is counted (``inertia``). All others stay unknown. In their place stand the vectors by
+was missed is counted (``eigenvalue_count``). All others stay unknown. In their place stand the vectors by
 which the problem answers what the kept ones ask of it: inertia, gyroscopic effect, axial force.
 """
 
@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.errors import InvalidInput
-from rotordyn.numerics.inertia import count_below
+from rotordyn.numerics.eigenvalue_count import count_below
 from rotordyn.numerics.reduction import (
     HALF_DIGIT,
     LEAST_MODES,

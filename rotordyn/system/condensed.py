@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from rotordyn.elements.support import support_matrices
 from rotordyn.machine.spindle import Spindle
-from rotordyn.numerics.inertia import condensed
+from rotordyn.numerics.eigenvalue_count import condensed
 from rotordyn.numerics.sparse import Matrix, is_sparse
 from rotordyn.system.assemble import bending_plane
 from rotordyn.system.dofs import PLANE_Y

@@ -117,7 +117,7 @@ NO_LOSS = Loss(0j, 0j)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Unbalanced:
+class ResidualForces:
     """Forces on what a system leaves out, at ``spin`` (speeds,) [rad/s].
 
     ``connected`` (r, c, k): the vectors left out at bearings and supports; ``pressed``
@@ -138,7 +138,7 @@ class Unbalanced:
     @classmethod
     def of(
         cls, system: Reduced, spin: Array, loss: Loss = NO_LOSS, *, elements: bool = False
-    ) -> Unbalanced | None:
+    ) -> ResidualForces | None:
         """None where nothing is left out (a rigid rotor); ``elements``: by these alone."""
         left_out = system.remainder
         if left_out is None:
@@ -162,7 +162,7 @@ class Unbalanced:
         """Of the stiffness of every coordinate by its elements (n,) [1/s²]."""
         return np.tile(self.remainder.rounding, self.system.planes)
 
-    def at(self, row: int) -> Unbalanced:
+    def at(self, row: int) -> ResidualForces:
         """The same at one of the speeds; what is the same at all may have one only."""
         spin, held, damped, pressed = (
             values[min(row, len(values) - 1)][None]
@@ -171,7 +171,7 @@ class Unbalanced:
         return replace(self, spin=spin, held=held, damped=damped, pressed=pressed)
 
     def forces(self, s: Complex, vector: Complex, side: float) -> Complex:
-        """Unbalanced forces (speeds, p·r, k) of motions e^(st); ``side`` −1: of left vectors."""
+        """ResidualForces forces (speeds, p·r, k) of motions e^(st); ``side`` −1: of left vectors."""
         spun = (s * self.spin[:, None])[:, None, :]
         m = self.remainder.mass.shape[1]
         if self.system.planes == 1:
@@ -322,13 +322,13 @@ class Ground:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Joined:
+class CoupledResidualForces:
     """The same of motions that supports couple: ``parts`` with their ``places`` among the
     coordinates, and the ``supports``' matrices (2, supports, 6, 6), stiffness and damping, of which
     only what is between two motions counts; ``motion`` (supports, 6, n): of their nodes.
     ``ground``: what stands on housings, whose coordinates are the last and leave nothing out."""
 
-    parts: Mapping[str, Unbalanced]
+    parts: Mapping[str, ResidualForces]
     places: Mapping[str, slice]
     supports: Inexact
     motion: Array
@@ -350,13 +350,13 @@ class Joined:
     def _padded(self, values: list[Array]) -> Array:
         return np.concatenate([*values, np.zeros(self.ground.size if self.ground else 0)])
 
-    def at(self, row: int) -> Joined:
+    def at(self, row: int) -> CoupledResidualForces:
         """The same at one of the speeds."""
         parts = {name: part.at(row) for name, part in self.parts.items()}
         return replace(self, parts=parts, ground=self.ground.at(row) if self.ground else None)
 
     def forces(self, s: Complex, vector: Complex, side: float) -> Complex:
-        """Unbalanced forces (speeds, r, k) of motions e^(st); ``side`` −1: of left vectors."""
+        """ResidualForces forces (speeds, r, k) of motions e^(st); ``side`` −1: of left vectors."""
         blocks = self.supports if side > 0.0 else np.swapaxes(self.supports, -1, -2)
         moved = np.einsum("cin,snk->scik", self.motion, vector, optimize=True)
         between = blocks[0] @ moved + (blocks[1] @ moved) * s[:, None, None, :]
@@ -396,7 +396,7 @@ _ENDS = {"bending": (1, 5, 2, 4), "axial": (0,), "torsion": (3,)}
 _SIGNS = np.array([1.0, 1.0, 1.0, -1.0])
 
 
-def _onto(part: Unbalanced, name: str, force: Complex) -> Complex:
+def _onto(part: ResidualForces, name: str, force: Complex) -> Complex:
     """Forces (speeds, c, 6, k) on nodes of bearings and supports, as met by what a part leaves
     out; of supports alone where there are as many."""
     places = list(_ENDS[name])
@@ -409,7 +409,7 @@ def _onto(part: Unbalanced, name: str, force: Complex) -> Complex:
     return found.reshape(len(force), -1, force.shape[-1])
 
 
-def _at_connections(part: Unbalanced, name: str, moved: Complex) -> Complex:
+def _at_connections(part: ResidualForces, name: str, moved: Complex) -> Complex:
     """Motion (speeds, c, 6, k) of nodes of bearings and supports by what a part leaves out, moved
     by (speeds, p·r, k)."""
     planes, places = part.system.planes, list(_ENDS[name])

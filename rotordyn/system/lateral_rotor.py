@@ -18,6 +18,7 @@ from rotordyn.system.assemble import bending_plane, loaded_plane
 from rotordyn.system.connections import connections, moved
 from rotordyn.system.dofs import PLANE_Y
 from rotordyn.system.flexibility import bending_answer, free_vectors
+from rotordyn.system.geometric_stiffness import ByElement, BySlopes, GeometricStiffness
 from rotordyn.system.hierarchic_rotor import (
     beams,
     bending_hierarchy,
@@ -30,7 +31,6 @@ from rotordyn.system.hierarchic_rotor import (
 from rotordyn.system.hierarchy import Hierarchy
 from rotordyn.system.left_damping import LeftDamping, modal_amiss
 from rotordyn.system.mesh import Mesh
-from rotordyn.system.pressed import Pressed, Slopes, Table
 from rotordyn.system.remainder import Remainder, remainder
 from rotordyn.system.stiffening import Stiffening, stiffening
 from rotordyn.system.unreduced import Unreduced
@@ -96,7 +96,7 @@ class LateralRotor:
     polar: Array
     translational_mass: Array
     damping: Array
-    per_newton: Pressed
+    per_newton: GeometricStiffness
     bar: Array
     seats: Array
     supports: Array
@@ -131,7 +131,7 @@ class _Reduced:
     damping: Array
     polar: Array
     translational_mass: Array
-    per_newton: Pressed
+    per_newton: GeometricStiffness
     remainder: Remainder | None
     unreduced: Unreduced | None
     resolved: float
@@ -311,13 +311,13 @@ def _weighted_slopes(spindle: Spindle, elements: Hierarchy, mesh: Mesh) -> Matri
     return scaled_rows(slopes(spindle, elements, places.ravel()), np.sqrt(weight * half).ravel())
 
 
-def _shortening(one: Array, other: Array, mesh: Mesh, *, large: bool) -> Pressed:
+def _shortening(one: Array, other: Array, mesh: Mesh, *, large: bool) -> GeometricStiffness:
     """∫ v′ v′ dx over each element of two sets of weighted slopes at its Gauss points."""
     if large:
-        return Slopes(one, other)
+        return BySlopes(one, other)
     each = mesh.nodes - 1, len(points(GAUSS)[0])
     shaped = (slope.reshape(*each, slope.shape[1]) for slope in (one, other))
-    return Table(np.einsum("eqa,eqb->eab", *shaped, optimize=True))
+    return ByElement(np.einsum("eqa,eqb->eab", *shaped, optimize=True))
 
 
 def bending_elements(spindle: Spindle, mesh: Mesh, fineness: Fineness) -> Hierarchy:
@@ -336,7 +336,7 @@ def _rigid(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> _Reduced:
     factor = np.linalg.cholesky(shape.T @ (plane.mass @ shape))
     basis = np.asarray(np.linalg.solve(factor, shape.T).T)
     polar, translation = (basis.T @ (m @ basis) for m in (plane.polar, plane.translational_mass))
-    along = Table(tension.projected(basis.reshape(-1, 2, 2)))
+    along = ByElement(tension.projected(basis.reshape(-1, 2, 2)))
     still, none = np.zeros(2), np.zeros((2, 2))
     damping = own_damping(still, spindle)
     return _Reduced(

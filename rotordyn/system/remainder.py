@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 
 from rotordyn.numerics.reduction import RitzBasis
 from rotordyn.numerics.sparse import Matrix
+from rotordyn.system.geometric_stiffness import ByElement, GeometricStiffness
 from rotordyn.system.hierarchy import Hierarchy
 from rotordyn.system.left_damping import LeftDamping, side_by_side
-from rotordyn.system.pressed import Pressed, Table
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -44,7 +44,7 @@ class Remainder:
     own_mass: Array
     own_stiffness: Array
     at_nodes: Array
-    per_newton: Pressed
+    per_newton: GeometricStiffness
     rounding: Array
     damped: LeftDamping | None = None
 
@@ -97,7 +97,7 @@ def remainder(
     basis: RitzBasis,
     matrices: dict[str, Matrix],
     displayed: Matrix,
-    per_newton: Pressed | None = None,
+    per_newton: GeometricStiffness | None = None,
 ) -> Remainder:
     """Of ``elements`` reduced to ``basis``; ``displayed`` (2·nodes, size) as for the basis.
 
@@ -105,7 +105,7 @@ def remainder(
     how axial force couples the two.
     """
     if per_newton is None:
-        per_newton = Table(np.zeros((0, basis.rest.shape[1], basis.vectors.shape[1])))
+        per_newton = ByElement(np.zeros((0, basis.rest.shape[1], basis.vectors.shape[1])))
     finer = _gathered if elements.large else _of_finer_elements
     parts = [finer(elements, basis), _of_modes(basis, matrices, displayed)]
     names = (*_COUPLINGS, "own_mass", "own_stiffness")

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from scipy.linalg import eigh
 from scipy.sparse import csr_array
 
-from rotordyn.numerics.inertia import condensed, count_below
+from rotordyn.numerics.eigenvalue_count import condensed, count_below
 
 
 def chain(seed: int, size: int) -> tuple[np.ndarray, np.ndarray]:

@@ -1,4 +1,4 @@
-"""What the axial force in the shaft does between two sets of vectors, a table or from their slopes.
+"""Geometric stiffness: what the axial force in the shaft does between two sets of vectors.
 
 N ∫ v′ w′ dx of every element of the mesh, N the force in it.
 """
@@ -15,21 +15,21 @@ Array = NDArray[np.float64]
 NOTHING = 1e-15  # of the largest: fields of force that are rounding of the others
 
 
-class Pressed(Protocol):
+class GeometricStiffness(Protocol):
     """Stiffness between a vectors and b others, linear in the axial force of every element."""
 
     def under(self, force: Array) -> Array:
         """(states, a, b) of ``force`` (states, elements) [N]."""
         ...
 
-    def padded(self, before: int = 0, rows: int = 0, columns: int = 0) -> Pressed:
+    def padded(self, before: int = 0, rows: int = 0, columns: int = 0) -> GeometricStiffness:
         """With further vectors, on which it does not act: ``before`` the a and ``rows`` behind
         them, ``columns`` behind the b."""
         ...
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Table:
+class ByElement:
     """``entries`` (elements, a, b) per newton."""
 
     entries: Array
@@ -37,13 +37,13 @@ class Table:
     def under(self, force: Array) -> Array:
         return np.asarray(np.tensordot(force, self.entries, 1))
 
-    def padded(self, before: int = 0, rows: int = 0, columns: int = 0) -> Table:
-        return Table(np.pad(self.entries, ((0, 0), (before, rows), (0, columns))))
+    def padded(self, before: int = 0, rows: int = 0, columns: int = 0) -> ByElement:
+        return ByElement(np.pad(self.entries, ((0, 0), (before, rows), (0, columns))))
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Slopes:
-    """Slopes ``left`` (places, a) and ``right`` (places, b) times the root of the length that each
+class BySlopes:
+    """BySlopes ``left`` (places, a) and ``right`` (places, b) times the root of the length that each
     of the places stands for, as many places in every element: no table of many elements."""
 
     left: Array
@@ -63,8 +63,8 @@ class Slopes:
         each = np.repeat(force, len(self.left) // len(force))[:, None]
         return np.asarray(self.left.T @ (each * self.right))
 
-    def padded(self, before: int = 0, rows: int = 0, columns: int = 0) -> Slopes:
-        return Slopes(
+    def padded(self, before: int = 0, rows: int = 0, columns: int = 0) -> BySlopes:
+        return BySlopes(
             self.left,
             self.right,
             self.before + before,
