@@ -1,8 +1,9 @@
 """The few vectors of a large problem (``reduction``), from its static answers alone.
 
 Eigenvectors come one by one from the flexible side, by Lanczos on K⁺M; that none below the cutoff
-was missed is counted (``eigenvalue_count``). All others stay unknown. In their place stand the vectors by
-which the problem answers what the kept ones ask of it: inertia, gyroscopic effect, axial force.
+was missed is counted (``eigenvalue_count``). All others stay unknown. In their place stand the
+vectors by which the problem answers what the kept ones ask of it: inertia, gyroscopic effect, axial
+force.
 """
 
 from __future__ import annotations

@@ -171,7 +171,7 @@ class ResidualForces:
         return replace(self, spin=spin, held=held, damped=damped, pressed=pressed)
 
     def forces(self, s: Complex, vector: Complex, side: float) -> Complex:
-        """ResidualForces forces (speeds, p·r, k) of motions e^(st); ``side`` −1: of left vectors."""
+        """Unbalanced forces (speeds, p·r, k) of motions e^(st); ``side`` −1: of left vectors."""
         spun = (s * self.spin[:, None])[:, None, :]
         m = self.remainder.mass.shape[1]
         if self.system.planes == 1:
@@ -356,7 +356,7 @@ class CoupledResidualForces:
         return replace(self, parts=parts, ground=self.ground.at(row) if self.ground else None)
 
     def forces(self, s: Complex, vector: Complex, side: float) -> Complex:
-        """ResidualForces forces (speeds, r, k) of motions e^(st); ``side`` −1: of left vectors."""
+        """Unbalanced forces (speeds, r, k) of motions e^(st); ``side`` −1: of left vectors."""
         blocks = self.supports if side > 0.0 else np.swapaxes(self.supports, -1, -2)
         moved = np.einsum("cin,snk->scik", self.motion, vector, optimize=True)
         between = blocks[0] @ moved + (blocks[1] @ moved) * s[:, None, None, :]

@@ -43,7 +43,7 @@ class ByElement:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class BySlopes:
-    """BySlopes ``left`` (places, a) and ``right`` (places, b) times the root of the length that each
+    """Slopes ``left`` (places, a) and ``right`` (places, b) times the root of the length that each
     of the places stands for, as many places in every element: no table of many elements."""
 
     left: Array
