@@ -40,6 +40,7 @@ UNDAMPED = 1e-9  # of the frequency: a pole so near to it has no damping
 BESIDE = 1e-8  # of the frequency, to either side of which a response is compared with its
 PEAK, FEW = 1e5, 3  # of the smallest response, frequencies: to tell a peak by
 WIDE = 1e-6  # of the frequency, beyond which its neighbours are not on the same pole
+SOME = 24  # frequencies at which rounding is estimated
 HIGHER = 10.0  # times what it is there: so near to a pole its size is nothing but rounding
 _KINDS: dict[str, type[FrequencyResponse]] = {
     kind.kind: kind for kind in (FrfResult, MobilityResult, InertanceResult)
@@ -169,7 +170,33 @@ def _error(
         return 0.0
     few = scene.seen_from(tuple({scene.spindle.place(e.point) for _, e in pairs}))
     scene.solved[JUDGE] = few.vibration("bending")[1]  # growth is told of all modes solved
-    return receptance_error(few, "bending", pairs, frequency, power, elements=True)
+    elements = receptance_error(few, "bending", pairs, frequency, power, elements=True)
+    return elements + _rounding(few, pairs, frequency, power)
+
+
+def _rounding(few: Scene, pairs: Pairs, frequency: Array, power: int) -> Array:
+    """What rounding of many short elements may come to in direct responses (pairs,).
+
+    A stiffness δ to ground changes the response of a to a force at b by H_ae δ H_eb, which is taken
+    for deflections e at both ends, at some frequencies.
+    """
+    frequency = frequency[np.unique(np.linspace(0, len(frequency) - 1, SOME).astype(int))]
+    weight = (2.0 * math.pi * frequency) ** power
+    asked = list(pairs)
+    for a, b in pairs:
+        ends = [Port(port.point, name) for port in (a, b) for name in ("y", "z")]
+        asked += [pair for e in ends for pair in ((a, e), (e, b))]
+    asked = list(dict.fromkeys(asked))
+    with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
+        found = _modal(few, frozenset({"bending"}), asked)(frequency)
+    size = dict(zip(asked, np.moveaxis(np.abs(found), 1, 0), strict=True))
+    off = []
+    for a, b in pairs:
+        ends = [Port(port.point, name) for port in (a, b) for name in ("y", "z")]
+        change = np.sum([size[a, e] * size[e, b] for e in ends], axis=0) * weight
+        largest = (size[a, b] * weight).max()
+        off.append(float(change.max() / largest) if largest > 0.0 else 0.0)
+    return direct_bending(few).rounding * np.nan_to_num(np.array(off))
 
 
 def _groups(scene: Scene) -> list[frozenset[str]]:

@@ -292,6 +292,11 @@ class DirectBending:
         still = [not (own.held.imag.any() or own.damped.imag.any()) for own in self.supported]
         return np.array(still) & (self.speed == 0.0)
 
+    @property
+    def rounding(self) -> float:
+        """Stiffness to ground that rounding may come to [N/m]."""
+        return max(shaft.rounding for shaft in self.shafts.of.values())
+
     def receptance(self, row: int, omega: Array, pairs: Sequence[tuple[End, End]]) -> Complex:
         """Receptances (response, force) at one of the speeds and at ``omega`` (f,) (pairs, f).
 
@@ -365,6 +370,12 @@ class DirectBending:
         nodes = {force.node for _, force in pairs} | set(np.flatnonzero(ends.any(axis=0)).tolist())
         for left, right, _ in self._spans:
             nodes |= {left, right}
+        for response, _ in pairs:
+            span = next(
+                s for s in self.shafts.mesh.spans.values() if s.start <= response.node < s.stop
+            )
+            if not any(span.start <= node < span.stop for node in nodes):
+                nodes.add(response.node)  # of a rotor that nothing moves
         return sorted(nodes)
 
     @property

@@ -34,7 +34,8 @@ from rotordyn.system.assemble import (
     lumped_plane,
     shear_coefficients,
 )
-from rotordyn.system.hierarchic_rotor import slopes
+from rotordyn.system.estimate import HALF_DIGIT
+from rotordyn.system.hierarchic_rotor import bending_rigidities, slopes
 from rotordyn.system.hierarchy import Hierarchy
 from rotordyn.system.jumps import Jump
 from rotordyn.system.lateral_rotor import damping_ratios
@@ -105,6 +106,15 @@ class WhirlingShaft:
             slope = filled(slopes(self.spindle, self.elements, x))
             found = found + (slope.T @ (along * slope))[..., None]
         return found
+
+    @property
+    def rounding(self) -> float:
+        """Stiffness to ground that rounding may come to [N/m]: half a last digit of the stiffest
+        element for every one of them."""
+        length = self.elements.mesh.length
+        shear, bend = bending_rigidities(self.spindle, self.elements.mesh)
+        stiffest = float((1.0 / (length / shear + length**3 / (12.0 * bend))).max())
+        return HALF_DIGIT * len(length) * stiffest
 
     @cached_property
     def _whole(self) -> dict[str, Array]:

@@ -15,11 +15,12 @@ from scipy.linalg import eigh
 from rotordyn.analysis.direct import direct_bending, end
 from rotordyn.analysis.frf import answer
 from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import Conditions, FrfSpec
+from rotordyn.analysis.specs import Conditions, FrfSpec, Port
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.joint import Joint
+from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.sparse import filled
 from rotordyn.system import direct
@@ -27,7 +28,7 @@ from rotordyn.system.assemble import loaded_plane
 from rotordyn.system.dofs import LATERAL
 from rotordyn.system.hierarchic_rotor import bending_hierarchy
 from rotordyn.system.mesh import build_mesh
-from tests.oracles.coaxial import COAXIAL
+from tests.oracles.coaxial import COAXIAL, STEEL
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.rotors import STEPPED, support
 from tests.oracles.spindles import RPM, mfw2310, pairs, with_sleeve
@@ -257,3 +258,50 @@ def test_where_a_part_resonates_by_itself(monkeypatch: pytest.MonkeyPatch) -> No
     assert found == pytest.approx(whole, rel=1e-9)
     assert lost[0] == pytest.approx(whole[0], rel=1e-9)
     assert abs(lost[1] / whole[1] - 1.0) > 1e-9
+
+
+@pytest.mark.parametrize("speed", [0.0, 20_000.0])
+def test_rounding_of_short_elements_is_told(speed: float) -> None:
+    """A free bar in 600 pieces, far below its bending, moves as a rigid body."""
+    length, outer, count = 0.5, 0.05, 600
+    bar = Spindle(
+        "bar",
+        Shaft(0.0, (Section(length / count, outer, 0.0, STEEL),) * count),
+        points={"tip": 0.0},
+    )
+    asked, band = pairs("tip.y/tip.y", "tip.z/tip.y"), np.array([0.1, 0.3, 1.0])
+    scene = Scene(bar, Conditions(), np.array([speed * RPM]), 1.0, (0.0,))
+    found = answer(scene, FrfSpec(tuple(band), asked, method="direct"))
+    mass = STEEL.density * math.pi / 4.0 * outer**2 * length
+    across, along = mass * (length**2 / 12.0 + outer**2 / 16.0), mass * outer**2 / 8.0
+    omega = 2.0 * math.pi * band
+    plus, minus = (
+        -1.0 / (mass * w**2) + (length / 2.0) ** 2 / (along * speed * RPM * w - across * w**2)
+        for w in (omega, -omega)
+    )
+    exact = np.array([0.5 * (plus + minus), -0.5j * (plus - minus)])
+    off = np.abs(found.receptance[0] - exact).max(axis=1)
+    off = off / np.maximum(np.abs(exact).max(axis=1), 1e-30)
+    assert (off <= found.error).all()
+    assert found.error[0] < 1e3 * off[0]
+    assert off[0] > 1e-7
+
+
+def test_a_rotor_that_nothing_moves_stays() -> None:
+    """Two rotors, each on its own even supports: a force on one is none on the other."""
+    on = (
+        ("a", 0.02, "spindle"),
+        ("b", 0.48, "spindle"),
+        ("c", 0.17, "outer"),
+        ("d", 0.39, "outer"),
+    )
+    supports = tuple(replace(support(n, x, (5e7, 5e7)), holds=rotor) for n, x, rotor in on)
+    outer = replace(COAXIAL.rotors[0], points={"p": 0.28})
+    two = replace(COAXIAL, supports=supports, rotors=(outer,), points={"tip": 0.0})
+    drive, across = (Port("tip", "y"),) * 2, (Port("outer.p", "y"), Port("tip", "y"))
+    found = response(two, 6000.0, "direct", (across,))
+    assert not values(found).any()
+    both = response(two, 6000.0, "direct", (across, drive))
+    assert not values(both)[0].any()
+    assert values(both)[1].any()
+    assert found.error[0] < 1e-3
