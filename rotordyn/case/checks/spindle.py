@@ -50,7 +50,7 @@ def spindle(entry: SpindleEntry, root: Node, tool: ToolEntry | None, faults: Fau
         faults.at(root, (kind, place, "name"), sentence)
     housings(entry, root, faults)
     rotors(entry, root, faults)
-    joints(entry.joints, (reach[0] - _length(tool), reach[1]), (), root, faults)
+    joints(entry.joints, reach, (), root, faults)
     references(entry.references, root, faults)
 
 
