@@ -9,12 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.angular_contact import AngularContactBallBearing
-from bearings.iterate import Iterate, iterate
 from bearings.ring import half_ring
 from rotordyn.machine.limits import HIGHEST_PRESSURE
-from rotordyn.preload.arrangement import HOUSING, SHAFT, Joint
-from rotordyn.preload.network import Network, States
+from rotordyn.preload.arrangement import HOUSING, SHAFT, AxialBearing
+from rotordyn.preload.bearing_iterates import BearingIterates, States
+from rotordyn.preload.network import Network
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.stops import stops_wanted
 from rotordyn.system.condensed import CondensedRotor
@@ -22,7 +21,6 @@ from rotordyn.system.condensed import CondensedRotor
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 Words = NDArray[np.str_]
-Bearings = dict[AngularContactBallBearing, tuple[list[int], Iterate]]
 Place = Callable[["RadialProblem", Array, Any], "Point"]
 PLANE = [0, 1, 4]  # x, y, θz of a bearing's five freedoms
 TOLERANCE = 1e-9  # of the largest force in the balance, and of the largest ball load
@@ -34,27 +32,19 @@ HALVINGS = 8
 class Point:
     """Coordinates (speeds, p + bodies), bearings, their loads and tangents in plane y.
 
-    ``bearings``: by model, the seats it stands on and their balls; ``states``: where each bearing
-    was solved by itself. ``load`` (speeds, seats, 3), ``tangent`` (speeds, seats, 3, 3): (x, y, θz)
+    ``bearings``: by model, at the seats it stands on; ``states``: where each bearing was solved by
+    itself. ``load`` (speeds, seats, 3), ``tangent`` (speeds, seats, 3, 3): (x, y, θz)
     of the spindle; ``imbalance`` (speeds,) of the balls; ``pressure`` (speeds,): largest contact
     pressure [Pa].
     """
 
     coordinates: Array
-    bearings: Bearings
+    bearings: BearingIterates
     states: States | None
     load: Array
     tangent: Array
     imbalance: Array
     pressure: Array
-
-    def follows(self, before: Point) -> Flags:
-        """Speeds at which every ball is still where it can come to from ``before`` (speeds,)."""
-        near = [
-            found.follows(before.bearings[model][1]).all(axis=1)
-            for model, (_, found) in self.bearings.items()
-        ]
-        return np.all(near, axis=0)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -165,55 +155,41 @@ class RadialProblem:
             None if near is None else near.states,
             displacement=self._displacement(coordinates),
         )
-        bearings = {
-            model: (solved.places, iterate(solved.state, half_ring))
-            for model, solved in states.items()
-        }
-        return self._point(coordinates, bearings, states)
+        return self._point(coordinates, BearingIterates.solved(states, half_ring), states)
 
     def advance(self, coordinates: Array, near: Point) -> Point:
         """Bearings moved to given coordinates, their balls by a Newton step."""
-        displacement = self._displacement(coordinates)
-        bearings = {
-            model: (places, found.moved(displacement[:, places]))
-            for model, (places, found) in near.bearings.items()
-        }
-        return self._point(coordinates, bearings)
+        return self._point(coordinates, near.bearings.moved(self._displacement(coordinates)))
 
     def _at(self, guess: list[Array], near: Point) -> Point:
-        """Coordinates and balls where a knot expects them, as far as bodies can move."""
+        """Coordinates and balls where a guess has them, as far as bodies can move."""
         coordinates = self._placed(guess[0])
         displacement = self._displacement(coordinates)
-        bearings = {
-            model: (places, found.at(displacement[:, places], ball))
-            for (model, (places, found)), ball in zip(near.bearings.items(), guess[1:], strict=True)
-        }
-        return self._point(coordinates, bearings)
+        return self._point(coordinates, near.bearings.at(displacement, guess[1:]))
 
     def _knot(self, here: Point, slope: Array) -> Knot:
         """A point of the curve with the change of its coordinates."""
         own = self._own(slope)
-        found = here.bearings.values()
         return Knot(
-            [here.coordinates, *(each.ball for _, each in found)],
-            [slope, *(each.along(own[:, places]) for places, each in found)],
+            [here.coordinates, *(each.ball for _, each in here.bearings)],
+            [slope, *(each.along(own[:, places]) for places, each in here.bearings)],
         )
 
-    def _point(self, coordinates: Array, bearings: Bearings, states: States | None = None) -> Point:
+    def _point(
+        self, coordinates: Array, bearings: BearingIterates, states: States | None = None
+    ) -> Point:
         load = np.empty((len(coordinates), len(self.joints), len(PLANE)))
         tangent = np.empty((*load.shape, len(PLANE)))
-        imbalance, pressure = np.zeros(len(load)), np.zeros(len(load))
-        for places, found in bearings.values():
+        for places, found in bearings:
             own = self._sign[places]
             k = found.stiffness[..., PLANE, :][..., PLANE]
             load[:, places] = found.load[..., PLANE] * own
             tangent[:, places] = k * own[:, :, None] * own[:, None, :]
-            imbalance = np.maximum(imbalance, found.error.max(axis=1))
-            pressure = np.maximum(pressure, found.pressure.max(axis=1))
+        imbalance, pressure = bearings.imbalance, bearings.pressure
         return Point(coordinates, bearings, states, load, tangent, imbalance, pressure)
 
     @property
-    def _seats(self) -> list[Joint]:
+    def _seats(self) -> list[AxialBearing]:
         """The joint of every seat."""
         return [self.network.arrangement.joints[k] for k in self.joints]
 
@@ -299,7 +275,7 @@ class RadialProblem:
         if self.network.law.one_branch:
             first = self._at([start, *guess[1:]], near)
             problem, there, found = self._searched(first, force, alive, RadialProblem.advance, 1)
-            found &= there.follows(near)
+            found &= there.bearings.follows(near.bearings)
             if not (alive & ~found).any():
                 return problem, there, found
             start = np.where(found[:, None], there.coordinates, start)

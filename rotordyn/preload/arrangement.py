@@ -19,7 +19,7 @@ SHAFT = 0
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Joint:
+class AxialBearing:
     """One bearing, or several alike side by side, between the shaft and a body.
 
     ``seats``: indices of the twins it stands for; ``thrust`` ±1; ``outer``: body of the outer ring;
@@ -51,7 +51,7 @@ class Arrangement:
     """Bodies (shaft first, then sleeves), joints and springs; ``force`` [N] on the shaft."""
 
     bodies: tuple[str, ...]
-    joints: tuple[Joint, ...]
+    joints: tuple[AxialBearing, ...]
     pushes: tuple[Push, ...]
     speed: Array
     force: float
@@ -69,10 +69,10 @@ def arrangement(spindle: Spindle, speed: Array, force: float = 0.0) -> Arrangeme
     """The axial arrangement of ``spindle``, rings and shaft deformed by every ``speed`` [rad/s]."""
     sleeves = {sleeve.name: k + 1 for k, sleeve in enumerate(spindle.sleeves)}
     shifts = seat_shifts(spindle, speed)
-    joints: list[Joint] = []
+    joints: list[AxialBearing] = []
     for k, seat in enumerate(spindle.seats):
         sleeve = spindle.sleeve_of(seat.name)
-        joint = Joint(
+        joint = AxialBearing(
             seats=(k,),
             bearing=seat.bearing,
             thrust=seat.thrust,
@@ -95,7 +95,7 @@ def arrangement(spindle: Spindle, speed: Array, force: float = 0.0) -> Arrangeme
     )
 
 
-def _alike(a: Joint, b: Joint) -> bool:
+def _alike(a: AxialBearing, b: AxialBearing) -> bool:
     """True where the two bearings must carry the same load at every speed."""
     same = (a.bearing, a.thrust, a.outer, a.static_growth)
     return same == (b.bearing, b.thrust, b.outer, b.static_growth) and bool(
@@ -103,7 +103,7 @@ def _alike(a: Joint, b: Joint) -> bool:
     )
 
 
-def _joined(a: Joint, b: Joint) -> Joint:
+def _joined(a: AxialBearing, b: AxialBearing) -> AxialBearing:
     return replace(a, seats=a.seats + b.seats)
 
 

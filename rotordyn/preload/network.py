@@ -8,18 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bearings.angular_contact import AngularContactBallBearing
 from bearings.law import Law
-from bearings.state import BearingState
 from rotordyn.preload.arrangement import HOUSING, SHAFT, Arrangement
-
-if TYPE_CHECKING:
-    from bearings.iterate import Iterate
+from rotordyn.preload.bearing_iterates import BearingIterates, Solved, States
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -45,38 +41,18 @@ class Springs:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Solved:
-    """States of one bearing model: which of the places asked for, the batch (speeds, places)."""
-
-    places: list[int]
-    state: BearingState
-
-
-States = dict[AngularContactBallBearing, Solved]
-Iterates = dict[AngularContactBallBearing, tuple[list[int], "Iterate"]]
-
-
-@dataclass(frozen=True, eq=False, slots=True)
 class Response:
     """Joint loads and slopes (speeds, joints) [N, N/m], and the bearing states behind them.
 
-    ``states``: empty where balls were moved together with the bodies; ``bearings``: by model, its
-    joints and one ball of each; ``imbalance`` (speeds,) of the balls.
+    ``states``: empty where balls were moved together with the bodies; ``bearings``: one ball of
+    each joint; ``imbalance`` (speeds,) of the balls.
     """
 
     load: Array
     slope: Array
     states: States
-    bearings: Iterates
+    bearings: BearingIterates
     imbalance: Array
-
-    def follows(self, before: Response) -> Flags:
-        """Speeds at which every ball is where it can come to from ``before`` (speeds,)."""
-        near = [
-            found.follows(before.bearings[model][1]).all(axis=1)
-            for model, (_, found) in self.bearings.items()
-        ]
-        return np.all(near, axis=0)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -109,27 +85,17 @@ class Network:
 
     def respond(self, x: Array, near: Response | None = None) -> Response:
         """Loads and slopes of the joints at positions ``x``, every bearing solved by itself."""
-        from bearings.iterate import iterate
         from bearings.ring import axial_ring
 
         displacement = self._displacement(x)
         near_by = near.states if near is not None and near.states else None
         every = range(displacement.shape[1])
         states = self.solve_bearings(every, near_by, displacement=displacement)
-        bearings = {
-            model: (solved.places, iterate(solved.state, axial_ring))
-            for model, solved in states.items()
-        }
-        return self._response(bearings, states)
+        return self._response(BearingIterates.solved(states, axial_ring), states)
 
     def move(self, x: Array, near: Response) -> Response:
         """Loads and slopes at positions ``x``, balls a Newton step on from where they were."""
-        displacement = self._displacement(x)
-        bearings = {
-            model: (places, found.moved(displacement[:, places]))
-            for model, (places, found) in near.bearings.items()
-        }
-        return self._response(bearings, {})
+        return self._response(near.bearings.moved(self._displacement(x)), {})
 
     def _displacement(self, x: Array) -> Array:
         deflection = self.deflection(x)
@@ -137,14 +103,13 @@ class Network:
         displacement[..., 0] = deflection
         return displacement
 
-    def _response(self, bearings: Iterates, states: States) -> Response:
+    def _response(self, bearings: BearingIterates, states: States) -> Response:
         shape = (len(self.arrangement.speed), len(self.arrangement.joints))
-        load, slope, imbalance = np.empty(shape), np.empty(shape), np.zeros(shape[0])
-        for places, found in bearings.values():
+        load, slope = np.empty(shape), np.empty(shape)
+        for places, found in bearings:
             load[:, places] = found.load[..., 0]
             slope[:, places] = found.stiffness[..., 0, 0]
-            imbalance = np.maximum(imbalance, found.error.max(axis=1))
-        return Response(load, slope, states, bearings, imbalance)
+        return Response(load, slope, states, bearings, bearings.imbalance)
 
     def solve_bearings(
         self,
@@ -243,8 +208,11 @@ def solve(
 def _together(network: Network, x: Array, held: Flags, near: Response | None) -> NetworkState:
     """Newton of bodies and balls, no step shortened; none may turn a ball's angles far."""
     fixed = held | network.springs.fixed
-    response = network.respond(x) if near is None else network.move(x, near)
-    near_by = np.ones(len(x), dtype=bool) if near is None else response.follows(near)
+    if near is None:
+        response, near_by = network.respond(x), np.ones(len(x), dtype=bool)
+    else:
+        response = network.move(x, near)
+        near_by = response.bearings.follows(near.bearings)
     for _ in range(TOGETHER):
         miss, error = network.error(x, response, fixed)
         moving = np.isfinite(error) & ~((error < TOLERANCE) & (response.imbalance < BALLS))
@@ -252,7 +220,7 @@ def _together(network: Network, x: Array, held: Flags, near: Response | None) ->
             break
         x = x + np.where(moving[:, None], _newton(network, response, miss, fixed), 0.0)
         before, response = response, network.move(x, response)
-        near_by &= response.follows(before)
+        near_by &= response.bearings.follows(before.bearings)
     error = network.error(x, response, fixed)[1]
     found = (error < TOLERANCE) & (response.imbalance < BALLS) & near_by
     return NetworkState(x, held, response, error, found)

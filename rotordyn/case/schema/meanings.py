@@ -85,7 +85,7 @@ MEANINGS: dict[str, dict[str, str]] = {
         "matrix": "lists instead: every response to every excitation",
         "slices": "speeds drawn as curves and written as UFF58 (nearest speed of the case)",
         "method": "by modes, or all freedoms solved ([which](theory/receptances.md#two-methods))",
-        "measured": "measured responses laid over ([how](theory/receptances.md#measured-responses))",
+        "measured": "measured ones laid over ([how](theory/receptances.md#measured-responses))",
     },
     "pair": {
         "response": "a point and one of x, y, z, thx, thy, thz",
