@@ -1,4 +1,4 @@
-"""Shaft, bearings and axial arrangement under a radial force, with the full bearing model."""
+"""Balance of shaft, bearings and axial arrangement under a radial force: full bearing model."""
 
 from __future__ import annotations
 
@@ -20,7 +20,6 @@ from rotordyn.system.condensed import CondensedRotor
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
-Words = NDArray[np.str_]
 Place = Callable[["RadialProblem", Array, Any], "Point"]
 PLANE = [0, 1, 4]  # x, y, θz of a bearing's five freedoms
 TOLERANCE = 1e-9  # of the largest force in the balance, and of the largest ball load
@@ -45,39 +44,6 @@ class Point:
     tangent: Array
     imbalance: Array
     pressure: Array
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class Knot:
-    """A point of the curve: where it is and its change per step of the load.
-
-    First of the coordinates, then of the balls of each bearing model.
-    """
-
-    place: list[Array]
-    slope: list[Array]
-
-    def ahead(self, first: Knot | None) -> list[Array]:
-        """What the next of evenly spaced points is likely to be, ``first`` the one before."""
-        if first is None:
-            return [x + dx for x, dx in zip(self.place, self.slope, strict=True)]
-        every = zip(first.place, first.slope, self.place, self.slope, strict=True)
-        return [5.0 * x0 + 2.0 * dx0 - 4.0 * x1 + 4.0 * dx1 for x0, dx0, x1, dx1 in every]
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class RadialCurve:
-    """``deflection`` of the loaded point (speeds, loads), ``tangent`` at no load (speeds,) [N/m].
-
-    ``outcome`` (speeds,): empty, or why the curve ends early (then NaN from there on). ``reach``
-    (speeds, bodies): furthest position of each body against its spring along the curve, as travel
-    from rest [m].
-    """
-
-    deflection: Array
-    tangent: Array
-    outcome: Words
-    reach: Array
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -115,39 +81,6 @@ class RadialProblem:
             held=state.net.held[index],
         )
 
-    def curve(self, force: Array) -> RadialCurve:
-        """Deflection under loads that ascend evenly from zero.
-
-        Each load starts from the cubic that has the places and slopes of the last two, balls
-        included; every speed stands on its own.
-        """
-        p = len(self.rotor.point)
-        start = np.concatenate([np.zeros((len(self.position), p)), self.position], axis=1)
-        problem, here = self, self.evaluate(start, None)
-        every = np.ones(len(start), dtype=bool)
-        step, slope = float(force[1] - force[0]), problem._per_newton(here, every)
-        first, last = None, problem._knot(here, step * slope)
-        deflection, tangent = (
-            np.zeros((len(start), len(force))),
-            1.0 / slope[:, :p].dot(self.rotor.point),
-        )
-        outcome = np.full(len(start), "", dtype=object)
-        reach = problem._travel(start)
-        for k in range(1, len(force)):
-            if (outcome != "").all():
-                deflection[:, k:] = np.nan
-                break
-            guess = last.ahead(first)
-            problem, here, found = problem._solved(guess, here, float(force[k]), outcome == "")
-            lost = (outcome == "") & ~found
-            outcome[lost] = [_why(point, force[k]) for point in here.pressure[lost]]
-            slope = problem._per_newton(here, outcome == "")
-            first, last = last, problem._knot(here, step * slope)
-            deflection[:, k] = here.coordinates[:, :p] @ self.rotor.point
-            deflection[outcome != "", k] = np.nan
-            reach = np.fmax(reach, problem._travel(here.coordinates))
-        return RadialCurve(deflection, tangent, outcome.astype(str), reach)
-
     def evaluate(self, coordinates: Array, near: Point | None) -> Point:
         """Each bearing solved by itself at given coordinates, from where it was ``near`` by."""
         states = self.network.solve_bearings(
@@ -167,13 +100,10 @@ class RadialProblem:
         displacement = self._displacement(coordinates)
         return self._point(coordinates, near.bearings.at(displacement, guess[1:]))
 
-    def _knot(self, here: Point, slope: Array) -> Knot:
-        """A point of the curve with the change of its coordinates."""
-        own = self._own(slope)
-        return Knot(
-            [here.coordinates, *(each.ball for _, each in here.bearings)],
-            [slope, *(each.along(own[:, places]) for places, each in here.bearings)],
-        )
+    def balls_along(self, here: Point, change: Array) -> list[Array]:
+        """What the balls of each bearing model do with a ``change`` of the coordinates."""
+        own = self._own(change)
+        return [each.along(own[:, places]) for places, each in here.bearings]
 
     def _point(
         self, coordinates: Array, bearings: BearingIterates, states: States | None = None
@@ -242,7 +172,7 @@ class RadialProblem:
         total[:, p + SHAFT] += self.network.arrangement.force
         return np.where(self._fixed, 0.0, total)
 
-    def _per_newton(self, here: Point, alive: Flags) -> Array:
+    def per_newton(self, here: Point, alive: Flags) -> Array:
         """Change of the unknowns per newton of radial force where ``alive`` (speeds, unknowns)."""
         unit = np.zeros((len(self.held), self.rows.shape[2], 1))
         unit[:, : len(self.rotor.point), 0] = self.rotor.point
@@ -263,7 +193,7 @@ class RadialProblem:
         position = np.where(springs.fixed, springs.rest, position)
         return np.concatenate([coordinates[:, :p], position], axis=1)
 
-    def _solved(
+    def solved(
         self, guess: list[Array], near: Point, force: float, alive: Flags
     ) -> tuple[RadialProblem, Point, Flags]:
         """Equilibrium under ``force`` from a guess, and where there is one (speeds,).
@@ -342,25 +272,13 @@ class RadialProblem:
             length = np.where(worse, 0.5 * length, length)
         return there, ~worse
 
-    def _travel(self, coordinates: Array) -> Array:
+    def travel(self, coordinates: Array) -> Array:
         """How far each body has moved from rest against its spring (speeds, bodies) [m]."""
         moved = coordinates[:, len(self.rotor.point) :] - self.rest
         direction = np.zeros(len(self.rest))
         for push in self.network.arrangement.pushes:
             direction[push.body] = push.direction
         return -direction * moved
-
-
-def _why(pressure: float, force: float) -> str:
-    """Why a curve ends at ``force`` [N]."""
-    if pressure > HIGHEST_PRESSURE:
-        return (
-            f"bearings are overloaded under a radial force of {force:g} N (peak pressure "
-            f"{pressure / 1e9:.1f} GPa, at most {HIGHEST_PRESSURE / 1e9:g} GPa): lower max_force"
-        )
-    return (
-        f"no equilibrium under a radial force of {force:g} N: lower max_force or raise the preload"
-    )
 
 
 def _joint_of_seats(network: Network) -> tuple[int, ...]:

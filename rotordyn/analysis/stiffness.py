@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM
-from rotordyn.analysis.radial import PLANE, RadialCurve, RadialProblem
+from rotordyn.analysis.radial import PLANE, RadialProblem
+from rotordyn.analysis.radial_curve import RadialCurve, radial_curve
 from rotordyn.analysis.results import StiffnessResult
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import StiffnessSpec
@@ -115,7 +116,7 @@ def _nonlinear(
 ) -> RadialCurve:
     """The full bearing model at every load; equal rows are solved once."""
     distinct, place = np.unique(rows, return_inverse=True)
-    curve = RadialProblem.at(state, rotor, distinct).curve(force)
+    curve = radial_curve(RadialProblem.at(state, rotor, distinct), force)
     return RadialCurve(
         curve.deflection[place], curve.tangent[place], curve.outcome[place], curve.reach[place]
     )
