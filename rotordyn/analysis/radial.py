@@ -32,9 +32,9 @@ class Point:
     """Coordinates (speeds, p + bodies), bearings, their loads and tangents in plane y.
 
     ``bearings``: by model, at the seats it stands on; ``states``: where each bearing was solved by
-    itself. ``load`` (speeds, seats, 3), ``tangent`` (speeds, seats, 3, 3): (x, y, θz)
-    of the spindle; ``imbalance`` (speeds,) of the balls; ``pressure`` (speeds,): largest contact
-    pressure [Pa].
+    itself. ``load`` (speeds, seats, 3), ``tangent`` (speeds, seats, 3, 3): (x, y, θz) of the
+    spindle; ``imbalance`` (speeds,) of the balls; ``pressure`` (speeds,): largest contact pressure
+    [Pa].
     """
 
     coordinates: Array
@@ -50,13 +50,14 @@ class Point:
 class RadialProblem:
     """Unknowns: p coordinates of the condensed rotor, then the positions of the bodies.
 
-    ``joints``: the joint of every seat; ``rows`` (seats, 3, unknowns) give (x, y, θz) between the
-    rings; ``rest`` and ``limit`` (bodies,); ``held`` (speeds, bodies): standing at their stops.
+    ``bearings``: which bearing of the arrangement stands for each seat; ``rows`` (seats, 3,
+    unknowns) give (x, y, θz) between the rings; ``rest`` and ``limit`` (bodies,); ``held`` (speeds,
+    bodies): standing at their stops.
     """
 
     network: Network
     rotor: CondensedRotor
-    joints: tuple[int, ...]
+    bearings: tuple[int, ...]
     rows: Array
     rest: Array
     limit: Array
@@ -73,7 +74,7 @@ class RadialProblem:
         return cls(
             network=part,
             rotor=rotor.at(index),
-            joints=_joint_of_seats(part),
+            bearings=_bearing_of_seats(part),
             rows=_rows(part, rotor),
             rest=state.rest,
             limit=state.limit,
@@ -84,7 +85,7 @@ class RadialProblem:
     def evaluate(self, coordinates: Array, near: Point | None) -> Point:
         """Each bearing solved by itself at given coordinates, from where it was ``near`` by."""
         states = self.network.solve_bearings(
-            self.joints,
+            self.bearings,
             None if near is None else near.states,
             displacement=self._displacement(coordinates),
         )
@@ -108,7 +109,7 @@ class RadialProblem:
     def _point(
         self, coordinates: Array, bearings: BearingIterates, states: States | None = None
     ) -> Point:
-        load = np.empty((len(coordinates), len(self.joints), len(PLANE)))
+        load = np.empty((len(coordinates), len(self.bearings), len(PLANE)))
         tangent = np.empty((*load.shape, len(PLANE)))
         for places, found in bearings:
             own = self._sign[places]
@@ -120,13 +121,13 @@ class RadialProblem:
 
     @property
     def _seats(self) -> list[AxialBearing]:
-        """The joint of every seat."""
-        return [self.network.arrangement.joints[k] for k in self.joints]
+        """The bearing of every seat."""
+        return [self.network.arrangement.bearings[k] for k in self.bearings]
 
     @property
     def _sign(self) -> Array:
         """From (x, y, θz) of the spindle to those of a bearing (seats, 3)."""
-        return np.array([[j.thrust, 1.0, j.thrust] for j in self._seats], dtype=float)
+        return np.array([[b.thrust, 1.0, b.thrust] for b in self._seats], dtype=float)
 
     def _own(self, coordinates: Array) -> Array:
         """Five freedoms of every bearing (speeds, seats, 5) from the unknowns."""
@@ -137,7 +138,7 @@ class RadialProblem:
 
     def _displacement(self, coordinates: Array) -> Array:
         """Displacements of the bearings (speeds, seats, 5), the shaft's shortening included."""
-        shift = np.stack([j.thrust * j.shortening for j in self._seats], axis=1)
+        shift = np.stack([b.thrust * b.shortening for b in self._seats], axis=1)
         displacement = self._own(coordinates)
         displacement[..., 0] += shift
         return displacement
@@ -281,12 +282,12 @@ class RadialProblem:
         return -direction * moved
 
 
-def _joint_of_seats(network: Network) -> tuple[int, ...]:
-    """The joint that stands for every seat."""
+def _bearing_of_seats(network: Network) -> tuple[int, ...]:
+    """The bearing that stands for every seat."""
     owner = {
         seat: index
-        for index, joint in enumerate(network.arrangement.joints)
-        for seat in joint.seats
+        for index, bearing in enumerate(network.arrangement.bearings)
+        for seat in bearing.seats
     }
     return tuple(owner[seat] for seat in sorted(owner))
 
@@ -296,9 +297,9 @@ def _rows(network: Network, rotor: CondensedRotor) -> Array:
     p, bodies = len(rotor.point), len(network.arrangement.bodies)
     rows = np.zeros((len(rotor.seats), 3, p + bodies))
     rows[:, 1:, :p] = rotor.seats
-    for joint in network.arrangement.joints:
-        for seat in joint.seats:
+    for bearing in network.arrangement.bearings:
+        for seat in bearing.seats:
             rows[seat, 0, p + SHAFT] = 1.0
-            if joint.outer != HOUSING:
-                rows[seat, 0, p + joint.outer] = -1.0
+            if bearing.outer != HOUSING:
+                rows[seat, 0, p + bearing.outer] = -1.0
     return rows

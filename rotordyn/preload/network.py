@@ -42,10 +42,10 @@ class Springs:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Response:
-    """Joint loads and slopes (speeds, joints) [N, N/m], and the bearing states behind them.
+    """Axial loads and slopes (speeds, bearings) [N, N/m], and the bearing states behind them.
 
     ``states``: empty where balls were moved together with the bodies; ``bearings``: one ball of
-    each joint; ``imbalance`` (speeds,) of the balls.
+    each bearing; ``imbalance`` (speeds,) of the balls.
     """
 
     load: Array
@@ -65,26 +65,26 @@ class Network:
 
     @property
     def twins(self) -> Array:
-        """How many bearings each joint stands for (joints,)."""
-        return np.array([float(len(joint.seats)) for joint in self.arrangement.joints])
+        """How many seats each bearing of the arrangement stands for (bearings,)."""
+        return np.array([float(len(bearing.seats)) for bearing in self.arrangement.bearings])
 
     @property
     def incidence(self) -> Array:
-        """B (joints, bodies): δ = B x + s·shortening; bearings push the bodies by −Bᵀ (twins·F)."""
-        b = np.zeros((len(self.arrangement.joints), len(self.arrangement.bodies)))
-        for k, joint in enumerate(self.arrangement.joints):
-            b[k, SHAFT] = joint.thrust
-            if joint.outer != HOUSING:
-                b[k, joint.outer] = -joint.thrust
+        """B (bearings, bodies): δ = B x + s·shortening; bodies are pushed by −Bᵀ (twins·F)."""
+        b = np.zeros((len(self.arrangement.bearings), len(self.arrangement.bodies)))
+        for k, bearing in enumerate(self.arrangement.bearings):
+            b[k, SHAFT] = bearing.thrust
+            if bearing.outer != HOUSING:
+                b[k, bearing.outer] = -bearing.thrust
         return b
 
     def deflection(self, x: Array) -> Array:
-        """Axial deflection of every joint (speeds, joints) [m]."""
-        shift = np.stack([j.thrust * j.shortening for j in self.arrangement.joints], axis=1)
+        """Axial deflection of every bearing (speeds, bearings) [m]."""
+        shift = np.stack([b.thrust * b.shortening for b in self.arrangement.bearings], axis=1)
         return x @ self.incidence.T + shift
 
     def respond(self, x: Array, near: Response | None = None) -> Response:
-        """Loads and slopes of the joints at positions ``x``, every bearing solved by itself."""
+        """Loads and slopes of the bearings at positions ``x``, every bearing solved by itself."""
         from bearings.ring import axial_ring
 
         displacement = self._displacement(x)
@@ -104,7 +104,7 @@ class Network:
         return displacement
 
     def _response(self, bearings: BearingIterates, states: States) -> Response:
-        shape = (len(self.arrangement.speed), len(self.arrangement.joints))
+        shape = (len(self.arrangement.speed), len(self.arrangement.bearings))
         load, slope = np.empty(shape), np.empty(shape)
         for places, found in bearings:
             load[:, places] = found.load[..., 0]
@@ -113,7 +113,7 @@ class Network:
 
     def solve_bearings(
         self,
-        joints: Sequence[int],
+        bearings: Sequence[int],
         near: States | None,
         *,
         displacement: Array | None = None,
@@ -121,30 +121,29 @@ class Network:
     ) -> States:
         """Bearings at given displacements or under loads in their own frames (speeds, places, 5).
 
-        ``joints``: the joint of every place. Each bearing model is solved in one call; ``near``,
-        states of the same places close by, speeds the search up.
+        ``bearings``: which of the arrangement's is at every place. Each bearing model is solved in
+        one call; ``near``, states of the same places close by, speeds the search up.
         """
+        at = [self.arrangement.bearings[k] for k in bearings]
         places: dict[AngularContactBallBearing, list[int]] = {}
-        for place, joint in enumerate(joints):
-            places.setdefault(self.arrangement.joints[joint].bearing, []).append(place)
+        for place, bearing in enumerate(at):
+            places.setdefault(bearing.model, []).append(place)
         return {
-            bearing: Solved(
+            model: Solved(
                 where,
-                bearing.equilibrium(
+                model.equilibrium(
                     displacement=None if displacement is None else displacement[:, where],
                     load=None if load is None else load[:, where],
                     speed=self.arrangement.speed[:, None],
-                    static_growth=[self.arrangement.joints[joints[p]].static_growth for p in where],
-                    growth=np.stack(
-                        [self.arrangement.joints[joints[p]].growth for p in where], axis=1
-                    ),
+                    static_growth=[at[p].static_growth for p in where],
+                    growth=np.stack([at[p].growth for p in where], axis=1),
                     kinematics=self.law.kinematics,
                     moment_sharing=self.law.moment_sharing,
                     friction=self.law.friction,
-                    start=None if near is None else near[bearing].state,
+                    start=None if near is None else near[model].state,
                 ),
             )
-            for bearing, where in places.items()
+            for model, where in places.items()
         }
 
     def forces(self, x: Array, response: Response) -> Array:
