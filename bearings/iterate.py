@@ -12,10 +12,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.equilibrium import Linear, linearise, tangent
 from bearings.geometry import Geometry, geometry, groove_origin
+from bearings.linearised import Linear, linearise, segments, tangent
 from bearings.model import BallModel
-from bearings.plane import Pair, turned_far
+from bearings.plane import turned_far
 from bearings.problem import LONGEST_TURN, Index, Problem
 from bearings.ring import Ring
 from bearings.state import BearingState
@@ -69,16 +69,15 @@ class Iterate:
         near = self.sound.reshape(-1).copy()
         for index, problem in self.parts:
             if problem.turning:
-                pair = (part._segments(index, problem) for part in (before, self))
+                pair = (segments(problem, *one._states(index)) for one in (before, self))
                 for then, now in zip(*pair, strict=True):
                     near[index] &= ~turned_far(then, now, LONGEST_TURN).any(axis=-1)
         return near.reshape(self.shape)
 
-    def _segments(self, index: Index, problem: Problem) -> tuple[Pair, Pair]:
-        """From the outer groove centre to the ball, and on to the inner one."""
-        x = self.ball.reshape(2, -1, self.ball.shape[-1])[:, index]
-        inner = problem.centres(self.displacement.reshape(-1, 5)[index]) - x
-        return (x[0], x[1]), (inner[0], inner[1])
+    def _states(self, index: Index) -> tuple[Array, Array]:
+        """Displacements (s, 5) and balls (2, s, n) of some bearings of the batch."""
+        balls = self.ball.reshape(2, -1, self.ball.shape[-1])
+        return self.displacement.reshape(-1, 5)[index], balls[:, index]
 
 
 def iterate(state: BearingState, ring: Callable[[Geometry], Ring]) -> Iterate:

@@ -88,10 +88,11 @@ def axial_ring(geometry: Geometry) -> Ring:
 
 @lru_cache(maxsize=256)
 def half_ring(geometry: Geometry) -> Ring:
-    """The balls on one side of the plane of y, each for its mirror image too; not to be compiled.
+    """The balls on one side of the plane of y, each for its mirror image too.
 
     The ring moves in that plane alone. Fz and My are exactly zero, and so is what couples the
-    planes in the tangent.
+    planes in the tangent. Not for the compiled solver: it knows a ring by ``azimuth`` alone and
+    would count every ball once, without its image.
     """
     spread, gather = _maps(geometry)
     count = geometry.balls // 2 + 1

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball import settled, turning_balance
-from bearings.equilibrium import tangent
 from bearings.geometry import geometry, groove_origin
+from bearings.linearised import tangent
 from bearings.model import BallModel
 from bearings.problem import Problem
 from bearings.ring import full_ring

@@ -58,7 +58,7 @@ class Strides:
             "QUICK_STEPS": self.quick,
             "FIRST_FREE": self.free,
         }
-        with solver(compiled=False), mock.patch.multiple("bearings.equilibrium", **names):
+        with solver(compiled=False), mock.patch.multiple("bearings.followed_stage", **names):
             yield
 
 

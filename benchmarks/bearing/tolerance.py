@@ -28,8 +28,10 @@ def tolerance(asked: float) -> Iterator[None]:
     path = max(asked, ON_THE_WAY)
     with (
         solver(compiled=False),
+        mock.patch("bearings.linearised.TOLERANCE", asked),
+        mock.patch("bearings.followed_stage.TOLERANCE", asked),
+        mock.patch("bearings.followed_stage.ON_THE_WAY", path),
         mock.patch("bearings.equilibrium.TOLERANCE", asked),
-        mock.patch("bearings.equilibrium.ON_THE_WAY", path),
     ):
         yield
 

@@ -48,13 +48,13 @@ def _taken(scene: Scene) -> Iterator[str]:
 def _bearings(scene: Scene) -> Iterator[str]:
     if "preload" not in scene.solved:
         return
-    joints = scene.preload.network.arrangement.joints
+    bearings = scene.preload.network.arrangement.bearings
     names = [seat.name for seat in scene.spindle.seats]
-    for joint in joints:
-        if len(joint.seats) > 1:
-            twins = ", ".join(names[seat] for seat in joint.seats)
+    for bearing in bearings:
+        if len(bearing.seats) > 1:
+            twins = ", ".join(names[seat] for seat in bearing.seats)
             yield f"bearings {twins} are alike and share their load: one of them is solved"
-    balls = sorted({joint.bearing.balls for joint in joints})
+    balls = sorted({bearing.model.balls for bearing in bearings})
     counts = " or ".join(map(str, balls))
     yield f"under axial load all balls of a bearing are alike: one of {counts} is solved"
     if len(scene.bearing_speed) < len(scene.speed):

@@ -1,4 +1,4 @@
-"""Shaft, bearings and axial arrangement under a radial force, with the full bearing model."""
+"""Balance of shaft, bearings and axial arrangement under a radial force: full bearing model."""
 
 from __future__ import annotations
 
@@ -9,20 +9,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.angular_contact import AngularContactBallBearing
-from bearings.iterate import Iterate, iterate
 from bearings.ring import half_ring
 from rotordyn.machine.limits import HIGHEST_PRESSURE
-from rotordyn.preload.arrangement import HOUSING, SHAFT, Joint
-from rotordyn.preload.network import Network, States
+from rotordyn.preload.arrangement import HOUSING, SHAFT, AxialBearing
+from rotordyn.preload.bearing_iterates import BearingIterates, States
+from rotordyn.preload.network import Network
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.stops import stops_wanted
 from rotordyn.system.condensed import CondensedRotor
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
-Words = NDArray[np.str_]
-Bearings = dict[AngularContactBallBearing, tuple[list[int], Iterate]]
 Place = Callable[["RadialProblem", Array, Any], "Point"]
 PLANE = [0, 1, 4]  # x, y, θz of a bearing's five freedoms
 TOLERANCE = 1e-9  # of the largest force in the balance, and of the largest ball load
@@ -34,73 +31,33 @@ HALVINGS = 8
 class Point:
     """Coordinates (speeds, p + bodies), bearings, their loads and tangents in plane y.
 
-    ``bearings``: by model, the seats it stands on and their balls; ``states``: where each bearing
-    was solved by itself. ``load`` (speeds, seats, 3), ``tangent`` (speeds, seats, 3, 3): (x, y, θz)
-    of the spindle; ``imbalance`` (speeds,) of the balls; ``pressure`` (speeds,): largest contact
-    pressure [Pa].
+    ``bearings``: by model, at the seats it stands on; ``states``: where each bearing was solved by
+    itself. ``load`` (speeds, seats, 3), ``tangent`` (speeds, seats, 3, 3): (x, y, θz) of the
+    spindle; ``imbalance`` (speeds,) of the balls; ``pressure`` (speeds,): largest contact pressure
+    [Pa].
     """
 
     coordinates: Array
-    bearings: Bearings
+    bearings: BearingIterates
     states: States | None
     load: Array
     tangent: Array
     imbalance: Array
     pressure: Array
 
-    def follows(self, before: Point) -> Flags:
-        """Speeds at which every ball is still where it can come to from ``before`` (speeds,)."""
-        near = [
-            found.follows(before.bearings[model][1]).all(axis=1)
-            for model, (_, found) in self.bearings.items()
-        ]
-        return np.all(near, axis=0)
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class Knot:
-    """A point of the curve: where it is and its change per step of the load.
-
-    First of the coordinates, then of the balls of each bearing model.
-    """
-
-    place: list[Array]
-    slope: list[Array]
-
-    def ahead(self, first: Knot | None) -> list[Array]:
-        """What the next of evenly spaced points is likely to be, ``first`` the one before."""
-        if first is None:
-            return [x + dx for x, dx in zip(self.place, self.slope, strict=True)]
-        every = zip(first.place, first.slope, self.place, self.slope, strict=True)
-        return [5.0 * x0 + 2.0 * dx0 - 4.0 * x1 + 4.0 * dx1 for x0, dx0, x1, dx1 in every]
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class RadialCurve:
-    """``deflection`` of the loaded point (speeds, loads), ``tangent`` at no load (speeds,) [N/m].
-
-    ``outcome`` (speeds,): empty, or why the curve ends early (then NaN from there on). ``reach``
-    (speeds, bodies): furthest position of each body against its spring along the curve, as travel
-    from rest [m].
-    """
-
-    deflection: Array
-    tangent: Array
-    outcome: Words
-    reach: Array
-
 
 @dataclass(frozen=True, eq=False, slots=True)
 class RadialProblem:
     """Unknowns: p coordinates of the condensed rotor, then the positions of the bodies.
 
-    ``joints``: the joint of every seat; ``rows`` (seats, 3, unknowns) give (x, y, θz) between the
-    rings; ``rest`` and ``limit`` (bodies,); ``held`` (speeds, bodies): standing at their stops.
+    ``bearings``: which bearing of the arrangement stands for each seat; ``rows`` (seats, 3,
+    unknowns) give (x, y, θz) between the rings; ``rest`` and ``limit`` (bodies,); ``held`` (speeds,
+    bodies): standing at their stops.
     """
 
     network: Network
     rotor: CondensedRotor
-    joints: tuple[int, ...]
+    bearings: tuple[int, ...]
     rows: Array
     rest: Array
     limit: Array
@@ -117,7 +74,7 @@ class RadialProblem:
         return cls(
             network=part,
             rotor=rotor.at(index),
-            joints=_joint_of_seats(part),
+            bearings=_bearing_of_seats(part),
             rows=_rows(part, rotor),
             rest=state.rest,
             limit=state.limit,
@@ -125,102 +82,52 @@ class RadialProblem:
             held=state.net.held[index],
         )
 
-    def curve(self, force: Array) -> RadialCurve:
-        """Deflection under loads that ascend evenly from zero.
-
-        Each load starts from the cubic that has the places and slopes of the last two, balls
-        included; every speed stands on its own.
-        """
-        p = len(self.rotor.point)
-        start = np.concatenate([np.zeros((len(self.position), p)), self.position], axis=1)
-        problem, here = self, self.evaluate(start, None)
-        every = np.ones(len(start), dtype=bool)
-        step, slope = float(force[1] - force[0]), problem._per_newton(here, every)
-        first, last = None, problem._knot(here, step * slope)
-        deflection, tangent = (
-            np.zeros((len(start), len(force))),
-            1.0 / slope[:, :p].dot(self.rotor.point),
-        )
-        outcome = np.full(len(start), "", dtype=object)
-        reach = problem._travel(start)
-        for k in range(1, len(force)):
-            if (outcome != "").all():
-                deflection[:, k:] = np.nan
-                break
-            guess = last.ahead(first)
-            problem, here, found = problem._solved(guess, here, float(force[k]), outcome == "")
-            lost = (outcome == "") & ~found
-            outcome[lost] = [_why(point, force[k]) for point in here.pressure[lost]]
-            slope = problem._per_newton(here, outcome == "")
-            first, last = last, problem._knot(here, step * slope)
-            deflection[:, k] = here.coordinates[:, :p] @ self.rotor.point
-            deflection[outcome != "", k] = np.nan
-            reach = np.fmax(reach, problem._travel(here.coordinates))
-        return RadialCurve(deflection, tangent, outcome.astype(str), reach)
-
     def evaluate(self, coordinates: Array, near: Point | None) -> Point:
         """Each bearing solved by itself at given coordinates, from where it was ``near`` by."""
         states = self.network.solve_bearings(
-            self.joints,
+            self.bearings,
             None if near is None else near.states,
             displacement=self._displacement(coordinates),
         )
-        bearings = {
-            model: (solved.places, iterate(solved.state, half_ring))
-            for model, solved in states.items()
-        }
-        return self._point(coordinates, bearings, states)
+        return self._point(coordinates, BearingIterates.solved(states, half_ring), states)
 
     def advance(self, coordinates: Array, near: Point) -> Point:
         """Bearings moved to given coordinates, their balls by a Newton step."""
-        displacement = self._displacement(coordinates)
-        bearings = {
-            model: (places, found.moved(displacement[:, places]))
-            for model, (places, found) in near.bearings.items()
-        }
-        return self._point(coordinates, bearings)
+        return self._point(coordinates, near.bearings.moved(self._displacement(coordinates)))
 
     def _at(self, guess: list[Array], near: Point) -> Point:
-        """Coordinates and balls where a knot expects them, as far as bodies can move."""
+        """Coordinates and balls where a guess has them, as far as bodies can move."""
         coordinates = self._placed(guess[0])
         displacement = self._displacement(coordinates)
-        bearings = {
-            model: (places, found.at(displacement[:, places], ball))
-            for (model, (places, found)), ball in zip(near.bearings.items(), guess[1:], strict=True)
-        }
-        return self._point(coordinates, bearings)
+        return self._point(coordinates, near.bearings.at(displacement, guess[1:]))
 
-    def _knot(self, here: Point, slope: Array) -> Knot:
-        """A point of the curve with the change of its coordinates."""
-        own = self._own(slope)
-        found = here.bearings.values()
-        return Knot(
-            [here.coordinates, *(each.ball for _, each in found)],
-            [slope, *(each.along(own[:, places]) for places, each in found)],
-        )
+    def balls_along(self, here: Point, change: Array) -> list[Array]:
+        """What the balls of each bearing model do with a ``change`` of the coordinates."""
+        own = self._own(change)
+        return [each.along(own[:, places]) for places, each in here.bearings]
 
-    def _point(self, coordinates: Array, bearings: Bearings, states: States | None = None) -> Point:
-        load = np.empty((len(coordinates), len(self.joints), len(PLANE)))
+    def _point(
+        self, coordinates: Array, bearings: BearingIterates, states: States | None = None
+    ) -> Point:
+        load = np.empty((len(coordinates), len(self.bearings), len(PLANE)))
         tangent = np.empty((*load.shape, len(PLANE)))
-        imbalance, pressure = np.zeros(len(load)), np.zeros(len(load))
-        for places, found in bearings.values():
+        for places, found in bearings:
             own = self._sign[places]
             k = found.stiffness[..., PLANE, :][..., PLANE]
             load[:, places] = found.load[..., PLANE] * own
             tangent[:, places] = k * own[:, :, None] * own[:, None, :]
-            imbalance = np.maximum(imbalance, found.error.max(axis=1))
-            pressure = np.maximum(pressure, found.pressure.max(axis=1))
+        imbalance, pressure = bearings.imbalance, bearings.pressure
         return Point(coordinates, bearings, states, load, tangent, imbalance, pressure)
 
     @property
-    def _seats(self) -> list[Joint]:
-        """The joint of every seat."""
-        return [self.network.arrangement.joints[k] for k in self.joints]
+    def _seats(self) -> list[AxialBearing]:
+        """The bearing of every seat."""
+        return [self.network.arrangement.bearings[k] for k in self.bearings]
 
     @property
     def _sign(self) -> Array:
         """From (x, y, θz) of the spindle to those of a bearing (seats, 3)."""
-        return np.array([[j.thrust, 1.0, j.thrust] for j in self._seats], dtype=float)
+        return np.array([[b.thrust, 1.0, b.thrust] for b in self._seats], dtype=float)
 
     def _own(self, coordinates: Array) -> Array:
         """Five freedoms of every bearing (speeds, seats, 5) from the unknowns."""
@@ -231,7 +138,7 @@ class RadialProblem:
 
     def _displacement(self, coordinates: Array) -> Array:
         """Displacements of the bearings (speeds, seats, 5), the shaft's shortening included."""
-        shift = np.stack([j.thrust * j.shortening for j in self._seats], axis=1)
+        shift = np.stack([b.thrust * b.shortening for b in self._seats], axis=1)
         displacement = self._own(coordinates)
         displacement[..., 0] += shift
         return displacement
@@ -266,7 +173,7 @@ class RadialProblem:
         total[:, p + SHAFT] += self.network.arrangement.force
         return np.where(self._fixed, 0.0, total)
 
-    def _per_newton(self, here: Point, alive: Flags) -> Array:
+    def per_newton(self, here: Point, alive: Flags) -> Array:
         """Change of the unknowns per newton of radial force where ``alive`` (speeds, unknowns)."""
         unit = np.zeros((len(self.held), self.rows.shape[2], 1))
         unit[:, : len(self.rotor.point), 0] = self.rotor.point
@@ -287,7 +194,7 @@ class RadialProblem:
         position = np.where(springs.fixed, springs.rest, position)
         return np.concatenate([coordinates[:, :p], position], axis=1)
 
-    def _solved(
+    def solved(
         self, guess: list[Array], near: Point, force: float, alive: Flags
     ) -> tuple[RadialProblem, Point, Flags]:
         """Equilibrium under ``force`` from a guess, and where there is one (speeds,).
@@ -299,7 +206,7 @@ class RadialProblem:
         if self.network.law.one_branch:
             first = self._at([start, *guess[1:]], near)
             problem, there, found = self._searched(first, force, alive, RadialProblem.advance, 1)
-            found &= there.follows(near)
+            found &= there.bearings.follows(near.bearings)
             if not (alive & ~found).any():
                 return problem, there, found
             start = np.where(found[:, None], there.coordinates, start)
@@ -366,7 +273,7 @@ class RadialProblem:
             length = np.where(worse, 0.5 * length, length)
         return there, ~worse
 
-    def _travel(self, coordinates: Array) -> Array:
+    def travel(self, coordinates: Array) -> Array:
         """How far each body has moved from rest against its spring (speeds, bodies) [m]."""
         moved = coordinates[:, len(self.rotor.point) :] - self.rest
         direction = np.zeros(len(self.rest))
@@ -375,24 +282,12 @@ class RadialProblem:
         return -direction * moved
 
 
-def _why(pressure: float, force: float) -> str:
-    """Why a curve ends at ``force`` [N]."""
-    if pressure > HIGHEST_PRESSURE:
-        return (
-            f"bearings are overloaded under a radial force of {force:g} N (peak pressure "
-            f"{pressure / 1e9:.1f} GPa, at most {HIGHEST_PRESSURE / 1e9:g} GPa): lower max_force"
-        )
-    return (
-        f"no equilibrium under a radial force of {force:g} N: lower max_force or raise the preload"
-    )
-
-
-def _joint_of_seats(network: Network) -> tuple[int, ...]:
-    """The joint that stands for every seat."""
+def _bearing_of_seats(network: Network) -> tuple[int, ...]:
+    """The bearing that stands for every seat."""
     owner = {
         seat: index
-        for index, joint in enumerate(network.arrangement.joints)
-        for seat in joint.seats
+        for index, bearing in enumerate(network.arrangement.bearings)
+        for seat in bearing.seats
     }
     return tuple(owner[seat] for seat in sorted(owner))
 
@@ -402,9 +297,9 @@ def _rows(network: Network, rotor: CondensedRotor) -> Array:
     p, bodies = len(rotor.point), len(network.arrangement.bodies)
     rows = np.zeros((len(rotor.seats), 3, p + bodies))
     rows[:, 1:, :p] = rotor.seats
-    for joint in network.arrangement.joints:
-        for seat in joint.seats:
+    for bearing in network.arrangement.bearings:
+        for seat in bearing.seats:
             rows[seat, 0, p + SHAFT] = 1.0
-            if joint.outer != HOUSING:
-                rows[seat, 0, p + joint.outer] = -1.0
+            if bearing.outer != HOUSING:
+                rows[seat, 0, p + bearing.outer] = -1.0
     return rows

@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM
-from rotordyn.analysis.radial import PLANE, RadialCurve, RadialProblem
+from rotordyn.analysis.radial import PLANE, RadialProblem
+from rotordyn.analysis.radial_curve import RadialCurve, radial_curve
 from rotordyn.analysis.results import StiffnessResult
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import StiffnessSpec
@@ -115,7 +116,7 @@ def _nonlinear(
 ) -> RadialCurve:
     """The full bearing model at every load; equal rows are solved once."""
     distinct, place = np.unique(rows, return_inverse=True)
-    curve = RadialProblem.at(state, rotor, distinct).curve(force)
+    curve = radial_curve(RadialProblem.at(state, rotor, distinct), force)
     return RadialCurve(
         curve.deflection[place], curve.tangent[place], curve.outcome[place], curve.reach[place]
     )
@@ -179,17 +180,17 @@ def _linear(
 
 
 def _constant_preload(scene: Scene, rest: Array) -> tuple[Array, NDArray[np.object_]]:
-    """Bearing tangents under the axial load each joint carries at ``rest``, speed effects acting.
+    """Bearing tangents under the axial load each bearing carries at ``rest``, speed effects acting.
 
     Also an outcome per bearing speed.
     """
-    state, joints = scene.preload, scene.preload.network.arrangement.joints
+    state, bearings = scene.preload, scene.preload.network.arrangement.bearings
     blocks = np.empty((len(state.speed), len(scene.spindle.seats), 5, 5))
     outcome = np.full(len(state.speed), "", dtype=object)
-    names = [", ".join(scene.spindle.seats[seat].name for seat in j.seats) for j in joints]
+    names = [", ".join(scene.spindle.seats[seat].name for seat in b.seats) for b in bearings]
     carries = rest > LEAST_LOAD * float(np.nanmax(np.abs(rest), initial=0.0))
     for k in np.flatnonzero(~carries):
-        blocks[:, list(joints[k].seats)] = np.nan
+        blocks[:, list(bearings[k].seats)] = np.nan
         outcome[outcome == ""] = f"bearing {names[k]} carries no load at rest"
     carrying = [int(k) for k in np.flatnonzero(carries)]
     load = np.zeros((len(state.speed), len(carrying), 5))
@@ -199,16 +200,16 @@ def _constant_preload(scene: Scene, rest: Array) -> tuple[Array, NDArray[np.obje
         tangents = held.state.stiffness(scene.conditions.tangent)
         for column, place in enumerate(held.places):
             k = carrying[place]
-            blocks[:, list(joints[k].seats)] = tangents[:, column, None]
+            blocks[:, list(bearings[k].seats)] = tangents[:, column, None]
             lost = (held.state.outcome[:, column] != "") & (outcome == "")
             outcome[lost] = f"bearing {names[k]} has no equilibrium under its load at rest"
     return blocks, outcome
 
 
 def _by_seat(state: PreloadState, load: Array) -> Array:
-    """A load of every joint as that of every seat (1, seats)."""
-    joints = state.network.arrangement.joints
-    seats = {seat: load[k] for k, joint in enumerate(joints) for seat in joint.seats}
+    """A load of every bearing as that of every seat (1, seats)."""
+    bearings = state.network.arrangement.bearings
+    seats = {seat: load[k] for k, bearing in enumerate(bearings) for seat in bearing.seats}
     return np.array([[seats[seat] for seat in sorted(seats)]])
 
 

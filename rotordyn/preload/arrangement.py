@@ -19,15 +19,16 @@ SHAFT = 0
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Joint:
-    """One bearing, or several alike side by side, between the shaft and a body.
+class AxialBearing:
+    """One bearing, or several alike in the same state, between the shaft and a body.
 
-    ``seats``: indices of the twins it stands for; ``thrust`` ±1; ``outer``: body of the outer ring;
-    ``static_growth`` [m]; ``growth`` and ``shortening`` of the shaft there (speeds,) [m].
+    ``seats``: indices of the twins it stands for; ``model``: what is mounted there; ``thrust`` ±1;
+    ``outer``: body of the outer ring; ``static_growth`` [m]; ``growth`` and ``shortening`` of the
+    shaft there (speeds,) [m].
     """
 
     seats: tuple[int, ...]
-    bearing: AngularContactBallBearing
+    model: AngularContactBallBearing
     thrust: int
     outer: int
     static_growth: float
@@ -48,62 +49,62 @@ class Push:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Arrangement:
-    """Bodies (shaft first, then sleeves), joints and springs; ``force`` [N] on the shaft."""
+    """Bodies (shaft first, then sleeves), bearings and springs; ``force`` [N] on the shaft."""
 
     bodies: tuple[str, ...]
-    joints: tuple[Joint, ...]
+    bearings: tuple[AxialBearing, ...]
     pushes: tuple[Push, ...]
     speed: Array
     force: float
 
     def at(self, index: NDArray[np.intp]) -> Arrangement:
         """The arrangement at some of its speeds."""
-        joints = tuple(
-            replace(joint, growth=joint.growth[index], shortening=joint.shortening[index])
-            for joint in self.joints
+        bearings = tuple(
+            replace(bearing, growth=bearing.growth[index], shortening=bearing.shortening[index])
+            for bearing in self.bearings
         )
-        return replace(self, joints=joints, speed=self.speed[index])
+        return replace(self, bearings=bearings, speed=self.speed[index])
 
 
 def arrangement(spindle: Spindle, speed: Array, force: float = 0.0) -> Arrangement:
     """The axial arrangement of ``spindle``, rings and shaft deformed by every ``speed`` [rad/s]."""
     sleeves = {sleeve.name: k + 1 for k, sleeve in enumerate(spindle.sleeves)}
     shifts = seat_shifts(spindle, speed)
-    joints: list[Joint] = []
+    bearings: list[AxialBearing] = []
     for k, seat in enumerate(spindle.seats):
         sleeve = spindle.sleeve_of(seat.name)
-        joint = Joint(
+        bearing = AxialBearing(
             seats=(k,),
-            bearing=seat.bearing,
+            model=seat.bearing,
             thrust=seat.thrust,
             outer=HOUSING if sleeve is None else sleeves[sleeve.name],
             static_growth=seat.growth.static,
             growth=ring_growth(spindle, seat, speed),
             shortening=shifts[:, k],
         )
-        twin = next((i for i, other in enumerate(joints) if _alike(other, joint)), None)
+        twin = next((i for i, other in enumerate(bearings) if _alike(other, bearing)), None)
         if twin is None:
-            joints.append(joint)
+            bearings.append(bearing)
         else:
-            joints[twin] = _joined(joints[twin], joint)
+            bearings[twin] = _joined(bearings[twin], bearing)
     return Arrangement(
         bodies=("shaft", *sleeves),
-        joints=tuple(joints),
+        bearings=tuple(bearings),
         pushes=tuple(_push(spindle, k) for k in range(len(spindle.sleeves))),
         speed=speed,
         force=force,
     )
 
 
-def _alike(a: Joint, b: Joint) -> bool:
+def _alike(a: AxialBearing, b: AxialBearing) -> bool:
     """True where the two bearings must carry the same load at every speed."""
-    same = (a.bearing, a.thrust, a.outer, a.static_growth)
-    return same == (b.bearing, b.thrust, b.outer, b.static_growth) and bool(
+    same = (a.model, a.thrust, a.outer, a.static_growth)
+    return same == (b.model, b.thrust, b.outer, b.static_growth) and bool(
         np.array_equal(a.growth, b.growth) and np.array_equal(a.shortening, b.shortening)
     )
 
 
-def _joined(a: Joint, b: Joint) -> Joint:
+def _joined(a: AxialBearing, b: AxialBearing) -> AxialBearing:
     return replace(a, seats=a.seats + b.seats)
 
 
@@ -122,8 +123,8 @@ def rigid(push: Push) -> bool:
 
 def at_rest(joined: Arrangement) -> Arrangement:
     """The arrangement standing still, without external force: what defines the preload."""
-    joints = tuple(
-        replace(j, growth=np.array([j.static_growth]), shortening=np.zeros(1))
-        for j in joined.joints
+    bearings = tuple(
+        replace(b, growth=np.array([b.static_growth]), shortening=np.zeros(1))
+        for b in joined.bearings
     )
-    return replace(joined, joints=joints, speed=np.zeros(1), force=0.0)
+    return replace(joined, bearings=bearings, speed=np.zeros(1), force=0.0)

@@ -8,18 +8,14 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bearings.angular_contact import AngularContactBallBearing
 from bearings.law import Law
-from bearings.state import BearingState
 from rotordyn.preload.arrangement import HOUSING, SHAFT, Arrangement
-
-if TYPE_CHECKING:
-    from bearings.iterate import Iterate
+from rotordyn.preload.bearing_iterates import BearingIterates, Solved, States
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -45,38 +41,18 @@ class Springs:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Solved:
-    """States of one bearing model: which of the places asked for, the batch (speeds, places)."""
-
-    places: list[int]
-    state: BearingState
-
-
-States = dict[AngularContactBallBearing, Solved]
-Iterates = dict[AngularContactBallBearing, tuple[list[int], "Iterate"]]
-
-
-@dataclass(frozen=True, eq=False, slots=True)
 class Response:
-    """Joint loads and slopes (speeds, joints) [N, N/m], and the bearing states behind them.
+    """Axial loads and slopes (speeds, bearings) [N, N/m], and the bearing states behind them.
 
-    ``states``: empty where balls were moved together with the bodies; ``bearings``: by model, its
-    joints and one ball of each; ``imbalance`` (speeds,) of the balls.
+    ``states``: empty where balls were moved together with the bodies; ``bearings``: one ball of
+    each bearing; ``imbalance`` (speeds,) of the balls.
     """
 
     load: Array
     slope: Array
     states: States
-    bearings: Iterates
+    bearings: BearingIterates
     imbalance: Array
-
-    def follows(self, before: Response) -> Flags:
-        """Speeds at which every ball is where it can come to from ``before`` (speeds,)."""
-        near = [
-            found.follows(before.bearings[model][1]).all(axis=1)
-            for model, (_, found) in self.bearings.items()
-        ]
-        return np.all(near, axis=0)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -89,47 +65,37 @@ class Network:
 
     @property
     def twins(self) -> Array:
-        """How many bearings each joint stands for (joints,)."""
-        return np.array([float(len(joint.seats)) for joint in self.arrangement.joints])
+        """How many seats each bearing of the arrangement stands for (bearings,)."""
+        return np.array([float(len(bearing.seats)) for bearing in self.arrangement.bearings])
 
     @property
     def incidence(self) -> Array:
-        """B (joints, bodies): δ = B x + s·shortening; bearings push the bodies by −Bᵀ (twins·F)."""
-        b = np.zeros((len(self.arrangement.joints), len(self.arrangement.bodies)))
-        for k, joint in enumerate(self.arrangement.joints):
-            b[k, SHAFT] = joint.thrust
-            if joint.outer != HOUSING:
-                b[k, joint.outer] = -joint.thrust
+        """B (bearings, bodies): δ = B x + s·shortening; bodies are pushed by −Bᵀ (twins·F)."""
+        b = np.zeros((len(self.arrangement.bearings), len(self.arrangement.bodies)))
+        for k, bearing in enumerate(self.arrangement.bearings):
+            b[k, SHAFT] = bearing.thrust
+            if bearing.outer != HOUSING:
+                b[k, bearing.outer] = -bearing.thrust
         return b
 
     def deflection(self, x: Array) -> Array:
-        """Axial deflection of every joint (speeds, joints) [m]."""
-        shift = np.stack([j.thrust * j.shortening for j in self.arrangement.joints], axis=1)
+        """Axial deflection of every bearing (speeds, bearings) [m]."""
+        shift = np.stack([b.thrust * b.shortening for b in self.arrangement.bearings], axis=1)
         return x @ self.incidence.T + shift
 
     def respond(self, x: Array, near: Response | None = None) -> Response:
-        """Loads and slopes of the joints at positions ``x``, every bearing solved by itself."""
-        from bearings.iterate import iterate
+        """Loads and slopes of the bearings at positions ``x``, every bearing solved by itself."""
         from bearings.ring import axial_ring
 
         displacement = self._displacement(x)
         near_by = near.states if near is not None and near.states else None
         every = range(displacement.shape[1])
         states = self.solve_bearings(every, near_by, displacement=displacement)
-        bearings = {
-            model: (solved.places, iterate(solved.state, axial_ring))
-            for model, solved in states.items()
-        }
-        return self._response(bearings, states)
+        return self._response(BearingIterates.solved(states, axial_ring), states)
 
     def move(self, x: Array, near: Response) -> Response:
         """Loads and slopes at positions ``x``, balls a Newton step on from where they were."""
-        displacement = self._displacement(x)
-        bearings = {
-            model: (places, found.moved(displacement[:, places]))
-            for model, (places, found) in near.bearings.items()
-        }
-        return self._response(bearings, {})
+        return self._response(near.bearings.moved(self._displacement(x)), {})
 
     def _displacement(self, x: Array) -> Array:
         deflection = self.deflection(x)
@@ -137,18 +103,17 @@ class Network:
         displacement[..., 0] = deflection
         return displacement
 
-    def _response(self, bearings: Iterates, states: States) -> Response:
-        shape = (len(self.arrangement.speed), len(self.arrangement.joints))
-        load, slope, imbalance = np.empty(shape), np.empty(shape), np.zeros(shape[0])
-        for places, found in bearings.values():
+    def _response(self, bearings: BearingIterates, states: States) -> Response:
+        shape = (len(self.arrangement.speed), len(self.arrangement.bearings))
+        load, slope = np.empty(shape), np.empty(shape)
+        for places, found in bearings:
             load[:, places] = found.load[..., 0]
             slope[:, places] = found.stiffness[..., 0, 0]
-            imbalance = np.maximum(imbalance, found.error.max(axis=1))
-        return Response(load, slope, states, bearings, imbalance)
+        return Response(load, slope, states, bearings, bearings.imbalance)
 
     def solve_bearings(
         self,
-        joints: Sequence[int],
+        bearings: Sequence[int],
         near: States | None,
         *,
         displacement: Array | None = None,
@@ -156,30 +121,29 @@ class Network:
     ) -> States:
         """Bearings at given displacements or under loads in their own frames (speeds, places, 5).
 
-        ``joints``: the joint of every place. Each bearing model is solved in one call; ``near``,
-        states of the same places close by, speeds the search up.
+        ``bearings``: which of the arrangement's is at every place. Each bearing model is solved in
+        one call; ``near``, states of the same places close by, speeds the search up.
         """
+        at = [self.arrangement.bearings[k] for k in bearings]
         places: dict[AngularContactBallBearing, list[int]] = {}
-        for place, joint in enumerate(joints):
-            places.setdefault(self.arrangement.joints[joint].bearing, []).append(place)
+        for place, bearing in enumerate(at):
+            places.setdefault(bearing.model, []).append(place)
         return {
-            bearing: Solved(
+            model: Solved(
                 where,
-                bearing.equilibrium(
+                model.equilibrium(
                     displacement=None if displacement is None else displacement[:, where],
                     load=None if load is None else load[:, where],
                     speed=self.arrangement.speed[:, None],
-                    static_growth=[self.arrangement.joints[joints[p]].static_growth for p in where],
-                    growth=np.stack(
-                        [self.arrangement.joints[joints[p]].growth for p in where], axis=1
-                    ),
+                    static_growth=[at[p].static_growth for p in where],
+                    growth=np.stack([at[p].growth for p in where], axis=1),
                     kinematics=self.law.kinematics,
                     moment_sharing=self.law.moment_sharing,
                     friction=self.law.friction,
-                    start=None if near is None else near[bearing].state,
+                    start=None if near is None else near[model].state,
                 ),
             )
-            for bearing, where in places.items()
+            for model, where in places.items()
         }
 
     def forces(self, x: Array, response: Response) -> Array:
@@ -243,8 +207,11 @@ def solve(
 def _together(network: Network, x: Array, held: Flags, near: Response | None) -> NetworkState:
     """Newton of bodies and balls, no step shortened; none may turn a ball's angles far."""
     fixed = held | network.springs.fixed
-    response = network.respond(x) if near is None else network.move(x, near)
-    near_by = np.ones(len(x), dtype=bool) if near is None else response.follows(near)
+    if near is None:
+        response, near_by = network.respond(x), np.ones(len(x), dtype=bool)
+    else:
+        response = network.move(x, near)
+        near_by = response.bearings.follows(near.bearings)
     for _ in range(TOGETHER):
         miss, error = network.error(x, response, fixed)
         moving = np.isfinite(error) & ~((error < TOLERANCE) & (response.imbalance < BALLS))
@@ -252,7 +219,7 @@ def _together(network: Network, x: Array, held: Flags, near: Response | None) ->
             break
         x = x + np.where(moving[:, None], _newton(network, response, miss, fixed), 0.0)
         before, response = response, network.move(x, response)
-        near_by &= response.follows(before)
+        near_by &= response.bearings.follows(before.bearings)
     error = network.error(x, response, fixed)[1]
     found = (error < TOLERANCE) & (response.imbalance < BALLS) & near_by
     return NetworkState(x, held, response, error, found)

@@ -57,8 +57,8 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int) ->
     rpm = network.arrangement.speed[row] * 30.0 / math.pi
     load = net.response.load[row]
     names = [
-        ", ".join(spindle.seats[k].name for k in joint.seats)
-        for joint in network.arrangement.joints
+        ", ".join(spindle.seats[k].name for k in bearing.seats)
+        for bearing in network.arrangement.bearings
     ]
     pushed = float(np.abs(network.springs.force).max() + abs(network.arrangement.force))
     if max(pushed, float(np.nanmax(np.abs(load), initial=0.0))) < NOTHING:

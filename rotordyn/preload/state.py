@@ -96,8 +96,8 @@ class PreloadState:
         arrangement = self.network.arrangement
         place: dict[int, tuple[BearingState, int]] = {}
         for solved in self.net.response.states.values():
-            for column, joint in enumerate(solved.places):
-                for seat in arrangement.joints[joint].seats:
+            for column, bearing in enumerate(solved.places):
+                for seat in arrangement.bearings[bearing].seats:
                     place[seat] = (solved.state, column)
         return [place[seat] for seat in sorted(place)]
 
@@ -114,12 +114,12 @@ class PreloadState:
 
     def seat_growth(self) -> Array:
         """Total radial growth of every inner groove centre (speeds, seats) [m]."""
-        joints = self.network.arrangement.joints
-        place = {seat: joint.growth for joint in joints for seat in joint.seats}
+        bearings = self.network.arrangement.bearings
+        place = {seat: bearing.growth for bearing in bearings for seat in bearing.seats}
         return np.stack([place[seat] for seat in sorted(place)], axis=1)
 
     def rest_loads(self) -> Array:
-        """Axial load of every joint at rest, external force included (joints,) [N]; NaN: none."""
+        """Axial load of every bearing at rest, external force included (bearings,) [N], or NaN."""
         net = self.still
         if self.force:
             still = replace(at_rest(self.network.arrangement), force=self.force)
@@ -210,15 +210,15 @@ def _preloads(joined: Arrangement) -> Array:
 
 
 def _seated(network: Network) -> Array:
-    """A start at rest (bodies,): each joint under its likely load, fitted by positions."""
+    """A start at rest (bodies,): each bearing under its likely load, fitted by positions."""
     b, twins, force = network.incidence, network.twins, network.springs.force
     share = np.linalg.lstsq((twins[:, None] * b).T, force, rcond=None)[0]
     likely = np.maximum(share, 0.05 * np.abs(force).max() + 1.0)
     deflection = [
-        joint.bearing.equilibrium(
-            load=[load, 0.0, 0.0, 0.0, 0.0], static_growth=joint.static_growth
+        bearing.model.equilibrium(
+            load=[load, 0.0, 0.0, 0.0, 0.0], static_growth=bearing.static_growth
         ).displacement[0]
-        for joint, load in zip(network.arrangement.joints, likely, strict=True)
+        for bearing, load in zip(network.arrangement.bearings, likely, strict=True)
     ]
     return np.linalg.lstsq(b, np.array(deflection), rcond=None)[0]
 

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from bearings import NoEquilibrium, condition, equilibrium
+from bearings import NoEquilibrium, condition, equilibrium, followed_stage
+from bearings.linearised import linearise
 from benchmarks.random_bearings import rings
 from tests.oracles.known_bearings import HARRIS_218, RPM, VEX70
 
@@ -114,13 +115,14 @@ def test_states_again_are_told() -> None:
 def test_balls_that_are_solved(monkeypatch: pytest.MonkeyPatch) -> None:
     """Axial load solves exactly one ball; the least aside solves all of them."""
     widths: set[int] = set()
-    whole = equilibrium.linearise
+    whole = linearise
 
     def counted(problem: Any, *state: Any) -> Any:
         widths.add(problem.ring.balls)
         return whole(problem, *state)
 
-    monkeypatch.setattr(equilibrium, "linearise", counted)
+    for caller in (equilibrium, followed_stage):
+        monkeypatch.setattr(caller, "linearise", counted)
     VEX70.equilibrium(load=[1000.0, 0, 0, 0, 0], speed=FAST, compiled=False)
     VEX70.equilibrium(displacement=[20e-6, 0, 0, 0, 0], speed=[0.0, FAST], compiled=False)
     assert widths == {1}

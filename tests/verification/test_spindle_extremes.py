@@ -26,10 +26,10 @@ def unbalanced(spindle: Spindle, state: PreloadState, row: int, force: float) ->
 
     Springs act by what the shift says; a stop only pushes, and only at its place.
     """
-    joints = state.network.arrangement.joints
+    bearings = state.network.arrangement.bearings
     axial = np.empty(len(spindle.seats))
-    for joint, load in zip(joints, state.net.response.load[row], strict=True):
-        axial[list(joint.seats)] = load
+    for bearing, load in zip(bearings, state.net.response.load[row], strict=True):
+        axial[list(bearing.seats)] = load
     thrust = np.array([seat.thrust for seat in spindle.seats])
     faults = [force - float(thrust @ axial)]
     for k, sleeve in enumerate(spindle.sleeves):
@@ -73,12 +73,12 @@ def test_deflections_are_those_of_the_loads(
     state = dynamic_preload(spindle, np.array(rpm) * RPM, Law(kinematics, "equal"))
     deflection = state.network.deflection(state.net.position)
     for row in np.flatnonzero(state.usable):
-        for k, joint in enumerate(state.network.arrangement.joints):
-            alone = joint.bearing.equilibrium(
+        for k, bearing in enumerate(state.network.arrangement.bearings):
+            alone = bearing.model.equilibrium(
                 load=[state.net.response.load[row, k], 0, 0, 0, 0],
                 speed=rpm[row] * RPM,
-                static_growth=joint.static_growth,
-                growth=joint.growth[row],
+                static_growth=bearing.static_growth,
+                growth=bearing.growth[row],
                 kinematics=kinematics,
             )
             assert abs(alone.displacement[0] - deflection[row, k]) < 1e-11

@@ -84,8 +84,8 @@ MEANINGS: dict[str, dict[str, str]] = {
         "pairs": "which responses to which forces; these or `matrix`, or both",
         "matrix": "lists instead: every response to every excitation",
         "slices": "speeds drawn as curves and written as UFF58 (nearest speed of the case)",
-        "method": "by modes, or all freedoms solved ([which](theory/analyses.md#two-methods))",
-        "measured": "measured responses laid over ([how](theory/analyses.md#measured-responses))",
+        "method": "by modes, or all freedoms solved ([which](theory/receptances.md#two-methods))",
+        "measured": "measured ones laid over ([how](theory/receptances.md#measured-responses))",
     },
     "pair": {
         "response": "a point and one of x, y, z, thx, thy, thz",
@@ -107,7 +107,7 @@ MEANINGS: dict[str, dict[str, str]] = {
         "point": "where the force acts and the deflection is taken",
         "max_force": "highest radial force",
         "steps": "load steps up to it",
-        "variants": "ways of modelling the bearings ([theory](theory/analyses.md))",
+        "variants": "ways of modelling the bearings ([theory](theory/radial_stiffness.md))",
         "second_stop": "other stop travels by sleeve, computed as one more variant",
     },
     "section forces": {

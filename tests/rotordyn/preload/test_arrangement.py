@@ -20,24 +20,24 @@ SPEED = np.array([0.0, 0.5, 1.0]) * TOP
 LAW = Law("outer", "equal")
 
 
-def test_tandem_twins_are_one_joint() -> None:
-    joints = arrangement(mfw2310(), SPEED).joints
-    assert [j.seats for j in joints] == [(0, 1), (2,), (3, 4)]
-    assert [j.thrust for j in joints] == [1, -1, -1]
-    assert [j.outer for j in joints] == [HOUSING, 1, 2]
+def test_tandem_twins_are_one_bearing() -> None:
+    bearings = arrangement(mfw2310(), SPEED).bearings
+    assert [b.seats for b in bearings] == [(0, 1), (2,), (3, 4)]
+    assert [b.thrust for b in bearings] == [1, -1, -1]
+    assert [b.outer for b in bearings] == [HOUSING, 1, 2]
 
 
 def test_twins_with_different_growth_are_not_alike() -> None:
     seats = list(mfw2310().seats)
     seats[1] = replace(seats[1], growth=RingGrowth(43.2e-6, QuadraticInSpeed(9e-6, TOP)))
-    joints = arrangement(mfw2310(seats=tuple(seats)), SPEED).joints
-    assert [j.seats for j in joints] == [(0,), (1,), (2,), (3, 4)]
+    bearings = arrangement(mfw2310(seats=tuple(seats)), SPEED).bearings
+    assert [b.seats for b in bearings] == [(0,), (1,), (2,), (3, 4)]
 
 
 def test_growth_and_shift_at_speed() -> None:
-    joints = arrangement(mfw2310(), SPEED).joints
-    assert joints[0].growth == pytest.approx(43.2e-6 + 7.3e-6 * np.array([0, 0.25, 1]))
-    assert joints[2].shortening == pytest.approx(-42.8e-6 * np.array([0, 0.25, 1]))
+    bearings = arrangement(mfw2310(), SPEED).bearings
+    assert bearings[0].growth == pytest.approx(43.2e-6 + 7.3e-6 * np.array([0, 0.25, 1]))
+    assert bearings[2].shortening == pytest.approx(-42.8e-6 * np.array([0, 0.25, 1]))
 
 
 def test_springs_push_so_that_bearings_load() -> None:
@@ -51,7 +51,7 @@ def test_part_of_the_speeds() -> None:
     whole = arrangement(mfw2310(), SPEED, 100.0)
     part = whole.at(np.array([2]))
     assert part.speed == pytest.approx([TOP])
-    assert part.joints[2].shortening == pytest.approx([-42.8e-6])
+    assert part.bearings[2].shortening == pytest.approx([-42.8e-6])
     assert part.force == 100.0
 
 
@@ -67,8 +67,8 @@ def test_states_asked_of_the_bearings(monkeypatch: pytest.MonkeyPatch) -> None:
 
     monkeypatch.setattr(AngularContactBallBearing, "equilibrium", counted)
     dynamic_preload(mfw2310(), SPEED, LAW)
-    vex70_joints, vex60_joints = 2, 1
-    assert widths == {vex70_joints, vex60_joints}
+    vex70_bearings, vex60_bearings = 2, 1
+    assert widths == {vex70_bearings, vex60_bearings}
 
 
 def test_all_speeds_are_asked_at_once(monkeypatch: pytest.MonkeyPatch) -> None:
