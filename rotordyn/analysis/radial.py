@@ -23,6 +23,7 @@ Flags = NDArray[np.bool_]
 Place = Callable[["RadialProblem", Array, Any], "Point"]
 PLANE = [0, 1, 4]  # x, y, θz of a bearing's five freedoms
 TOLERANCE = 1e-9  # of the largest force in the balance, and of the largest ball load
+SMALL = 1e3
 ITERATIONS = 20
 HALVINGS = 8
 
@@ -181,10 +182,13 @@ class RadialProblem:
         return np.asarray(np.linalg.solve(matrix, unit)[..., 0])
 
     def _error(self, here: Point, force: float) -> tuple[Array, Array]:
-        """Unbalanced forces, and the largest of balls and shaft, each over its largest force."""
+        """Unbalanced forces, and the largest of balls and shaft, each over its largest force; of a
+        radial force that is small beside the preload, over ``SMALL`` times that."""
         miss = self._unbalanced(here, force)
         size = np.maximum(np.abs(here.load[..., :2]).max(axis=(1, 2)), abs(force))
-        shaft = np.abs(miss).max(axis=1) / (size + np.abs(self.network.springs.force).max())
+        size = size + np.abs(self.network.springs.force).max()
+        size = np.minimum(size, np.maximum(SMALL * abs(force), size / SMALL))
+        shaft = np.abs(miss).max(axis=1) / size
         return miss, np.maximum(shaft, here.imbalance)
 
     def _placed(self, coordinates: Array) -> Array:

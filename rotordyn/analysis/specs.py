@@ -244,7 +244,7 @@ class StiffnessSpec(Description):
     """
 
     point: Name
-    max_force: Load = 500.0
+    max_force: LightLoad = 500.0
     steps: Annotated[int, Whole(1, MOST_STEPS)] = 10
     variants: tuple[Annotated[str, Choice(VARIANTS)], ...] = VARIANTS
     second_stop: Mapping[Name, Travel] = field(default_factory=dict)

@@ -194,6 +194,15 @@ def test_slope_of_the_curve_is_the_tangent() -> None:
     assert found.secant[:, 0] == pytest.approx(found.tangent[:, 0], rel=1e-5)
 
 
+@pytest.mark.parametrize("kinematics", ["hybrid", "inner"])
+def test_many_steps_of_a_next_to_nothing_force_are_a_straight_line(kinematics: str) -> None:
+    """A thousandth of a newton in a hundred steps, beside preloads of hundreds."""
+    asked = {"stiffness": StiffnessSpec("Oc2", 1e-3, 100, variants=("nonlinear",))}
+    found = answers(mfw2310(), SPEEDS, asked, kinematics=kinematics)["stiffness"]
+    straight = found.force[1:] / found.tangent[:, :1]
+    np.testing.assert_allclose(found.deflection[:, 0, 1:], straight, rtol=2e-5)
+
+
 def test_deflection_is_odd_in_the_load() -> None:
     """The axial network moves with the square of the load: no quadratic term in the deflection."""
     asked = {"stiffness": StiffnessSpec("Oc2", 40.0, 4, ("nonlinear",))}

@@ -154,7 +154,7 @@ class StiffnessEntry(Entry):
     """Radial stiffness of a point."""
 
     point: Name
-    max_force: Load = 500.0
+    max_force: LightLoad = 500.0
     steps: Annotated[int, whole(1, MOST_STEPS)] = 10
     variants: Annotated[list[Annotated[str, choice(*VARIANTS)]], Field(min_length=1)] = [*VARIANTS]
     second_stop: dict[Name, Travel] = {}
