@@ -236,7 +236,6 @@ class RadialProblem:
                 problem = replace(problem, held=np.where(changed[:, None], wanted, problem.held))
                 there = place(problem, problem._placed(there.coordinates), there)
                 continue
-            alive = alive & (there.pressure <= HIGHEST_PRESSURE)
             moving = alive & np.isfinite(error) & ~(error < TOLERANCE)
             if not moving.any():
                 break

@@ -11,12 +11,16 @@ import numpy as np
 import pytest
 from scipy.optimize import root
 
+from bearings import AngularContactBallBearing
 from bearings.iterate import Iterate
+from bearings.materials import Material
 from rotordyn.analysis.radial import RadialProblem
 from rotordyn.analysis.specs import PreloadSpec, StiffnessSpec
 from rotordyn.analysis.stiffness import answer as stiffness_answer
 from rotordyn.elements.support import turn
-from rotordyn.machine.shaft import Shaft
+from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import BearingSeat, Sleeve, Spring
 from rotordyn.preload.network import Network
 from rotordyn.system.assemble import add_at_nodes, bending_plane
 from rotordyn.system.dofs import PLANE_Y
@@ -192,6 +196,32 @@ def test_slope_of_the_curve_is_the_tangent() -> None:
     asked = {"stiffness": StiffnessSpec("Oc2", 1.0, 1, ("nonlinear",))}
     found = answers(mfw2310(), SPEEDS, asked)["stiffness"]
     assert found.secant[:, 0] == pytest.approx(found.tangent[:, 0], rel=1e-5)
+
+
+def test_pressures_met_on_the_way_to_a_state_are_not_its_own() -> None:
+    """A light spindle under six times its preload, in two steps and in ten."""
+    steel = Material("steel", 206e9, 0.3, 7800.0)
+    bar = Shaft(0.0, (Section(0.4, 0.045, 0.015, steel),), "cowper")
+    small, large = (
+        AngularContactBallBearing(
+            ball_diameter=0.00635, pitch_diameter=pitch, balls=balls,
+            contact_angle=math.radians(angle), inner_conformity=0.54, outer_conformity=0.53,
+        )
+        for pitch, balls, angle in ((0.05, 19, 15.0), (0.07, 27, 20.0))
+    )  # fmt: skip
+    light = Spindle(
+        "light",
+        bar,
+        seats=(BearingSeat("a", small, 0.03, -1), BearingSeat("b", large, 0.08, 1)),
+        sleeves=(Sleeve("s", ("b",), Spring(50.0, 1e6)),),
+        points={"tip": 0.0},
+    )
+    few, many = (
+        answers(light, (0, 1000), {"stiffness": spec})["stiffness"]
+        for spec in (StiffnessSpec("tip", 314.0, n, variants=("nonlinear",)) for n in (2, 10))
+    )
+    assert few.outcome == many.outcome == ("", "")
+    np.testing.assert_allclose(few.deflection[:, 0, 1:], many.deflection[:, 0, 5::5], rtol=1e-7)
 
 
 @pytest.mark.parametrize("kinematics", ["hybrid", "inner"])
