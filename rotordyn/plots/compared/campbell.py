@@ -53,7 +53,7 @@ def overlay_figure(
     """All modes in one diagram, a colour per variant, dashes by whirl."""
     figure = new_figure(168.0, 115.0)
     labels = dict.fromkeys(axis_label(variant.result, "frequency") for variant in variants)
-    axes = add_axes(figure, (15.0, 11.0, 147.0, 92.0), "speed [rpm]", "\n".join(labels))
+    axes = add_axes(figure, (15.0, 11.0, 147.0, 92.0), "speed [rpm]", ", ".join(labels))
     top = max_frequency or _highest(variants)
     _prepare(axes, variants[0], top, teeth)
     for place, variant in enumerate(variants):

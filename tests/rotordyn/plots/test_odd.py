@@ -128,7 +128,14 @@ def test_the_frame_is_on_the_axes_and_known_frequencies_stay_in_theirs() -> None
     first, second = panels_figure(pair).axes
     assert first.get_ylabel() == "damped frequency [Hz]"
     assert second.get_ylabel() == "damped frequency in the turning frame [Hz]"
-    assert "turning frame" in overlay_figure(pair).axes[0].get_ylabel()
+    figure = overlay_figure(pair)
+    label = figure.axes[0].yaxis.label
+    assert "turning frame" in label.get_text()
+    figure.canvas.draw()
+    box = label.get_window_extent()
+    assert box.x0 >= 0.0
+    assert box.y0 >= 0.0
+    assert box.y1 <= figure.bbox.height
     maps = [
         Shown(name, result, known, None)
         for name, result in zip("ab", (frf, turning[1]), strict=True)
