@@ -182,19 +182,17 @@ def _rounding(few: Scene, pairs: Pairs, frequency: Array, power: int) -> Array:
     """
     frequency = frequency[np.unique(np.linspace(0, len(frequency) - 1, SOME).astype(int))]
     weight = (2.0 * math.pi * frequency) ** power
-    asked = list(pairs)
-    for a, b in pairs:
-        ends = [Port(port.point, name) for port in (a, b) for name in ("y", "z")]
-        asked += [pair for e in ends for pair in ((a, e), (e, b))]
-    asked = list(dict.fromkeys(asked))
+    around = [[Port(p.point, name) for p in pair for name in ("y", "z")] for pair in pairs]
+    paths = [[(a, e, b) for e in ends] for (a, b), ends in zip(pairs, around, strict=True)]
+    steps = [step for every in paths for a, e, b in every for step in ((a, e), (e, b))]
+    asked = list(dict.fromkeys([*pairs, *steps]))
     with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
         found = _modal(few, frozenset({"bending"}), asked)(frequency)
     size = dict(zip(asked, np.moveaxis(np.abs(found), 1, 0), strict=True))
     off = []
-    for a, b in pairs:
-        ends = [Port(port.point, name) for port in (a, b) for name in ("y", "z")]
-        change = np.sum([size[a, e] * size[e, b] for e in ends], axis=0) * weight
-        largest = (size[a, b] * weight).max()
+    for pair, every in zip(pairs, paths, strict=True):
+        change = np.sum([size[a, e] * size[e, b] for a, e, b in every], axis=0) * weight
+        largest = (size[pair] * weight).max()
         off.append(float(change.max() / largest) if largest > 0.0 else 0.0)
     return direct_bending(few).rounding * np.nan_to_num(np.array(off))
 
