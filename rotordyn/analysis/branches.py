@@ -77,6 +77,12 @@ class Branch:
         """+1 forward, −1 backward, 0 planar: which circular part of y, z dominates."""
         return np.where(np.abs(self.degree) < PLANAR, 0.0, np.sign(self.degree))
 
+    def at_all(self, speed: Array) -> Branch:
+        """The same at every ``speed`` (s,) [rad/s], known at one."""
+        names = ("pole", "degree", "column", "vector")
+        many = {name: np.repeat(getattr(self, name), len(speed), axis=0) for name in names}
+        return replace(self, **many, track=Track(speed, many["pole"], many["vector"]))
+
     @property
     def creeping(self) -> bool:
         """It hardly swings at most speeds."""
@@ -154,6 +160,10 @@ def _followed(
     Where it is not clear between two speeds who is who, the machine is solved at further ones.
     """
     sweep = _Sweep.of(scene, home, spec.max_frequency)
+    speed = scene.speed[scene.usable]
+    if len(sweep.steps) < len(speed):
+        alone = [step.pole for step in sweep.steps]
+        return [b.at_all(speed) for side in sides for b in sweep.branches(home, spec, side, alone)]
     bends = home == "bending" or {"bending", home} <= scene.coupled_motions
     knots = knots_between(scene) if bends else ()
     if len(knots):
@@ -221,20 +231,19 @@ class _Sweep:
 
     @classmethod
     def of(cls, scene: Scene, home: str, highest: float, *, given: bool = True) -> _Sweep:
-        """At the usable speeds of a scene."""
+        """At the usable speeds of a scene; at the first, of a motion that is the same at all."""
         found = modes_of(scene, home, highest)
         frame = scene.bending.frame if home == "bending" else np.zeros(len(scene.usable))
         free = found.at_rest(frame[: len(found.pole)])
         steps = []
-        for place, speed in enumerate(scene.speed[scene.usable]):
-            row = min(place, len(found.pole) - 1)  # torsion is the same at every speed
+        for row, speed in enumerate(scene.speed[scene.usable][: len(found.pole)]):
             system = None
             if isinstance(found, Modes):
                 system = found.participation[row], found.stiffness[row], found.damping[row]
-            pole = found.pole[row] + 1j * frame[place]
+            pole = found.pole[row] + 1j * frame[row]
             vector = found.vector[row]
             steps.append(
-                _Step(float(speed), pole, vector, free[row], system, float(frame[place]), given)
+                _Step(float(speed), pole, vector, free[row], system, float(frame[row]), given)
             )
         return cls(tuple(steps))
 

@@ -191,8 +191,8 @@ class Scene(Statics):
 
     @stage
     def axial(self) -> RodSystem:
-        """Axial motion of shaft and sleeves."""
-        stops = np.zeros((len(self.usable), len(self.spindle.sleeves)), dtype=bool)
+        """Axial motion of shaft and sleeves: without bearings the same at every speed."""
+        stops = np.zeros((1, len(self.spindle.sleeves)), dtype=bool)
         if self.spindle.seats:
             stops = self.preload.net.held[self.bearing_row[self.usable], 1:]
         return axial_system(
@@ -200,7 +200,7 @@ class Scene(Statics):
             self.mesh,
             self.fineness,
             self._port_nodes,
-            self.seat_stiffness[..., 0, 0],
+            self.seat_stiffness[: len(stops), :, 0, 0],
             stops,
             rigid=self.rigid,
         )

@@ -19,10 +19,12 @@ from rotordyn.numerics.eigenvalue_count import count_below
 from rotordyn.numerics.reduction import (
     HALF_DIGIT,
     LEAST_MODES,
+    Coupling,
     RitzBasis,
+    asked_of,
     completed,
-    made,
     orthonormal,
+    with_answers,
 )
 from rotordyn.numerics.sparse import Matrix
 from rotordyn.numerics.threads import linear_algebra_alone
@@ -137,7 +139,7 @@ def ritz_basis_of_large(
     problem: Problem,
     cutoff: float,
     loads: Array,
-    couplings: Sequence[Matrix] = (),
+    couplings: Sequence[Coupling] = (),
     fields: Sequence[Matrix] = (),
 ) -> RitzBasis:
     """As ``reduction.ritz_basis``, with σ = 0 and a rest that is not all there is.
@@ -151,12 +153,15 @@ def ritz_basis_of_large(
     """
     low, values, above = _eigenvectors(problem, cutoff)
     flexible = Flexible.of(problem, low)
-    loads = np.concatenate([loads, *(made(c, low[:, :LEAST_MODES]) for c in couplings)], axis=1)
-    forces = flexible.unanswered(loads)
-    answers = flexible.free(problem.held(forces))
     low_forces = flexible.pushed * values
-    none = np.zeros((0, forces.shape[1]))
-    answers, forces, _ = completed(problem.mass, low, low_forces, answers, forces, none)
+
+    def answered(loads: Array) -> tuple[Array, Array, Array]:
+        """As in ``reduction``; of other modes nothing is known."""
+        forces = flexible.unanswered(loads)
+        return flexible.free(problem.held(forces)), forces, np.zeros((0, forces.shape[1]))
+
+    made = asked_of(couplings, low, values, cutoff)
+    answers, forces, _ = with_answers(problem.mass, (low, low_forces), answered, loads, made)
     inner = answers.T @ forces
     added_values, turn = np.linalg.eigh((inner + inner.T) / 2.0)
     added, forces = answers @ turn, forces @ turn

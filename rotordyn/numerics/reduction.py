@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from itertools import accumulate
-from typing import Protocol
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,12 +15,35 @@ from rotordyn.numerics.sparse import Matrix
 
 Array = NDArray[np.float64]
 LEAST_MODES = 8
+FELT = 0.5  # of the cutoff: modes up to there have couplings answered
 NEW = 1e-5  # of its length: a vector that adds less to the others is spanned by them
 ROUNDING = 1e-14
 HALF_DIGIT = np.finfo(float).eps / 2.0
 CLEAR, MORE = 1e4, 10.0  # of K's rounding; σ grows in such steps until it is clear of it
 CANCELLED = 1e-12  # of its summands: what is left of a force then is rounding
 SHIFT = 1e-5  # of cutoff²: eigenvalues much below it keep fewer digits
+
+
+class Coupling(NamedTuple):
+    """Forces that ``matrix`` (n, n), such as the gyroscopic one, makes of motions up to ``band``².
+
+    Answers to those of modes are kept where the energy f K⁻¹ f of a force f is ``least`` or more;
+    faster modes take less part in such motions, as the square of their frequency.
+    """
+
+    matrix: Matrix
+    least: float = 0.0
+    band: float = math.inf
+
+    def of(self, modes: Array, values: Array) -> Array:
+        """Forces by each of some modes (n, k) of ``values`` (k,), but those that are rounding."""
+        force = self.matrix @ modes
+        size = (abs(self.matrix) @ np.abs(modes)).max(axis=0)
+        felt = np.abs(force).max(axis=0) > CANCELLED * size
+        share = (
+            self.band**2 / np.maximum(values, self.band**2) if self.least else np.ones(felt.size)
+        )
+        return np.asarray((force * share)[:, felt])
 
 
 class LeftOut(Protocol):
@@ -123,34 +146,37 @@ def ritz_basis(
     cutoff: float,
     loads: Array,
     rigid: Array,
-    couplings: Sequence[Array] = (),
+    couplings: Sequence[Coupling] = (),
 ) -> RitzBasis:
     """Eigenvectors of K φ = ω² M φ up to ω = ``cutoff``, completed by static answers.
 
     Those are the answers to ``loads`` (n, l), so that forces on those freedoms meet the right
-    flexibility, and to the forces that each of ``couplings`` (n, n), such as the gyroscopic matrix,
-    makes of the lowest modes. The motions ``rigid`` (n, r) are known to have no stiffness and are
-    taken as they stand, so that none comes to them by rounding of K; M must be positive definite,
-    K at least semi-definite. All is computed from the flexible side, (K + σM)⁻¹ M, where stiff
-    freedoms do not drown the slow ones in rounding.
+    flexibility, and to what ``couplings`` make of the lowest modes. The motions ``rigid`` (n, r)
+    are known to have no stiffness and are taken as they stand, so that none comes to them by
+    rounding of K; M must be positive definite, K at least semi-definite. All is computed from the
+    flexible side, (K + σM)⁻¹ M, where stiff freedoms do not drown the slow ones in rounding.
     """
     shift, factor = _definite(mass, stiffness, SHIFT * cutoff**2)
     inverse, vectors = _flexible(mass, factor)
     known = inverse > ROUNDING * inverse[-1]  # others are too stiff to be told apart, or to matter
     inverse, vectors = inverse[known][::-1], vectors[:, known][:, ::-1]
-    vectors = _beside(mass, rigid, vectors / np.sqrt(inverse))
+    vectors = _with_rigid(mass, rigid, vectors / np.sqrt(inverse))
     values = np.maximum(1.0 / inverse - shift, 0.0)
     values[: rigid.shape[1]] = 0.0
     kept = max(int(np.searchsorted(values, cutoff**2)), min(LEAST_MODES, len(values)))
     low = vectors[:, :kept]
-    loads = np.concatenate([loads, *(made(c, low[:, :LEAST_MODES]) for c in couplings)], axis=1)
-    loads = loads - mass @ (low @ (low.T @ loads))  # what the modes kept do not answer
-    answers = np.linalg.solve(factor.T, np.linalg.solve(factor, loads))
-    forces = loads - shift * (mass @ answers)
-    rest = vectors[:, kept:]
-    met = (rest.T @ loads) / (values[kept:] + shift)[:, None]
-    low_forces = mass @ (low * values[:kept])
-    answers, forces, met = completed(mass, low, low_forces, answers, forces, met)
+    rest, rest_values = vectors[:, kept:], values[kept:]
+    known = low, mass @ (low * values[:kept])
+
+    def answered(loads: Array) -> tuple[Array, Array, Array]:
+        """Answers to loads, K times them, and what the rest has of them."""
+        loads = loads - mass @ (low @ (low.T @ loads))  # what the modes kept do not answer
+        answers = np.linalg.solve(factor.T, np.linalg.solve(factor, loads))
+        met = (rest.T @ loads) / (rest_values + shift)[:, None]
+        return answers, loads - shift * (mass @ answers), met
+
+    asked = asked_of(couplings, low, values[:kept], cutoff)
+    answers, forces, met = with_answers(mass, known, answered, loads, asked)
     inner = answers.T @ forces
     values_added, turn = np.linalg.eigh((inner + inner.T) / 2.0)
     order = np.argsort(np.concatenate([values[:kept], values_added]), kind="stable")
@@ -162,21 +188,61 @@ def ritz_basis(
         whole,
         np.concatenate([values[:kept], values_added])[order],
         rest,
-        values[kept:],
+        rest_values,
         coupling[:, order],
         HALF_DIGIT * np.where(np.arange(len(order)) < rigid.shape[1], 0.0, spread),
         shift,
     )
 
 
-def made(coupling: Matrix, low: Array) -> Array:
-    """Forces that a coupling makes of each of some modes, but those that are mere rounding."""
-    force = coupling @ low
-    felt = np.abs(force).max(axis=0) > CANCELLED * (abs(coupling) @ np.abs(low)).max(axis=0)
-    return np.asarray(force[:, felt])
+def asked_of(
+    couplings: Sequence[Coupling], low: Array, values: Array, cutoff: float
+) -> list[tuple[Array, float]]:
+    """What each coupling makes of the lowest modes, and the energy that counts."""
+    felt = slice(max(int(np.searchsorted(values, (FELT * cutoff) ** 2)), LEAST_MODES))
+    return [(each.of(low[:, felt], values[felt]), each.least) for each in couplings]
 
 
-def _beside(mass: Array, rigid: Array, vectors: Array) -> Array:
+def with_answers(
+    mass: Matrix,
+    known: tuple[Array, Array],
+    answered: Callable[[Array], tuple[Array, Array, Array]],
+    loads: Array,
+    made: Sequence[tuple[Array, float]],
+) -> tuple[Array, Array, Array]:
+    """What the answers to ``loads`` (n, l), and to forces ``made`` (n, k) of at least so much
+    energy, add to modes: as ``completed``.
+
+    ``known``: these modes and K times them (n, k); ``answered``: the answers to loads, K times
+    them, and what other modes have of them.
+    """
+    given = answered(loads)
+    found = completed(mass, *known, *given)
+    for forces, least in made:
+        if forces.size and least < math.inf:
+            more = answered(forces)
+            turn = _felt(*found[:2], *more[:2], least)
+            given = _beside(given, [part @ turn for part in more])
+            found = completed(mass, *known, *given)
+    return found
+
+
+def _beside(one: Sequence[Array], other: Sequence[Array]) -> tuple[Array, Array, Array]:
+    """Columns of each of three, then those of each of the other three."""
+    vectors, forces, met = (np.concatenate(both, axis=1) for both in zip(one, other, strict=True))
+    return vectors, forces, met
+
+
+def _felt(answers: Array, forces: Array, more: Array, more_forces: Array, least: float) -> Array:
+    """Mixtures (k, j) of ``more`` answers (n, k) to forces whose energy, without what ``answers``
+    (n, l) to other ``forces`` hold of it, is ``least`` or more."""
+    energy, across = more.T @ more_forces, answers.T @ more_forces
+    energy = energy - across.T @ np.linalg.solve(answers.T @ forces, across)
+    values, turn = np.linalg.eigh((energy + energy.T) / 2.0)
+    return np.asarray(turn[:, values >= least])
+
+
+def _with_rigid(mass: Array, rigid: Array, vectors: Array) -> Array:
     """``vectors``, the first of them replaced by the ``rigid`` motions, M-orthonormal in turn.
 
     The eigensolver leaves stiff ones askew by rounding of the slow.

@@ -242,20 +242,10 @@ class ResidualForces:
 
     def amiss(self, s: Complex, vector: Complex, side: float) -> Complex:
         """Forces on the coordinates (speeds, n, k) that the system has and the machine has not, of
-        motions (speeds, n, k): mass lent to sleeves without any, damping of static answers."""
-        if self.elements:
+        motions (speeds, n, k): mass lent to sleeves without any."""
+        if self.elements or not self.weightless.any():
             return np.zeros_like(vector)
-        lent = (s * s)[:, None, :] * self.weightless[:, None] * vector
-        own = self.remainder.damped
-        if own is None:
-            return np.asarray(lent)
-        parts = np.split(vector, self.system.planes, axis=1)
-        still = [s[:, None, :] * (own.amiss @ part) for part in parts]
-        turned = [self.spin[:, None, None] * (own.turning_amiss @ part) for part in parts]
-        if len(parts) == 1:
-            return np.asarray(lent - still[0] + 1j * turned[0])
-        found = [still[0] + side * turned[1], still[1] - side * turned[0]]
-        return np.asarray(lent - np.concatenate(found, axis=1))
+        return np.asarray((s * s)[:, None, :] * self.weightless[:, None] * vector)
 
     def _held(self, s: Complex, vector: Complex, side: float) -> Complex:
         """Of bearings and supports (speeds, p, r, k) for motions (speeds, p, m, k) of p planes."""

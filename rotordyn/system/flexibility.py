@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.flexible import Problem, ritz_basis_of_large
-from rotordyn.numerics.reduction import RitzBasis, ritz_basis
+from rotordyn.numerics.reduction import Coupling, RitzBasis, ritz_basis
 from rotordyn.numerics.sparse import Matrix, filled
 from rotordyn.system.hierarchic_rotor import bending_rigidities
 from rotordyn.system.hierarchy import Hierarchy
@@ -45,7 +45,7 @@ def free_vectors(
     cutoff: float,
     loads: Array,
     rigid: Array,
-    couplings: Sequence[Matrix] = (),
+    couplings: Sequence[Coupling] = (),
     fields: Callable[[], Sequence[Matrix]] = tuple,
 ) -> RitzBasis:
     """The few vectors that carry a motion: of all eigenvectors, or of a large rotor from its static
@@ -60,7 +60,7 @@ def free_vectors(
     problem = Problem(own.mass, own.stiffness, rigid, answer(), elements.order)
     many = MANY * (problem.below(cutoff) + loads.shape[1])
     if many > problem.size and problem.size <= MOST_DENSE:
-        dense = [filled(coupling) for coupling in couplings]
+        dense = [own._replace(matrix=filled(own.matrix)) for own in couplings]
         return ritz_basis(filled(own.mass), filled(own.stiffness), cutoff, loads, rigid, dense)
     if many * problem.size > MOST_ENTRIES:
         raise InvalidInput(

@@ -153,14 +153,13 @@ def lateral_system(
         own_stiffness += rotor.per_newton.under(axial_force) + rotor.bar
     if softened:
         own_stiffness -= (speed**2)[:, None, None] * rotor.translational_mass
-    own_damping = np.diag(rotor.damping) + rotor.joints
     gyroscopic = speed[:, None, None] * rotor.polar
     internal = speed[:, None, None] * rotor.turning
     alike = are_alike(k) and are_alike(c)
     lossy = _hysteresis(spindle, rotor, rows, k, alike=alike)
     if alike:
         stiffness = own_stiffness - 1j * internal + _gathered(rows, circular(k))
-        damping = own_damping + _gathered(rows, circular(c))
+        damping = rotor.damping + _gathered(rows, circular(c))
         blocks = circular(k), circular(c)
         if turning:
             return replace(
@@ -185,7 +184,7 @@ def lateral_system(
         _both(own_stiffness + zero)
         + _two_by_two(zero, internal, -internal, zero)
         + _gathered(_both(rows), k),
-        _both(own_damping + zero) + across + _gathered(_both(rows), c),
+        _both(rotor.damping + zero) + across + _gathered(_both(rows), c),
         np.zeros_like(speed),
         k,
         c,

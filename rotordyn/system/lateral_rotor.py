@@ -10,9 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.elements.bubbles import points
+from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve
-from rotordyn.numerics.reduction import RitzBasis
+from rotordyn.numerics.reduction import Coupling, RitzBasis
 from rotordyn.numerics.sparse import Matrix, filled, scaled_rows
 from rotordyn.system.assemble import bending_plane, loaded_plane
 from rotordyn.system.connections import connections, moved
@@ -29,7 +30,7 @@ from rotordyn.system.hierarchic_rotor import (
     slopes,
 )
 from rotordyn.system.hierarchy import Hierarchy
-from rotordyn.system.left_damping import LeftDamping, modal_amiss
+from rotordyn.system.left_damping import LeftDamping, are_answers, modal_damping
 from rotordyn.system.mesh import Mesh
 from rotordyn.system.remainder import Remainder, remainder
 from rotordyn.system.stiffening import Stiffening, stiffening
@@ -37,8 +38,11 @@ from rotordyn.system.unreduced import Unreduced
 
 Array = NDArray[np.float64]
 USUAL = 1e-4  # relative error of a frequency that a designer does not notice
+TINY = 1e-300
 GAUSS = 7  # degree up to which the work of the axial force is integrated exactly
-CUTOFF = 4.0  # free-free modes kept, over the highest frequency asked, at the usual accuracy
+SHARE = 0.03  # of the accuracy, that a gyroscopic force may cost
+STANDARD_CUTOFF = 4.0  # likewise with standard elements, whose own error is to stand alone
+CUTOFF = 3.0  # free-free modes kept, over the highest frequency asked, at the usual accuracy
 SLEEVE_CUTOFF = 30.0  # own frequency given to a sprung sleeve without mass, likewise
 
 
@@ -58,17 +62,31 @@ class Fineness:
     def cutoff(self) -> float:
         """Up to which free-free modes are kept [rad/s]: what others leave out falls with its 4th
         power."""
-        return 2.0 * math.pi * CUTOFF * self._finer * self.frequency
+        factor = STANDARD_CUTOFF if self.accuracy is None else CUTOFF * self._finer**0.25
+        return factor * self.band
+
+    @property
+    def band(self) -> float:
+        """[rad/s]"""
+        return 2.0 * math.pi * self.frequency
+
+    @property
+    def gyroscopic(self) -> float:
+        """Energy f K⁻¹ f from which answers to gyroscopic forces f are kept: without them, Ω s f of
+        a mode of unit mass moves its pole s by Ω² f K⁻¹ f / 2 of itself."""
+        allowed = 0.0 if self.accuracy is None else 2.0 * SHARE * USUAL / self._finer
+        return allowed / self.spin**2 if self.spin**2 > TINY * allowed else math.inf
 
     @property
     def beyond(self) -> float:
         """A frequency so far above the band [Hz] that what swings there acts as if it had no mass:
         its error falls with the square."""
-        return self._finer**2 * self.frequency
+        return self._finer**0.5 * self.frequency
 
     @property
     def _finer(self) -> float:
-        return 1.0 if self.accuracy is None else max(1.0, (USUAL / self.accuracy) ** 0.25)
+        """How many times as accurate as usual."""
+        return 1.0 if self.accuracy is None else max(1.0, USUAL / self.accuracy)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -76,8 +94,8 @@ class LateralRotor:
     """The bending plane of the rotor, or of all rotors, in m coordinates of unit mass.
 
     ``basis`` (2·nodes, m); ``stiffness`` (m,); ``polar`` (m, m): per unit of the spindle's speed,
-    a further rotor's times its speed ratio; ``translational_mass`` (m, m); ``damping`` (m,): the
-    rotors' own. ``per_newton`` (m, m): stiffness by the axial force in each
+    a further rotor's times its speed ratio; ``translational_mass`` (m, m); ``damping`` (m, m): the
+    rotors' own, by joints included. ``per_newton`` (m, m): stiffness by the axial force in each
     element of the shaft; ``bar`` (m, m): that of the drawbar. ``seats`` (seats, 2, m): deflection
     and tilt between the rings of each bearing; ``supports`` (supports, 2, m): those between the
     ends of each linear support, and ``connected`` the nodes of both (``connections``). The last
@@ -85,10 +103,9 @@ class LateralRotor:
     mass of their own, else 0. ``rigid`` (m,): coordinates that are rigid motions of a rotor.
     ``remainder``: what the coordinates leave out; None for a rigid rotor. ``unreduced``: the
     assembled rotor they were taken from, likewise. ``resolved`` [Hz]: highest frequency that the
-    elements carry within the accuracy asked for, or within ``USUAL`` where none is. ``joints``
-    (m, m): damping by joints. ``turning`` (m, m): damping that turns with its rotor, per unit of
-    the spindle's speed. ``loss`` (m,): loss factor of the shaft times
-    stiffness.
+    elements carry within the accuracy asked for, or within ``USUAL`` where none is. ``turning``
+    (m, m): damping that turns with its rotor, per unit of the spindle's speed. ``loss`` (m,): loss
+    factor of the shaft times stiffness.
     """
 
     basis: Array
@@ -106,7 +123,6 @@ class LateralRotor:
     remainder: Remainder | None
     unreduced: Unreduced | None
     resolved: float
-    joints: Array
     turning: Array
     loss: Array
 
@@ -135,7 +151,6 @@ class _Reduced:
     remainder: Remainder | None
     unreduced: Unreduced | None
     resolved: float
-    joints: Array
     turning: Array
 
     def at_ratio(self, ratio: float) -> _Reduced:
@@ -161,14 +176,13 @@ class _Reduced:
         from scipy.linalg import block_diag
 
         every, more = (self, *others), sum(len(one.values) for one in others)
-        names = ("at_nodes", "polar", "translational_mass", "joints", "turning")
+        names = ("at_nodes", "polar", "translational_mass", "damping", "turning")
         blocks = {name: block_diag(*(getattr(one, name) for one in every)) for name in names}
         left_out = [one.remainder for one in others if one.remainder]
         wholes = [one.unreduced for one in others if one.unreduced]
         return _Reduced(
             **blocks,
             values=np.concatenate([one.values for one in every]),
-            damping=np.concatenate([one.damping for one in every]),
             per_newton=self.per_newton.padded(rows=more, columns=more),
             remainder=self.remainder and self.remainder.beside(left_out),
             unreduced=self.unreduced and self.unreduced.beside(wholes),
@@ -209,7 +223,7 @@ def lateral_rotor(
         stiffness=np.concatenate([values, held]),
         polar=_bordered(free.polar, more),
         translational_mass=_bordered(free.translational_mass, more),
-        damping=np.concatenate([free.damping, np.zeros(more)]),
+        damping=_bordered(free.damping, more),
         per_newton=free.per_newton.padded(rows=more, columns=more),
         bar=tension.bar(nodes),
         seats=seats,
@@ -222,7 +236,6 @@ def lateral_rotor(
         remainder=free.remainder.widened(more) if free.remainder else None,
         unreduced=replace(free.unreduced, more=more) if free.unreduced else None,
         resolved=free.resolved,
-        joints=_bordered(free.joints, more),
         turning=_bordered(free.turning, more),
         loss=np.concatenate([spindle.loss_factor * values, np.zeros(more)]),
     )
@@ -254,7 +267,8 @@ def _flexible(
     seen = deflections(spindle, elements, mesh.x)
     loads = filled(seen[_loaded(spindle, mesh, ports)].T)
     loads = np.concatenate([loads, elements.damper_loads], axis=1)
-    couplings = [plane.polar, *(seen.T @ c @ seen for c in _drawbar(spindle, mesh, tension))]
+    bars = [Coupling(seen.T @ c @ seen) for c in _drawbar(spindle, mesh, tension)]
+    couplings = [*bars, Coupling(plane.polar, fineness.gyroscopic, fineness.band)]
     slope = _weighted_slopes(spindle, elements, mesh)
     basis = free_vectors(
         elements,
@@ -268,7 +282,7 @@ def _flexible(
     )
     vectors = basis.vectors
     sloped = slope @ vectors
-    damping, joints = own_damping(basis.values, spindle), jump_damping(elements, vectors)
+    damping, joints = _own_damping(spindle, basis), jump_damping(elements, vectors)
     left_out = remainder(
         elements,
         basis,
@@ -279,7 +293,7 @@ def _flexible(
     return _Reduced(
         at_nodes=seen @ vectors,
         values=basis.values,
-        damping=damping,
+        damping=damping + joints,
         polar=vectors.T @ (plane.polar @ vectors),
         translational_mass=vectors.T @ (plane.translational_mass @ vectors),
         per_newton=_shortening(sloped, sloped, mesh, large=elements.large),
@@ -297,8 +311,7 @@ def _flexible(
         ),
         resolved=resolved_whirl(spindle, elements, fineness.spin, fineness.accuracy or USUAL)
         / (2.0 * math.pi),
-        joints=joints,
-        turning=spindle.internal_damping * np.diag(damping) + joints,
+        turning=spindle.internal_damping * damping + joints,
     )
 
 
@@ -337,8 +350,8 @@ def _rigid(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> _Reduced:
     basis = np.asarray(np.linalg.solve(factor, shape.T).T)
     polar, translation = (basis.T @ (m @ basis) for m in (plane.polar, plane.translational_mass))
     along = ByElement(tension.projected(basis.reshape(-1, 2, 2)))
-    still, none = np.zeros(2), np.zeros((2, 2))
-    damping = own_damping(still, spindle)
+    still = np.zeros(2)
+    damping = np.diag(own_damping(still, spindle))
     return _Reduced(
         at_nodes=basis,
         values=still,
@@ -349,8 +362,7 @@ def _rigid(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> _Reduced:
         remainder=None,
         unreduced=None,
         resolved=math.inf,
-        joints=none,
-        turning=spindle.internal_damping * np.diag(damping),
+        turning=spindle.internal_damping * damping,
     )
 
 
@@ -370,24 +382,33 @@ def _left_damping(
     if not (spindle.damped or elements.dampers):
         return None
     own, finer = spindle.rayleigh, len(left_out.own_mass) - len(basis.rest_values)
-    last = spindle.rotor_damping[-1] if spindle.rotor_damping else 0.0
-    modal = 2.0 * last * np.sqrt(np.maximum(basis.rest_values, 0.0))
-    every = np.pad(modal, (finer, 0))
+    every = np.pad(_modal_damping(spindle, basis)[1], (finer, 0))
     proportional = own.mass * left_out.mass + own.stiffness * left_out.stiffness
     proportional += every[:, None] * left_out.mass
-    given = 2.0 * damping_ratios(basis.values, spindle.rotor_damping) * np.sqrt(basis.values)
-    amiss = modal_amiss(basis.rest_mass, modal, given)
     joints = np.zeros_like(proportional)
     for row, damping in elements.dampers.items():
         joints[finer:] += damping * np.outer(basis.rest[row], basis.vectors[row])
-    share = spindle.internal_damping
     return LeftDamping(
         proportional + joints,
         every + own.mass * left_out.own_mass + own.stiffness * left_out.own_stiffness,
-        amiss,
-        share * proportional + joints,
-        share * amiss,
+        spindle.internal_damping * proportional + joints,
     )
+
+
+def _own_damping(spindle: Spindle, basis: RitzBasis) -> Array:
+    """Of the coordinates (m, m), dampers of joints apart."""
+    modal = own_damping(basis.values, replace(spindle, rayleigh=RayleighDamping()))
+    modal[~are_answers(basis.rest_mass)], rest = _modal_damping(spindle, basis)
+    rayleigh = spindle.rayleigh.mass + spindle.rayleigh.stiffness * basis.values
+    return modal_damping(basis.rest_mass, rest, modal) + np.diag(rayleigh)
+
+
+def _modal_damping(spindle: Spindle, basis: RitzBasis) -> tuple[Array, Array]:
+    """Of the modes kept and of the others, in their order."""
+    kept = basis.values[~are_answers(basis.rest_mass)]
+    every = np.concatenate([kept, np.maximum(basis.rest_values, 0.0)])
+    modal = 2.0 * damping_ratios(every, spindle.rotor_damping) * np.sqrt(every)
+    return modal[: len(kept)], modal[len(kept) :]
 
 
 def own_damping(values: Array, spindle: Spindle, *, bending: bool = True) -> Array:

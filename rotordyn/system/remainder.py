@@ -85,8 +85,8 @@ class Remainder:
     @property
     def undamped(self) -> LeftDamping:
         """That of a rotor without any damping."""
-        none, still = np.zeros_like(self.mass), np.zeros((self.mass.shape[1],) * 2)
-        return LeftDamping(none, np.zeros(len(none)), still, none, still)
+        none = np.zeros_like(self.mass)
+        return LeftDamping(none, np.zeros(len(none)), none)
 
 
 _COUPLINGS = ("mass", "stiffness", "polar")

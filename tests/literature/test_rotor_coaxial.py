@@ -46,7 +46,7 @@ def test_every_mode_is_proven_and_meets_both_lines() -> None:
     assert found.speed_ratio.tolist() == [1.0, 1.5]
     assert {"spindle", "outer"} == set(found.critical_rotor)
     for name, at in zip(found.critical_rotor, found.critical_speed, strict=True):
-        one = Scene(COAXIAL, Conditions(accuracy=1e-6), np.array([at]), HIGHEST)
+        one = Scene(COAXIAL, Conditions(accuracy=1e-6), np.array([at, speed[-1]]), HIGHEST)
         turned = at * {"spindle": 1.0, "outer": 1.5}[name]
         poles = np.concatenate([one.bending_modes.pole[0], one.torsion_modes.pole[0]])
         assert np.abs(poles / (1j * turned) - 1.0).min() < 1e-9

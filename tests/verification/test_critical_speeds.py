@@ -226,7 +226,7 @@ def test_bearings_that_change_with_speed(order: float) -> None:
     )
     for k in own:
         spin = coarse.critical_speed[k]
-        there = answered(mfw2310(), [spin / RPM], 1500.0)
+        there = answered(mfw2310(), [spin / RPM, 24000], 1500.0)
         turning = 2.0 * math.pi * there.frequency[0]
         nearest = int(np.abs(turning - order * spin).argmin())
         assert turning[nearest] == pytest.approx(order * spin, rel=1e-8)

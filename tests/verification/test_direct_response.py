@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 from scipy.linalg import eigh
 
@@ -147,15 +147,13 @@ def test_elimination_is_the_whole_matrix(kind: str, monkeypatch: pytest.MonkeyPa
 
 @pytest.mark.parametrize("kind", MACHINES)
 def test_the_reduced_basis_comes_to_the_same(kind: str) -> None:
-    """As more of its modes are kept. Modal damping of coordinates is not quite that of modes; a
-    sleeve without mass is lent one."""
+    """As more of its modes are kept: near a resonance a frequency off by 1e-10 tells."""
     spindle, more = MACHINES[kind]
     found, other = (
         response(spindle, 15000.0, method, accuracy=1e-8, **more)
         for method in ("direct", "reduced")
     )
-    rough = {"modal": 2e-7, "sleeve without mass": 3e-8}
-    assert apart(other, found) < rough.get(kind, 2e-10)
+    assert apart(other, found) < 3e-8
 
 
 @pytest.mark.parametrize("accuracy", [1e-4, 1e-8])
@@ -187,11 +185,13 @@ def test_told_errors_are_those_of_the_elements(supports: tuple) -> None:
         assert np.abs(np.log(found.error / true)).max() < math.log(3.0)
 
 
+@example(seed=104, isotropic=False, speed=0.0)
 @settings(max_examples=15)
 @given(seed=st.integers(0, 10_000), isotropic=st.booleans(), speed=st.floats(0.0, 30_000.0))
 def test_random_rotors(seed: int, isotropic: bool, speed: float) -> None:
     """Stubby and slender sections side by side: elimination against all freedoms at once, to what
-    rounding of the stiffest element does to the softest support."""
+    rounding of the stiffest element does to the softest support, and to a rotor that next to
+    nothing holds (104 hangs on two supports side by side)."""
     spindle = stepped_rotor(np.random.default_rng(seed), isotropic=isotropic, sections=4)
     calm = tuple(
         replace(s, damping={way: 1e-3 * k for way, k in s.stiffness.items()})
@@ -208,8 +208,9 @@ def test_random_rotors(seed: int, isotropic: bool, speed: float) -> None:
     whole, _ = system._solved(0, omega, ends, direct.Whole(system.shafts), ())
     stiff = loaded_plane(spindle, system.shafts.of["spindle"].elements).stiffness.max()
     soft = min(held for own in spindle.supports for held in own.stiffness.values())
-    rounding = np.finfo(float).eps * stiff / soft
-    assert np.abs(found - whole).max() <= max(1e-9, 1e3 * rounding) * np.abs(whole).max()
+    largest = np.abs(whole).max()
+    rounding = np.finfo(float).eps * stiff * np.array([1e3 / soft, largest])
+    assert np.abs(found - whole).max() <= max(1e-9, *rounding) * largest
 
 
 def test_growth_is_told_without_modes_in_the_answer() -> None:

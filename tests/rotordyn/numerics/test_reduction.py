@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.linalg import eigh
 
-from rotordyn.numerics.reduction import LEAST_MODES, ritz_basis
+from rotordyn.numerics.reduction import LEAST_MODES, Coupling, ritz_basis
 
 
 def free_chain(seed: int, size: int) -> tuple[np.ndarray, np.ndarray]:
@@ -116,7 +116,7 @@ def test_a_coupling_that_does_nothing_adds_nothing() -> None:
     half = np.diff(np.eye(30), axis=0) * np.random.default_rng(1).uniform(0.5, 2.0, (29, 1))
     alone = ritz_basis(mass, stiffness, 0.3, loads, rigid)
     sizes = [
-        ritz_basis(mass, stiffness, 0.3, loads, rigid, [c]).values.size
+        ritz_basis(mass, stiffness, 0.3, loads, rigid, [Coupling(c)]).values.size
         for c in (np.diag(rigid[:, 0]) @ half.T @ half, np.zeros((30, 30)))
     ]
     assert sizes[0] == alone.values.size + LEAST_MODES - 1
