@@ -79,9 +79,10 @@ class Branch:
 
     def at_all(self, speed: Array) -> Branch:
         """The same at every ``speed`` (s,) [rad/s], known at one."""
-        names = ("pole", "degree", "column", "vector")
-        many = {name: np.repeat(getattr(self, name), len(speed), axis=0) for name in names}
-        return replace(self, **many, track=Track(speed, many["pole"], many["vector"]))
+        count = len(speed)
+        pole, vector = np.repeat(self.pole, count), np.repeat(self.vector, count, axis=0)
+        degree, column = np.repeat(self.degree, count), np.repeat(self.column, count)
+        return Branch(self.kind, pole, degree, column, vector, Track(speed, pole, vector))
 
     @property
     def creeping(self) -> bool:

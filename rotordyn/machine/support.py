@@ -41,6 +41,7 @@ MOTIONS = {
 }
 Value = float | tuple[float, ...]
 Entries = Mapping[tuple[Freedom, Freedom], Value]
+TILTS = frozenset({"thy", "thz"})
 TABLED = ("y", "z", "thy", "thz")  # freedoms whose entries may follow the speed
 RPM = math.pi / 30.0
 SYMMETRIC = 1e-9  # of an entry: less than that is rounding
@@ -166,6 +167,11 @@ class LinearSupport(Description):
         for freedom in doubled(self.rigid):
             yield f"rigid: repeated: given '{freedom}'"
         yield from rigid_and_elastic(self.rigid, (*self.stiffness, *self.damping))
+
+    @property
+    def tilts(self) -> bool:
+        """True where it answers to tilt, or with a moment that tilts."""
+        return any(not TILTS.isdisjoint(pair) for pair in (*self.stiffness, *self.damping))
 
     @property
     def ends(self) -> tuple[str, str]:

@@ -42,7 +42,7 @@ TINY = 1e-300
 GAUSS = 7  # degree up to which the work of the axial force is integrated exactly
 SHARE = 0.03  # of the accuracy, that a gyroscopic force may cost
 STANDARD_CUTOFF = 4.0  # likewise with standard elements, whose own error is to stand alone
-CUTOFF = 3.0  # free-free modes kept, over the highest frequency asked, at the usual accuracy
+CUTOFF = 2.5  # free-free modes kept, over the highest frequency asked, at the usual accuracy
 SLEEVE_CUTOFF = 30.0  # own frequency given to a sprung sleeve without mass, likewise
 
 
@@ -433,9 +433,10 @@ def damping_ratios(values: Array, given: tuple[float, ...]) -> Array:
 
 def _loaded(spindle: Spindle, mesh: Mesh, ports: tuple[int, ...]) -> list[int]:
     """Rows of deflections and tilts where something acts on the rotor."""
-    stations = mesh.nodes_of(spindle.seats, spindle.supports)
-    stations += [mesh.node_of(x) for x in (spindle.drawbar.stations if spindle.drawbar else ())]
-    return sorted({PLANE_Y.row(n, f) for n in (*stations, *ports) for f in PLANE_Y.names})
+    tilting = mesh.nodes_of(spindle.seats, (s for s in spindle.supports if s.tilts))
+    tilting += [mesh.node_of(x) for x in (spindle.drawbar.stations if spindle.drawbar else ())]
+    rows = {PLANE_Y.row(n, f) for n in (*tilting, *ports) for f in PLANE_Y.names}
+    return sorted(rows | {PLANE_Y.row(n, "y") for n in mesh.nodes_of(spindle.supports)})
 
 
 def _widened(rows: Array, more: int) -> Array:

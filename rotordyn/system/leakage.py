@@ -22,6 +22,7 @@ from rotordyn.system.unreduced import Unreduced
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Inexact = NDArray[np.inexact]
+Flags = NDArray[np.bool_]
 
 
 class Joined(Protocol):
@@ -123,14 +124,24 @@ class Leakage:
 
     def _ends(self) -> Array:
         """Motion at every bearing and support by what is left out, at most (c,)."""
-        return self.ends(self.system.connected)
+        acts = _acting(self.system.held, self.system.damped)
+        planes = np.split(acts, self.system.planes, axis=1)
+        return self.ends(self.system.connected, np.any(planes, axis=0))
 
-    def ends(self, connected: Array) -> Array:
-        """The same at some of them."""
+    def ends(self, connected: Array, acts: Flags) -> Array:
+        """The same at some of them, of the freedoms (c, k) that something ``acts`` on."""
         seen = self.whole.seen
         width = self.system.freedoms
         nodal = seen.reshape(len(seen) // width, width, seen.shape[1])
-        return np.array([_norm(each) for each in moved(connected, nodal)])
+        every = zip(moved(connected, nodal), acts, strict=True)
+        return np.array([_norm(each[own]) for each, own in every])
+
+    def acted_on(self, acts: Flags) -> Flags:
+        """Of freedoms of nodes (c, 6) those of this motion (c, k), its planes taken together."""
+        width = self.system.freedoms
+        if width == 1:
+            return np.ones((len(acts), 1), dtype=bool)
+        return np.stack([acts[:, 1] | acts[:, 2], acts[:, 4] | acts[:, 5]], axis=1)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -179,15 +190,26 @@ class CoupledLeakage:
         apart = np.einsum("cin,snk->scik", on.apart, vector, optimize=True)
         force = np.linalg.norm(held @ apart, axis=2)
         force = force + self.radius[:, None, None] * np.linalg.norm(damped @ apart, axis=2)
-        ends = np.max([part.ends(on.connected) for part in self.parts.values()], axis=0)
+        acts = _acting(on.held, on.damped)
+        parts = self.parts.values()
+        ends = np.max([part.ends(on.connected, part.acted_on(acts)) for part in parts], axis=0)
         return np.einsum("c,sck->sk", ends, force)
 
     def _ends(self) -> Array:
         """Motion at every support by what is left out, at most (supports,)."""
-        count = len(self.system.at_supports)
+        count, acts = len(self.system.at_supports), _acting(self.system.supports)
         parts = ((part, part.system.connected) for part in self.parts.values())
-        found = [part.ends(connected[len(connected) - count :]) for part, connected in parts]
+        found = [
+            part.ends(connected[len(connected) - count :], part.acted_on(acts))
+            for part, connected in parts
+        ]
         return np.asarray(np.max(found, axis=0))
+
+
+def _acting(*blocks: Inexact) -> Flags:
+    """Which freedoms (c, k) matrices (…, c, k, k) of connections act on, or answer to."""
+    size = sum(np.abs(block).max(axis=0) for block in blocks)
+    return np.asarray((size.sum(axis=-1) + size.sum(axis=-2)) > 0.0)
 
 
 def _triangle(matrix: Array) -> Array:
