@@ -22,6 +22,7 @@ from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec
 from rotordyn.numerics.follow import doubts, follow
 from rotordyn.numerics.modes import Modes
+from rotordyn.numerics.products import times
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -177,7 +178,7 @@ def _followed(
         if len(finer.steps) == len(sweep.steps):
             break
         sweep = finer
-    expected = _ahead(sweep.steps)
+    expected = _ahead(sweep.steps, 2.0 * math.pi * MARGIN * spec.max_frequency)
     return [b for side in sides for b in sweep.branches(home, spec, side, expected)]
 
 
@@ -202,26 +203,31 @@ class _Step:
         return columns[np.argsort(turning[columns])]
 
 
-def _ahead(steps: Sequence[_Step]) -> list[Complex]:
-    """Poles (k,) to be expected of each step at the next one: λ − w (λ ΔD + ΔK) v."""
+def _ahead(steps: Sequence[_Step], ceiling: float) -> list[Complex]:
+    """Poles (k,) to be expected of each step at the next one: λ − w (λ ΔD + ΔK) v; the same beyond
+    ``ceiling`` [rad/s]."""
     poles = [step.pole for step in steps]
     if len(steps) < 2 or any(step.system is None for step in steps):
         return poles
     left, stiffness, damping = map(
         np.stack, zip(*(s.system for s in steps if s.system), strict=True)
     )
-    frame, vector = (
-        np.array([step.frame for step in steps]),
-        np.stack([s.vector for s in steps[:-1]]),
-    )
-    pole = np.stack(poles[:-1]) - 1j * frame[:-1, None]
-    change = (
-        pole[:, None] * (np.diff(damping, axis=0) @ vector) + np.diff(stiffness, axis=0) @ vector
-    )
+    frame = np.array([step.frame for step in steps])
+    here = np.stack(poles[:-1])
+    slowest = np.argsort(np.abs(here.imag), axis=1, kind="stable")
+    own = slowest[:, : int((np.abs(here.imag) < ceiling).sum(axis=1).max())]
+    vector = np.stack([s.vector[:, c] for s, c in zip(steps, own, strict=False)])
+    left = np.stack([each[c] for each, c in zip(left, own, strict=False)])
+    fixed = np.take_along_axis(here, own, axis=1)
+    pole = fixed - 1j * frame[:-1, None]
+    damped, held = (times(np.diff(each, axis=0), vector) for each in (damping, stiffness))
+    change = pole[:, None] * damped + held
     with np.errstate(invalid="ignore", over="ignore"):
-        move = np.einsum("skn,snk->sk", left[:-1], change)
-        known = np.abs(move) < FARTHEST * np.abs(np.stack(poles[:-1]))
-    return [*np.where(known, pole - move + 1j * frame[1:, None], poles[:-1]), poles[-1]]
+        move = np.einsum("skn,snk->sk", left, change)
+        known = np.abs(move) < FARTHEST * np.abs(fixed)
+    moved = np.where(known, pole - move + 1j * frame[1:, None], fixed)
+    np.put_along_axis(here, own, moved, axis=1)
+    return [*here, poles[-1]]
 
 
 @dataclass(frozen=True, eq=False, slots=True)

@@ -146,13 +146,19 @@ def _bound(
     leakage = _leakage(scene, motion, system, radius, loss)
     if leakage is None:
         return np.zeros(len(radius))
-    free = found.at_rest(getattr(system, "frame", None))
-    right = leakage.forces(found.vector, 1.0)
+    columns, many = found.one_of_each_pair()
+    free = np.take_along_axis(found.at_rest(getattr(system, "frame", None)), columns, axis=1)
+    vector, left_vector = (
+        np.take_along_axis(each, columns[:, None, :], axis=2)
+        for each in (found.vector, _left_vectors(found))
+    )
+    right = leakage.forces(vector, 1.0)
     with np.errstate(invalid="ignore", over="ignore"):
-        left = leakage.forces(_left_vectors(found), -1.0)
+        left = leakage.forces(left_vector, -1.0)
         unmoved = free & (right <= UNMOVED * right.max(axis=1, keepdims=True))
-    right, left = (np.where(unmoved, 0.0, side) for side in (right, left))
-    return same_count(apart, right, left, radius, leakage.own())
+    right, left = (np.where(unmoved, 0.0, side) for side in (many * right, left))
+    own = np.take_along_axis(apart, columns, axis=1)
+    return same_count(own, right, left, radius, leakage.own())
 
 
 def _leakage(

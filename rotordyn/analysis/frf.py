@@ -38,6 +38,7 @@ DIRECTLY, JUDGE = "direct receptance", "modes that direct receptances are judged
 MOST_VALUES = 100_000_000
 UNDAMPED = 1e-9  # of the frequency: a pole so near to it has no damping
 BESIDE = 1e-8  # of the frequency, to either side of which a response is compared with its
+CLOSE = 1e-10  # likewise, where it is taken too: on a pole itself it may cancel by rounding
 PEAK, FEW = 1e5, 3  # of the smallest response, frequencies: to tell a peak by
 WIDE = 1e-6  # of the frequency, beyond which its neighbours are not on the same pole
 SOME = 24  # frequencies at which rounding is estimated
@@ -120,9 +121,10 @@ def _refuse_unlimited(
     own = suspects(frequency, values)
     if own.any() and not lost.any():
         near = frequency[own]
-        both = np.concatenate([near * (1.0 - BESIDE), near * (1.0 + BESIDE)])
-        beside = np.maximum(*np.split(np.abs(within(both)), 2, axis=-1))
-        lost[:, own] = (np.abs(values[..., own]) > HIGHER * beside).any(axis=1)
+        around = [near * (1.0 + apart) for apart in (-BESIDE, BESIDE, -CLOSE, CLOSE)]
+        found = np.split(np.abs(within(np.concatenate(around))), len(around), axis=-1)
+        size = np.max([np.abs(values[..., own]), *found[2:]], axis=0)
+        lost[:, own] = (size > HIGHER * np.maximum(*found[:2])).any(axis=1)
     if lost.any():
         row, column = np.argwhere(lost)[0]
         rpm = scene.speed[scene.usable[min(row, len(scene.usable) - 1)]] * RPM.factor

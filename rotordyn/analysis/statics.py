@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -84,7 +85,7 @@ class Statics(Staged):
         """External force and weight along the axis [N]."""
         return self.conditions.axial_force + self.gravity * rotor_inertia(self.grounded).mass
 
-    @property
+    @cached_property
     def outcome(self) -> tuple[str, ...]:
         """Per speed: empty, or why it has no physical solution."""
         words: tuple[str, ...] = ("",) * len(self.bearing_speed)

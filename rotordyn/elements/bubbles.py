@@ -20,12 +20,21 @@ def bubbles(last: int, xi: Array) -> tuple[Array, Array, Array]:
 
     The integral of ψ_k vanishes at ξ = 1, too, for k ≥ 3.
     """
-    k = np.arange(2, last + 1)
+    return _bubbles(last, xi.shape, xi.tobytes())
+
+
+@lru_cache(maxsize=256)
+def _bubbles(last: int, shape: tuple[int, ...], places: bytes) -> tuple[Array, Array, Array]:
+    """Read only: the same few places come again and again."""
+    xi, k = np.frombuffer(places).reshape(shape), np.arange(2, last + 1)
     p = np.asarray(legendre.legvander(xi, last + 1), dtype=np.float64)
     scale = np.sqrt(2.0 * (2.0 * k - 1.0))
     value = (p[..., 2:-1] - p[..., : last - 1]) / scale
     slope = p[..., 1:last] * np.sqrt((2.0 * k - 1.0) / 2.0)
-    return (_integral(p, k) - _integral(p, k - 2)) / scale, value, slope
+    found = (_integral(p, k) - _integral(p, k - 2)) / scale, value, slope
+    for array in found:
+        array.flags.writeable = False
+    return found
 
 
 def _integral(p: Array, degree: NDArray[np.intp]) -> Array:

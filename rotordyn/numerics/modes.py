@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.numerics.conservative import conservative_modes
+from rotordyn.numerics.products import times
 from rotordyn.numerics.threads import in_threads
 
 Array = NDArray[np.float64]
@@ -53,12 +54,24 @@ class Modes:
         turned = np.zeros(self.pole.shape[:-1]) if frame is None else frame
         size = np.abs(self.pole + 1j * turned[..., None])
         small = size <= NOISE * np.sqrt(np.abs(self.stiffness).max(axis=(-2, -1)))[..., None]
+        if not small.any():
+            return np.asarray(small)
         rank = size.argsort(axis=-1).argsort(axis=-1)
         for place in map(tuple, np.argwhere(small.any(axis=-1))):
             still = -1j * turned[place]
             held = _held(self.stiffness[place], self.damping[place], still)
             small[place] &= rank[place] < 2 * (len(self.stiffness[place]) - held)
         return small
+
+    def one_of_each_pair(self) -> tuple[NDArray[np.intp], Array]:
+        """Columns (…, k) that stand for all poles, and for how many each: poles of a real system
+        come in pairs of conjugates."""
+        if np.iscomplexobj(self.stiffness) or np.iscomplexobj(self.damping):
+            every = np.broadcast_to(np.arange(self.pole.shape[-1]), self.pole.shape)
+            return every, np.ones(self.pole.shape)
+        upwards = np.argsort(-self.pole.imag, axis=-1, kind="stable")
+        columns = upwards[..., : int((self.pole.imag >= 0.0).sum(axis=-1).max())]
+        return columns, 1.0 + np.sign(np.take_along_axis(self.pole.imag, columns, axis=-1))
 
     def at(self, rows: NDArray[np.intp]) -> Modes:
         """Of some of the systems, of a batch along one axis."""
@@ -201,7 +214,7 @@ def _polished(
 ) -> Complex:
     """One step of two-sided Newton: what rounding by the stiffest motions has left is squared."""
     at = pole[..., None, :]
-    rest = at**2 * vector + at * (damping @ vector) + stiffness @ vector
+    rest = at**2 * vector + at * times(damping, vector) + times(stiffness, vector)
     with np.errstate(invalid="ignore", over="ignore"):
         step = np.einsum("...kn,...nk->...k", participation, rest)
         small = np.abs(step) < SMALL * np.abs(pole)
@@ -226,9 +239,11 @@ def _times_real(matrix: Complex, table: Array) -> Complex:
 
 def residual(found: Modes, stiffness: Matrix, damping: Matrix) -> float:
     """Largest |(λ² + λ D + K) v| over (|λ|² + |λ D| + |K|) |v| of all eigenpairs."""
-    pole, vector = found.pole[..., None, :], found.vector
-    rest = pole**2 * vector + pole * (damping @ vector) + stiffness @ vector
-    size = np.abs(found.pole) ** 2 + np.abs(found.pole) * _norm(damping) + _norm(stiffness)
+    columns, _ = found.one_of_each_pair()
+    own = np.take_along_axis(found.pole, columns, axis=-1)
+    pole, vector = own[..., None, :], np.take_along_axis(found.vector, columns[..., None, :], -1)
+    rest = pole**2 * vector + pole * times(damping, vector) + times(stiffness, vector)
+    size = np.abs(own) ** 2 + np.abs(own) * _norm(damping) + _norm(stiffness)
     return float((np.abs(rest).max(axis=-2) / (size * np.abs(vector).max(axis=-2))).max())
 
 

@@ -15,6 +15,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.numerics.products import times
 from rotordyn.system.remainder import Remainder
 
 Array = NDArray[np.float64]
@@ -175,11 +176,11 @@ class ResidualForces:
         spun = (s * self.spin[:, None])[:, None, :]
         m = self.remainder.mass.shape[1]
         if self.system.planes == 1:
-            own = self._plane(s, vector) - 1j * spun * (self.remainder.polar @ vector)
+            own = self._plane(s, vector) - 1j * spun * times(self.remainder.polar, vector)
             own = own - 1j * self._turned(vector)
             return np.asarray(own + self._held(s, vector[:, None], side)[:, 0])
         y, z = vector[:, :m], vector[:, m:]
-        across = [side * (spun * (self.remainder.polar @ v) + self._turned(v)) for v in (z, y)]
+        across = [side * (spun * times(self.remainder.polar, v) + self._turned(v)) for v in (z, y)]
         held = self._held(s, np.stack([y, z], axis=1), side)
         forces = (
             self._plane(s, y) + across[0] + held[:, 0],
@@ -227,18 +228,20 @@ class ResidualForces:
     def _plane(self, s: Complex, vector: Complex) -> Complex:
         """Of stiffness, damping in the fixed frame and inertia within a plane."""
         own, at = self.remainder, s[:, None, :]
-        still = ((1.0 + self.loss.even) * own.stiffness + self.pressed) @ vector
+        held = own.stiffness if self.loss is NO_LOSS else (1.0 + self.loss.even) * own.stiffness
+        still = times(held + self.pressed, vector)
         if own.damped is not None:
-            still = still + at * (own.damped.coupling @ vector)
-        return np.asarray(still + at * at * (own.mass @ vector))
+            still = still + at * times(own.damped.coupling, vector)
+        return np.asarray(still + at * at * times(own.mass, vector))
 
     def _turned(self, vector: Complex) -> Complex:
         """Of damping that turns with the rotor, a quarter turn ahead."""
-        own = self.remainder
-        turned = self.loss.odd * (own.stiffness @ vector)
+        own, turned = self.remainder, np.zeros((1, 1, 1), dtype=complex)
+        if self.loss.odd:
+            turned = self.loss.odd * times(own.stiffness, vector)
         if own.damped is not None:
-            turned = turned + self.spin[:, None, None] * (own.damped.turning @ vector)
-        return np.asarray(turned)
+            turned = turned + self.spin[:, None, None] * times(own.damped.turning, vector)
+        return turned
 
     def amiss(self, s: Complex, vector: Complex, side: float) -> Complex:
         """Forces on the coordinates (speeds, n, k) that the system has and the machine has not, of

@@ -15,6 +15,7 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.numerics.products import times
 from rotordyn.system.connections import moved
 from rotordyn.system.coupled import CoupledSystem
 from rotordyn.system.unreduced import Unreduced
@@ -219,8 +220,8 @@ def _triangle(matrix: Array) -> Array:
 
 def _moved(matrix: Array, v: Complex) -> Array:
     """Length of matrix · v (speeds, k), v (speeds, planes, m, k)."""
-    found = matrix @ v.real, matrix @ v.imag
-    return np.asarray(np.sqrt(sum((part**2).sum(axis=(1, 2)) for part in found)))
+    found = times(matrix, v)
+    return np.asarray(np.sqrt((found.real**2 + found.imag**2).sum(axis=(1, 2))))
 
 
 def _norms(blocks: Inexact) -> Array:

@@ -196,13 +196,13 @@ def test_forces_of_supports_on_housings_count_as_those_on_ground(
     def unanswered(mass: Any, stiffness: Any, cutoff: float, loads: Any, *rest: Any) -> RitzBasis:
         return whole(mass, stiffness, cutoff, loads[:, :0], *rest)
 
-    ends = [support("a", 0.0, (2e5, 1e5)), support("b", 1.0, (2e5, 1e5))]
+    ends = [support("a", 0.0, (2e8, 1e8)), support("b", 1.0, (2e8, 1e8))]
     rotor = uniform(1.0, 0.05, supports=ends)
     ground = RigidHousing("wall", ("a",), 0.0, 5e4, {("y", "y"): 1e12, ("z", "z"): 1e12})
     answered_for = bounds(rotor)
     monkeypatch.setattr(flexibility, "ritz_basis", unanswered)
     bare, housed = bounds(rotor), bounds(replace(rotor, housings=(ground,)))
-    assert (bare > 2.0 * answered_for).all()
+    assert (bare > 50.0 * answered_for).all()
     assert housed == pytest.approx(bare, rel=1e-2)
 
 

@@ -1,0 +1,20 @@
+"""Products of real matrices with complex vectors, at the price of real ones."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Matrix = NDArray[np.inexact[Any]]
+
+
+def times(matrix: Matrix, vector: Matrix) -> Matrix:
+    """``matrix`` (…, m, n) @ ``vector`` (…, n, k); real where both are, if only by their values."""
+    if np.iscomplexobj(matrix) or not np.iscomplexobj(vector):
+        return np.asarray(matrix @ vector)
+    real = matrix @ np.ascontiguousarray(vector.real)
+    if not vector.imag.any():
+        return np.asarray(real)
+    return np.asarray(real + 1j * (matrix @ np.ascontiguousarray(vector.imag)))
