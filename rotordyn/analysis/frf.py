@@ -122,8 +122,9 @@ def _refuse_unlimited(
     if own.any() and not lost.any():
         near = frequency[own]
         around = [near * (1.0 + apart) for apart in (-BESIDE, BESIDE, -CLOSE, CLOSE)]
-        found = np.split(np.abs(within(np.concatenate(around))), len(around), axis=-1)
-        size = np.max([np.abs(values[..., own]), *found[2:]], axis=0)
+        with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
+            found = np.split(np.abs(within(np.concatenate(around))), len(around), axis=-1)
+        size = np.fmax.reduce([np.abs(values[..., own]), *found[2:]])
         lost[:, own] = (size > HIGHER * np.maximum(*found[:2])).any(axis=1)
     if lost.any():
         row, column = np.argwhere(lost)[0]
