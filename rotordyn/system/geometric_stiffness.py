@@ -6,7 +6,6 @@ N ∫ v′ w′ dx of every element of the mesh, N the force in it.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,36 +14,14 @@ Array = NDArray[np.float64]
 NOTHING = 1e-15  # of the largest: fields of force that are rounding of the others
 
 
-class GeometricStiffness(Protocol):
-    """Stiffness between a vectors and b others, linear in the axial force of every element."""
-
-    def under(self, force: Array) -> Array:
-        """(states, a, b) of ``force`` (states, elements) [N]."""
-        ...
-
-    def padded(self, before: int = 0, rows: int = 0, columns: int = 0) -> GeometricStiffness:
-        """With further vectors, on which it does not act: ``before`` the a and ``rows`` behind
-        them, ``columns`` behind the b."""
-        ...
-
-
 @dataclass(frozen=True, eq=False, slots=True)
-class ByElement:
-    """``entries`` (elements, a, b) per newton."""
+class GeometricStiffness:
+    """Stiffness (a, b) between a vectors and b others, linear in the axial force of every element.
 
-    entries: Array
-
-    def under(self, force: Array) -> Array:
-        return np.asarray(np.tensordot(force, self.entries, 1))
-
-    def padded(self, before: int = 0, rows: int = 0, columns: int = 0) -> ByElement:
-        return ByElement(np.pad(self.entries, ((0, 0), (before, rows), (0, columns))))
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class BySlopes:
-    """Slopes ``left`` (places, a) and ``right`` (places, b) times the root of the length that each
-    of the places stands for, as many places in every element: no table of many elements."""
+    Slopes ``left`` (places, a) and ``right`` (places, b) times the root of the length that each of
+    the places stands for, as many places in every element. ``before``, ``rows``, ``columns``: as
+    many further vectors on which it does not act.
+    """
 
     left: Array
     right: Array
@@ -53,6 +30,7 @@ class BySlopes:
     columns: int = 0
 
     def under(self, force: Array) -> Array:
+        """(states, a, b) of ``force`` (states, elements) [N]."""
         states, fields = _fields(force)
         found = [self._of(field) for field in fields]
         shape = self.left.shape[1], self.right.shape[1]
@@ -63,8 +41,10 @@ class BySlopes:
         each = np.repeat(force, len(self.left) // len(force))[:, None]
         return np.asarray(self.left.T @ (each * self.right))
 
-    def padded(self, before: int = 0, rows: int = 0, columns: int = 0) -> BySlopes:
-        return BySlopes(
+    def padded(self, before: int = 0, rows: int = 0, columns: int = 0) -> GeometricStiffness:
+        """With further vectors, on which it does not act: ``before`` the a and ``rows`` behind
+        them, ``columns`` behind the b."""
+        return GeometricStiffness(
             self.left,
             self.right,
             self.before + before,

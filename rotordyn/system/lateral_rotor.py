@@ -19,7 +19,7 @@ from rotordyn.system.assemble import bending_plane, loaded_plane
 from rotordyn.system.connections import connections, moved
 from rotordyn.system.dofs import PLANE_Y
 from rotordyn.system.flexibility import bending_answer, free_vectors
-from rotordyn.system.geometric_stiffness import ByElement, BySlopes, GeometricStiffness
+from rotordyn.system.geometric_stiffness import GeometricStiffness
 from rotordyn.system.hierarchic_rotor import (
     beams,
     bending_hierarchy,
@@ -288,7 +288,7 @@ def _flexible(
         basis,
         {"mass": plane.mass, "polar": plane.polar},
         seen,
-        _shortening(slope @ basis.rest, sloped, mesh, large=elements.large),
+        GeometricStiffness(slope @ basis.rest, sloped),
     )
     return _Reduced(
         at_nodes=seen @ vectors,
@@ -296,7 +296,7 @@ def _flexible(
         damping=damping + joints,
         polar=vectors.T @ (plane.polar @ vectors),
         translational_mass=vectors.T @ (plane.translational_mass @ vectors),
-        per_newton=_shortening(sloped, sloped, mesh, large=elements.large),
+        per_newton=GeometricStiffness(sloped, sloped),
         remainder=replace(left_out, damped=_left_damping(spindle, elements, basis, left_out)),
         unreduced=Unreduced(
             basis,
@@ -324,15 +324,6 @@ def _weighted_slopes(spindle: Spindle, elements: Hierarchy, mesh: Mesh) -> Matri
     return scaled_rows(slopes(spindle, elements, places.ravel()), np.sqrt(weight * half).ravel())
 
 
-def _shortening(one: Array, other: Array, mesh: Mesh, *, large: bool) -> GeometricStiffness:
-    """∫ v′ v′ dx over each element of two sets of weighted slopes at its Gauss points."""
-    if large:
-        return BySlopes(one, other)
-    each = mesh.nodes - 1, len(points(GAUSS)[0])
-    shaped = (slope.reshape(*each, slope.shape[1]) for slope in (one, other))
-    return ByElement(np.einsum("eqa,eqb->eab", *shaped, optimize=True))
-
-
 def bending_elements(spindle: Spindle, mesh: Mesh, fineness: Fineness) -> Hierarchy:
     """Standard elements between all nodes, or those that the accuracy asks for."""
     if fineness.accuracy is None:
@@ -349,7 +340,7 @@ def _rigid(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> _Reduced:
     factor = np.linalg.cholesky(shape.T @ (plane.mass @ shape))
     basis = np.asarray(np.linalg.solve(factor, shape.T).T)
     polar, translation = (basis.T @ (m @ basis) for m in (plane.polar, plane.translational_mass))
-    along = ByElement(tension.projected(basis.reshape(-1, 2, 2)))
+    sloped = np.sqrt(mesh.length)[:, None] * basis[1]
     still = np.zeros(2)
     damping = np.diag(own_damping(still, spindle))
     return _Reduced(
@@ -358,7 +349,7 @@ def _rigid(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> _Reduced:
         damping=damping,
         polar=polar,
         translational_mass=translation,
-        per_newton=along,
+        per_newton=GeometricStiffness(sloped, sloped),
         remainder=None,
         unreduced=None,
         resolved=math.inf,

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from rotordyn.numerics.reduction import RitzBasis
 from rotordyn.numerics.sparse import Matrix
-from rotordyn.system.geometric_stiffness import ByElement, GeometricStiffness
+from rotordyn.system.geometric_stiffness import GeometricStiffness
 from rotordyn.system.hierarchy import Hierarchy
 from rotordyn.system.left_damping import LeftDamping, side_by_side
 
@@ -105,7 +105,7 @@ def remainder(
     how axial force couples the two.
     """
     if per_newton is None:
-        per_newton = ByElement(np.zeros((0, basis.rest.shape[1], basis.vectors.shape[1])))
+        per_newton = GeometricStiffness(basis.rest[:0], basis.vectors[:0])
     finer = _gathered if elements.large else _of_finer_elements
     parts = [finer(elements, basis), _of_modes(basis, matrices, displayed)]
     names = (*_COUPLINGS, "own_mass", "own_stiffness")

@@ -16,7 +16,7 @@ from rotordyn.numerics.sparse import filled
 from rotordyn.system.assemble import loaded_plane, loaded_rod
 from rotordyn.system.dofs import AXIAL
 from rotordyn.system.flexibility import bending_answer, rod_answer
-from rotordyn.system.geometric_stiffness import ByElement, BySlopes
+from rotordyn.system.geometric_stiffness import GeometricStiffness
 from rotordyn.system.hierarchic_rotor import (
     axial_properties,
     beams,
@@ -103,10 +103,10 @@ def test_slopes_answer_axial_forces_as_their_table() -> None:
     left, right = draw.standard_normal((40, 3)), draw.standard_normal((40, 4))
     entries = np.einsum("eqa,eqb->eab", left.reshape(10, 4, 3), right.reshape(10, 4, 4))
     for force in (draw.standard_normal((6, 10)), np.outer(np.arange(3.0), np.ones(10))):
-        expected = ByElement(entries).padded(before=1, rows=2, columns=3).under(force)
-        found = BySlopes(left, right).padded(before=1, rows=2, columns=3).under(force)
+        expected = np.pad(np.tensordot(force, entries, 1), ((0, 0), (1, 2), (0, 3)))
+        found = GeometricStiffness(left, right).padded(before=1, rows=2, columns=3).under(force)
         np.testing.assert_allclose(found, expected, rtol=1e-12, atol=1e-12)
-    assert not BySlopes(left, right).under(np.zeros((2, 10))).any()
+    assert not GeometricStiffness(left, right).under(np.zeros((2, 10))).any()
 
 
 def test_the_drawbar_by_all_nodes() -> None:
