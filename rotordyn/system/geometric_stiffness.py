@@ -34,7 +34,7 @@ class GeometricStiffness:
         states, fields = _fields(force)
         found = [self._of(field) for field in fields]
         shape = self.left.shape[1], self.right.shape[1]
-        own = np.tensordot(states, np.array(found).reshape(-1, *shape), 1)
+        own = np.tensordot(states, np.array(found).reshape(len(found), *shape), 1)
         return np.pad(own, ((0, 0), (self.before, self.rows), (0, self.columns)))
 
     def _of(self, force: Array) -> Array:

@@ -134,8 +134,9 @@ class Leakage:
         seen = self.whole.seen
         width = self.system.freedoms
         nodal = seen.reshape(len(seen) // width, width, seen.shape[1])
-        every = zip(moved(connected, nodal), acts, strict=True)
-        return np.array([_norm(each[own]) for each, own in every])
+        each = np.where(acts[:, :, None], moved(connected, nodal), 0.0)
+        squares = np.linalg.eigvalsh(each @ np.swapaxes(each, 1, 2))
+        return np.asarray(np.sqrt(squares.max(axis=1, initial=0.0)))
 
     def acted_on(self, acts: Flags) -> Flags:
         """Of freedoms of nodes (c, 6) those of this motion (c, k), its planes taken together."""
