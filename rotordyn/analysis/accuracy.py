@@ -30,6 +30,7 @@ from rotordyn.system.estimate import (
 from rotordyn.system.hysteresis import Signs, gathered, signs_of
 from rotordyn.system.lateral import LateralSystem
 from rotordyn.system.longitudinal import RodSystem
+from rotordyn.system.whirl_in_planes import FORWARD, receptance_in_planes
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -158,8 +159,7 @@ def synchronous_change(
     seen = {n: [_end_at(motion, n, way) for way in "yz"] for n in {*nodes, *excited}}
     pairs = [(r, f) for n in nodes for at in excited for r in seen[n] for f in seen[at]]
     own = one.receptances(pairs, s)[1].reshape(len(nodes), len(excited), 2, 2)
-    forward = np.array([1.0, -1.0j])
-    return own[..., 0, :1] * forward if one.whirling else own @ forward
+    return own[..., 0, :1] * FORWARD if one.whirling else own @ FORWARD
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -178,24 +178,23 @@ class _OneSpeed:
         """Largest change of each receptance over its largest value at ``omega`` (f,) (pairs,)."""
         both = np.concatenate([omega, -omega]) if self.whirling else omega
         value, change = self.receptances(pairs, np.asarray(1j * both))
-        turn = np.array([response.plane - force.plane for response, force in pairs])
         if self.whirling:
-            value, change = _folded(value, turn), _folded(change, turn)
+            turns = np.array([response.plane - force.plane for response, force in pairs])
+            value, change = (
+                receptance_in_planes(own, turns, self._planar) for own in (value, change)
+            )
         weight = omega**power
         peak = np.abs(value * weight).max(axis=1)
         most = np.abs(change * weight).max(axis=1)
-        told = (peak > 0.0) & ((turn == 0) | (not self._planar))
-        return np.where(told, most / np.where(told, peak, 1.0), 0.0)
+        return np.where(peak > 0.0, most / np.where(peak > 0.0, peak, 1.0), 0.0)
 
     @property
-    def _planar(self) -> bool:
-        """True where whirl shows that nothing couples the planes."""
-        system, found = self.scene.vibration(self.motion)
-        own = found.at(np.array([self.place]))
-        coupled = bool(own.stiffness.imag.any() or own.damping.imag.any())
-        if system.hysteresis is not None and system.hysteresis.turns:
-            coupled = coupled or self._spin > 0.0
-        return self.whirling and not coupled
+    def _planar(self) -> NDArray[np.bool_]:
+        """True where nothing couples the planes of a system that whirls."""
+        system = self.scene.vibration(self.motion)[0]
+        assert isinstance(system, LateralSystem), "only bending whirls"
+        own = slice(self.place, self.place + 1)
+        return system.planar(np.array([self._spin]), own)[0]
 
     @property
     def _spin(self) -> float:
@@ -251,13 +250,6 @@ def _alike(ends: Sequence[End]) -> Iterable[NDArray[np.intp]]:
     for k, end in enumerate(ends):
         found.setdefault(id(end), []).append(k)
     return map(np.array, found.values())
-
-
-def _folded(values: Complex, turn: NDArray[np.intp]) -> Complex:
-    """From whirl at ±ω to planes, as in ``frf``; ``turn`` (pairs,): from which to which."""
-    plus, minus = np.split(values, 2, axis=1)
-    across = -0.5j * turn[:, None] * (plus - minus.conj())
-    return np.where(turn[:, None] == 0, 0.5 * (plus + minus.conj()), across)
 
 
 def _at(scene: Scene, motion: str, place: int, *, elements: bool = False) -> _OneSpeed:

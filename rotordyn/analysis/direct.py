@@ -1,4 +1,4 @@
-"""Receptances of bending without modes: ``system.direct`` of a scene."""
+"""Receptances of bending without modes: ``system.dynamic_stiffness`` of a scene."""
 
 from __future__ import annotations
 
@@ -12,11 +12,15 @@ from numpy.typing import NDArray
 from rotordyn.analysis.formulation import ROTATING, SOFTENED
 from rotordyn.analysis.specs import Port
 from rotordyn.machine.support import SPINDLE
-from rotordyn.system.direct import DirectBending, End, Shafts, Supported
 from rotordyn.system.dofs import BOTH_PLANES
+from rotordyn.system.dynamic_stiffness.end import End
+from rotordyn.system.dynamic_stiffness.links import Links
+from rotordyn.system.dynamic_stiffness.receptance import DirectBending
+from rotordyn.system.dynamic_stiffness.shafts import Shafts
+from rotordyn.system.dynamic_stiffness.supports import Supported
+from rotordyn.system.dynamic_stiffness.whirling_shaft import WhirlingShaft
 from rotordyn.system.lateral import are_alike, circular, connection_blocks
 from rotordyn.system.lateral_rotor import bending_elements
-from rotordyn.system.whirling_shaft import WhirlingShaft
 
 if TYPE_CHECKING:
     from rotordyn.analysis.scene import Scene
@@ -49,8 +53,8 @@ def direct_bending(scene: Scene) -> DirectBending:
     held, damped = (circular(block) for block in blocks) if alike else blocks
     losses = np.array(spindle.connection_losses)
     return DirectBending(
-        spindle,
         Shafts(mesh, shafts),
+        Links.of(spindle, mesh, pulled=force is not None),
         speed,
         [Supported(k, c, losses) for k, c in zip(held, damped, strict=True)],
         force,

@@ -18,7 +18,7 @@ from rotordyn.analysis.specs import Port
 from rotordyn.elements.node import FREEDOMS, position
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.exact.box import Box
-from rotordyn.exact.circular import PLANES, load, planes_of, response
+from rotordyn.exact.circular import PLANES, load, response
 from rotordyn.exact.poles import ExactMode
 from rotordyn.exact.receptance import receptance
 from rotordyn.exact.rotor import ExactRotor, exact_rotor
@@ -28,6 +28,7 @@ from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.modes import Modes
 from rotordyn.system.mesh import Mesh, station_mesh
+from rotordyn.system.whirl_in_planes import are_apart, planes_of
 
 if TYPE_CHECKING:
     from rotordyn.analysis.scene import Scene
@@ -60,6 +61,13 @@ class ExactBending:
     def isotropic(self) -> bool:
         """True where forward and backward whirl are apart."""
         return self.rotors[0].planes == 1
+
+    @property
+    def planar(self) -> NDArray[np.bool_]:
+        """Speeds (speeds,) at which nothing couples the planes, of the complex form."""
+        stiffness = np.stack([rotor.terms.stiffness for rotor in self.rotors])
+        damping = np.stack([rotor.terms.damping for rotor in self.rotors])
+        return are_apart(stiffness, damping, np.array([rotor.spin for rotor in self.rotors]))
 
     @property
     def motion(self) -> Array:
@@ -128,16 +136,13 @@ class ExactBending:
             parts = list(planes_of(*parts))
         return np.concatenate(parts, axis=1)
 
-    def receptance(
-        self, omega: Array, pairs: list[tuple[float, Port, float, Port]]
-    ) -> tuple[Complex, NDArray[np.bool_]]:
-        """Receptance (speeds, pairs, k) at ``omega`` (k,) [rad/s] of the frame, and (speeds,) where
-        nothing couples the planes.
+    def receptance(self, omega: Array, pairs: list[tuple[float, Port, float, Port]]) -> Complex:
+        """Receptance (speeds, pairs, k) at ``omega`` (k,) [rad/s] of the frame.
 
         A pair is station and port of the response, then of the excitation. In the complex form both
         are those of plane y, to be turned by the caller.
         """
-        values, planar = [], []
+        values = []
         stations = sorted({pair[0] for pair in pairs})
         forces = sorted({(pair[2], pair[3].direction) for pair in pairs})
         for rotor, frame in zip(self.rotors, self.frame, strict=True):
@@ -150,9 +155,7 @@ class ExactBending:
                     for x, answer, at, excitation in pairs
                 ]
             )
-            coupled = rotor.terms.stiffness.imag.any() or rotor.terms.damping.imag.any()
-            planar.append(not coupled and rotor.spin == 0.0)
-        return np.array(values), np.array(planar)
+        return np.array(values)
 
 
 @dataclass(frozen=True, eq=False, slots=True)

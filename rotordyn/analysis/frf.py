@@ -29,6 +29,7 @@ from rotordyn.elements.node import FREEDOMS
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.support import MOTIONS
 from rotordyn.system.lateral import LateralSystem
+from rotordyn.system.whirl_in_planes import receptance_in_planes
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -256,11 +257,8 @@ def _whirling(
     m = system.rotor.size
     folded = [r[:, :m] + r[:, m:] for r in (response, excitation)]
     both = scene.receptance("bending", np.concatenate([omega, -omega]), *folded)
-    planar = (system.stiffness.imag == 0.0).all(axis=(1, 2))
-    planar &= (system.damping.imag == 0.0).all(axis=(1, 2))
-    if system.hysteresis is not None and system.hysteresis.turns:
-        planar &= scene.speed[scene.usable] == 0.0
-    return _both_ways(both, planar, pairs)
+    planar = system.planar(scene.speed[scene.usable])
+    return receptance_in_planes(both, _quarter_turns(pairs), planar)
 
 
 def _direct(scene: Scene, group: frozenset[str], pairs: Pairs) -> Answered:
@@ -274,7 +272,7 @@ def _direct(scene: Scene, group: frozenset[str], pairs: Pairs) -> Answered:
         if not system.whirling:
             return receptance(system, omega, ends)
         both = receptance(system, np.concatenate([omega, -omega]), ends)
-        return _both_ways(both, system.planar, pairs)
+        return receptance_in_planes(both, _quarter_turns(pairs), system.planar)
 
     return lambda frequency: scene.timed(DIRECTLY, partial(answered, frequency))
 
@@ -287,25 +285,11 @@ def _exact(scene: Scene, group: frozenset[str], pairs: Pairs) -> Answered:
     def answered(frequency: Array) -> Complex:
         omega = 2.0 * math.pi * frequency
         if not scene.exact.isotropic:
-            return scene.exact.receptance(omega, ends)[0]
-        both, planar = scene.exact.receptance(np.concatenate([omega, -omega]), ends)
-        return _both_ways(both, planar, pairs)
+            return scene.exact.receptance(omega, ends)
+        both = scene.exact.receptance(np.concatenate([omega, -omega]), ends)
+        return receptance_in_planes(both, _quarter_turns(pairs), scene.exact.planar)
 
     return lambda frequency: scene.timed("exact receptance", partial(answered, frequency))
-
-
-def _both_ways(both: Complex, planar: NDArray[np.bool_], pairs: Pairs) -> Complex:
-    """Receptance from the complex form at ω and −ω, where a force in one plane turns both ways.
-
-    With H± the answers at ±ω, yy and zz are (H₊ + conj H₋)/2, zy is −i (H₊ − conj H₋)/2 and yz
-    its opposite. ``planar`` (speeds,): nothing couples the planes.
-    """
-    half = both.shape[-1] // 2
-    plus, minus = both[..., :half], both[..., half:].conj()
-    turn = np.array([_quarter_turns(*pair) for pair in pairs])[:, None]
-    same, across = 0.5 * (plus + minus), -0.5j * (plus - minus)
-    across[planar] = 0.0  # nothing couples the planes: not even rounding
-    return np.where(turn == 0, same, turn * across)
 
 
 # Receptances (speeds, pairs, frequencies) of pairs whose motions are of one group, by frequency.
@@ -316,7 +300,8 @@ _WITHIN: dict[str, Callable[[Scene, frozenset[str], Pairs], Answered]] = {
 }
 
 
-def _quarter_turns(response: Port, excitation: Port) -> int:
-    """0 within a plane, +1 from plane y to plane z, −1 back."""
+def _quarter_turns(pairs: Pairs) -> NDArray[np.intp]:
+    """Of pairs (pairs,): 0 within a plane, +1 from plane y to plane z, −1 back."""
     plane = {"y": 0, "thz": 0, "z": 1, "thy": 1}
-    return plane[response.direction] - plane[excitation.direction]
+    turns = [plane[response.direction] - plane[force.direction] for response, force in pairs]
+    return np.array(turns, dtype=np.intp)

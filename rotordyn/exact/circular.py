@@ -29,10 +29,5 @@ def response(direction: str, planes: int) -> Complex:
     return sign * (_in_plane(place) if planes == 1 else np.linalg.inv(_WITH_TILTS)[place])
 
 
-def planes_of(forward: Complex, backward: Complex) -> tuple[Complex, Complex]:
-    """Plane y and plane z of both parts."""
-    return 0.5 * (forward + backward), -0.5j * (forward - backward)
-
-
 def _in_plane(place: int) -> Complex:
     return np.eye(2, dtype=complex)[place % 2]

@@ -21,6 +21,7 @@ from rotordyn.system.hysteresis import Hysteresis, Signs, answering
 from rotordyn.system.lateral_rotor import LateralRotor
 from rotordyn.system.remainder import Remainder
 from rotordyn.system.unreduced import Unreduced
+from rotordyn.system.whirl_in_planes import are_apart
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -95,6 +96,15 @@ class LateralSystem:
             own = slice(m) if place < 2 else slice(m, None)
             motion[:, position(freedom), own] = sign * plane[:, place % 2]
         return motion
+
+    def planar(self, spin: Array, rows: slice = slice(None)) -> NDArray[np.bool_]:
+        """Speeds at which nothing couples the planes, of the ``rows`` of the complex form.
+
+        ``spin`` [rad/s]: what they are.
+        """
+        turns = self.hysteresis is not None and self.hysteresis.turns
+        unseen = spin if turns else np.zeros_like(spin)
+        return are_apart(self.stiffness[rows], self.damping[rows], unseen)
 
     def answering(self, signs: Signs) -> LateralSystem:
         """The linear system that answers motions of these signs: loss is in its stiffness."""

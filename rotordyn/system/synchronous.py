@@ -14,11 +14,11 @@ from numpy.typing import NDArray
 from rotordyn.elements.node import position
 from rotordyn.system.coupled import CoupledSystem
 from rotordyn.system.lateral import LateralSystem
+from rotordyn.system.whirl_in_planes import FORWARD
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 System = LateralSystem | CoupledSystem
-_FORWARD = np.array([1.0, -1.0j])  # planes y and z of r
 _ACROSS = [position("y"), position("z")]
 
 
@@ -51,7 +51,7 @@ def displacements(system: System, moved: Complex, nodes: list[int]) -> Complex:
     """Of ``nodes`` along y and z (speeds, nodes, 2), by coordinates (speeds, n)."""
     if isinstance(system, LateralSystem) and system.isotropic:
         rows = np.array([system.rotor.row(node, "y") for node in nodes])
-        return np.asarray((moved @ rows.T)[..., None] * _FORWARD)
+        return np.asarray((moved @ rows.T)[..., None] * FORWARD)
     return np.asarray(np.einsum("kin,sn->ski", system.motion[nodes][:, _ACROSS], moved))
 
 
@@ -82,7 +82,7 @@ def _on_coordinates(system: System, loads: Complex) -> Complex:
         force[system.places["bending"]] = _on_coordinates(own, loads)
         return force
     plane = system.rotor.basis.T @ loads.ravel()
-    return plane if system.isotropic else np.concatenate(list(np.outer(_FORWARD, plane)))
+    return plane if system.isotropic else np.concatenate(list(np.outer(FORWARD, plane)))
 
 
 def _bending_forces(system: LateralSystem, speed: Array, moved: Complex) -> Complex:
@@ -93,7 +93,7 @@ def _bending_forces(system: LateralSystem, speed: Array, moved: Complex) -> Comp
     matrix = _dynamic(system.held, system.damped, speed)
     force = -np.einsum("scij,scj->sci", matrix, stretched)
     if system.isotropic:
-        return np.asarray(force[..., :1] * _FORWARD)
+        return np.asarray(force[..., :1] * FORWARD)
     return np.asarray(force[..., ::2])
 
 

@@ -23,9 +23,10 @@ from rotordyn.machine.joint import Joint
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.sparse import filled
-from rotordyn.system import direct
 from rotordyn.system.assemble import loaded_plane
 from rotordyn.system.dofs import LATERAL
+from rotordyn.system.dynamic_stiffness import receptance
+from rotordyn.system.dynamic_stiffness.whole import Whole
 from rotordyn.system.hierarchic_rotor import bending_hierarchy
 from rotordyn.system.mesh import build_mesh
 from tests.oracles.coaxial import COAXIAL, STEEL
@@ -141,7 +142,7 @@ def test_elimination_is_the_whole_matrix(kind: str, monkeypatch: pytest.MonkeyPa
     front."""
     spindle, more = MACHINES[kind]
     found = response(spindle, 15000.0, "direct", **more)
-    monkeypatch.setattr(direct, "DOUBTFUL", -1.0)
+    monkeypatch.setattr(receptance, "DOUBTFUL", -1.0)
     assert apart(found, response(spindle, 15000.0, "direct", **more)) < 1e-9
 
 
@@ -205,7 +206,7 @@ def test_random_rotors(seed: int, isotropic: bool, speed: float) -> None:
     ends = [(end(scene, r), end(scene, e)) for r, e in asked]
     omega = 2.0 * math.pi * np.geomspace(1.0, 1000.0, 12)
     found = system.receptance(0, omega, ends)
-    whole, _ = system._solved(0, omega, ends, direct.Whole(system.shafts), ())
+    whole, _ = system._solved(0, omega, ends, Whole(system.shafts))
     stiff = loaded_plane(spindle, system.shafts.of["spindle"].elements).stiffness.max()
     soft = min(held for own in spindle.supports for held in own.stiffness.values())
     largest = np.abs(whole).max()
@@ -226,7 +227,7 @@ def test_growth_is_told_without_modes_in_the_answer() -> None:
 
 def test_modal_damping_of_very_many_freedoms_is_refused(monkeypatch: pytest.MonkeyPatch) -> None:
     """Where all would have to be solved at once; elimination has no such limit."""
-    monkeypatch.setattr(direct, "MOST_AT_ONCE", 10)
+    monkeypatch.setattr(receptance, "MOST_AT_ONCE", 10)
     assert np.isfinite(values(response(ROTOR, 0.0, "direct"))).all()
     with pytest.raises(InvalidInput, match=r"modal damping joins all freedoms, and \d+ a plane"):
         response(replace(ROTOR, rotor_damping=(0.01,)), 0.0, "direct")
@@ -252,9 +253,9 @@ def test_where_a_part_resonates_by_itself(monkeypatch: pytest.MonkeyPatch) -> No
     ports = (spindle.place("tip"),)
     scene = Scene(spindle, Conditions(), np.array([0.0]), BAND[-1], ports)
     found = answer(scene, spec).receptance[0, 0]
-    monkeypatch.setattr(direct, "DOUBTFUL", math.inf)
+    monkeypatch.setattr(receptance, "DOUBTFUL", math.inf)
     lost = answer(scene, spec).receptance[0, 0]
-    monkeypatch.setattr(direct, "DOUBTFUL", -1.0)
+    monkeypatch.setattr(receptance, "DOUBTFUL", -1.0)
     whole = answer(scene, spec).receptance[0, 0]
     assert found == pytest.approx(whole, rel=1e-9)
     assert lost[0] == pytest.approx(whole[0], rel=1e-9)
