@@ -76,11 +76,13 @@ def _in_planes(equation: Equation, forces: Sequence[End], wanted: Collection[int
 
 def _of_both(matrix: Values) -> Values:
     """Of both planes (2n, 2n, f) from that of whirl (n, n, 2f)."""
-    n, (same, across) = len(matrix), planes_of_whirl(matrix)
-    whole = np.empty((2 * n, 2 * n, same.shape[-1]), dtype=complex)
+    n = len(matrix)
+    # before its parts, whose pages are then used again
+    whole = np.empty((2 * n, 2 * n, matrix.shape[-1] // 2), dtype=complex)
+    same, across = planes_of_whirl(matrix)
     whole[:n, :n] = whole[n:, n:] = same
     whole[n:, :n] = across
-    whole[:n, n:] = -across
+    np.negative(across, out=whole[:n, n:])
     return whole
 
 
