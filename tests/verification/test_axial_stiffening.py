@@ -93,6 +93,16 @@ def test_pinned_beam(share: float) -> None:
     assert found == pytest.approx(PINNED * math.sqrt(1.0 + share), rel=5e-4)
 
 
+@pytest.mark.parametrize("share", [-0.5, 0.5, 3.0])
+def test_pinned_beam_in_one_element(share: float) -> None:
+    """Bent to a parabola: f = f0 √(1 + N L²/(12 E I)). Nothing is left out of so few freedoms."""
+    one, pinned = 2.0 * LENGTH, beam(radial=1e12)
+    plain = first(pinned, element_length=one)[0]
+    found = first(pinned, element_length=one, axial_force=-share * EULER)[0]
+    expected = math.sqrt(1.0 + share * math.pi**2 / 12.0)
+    assert found / plain == pytest.approx(expected, rel=1e-7)
+
+
 def test_switched_off() -> None:
     bar = Drawbar(0.5 * EULER, 0.0, LENGTH)
     plain = first(beam())
