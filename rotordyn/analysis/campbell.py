@@ -28,14 +28,14 @@ from rotordyn.system.longitudinal import RodSystem
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-FINER = 2  # times that more modes are tried where the count is not proven
+FINER = 2  # times, at most, that it is solved again from more vibrations of the free rotor
 
 
 def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     """Bending, axial and torsion modes up to ``spec.max_frequency``.
 
-    Where their number is not proven, again from more free-free modes, ``FINER`` times at most; once
-    where frequencies are told to be farther off than asked for.
+    Where their number is not proven, again from more free-free modes, ``FINER`` times at most;
+    where frequencies are told to be farther off than asked for, once.
     """
     found = _answer(scene, spec)
     for attempt in range(FINER):
@@ -51,9 +51,9 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
 
 def _accurate(scene: Scene, found: CampbellResult) -> bool:
     """True where every frequency of the band is told to be as good as asked for."""
-    accuracy = scene.conditions.accuracy
-    asked = math.inf if scene.conditions.element_length is not None else accuracy
-    return not (found.frequency_error[found.frequency <= found.max_frequency] > asked).any()
+    asked = scene.fineness.accuracy
+    told = found.frequency_error[found.frequency <= found.max_frequency]
+    return asked is None or not (told > asked).any()
 
 
 def _why_not(scene: Scene) -> str:

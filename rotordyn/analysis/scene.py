@@ -31,9 +31,10 @@ from rotordyn.machine.support import Sleeve, Spring, coupled_motions
 from rotordyn.numerics.modes import Modes, modes, residual
 from rotordyn.preload.growth import released_fits
 from rotordyn.system.coupled import CoupledSystem, coupled_system
+from rotordyn.system.fineness import Fineness
 from rotordyn.system.hysteresis import Signs
 from rotordyn.system.lateral import LateralSystem, lateral_system
-from rotordyn.system.lateral_rotor import Fineness, LateralRotor, lateral_rotor
+from rotordyn.system.lateral_rotor import LateralRotor, lateral_rotor
 from rotordyn.system.longitudinal import RodSystem, axial_system, torsion_system
 
 Array = NDArray[np.float64]

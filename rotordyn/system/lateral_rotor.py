@@ -18,6 +18,7 @@ from rotordyn.numerics.sparse import Matrix, filled, scaled_rows
 from rotordyn.system.assemble import bending_plane, loaded_plane
 from rotordyn.system.connections import connections, moved
 from rotordyn.system.dofs import PLANE_Y
+from rotordyn.system.fineness import USUAL, Fineness
 from rotordyn.system.flexibility import bending_answer, free_vectors
 from rotordyn.system.geometric_stiffness import GeometricStiffness
 from rotordyn.system.hierarchic_rotor import (
@@ -37,56 +38,7 @@ from rotordyn.system.stiffening import Stiffening, stiffening
 from rotordyn.system.unreduced import Unreduced
 
 Array = NDArray[np.float64]
-USUAL = 1e-4  # relative error of a frequency that a designer does not notice
-TINY = 1e-300
 GAUSS = 7  # degree up to which the work of the axial force is integrated exactly
-SHARE = 0.03  # of the accuracy, that a gyroscopic force may cost
-STANDARD_CUTOFF = 4.0  # likewise with standard elements, whose own error is to stand alone
-CUTOFF = 2.5  # free-free modes kept, over the highest frequency asked, at the usual accuracy
-SLEEVE_CUTOFF = 30.0  # own frequency given to a sprung sleeve without mass, likewise
-
-
-@dataclass(frozen=True, slots=True)
-class Fineness:
-    """How good a model must be: relative ``accuracy`` of every frequency up to ``frequency`` [Hz].
-
-    ``spin`` [rad/s]: highest speed. ``accuracy`` None: standard elements between the nodes of the
-    mesh, whatever they give.
-    """
-
-    frequency: float
-    spin: float = 0.0
-    accuracy: float | None = None
-
-    @property
-    def cutoff(self) -> float:
-        """Up to which free-free modes are kept [rad/s]: what others leave out falls with its 4th
-        power."""
-        factor = STANDARD_CUTOFF if self.accuracy is None else CUTOFF * self._finer**0.25
-        return factor * self.band
-
-    @property
-    def band(self) -> float:
-        """[rad/s]"""
-        return 2.0 * math.pi * self.frequency
-
-    @property
-    def gyroscopic(self) -> float:
-        """Energy f K⁻¹ f from which answers to gyroscopic forces f are kept: without them, Ω s f of
-        a mode of unit mass moves its pole s by Ω² f K⁻¹ f / 2 of itself."""
-        allowed = 0.0 if self.accuracy is None else 2.0 * SHARE * USUAL / self._finer
-        return allowed / self.spin**2 if self.spin**2 > TINY * allowed else math.inf
-
-    @property
-    def beyond(self) -> float:
-        """A frequency so far above the band [Hz] that what swings there acts as if it had no mass:
-        its error falls with the square."""
-        return self._finer**0.5 * self.frequency
-
-    @property
-    def _finer(self) -> float:
-        """How many times as accurate as usual."""
-        return 1.0 if self.accuracy is None else max(1.0, USUAL / self.accuracy)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -209,7 +161,7 @@ def lateral_rotor(
     basis, values = free.at_nodes, free.values
     sprung = [s for s in spindle.sleeves if math.isfinite(s.radial_stiffness)]
     more = len(sprung)
-    masses = np.array([sleeve_mass(s, s.radial_stiffness, fineness.beyond) for s in sprung])
+    masses = np.array([sleeve_mass(s, s.radial_stiffness, fineness.weightless) for s in sprung])
     held = np.array([s.radial_stiffness for s in sprung]) / masses
     ends = connections(spindle, mesh)
     nodes = _widened(basis.reshape(-1, 2, basis.shape[1]), more)
@@ -328,8 +280,7 @@ def bending_elements(spindle: Spindle, mesh: Mesh, fineness: Fineness) -> Hierar
     """Standard elements between all nodes, or those that the accuracy asks for."""
     if fineness.accuracy is None:
         return beams(spindle, mesh, np.ones(mesh.nodes - 1, dtype=np.intp))
-    omega = 2.0 * math.pi * fineness.frequency
-    return bending_hierarchy(spindle, omega, fineness.spin, fineness.accuracy)
+    return bending_hierarchy(spindle, fineness.band, fineness.spin, fineness.accuracy)
 
 
 def _rigid(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> _Reduced:
@@ -439,11 +390,9 @@ def _bordered(matrix: Array, more: int) -> Array:
     return np.pad(matrix, [(0, 0)] * (matrix.ndim - 2) + [(0, more), (0, more)])
 
 
-def sleeve_mass(sleeve: Sleeve, held: float, max_frequency: float) -> float:
-    """Its mass, or what lifts its own frequency far above the band where none is given [kg].
+def sleeve_mass(sleeve: Sleeve, held: float, weightless: float) -> float:
+    """Its mass, or where none is given what lifts its own frequency to ``weightless`` [rad/s] [kg].
 
     ``held``: the stiffness that holds it [N/m].
     """
-    if sleeve.mass > 0.0:
-        return sleeve.mass
-    return held / (2.0 * math.pi * SLEEVE_CUTOFF * max_frequency) ** 2
+    return sleeve.mass if sleeve.mass > 0.0 else held / weightless**2

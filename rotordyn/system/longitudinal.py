@@ -22,6 +22,7 @@ from rotordyn.numerics.sparse import filled
 from rotordyn.system.assemble import loaded_rod
 from rotordyn.system.connections import connections, moved, supported
 from rotordyn.system.dofs import AXIAL, TORSION, Selection
+from rotordyn.system.fineness import Fineness
 from rotordyn.system.flexibility import free_vectors, rod_answer
 from rotordyn.system.hierarchic_rotor import (
     axial_properties,
@@ -34,7 +35,7 @@ from rotordyn.system.hierarchic_rotor import (
 from rotordyn.system.hierarchy import Hierarchy
 from rotordyn.system.hysteresis import Hysteresis, Signs, answering
 from rotordyn.system.jumps import jumps
-from rotordyn.system.lateral_rotor import Fineness, own_damping, sleeve_mass
+from rotordyn.system.lateral_rotor import own_damping, sleeve_mass
 from rotordyn.system.mesh import Mesh
 from rotordyn.system.remainder import Remainder, remainder
 from rotordyn.system.unreduced import Unreduced
@@ -119,12 +120,11 @@ def axial_system(
     basis, values = free.at_nodes, free.values
     sliding = [s for s in spindle.sleeves if math.isfinite(s.spring.stiffness)]
     carried = _carried(spindle, sliding, axial_stiffness)
-    scale = np.array(
-        [
-            sleeve_mass(s, s.spring.stiffness + float(carried[:, k].max()), fineness.beyond) ** -0.5
-            for k, s in enumerate(sliding)
-        ]
-    )
+    most = [s.spring.stiffness + float(carried[:, k].max()) for k, s in enumerate(sliding)]
+    masses = [
+        sleeve_mass(s, held, fineness.weightless) for s, held in zip(sliding, most, strict=True)
+    ]
+    scale = np.array([mass**-0.5 for mass in masses])
     modal, size = basis.shape[1], basis.shape[1] + len(sliding)
     rows = np.zeros((len(ends), size))
     rows[:, :modal] = moved(ends, basis)
@@ -340,8 +340,7 @@ def _elements(rod: _Rod, spindle: Spindle, mesh: Mesh, fineness: Fineness) -> Hi
     if fineness.accuracy is None:
         degree = np.ones(mesh.nodes - 1, dtype=np.intp)
         return rods(mesh, degree, rod.properties, jumps(spindle, (rod.way,)))
-    omega = 2.0 * math.pi * fineness.frequency
-    return rod_hierarchy(spindle, omega, fineness.accuracy, rod.properties, rod.way)
+    return rod_hierarchy(spindle, fineness.band, fineness.accuracy, rod.properties, rod.way)
 
 
 def _carried(spindle: Spindle, sliding: list[Sleeve], axial_stiffness: Array) -> Array:

@@ -21,7 +21,7 @@ from rotordyn.machine.joint import Joint
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.reduction import RitzBasis
 from rotordyn.report.warnings import result_warnings
-from rotordyn.system import flexibility, lateral_rotor
+from rotordyn.system import fineness, flexibility, lateral_rotor
 from rotordyn.system.hierarchy import Hierarchy
 from rotordyn.system.mesh import build_mesh
 from tests.oracles.full_rotor import FullRotor
@@ -151,7 +151,7 @@ def test_more_modes_are_taken_where_the_count_is_not_proven(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """With free-free modes up to the band only, the first basis is too poor."""
-    monkeypatch.setattr(lateral_rotor, "CUTOFF", 0.6)
+    monkeypatch.setattr(fineness, "CUTOFF", 0.6)
     rotor = uniform(
         1.0, 0.02, supports=[support("a", 0.0, (1e7, 1e7)), support("b", 1.0, (1e7, 1e7))]
     )
