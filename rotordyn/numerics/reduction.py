@@ -78,6 +78,11 @@ class RitzBasis:
     outside: tuple[LeftOut, ...] = ()
 
     @property
+    def are_modes(self) -> NDArray[np.bool_]:
+        """Which vectors (m,) are modes; the others are static answers, made of modes not kept."""
+        return np.asarray((self.rest_mass**2).sum(axis=0) <= 0.5)
+
+    @property
     def complement(self) -> Complement:
         """What the vectors leave out, (K + σM)-orthogonal to them: forces that they answer do not
         reach it."""

@@ -16,12 +16,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.numerics.products import times
+from rotordyn.numerics.reduction import HALF_DIGIT
 from rotordyn.system.remainder import Remainder
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Inexact = NDArray[np.inexact]
-HALF_DIGIT = np.finfo(float).eps / 2.0
 
 
 class Reduced(Protocol):

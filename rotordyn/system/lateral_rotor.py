@@ -10,10 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.elements.bubbles import points
-from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve
-from rotordyn.numerics.reduction import Coupling, RitzBasis
+from rotordyn.numerics.reduction import Coupling
 from rotordyn.numerics.sparse import Matrix, filled, scaled_rows
 from rotordyn.system.assemble import bending_plane, loaded_plane
 from rotordyn.system.connections import connections, moved
@@ -31,9 +30,9 @@ from rotordyn.system.hierarchic_rotor import (
     slopes,
 )
 from rotordyn.system.hierarchy import Hierarchy
-from rotordyn.system.left_damping import LeftDamping, are_answers, modal_damping
 from rotordyn.system.mesh import Mesh
 from rotordyn.system.remainder import Remainder, remainder
+from rotordyn.system.rotor_damping import bending_damping, diagonal_damping, left_out_damping
 from rotordyn.system.stiffening import Stiffening, stiffening
 from rotordyn.system.unreduced import Unreduced
 
@@ -234,7 +233,7 @@ def _flexible(
     )
     vectors = basis.vectors
     sloped = slope @ vectors
-    damping, joints = _own_damping(spindle, basis), jump_damping(elements, vectors)
+    damping, joints = bending_damping(spindle, basis), jump_damping(elements, vectors)
     left_out = remainder(
         elements,
         basis,
@@ -249,7 +248,7 @@ def _flexible(
         polar=vectors.T @ (plane.polar @ vectors),
         translational_mass=vectors.T @ (plane.translational_mass @ vectors),
         per_newton=GeometricStiffness(sloped, sloped),
-        remainder=replace(left_out, damped=_left_damping(spindle, elements, basis, left_out)),
+        remainder=replace(left_out, damped=left_out_damping(spindle, elements, basis, left_out)),
         unreduced=Unreduced(
             basis,
             seen,
@@ -293,7 +292,7 @@ def _rigid(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> _Reduced:
     polar, translation = (basis.T @ (m @ basis) for m in (plane.polar, plane.translational_mass))
     sloped = np.sqrt(mesh.length)[:, None] * basis[1]
     still = np.zeros(2)
-    damping = np.diag(own_damping(still, spindle))
+    damping = np.diag(diagonal_damping(still, spindle))
     return _Reduced(
         at_nodes=basis,
         values=still,
@@ -315,62 +314,6 @@ def _drawbar(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> list[Matrix]:
         return []
     inside = (bar.start < mesh.middle) & (mesh.middle < bar.end)
     return [tension.strung(mesh.nodes) - tension.shaft(bar.force * inside.astype(float))]
-
-
-def _left_damping(
-    spindle: Spindle, elements: Hierarchy, basis: RitzBasis, left_out: Remainder
-) -> LeftDamping | None:
-    """The rotor's own damping on what is left out; of modes not kept the last modal ratio."""
-    if not (spindle.damped or elements.dampers):
-        return None
-    own, finer = spindle.rayleigh, len(left_out.own_mass) - len(basis.rest_values)
-    every = np.pad(_modal_damping(spindle, basis)[1], (finer, 0))
-    proportional = own.mass * left_out.mass + own.stiffness * left_out.stiffness
-    proportional += every[:, None] * left_out.mass
-    joints = np.zeros_like(proportional)
-    for row, damping in elements.dampers.items():
-        joints[finer:] += damping * np.outer(basis.rest[row], basis.vectors[row])
-    return LeftDamping(
-        proportional + joints,
-        every + own.mass * left_out.own_mass + own.stiffness * left_out.own_stiffness,
-        spindle.internal_damping * proportional + joints,
-    )
-
-
-def _own_damping(spindle: Spindle, basis: RitzBasis) -> Array:
-    """Of the coordinates (m, m), dampers of joints apart."""
-    modal = own_damping(basis.values, replace(spindle, rayleigh=RayleighDamping()))
-    modal[~are_answers(basis.rest_mass)], rest = _modal_damping(spindle, basis)
-    rayleigh = spindle.rayleigh.mass + spindle.rayleigh.stiffness * basis.values
-    return modal_damping(basis.rest_mass, rest, modal) + np.diag(rayleigh)
-
-
-def _modal_damping(spindle: Spindle, basis: RitzBasis) -> tuple[Array, Array]:
-    """Of the modes kept and of the others, in their order."""
-    kept = basis.values[~are_answers(basis.rest_mass)]
-    every = np.concatenate([kept, np.maximum(basis.rest_values, 0.0)])
-    modal = 2.0 * damping_ratios(every, spindle.rotor_damping) * np.sqrt(every)
-    return modal[: len(kept)], modal[len(kept) :]
-
-
-def own_damping(values: Array, spindle: Spindle, *, bending: bool = True) -> Array:
-    """Damping of the rotor's coordinates of unit mass and stiffness ``values``: modal, Rayleigh.
-
-    Other motions than ``bending`` take the last modal ratio.
-    """
-    given, rayleigh = spindle.rotor_damping, spindle.rayleigh
-    modal = 2.0 * damping_ratios(values, given if bending else given[-1:]) * np.sqrt(values)
-    return modal + rayleigh.mass + rayleigh.stiffness * values
-
-
-def damping_ratios(values: Array, given: tuple[float, ...]) -> Array:
-    """Modal damping: none for rigid motion, then ``given`` in order, the last repeated."""
-    ratios = np.zeros(len(values))
-    if given:
-        order = np.arange(len(values)) - int((values == 0.0).sum())
-        flexible = np.array(given)[np.clip(order, 0, len(given) - 1)]
-        ratios = np.where(order < 0, 0.0, flexible)
-    return ratios
 
 
 def _loaded(spindle: Spindle, mesh: Mesh, ports: tuple[int, ...]) -> list[int]:

@@ -35,9 +35,10 @@ from rotordyn.system.hierarchic_rotor import (
 from rotordyn.system.hierarchy import Hierarchy
 from rotordyn.system.hysteresis import Hysteresis, Signs, answering
 from rotordyn.system.jumps import jumps
-from rotordyn.system.lateral_rotor import own_damping, sleeve_mass
+from rotordyn.system.lateral_rotor import sleeve_mass
 from rotordyn.system.mesh import Mesh
 from rotordyn.system.remainder import Remainder, remainder
+from rotordyn.system.rotor_damping import diagonal_damping
 from rotordyn.system.unreduced import Unreduced
 
 Array = NDArray[np.float64]
@@ -313,7 +314,7 @@ def _alone(
         count = elements.mesh.nodes
         one = np.ones((mesh.nodes, 1)) / math.sqrt(whole.mass[:count, :count].sum())
         still = np.zeros(1)
-        own = own_damping(still, spindle, bending=False)
+        own = diagonal_damping(still, spindle, bending=False)
         return _Reduced(one, still, own, None, None, np.zeros((1, 1)))
     seen = rod_displacements(elements, mesh.x)
     acting = filled(seen[sorted(set(stations))].T)
@@ -330,7 +331,7 @@ def _alone(
     )
     left_out = remainder(elements, basis, {"mass": whole.mass}, seen)
     damped = jump_damping(elements, basis.vectors)
-    own = own_damping(basis.values, spindle, bending=False)
+    own = diagonal_damping(basis.values, spindle, bending=False)
     unreduced = Unreduced(basis, seen, dampers=elements.dampers).at_ratio(0.0)
     return _Reduced(seen @ basis.vectors, basis.values, own, left_out, unreduced, damped)
 

@@ -28,18 +28,18 @@ from rotordyn.elements.plane_bending import shear_parameter
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.chain import Chain, Piece, without_inner
+from rotordyn.numerics.reduction import HALF_DIGIT
 from rotordyn.numerics.sparse import filled
 from rotordyn.system.assemble import (
     loaded_plane,
     lumped_plane,
     shear_coefficients,
 )
-from rotordyn.system.estimate import HALF_DIGIT
 from rotordyn.system.hierarchic_rotor import bending_rigidities, slopes
 from rotordyn.system.hierarchy import Hierarchy
 from rotordyn.system.jumps import Jump
-from rotordyn.system.lateral_rotor import damping_ratios
 from rotordyn.system.mesh import Mesh
+from rotordyn.system.rotor_damping import modal_rates
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -256,7 +256,7 @@ def modal_damping(mass: Array, stiffness: Array, given: tuple[float, ...]) -> Ar
     values, vectors = eigh(stiffness, mass)
     values = np.where(np.arange(len(values)) < RIGID, 0.0, np.maximum(values, 0.0))
     shapes = mass @ vectors
-    return np.asarray(shapes * (2.0 * damping_ratios(values, given) * np.sqrt(values)) @ shapes.T)
+    return np.asarray(shapes * modal_rates(values, given) @ shapes.T)
 
 
 def _summed(matrices: Mapping[str, Array], terms: Mapping[str, Values]) -> Values:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rotordyn.system.lateral_rotor import damping_ratios
+from rotordyn.system.rotor_damping import damping_ratios
 
 VALUES = np.array([0.0, 0.0, 1.0, 4.0, 9.0])
 
