@@ -19,14 +19,17 @@ from rotordyn.numerics.eigenvalue_count import count_below
 from rotordyn.numerics.reduction import (
     HALF_DIGIT,
     LEAST_MODES,
-    Coupling,
     RitzBasis,
-    asked_of,
-    completed,
     orthonormal,
-    with_answers,
 )
 from rotordyn.numerics.sparse import Matrix
+from rotordyn.numerics.static_answers import (
+    Answers,
+    Coupling,
+    added,
+    completing,
+    made_of_lowest,
+)
 from rotordyn.numerics.threads import linear_algebra_alone
 
 Array = NDArray[np.float64]
@@ -155,34 +158,39 @@ def ritz_basis_of_large(
     flexible = Flexible.of(problem, low)
     low_forces = flexible.pushed * values
 
-    def answered(loads: Array) -> tuple[Array, Array, Array]:
-        """As in ``reduction``; of other modes nothing is known."""
-        forces = flexible.unanswered(loads)
-        return flexible.free(problem.held(forces)), forces, np.zeros((0, forces.shape[1]))
+    def answered(loads: Array) -> Answers:
+        return _answers(problem, flexible, flexible.unanswered(loads))
 
-    made = asked_of(couplings, low, values, cutoff)
-    answers, forces, _ = with_answers(problem.mass, (low, low_forces), answered, loads, made)
-    inner = answers.T @ forces
-    added_values, turn = np.linalg.eigh((inner + inner.T) / 2.0)
-    added, forces = answers @ turn, forces @ turn
+    made = made_of_lowest(couplings, low, values, cutoff, LEAST_MODES)
+    found = completing(problem.mass, (low, low_forces), answered, loads, made)
+    added_values, found = found.diagonal()
     both = np.concatenate([values, added_values])
     order = np.argsort(both, kind="stable")
-    vectors = np.concatenate([low, added], axis=1)[:, order]
-    asked = [problem.mass @ added, *(field @ vectors for field in fields)]
-    known = np.concatenate([low, added], axis=1), np.concatenate([low_forces, forces], axis=1)
+    known = (
+        np.concatenate([low, found.vectors], axis=1),
+        np.concatenate([low_forces, found.forces], axis=1),
+    )
+    vectors = known[0][:, order]
+    asked = [problem.mass @ found.vectors, *(field @ vectors for field in fields)]
     rest, rest_values, share = _rest(problem, flexible, known, added_values, asked, above)
-    coupling = np.concatenate([np.zeros((len(rest_values), len(values))), share], axis=1)
+    rest_mass = np.concatenate([np.zeros((len(rest_values), len(values))), share], axis=1)
     rounding = HALF_DIGIT * np.sqrt(problem.size) * both[order]
     return RitzBasis(
         vectors,
         both[order],
         rest,
         rest_values,
-        coupling[:, order],
+        rest_mass[:, order],
         rounding,
         0.0,
-        (Outside(slice(0, problem.size), flexible, added, added_values, above),),
+        (Outside(slice(0, problem.size), flexible, found.vectors, added_values, above),),
     )
+
+
+def _answers(problem: Problem, flexible: Flexible, loads: Array) -> Answers:
+    """To loads that the known motions do not answer; of other modes nothing is known."""
+    none = np.zeros((0, loads.shape[1]))
+    return Answers(flexible.free(problem.held(loads)), loads, none)
 
 
 def _rest(
@@ -200,17 +208,16 @@ def _rest(
     """
     loads = flexible.unanswered(np.concatenate(asked, axis=1))
     loads = loads[:, np.abs(loads).max(axis=0, initial=0.0) > 0.0]
-    answers = flexible.free(problem.held(loads))
-    none, count = np.zeros((0, loads.shape[1])), len(values)
-    added = known[0][:, known[0].shape[1] - count :]
+    answers, count = _answers(problem, flexible, loads), len(values)
+    already = known[0][:, known[0].shape[1] - count :]
     for new in CLEARLY_NEW:
-        more, forces, _ = completed(problem.mass, *known, answers, loads, none, new)
-        across, own = added.T @ forces, more.T @ forces
+        more, forces, _ = added(problem.mass, known, answers, new)
+        across, own = already.T @ forces, more.T @ forces
         inner = np.block([[np.diag(values), across], [across.T, (own + own.T) / 2.0]])
         rest_values, turn = np.linalg.eigh(inner)
         if (rest_values > above * (1.0 - ROUNDING)).all():
-            return np.concatenate([added, more], axis=1) @ turn, rest_values, turn[:count].T
-    return added, values, np.eye(count)
+            return np.concatenate([already, more], axis=1) @ turn, rest_values, turn[:count].T
+    return already, values, np.eye(count)
 
 
 def _eigenvectors(problem: Problem, cutoff: float) -> tuple[Array, Array, float]:

@@ -3,56 +3,32 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import accumulate
-from typing import NamedTuple, Protocol
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.numerics.sparse import Matrix
+from rotordyn.numerics.static_answers import Answers, Coupling, completing, made_of_lowest
 
 Array = NDArray[np.float64]
 LEAST_MODES = 8
-FELT = 0.5  # of the cutoff: modes up to there have couplings answered
-NEW = 1e-5  # of its length: a vector that adds less to the others is spanned by them
 ROUNDING = 1e-14
 HALF_DIGIT = np.finfo(float).eps / 2.0
 CLEAR, MORE = 1e4, 10.0  # of K's rounding; σ grows in such steps until it is clear of it
-CANCELLED = 1e-12  # of its summands: what is left of a force then is rounding
 SHIFT = 1e-5  # of cutoff²: eigenvalues much below it keep fewer digits
 
 
-class Coupling(NamedTuple):
-    """Forces that ``matrix`` (n, n), such as the gyroscopic one, makes of motions up to ``band``².
-
-    Answers to those of modes are kept where the energy f K⁻¹ f of a force f is ``least`` or more;
-    faster modes take less part in such motions, as the square of their frequency.
-    """
-
-    matrix: Matrix
-    least: float = 0.0
-    band: float = math.inf
-
-    def of(self, modes: Array, values: Array) -> Array:
-        """Forces by each of some modes (n, k) of ``values`` (k,), but those that are rounding."""
-        force = self.matrix @ modes
-        size = (abs(self.matrix) @ np.abs(modes)).max(axis=0)
-        felt = np.abs(force).max(axis=0) > CANCELLED * size
-        share = (
-            self.band**2 / np.maximum(values, self.band**2) if self.least else np.ones(felt.size)
-        )
-        return np.asarray((force * share)[:, felt])
-
-
-class LeftOut(Protocol):
-    """What is known of all that a basis leaves out of a large problem (``flexible``)."""
+class OutsideNorms(Protocol):
+    """What else is known of all that a basis leaves out of a large problem (``flexible``)."""
 
     @property
     def mass_norm(self) -> float: ...
     def norm(self, matrix: Matrix) -> float: ...
-    def behind(self, before: int) -> LeftOut: ...
+    def behind(self, before: int) -> OutsideNorms: ...
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -75,7 +51,7 @@ class RitzBasis:
     rest_mass: Array
     rounding: Array
     shift: float | Array
-    outside: tuple[LeftOut, ...] = ()
+    outside: tuple[OutsideNorms, ...] = ()
 
     @property
     def are_modes(self) -> NDArray[np.bool_]:
@@ -126,7 +102,7 @@ class Complement:
     vectors: Array
     mass: Array
     coupling: Array
-    outside: tuple[LeftOut, ...] = ()
+    outside: tuple[OutsideNorms, ...] = ()
 
     @property
     def mass_norm(self) -> float:
@@ -169,82 +145,32 @@ def ritz_basis(
     values = np.maximum(1.0 / inverse - shift, 0.0)
     values[: rigid.shape[1]] = 0.0
     kept = max(int(np.searchsorted(values, cutoff**2)), min(LEAST_MODES, len(values)))
-    low = vectors[:, :kept]
-    rest, rest_values = vectors[:, kept:], values[kept:]
-    known = low, mass @ (low * values[:kept])
+    low, rest, rest_values = vectors[:, :kept], vectors[:, kept:], values[kept:]
+    low_forces = mass @ (low * values[:kept])
 
-    def answered(loads: Array) -> tuple[Array, Array, Array]:
-        """Answers to loads, K times them, and what the rest has of them."""
+    def answered(loads: Array) -> Answers:
         loads = loads - mass @ (low @ (low.T @ loads))  # what the modes kept do not answer
         answers = np.linalg.solve(factor.T, np.linalg.solve(factor, loads))
-        met = (rest.T @ loads) / (rest_values + shift)[:, None]
-        return answers, loads - shift * (mass @ answers), met
+        share = (rest.T @ loads) / (rest_values + shift)[:, None]
+        return Answers(answers, loads - shift * (mass @ answers), share)
 
-    asked = asked_of(couplings, low, values[:kept], cutoff)
-    answers, forces, met = with_answers(mass, known, answered, loads, asked)
-    inner = answers.T @ forces
-    values_added, turn = np.linalg.eigh((inner + inner.T) / 2.0)
-    order = np.argsort(np.concatenate([values[:kept], values_added]), kind="stable")
-    whole = np.concatenate([low, answers @ turn], axis=1)
-    coupling = np.concatenate([np.zeros((rest.shape[1], kept)), met @ turn], axis=1)
-    whole = whole[:, order]
+    made = made_of_lowest(couplings, low, values[:kept], cutoff, LEAST_MODES)
+    found = completing(mass, (low, low_forces), answered, loads, made)
+    values_added, added = found.diagonal()
+    both = np.concatenate([values[:kept], values_added])
+    order = np.argsort(both, kind="stable")
+    whole = np.concatenate([low, added.vectors], axis=1)[:, order]
+    rest_mass = np.concatenate([np.zeros((rest.shape[1], kept)), added.share], axis=1)
     spread = np.sqrt(np.einsum("ij,ij->j", whole**2, stiffness**2 @ whole**2))
     return RitzBasis(
         whole,
-        np.concatenate([values[:kept], values_added])[order],
+        both[order],
         rest,
         rest_values,
-        coupling[:, order],
+        rest_mass[:, order],
         HALF_DIGIT * np.where(np.arange(len(order)) < rigid.shape[1], 0.0, spread),
         shift,
     )
-
-
-def asked_of(
-    couplings: Sequence[Coupling], low: Array, values: Array, cutoff: float
-) -> list[tuple[Array, float]]:
-    """What each coupling makes of the lowest modes, and the energy that counts."""
-    felt = slice(max(int(np.searchsorted(values, (FELT * cutoff) ** 2)), LEAST_MODES))
-    return [(each.of(low[:, felt], values[felt]), each.least) for each in couplings]
-
-
-def with_answers(
-    mass: Matrix,
-    known: tuple[Array, Array],
-    answered: Callable[[Array], tuple[Array, Array, Array]],
-    loads: Array,
-    made: Sequence[tuple[Array, float]],
-) -> tuple[Array, Array, Array]:
-    """What the answers to ``loads`` (n, l), and to forces ``made`` (n, k) of at least so much
-    energy, add to modes: as ``completed``.
-
-    ``known``: these modes and K times them (n, k); ``answered``: the answers to loads, K times
-    them, and what other modes have of them.
-    """
-    given = answered(loads)
-    found = completed(mass, *known, *given)
-    for forces, least in made:
-        if forces.size and least < math.inf:
-            more = answered(forces)
-            turn = _felt(*found[:2], *more[:2], least)
-            given = _beside(given, [part @ turn for part in more])
-            found = completed(mass, *known, *given)
-    return found
-
-
-def _beside(one: Sequence[Array], other: Sequence[Array]) -> tuple[Array, Array, Array]:
-    """Columns of each of three, then those of each of the other three."""
-    vectors, forces, met = (np.concatenate(both, axis=1) for both in zip(one, other, strict=True))
-    return vectors, forces, met
-
-
-def _felt(answers: Array, forces: Array, more: Array, more_forces: Array, least: float) -> Array:
-    """Mixtures (k, j) of ``more`` answers (n, k) to forces whose energy, without what ``answers``
-    (n, l) to other ``forces`` hold of it, is ``least`` or more."""
-    energy, across = more.T @ more_forces, answers.T @ more_forces
-    energy = energy - across.T @ np.linalg.solve(answers.T @ forces, across)
-    values, turn = np.linalg.eigh((energy + energy.T) / 2.0)
-    return np.asarray(turn[:, values >= least])
 
 
 def _with_rigid(mass: Array, rigid: Array, vectors: Array) -> Array:
@@ -283,40 +209,6 @@ def _definite(mass: Array, stiffness: Array, shift: float) -> tuple[float, Array
             shift *= MORE
         else:
             return shift, np.asarray(np.linalg.cholesky(stiffness + shift * mass))
-
-
-def completed(
-    mass: Matrix,
-    low: Array,
-    low_forces: Array,
-    answers: Array,
-    forces: Array,
-    met: Array,
-    new: float = NEW,
-) -> tuple[Array, Array, Array]:
-    """M-orthonormal span of what ``answers`` (n, l) add to the vectors ``low``, and K times it.
-
-    ``low_forces``, ``forces``: K times these and the answers; ``met`` (r, l): what other modes have
-    of them, returned for the span likewise. What is rounding, less than ``new``, is dropped.
-    """
-    size = _norms(mass, answers)
-    answers, forces, met = answers / size, forces / size, met / size
-    for _ in range(2):
-        share = low.T @ (mass @ answers)
-        answers = answers - low @ share
-        forces = forces - low_forces @ share
-        size = _norms(mass, answers)
-        clear = size > new  # small ones may still differ much
-        answers, forces, met = (a[:, clear] / size[clear] for a in (answers, forces, met))
-        values, turn = np.linalg.eigh(answers.T @ mass @ answers)
-        keep = values > new**2
-        turn = turn[:, keep] / np.sqrt(values[keep])
-        answers, forces, met = answers @ turn, forces @ turn, met @ turn
-    return answers, forces, met
-
-
-def _norms(mass: Matrix, vectors: Array) -> Array:
-    return np.sqrt(np.maximum(np.einsum("ij,ij->j", vectors, mass @ vectors), 0.0))
 
 
 def norm_of(matrix: Array) -> float:

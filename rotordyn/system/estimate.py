@@ -59,7 +59,7 @@ class LeftOut(Protocol):
 
     def forces(self, s: Complex, vector: Complex, side: float) -> Complex: ...
     def returned(self, s: Complex, moved: Complex, side: float) -> Complex: ...
-    def amiss(self, s: Complex, vector: Complex, side: float) -> Complex: ...
+    def lent(self, s: Complex, vector: Complex) -> Complex: ...
     def answer(self, s: Complex) -> Complex: ...
     @property
     def rounding(self) -> Array: ...
@@ -73,8 +73,8 @@ def pole_shift(
     ones (speeds, k, n)."""
     right = left_out.forces(pole, vector, 1.0)
     left = left_out.forces(pole, np.swapaxes(participation, 1, 2), -1.0)
-    amiss = left_out.amiss(pole, vector, 1.0) * np.swapaxes(participation, 1, 2)
-    return np.asarray((left * right * left_out.answer(pole)).sum(axis=1) + amiss.sum(axis=1))
+    lent = left_out.lent(pole, vector) * np.swapaxes(participation, 1, 2)
+    return np.asarray((left * right * left_out.answer(pole)).sum(axis=1) + lent.sum(axis=1))
 
 
 def rounding_shift(
@@ -103,7 +103,7 @@ def met(
     all receptances that have an end in common.
     """
     moved = (left_out.forces(s, answer, side) - end[:, None]) * left_out.answer(s)
-    return moved, left_out.returned(s, moved, side) + left_out.amiss(s, answer, side)
+    return moved, left_out.returned(s, moved, side) + left_out.lent(s, answer)
 
 
 class Loss(NamedTuple):
@@ -243,9 +243,9 @@ class ResidualForces:
             turned = turned + self.spin[:, None, None] * times(own.damped.turning, vector)
         return turned
 
-    def amiss(self, s: Complex, vector: Complex, side: float) -> Complex:
-        """Forces on the coordinates (speeds, n, k) that the system has and the machine has not, of
-        motions (speeds, n, k): mass lent to sleeves without any."""
+    def lent(self, s: Complex, vector: Complex) -> Complex:
+        """Forces on the coordinates (speeds, n, k) by the mass lent to what has none, which the
+        system has and the machine has not, of motions (speeds, n, k)."""
         if self.elements or not self.weightless.any():
             return np.zeros_like(vector)
         return np.asarray((s * s)[:, None, :] * self.weightless[:, None] * vector)
@@ -327,12 +327,12 @@ class CoupledResidualForces:
     motion: Array
     ground: Ground | None = None
 
-    def amiss(self, s: Complex, vector: Complex, side: float) -> Complex:
+    def lent(self, s: Complex, vector: Complex) -> Complex:
         """Of all parts, in the order of the coordinates (speeds, n, k)."""
         whole = np.zeros_like(vector)
         for name, part in self.parts.items():
             own = self.places[name]
-            whole[:, own] = part.amiss(s, vector[:, own], side)
+            whole[:, own] = part.lent(s, vector[:, own])
         return whole
 
     @property

@@ -16,8 +16,9 @@ from numpy.typing import NDArray
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.flexible import Problem, ritz_basis_of_large
-from rotordyn.numerics.reduction import Coupling, RitzBasis, ritz_basis
+from rotordyn.numerics.reduction import RitzBasis, ritz_basis
 from rotordyn.numerics.sparse import Matrix, filled
+from rotordyn.numerics.static_answers import Coupling
 from rotordyn.system.hierarchic_rotor import bending_rigidities
 from rotordyn.system.hierarchy import Hierarchy
 
@@ -60,7 +61,7 @@ def free_vectors(
     problem = Problem(own.mass, own.stiffness, rigid, answer(), elements.order)
     many = MANY * (problem.below(cutoff) + loads.shape[1])
     if many > problem.size and problem.size <= MOST_DENSE:
-        dense = [own._replace(matrix=filled(own.matrix)) for own in couplings]
+        dense = [each._replace(matrix=filled(each.matrix)) for each in couplings]
         return ritz_basis(filled(own.mass), filled(own.stiffness), cutoff, loads, rigid, dense)
     if many * problem.size > MOST_ENTRIES:
         raise InvalidInput(

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 from rotordyn.elements.bubbles import points
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve
-from rotordyn.numerics.reduction import Coupling
 from rotordyn.numerics.sparse import Matrix, filled, scaled_rows
+from rotordyn.numerics.static_answers import Coupling
 from rotordyn.system.assemble import bending_plane, loaded_plane
 from rotordyn.system.connections import connections, moved
 from rotordyn.system.dofs import PLANE_Y
