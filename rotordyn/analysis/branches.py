@@ -79,7 +79,7 @@ class Branch:
         return np.where(np.abs(self.degree) < PLANAR, 0.0, np.sign(self.degree))
 
     def at_all(self, speed: Array) -> Branch:
-        """The same at every ``speed`` (s,) [rad/s], known at one."""
+        """The same mode at every ``speed`` (s,) [rad/s], of a motion that was solved at one."""
         count = len(speed)
         pole, vector = np.repeat(self.pole, count), np.repeat(self.vector, count, axis=0)
         degree, column = np.repeat(self.degree, count), np.repeat(self.column, count)
@@ -163,9 +163,9 @@ def _followed(
     """
     sweep = _Sweep.of(scene, home, spec.max_frequency)
     speed = scene.speed[scene.usable]
-    if len(sweep.steps) < len(speed):
-        alone = [step.pole for step in sweep.steps]
-        return [b.at_all(speed) for side in sides for b in sweep.branches(home, spec, side, alone)]
+    if len(sweep.steps) < len(speed):  # solved at one, as nothing changes with the speed
+        same = [step.pole for step in sweep.steps]
+        return [b.at_all(speed) for side in sides for b in sweep.branches(home, spec, side, same)]
     bends = home == "bending" or {"bending", home} <= scene.coupled_motions
     knots = knots_between(scene) if bends else ()
     if len(knots):
@@ -204,30 +204,30 @@ class _Step:
 
 
 def _ahead(steps: Sequence[_Step], ceiling: float) -> list[Complex]:
-    """Poles (k,) to be expected of each step at the next one: λ − w (λ ΔD + ΔK) v; the same beyond
-    ``ceiling`` [rad/s]."""
+    """Poles (k,) to be expected of each step at the next one: λ − w (λ ΔD + ΔK) v. Those beyond
+    ``ceiling`` [rad/s], and all of the last step, are expected where they are."""
     poles = [step.pole for step in steps]
     if len(steps) < 2 or any(step.system is None for step in steps):
         return poles
     left, stiffness, damping = map(
         np.stack, zip(*(s.system for s in steps if s.system), strict=True)
     )
-    frame = np.array([step.frame for step in steps])
-    here = np.stack(poles[:-1])
-    slowest = np.argsort(np.abs(here.imag), axis=1, kind="stable")
-    own = slowest[:, : int((np.abs(here.imag) < ceiling).sum(axis=1).max())]
-    vector = np.stack([s.vector[:, c] for s, c in zip(steps, own, strict=False)])
-    left = np.stack([each[c] for each, c in zip(left, own, strict=False)])
-    fixed = np.take_along_axis(here, own, axis=1)
-    pole = fixed - 1j * frame[:-1, None]
+    frame, fixed = np.array([step.frame for step in steps]), np.stack(poles[:-1])
+    slowest = np.argsort(np.abs(fixed.imag), axis=1, kind="stable")
+    below = slowest[:, : int((np.abs(fixed.imag) < ceiling).sum(axis=1).max())]
+    before = list(zip(below, steps[:-1], left[:-1], strict=True))
+    vector = np.stack([step.vector[:, own] for own, step, _ in before])
+    left = np.stack([each[own] for own, _, each in before])
+    here = np.take_along_axis(fixed, below, axis=1)
+    pole = here - 1j * frame[:-1, None]
     damped, held = (times(np.diff(each, axis=0), vector) for each in (damping, stiffness))
     change = pole[:, None] * damped + held
     with np.errstate(invalid="ignore", over="ignore"):
         move = np.einsum("skn,snk->sk", left, change)
-        known = np.abs(move) < FARTHEST * np.abs(fixed)
-    moved = np.where(known, pole - move + 1j * frame[1:, None], fixed)
-    np.put_along_axis(here, own, moved, axis=1)
-    return [*here, poles[-1]]
+        known = np.abs(move) < FARTHEST * np.abs(here)
+    there = np.where(known, pole - move + 1j * frame[1:, None], here)
+    np.put_along_axis(fixed, below, there, axis=1)
+    return [*fixed, poles[-1]]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -238,7 +238,8 @@ class _Sweep:
 
     @classmethod
     def of(cls, scene: Scene, home: str, highest: float, *, given: bool = True) -> _Sweep:
-        """At the usable speeds of a scene; at the first, of a motion that is the same at all."""
+        """At the usable speeds of a scene; at the first of them, where modes were solved for one
+        speed because they are the same at all."""
         found = modes_of(scene, home, highest)
         frame = scene.bending.frame if home == "bending" else np.zeros(len(scene.usable))
         free = found.at_rest(frame[: len(found.pole)])

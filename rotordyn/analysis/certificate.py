@@ -148,6 +148,7 @@ def _bound(
         return np.zeros(len(radius))
     columns, many = found.one_of_each_pair()
     free = np.take_along_axis(found.at_rest(getattr(system, "frame", None)), columns, axis=1)
+    apart = np.take_along_axis(apart, columns, axis=1)
     vector, left_vector = (
         np.take_along_axis(each, columns[:, None, :], axis=2)
         for each in (found.vector, _left_vectors(found))
@@ -157,8 +158,7 @@ def _bound(
         left = leakage.forces(left_vector, -1.0)
         unmoved = free & (right <= UNMOVED * right.max(axis=1, keepdims=True))
     right, left = (np.where(unmoved, 0.0, side) for side in (many * right, left))
-    own = np.take_along_axis(apart, columns, axis=1)
-    return same_count(own, right, left, radius, leakage.own())
+    return same_count(apart, right, left, radius, leakage.own())
 
 
 def _leakage(

@@ -64,8 +64,8 @@ class Modes:
         return small
 
     def one_of_each_pair(self) -> tuple[NDArray[np.intp], Array]:
-        """Columns (…, k) that stand for all poles, and for how many each: poles of a real system
-        come in pairs of conjugates."""
+        """Columns (…, k) that stand for all poles, and for how many each: of a real system those
+        of Im ≥ 0, two for a pair of conjugates. One that fills up a row stands for none."""
         if np.iscomplexobj(self.stiffness) or np.iscomplexobj(self.damping):
             every = np.broadcast_to(np.arange(self.pole.shape[-1]), self.pole.shape)
             return every, np.ones(self.pole.shape)

@@ -11,7 +11,8 @@ Matrix = NDArray[np.inexact[Any]]
 
 
 def times(matrix: Matrix, vector: Matrix) -> Matrix:
-    """``matrix`` (…, m, n) @ ``vector`` (…, n, k); real where both are, if only by their values."""
+    """``matrix`` (…, m, n) @ ``vector`` (…, n, k); real where the matrix is and the vector's values
+    are."""
     if np.iscomplexobj(matrix) or not np.iscomplexobj(vector):
         return np.asarray(matrix @ vector)
     real = matrix @ np.ascontiguousarray(vector.real)

@@ -10,7 +10,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.elements.bubbles import points
+from rotordyn.system.mesh import Mesh
+
 Array = NDArray[np.float64]
+GAUSS = 7  # degree up to which the work of the axial force is integrated exactly
 NOTHING = 1e-15  # of the largest: fields of force that are rounding of the others
 
 
@@ -51,6 +55,13 @@ class GeometricStiffness:
             self.rows + rows,
             self.columns + columns,
         )
+
+
+def gauss_points(mesh: Mesh) -> tuple[Array, Array]:
+    """Stations (elements, points) at which the work in every element is summed up, and their
+    weights (points,), per half the length of an element."""
+    xi, weight = points(GAUSS)
+    return mesh.middle[:, None] + mesh.length[:, None] / 2.0 * xi, weight
 
 
 def _fields(force: Array) -> tuple[Array, Array]:

@@ -9,7 +9,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.elements.bubbles import points
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve
 from rotordyn.numerics.sparse import Matrix, filled, scaled_rows
@@ -19,7 +18,7 @@ from rotordyn.system.connections import connections, moved
 from rotordyn.system.dofs import PLANE_Y
 from rotordyn.system.fineness import USUAL, Fineness
 from rotordyn.system.flexibility import bending_answer, free_vectors
-from rotordyn.system.geometric_stiffness import GeometricStiffness
+from rotordyn.system.geometric_stiffness import GeometricStiffness, gauss_points
 from rotordyn.system.hierarchic_rotor import (
     beams,
     bending_hierarchy,
@@ -37,7 +36,6 @@ from rotordyn.system.stiffening import Stiffening, stiffening
 from rotordyn.system.unreduced import Unreduced
 
 Array = NDArray[np.float64]
-GAUSS = 7  # degree up to which the work of the axial force is integrated exactly
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -147,9 +145,10 @@ def lateral_rotor(
     """Reduce the bending plane of all rotors, each by itself, seen at the nodes of ``mesh``.
 
     Kept are the free-free modes up to the cutoff of ``fineness`` and the static answers to forces
-    and moments at bearings, supports, contacts of the drawbar and the nodes ``ports``, and to what
-    gyroscopic effect and drawbar make of the lowest modes; a ``rigid`` rotor keeps the two motions
-    of a rigid body.
+    at bearings, supports, contacts of the drawbar and the nodes ``ports``, to moments there (at
+    supports only where these tilt), to what the drawbar makes of the lowest modes and, as far as
+    ``fineness`` asks, the gyroscopic effect; a ``rigid`` rotor keeps the two motions of a rigid
+    body.
     """
     tension = stiffening(spindle, mesh)
     reduced = [
@@ -269,10 +268,9 @@ def _flexible(
 def _weighted_slopes(spindle: Spindle, elements: Hierarchy, mesh: Mesh) -> Matrix:
     """Slopes at the Gauss points of every element of the mesh, times the root of the length that
     each stands for (elements·points, size)."""
-    xi, weight = points(GAUSS)
-    half = mesh.length[:, None] / 2.0
-    places = mesh.middle[:, None] + half * xi
-    return scaled_rows(slopes(spindle, elements, places.ravel()), np.sqrt(weight * half).ravel())
+    x, weight = gauss_points(mesh)
+    root = np.sqrt(weight * (mesh.length[:, None] / 2.0))
+    return scaled_rows(slopes(spindle, elements, x.ravel()), root.ravel())
 
 
 def bending_elements(spindle: Spindle, mesh: Mesh, fineness: Fineness) -> Hierarchy:
@@ -317,7 +315,7 @@ def _drawbar(spindle: Spindle, mesh: Mesh, tension: Stiffening) -> list[Matrix]:
 
 
 def _loaded(spindle: Spindle, mesh: Mesh, ports: tuple[int, ...]) -> list[int]:
-    """Rows of deflections and tilts where something acts on the rotor."""
+    """Rows of deflections where something acts on the rotor, and of tilts where a moment does."""
     tilting = mesh.nodes_of(spindle.seats, (s for s in spindle.supports if s.tilts))
     tilting += [mesh.node_of(x) for x in (spindle.drawbar.stations if spindle.drawbar else ())]
     rows = {PLANE_Y.row(n, f) for n in (*tilting, *ports) for f in PLANE_Y.names}

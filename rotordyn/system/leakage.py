@@ -15,9 +15,11 @@ from typing import Protocol
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.elements.node import position
 from rotordyn.numerics.products import times
 from rotordyn.system.connections import moved
 from rotordyn.system.coupled import CoupledSystem
+from rotordyn.system.dofs import BOTH_PLANES
 from rotordyn.system.unreduced import Unreduced
 
 Array = NDArray[np.float64]
@@ -82,21 +84,21 @@ class Leakage:
         whole, planes = self.whole, self.system.planes
         v = vector.reshape(len(vector), planes, -1, vector.shape[-1])
         inertia = self.radius**2 + (1.0 + self.loss) * whole.shift
-        total = inertia[:, None] * _moved(_triangle(whole.mass_coupling), v)
+        total = inertia[:, None] * _lengths(_triangle(whole.mass_coupling), v)
         if self.spin.any() and whole.polar is not None:
             gyroscopic = self.radius * np.abs(self.spin)
-            total += gyroscopic[:, None] * _moved(_triangle(whole.polar_coupling), v)
+            total += gyroscopic[:, None] * _lengths(_triangle(whole.polar_coupling), v)
         if whole.slope is not None and self._force().any():
             slope = _triangle(np.pad(whole.slope @ whole.basis.vectors, ((0, 0), (0, whole.more))))
-            total += (self._force() * whole.slope_norm)[:, None] * _moved(slope, v)
+            total += (self._force() * whole.slope_norm)[:, None] * _lengths(slope, v)
         if self.softened.any():
             reach = self.softened * np.sqrt(whole.mass_norm)
             total += reach[:, None] * np.linalg.norm(v, axis=(1, 2))
         rest, bar = whole.bar_rows
         if len(bar):
-            total += _norm(rest) * _moved(bar, v)
+            total += _norm(rest) * _lengths(bar, v)
         for rate, rest, damped in zip(self._turning.T, *whole.damper_rows, strict=True):
-            total += (rate * np.linalg.norm(rest))[:, None] * _moved(damped[None], v)
+            total += (rate * np.linalg.norm(rest))[:, None] * _lengths(damped[None], v)
         return np.asarray(total + self._held(v, side) if grounded else total)
 
     @property
@@ -130,7 +132,7 @@ class Leakage:
         return self.ends(self.system.connected, np.any(planes, axis=0))
 
     def ends(self, connected: Array, acts: Flags) -> Array:
-        """The same at some of them, of the freedoms (c, k) that something ``acts`` on."""
+        """The same at some of them, by the freedoms (c, k) there that something ``acts`` on."""
         seen = self.whole.seen
         width = self.system.freedoms
         nodal = seen.reshape(len(seen) // width, width, seen.shape[1])
@@ -139,11 +141,12 @@ class Leakage:
         return np.asarray(np.sqrt(squares.max(axis=1, initial=0.0)))
 
     def acted_on(self, acts: Flags) -> Flags:
-        """Of freedoms of nodes (c, 6) those of this motion (c, k), its planes taken together."""
-        width = self.system.freedoms
-        if width == 1:
+        """Of freedoms of nodes (c, 6) those of this motion (c, k), in bending both planes together;
+        all of a motion that has but one."""
+        if self.system.freedoms == 1:
             return np.ones((len(acts), 1), dtype=bool)
-        return np.stack([acts[:, 1] | acts[:, 2], acts[:, 4] | acts[:, 5]], axis=1)
+        y, tilt_z, z, tilt_y = (acts[:, position(name)] for name in BOTH_PLANES.names)
+        return np.stack([y | z, tilt_z | tilt_y], axis=1)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -219,7 +222,7 @@ def _triangle(matrix: Array) -> Array:
     return np.asarray(np.linalg.qr(matrix, mode="r"))
 
 
-def _moved(matrix: Array, v: Complex) -> Array:
+def _lengths(matrix: Array, v: Complex) -> Array:
     """Length of matrix · v (speeds, k), v (speeds, planes, m, k)."""
     found = times(matrix, v)
     return np.asarray(np.sqrt((found.real**2 + found.imag**2).sum(axis=(1, 2))))

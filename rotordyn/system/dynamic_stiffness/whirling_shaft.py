@@ -23,7 +23,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.elements import hierarchic_bending as bending
-from rotordyn.elements.bubbles import points
 from rotordyn.elements.plane_bending import shear_parameter
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
@@ -35,6 +34,7 @@ from rotordyn.system.assemble import (
     lumped_plane,
     shear_coefficients,
 )
+from rotordyn.system.geometric_stiffness import gauss_points
 from rotordyn.system.hierarchic_rotor import bending_rigidities, slopes
 from rotordyn.system.hierarchy import Hierarchy
 from rotordyn.system.jumps import Jump
@@ -44,7 +44,6 @@ from rotordyn.system.rotor_damping import modal_rates
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Values = NDArray[np.inexact[Any]]
-GAUSS = 7  # degree up to which the work of the axial force is integrated exactly
 RIGID = 2  # motions of a free rotor in a plane
 DIGITS = 12  # lengths that agree in so many are the same
 NAMES = ("stiffness", "mass", "polar", "translational_mass")
@@ -99,11 +98,9 @@ class WhirlingShaft:
             terms = {**terms, "joints": 1j * (whirl.omega - self.ratio * whirl.spin)}
         found = _summed(whole, terms)
         if force is not None and self.pressed is not None:
-            xi, weight = points(GAUSS)
-            given = self.pressed
-            x = (given.middle[:, None] + given.length[:, None] / 2.0 * xi).ravel()
-            along = ((force * given.length)[:, None] / 2.0 * weight).reshape(-1, 1)
-            slope = filled(slopes(self.spindle, self.elements, x))
+            x, weight = gauss_points(self.pressed)
+            along = ((force * self.pressed.length)[:, None] / 2.0 * weight).reshape(-1, 1)
+            slope = filled(slopes(self.spindle, self.elements, x.ravel()))
             found = found + (slope.T @ (along * slope))[..., None]
         return found
 
@@ -223,11 +220,10 @@ class WhirlingShaft:
         newton in each of these (parts, k, k)."""
         assert self.pressed is not None
         mesh, given = self.elements.mesh, self.pressed
-        xi, weight = points(GAUSS)
-        x = (given.middle[:, None] + given.length[:, None] / 2.0 * xi).ravel()
+        x, weight = gauss_points(given)
         along = (given.length[:, None] / 2.0 * weight).ravel()
-        source = np.repeat(np.arange(len(given.length)), len(xi))
-        element, place = self.elements.place(x)
+        source = np.repeat(np.arange(len(given.length)), len(weight))
+        element, place = self.elements.place(x.ravel())
         phi = _shear_parameter(self.spindle, mesh)
         found = []
         for k, degree in enumerate(self.elements.degree):
