@@ -31,7 +31,7 @@ from rotordyn.system.hierarchic_rotor import (
 from rotordyn.system.hierarchy import Hierarchy
 from rotordyn.system.mesh import Mesh
 from rotordyn.system.remainder import Remainder, remainder
-from rotordyn.system.rotor_damping import bending_damping, diagonal_damping, left_out_damping
+from rotordyn.system.rotor_damping import bending_damping, damping_beside, diagonal_damping
 from rotordyn.system.stiffening import Stiffening, stiffening
 from rotordyn.system.unreduced import Unreduced
 
@@ -247,7 +247,7 @@ def _flexible(
         polar=vectors.T @ (plane.polar @ vectors),
         translational_mass=vectors.T @ (plane.translational_mass @ vectors),
         per_newton=GeometricStiffness(sloped, sloped),
-        remainder=replace(left_out, damped=left_out_damping(spindle, elements, basis, left_out)),
+        remainder=replace(left_out, damped=damping_beside(spindle, elements, basis, left_out)),
         unreduced=Unreduced(
             basis,
             seen,

@@ -19,7 +19,7 @@ from rotordyn.numerics.reduction import RitzBasis
 from rotordyn.numerics.sparse import Matrix
 from rotordyn.system.geometric_stiffness import GeometricStiffness
 from rotordyn.system.hierarchy import Hierarchy
-from rotordyn.system.left_damping import LeftDamping, side_by_side
+from rotordyn.system.left_out_damping import LeftOutDamping, side_by_side
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -46,7 +46,7 @@ class Remainder:
     at_nodes: Array
     per_newton: GeometricStiffness
     rounding: Array
-    damped: LeftDamping | None = None
+    damped: LeftOutDamping | None = None
 
     def widened(self, more: int) -> Remainder:
         """Beside ``more`` further coordinates that couple with nothing left out."""
@@ -83,10 +83,10 @@ class Remainder:
         return replace(self, **blocks, **rows, per_newton=pressed, damped=damped)
 
     @property
-    def undamped(self) -> LeftDamping:
+    def undamped(self) -> LeftOutDamping:
         """That of a rotor without any damping."""
         none = np.zeros_like(self.mass)
-        return LeftDamping(none, np.zeros(len(none)), none)
+        return LeftOutDamping(none, np.zeros(len(none)), none)
 
 
 _COUPLINGS = ("mass", "stiffness", "polar")

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.reduction import RitzBasis
 from rotordyn.system.hierarchy import Hierarchy
-from rotordyn.system.left_damping import LeftDamping
+from rotordyn.system.left_out_damping import LeftOutDamping
 from rotordyn.system.remainder import Remainder
 
 Array = NDArray[np.float64]
@@ -55,9 +55,9 @@ def bending_damping(spindle: Spindle, basis: RitzBasis) -> Array:
     return _with_answers(modal, not_kept, basis) + np.diag(rayleigh)
 
 
-def left_out_damping(
+def damping_beside(
     spindle: Spindle, elements: Hierarchy, basis: RitzBasis, left_out: Remainder
-) -> LeftDamping | None:
+) -> LeftOutDamping | None:
     """Of what the ``basis`` leaves out, and between the two; None of a rotor without damping."""
     if not (spindle.damped or elements.dampers):
         return None
@@ -68,7 +68,7 @@ def left_out_damping(
     joints = np.zeros_like(proportional)
     for row, damping in elements.dampers.items():
         joints[finer:] += damping * np.outer(basis.rest[row], basis.vectors[row])
-    return LeftDamping(
+    return LeftOutDamping(
         proportional + joints,
         modal + own.mass * left_out.own_mass + own.stiffness * left_out.own_stiffness,
         spindle.internal_damping * proportional + joints,

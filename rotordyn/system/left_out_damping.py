@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class LeftDamping:
+class LeftOutDamping:
     """Beside m coordinates r vectors left out: ``coupling`` (r, m) and ``own`` (r,) damping;
     ``turning``: of the coupling what turns with the rotor, per unit of the spindle's speed."""
 
@@ -20,21 +20,21 @@ class LeftDamping:
     own: Array
     turning: Array
 
-    def at_ratio(self, ratio: float) -> LeftDamping:
+    def at_ratio(self, ratio: float) -> LeftOutDamping:
         """Of a rotor at ``ratio`` times the speed."""
         return replace(self, turning=ratio * self.turning)
 
-    def widened(self, more: int) -> LeftDamping:
+    def widened(self, more: int) -> LeftOutDamping:
         """Beside ``more`` further coordinates."""
         across = (0, 0), (0, more)
-        return LeftDamping(np.pad(self.coupling, across), self.own, np.pad(self.turning, across))
+        return LeftOutDamping(np.pad(self.coupling, across), self.own, np.pad(self.turning, across))
 
 
-def side_by_side(parts: Sequence[LeftDamping]) -> LeftDamping:
+def side_by_side(parts: Sequence[LeftOutDamping]) -> LeftOutDamping:
     """Of rotors that nothing couples."""
     from scipy.linalg import block_diag
 
-    return LeftDamping(
+    return LeftOutDamping(
         block_diag(*(part.coupling for part in parts)),
         np.concatenate([part.own for part in parts]),
         block_diag(*(part.turning for part in parts)),
