@@ -178,6 +178,7 @@ def ritz_basis_of_large(
     return RitzBasis(
         vectors,
         both[order],
+        order < len(values),
         rest,
         rest_values,
         rest_mass[:, order],

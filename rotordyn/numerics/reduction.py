@@ -35,28 +35,25 @@ class OutsideNorms(Protocol):
 class RitzBasis:
     """``vectors`` Φ (n, m) with ΦᵀMΦ = 1 and ΦᵀKΦ = diag(``values``), ascending.
 
-    ``rest`` (n, r) and ``rest_values``: the eigenvectors that were not kept as such;
-    ``rest_mass`` (r, m): restᵀMΦ, from the loads, since stiff modes meet too little of the answers
-    to be seen in their difference. ``rounding`` (m,): how far rounding of the entries of K is
-    likely to move the value of each vector: the root of Σ (u K_ij φ_i φ_j)², u half the last digit;
-    none for rigid motions. ``shift`` σ: the answers are those of K + σM; of bases side by side one
-    for each vector of the rest (r,). ``outside``: of large problems, whose rest holds but what the
-    vectors ask of it, what else is known of all that is left out.
+    ``are_modes`` (m,): which of them are eigenvectors; the others are static answers. ``rest``
+    (n, r) and ``rest_values``: the eigenvectors that were not kept as such, as far as they are
+    known; ``rest_mass`` (r, m): restᵀMΦ, from the loads, since stiff modes meet too little of the
+    answers to be seen in their difference. ``rounding`` (m,): how far rounding of the entries of K
+    is likely to move the value of each vector: the root of Σ (u K_ij φ_i φ_j)², u half the last
+    digit; none for rigid motions. ``shift`` σ: the answers are those of K + σM; of bases side by
+    side one for each vector of the rest (r,). ``outside``: of large problems, whose rest holds but
+    what the vectors ask of it, what else is known of all that is left out.
     """
 
     vectors: Array
     values: Array
+    are_modes: NDArray[np.bool_]
     rest: Array
     rest_values: Array
     rest_mass: Array
     rounding: Array
     shift: float | Array
     outside: tuple[OutsideNorms, ...] = ()
-
-    @property
-    def are_modes(self) -> NDArray[np.bool_]:
-        """Which vectors (m,) are modes; the others are static answers, made of modes not kept."""
-        return np.asarray((self.rest_mass**2).sum(axis=0) <= 0.5)
 
     @property
     def complement(self) -> Complement:
@@ -78,6 +75,7 @@ def side_by_side(bases: Sequence[RitzBasis]) -> RitzBasis:
     return RitzBasis(
         vectors=block_diag(*(basis.vectors for basis in bases)),
         values=np.concatenate([basis.values for basis in bases]),
+        are_modes=np.concatenate([basis.are_modes for basis in bases]),
         rest=block_diag(*(basis.rest for basis in bases)),
         rest_values=np.concatenate([basis.rest_values for basis in bases]),
         rest_mass=block_diag(*(basis.rest_mass for basis in bases)),
@@ -165,6 +163,7 @@ def ritz_basis(
     return RitzBasis(
         whole,
         both[order],
+        order < kept,
         rest,
         rest_values,
         rest_mass[:, order],

@@ -1,8 +1,9 @@
 """The rotor's own damping: modal, Rayleigh's and that of joints, in its reduced coordinates.
 
 Modal damping is Σ 2ζω (M φ)(M φ)ᵀ over all modes φ of the free rotor. Those kept are coordinates,
-and on them it is diagonal. Static answers are damped as the modes not kept of which they are made;
-these are known (``RitzBasis.rest``), of large rotors as Ritz vectors.
+and on them it is diagonal. Static answers are damped as the modes not kept of which they are made
+(``RitzBasis.rest``, of large rotors Ritz vectors); those that are too stiff for these to be known,
+as if they were modes.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from rotordyn.system.left_out_damping import LeftOutDamping
 from rotordyn.system.remainder import Remainder
 
 Array = NDArray[np.float64]
-WHOLE = 1e-6  # of a static answer: modes not kept that have all but this of it are all of them
+WHOLE = 1e-6  # of a static answer: modes that have all but this of it are all it is made of
 
 
 def damping_ratios(values: Array, given: tuple[float, ...]) -> Array:
@@ -84,9 +85,9 @@ def _of_modes(spindle: Spindle, basis: RitzBasis) -> tuple[Array, Array]:
 
 
 def _with_answers(modal: Array, not_kept: Array, basis: RitzBasis) -> Array:
-    """``modal`` (m,) of all coordinates as a matrix (m, m), on static answers that of the modes
-    ``not_kept`` (r,) instead, unless these do not make up the answers."""
-    answers, share = ~basis.are_modes, basis.rest_mass
-    made_up = ((share[:, answers] ** 2).sum(axis=0) >= 1.0 - WHOLE).all()
+    """``modal`` (m,) of all coordinates as a matrix (m, m), instead of it that of the modes
+    ``not_kept`` (r,) on those static answers that these make up."""
+    share = basis.rest_mass
+    made_up = ~basis.are_modes & ((share**2).sum(axis=0) >= 1.0 - WHOLE)
     damped = share.T @ (not_kept[:, None] * share)
-    return np.where(np.outer(answers, answers) & made_up, damped, np.diag(modal))
+    return np.where(np.outer(made_up, made_up), damped, np.diag(modal))

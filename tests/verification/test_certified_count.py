@@ -128,6 +128,7 @@ def test_a_mode_that_the_basis_lacks_is_noticed(
             basis,
             vectors=basis.vectors[:, kept],
             values=basis.values[kept],
+            are_modes=basis.are_modes[kept],
             rest=np.concatenate([lost, basis.rest], axis=1),
             rest_values=np.append(basis.values[3], basis.rest_values),
             rest_mass=np.concatenate([np.zeros((1, len(kept))), basis.rest_mass[:, kept]]),

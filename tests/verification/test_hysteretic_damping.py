@@ -567,6 +567,7 @@ def test_a_mode_that_the_basis_lacks_is_noticed(monkeypatch: pytest.MonkeyPatch)
             basis,
             vectors=basis.vectors[:, kept],
             values=basis.values[kept],
+            are_modes=basis.are_modes[kept],
             rest=np.concatenate([basis.vectors[:, 2:3], basis.rest], axis=1),
             rest_values=np.append(basis.values[2], basis.rest_values),
             rest_mass=np.concatenate([np.zeros((1, len(kept))), basis.rest_mass[:, kept]]),

@@ -98,6 +98,18 @@ def test_coupling_with_what_was_not_kept() -> None:
     assert found.rest_mass == pytest.approx(direct, abs=1e-8)
 
 
+@pytest.mark.parametrize("stiff", [1.0, 1e4, 1e8, 1e12])
+def test_answers_of_stiff_links_are_no_modes(stiff: float) -> None:
+    """Of the widest of them hardly a mode that it is made of is known."""
+    links = np.where(np.arange(29) == 20, stiff, 1.0)
+    stretch = np.diff(np.eye(30), axis=0)
+    loads = np.stack([np.eye(30)[0], stretch[20]], axis=1)
+    found = ritz_basis(
+        np.eye(30), stretch.T @ (links[:, None] * stretch), 0.3, loads, np.ones((30, 1))
+    )
+    assert found.are_modes.tolist() == [True] * LEAST_MODES + [False] * 2
+
+
 def test_rigid_motions_have_no_rounding() -> None:
     """Taken as given, whatever the stiffness; the others' rounding is that of its entries."""
     mass, stiffness = free_chain(4, 30)
