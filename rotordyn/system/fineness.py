@@ -5,6 +5,8 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass
 
+from rotordyn.machine.support import Sleeve
+
 USUAL = 1e-4  # relative error of a frequency that a designer does not notice
 CUTOFF = 2.5  # free-free modes kept, over the highest frequency asked, at the usual accuracy
 STANDARD_CUTOFF = 4.0  # the same with standard elements, whose own error is to stand alone
@@ -55,3 +57,11 @@ class Fineness:
     def _finer(self) -> float:
         """How many times as accurate as usual, at least once."""
         return 1.0 if self.accuracy is None else max(1.0, USUAL / self.accuracy)
+
+
+def sleeve_mass(sleeve: Sleeve, held: float, fineness: Fineness) -> float:
+    """Its mass, or where it has none what lifts its own frequency far above the band [kg].
+
+    ``held``: the stiffness that holds it [N/m].
+    """
+    return sleeve.mass if sleeve.mass > 0.0 else held / fineness.weightless**2

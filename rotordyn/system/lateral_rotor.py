@@ -10,13 +10,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import Sleeve
 from rotordyn.numerics.sparse import Matrix, filled, scaled_rows
 from rotordyn.numerics.static_answers import Coupling
 from rotordyn.system.assemble import bending_plane, loaded_plane
 from rotordyn.system.connections import connections, moved
 from rotordyn.system.dofs import PLANE_Y
-from rotordyn.system.fineness import USUAL, Fineness
+from rotordyn.system.fineness import USUAL, Fineness, sleeve_mass
 from rotordyn.system.flexibility import bending_answer, free_vectors
 from rotordyn.system.geometric_stiffness import GeometricStiffness, gauss_points
 from rotordyn.system.hierarchic_rotor import (
@@ -159,7 +158,7 @@ def lateral_rotor(
     basis, values = free.at_nodes, free.values
     sprung = [s for s in spindle.sleeves if math.isfinite(s.radial_stiffness)]
     more = len(sprung)
-    masses = np.array([sleeve_mass(s, s.radial_stiffness, fineness.weightless) for s in sprung])
+    masses = np.array([sleeve_mass(s, s.radial_stiffness, fineness) for s in sprung])
     held = np.array([s.radial_stiffness for s in sprung]) / masses
     ends = connections(spindle, mesh)
     nodes = _widened(basis.reshape(-1, 2, basis.shape[1]), more)
@@ -212,6 +211,7 @@ def _alone(
 def _flexible(
     spindle: Spindle, mesh: Mesh, fineness: Fineness, ports: tuple[int, ...], tension: Stiffening
 ) -> _Reduced:
+    """Modes and static answers of an elastic rotor."""
     elements = bending_elements(spindle, mesh, fineness)
     plane = loaded_plane(spindle, elements)
     seen = deflections(spindle, elements, mesh.x)
@@ -329,11 +329,3 @@ def _widened(rows: Array, more: int) -> Array:
 
 def _bordered(matrix: Array, more: int) -> Array:
     return np.pad(matrix, [(0, 0)] * (matrix.ndim - 2) + [(0, more), (0, more)])
-
-
-def sleeve_mass(sleeve: Sleeve, held: float, weightless: float) -> float:
-    """Its mass, or where none is given what lifts its own frequency to ``weightless`` [rad/s] [kg].
-
-    ``held``: the stiffness that holds it [N/m].
-    """
-    return sleeve.mass if sleeve.mass > 0.0 else held / weightless**2

@@ -22,7 +22,7 @@ from rotordyn.numerics.sparse import filled
 from rotordyn.system.assemble import loaded_rod
 from rotordyn.system.connections import connections, moved, supported
 from rotordyn.system.dofs import AXIAL, TORSION, Selection
-from rotordyn.system.fineness import Fineness
+from rotordyn.system.fineness import Fineness, sleeve_mass
 from rotordyn.system.flexibility import free_vectors, rod_answer
 from rotordyn.system.hierarchic_rotor import (
     axial_properties,
@@ -35,7 +35,6 @@ from rotordyn.system.hierarchic_rotor import (
 from rotordyn.system.hierarchy import Hierarchy
 from rotordyn.system.hysteresis import Hysteresis, Signs, answering
 from rotordyn.system.jumps import jumps
-from rotordyn.system.lateral_rotor import sleeve_mass
 from rotordyn.system.mesh import Mesh
 from rotordyn.system.remainder import Remainder, remainder
 from rotordyn.system.rotor_damping import diagonal_damping
@@ -122,9 +121,7 @@ def axial_system(
     sliding = [s for s in spindle.sleeves if math.isfinite(s.spring.stiffness)]
     carried = _carried(spindle, sliding, axial_stiffness)
     most = [s.spring.stiffness + float(carried[:, k].max()) for k, s in enumerate(sliding)]
-    masses = [
-        sleeve_mass(s, held, fineness.weightless) for s, held in zip(sliding, most, strict=True)
-    ]
+    masses = [sleeve_mass(s, held, fineness) for s, held in zip(sliding, most, strict=True)]
     scale = np.array([mass**-0.5 for mass in masses])
     modal, size = basis.shape[1], basis.shape[1] + len(sliding)
     rows = np.zeros((len(ends), size))
