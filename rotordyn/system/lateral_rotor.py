@@ -34,7 +34,7 @@ from rotordyn.system.left_damping import LeftDamping, are_answers, modal_damping
 from rotordyn.system.mesh import Mesh
 from rotordyn.system.remainder import Remainder, remainder
 from rotordyn.system.stiffening import Stiffening, stiffening
-from rotordyn.system.unreduced import Unreduced
+from rotordyn.system.unreduced import MaterialDamping, Unreduced
 
 Array = NDArray[np.float64]
 USUAL = 1e-4  # relative error of a frequency that a designer does not notice
@@ -308,6 +308,7 @@ def _flexible(
                 for left, right, stiffness in tension.spans
             ],
             elements.dampers,
+            material=MaterialDamping.of(spindle, spindle.internal_damping),
         ),
         resolved=resolved_whirl(spindle, elements, fineness.spin, fineness.accuracy or USUAL)
         / (2.0 * math.pi),
