@@ -259,3 +259,18 @@ def test_modal_damping_of_modes_left_out_is_not_underrated(seed: int) -> None:
     met = shares.T @ (damping[:, None] * (basis.rest_mass @ vectors[0]))
     told = with_it.forces(vectors + 0j, 1.0) - without.forces(vectors + 0j, 1.0)
     assert (np.linalg.norm(met, axis=0) <= told[0] * (1.0 + 1e-6)).all()
+
+
+def test_motions_that_hardly_swing_ask_for_no_more_modes(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Their told error is no frequency's: dampers that hold both ends are answered at once."""
+    ends = [support("a", 0.1, (1e7, 2e7), 1e5), support("b", 0.9, (1e7, 1e7), 1e5)]
+    asked: list[float] = []
+    whole = lateral_rotor.free_vectors
+    monkeypatch.setattr(
+        lateral_rotor, "free_vectors", lambda *a: (asked.append(a[3]), whole(*a))[1]
+    )
+    result = answered(uniform(1.0, 0.05, supports=ends), [0.0, 500.0], 3000.0)
+    assert result.creeping.any()
+    assert np.nanmax(result.frequency_error) > 1e-4 > result.largest_error
+    assert result.certified.all()
+    assert len(asked) == 1
