@@ -122,7 +122,7 @@ class ResidualForces:
     """Forces on what a system leaves out, at ``spin`` (speeds,) [rad/s].
 
     ``connected`` (r, c, k): the vectors left out at bearings and supports; ``pressed``
-    (speeds or 1, r, m): their coupling by the axial force; ``loss``: of the shaft;
+    (speeds or 1, r, m): their coupling by the axial force and the drawbar; ``loss``: of the shaft;
     ``elements``: only what these leave out answers, and not modes.
     """
 
@@ -148,7 +148,7 @@ class ResidualForces:
         at_ends = np.einsum("cn,rnf->rcf", system.connected, nodal, optimize=True)
         pressed = np.zeros((1, *left_out.mass.shape))
         if system.force is not None:
-            pressed = left_out.per_newton.under(system.force)
+            pressed = left_out.per_newton.under(system.force) + left_out.strung
         return cls(
             system, left_out, spin, system.held, system.damped, at_ends, pressed, loss, elements
         )

@@ -32,7 +32,7 @@ from rotordyn.system.mesh import Mesh
 from rotordyn.system.remainder import Remainder, remainder
 from rotordyn.system.rotor_damping import bending_damping, damping_beside, diagonal_damping
 from rotordyn.system.stiffening import Stiffening, stiffening
-from rotordyn.system.unreduced import Unreduced
+from rotordyn.system.unreduced import MaterialDamping, Unreduced
 
 Array = NDArray[np.float64]
 
@@ -161,7 +161,7 @@ def lateral_rotor(
     masses = np.array([sleeve_mass(s, s.radial_stiffness, fineness) for s in sprung])
     held = np.array([s.radial_stiffness for s in sprung]) / masses
     ends = connections(spindle, mesh)
-    nodes = _widened(basis.reshape(-1, 2, basis.shape[1]), more)
+    nodes = _widened(_by_node(basis), more)
     seats, supports = np.split(moved(ends, nodes), [len(spindle.seats)])
     for k, seat in enumerate(spindle.seats):
         for place, sleeve in enumerate(sprung):
@@ -240,14 +240,18 @@ def _flexible(
         seen,
         GeometricStiffness(slope @ basis.rest, sloped),
     )
+    at_nodes = seen @ vectors
+    strung = tension.bar(_by_node(left_out.at_nodes.T), _by_node(at_nodes))
     return _Reduced(
-        at_nodes=seen @ vectors,
+        at_nodes=at_nodes,
         values=basis.values,
         damping=damping + joints,
         polar=vectors.T @ (plane.polar @ vectors),
         translational_mass=vectors.T @ (plane.translational_mass @ vectors),
         per_newton=GeometricStiffness(sloped, sloped),
-        remainder=replace(left_out, damped=damping_beside(spindle, elements, basis, left_out)),
+        remainder=replace(
+            left_out, strung=strung, damped=damping_beside(spindle, elements, basis, left_out)
+        ),
         unreduced=Unreduced(
             basis,
             seen,
@@ -258,6 +262,7 @@ def _flexible(
                 for left, right, stiffness in tension.spans
             ],
             elements.dampers,
+            material=MaterialDamping.of(spindle, spindle.internal_damping),
         ),
         resolved=resolved_whirl(spindle, elements, fineness.spin, fineness.accuracy or USUAL)
         / (2.0 * math.pi),
@@ -320,6 +325,11 @@ def _loaded(spindle: Spindle, mesh: Mesh, ports: tuple[int, ...]) -> list[int]:
     tilting += [mesh.node_of(x) for x in (spindle.drawbar.stations if spindle.drawbar else ())]
     rows = {PLANE_Y.row(n, f) for n in (*tilting, *ports) for f in PLANE_Y.names}
     return sorted(rows | {PLANE_Y.row(n, "y") for n in mesh.nodes_of(spindle.supports)})
+
+
+def _by_node(rows: Array) -> Array:
+    """Deflections and tilts (2·nodes, k) as (nodes, 2, k)."""
+    return rows.reshape(-1, 2, rows.shape[1])
 
 
 def _widened(rows: Array, more: int) -> Array:

@@ -8,6 +8,7 @@ the work of the axial force, and what bearings, supports and drawbar add.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Protocol
@@ -75,6 +76,7 @@ class Leakage:
             + self._force() * whole.slope_norm**2
             + _norm(whole.bar_rows[0]) ** 2
             + self._turning @ np.linalg.norm(whole.damper_rows[0], axis=1) ** 2
+            + self._material * self._damped()
             + blocks @ ends**2
         )
 
@@ -91,15 +93,29 @@ class Leakage:
         if whole.slope is not None and self._force().any():
             slope = _triangle(np.pad(whole.slope @ whole.basis.vectors, ((0, 0), (0, whole.more))))
             total += (self._force() * whole.slope_norm)[:, None] * _lengths(slope, v)
+        own = self.whole.material
+        if own.mass or own.stiffness:
+            rate = self._material * (own.mass + own.stiffness * whole.shift)
+            total += rate[:, None] * _lengths(_triangle(whole.mass_coupling), v)
+        if own.ratio:
+            answers = whole.answers[:, None] * v
+            swift = whole.frequencies[:, None] * answers
+            size = np.sqrt(_length(answers) * _length(swift))
+            total += (self._material * 2.0 * own.ratio * whole.mass_norm**0.25)[:, None] * size
         if self.softened.any():
             reach = self.softened * np.sqrt(whole.mass_norm)
-            total += reach[:, None] * np.linalg.norm(v, axis=(1, 2))
+            total += reach[:, None] * _length(v)
         rest, bar = whole.bar_rows
         if len(bar):
             total += _norm(rest) * _lengths(bar, v)
         for rate, rest, damped in zip(self._turning.T, *whole.damper_rows, strict=True):
             total += (rate * np.linalg.norm(rest))[:, None] * _lengths(damped[None], v)
         return np.asarray(total + self._held(v, side) if grounded else total)
+
+    @property
+    def _material(self) -> Array:
+        """|s − iΩ·share| of the rotor's own damping, at most (speeds,)."""
+        return self.radius + self.whole.material.turns * np.abs(self.spin)
 
     @property
     def _turning(self) -> Array:
@@ -119,6 +135,11 @@ class Leakage:
         force = np.linalg.norm(held @ stretched, axis=2)
         force = force + self.radius[:, None, None] * np.linalg.norm(damped @ stretched, axis=2)
         return np.einsum("c,sck->sk", self._ends(), force)
+
+    def _damped(self) -> float:
+        """Norm of the rotor's own damping [s]: of a mode left out, of unit stiffness, 2ζ/ω."""
+        own, mass = self.whole.material, self.whole.mass_norm
+        return own.stiffness + own.mass * mass + 2.0 * own.ratio * math.sqrt(mass)
 
     def _force(self) -> Array:
         """Largest axial force (speeds,) [N]."""
@@ -226,6 +247,11 @@ def _lengths(matrix: Array, v: Complex) -> Array:
     """Length of matrix · v (speeds, k), v (speeds, planes, m, k)."""
     found = times(matrix, v)
     return np.asarray(np.sqrt((found.real**2 + found.imag**2).sum(axis=(1, 2))))
+
+
+def _length(v: Complex) -> Array:
+    """Of vectors (speeds, k), v (speeds, planes, m, k)."""
+    return np.asarray(np.linalg.norm(v, axis=(1, 2)))
 
 
 def _norms(blocks: Inexact) -> Array:

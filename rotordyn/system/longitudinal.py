@@ -38,7 +38,7 @@ from rotordyn.system.jumps import jumps
 from rotordyn.system.mesh import Mesh
 from rotordyn.system.remainder import Remainder, remainder
 from rotordyn.system.rotor_damping import diagonal_damping
-from rotordyn.system.unreduced import Unreduced
+from rotordyn.system.unreduced import MaterialDamping, Unreduced
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -329,7 +329,8 @@ def _alone(
     left_out = remainder(elements, basis, {"mass": whole.mass}, seen)
     damped = jump_damping(elements, basis.vectors)
     own = diagonal_damping(basis.values, spindle, bending=False)
-    unreduced = Unreduced(basis, seen, dampers=elements.dampers).at_ratio(0.0)
+    material = MaterialDamping.of(spindle)
+    unreduced = Unreduced(basis, seen, dampers=elements.dampers, material=material).at_ratio(0.0)
     return _Reduced(seen @ basis.vectors, basis.values, own, left_out, unreduced, damped)
 
 

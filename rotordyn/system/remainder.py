@@ -33,7 +33,8 @@ class Remainder:
     ``mass``, ``stiffness``, ``polar`` (r, m): coupling with the coordinates; ``own_mass``,
     ``own_stiffness`` (r,); ``at_nodes`` (r, 2·nodes): deflections and tilts of the mesh's nodes.
     ``per_newton``: (r, m) by the axial force in each element of the mesh
-    (none for rods; what finer elements would add to it is left aside). ``rounding`` (m,): of the
+    (none for rods; what finer elements would add to it is left aside), ``strung`` (r, m) by the
+    drawbar. ``rounding`` (m,): of the
     stiffness of the coordinates themselves. ``damped``: the rotor's own damping; None without any,
     and of rods.
     """
@@ -41,6 +42,7 @@ class Remainder:
     mass: Array
     stiffness: Array
     polar: Array
+    strung: Array
     own_mass: Array
     own_stiffness: Array
     at_nodes: Array
@@ -55,6 +57,7 @@ class Remainder:
             mass=wide["mass"],
             stiffness=wide["stiffness"],
             polar=wide["polar"],
+            strung=wide["strung"],
             own_mass=self.own_mass,
             own_stiffness=self.own_stiffness,
             at_nodes=self.at_nodes,
@@ -89,7 +92,8 @@ class Remainder:
         return LeftOutDamping(none, np.zeros(len(none)), none)
 
 
-_COUPLINGS = ("mass", "stiffness", "polar")
+_MATRICES = ("mass", "stiffness", "polar")
+_COUPLINGS = (*_MATRICES, "strung")
 
 
 def remainder(
@@ -108,13 +112,14 @@ def remainder(
         per_newton = GeometricStiffness(basis.rest[:0], basis.vectors[:0])
     finer = _gathered if elements.large else _of_finer_elements
     parts = [finer(elements, basis), _of_modes(basis, matrices, displayed)]
-    names = (*_COUPLINGS, "own_mass", "own_stiffness")
+    names = (*_MATRICES, "own_mass", "own_stiffness")
     whole = {name: np.concatenate([part[name] for part in parts]) for name in names}
     count = len(parts[0]["own_mass"])
     return Remainder(
         mass=whole["mass"],
         stiffness=whole["stiffness"],
         polar=whole["polar"],
+        strung=np.zeros_like(whole["mass"]),
         own_mass=whole["own_mass"],
         own_stiffness=whole["own_stiffness"],
         at_nodes=np.pad(parts[1]["at_nodes"], ((count, 0), (0, 0))),

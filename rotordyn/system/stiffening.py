@@ -49,12 +49,14 @@ class Stiffening:
         stiffness = np.array([stiffness for *_, stiffness in self.spans])[:, None, None]
         return summed((size, size), [(ends, ends, stiffness * sign)], large=size >= LONG)
 
-    def bar(self, rows: Array) -> Array:
-        """Stiffness of the drawbar (m, m), nodes moving by ``rows`` (nodes, 2, m)."""
-        total = np.zeros((rows.shape[2], rows.shape[2]))
+    def bar(self, rows: Array, others: Array | None = None) -> Array:
+        """Stiffness of the drawbar (m, k), nodes moving by ``rows`` (nodes, 2, m) and ``others``
+        (nodes, 2, k), the same if left out."""
+        others = rows if others is None else others
+        total = np.zeros((rows.shape[2], others.shape[2]))
         for left, right, stiffness in self.spans:
-            stretch = rows[right, 0] - rows[left, 0]
-            total += stiffness * np.outer(stretch, stretch)
+            one, other = (each[right, 0] - each[left, 0] for each in (rows, others))
+            total += stiffness * np.outer(one, other)
         return total
 
 

@@ -7,18 +7,41 @@ drawbar, which the coordinates answer, then hardly reach these c.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import astuple, dataclass, field, replace
 from functools import cached_property
 from itertools import accumulate
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.reduction import Complement, RitzBasis, side_by_side
 from rotordyn.numerics.sparse import Matrix, block_diagonal, wider
 
 Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, slots=True)
+class MaterialDamping:
+    """Of the rotor itself: Rayleigh's ``mass`` [1/s] and ``stiffness`` [s], the largest damping
+    ``ratio`` of its modes, and at how many times the speed it ``turns``, the share that does."""
+
+    mass: float = 0.0
+    stiffness: float = 0.0
+    ratio: float = 0.0
+    turns: float = 0.0
+
+    @classmethod
+    def of(cls, spindle: Spindle, turning: float = 0.0) -> MaterialDamping:
+        """``turning``: the share that turns."""
+        rayleigh, ratio = spindle.rayleigh, max(spindle.rotor_damping, default=0.0)
+        return cls(rayleigh.mass, rayleigh.stiffness, ratio, turning)
+
+    @classmethod
+    def most(cls, every: Iterable[MaterialDamping]) -> MaterialDamping:
+        """No less than any of them."""
+        return cls(*map(max, zip(*map(astuple, every), strict=True)))
 
 
 @dataclass(frozen=True, eq=False)
@@ -30,7 +53,7 @@ class Unreduced:
     stands for, None where axial force does nothing; ``spans``: rows of the two ends and stiffness
     of every straight part of the drawbar; ``dampers``: freedom and damping of every joint that
     damps; ``turning``: at how many times the speed each of these turns; ``more``: coordinates of
-    the reduced system that are none of the rotor's.
+    the reduced system that are none of the rotor's; ``material``: the rotor's own damping.
     """
 
     basis: RitzBasis
@@ -41,6 +64,7 @@ class Unreduced:
     dampers: Mapping[int, float] = field(default_factory=dict)
     turning: tuple[float, ...] = ()
     more: int = 0
+    material: MaterialDamping = MaterialDamping()
 
     @cached_property
     def rest(self) -> Complement:
@@ -50,7 +74,9 @@ class Unreduced:
     def at_ratio(self, ratio: float) -> Unreduced:
         """The same rotor at ``ratio`` times the speed."""
         polar = None if self.polar is None else ratio * self.polar
-        return replace(self, polar=polar, turning=(ratio,) * len(self.dampers))
+        material = replace(self.material, turns=abs(ratio) * self.material.turns)
+        turning = (ratio,) * len(self.dampers)
+        return replace(self, polar=polar, turning=turning, material=material)
 
     def beside(self, others: Sequence[Unreduced]) -> Unreduced:
         """With other rotors, on which neither axial force nor a drawbar acts."""
@@ -71,6 +97,7 @@ class Unreduced:
             dampers=dampers,
             turning=tuple(ratio for one in every for ratio in one.turning),
             slope=None if self.slope is None else wider(self.slope, size),
+            material=MaterialDamping.most(one.material for one in every),
         )
 
     @property
@@ -89,6 +116,16 @@ class Unreduced:
         if self.polar is None:
             return np.zeros_like(self.mass_coupling)
         return self._widened(self.rest.vectors.T @ (self.polar @ self.basis.vectors))
+
+    @cached_property
+    def answers(self) -> Array:
+        """1 for coordinates (m,) that are no modes, which modal damping couples to the others."""
+        return np.pad((~self.basis.are_modes).astype(float), (0, self.more))
+
+    @cached_property
+    def frequencies(self) -> Array:
+        """Roots of the stiffness of the coordinates (m,) [rad/s]."""
+        return np.pad(np.sqrt(self.basis.values), (0, self.more))
 
     @cached_property
     def seen(self) -> Array:

@@ -18,6 +18,9 @@ from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
+from rotordyn.system.mesh import build_mesh
+from tests.oracles.full_rotor import FullRotor
+from tests.oracles.rotors import support, uniform
 from tests.oracles.spindles import answers, mfw2310, pairs, scene, undamped, with_sleeve
 from tests.oracles.stepped_rotors import STEEL, stepped_rotor
 
@@ -158,6 +161,23 @@ def test_standard_elements_are_judged_as_well() -> None:
         result = answers(mfw2310(), (0,), spec, element_length=length)["campbell"]
         told.append(result.frequency_error[0, :4])
     assert told[0] / told[1] == pytest.approx(4.0, rel=0.5)
+
+
+@pytest.mark.parametrize("length", [1.0, 0.4])
+def test_few_standard_elements_leave_no_mode_out(length: float) -> None:
+    """Every motion of their nodes is kept; the poles are those of the whole matrices."""
+    held = [support(name, x, (1e8, 2e8), 100.0) for name, x in (("a", 0.0), ("b", 1.0))]
+    bar = uniform(1.0, 0.05, supports=held)
+    given = Conditions(element_length=length)
+    found = Scene(bar, given, np.array([300.0]), 5000.0)
+    result = campbell.answer(found, CampbellSpec(5000.0, shapes=False))
+    bending = [kind == "bending" for kind in result.kind]
+    whole = FullRotor(bar, build_mesh(bar, length), NO_SEATS, 300.0).poles(5000.0)
+    frequency = np.sort(result.frequency[0, bending])
+    inside = frequency < 5000.0
+    assert frequency[inside] == pytest.approx(whole.imag / (2.0 * math.pi), rel=1e-9)
+    assert (result.frequency_error[0, bending] > 1e-4).any()
+    assert result.certified.all()
 
 
 def test_free_rotors_have_an_error_of_their_receptances() -> None:

@@ -367,3 +367,20 @@ def test_flagship_moves_by_less_than_a_ten_thousandth() -> None:
     )
     moved = np.abs(on / off - 1.0)
     assert 1e-6 < moved.max() < 1e-4
+
+
+@pytest.mark.parametrize("guides", [(), (0.4,)])
+def test_a_strong_drawbar_is_no_error_of_the_rotor(guides: tuple[float, ...]) -> None:
+    """The string bears what the pressed shaft puts on modes left out: next to nothing is told."""
+    strung = beam(Drawbar(1.5 * EULER, 0.1, 0.8, guides))
+    found = [
+        campbell.answer(
+            Scene(strung, Conditions(accuracy=accuracy), np.zeros(1), 4.0 * PINNED),
+            CampbellSpec(4.0 * PINNED, shapes=False),
+        )
+        for accuracy in (1e-4, 1e-7)
+    ]
+    rough, fine = (each.frequency[0, [kind == "bending" for kind in each.kind]] for each in found)
+    error = np.abs(rough / fine - 1.0).max()
+    assert error < 1e-4
+    assert found[0].frequency_error[0].max() < 1e-4

@@ -16,6 +16,7 @@ from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions
 from rotordyn.exact.count import modes_below, whirl_frequencies
 from rotordyn.exact.rotor import exact_rotor
+from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.housing import RigidHousing
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.spindle import Spindle
@@ -23,7 +24,9 @@ from rotordyn.numerics.reduction import RitzBasis
 from rotordyn.report.warnings import result_warnings
 from rotordyn.system import fineness, flexibility, lateral_rotor
 from rotordyn.system.hierarchy import Hierarchy
+from rotordyn.system.leakage import Leakage
 from rotordyn.system.mesh import build_mesh
+from rotordyn.system.unreduced import MaterialDamping
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.rotors import STEEL, support, uniform
 from tests.oracles.spindles import RPM, mfw2310
@@ -217,3 +220,58 @@ def test_dampers_of_joints_without_answers_leave_no_proof(
     none = property(lambda elements: np.zeros((elements.size, 0)))
     monkeypatch.setattr(Hierarchy, "damper_loads", none)
     assert (bounds(rotor) > 1.0).all()
+
+
+def test_short_waves_that_turning_friction_stills_leave_no_proof() -> None:
+    """λ → iΩ − 1/β for ever shorter waves under C = βK that turns: the more of them are kept, the
+    more lie in the disc; few that damp little are counted as before."""
+    ends = [support("a", 0.0, (1e8, 1e8)), support("b", 1.0, (1e8, 1e8))]
+    rotor = replace(uniform(1.0, 0.05, supports=ends), internal_damping=1.0)
+    stilled = replace(rotor, rayleigh=RayleighDamping(stiffness=1.0 / 5000.0))
+    few, more = (answered(stilled, [3000.0], 2000.0, accuracy=a) for a in (1e-4, 1e-7))
+    assert more.modes_found > few.modes_found
+    assert not few.certified.any()
+    assert not more.certified.any()
+    light = replace(rotor, rayleigh=RayleighDamping(10.0, 1e-6), rotor_damping=(0.01, 0.03))
+    assert answered(light, [0.0, 3000.0], 2000.0).certified.all()
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_modal_damping_of_modes_left_out_is_not_underrated(seed: int) -> None:
+    """What it adds to the bounds, against the sum over all modes of the free rotor."""
+    rng = np.random.default_rng(seed)
+    ratio = float(rng.uniform(0.05, 0.5))
+    plain = stepped_rotor(rng)
+    still = whirl_frequencies(exact_rotor(plain, 0.0, NO_SEATS), 4)
+    rotor = replace(plain, rotor_damping=(ratio,))
+    system = Scene(rotor, Conditions(), np.zeros(1), 1.02 * still[3] / HZ).bending
+    whole, radius = system.unreduced, 1.2 * still[3:]
+    assert whole is not None
+    basis = whole.basis
+    undamped = replace(whole, material=MaterialDamping())
+    with_it, without = (
+        Leakage(system, each, np.zeros(1), radius[:1], np.zeros(1)) for each in (whole, undamped)
+    )
+    damping = radius[0] * 2.0 * ratio * np.sqrt(basis.rest_values)
+    shares = np.linalg.lstsq(basis.rest, whole.rest.vectors, rcond=None)[0]
+    own = np.linalg.norm(shares.T @ (damping[:, None] * shares), 2)
+    assert own <= (with_it.own() - without.own())[0] * (1.0 + 1e-6) < 10.0 * own
+    vectors = rng.standard_normal((1, len(basis.values), 20))
+    met = shares.T @ (damping[:, None] * (basis.rest_mass @ vectors[0]))
+    told = with_it.forces(vectors + 0j, 1.0) - without.forces(vectors + 0j, 1.0)
+    assert (np.linalg.norm(met, axis=0) <= told[0] * (1.0 + 1e-6)).all()
+
+
+def test_motions_that_hardly_swing_ask_for_no_more_modes(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Their told error is no frequency's: dampers that hold both ends are answered at once."""
+    ends = [support("a", 0.1, (1e7, 2e7), 1e5), support("b", 0.9, (1e7, 1e7), 1e5)]
+    asked: list[float] = []
+    whole = lateral_rotor.free_vectors
+    monkeypatch.setattr(
+        lateral_rotor, "free_vectors", lambda *a: (asked.append(a[3]), whole(*a))[1]
+    )
+    result = answered(uniform(1.0, 0.05, supports=ends), [0.0, 500.0], 3000.0)
+    assert result.creeping.any()
+    assert np.nanmax(result.frequency_error) > 1e-4 > result.largest_error
+    assert result.certified.all()
+    assert len(asked) == 1
