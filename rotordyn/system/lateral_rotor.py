@@ -30,7 +30,7 @@ from rotordyn.system.hierarchic_rotor import (
 from rotordyn.system.hierarchy import Hierarchy
 from rotordyn.system.mesh import Mesh
 from rotordyn.system.remainder import Remainder, remainder
-from rotordyn.system.rotor_damping import bending_damping, damping_beside, diagonal_damping
+from rotordyn.system.rotor_damping import damping_beside, diagonal_damping, own_damping
 from rotordyn.system.stiffening import Stiffening, stiffening
 from rotordyn.system.unreduced import MaterialDamping, Unreduced
 
@@ -232,7 +232,7 @@ def _flexible(
     )
     vectors = basis.vectors
     sloped = slope @ vectors
-    damping, joints = bending_damping(spindle, basis), jump_damping(elements, vectors)
+    damping, joints = own_damping(spindle, basis), jump_damping(elements, vectors)
     left_out = remainder(
         elements,
         basis,

@@ -37,7 +37,7 @@ from rotordyn.system.hysteresis import Hysteresis, Signs, answering
 from rotordyn.system.jumps import jumps
 from rotordyn.system.mesh import Mesh
 from rotordyn.system.remainder import Remainder, remainder
-from rotordyn.system.rotor_damping import diagonal_damping
+from rotordyn.system.rotor_damping import damping_beside, diagonal_damping, own_damping
 from rotordyn.system.unreduced import MaterialDamping, Unreduced
 
 Array = NDArray[np.float64]
@@ -138,9 +138,8 @@ def axial_system(
     dampers += [along_and_about(s, "damping")[0, 0] for s in spindle.supports]
     damping = np.einsum("c,ci,cj->ij", np.array(dampers), rows, rows, optimize=True)
     own = np.arange(modal)
-    damping[:modal, :modal] += free.joints
+    damping[:modal, :modal] += free.damping
     stiffness[:, own, own] += values
-    damping[own, own] += free.damping
     closed = stops[:, [spindle.sleeves.index(s) for s in sliding]]
     springs = np.array([s.spring.stiffness for s in sliding]) + CLOSED * closed * carried
     there = modal + np.arange(len(sliding))
@@ -180,17 +179,12 @@ def torsion_system(
     spin = position("thx")
     rows = moved(ends, basis)
     matrices, blocks = [], []
-    for which, diagonal in (
-        ("stiffness", values),
-        ("damping", free.damping),
-    ):
+    for which, alone in (("stiffness", np.diag(values)), ("damping", free.damping)):
         entries = [along_and_about(s, which)[spin, spin] for s in spindle.supports]
         held = np.einsum("c,ci,cj->ij", np.array(entries), rows, rows)
         one = np.array(entries).reshape(1, -1, 1, 1)
         blocks.append(np.broadcast_to(one, (speeds, *one.shape[1:])))
-        joints = free.joints if which == "damping" else 0.0
-        whole = np.diag(diagonal) + held + joints
-        matrices.append(np.broadcast_to(whole, (speeds, *held.shape)))
+        matrices.append(np.broadcast_to(alone + held, (speeds, *held.shape)))
     return RodSystem(
         "thx",
         basis,
@@ -247,15 +241,14 @@ _TORSION = _Rod(torsion_properties, TORSION, "torsion")
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Reduced:
-    """Reduced coordinates of free rods: seen at the nodes (nodes, m), stiffness and own damping
-    (m,); ``joints`` (m, m): damping by these."""
+    """Reduced coordinates of free rods: seen at the nodes (nodes, m), stiffness (m,) and own
+    damping (m, m), that of joints included."""
 
     at_nodes: Array
     values: Array
     damping: Array
     remainder: Remainder | None
     unreduced: Unreduced | None
-    joints: Array
 
     def beside(self, others: Sequence[_Reduced]) -> _Reduced:
         """With the rods of other rotors."""
@@ -269,10 +262,9 @@ class _Reduced:
         return _Reduced(
             at_nodes=block_diag(*(one.at_nodes for one in every)),
             values=np.concatenate([one.values for one in every]),
-            damping=np.concatenate([one.damping for one in every]),
+            damping=block_diag(*(one.damping for one in every)),
             remainder=self.remainder and self.remainder.beside(left_out),
             unreduced=self.unreduced and self.unreduced.beside(wholes),
-            joints=block_diag(*(one.joints for one in every)),
         )
 
 
@@ -311,8 +303,8 @@ def _alone(
         count = elements.mesh.nodes
         one = np.ones((mesh.nodes, 1)) / math.sqrt(whole.mass[:count, :count].sum())
         still = np.zeros(1)
-        own = diagonal_damping(still, spindle, bending=False)
-        return _Reduced(one, still, own, None, None, np.zeros((1, 1)))
+        own = np.diag(diagonal_damping(still, spindle, bending=False))
+        return _Reduced(one, still, own, None, None)
     seen = rod_displacements(elements, mesh.x)
     acting = filled(seen[sorted(set(stations))].T)
     loads = np.concatenate([acting, elements.damper_loads], axis=1)
@@ -327,11 +319,12 @@ def _alone(
         together,
     )
     left_out = remainder(elements, basis, {"mass": whole.mass}, seen)
-    damped = jump_damping(elements, basis.vectors)
-    own = diagonal_damping(basis.values, spindle, bending=False)
+    beside = damping_beside(spindle, elements, basis, left_out, bending=False)
+    left_out = replace(left_out, damped=beside and beside.at_ratio(0.0))
+    own = own_damping(spindle, basis, bending=False) + jump_damping(elements, basis.vectors)
     material = MaterialDamping.of(spindle)
     unreduced = Unreduced(basis, seen, dampers=elements.dampers, material=material).at_ratio(0.0)
-    return _Reduced(seen @ basis.vectors, basis.values, own, left_out, unreduced, damped)
+    return _Reduced(seen @ basis.vectors, basis.values, own, left_out, unreduced)
 
 
 def _elements(rod: _Rod, spindle: Spindle, mesh: Mesh, fineness: Fineness) -> Hierarchy:

@@ -34,9 +34,8 @@ class Remainder:
     ``own_stiffness`` (r,); ``at_nodes`` (r, 2·nodes): deflections and tilts of the mesh's nodes.
     ``per_newton``: (r, m) by the axial force in each element of the mesh
     (none for rods; what finer elements would add to it is left aside), ``strung`` (r, m) by the
-    drawbar. ``rounding`` (m,): of the
-    stiffness of the coordinates themselves. ``damped``: the rotor's own damping; None without any,
-    and of rods.
+    drawbar. ``rounding`` (m,): of the stiffness of the coordinates themselves. ``damped``: the
+    rotor's own damping; None without any.
     """
 
     mass: Array

@@ -43,27 +43,32 @@ def diagonal_damping(values: Array, spindle: Spindle, *, bending: bool = True) -
 
     Other motions than ``bending`` have the last modal ratio.
     """
-    given, rayleigh = spindle.rotor_damping, spindle.rayleigh
-    modal = modal_rates(values, given if bending else given[-1:])
-    return modal + rayleigh.mass + rayleigh.stiffness * values
+    rayleigh = spindle.rayleigh.mass + spindle.rayleigh.stiffness * values
+    return modal_rates(values, _ratios(spindle, bending=bending)) + rayleigh
 
 
-def bending_damping(spindle: Spindle, basis: RitzBasis) -> Array:
-    """Modal and Rayleigh's of the coordinates ``basis`` (m, m)."""
-    modal = modal_rates(basis.values, spindle.rotor_damping)
-    modal[basis.are_modes], not_kept = _of_modes(spindle, basis)
+def own_damping(spindle: Spindle, basis: RitzBasis, *, bending: bool = True) -> Array:
+    """The same of the coordinates ``basis`` (m, m), modes and static answers."""
+    given = _ratios(spindle, bending=bending)
+    modal = modal_rates(basis.values, given)
+    modal[basis.are_modes], not_kept = _of_modes(given, basis)
     rayleigh = spindle.rayleigh.mass + spindle.rayleigh.stiffness * basis.values
     return _with_answers(modal, not_kept, basis) + np.diag(rayleigh)
 
 
 def damping_beside(
-    spindle: Spindle, elements: Hierarchy, basis: RitzBasis, left_out: Remainder
+    spindle: Spindle,
+    elements: Hierarchy,
+    basis: RitzBasis,
+    left_out: Remainder,
+    *,
+    bending: bool = True,
 ) -> LeftOutDamping | None:
     """Of what the ``basis`` leaves out, and between the two; None of a rotor without damping."""
     if not (spindle.damped or elements.dampers):
         return None
     own, finer = spindle.rayleigh, len(left_out.own_mass) - len(basis.rest_values)
-    modal = np.pad(_of_modes(spindle, basis)[1], (finer, 0))
+    modal = np.pad(_of_modes(_ratios(spindle, bending=bending), basis)[1], (finer, 0))
     proportional = own.mass * left_out.mass + own.stiffness * left_out.stiffness
     proportional += modal[:, None] * left_out.mass
     joints = np.zeros_like(proportional)
@@ -76,11 +81,15 @@ def damping_beside(
     )
 
 
-def _of_modes(spindle: Spindle, basis: RitzBasis) -> tuple[Array, Array]:
+def _ratios(spindle: Spindle, *, bending: bool) -> tuple[float, ...]:
+    return spindle.rotor_damping if bending else spindle.rotor_damping[-1:]
+
+
+def _of_modes(given: tuple[float, ...], basis: RitzBasis) -> tuple[Array, Array]:
     """Modal damping of the modes kept and of the others, numbered on."""
     kept = basis.values[basis.are_modes]
     every = np.concatenate([kept, np.maximum(basis.rest_values, 0.0)])
-    modal = modal_rates(every, spindle.rotor_damping)
+    modal = modal_rates(every, given)
     return modal[: len(kept)], modal[len(kept) :]
 
 

@@ -10,7 +10,7 @@ import pytest
 from scipy.linalg import eigh
 
 from rotordyn.numerics.reduction import ritz_basis
-from rotordyn.system.rotor_damping import bending_damping, damping_ratios, modal_rates
+from rotordyn.system.rotor_damping import damping_ratios, modal_rates, own_damping
 from tests.oracles.rotors import uniform
 
 VALUES = np.array([0.0, 0.0, 1.0, 4.0, 9.0])
@@ -45,5 +45,19 @@ def test_static_answers_have_the_damping_of_their_modes(stiff: float) -> None:
     values, modes = eigh(stiffness)
     rates = modal_rates(np.append(0.0, values[1:]), ratios)
     expected = basis.vectors.T @ (modes * rates) @ modes.T @ basis.vectors
-    found = bending_damping(replace(uniform(1.0, 0.05), rotor_damping=ratios), basis)
+    found = own_damping(replace(uniform(1.0, 0.05), rotor_damping=ratios), basis)
     assert found[:-1, :-1] == pytest.approx(expected[:-1, :-1], rel=1e-6, abs=1e-9)
+
+
+def test_other_motions_have_the_last_ratio() -> None:
+    """Rods are damped as bending would be with that ratio alone, static answers included."""
+    stretch = np.diff(np.eye(30), axis=0)
+    basis = ritz_basis(
+        np.eye(30), stretch.T @ stretch, 0.3, np.eye(30)[:, [0, 17]], np.ones((30, 1))
+    )
+    rotor = replace(uniform(1.0, 0.05), rotor_damping=(0.3, 0.2, 0.1))
+    alone = own_damping(replace(rotor, rotor_damping=(0.1,)), basis)
+    found = own_damping(rotor, basis, bending=False)
+    assert np.array_equal(found, alone)
+    assert not np.allclose(found, own_damping(rotor, basis))
+    assert np.abs(found - np.diag(np.diagonal(found))).max() > 1e-3
