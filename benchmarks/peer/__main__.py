@@ -127,7 +127,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(prog="python -m benchmarks.peer", description=__doc__)
     parser.add_argument("--python", default=sys.executable, help="interpreter that has the peer")
     parser.add_argument(
-        "--repeats", type=int, default=5, help="of ours, of which a median is taken"
+        "--repeats", type=int, default=9, help="of ours, of which a median is taken"
     )
     asked = parser.parse_args()
     if not _has_peer(asked.python):

@@ -12,44 +12,42 @@ import json
 import pstats
 import time
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 from statistics import median
 from typing import Any
 
 import rotordyn
 from benchmarks.peer import machine
-from benchmarks.peer.cases import ALL, SETTINGS, WORKS, case, settings
+from benchmarks.peer.cases import SETTINGS, WORKS, case, settings
 
 LINES = 8  # of a profile
 
 
 def measured(repeats: int) -> list[dict[str, Any]]:
-    """A line per work, kind of bearings and setting: seconds of ``rotordyn.run`` on a case."""
-    return [
-        {"work": work, "kind": kind, "setting": setting, **_line(work, kind, setting, repeats)}
+    """A line per work, kind of bearings and setting: seconds of ``rotordyn.run`` on a case.
+
+    The works take turns, so that a machine whose speed varies favours none.
+    """
+    lines = [
+        {"work": work, "kind": kind, "setting": setting}
         for work in WORKS
         for kind in machine.KINDS
         for setting in settings(work)
     ]
+    asked = [case(own["work"], own["kind"], SETTINGS[own["setting"]]) for own in lines]
+    rounds = [[seconds(partial(rotordyn.run, one)) for one in asked] for _ in range(1 + repeats)]
+    return [
+        {**line, "seconds": median(found), "fastest": min(found), "repeats": repeats}
+        for line, found in zip(lines, zip(*rounds[1:], strict=True), strict=True)
+    ]
 
 
-def _line(work: str, kind: str, setting: str, repeats: int) -> dict[str, Any]:
-    asked = case(work, kind, SETTINGS[setting])
-    few = 1 if work == ALL else repeats  # it takes seconds
-    found = seconds(lambda: rotordyn.run(asked), few, warm=work != ALL)
-    return {"seconds": median(found), "fastest": min(found), "repeats": few}
-
-
-def seconds(work: Callable[[], Any], repeats: int, *, warm: bool = True) -> list[float]:
-    """Seconds of each of some repeats, after one that does not count."""
-    if warm:
-        work()
-    found = []
-    for _ in range(repeats):
-        begin = time.perf_counter()
-        work()
-        found.append(time.perf_counter() - begin)
-    return found
+def seconds(work: Callable[[], Any]) -> float:
+    """Seconds that some work takes."""
+    begin = time.perf_counter()
+    work()
+    return time.perf_counter() - begin
 
 
 def profile(work: str, kind: str) -> str:
@@ -72,7 +70,7 @@ def main() -> None:
     """Answer one case, show where the time goes, or measure all works."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("folder", nargs="?", type=Path)
-    parser.add_argument("repeats", nargs="?", type=int, default=5)
+    parser.add_argument("repeats", nargs="?", type=int, default=9)
     parser.add_argument("--once", nargs=2, metavar=("WORK", "KIND"))
     parser.add_argument("--profile", action="store_true")
     asked = parser.parse_args()

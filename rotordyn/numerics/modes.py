@@ -184,8 +184,7 @@ def _general(
     scale = float(np.sqrt(np.abs(stiffness).max())) or 1.0  # balances displacement and velocity
     matrix[..., :n, n:] *= scale
     matrix[..., n:, :n] /= scale
-    pole, vectors = _eigenpairs(matrix)
-    left = _inverse(vectors)
+    pole, vectors, left = _eigenpairs(matrix)
     condition = np.abs(left).sum(axis=-1).max(axis=-1)
     return pole, vectors[..., :n, :], left[..., n:] / scale, condition
 
@@ -200,13 +199,22 @@ def _of_weight(stiffness: Matrix) -> Matrix:
     return np.where(free[..., None] | free[..., None, :], 0.0, stiffness)
 
 
-def _eigenpairs(matrix: Matrix) -> tuple[Complex, Complex]:
-    """Eigenvalues (…, k) and right vectors (…, k, k) of a batch."""
+def _eigenpairs(matrix: Matrix) -> tuple[Complex, Complex, Complex]:
+    """Eigenvalues (…, k), right and left vectors (…, k, k) of a batch."""
     size = matrix.shape[-1]
     flat = matrix.reshape(-1, size, size)
-    parts = in_threads(lambda part: np.linalg.eig(flat[part]), len(flat), LEAST)
-    pole, vectors = (np.concatenate(found).astype(complex) for found in zip(*parts, strict=True))
-    return pole.reshape(matrix.shape[:-1]), vectors.reshape(matrix.shape)
+
+    def solved(part: slice) -> tuple[Complex, Complex, Complex]:
+        pole, vectors = (np.asarray(found, dtype=complex) for found in np.linalg.eig(flat[part]))
+        return pole, vectors, _inverse(vectors)
+
+    parts = zip(*in_threads(solved, len(flat), LEAST), strict=True)
+    pole, vectors, left = (np.concatenate(found) for found in parts)
+    return (
+        pole.reshape(matrix.shape[:-1]),
+        vectors.reshape(matrix.shape),
+        left.reshape(matrix.shape),
+    )
 
 
 def _polished(
