@@ -123,3 +123,19 @@ def test_a_hinged_body_has_one_free_motion() -> None:
     assert found.at_rest().sum() == 2
     assert not (found.at_rest() & found.growing).any()
     assert found.growing.sum() == 2
+
+
+@pytest.mark.parametrize("damping", [0.0, 0.4, 30.0])
+def test_one_of_each_pair_stands_for_both(damping: float) -> None:
+    """Sums over all poles of what conjugates share, also where some systems of a batch hardly
+    swing and rows are filled up; of complex matrices every pole stands for itself."""
+    draw = np.random.default_rng(8)
+    root = draw.standard_normal((6, 5, 5))
+    damper = np.linspace(0.0, damping, 6)[:, None, None] * np.diag(np.arange(5.0))
+    found = modes(root @ np.swapaxes(root, 1, 2) + np.eye(5), damper)
+    columns, many = found.one_of_each_pair()
+    assert (columns.shape[1] > 5) == (damping > 1.0)
+    chosen = np.take_along_axis(np.abs(found.pole), columns, axis=1)
+    assert (many * chosen).sum(axis=1) == pytest.approx(np.abs(found.pole).sum(axis=1), rel=1e-12)
+    whirling = modes(found.stiffness + 0j, 1j * found.damping)
+    assert whirling.one_of_each_pair()[0].shape == (6, 10)
