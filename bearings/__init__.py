@@ -8,36 +8,44 @@ from __future__ import annotations
 import importlib
 from typing import TYPE_CHECKING, Any
 
+from bearings.kinds import KINDS
+
 if TYPE_CHECKING:
-    from bearings.angular_contact import AngularContactBallBearing
+    from bearings.ball.law import Law
+    from bearings.bearing import BallBearing
     from bearings.errors import BearingError, InvalidBearing, NoEquilibrium
     from bearings.follower import Followed, Follower
-    from bearings.law import Law
+    from bearings.kinds import *  # noqa: F403 - adding a kind touches that folder alone
     from bearings.materials import SILICON_NITRIDE, STEEL, Material
+    from bearings.ring.state import BearingState
 
 _HOME = {
-    "AngularContactBallBearing": "bearings.angular_contact",
+    "BallBearing": "bearings.bearing",
     "BearingError": "bearings.errors",
+    "BearingState": "bearings.ring.state",
     "Followed": "bearings.follower",
     "Follower": "bearings.follower",
     "InvalidBearing": "bearings.errors",
-    "Law": "bearings.law",
+    "Law": "bearings.ball.law",
     "Material": "bearings.materials",
     "NoEquilibrium": "bearings.errors",
     "SILICON_NITRIDE": "bearings.materials",
     "STEEL": "bearings.materials",
+    **{name: f"bearings.kinds.{kind}" for kind, name in KINDS.items()},
 }
-__all__ = [
+__all__ = [  # noqa: PLE0604 - the kinds are listed once, in their folder
     "SILICON_NITRIDE",
     "STEEL",
-    "AngularContactBallBearing",
+    "BallBearing",
     "BearingError",
+    "BearingState",
     "Followed",
     "Follower",
     "InvalidBearing",
     "Law",
     "Material",
     "NoEquilibrium",
+    *KINDS.values(),
 ]
 
 

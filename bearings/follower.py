@@ -7,16 +7,16 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.angular_contact import AngularContactBallBearing
-from bearings.compiled.states import Answer, compiled_states
-from bearings.equilibrium import solve
+from bearings.ball.law import STANDARD, Law
+from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing, NoEquilibrium
 from bearings.geometry import geometry, groove_origin
-from bearings.law import STANDARD, Law
-from bearings.model import BallModel
-from bearings.problem import Problem, first_displacement
-from bearings.question import finite, five_numbers, single
-from bearings.ring import full_ring
+from bearings.ring.compiled.states import Answer, compiled_states
+from bearings.ring.equilibrium import solve
+from bearings.ring.model import BallModel
+from bearings.ring.problem import Problem, first_displacement
+from bearings.ring.question import finite, five_numbers, single
+from bearings.ring.sums import full_ring
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -46,7 +46,7 @@ class Follower:
 
     Parameters
     ----------
-    bearing, static_growth, growth : as in ``AngularContactBallBearing.equilibrium``, single values
+    bearing, static_growth, growth : as in ``BallBearing.equilibrium``, single values
     law : what is assumed of the balls
     speed : [rad/s], where a call gives none
 
@@ -57,17 +57,17 @@ class Follower:
 
     def __init__(
         self,
-        bearing: AngularContactBallBearing,
+        bearing: BallBearing,
         *,
         speed: float = 0.0,
         static_growth: float = 0.0,
         growth: float | None = None,
         law: Law = STANDARD,
     ) -> None:
-        for given, kind in ((bearing, AngularContactBallBearing), (law, Law)):
+        for given, kind in ((bearing, BallBearing), (law, Law)):
             if not isinstance(given, kind):
                 raise InvalidBearing(f"a follower takes a {kind.__name__}, got {given!r}")
-        g = geometry(bearing)
+        g = geometry(bearing.grooves)
         static = single("static_growth", static_growth)
         total = static if growth is None else single("growth", growth)
         self.speed = float(single("speed", speed)[0])
@@ -169,7 +169,7 @@ class Follower:
 def _second_look(problem: Problem, answer: Answer) -> Answer:
     """States that the compiled solver refuses are looked for by the batched one, which knows more.
 
-    It follows free motions (``bearings.free_motion``).
+    It follows free motions (``bearings.ring.free_motion``).
     """
     missing = np.flatnonzero(~answer.found)
     if missing.size:

@@ -9,8 +9,8 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.angular_contact import AngularContactBallBearing
-from bearings.hertz import HertzContact, contact
+from bearings.contact.hertz import HertzContact, contact
+from bearings.grooves import Grooves
 
 Array = NDArray[np.float64]
 
@@ -47,11 +47,11 @@ class Geometry:
 
 
 @lru_cache(maxsize=256)
-def geometry(bearing: AngularContactBallBearing) -> Geometry:
-    """Derived constants of ``bearing``."""
+def geometry(bearing: Grooves) -> Geometry:
+    """Derived constants of a bearing with these grooves."""
     diameter, pitch = float(bearing.ball_diameter), float(bearing.pitch_diameter)
     inner_f, outer_f = float(bearing.inner_conformity), float(bearing.outer_conformity)
-    angle = float(bearing.contact_angle)
+    angle = bearing.free_angle
     mass = bearing.ball_material.density * math.pi * diameter**3 / 6.0
     inner = _race_contact(bearing, inner_f, +1.0)
     outer = _race_contact(bearing, outer_f, -1.0)
@@ -90,12 +90,10 @@ def groove_origin(g: Geometry, static_growth: Array, growth: Array) -> Array:
     return np.stack([axial, g.free_distance * np.cos(g.contact_angle) + growth])
 
 
-def _race_contact(
-    bearing: AngularContactBallBearing, conformity: float, side: float
-) -> HertzContact:
+def _race_contact(bearing: Grooves, conformity: float, side: float) -> HertzContact:
     """Ball on one race; ``side`` +1 inner (convex along the rolling direction), −1 outer."""
     ball = 2.0 / bearing.ball_diameter
-    gamma = bearing.ball_diameter * math.cos(bearing.contact_angle) / bearing.pitch_diameter
+    gamma = bearing.ball_diameter * math.cos(bearing.free_angle) / bearing.pitch_diameter
     rolling = side * ball * gamma / (1.0 - side * gamma)
     groove = -1.0 / (conformity * bearing.ball_diameter)
     total = 2.0 * ball + rolling + groove

@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 
 import rotordyn
-from bearings.angular_contact import AngularContactBallBearing
+from bearings.kinds.angular_contact import AngularContactBallBearing
 from bearings.materials import Material
 from benchmarks.kept import keep
 from benchmarks.processes import MEGABYTE, ROOT, python

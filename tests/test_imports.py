@@ -87,7 +87,7 @@ def test_run_needs_neither_compiled_kernels_nor_3d_nor_pyplot(tmp_path: Path) ->
 
 def test_bearings_stands_alone(tmp_path: Path) -> None:
     loaded = modules_after(EVERY_MODULE_OF_BEARINGS, tmp_path)
-    assert "bearings.angular_contact" in loaded
+    assert "bearings.kinds.angular_contact" in loaded
     assert not packages(loaded) & {"rotordyn", "yaml", "pydantic", "matplotlib", "xarray"}
 
 
@@ -104,7 +104,7 @@ def test_linear_supports_without_figures_load_no_bearing_solver_and_nothing_that
     argv = ("run", "cases/lalanne_ferraris.yaml", "--no-figures", "--quiet", "-o", out)
     loaded = modules_after(COMMAND_LINE, tmp_path, *argv)
     assert "rotordyn.analysis.campbell" in loaded
-    assert "bearings.equilibrium" not in loaded
+    assert "bearings.ring.equilibrium" not in loaded
     assert not packages(loaded) & {"matplotlib", "pyvista", "vtkmodules", "numba"}
 
 

@@ -24,9 +24,10 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 from scipy.special import ellipe, ellipk
 
-from bearings import AngularContactBallBearing, hertz
+from bearings import AngularContactBallBearing
+from bearings.contact import hertz
+from bearings.contact.hertz import HertzContact
 from bearings.geometry import geometry
-from bearings.hertz import HertzContact
 from benchmarks.bearing.reference import largest
 from benchmarks.bearing.subject import LOAD, SPEED, VEX70, solver
 from benchmarks.bearing.timing import fastest
@@ -79,7 +80,7 @@ def by_scipy(tolerance: float, total: float, part: float, c: float) -> HertzCont
 
 
 WAYS: dict[str, Solve] = {
-    "exact, `bearings.hertz`": hertz.contact,
+    "exact, `bearings.contact.hertz`": hertz.contact,
     "Brewe and Hamrock 1977": partial(fitted, brewe_hamrock),
     "Hamrock and Brewe 1983": partial(fitted, hamrock_brewe),
     **{

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from bearings import AngularContactBallBearing
-from bearings.state import BearingState
+from bearings.ring.state import BearingState
 from benchmarks.bearing.reference import largest
 from benchmarks.bearing.subject import LOAD, SPEED, VEX70, solver
 from benchmarks.bearing.timing import fastest

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings import AngularContactBallBearing, Follower
-from bearings.state import BearingState
+from bearings.ring.state import BearingState
 from benchmarks.bearing.plain import PlainBearing
 from benchmarks.bearing.reference import Reference, largest
 from benchmarks.bearing.subject import (

@@ -17,7 +17,7 @@ from unittest import mock
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.problem import (
+from bearings.ring.problem import (
     FIRST_BLEND,
     FIRST_FREE,
     LONGEST_TURN,
@@ -25,7 +25,7 @@ from bearings.problem import (
     QUICK_STEPS,
     SHORTEST_BLEND,
 )
-from bearings.state import BearingState
+from bearings.ring.state import BearingState
 from benchmarks.bearing.subject import solver
 from benchmarks.random_bearings.rings import Asked, draw_states
 from tests.oracles.random_states import HIGHEST
@@ -38,7 +38,7 @@ FINE, FINER = 2.0**-5, 2.0**-7
 
 @dataclass(frozen=True)
 class Strides:
-    """What ``bearings.problem`` calls by these names."""
+    """What ``bearings.ring.problem`` calls by these names."""
 
     first: float = FIRST_BLEND
     turn: float = LONGEST_TURN
@@ -58,7 +58,7 @@ class Strides:
             "QUICK_STEPS": self.quick,
             "FIRST_FREE": self.free,
         }
-        with solver(compiled=False), mock.patch.multiple("bearings.followed_stage", **names):
+        with solver(compiled=False), mock.patch.multiple("bearings.ring.followed_stage", **names):
             yield
 
 

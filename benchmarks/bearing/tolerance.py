@@ -10,8 +10,8 @@ from unittest import mock
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.problem import ON_THE_WAY
-from bearings.state import BearingState
+from bearings.ring.problem import ON_THE_WAY
+from bearings.ring.state import BearingState
 from benchmarks.bearing.reference import Reference, largest
 from benchmarks.bearing.subject import SPEED, VEX70, random_states, solver
 from benchmarks.bearing.timing import fastest
@@ -28,10 +28,10 @@ def tolerance(asked: float) -> Iterator[None]:
     path = max(asked, ON_THE_WAY)
     with (
         solver(compiled=False),
-        mock.patch("bearings.linearised.TOLERANCE", asked),
-        mock.patch("bearings.followed_stage.TOLERANCE", asked),
-        mock.patch("bearings.followed_stage.ON_THE_WAY", path),
-        mock.patch("bearings.equilibrium.TOLERANCE", asked),
+        mock.patch("bearings.ring.linearised.TOLERANCE", asked),
+        mock.patch("bearings.ring.followed_stage.TOLERANCE", asked),
+        mock.patch("bearings.ring.followed_stage.ON_THE_WAY", path),
+        mock.patch("bearings.ring.equilibrium.TOLERANCE", asked),
     ):
         yield
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.state import BearingState
+from bearings.ring.state import BearingState
 from benchmarks.random_bearings.judged import OPEN, UNEQUAL, judged
 from tests.oracles.ball_equations import Balls
 from tests.oracles.plain_newton import kind_of_root, plain_newton

@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.condition import first_gaps
-from bearings.spin_up import Gap
-from bearings.state import BearingState
+from bearings.ring.condition import first_gaps
+from bearings.ring.spin_up import Gap
+from bearings.ring.state import BearingState
 from benchmarks.random_bearings.rings import draw_states
 
 FINE = 1000  # speeds

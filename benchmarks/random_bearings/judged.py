@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.state import BearingState
+from bearings.ring.state import BearingState
 from tests.oracles.ball_equations import Balls
 
 Array = NDArray[np.float64]

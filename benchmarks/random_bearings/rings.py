@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.state import BearingState
+from bearings.ring.state import BearingState
 from benchmarks.random_bearings.judged import OPEN, UNEQUAL, judged
 from tests.oracles.random_states import (
     Drawn,

@@ -38,7 +38,7 @@ FITS = {
     "Brewe and Hamrock 1977": (ORANGE, "v", "fit of 1977"),
     "Hamrock and Brewe 1983": (PURPLE, "^", "fit of 1983"),
 }
-EXACT = "exact, `bearings.hertz`"
+EXACT = "exact, `bearings.contact.hertz`"
 STANDARD = "as shipped"
 NEWTON, PATH, CONTACT = "where Newton stops", "how finely the path is followed", "contact stiffness"
 ROOM = {NEWTON: (0.3, 1.4), PATH: (0.8, 1.25), CONTACT: (0.6, 1.6)}  # of the times, for legends

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from bearings import STEEL, AngularContactBallBearing, Material
 from bearings.geometry import geometry
-from bearings.state import BearingState
+from bearings.ring.state import BearingState
 from benchmarks.bearing.subject import VEX70
 from docs.generate.rows import Row
 

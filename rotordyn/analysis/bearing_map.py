@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.angular_contact import AngularContactBallBearing
-from bearings.state import BearingState
+from bearings.kinds.angular_contact import AngularContactBallBearing
+from bearings.ring.state import BearingState
 from rotordyn.analysis.display import RPM
 from rotordyn.analysis.preload import BALL_QUANTITIES, FREEDOMS
 from rotordyn.analysis.results import BearingMapResult

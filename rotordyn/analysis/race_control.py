@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.angular_contact import AngularContactBallBearing
-from bearings.control_map import RACES, ControlMap, control_map, quadratic, resting_weight
+from bearings.kinds.angular_contact import AngularContactBallBearing
+from bearings.race_control import RACES, ControlMap, control_map, quadratic, resting_weight
 from rotordyn.analysis.display import RPM
 from rotordyn.analysis.results import ControlResult
 from rotordyn.analysis.results.kinds import Array

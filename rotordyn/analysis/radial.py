@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ring import half_ring
+from bearings.ring.sums import half_ring
 from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.preload.arrangement import HOUSING, SHAFT, AxialBearing
 from rotordyn.preload.bearing_iterates import BearingIterates, States

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from bearings.angular_contact import AngularContactBallBearing
+from bearings.kinds.angular_contact import AngularContactBallBearing
 from rotordyn.analysis.results import Result
 from rotordyn.analysis.specs import (
     CampbellSpec,

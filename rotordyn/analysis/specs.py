@@ -8,7 +8,7 @@ from dataclasses import dataclass, field
 from itertools import pairwise
 from typing import Annotated
 
-from bearings.law import KINEMATICS, MOMENT_SHARING, Law
+from bearings.ball.law import KINEMATICS, MOMENT_SHARING, Law
 from rotordyn.analysis.formulation import FORMULATIONS, INERTIAL
 from rotordyn.analysis.loads import (
     BalanceGrade,
@@ -58,8 +58,8 @@ Tangent = Annotated[str, Choice(TANGENTS)]
 class Conditions(Description):
     """How the machine is modelled.
 
-    ``kinematics``, ``moment_sharing``, ``friction`` (infinite: no limit): as in ``bearings.law``,
-    together ``law``. ``tangent``: of ``TANGENTS``, the
+    ``kinematics``, ``moment_sharing``, ``friction`` (infinite: no limit): as in
+    ``bearings.ball.law``, together ``law``. ``tangent``: of ``TANGENTS``, the
     stiffness of the bearings of a spindle wherever they act as linear springs. ``bearings``:
     ``"dynamic"`` (speed acts on the bearings) or ``"static"`` (their state at rest serves every
     speed). ``rotor``: ``"flexible"`` or ``"rigid"``. ``axial_force`` [N] on the front end of the

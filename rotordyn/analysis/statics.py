@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.law import Law
+from bearings.ball.law import Law
 from rotordyn.analysis.buckling import Loading
 from rotordyn.analysis.specs import Conditions
 from rotordyn.analysis.stage import Staged, stage

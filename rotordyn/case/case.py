@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated
 
-from bearings.angular_contact import AngularContactBallBearing
+from bearings.kinds.angular_contact import AngularContactBallBearing
 from rotordyn.analysis.specs import Conditions, Spec
 from rotordyn.case.agreement import (
     ANALYSES,

@@ -6,7 +6,7 @@ import os
 from pathlib import Path
 from typing import Literal, TypeVar, overload
 
-from bearings.angular_contact import AngularContactBallBearing
+from bearings.kinds.angular_contact import AngularContactBallBearing
 from bearings.materials import Material
 from rotordyn.case import expand
 from rotordyn.case.build import bearing as build_bearing

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Annotated
 
-from bearings.angular_contact import AngularContactBallBearing
+from bearings.kinds.angular_contact import AngularContactBallBearing
 from rotordyn.description import Description, doubled
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.growth import InterferenceFit, RingGrowth

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.angular_contact import AngularContactBallBearing
+from bearings.kinds.angular_contact import AngularContactBallBearing
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.growth import ring_growth
 from rotordyn.preload.shortening import seat_shifts

@@ -1,6 +1,6 @@
 """The bearings of an arrangement, model by model: solved by themselves, or on the way to balance.
 
-Whoever moves the shaft moves all of them at once, balls included (``bearings.iterate``).
+Whoever moves the shaft moves all of them at once, balls included (``bearings.ring.iterate``).
 """
 
 from __future__ import annotations
@@ -12,13 +12,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.angular_contact import AngularContactBallBearing
-from bearings.state import BearingState
+from bearings.kinds.angular_contact import AngularContactBallBearing
+from bearings.ring.state import BearingState
 
 if TYPE_CHECKING:
     from bearings.geometry import Geometry
-    from bearings.iterate import Iterate
-    from bearings.ring import Ring
+    from bearings.ring.iterate import Iterate
+    from bearings.ring.sums import Ring
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -44,7 +44,7 @@ class BearingIterates:
     @classmethod
     def solved(cls, states: States, ring: Callable[[Geometry], Ring]) -> BearingIterates:
         """Bearings that were solved by themselves; ``ring`` says which of their balls move on."""
-        from bearings.iterate import iterate
+        from bearings.ring.iterate import iterate
 
         return cls({m: (found.places, iterate(found.state, ring)) for m, found in states.items()})
 

@@ -12,7 +12,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import BearingSeat
 
 if TYPE_CHECKING:
-    from bearings.rings import Cylinder
+    from bearings.fit.compound import Cylinder
 
 Array = NDArray[np.float64]
 
@@ -33,7 +33,7 @@ def fit_growth(spindle: Spindle, seat: BearingSeat, fit: InterferenceFit, speed:
     Shaft section and inner ring are compound thick cylinders in plane stress; the ring reaches to
     the raceway contact radius (dm − D cos α)/2.
     """
-    from bearings.rings import centrifugal_growth
+    from bearings.fit.compound import centrifugal_growth
 
     bodies = _fitted(spindle, seat, fit)
     return centrifugal_growth(bodies, [fit.interference], bodies[-1].outer_radius, speed)
@@ -45,7 +45,7 @@ def released_fits(spindle: Spindle, speed: float) -> list[tuple[str, float]]:
     for seat in spindle.seats:
         fit = seat.growth.centrifugal
         if isinstance(fit, InterferenceFit):
-            from bearings.rings import release_speed
+            from bearings.fit.compound import release_speed
 
             limit = float(release_speed(_fitted(spindle, seat, fit), [fit.interference])[0])
             if limit <= speed:
@@ -55,7 +55,7 @@ def released_fits(spindle: Spindle, speed: float) -> list[tuple[str, float]]:
 
 def _fitted(spindle: Spindle, seat: BearingSeat, fit: InterferenceFit) -> tuple[Cylinder, Cylinder]:
     """Shaft and inner ring as cylinders."""
-    from bearings.rings import Cylinder, raceway_radius
+    from bearings.fit.compound import Cylinder, raceway_radius
 
     section, bearing = spindle.shaft.section_at(seat.x), seat.bearing
     race = raceway_radius(bearing.pitch_diameter, bearing.ball_diameter, bearing.contact_angle)

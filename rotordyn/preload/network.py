@@ -12,8 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.angular_contact import AngularContactBallBearing
-from bearings.law import Law
+from bearings.ball.law import Law
+from bearings.kinds.angular_contact import AngularContactBallBearing
 from rotordyn.preload.arrangement import HOUSING, SHAFT, Arrangement
 from rotordyn.preload.bearing_iterates import BearingIterates, Solved, States
 
@@ -85,7 +85,7 @@ class Network:
 
     def respond(self, x: Array, near: Response | None = None) -> Response:
         """Loads and slopes of the bearings at positions ``x``, every bearing solved by itself."""
-        from bearings.ring import axial_ring
+        from bearings.ring.sums import axial_ring
 
         displacement = self._displacement(x)
         near_by = near.states if near is not None and near.states else None

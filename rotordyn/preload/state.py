@@ -8,8 +8,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.law import Law
-from bearings.state import BearingState
+from bearings.ball.law import Law
+from bearings.ring.state import BearingState
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.arrangement import (
     SHAFT,

@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from bearings import NoEquilibrium, condition, equilibrium, followed_stage
-from bearings.linearised import linearise
+from bearings import NoEquilibrium
+from bearings.ring import condition, equilibrium, followed_stage
+from bearings.ring.linearised import linearise
 from benchmarks.random_bearings import rings
 from tests.oracles.known_bearings import HARRIS_218, RPM, VEX70
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.special import ellipe, ellipkm1
 
-from bearings.hertz import _integrals
+from bearings.contact.hertz import _integrals
 
 
 @pytest.mark.parametrize("kappa", [1.0 + 1e-9, 1.01, 2.0, 4.6, 30.0, 1e4, 1e7])

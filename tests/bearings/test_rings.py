@@ -10,7 +10,7 @@ import pytest
 from scipy.integrate import solve_bvp
 
 from bearings import STEEL, InvalidBearing, Material
-from bearings.rings import (
+from bearings.fit.compound import (
     AXIAL_CONDITIONS,
     Cylinder,
     centrifugal_growth,

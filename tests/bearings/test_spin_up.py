@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from bearings.condition import first_gaps
-from bearings.spin_up import Gap, spin_up
+from bearings.ring.condition import first_gaps
+from bearings.ring.spin_up import Gap, spin_up
 from benchmarks.random_bearings import rings
 
 Array = NDArray[np.float64]

@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from bearings.state import BearingState
+from bearings.ring.state import BearingState
 from tests.oracles.ball_bearing import BallBearingOracle
 from tests.oracles.known_bearings import DEGREE, HARRIS_218, RPM
 

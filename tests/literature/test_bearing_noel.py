@@ -11,7 +11,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from bearings.state import BearingState
+from bearings.ring.state import BearingState
 from tests.oracles.ball_bearing import BallBearingOracle
 from tests.oracles.known_bearings import RPM, VEX70, VEX70_IDENTIFIED
 

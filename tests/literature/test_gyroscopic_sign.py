@@ -19,7 +19,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from bearings.state import BearingState
+from bearings.ring.state import BearingState
 from tests.oracles.ball_bearing import BallBearingOracle
 from tests.oracles.known_bearings import HARRIS_218, HYPOTHESES, RPM, VEX70
 from tests.oracles.rigid_balls import AXIS, RigidBalls

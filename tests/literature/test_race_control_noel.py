@@ -19,8 +19,8 @@ import pytest
 from numpy.typing import NDArray
 from scipy.optimize import brentq
 
-from bearings.control_map import control_map
-from bearings.law import Law
+from bearings.ball.law import Law
+from bearings.race_control import control_map
 from tests.oracles.ball_bearing import BallBearingOracle
 from tests.oracles.known_bearings import HYPOTHESES, RPM, VEX70
 

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 import rotordyn
 from bearings import STEEL, AngularContactBallBearing, InvalidBearing, Material
-from bearings.kinematics import HYPOTHESES, SHARINGS
+from bearings.ball.kinematics import HYPOTHESES, SHARINGS
 from rotordyn.analysis import (
     BalanceGrade,
     BearingMapSpec,

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from bearings.state import BearingState
+from bearings.ring.state import BearingState
 from tests.oracles.balance import ball_faults, ring_fault
 from tests.oracles.ball_bearing import BallBearingOracle
 from tests.oracles.known_bearings import HARRIS_218, HYPOTHESES, RPM, SHARINGS, VEX70

@@ -13,13 +13,13 @@ import numpy as np
 import pytest
 
 from bearings import Follower, InvalidBearing, NoEquilibrium
-from bearings.ball import turning_balance
-from bearings.compiled import states
-from bearings.compiled.jit import compiled
-from bearings.kinematics import HYPOTHESES as BY_NAME
-from bearings.kinematics import SHARINGS as LAWS_OF_SHARING
-from bearings.kinematics import Angles, inner_share, tan_beta
-from bearings.law import KINEMATICS, MOMENT_SHARING, Law
+from bearings.ball.balance import turning_balance
+from bearings.ball.kinematics import HYPOTHESES as BY_NAME
+from bearings.ball.kinematics import SHARINGS as LAWS_OF_SHARING
+from bearings.ball.kinematics import Angles, inner_share, tan_beta
+from bearings.ball.law import KINEMATICS, MOMENT_SHARING, Law
+from bearings.ring.compiled import states
+from bearings.ring.compiled.jit import compiled
 from benchmarks.random_bearings import rings
 from tests.oracles.known_bearings import HARRIS_218, HYPOTHESES, RPM, SHARINGS, VEX70
 
@@ -147,7 +147,7 @@ def test_one_compilation_serves_all() -> None:
 
 def test_compiled_functions_are_kept_by_their_sources(tmp_path: Path) -> None:
     """Whatever folder numba's user names, other sources have another one."""
-    code = "from bearings.compiled.jit import _folder; print(_folder())"
+    code = "from bearings.ring.compiled.jit import _folder; print(_folder())"
     environment = os.environ | {"NUMBA_CACHE_DIR": str(tmp_path)}
     done = subprocess.run(
         [sys.executable, "-c", code], env=environment, capture_output=True, text=True, check=True

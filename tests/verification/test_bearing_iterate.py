@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bearings.iterate import Iterate, iterate
-from bearings.ring import axial_ring, full_ring, half_ring
-from bearings.state import BearingState
+from bearings.ring.iterate import Iterate, iterate
+from bearings.ring.state import BearingState
+from bearings.ring.sums import axial_ring, full_ring, half_ring
 from tests.oracles.known_bearings import RPM, VEX70
 
 SPEED = np.array([0.0, 6000.0, 18000.0, 30000.0]) * RPM

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from bearings.state import BearingState
+from bearings.ring.state import BearingState
 from tests.oracles.ball_bearing import BallBearingOracle, OracleState
 from tests.oracles.known_bearings import HYPOTHESES, RPM, SHARINGS, VEX70
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 
-from bearings.state import BearingState
+from bearings.ring.state import BearingState
 from tests.oracles.known_bearings import RPM, VEX70
 from tests.oracles.random_bearings import solved
 from tests.oracles.rigid_balls import AXIS, RigidBalls, pair

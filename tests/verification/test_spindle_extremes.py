@@ -8,7 +8,7 @@ import numpy as np
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from bearings.law import Law
+from bearings.ball.law import Law
 from rotordyn.analysis.registry import answer_spindle
 from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec, PreloadSpec, StiffnessSpec
 from rotordyn.errors import NoSolution

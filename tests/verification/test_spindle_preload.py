@@ -8,7 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from bearings.law import Law
+from bearings.ball.law import Law
 from rotordyn.preload.state import dynamic_preload
 from tests.oracles.axial_arrangement import Arrangement2310, Found
 from tests.oracles.ball_bearing import BallBearingOracle

@@ -12,8 +12,8 @@ import pytest
 from scipy.optimize import root
 
 from bearings import AngularContactBallBearing
-from bearings.iterate import Iterate
 from bearings.materials import Material
+from bearings.ring.iterate import Iterate
 from rotordyn.analysis.radial import RadialProblem
 from rotordyn.analysis.specs import PreloadSpec, StiffnessSpec
 from rotordyn.analysis.stiffness import answer as stiffness_answer

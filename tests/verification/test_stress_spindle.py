@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from bearings.law import Law
+from bearings.ball.law import Law
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, FrfSpec, PreloadSpec
 from rotordyn.errors import InvalidInput

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from bearings.angular_contact import AngularContactBallBearing
+from bearings.kinds.angular_contact import AngularContactBallBearing
 from bearings.materials import Material
 from rotordyn.case.schema.bearing import BearingEntry
 from rotordyn.case.schema.material import MaterialEntry

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from typing import Annotated
 
-from bearings.law import KINEMATICS, MOMENT_SHARING
+from bearings.ball.law import KINEMATICS, MOMENT_SHARING
 from rotordyn.analysis.formulation import FORMULATIONS, INERTIAL
 from rotordyn.analysis.shaft import SHAFT
 from rotordyn.analysis.specs import (

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 import rotordyn.analysis.race_control as race_control
-from bearings.control_map import control_map, quadratic
-from bearings.law import Law
+from bearings.ball.law import Law
+from bearings.race_control import control_map, quadratic
 from rotordyn.analysis.race_control import answer, fit_words, fitted
 from rotordyn.analysis.specs import Conditions, ControlSpec
 from rotordyn.errors import NoSolution

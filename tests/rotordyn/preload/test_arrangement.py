@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from bearings import AngularContactBallBearing
-from bearings.law import Law
+from bearings.ball.law import Law
 from rotordyn.machine.growth import QuadraticInSpeed, RingGrowth
 from rotordyn.preload.arrangement import HOUSING, arrangement, rigid
 from rotordyn.preload.state import dynamic_preload

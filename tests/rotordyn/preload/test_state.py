@@ -9,8 +9,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from bearings.iterate import Iterate
-from bearings.law import Law
+from bearings.ball.law import Law
+from bearings.ring.iterate import Iterate
 from rotordyn.machine.growth import PrescribedShortening
 from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle

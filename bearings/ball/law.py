@@ -1,0 +1,67 @@
+"""What is assumed of the balls of a bearing."""
+
+from __future__ import annotations
+
+import difflib
+from collections.abc import Iterable
+from dataclasses import dataclass
+from numbers import Real
+
+from bearings.errors import InvalidBearing
+
+KINEMATICS = ("hybrid", "outer", "inner", "geometric")
+MOMENT_SHARING = ("equal", "outer", "inner", "hybrid")
+DYNAMICS = ("resultant", "frozen")
+
+
+@dataclass(frozen=True, slots=True)
+class Law:
+    """Kinematic hypothesis, sharing of the gyroscopic moment, limit of friction.
+
+    Parameters
+    ----------
+    kinematics : "hybrid", "outer", "inner" or "geometric"
+    moment_sharing : "equal", "outer", "inner" or "hybrid"
+    friction : coefficient μ that limits the moment a race can hold, λ Mg ≤ μ D Q; None: no limit
+    dynamics : "resultant": Fc and Mg follow the resultant load on each race; "frozen": Fc at the
+        free contact angle and no Mg
+
+    Raises
+    ------
+    InvalidBearing : a name or number that is none of these
+    """
+
+    kinematics: str = "hybrid"
+    moment_sharing: str = "equal"
+    friction: float | None = None
+    dynamics: str = "resultant"
+
+    def __post_init__(self) -> None:
+        check_name("kinematics", self.kinematics, KINEMATICS)
+        check_name("moment_sharing", self.moment_sharing, MOMENT_SHARING)
+        check_name("dynamics", self.dynamics, DYNAMICS)
+        mu: object = self.friction
+        if mu is None:
+            return
+        if isinstance(mu, bool) or not isinstance(mu, Real) or not 1e-6 <= float(mu) <= 1e6:
+            raise InvalidBearing(f"friction must be a number from 1e-6 to 1e6 or None, got {mu!r}")
+
+    @property
+    def one_branch(self) -> bool:
+        """True where a ball is never loaded or lost at the same place: a neighbour may be a start.
+
+        Inner control and the geometric hypothesis end their loaded branch with a jump.
+        """
+        return self.kinematics in ("hybrid", "outer")
+
+
+def check_name(what: str, name: object, known: Iterable[str]) -> None:
+    """Refuse a name that is not among ``known``, with the nearest one."""
+    if isinstance(name, str) and name in known:
+        return
+    close = difflib.get_close_matches(str(name), known, n=1)
+    hint = f" (did you mean {close[0]!r}?)" if close else ""
+    raise InvalidBearing(f"{what} must be one of {', '.join(known)}, got {name!r}{hint}")
+
+
+STANDARD = Law()

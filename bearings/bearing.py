@@ -1,0 +1,272 @@
+"""What every ball bearing is, whatever its kind; and the contract for whoever adds a kind.
+
+A kind is one frozen dataclass derived from ``BallBearing``, in a file of its own in
+``bearings/kinds``, and one line in ``bearings.kinds.KINDS``. It keeps this contract:
+
+1. **Fields.** What a maker's drawing says, declared with ``measured``: quantity, range, meaning and
+   default stand on the field. Python, files, JSON Schema and key reference read them from there.
+   ``ball_diameter``, ``pitch_diameter``, ``balls``, ``inner_conformity``, ``outer_conformity``,
+   ``ball_material`` and ``ring_material`` are common to all kinds.
+2. **Grooves.** ``grooves`` gives the places of the groove centres (``bearings.grooves.Grooves``):
+   one or two grooves a ring, the free contact angle, and where displacement is zero. Everything
+   else about the physics follows from it: no other file knows the kind.
+3. **Faults.** ``_faults`` yields a sentence, with its remedy, for data that contradict one another.
+4. **Loads it cannot carry.** ``refusal(load, free)`` is a sentence where a load given on a free
+   component cannot be carried by this kind at all; empty by default.
+5. **Directions.** ``both_ways``: it takes thrust in both directions.
+
+For that, every kind has:
+
+6. **Equilibrium** from a displacement, a load or any mix of both (``equilibrium``), batched.
+7. **State** as plain data (``bearings.ring.state.BearingState``): loads, displacements, per-ball
+   results by contact in the order of ``contacts``, and by race.
+8. **Tangent** ∂load/∂displacement of the state.
+9. **Drawing**: ``contact_lines``, angles of the lines through a ball that carry, and the radii of
+   the raceways.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import MISSING, dataclass, field, fields
+from numbers import Integral, Real
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from bearings.errors import InvalidBearing
+from bearings.grooves import Grooves
+from bearings.materials import Material
+
+if TYPE_CHECKING:
+    from numpy.typing import ArrayLike
+
+    from bearings.ring.state import BearingState
+
+
+@dataclass(frozen=True, slots=True)
+class Measure:
+    """What a field takes: ``quantity`` ("length", "angle", "number", "count" or "material").
+
+    ``low`` and ``high`` [SI] bound it, ``open_low``: the lower bound itself is excluded; ``unit``:
+    in which drawings give it; ``meaning``: a phrase for documents and editors.
+    """
+
+    quantity: str
+    meaning: str
+    low: float = -math.inf
+    high: float = math.inf
+    open_low: bool = False
+    unit: str = ""
+
+    def refusal(self, name: str, value: object) -> str:
+        """Why a field does not take a value; empty where it does."""
+        if self.quantity == "material":
+            taken = isinstance(value, Material)
+            return "" if taken else f"{name} must be a bearings.Material, got {value!r}"
+        if not _number(value):
+            return f"{name} must be a finite number, got {value!r}"
+        number = float(value)  # type: ignore[arg-type]
+        if self.quantity == "count" and number != int(number):
+            return f"{name} must be a whole number from {self.low:g} up, got {value!r}"
+        above = number > self.low if self.open_low else number >= self.low
+        if above and number <= self.high:
+            return ""
+        low = "above" if self.open_low else "from"
+        return (
+            f"{name} must lie {low} {self._shown(self.low)} up to {self._shown(self.high)}, got "
+            f"{self._shown(number)}: is the unit right?"
+        )
+
+    def _shown(self, value: float) -> str:
+        if self.quantity == "angle":
+            return f"{math.degrees(value):g}° (in rad)"
+        return f"{value:g} m" if self.quantity == "length" else f"{value:g}"
+
+
+def measured(measure: Measure, default: Any = MISSING) -> Any:
+    """A dataclass field that takes what ``measure`` says."""
+    return field(default=default, metadata={"measure": measure})
+
+
+BALL_DIAMETER = Measure("length", "diameter of a ball", 1e-4, 0.2, unit="mm")
+PITCH_DIAMETER = Measure("length", "diameter of the circle of ball centres", 1e-3, 10.0, unit="mm")
+BALLS = Measure("count", "number of balls", 3, 500)
+CONFORMITY = Measure("number", "groove radius over ball diameter", 0.5, 0.7, open_low=True)
+MATERIAL = Measure("material", "elastic constants and density")
+
+
+@dataclass(frozen=True)
+class BallBearing:
+    """A single-row ball bearing with rigid rings, of any kind; see the contract above.
+
+    Raises
+    ------
+    InvalidBearing : data out of range, or impossible together
+    """
+
+    __slots__ = ()
+    both_ways: ClassVar[bool] = False
+
+    if TYPE_CHECKING:
+        ball_diameter: float
+        pitch_diameter: float
+        balls: int
+        inner_conformity: float
+        outer_conformity: float
+        ball_material: Material
+        ring_material: Material
+
+    def __post_init__(self) -> None:
+        for name, measure in self.measures().items():
+            value = getattr(self, name)
+            if value is None and _optional(type(self), name):
+                continue
+            if why := measure.refusal(name, value):
+                raise InvalidBearing(why)
+        for fault in self._overlaps():
+            raise InvalidBearing(fault)
+        for fault in self._faults():
+            raise InvalidBearing(fault)
+
+    @classmethod
+    def measures(cls) -> dict[str, Measure]:
+        """What every field takes, by name."""
+        return {f.name: f.metadata["measure"] for f in fields(cls)}
+
+    def _overlaps(self) -> Iterator[str]:
+        circle = self.pitch_diameter * math.sin(math.pi / self.balls)
+        if self.ball_diameter >= circle:
+            yield (
+                f"{self.balls} balls of {self.ball_diameter * 1e3:g} mm overlap on a pitch circle "
+                f"of {self.pitch_diameter * 1e3:g} mm"
+            )
+
+    def _faults(self) -> Iterator[str]:
+        """Contract 3."""
+        yield from ()
+
+    @property
+    def grooves(self) -> Grooves:
+        """Contract 2."""
+        raise NotImplementedError
+
+    def refusal(self, load: Sequence[float], free: Sequence[bool]) -> str:
+        """Contract 4: ``load`` (5,) and where it is ``free`` to act (5,)."""
+        return ""
+
+    @property
+    def contacts(self) -> tuple[str, ...]:
+        """Names of the contacts of a ball, in the order of all per-contact results."""
+        return self.grooves.contacts
+
+    @property
+    def free_angle(self) -> float:
+        """Contact angle of the unloaded bearing at rest, pushed axially until balls touch [rad]."""
+        return self.grooves.free_angle
+
+    @property
+    def contact_lines(self) -> tuple[float, ...]:
+        """Angles from the radial direction of the lines along which a ball can carry [rad].
+
+        Positive as seen along the thrust that loads them; what a drawing of the section shows.
+        """
+        angle = self.free_angle
+        return (angle, -angle) if self.both_ways and angle > 0.0 else (angle,)
+
+    @property
+    def inner_raceway_radius(self) -> float:
+        """Radius of the ball's contact on the inner race, (dm − D cos α)/2 [m]."""
+        return 0.5 * (self.pitch_diameter - self.ball_diameter * math.cos(self.free_angle))
+
+    @property
+    def outer_raceway_radius(self) -> float:
+        """Radius of the ball's contact on the outer race, (dm + D cos α)/2 [m]."""
+        return 0.5 * (self.pitch_diameter + self.ball_diameter * math.cos(self.free_angle))
+
+    @property
+    def largest_static_growth(self) -> float:
+        """Static growth that takes the whole contact angle of a bearing counted from touching [m].
+
+        Infinite for kinds whose displacement is counted from the centred position.
+        """
+        grooves = self.grooves
+        if not grooves.touching:
+            return math.inf
+        return grooves.free_distance * (1.0 - math.cos(grooves.free_angle))
+
+    def equilibrium(  # noqa: PLR0913 - all of it describes one question
+        self,
+        *,
+        load: ArrayLike | None = None,
+        displacement: ArrayLike | None = None,
+        speed: ArrayLike = 0.0,
+        static_growth: ArrayLike = 0.0,
+        growth: ArrayLike | None = None,
+        kinematics: str = "hybrid",
+        moment_sharing: str = "equal",
+        friction: float | None = None,
+        dynamics: str = "resultant",
+        start: BearingState | None = None,
+        compiled: bool | None = None,
+    ) -> BearingState:
+        """The physical state under a load or a displacement of the inner ring, or a mix of both.
+
+        Parameters
+        ----------
+        load, displacement : shape (…, 5): (Fx, Fy, Fz, My, Mz) [N, N·m] or (δx, δy, δz, θy, θz)
+            [m, rad]; zero displacement is zero load at rest. With both, exactly one of each pair is
+            given and the other is None or NaN, in the same way for every state
+        speed : of the inner ring, shape (…) [rad/s]
+        static_growth : Δu0, radial growth of the inner groove centre at rest, shape (…) [m]
+        growth : Δu, total growth at ``speed``, static part included; None = ``static_growth``
+        kinematics : "hybrid", "outer", "inner" or "geometric"
+        moment_sharing : "equal", "outer", "inner" or "hybrid"
+        friction : coefficient μ that limits the gyroscopic moment a race can hold, λ Mg ≤ μ D Q;
+            None lets it hold any
+        dynamics : "resultant", Fc and Mg of every ball follow the resultant load on each race (with
+            one contact a race this is exact); "frozen", Fc at the free contact angle, no Mg
+        start : a state of the same batch shape close to the one sought; only speeds the search up,
+            and is not used with kinematics that know two branches ("inner", "geometric")
+        compiled : solve state by state with compiled functions; None: where that pays, with the
+            time for loading or compiling them
+
+        Returns
+        -------
+        BearingState with leading shape (…), the broadcast of all arguments
+
+        Raises
+        ------
+        InvalidBearing : over- or under-determined, shapes, non-finite numbers, unknown names, a
+            load that this kind cannot carry
+        NoEquilibrium : a single state (no leading dimensions) does not exist; batches carry an
+            ``outcome`` per state instead
+        """
+        from bearings.ball.law import Law
+        from bearings.ring.question import question
+        from bearings.ring.request import answer
+        from bearings.ring.state import BearingState
+
+        if start is not None and not isinstance(start, BearingState):
+            raise InvalidBearing(f"start must be a state of this bearing, got {start!r:.80}")
+        if not (compiled is None or isinstance(compiled, bool)):
+            raise InvalidBearing(f"compiled must be True, False or None, got {compiled!r}")
+        law = Law(kinematics, moment_sharing, friction, dynamics)
+        asked = question(load, displacement, speed, static_growth, growth)
+        for row in asked.load:
+            if why := self.refusal(row.tolist(), asked.free.tolist()):
+                raise InvalidBearing(why)
+        return answer(self.grooves, law, asked, start, compiled)
+
+
+def _optional(kind: type[BallBearing], name: str) -> bool:
+    return kind.__dataclass_fields__[name].default is None
+
+
+def _number(value: object) -> bool:
+    """A finite real number."""
+    if isinstance(value, bool) or not isinstance(value, Real | Integral):
+        return False
+    try:
+        return math.isfinite(value)
+    except OverflowError:
+        return False

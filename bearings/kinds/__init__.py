@@ -1,0 +1,30 @@
+"""The kinds of ball bearing, each a file of its own; nothing outside this folder names one.
+
+``KINDS`` maps the word by which a file calls a kind to its class. A new kind is a new file here and
+its line below (the contract it keeps: ``bearings.bearing``).
+"""
+
+from __future__ import annotations
+
+import importlib
+from functools import cache
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from bearings.bearing import BallBearing
+    from bearings.kinds.angular_contact import (
+        AngularContactBallBearing as AngularContactBallBearing,
+    )
+
+KINDS = {
+    "angular_contact": "AngularContactBallBearing",
+}
+DEFAULT = "angular_contact"  # of a file that names no kind
+
+
+@cache
+def kind_class(kind: str) -> type[BallBearing]:
+    """The class of a kind by its word in ``KINDS``; raises KeyError for another word."""
+    name = KINDS[kind]
+    found: type[BallBearing] = getattr(importlib.import_module(f"bearings.kinds.{kind}"), name)
+    return found

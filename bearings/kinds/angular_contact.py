@@ -1,0 +1,65 @@
+"""The angular-contact ball bearing: one groove a ring, thrust one way."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+from bearings.bearing import (
+    BALL_DIAMETER,
+    BALLS,
+    CONFORMITY,
+    MATERIAL,
+    PITCH_DIAMETER,
+    BallBearing,
+    Measure,
+    measured,
+)
+from bearings.grooves import Grooves
+from bearings.materials import SILICON_NITRIDE, STEEL, Material
+
+CONTACT_ANGLE = Measure("angle", "free contact angle", 0.0, math.radians(60.0), unit="deg")
+
+
+@dataclass(frozen=True, slots=True)
+class AngularContactBallBearing(BallBearing):
+    """A single-row angular-contact ball bearing with rigid rings.
+
+    Parameters
+    ----------
+    ball_diameter, pitch_diameter : D, dm [m]
+    balls : number of balls, at least 3
+    contact_angle : free contact angle α [rad]
+    inner_conformity, outer_conformity : groove radius over ball diameter, above 0.5
+    ball_material, ring_material : elastic constants and density
+
+    Raises
+    ------
+    InvalidBearing : the geometry is impossible (balls overlap, groove tighter than the ball …)
+    """
+
+    ball_diameter: float = measured(BALL_DIAMETER)
+    pitch_diameter: float = measured(PITCH_DIAMETER)
+    balls: int = measured(BALLS)
+    contact_angle: float = measured(CONTACT_ANGLE)
+    inner_conformity: float = measured(CONFORMITY, 0.52)
+    outer_conformity: float = measured(CONFORMITY, 0.52)
+    ball_material: Material = measured(MATERIAL, SILICON_NITRIDE)
+    ring_material: Material = measured(MATERIAL, STEEL)
+
+    @property
+    def grooves(self) -> Grooves:
+        """Inner and outer groove centre lie BD apart along the contact angle."""
+        gap = (self.inner_conformity + self.outer_conformity - 1.0) * self.ball_diameter
+        return Grooves(
+            ball_diameter=float(self.ball_diameter),
+            pitch_diameter=float(self.pitch_diameter),
+            balls=int(self.balls),
+            inner_conformity=float(self.inner_conformity),
+            outer_conformity=float(self.outer_conformity),
+            ball_material=self.ball_material,
+            ring_material=self.ring_material,
+            free_angle=float(self.contact_angle),
+            radial_gap=gap * math.cos(self.contact_angle),
+            touching=True,
+        )

@@ -1,0 +1,92 @@
+"""Solved states put back into the caller's shape."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.geometry import Geometry
+from bearings.ring.equilibrium import Solution
+from bearings.ring.problem import Problem
+from bearings.ring.question import Question
+from bearings.ring.state import BearingState, Cause
+
+Array = NDArray[np.float64]
+BALL_FIELDS = (
+    "inner_load",
+    "outer_load",
+    "inner_angle",
+    "outer_angle",
+    "inner_pressure",
+    "outer_pressure",
+    "centrifugal_force",
+    "gyroscopic_moment",
+    "inner_grip",
+    "outer_grip",
+)
+
+
+def blank(g: Geometry, question: Question, outcome: NDArray[np.str_]) -> dict[str, NDArray[Any]]:
+    """Arrays for every field, NaN until a state is found."""
+    count = len(question.speed)
+    states: dict[str, NDArray[Any]] = {
+        name: np.full((count, g.balls), np.nan) for name in BALL_FIELDS
+    }
+    states["load"] = np.full((count, 5), np.nan)
+    states["residual"] = np.full(count, np.nan)
+    states["displacement"] = np.full((count, 5), np.nan)
+    states["complete_stiffness"] = np.full((count, 5, 5), np.nan)
+    states["status"] = np.full((count, g.balls), "", dtype="<U12")
+    states["ball_centre"] = np.full((count, 2, g.balls), np.nan)
+    states["speed"] = question.speed
+    states["outcome"] = outcome
+    return states
+
+
+def store(
+    states: dict[str, NDArray[Any]], index: NDArray[np.intp], problem: Problem, solution: Solution
+) -> None:
+    """Write the states that exist; note the outcome of the others."""
+    states["outcome"][index] = solution.outcome
+    good = solution.outcome == ""
+    into, b, g = index[good], solution.balance, problem.model.geometry
+    qi, qo, mg = b.inner_load[good], b.outer_load[good], b.gyroscopic_moment[good]
+    share = np.broadcast_to(b.inner_share, b.inner_load.shape)[good]
+    inner_angle = np.arctan2(*b.inner_direction)[good]
+    states["load"][into] = np.where(problem.free, problem.load, solution.ring_load)[good]
+    states["displacement"][into] = solution.displacement[good]
+    states["residual"][into] = solution.residual[good]
+    states["complete_stiffness"][into] = solution.stiffness[good]
+    states["ball_centre"][into] = solution.ball[:, good].swapaxes(0, 1)
+    values = (
+        qi,
+        qo,
+        inner_angle,
+        np.arctan2(*b.outer_direction)[good],
+        g.inner.peak_pressure(qi),
+        g.outer.peak_pressure(qo),
+        np.broadcast_to(b.centrifugal_force[good], qi.shape),
+        mg,
+        _grip(share * mg, qi, g.ball_diameter),
+        _grip((2.0 - share) * mg, qo, g.ball_diameter),
+    )
+    for name, value in zip(BALL_FIELDS, values, strict=True):
+        states[name][into] = value
+    idle = "lost contact" if problem.turning else "unloaded"
+    word = np.where(inner_angle < 0.0, "open side", "loaded")
+    states["status"][into] = np.where(qi > 0.0, word, idle)
+
+
+def _grip(moment: Array, load: Array, diameter: float) -> Array:
+    """Friction coefficient that holds λ Mg at a race: λ |Mg| / (D Q); 0 where nothing presses."""
+    return np.where(load > 0.0, np.abs(moment) / (diameter * np.where(load > 0.0, load, 1.0)), 0.0)
+
+
+def state(states: dict[str, NDArray[Any]], shape: tuple[int, ...], cause: Cause) -> BearingState:
+    """Fields back in the caller's shape."""
+    centre = states.pop("ball_centre")
+    shaped = {name: value.reshape((*shape, *value.shape[1:])) for name, value in states.items()}
+    centre = centre.reshape((*shape, *centre.shape[1:]))
+    return BearingState(cause=cause, ball_centre=np.moveaxis(centre, -2, 0), **shaped)

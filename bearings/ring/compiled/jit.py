@@ -1,0 +1,92 @@
+"""Plain functions of this package compiled as they stand, together with all they call.
+
+numba is imported here alone, when it is first needed. Its cache notices no change in a function
+that is called from another file: it is kept in a folder named after the sources of this package.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import tempfile
+from collections.abc import Callable, Iterator
+from functools import cache
+from pathlib import Path
+from types import FunctionType
+from typing import Any
+
+from bearings.ball.plane import where
+
+PACKAGE = "bearings"
+
+
+@cache
+def compiled(function: Callable[..., Any], *, keep: bool = False) -> Any:
+    """``function`` with all functions of this package that it calls, compiled at its first call.
+
+    ``keep``: on disk too, for the next process; meant for entries, whose callees come with them.
+    """
+    import numba
+
+    if not keep:
+        return numba.njit(_bound(function), error_model="numpy")
+    usual: str = numba.config.CACHE_DIR  # type: ignore[attr-defined]
+    try:
+        numba.config.CACHE_DIR = str(_folder())  # type: ignore[attr-defined]
+        return numba.njit(_bound(function), cache=True, error_model="numpy")
+    finally:
+        numba.config.CACHE_DIR = usual  # type: ignore[attr-defined]
+
+
+def is_kept() -> bool:
+    """Whether an earlier process has left compiled functions on disk."""
+    return any(_folder().rglob("*.nbi"))
+
+
+def _chosen(condition: Any, yes: Any, no: Any) -> Any:
+    """``bearings.plane.where`` of one ball."""
+    return yes if condition else no
+
+
+def _bound(function: Callable[..., Any]) -> FunctionType:
+    """The function with the names of others bound to their compiled forms."""
+    assert isinstance(function, FunctionType)
+    names = dict(function.__globals__)
+    for name in function.__code__.co_names:
+        other = names.get(name)
+        if other is where:
+            names[name] = compiled(_chosen)
+        elif isinstance(other, FunctionType) and other.__module__.split(".")[0] == PACKAGE:
+            names[name] = compiled(other)
+    twin = FunctionType(function.__code__, names, function.__name__, function.__defaults__)
+    twin.__module__, twin.__qualname__ = function.__module__, function.__qualname__
+    return twin
+
+
+@cache
+def _folder() -> Path:
+    """A writable folder of this user, named by a hash of the sources."""
+    digest = hashlib.sha256()
+    for source in sorted(Path(__file__).parents[2].rglob("*.py")):
+        digest.update(source.read_bytes())
+    name = f"{PACKAGE}-{digest.hexdigest()[:16]}"
+    for root in _roots():
+        try:
+            root.mkdir(parents=True, exist_ok=True)
+            (root / name).mkdir(mode=0o700, exist_ok=True)
+        except OSError:
+            continue
+        if os.access(root / name, os.W_OK):
+            return root / name
+    return Path(tempfile.mkdtemp(prefix=PACKAGE))
+
+
+def _roots() -> Iterator[Path]:
+    """Where caches belong: as numba's user has it, else as this user's system has it."""
+    for variable in ("NUMBA_CACHE_DIR", "XDG_CACHE_HOME", "LOCALAPPDATA"):
+        if given := os.environ.get(variable):
+            yield Path(given) / "rotordyn"
+    try:
+        yield Path.home() / ".cache" / "rotordyn"
+    except RuntimeError:  # a user without a home
+        return

@@ -1,0 +1,208 @@
+"""One state to find: what its balls do together, evaluated ball by ball."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.ball.balance import LawNumbers, settled, turning_balance
+from bearings.ball.constants import BallConstants
+from bearings.ball.plane import Pair
+from bearings.ball.potential import reaction, resting_reaction, resting_seat
+from bearings.ring.compiled.seat import seat
+
+Array = NDArray[np.float64]
+
+
+class One(NamedTuple):
+    """A state to find.
+
+    ``azimuth`` (n, 6) as in ``bearings.ring.Ring``; ``scale`` (5,), ``origin`` (2,), ``load`` (5,)
+    as in ``bearings.problem.Problem``; ``free``: places of the freedoms whose load is given;
+    ``one_branch`` as in ``bearings.ring.model``; ``squared`` ω²; ``push``: nominal Fc; ``balls``
+    of the bearing, for which those n stand.
+    """
+
+    constants: BallConstants
+    law: LawNumbers
+    azimuth: Array
+    scale: Array
+    free: NDArray[np.intp]
+    balls: int
+    turning: bool
+    one_branch: bool
+    origin: Array
+    squared: float
+    push: float
+    load: Array
+
+
+class Work(NamedTuple):
+    """Room for what an evaluation finds.
+
+    ``still`` (n, 2), ``follow`` (n, 4): how each ball moves with the ring. ``grip`` (n, 2): inner
+    load and gyroscopic moment of each ball, ``first_grip`` where a stride began. ``action``,
+    ``settled`` (5,): load on the ring, as it is and with the balls settled. ``stiffness`` (5, 5).
+    ``d``, ``x``: where the last stride began.
+    """
+
+    still: Array
+    follow: Array
+    grip: Array
+    first_grip: Array
+    action: Array
+    settled: Array
+    stiffness: Array
+    d: Array
+    x: Array
+
+
+class Found(NamedTuple):
+    """Of an evaluation.
+
+    ``largest`` ball load; ``imbalance`` of a ball; ``fold``: smallest ball determinant;
+    ``pressed``: every ball on the outer race; ``energy`` of the convex stage.
+    """
+
+    largest: float
+    imbalance: float
+    fold: float
+    pressed: bool
+    energy: float
+
+
+def room(balls: int) -> Work:
+    """Empty room for a ring of so many balls."""
+    five, x = np.zeros(5), np.zeros((balls, 2))
+    follow, stiffness = np.zeros((balls, 4)), np.zeros((5, 5))
+    grip, first = x.copy(), x.copy()
+    return Work(x, follow, grip, first, five, five.copy(), stiffness, five.copy(), x.copy())
+
+
+def centre_of(p: One, d: Array, ball: int) -> Pair:
+    """A of one ball."""
+    axial, radial = moved(p, d, ball)
+    return p.origin[0] + axial, p.origin[1] + radial
+
+
+def moved(p: One, d: Array, ball: int) -> Pair:
+    """What a displacement adds to A of one ball."""
+    cos, sin, radius = p.azimuth[ball, 1], p.azimuth[ball, 2], p.constants.centre_radius
+    return d[0] + radius * (d[3] * sin - d[4] * cos), d[1] * cos + d[2] * sin
+
+
+def evaluate(p: One, d: Array, x: Array, blend: float, w: Work) -> Found:
+    """The full problem at (d, X)."""
+    largest, imbalance, fold, pressed = 0.0, 0.0, np.inf, True
+    _clear(w)
+    for ball in range(len(x)):
+        centre = centre_of(p, d, ball)
+        if not p.turning:
+            at_rest = resting_reaction(p.constants, centre)
+            force = at_rest.force
+            largest = max(largest, np.sqrt(force[0] ** 2 + force[1] ** 2))
+            _add_convex(p, ball, force, at_rest.slope, w)
+            continue
+        here = (x[ball, 0], x[ball, 1])
+        b = turning_balance(p.constants, p.law, centre, here, p.squared, blend, 1.0)
+        s = settled(b)
+        largest = max(largest, b.inner_load, b.outer_load)
+        imbalance = max(imbalance, abs(b.residual[0]), abs(b.residual[1]))
+        fold, pressed = min(fold, s.fold), pressed and b.outer_load > 0.0
+        w.grip[ball, 0], w.grip[ball, 1] = b.inner_load, b.gyroscopic_moment
+        w.still[ball, 0], w.still[ball, 1] = s.still
+        w.follow[ball, 0], w.follow[ball, 1] = s.follow[0]
+        w.follow[ball, 2], w.follow[ball, 3] = s.follow[1]
+        _add(p, ball, b.action, s.action, s.tangent, w)
+    return Found(largest, imbalance, fold, pressed, 0.0)
+
+
+def evaluate_convex(p: One, d: Array, x: Array, w: Work) -> Found:
+    """The convex stage at d, balls settled from X, which is written anew."""
+    largest, energy, c = 0.0, 0.0, p.constants
+    _clear(w)
+    for ball in range(len(x)):
+        centre = centre_of(p, d, ball)
+        if p.turning:
+            here = seat(c, centre, (x[ball, 0], x[ball, 1]), p.push)
+            moving = reaction(c, centre, here, p.push)
+            force, slope = moving.force, moving.slope
+            energy += moving.energy
+            w.follow[ball, 0], w.follow[ball, 1] = moving.follow[0]
+            w.follow[ball, 2], w.follow[ball, 3] = moving.follow[1]
+        else:
+            here = resting_seat(c, centre)
+            still = resting_reaction(c, centre)
+            force, slope = still.force, still.slope
+            energy += still.energy
+        x[ball, 0], x[ball, 1] = here
+        largest = max(largest, np.sqrt(force[0] ** 2 + force[1] ** 2))
+        _add_convex(p, ball, force, slope, w)
+    return Found(largest, 0.0, 1.0, True, energy * p.balls / len(x))
+
+
+def _clear(w: Work) -> None:
+    w.action[:] = 0.0
+    w.settled[:] = 0.0
+    w.stiffness[:] = 0.0
+
+
+def _add_convex(p: One, ball: int, force: Pair, slope: tuple[Pair, Pair], w: Work) -> None:
+    radius = p.constants.centre_radius
+    action = (force[0], force[1], radius * force[0])
+    lever = (radius * slope[0][0], radius * slope[0][1])
+    _add(p, ball, action, action, (slope[0], slope[1], lever), w)
+
+
+def _add(
+    p: One,
+    ball: int,
+    action: tuple[float, float, float],
+    settled_action: tuple[float, float, float],
+    tangent: tuple[Pair, Pair, Pair],
+    w: Work,
+) -> None:
+    """What one ball adds to load and stiffness of the ring."""
+    az = p.azimuth[ball]
+    _add_load(az, action, w.action)
+    _add_load(az, settled_action, w.settled)
+    one, cos, sin, cos2, both, sin2 = az[0], az[1], az[2], az[3], az[4], az[5]
+    k, radius = w.stiffness, p.constants.centre_radius
+    (a1, a2), (r1, r2), (m1, m2) = tangent
+    at, rt, mt = radius * a1, radius * r1, radius * m1
+    k[0, 0] += a1 * one
+    k[0, 1] += a2 * cos
+    k[0, 2] += a2 * sin
+    k[0, 3] += at * sin
+    k[0, 4] -= at * cos
+    k[1, 0] += r1 * cos
+    k[1, 1] += r2 * cos2
+    k[1, 2] += r2 * both
+    k[1, 3] += rt * both
+    k[1, 4] -= rt * cos2
+    k[2, 0] += r1 * sin
+    k[2, 1] += r2 * both
+    k[2, 2] += r2 * sin2
+    k[2, 3] += rt * sin2
+    k[2, 4] -= rt * both
+    k[3, 0] += m1 * sin
+    k[3, 1] += m2 * both
+    k[3, 2] += m2 * sin2
+    k[3, 3] += mt * sin2
+    k[3, 4] -= mt * both
+    k[4, 0] -= m1 * cos
+    k[4, 1] -= m2 * cos2
+    k[4, 2] -= m2 * both
+    k[4, 3] -= mt * both
+    k[4, 4] += mt * cos2
+
+
+def _add_load(az: Array, action: tuple[float, float, float], load: Array) -> None:
+    axial, radial, lever = action
+    load[0] += az[0] * axial
+    load[1] += az[1] * radial
+    load[2] += az[2] * radial
+    load[3] += az[2] * lever
+    load[4] -= az[1] * lever

@@ -1,0 +1,112 @@
+"""What there is to say about each state of a batch, in a few words."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.ring.spin_up import Gap, spin_up
+from bearings.ring.state import BearingState, Cause
+
+Array = NDArray[np.float64]
+PERMANENT = 4.2e9  # Pa: ISO 76, the pressure that leaves a ten-thousandth of the ball diameter
+IMPOSSIBLE = 1.0  # Mg/D over the load of a race
+GIVEN = ("displacement", "load and displacement", "load")
+RPM = math.pi / 30.0
+
+
+def conditions(state: BearingState) -> NDArray[np.str_]:
+    """See ``BearingState.condition``."""
+    balls = state.inner_load.shape[-1]
+    pressure = np.maximum(state.inner_pressure, state.outer_pressure).reshape(-1, balls)
+    angle = np.maximum(np.abs(state.inner_angle), np.abs(state.outer_angle)).reshape(-1, balls)
+    angle = np.where(state.inner_load.reshape(-1, balls) > 0.0, angle, 0.0)
+    status = state.status.reshape(-1, balls)
+    slipping = state.slipping.reshape(-1, balls)
+    refused = np.flatnonzero(state.outcome.reshape(-1) == "no equilibrium")
+    ends = iter(endings(state.cause, refused) if refused.size else [])
+    words = []
+    for k, outcome in enumerate(state.outcome.reshape(-1)):
+        if outcome == "no equilibrium":
+            words.append(f"{outcome}: {next(ends)}")
+        elif outcome:
+            words.append(str(outcome))
+        else:
+            words.append("; ".join(_remarks(pressure[k], angle[k], status[k], slipping[k])))
+    return np.array(words, dtype=str).reshape(state.outcome.shape)
+
+
+def endings(cause: Cause, index: NDArray[np.intp]) -> list[str]:
+    """Up to which speed questions that have no state have one, and what ends it."""
+    gaps = first_gaps(cause, index)
+    last = cause.solved(cause.question.repeated(index, np.array([gap.low for gap in gaps])))
+    load = np.minimum(last.inner_load, last.outer_load)
+    force = np.abs(last.gyroscopic_moment) / cause.grooves.ball_diameter
+    thrown = (load > 0.0) & (force > IMPOSSIBLE * load)
+    return [_ending(cause, gap, balls) for gap, balls in zip(gaps, thrown, strict=True)]
+
+
+def first_gaps(cause: Cause, index: NDArray[np.intp]) -> list[Gap]:
+    """First gaps of speed of some questions; what their searches ask for is solved together."""
+    asked, jumps = cause.question, cause.law.kinematics in ("inner", "geometric")
+    searches = [spin_up(float(asked.speed[k]), jumps=jumps) for k in index]
+    speeds, gaps = [next(search) for search in searches], [Gap(0.0)] * len(searches)
+    going = list(range(len(searches)))
+    while going:
+        row = np.repeat(index[going], [len(speeds[k]) for k in going])
+        found = cause.solved(asked.repeated(row, np.concatenate([speeds[k] for k in going])))
+        there, touch = found.outcome == "", found.inner_load > 0.0
+        borders = np.cumsum([len(speeds[k]) for k in going])[:-1]
+        parts = zip(going, np.split(there, borders), np.split(touch, borders), strict=True)
+        for k, some, contacts in list(parts):
+            try:
+                speeds[k] = searches[k].send((some, contacts))
+            except StopIteration as end:
+                gaps[k] = end.value
+                going.remove(k)
+    return gaps
+
+
+def _ending(cause: Cause, gap: Gap, thrown: NDArray[np.bool_]) -> str:
+    asked = cause.question
+    given = GIVEN[int(asked.free.sum() > 0) + asked.free.all()]
+    where = f"above {gap.low / RPM:.0f} rpm at this {given}"
+    if gap.low == 0.0:
+        where = f"as soon as the ring turns at this {given}"
+    if gap.again is not None:
+        first, last = (f"{speed / RPM:.0f}" for speed in gap.again)
+        span = f"from {first} to {last} rpm" if first != last else f"near {first} rpm"
+        where += f" (states again{', with gaps,' if gap.broken else ''} {span})"
+    if thrown.any():
+        return f"balls {_ranges(thrown)} are thrown off a race {where}"
+    return f"stiffness vanishes {where}"
+
+
+def _remarks(
+    pressure: Array, angle: Array, status: NDArray[np.str_], slipping: NDArray[np.str_]
+) -> list[str]:
+    """About a state that exists."""
+    remarks = []
+    if pressure.max() > PERMANENT:
+        remarks.append(f"overloaded (pressure {pressure.max() / 1e9:.1f} GPa)")
+    if (beyond := angle > math.pi / 2.0).any():
+        remarks.append(f"beyond the groove (balls {_ranges(beyond)})")
+    idle = (status == "lost contact") | (status == "unloaded")
+    if idle.all():
+        remarks.append("unloaded")
+    elif idle.any():
+        remarks.append(f"lost contact (balls {_ranges(idle)})")
+    for race in ("inner", "outer", "both"):
+        if (slipping == race).any():
+            name = "both races" if race == "both" else f"{race} race"
+            remarks.append(f"slips on the {name} (balls {_ranges(slipping == race)})")
+    return remarks
+
+
+def _ranges(chosen: NDArray[np.bool_]) -> str:
+    """The numbers of the chosen balls: 0–3, 7."""
+    numbers = np.flatnonzero(chosen)
+    runs = np.split(numbers, np.flatnonzero(np.diff(numbers) > 1) + 1)
+    return ", ".join(f"{run[0]}" if len(run) == 1 else f"{run[0]}–{run[-1]}" for run in runs)

@@ -1,0 +1,121 @@
+"""Second stage: the state followed from the convex problem to the full one.
+
+The real angle dependence and the gyroscopic moment are switched on by a blend t = 0 … 1. A path
+that ends before t = 1 (a fold, a jump of a contact, a ball lifted off) has no physical end.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.ball.balance import Balance
+from bearings.ball.plane import turned_far
+from bearings.ring.free_motion import beyond
+from bearings.ring.linearised import Linear, linearise, newton_step, segments, tangent
+from bearings.ring.problem import (
+    FIRST_BLEND,
+    FIRST_FREE,
+    JUMP,
+    LONGEST_TURN,
+    MOST_FREE_MOTIONS,
+    NEWTON_STEPS,
+    ON_THE_WAY,
+    QUICK_STEPS,
+    SHORTEST_BLEND,
+    TOLERANCE,
+    Index,
+    Problem,
+)
+
+Array = NDArray[np.float64]
+
+
+def followed(
+    problem: Problem, d: Array, x: Array, done: NDArray[np.bool_]
+) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """Follow the states that are ``done`` at blend 0 to the full problem."""
+    blend, stride = np.zeros(len(d)), np.full(len(d), FIRST_BLEND)
+    freed = np.zeros(len(d), dtype=int)
+    while True:
+        todo = np.flatnonzero(done & (blend < 1.0) & (stride >= SHORTEST_BLEND))
+        if not todo.size:
+            stuck = np.flatnonzero(done & (blend < 1.0) & (freed < MOST_FREE_MOTIONS))
+            freed[stuck] += 1
+            if not _free(problem, d, x, blend, stride, stuck):
+                break
+            continue
+        target = np.minimum(1.0, blend[todo] + stride[todo])
+        new_d, new_x, good, _, used = corrected(problem.take(todo), d[todo], x[:, todo], target)
+        won = todo[good]
+        d[won], x[:, won], blend[won] = new_d[good], new_x[:, good], target[good]
+        stride[won] *= np.where(used[good] <= QUICK_STEPS, 2.0, 1.0)
+        stride[todo[~good]] *= 0.25
+    return d, x, done & (blend >= 1.0)
+
+
+def _free(problem: Problem, d: Array, x: Array, blend: Array, stride: Array, stuck: Index) -> bool:
+    """Moves what no load holds to where another ball takes part; whether any state goes on."""
+    moved = False
+    for k in stuck:
+        part = problem.take(np.array([k]))
+        linear = linearise(part, d[k : k + 1], x[:, k : k + 1], blend[k : k + 1])
+        there = beyond(part, d[k], x[:, k], linear.balance)
+        if there is None:
+            continue
+        target = np.minimum(1.0, blend[k : k + 1] + FIRST_FREE)
+        new_d, new_x, good = corrected(part, there[None], x[:, k : k + 1], target)[:3]
+        if good[0]:
+            d[k], x[:, k], blend[k], stride[k] = new_d[0], new_x[:, 0], target[0], FIRST_FREE
+            moved = True
+    return moved
+
+
+def corrected(
+    problem: Problem, d: Array, x: Array, blend: Array
+) -> tuple[Array, Array, NDArray[np.bool_], Linear, NDArray[np.int_]]:
+    """Plain Newton at ``blend`` from a point close by.
+
+    Returns new (d, X), success, the linearisation there, and the iterations used. Success means:
+    converged, no angle turned far, every ball on the outer race, no fold and no jump passed.
+    """
+    before = segments(problem, d, x)
+    d, x = d.copy(), x.copy()
+    used = np.zeros(len(d), dtype=int)
+    needed = np.where(blend < 1.0, ON_THE_WAY, TOLERANCE)
+    linear = linearise(problem, d, x, blend)
+    first, moving = linear.balance, linear.error >= needed
+    for _ in range(NEWTON_STEPS):
+        if not moving.any():
+            break
+        used += moving
+        dd, dx = newton_step(problem, linear)
+        d += np.where(moving[:, None], dd, 0.0)
+        x += np.where(moving[:, None], dx, 0.0)
+        linear = linearise(problem, d, x, blend)
+        moving = linear.error >= needed
+    good = ~moving & (linear.fold > 0.0)
+    for then, now in zip(before, segments(problem, d, x), strict=True):
+        good &= ~turned_far(then, now, LONGEST_TURN).any(axis=-1)
+    good &= (linear.balance.outer_load > 0.0).all(axis=-1)
+    if not problem.model.one_branch:
+        good &= ~_jumped(problem.model.constants.ball_diameter, first, linear.balance).any(axis=-1)
+    free = problem.free
+    if free.any():
+        k = tangent(problem, linear.balls)[:, free][:, :, free]
+        good &= np.linalg.det(_relative(k, problem.scale[free])) > 0.0
+    return d, x, good, linear, used
+
+
+def _jumped(diameter: float, before: Balance, now: Balance) -> NDArray[np.bool_]:
+    """Whether an inner contact (s, n) has opened or closed with a moment that does not fade."""
+    changed = (before.inner_load > 0.0) != (now.inner_load > 0.0)
+    moment = np.maximum(np.abs(before.gyroscopic_moment), np.abs(now.gyroscopic_moment))
+    largest = np.maximum(now.outer_load, now.inner_load).max(axis=-1, keepdims=True)
+    return changed & (2.0 * moment > JUMP * diameter * largest)
+
+
+def _relative(k: Array, scale: Array) -> Array:
+    """K with all freedoms as lengths, divided by its largest entry."""
+    k = k / scale / scale[:, None]
+    return k / (np.abs(k).max(axis=(1, 2), keepdims=True) + 1e-300)

@@ -1,0 +1,141 @@
+"""Bearings within a larger Newton iteration: balls take one step with every move of their rings.
+
+Whoever moves the rings sees a ring on springs, each ball eliminated as linearised where it stands;
+balls and rings come into balance together, instead of the balls anew for every place of a ring.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.ball.plane import turned_far
+from bearings.geometry import Geometry, geometry, groove_origin
+from bearings.ring.linearised import Linear, linearise, segments, tangent
+from bearings.ring.model import BallModel
+from bearings.ring.problem import LONGEST_TURN, Index, Problem
+from bearings.ring.state import BearingState
+from bearings.ring.sums import Ring
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+Parts = tuple[tuple[Index, Problem], ...]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Iterate:
+    """A batch of bearings of one model on the way to balance; ``shape`` (…) is that of the batch.
+
+    ``displacement`` (…, 5); ``ball`` (2, …, n): centres of the balls that the ring solves.
+    ``load`` (…, 5) and ``stiffness`` (…, 5, 5) of the rings with the balls settled to first order;
+    ``error`` (…): largest imbalance of a ball over the largest ball load, NaN where there is no
+    state; ``pressure`` (…): largest of both races [Pa]; ``sound`` (…): every ball on the physical
+    branch. A turning ball moves by ``still``, and by ``follow`` times what its groove centre does;
+    at rest balls have no place of their own.
+    """
+
+    parts: Parts
+    shape: tuple[int, ...]
+    displacement: Array
+    ball: Array
+    load: Array
+    stiffness: Array
+    error: Array
+    pressure: Array
+    sound: Flags
+    still: Array
+    follow: Array
+
+    def at(self, displacement: Array, ball: Array) -> Iterate:
+        """Rings and balls placed there."""
+        return _linearised(self.parts, self.shape, displacement, ball)
+
+    def moved(self, displacement: Array) -> Iterate:
+        """Rings placed there, every ball one Newton step on."""
+        step = self.along(displacement - self.displacement)
+        return self.at(displacement, self.ball + self.still + step)
+
+    def along(self, change: Array) -> Array:
+        """What balls do with a ``change`` (…, 5) of the displacement (2, …, n)."""
+        moved = self.parts[0][1].ring.moved(change.reshape(-1, 5))
+        axial, radial = moved.reshape(self.ball.shape)
+        return np.asarray(self.follow[:, 0] * axial + self.follow[:, 1] * radial)
+
+    def follows(self, before: Iterate) -> Flags:
+        """Where every ball is on the physical branch and no angle has turned far (…)."""
+        near = self.sound.reshape(-1).copy()
+        for index, problem in self.parts:
+            if problem.turning:
+                pair = (segments(problem, *one._states(index)) for one in (before, self))
+                for then, now in zip(*pair, strict=True):
+                    near[index] &= ~turned_far(then, now, LONGEST_TURN).any(axis=-1)
+        return near.reshape(self.shape)
+
+    def _states(self, index: Index) -> tuple[Array, Array]:
+        """Displacements (s, 5) and balls (2, s, n) of some bearings of the batch."""
+        balls = self.ball.reshape(2, -1, self.ball.shape[-1])
+        return self.displacement.reshape(-1, 5)[index], balls[:, index]
+
+
+def iterate(state: BearingState, ring: Callable[[Geometry], Ring]) -> Iterate:
+    """A solved batch as an iterate; ``ring`` says which of its balls are solved.
+
+    The first balls of the state are taken for those of the ring.
+    """
+    cause = state.cause
+    asked, model = cause.question, BallModel(geometry(cause.grooves), cause.law)
+    whole = Problem(
+        model=model,
+        ring=ring(model.geometry),
+        origin=groove_origin(model.geometry, asked.static_growth, asked.growth),
+        speed=asked.speed,
+        load=np.zeros((len(asked.speed), 5)),
+        free=np.zeros(5, dtype=bool),
+        turning=True,
+    )
+    turns = model.turns(asked.speed)
+    groups = ((np.flatnonzero(turns == turning), turning) for turning in (True, False))
+    parts = tuple((k, replace(whole.take(k), turning=turning)) for k, turning in groups if k.size)
+    ball = state.ball_centre[..., : whole.ring.balls]
+    return _linearised(parts, asked.shape, state.displacement, ball)
+
+
+def _linearised(parts: Parts, shape: tuple[int, ...], displacement: Array, ball: Array) -> Iterate:
+    count, balls = sum(len(k) for k, _ in parts), ball.shape[-1]
+    d, x = displacement.reshape(count, 5), ball.reshape(2, count, balls)
+    load, stiffness = np.empty((count, 5)), np.empty((count, 5, 5))
+    error, pressure = np.empty(count), np.empty(count)
+    sound = np.empty(count, dtype=bool)
+    still, follow = np.zeros((2, count, balls)), np.zeros((2, 2, count, balls))
+    for k, problem in parts:
+        found = linearise(problem, d[k], x[:, k], np.ones(len(k)))
+        load[k] = problem.ring.load(np.stack(found.balls.action))
+        stiffness[k] = tangent(problem, found.balls)
+        error[k], pressure[k] = found.error, _pressure(problem, found)
+        sound[k] = np.isfinite(found.error)
+        if problem.turning:
+            sound[k] = (found.fold > 0.0) & (found.balance.outer_load > 0.0).all(axis=-1)
+            still[:, k] = found.balls.still
+            follow[:, :, k] = found.balls.follow
+    return Iterate(
+        parts=parts,
+        shape=shape,
+        displacement=displacement,
+        ball=ball,
+        load=load.reshape(*shape, 5),
+        stiffness=stiffness.reshape(*shape, 5, 5),
+        error=error.reshape(shape),
+        pressure=pressure.reshape(shape),
+        sound=sound.reshape(shape),
+        still=still.reshape(2, *shape, balls),
+        follow=follow.reshape(2, 2, *shape, balls),
+    )
+
+
+def _pressure(problem: Problem, found: Linear) -> Array:
+    g, balance = problem.model.geometry, found.balance
+    inner, outer = balance.inner_load.max(axis=-1), balance.outer_load.max(axis=-1)
+    return np.maximum(g.inner.peak_pressure(inner), g.outer.peak_pressure(outer))

@@ -1,0 +1,119 @@
+"""Balls and ring linearised where they stand: the Newton step, and how far balance is off.
+
+Each ball is eliminated, so that the ring sees it as a spring (theory: solving). Whoever follows a
+path of states, or moves rings within a larger iteration (``iterate``), takes its steps from here.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.ball.balance import Balance, Settled, settled, turning_balance
+from bearings.ball.constants import EPS
+from bearings.ball.plane import Pair, dot
+from bearings.ball.rest import resting_balance
+from bearings.ring.problem import ROUNDING, TOLERANCE, Problem
+from bearings.ring.sums import rows
+
+Array = NDArray[np.float64]
+PLAINLY_REGULAR = 1e-14  # determinant of K over its largest entry
+SINGULAR = 1e-13  # least singular value of K over its largest entry: there it is rounding
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Linear:
+    """Balls linearised at (d, X): the Newton step follows from it.
+
+    ``balls``: each ball eliminated; ``ring_load`` (s, 5) at the point itself; ``fold`` (s,): the
+    smallest ball determinant, positive on the physical branch; ``error`` (s,): scaled residual of
+    balls and ring.
+    """
+
+    balance: Balance
+    balls: Settled
+    ring_load: Array
+    fold: Array
+    error: Array
+
+
+def linearise(problem: Problem, d: Array, x: Array, blend: Array) -> Linear:
+    """Balance and scaled error at (d, X); at rest X plays no part."""
+    model, a = problem.model, problem.centres(d)
+    centre = (a[0], a[1])
+    if problem.turning:
+        squared = problem.speed[:, None] ** 2
+        balance = turning_balance(
+            model.constants, model.numbers, centre, (x[0], x[1]), squared, blend[:, None], 1.0
+        )
+        balls = settled(balance)
+    else:
+        balance, balls = resting_balance(model.constants, centre)
+    ring_load = problem.ring.load(np.stack(balance.action))
+    return Linear(
+        balance=balance,
+        balls=balls,
+        ring_load=ring_load,
+        fold=balls.fold.min(axis=-1),
+        error=scaled_error(problem, balance, ring_load),
+    )
+
+
+def tangent(problem: Problem, balls: Settled) -> Array:
+    """∂f/∂d with the balls following the ring, all of Fc and Mg included (s, 5, 5)."""
+    return problem.ring.stiffness(rows(balls.tangent))
+
+
+def scaled_error(
+    problem: Problem, balance: Balance, ring_load: Array, rounding: float = ROUNDING
+) -> Array:
+    """Largest scaled residual of balls and ring but for some roundings of the lengths."""
+    g = problem.model.geometry
+    largest = np.maximum(balance.outer_load, balance.inner_load).max(axis=-1)
+    reach = g.inner_reach + g.outer_reach
+    slope = 1.5 * (g.inner.stiffness**2 * np.maximum(largest, 1e-300)) ** (1.0 / 3.0)
+    noise = rounding * EPS * reach * slope
+    ball = np.maximum(*np.abs(balance.residual)).max(axis=-1) / (
+        largest + noise / TOLERANCE + 1e-300
+    )
+    miss = np.abs((ring_load - problem.load) / problem.scale)[:, problem.free]
+    if not miss.size:
+        return ball
+    count = g.balls
+    size = np.abs(problem.load / problem.scale).max(axis=-1) + 1e-3 * count * largest
+    ring = miss.max(axis=-1) / (size + count * noise / TOLERANCE + 1e-300)
+    return np.maximum(ball, ring)
+
+
+def newton_step(problem: Problem, linear: Linear) -> tuple[Array, Array]:
+    """Newton step (dd, dX) of balls and ring together."""
+    balls, free = linear.balls, problem.free
+    dd = np.zeros_like(problem.load)
+    if free.any():
+        scale = problem.scale[free]
+        gap = (problem.load - problem.ring.load(np.stack(balls.action)))[:, free] / scale
+        k = tangent(problem, balls)[:, free][:, :, free] / scale / scale[:, None]
+        dd[:, free] = _solve(k, gap) / scale
+    axial, radial = problem.ring.moved(dd)
+    still, follow = balls.still, balls.follow
+    return dd, np.stack([still[k] + dot(follow[k], (axial, radial)) for k in (0, 1)])
+
+
+def _solve(k: Array, gap: Array) -> Array:
+    """K⁻¹ gap, zero where K is singular to rounding."""
+    largest = np.abs(k).max(axis=(1, 2), keepdims=True) + 1e-300
+    part = k / largest
+    regular = np.abs(np.linalg.det(part)) > PLAINLY_REGULAR
+    soft = np.flatnonzero(~regular & np.isfinite(part).all(axis=(1, 2)))
+    if soft.size:
+        regular[soft] = np.linalg.svd(part[soft], compute_uv=False)[:, -1] > SINGULAR
+    safe = np.where(regular[:, None, None], k, np.eye(k.shape[-1]))
+    return np.where(regular[:, None], np.linalg.solve(safe, gap[..., None])[..., 0], 0.0)
+
+
+def segments(problem: Problem, d: Array, x: Array) -> tuple[Pair, Pair]:
+    """From the outer groove centre to the ball, and on to the inner groove centre."""
+    inner = problem.centres(d) - x
+    return (x[0], x[1]), (inner[0], inner[1])

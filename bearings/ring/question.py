@@ -1,0 +1,168 @@
+"""What a caller asks of a bearing, checked and laid out as a list of states."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from bearings.errors import InvalidBearing
+
+Array = NDArray[np.float64]
+LARGEST = {  # SI; far beyond any bearing
+    "load": 1e12,
+    "displacement": 1e6,
+    "speed": 1e6,
+    "static_growth": 1.0,
+    "growth": 1.0,
+}
+PAIRS = ("Fx or δx", "Fy or δy", "Fz or δz", "My or θy", "Mz or θz")
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Question:
+    """States to find, one after the other; ``shape`` is the caller's batch shape.
+
+    Where ``free`` (5,) is true ``load`` (s, 5) is given, elsewhere ``displacement`` (s, 5); what is
+    not given is zero. ``speed`` without sign, ``static_growth``, ``growth`` (s,).
+    """
+
+    free: NDArray[np.bool_]
+    load: Array
+    displacement: Array
+    speed: Array
+    static_growth: Array
+    growth: Array
+    shape: tuple[int, ...]
+
+    @property
+    def axial(self) -> NDArray[np.bool_]:
+        """States without radial load or displacement and without tilt or moment (s,)."""
+        return np.asarray(((self.load == 0.0) & (self.displacement == 0.0))[:, 1:].all(axis=1))
+
+    @property
+    def unloaded(self) -> NDArray[np.bool_]:
+        """States that no load presses together, free to retreat along the axis (s,)."""
+        return np.asarray(self.free[0] & (self.load == 0.0).all(axis=1))
+
+    def repeated(self, index: int | NDArray[np.intp], speeds: Array) -> Question:
+        """The same question about one of its states, or some (k,), at other ``speeds`` (k,)."""
+        row = np.broadcast_to(index, speeds.shape)
+        parts = (self.load[row], self.displacement[row])
+        growth = (self.static_growth[row], self.growth[row])
+        return Question(self.free, *parts, speeds, *growth, speeds.shape)
+
+    def at(self, displacement: Array) -> Question:
+        """Loads asked for at displacements (k, …, m, 5) around those of the states (…)."""
+        shape = displacement.shape[:-1]
+        growths = (self.speed, self.static_growth, self.growth)
+        wide = (a.reshape(*self.shape, 1) for a in growths)
+        speed, static, growth = (np.broadcast_to(a, shape).reshape(-1) for a in wide)
+        move = displacement.reshape(-1, 5)
+        free = np.zeros(5, dtype=bool)
+        return Question(free, np.zeros_like(move), move, speed, static, growth, shape)
+
+
+def question(
+    load: ArrayLike | None,
+    displacement: ArrayLike | None,
+    speed: ArrayLike,
+    static_growth: ArrayLike,
+    growth: ArrayLike | None,
+) -> Question:
+    """Check and broadcast; see ``BallBearing.equilibrium``.
+
+    Raises
+    ------
+    InvalidBearing : over- or under-determined, shapes, numbers that are not finite
+    """
+    if load is None and displacement is None:
+        raise InvalidBearing("give load or displacement, exactly one of each pair")
+    mixed = load is not None and displacement is not None
+    force, move = (
+        five_numbers(n, v, mixed) for n, v in (("load", load), ("displacement", displacement))
+    )
+    free = _free(force, move)
+    omega, static = finite("speed", speed), finite("static_growth", static_growth)
+    total = static if growth is None else finite("growth", growth)
+    arrays = (omega, static, total)
+    try:
+        shape = np.broadcast_shapes(force.shape[:-1], move.shape[:-1], *(a.shape for a in arrays))
+    except ValueError as error:
+        raise InvalidBearing(f"leading shapes do not fit together: {error}") from error
+    omega, static, total = (np.broadcast_to(a, shape).reshape(-1) for a in arrays)
+    force, move = (
+        np.nan_to_num(np.broadcast_to(a, (*shape, 5)).reshape(-1, 5)) for a in (force, move)
+    )
+    return Question(free, force, move, np.abs(omega), static, total, shape)
+
+
+def five_numbers(name: str, value: ArrayLike | None, mixed: bool = False) -> Array:
+    """Values (…, 5); what is not given is NaN, which single numbers may be where ``mixed``.
+
+    Raises
+    ------
+    InvalidBearing : another shape, or numbers that are not finite
+    """
+    if value is None:
+        return np.full(5, np.nan)
+    array = _numbers(name, value)
+    if array.ndim < 1 or array.shape[-1] != 5:
+        raise InvalidBearing(f"{name} must have shape (…, 5), got {array.shape}")
+    if np.isinf(array).any() or (np.isnan(array).any() and not mixed):
+        raise InvalidBearing(f"{name} must be finite, got {value!r}")
+    return array
+
+
+def _free(load: Array, displacement: Array) -> NDArray[np.bool_]:
+    """Which of the five pairs are given by their load (5,), the same for every state."""
+    by_load, by_move = (
+        np.isfinite(a).reshape(-1, 5) if a.size else np.ones((1, 5), dtype=bool)
+        for a in (load, displacement)
+    )
+    for k, pair in enumerate(PAIRS):
+        columns = (by_load[:, k], by_move[:, k])
+        if any(column.any() != column.all() for column in columns):
+            raise InvalidBearing(f"{pair}: give the same one for every state of a batch")
+        if columns[0].all() == columns[1].all():
+            count = "both" if columns[0].all() else "neither"
+            raise InvalidBearing(f"{pair}: give exactly one, got {count}")
+    return np.asarray(by_load.all(axis=0))
+
+
+def finite(name: str, value: ArrayLike) -> Array:
+    """Numbers of any shape.
+
+    Raises
+    ------
+    InvalidBearing : something else, or not finite
+    """
+    array = _numbers(name, value)
+    if not np.isfinite(array).all():
+        raise InvalidBearing(f"{name} must be finite, got {value!r}")
+    return array
+
+
+def single(name: str, value: ArrayLike) -> Array:
+    """One number (1,).
+
+    Raises
+    ------
+    InvalidBearing : more than one, or not finite
+    """
+    array = finite(name, value)
+    if array.size != 1:
+        raise InvalidBearing(f"{name} must be one number, got {value!r}")
+    return array.reshape(1)
+
+
+def _numbers(name: str, value: ArrayLike) -> Array:
+    try:
+        array = np.asarray(value, dtype=float)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise InvalidBearing(f"{name} must be numbers, got {value!r}") from error
+    size = np.abs(array)
+    if ((size > LARGEST[name]) & (size < np.inf)).any():
+        raise InvalidBearing(f"{name} beyond {LARGEST[name]:g} SI units: is the unit right?")
+    return array

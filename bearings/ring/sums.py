@@ -1,0 +1,139 @@
+"""How the balls around a ring add up: groove centres from ring displacement, ring load from balls.
+
+A ring's displacement is d = (δx, δy, δz, θy, θz), its load f = (Fx, Fy, Fz, My, Mz); ball k sits
+at ψ = 2πk/z, from y towards z.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import lru_cache
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.ball.plane import Pair
+from bearings.geometry import Geometry
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Ring:
+    """The balls that need solving and how they map to the five freedoms.
+
+    ``azimuth`` (n, 6): 1, cos ψ, sin ψ, cos² ψ, cos ψ sin ψ, sin² ψ. ``spread`` (2, 5, n):
+    A = A₀ + spread·d. ``gather`` (5, 3, n): f = Σ gather·action. ``pairs`` (6·n, 25):
+    K = Σ action-by-A (6·n) · pairs. Balls that symmetry makes alike are solved once: with ``balls``
+    = 1 the one ball stands for all of an axially loaded bearing.
+    """
+
+    azimuth: Array
+    spread: Array
+    gather: Array
+    pairs: Array
+
+    @property
+    def balls(self) -> int:
+        """Balls that are solved."""
+        return self.spread.shape[-1]
+
+    def centres(self, start: Array, displacement: Array) -> Array:
+        """A (2, states, balls) from A₀ (2, states) and d (states, 5)."""
+        return start[:, :, None] + self.moved(displacement)
+
+    def moved(self, displacement: Array) -> Array:
+        """What a displacement (states, 5) adds to A (2, states, balls)."""
+        return np.asarray(displacement @ self.spread)
+
+    def load(self, action: Array) -> Array:
+        """f (states, 5) from ball actions (3, states, balls)."""
+        return np.einsum("ikn,ksn->si", self.gather, action)
+
+    def stiffness(self, tangent: Array) -> Array:
+        """K (states, 5, 5) from ∂action/∂A (states, 3, 2, balls), see ``rows``."""
+        states = len(tangent)
+        each = tangent.reshape(states, 1, -1) @ self.pairs  # state by state: too small for threads
+        return each.reshape(states, 5, 5)
+
+
+def rows(tangent: tuple[Pair, ...]) -> Array:
+    """∂action/∂A (states, 3, 2, balls) from its entries (states, balls)."""
+    entries = [entry for row in tangent for entry in row]
+    states, balls = entries[0].shape
+    return np.stack(entries, axis=1).reshape(states, 3, 2, balls)
+
+
+@lru_cache(maxsize=256)
+def full_ring(geometry: Geometry) -> Ring:
+    """Every ball on its own."""
+    spread, gather = _maps(geometry)
+    return Ring(_azimuth(geometry), spread, gather, _pairs(spread, gather))
+
+
+@lru_cache(maxsize=256)
+def axial_ring(geometry: Geometry) -> Ring:
+    """One ball for all: the displacement is purely axial, the tangent is not.
+
+    Sums over the ball angles that vanish for three balls or more are set to exactly zero.
+    """
+    spread, gather = _maps(geometry)
+    rows = _pairs(spread, gather).reshape(6, geometry.balls, 25)
+    total = gather.sum(axis=2, keepdims=True)
+    one = np.zeros((2, 5, 1))
+    one[0, 0] = 1.0
+    azimuth = _without_noise(_azimuth(geometry).sum(axis=0, keepdims=True))
+    return Ring(azimuth, one, _without_noise(total), _without_noise(rows.sum(axis=1)))
+
+
+@lru_cache(maxsize=256)
+def half_ring(geometry: Geometry) -> Ring:
+    """The balls on one side of the plane of y, each for its mirror image too.
+
+    The ring moves in that plane alone. Fz and My are exactly zero, and so is what couples the
+    planes in the tangent. Not for the compiled solver: it knows a ring by ``azimuth`` alone and
+    would count every ball once, without its image.
+    """
+    spread, gather = _maps(geometry)
+    count = geometry.balls // 2 + 1
+    alike = np.full(count, 2.0)
+    alike[0] = 1.0
+    if geometry.balls % 2 == 0:
+        alike[-1] = 1.0
+    spread, gather = spread[..., :count], alike * gather[..., :count]
+    plane = np.array([True, True, False, False, True])
+    pairs = _pairs(spread, gather).reshape(-1, 5, 5) * (plane[:, None] == plane)
+    gather = plane[:, None, None] * gather
+    return Ring(_azimuth(geometry)[:count], spread, gather, pairs.reshape(-1, 25))
+
+
+def _maps(geometry: Geometry) -> tuple[Array, Array]:
+    one, cos, sin = _azimuth(geometry).T[:3]
+    zero, radius = np.zeros_like(one), geometry.centre_radius
+    spread = np.array(
+        [[one, zero, zero, radius * sin, -radius * cos], [zero, cos, sin, zero, zero]]
+    )
+    gather = np.array(
+        [
+            [one, zero, zero],
+            [zero, cos, zero],
+            [zero, sin, zero],
+            [zero, zero, sin],
+            [zero, zero, -cos],
+        ]
+    )
+    return spread, gather
+
+
+def _azimuth(geometry: Geometry) -> Array:
+    angle = 2.0 * np.pi * np.arange(geometry.balls) / geometry.balls
+    sin, cos = np.sin(angle), np.cos(angle)
+    return np.stack([np.ones_like(angle), cos, sin, cos * cos, cos * sin, sin * sin], axis=1)
+
+
+def _pairs(spread: Array, gather: Array) -> Array:
+    return np.einsum("ikn,cjn->kcnij", gather, spread).reshape(-1, 25)
+
+
+def _without_noise(sums: Array) -> Array:
+    return np.where(np.abs(sums) > 1e-9 * np.abs(sums).max(), sums, 0.0)
