@@ -19,7 +19,7 @@ For that, every kind has:
 
 6. **Equilibrium** from a displacement, a load or any mix of both (``equilibrium``), batched.
 7. **State** as plain data (``bearings.ring.state.BearingState``): loads, displacements, per-ball
-   results by contact in the order of ``contacts``, and by race.
+   results by contact in the order of ``contact_names``, and by race.
 8. **Tangent** ∂load/∂displacement of the state.
 9. **Drawing**: ``contact_lines``, angles of the lines through a ball that carry, and the radii of
    the raceways.
@@ -86,6 +86,18 @@ class Measure:
 def measured(measure: Measure, default: Any = MISSING) -> Any:
     """A dataclass field that takes what ``measure`` says."""
     return field(default=default, metadata={"measure": measure})
+
+
+def exactly_one(bearing: BallBearing, *names: str) -> Iterator[str]:
+    """A sentence where not exactly one of some data is given that fix one another."""
+    given = [f"{name} {getattr(bearing, name):.6g}" for name in names if _is(bearing, name)]
+    if len(given) != 1:
+        words = " and ".join(given) or "none"
+        yield f"give exactly one of {', '.join(names)}, since each fixes the others: got {words}"
+
+
+def _is(bearing: BallBearing, name: str) -> bool:
+    return getattr(bearing, name) is not None
 
 
 BALL_DIAMETER = Measure("length", "diameter of a ball", 1e-4, 0.2, unit="mm")
@@ -155,7 +167,7 @@ class BallBearing:
         return ""
 
     @property
-    def contacts(self) -> tuple[str, ...]:
+    def contact_names(self) -> tuple[str, ...]:
         """Names of the contacts of a ball, in the order of all per-contact results."""
         return self.grooves.contacts
 

@@ -31,6 +31,8 @@ class Geometry:
     balls: int
     contact_angle: float
     free_distance: float
+    radial_gap: float
+    touching: bool
     inner_reach: float
     outer_reach: float
     centre_radius: float
@@ -55,7 +57,7 @@ def geometry(bearing: Grooves) -> Geometry:
     mass = bearing.ball_material.density * math.pi * diameter**3 / 6.0
     inner = _race_contact(bearing, inner_f, +1.0)
     outer = _race_contact(bearing, outer_f, -1.0)
-    cosine = math.cos(angle)
+    cosine = bearing.radial_gap / bearing.free_distance
     return Geometry(
         ball_diameter=diameter,
         pitch_diameter=pitch,
@@ -64,6 +66,8 @@ def geometry(bearing: Grooves) -> Geometry:
         free_distance=(inner_f + outer_f - 1.0) * diameter,
         inner_reach=(inner_f - 0.5) * diameter,
         outer_reach=(outer_f - 0.5) * diameter,
+        radial_gap=bearing.radial_gap,
+        touching=bearing.touching,
         centre_radius=pitch / 2.0 + (inner_f - 0.5) * diameter * cosine,
         outer_centre_radius=pitch / 2.0 - (outer_f - 0.5) * diameter * cosine,
         inner_conformity=inner_f,
@@ -79,15 +83,19 @@ def geometry(bearing: Grooves) -> Geometry:
 
 
 def groove_origin(g: Geometry, static_growth: Array, growth: Array) -> Array:
-    """Inner groove centre A₀ (2, …) at zero displacement, seen from the outer one.
+    """Middle of the inner groove (2, …) at zero displacement, seen from that of the outer one.
 
-    The axial part is zeroed with the STATIC growth and NaN where that takes the whole contact
-    angle; the radial part carries the growth at speed.
+    Counted from touching, its axial part is zeroed with the STATIC growth, and NaN where that takes
+    the whole contact angle; counted from the centre it is 0. The radial part carries the growth at
+    speed.
     """
+    radial = g.radial_gap + growth
+    if not g.touching:
+        return np.stack([np.zeros_like(radial), radial])
     cosine = np.cos(g.contact_angle) + static_growth / g.free_distance
     possible = np.abs(cosine) <= 1.0
     axial = g.free_distance * np.sqrt(np.where(possible, 1.0 - cosine**2, np.nan))
-    return np.stack([axial, g.free_distance * np.cos(g.contact_angle) + growth])
+    return np.stack([axial, radial])
 
 
 def _race_contact(bearing: Grooves, conformity: float, side: float) -> HertzContact:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 from bearings.materials import Material
 
@@ -31,6 +32,20 @@ class Grooves:
     inner_offsets: tuple[float, ...] = (0.0,)
     outer_offsets: tuple[float, ...] = (0.0,)
     touching: bool = False
+
+    @classmethod
+    def of(cls, bearing: Any, **centres: Any) -> Grooves:
+        """Of a kind with the common fields, its groove ``centres`` named."""
+        return cls(
+            ball_diameter=float(bearing.ball_diameter),
+            pitch_diameter=float(bearing.pitch_diameter),
+            balls=int(bearing.balls),
+            inner_conformity=float(bearing.inner_conformity),
+            outer_conformity=float(bearing.outer_conformity),
+            ball_material=bearing.ball_material,
+            ring_material=bearing.ring_material,
+            **centres,
+        )
 
     @property
     def free_distance(self) -> float:

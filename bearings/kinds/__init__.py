@@ -15,9 +15,13 @@ if TYPE_CHECKING:
     from bearings.kinds.angular_contact import (
         AngularContactBallBearing as AngularContactBallBearing,
     )
+    from bearings.kinds.deep_groove import DeepGrooveBallBearing as DeepGrooveBallBearing
+    from bearings.kinds.four_point import FourPointBallBearing as FourPointBallBearing
 
 KINDS = {
     "angular_contact": "AngularContactBallBearing",
+    "deep_groove": "DeepGrooveBallBearing",
+    "four_point": "FourPointBallBearing",
 }
 DEFAULT = "angular_contact"  # of a file that names no kind
 

@@ -51,15 +51,5 @@ class AngularContactBallBearing(BallBearing):
     def grooves(self) -> Grooves:
         """Inner and outer groove centre lie BD apart along the contact angle."""
         gap = (self.inner_conformity + self.outer_conformity - 1.0) * self.ball_diameter
-        return Grooves(
-            ball_diameter=float(self.ball_diameter),
-            pitch_diameter=float(self.pitch_diameter),
-            balls=int(self.balls),
-            inner_conformity=float(self.inner_conformity),
-            outer_conformity=float(self.outer_conformity),
-            ball_material=self.ball_material,
-            ring_material=self.ring_material,
-            free_angle=float(self.contact_angle),
-            radial_gap=gap * math.cos(self.contact_angle),
-            touching=True,
-        )
+        angle = float(self.contact_angle)
+        return Grooves.of(self, free_angle=angle, radial_gap=gap * math.cos(angle), touching=True)

@@ -1,0 +1,168 @@
+"""The four-point-contact ball bearing: two arcs a ring, thrust both ways.
+
+Geometry after Lacroix, doctoral thesis, INSA Lyon, 2014, ch. 2: a shim of thickness g is taken out
+of the middle of a circular groove, so that the centres of its two arcs lie g apart.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import ClassVar
+
+from bearings.bearing import (
+    BALL_DIAMETER,
+    BALLS,
+    CONFORMITY,
+    MATERIAL,
+    PITCH_DIAMETER,
+    BallBearing,
+    Measure,
+    exactly_one,
+    measured,
+)
+from bearings.grooves import Grooves
+from bearings.materials import STEEL, Material
+
+CONTACT_ANGLE = Measure(
+    "angle", "free contact angle under thrust", 0.0, math.radians(60.0), unit="deg"
+)
+PLAY = Measure("length", "free travel of ring against ring", -1e-3, 5e-3, unit="um")
+SHIM = Measure("length", "thickness taken out of the middle of the groove", 0.0, 0.02, unit="mm")
+
+
+@dataclass(frozen=True, slots=True)
+class FourPointBallBearing(BallBearing):
+    """A single-row four-point-contact ball bearing with rigid rings.
+
+    Displacement and moments are about the centre of the inner ring's middle plane and count from
+    the centred position, where load is zero by symmetry. Contacts are named ir and il (inner ring,
+    −x and +x side of the ball) and or and ol (outer ring); pushing the inner ring towards +x loads
+    ir and ol. A ring without shim has one arc (i or o).
+
+    Parameters
+    ----------
+    ball_diameter, pitch_diameter : D, dm [m]
+    balls : number of balls, at least 3
+    contact_angle : free contact angle αf [rad]; or one of
+    axial_play : Ep, free axial travel of ring against ring [m]
+    radial_play : Jd, free radial travel of ring against ring [m]; negative plays: preload at rest
+    inner_conformity, outer_conformity : groove radius over ball diameter, above 0.5
+    inner_shim, outer_shim : gi, go [m]
+    ball_material, ring_material : elastic constants and density
+
+    Raises
+    ------
+    InvalidBearing : the geometry is impossible, or not exactly one of angle and plays is given
+    """
+
+    ball_diameter: float = measured(BALL_DIAMETER)
+    pitch_diameter: float = measured(PITCH_DIAMETER)
+    balls: int = measured(BALLS)
+    contact_angle: float | None = measured(CONTACT_ANGLE, None)
+    axial_play: float | None = measured(PLAY, None)
+    radial_play: float | None = measured(PLAY, None)
+    inner_conformity: float = measured(CONFORMITY, 0.52)
+    outer_conformity: float = measured(CONFORMITY, 0.52)
+    inner_shim: float = measured(SHIM, 0.0)
+    outer_shim: float = measured(SHIM, 0.0)
+    ball_material: Material = measured(MATERIAL, STEEL)
+    ring_material: Material = measured(MATERIAL, STEEL)
+
+    both_ways: ClassVar[bool] = True
+
+    def _faults(self) -> Iterator[str]:
+        yield from exactly_one(self, "contact_angle", "axial_play", "radial_play")
+        for ring, shim, conformity in self._rings():
+            most = (2.0 * conformity - 1.0) * self.ball_diameter
+            if shim >= most:
+                yield (
+                    f"{ring}_shim {shim * 1e3:g} mm reaches beyond the groove: with conformity "
+                    f"{conformity:g} allowed below {most * 1e3:.4g} mm"
+                )
+                return
+        gap = self._radial_gap()
+        if not -1.0 <= gap / self._distance <= 1.0:
+            yield f"no contact angle belongs to {self._given()}: the plays do not fit the grooves"
+            return
+        angle = math.acos(gap / self._distance)
+        for ring, shim, conformity in self._rings():
+            arch = self._arch(shim, conformity)
+            if angle <= arch and shim > 0.0:
+                yield (
+                    f"{self._given()} makes a free contact angle of {math.degrees(angle):.4g}°, "
+                    f"not above the {math.degrees(arch):.4g}° of the {ring} arch "
+                    f"({ring}_shim {shim * 1e3:g} mm): raise the play or reduce the shim"
+                )
+
+    def _rings(self) -> tuple[tuple[str, float, float], ...]:
+        return (
+            ("inner", self.inner_shim, self.inner_conformity),
+            ("outer", self.outer_shim, self.outer_conformity),
+        )
+
+    def _given(self) -> str:
+        names = ("contact_angle", "axial_play", "radial_play")
+        name = next(n for n in names if getattr(self, n) is not None)
+        value = getattr(self, name)
+        if name == "contact_angle":
+            return f"{name} {math.degrees(value):.4g}°"
+        return f"{name} {value * 1e6:.4g} µm"
+
+    def _arch(self, shim: float, conformity: float) -> float:
+        """Angle α⁰ at which a ball pressed radially touches both arcs, sin α⁰ = g/(2 ℓ)."""
+        return math.asin(min(shim / ((2.0 * conformity - 1.0) * self.ball_diameter), 1.0))
+
+    @property
+    def _distance(self) -> float:
+        return (self.inner_conformity + self.outer_conformity - 1.0) * self.ball_diameter
+
+    def _radial_gap(self) -> float:
+        """BD cos αf, from whichever of the three data is given (Lacroix 2.41–2.49, corrected)."""
+        if self.contact_angle is not None:
+            return self._distance * math.cos(self.contact_angle)
+        if self.axial_play is not None:
+            axial = 0.5 * (self.axial_play + self.inner_shim + self.outer_shim)
+            return math.sqrt(max(self._distance**2 - axial**2, 0.0)) if axial > 0.0 else math.nan
+        assert self.radial_play is not None
+        return self._radial_reach() - self.radial_play / self._travel
+
+    @property
+    def _travel(self) -> float:
+        """Radial play of the rings over that of one ball a side, Jd/Qr."""
+        if self.balls % 2 == 0:
+            return 2.0
+        return 1.0 + 1.0 / math.cos(math.pi / self.balls)
+
+    def _radial_reach(self) -> float:
+        """ℓo cos αo⁰ + ℓi cos αi⁰: groove circles apart when a ball just fills both arches."""
+        return sum(
+            (f - 0.5) * self.ball_diameter * math.cos(self._arch(shim, f))
+            for _, shim, f in self._rings()
+        )
+
+    @property
+    def plays(self) -> tuple[float, float, float]:
+        """Free contact angle αf [rad], axial play Ep [m] and radial play Jd [m]."""
+        gap = self._radial_gap()
+        angle = math.acos(gap / self._distance)
+        shims = self.inner_shim + self.outer_shim
+        axial = 2.0 * self._distance * math.sin(angle) - shims
+        return angle, axial, self._travel * (self._radial_reach() - gap)
+
+    @property
+    def grooves(self) -> Grooves:
+        """Centres of the arcs half a shim either side of the middle, each on the far side."""
+        gap = self._radial_gap()
+        return Grooves.of(
+            self,
+            free_angle=math.acos(gap / self._distance),
+            radial_gap=gap,
+            inner_offsets=_arcs(self.inner_shim / 2.0),
+            outer_offsets=_arcs(-self.outer_shim / 2.0),
+        )
+
+
+def _arcs(offset: float) -> tuple[float, ...]:
+    return (offset, -offset) if offset else (0.0,)
