@@ -15,8 +15,7 @@ class Grooves:
     ``free_angle`` αf [rad]: contact angle where an axial push first presses balls. ``radial_gap``
     Ri − Ro [m]: between the circles of inner and outer groove centres, rings centred.
     ``inner_offsets``, ``outer_offsets`` [m]: axial places of the groove centres of a ring from its
-    middle plane, one or two each; of two, the positive comes first on the inner ring and the
-    negative on the outer one (ir, il, or, ol). ``touching``: zero displacement is
+    middle plane, one or two each, the positive first: ir, il, or, ol. ``touching``: zero displacement is
     where balls just touch under an axial push; otherwise where the rings are centred.
     """
 

@@ -30,8 +30,8 @@ def beyond(problem: Problem, d: Array, x: Array, balance: Balance) -> Array | No
     way = _unheld(problem, carrying)
     if way is None:
         return None
-    c, a = problem.model.constants, problem.centres(d[None])[:, 0]
-    moving = problem.ring.moved(way[None])[:, 0]
+    c, a = problem.model.constants, problem.centres(d[None])[:2, 0]
+    moving = problem.ring.moved(way[None])[:2, 0]
     fading = np.flatnonzero((load > 0.0) & ~carrying)
     if fading.size:
         gap = a[:, fading] - x[:, fading]
