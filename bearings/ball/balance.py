@@ -1,11 +1,11 @@
 """One ball between its grooves: its balance, what it does to the inner ring, and all derivatives.
 
 The one law of a ball over its contacts, whatever the kind of bearing: the contacts of each race
-make a resultant (``bearings.ball.race``), the resultants' directions and loads make Fc and Mg. Plain
-expressions of floats or arrays (any shape), which compile as they stand: choices between balls are
-made by ``where``. Plane vectors are (axial, radial); X is the ball centre, A the middle of the
-inner groove (with the tilt of the ring there as its third part), both seen from the middle of the
-outer groove.
+make a resultant (``bearings.ball.race``), directions and loads of the resultants make Fc and Mg.
+Plain expressions of floats or arrays (any shape), which compile as they stand: choices between
+balls are made by ``where``. Plane vectors are (axial, radial); X is the ball centre, A the middle
+of the inner groove (with the tilt of the ring there as its third part), both seen from the middle
+of the outer groove.
 """
 
 from __future__ import annotations
@@ -46,8 +46,8 @@ class Balance(NamedTuple):
 
     ``residual`` [N]: sum of forces on the ball. ``action`` of the shaft on the ring through this
     ball: axial force, radial force [N], and the moment [N·m] that turns the ring at the ball about
-    the middle of its groove. ``…_by_ball`` and ``…_by_centre``: their derivatives by X and by A, row
-    by row. Loads [N] and directions (sin, cos) of the races' resultants, Fc [N], Mg [N·m], and λi.
+    the middle of its groove. ``…_by_ball``, ``…_by_centre``: derivatives by X and by A, row by row.
+    Loads [N] and directions (sin, cos) of the races' resultants, Fc [N], Mg [N·m], and λi.
     """
 
     residual: Pair

@@ -1,4 +1,4 @@
-"""A ball at rest between one groove a ring: both contacts act in series, its centre is eliminated."""
+"""A ball at rest between one groove a ring: contacts in series, its centre eliminated."""
 
 from __future__ import annotations
 

@@ -25,7 +25,7 @@ IDLE = 1e-12  # of the largest contact load: a ball at rest that carries less ca
 
 
 class Contacts(NamedTuple):
-    """Loads (c, s, n) [N] of all contacts of the balls, and the sines and cosines of their angles."""
+    """Loads (c, s, n) [N] of all contacts of the balls, sines and cosines of their angles."""
 
     load: Array
     sin: Array

@@ -36,12 +36,13 @@ class StateData:
     ``contact_load`` [N], ``contact_angle`` [rad] (NaN without load; in a bearing of one groove a
     ring negative on the side away from thrust), ``contact_pressure`` [Pa].
 
-    By ball (…, balls): ``inner_load``, ``outer_load`` [N]: resultants of the races, ``inner_angle``,
-    ``outer_angle`` [rad]: their directions; ``inner_pressure``, ``outer_pressure`` [Pa]: the largest
-    of each race; ``centrifugal_force`` [N], ``gyroscopic_moment`` [N·m]; ``inner_grip``,
-    ``outer_grip``: friction coefficient that each race needs to carry its share of the gyroscopic
-    moment; ``status``: ``"loaded"``, ``"open side"`` (loaded against the side without a shoulder),
-    ``"lost contact"`` (rides the outer race), ``"unloaded"`` (at rest).
+    By ball (…, balls): ``inner_load``, ``outer_load`` [N]: resultants of the races;
+    ``inner_angle``, ``outer_angle`` [rad]: their directions; ``inner_pressure``,
+    ``outer_pressure`` [Pa]: largest of each race; ``centrifugal_force`` [N],
+    ``gyroscopic_moment`` [N·m]; ``inner_grip``, ``outer_grip``: friction coefficient that each race
+    needs to carry its share of the gyroscopic moment; ``status``: ``"loaded"``, ``"open side"``
+    (loaded against the side without a shoulder), ``"lost contact"`` (rides the outer race),
+    ``"unloaded"`` (at rest).
 
     ``outcome`` (…): ``""`` where the state exists; where it does not, all numbers are NaN.
     ``ball_centre`` (2, …, balls): a start for neighbouring states; ``cause``: what was asked.

@@ -50,7 +50,7 @@ def _unheld(problem: Problem, carrying: NDArray[np.bool_]) -> Array | None:
     scale = problem.scale[problem.free]
     if not scale.size:
         return None
-    rows = problem.ring.spread[:, problem.free][..., carrying] / scale[:, None]
+    rows = problem.ring.spread[:2, problem.free][..., carrying] / scale[:, None]
     rows = rows.transpose(0, 2, 1).reshape(-1, len(scale))
     _, size, right = np.linalg.svd(np.vstack([rows, np.zeros((1, len(scale)))]))
     if len(size) < len(scale):

@@ -93,7 +93,8 @@ def _compiled(g: Geometry, asked: Question) -> bool:
     """Whether the compiled solver pays for what is asked; an axial state counts as one ball."""
     from bearings.ring.compiled.states import pays
 
-    return pays(int(np.where(asked.axial, 1, g.balls).sum()))
+    balls = int(np.where(asked.axial, 1, g.balls).sum())
+    return pays(balls, (len(g.inner_offsets), len(g.outer_offsets)))
 
 
 def _groups(
