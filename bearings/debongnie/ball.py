@@ -24,27 +24,30 @@ class PowerLaw(NamedTuple):
     exponent: Array | float
 
     def __call__(self, x: ArrayLike) -> Array:
-        """y at x ≥ 0."""
-        return np.asarray(self.factor * np.asarray(x, float) ** self.exponent)
+        """y at x, 0 where x ≤ 0."""
+        return np.asarray(self.factor * np.maximum(x, 0.0) ** self.exponent)
 
 
 def deflection(y: ArrayLike, ratio: ArrayLike) -> Array:
     """x of a ball that carries ``y`` ≥ 0, exact (6); ``ratio`` is ki/ke. Broadcasts."""
-    y = np.asarray(y, float)
-    outer = np.expm1(np.log1p(y) * (2.0 / 3.0))  # (1 + y)^(2/3) − 1
-    return np.asarray(np.asarray(ratio, float) * np.cbrt(y) ** 2 + outer)
+    return _deflection(np.cbrt(np.asarray(y, float)) ** 2, np.asarray(ratio, float))
 
 
 def load(x: ArrayLike, ratio: ArrayLike) -> Array:
-    """y of a ball pressed by ``x`` ≥ 0: the inverse of ``deflection``, by bracketing."""
+    """y of a ball pressed by ``x``, the inverse of ``deflection``; 0 where x ≤ 0. Broadcasts."""
     from scipy.optimize import elementwise
 
-    x, ratio = np.broadcast_arrays(np.asarray(x, float), np.asarray(ratio, float))
-    top = x / ratio  # y^(2/3) if the outer race were rigid
+    wanted, k = np.broadcast_arrays(np.maximum(np.asarray(x, float), 0.0), np.asarray(ratio, float))
+    top = wanted / k * (1.0 + 1e-12)  # y^(2/3) if the outer race were rigid, beyond rounding
     found = elementwise.find_root(
-        lambda t, x, k: deflection(t**1.5, k) - x, (np.zeros_like(top), top), args=(x, ratio)
+        lambda t, x, k: _deflection(t, k) - x, (np.zeros_like(top), top), args=(wanted, k)
     )
     return np.asarray(found.x) ** 1.5
+
+
+def _deflection(t: Array, ratio: Array) -> Array:
+    """x at t = y^(2/3)."""
+    return np.asarray(ratio * t + np.expm1(np.log1p(t**1.5) * (2.0 / 3.0)))
 
 
 def power_law(ratio: ArrayLike) -> PowerLaw:

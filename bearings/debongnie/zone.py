@@ -31,15 +31,17 @@ class Distribution(NamedTuple):
 def distribution(peak: ArrayLike, law: PowerLaw, gap: float = 1.0) -> Distribution:
     """Loads of a ring whose most loaded ball has x = ``peak`` > 0, shape (…) (15 to 18, 31, 32).
 
-    ``gap`` > 0 is the share of the displacement that loads no ball, over δc: 1 without clearance,
-    so that δc/δr = 1/(1 + peak); 1 + clearance/(2 δc) with it.
+    ``law`` may hold arrays that broadcast with ``peak``. ``gap`` > 0 is the displacement over δc
+    at which the first ball is loaded: 1 without clearance, so that δc/δr = 1/(1 + peak);
+    1 + clearance/(2 δc) with it.
     """
     x = np.asarray(peak, float)[..., None]
     nodes, weights = np.polynomial.legendre.leggauss(48)
     turn = (nodes + 1.0) * math.pi / 4.0  # θ = θ0 sin(turn): smooth where the load zone ends
     zone = np.arccos(gap / (gap + x))
     angle, weight = zone * np.sin(turn), weights / 4.0 * zone * np.cos(turn)
-    y = law(np.maximum(x - (x + gap) * 2.0 * np.sin(angle / 2.0) ** 2, 0.0))
+    each = PowerLaw(*(np.asarray(part)[..., None] for part in law))
+    y = each(x - (x + gap) * 2.0 * np.sin(angle / 2.0) ** 2)
     outside = 1.0 - zone[..., 0] / math.pi
     return Distribution(
         zone=zone[..., 0],
@@ -57,9 +59,11 @@ def peak(radial: ArrayLike, law: PowerLaw, gap: float = 1.0) -> Array:
     """
     from scipy.optimize import elementwise
 
-    radial = np.asarray(radial, float)
-    ends = (np.full_like(radial, math.log(end)) for end in (LOWEST, HIGHEST))
+    wanted, factor, exponent = np.broadcast_arrays(np.asarray(radial, float), *law)
+    ends = (np.full_like(wanted, math.log(end)) for end in (LOWEST, HIGHEST))
     found = elementwise.find_root(
-        lambda u, f: distribution(np.exp(u), law, gap).radial / f - 1.0, tuple(ends), args=(radial,)
+        lambda u, f, a, n: distribution(np.exp(u), PowerLaw(a, n), gap).radial / f - 1.0,
+        tuple(ends),
+        args=(wanted, factor, exponent),
     )
     return np.where(found.success, np.exp(found.x), np.nan)
