@@ -14,7 +14,7 @@ Array = NDArray[np.float64]
 RATIOS = 0.5 * 4.0 ** np.linspace(0.0, 1.0, 9)  # ki/ke
 SHARES = np.linspace(0.1, 0.9, 33)  # δc/δr of the approximation
 BALLS = tuple(range(7, 17))
-CONTINUOUS = 360  # balls whose sum is the integral around the ring, to 1e-3
+CONTINUOUS = 360  # balls whose sum is the integral around the ring, to 1e-4
 
 
 @dataclass(frozen=True)

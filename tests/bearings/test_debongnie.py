@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -51,6 +52,8 @@ def test_a_bearing_is_its_ring() -> None:
     )
     assert approximate(bearing, LOAD, SPEED) == approximate(RadialRing.of(bearing), LOAD, SPEED)
     assert RadialRing.of(bearing).clearance == 0.0
+    loose = replace(bearing.grooves, radial_gap=bearing.grooves.radial_gap - 5e-6, touching=False)
+    assert RadialRing.of(SimpleNamespace(grooves=loose)).clearance == pytest.approx(1e-5)  # type: ignore[arg-type]
     with pytest.raises(InvalidBearing, match="contact angle of 0"):
         approximate(replace(bearing, contact_angle=0.3), LOAD, SPEED)
 
