@@ -17,17 +17,19 @@ from bearings.ball.friction import limited
 from bearings.ball.kinematics import Angles, Partial, Rolling, inner_share, orbit_and_spin, tan_beta
 from bearings.ball.plane import (
     Block,
+    Motion,
     Pair,
     Triple,
+    combined,
     determinant,
-    dot,
     inverse,
     plus,
-    row_times,
     where,
 )
 from bearings.ball.polar import Polar, less_by, more_by, scaled, times
-from bearings.ball.race import Contact, Race, race
+from bearings.ball.race import Contact, Race, against, race
+
+Rows = tuple[Motion, Motion, Motion]
 
 
 class LawNumbers(NamedTuple):
@@ -52,10 +54,10 @@ class Balance(NamedTuple):
 
     residual: Pair
     residual_by_ball: Block
-    residual_by_centre: tuple[Triple, Triple]
+    residual_by_centre: tuple[Motion, Motion]
     action: Triple
-    action_by_ball: tuple[Pair, Pair, Pair]
-    action_by_centre: tuple[Triple, Triple, Triple]
+    action_by_ball: Rows
+    action_by_centre: Rows
     inner_load: Any
     outer_load: Any
     inner_direction: Pair
@@ -74,15 +76,15 @@ class Settled(NamedTuple):
 
     fold: Any
     still: Pair
-    follow: tuple[Triple, Triple]
+    follow: tuple[Motion, Motion]
     action: Triple
-    tangent: tuple[Triple, Triple, Triple]
+    tangent: Rows
 
 
 def turning_balance(
     c: BallConstants,
     law: LawNumbers,
-    centre: Triple,
+    centre: Motion,
     ball: Pair,
     squared: Any,
     blend: Any,
@@ -94,8 +96,7 @@ def turning_balance(
     nominal angle) to the full one; ``vary`` 1, or 0 for derivatives that leave Fc and Mg as they
     are.
     """
-    inner = race(c.inner, (centre[0] - ball[0], centre[1] - ball[1]), centre[2], 1.0)
-    outer = race(c.outer, ball, 0.0, -1.0)
+    inner, outer = race(c.inner, against(centre, ball), 1.0), race(c.outer, ball, -1.0)
     si, ci, so, co = inner.sin, inner.cos, outer.sin, outer.cos
     weight = _weight(c.race_ratio, inner.approach, outer.approach)
     angles = Angles(si, ci, so, co, c.size_ratio, weight.value)
@@ -129,10 +130,9 @@ def turning_balance(
         _by_ball(_by_outer(turning, outer), turning_i),
     )
     action_by_centre = (fa_i, fr_i, turning_i)
-    if len(c.inner) > 1:
-        action, action_by_ball, action_by_centre = _about_the_middle(
-            inner, action, action_by_ball, action_by_centre
-        )
+    action, action_by_ball, action_by_centre = _about_the_middle(
+        inner.middle_by, inner.middle, action, action_by_ball, action_by_centre
+    )
     return Balance(
         residual=(level.value, rise.value),
         residual_by_ball=(
@@ -154,50 +154,39 @@ def turning_balance(
 
 
 def _about_the_middle(
-    inner: Race,
-    action: Triple,
-    by_ball: tuple[Pair, Pair, Pair],
-    by_centre: tuple[Triple, Triple, Triple],
-) -> tuple[Triple, tuple[Pair, Pair, Pair], tuple[Triple, Triple, Triple]]:
-    """The moment of the radial force, which acts beside the middle of the groove, added."""
-    middle, radial = inner.middle, action[1]
-    m1, m2, mt = inner.middle_by
-    (r1, r2), (c1, c2, ct) = by_ball[1], by_centre[1]
-    (b1, b2), (d1, d2, dt) = by_ball[2], by_centre[2]
-    ball = (b1 + middle * r1 - radial * m1, b2 + middle * r2 - radial * m2)
-    centre = (
-        d1 + middle * c1 + radial * m1,
-        d2 + middle * c2 + radial * m2,
-        dt + middle * ct + radial * mt,
-    )
+    by: Motion, middle: Any, action: Triple, by_ball: Rows, by_centre: Rows
+) -> tuple[Triple, Rows, Rows]:
+    """The moment of the radial force added, which acts beside the middle of two grooves."""
+    if len(by) == 2:
+        return action, by_ball, by_centre
+    force, ball = action[1], (-by[0], -by[1])
     return (
-        (action[0], radial, action[2] + middle * radial),
-        (by_ball[0], by_ball[1], ball),
-        (by_centre[0], by_centre[1], centre),
+        (action[0], force, action[2] + middle * force),
+        (by_ball[0], by_ball[1], plus(by_ball[2], combined(middle, by_ball[1], force, ball))),
+        (by_centre[0], by_centre[1], plus(by_centre[2], combined(middle, by_centre[1], force, by))),
     )
 
 
 def settled(b: Balance) -> Settled:
     """The ball eliminated: what is left is a ring on springs."""
-    back = inverse(b.residual_by_ball)
-    back = ((-back[0][0], -back[0][1]), (-back[1][0], -back[1][1]))
-    columns = b.residual_by_centre
-    still = (dot(back[0], b.residual), dot(back[1], b.residual))
-    follow = (row_times(back[0], columns), row_times(back[1], columns))
-    axial, radial, lever = b.action_by_ball
+    (p, q), (r, s) = inverse(b.residual_by_ball)
+    (level, rise), (first, second) = b.residual, b.residual_by_centre
+    still = (-p * level - q * rise, -r * level - s * rise)
+    follow = (combined(-p, first, -q, second), combined(-r, first, -s, second))
+    (x1, x2), (y1, y2), (z1, z2) = b.action_by_ball
     return Settled(
         fold=determinant(b.residual_by_ball),
         still=still,
         follow=follow,
         action=(
-            b.action[0] + dot(axial, still),
-            b.action[1] + dot(radial, still),
-            b.action[2] + dot(lever, still),
+            b.action[0] + x1 * still[0] + x2 * still[1],
+            b.action[1] + y1 * still[0] + y2 * still[1],
+            b.action[2] + z1 * still[0] + z2 * still[1],
         ),
         tangent=(
-            plus(b.action_by_centre[0], row_times(axial, follow)),
-            plus(b.action_by_centre[1], row_times(radial, follow)),
-            plus(b.action_by_centre[2], row_times(lever, follow)),
+            plus(b.action_by_centre[0], combined(x1, follow[0], x2, follow[1])),
+            plus(b.action_by_centre[1], combined(y1, follow[0], y2, follow[1])),
+            plus(b.action_by_centre[2], combined(z1, follow[0], z2, follow[1])),
         ),
     )
 
@@ -282,11 +271,9 @@ def _outer_force(contact: Contact, friction: Polar, sin: Any, cos: Any) -> tuple
     )
 
 
-def _by_inner(p: Polar, inner: Race) -> Triple:
+def _by_inner(p: Polar, inner: Race) -> Motion:
     """Derivatives by A."""
-    a, b = inner.angle_by, inner.approach_by
-    turn, along = p.by_inner_angle, p.by_inner_length
-    return turn * a[0] + along * b[0], turn * a[1] + along * b[1], turn * a[2] + along * b[2]
+    return combined(p.by_inner_angle, inner.angle_by, p.by_inner_length, inner.approach_by)
 
 
 def _by_outer(p: Polar, outer: Race) -> Pair:
@@ -296,6 +283,6 @@ def _by_outer(p: Polar, outer: Race) -> Pair:
     return turn * a[0] + along * b[0], turn * a[1] + along * b[1]
 
 
-def _by_ball(outer: Pair, inner: Triple) -> Pair:
+def _by_ball(outer: Pair, inner: Motion) -> Pair:
     """Derivatives by X through both races."""
     return outer[0] - inner[0], outer[1] - inner[1]

@@ -1,7 +1,8 @@
 """Small matrices in a plane, entry by entry: plain expressions of floats or arrays.
 
-A pair is a plane vector (axial, radial), a block a 2×2 matrix by rows. A triple has the tilt of a
-ring about the ball's place as its third part.
+A pair is a plane vector (axial, radial), a block a 2×2 matrix by rows. A motion of a ring at a ball
+is a pair, with the tilt as a third part where the ring has two grooves: one groove does not notice
+the tilt about its own centre. Lengths of tuples are known when a function is compiled.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ import numpy as np
 
 Pair = tuple[Any, Any]
 Block = tuple[Pair, Pair]
+Motion = tuple[Any, ...]
 Triple = tuple[Any, Any, Any]
 
 
@@ -44,16 +46,29 @@ def dot(a: Pair, b: Pair) -> Any:
     return a[0] * b[0] + a[1] * b[1]
 
 
-def row_times(row: Pair, m: tuple[Triple, Triple]) -> Triple:
-    """Row vector times a matrix of two triples."""
-    a, b = row
-    (m11, m12, m13), (m21, m22, m23) = m
-    return a * m11 + b * m21, a * m12 + b * m22, a * m13 + b * m23
+def combined(a: Any, row: Motion, b: Any, other: Motion) -> Motion:
+    """a times one row plus b times another."""
+    if len(row) == 2:
+        return a * row[0] + b * other[0], a * row[1] + b * other[1]
+    return (
+        a * row[0] + b * other[0],
+        a * row[1] + b * other[1],
+        a * row[2] + b * other[2],
+    )
 
 
-def plus(a: Triple, b: Triple) -> Triple:
-    """Sum of two triples."""
+def plus(a: Motion, b: Motion) -> Motion:
+    """Sum of two rows."""
+    if len(a) == 2:
+        return a[0] + b[0], a[1] + b[1]
     return a[0] + b[0], a[1] + b[1], a[2] + b[2]
+
+
+def minus(a: Motion, b: Motion) -> Motion:
+    """Difference of two rows."""
+    if len(a) == 2:
+        return a[0] - b[0], a[1] - b[1]
+    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
 
 
 def determinant(m: Block) -> Any:

@@ -13,8 +13,19 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from bearings.ball.constants import EPS, BallConstants, Groove
-from bearings.ball.plane import Block, Pair, Triple, direction, dot, inverse, row_times, where
-from bearings.ball.race import place
+from bearings.ball.plane import (
+    Block,
+    Motion,
+    Pair,
+    Triple,
+    combined,
+    direction,
+    dot,
+    inverse,
+    minus,
+    where,
+)
+from bearings.ball.race import Springs, against, spring, springs, vector_to
 
 SETTLED = 1e-8  # of the ball's own loads
 
@@ -22,58 +33,19 @@ SETTLED = 1e-8  # of the ball's own loads
 class Reaction(NamedTuple):
     """What a settled ball does to the inner ring.
 
-    Its potential; (axial, radial, tilting) action on the ring, its slope by the place of the inner
-    groove, and how X follows that place.
+    Its potential; (axial, radial, tilting) action on the ring, its slope by the motion of the inner
+    groove, and how X follows that motion.
     """
 
     energy: Any
     action: Triple
-    slope: tuple[Triple, Triple, Triple]
-    follow: tuple[Triple, Triple]
+    slope: tuple[Motion, Motion, Motion]
+    follow: tuple[Motion, Motion]
 
 
-class Springs(NamedTuple):
-    """The contacts of a race: potential, force and symmetric slope (11, 12, 22) by their vector.
-
-    ``couple`` Σ x F_r about the middle of the ring; ``by_tilt``: slopes of force and couple by the
-    tilt of the ring.
-    """
-
-    energy: Any
-    force: Pair
-    slope: Triple
-    couple: Any
-    by_tilt: Triple
-
-
-def springs(grooves: tuple[Groove, ...], vector: Pair, tilt: Any, side: float) -> Springs:
-    """Contacts of a race at a vector, as in ``bearings.ball.race``."""
-    if len(grooves) == 1:
-        p = place(grooves[0], vector, tilt, side)
-        return Springs(p.energy, p.force, p.slope, 0.0, (0.0, 0.0, 0.0))
-    return _two(grooves, vector, tilt, side)
-
-
-def _two(grooves: tuple[Groove, ...], vector: Pair, tilt: Any, side: float) -> Springs:
-    p, q = place(grooves[0], vector, tilt, side), place(grooves[1], vector, tilt, side)
-    x, y = grooves[0].offset, grooves[1].offset
-    return Springs(
-        p.energy + q.energy,
-        (p.force[0] + q.force[0], p.force[1] + q.force[1]),
-        (p.slope[0] + q.slope[0], p.slope[1] + q.slope[1], p.slope[2] + q.slope[2]),
-        x * p.force[1] + y * q.force[1],
-        (
-            x * p.slope[1] + y * q.slope[1],
-            x * p.slope[2] + y * q.slope[2],
-            x * x * p.slope[2] + y * y * q.slope[2],
-        ),
-    )
-
-
-def contacts(c: BallConstants, centre: Triple, ball: Pair) -> tuple[Springs, Springs]:
-    """Inner and outer contacts; ``centre``: middle of the inner groove, and the ring's tilt."""
-    inner = springs(c.inner, (centre[0] - ball[0], centre[1] - ball[1]), centre[2], 1.0)
-    return inner, springs(c.outer, ball, 0.0, -1.0)
+def contacts(c: BallConstants, centre: Motion, ball: Pair) -> tuple[Springs, Springs]:
+    """Inner and outer contacts; ``centre``: middle of the inner groove."""
+    return springs(c.inner, against(centre, ball), 1.0), springs(c.outer, ball, -1.0)
 
 
 def stiffness(inner: Springs, outer: Springs) -> Block:
@@ -87,36 +59,47 @@ def potential(c: BallConstants, inner: Springs, outer: Springs, ball: Pair, push
     return inner.energy + outer.energy - push * (ball[1] - c.outer_reach)
 
 
-def reaction(c: BallConstants, centre: Triple, ball: Pair, push: Any) -> Reaction:
+def reaction(c: BallConstants, centre: Motion, ball: Pair, push: Any) -> Reaction:
     """Action and tangent of a ball that sits at its seat."""
     inner, outer = contacts(c, centre, ball)
-    back = inverse(stiffness(inner, outer))
-    (a11, a12, a22), (t1, t2, tt) = inner.slope, inner.by_tilt
-    columns = ((a11, a12, t1), (a12, a22, t2))
-    follow = (row_times(back[0], columns), row_times(back[1], columns))
+    back, energy = inverse(stiffness(inner, outer)), potential(c, inner, outer, ball, push)
+    first, second, third = _rows(centre, inner)
+    follow = (
+        combined(back[0][0], first, back[0][1], second),
+        combined(back[1][0], first, back[1][1], second),
+    )
+    (a11, a12, a22), (t1, t2, _) = inner.slope, inner.by_tilt
     slope = (
-        _left((a11, a12, t1), (a11, a12), follow),
-        _left((a12, a22, t2), (a12, a22), follow),
-        _left((t1, t2, tt), (t1, t2), follow),
+        minus(first, combined(a11, follow[0], a12, follow[1])),
+        minus(second, combined(a12, follow[0], a22, follow[1])),
+        minus(third, combined(t1, follow[0], t2, follow[1])),
     )
     action = (inner.force[0], inner.force[1], inner.couple)
-    return Reaction(potential(c, inner, outer, ball, push), action, slope, follow)
+    return Reaction(energy, action, slope, follow)
 
 
-def _left(row: Triple, along: Pair, follow: tuple[Triple, Triple]) -> Triple:
-    """What is left of a row of slopes where the ball follows."""
-    yields = row_times(along, follow)
-    return row[0] - yields[0], row[1] - yields[1], row[2] - yields[2]
+def _rows(centre: Motion, inner: Springs) -> tuple[Motion, Motion, Motion]:
+    """Slopes of force and couple by the motion of the inner groove, the ball standing still."""
+    (a11, a12, a22), (t1, t2, tt) = inner.slope, inner.by_tilt
+    if len(centre) == 2:
+        return (a11, a12), (a12, a22), (t1, t2)
+    return (a11, a12, t1), (a12, a22, t2), (t1, t2, tt)
 
 
-def resting_reaction(c: BallConstants, centre: Triple) -> Reaction:
+def resting_reaction(c: BallConstants, centre: Motion) -> Reaction:
     """A ball at rest between one groove a ring: Q = kn (|A| − BD)₊^1.5 along A, X eliminated."""
     whole = Groove(c.series_stiffness, c.inner_reach + c.outer_reach, 0.0)
-    p = place(whole, (centre[0], centre[1]), 0.0, 1.0)
-    none = 0.0 * p.load
-    slope = ((p.slope[0], p.slope[1], none), (p.slope[1], p.slope[2], none), (none, none, none))
-    still = (none, none, none)
-    return Reaction(p.energy, (p.force[0], p.force[1], none), slope, (still, still))
+    p = spring(whole, centre, 1.0)
+    still = _still(centre, 0.0 * p.energy)
+    first, second, _ = _rows(centre, p)
+    action = (p.force[0], p.force[1], still[0])
+    return Reaction(p.energy, action, (first, second, still), (still, still))
+
+
+def _still(centre: Motion, none: Any) -> Motion:
+    if len(centre) == 2:
+        return none, none
+    return none, none, none
 
 
 def resting_seat(c: BallConstants, centre: Pair) -> Pair:
@@ -133,14 +116,14 @@ def riding_radius(c: BallConstants, push: Any) -> Any:
     return c.outer_reach + (push / c.outer_stiffness) ** (2.0 / 3.0)
 
 
-def first_seat(c: BallConstants, centre: Triple, push: Any) -> Pair:
+def first_seat(c: BallConstants, centre: Motion, push: Any) -> Pair:
     """Where to start the search for a seat: the best of the places that pairs of contacts give."""
     if len(c.inner) == 1 and len(c.outer) == 1:
         return _between(c, (centre[0], centre[1]), push)
     return _best(c, centre, push)
 
 
-def _best(c: BallConstants, centre: Triple, push: Any) -> Pair:
+def _best(c: BallConstants, centre: Motion, push: Any) -> Pair:
     """Of all pairs of an inner and an outer contact, and of the outer arch, the least potential."""
     half = c.outer[0].offset
     root = (c.outer_reach + (0.5 * push / c.outer_stiffness) ** (2.0 / 3.0)) ** 2 - half * half
@@ -148,11 +131,8 @@ def _best(c: BallConstants, centre: Triple, push: Any) -> Pair:
     least = _energy(c, centre, x, push)
     for outer in c.outer:
         for inner in c.inner:
-            shifted = (
-                centre[0] + inner.offset - outer.offset,
-                centre[1] + inner.offset * centre[2],
-            )
-            trial = _between(c, shifted, push)
+            near = vector_to(inner, centre, 1.0)
+            trial = _between(c, (near[0] - outer.offset, near[1]), push)
             trial = (trial[0] + outer.offset, trial[1])
             energy = _energy(c, centre, trial, push)
             better = energy < least
@@ -161,7 +141,7 @@ def _best(c: BallConstants, centre: Triple, push: Any) -> Pair:
     return x
 
 
-def _energy(c: BallConstants, centre: Triple, ball: Pair, push: Any) -> Any:
+def _energy(c: BallConstants, centre: Motion, ball: Pair, push: Any) -> Any:
     inner, outer = contacts(c, centre, ball)
     return potential(c, inner, outer, ball, push)
 
@@ -202,7 +182,7 @@ class SeatStep(NamedTuple):
     moving: Any
 
 
-def seat_step(c: BallConstants, centre: Triple, ball: Pair, push: Any) -> SeatStep:
+def seat_step(c: BallConstants, centre: Motion, ball: Pair, push: Any) -> SeatStep:
     """Potential and Newton step at X."""
     inner, outer = contacts(c, centre, ball)
     both = stiffness(inner, outer)

@@ -13,7 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from bearings.ball.constants import Groove
-from bearings.ball.plane import Pair, Triple, direction, where
+from bearings.ball.plane import Motion, Pair, Triple, direction, where
 
 
 class Contact(NamedTuple):
@@ -23,12 +23,26 @@ class Contact(NamedTuple):
     slope: Any
 
 
+class Springs(NamedTuple):
+    """Contacts as springs: potential, force and symmetric slope (11, 12, 22) by their vector.
+
+    ``couple`` Σ x F_r about the middle of the ring; ``by_tilt``: slopes of the force and of the
+    couple by the tilt of the ring.
+    """
+
+    energy: Any
+    force: Pair
+    slope: Triple
+    couple: Any
+    by_tilt: Triple
+
+
 class Race(NamedTuple):
     """A race as one contact along its resultant.
 
     ``sin``, ``cos`` of its angle; ``approach`` δ, ``load`` Q and ``slope`` dQ/dδ. ``middle`` [m]:
-    axial place where the resultant acts. Derivatives by axial and radial motion of the groove
-    against the ball, and by tilt of the ring: ``angle_by``, ``approach_by``, ``middle_by``.
+    axial place where the resultant acts. ``angle_by``, ``approach_by``, ``middle_by``: derivatives
+    by the motion of the groove against the ball.
     """
 
     sin: Any
@@ -37,9 +51,9 @@ class Race(NamedTuple):
     load: Any
     slope: Any
     middle: Any
-    angle_by: Triple
-    approach_by: Triple
-    middle_by: Triple
+    angle_by: Motion
+    approach_by: Motion
+    middle_by: Motion
 
 
 def hertz(stiffness: float, approach: Any) -> Contact:
@@ -48,48 +62,47 @@ def hertz(stiffness: float, approach: Any) -> Contact:
     return Contact(stiffness * approach * root, 1.5 * stiffness * root)
 
 
-def race(grooves: tuple[Groove, ...], vector: Pair, tilt: Any, side: float) -> Race:
+def against(centre: Motion, ball: Pair) -> Motion:
+    """Motion of the inner groove against the ball, from the place of its middle."""
+    if len(centre) == 2:
+        return centre[0] - ball[0], centre[1] - ball[1]
+    return centre[0] - ball[0], centre[1] - ball[1], centre[2]
+
+
+def race(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Race:
     """The contacts of one race together.
 
-    ``vector``: from ball to the middle of the inner groove (``side`` +1), or from that of the outer
-    groove to the ball (−1); ``tilt``: angle by which the ring turns at the ball.
+    ``vector``: from the ball to the middle of the inner groove (``side`` +1, with the tilt of the
+    ring where there are two grooves), or from that of the outer groove to the ball (−1).
     """
     if len(grooves) == 1:
         return _single(grooves[0], vector)
-    return _joined(grooves, vector, tilt, side)
+    return _resultant(grooves, vector, side)
 
 
-def _single(groove: Groove, vector: Pair) -> Race:
-    sin, cos, length = direction(vector)
+def _single(groove: Groove, vector: Motion) -> Race:
+    sin, cos, length = direction((vector[0], vector[1]))
     approach = np.maximum(length - groove.reach, 0.0)
     contact = hertz(groove.stiffness, approach)
     part = 1.0 / length
-    turn, along, none = (cos * part, -sin * part, 0.0), (sin, cos, 0.0), (0.0, 0.0, 0.0)
-    return Race(sin, cos, approach, contact.load, contact.slope, 0.0, turn, along, none)
+    turn, along = (cos * part, -sin * part), (sin, cos)
+    return Race(sin, cos, approach, contact.load, contact.slope, 0.0, turn, along, (0.0, 0.0))
 
 
-def _joined(grooves: tuple[Groove, ...], vector: Pair, tilt: Any, side: float) -> Race:
-    one, two = place(grooves[0], vector, tilt, side), place(grooves[1], vector, tilt, side)
-    k, x1, x2 = grooves[0].stiffness, grooves[0].offset, grooves[1].offset
-    axial, radial = one.force[0] + two.force[0], one.force[1] + two.force[1]
-    a11, a12, a22 = (
-        one.slope[0] + two.slope[0],
-        one.slope[1] + two.slope[1],
-        (one.slope[2] + two.slope[2]),
-    )
-    t1, t2 = x1 * one.slope[1] + x2 * two.slope[1], x1 * one.slope[2] + x2 * two.slope[2]
+def _resultant(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Race:
+    all_ = springs(grooves, vector, side)
+    (axial, radial), (a11, a12, a22), (t1, t2, tt) = all_.force, all_.slope, all_.by_tilt
     load = np.sqrt(axial * axial + radial * radial)
-    bears, first = load > 0.0, one.gap >= two.gap
+    bears, k = load > 0.0, grooves[0].stiffness
     part = 1.0 / where(bears, load, 1.0)
-    near_sin, near_cos = where(first, one.sin, two.sin), where(first, one.cos, two.cos)
-    near = 1.0 / where(first, one.length, two.length)
+    near_sin, near_cos, near = _nearer(grooves, vector, side)
     sin, cos = where(bears, axial * part, near_sin), where(bears, radial * part, near_cos)
     approach = (load / k) ** (2.0 / 3.0)
     slope = 1.5 * k * np.sqrt(approach)
     soft = 1.0 / where(bears, slope, 1.0)
     angle_by = (
-        where(bears, (cos * a11 - sin * a12) * part, near_cos * near),
-        where(bears, (cos * a12 - sin * a22) * part, -near_sin * near),
+        where(bears, (cos * a11 - sin * a12) * part, near_cos / near),
+        where(bears, (cos * a12 - sin * a22) * part, -near_sin / near),
         (cos * t1 - sin * t2) * part,
     )
     approach_by = (
@@ -97,44 +110,56 @@ def _joined(grooves: tuple[Groove, ...], vector: Pair, tilt: Any, side: float) -
         where(bears, (sin * a12 + cos * a22) * soft, near_cos),
         (sin * t1 + cos * t2) * soft,
     )
-    couple = x1 * one.force[1] + x2 * two.force[1]
     lifted = where(radial != 0.0, radial, 1.0)
-    middle = couple / lifted
+    middle = all_.couple / lifted
     middle_by = (
-        (x1 * one.slope[1] + x2 * two.slope[1] - middle * a12) / lifted,
-        (x1 * one.slope[2] + x2 * two.slope[2] - middle * a22) / lifted,
-        (x1 * x1 * one.slope[2] + x2 * x2 * two.slope[2] - middle * t2) / lifted,
+        (t1 - middle * a12) / lifted,
+        (t2 - middle * a22) / lifted,
+        (tt - middle * t2) / lifted,
     )
     return Race(sin, cos, approach, load, slope, middle, angle_by, approach_by, middle_by)
 
 
-class Placed(NamedTuple):
-    """A contact where it stands.
-
-    Direction and length from groove centre to ball centre, ``gap`` beyond its reach, load, force
-    and the symmetric slope of the force (11, 12, 22), and its potential ``energy``.
-    """
-
-    sin: Any
-    cos: Any
-    length: Any
-    gap: Any
-    load: Any
-    force: Pair
-    slope: Triple
-    energy: Any
+def _nearer(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Triple:
+    """Direction and length to the groove that a ball without load is nearer to."""
+    one, two = vector_to(grooves[0], vector, side), vector_to(grooves[1], vector, side)
+    (s1, c1, l1), (s2, c2, l2) = direction(one), direction(two)
+    first = l1 >= l2
+    return where(first, s1, s2), where(first, c1, c2), where(first, l1, l2)
 
 
-def place(groove: Groove, vector: Pair, tilt: Any, side: float) -> Placed:
-    """One contact of a race, see ``race``."""
-    sin, cos, length = direction(
-        (vector[0] + side * groove.offset, vector[1] + tilt * groove.offset)
+def springs(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Springs:
+    """Contacts of a race as springs; arguments as for ``race``."""
+    if len(grooves) == 1:
+        return spring(grooves[0], vector, side)
+    p, q = spring(grooves[0], vector, side), spring(grooves[1], vector, side)
+    return Springs(
+        p.energy + q.energy,
+        (p.force[0] + q.force[0], p.force[1] + q.force[1]),
+        (p.slope[0] + q.slope[0], p.slope[1] + q.slope[1], p.slope[2] + q.slope[2]),
+        p.couple + q.couple,
+        (p.by_tilt[0] + q.by_tilt[0], p.by_tilt[1] + q.by_tilt[1], p.by_tilt[2] + q.by_tilt[2]),
     )
-    gap = length - groove.reach
-    approach = np.maximum(gap, 0.0)
+
+
+def spring(groove: Groove, vector: Motion, side: float) -> Springs:
+    """One contact of a race as a spring."""
+    sin, cos, length = direction(vector_to(groove, vector, side))
+    approach = np.maximum(length - groove.reach, 0.0)
     load, along = hertz(groove.stiffness, approach)
     across = load / length
     more = along - across
     slope = (across + more * sin * sin, more * sin * cos, across + more * cos * cos)
-    energy = 0.4 * load * approach
-    return Placed(sin, cos, length, gap, load, (load * sin, load * cos), slope, energy)
+    force, x, energy = (load * sin, load * cos), groove.offset, 0.4 * load * approach
+    if len(vector) == 2:
+        return Springs(energy, force, slope, 0.0, (0.0, 0.0, 0.0))
+    return Springs(
+        energy, force, slope, x * force[1], (x * slope[1], x * slope[2], x * x * slope[2])
+    )
+
+
+def vector_to(groove: Groove, vector: Motion, side: float) -> Pair:
+    """From the ball to the centre of an inner groove, or from that of an outer one to the ball."""
+    if len(vector) == 2:
+        return vector[0] + side * groove.offset, vector[1]
+    return vector[0] + side * groove.offset, vector[1] + vector[2] * groove.offset

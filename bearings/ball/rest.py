@@ -6,21 +6,21 @@ import numpy as np
 
 from bearings.ball.balance import Balance, Settled
 from bearings.ball.constants import BallConstants
-from bearings.ball.plane import Triple, direction
+from bearings.ball.plane import Motion, direction
 from bearings.ball.potential import resting_reaction
 
 
-def resting_balance(c: BallConstants, centre: Triple) -> tuple[Balance, Settled]:
+def resting_balance(c: BallConstants, centre: Motion) -> tuple[Balance, Settled]:
     """Balance of balls at rest, and the same with the balls eliminated; no ball unknown is left."""
     answer = resting_reaction(c, centre)
     sin, cos, _ = direction((centre[0], centre[1]))
     load = np.hypot(answer.action[0], answer.action[1])
     zero = np.zeros_like(load)
-    nothing, still = (zero, zero), (zero, zero, zero)
+    nothing = (zero, zero)
     balance = Balance(
         residual=nothing,
         residual_by_ball=((zero + 1.0, zero), (zero, zero + 1.0)),
-        residual_by_centre=(still, still),
+        residual_by_centre=(nothing, nothing),
         action=answer.action,
         action_by_ball=(nothing, nothing, nothing),
         action_by_centre=answer.slope,
@@ -32,4 +32,4 @@ def resting_balance(c: BallConstants, centre: Triple) -> tuple[Balance, Settled]
         gyroscopic_moment=zero,
         inner_share=zero + 1.0,
     )
-    return balance, Settled(zero + 1.0, nothing, (still, still), answer.action, answer.slope)
+    return balance, Settled(zero + 1.0, nothing, (nothing, nothing), answer.action, answer.slope)

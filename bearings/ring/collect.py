@@ -37,7 +37,7 @@ def blank(g: Geometry, question: Question, outcome: NDArray[np.str_]) -> dict[st
         name: np.full((count, g.balls), np.nan) for name in BALL_FIELDS
     }
     touching = len(g.inner_offsets) + len(g.outer_offsets)
-    states |= {name: np.full((count, g.balls, touching), np.nan) for name in CONTACT_FIELDS}
+    states |= {name: np.full((count, touching, g.balls), np.nan) for name in CONTACT_FIELDS}
     states["load"] = np.full((count, 5), np.nan)
     states["residual"] = np.full(count, np.nan)
     states["displacement"] = np.full((count, 5), np.nan)
@@ -58,28 +58,31 @@ def store(
     into, b, g = index[good], solution.balance, problem.model.geometry
     qi, qo, mg = b.inner_load[good], b.outer_load[good], b.gyroscopic_moment[good]
     share = np.broadcast_to(b.inner_share, b.inner_load.shape)[good]
-    inner_angle = np.arctan2(*b.inner_direction)[good]
     states["load"][into] = np.where(problem.free, problem.load, solution.ring_load)[good]
     states["displacement"][into] = solution.displacement[good]
     states["residual"][into] = solution.residual[good]
     states["complete_stiffness"][into] = solution.stiffness[good]
     states["ball_centre"][into] = solution.ball[:, good].swapaxes(0, 1)
-    load, sin, cos = (np.moveaxis(part, 0, -1)[good] for part in solution.contacts)
-    inner, sides = len(g.inner_offsets), _sides(g)
-    pressure = np.concatenate(
-        [g.inner.peak_pressure(load[..., :inner]), g.outer.peak_pressure(load[..., inner:])],
-        axis=-1,
-    )
-    angle = np.where(load > 0.0, np.arctan2(sides * sin, cos), np.nan)
-    for name, part in zip(CONTACT_FIELDS, (load, angle, pressure), strict=True):
-        states[name][into] = part
+    load, sin, cos = solution.contacts
+    races = [g.inner] * len(g.inner_offsets) + [g.outer] * len(g.outer_offsets)
+    pressure = [race.peak_pressure(q[good]) for race, q in zip(races, load, strict=True)]
+    sides = _sides(g)
+    angle = [
+        np.arctan2(s if w > 0.0 else -s, c)[good] for s, c, w in zip(sin, cos, sides, strict=True)
+    ]
+    for k, (q, turned, peak) in enumerate(zip(load, angle, pressure, strict=True)):
+        states["contact_load"][into, k] = q[good]
+        states["contact_angle"][into, k] = np.where(q[good] > 0.0, turned, np.nan)
+        states["contact_pressure"][into, k] = peak
+    inner, single = len(g.inner_offsets), problem.model.single
+    inner_angle = angle[0] if single else np.arctan2(*b.inner_direction)[good]
     values = (
         qi,
         qo,
         inner_angle,
-        np.arctan2(*b.outer_direction)[good],
-        pressure[..., :inner].max(axis=-1),
-        pressure[..., inner:].max(axis=-1),
+        angle[1] if single else np.arctan2(*b.outer_direction)[good],
+        _largest(pressure[:inner]),
+        _largest(pressure[inner:]),
         np.broadcast_to(b.centrifugal_force[good], qi.shape),
         mg,
         _grip(share * mg, qi, g.ball_diameter),
@@ -92,12 +95,14 @@ def store(
     states["status"][into] = np.where(qi > 0.0, word, idle)
 
 
-def _sides(g: Geometry) -> Array:
-    """Sign of the axial direction in which the angle of each contact counts (contacts,)."""
-    inner, outer = g.inner_offsets, g.outer_offsets
-    return np.array(
-        [1.0 if x >= 0.0 else -1.0 for x in inner] + [1.0 if x <= 0.0 else -1.0 for x in outer]
-    )
+def _sides(g: Geometry) -> list[float]:
+    """Sign of the axial direction in which the angle of each contact counts."""
+    inner = [1.0 if x >= 0.0 else -1.0 for x in g.inner_offsets]
+    return inner + [1.0 if x <= 0.0 else -1.0 for x in g.outer_offsets]
+
+
+def _largest(of_contacts: list[Array]) -> Array:
+    return of_contacts[0] if len(of_contacts) == 1 else np.maximum(*of_contacts)
 
 
 def _grip(moment: Array, load: Array, diameter: float) -> Array:
@@ -109,5 +114,6 @@ def state(states: dict[str, NDArray[Any]], shape: tuple[int, ...], cause: Cause)
     """Fields back in the caller's shape."""
     centre = states.pop("ball_centre")
     shaped = {name: value.reshape((*shape, *value.shape[1:])) for name, value in states.items()}
+    shaped |= {name: shaped[name].swapaxes(-1, -2) for name in CONTACT_FIELDS}
     centre = centre.reshape((*shape, *centre.shape[1:]))
     return BearingState(cause=cause, ball_centre=np.moveaxis(centre, -2, 0), **shaped)

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 
 from bearings.ball.balance import Balance
 from bearings.ball.constants import Groove
-from bearings.ball.plane import Pair, direction, dot
-from bearings.ball.race import place
+from bearings.ball.plane import Motion, Pair, direction, dot
+from bearings.ball.race import against, hertz, vector_to
 from bearings.ring.problem import Problem
 
 Array = NDArray[np.float64]
@@ -53,8 +53,8 @@ def contacts(
     c, (d, x) = problem.model.constants, at
     dd, dx = (np.zeros_like(d), np.zeros_like(x)) if step is None else step
     a, moved = problem.centres(d), problem.ring.moved(dd)
-    inner = _bearing(c.inner, (a[0] - x[0], a[1] - x[1]), a[2], 1.0, moved[:2] - dx)
-    outer = _bearing(c.outer, (x[0], x[1]), 0.0 * x[0], -1.0, dx)
+    inner = _bearing(c.inner, against(tuple(a), (x[0], x[1])), 1.0, moved[:2] - dx)
+    outer = _bearing(c.outer, (x[0], x[1]), -1.0, dx)
     joined = Contacts(*(np.concatenate(pair) for pair in zip(inner, outer, strict=True)))
     if not problem.turning:
         largest = joined.load.max(axis=(0, 2), keepdims=True)
@@ -74,14 +74,14 @@ def contacts(
 
 
 def _bearing(
-    grooves: tuple[Groove, ...], vector: Pair, tilt: Array, side: float, step: Array
+    grooves: tuple[Groove, ...], vector: Motion, side: float, step: Array
 ) -> tuple[Array, Array, Array]:
-    placed = [place(groove, vector, tilt, side) for groove in grooves]
-    loads = [
-        _loaded(groove.stiffness, p.load, (p.sin, p.cos), (step[0], step[1]))
-        for groove, p in zip(grooves, placed, strict=True)
-    ]
-    return np.stack(loads), np.stack([p.sin for p in placed]), np.stack([p.cos for p in placed])
+    ways = [direction(vector_to(groove, vector, side)) for groove in grooves]
+    loads = []
+    for groove, (sin, cos, length) in zip(grooves, ways, strict=True):
+        load = hertz(groove.stiffness, np.maximum(length - groove.reach, 0.0)).load
+        loads.append(_loaded(groove.stiffness, load, (sin, cos), (step[0], step[1])))
+    return np.stack(loads), np.stack([w[0] for w in ways]), np.stack([w[1] for w in ways])
 
 
 def _resultant(c: Contacts, otherwise: Pair) -> tuple[Array, Array, Array]:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.constants import EPS
-from bearings.ball.plane import Triple
+from bearings.ball.plane import Motion
 from bearings.ball.potential import reaction, resting_reaction, resting_seat
 from bearings.ring.linearised import followed_by
 from bearings.ring.problem import (
@@ -68,7 +68,7 @@ def convex_state(problem: Problem, start: Array) -> tuple[Array, Array, NDArray[
 class Answer:
     """What settled balls do to the ring.
 
-    ``energy`` (s, n), ``action`` (3, s, n), ``tangent`` (s, 3, 3, n); ``follow`` (2, 3, s, n): how
+    ``energy`` (s, n), ``action`` (3, s, n), ``tangent`` (s, 3, m, n); ``follow`` (2, m, s, n): how
     the balls go with it.
     """
 
@@ -93,7 +93,7 @@ class Answer:
 def _settled(problem: Problem, d: Array, near: Array | None) -> tuple[Array, Answer]:
     """Ball centres at displacement d with the push frozen, and what the balls do to the ring."""
     c, a = problem.model.constants, problem.centres(d)
-    centre = (a[0], a[1], a[2])
+    centre = tuple(a)
     if problem.placed:
         push = problem.model.nominal_centrifugal(np.sqrt(problem.squared))[:, None]
         x = seat(c, a, push, near)
@@ -108,8 +108,8 @@ def _settled(problem: Problem, d: Array, near: Array | None) -> tuple[Array, Ans
     )
 
 
-def _filled(parts: Triple, like: Array) -> Array:
-    """Numbers or arrays as arrays (3, …)."""
+def _filled(parts: Motion, like: Array) -> Array:
+    """Numbers or arrays as arrays (m, …)."""
     return np.stack([np.broadcast_to(part, like.shape) for part in parts])
 
 

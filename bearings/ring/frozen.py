@@ -49,7 +49,7 @@ def frozen_stiffness(state: StateData) -> Array:
     a = part.centres(state.displacement.reshape(-1, 5)[turning])
     x = state.ball_centre.reshape(2, len(speed), -1)[:, turning]
     squared = part.speed[:, None] ** 2
-    centre, ball = (a[0], a[1], a[2]), (x[0], x[1])
+    centre, ball = tuple(a), (x[0], x[1])
     balance = turning_balance(model.constants, model.numbers, centre, ball, squared, 1.0, 0.0)
     stiffness = state.complete_stiffness.reshape(-1, 5, 5).copy()
     stiffness[turning] = tangent(part, settled(balance))

@@ -61,7 +61,7 @@ class Iterate:
     def along(self, change: Array) -> Array:
         """What balls do with a ``change`` (…, 5) of the displacement (2, …, n)."""
         moved = self.parts[0][1].ring.moved(change.reshape(-1, 5))
-        return followed_by(self.follow, moved.reshape(3, *self.ball.shape[1:]))
+        return followed_by(self.follow, moved.reshape(len(moved), *self.ball.shape[1:]))
 
     def follows(self, before: Iterate) -> Flags:
         """Where every ball is on the physical branch and no angle has turned far (…)."""
@@ -108,7 +108,8 @@ def _linearised(parts: Parts, shape: tuple[int, ...], displacement: Array, ball:
     load, stiffness = np.empty((count, 5)), np.empty((count, 5, 5))
     error, pressure = np.empty(count), np.empty(count)
     sound = np.empty(count, dtype=bool)
-    still, follow = np.zeros((2, count, balls)), np.zeros((2, 3, count, balls))
+    parts_of = len(parts[0][1].ring.spread)
+    still, follow = np.zeros((2, count, balls)), np.zeros((2, parts_of, count, balls))
     for k, problem in parts:
         found = linearise(problem, d[k], x[:, k], np.full(len(k), problem.full))
         load[k] = problem.ring.load(np.stack(found.balls.action))
@@ -131,7 +132,7 @@ def _linearised(parts: Parts, shape: tuple[int, ...], displacement: Array, ball:
         pressure=pressure.reshape(shape),
         sound=sound.reshape(shape),
         still=still.reshape(2, *shape, balls),
-        follow=follow.reshape(2, 3, *shape, balls),
+        follow=follow.reshape(2, parts_of, *shape, balls),
     )
 
 

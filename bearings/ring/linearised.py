@@ -42,7 +42,7 @@ class Linear:
 def linearise(problem: Problem, d: Array, x: Array, blend: Array) -> Linear:
     """Balance and scaled error at (d, X); at rest X plays no part."""
     model, a = problem.model, problem.centres(d)
-    centre = (a[0], a[1], a[2])
+    centre = tuple(a)
     if problem.placed:
         squared = problem.squared[:, None]
         balance = turning_balance(
@@ -100,9 +100,9 @@ def newton_step(problem: Problem, linear: Linear) -> tuple[Array, Array]:
 
 
 def followed_by(follow: Array, moved: Array) -> Array:
-    """What balls do (2, …) where their grooves move (3, …) and they ``follow`` (2, 3, …)."""
-    a, b, c = moved
-    return follow[:, 0] * a + follow[:, 1] * b + follow[:, 2] * c
+    """What balls do (2, …) where their grooves move (m, …) and they ``follow`` (2, m, …)."""
+    step = follow[:, 0] * moved[0] + follow[:, 1] * moved[1]
+    return step if len(moved) == 2 else step + follow[:, 2] * moved[2]
 
 
 def _solve(k: Array, gap: Array) -> Array:

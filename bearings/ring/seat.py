@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.constants import BallConstants
-from bearings.ball.plane import Triple
 from bearings.ball.potential import (
     SeatStep,
     contacts,
@@ -26,17 +25,17 @@ ITERATIONS = 200
 
 
 def seat(c: BallConstants, centre: Array, push: Array, start: Array | None = None) -> Array:
-    """Ball centre X (2, …) of least potential under ``push`` Fc ≥ 0 (…) [N], at A (3, …).
+    """Ball centre X (2, …) of least potential under ``push`` Fc ≥ 0 (…) [N], at A (m, …).
 
     ``start``: a ball centre for a nearby A. A ball that the inner race does not reach rides the
     outer race. Every ball takes Newton steps of its own length, halved where the potential rises.
     """
     shape = centre.shape[1:]
-    a, fc = centre.reshape(3, -1), np.broadcast_to(push, shape).reshape(-1)
+    a, fc = centre.reshape(len(centre), -1), np.broadcast_to(push, shape).reshape(-1)
     x, free = _first(c, a, fc, start), np.zeros(a.shape[1], dtype=bool)
     if len(c.outer) == 1:
         riding = riding_radius(c, fc)
-        free = contacts(c, _triple(a), (0.0 * riding, riding))[0].energy == 0.0
+        free = contacts(c, tuple(a), (0.0 * riding, riding))[0].energy == 0.0
         x[:, free] = 0.0
         x[1, free] = riding[free]
     now = _step(c, a, fc, x)
@@ -59,7 +58,7 @@ def seat(c: BallConstants, centre: Array, push: Array, start: Array | None = Non
 
 def _first(c: BallConstants, a: Array, fc: Array, start: Array | None) -> Array:
     """Ball centres to start from, pressed into the outer race."""
-    first = np.stack(first_seat(c, _triple(a), fc))
+    first = np.stack(first_seat(c, tuple(a), fc))
     if start is None:
         return first
     given = start.reshape(2, -1)
@@ -67,17 +66,13 @@ def _first(c: BallConstants, a: Array, fc: Array, start: Array | None) -> Array:
     return np.where(better & (depth(c, (given[0], given[1])) > 0.0), given, first)
 
 
-def _triple(a: Array) -> Triple:
-    return a[0], a[1], a[2]
-
-
 def _step(c: BallConstants, a: Array, fc: Array, x: Array) -> SeatStep:
-    return seat_step(c, _triple(a), (x[0], x[1]), fc)
+    return seat_step(c, tuple(a), (x[0], x[1]), fc)
 
 
 def _energy(c: BallConstants, a: Array, fc: Array, x: Array) -> Array:
     ball = (x[0], x[1])
-    return np.asarray(potential(c, *contacts(c, _triple(a), ball), ball, fc))
+    return np.asarray(potential(c, *contacts(c, tuple(a), ball), ball, fc))
 
 
 def _some(steps: SeatStep, index: Index) -> SeatStep:

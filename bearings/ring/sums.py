@@ -13,7 +13,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball.plane import Triple
+from bearings.ball.plane import Motion
 from bearings.geometry import Geometry
 
 Array = NDArray[np.float64]
@@ -23,10 +23,11 @@ Array = NDArray[np.float64]
 class Ring:
     """The balls that need solving and how they map to the five freedoms.
 
-    ``azimuth`` (n, 6): 1, cos ψ, sin ψ, cos² ψ, cos ψ sin ψ, sin² ψ. ``spread`` (3, 5, n):
-    A = A₀ + spread·d. ``gather`` (5, 3, n): f = Σ gather·action. ``pairs`` (9·n, 25):
-    K = Σ action-by-A (9·n) · pairs. Balls that symmetry makes alike are solved once: with ``balls``
-    = 1 the one ball stands for all of an axially loaded bearing.
+    ``azimuth`` (n, 6): 1, cos ψ, sin ψ, cos² ψ, cos ψ sin ψ, sin² ψ. ``spread`` (m, 5, n):
+    A = A₀ + spread·d, m = 3 where the inner ring has two grooves, else 2. ``gather`` (5, 3, n):
+    f = Σ gather·action. ``pairs`` (3·m·n, 25): K = Σ action-by-A (3·m·n) · pairs. Balls that
+    symmetry makes alike are solved once: with ``balls`` = 1 the one ball stands for all of an
+    axially loaded bearing.
     """
 
     azimuth: Array
@@ -40,13 +41,13 @@ class Ring:
         return self.spread.shape[-1]
 
     def centres(self, start: Array, displacement: Array) -> Array:
-        """A (3, states, balls) from A₀ (2, states) and d (states, 5)."""
+        """A (m, states, balls) from A₀ (2, states) and d (states, 5)."""
         moved = self.moved(displacement)
         moved[:2] += start[:, :, None]
         return moved
 
     def moved(self, displacement: Array) -> Array:
-        """What a displacement (states, 5) adds to A (3, states, balls)."""
+        """What a displacement (states, 5) adds to A (m, states, balls)."""
         return np.asarray(displacement @ self.spread)
 
     def load(self, action: Array) -> Array:
@@ -54,17 +55,18 @@ class Ring:
         return np.einsum("ikn,ksn->si", self.gather, action)
 
     def stiffness(self, tangent: Array) -> Array:
-        """K (states, 5, 5) from ∂action/∂A (states, 3, 3, balls), see ``rows``."""
+        """K (states, 5, 5) from ∂action/∂A (states, 3, m, balls), see ``rows``."""
         states = len(tangent)
         each = tangent.reshape(states, 1, -1) @ self.pairs  # state by state: too small for threads
         return each.reshape(states, 5, 5)
 
 
-def rows(tangent: tuple[Triple, ...]) -> Array:
-    """∂action/∂A (states, 3, 3, balls) from its entries (states, balls)."""
+def rows(tangent: tuple[Motion, ...]) -> Array:
+    """∂action/∂A (states, 3, m, balls) from its entries (states, balls)."""
     entries = [entry for row in tangent for entry in row]
     states, balls = entries[0].shape
-    return np.stack(entries, axis=1).reshape(states, 3, 3, balls)
+    entries = [np.broadcast_to(entry, (states, balls)) for entry in entries]
+    return np.stack(entries, axis=1).reshape(states, 3, -1, balls)
 
 
 @lru_cache(maxsize=256)
@@ -81,9 +83,9 @@ def axial_ring(geometry: Geometry) -> Ring:
     Sums over the ball angles that vanish for three balls or more are set to exactly zero.
     """
     spread, gather = _maps(geometry)
-    rows = _pairs(spread, gather).reshape(9, geometry.balls, 25)
+    rows = _pairs(spread, gather).reshape(-1, geometry.balls, 25)
     total = gather.sum(axis=2, keepdims=True)
-    one = np.zeros((3, 5, 1))
+    one = np.zeros((len(spread), 5, 1))
     one[0, 0] = 1.0
     azimuth = _without_noise(_azimuth(geometry).sum(axis=0, keepdims=True))
     return Ring(azimuth, one, _without_noise(total), _without_noise(rows.sum(axis=1)))
@@ -127,7 +129,8 @@ def _maps(geometry: Geometry, radius: float | None = None) -> tuple[Array, Array
             [zero, zero, zero, -sin, cos],
         ]
     )
-    return spread, spread.swapaxes(0, 1).copy()  # virtual work
+    seen = 2 if len(geometry.inner_offsets) == 1 else 3
+    return spread[:seen], spread.swapaxes(0, 1).copy()  # virtual work
 
 
 def _azimuth(geometry: Geometry) -> Array:

@@ -143,7 +143,7 @@ def _newton(p: One, d: Array, x: Array, w: Work) -> None:
             step[j] = part[i] / p.scale[j]
             d[j] += step[j]
     for ball in range(len(x)):
-        axial, radial = followed(w, ball, moved(p, step, ball))
+        axial, radial = followed(w.follow[ball], moved(p, step, ball))
         x[ball, 0] += w.still[ball, 0] + axial
         x[ball, 1] += w.still[ball, 1] + radial
 
@@ -205,10 +205,8 @@ def _searched(p: One, d: Array, x: Array, step: Array, found: Found, w: Work) ->
         for j in range(5):
             d[j] = w.d[j] + length * step[j]
         for ball in range(len(x)):
-            a, b, c = moved(p, length * step, ball)
-            f = follow[ball]
-            x[ball, 0] = w.x[ball, 0] + f[0] * a + f[1] * b + f[2] * c
-            x[ball, 1] = w.x[ball, 1] + f[3] * a + f[4] * b + f[5] * c
+            axial, radial = followed(follow[ball], moved(p, length * step, ball))
+            x[ball, 0], x[ball, 1] = w.x[ball, 0] + axial, w.x[ball, 1] + radial
         found = evaluate_convex(p, d, x, w)
         if found.energy - _work(p, d) <= most:
             break

@@ -7,9 +7,9 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball.balance import LawNumbers, settled, turning_balance
-from bearings.ball.constants import BallConstants
-from bearings.ball.plane import Pair, Triple
+from bearings.ball.balance import LawNumbers, Rows, settled, turning_balance
+from bearings.ball.constants import BallConstants, Groove
+from bearings.ball.plane import Motion, Pair, Triple, plus
 from bearings.ball.potential import reaction, resting_reaction, resting_seat
 from bearings.ring.compiled.seat import seat
 
@@ -83,29 +83,39 @@ def room(balls: int) -> Work:
     return Work(x, follow, grip, first, five, five.copy(), stiffness, five.copy(), x.copy())
 
 
-def centre_of(p: One, d: Array, ball: int) -> Triple:
+def centre_of(p: One, d: Array, ball: int) -> Motion:
     """A of one ball."""
-    axial, radial, tilt = moved(p, d, ball)
-    return p.origin[0] + axial, p.origin[1] + radial, tilt
+    motion = moved(p, d, ball)
+    return plus(motion, noticed(p.constants.inner, (p.origin[0], p.origin[1], 0.0)))
 
 
-def moved(p: One, d: Array, ball: int) -> Triple:
+def noticed(grooves: tuple[Groove, ...], motion: Triple) -> Motion:
+    """What a ball notices of a motion of its ring: of one groove not the tilt about its centre."""
+    if len(grooves) == 1:
+        return motion[0], motion[1]
+    return motion
+
+
+def moved(p: One, d: Array, ball: int) -> Motion:
     """What a displacement adds to A of one ball."""
     cos, sin, radius = p.azimuth[ball, 1], p.azimuth[ball, 2], p.constants.centre_radius
     tilt = d[4] * cos - d[3] * sin
-    return d[0] - radius * tilt, d[1] * cos + d[2] * sin, tilt
+    motion = (d[0] - radius * tilt, d[1] * cos + d[2] * sin, tilt)
+    return noticed(p.constants.inner, motion)
 
 
-def followed(w: Work, ball: int, step: Triple) -> Pair:
+def followed(f: Array, step: Motion) -> Pair:
     """What a ball does where its groove moves by ``step``."""
-    a, b, c = step
-    f = w.follow[ball]
-    return f[0] * a + f[1] * b + f[2] * c, f[3] * a + f[4] * b + f[5] * c
+    axial, radial = f[0] * step[0] + f[1] * step[1], f[3] * step[0] + f[4] * step[1]
+    if len(step) == 2:
+        return axial, radial
+    return axial + f[2] * step[2], radial + f[5] * step[2]
 
 
-def _keep_follow(w: Work, ball: int, follow: tuple[Triple, Triple]) -> None:
-    f = w.follow[ball]
-    (f[0], f[1], f[2]), (f[3], f[4], f[5]) = follow
+def _keep_follow(f: Array, first: Motion, second: Motion) -> None:
+    f[0], f[1], f[3], f[4] = first[0], first[1], second[0], second[1]
+    if len(first) == 3:
+        f[2], f[5] = first[2], second[2]
 
 
 def evaluate(p: One, d: Array, x: Array, blend: float, w: Work) -> Found:
@@ -128,7 +138,7 @@ def evaluate(p: One, d: Array, x: Array, blend: float, w: Work) -> Found:
         fold, pressed = min(fold, s.fold), pressed and b.outer_load > 0.0
         w.grip[ball, 0], w.grip[ball, 1] = b.inner_load, b.gyroscopic_moment
         w.still[ball, 0], w.still[ball, 1] = s.still
-        _keep_follow(w, ball, s.follow)
+        _keep_follow(w.follow[ball], s.follow[0], s.follow[1])
         _add(p, ball, b.action, s.action, s.tangent, w)
     return Found(largest, imbalance, fold, pressed, 0.0)
 
@@ -142,7 +152,7 @@ def evaluate_convex(p: One, d: Array, x: Array, w: Work) -> Found:
         if p.placed:
             here = seat(c, centre, p.push, (x[ball, 0], x[ball, 1]))
             answer = reaction(c, centre, here, p.push)
-            _keep_follow(w, ball, answer.follow)
+            _keep_follow(w.follow[ball], answer.follow[0], answer.follow[1])
         else:
             here = resting_seat(c, (centre[0], centre[1]))
             answer = resting_reaction(c, centre)
@@ -164,7 +174,7 @@ def _add(
     ball: int,
     action: Triple,
     settled_action: Triple,
-    tangent: tuple[Triple, Triple, Triple],
+    tangent: Rows,
     w: Work,
 ) -> None:
     """What one ball adds to load and stiffness of the ring.
@@ -175,10 +185,11 @@ def _add(
     _add_load(az, radius, action, w.action)
     _add_load(az, radius, settled_action, w.settled)
     one, cos, sin, cos2, both, sin2 = az[0], az[1], az[2], az[3], az[4], az[5]
-    k, ((a1, a2, a3), (r1, r2, r3), (c1, c2, c3)) = w.stiffness, tangent
-    at, rt = radius * a1 - a3, radius * r1 - r3
-    m1, m2 = radius * a1 - c1, radius * a2 - c2
-    mt = radius * at - (radius * c1 - c3)
+    k, (axial, across, couple) = w.stiffness, tangent
+    a1, a2, at = _lever(axial, radius)
+    r1, r2, rt = _lever(across, radius)
+    c1, c2, ct = _lever(couple, radius)
+    m1, m2, mt = radius * a1 - c1, radius * a2 - c2, radius * at - ct
     k[0, 0] += a1 * one
     k[0, 1] += a2 * cos
     k[0, 2] += a2 * sin
@@ -204,6 +215,13 @@ def _add(
     k[4, 2] -= m2 * both
     k[4, 3] -= mt * both
     k[4, 4] += mt * cos2
+
+
+def _lever(row: Motion, radius: float) -> Triple:
+    """A row of slopes by axial and radial motion of the ring and by its tilt."""
+    if len(row) == 2:
+        return row[0], row[1], radius * row[0]
+    return row[0], row[1], radius * row[0] - row[2]
 
 
 def _add_load(az: Array, radius: float, action: Triple, load: Array) -> None:

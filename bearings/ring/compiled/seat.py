@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from bearings.ball.constants import BallConstants
-from bearings.ball.plane import Pair, Triple
+from bearings.ball.plane import Motion, Pair
 from bearings.ball.potential import (
     contacts,
     depth,
@@ -15,7 +15,7 @@ from bearings.ball.potential import (
 from bearings.ring.seat import ITERATIONS
 
 
-def seat(c: BallConstants, centre: Triple, push: float, start: Pair) -> Pair:
+def seat(c: BallConstants, centre: Motion, push: float, start: Pair) -> Pair:
     """X of least potential, see ``bearings.ring.seat``."""
     riding = riding_radius(c, push)
     if len(c.outer) == 1 and contacts(c, centre, (0.0, riding))[0].energy == 0.0:
