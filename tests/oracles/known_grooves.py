@@ -6,6 +6,9 @@ import math
 from dataclasses import replace
 from typing import Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from bearings import (
     SILICON_NITRIDE,
     AngularContactBallBearing,
@@ -13,7 +16,8 @@ from bearings import (
     FourPointBallBearing,
     Material,
 )
-from tests.oracles.four_point import Drawing
+from tests.oracles.four_point import Drawing, GrooveOracle
+from tests.oracles.known_bearings import RPM
 
 LACROIX_STEEL = Material("steel of Lacroix' examples", 200e9, 0.3, 7850.0)
 STEEL_PARTS = dict(ball_material=LACROIX_STEEL, ring_material=LACROIX_STEEL)
@@ -92,3 +96,16 @@ def deep_groove(drawing: Drawing) -> DeepGrooveBallBearing:
 def angular_contact(drawing: Drawing) -> AngularContactBallBearing:
     """The bearing whose balls touch as those of the drawing do under thrust towards +x."""
     return AngularContactBallBearing(**common(drawing), contact_angle=drawing.contact_angle)
+
+
+def lever(drawing: Drawing) -> NDArray[np.float64]:
+    """What makes all five components of a load forces, and those of a displacement lengths."""
+    return GrooveOracle(drawing).lever
+
+
+def mixed_loads(count: int, seed: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Loads of either thrust with radial loads and moments, and speeds, a part at rest."""
+    rng = np.random.default_rng(seed)
+    thrown = rng.uniform(-1.0, 1.0, (count, 5)) * [40e3, 12e3, 12e3, 400.0, 400.0]
+    thrown[:, 1:] *= rng.uniform(size=(count, 1))
+    return thrown, rng.choice([0.0, 3000.0, 9000.0, 14000.0], count) * RPM

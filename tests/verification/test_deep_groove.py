@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 
 import numpy as np
@@ -35,11 +34,11 @@ def test_clearance_and_contact_angle_say_the_same(clearance: float) -> None:
     axial = drawing.free_distance * math.sin(drawing.contact_angle)
     for travel, freedom in ((0.5 * clearance, 1), (axial, 0)):
         for way in (1.0, -1.0):
-            for beyond in (-1e-9, 1e-9):
+            for beyond in (-1e-8, 1e-8):
                 if travel + beyond < 0.0:
                     continue
                 d = way * (travel + beyond) * np.eye(5)[freedom]
-                carried = b.equilibrium(displacement=d).contact_load.any()
+                carried = b.equilibrium(displacement=d).contact_load.max() > 1e-6
                 if freedom == 1 or clearance > 0.0:
                     assert carried == (beyond > 0.0)
 
@@ -96,7 +95,8 @@ def test_preload_is_free_of_load_when_centred() -> None:
     assert np.ptp(s.inner_load) < 1e-9 * s.inner_load.max()
 
 
-@pytest.mark.parametrize(("kinematics", "sharing"), itertools.product(HYPOTHESES, SHARINGS))
+@pytest.mark.parametrize("sharing", SHARINGS)
+@pytest.mark.parametrize("kinematics", HYPOTHESES)
 def test_under_thrust_it_is_an_angular_contact_bearing(kinematics: str, sharing: str) -> None:
     """Of the same free angle, its zero BD sin α further; radial load and moment besides."""
     shift = STEEL.free_distance * math.sin(STEEL.contact_angle)
