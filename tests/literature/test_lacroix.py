@@ -21,7 +21,7 @@ from bearings import FourPointBallBearing
 from bearings.ring.state import BearingState
 from tests.oracles.four_point import Drawing, GrooveOracle
 from tests.oracles.known_bearings import DEGREE, RPM
-from tests.oracles.known_grooves import QJ218, R20_10, R24_14, four_point
+from tests.oracles.known_grooves import QJ218, QJ218_THINNED, R20_10, R24_14, four_point
 
 SPEED = 1500.0 * RPM
 HOW = dict(kinematics="outer", moment_sharing="equal", dynamics="resultant")
@@ -140,16 +140,13 @@ def test_load_of_1800_mpa() -> None:
 
 @pytest.mark.parametrize(
     ("drawing", "published", "travel"),
-    [("reference", 140.0, 122.5), ("thinned", 170.0, 118.0)],
+    [(QJ218, 140.0, 122.5), (QJ218_THINNED, 170.0, 118.0)],
 )
 def test_rigid_rings_are_stiffer_than_the_test_rig(
-    drawing: str, published: float, travel: float
+    drawing: Drawing, published: float, travel: float
 ) -> None:
     """P 104: travel from 1.5 to 100 kN [µm], measured with its fixture, and with rigid rings."""
-    from tests.oracles.known_grooves import QJ218_THINNED
-
-    b = four_point(QJ218 if drawing == "reference" else QJ218_THINNED)
-    s = b.equilibrium(load=np.outer([1.5e3, 100e3], np.eye(5)[0]))
+    s = four_point(drawing).equilibrium(load=np.outer([1.5e3, 100e3], np.eye(5)[0]))
     found = (s.displacement[1, 0] - s.displacement[0, 0]) * MICRO
     assert found == pytest.approx(travel, abs=0.1)
     assert found < published

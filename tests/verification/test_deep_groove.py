@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -82,8 +83,6 @@ def test_radial_load_at_rest(drawing: Drawing, clearance: float) -> None:
 
 def drawing_of(b: DeepGrooveBallBearing, drawing: Drawing) -> Drawing:
     """The same with the angle that the stiffness of the contacts is taken at."""
-    from dataclasses import replace
-
     return replace(drawing, contact_angle=b.free_angle)
 
 

@@ -28,12 +28,16 @@ DRAWN = pytest.mark.parametrize("drawing", [QJ218, R24_14], ids=["QJ218", "R24_1
 
 
 def assert_same(state: Any, index: int, want: Found, unit: Array, tolerance: float) -> None:
-    """Ring and balls; Fc only of balls that the inner race holds: the others' moves nothing."""
+    """Ring and balls. A ball that rides the outer race alone moves nothing: its Fc, which hangs on
+    the direction the inner race is thought to have from it, is compared to a tenth."""
     top = max(want.contact_load.max(), want.centrifugal_force.max())
     size = np.abs(want.displacement * unit).max()
     moved = (state.displacement[index] - want.displacement) * unit
     assert np.abs(moved).max() < tolerance * size
-    assert state.contact_load[index] == pytest.approx(want.contact_load, abs=tolerance * top)
+    lost = ~want.contact_load[:, :2].any(axis=-1)
+    load, there = state.contact_load[index], want.contact_load
+    assert load[~lost] == pytest.approx(there[~lost], abs=tolerance * top)
+    assert load[lost] == pytest.approx(there[lost], rel=0.1)
     balls = len(want.contact_load)
     apart = (state.load[index] - want.load) / unit
     assert np.abs(apart).max() < tolerance * top * balls
