@@ -265,8 +265,9 @@ class GrooveOracle:
         grip = np.stack([ti * np.cos(ai), -ti * np.sin(ai)], -1)
         balance = inner - outer + grip - np.stack([to * np.cos(ao), -to * np.sin(ao)], -1)
         balance[..., 1] += fc
-        # friction acts at the loaded arcs, in the proportion of their loads
-        part = q[..., :ni] / np.maximum(q[..., :ni].sum(-1), 1e-300)[..., None]
+        # friction acts on the line of the resultant: shared as the radial forces of the arcs
+        radial = force[..., :ni, 1]
+        part = radial / np.where(lost, 1.0, radial.sum(-1))[..., None]
         pressed = force[..., :ni, :] + part[..., None] * grip[..., None, :]
         ring = np.einsum("jcak,...jca->...k", self.lean, pressed)
         twist = li * b.inner_conformity * mg / (self.radius * MICROMETRE)

@@ -47,7 +47,8 @@ def balanced(oracle: GrooveOracle, state: Any, dynamics: str, shift: float = 0.0
     grip = np.stack([ti * np.cos(ai), -ti * np.sin(ai)], axis=-1)
     ball = inner - outer + grip - np.stack([to * np.cos(ao), -to * np.sin(ao)], axis=-1)
     ball[..., 1] += np.where(q.any(-1), fc, 0.0)
-    part = q[..., :ni] / np.maximum(q[..., :ni].sum(-1), 1e-300)[..., None]
+    radial = force[..., :ni, 1]  # friction acts on the line of the resultant
+    part = radial / np.where(qi > 0.0, radial.sum(-1), 1.0)[..., None]
     pressed = force[..., :ni, :] + part[..., None] * grip[..., None, :]
     ring = np.einsum("jcak,...jca->...k", oracle.lean, pressed)
     twist = li * b.inner_conformity * mg / (oracle.radius * MICROMETRE)

@@ -145,7 +145,6 @@ def test_combined_loads_at_speed(drawing: Drawing, dynamics: str) -> None:
 
 def test_contacts_are_one_a_race() -> None:
     s = deep_groove(STEEL).equilibrium(load=[0.0, 4000.0, 0.0, 0.0, 0.0])
-    assert deep_groove(STEEL).contacts == ("i", "o")
     assert s.contact_load.shape == (10, 2)
     assert (s.contact_load[:, 0] == s.inner_load).all()
     assert s.contacts.max() == 2

@@ -190,7 +190,7 @@ def test_a_ball_without_inner_load_sits_in_the_outer_arch() -> None:
     assert angle == pytest.approx(arch, abs=0.01)
 
 
-PLAYS = [0.0, 20e-6, 100e-6]
+PLAYS = [150e-6, 300e-6]  # the free contact angle exceeds the outer arch from 130 µm on
 
 
 @BOTH
@@ -202,7 +202,7 @@ def test_the_centred_bearing_carries_nothing(play: float, rpm: float, dynamics: 
     s = b.equilibrium(displacement=np.zeros(5), speed=rpm * RPM, dynamics=dynamics)
     size = max(float(s.contact_load.max()), 1.0)
     assert np.abs(s.load / lever(R24_14)).max() < 1e-9 * size * R24_14.balls
-    assert (s.contact_load.any() == (rpm > 0.0)) or play == 0.0
+    assert s.contact_load.any() == (rpm > 0.0)
 
 
 @BOTH
