@@ -89,7 +89,7 @@ def _rows(centre: Motion, inner: Springs) -> tuple[Motion, Motion, Motion]:
 def resting_reaction(c: BallConstants, centre: Motion) -> Reaction:
     """A ball at rest between one groove a ring: Q = kn (|A| − BD)₊^1.5 along A, X eliminated."""
     whole = Groove(c.series_stiffness, c.inner_reach + c.outer_reach, 0.0)
-    p = spring(whole, centre, 1.0)
+    p = spring(whole, centre)
     still = _still(centre, 0.0 * p.energy)
     first, second, _ = _rows(centre, p)
     action = (p.force[0], p.force[1], still[0])
@@ -197,16 +197,18 @@ def seat_step(c: BallConstants, centre: Motion, ball: Pair, push: Any) -> SeatSt
         step=(dot(back[0], gap), dot(back[1], gap)),
         energy=energy,
         most=energy + slack,
-        room=depth(c, ball),
+        room=depth(c.outer, ball),
         moving=np.sqrt(dot(gap, gap)) > SETTLED * size + noise,
     )
 
 
-def depth(c: BallConstants, ball: Pair) -> Any:
+def depth(grooves: tuple[Groove, ...], ball: Pair) -> Any:
     """How deep a ball is in the nearer groove of the outer race [m]."""
-    first, last = c.outer[0].offset, c.outer[-1].offset
-    one = direction((ball[0] - first, ball[1]))[2]
-    return np.maximum(one, direction((ball[0] - last, ball[1]))[2]) - c.outer_reach
+    across, first = ball[1] * ball[1], ball[0] - grooves[0].offset
+    if len(grooves) == 1:
+        return np.sqrt(first * first + across) - grooves[0].reach
+    last = ball[0] - grooves[1].offset
+    return np.sqrt(np.maximum(first * first, last * last) + across) - grooves[0].reach
 
 
 def improves(now: SeatStep, then: SeatStep) -> Any:

@@ -131,31 +131,32 @@ def _nearer(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Triple:
 def springs(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Springs:
     """Contacts of a race as springs; arguments as for ``race``."""
     if len(grooves) == 1:
-        return spring(grooves[0], vector, side)
-    p, q = spring(grooves[0], vector, side), spring(grooves[1], vector, side)
+        return spring(grooves[0], vector)
+    p = spring(grooves[0], vector_to(grooves[0], vector, side))
+    q = spring(grooves[1], vector_to(grooves[1], vector, side))
+    x, y = grooves[0].offset, grooves[1].offset
     return Springs(
         p.energy + q.energy,
         (p.force[0] + q.force[0], p.force[1] + q.force[1]),
         (p.slope[0] + q.slope[0], p.slope[1] + q.slope[1], p.slope[2] + q.slope[2]),
-        p.couple + q.couple,
-        (p.by_tilt[0] + q.by_tilt[0], p.by_tilt[1] + q.by_tilt[1], p.by_tilt[2] + q.by_tilt[2]),
+        x * p.force[1] + y * q.force[1],
+        (
+            x * p.slope[1] + y * q.slope[1],
+            x * p.slope[2] + y * q.slope[2],
+            x * x * p.slope[2] + y * y * q.slope[2],
+        ),
     )
 
 
-def spring(groove: Groove, vector: Motion, side: float) -> Springs:
-    """One contact of a race as a spring."""
-    sin, cos, length = direction(vector_to(groove, vector, side))
+def spring(groove: Groove, vector: Motion) -> Springs:
+    """One contact along its vector as a spring, without lever to the middle of the ring."""
+    sin, cos, length = direction((vector[0], vector[1]))
     approach = np.maximum(length - groove.reach, 0.0)
     load, along = hertz(groove.stiffness, approach)
     across = load / length
     more = along - across
     slope = (across + more * sin * sin, more * sin * cos, across + more * cos * cos)
-    force, x, energy = (load * sin, load * cos), groove.offset, 0.4 * load * approach
-    if len(vector) == 2:
-        return Springs(energy, force, slope, 0.0, (0.0, 0.0, 0.0))
-    return Springs(
-        energy, force, slope, x * force[1], (x * slope[1], x * slope[2], x * x * slope[2])
-    )
+    return Springs(0.4 * load * approach, (load * sin, load * cos), slope, 0.0, (0.0, 0.0, 0.0))
 
 
 def vector_to(groove: Groove, vector: Motion, side: float) -> Pair:

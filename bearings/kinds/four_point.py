@@ -8,8 +8,8 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from dataclasses import dataclass
-from typing import ClassVar
+from dataclasses import dataclass, replace
+from typing import Any, ClassVar
 
 from bearings.bearing import (
     BALL_DIAMETER,
@@ -19,7 +19,6 @@ from bearings.bearing import (
     PITCH_DIAMETER,
     BallBearing,
     Measure,
-    exactly_one,
     measured,
 )
 from bearings.grooves import Grooves
@@ -29,6 +28,7 @@ CONTACT_ANGLE = Measure(
     "angle", "free contact angle under thrust", 0.0, math.radians(60.0), unit="deg"
 )
 PLAY = Measure("length", "free travel of ring against ring", -1e-3, 5e-3, unit="um")
+GIVEN = ("contact_angle", "axial_play", "radial_play")  # of which one fixes the others
 SHIM = Measure("length", "thickness taken out of the middle of the groove", 0.0, 0.02, unit="mm")
 
 
@@ -73,7 +73,10 @@ class FourPointBallBearing(BallBearing):
     both_ways: ClassVar[bool] = True
 
     def _faults(self) -> Iterator[str]:
-        yield from exactly_one(self, "contact_angle", "axial_play", "radial_play")
+        given = [name for name in GIVEN if getattr(self, name) is not None]
+        if len(given) != 1:
+            yield self._contradiction(given)
+            return
         for ring, shim, conformity in self._rings():
             most = (2.0 * conformity - 1.0) * self.ball_diameter
             if shim >= most:
@@ -84,17 +87,12 @@ class FourPointBallBearing(BallBearing):
                 return
         gap = self._radial_gap()
         if not -1.0 <= gap / self._distance <= 1.0:
-            yield f"no contact angle belongs to {self._given()}: the plays do not fit the grooves"
-            return
-        angle = math.acos(gap / self._distance)
-        for ring, shim, conformity in self._rings():
-            arch = self._arch(shim, conformity)
-            if angle <= arch and shim > 0.0:
-                yield (
-                    f"{self._given()} makes a free contact angle of {math.degrees(angle):.4g}°, "
-                    f"not above the {math.degrees(arch):.4g}° of the {ring} arch "
-                    f"({ring}_shim {shim * 1e3:g} mm): raise the play or reduce the shim"
-                )
+            name = next(n for n in GIVEN if getattr(self, n) is not None)
+            yield (
+                f"{_shown(name, getattr(self, name))} does not fit inner_shim "
+                f"{self.inner_shim * 1e3:g} mm and outer_shim {self.outer_shim * 1e3:g} mm: no "
+                "contact angle belongs to it; reduce the play or the shims"
+            )
 
     def _rings(self) -> tuple[tuple[str, float, float], ...]:
         return (
@@ -102,13 +100,17 @@ class FourPointBallBearing(BallBearing):
             ("outer", self.outer_shim, self.outer_conformity),
         )
 
-    def _given(self) -> str:
-        names = ("contact_angle", "axial_play", "radial_play")
-        name = next(n for n in names if getattr(self, n) is not None)
-        value = getattr(self, name)
-        if name == "contact_angle":
-            return f"{name} {math.degrees(value):.4g}°"
-        return f"{name} {value * 1e6:.4g} µm"
+    def _contradiction(self, given: list[str]) -> str:
+        rule = "give exactly one of contact_angle, axial_play and radial_play with the shims"
+        if not given:
+            return f"{rule}: none is given"
+        ones = [replace(self, **_none_but(n)) for n in given]
+        words = [
+            f"{_shown(name, getattr(self, name))} means "
+            + ", ".join(_shown(n, v) for n, v in zip(GIVEN, one.plays, strict=True) if n != name)
+            for name, one in zip(given, ones, strict=True)
+        ]
+        return f"{rule}, each fixes the others: {'; '.join(words)}"
 
     def _arch(self, shim: float, conformity: float) -> float:
         """Angle α⁰ at which a ball pressed radially touches both arcs, sin α⁰ = g/(2 ℓ)."""
@@ -162,6 +164,16 @@ class FourPointBallBearing(BallBearing):
             inner_offsets=_arcs(self.inner_shim / 2.0),
             outer_offsets=_arcs(self.outer_shim / 2.0),
         )
+
+
+def _none_but(name: str) -> dict[str, Any]:
+    return {other: None for other in GIVEN if other != name}
+
+
+def _shown(name: str, value: float) -> str:
+    if name == "contact_angle":
+        return f"{name} {math.degrees(value):.4g}°"
+    return f"{name} {value * 1e6:.4g} µm"
 
 
 def _arcs(offset: float) -> tuple[float, ...]:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.balance import Balance
-from bearings.ball.constants import Groove
+from bearings.ball.constants import EPS, Groove
 from bearings.ball.plane import Motion, Pair, direction, dot
 from bearings.ball.race import against, hertz, vector_to
 from bearings.ring.problem import Problem
@@ -21,7 +21,7 @@ from bearings.ring.problem import Problem
 Array = NDArray[np.float64]
 Place = tuple[Array, Array]
 LEAST = 0.5  # of an approach is left
-IDLE = 1e-12  # of the largest contact load: a ball at rest that carries less carries nothing
+IDLE = 64.0  # roundings of the lengths: less approach of a ball at rest is none
 
 
 class Contacts(NamedTuple):
@@ -57,8 +57,8 @@ def contacts(
     outer = _bearing(c.outer, (x[0], x[1]), -1.0, dx)
     joined = Contacts(*(np.concatenate(pair) for pair in zip(inner, outer, strict=True)))
     if not problem.turning:
-        largest = joined.load.max(axis=(0, 2), keepdims=True)
-        joined = joined._replace(load=np.where(joined.load > IDLE * largest, joined.load, 0.0))
+        least = c.inner_stiffness * (IDLE * EPS * (c.inner_reach + c.outer_reach)) ** 1.5
+        joined = joined._replace(load=np.where(joined.load > least, joined.load, 0.0))
     split = len(c.inner)
     (qi, si, ci), (qo, so, co) = (
         _resultant(Contacts(*(part[rows] for part in joined)), way)

@@ -97,9 +97,10 @@ def corrected(
         x += np.where(moving[:, None], dx, 0.0)
         linear = linearise(problem, d, x, blend)
         moving = linear.error >= needed
+    good = linear.error < needed
     if not problem.turning:
-        return d, x, ~moving, linear, used
-    good = ~moving & (linear.fold > 0.0)
+        return d, x, good, linear, used
+    good &= linear.fold > 0.0
     for then, now in zip(before, segments(problem, d, x), strict=True):
         good &= ~turned_far(then, now, LONGEST_TURN).any(axis=-1)
     good &= (linear.balance.outer_load > 0.0).all(axis=-1)

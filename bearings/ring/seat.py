@@ -63,7 +63,7 @@ def _first(c: BallConstants, a: Array, fc: Array, start: Array | None) -> Array:
         return first
     given = start.reshape(2, -1)
     better = _energy(c, a, fc, given) < _energy(c, a, fc, first)
-    return np.where(better & (depth(c, (given[0], given[1])) > 0.0), given, first)
+    return np.where(better & (depth(c.outer, (given[0], given[1])) > 0.0), given, first)
 
 
 def _step(c: BallConstants, a: Array, fc: Array, x: Array) -> SeatStep:

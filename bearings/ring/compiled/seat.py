@@ -23,7 +23,7 @@ def seat(c: BallConstants, centre: Motion, push: float, start: Pair) -> Pair:
     first = first_seat(c, centre, push)
     x = (first[0] + 0.0, first[1] + 0.0)
     now, length = seat_step(c, centre, x, push), 1.0
-    if depth(c, start) > 0.0:
+    if depth(c.outer, start) > 0.0:
         given = seat_step(c, centre, start, push)
         if given.energy < now.energy:
             x, now = start, given
