@@ -14,6 +14,7 @@ from rotordyn.case.library import UnknownModel, find
 from rotordyn.case.node import UNKNOWN, Node
 from rotordyn.case.override import apply
 from rotordyn.case.reduced import NoModel, ReducedModel
+from rotordyn.case.schema.bearing import wrong_kind
 from rotordyn.case.schema.housing import ModelFilesEntry
 from rotordyn.case.table import tabled
 from rotordyn.case.validate import validate
@@ -104,6 +105,10 @@ def bearing(reference: Node, override: tuple[Node | None, ...], reader: Reader) 
         return None
     for changes in override:
         apply(changes, root, reader.faults)
+    kind = root.child("kind")
+    if kind is not None and (why := wrong_kind(kind.value)):
+        reader.faults.at(root, ("kind",), why)
+        return None
     _fill(root, _MATERIALS_OF_BEARING, "materials", reader)
     return root
 

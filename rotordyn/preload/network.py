@@ -12,10 +12,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball.law import Law
-from bearings.kinds.angular_contact import AngularContactBallBearing
 from rotordyn.preload.arrangement import HOUSING, SHAFT, Arrangement
-from rotordyn.preload.bearing_iterates import BearingIterates, Solved, States
+from rotordyn.preload.bearing_iterates import Alike, BearingIterates, Solved, States
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -57,11 +55,15 @@ class Response:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Network:
-    """An arrangement with the law of its bearings and its springs."""
+    """An arrangement with its springs."""
 
     arrangement: Arrangement
-    law: Law
     springs: Springs
+
+    @property
+    def one_branch(self) -> bool:
+        """True where no ball is loaded or lost at the same place: neighbours may be a start."""
+        return all(bearing.law.one_branch for bearing in self.arrangement.bearings)
 
     @property
     def twins(self) -> Array:
@@ -121,15 +123,15 @@ class Network:
     ) -> States:
         """Bearings at given displacements or under loads in their own frames (speeds, places, 5).
 
-        ``bearings``: which of the arrangement's is at every place. Each bearing model is solved in
-        one call; ``near``, states of the same places close by, speeds the search up.
+        ``bearings``: which of the arrangement's is at every place. All of one model and law are
+        solved in one call; ``near``, states of the same places close by, speeds the search up.
         """
         at = [self.arrangement.bearings[k] for k in bearings]
-        places: dict[AngularContactBallBearing, list[int]] = {}
+        places: dict[Alike, list[int]] = {}
         for place, bearing in enumerate(at):
-            places.setdefault(bearing.model, []).append(place)
+            places.setdefault((bearing.model, bearing.law), []).append(place)
         return {
-            model: Solved(
+            (model, law): Solved(
                 where,
                 model.equilibrium(
                     displacement=None if displacement is None else displacement[:, where],
@@ -137,13 +139,13 @@ class Network:
                     speed=self.arrangement.speed[:, None],
                     static_growth=[at[p].static_growth for p in where],
                     growth=np.stack([at[p].growth for p in where], axis=1),
-                    kinematics=self.law.kinematics,
-                    moment_sharing=self.law.moment_sharing,
-                    friction=self.law.friction,
-                    start=None if near is None else near[model].state,
+                    kinematics=law.kinematics,
+                    moment_sharing=law.moment_sharing,
+                    friction=law.friction,
+                    start=None if near is None else near[model, law].state,
                 ),
             )
-            for model, where in places.items()
+            for (model, law), where in places.items()
         }
 
     def forces(self, x: Array, response: Response) -> Array:
@@ -185,7 +187,7 @@ def solve(
     springs = network.springs
     fixed = held | springs.fixed
     x = np.where(held, limit, np.where(springs.fixed, springs.rest, position))
-    if network.law.one_branch:
+    if network.one_branch:
         quick = _together(network, x, held, near)
         if quick.found.all():
             return quick

@@ -31,13 +31,15 @@ Flags = NDArray[np.bool_]
 class PreloadState:
     """Axial equilibrium at every speed.
 
-    ``force``: external axial force [N]; ``still``: the network at rest under its stated preloads;
-    ``limit`` (bodies,): where a stop ends the travel (NaN without one); ``net``: the network at
-    every speed; ``outcome`` per speed: empty, or why there is no usable state.
+    ``force``: external axial force [N]; ``law``: of balls where a seat says nothing else;
+    ``still``: the network at rest under its stated preloads; ``limit`` (bodies,): where a stop ends
+    the travel (NaN without one); ``net``: the network at every speed; ``outcome`` per speed: empty,
+    or why there is no usable state.
     """
 
     spindle: Spindle
     force: float
+    law: Law
     network: Network
     still: NetworkState
     limit: Array
@@ -139,7 +141,7 @@ class PreloadState:
         )
         network = replace(self.network, arrangement=replace(part, pushes=pushes))
         spindle = replace(self.spindle, sleeves=sleeves)
-        return _settled(spindle, network, self.still, self.net.position[index])
+        return _settled(spindle, self.law, network, self.still, self.net.position[index])
 
     def stop_speeds(self) -> Array:
         """Speed at which each sleeve meets its stop (sleeves,) [rad/s]; NaN: it does not."""
@@ -155,7 +157,7 @@ class PreloadState:
         near = np.stack([known[first - 1] if first else self.rest, known[first]])
         return meeting_speed(
             lambda speed: replace(
-                self.network, arrangement=arrangement(self.spindle, speed, self.force)
+                self.network, arrangement=arrangement(self.spindle, speed, self.force, self.law)
             ),
             self.rest,
             self.limit,
@@ -173,31 +175,35 @@ def dynamic_preload(
     The convention at rest: each spring carries exactly its stated preload, without external force;
     from there springs act with their stiffness and stops stand at their travel.
     """
-    joined = arrangement(spindle, speed, axial_force)
-    still = _rest(joined, law)
-    network = Network(joined, law, _springs(spindle, joined, still.position[0]))
-    return _settled(spindle, network, still)
+    joined = arrangement(spindle, speed, axial_force, law)
+    still = _rest(joined)
+    network = Network(joined, _springs(spindle, joined, still.position[0]))
+    return _settled(spindle, law, network, still)
 
 
 def _settled(
-    spindle: Spindle, network: Network, still: NetworkState, start: Array | None = None
+    spindle: Spindle,
+    law: Law,
+    network: Network,
+    still: NetworkState,
+    start: Array | None = None,
 ) -> PreloadState:
     """The network at its speeds, sought from rest or from ``start`` (speeds, bodies)."""
     joined, rest = network.arrangement, still.position[0]
     limit = _limits(joined, rest)
     net = confirmed(network, with_stops(network, rest, limit, start))
     words = outcomes(spindle, network, still, net)
-    return PreloadState(spindle, joined.force, network, still, limit, net, words)
+    return PreloadState(spindle, joined.force, law, network, still, limit, net, words)
 
 
-def _rest(joined: Arrangement, law: Law) -> NetworkState:
+def _rest(joined: Arrangement) -> NetworkState:
     """Equilibrium at rest under the stated preloads alone (one speed)."""
     still = at_rest(joined)
     count = len(still.bodies)
     nothing = np.zeros(count)
     none = np.zeros(count, dtype=bool)
     springs = Springs(_preloads(still), nothing, nothing, none)
-    network = Network(still, law, springs)
+    network = Network(still, springs)
     start = _seated(network)
     return solve(network, start[None], none[None], start[None])
 
