@@ -1,7 +1,8 @@
 """Axial equilibrium of the arrangement, at all speeds at once.
 
-Positions x (speeds, bodies) are measured from where every bearing is just unloaded at rest. The
-state at rest, with the springs at their stated preload, fixes where each spring and stop is.
+Positions x (speeds, bodies) are measured from where every bearing is just unloaded at rest, or
+stands in the middle of its play where it takes thrust both ways. The state at rest, with the
+springs at their stated preload, fixes where each spring and stop is.
 """
 
 from __future__ import annotations
@@ -23,6 +24,7 @@ TOGETHER = 12  # iterations
 ITERATIONS = 60
 HALVINGS = 12
 LONGEST_STEP = 50e-6  # m
+LEVEL = 1e-6  # by which the balance may seem worse where it does not change
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -79,6 +81,11 @@ class Network:
             if bearing.outer != HOUSING:
                 b[k, bearing.outer] = -bearing.thrust
         return b
+
+    @property
+    def both_ways(self) -> Flags:
+        """Bearings that carry axial loads of either sign, none within their play (bearings,)."""
+        return np.array([bearing.model.both_ways for bearing in self.arrangement.bearings])
 
     def deflection(self, x: Array) -> Array:
         """Axial deflection of every bearing (speeds, bearings) [m]."""
@@ -257,15 +264,18 @@ def _advance(
 ) -> tuple[Array, Response, Flags]:
     """Take the step, halved at the speeds where the balance would get worse or no state exists.
 
-    Also the speeds where it helped; at the others nothing moved.
+    Within the play of a bearing the balance stays as it is: such a step is taken whole, towards the
+    end of the play. Also the speeds where it helped; at the others nothing moved.
     """
+    playing = (network.both_ways & (near.load == 0.0)).any(axis=1)
+    bound = np.where(playing, error * (1.0 + LEVEL), error)
     length = np.ones(len(x))
     idle = (np.abs(step).max(axis=1) < 1e-16) | ~np.isfinite(error)
     for left in range(HALVINGS, -1, -1):
         trial = x + length[:, None] * step
         response = network.respond(trial, near)
         after = network.error(trial, response, fixed)[1]
-        good = idle | (after < error)
+        good = idle | (after < bound)
         if good.all():
             break
         length = np.where(good, length, 0.5 * length if left > 1 else 0.0)

@@ -25,6 +25,7 @@ from rotordyn.preload.stops import meeting_speed, with_stops
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
+NO_SHARE = 1e-9  # of the largest preload: a bearing that carries less may stand within its play
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -219,14 +220,17 @@ def _seated(network: Network) -> Array:
     """A start at rest (bodies,): each bearing under its likely load, fitted by positions."""
     b, twins, force = network.incidence, network.twins, network.springs.force
     share = np.linalg.lstsq((twins[:, None] * b).T, force, rcond=None)[0]
-    likely = np.maximum(share, 0.05 * np.abs(force).max() + 1.0)
+    largest = np.abs(force).max()
+    likely = np.maximum(np.where(network.both_ways, np.abs(share), share), 0.05 * largest + 1.0)
+    likely = np.where(network.both_ways, np.copysign(likely, share), likely)
+    carries = ~network.both_ways | (np.abs(share) > NO_SHARE * largest)
     deflection = [
         bearing.model.equilibrium(
             load=[load, 0.0, 0.0, 0.0, 0.0], static_growth=bearing.static_growth
         ).displacement[0]
         for bearing, load in zip(network.arrangement.bearings, likely, strict=True)
     ]
-    return np.linalg.lstsq(b, np.array(deflection), rcond=None)[0]
+    return np.linalg.lstsq(b[carries], np.array(deflection)[carries], rcond=None)[0]
 
 
 def _springs(spindle: Spindle, joined: Arrangement, rest: Array) -> Springs:
