@@ -15,7 +15,7 @@ from rotordyn.quantity import suggestion
 
 M = TypeVar("M", bound=BaseModel)
 
-_LISTED = 16
+_LISTED = 24
 _SHAPES = {
     "model_type": "a mapping (key: value)",
     "model_attributes_type": "a mapping (key: value)",
