@@ -68,12 +68,18 @@ def _key(measure: Measure, default: Any) -> Any:
     """Annotation and default of a field."""
     if measure.quantity == "material":
         return OptionalMaterial, ... if default is MISSING else _as_entry(default)
-    within = limits(measure)
-    reader = whole(within.at_least, within.at_most) if isinstance(within, Whole) else reads(within)
-    annotation: Any = Annotated[int if isinstance(within, Whole) else float, reader]
+    annotation = _reader(measure)
     if default is MISSING:
         return annotation, ...
     return (annotation | None if default is None else annotation), default
+
+
+@cache
+def _reader(measure: Measure) -> Any:
+    within = limits(measure)
+    if isinstance(within, Whole):
+        return Annotated[int, whole(within.at_least, within.at_most)]
+    return Annotated[float, reads(within)]
 
 
 def _as_entry(material: Material) -> MaterialEntry:

@@ -194,7 +194,7 @@ MEANINGS: dict[str, dict[str, str]] = {
         "shaft": "the turning shaft",
         "masses": "rigid masses on the shaft",
         "discs": "rigid discs on the shaft",
-        "bearings": "its angular-contact bearings",
+        "bearings": "its bearings, of any kind",
         "bearing_override": "keys of the bearing model -> values, for every bearing",
         "growth": "ring growth of every bearing that gives none itself",
         "shortening": "axial shift of the seats with speed",

@@ -165,7 +165,7 @@ def test_a_kind_with_thrust_both_ways_needs_none_but_on_a_sleeve(tmp_path: Path)
         "override: {sleeves.front.bearings: [a, b, rear]}\n"
     )
     (tmp_path / "case.yaml").write_text(text, encoding="utf-8")
-    with pytest.raises(rotordyn.InvalidInput, match="thrust: .*the spring of its sleeve pushes"):
+    with pytest.raises(rotordyn.InvalidInput, match=r"thrust: .*the spring of its sleeve pushes"):
         rotordyn.load(tmp_path / "case.yaml")
 
 
