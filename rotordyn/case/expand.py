@@ -57,11 +57,12 @@ class Reader:
         """What ``reference`` names or holds: a mapping in place is taken as it is."""
         if isinstance(reference.value, dict):
             return reference
-        if not isinstance(reference.value, str):
+        name = _named(reference)
+        if name is None:
             self.faults.at(reference, (), "not a model: a name, a path or a mapping is needed")
             return None
         try:
-            path = find(kind, reference.value, self.folders[reference.file])
+            path = find(kind, name, self.folders[reference.file])
         except UnknownModel as error:
             self.faults.at(reference, (), str(error))
             return None
@@ -72,6 +73,13 @@ class Reader:
             self.faults.at(reference, (), f"no such file: given '{reference.value}'")
             return None
         return self.document(path)
+
+
+def _named(reference: Node) -> str | None:
+    """The name of a model; makers' names may be numbers: ``bearing: 6012``."""
+    if isinstance(reference.value, int) and not isinstance(reference.value, bool):
+        return reference.raw
+    return reference.value if isinstance(reference.value, str) else None
 
 
 def spindle(reference: Node, override: Node | None, reader: Reader) -> Node | None:

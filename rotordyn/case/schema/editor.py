@@ -137,7 +137,9 @@ def _by_kind(shapes: Shape) -> Shape:
 def _reference(entry: str) -> Shape:
     """A model: a name of the library, the path of a file, or a mapping in place."""
     path = {"type": "string", "pattern": r"[/\\]|\.ya?ml$"}
-    return {"anyOf": [{"enum": known(_MODELS[entry])}, path, {"$ref": f"#/$defs/{entry}"}]}
+    names: list[str | int] = [*known(_MODELS[entry])]
+    names += [int(name) for name in known(_MODELS[entry]) if name.isdecimal()]
+    return {"anyOf": [{"enum": names}, path, {"$ref": f"#/$defs/{entry}"}]}
 
 
 def _default(field: FieldInfo) -> Any:
