@@ -9,6 +9,7 @@ from typing import Any, get_type_hints
 
 from rotordyn.errors import InvalidInput
 from rotordyn.field import Check, Refused, check_of
+from rotordyn.measures import measured_fields
 
 
 class Description:
@@ -46,8 +47,8 @@ class Description:
 
 @cache
 def declared(kind: Any) -> dict[str, Any]:
-    """Annotation of every field of a dataclass, in order."""
-    hints = get_type_hints(kind, include_extras=True)
+    """Annotation of every field of a dataclass, in order; of a bearing with what it measures."""
+    hints = {**get_type_hints(kind, include_extras=True), **measured_fields(kind)}
     return {field.name: hints[field.name] for field in fields(kind)}
 
 

@@ -15,6 +15,7 @@ import numpy as np
 import pytest
 
 import rotordyn
+from bearings.kinds import KINDS
 from docs.generate.bearing_rows import bearing_rows
 from docs.generate.bending import axial_force_spans, axial_force_table, formulation_table
 from docs.generate.choices import choice_table, linear_table
@@ -169,6 +170,7 @@ def test_reference_of_keys_leaves_no_entry_out() -> None:
     from rotordyn.case import schema
     from rotordyn.case.schema import matrix
     from rotordyn.case.schema.base import Entry
+    from rotordyn.case.schema.bearing import entry_of
     from rotordyn.case.schema.growth import FitEntry
 
     names = [found.name for found in pkgutil.iter_modules(schema.__path__)]
@@ -180,7 +182,8 @@ def test_reference_of_keys_leaves_no_entry_out() -> None:
         if isinstance(value, type) and issubclass(value, Entry) and value is not Entry
     }
     matrices = {matrix.StiffnessMatrixEntry, matrix.DampingMatrixEntry}
-    assert set(entries()) == declared - matrices
+    kinds = {entry_of(kind) for kind in KINDS}
+    assert set(entries()) == (declared - matrices) | kinds
     assert "interference" in keys(FitEntry)
 
 

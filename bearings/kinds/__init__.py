@@ -32,3 +32,9 @@ def kind_class(kind: str) -> type[BallBearing]:
     name = KINDS[kind]
     found: type[BallBearing] = getattr(importlib.import_module(f"bearings.kinds.{kind}"), name)
     return found
+
+
+def kind_of(bearing: BallBearing) -> str:
+    """The word for the kind of a bearing."""
+    name = type(bearing).__name__
+    return next(kind for kind, called in KINDS.items() if called == name)

@@ -17,6 +17,7 @@ from pydantic.fields import FieldInfo
 from rotordyn import units
 from rotordyn.case.schema.analyses import Place
 from rotordyn.case.schema.base import Entry, title
+from rotordyn.case.schema.bearing import BearingEntry
 
 _KIND = re.compile(r"expected (.+?): given")
 
@@ -34,7 +35,7 @@ def default(field: FieldInfo) -> str:
     if value is None or value in ("", [], {}):
         return "–"
     if isinstance(value, Entry):
-        return "its defaults"
+        return getattr(value, "name", "its defaults")
     if isinstance(value, list):
         return "all" if len(value) > 1 else f"`[{value[0]}]`"
     return f"`{_written(field, value)}`"
@@ -59,7 +60,8 @@ def _accepted(annotation: Any, metadata: tuple[Any, ...] = ()) -> str:
     if reader is not None:
         return _read_by(reader, annotation)
     if isinstance(annotation, type) and issubclass(annotation, Entry):
-        return f"[{title(annotation)}](#{anchor(annotation)})"
+        whole = BearingEntry if issubclass(annotation, BearingEntry) else annotation
+        return f"[{title(whole)}](#{anchor(whole)})"
     return _composed(annotation)
 
 
@@ -68,7 +70,7 @@ def _composed(annotation: Any) -> str:
     parts = [_accepted(a) for a in get_args(annotation) if a is not type(None)]
     origin = get_origin(annotation)
     if origin in (types.UnionType, Union):
-        return ", or ".join(parts)
+        return ", or ".join(dict.fromkeys(parts))
     if origin is list:
         return f"list: {parts[0]}"
     return f"mapping of names to: {parts[1]}" if origin is dict else "see meaning"

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from importlib import import_module
 
+from bearings.kinds import KINDS
 from docs.generate.accepted import accepted, default
 from docs.generate.marked import table
 from rotordyn.case.schema.base import Entry, title
-from rotordyn.case.schema.meanings import MEANINGS
+from rotordyn.case.schema.bearing import BearingEntry, entry_of
+from rotordyn.case.schema.meanings import meanings
 
 # Part of the page -> the entries it lists, in order of reading.
 PAGES = {
@@ -33,7 +35,7 @@ PAGES = {
         "support.BearingDampingEntry"
     ),
     "tool": "shaft.ToolEntry",
-    "bearing": "bearing.BearingEntry",
+    "bearing": "bearing.BearingEntry " + " ".join(f"bearing.{kind}" for kind in KINDS),
     "material": "material.MaterialEntry",
     "reference": "reference.ReferenceEntry",
 }
@@ -61,16 +63,25 @@ def _part(places: list[str]) -> str:
 
 def _entry(place: str) -> type[Entry]:
     module, name = place.split(".")
+    if name in KINDS:
+        return entry_of(name)
     found: type[Entry] = getattr(import_module(f"rotordyn.case.schema.{module}"), name)
     return found
 
 
 def _section(entry: type[Entry]) -> str:
-    words = MEANINGS[title(entry)]
+    words, fields = meanings(entry), entry.model_fields.values()
     rows = [
         (f"`{key}`", accepted(field), default(field), words[key])
-        for key, field in zip(keys(entry), entry.model_fields.values(), strict=True)
+        for key, field in zip(keys(entry), fields, strict=True)
+        if key not in _inherited(entry)
     ]
     about = " ".join((entry.__doc__ or "").split()).replace("``", "`")
     head = f"### {title(entry)}\n\n{about}"
     return f"{head}\n\n{table(HEAD, rows)}" if rows else head
+
+
+def _inherited(entry: type[Entry]) -> set[str]:
+    """Keys that the entry of all bearings lists for every kind."""
+    kind = issubclass(entry, BearingEntry) and entry is not BearingEntry
+    return set(BearingEntry.model_fields) if kind else set()

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 import bearings
-from bearings.kinds.angular_contact import AngularContactBallBearing
+from bearings.bearing import BallBearing
 from bearings.ring.state import BearingState
 from rotordyn.analysis.display import RPM
 from rotordyn.analysis.preload import BALL_QUANTITIES, FREEDOMS
@@ -20,7 +20,7 @@ SHOWN = (*BALL_QUANTITIES, "inner_spin_to_roll", "outer_spin_to_roll")
 
 
 def answer(
-    bearing: AngularContactBallBearing, conditions: Conditions, speed: Array, spec: BearingMapSpec
+    bearing: BallBearing, conditions: Conditions, speed: Array, spec: BearingMapSpec
 ) -> BearingMapResult:
     """State and tangent of ``bearing`` at every speed and load, tilts blocked.
 

@@ -59,7 +59,7 @@ def preload_sum(result: PreloadResult, spindle: Spindle) -> Array:
     """
     carried = {name for sleeve in spindle.sleeves for name in sleeve.bearings}
     if not carried:
-        return np.asarray(result.axial_load.sum(axis=1) / 2.0)
+        return np.asarray(np.abs(result.axial_load).sum(axis=1) / 2.0)
     chosen = [result.bearing.index(name) for name in result.bearing if name in carried]
     return np.asarray(result.axial_load[:, chosen].sum(axis=1))
 

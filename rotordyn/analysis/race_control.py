@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.kinds.angular_contact import AngularContactBallBearing
+from bearings.bearing import BallBearing
 from bearings.race_control import RACES, ControlMap, control_map, quadratic, resting_weight
 from rotordyn.analysis.display import RPM
 from rotordyn.analysis.results import ControlResult
@@ -21,7 +21,7 @@ BOUNDARY_WORDS = {"inner": "inner race controls above", "outer": "outer race con
 
 
 def answer(
-    bearing: AngularContactBallBearing, conditions: Conditions, speed: Array, spec: ControlSpec
+    bearing: BallBearing, conditions: Conditions, speed: Array, spec: ControlSpec
 ) -> ControlResult:
     """Both boundaries of race control at every speed with their fits, and the margins between.
 

@@ -207,7 +207,7 @@ class RadialProblem:
         solved by itself on the way.
         """
         problem, start = self, np.where(alive[:, None], guess[0], near.coordinates)
-        if self.network.law.one_branch:
+        if self.network.one_branch:
             first = self._at([start, *guess[1:]], near)
             problem, there, found = self._searched(first, force, alive, RadialProblem.advance, 1)
             found &= there.bearings.follows(near.bearings)

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from bearings.kinds.angular_contact import AngularContactBallBearing
+from bearings.bearing import BallBearing
 from rotordyn.analysis.results import Result
 from rotordyn.analysis.specs import (
     CampbellSpec,
@@ -119,7 +119,7 @@ def answer_spindle(
 
 
 def answer_bearing(
-    bearing: AngularContactBallBearing,
+    bearing: BallBearing,
     conditions: Conditions,
     speeds: tuple[float, ...],
     analyses: Mapping[str, Spec],

@@ -190,7 +190,8 @@ def _constant_preload(scene: Scene, rest: Array) -> tuple[Array, NDArray[np.obje
     blocks = np.empty((len(state.speed), len(scene.spindle.seats), 5, 5))
     outcome = np.full(len(state.speed), "", dtype=object)
     names = [", ".join(scene.spindle.seats[seat].name for seat in b.seats) for b in bearings]
-    carries = rest > LEAST_LOAD * float(np.nanmax(np.abs(rest), initial=0.0))
+    carried = np.where(state.network.both_ways, np.abs(rest), rest)
+    carries = carried > LEAST_LOAD * float(np.nanmax(np.abs(rest), initial=0.0))
     for k in np.flatnonzero(~carries):
         blocks[:, list(bearings[k].seats)] = np.nan
         outcome[outcome == ""] = f"bearing {names[k]} carries no load at rest"

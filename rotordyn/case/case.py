@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Annotated
 
-from bearings.kinds.angular_contact import AngularContactBallBearing
+from bearings.bearing import BallBearing
 from rotordyn.analysis.specs import Conditions, Spec
 from rotordyn.case.agreement import (
     ANALYSES,
@@ -42,7 +42,7 @@ class Case(Description):
     analyses: Mapping[Annotated[str, Choice(tuple(ANALYSES))], Spec]
     conditions: Conditions = field(default_factory=Conditions)
     spindle: Spindle | None = None
-    bearing: AngularContactBallBearing | None = None
+    bearing: BallBearing | None = None
     references: tuple[Reference, ...] = ()
     files: tuple[Path, ...] = ()
     digest: str = ""

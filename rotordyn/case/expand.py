@@ -14,6 +14,7 @@ from rotordyn.case.library import UnknownModel, find
 from rotordyn.case.node import UNKNOWN, Node
 from rotordyn.case.override import apply
 from rotordyn.case.reduced import NoModel, ReducedModel
+from rotordyn.case.schema.bearing import wrong_kind
 from rotordyn.case.schema.housing import ModelFilesEntry
 from rotordyn.case.table import tabled
 from rotordyn.case.validate import validate
@@ -56,11 +57,12 @@ class Reader:
         """What ``reference`` names or holds: a mapping in place is taken as it is."""
         if isinstance(reference.value, dict):
             return reference
-        if not isinstance(reference.value, str):
+        name = _named(reference)
+        if name is None:
             self.faults.at(reference, (), "not a model: a name, a path or a mapping is needed")
             return None
         try:
-            path = find(kind, reference.value, self.folders[reference.file])
+            path = find(kind, name, self.folders[reference.file])
         except UnknownModel as error:
             self.faults.at(reference, (), str(error))
             return None
@@ -71,6 +73,13 @@ class Reader:
             self.faults.at(reference, (), f"no such file: given '{reference.value}'")
             return None
         return self.document(path)
+
+
+def _named(reference: Node) -> str | None:
+    """The name of a model; makers' names may be numbers: ``bearing: 6012``."""
+    if isinstance(reference.value, int) and not isinstance(reference.value, bool):
+        return reference.raw
+    return reference.value if isinstance(reference.value, str) else None
 
 
 def spindle(reference: Node, override: Node | None, reader: Reader) -> Node | None:
@@ -104,6 +113,10 @@ def bearing(reference: Node, override: tuple[Node | None, ...], reader: Reader) 
         return None
     for changes in override:
         apply(changes, root, reader.faults)
+    kind = root.child("kind")
+    if kind is not None and (why := wrong_kind(kind.value)):
+        reader.faults.at(root, ("kind",), why)
+        return None
     _fill(root, _MATERIALS_OF_BEARING, "materials", reader)
     return root
 

@@ -6,7 +6,7 @@ import os
 from pathlib import Path
 from typing import Literal, TypeVar, overload
 
-from bearings.kinds.angular_contact import AngularContactBallBearing
+from bearings.bearing import BallBearing
 from bearings.materials import Material
 from rotordyn.case import expand
 from rotordyn.case.build import bearing as build_bearing
@@ -17,7 +17,7 @@ from rotordyn.case.faults import Faults
 from rotordyn.case.library import UnknownModel, find
 from rotordyn.case.node import Node
 from rotordyn.case.read import in_order
-from rotordyn.case.schema.bearing import BearingEntry
+from rotordyn.case.schema.bearing import BearingEntry, entry_of, kind_in
 from rotordyn.case.schema.material import MaterialEntry
 from rotordyn.case.schema.shaft import ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
@@ -27,7 +27,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.tool import Tool
 
-Model = Spindle | Tool | AngularContactBallBearing | Material
+Model = Spindle | Tool | BallBearing | Material
 T = TypeVar("T")
 E = TypeVar("E", SpindleEntry, ToolEntry, BearingEntry, MaterialEntry)
 
@@ -37,7 +37,7 @@ def model(kind: Literal["spindles"], reference: str | Path) -> Spindle: ...
 @overload
 def model(kind: Literal["tools"], reference: str | Path) -> Tool: ...
 @overload
-def model(kind: Literal["bearings"], reference: str | Path) -> AngularContactBallBearing: ...
+def model(kind: Literal["bearings"], reference: str | Path) -> BallBearing: ...
 @overload
 def model(kind: Literal["materials"], reference: str | Path) -> Material: ...
 def model(kind: str, reference: str | Path) -> Model:
@@ -90,7 +90,7 @@ def _tool(root: Node, reader: expand.Reader) -> ToolEntry:
 
 def _bearing(root: Node, reader: expand.Reader) -> BearingEntry:
     tree = _whole(expand.bearing(root, (), reader), reader)
-    entry = _entry(BearingEntry, tree, reader)
+    entry: BearingEntry = _entry(entry_of(kind_in(tree.plain())), tree, reader)
     check_bearing.geometry(entry, tree, (), reader.faults)
     return _whole(entry, reader)
 

@@ -14,13 +14,13 @@ from rotordyn.case.checks import spindle as check_spindle
 from rotordyn.case.checks.measured import measured
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
-from rotordyn.case.schema.bearing import BearingEntry
+from rotordyn.case.schema.bearing import BearingEntry, entry_of, kind_in
 from rotordyn.case.schema.case import CaseEntry
 from rotordyn.case.schema.shaft import ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.case.validate import validate
 
-M = TypeVar("M", SpindleEntry, ToolEntry, BearingEntry)
+M = TypeVar("M", SpindleEntry, ToolEntry)
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,7 +50,10 @@ def read_parts(root: Node, reader: expand.Reader) -> Parts | None:
     trees = _expanded(root, reader)
     spindle = _entry(SpindleEntry, trees.spindle, reader.faults)
     tool = _entry(ToolEntry, trees.tool, reader.faults)
-    bearing = _entry(BearingEntry, trees.bearing, reader.faults)
+    bearing = None
+    if trees.bearing is not None:
+        kind = entry_of(kind_in(trees.bearing.plain()))
+        bearing = validate(kind, trees.bearing, reader.faults)
     if spindle is not None and trees.spindle is not None:
         check_spindle.spindle(spindle, trees.spindle, tool, reader.faults)
     if tool is not None and trees.tool is not None:

@@ -15,7 +15,7 @@ from rotordyn.quantity import suggestion
 
 M = TypeVar("M", bound=BaseModel)
 
-_LISTED = 16
+_LISTED = 24
 _SHAPES = {
     "model_type": "a mapping (key: value)",
     "model_attributes_type": "a mapping (key: value)",
@@ -90,6 +90,8 @@ def _keys_at(model: type[BaseModel], keys: tuple[int | str, ...]) -> list[str]:
         fields = [f for entry in entries for name, f in _fields(entry) if name == key]
         if fields:
             entries = [found for field in fields for found in _models(field.annotation)]
+        tagged = [entry for entry in entries if getattr(entry, "tag", "") == key]
+        entries = tagged or entries
     return [name for entry in entries for name, _ in _fields(entry)]
 
 

@@ -225,6 +225,8 @@ class Spindle(Description):
     def pairings(self) -> tuple[tuple[str, str, str], ...]:
         """Neighbours of opposite thrust from front to rear: (front, rear, "O" or "X").
 
+        Only between bearings that take thrust one way.
+
         "O" (back to back): the contact lines meet the axis outside the pair, so that tilt is held
         with a long base; "X" (face to face): inside.
         """
@@ -233,6 +235,7 @@ class Spindle(Description):
             (front.name, rear.name, "O" if front.thrust > 0 else "X")
             for front, rear in pairwise(row)
             if front.thrust != rear.thrust
+            and not (front.bearing.both_ways or rear.bearing.both_ways)
         )
 
     def sleeve_of(self, seat_name: str) -> Sleeve | None:

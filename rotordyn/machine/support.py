@@ -9,13 +9,15 @@ from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from typing import Annotated
 
-from bearings.kinds.angular_contact import AngularContactBallBearing
+from bearings.ball.law import KINEMATICS, MOMENT_SHARING, Law
+from bearings.bearing import BallBearing
 from rotordyn.description import Description, doubled
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.growth import InterferenceFit, RingGrowth
 from rotordyn.quantity import (
     Choice,
     Damping,
+    Friction,
     LossFactor,
     Mass,
     Name,
@@ -57,32 +59,58 @@ def entry_name(row: str, column: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class BearingSeat(Description):
-    """An angular-contact bearing at station ``x`` [m].
+    """A bearing of any kind at station ``x`` [m].
 
-    ``thrust`` is +1 where pushing the shaft towards +x loads the balls, −1 where −x does.
+    ``thrust`` is +1 where pushing the shaft towards +x loads the balls, −1 where −x does; of a kind
+    that takes thrust both ways it says along which its axial load is positive, and which way a
+    spring of its sleeve loads it; 0 stands for +1 there. ``kinematics``, ``moment_sharing`` and
+    ``friction`` (infinite: no limit) of its balls, as in ``Law``; None: those of the conditions.
     ``radial_damping`` and ``axial_damping`` [N·s/m] act between its rings; tilt is not damped.
     """
 
     name: Name
-    bearing: AngularContactBallBearing
+    bearing: BallBearing
     x: Station
-    thrust: Annotated[int, Choice((1, -1))]
+    thrust: Annotated[int, Choice((1, -1))] = 0
     growth: RingGrowth = field(default_factory=RingGrowth)
     radial_damping: Damping = 0.0
     axial_damping: Damping = 0.0
     model: str = ""
+    kinematics: Annotated[str, Choice(KINEMATICS)] | None = None
+    moment_sharing: Annotated[str, Choice(MOMENT_SHARING)] | None = None
+    friction: Friction | None = None
+
+    def __post_init__(self) -> None:
+        given: object = self.thrust
+        if given == 0 and type(given) is int and isinstance(self.bearing, BallBearing):
+            if not self.bearing.both_ways:
+                raise InvalidInput(
+                    f"BearingSeat {self.name}: thrust must be given, 1 or -1: a "
+                    f"{type(self.bearing).__name__} takes thrust one way only"
+                )
+            object.__setattr__(self, "thrust", 1)
+        Description.__post_init__(self)
+
+    def law(self, common: Law) -> Law:
+        """What is assumed of its balls: its own where given, the rest in ``common``."""
+        friction = common.friction
+        if self.friction is not None:
+            friction = None if math.isinf(self.friction) else self.friction
+        return replace(
+            common,
+            kinematics=self.kinematics or common.kinematics,
+            moment_sharing=self.moment_sharing or common.moment_sharing,
+            friction=friction,
+        )
 
     def _faults(self) -> Iterator[str]:
-        bearing, fit = self.bearing, self.growth.centrifugal
-        chord = bearing.ball_diameter * math.cos(bearing.contact_angle)
-        centres = bearing.inner_conformity + bearing.outer_conformity - 1.0
-        room = centres * (bearing.ball_diameter - chord)
+        fit, room = self.growth.centrifugal, self.bearing.largest_static_growth
         if self.growth.static > room:
             yield (
                 f"growth.static takes the whole contact angle: given {self.growth.static:.6g} m; "
                 f"allowed: up to {room:.6g} m"
             )
-        race = bearing.pitch_diameter - chord
+        race = 2.0 * self.bearing.inner_raceway_radius
         if isinstance(fit, InterferenceFit) and fit.bore_diameter >= race:
             yield (
                 f"no ring left beside the balls: bore_diameter {fit.bore_diameter:.6g} m; "

@@ -24,6 +24,7 @@ from rotordyn.plots.style import (
     grid_boxes,
     new_figure,
     speed_ticks,
+    with_zero,
 )
 
 if TYPE_CHECKING:
@@ -49,7 +50,7 @@ def preload_figure(
     draw_references(axes[2], references, "sleeve_displacement", float(rpm[-1]), subject=True)
     _forces(axes[3], result)
     for place in (0, 1, 3):
-        axes[place].set_ylim(0.0, axes[place].get_ylim()[1] * 1.08)
+        with_zero(axes[place], 1.08)
     _finish(axes, result)
     return figure
 
@@ -68,7 +69,7 @@ def contacts_figure(result: PreloadResult) -> Figure:
     if np.nanmax(result.outer_pressure * giga, initial=0.0) > 0.8 * WARNING_PRESSURE * giga:
         axes[1].axhline(WARNING_PRESSURE * giga, color=GREY, lw=0.9, ls="--", label="limit 4.2 GPa")
     for each in axes:
-        each.set_ylim(0.0, each.get_ylim()[1] * 1.05)
+        with_zero(each, 1.05)
     top_legend(figure, axes[0])
     return figure
 

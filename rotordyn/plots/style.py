@@ -23,6 +23,7 @@ CYCLE = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
 DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 1)), (0, (7, 2)))
 MARKS = {"-": "o", "--": "s", "-.": "^", ":": "v"}  # of lone points, by the dashes of their line
 FONT_SIZE = 8.0
+LEVEL = 1e-6  # of the largest value: what lies less below zero is rounding
 _RC: Any = {
     "font.size": FONT_SIZE,
     "axes.titlesize": FONT_SIZE,
@@ -187,3 +188,10 @@ def save(figure: Figure, folder: Path, name: str) -> list[str]:
         )
         figure.savefig(folder / f"{name}.svg", dpi=RASTER_DPI, metadata={"Date": None})
     return [f"{name}.png", f"{name}.svg"]
+
+
+def with_zero(axes: Axes, room: float) -> None:
+    """Limits of the ordinate that hold zero: at the bottom, unless values go below it."""
+    low, high = axes.get_ylim()
+    below = low if axes.dataLim.ymin < -LEVEL * abs(axes.dataLim.ymax) else 0.0
+    axes.set_ylim(below * room, max(high, 0.0) * room)

@@ -14,23 +14,33 @@ from rotordyn.plots.style import BLUE, RED
 
 RING, BALL, SLEEVE, GROUND, BAR = "#C9D3DC", "#FFFFFF", "#E9DFC7", "#555555", "#A8B0B8"
 Line = list[tuple[float, float]]
+FLATTEST = math.radians(60.0)  # contact lines leaning further do not reach the axis
+ON_AXIS = 1e-9  # m
 
 
-def contact_line(seat: BearingSeat) -> Line:
-    """From the pressure centre on the axis through the ball centre to the outer ring [m].
+def contact_lines(seat: BearingSeat) -> list[Line]:
+    """Lines along which a ball can carry, each from the axis through the ball centre [m].
 
     Pushing the inner ring the way of ``thrust`` presses the ball against the outer race ahead of
-    it: the line leans forward, and meets the axis ``thrust`` · r · tan α behind the bearing.
+    it: the line leans forward, and meets the axis ``thrust`` · r · tan α behind the bearing, the
+    pressure centre. A line flatter than ``FLATTEST`` is cut before the axis.
     """
-    bearing = seat.bearing
-    lean = seat.thrust * math.tan(bearing.contact_angle)
-    ball = bearing.pitch_diameter / 2.0
-    outside = ball + 1.1 * bearing.ball_diameter
-    return [(seat.x - lean * ball, 0.0), (seat.x + lean * (outside - ball), outside)]
+    return [_contact_line(seat, angle) for angle in seat.bearing.contact_lines]
+
+
+def _contact_line(seat: BearingSeat, angle: float) -> Line:
+    ball = seat.bearing.pitch_diameter / 2.0
+    upright = max(abs(math.cos(angle)), math.cos(FLATTEST))
+    rise, lean = math.cos(angle) / upright, seat.thrust * math.sin(angle) / upright
+    past = 1.1 * seat.bearing.ball_diameter
+    return [
+        (seat.x - lean * ball, ball - rise * ball),
+        (seat.x + lean * past, ball + rise * past),
+    ]
 
 
 def draw_bearing(sketch: Sketch, seat: BearingSeat, width: float, shaft_radius: float) -> None:
-    """Upper half cut with ball and contact line, lower half as a crossed box; [m] in, [mm] out."""
+    """Upper half cut with ball and contact lines, lower half as a crossed box; [m] in, [mm] out."""
     ball, pitch = seat.bearing.ball_diameter * 1e3, seat.bearing.pitch_diameter * 500.0
     left, right, x = (seat.x - width / 2.0) * 1e3, (seat.x + width / 2.0) * 1e3, seat.x * 1e3
     bore = min(shaft_radius * 1e3, pitch - 0.35 * ball)
@@ -41,9 +51,11 @@ def draw_bearing(sketch: Sketch, seat: BearingSeat, width: float, shaft_radius: 
     sketch.box(left, right, -outside, -bore, RING, z=4)
     sketch.line([(left, -outside), (right, -bore)], width=0.4, z=5)
     sketch.line([(left, -bore), (right, -outside)], width=0.4, z=5)
-    line = [(a * 1e3, r * 1e3) for a, r in contact_line(seat)]
-    sketch.line(line, RED, 0.9, "dashdot", z=6)
-    sketch.circle(*line[0], 0.9, RED, edge=RED, z=6)
+    for foot, tip in contact_lines(seat):
+        line = [(a * 1e3, r * 1e3) for a, r in (foot, tip)]
+        sketch.line(line, RED, 0.9, "dashdot", z=6)
+        if foot[1] <= ON_AXIS:
+            sketch.circle(*line[0], 0.9, RED, edge=RED, z=6)
 
 
 def spring(start: tuple[float, float], end: tuple[float, float], half: float) -> Line:

@@ -8,7 +8,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.kinds.angular_contact import AngularContactBallBearing
+from bearings.ball.law import STANDARD, Law
+from bearings.bearing import BallBearing
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.growth import ring_growth
 from rotordyn.preload.shortening import seat_shifts
@@ -22,13 +23,15 @@ SHAFT = 0
 class AxialBearing:
     """One bearing, or several alike in the same state, between the shaft and a body.
 
-    ``seats``: indices of the twins it stands for; ``model``: what is mounted there; ``thrust`` ±1;
+    ``seats``: indices of the twins it stands for; ``model``: what is mounted there; ``law``: what
+    is assumed of its balls; ``thrust`` ±1;
     ``outer``: body of the outer ring; ``static_growth`` [m]; ``growth`` and ``shortening`` of the
     shaft there (speeds,) [m].
     """
 
     seats: tuple[int, ...]
-    model: AngularContactBallBearing
+    model: BallBearing
+    law: Law
     thrust: int
     outer: int
     static_growth: float
@@ -66,8 +69,13 @@ class Arrangement:
         return replace(self, bearings=bearings, speed=self.speed[index])
 
 
-def arrangement(spindle: Spindle, speed: Array, force: float = 0.0) -> Arrangement:
-    """The axial arrangement of ``spindle``, rings and shaft deformed by every ``speed`` [rad/s]."""
+def arrangement(
+    spindle: Spindle, speed: Array, force: float = 0.0, law: Law = STANDARD
+) -> Arrangement:
+    """The axial arrangement of ``spindle``, rings and shaft deformed by every ``speed`` [rad/s].
+
+    ``force`` [N] on the shaft; ``law``: what is assumed of balls where a seat says nothing else.
+    """
     sleeves = {sleeve.name: k + 1 for k, sleeve in enumerate(spindle.sleeves)}
     shifts = seat_shifts(spindle, speed)
     bearings: list[AxialBearing] = []
@@ -76,6 +84,7 @@ def arrangement(spindle: Spindle, speed: Array, force: float = 0.0) -> Arrangeme
         bearing = AxialBearing(
             seats=(k,),
             model=seat.bearing,
+            law=seat.law(law),
             thrust=seat.thrust,
             outer=HOUSING if sleeve is None else sleeves[sleeve.name],
             static_growth=seat.growth.static,
@@ -98,8 +107,8 @@ def arrangement(spindle: Spindle, speed: Array, force: float = 0.0) -> Arrangeme
 
 def _alike(a: AxialBearing, b: AxialBearing) -> bool:
     """True where the two bearings must carry the same load at every speed."""
-    same = (a.model, a.thrust, a.outer, a.static_growth)
-    return same == (b.model, b.thrust, b.outer, b.static_growth) and bool(
+    same = (a.model, a.law, a.thrust, a.outer, a.static_growth)
+    return same == (b.model, b.law, b.thrust, b.outer, b.static_growth) and bool(
         np.array_equal(a.growth, b.growth) and np.array_equal(a.shortening, b.shortening)
     )
 

@@ -1,4 +1,4 @@
-"""The bearings of an arrangement, model by model: solved by themselves, or on the way to balance.
+"""The bearings of an arrangement, by model and law: solved by themselves, or on the way to balance.
 
 Whoever moves the shaft moves all of them at once, balls included (``bearings.ring.iterate``).
 """
@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.kinds.angular_contact import AngularContactBallBearing
+from bearings.ball.law import Law
+from bearings.bearing import BallBearing
 from bearings.ring.state import BearingState
 
 if TYPE_CHECKING:
@@ -26,27 +27,28 @@ Flags = NDArray[np.bool_]
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Solved:
-    """States of one bearing model: which of the places asked for, the batch (speeds, places)."""
+    """States of one model and law: which of the places asked for, the batch (speeds, places)."""
 
     places: list[int]
     state: BearingState
 
 
-States = dict[AngularContactBallBearing, Solved]
+Alike = tuple[BallBearing, Law]  # bearings that can be solved in one call
+States = dict[Alike, Solved]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class BearingIterates:
-    """By model: the places at which it stands, and its balls there, a batch (speeds, places)."""
+    """By model and law: the places of such bearings, their balls, a batch (speeds, places)."""
 
-    of: dict[AngularContactBallBearing, tuple[list[int], Iterate]]
+    of: dict[Alike, tuple[list[int], Iterate]]
 
     @classmethod
     def solved(cls, states: States, ring: Callable[[Geometry], Ring]) -> BearingIterates:
         """Bearings that were solved by themselves; ``ring`` says which of their balls move on."""
         from bearings.ring.iterate import iterate
 
-        return cls({m: (found.places, iterate(found.state, ring)) for m, found in states.items()})
+        return cls({k: (found.places, iterate(found.state, ring)) for k, found in states.items()})
 
     def __iter__(self) -> Iterator[tuple[list[int], Iterate]]:
         return iter(self.of.values())
@@ -55,23 +57,23 @@ class BearingIterates:
         """Rings at ``displacement`` (speeds, places, 5), every ball one Newton step on."""
         return BearingIterates(
             {
-                m: (places, one.moved(displacement[:, places]))
-                for m, (places, one) in self.of.items()
+                k: (places, one.moved(displacement[:, places]))
+                for k, (places, one) in self.of.items()
             }
         )
 
     def at(self, displacement: Array, balls: Sequence[Array]) -> BearingIterates:
-        """Rings at ``displacement`` (speeds, places, 5), the balls of each model placed too."""
+        """Rings at ``displacement`` (speeds, places, 5), the balls of each group placed too."""
         return BearingIterates(
             {
-                m: (places, one.at(displacement[:, places], ball))
-                for (m, (places, one)), ball in zip(self.of.items(), balls, strict=True)
+                k: (places, one.at(displacement[:, places], ball))
+                for (k, (places, one)), ball in zip(self.of.items(), balls, strict=True)
             }
         )
 
     def follows(self, before: BearingIterates) -> Flags:
         """Speeds at which every ball is still where it can come to from ``before`` (speeds,)."""
-        near = [one.follows(before.of[m][1]).all(axis=1) for m, (_, one) in self.of.items()]
+        near = [one.follows(before.of[k][1]).all(axis=1) for k, (_, one) in self.of.items()]
         return np.all(near, axis=0)
 
     @property

@@ -31,7 +31,7 @@ def fit_growth(spindle: Spindle, seat: BearingSeat, fit: InterferenceFit, speed:
     """Growth by rotation of the inner raceway of a ring fitted on the shaft, from rest [m].
 
     Shaft section and inner ring are compound thick cylinders in plane stress; the ring reaches to
-    the raceway contact radius (dm − D cos α)/2.
+    the raceway contact radius ``inner_raceway_radius``.
     """
     from bearings.fit.compound import centrifugal_growth
 
@@ -55,12 +55,11 @@ def released_fits(spindle: Spindle, speed: float) -> list[tuple[str, float]]:
 
 def _fitted(spindle: Spindle, seat: BearingSeat, fit: InterferenceFit) -> tuple[Cylinder, Cylinder]:
     """Shaft and inner ring as cylinders."""
-    from bearings.fit.compound import Cylinder, raceway_radius
+    from bearings.fit.compound import Cylinder
 
     section, bearing = spindle.shaft.section_at(seat.x), seat.bearing
-    race = raceway_radius(bearing.pitch_diameter, bearing.ball_diameter, bearing.contact_angle)
     bore = fit.bore_diameter / 2.0
     return (
         Cylinder(section.inner_diameter / 2.0, bore, section.material),
-        Cylinder(bore, race, bearing.ring_material),
+        Cylinder(bore, bearing.inner_raceway_radius, bearing.ring_material),
     )

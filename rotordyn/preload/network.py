@@ -1,7 +1,8 @@
 """Axial equilibrium of the arrangement, at all speeds at once.
 
-Positions x (speeds, bodies) are measured from where every bearing is just unloaded at rest. The
-state at rest, with the springs at their stated preload, fixes where each spring and stop is.
+Positions x (speeds, bodies) are measured from where every bearing is just unloaded at rest, or
+stands in the middle of its play where it takes thrust both ways. The state at rest, with the
+springs at their stated preload, fixes where each spring and stop is.
 """
 
 from __future__ import annotations
@@ -12,10 +13,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball.law import Law
-from bearings.kinds.angular_contact import AngularContactBallBearing
 from rotordyn.preload.arrangement import HOUSING, SHAFT, Arrangement
-from rotordyn.preload.bearing_iterates import BearingIterates, Solved, States
+from rotordyn.preload.bearing_iterates import Alike, BearingIterates, Solved, States
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -25,6 +24,7 @@ TOGETHER = 12  # iterations
 ITERATIONS = 60
 HALVINGS = 12
 LONGEST_STEP = 50e-6  # m
+LEVEL = 1e-6  # by which the balance may seem worse where it does not change
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -57,11 +57,15 @@ class Response:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Network:
-    """An arrangement with the law of its bearings and its springs."""
+    """An arrangement with its springs."""
 
     arrangement: Arrangement
-    law: Law
     springs: Springs
+
+    @property
+    def one_branch(self) -> bool:
+        """True where no ball is loaded or lost at the same place: neighbours may be a start."""
+        return all(bearing.law.one_branch for bearing in self.arrangement.bearings)
 
     @property
     def twins(self) -> Array:
@@ -77,6 +81,11 @@ class Network:
             if bearing.outer != HOUSING:
                 b[k, bearing.outer] = -bearing.thrust
         return b
+
+    @property
+    def both_ways(self) -> Flags:
+        """Bearings that carry axial loads of either sign, none within their play (bearings,)."""
+        return np.array([bearing.model.both_ways for bearing in self.arrangement.bearings])
 
     def deflection(self, x: Array) -> Array:
         """Axial deflection of every bearing (speeds, bearings) [m]."""
@@ -121,15 +130,15 @@ class Network:
     ) -> States:
         """Bearings at given displacements or under loads in their own frames (speeds, places, 5).
 
-        ``bearings``: which of the arrangement's is at every place. Each bearing model is solved in
-        one call; ``near``, states of the same places close by, speeds the search up.
+        ``bearings``: which of the arrangement's is at every place. All of one model and law are
+        solved in one call; ``near``, states of the same places close by, speeds the search up.
         """
         at = [self.arrangement.bearings[k] for k in bearings]
-        places: dict[AngularContactBallBearing, list[int]] = {}
+        places: dict[Alike, list[int]] = {}
         for place, bearing in enumerate(at):
-            places.setdefault(bearing.model, []).append(place)
+            places.setdefault((bearing.model, bearing.law), []).append(place)
         return {
-            model: Solved(
+            (model, law): Solved(
                 where,
                 model.equilibrium(
                     displacement=None if displacement is None else displacement[:, where],
@@ -137,13 +146,13 @@ class Network:
                     speed=self.arrangement.speed[:, None],
                     static_growth=[at[p].static_growth for p in where],
                     growth=np.stack([at[p].growth for p in where], axis=1),
-                    kinematics=self.law.kinematics,
-                    moment_sharing=self.law.moment_sharing,
-                    friction=self.law.friction,
-                    start=None if near is None else near[model].state,
+                    kinematics=law.kinematics,
+                    moment_sharing=law.moment_sharing,
+                    friction=law.friction,
+                    start=None if near is None else near[model, law].state,
                 ),
             )
-            for model, where in places.items()
+            for (model, law), where in places.items()
         }
 
     def forces(self, x: Array, response: Response) -> Array:
@@ -185,7 +194,7 @@ def solve(
     springs = network.springs
     fixed = held | springs.fixed
     x = np.where(held, limit, np.where(springs.fixed, springs.rest, position))
-    if network.law.one_branch:
+    if network.one_branch:
         quick = _together(network, x, held, near)
         if quick.found.all():
             return quick
@@ -255,15 +264,18 @@ def _advance(
 ) -> tuple[Array, Response, Flags]:
     """Take the step, halved at the speeds where the balance would get worse or no state exists.
 
-    Also the speeds where it helped; at the others nothing moved.
+    Within the play of a bearing the balance stays as it is: such a step is taken whole, towards the
+    end of the play. Also the speeds where it helped; at the others nothing moved.
     """
+    playing = (network.both_ways & (near.load == 0.0)).any(axis=1)
+    bound = np.where(playing, error * (1.0 + LEVEL), error)
     length = np.ones(len(x))
     idle = (np.abs(step).max(axis=1) < 1e-16) | ~np.isfinite(error)
     for left in range(HALVINGS, -1, -1):
         trial = x + length[:, None] * step
         response = network.respond(trial, near)
         after = network.error(trial, response, fixed)[1]
-        good = idle | (after < error)
+        good = idle | (after < bound)
         if good.all():
             break
         length = np.where(good, length, 0.5 * length if left > 1 else 0.0)

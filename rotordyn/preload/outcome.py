@@ -69,11 +69,19 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int) ->
             f"bearing {names[lost[0]]} has no equilibrium at {rpm:.0f} rpm: raise its preload or "
             "lower the speed"
         )
-    idle = np.flatnonzero(load <= LEAST_LOAD * max(pushed, float(np.abs(load).max())))
+    least = LEAST_LOAD * max(pushed, float(np.abs(load).max()))
+    idle = np.flatnonzero((load <= least) & ~network.both_ways)
     if idle.size:
         return (
             f"bearing {names[idle[0]]} is unloaded at {rpm:.0f} rpm (preload lost): raise the "
             "preload of the springs or lower the axial force"
+        )
+    loose = np.flatnonzero((net.response.slope[row] <= 0.0) & network.both_ways)
+    if loose.size:
+        return (
+            f"bearing {names[loose[0]]} stands within its play at {rpm:.0f} rpm, where no ball is "
+            "pressed and it holds nothing: let a spring or an axial force load it, or take away "
+            "its play"
         )
     if not net.found[row]:
         return f"the axial arrangement finds no equilibrium at {rpm:.0f} rpm: raise the preload"

@@ -25,19 +25,22 @@ from rotordyn.preload.stops import meeting_speed, with_stops
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
+NO_SHARE = 1e-9  # of the largest preload: a bearing that carries less may stand within its play
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class PreloadState:
     """Axial equilibrium at every speed.
 
-    ``force``: external axial force [N]; ``still``: the network at rest under its stated preloads;
-    ``limit`` (bodies,): where a stop ends the travel (NaN without one); ``net``: the network at
-    every speed; ``outcome`` per speed: empty, or why there is no usable state.
+    ``force``: external axial force [N]; ``law``: of balls where a seat says nothing else;
+    ``still``: the network at rest under its stated preloads; ``limit`` (bodies,): where a stop ends
+    the travel (NaN without one); ``net``: the network at every speed; ``outcome`` per speed: empty,
+    or why there is no usable state.
     """
 
     spindle: Spindle
     force: float
+    law: Law
     network: Network
     still: NetworkState
     limit: Array
@@ -141,7 +144,7 @@ class PreloadState:
         )
         network = replace(self.network, arrangement=replace(part, pushes=pushes))
         spindle = replace(self.spindle, sleeves=sleeves)
-        return _settled(spindle, network, self.still, self.net.position[index])
+        return _settled(spindle, self.law, network, self.still, self.net.position[index])
 
     def stop_speeds(self) -> Array:
         """Speed at which each sleeve meets its stop (sleeves,) [rad/s]; NaN: it does not."""
@@ -157,7 +160,7 @@ class PreloadState:
         near = np.stack([known[first - 1] if first else self.rest, known[first]])
         return meeting_speed(
             lambda speed: replace(
-                self.network, arrangement=arrangement(self.spindle, speed, self.force)
+                self.network, arrangement=arrangement(self.spindle, speed, self.force, self.law)
             ),
             self.rest,
             self.limit,
@@ -175,31 +178,35 @@ def dynamic_preload(
     The convention at rest: each spring carries exactly its stated preload, without external force;
     from there springs act with their stiffness and stops stand at their travel.
     """
-    joined = arrangement(spindle, speed, axial_force)
-    still = _rest(joined, law)
-    network = Network(joined, law, _springs(spindle, joined, still.position[0]))
-    return _settled(spindle, network, still)
+    joined = arrangement(spindle, speed, axial_force, law)
+    still = _rest(joined)
+    network = Network(joined, _springs(spindle, joined, still.position[0]))
+    return _settled(spindle, law, network, still)
 
 
 def _settled(
-    spindle: Spindle, network: Network, still: NetworkState, start: Array | None = None
+    spindle: Spindle,
+    law: Law,
+    network: Network,
+    still: NetworkState,
+    start: Array | None = None,
 ) -> PreloadState:
     """The network at its speeds, sought from rest or from ``start`` (speeds, bodies)."""
     joined, rest = network.arrangement, still.position[0]
     limit = _limits(joined, rest)
     net = confirmed(network, with_stops(network, rest, limit, start))
     words = outcomes(spindle, network, still, net)
-    return PreloadState(spindle, joined.force, network, still, limit, net, words)
+    return PreloadState(spindle, joined.force, law, network, still, limit, net, words)
 
 
-def _rest(joined: Arrangement, law: Law) -> NetworkState:
+def _rest(joined: Arrangement) -> NetworkState:
     """Equilibrium at rest under the stated preloads alone (one speed)."""
     still = at_rest(joined)
     count = len(still.bodies)
     nothing = np.zeros(count)
     none = np.zeros(count, dtype=bool)
     springs = Springs(_preloads(still), nothing, nothing, none)
-    network = Network(still, law, springs)
+    network = Network(still, springs)
     start = _seated(network)
     return solve(network, start[None], none[None], start[None])
 
@@ -215,14 +222,17 @@ def _seated(network: Network) -> Array:
     """A start at rest (bodies,): each bearing under its likely load, fitted by positions."""
     b, twins, force = network.incidence, network.twins, network.springs.force
     share = np.linalg.lstsq((twins[:, None] * b).T, force, rcond=None)[0]
-    likely = np.maximum(share, 0.05 * np.abs(force).max() + 1.0)
+    largest = np.abs(force).max()
+    likely = np.maximum(np.where(network.both_ways, np.abs(share), share), 0.05 * largest + 1.0)
+    likely = np.where(network.both_ways, np.copysign(likely, share), likely)
+    carries = ~network.both_ways | (np.abs(share) > NO_SHARE * largest)
     deflection = [
         bearing.model.equilibrium(
             load=[load, 0.0, 0.0, 0.0, 0.0], static_growth=bearing.static_growth
         ).displacement[0]
         for bearing, load in zip(network.arrangement.bearings, likely, strict=True)
     ]
-    return np.linalg.lstsq(b, np.array(deflection), rcond=None)[0]
+    return np.linalg.lstsq(b[carries], np.array(deflection)[carries], rcond=None)[0]
 
 
 def _springs(spindle: Spindle, joined: Arrangement, rest: Array) -> Springs:

@@ -9,6 +9,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from bearings.kinds import DEFAULT, kind_of
 from rotordyn.analysis.display import RPM, STIFFNESS, number
 from rotordyn.analysis.excitation import Line, exciting
 from rotordyn.analysis.known import matches
@@ -25,7 +26,7 @@ from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import SPINDLE, Sleeve
+from rotordyn.machine.support import SPINDLE, BearingSeat, Sleeve
 from rotordyn.report.accuracy import accuracy_words
 from rotordyn.report.known import known_lines
 from rotordyn.report.measured import measured_lines
@@ -106,16 +107,27 @@ def _machine(spindle: Spindle) -> list[str]:
             f"inertia polar {m.polar:.4g}, diametral {m.diametral:.4g} kg m²"
         )
     if spindle.seats:
-        rows = ", ".join(
-            unbroken(f"{s.name} {'+' if s.thrust > 0 else '−'} at {s.x * 1e3:.1f}")
-            for s in spindle.seats
-        )
+        rows = ", ".join(unbroken(f"{s.name}{_which(s)} at {s.x * 1e3:.1f}") for s in spindle.seats)
         pairs = ", ".join(f"{a} and {b} in {word}" for a, b, word in spindle.pairings)
-        lines.append(f"bearings   [mm] {rows} (+: a push towards +x loads it)")
+        lines.append(f"bearings   [mm] {rows}{_signs(spindle)}")
         if pairs:
             lines[-1] += f"; {pairs}"
     lines += [_sleeve(sleeve) for sleeve in spindle.sleeves]
     return lines if spindle.drawbar is None else [*lines, _drawbar(spindle.drawbar)]
+
+
+def _which(seat: BearingSeat) -> str:
+    """The way it takes thrust, where that is one; its kind, where that is not the usual one."""
+    kind = kind_of(seat.bearing)
+    named = "" if kind == DEFAULT else f" {kind.replace('_', ' ')}"
+    if seat.bearing.both_ways:
+        return named
+    return f"{named} {'+' if seat.thrust > 0 else '−'}"
+
+
+def _signs(spindle: Spindle) -> str:
+    one_way = any(not seat.bearing.both_ways for seat in spindle.seats)
+    return " (+: a push towards +x loads it)" if one_way else ""
 
 
 def _sleeve(sleeve: Sleeve) -> str:

@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
-from bearings.kinds.angular_contact import AngularContactBallBearing
+from typing import Any
+
+from bearings.bearing import BallBearing
+from bearings.kinds import kind_class
 from bearings.materials import Material
 from rotordyn.case.schema.bearing import BearingEntry
 from rotordyn.case.schema.material import MaterialEntry
@@ -15,15 +18,11 @@ def material(entry: MaterialEntry | None) -> Material:
     return Material(entry.name, entry.young_modulus, entry.poisson_ratio, entry.density)
 
 
-def bearing(entry: BearingEntry) -> AngularContactBallBearing:
+def bearing(entry: BearingEntry) -> BallBearing:
     """The bearing; raises InvalidBearing where its geometry is impossible."""
-    return AngularContactBallBearing(
-        ball_diameter=entry.ball_diameter,
-        pitch_diameter=entry.pitch_diameter,
-        balls=entry.balls,
-        contact_angle=entry.contact_angle,
-        inner_conformity=entry.inner_conformity,
-        outer_conformity=entry.outer_conformity,
-        ball_material=material(entry.ball_material),
-        ring_material=material(entry.ring_material),
-    )
+    model = kind_class(entry.kind)
+    return model(**{name: _value(getattr(entry, name)) for name in model.measures()})
+
+
+def _value(value: Any) -> Any:
+    return material(value) if isinstance(value, MaterialEntry) else value

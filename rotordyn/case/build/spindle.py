@@ -142,6 +142,9 @@ def _disc(entry: DiscEntry) -> Disc:
     )
 
 
+_THRUST = {"+x": 1, "-x": -1, None: 0}
+
+
 def _seat(entry: SeatEntry, whole: SpindleEntry) -> BearingSeat:
     model, damping = entry.model, entry.damping or whole.damping.bearings
     if model is None:
@@ -150,7 +153,10 @@ def _seat(entry: SeatEntry, whole: SpindleEntry) -> BearingSeat:
         name=entry.name,
         bearing=bearing(model),
         x=entry.x,
-        thrust=1 if entry.thrust == "+x" else -1,
+        thrust=_THRUST[entry.thrust],
+        kinematics=entry.kinematics,
+        moment_sharing=entry.moment_sharing,
+        friction=entry.friction,
         growth=_growth(entry.growth or whole.growth, model.bore_diameter),
         radial_damping=damping.radial,
         axial_damping=damping.axial,

@@ -3,8 +3,12 @@
 from __future__ import annotations
 
 import math
+import re
+from contextlib import suppress
 
+from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing
+from bearings.kinds import kind_class
 from rotordyn.case.build.bearing import bearing as built
 from rotordyn.case.checks.names import exists, unique
 from rotordyn.case.faults import Faults
@@ -17,30 +21,68 @@ from rotordyn.units import format_quantity
 
 
 def geometry(entry: BearingEntry, root: Node, way: tuple[object, ...], faults: Faults) -> None:
-    """The balls fit on their circle, and the rings around them."""
-    if entry.ball_material is None or entry.ring_material is None:
+    """The data fit one another by the rules of the kind, and the rings around the balls."""
+    if not _known(entry):
         return
     try:
-        built(entry)
+        bearing = built(entry)
     except InvalidBearing as error:
-        values = (entry.ball_diameter, entry.pitch_diameter, entry.contact_angle)
-        known = not any(math.isnan(v) for v in (*values, *_conformities(entry)))
-        if known:
-            faults.at(root, (*way, "balls"), f"impossible bearing: {error}")
-    _rings(entry, root, way, faults)
+        place = _named(str(error), entry, root.at(*way))
+        faults.at(root, (*way, *place), f"impossible bearing: {error}")
+        return
+    _rings(entry, bearing, root, way, faults)
+    _shoulders(entry, bearing, root, way, faults)
 
 
-def _conformities(entry: BearingEntry) -> tuple[float, float]:
-    return entry.inner_conformity, entry.outer_conformity
+def _known(entry: BearingEntry) -> bool:
+    """No value of the geometry was found faulty."""
+    optional = {name for name, field in type(entry).model_fields.items() if field.default is None}
+    for name, measure in entry.measures.items():
+        value = getattr(entry, name)
+        if measure.quantity == "material":
+            if value is None:
+                return False
+        elif not (value is None and name in optional) and math.isnan(value):
+            return False
+    return True
 
 
-def _rings(entry: BearingEntry, root: Node, way: tuple[object, ...], faults: Faults) -> None:
-    inner = entry.pitch_diameter - entry.ball_diameter * math.cos(entry.contact_angle)
-    outer = entry.pitch_diameter + entry.ball_diameter * math.cos(entry.contact_angle)
+def _named(sentence: str, entry: BearingEntry, here: Node) -> tuple[str, ...]:
+    """The first key that a sentence names, among those that the file gives."""
+    words = re.findall(r"[a-z_]+", sentence)
+    given = [w for w in words if w in entry.measures and here.child(w) is not None]
+    return tuple(given[:1])
+
+
+def _rings(
+    entry: BearingEntry, bearing: BallBearing, root: Node, way: tuple[object, ...], faults: Faults
+) -> None:
+    inner, outer = 2.0 * bearing.inner_raceway_radius, 2.0 * bearing.outer_raceway_radius
     if entry.bore_diameter is not None and entry.bore_diameter >= inner:
         _no_ring(root, (*way, "bore_diameter"), "below", inner, faults)
     if entry.outside_diameter is not None and entry.outside_diameter <= outer:
         _no_ring(root, (*way, "outside_diameter"), "above", outer, faults)
+
+
+def _shoulders(
+    entry: BearingEntry, bearing: BallBearing, root: Node, way: tuple[object, ...], faults: Faults
+) -> None:
+    """Grooves reach past the contacts of the unloaded bearing, and not past the ball centres."""
+    inner, outer = 2.0 * bearing.inner_raceway_radius, 2.0 * bearing.outer_raceway_radius
+    middle = bearing.pitch_diameter
+    for key, low, high in (
+        ("inner_shoulder_diameter", inner, middle),
+        ("outer_shoulder_diameter", middle, outer),
+    ):
+        value = getattr(entry, key)
+        if value is not None and not (low < value < high or math.isnan(value)):
+            between = " to ".join(format_quantity(limit, "mm") for limit in (low, high))
+            faults.at(
+                root,
+                (*way, key),
+                f"the groove ends before the contact, or beyond the ball centres: given "
+                f"'{root.at(*way, key).raw}'; allowed: inside {between}",
+            )
 
 
 def _no_ring(root: Node, way: tuple[object, ...], side: str, limit: float, faults: Faults) -> None:
@@ -63,6 +105,39 @@ def seats(entry: SpindleEntry, root: Node, faults: Faults) -> None:
             place = (*way, "growth") if own else ("growth",)
             _growth(seat.growth or entry.growth, seat, root, place, faults)
             _bore(entry, seat, root, (*place, "fit"), faults)
+            _thrust(entry, seat, root, way, faults)
+
+
+def _thrust(
+    entry: SpindleEntry, seat: SeatEntry, root: Node, way: tuple[object, ...], faults: Faults
+) -> None:
+    """Which way it takes thrust, where it takes one only; which way a spring pushes it."""
+    assert seat.model is not None
+    if seat.thrust is not None:
+        return
+    kind = seat.model.kind
+    if not kind_class(kind).both_ways:
+        faults.missing(
+            root,
+            (*way, "thrust"),
+            f"missing key: kind {kind} takes thrust one way only; allowed: +x, -x, the way the "
+            "shaft pushes the inner ring to load the balls",
+        )
+    elif any(seat.name in sleeve.bearings for sleeve in entry.sleeves):
+        faults.missing(
+            root,
+            (*way, "thrust"),
+            "missing key: the spring of its sleeve pushes one way; allowed: +x, -x, the way the "
+            "shaft pushes the inner ring against the spring",
+        )
+
+
+def _built(entry: BearingEntry) -> BallBearing | None:
+    """The bearing; None where its faults are reported already."""
+    if _known(entry):
+        with suppress(InvalidBearing):
+            return built(entry)
+    return None
 
 
 def _growth(
@@ -100,7 +175,10 @@ def _bore(
         return
     bore = growth.fit.bore_diameter or model.bore_diameter
     hole = _hole(entry, seat.x)
-    race = model.pitch_diameter - model.ball_diameter * math.cos(model.contact_angle)
+    bearing = _built(model)
+    if bearing is None:
+        return
+    race = 2.0 * bearing.inner_raceway_radius
     if bore is not None and hole is not None and not (hole < bore < race or math.isnan(bore)):
         given = format_quantity(bore, "mm")
         allowed = " to ".join(format_quantity(limit, "mm") for limit in (hole, race))
@@ -125,8 +203,8 @@ def _hole(entry: SpindleEntry, x: float) -> float | None:
 def _static(
     growth: GrowthEntry, model: BearingEntry, root: Node, way: tuple[object, ...], faults: Faults
 ) -> None:
-    centres = (sum(_conformities(model)) - 1.0) * model.ball_diameter
-    room = centres * (1.0 - math.cos(model.contact_angle))
+    bearing = _built(model)
+    room = math.inf if bearing is None else bearing.largest_static_growth
     if growth.static > room:
         faults.at(
             root,
@@ -139,7 +217,7 @@ def _static(
 def sleeves(entry: SpindleEntry, root: Node, faults: Faults) -> None:
     """Bearings of a sleeve exist, sit on no other, and are all pushed the same way."""
     unique([sleeve.name for sleeve in entry.sleeves], root, ("sleeves",), faults)
-    thrust = {seat.name: seat.thrust for seat in entry.bearings}
+    thrust = {seat.name: seat.thrust or "" for seat in entry.bearings}
     taken: dict[str, str] = {}
     for index, sleeve in enumerate(entry.sleeves):
         ways = set()

@@ -10,12 +10,13 @@ from pydantic import PlainValidator
 from pydantic.fields import FieldInfo
 from pydantic.json_schema import models_json_schema
 
+from bearings.kinds import DEFAULT, KINDS
 from rotordyn.case.library import known
 from rotordyn.case.schema.base import Entry, title
-from rotordyn.case.schema.bearing import BearingEntry
+from rotordyn.case.schema.bearing import BearingEntry, entry_of
 from rotordyn.case.schema.case import CaseEntry
 from rotordyn.case.schema.material import MaterialEntry
-from rotordyn.case.schema.meanings import MEANINGS
+from rotordyn.case.schema.meanings import meanings
 from rotordyn.case.schema.shaft import ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.case.schema.values import QuantityReader
@@ -30,6 +31,7 @@ FILES: dict[str, type[Entry]] = {
     "bearing": BearingEntry,
     "material": MaterialEntry,
 }
+BEARINGS = {entry_of(kind).__name__: kind for kind in KINDS}
 # Entries that stand in files of their own, and the folder of the library that holds these.
 _MODELS = {
     "SpindleEntry": "spindles",
@@ -51,10 +53,12 @@ def json_schema(file: str) -> Shape:
     if file not in FILES:
         allowed = f"allowed: {', '.join(FILES)}{suggestion(file, FILES)}"
         raise InvalidInput(f"unknown kind of file: {file!r}; {allowed}")
-    asked = [(entry, "validation") for entry in FILES.values()]
+    kinds = [entry_of(kind) for kind in KINDS]
+    asked = [(entry, "validation") for entry in (*FILES.values(), *kinds)]
     shapes: Shape = models_json_schema(asked, by_alias=True)[1]["$defs"]  # type: ignore[arg-type]
     for entry in _entries():
         _describe(entry, shapes[entry.__name__])
+    shapes[BearingEntry.__name__] = _by_kind(shapes)
     root = shapes[FILES[file].__name__]
     return {
         "$schema": "https://json-schema.org/draft/2020-12/schema",
@@ -66,7 +70,7 @@ def json_schema(file: str) -> Shape:
 
 def _entries() -> list[type[Entry]]:
     """The entries of all files and those they hold."""
-    found = list(FILES.values())
+    found = [*FILES.values(), *(entry_of(kind) for kind in KINDS)]
     for entry in found:
         held = (m for field in entry.model_fields.values() for m in _held(field.annotation))
         found += [model for model in dict.fromkeys(held) if model not in found]
@@ -83,11 +87,11 @@ def _held(annotation: Any) -> Iterator[type[Entry]]:
 def _describe(entry: type[Entry], shape: Shape) -> None:
     """Says what each key means and takes; titles that only repeat the key are left out."""
     shape["title"], shape["description"] = title(entry), _plain(entry.__doc__ or "")
-    meanings = MEANINGS.get(title(entry), {})
+    words = meanings(entry)
     for name, field in entry.model_fields.items():
         key = field.alias or name
         shape["properties"][key] = _property(key, field, shape["properties"][key])
-        said = [_plain(meanings.get(key, "")), _text_of(shape["properties"][key])]
+        said = [_plain(words.get(key, "")), _text_of(shape["properties"][key])]
         shape["properties"][key]["description"] = "; ".join(filter(None, said))
 
 
@@ -96,7 +100,7 @@ def _property(key: str, field: FieldInfo, shape: Shape) -> Shape:
     shape.pop("default", None)
     if field.annotation is Any and key in _MACHINES:
         return _reference(_MACHINES[key])
-    models = [name for name in _MODELS if {"$ref": f"#/$defs/{name}"} in shape.get("anyOf", [])]
+    models = _models_in(shape)
     if models:
         return _reference(models[0])
     if "patternProperties" in shape:
@@ -105,10 +109,37 @@ def _property(key: str, field: FieldInfo, shape: Shape) -> Shape:
     return shape if default is None else {**shape, "default": default}
 
 
+def _models_in(shape: Shape) -> list[str]:
+    """Entries of files of their own among the forms of a value; a bearing is of any kind."""
+    forms = [f for form in shape.get("anyOf", []) for f in (form, *form.get("oneOf", []))]
+    named = [str(form.get("$ref", "")).rpartition("/")[2] for form in forms]
+    return [name for name in (_shared(name) for name in named) if name in _MODELS]
+
+
+def _shared(name: str) -> str:
+    return BearingEntry.__name__ if name in BEARINGS else name
+
+
+def _by_kind(shapes: Shape) -> Shape:
+    """A bearing, its keys by its kind."""
+    about = {key: shapes[BearingEntry.__name__][key] for key in ("title", "description")}
+    forms = []
+    for name, kind in BEARINGS.items():
+        shape = shapes[name]["properties"]["kind"]
+        shape["enum"] = [kind]
+        if kind != DEFAULT:
+            del shape["default"]
+            shapes[name]["required"] = ["kind", *shapes[name]["required"]]
+        forms.append({"$ref": f"#/$defs/{name}"})
+    return {**about, "oneOf": forms}
+
+
 def _reference(entry: str) -> Shape:
     """A model: a name of the library, the path of a file, or a mapping in place."""
     path = {"type": "string", "pattern": r"[/\\]|\.ya?ml$"}
-    return {"anyOf": [{"enum": known(_MODELS[entry])}, path, {"$ref": f"#/$defs/{entry}"}]}
+    names: list[str | int] = [*known(_MODELS[entry])]
+    names += [int(name) for name in known(_MODELS[entry]) if name.isdecimal()]
+    return {"anyOf": [{"enum": names}, path, {"$ref": f"#/$defs/{entry}"}]}
 
 
 def _default(field: FieldInfo) -> Any:

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+from bearings.bearing import Measure
+from rotordyn.case.schema.base import Entry, title
+from rotordyn.case.schema.bearing import BearingEntry
+
 MEANINGS: dict[str, dict[str, str]] = {
     "case": {
         "title": "one line, shown in summary and figures",
@@ -190,7 +194,7 @@ MEANINGS: dict[str, dict[str, str]] = {
         "shaft": "the turning shaft",
         "masses": "rigid masses on the shaft",
         "discs": "rigid discs on the shaft",
-        "bearings": "its angular-contact bearings",
+        "bearings": "its bearings, of any kind",
         "bearing_override": "keys of the bearing model -> values, for every bearing",
         "growth": "ring growth of every bearing that gives none itself",
         "shortening": "axial shift of the seats with speed",
@@ -239,7 +243,11 @@ MEANINGS: dict[str, dict[str, str]] = {
         "model": "name or path of a bearing model, or a mapping",
         "model_override": "keys of the model -> values, for this bearing",
         "x": "station of the circle of inner groove centres",
-        "thrust": "the way the shaft pushes the inner ring to load the balls",
+        "thrust": "the way the shaft pushes the inner ring to load the balls; of kinds that take "
+        "thrust both ways only needed on a sleeve",
+        "kinematics": "instead of that of the conditions",
+        "moment_sharing": "instead of that of the conditions",
+        "friction": "instead of that of the conditions",
         "growth": "instead of that of the spindle",
         "damping": "instead of that of the spindle",
     },
@@ -382,17 +390,12 @@ MEANINGS: dict[str, dict[str, str]] = {
     "bearing": {
         "name": "as printed",
         "source": "where it comes from",
+        "kind": "which keys it has besides these",
         "note": "what is estimated",
-        "ball_diameter": "D",
-        "pitch_diameter": "dm",
-        "balls": "how many; they must fit on the pitch circle",
-        "contact_angle": "free contact angle",
-        "inner_conformity": "groove radius over ball diameter",
-        "outer_conformity": "groove radius over ball diameter",
-        "ball_material": "name, path or mapping",
-        "ring_material": "name, path or mapping",
         "bore_diameter": "of the inner ring",
         "outside_diameter": "of the outer ring",
+        "inner_shoulder_diameter": "where the groove of the inner ring ends",
+        "outer_shoulder_diameter": "where the groove of the outer ring ends",
         "width": "of the rings",
     },
     "material": {
@@ -414,3 +417,16 @@ MEANINGS: dict[str, dict[str, str]] = {
         "conditions": "compared only where these conditions are in force",
     },
 }
+
+
+def meanings(entry: type[Entry]) -> dict[str, str]:
+    """Meaning of every key of an entry; of a kind of bearing its own ones from its measures."""
+    if issubclass(entry, BearingEntry):
+        geometry = {name: _meaning(measure) for name, measure in entry.measures.items()}
+        return {**MEANINGS[title(BearingEntry)], **geometry}
+    return MEANINGS.get(title(entry), {})
+
+
+def _meaning(measure: Measure) -> str:
+    written = "; name, path or mapping" if measure.quantity == "material" else ""
+    return measure.meaning + written

@@ -8,7 +8,8 @@ from typing import Annotated, Any
 from pydantic import BeforeValidator, Field
 
 from rotordyn.case.schema.base import Entry
-from rotordyn.case.schema.bearing import BearingEntry
+from rotordyn.case.schema.bearing import AnyBearing
+from rotordyn.case.schema.conditions import Kinematics, MomentSharing
 from rotordyn.case.schema.growth import GrowthEntry
 from rotordyn.case.schema.matrix import (
     DampingMatrix,
@@ -19,6 +20,7 @@ from rotordyn.case.schema.matrix import (
 )
 from rotordyn.case.schema.values import (
     Damping,
+    Friction,
     LossFactor,
     Mass,
     Name,
@@ -42,13 +44,20 @@ class BearingDampingEntry(Entry):
 
 
 class SeatEntry(Entry):
-    """A bearing on the shaft; ``model_override`` is merged into the model before it is read."""
+    """A bearing on the shaft; ``model_override`` is merged into the model before it is read.
+
+    ``thrust`` must be given where the bearing takes thrust one way, or sits on a sleeve. What is
+    assumed of its balls is that of the conditions of the case unless given here.
+    """
 
     name: Name
-    model: Annotated[BearingEntry | None, BeforeValidator(none_if_unknown)]
+    model: Annotated[AnyBearing | None, BeforeValidator(none_if_unknown)]
     model_override: dict[str, Any] = {}
     x: Station
-    thrust: Annotated[str, choice("+x", "-x")]
+    thrust: Annotated[str, choice("+x", "-x")] | None = None
+    kinematics: Kinematics | None = None
+    moment_sharing: MomentSharing | None = None
+    friction: Friction | None = None
     growth: GrowthEntry | None = None
     damping: BearingDampingEntry | None = None
 

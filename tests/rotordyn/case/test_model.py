@@ -9,13 +9,13 @@ from typing import Any
 import pytest
 
 import rotordyn
-from bearings import AngularContactBallBearing, Material
+from bearings import BallBearing, Material
 from rotordyn.case import library
 from rotordyn.machine import Spindle, Tool
 from tests.oracles.spindles import CASES, ROOT, case
 
 KIND_OF = {
-    "bearings": AngularContactBallBearing,
+    "bearings": BallBearing,
     "materials": Material,
     "spindles": Spindle,
     "tools": Tool,

@@ -4,11 +4,13 @@ from __future__ import annotations
 
 import itertools
 import math
+import types
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
+from bearings import FourPointBallBearing
 from rotordyn.machine.cone import cone
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.housing import RigidHousing
@@ -18,7 +20,7 @@ from rotordyn.machine.support import BearingSeat
 from rotordyn.plots.labels import spread
 from rotordyn.plots.machine import _runs, machine_figure
 from rotordyn.plots.sketch import Sketch
-from rotordyn.plots.symbols import contact_line, draw_drawbar
+from rotordyn.plots.symbols import contact_lines, draw_drawbar
 from tests.oracles.rotors import STEPPED, support
 from tests.rotordyn.plots import samples
 
@@ -29,7 +31,7 @@ def _seat(thrust):
 
 @pytest.mark.parametrize("thrust", [1, -1])
 def test_contact_line_meets_the_axis_behind_the_thrust(thrust):
-    (foot, on_axis), (tip, outside) = contact_line(_seat(thrust))
+    (foot, on_axis), (tip, outside) = contact_lines(_seat(thrust))[0]
     assert on_axis == 0.0
     assert foot == pytest.approx(0.1 - thrust * 0.045 * math.tan(math.radians(25.0)))
     assert outside > 0.045
@@ -38,12 +40,33 @@ def test_contact_line_meets_the_axis_behind_the_thrust(thrust):
 
 @pytest.mark.parametrize("thrust", [1, -1])
 def test_contact_line_passes_the_ball_centre(thrust):
-    (x0, r0), (x1, r1) = contact_line(_seat(thrust))
+    (x0, r0), (x1, r1) = contact_lines(_seat(thrust))[0]
     assert np.interp(0.045, [r0, r1], [x0, x1]) == pytest.approx(0.1)
 
 
+def test_a_bearing_that_takes_thrust_both_ways_has_a_line_for_each():
+    bearing = FourPointBallBearing(0.0095, 0.09, 20, contact_angle=math.radians(35.0))
+    first, second = contact_lines(BearingSeat("a", bearing, 0.1))
+    for x0, x1 in zip(first, second, strict=True):
+        assert x0[0] - 0.1 == pytest.approx(0.1 - x1[0])
+        assert x0[1] == pytest.approx(x1[1])
+    assert first[0][0] < 0.1 < first[1][0]
+
+
+def test_an_axial_contact_line_is_level_and_ends_before_the_axis():
+    class Thrust:
+        contact_lines = (math.pi / 2.0,)
+        pitch_diameter, ball_diameter = 0.09, 0.0095
+
+    (line,) = contact_lines(types.SimpleNamespace(bearing=Thrust(), x=0.1, thrust=1))
+    (x0, r0), (x1, r1) = line
+    assert r0 == pytest.approx(0.045)
+    assert r1 == pytest.approx(0.045)
+    assert x0 < 0.1 - 0.00475 < 0.1 + 0.00475 < x1
+
+
 def test_front_plus_rear_minus_is_an_o_arrangement():
-    front, rear = contact_line(_seat(1))[0][0], contact_line(_seat(-1))[0][0]
+    front, rear = contact_lines(_seat(1))[0][0][0], contact_lines(_seat(-1))[0][0][0]
     assert front < 0.1 < rear
 
 

@@ -7,12 +7,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from rotordyn.case.read import load
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.reference import Reference
 from rotordyn.report.side_by_side import comparison_summary
 from rotordyn.report.summary import HEIGHT, summary
 from rotordyn.report.text import WIDTH
 from rotordyn.report.warnings import result_warnings
+from tests.oracles.spindles import CASES
 from tests.rotordyn.plots import samples
 
 APART = ("control", "unbalance")  # more than one screen with all else
@@ -67,6 +69,14 @@ def test_drawbar_is_named(case, results, guides, words):
     assert "\ndrawbar" not in summary(case, results)
     machine = replace(case.spindle, drawbar=Drawbar(18e3, 0.02, 0.4, guides))
     assert words in " ".join(summary(replace(case, spindle=machine), results).split())
+
+
+def test_a_kind_is_named_where_it_is_not_the_usual_one_and_thrust_where_it_is_one_way():
+    case = load(CASES / "spindle_deep_groove_rear.yaml")
+    said = " ".join(summary(case, {}).split())
+    assert "a − at 42.0, b − at 62.0, rear deep groove at 302.0 (+: a push" in said
+    assert "in O" not in said
+    assert "in X" not in said
 
 
 def test_where_a_line_leaves_the_band_is_told(case, results):

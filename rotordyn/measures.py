@@ -1,0 +1,44 @@
+"""What a field of a bearing takes (``bearings.bearing.Measure``) as limits of values with units."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import fields
+from typing import Annotated, Any
+
+from bearings.bearing import Measure
+from rotordyn.quantity import Quantity, Whole
+from rotordyn.units import parse_unit
+
+
+def limits(measure: Measure) -> Quantity | Whole:
+    """The range of a measure that is a number, its bounds written in the unit of drawings."""
+    if measure.quantity == "count":
+        return Whole(int(measure.low), int(measure.high))
+    low, high = (_written(bound, measure.unit) for bound in (measure.low, measure.high))
+    if measure.open_low:
+        return Quantity(measure.quantity, above=low, at_most=high)
+    return Quantity(measure.quantity, at_least=low, at_most=high)
+
+
+def measured_fields(kind: Any) -> dict[str, Any]:
+    """Annotations, with their limits, of those fields of a dataclass that declare a measure."""
+    found = {f.name: (f.metadata.get("measure"), f.default is None) for f in fields(kind)}
+    return {
+        name: _annotation(measure, optional=optional)
+        for name, (measure, optional) in found.items()
+        if measure is not None and measure.quantity != "material"
+    }
+
+
+def _annotation(measure: Measure, *, optional: bool) -> Any:
+    within = limits(measure)
+    plain: Any = int if isinstance(within, Whole) else float
+    annotation: Any = Annotated[plain, within]
+    return annotation | None if optional else annotation
+
+
+def _written(bound: float, unit: str) -> str:
+    if math.isinf(bound):
+        return ""
+    return f"{bound / parse_unit(unit).scale:.12g} {unit}".strip()
