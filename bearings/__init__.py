@@ -17,12 +17,16 @@ if TYPE_CHECKING:
     from bearings.follower import Followed, Follower
     from bearings.kinds import *  # noqa: F403 - adding a kind touches that folder alone
     from bearings.materials import SILICON_NITRIDE, STEEL, Material
+    from bearings.ring.request import condition
     from bearings.ring.state import BearingState
+    from bearings.ring.tangents import stiffness
 
 _HOME = {
     "BallBearing": "bearings.bearing",
     "BearingError": "bearings.errors",
     "BearingState": "bearings.ring.state",
+    "condition": "bearings.ring.request",
+    "stiffness": "bearings.ring.tangents",
     "Followed": "bearings.follower",
     "Follower": "bearings.follower",
     "InvalidBearing": "bearings.errors",
@@ -45,6 +49,8 @@ __all__ = [  # noqa: PLE0604 - the kinds are listed once, in their folder
     "Law",
     "Material",
     "NoEquilibrium",
+    "condition",
+    "stiffness",
     *KINDS.values(),
 ]
 

@@ -30,6 +30,9 @@ class Geometry:
     pitch_diameter: float
     balls: int
     contact_angle: float
+    cosine: float
+    inner_offsets: tuple[float, ...]
+    outer_offsets: tuple[float, ...]
     free_distance: float
     radial_gap: float
     touching: bool
@@ -63,6 +66,9 @@ def geometry(bearing: Grooves) -> Geometry:
         pitch_diameter=pitch,
         balls=int(bearing.balls),
         contact_angle=angle,
+        cosine=math.cos(angle),
+        inner_offsets=bearing.inner_offsets,
+        outer_offsets=bearing.outer_offsets,
         free_distance=(inner_f + outer_f - 1.0) * diameter,
         inner_reach=(inner_f - 0.5) * diameter,
         outer_reach=(outer_f - 0.5) * diameter,

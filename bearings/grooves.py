@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,9 +16,8 @@ class Grooves:
     ``free_angle`` αf [rad]: contact angle where an axial push first presses balls. ``radial_gap``
     Ri − Ro [m]: between the circles of inner and outer groove centres, rings centred.
     ``inner_offsets``, ``outer_offsets`` [m]: axial places of the groove centres of a ring from its
-    middle plane, one or two each; of two, the positive comes first on the inner ring and the
-    negative on the outer one (ir, il, or, ol). ``touching``: zero displacement is
-    where balls just touch under an axial push; otherwise where the rings are centred.
+    middle plane, one or two each, the positive first: ir, il, or, ol. ``touching``: zero
+    displacement is where balls just touch under an axial push; otherwise where rings are centred.
     """
 
     ball_diameter: float
@@ -34,8 +34,13 @@ class Grooves:
     touching: bool = False
 
     @classmethod
-    def of(cls, bearing: Any, **centres: Any) -> Grooves:
-        """Of a kind with the common fields, its groove ``centres`` named."""
+    def of(
+        cls, bearing: Any, *, free_angle: float, radial_gap: float | None = None, **centres: Any
+    ) -> Grooves:
+        """Of a kind with the common fields; Ri − Ro is BD cos αf where it is not given."""
+        f, diameter = bearing.inner_conformity + bearing.outer_conformity, bearing.ball_diameter
+        distance = (float(f) - 1.0) * float(diameter)
+        gap = distance * math.cos(free_angle) if radial_gap is None else radial_gap
         return cls(
             ball_diameter=float(bearing.ball_diameter),
             pitch_diameter=float(bearing.pitch_diameter),
@@ -44,6 +49,8 @@ class Grooves:
             outer_conformity=float(bearing.outer_conformity),
             ball_material=bearing.ball_material,
             ring_material=bearing.ring_material,
+            free_angle=float(free_angle),
+            radial_gap=float(gap),
             **centres,
         )
 

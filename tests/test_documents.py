@@ -19,6 +19,7 @@ from bearings.kinds import KINDS
 from docs.generate.bearing_rows import bearing_rows
 from docs.generate.bending import axial_force_spans, axial_force_table, formulation_table
 from docs.generate.choices import choice_table, linear_table
+from docs.generate.debongnie_rows import error_table, law_table
 from docs.generate.figures import SHOWN
 from docs.generate.flagship import flagship, rest_rows, speed_rows
 from docs.generate.keys import entries, key_tables, keys
@@ -43,6 +44,7 @@ GENERATED = {
     "docs/keys.md": {"case", "spindle", "tool", "bearing", "material", "reference"},
     "docs/formulations.md": {"formulations"},
     "docs/theory/rotor.md": {"axial-force", "axial-stiffening"},
+    "docs/theory/debongnie.md": {"power-laws", "errors"},
     "docs/choosing.md": {"choices", "linear"},
     "docs/theory/README.md": {"modules"},
     "docs/mfw2310.md": {"comparison", "left-out", "rest", "speed"},
@@ -258,6 +260,15 @@ def test_choices_change_what_the_page_says() -> None:
                 assert numbers(a) == pytest.approx(numbers(b), rel=2e-3, abs=0.11)
 
 
+def test_tables_of_debongnie_are_what_we_find_now() -> None:
+    printed = parts(text(THEORY / "debongnie.md"))
+    for old, new in ((printed["power-laws"], law_table()), (printed["errors"], error_table())):
+        for was, now in zip(cells(old), cells(new), strict=True):
+            assert was[0] == now[0]
+            for a, b in zip(was[1:], now[1:], strict=True):
+                assert numbers(a) == pytest.approx(numbers(b), rel=1e-3, abs=0.11), was[0]
+
+
 def test_every_module_that_computes_has_a_page_of_theory() -> None:
     assert [m.relative_to(ROOT).as_posix() for m, pages in explained().items() if not pages] == []
     assert parts(text(THEORY / "README.md"))["modules"] == module_table()
@@ -291,6 +302,8 @@ def test_figures_are_there_and_small() -> None:
     images = {path.name: path for path in FIGURES.iterdir()}
     assert set(images) == {
         "bearing_error.png",
+        "debongnie_chart.png",
+        "debongnie_errors.png",
         "precision.png",
         "sweeps.png",
         "scaling.png",

@@ -1,32 +1,33 @@
-"""One ball between two grooves: its balance, what it does to the inner ring, and all derivatives.
+"""One ball between its grooves: its balance, what it does to the inner ring, and all derivatives.
 
+The one law of a ball over its contacts, whatever the kind of bearing: the contacts of each race
+make a resultant (``bearings.ball.race``), directions and loads of the resultants make Fc and Mg.
 Plain expressions of floats or arrays (any shape), which compile as they stand: choices between
-balls are made by ``where``. Plane vectors are (axial, radial); A is the inner groove
-centre and X the ball centre, both seen from the outer groove centre.
+balls are made by ``where``. Plane vectors are (axial, radial); X is the ball centre, A the middle
+of the inner groove (with the tilt of the ring there as its third part), both seen from the middle
+of the outer groove.
 """
 
 from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-import numpy as np
-
 from bearings.ball.constants import BallConstants
-from bearings.ball.friction import Contact, limited
+from bearings.ball.friction import limited
 from bearings.ball.kinematics import Angles, Partial, Rolling, inner_share, orbit_and_spin, tan_beta
 from bearings.ball.plane import (
     Block,
     Pair,
+    Triple,
     determinant,
-    direction,
     dot,
     inverse,
-    less,
     plus,
     row_times,
     where,
 )
-from bearings.ball.polar import Polar, combined, less_by, more_by, scaled, times
+from bearings.ball.polar import Polar, less_by, more_by, scaled, times
+from bearings.ball.race import Contact, Race, race
 
 
 class LawNumbers(NamedTuple):
@@ -43,18 +44,18 @@ class LawNumbers(NamedTuple):
 class Balance(NamedTuple):
     """State of a ball at given A and X, linearised.
 
-    ``residual`` [N]: sum of forces on the ball. ``action``: axial force, radial force [N] and
-    moment [N·m] of the shaft on the ring through this ball. ``…_by_ball`` and ``…_by_centre``:
-    their derivatives by X and by A, row by row. Loads [N] and directions (sin, cos) of the
-    contacts, Fc [N], Mg [N·m], and λi.
+    ``residual`` [N]: sum of forces on the ball. ``action`` of the shaft on the ring through this
+    ball: axial force, radial force [N], and the moment [N·m] that turns the ring at the ball about
+    the middle of its groove. ``…_by_ball``, ``…_by_centre``: derivatives by X and by A, row by row.
+    Loads [N] and directions (sin, cos) of the races' resultants, Fc [N], Mg [N·m], and λi.
     """
 
     residual: Pair
     residual_by_ball: Block
-    residual_by_centre: Block
-    action: tuple[Any, Any, Any]
+    residual_by_centre: tuple[Triple, Triple]
+    action: Triple
     action_by_ball: tuple[Pair, Pair, Pair]
-    action_by_centre: tuple[Pair, Pair, Pair]
+    action_by_centre: tuple[Triple, Triple, Triple]
     inner_load: Any
     outer_load: Any
     inner_direction: Pair
@@ -73,15 +74,15 @@ class Settled(NamedTuple):
 
     fold: Any
     still: Pair
-    follow: Block
-    action: tuple[Any, Any, Any]
-    tangent: tuple[Pair, Pair, Pair]
+    follow: tuple[Triple, Triple]
+    action: Triple
+    tangent: tuple[Triple, Triple, Triple]
 
 
 def turning_balance(
     c: BallConstants,
     law: LawNumbers,
-    centre: Pair,
+    centre: Triple,
     ball: Pair,
     squared: Any,
     blend: Any,
@@ -93,19 +94,20 @@ def turning_balance(
     nominal angle) to the full one; ``vary`` 1, or 0 for derivatives that leave Fc and Mg as they
     are.
     """
-    si, ci, li = direction(less(centre, ball))
-    so, co, lo = direction(ball)
-    di, do = np.maximum(li - c.inner_reach, 0.0), np.maximum(lo - c.outer_reach, 0.0)
-    inner, outer = hertz(c.inner_stiffness, di), hertz(c.outer_stiffness, do)
-    weight = _weight(c.race_ratio, di, do)
+    inner = race(c.inner, (centre[0] - ball[0], centre[1] - ball[1]), centre[2], 1.0)
+    outer = race(c.outer, ball, 0.0, -1.0)
+    si, ci, so, co = inner.sin, inner.cos, outer.sin, outer.cos
+    weight = _weight(c.race_ratio, inner.approach, outer.approach)
     angles = Angles(si, ci, so, co, c.size_ratio, weight.value)
     share = _share(inner_share(law.sharing, weight.value), weight)
     turn = blend * c.ball_inertia * squared
-    tilt = _tilt(tan_beta(law.kinematics, angles), weight, where(di > 0.0, 1.0, 0.0))
+    rolls = where(inner.approach > 0.0, 1.0, 0.0)
+    tilt = _tilt(tan_beta(law.kinematics, angles), weight, rolls)
     orbit, spin = orbit_and_spin(angles, tilt.value)
     moment = _chained(turn * spin.value, turn, spin, tilt)
+    loads = Contact(inner.load, inner.slope), Contact(outer.load, outer.slope)
     if law.limited:
-        moment, tilt = limited(moment, tilt, share, inner, outer, c.limit)
+        moment, tilt = limited(moment, tilt, share, loads[0], loads[1], c.limit)
         orbit = orbit_and_spin(angles, tilt.value)[0]
     full = c.orbit * squared
     push = full * (c.nominal + blend * (orbit.value**2 - c.nominal))
@@ -113,27 +115,34 @@ def turning_balance(
     ti = scaled(vary, 1.0 / c.ball_diameter, times(share, moment))
     to = less_by(scaled(vary, 2.0 / c.ball_diameter, moment), ti)
 
-    fa, fr = _inner_force(inner, ti, si, ci)
-    ga, gr = _outer_force(outer, to, so, co)
-    lever = combined(c.centre_radius, fa, -c.inner_conformity * c.ball_diameter, ti)
+    fa, fr = _inner_force(loads[0], ti, si, ci)
+    ga, gr = _outer_force(loads[1], to, so, co)
+    turning = scaled(1.0, c.inner_conformity * c.ball_diameter, ti)
     level, rise = less_by(fa, ga), more_by(less_by(fr, gr), fc)
-    level_i, rise_i = _by_inner(level, si, ci, li), _by_inner(rise, si, ci, li)
-    fa_i, fr_i = _by_inner(fa, si, ci, li), _by_inner(fr, si, ci, li)
-    lever_i = _by_inner(lever, si, ci, li)
+    level_i, rise_i = _by_inner(level, inner), _by_inner(rise, inner)
+    fa_i, fr_i, turning_i = _by_inner(fa, inner), _by_inner(fr, inner), _by_inner(turning, inner)
+    fr_o = _by_outer(fr, outer)
+    action = (fa.value, fr.value, turning.value)
+    action_by_ball = (
+        _by_ball(_by_outer(fa, outer), fa_i),
+        _by_ball(fr_o, fr_i),
+        _by_ball(_by_outer(turning, outer), turning_i),
+    )
+    action_by_centre = (fa_i, fr_i, turning_i)
+    if len(c.inner) > 1:
+        action, action_by_ball, action_by_centre = _about_the_middle(
+            inner, action, action_by_ball, action_by_centre
+        )
     return Balance(
         residual=(level.value, rise.value),
         residual_by_ball=(
-            less(_by_outer(level, so, co, lo), level_i),
-            less(_by_outer(rise, so, co, lo), rise_i),
+            _by_ball(_by_outer(level, outer), level_i),
+            _by_ball(_by_outer(rise, outer), rise_i),
         ),
         residual_by_centre=(level_i, rise_i),
-        action=(fa.value, fr.value, lever.value),
-        action_by_ball=(
-            less(_by_outer(fa, so, co, lo), fa_i),
-            less(_by_outer(fr, so, co, lo), fr_i),
-            less(_by_outer(lever, so, co, lo), lever_i),
-        ),
-        action_by_centre=(fa_i, fr_i, lever_i),
+        action=action,
+        action_by_ball=action_by_ball,
+        action_by_centre=action_by_centre,
         inner_load=inner.load,
         outer_load=outer.load,
         inner_direction=(si, ci),
@@ -141,6 +150,30 @@ def turning_balance(
         centrifugal_force=fc.value,
         gyroscopic_moment=moment.value,
         inner_share=share.value,
+    )
+
+
+def _about_the_middle(
+    inner: Race,
+    action: Triple,
+    by_ball: tuple[Pair, Pair, Pair],
+    by_centre: tuple[Triple, Triple, Triple],
+) -> tuple[Triple, tuple[Pair, Pair, Pair], tuple[Triple, Triple, Triple]]:
+    """The moment of the radial force, which acts beside the middle of the groove, added."""
+    middle, radial = inner.middle, action[1]
+    m1, m2, mt = inner.middle_by
+    (r1, r2), (c1, c2, ct) = by_ball[1], by_centre[1]
+    (b1, b2), (d1, d2, dt) = by_ball[2], by_centre[2]
+    ball = (b1 + middle * r1 - radial * m1, b2 + middle * r2 - radial * m2)
+    centre = (
+        d1 + middle * c1 + radial * m1,
+        d2 + middle * c2 + radial * m2,
+        dt + middle * ct + radial * mt,
+    )
+    return (
+        (action[0], radial, action[2] + middle * radial),
+        (by_ball[0], by_ball[1], ball),
+        (by_centre[0], by_centre[1], centre),
     )
 
 
@@ -167,12 +200,6 @@ def settled(b: Balance) -> Settled:
             plus(b.action_by_centre[2], row_times(lever, follow)),
         ),
     )
-
-
-def hertz(stiffness: float, approach: Any) -> Contact:
-    """k δ^1.5 and its slope, δ ≥ 0."""
-    root = np.sqrt(approach)
-    return Contact(stiffness * approach * root, 1.5 * stiffness * root)
 
 
 def _weight(ratio: float, di: Any, do: Any) -> Polar:
@@ -255,13 +282,20 @@ def _outer_force(contact: Contact, friction: Polar, sin: Any, cos: Any) -> tuple
     )
 
 
-def _by_inner(p: Polar, sin: Any, cos: Any, length: Any) -> Pair:
-    """Derivatives by A − X."""
-    turn = p.by_inner_angle / length
-    return turn * cos + p.by_inner_length * sin, p.by_inner_length * cos - turn * sin
+def _by_inner(p: Polar, inner: Race) -> Triple:
+    """Derivatives by A."""
+    a, b = inner.angle_by, inner.approach_by
+    turn, along = p.by_inner_angle, p.by_inner_length
+    return turn * a[0] + along * b[0], turn * a[1] + along * b[1], turn * a[2] + along * b[2]
 
 
-def _by_outer(p: Polar, sin: Any, cos: Any, length: Any) -> Pair:
-    """Derivatives by X alone."""
-    turn = p.by_outer_angle / length
-    return turn * cos + p.by_outer_length * sin, p.by_outer_length * cos - turn * sin
+def _by_outer(p: Polar, outer: Race) -> Pair:
+    """Derivatives by X through the outer race alone."""
+    a, b = outer.angle_by, outer.approach_by
+    turn, along = p.by_outer_angle, p.by_outer_length
+    return turn * a[0] + along * b[0], turn * a[1] + along * b[1]
+
+
+def _by_ball(outer: Pair, inner: Triple) -> Pair:
+    """Derivatives by X through both races."""
+    return outer[0] - inner[0], outer[1] - inner[1]

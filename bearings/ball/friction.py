@@ -9,19 +9,11 @@ stand.
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
-
 from bearings.ball.plane import where
 from bearings.ball.polar import Polar, times
+from bearings.ball.race import Contact
 
 FAR = 1e300  # N·m: a race without a share of the moment never slips
-
-
-class Contact(NamedTuple):
-    """Load of a contact and its slope by the distance of the centres."""
-
-    load: Any
-    slope: Any
 
 
 def limited(

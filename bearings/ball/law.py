@@ -52,7 +52,7 @@ class Law:
 
         Inner control and the geometric hypothesis end their loaded branch with a jump.
         """
-        return self.kinematics in ("hybrid", "outer")
+        return self.kinematics in ("hybrid", "outer") or self.dynamics == "frozen"
 
 
 def check_name(what: str, name: object, known: Iterable[str]) -> None:

@@ -1,6 +1,7 @@
 """Small matrices in a plane, entry by entry: plain expressions of floats or arrays.
 
-A pair is a plane vector, a block a 2×2 matrix by rows.
+A pair is a plane vector (axial, radial), a block a 2×2 matrix by rows. A triple has the tilt of a
+ring about the ball's place as its third part.
 """
 
 from __future__ import annotations
@@ -12,16 +13,12 @@ import numpy as np
 
 Pair = tuple[Any, Any]
 Block = tuple[Pair, Pair]
+Triple = tuple[Any, Any, Any]
 
 
 def where(condition: Any, yes: Any, no: Any) -> Any:
     """The one or the other, entry by entry; compiled for one ball it is a plain choice."""
     return np.where(condition, yes, no)
-
-
-def plus(a: Pair, b: Pair) -> Pair:
-    """Sum of two pairs."""
-    return a[0] + b[0], a[1] + b[1]
 
 
 def less(a: Pair, b: Pair) -> Pair:
@@ -47,9 +44,16 @@ def dot(a: Pair, b: Pair) -> Any:
     return a[0] * b[0] + a[1] * b[1]
 
 
-def row_times(row: Pair, m: Block) -> Pair:
-    """Row vector times block."""
-    return row[0] * m[0][0] + row[1] * m[1][0], row[0] * m[0][1] + row[1] * m[1][1]
+def row_times(row: Pair, m: tuple[Triple, Triple]) -> Triple:
+    """Row vector times a matrix of two triples."""
+    a, b = row
+    (m11, m12, m13), (m21, m22, m23) = m
+    return a * m11 + b * m21, a * m12 + b * m22, a * m13 + b * m23
+
+
+def plus(a: Triple, b: Triple) -> Triple:
+    """Sum of two triples."""
+    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
 
 
 def determinant(m: Block) -> Any:

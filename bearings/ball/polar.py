@@ -61,14 +61,3 @@ def less_by(p: Polar, q: Polar) -> Polar:
         p.by_outer_angle - q.by_outer_angle,
         p.by_outer_length - q.by_outer_length,
     )
-
-
-def combined(first: float, p: Polar, second: float, q: Polar) -> Polar:
-    """``first`` p + ``second`` q."""
-    return Polar(
-        first * p.value + second * q.value,
-        first * p.by_inner_angle + second * q.by_inner_angle,
-        first * p.by_inner_length + second * q.by_inner_length,
-        first * p.by_outer_angle + second * q.by_outer_angle,
-        first * p.by_outer_length + second * q.by_outer_length,
-    )

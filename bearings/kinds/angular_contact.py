@@ -50,6 +50,4 @@ class AngularContactBallBearing(BallBearing):
     @property
     def grooves(self) -> Grooves:
         """Inner and outer groove centre lie BD apart along the contact angle."""
-        gap = (self.inner_conformity + self.outer_conformity - 1.0) * self.ball_diameter
-        angle = float(self.contact_angle)
-        return Grooves.of(self, free_angle=angle, radial_gap=gap * math.cos(angle), touching=True)
+        return Grooves.of(self, free_angle=float(self.contact_angle), touching=True)

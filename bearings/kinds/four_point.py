@@ -160,7 +160,7 @@ class FourPointBallBearing(BallBearing):
             free_angle=math.acos(gap / self._distance),
             radial_gap=gap,
             inner_offsets=_arcs(self.inner_shim / 2.0),
-            outer_offsets=_arcs(-self.outer_shim / 2.0),
+            outer_offsets=_arcs(self.outer_shim / 2.0),
         )
 
 

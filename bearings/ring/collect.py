@@ -8,10 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.geometry import Geometry
+from bearings.ring.data import Cause
 from bearings.ring.equilibrium import Solution
 from bearings.ring.problem import Problem
 from bearings.ring.question import Question
-from bearings.ring.state import BearingState, Cause
+from bearings.ring.state import BearingState
 
 Array = NDArray[np.float64]
 BALL_FIELDS = (
@@ -26,6 +27,7 @@ BALL_FIELDS = (
     "inner_grip",
     "outer_grip",
 )
+CONTACT_FIELDS = ("contact_load", "contact_angle", "contact_pressure")
 
 
 def blank(g: Geometry, question: Question, outcome: NDArray[np.str_]) -> dict[str, NDArray[Any]]:
@@ -34,6 +36,8 @@ def blank(g: Geometry, question: Question, outcome: NDArray[np.str_]) -> dict[st
     states: dict[str, NDArray[Any]] = {
         name: np.full((count, g.balls), np.nan) for name in BALL_FIELDS
     }
+    touching = len(g.inner_offsets) + len(g.outer_offsets)
+    states |= {name: np.full((count, g.balls, touching), np.nan) for name in CONTACT_FIELDS}
     states["load"] = np.full((count, 5), np.nan)
     states["residual"] = np.full(count, np.nan)
     states["displacement"] = np.full((count, 5), np.nan)
@@ -60,13 +64,22 @@ def store(
     states["residual"][into] = solution.residual[good]
     states["complete_stiffness"][into] = solution.stiffness[good]
     states["ball_centre"][into] = solution.ball[:, good].swapaxes(0, 1)
+    load, sin, cos = (np.moveaxis(part, 0, -1)[good] for part in solution.contacts)
+    inner, sides = len(g.inner_offsets), _sides(g)
+    pressure = np.concatenate(
+        [g.inner.peak_pressure(load[..., :inner]), g.outer.peak_pressure(load[..., inner:])],
+        axis=-1,
+    )
+    angle = np.where(load > 0.0, np.arctan2(sides * sin, cos), np.nan)
+    for name, part in zip(CONTACT_FIELDS, (load, angle, pressure), strict=True):
+        states[name][into] = part
     values = (
         qi,
         qo,
         inner_angle,
         np.arctan2(*b.outer_direction)[good],
-        g.inner.peak_pressure(qi),
-        g.outer.peak_pressure(qo),
+        pressure[..., :inner].max(axis=-1),
+        pressure[..., inner:].max(axis=-1),
         np.broadcast_to(b.centrifugal_force[good], qi.shape),
         mg,
         _grip(share * mg, qi, g.ball_diameter),
@@ -75,8 +88,16 @@ def store(
     for name, value in zip(BALL_FIELDS, values, strict=True):
         states[name][into] = value
     idle = "lost contact" if problem.turning else "unloaded"
-    word = np.where(inner_angle < 0.0, "open side", "loaded")
+    word = np.where((inner_angle < 0.0) & g.touching, "open side", "loaded")
     states["status"][into] = np.where(qi > 0.0, word, idle)
+
+
+def _sides(g: Geometry) -> Array:
+    """Sign of the axial direction in which the angle of each contact counts (contacts,)."""
+    inner, outer = g.inner_offsets, g.outer_offsets
+    return np.array(
+        [1.0 if x >= 0.0 else -1.0 for x in inner] + [1.0 if x <= 0.0 else -1.0 for x in outer]
+    )
 
 
 def _grip(moment: Array, load: Array, diameter: float) -> Array:

@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bearings.ring.data import Cause
+from bearings.ring.question import Question
 from bearings.ring.spin_up import Gap, spin_up
-from bearings.ring.state import BearingState, Cause
+from bearings.ring.state import BearingState
 
 Array = NDArray[np.float64]
 PERMANENT = 4.2e9  # Pa: ISO 76, the pressure that leaves a ten-thousandth of the ball diameter
@@ -17,8 +20,20 @@ GIVEN = ("displacement", "load and displacement", "load")
 RPM = math.pi / 30.0
 
 
-def conditions(state: BearingState) -> NDArray[np.str_]:
-    """See ``BearingState.condition``."""
+Solve = Callable[[Cause], BearingState]
+
+
+def conditions(state: BearingState, solve: Solve) -> NDArray[np.str_]:
+    """What there is to say about each state (…), ``""`` where all balls carry as they should.
+
+    ``"unloaded"``, ``"lost contact (balls 3–5)"``, ``"overloaded (pressure 4.6 GPa)"`` beyond the
+    4.2 GPa of ISO 76, ``"beyond the groove (balls 2)"``, ``"slips on the inner race (balls 0–4)"``;
+    where there is no state ``"no contact angle"``, ``"no equilibrium: stiffness vanishes above …
+    rpm at this load"`` or ``"no equilibrium: balls 2–4 are thrown off a race above … rpm at this
+    load"``: the first speed without a state, spinning up from rest, searched for by ``solve``
+    (``bearings.ring.spin_up``); ``"(states again from … to … rpm)"`` where some exist above it.
+    Balls count from 0.
+    """
     balls = state.inner_load.shape[-1]
     pressure = np.maximum(state.inner_pressure, state.outer_pressure).reshape(-1, balls)
     angle = np.maximum(np.abs(state.inner_angle), np.abs(state.outer_angle)).reshape(-1, balls)
@@ -26,7 +41,7 @@ def conditions(state: BearingState) -> NDArray[np.str_]:
     status = state.status.reshape(-1, balls)
     slipping = state.slipping.reshape(-1, balls)
     refused = np.flatnonzero(state.outcome.reshape(-1) == "no equilibrium")
-    ends = iter(endings(state.cause, refused) if refused.size else [])
+    ends = iter(endings(state.cause, refused, solve) if refused.size else [])
     words = []
     for k, outcome in enumerate(state.outcome.reshape(-1)):
         if outcome == "no equilibrium":
@@ -38,25 +53,25 @@ def conditions(state: BearingState) -> NDArray[np.str_]:
     return np.array(words, dtype=str).reshape(state.outcome.shape)
 
 
-def endings(cause: Cause, index: NDArray[np.intp]) -> list[str]:
+def endings(cause: Cause, index: NDArray[np.intp], solve: Solve) -> list[str]:
     """Up to which speed questions that have no state have one, and what ends it."""
-    gaps = first_gaps(cause, index)
-    last = cause.solved(cause.question.repeated(index, np.array([gap.low for gap in gaps])))
+    gaps = first_gaps(cause, index, solve)
+    last = _again(cause, index, np.array([gap.low for gap in gaps]), solve)
     load = np.minimum(last.inner_load, last.outer_load)
     force = np.abs(last.gyroscopic_moment) / cause.grooves.ball_diameter
     thrown = (load > 0.0) & (force > IMPOSSIBLE * load)
     return [_ending(cause, gap, balls) for gap, balls in zip(gaps, thrown, strict=True)]
 
 
-def first_gaps(cause: Cause, index: NDArray[np.intp]) -> list[Gap]:
+def first_gaps(cause: Cause, index: NDArray[np.intp], solve: Solve) -> list[Gap]:
     """First gaps of speed of some questions; what their searches ask for is solved together."""
-    asked, jumps = cause.question, cause.law.kinematics in ("inner", "geometric")
+    asked, jumps = cause.question, not cause.law.one_branch
     searches = [spin_up(float(asked.speed[k]), jumps=jumps) for k in index]
     speeds, gaps = [next(search) for search in searches], [Gap(0.0)] * len(searches)
     going = list(range(len(searches)))
     while going:
         row = np.repeat(index[going], [len(speeds[k]) for k in going])
-        found = cause.solved(asked.repeated(row, np.concatenate([speeds[k] for k in going])))
+        found = _again(cause, row, np.concatenate([speeds[k] for k in going]), solve)
         there, touch = found.outcome == "", found.inner_load > 0.0
         borders = np.cumsum([len(speeds[k]) for k in going])[:-1]
         parts = zip(going, np.split(there, borders), np.split(touch, borders), strict=True)
@@ -67,6 +82,12 @@ def first_gaps(cause: Cause, index: NDArray[np.intp]) -> list[Gap]:
                 gaps[k] = end.value
                 going.remove(k)
     return gaps
+
+
+def _again(cause: Cause, index: NDArray[np.intp], speed: Array, solve: Solve) -> BearingState:
+    """Some questions of a state at other speeds."""
+    asked: Question = cause.question.repeated(index, speed)
+    return solve(Cause(cause.grooves, cause.law, asked))
 
 
 def _ending(cause: Cause, gap: Gap, thrown: NDArray[np.bool_]) -> str:

@@ -12,13 +12,13 @@ from numpy.typing import NDArray
 
 from bearings.ball.kinematics import HYPOTHESES, Angles, orbit_and_spin
 from bearings.geometry import geometry
-from bearings.ring.state import BearingState
+from bearings.ring.data import StateData
 
 Array = NDArray[np.float64]
 ROUNDING = 1e-15  # of a ratio
 
 
-def race_weight(state: BearingState) -> Array:
+def race_weight(state: StateData) -> Array:
     """C = Qi ai Ei/(Qo ao Eo) of the spin friction moments (…, balls); 0 where a race is free."""
     g = geometry(state.cause.grooves)
     outer = np.where(state.outer_load > 0.0, state.outer_load, np.inf)
@@ -26,7 +26,7 @@ def race_weight(state: BearingState) -> Array:
     return np.asarray(g.race_ratio * deep ** (4.0 / 3.0))
 
 
-def control(state: BearingState) -> NDArray[np.str_]:
+def control(state: StateData) -> NDArray[np.str_]:
     """Which race controls each ball: ``"inner"``, ``"outer"``, ``"neither"``; ``""`` without load.
 
     The one whose margin is positive (``control_margins``); never both.
@@ -36,7 +36,7 @@ def control(state: BearingState) -> NDArray[np.str_]:
     return np.where(state.inner_load > 0.0, word, "")
 
 
-def control_margins(state: BearingState) -> tuple[Array, Array]:
+def control_margins(state: StateData) -> tuple[Array, Array]:
     """C cos(αi − αo) − 1 and cos(αi − αo) − C of each ball, inner and outer race (…, balls).
 
     Jones (1959): a race controls where its friction moment, turned onto the normal of the other
@@ -46,7 +46,7 @@ def control_margins(state: BearingState) -> tuple[Array, Array]:
     return weight * cosine - 1.0, cosine - weight
 
 
-def spin_to_roll(state: BearingState) -> tuple[Array, Array]:
+def spin_to_roll(state: StateData) -> tuple[Array, Array]:
     """Spin over roll at the inner and the outer race, each (…, balls); 0 where a ball is not held.
 
     Of the ball's rotation against the race: the part along the contact line (sin α, cos α), over
@@ -62,7 +62,7 @@ def spin_to_roll(state: BearingState) -> tuple[Array, Array]:
     return _held(state, inner), _held(state, outer)
 
 
-def _tilt(state: BearingState, angles: Angles) -> Array:
+def _tilt(state: StateData, angles: Angles) -> Array:
     """tan β as the hypothesis has it, less where a race slips."""
     wanted = np.asarray(HYPOTHESES[state.cause.law.kinematics](angles).value)
     if state.cause.law.friction is None:
@@ -73,7 +73,7 @@ def _tilt(state: BearingState, angles: Angles) -> Array:
     return np.where(slips, state.gyroscopic_moment / np.where(slips, moment, 1.0), 1.0) * wanted
 
 
-def _held(state: BearingState, ratio: Array) -> Array:
+def _held(state: StateData, ratio: Array) -> Array:
     """A ratio without its rounding, 0 of balls that carry nothing."""
     real = (state.inner_load > 0.0) & (np.abs(ratio) > ROUNDING)
     return np.where(real | np.isnan(state.inner_load), ratio, 0.0)

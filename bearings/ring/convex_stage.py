@@ -13,7 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.constants import EPS
-from bearings.ball.potential import Spring, reaction, resting_reaction, resting_seat
+from bearings.ball.plane import Triple
+from bearings.ball.potential import reaction, resting_reaction, resting_seat
+from bearings.ring.linearised import followed_by
 from bearings.ring.problem import (
     CONVEX_STEPS,
     HALVINGS,
@@ -66,7 +68,7 @@ def convex_state(problem: Problem, start: Array) -> tuple[Array, Array, NDArray[
 class Answer:
     """What settled balls do to the ring.
 
-    ``energy`` (s, n), ``action`` (3, s, n), ``tangent`` (s, 3, 2, n); ``follow`` (2, 2, s, n): how
+    ``energy`` (s, n), ``action`` (3, s, n), ``tangent`` (s, 3, 3, n); ``follow`` (2, 3, s, n): how
     the balls go with it.
     """
 
@@ -91,23 +93,24 @@ class Answer:
 def _settled(problem: Problem, d: Array, near: Array | None) -> tuple[Array, Answer]:
     """Ball centres at displacement d with the push frozen, and what the balls do to the ring."""
     c, a = problem.model.constants, problem.centres(d)
-    centre = (a[0], a[1])
-    if problem.turning:
-        push = problem.model.nominal_centrifugal(problem.speed)[:, None]
+    centre = (a[0], a[1], a[2])
+    if problem.placed:
+        push = problem.model.nominal_centrifugal(np.sqrt(problem.squared))[:, None]
         x = seat(c, a, push, near)
-        settled = reaction(c, centre, (x[0], x[1]), push)
-        found, follow = Spring(*settled[:3]), np.stack([np.stack(row) for row in settled.follow])
+        answer = reaction(c, centre, (x[0], x[1]), push)
     else:
-        x, found = np.stack(resting_seat(c, centre)), resting_reaction(c, centre)
-        follow = np.zeros((2, *a.shape))
-    (axial, radial), (by_axial, by_radial) = found.force, found.slope
-    lever = tuple(c.centre_radius * k for k in by_axial)
+        x, answer = np.stack(resting_seat(c, (a[0], a[1]))), resting_reaction(c, centre)
     return x, Answer(
-        energy=np.broadcast_to(found.energy, axial.shape).copy(),
-        action=np.stack([axial, radial, c.centre_radius * axial]),
-        tangent=rows((by_axial, by_radial, lever)),
-        follow=follow,
+        energy=np.broadcast_to(answer.energy, a[0].shape).copy(),
+        action=_filled(answer.action, a[0]),
+        tangent=rows(answer.slope),
+        follow=np.stack([_filled(row, a[0]) for row in answer.follow]),
     )
+
+
+def _filled(parts: Triple, like: Array) -> Array:
+    """Numbers or arrays as arrays (3, …)."""
+    return np.stack([np.broadcast_to(part, like.shape) for part in parts])
 
 
 def _ring_balance(problem: Problem, answer: Answer) -> tuple[Array, Array, NDArray[np.bool_]]:
@@ -136,7 +139,7 @@ def _searched(
     largest = np.abs(problem.load / problem.scale).max(axis=-1)
     slack = 64.0 * EPS * (np.abs(before) + largest * (g.inner_reach + g.outer_reach))
     length, along = np.ones((len(d), 1)), problem.ring.moved(step)
-    along = np.einsum("ab...,b...->a...", now.follow, along)
+    along = followed_by(now.follow, along)
     for _ in range(HALVINGS):
         trial = d + length * step
         seats, answer = _settled(problem, trial, x + length * along)

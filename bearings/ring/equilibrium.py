@@ -17,9 +17,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.balance import Balance
+from bearings.ring.contacts import Contacts, contacts
 from bearings.ring.convex_stage import convex_state
 from bearings.ring.followed_stage import corrected, followed
-from bearings.ring.last_digits import after_step
 from bearings.ring.linearised import Linear, linearise, newton_step, scaled_error, tangent
 from bearings.ring.problem import TOLERANCE, Problem
 
@@ -34,6 +34,7 @@ class Solution:
     displacement: Array
     ball: Array
     balance: Balance
+    contacts: Contacts
     ring_load: Array
     stiffness: Array
     residual: Array
@@ -54,12 +55,13 @@ def solve(
     else:
         d, x, outcome, linear = _together(problem, displacement, guess)
     if linear is None:
-        linear = linearise(problem, d, x, np.ones(len(d)))
-    d, x, balance, ring_load = _last_digits(problem, d, x, linear, outcome == "")
+        linear = linearise(problem, d, x, np.full(len(d), problem.full))
+    (d, x), balance, touching, ring_load = _last_digits(problem, d, x, linear, outcome == "")
     return Solution(
         displacement=d,
         ball=x,
         balance=balance,
+        contacts=touching,
         ring_load=ring_load,
         stiffness=tangent(problem, linear.balls),
         residual=linear.error,
@@ -86,14 +88,14 @@ def _together(problem: Problem, displacement: Array, guess: Array | None) -> Ans
     d, x = displacement.copy(), np.zeros((2, states, problem.ring.balls))
     done, linear = np.zeros(states, dtype=bool), None
     if problem.turning and guess is not None:
-        d, x, done, linear = corrected(problem, d, guess, np.ones(states))[:4]
+        d, x, done, linear = corrected(problem, d, guess, np.full(states, problem.full))[:4]
     outcome = _words(done)
     cold = np.flatnonzero(~done)
     if cold.size:
         part, linear = problem.take(cold), None
         d[cold], x[:, cold], reached = convex_state(part, displacement[cold])
         found = reached
-        if problem.turning:
+        if problem.placed:
             d[cold], x[:, cold], found = followed(part, d[cold], x[:, cold], reached)
         outcome[cold] = np.where(reached, _words(found), "overloaded")
     return d, x, outcome, linear
@@ -105,16 +107,16 @@ def _words(done: NDArray[np.bool_]) -> NDArray[np.str_]:
 
 def _last_digits(
     problem: Problem, d: Array, x: Array, linear: Linear, found: NDArray[np.bool_]
-) -> tuple[Array, Array, Balance, Array]:
-    """(d, X), balance and ring load, freed from what rounding of the lengths has left in them."""
+) -> tuple[tuple[Array, Array], Balance, Contacts, Array]:
+    """(d, X), balance, contacts and ring load, freed from rounding of the lengths."""
     exact = scaled_error(problem, linear.balance, linear.ring_load, rounding=0.0)
     left = found & (exact >= TOLERANCE)
     if not left.any():
-        return d, x, linear.balance, linear.ring_load
+        return (d, x), *contacts(problem, linear.balance, (d, x)), linear.ring_load
     dd, dx = newton_step(problem, linear)
     dd, dx = np.where(left[:, None], dd, 0.0), np.where(left[:, None], dx, 0.0)
     part = tangent(problem, linear.balls) @ dd[..., None]
     load = problem.ring.load(np.stack(linear.balls.action)) + part[..., 0]
     ring_load = np.where(left[:, None], load, linear.ring_load)
-    there = d + dd, x + dx
-    return *there, after_step(problem, linear.balance, there, (dd, dx)), ring_load
+    touching = contacts(problem, linear.balance, (d, x), (dd, dx))
+    return (d + dd, x + dx), *touching, ring_load

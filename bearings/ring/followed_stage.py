@@ -35,6 +35,9 @@ def followed(
     problem: Problem, d: Array, x: Array, done: NDArray[np.bool_]
 ) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Follow the states that are ``done`` at blend 0 to the full problem."""
+    if problem.full == 0.0:
+        d, x, good, _, _ = corrected(problem, d, x, np.zeros(len(d)))
+        return d, x, done & good
     blend, stride = np.zeros(len(d)), np.full(len(d), FIRST_BLEND)
     freed = np.zeros(len(d), dtype=int)
     while True:
@@ -82,7 +85,7 @@ def corrected(
     before = segments(problem, d, x)
     d, x = d.copy(), x.copy()
     used = np.zeros(len(d), dtype=int)
-    needed = np.where(blend < 1.0, ON_THE_WAY, TOLERANCE)
+    needed = np.where(blend < problem.full, ON_THE_WAY, TOLERANCE)
     linear = linearise(problem, d, x, blend)
     first, moving = linear.balance, linear.error >= needed
     for _ in range(NEWTON_STEPS):
@@ -94,6 +97,8 @@ def corrected(
         x += np.where(moving[:, None], dx, 0.0)
         linear = linearise(problem, d, x, blend)
         moving = linear.error >= needed
+    if not problem.turning:
+        return d, x, ~moving, linear, used
     good = ~moving & (linear.fold > 0.0)
     for then, now in zip(before, segments(problem, d, x), strict=True):
         good &= ~turned_far(then, now, LONGEST_TURN).any(axis=-1)

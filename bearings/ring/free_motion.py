@@ -30,8 +30,8 @@ def beyond(problem: Problem, d: Array, x: Array, balance: Balance) -> Array | No
     way = _unheld(problem, carrying)
     if way is None:
         return None
-    c, a = problem.model.constants, problem.centres(d[None])[:, 0]
-    moving = problem.ring.moved(way[None])[:, 0]
+    c, a = problem.model.constants, problem.centres(d[None])[:2, 0]
+    moving = problem.ring.moved(way[None])[:2, 0]
     fading = np.flatnonzero((load > 0.0) & ~carrying)
     if fading.size:
         gap = a[:, fading] - x[:, fading]
@@ -50,7 +50,7 @@ def _unheld(problem: Problem, carrying: NDArray[np.bool_]) -> Array | None:
     scale = problem.scale[problem.free]
     if not scale.size:
         return None
-    rows = problem.ring.spread[:, problem.free][..., carrying] / scale[:, None]
+    rows = problem.ring.spread[:2, problem.free][..., carrying] / scale[:, None]
     rows = rows.transpose(0, 2, 1).reshape(-1, len(scale))
     _, size, right = np.linalg.svd(np.vstack([rows, np.zeros((1, len(scale)))]))
     if len(size) < len(scale):

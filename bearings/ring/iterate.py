@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from bearings.ball.plane import turned_far
 from bearings.geometry import Geometry, geometry, groove_origin
-from bearings.ring.linearised import Linear, linearise, segments, tangent
+from bearings.ring.linearised import Linear, followed_by, linearise, segments, tangent
 from bearings.ring.model import BallModel
 from bearings.ring.problem import LONGEST_TURN, Index, Problem
 from bearings.ring.state import BearingState
@@ -61,14 +61,13 @@ class Iterate:
     def along(self, change: Array) -> Array:
         """What balls do with a ``change`` (…, 5) of the displacement (2, …, n)."""
         moved = self.parts[0][1].ring.moved(change.reshape(-1, 5))
-        axial, radial = moved.reshape(self.ball.shape)
-        return np.asarray(self.follow[:, 0] * axial + self.follow[:, 1] * radial)
+        return followed_by(self.follow, moved.reshape(3, *self.ball.shape[1:]))
 
     def follows(self, before: Iterate) -> Flags:
         """Where every ball is on the physical branch and no angle has turned far (…)."""
         near = self.sound.reshape(-1).copy()
         for index, problem in self.parts:
-            if problem.turning:
+            if problem.placed:
                 pair = (segments(problem, *one._states(index)) for one in (before, self))
                 for then, now in zip(*pair, strict=True):
                     near[index] &= ~turned_far(then, now, LONGEST_TURN).any(axis=-1)
@@ -109,15 +108,16 @@ def _linearised(parts: Parts, shape: tuple[int, ...], displacement: Array, ball:
     load, stiffness = np.empty((count, 5)), np.empty((count, 5, 5))
     error, pressure = np.empty(count), np.empty(count)
     sound = np.empty(count, dtype=bool)
-    still, follow = np.zeros((2, count, balls)), np.zeros((2, 2, count, balls))
+    still, follow = np.zeros((2, count, balls)), np.zeros((2, 3, count, balls))
     for k, problem in parts:
-        found = linearise(problem, d[k], x[:, k], np.ones(len(k)))
+        found = linearise(problem, d[k], x[:, k], np.full(len(k), problem.full))
         load[k] = problem.ring.load(np.stack(found.balls.action))
         stiffness[k] = tangent(problem, found.balls)
         error[k], pressure[k] = found.error, _pressure(problem, found)
         sound[k] = np.isfinite(found.error)
         if problem.turning:
             sound[k] = (found.fold > 0.0) & (found.balance.outer_load > 0.0).all(axis=-1)
+        if problem.placed:
             still[:, k] = found.balls.still
             follow[:, :, k] = found.balls.follow
     return Iterate(
@@ -131,7 +131,7 @@ def _linearised(parts: Parts, shape: tuple[int, ...], displacement: Array, ball:
         pressure=pressure.reshape(shape),
         sound=sound.reshape(shape),
         still=still.reshape(2, *shape, balls),
-        follow=follow.reshape(2, 2, *shape, balls),
+        follow=follow.reshape(2, 3, *shape, balls),
     )
 
 

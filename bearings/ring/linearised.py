@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from bearings.ball.balance import Balance, Settled, settled, turning_balance
 from bearings.ball.constants import EPS
-from bearings.ball.plane import Pair, dot
+from bearings.ball.plane import Pair
 from bearings.ball.rest import resting_balance
 from bearings.ring.problem import ROUNDING, TOLERANCE, Problem
 from bearings.ring.sums import rows
@@ -42,9 +42,9 @@ class Linear:
 def linearise(problem: Problem, d: Array, x: Array, blend: Array) -> Linear:
     """Balance and scaled error at (d, X); at rest X plays no part."""
     model, a = problem.model, problem.centres(d)
-    centre = (a[0], a[1])
-    if problem.turning:
-        squared = problem.speed[:, None] ** 2
+    centre = (a[0], a[1], a[2])
+    if problem.placed:
+        squared = problem.squared[:, None]
         balance = turning_balance(
             model.constants, model.numbers, centre, (x[0], x[1]), squared, blend[:, None], 1.0
         )
@@ -96,9 +96,13 @@ def newton_step(problem: Problem, linear: Linear) -> tuple[Array, Array]:
         gap = (problem.load - problem.ring.load(np.stack(balls.action)))[:, free] / scale
         k = tangent(problem, balls)[:, free][:, :, free] / scale / scale[:, None]
         dd[:, free] = _solve(k, gap) / scale
-    axial, radial = problem.ring.moved(dd)
-    still, follow = balls.still, balls.follow
-    return dd, np.stack([still[k] + dot(follow[k], (axial, radial)) for k in (0, 1)])
+    return dd, np.stack(balls.still) + followed_by(np.stack(balls.follow), problem.ring.moved(dd))
+
+
+def followed_by(follow: Array, moved: Array) -> Array:
+    """What balls do (2, …) where their grooves move (3, …) and they ``follow`` (2, 3, …)."""
+    a, b, c = moved
+    return follow[:, 0] * a + follow[:, 1] * b + follow[:, 2] * c
 
 
 def _solve(k: Array, gap: Array) -> Array:
@@ -115,5 +119,5 @@ def _solve(k: Array, gap: Array) -> Array:
 
 def segments(problem: Problem, d: Array, x: Array) -> tuple[Pair, Pair]:
     """From the outer groove centre to the ball, and on to the inner groove centre."""
-    inner = problem.centres(d) - x
+    inner = problem.centres(d)[:2] - x
     return (x[0], x[1]), (inner[0], inner[1])

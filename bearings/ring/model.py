@@ -49,6 +49,16 @@ class BallModel:
         return np.array([1.0, 1.0, 1.0, radius, radius])
 
     @property
+    def full(self) -> float:
+        """Blend at which the problem is the one asked for: 1, or 0 with Fc frozen and no Mg."""
+        return 0.0 if self.law.dynamics == "frozen" else 1.0
+
+    @property
+    def single(self) -> bool:
+        """Whether a ball has one contact a race."""
+        return len(self.geometry.inner_offsets) == len(self.geometry.outer_offsets) == 1
+
+    @property
     def one_branch(self) -> bool:
         """See ``Law``."""
         return self.law.one_branch

@@ -6,20 +6,20 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.kinematics import SHARINGS
-from bearings.geometry import geometry
+from bearings.geometry import Geometry, geometry
 from bearings.ring.contact_motion import race_weight
-from bearings.ring.state import BearingState
-from bearings.ring.sums import full_ring
+from bearings.ring.data import StateData
+from bearings.ring.sums import outer_maps
 
 Array = NDArray[np.float64]
 
 
-def outer_ring_load(state: BearingState) -> Array:
+def outer_ring_load(state: StateData) -> Array:
     """(Fx, Fy, Fz, My, Mz) of the balls on the outer ring (…, 5) [N, N·m].
 
-    Per ball fa = Qo sin αo + λo (Mg/D) cos αo, fr = Qo cos αo − λo (Mg/D) sin αo and
-    m = Ro fa + λo fo Mg about the centre of the circle of outer groove centres, of radius
-    Ro = dm/2 − (fo − ½) D cos α.
+    Per ball, of the contacts Σ Q n and of friction (λo Mg/D) across the resultant: axial fa, radial
+    fr, and m = Ro fa − x̄ fr + λo fo Mg about the middle of the outer ring, x̄ the axial place where
+    the resultant acts (0 with one groove), Ro the radius of the circle of outer groove centres.
     """
     g = geometry(state.cause.grooves)
     share = 2.0 - SHARINGS[state.cause.law.moment_sharing](race_weight(state))[0]
@@ -27,6 +27,15 @@ def outer_ring_load(state: BearingState) -> Array:
     along, across = state.outer_load, moment / g.ball_diameter
     sin, cos = np.sin(state.outer_angle), np.cos(state.outer_angle)
     axial, radial = along * sin + across * cos, along * cos - across * sin
-    tilting = g.outer_centre_radius * axial + g.outer_conformity * moment
+    tilting = -g.outer_conformity * moment + _middle(state, g) * radial
     action = np.stack([axial, radial, tilting]).reshape(3, -1, g.balls)
-    return full_ring(g).load(action).reshape(*state.outcome.shape, 5)
+    return outer_maps(g).load(action).reshape(*state.outcome.shape, 5)
+
+
+def _middle(state: StateData, g: Geometry) -> Array | float:
+    """x̄ = Σ x Q cos α / Σ Q cos α of the outer contacts (…, balls) [m]."""
+    if len(g.outer_offsets) == 1:
+        return 0.0
+    load = state.contact_load[..., -2:] * np.cos(np.nan_to_num(state.contact_angle[..., -2:]))
+    total = load.sum(axis=-1)
+    return (load @ np.array(g.outer_offsets)) / np.where(total != 0.0, total, 1.0)

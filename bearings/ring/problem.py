@@ -53,8 +53,23 @@ class Problem:
     turning: bool
 
     def centres(self, displacement: Array) -> Array:
-        """A (2, s, n) at a displacement (s, 5)."""
+        """A (3, s, n) at a displacement (s, 5)."""
         return self.ring.centres(self.origin, displacement)
+
+    @property
+    def placed(self) -> bool:
+        """Whether ball centres are unknowns: not at rest between one groove a ring."""
+        return self.turning or not self.model.single
+
+    @property
+    def full(self) -> float:
+        """Blend at which a state is found."""
+        return self.model.full if self.turning else 0.0
+
+    @property
+    def squared(self) -> Array:
+        """ω² (s,), 0 for states at rest."""
+        return self.speed**2 if self.turning else 0.0 * self.speed
 
     def take(self, index: Index) -> Problem:
         """The same problem for some of its states."""
@@ -84,5 +99,8 @@ def first_displacement(problem: Problem, given: Array) -> Array:
     length = g.free_distance + (share / g.series_stiffness) ** (2.0 / 3.0)
     radial = np.minimum(np.abs(problem.origin[1]), 0.999 * length)
     side = np.where(problem.load[:, 0] < 0.0, -1.0, 1.0)
-    d[:, 0] = side * np.sqrt(length**2 - radial**2) - problem.origin[0]
+    if not g.touching:
+        side *= problem.load[:, 0] != 0.0
+    shims = max(g.inner_offsets) - min(g.outer_offsets)  # of the two arcs that thrust loads
+    d[:, 0] = side * (np.sqrt(length**2 - radial**2) - shims) - problem.origin[0]
     return d

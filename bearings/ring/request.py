@@ -13,11 +13,13 @@ from bearings.errors import InvalidBearing, NoEquilibrium
 from bearings.geometry import Geometry, geometry, groove_origin
 from bearings.grooves import Grooves
 from bearings.ring.collect import blank, state, store
+from bearings.ring.condition import conditions
+from bearings.ring.data import Cause
 from bearings.ring.equilibrium import solve
 from bearings.ring.model import BallModel
 from bearings.ring.problem import Problem, first_displacement
 from bearings.ring.question import Question
-from bearings.ring.state import BearingState, Cause
+from bearings.ring.state import BearingState
 from bearings.ring.sums import axial_ring, full_ring
 
 Array = NDArray[np.float64]
@@ -45,9 +47,14 @@ def answer(
             word,
             speed=speed,
             remedy=remedy(word, law),
-            look=lambda: str(found.condition).partition(": ")[2],
+            look=lambda: str(condition(found)).partition(": ")[2],
         )
     return found
+
+
+def condition(state: BearingState) -> NDArray[np.str_]:
+    """What there is to say about each state of a batch (…), see ``conditions``."""
+    return conditions(state, solved)
 
 
 def remedy(word: str, law: Law) -> str:
@@ -86,7 +93,8 @@ def _compiled(g: Geometry, asked: Question) -> bool:
     """Whether the compiled solver pays for what is asked; an axial state counts as one ball."""
     from bearings.ring.compiled.states import pays
 
-    return pays(int(np.where(asked.axial, 1, g.balls).sum()))
+    balls = int(np.where(asked.axial, 1, g.balls).sum())
+    return pays(balls, (len(g.inner_offsets), len(g.outer_offsets)))
 
 
 def _groups(

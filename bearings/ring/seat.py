@@ -8,15 +8,16 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.constants import BallConstants
-from bearings.ball.plane import direction
+from bearings.ball.plane import Triple
 from bearings.ball.potential import (
     SeatStep,
+    contacts,
+    depth,
     first_seat,
     improves,
     potential,
     riding_radius,
     seat_step,
-    springs,
 )
 
 Array = NDArray[np.float64]
@@ -25,18 +26,19 @@ ITERATIONS = 200
 
 
 def seat(c: BallConstants, centre: Array, push: Array, start: Array | None = None) -> Array:
-    """Ball centre X (2, …) of least potential under ``push`` Fc > 0 (…) [N].
+    """Ball centre X (2, …) of least potential under ``push`` Fc ≥ 0 (…) [N], at A (3, …).
 
     ``start``: a ball centre for a nearby A. A ball that the inner race does not reach rides the
     outer race. Every ball takes Newton steps of its own length, halved where the potential rises.
     """
-    shape = centre.shape
-    a, fc = centre.reshape(2, -1), np.broadcast_to(push, shape[1:]).reshape(-1)
-    riding = riding_radius(c, fc)
-    free = direction((a[0], a[1] - riding))[2] <= c.inner_reach
-    x = _first(c, a, fc, start)
-    x[:, free] = 0.0
-    x[1, free] = riding[free]
+    shape = centre.shape[1:]
+    a, fc = centre.reshape(3, -1), np.broadcast_to(push, shape).reshape(-1)
+    x, free = _first(c, a, fc, start), np.zeros(a.shape[1], dtype=bool)
+    if len(c.outer) == 1:
+        riding = riding_radius(c, fc)
+        free = contacts(c, _triple(a), (0.0 * riding, riding))[0].energy == 0.0
+        x[:, free] = 0.0
+        x[1, free] = riding[free]
     now = _step(c, a, fc, x)
     todo = np.flatnonzero(now.moving & ~free)
     now, length = _some(now, todo), np.ones(todo.size)
@@ -52,26 +54,30 @@ def seat(c: BallConstants, centre: Array, push: Array, start: Array | None = Non
             then = _either(good, then, now)
         going = np.flatnonzero(then.moving)
         todo, now, length = todo[going], _some(then, going), length[going]
-    return x.reshape(shape)
+    return x.reshape(2, *shape)
 
 
 def _first(c: BallConstants, a: Array, fc: Array, start: Array | None) -> Array:
     """Ball centres to start from, pressed into the outer race."""
-    first = np.stack(first_seat(c, (a[0], a[1]), fc))
+    first = np.stack(first_seat(c, _triple(a), fc))
     if start is None:
         return first
     given = start.reshape(2, -1)
     better = _energy(c, a, fc, given) < _energy(c, a, fc, first)
-    return np.where(better & (np.hypot(*given) > c.outer_reach), given, first)
+    return np.where(better & (depth(c, (given[0], given[1])) > 0.0), given, first)
+
+
+def _triple(a: Array) -> Triple:
+    return a[0], a[1], a[2]
 
 
 def _step(c: BallConstants, a: Array, fc: Array, x: Array) -> SeatStep:
-    return seat_step(c, (a[0], a[1]), (x[0], x[1]), fc)
+    return seat_step(c, _triple(a), (x[0], x[1]), fc)
 
 
 def _energy(c: BallConstants, a: Array, fc: Array, x: Array) -> Array:
     ball = (x[0], x[1])
-    return np.asarray(potential(c, *springs(c, (a[0], a[1]), ball), ball, fc))
+    return np.asarray(potential(c, *contacts(c, _triple(a), ball), ball, fc))
 
 
 def _some(steps: SeatStep, index: Index) -> SeatStep:

@@ -1,7 +1,8 @@
-"""How the balls around a ring add up: groove centres from ring displacement, ring load from balls.
+"""How the balls around a ring add up: groove places from ring displacement, ring load from balls.
 
 A ring's displacement is d = (δx, δy, δz, θy, θz), its load f = (Fx, Fy, Fz, My, Mz); ball k sits
-at ψ = 2πk/z, from y towards z.
+at ψ = 2πk/z, from y towards z. At a ball the ring's groove moves axially, radially, and tilts by
+φ = θz cos ψ − θy sin ψ about the middle of the groove.
 """
 
 from __future__ import annotations
@@ -12,7 +13,7 @@ from functools import lru_cache
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball.plane import Pair
+from bearings.ball.plane import Triple
 from bearings.geometry import Geometry
 
 Array = NDArray[np.float64]
@@ -22,9 +23,9 @@ Array = NDArray[np.float64]
 class Ring:
     """The balls that need solving and how they map to the five freedoms.
 
-    ``azimuth`` (n, 6): 1, cos ψ, sin ψ, cos² ψ, cos ψ sin ψ, sin² ψ. ``spread`` (2, 5, n):
-    A = A₀ + spread·d. ``gather`` (5, 3, n): f = Σ gather·action. ``pairs`` (6·n, 25):
-    K = Σ action-by-A (6·n) · pairs. Balls that symmetry makes alike are solved once: with ``balls``
+    ``azimuth`` (n, 6): 1, cos ψ, sin ψ, cos² ψ, cos ψ sin ψ, sin² ψ. ``spread`` (3, 5, n):
+    A = A₀ + spread·d. ``gather`` (5, 3, n): f = Σ gather·action. ``pairs`` (9·n, 25):
+    K = Σ action-by-A (9·n) · pairs. Balls that symmetry makes alike are solved once: with ``balls``
     = 1 the one ball stands for all of an axially loaded bearing.
     """
 
@@ -39,11 +40,13 @@ class Ring:
         return self.spread.shape[-1]
 
     def centres(self, start: Array, displacement: Array) -> Array:
-        """A (2, states, balls) from A₀ (2, states) and d (states, 5)."""
-        return start[:, :, None] + self.moved(displacement)
+        """A (3, states, balls) from A₀ (2, states) and d (states, 5)."""
+        moved = self.moved(displacement)
+        moved[:2] += start[:, :, None]
+        return moved
 
     def moved(self, displacement: Array) -> Array:
-        """What a displacement (states, 5) adds to A (2, states, balls)."""
+        """What a displacement (states, 5) adds to A (3, states, balls)."""
         return np.asarray(displacement @ self.spread)
 
     def load(self, action: Array) -> Array:
@@ -51,17 +54,17 @@ class Ring:
         return np.einsum("ikn,ksn->si", self.gather, action)
 
     def stiffness(self, tangent: Array) -> Array:
-        """K (states, 5, 5) from ∂action/∂A (states, 3, 2, balls), see ``rows``."""
+        """K (states, 5, 5) from ∂action/∂A (states, 3, 3, balls), see ``rows``."""
         states = len(tangent)
         each = tangent.reshape(states, 1, -1) @ self.pairs  # state by state: too small for threads
         return each.reshape(states, 5, 5)
 
 
-def rows(tangent: tuple[Pair, ...]) -> Array:
-    """∂action/∂A (states, 3, 2, balls) from its entries (states, balls)."""
+def rows(tangent: tuple[Triple, ...]) -> Array:
+    """∂action/∂A (states, 3, 3, balls) from its entries (states, balls)."""
     entries = [entry for row in tangent for entry in row]
     states, balls = entries[0].shape
-    return np.stack(entries, axis=1).reshape(states, 3, 2, balls)
+    return np.stack(entries, axis=1).reshape(states, 3, 3, balls)
 
 
 @lru_cache(maxsize=256)
@@ -78,9 +81,9 @@ def axial_ring(geometry: Geometry) -> Ring:
     Sums over the ball angles that vanish for three balls or more are set to exactly zero.
     """
     spread, gather = _maps(geometry)
-    rows = _pairs(spread, gather).reshape(6, geometry.balls, 25)
+    rows = _pairs(spread, gather).reshape(9, geometry.balls, 25)
     total = gather.sum(axis=2, keepdims=True)
-    one = np.zeros((2, 5, 1))
+    one = np.zeros((3, 5, 1))
     one[0, 0] = 1.0
     azimuth = _without_noise(_azimuth(geometry).sum(axis=0, keepdims=True))
     return Ring(azimuth, one, _without_noise(total), _without_noise(rows.sum(axis=1)))
@@ -107,22 +110,24 @@ def half_ring(geometry: Geometry) -> Ring:
     return Ring(_azimuth(geometry)[:count], spread, gather, pairs.reshape(-1, 25))
 
 
-def _maps(geometry: Geometry) -> tuple[Array, Array]:
+@lru_cache(maxsize=256)
+def outer_maps(geometry: Geometry) -> Ring:
+    """Every ball against the outer ring."""
+    spread, gather = _maps(geometry, geometry.outer_centre_radius)
+    return Ring(_azimuth(geometry), spread, gather, _pairs(spread, gather))
+
+
+def _maps(geometry: Geometry, radius: float | None = None) -> tuple[Array, Array]:
     one, cos, sin = _azimuth(geometry).T[:3]
-    zero, radius = np.zeros_like(one), geometry.centre_radius
+    zero, radius = np.zeros_like(one), geometry.centre_radius if radius is None else radius
     spread = np.array(
-        [[one, zero, zero, radius * sin, -radius * cos], [zero, cos, sin, zero, zero]]
-    )
-    gather = np.array(
         [
-            [one, zero, zero],
-            [zero, cos, zero],
-            [zero, sin, zero],
-            [zero, zero, sin],
-            [zero, zero, -cos],
+            [one, zero, zero, radius * sin, -radius * cos],
+            [zero, cos, sin, zero, zero],
+            [zero, zero, zero, -sin, cos],
         ]
     )
-    return spread, gather
+    return spread, spread.swapaxes(0, 1).copy()  # virtual work
 
 
 def _azimuth(geometry: Geometry) -> Array:

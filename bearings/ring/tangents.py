@@ -1,65 +1,37 @@
-"""Other tangents of a solved state, to be seen beside the complete one."""
+"""Every tangent of a solved state, the one that solves anew among them."""
 
 from __future__ import annotations
-
-from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball.balance import settled, turning_balance
-from bearings.geometry import geometry, groove_origin
-from bearings.ring.linearised import tangent
-from bearings.ring.model import BallModel
-from bearings.ring.problem import Problem
+from bearings.ball.law import check_name
+from bearings.geometry import geometry
+from bearings.ring.data import Cause
+from bearings.ring.frozen import alike
+from bearings.ring.request import solved
 from bearings.ring.state import BearingState
-from bearings.ring.sums import full_ring
 
 Array = NDArray[np.float64]
+METHODS = ("complete", "frozen", "difference")
 STEP = 1e-8  # m, of the central differences
-QUARTER_TURN = np.array(  # of (x, y, z, θy, θz) about x
-    [[1, 0, 0, 0, 0], [0, 0, 1, 0, 0], [0, -1, 0, 0, 0], [0, 0, 0, 0, 1], [0, 0, 0, -1, 0]]
-)
-COUPLED = np.array(  # x alone, y with θz, z with θy
-    [[1, 0, 0, 0, 0], [0, 1, 0, 0, 1], [0, 0, 1, 1, 0], [0, 0, 1, 1, 0], [0, 1, 0, 0, 1]]
-)
 
 
-def frozen(state: BearingState) -> Array:
-    """Tangent with centrifugal force and gyroscopic moment kept as they are (…, 5, 5).
+def stiffness(state: BearingState, method: str = "complete") -> Array:
+    """Tangent K = ∂load/∂displacement of a state (…, 5, 5) by one of three methods.
 
-    Cao & Altintas, J. Mech. Des. 126 (2004) 1089. At rest it is the complete one.
+    ``"complete"`` and ``"frozen"`` as in ``BearingState.stiffness``; ``"difference"``: five-point
+    differences of the whole displacement solve, the check of the others.
+
+    Raises
+    ------
+    InvalidBearing : an unknown method
     """
-    cause = state.cause
-    g = geometry(cause.grooves)
-    speed = state.speed.reshape(-1)
-    if not speed.size:
-        return state.complete_stiffness
-    problem = Problem(
-        model=BallModel(g, cause.law),
-        ring=full_ring(g),
-        origin=groove_origin(g, cause.question.static_growth, cause.question.growth),
-        speed=speed,
-        load=np.zeros((len(speed), 5)),
-        free=np.zeros(5, dtype=bool),
-        turning=True,
-    )
-    good = (speed > 0.0) & (state.outcome.reshape(-1) == "")
-    turning = np.flatnonzero(good & (state.gyroscopic_moment.reshape(len(speed), -1) != 0.0).any(1))
-    if not turning.size:
-        return state.complete_stiffness
-    part, model = problem.take(turning), problem.model
-    a = part.centres(state.displacement.reshape(-1, 5)[turning])
-    x = state.ball_centre.reshape(2, len(speed), -1)[:, turning]
-    squared = part.speed[:, None] ** 2
-    centre, ball = (a[0], a[1]), (x[0], x[1])
-    balance = turning_balance(model.constants, model.numbers, centre, ball, squared, 1.0, 0.0)
-    stiffness = state.complete_stiffness.reshape(-1, 5, 5).copy()
-    stiffness[turning] = tangent(part, settled(balance))
-    return _alike(state, stiffness.reshape(state.complete_stiffness.shape))
+    check_name("stiffness method", method, METHODS)
+    return _difference(state) if method == "difference" else state.stiffness(method)
 
 
-def difference(state: BearingState) -> Array:
+def _difference(state: BearingState) -> Array:
     """Tangent by five-point differences of the displacement solve (…, 5, 5)."""
     cause = state.cause
     radius = geometry(cause.grooves).centre_radius
@@ -68,20 +40,6 @@ def difference(state: BearingState) -> Array:
     middle = np.where(known[..., None], state.displacement, 0.0)
     moved = [middle[..., None, :] + k * step for k in (1.0, -1.0, 2.0, -2.0)]
     asked = cause.question.at(np.stack(moved))
-    load = cause.solved(asked).load
+    load = solved(Cause(cause.grooves, cause.law, asked)).load
     slope = (8.0 * (load[0] - load[1]) - (load[2] - load[3])) / (12.0 * np.diag(step)[:, None])
-    return _alike(state, np.where(known[..., None, None], slope.swapaxes(-1, -2), np.nan))
-
-
-def _alike(state: BearingState, stiffness: Array) -> Array:
-    """Rounding removed where a state is axial: its planes answer alike and do not couple."""
-    axial = ((state.load == 0.0) & (state.displacement == 0.0))[..., 1:].all(axis=-1)
-    turned = QUARTER_TURN @ stiffness @ QUARTER_TURN.T
-    exact = np.where(COUPLED, 0.5 * (stiffness + turned), 0.0)
-    return np.where(axial[..., None, None], exact, stiffness)
-
-
-TANGENTS: dict[str, Callable[[BearingState], Array]] = {
-    "frozen": frozen,
-    "difference": difference,
-}
+    return alike(state, np.where(known[..., None, None], slope.swapaxes(-1, -2), np.nan))

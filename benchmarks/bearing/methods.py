@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from bearings import AngularContactBallBearing
+from bearings import AngularContactBallBearing, stiffness
 from bearings.ring.state import BearingState
 from benchmarks.bearing.reference import largest
 from benchmarks.bearing.subject import LOAD, SPEED, VEX70, solver
@@ -69,6 +69,6 @@ def _work(
 ) -> Callable[[], Any]:
     def solved() -> Any:
         state: BearingState = bearing.equilibrium(speed=SPEED, **given)
-        return state.stiffness(method.stiffness)
+        return stiffness(state, method.stiffness)
 
     return solved

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ring.condition import first_gaps
+from bearings.ring.request import solved
 from bearings.ring.spin_up import Gap
 from bearings.ring.state import BearingState
 from benchmarks.random_bearings.rings import draw_states
@@ -34,7 +35,7 @@ def survey_endings(count: int) -> dict[str, Any]:
             refused = refused[: count - tally["refusals"]]
             if refused.size:
                 begin = time.process_time()
-                gaps = first_gaps(state.cause, refused)
+                gaps = first_gaps(state.cause, refused, solved)
                 seconds += time.process_time() - begin
                 for index, gap in zip(refused, gaps, strict=True):
                     word = _compared(tally, state, int(index), gap)

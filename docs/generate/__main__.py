@@ -19,6 +19,7 @@ def main() -> int:
         _step("times measured", measure)
     from docs.generate import pages
     from docs.generate.bearing_curves import draw_bearing_curves
+    from docs.generate.debongnie_curves import draw_debongnie
     from docs.generate.figures import draw_figures
     from docs.generate.precision import draw_precision
     from docs.generate.scaling_curves import draw_scaling
@@ -29,6 +30,7 @@ def main() -> int:
     _step("docs/figures", draw_figures)
     _step("docs/figures/precision.png", draw_precision)
     _step("docs/figures/bearing_error.png", draw_bearing_curves)
+    _step("docs/figures/debongnie_*.png", draw_debongnie)
     _step("docs/figures/scaling.png", draw_scaling)
     _step("docs/figures/sweeps.png", draw_sweeps)
     return 0

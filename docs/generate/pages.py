@@ -7,6 +7,7 @@ from collections.abc import Callable
 from docs.generate.bearing_rows import bearing_rows
 from docs.generate.bending import axial_force_spans, axial_force_table, formulation_table
 from docs.generate.choices import choice_table, linear_table
+from docs.generate.debongnie_rows import error_table, law_table
 from docs.generate.flagship import flagship, rest_rows, speed_rows
 from docs.generate.keys import key_tables
 from docs.generate.known import comparison_table, left_out
@@ -58,6 +59,11 @@ def write_theory() -> None:
     rewrite(THEORY / "README.md", {"modules": module_table()})
 
 
+def write_debongnie() -> None:
+    """Power laws of Debongnie's approximation, and how far it is off."""
+    rewrite(THEORY / "debongnie.md", {"power-laws": law_table(), "errors": error_table()})
+
+
 def write_benchmarks() -> None:
     """Times, from what was measured last."""
     rewrite(DOCS / "benchmarks.md", benchmark_parts(measured()))
@@ -66,6 +72,7 @@ def write_benchmarks() -> None:
 PAGES: dict[str, Callable[[], None]] = {
     "docs/keys.md": write_keys,
     "docs/theory/README.md": write_theory,
+    "docs/theory/debongnie.md": write_debongnie,
     "docs/benchmarks.md": write_benchmarks,
     "docs/formulations.md, docs/theory/rotor.md": write_bending,
     "docs/choosing.md": write_choosing,

@@ -20,7 +20,10 @@ from rotordyn.analysis.result import declared
 # found first; ``package.*`` stands for the modules of a package that does not say what it offers.
 PAGES = {
     "rotordyn": ("rotordyn", ("rotordyn", "rotordyn.errors")),
-    "bearings": ("bearings", ("bearings", "bearings.ring.state", "bearings.fit.compound")),
+    "bearings": (
+        "bearings",
+        ("bearings", "bearings.ring.state", "bearings.fit.compound", "bearings.debongnie"),
+    ),
     "machine": ("Machines", ("rotordyn.machine", "rotordyn.machine.*")),
     "questions": ("Questions", ("rotordyn.analysis", "rotordyn.analysis.specs")),
     "answers": ("Answers", ("rotordyn.analysis.results",)),

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+import bearings
 from bearings.bearing import BallBearing
 from bearings.ring.state import BearingState
 from rotordyn.analysis.display import RPM
@@ -42,6 +43,7 @@ def answer(
         raise NoSolution(f"no load and speed of the case has a state: {outcome.flat[0]}")
     balls = {name: _where(outcome, getattr(state, name)[..., 0]) for name in SHOWN}
     good = outcome == ""
+    tangents = [bearings.stiffness(state, t) for t in spec.tangents]
     return BearingMapResult(
         speed=speed,
         load=np.array(spec.loads),
@@ -50,7 +52,7 @@ def answer(
         dof_other=FREEDOMS,
         outcome=outcome,
         deflection=_where(outcome, state.displacement[..., 0]),
-        stiffness=_where(outcome, np.stack([state.stiffness(t) for t in spec.tangents], axis=2)),
+        stiffness=_where(outcome, np.stack(tangents, axis=2)),
         slipping=np.where(good, state.slipping[..., 0], ""),
         control=np.where(good, state.control[..., 0], ""),
         control_agrees=good & state.control_agrees[..., 0],

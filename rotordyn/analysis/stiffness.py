@@ -184,6 +184,8 @@ def _constant_preload(scene: Scene, rest: Array) -> tuple[Array, NDArray[np.obje
 
     Also an outcome per bearing speed.
     """
+    from bearings.ring.tangents import stiffness as tangent_of
+
     state, bearings = scene.preload, scene.preload.network.arrangement.bearings
     blocks = np.empty((len(state.speed), len(scene.spindle.seats), 5, 5))
     outcome = np.full(len(state.speed), "", dtype=object)
@@ -198,7 +200,7 @@ def _constant_preload(scene: Scene, rest: Array) -> tuple[Array, NDArray[np.obje
     load[..., 0] = rest[carrying]
     near = state.net.response.states if carries.all() else None
     for held in state.network.solve_bearings(carrying, near, load=load).values():
-        tangents = held.state.stiffness(scene.conditions.tangent)
+        tangents = tangent_of(held.state, scene.conditions.tangent)
         for column, place in enumerate(held.places):
             k = carrying[place]
             blocks[:, list(bearings[k].seats)] = tangents[:, column, None]

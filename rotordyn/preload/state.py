@@ -111,8 +111,10 @@ class PreloadState:
 
     def seat_stiffness(self, tangent: str = "complete") -> Array:
         """A tangent of every bearing in its own frame (speeds, seats, 5, 5)."""
+        from bearings.ring.tangents import stiffness as tangent_of
+
         seats = self.seat_states()
-        stiffness = {state: state.stiffness(tangent) for state in {state for state, _ in seats}}
+        stiffness = {state: tangent_of(state, tangent) for state in {state for state, _ in seats}}
         return np.stack([stiffness[state][:, column] for state, column in seats], axis=1)
 
     def seat_growth(self) -> Array:

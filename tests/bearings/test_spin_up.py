@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from numpy.typing import NDArray
 
 from bearings.ring.condition import first_gaps
+from bearings.ring.request import solved
 from bearings.ring.spin_up import Gap, spin_up
 from benchmarks.random_bearings import rings
 
@@ -83,9 +85,10 @@ def test_a_bearing_has_states_up_to_the_speed_told_and_again_above(number: int, 
     """The first: without states only from 4.3 to 4.6 % of its speed, then up to 11.7 %."""
     state = rings.draw_states(number).solve()
     assert state.outcome[index] == "no equilibrium"
-    gap = first_gaps(state.cause, np.array([index]))[0]
+    gap = first_gaps(state.cause, np.array([index]), solved)[0]
     assert gap.again is not None
     below = gap.low * np.array([0.25, 0.5, 0.75, 0.95, 1.0])
     speed = np.array([*below, gap.low + state.speed[index] / 8192.0, *gap.again])
-    there = state.cause.solved(state.cause.question.repeated(index, speed)).outcome == ""
+    asked = replace(state.cause, question=state.cause.question.repeated(index, speed))
+    there = solved(asked).outcome == ""
     assert there.tolist() == [True] * 5 + [False] + [True] * 2

@@ -26,6 +26,8 @@ def find_all(  # noqa: PLR0913 - compiled functions take plain numbers and array
     balls: int,
     turning: bool,
     one_branch: bool,
+    placed: bool,
+    full: float,
     given: tuple[Array, Array, Array],
     answer: tuple[Array, Array, Array, Array, NDArray[np.bool_]],
     near: NDArray[np.bool_],
@@ -41,7 +43,7 @@ def find_all(  # noqa: PLR0913 - compiled functions take plain numbers and array
     d, x, carried, stiffness, found = answer
     w = room(x.shape[1])
     for k in range(len(speed)):
-        squared = speed[k] ** 2
+        squared = speed[k] ** 2 if turning else 0.0
         push = constants.orbit * constants.nominal * squared
         p = One(
             constants,
@@ -52,6 +54,8 @@ def find_all(  # noqa: PLR0913 - compiled functions take plain numbers and array
             balls,
             turning,
             one_branch,
+            placed,
+            full,
             origin[k],
             squared,
             push,

@@ -18,6 +18,7 @@ from bearings.ring.compiled.one_state import (
     centre_of,
     evaluate,
     evaluate_convex,
+    followed,
     moved,
 )
 from bearings.ring.problem import (
@@ -48,12 +49,14 @@ def find(p: One, d: Array, x: Array, near: bool, w: Work) -> bool:
     blend, stride, direct = 0.0, FIRST_BLEND, near and p.turning
     if not direct and not convex(p, d, x, w):
         return False
-    if not p.turning:
+    if not p.placed:
         evaluate(p, d, x, 1.0, w)
         return True
+    if p.full == 0.0 and not direct:
+        return _tried(p, d, x, 0.0, w)[0]
     while blend < 1.0 and stride >= SHORTEST_BLEND:  # one call of _tried: it compiles only once
         target = 1.0 if direct else min(1.0, blend + stride)
-        good, used = _tried(p, d, x, target, w)
+        good, used = _tried(p, d, x, p.full * target, w)
         if good:
             blend, stride = target, stride * (2.0 if used <= QUICK_STEPS else 1.0)
         elif not direct:
@@ -86,13 +89,15 @@ def _copy(d: Array, x: Array, w: Work) -> None:
 
 def correct(p: One, d: Array, x: Array, blend: float, w: Work) -> tuple[bool, int]:
     """Plain Newton at ``blend`` from a point close by, kept: success, and the iterations used."""
-    needed, used = (ON_THE_WAY if blend < 1.0 else TOLERANCE), 0
+    needed, used = (ON_THE_WAY if blend < p.full else TOLERANCE), 0
     found = evaluate(p, d, x, blend, w)
     w.first_grip[:] = w.grip
     while error(p, found, w) >= needed and used < NEWTON_STEPS:
         used += 1
         _newton(p, d, x, w)
         found = evaluate(p, d, x, blend, w)
+    if not p.turning:
+        return error(p, found, w) < needed, used
     good = error(p, found, w) < needed and found.fold > 0.0 and found.pressed
     good = good and _turned_little(p, w.d, w.x, d, x) and not _jumped(p, found.largest, w)
     return good and (len(p.free) == 0 or _missing(p, w.action, w)[1] > 0.0), used
@@ -138,10 +143,9 @@ def _newton(p: One, d: Array, x: Array, w: Work) -> None:
             step[j] = part[i] / p.scale[j]
             d[j] += step[j]
     for ball in range(len(x)):
-        axial, radial = moved(p, step, ball)
-        follow = w.follow[ball]
-        x[ball, 0] += w.still[ball, 0] + follow[0] * axial + follow[1] * radial
-        x[ball, 1] += w.still[ball, 1] + follow[2] * axial + follow[3] * radial
+        axial, radial = followed(w, ball, moved(p, step, ball))
+        x[ball, 0] += w.still[ball, 0] + axial
+        x[ball, 1] += w.still[ball, 1] + radial
 
 
 def _reduced(p: One, carried: Array, w: Work) -> tuple[Array, Array]:
@@ -201,9 +205,10 @@ def _searched(p: One, d: Array, x: Array, step: Array, found: Found, w: Work) ->
         for j in range(5):
             d[j] = w.d[j] + length * step[j]
         for ball in range(len(x)):
-            axial, radial = moved(p, length * step, ball)
-            x[ball, 0] = w.x[ball, 0] + follow[ball, 0] * axial + follow[ball, 1] * radial
-            x[ball, 1] = w.x[ball, 1] + follow[ball, 2] * axial + follow[ball, 3] * radial
+            a, b, c = moved(p, length * step, ball)
+            f = follow[ball]
+            x[ball, 0] = w.x[ball, 0] + f[0] * a + f[1] * b + f[2] * c
+            x[ball, 1] = w.x[ball, 1] + f[3] * a + f[4] * b + f[5] * c
         found = evaluate_convex(p, d, x, w)
         if found.energy - _work(p, d) <= most:
             break

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from bearings.ball.balance import LawNumbers, settled, turning_balance
 from bearings.ball.constants import BallConstants
-from bearings.ball.plane import Pair
+from bearings.ball.plane import Pair, Triple
 from bearings.ball.potential import reaction, resting_reaction, resting_seat
 from bearings.ring.compiled.seat import seat
 
@@ -21,8 +21,8 @@ class One(NamedTuple):
 
     ``azimuth`` (n, 6) as in ``bearings.ring.Ring``; ``scale`` (5,), ``origin`` (2,), ``load`` (5,)
     as in ``bearings.problem.Problem``; ``free``: places of the freedoms whose load is given;
-    ``one_branch`` as in ``bearings.ring.model``; ``squared`` ω²; ``push``: nominal Fc; ``balls``
-    of the bearing, for which those n stand.
+    ``placed``, ``full`` too; ``one_branch`` as in ``bearings.ring.model``; ``squared`` ω²;
+    ``push``: nominal Fc; ``balls`` of the bearing, for which those n stand.
     """
 
     constants: BallConstants
@@ -33,6 +33,8 @@ class One(NamedTuple):
     balls: int
     turning: bool
     one_branch: bool
+    placed: bool
+    full: float
     origin: Array
     squared: float
     push: float
@@ -42,7 +44,7 @@ class One(NamedTuple):
 class Work(NamedTuple):
     """Room for what an evaluation finds.
 
-    ``still`` (n, 2), ``follow`` (n, 4): how each ball moves with the ring. ``grip`` (n, 2): inner
+    ``still`` (n, 2), ``follow`` (n, 6): how each ball moves with the ring. ``grip`` (n, 2): inner
     load and gyroscopic moment of each ball, ``first_grip`` where a stride began. ``action``,
     ``settled`` (5,): load on the ring, as it is and with the balls settled. ``stiffness`` (5, 5).
     ``d``, ``x``: where the last stride began.
@@ -76,21 +78,34 @@ class Found(NamedTuple):
 def room(balls: int) -> Work:
     """Empty room for a ring of so many balls."""
     five, x = np.zeros(5), np.zeros((balls, 2))
-    follow, stiffness = np.zeros((balls, 4)), np.zeros((5, 5))
+    follow, stiffness = np.zeros((balls, 6)), np.zeros((5, 5))
     grip, first = x.copy(), x.copy()
     return Work(x, follow, grip, first, five, five.copy(), stiffness, five.copy(), x.copy())
 
 
-def centre_of(p: One, d: Array, ball: int) -> Pair:
+def centre_of(p: One, d: Array, ball: int) -> Triple:
     """A of one ball."""
-    axial, radial = moved(p, d, ball)
-    return p.origin[0] + axial, p.origin[1] + radial
+    axial, radial, tilt = moved(p, d, ball)
+    return p.origin[0] + axial, p.origin[1] + radial, tilt
 
 
-def moved(p: One, d: Array, ball: int) -> Pair:
+def moved(p: One, d: Array, ball: int) -> Triple:
     """What a displacement adds to A of one ball."""
     cos, sin, radius = p.azimuth[ball, 1], p.azimuth[ball, 2], p.constants.centre_radius
-    return d[0] + radius * (d[3] * sin - d[4] * cos), d[1] * cos + d[2] * sin
+    tilt = d[4] * cos - d[3] * sin
+    return d[0] - radius * tilt, d[1] * cos + d[2] * sin, tilt
+
+
+def followed(w: Work, ball: int, step: Triple) -> Pair:
+    """What a ball does where its groove moves by ``step``."""
+    a, b, c = step
+    f = w.follow[ball]
+    return f[0] * a + f[1] * b + f[2] * c, f[3] * a + f[4] * b + f[5] * c
+
+
+def _keep_follow(w: Work, ball: int, follow: tuple[Triple, Triple]) -> None:
+    f = w.follow[ball]
+    (f[0], f[1], f[2]), (f[3], f[4], f[5]) = follow
 
 
 def evaluate(p: One, d: Array, x: Array, blend: float, w: Work) -> Found:
@@ -99,11 +114,11 @@ def evaluate(p: One, d: Array, x: Array, blend: float, w: Work) -> Found:
     _clear(w)
     for ball in range(len(x)):
         centre = centre_of(p, d, ball)
-        if not p.turning:
+        if not p.placed:
             at_rest = resting_reaction(p.constants, centre)
-            force = at_rest.force
-            largest = max(largest, np.sqrt(force[0] ** 2 + force[1] ** 2))
-            _add_convex(p, ball, force, at_rest.slope, w)
+            action = at_rest.action
+            largest = max(largest, np.sqrt(action[0] ** 2 + action[1] ** 2))
+            _add(p, ball, action, action, at_rest.slope, w)
             continue
         here = (x[ball, 0], x[ball, 1])
         b = turning_balance(p.constants, p.law, centre, here, p.squared, blend, 1.0)
@@ -113,8 +128,7 @@ def evaluate(p: One, d: Array, x: Array, blend: float, w: Work) -> Found:
         fold, pressed = min(fold, s.fold), pressed and b.outer_load > 0.0
         w.grip[ball, 0], w.grip[ball, 1] = b.inner_load, b.gyroscopic_moment
         w.still[ball, 0], w.still[ball, 1] = s.still
-        w.follow[ball, 0], w.follow[ball, 1] = s.follow[0]
-        w.follow[ball, 2], w.follow[ball, 3] = s.follow[1]
+        _keep_follow(w, ball, s.follow)
         _add(p, ball, b.action, s.action, s.tangent, w)
     return Found(largest, imbalance, fold, pressed, 0.0)
 
@@ -125,21 +139,17 @@ def evaluate_convex(p: One, d: Array, x: Array, w: Work) -> Found:
     _clear(w)
     for ball in range(len(x)):
         centre = centre_of(p, d, ball)
-        if p.turning:
-            here = seat(c, centre, (x[ball, 0], x[ball, 1]), p.push)
-            moving = reaction(c, centre, here, p.push)
-            force, slope = moving.force, moving.slope
-            energy += moving.energy
-            w.follow[ball, 0], w.follow[ball, 1] = moving.follow[0]
-            w.follow[ball, 2], w.follow[ball, 3] = moving.follow[1]
+        if p.placed:
+            here = seat(c, centre, p.push, (x[ball, 0], x[ball, 1]))
+            answer = reaction(c, centre, here, p.push)
+            _keep_follow(w, ball, answer.follow)
         else:
-            here = resting_seat(c, centre)
-            still = resting_reaction(c, centre)
-            force, slope = still.force, still.slope
-            energy += still.energy
+            here = resting_seat(c, (centre[0], centre[1]))
+            answer = resting_reaction(c, centre)
+        energy += answer.energy
         x[ball, 0], x[ball, 1] = here
-        largest = max(largest, np.sqrt(force[0] ** 2 + force[1] ** 2))
-        _add_convex(p, ball, force, slope, w)
+        largest = max(largest, np.sqrt(answer.action[0] ** 2 + answer.action[1] ** 2))
+        _add(p, ball, answer.action, answer.action, answer.slope, w)
     return Found(largest, 0.0, 1.0, True, energy * p.balls / len(x))
 
 
@@ -149,29 +159,26 @@ def _clear(w: Work) -> None:
     w.stiffness[:] = 0.0
 
 
-def _add_convex(p: One, ball: int, force: Pair, slope: tuple[Pair, Pair], w: Work) -> None:
-    radius = p.constants.centre_radius
-    action = (force[0], force[1], radius * force[0])
-    lever = (radius * slope[0][0], radius * slope[0][1])
-    _add(p, ball, action, action, (slope[0], slope[1], lever), w)
-
-
 def _add(
     p: One,
     ball: int,
-    action: tuple[float, float, float],
-    settled_action: tuple[float, float, float],
-    tangent: tuple[Pair, Pair, Pair],
+    action: Triple,
+    settled_action: Triple,
+    tangent: tuple[Triple, Triple, Triple],
     w: Work,
 ) -> None:
-    """What one ball adds to load and stiffness of the ring."""
-    az = p.azimuth[ball]
-    _add_load(az, action, w.action)
-    _add_load(az, settled_action, w.settled)
+    """What one ball adds to load and stiffness of the ring.
+
+    A tilt of the ring moves its groove axially by the lever, and turns it.
+    """
+    az, radius = p.azimuth[ball], p.constants.centre_radius
+    _add_load(az, radius, action, w.action)
+    _add_load(az, radius, settled_action, w.settled)
     one, cos, sin, cos2, both, sin2 = az[0], az[1], az[2], az[3], az[4], az[5]
-    k, radius = w.stiffness, p.constants.centre_radius
-    (a1, a2), (r1, r2), (m1, m2) = tangent
-    at, rt, mt = radius * a1, radius * r1, radius * m1
+    k, ((a1, a2, a3), (r1, r2, r3), (c1, c2, c3)) = w.stiffness, tangent
+    at, rt = radius * a1 - a3, radius * r1 - r3
+    m1, m2 = radius * a1 - c1, radius * a2 - c2
+    mt = radius * at - (radius * c1 - c3)
     k[0, 0] += a1 * one
     k[0, 1] += a2 * cos
     k[0, 2] += a2 * sin
@@ -199,8 +206,9 @@ def _add(
     k[4, 4] += mt * cos2
 
 
-def _add_load(az: Array, action: tuple[float, float, float], load: Array) -> None:
-    axial, radial, lever = action
+def _add_load(az: Array, radius: float, action: Triple, load: Array) -> None:
+    axial, radial, couple = action
+    lever = radius * axial - couple
     load[0] += az[0] * axial
     load[1] += az[1] * radial
     load[2] += az[2] * radial

@@ -1,23 +1,29 @@
-"""One ball settled under a fixed push."""
+"""One ball settled under a fixed push: the inner stage of the convex problem."""
 
 from __future__ import annotations
 
 from bearings.ball.constants import BallConstants
-from bearings.ball.plane import Pair, direction
-from bearings.ball.potential import first_seat, improves, riding_radius, seat_step
+from bearings.ball.plane import Pair, Triple
+from bearings.ball.potential import (
+    contacts,
+    depth,
+    first_seat,
+    improves,
+    riding_radius,
+    seat_step,
+)
+from bearings.ring.seat import ITERATIONS
 
-ITERATIONS = 200
 
-
-def seat(c: BallConstants, centre: Pair, start: Pair, push: float) -> Pair:
+def seat(c: BallConstants, centre: Triple, push: float, start: Pair) -> Pair:
     """X of least potential, see ``bearings.ring.seat``."""
     riding = riding_radius(c, push)
-    if direction((centre[0], centre[1] - riding))[2] <= c.inner_reach:
+    if len(c.outer) == 1 and contacts(c, centre, (0.0, riding))[0].energy == 0.0:
         return 0.0, riding
     first = first_seat(c, centre, push)
     x = (first[0] + 0.0, first[1] + 0.0)
     now, length = seat_step(c, centre, x, push), 1.0
-    if direction(start)[2] > c.outer_reach:
+    if depth(c, start) > 0.0:
         given = seat_step(c, centre, start, push)
         if given.energy < now.energy:
             x, now = start, given

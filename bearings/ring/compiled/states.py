@@ -18,6 +18,9 @@ FROM_DISK = 2.0  # s to get the compiled solver from the disk
 COMPILING = 30.0  # s to compile it
 
 
+_loaded: set[tuple[int, int]] = set()
+
+
 class Answer(NamedTuple):
     """d (s, 5), X (2, s, n), load (s, 5), K (s, 5, 5), and where there is a state (s,)."""
 
@@ -28,12 +31,15 @@ class Answer(NamedTuple):
     found: NDArray[np.bool_]
 
 
-def pays(balls: int) -> bool:
-    """Whether so many balls are found sooner with the compiled solver, its loading included."""
-    if _entry.cache_info().currsize:
+def pays(balls: int, kind: tuple[int, int]) -> bool:
+    """Whether so many balls are found sooner with the compiled solver, its loading included.
+
+    ``kind``: numbers of contacts a race, for each of which the solver is compiled once.
+    """
+    if kind in _loaded:
         return True
     seconds = BALL * balls
-    return seconds > COMPILING or (seconds > FROM_DISK and is_kept())
+    return seconds > COMPILING or (seconds > FROM_DISK and kind == (1, 1) and is_kept())
 
 
 @lru_cache(maxsize=1)
@@ -57,6 +63,7 @@ def compiled_states(
     load, stiffness = np.zeros((states, 5)), np.zeros((states, 5, 5))
     found = np.zeros(states, dtype=np.bool_)
     given = (problem.origin.T, problem.speed, problem.load)
+    _loaded.add((len(model.constants.inner), len(model.constants.outer)))
     _entry()(
         model.constants,
         model.numbers,
@@ -66,6 +73,8 @@ def compiled_states(
         model.geometry.balls,
         problem.turning,
         model.one_branch,
+        problem.placed,
+        problem.full,
         tuple(np.array(part, order="C") for part in given),  # one type of array: one compilation
         (d, x, load, stiffness, found),
         np.arange(states) < (0 if guess is None else guess.shape[1]),

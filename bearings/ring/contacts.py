@@ -1,0 +1,125 @@
+"""The contacts of the balls of a solved state, with more digits than the lengths they come from.
+
+A contact approach of nanometres is the difference of two lengths of millimetres, and of a ball
+under a millinewton few of its digits are left. The Newton step that a solved state still asks for
+is smaller than these lengths resolve; added to the approaches themselves it is not lost.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.ball.balance import Balance
+from bearings.ball.constants import Groove
+from bearings.ball.plane import Pair, direction, dot
+from bearings.ball.race import place
+from bearings.ring.problem import Problem
+
+Array = NDArray[np.float64]
+Place = tuple[Array, Array]
+LEAST = 0.5  # of an approach is left
+IDLE = 1e-12  # of the largest contact load: a ball at rest that carries less carries nothing
+
+
+class Contacts(NamedTuple):
+    """Loads (c, s, n) [N] of all contacts of the balls, sines and cosines of their angles."""
+
+    load: Array
+    sin: Array
+    cos: Array
+
+
+def of_balance(balance: Balance) -> Contacts:
+    """Of balls with one contact a race."""
+    (si, ci), (so, co) = balance.inner_direction, balance.outer_direction
+    load = np.stack([balance.inner_load, balance.outer_load])
+    return Contacts(load, np.stack([si, so]), np.stack([ci, co]))
+
+
+def contacts(
+    problem: Problem, balance: Balance, at: Place, step: Place | None = None
+) -> tuple[Balance, Contacts]:
+    """Contacts at (d, X), or after a ``step`` (dd, dX) from there; the balance with their loads.
+
+    d and dd (s, 5), X and dX (2, s, n). Fc and Mg notice such a step only where they depend on the
+    ratio of the loads; they are left as they are.
+    """
+    if problem.model.single:
+        after = balance if step is None else _after_step(problem, balance, at, step)
+        return after, of_balance(after)
+    c, (d, x) = problem.model.constants, at
+    dd, dx = (np.zeros_like(d), np.zeros_like(x)) if step is None else step
+    a, moved = problem.centres(d), problem.ring.moved(dd)
+    inner = _bearing(c.inner, (a[0] - x[0], a[1] - x[1]), a[2], 1.0, moved[:2] - dx)
+    outer = _bearing(c.outer, (x[0], x[1]), 0.0 * x[0], -1.0, dx)
+    joined = Contacts(*(np.concatenate(pair) for pair in zip(inner, outer, strict=True)))
+    if not problem.turning:
+        largest = joined.load.max(axis=(0, 2), keepdims=True)
+        joined = joined._replace(load=np.where(joined.load > IDLE * largest, joined.load, 0.0))
+    split = len(c.inner)
+    (qi, si, ci), (qo, so, co) = (
+        _resultant(Contacts(*(part[rows] for part in joined)), way)
+        for rows, way in (
+            (slice(split), balance.inner_direction),
+            (slice(split, None), balance.outer_direction),
+        )
+    )
+    after = balance._replace(
+        inner_load=qi, outer_load=qo, inner_direction=(si, ci), outer_direction=(so, co)
+    )
+    return after, joined
+
+
+def _bearing(
+    grooves: tuple[Groove, ...], vector: Pair, tilt: Array, side: float, step: Array
+) -> tuple[Array, Array, Array]:
+    placed = [place(groove, vector, tilt, side) for groove in grooves]
+    loads = [
+        _loaded(groove.stiffness, p.load, (p.sin, p.cos), (step[0], step[1]))
+        for groove, p in zip(grooves, placed, strict=True)
+    ]
+    return np.stack(loads), np.stack([p.sin for p in placed]), np.stack([p.cos for p in placed])
+
+
+def _resultant(c: Contacts, otherwise: Pair) -> tuple[Array, Array, Array]:
+    """Load and direction of the contacts of a race together."""
+    axial, radial = (c.load * c.sin).sum(axis=0), (c.load * c.cos).sum(axis=0)
+    load = np.hypot(axial, radial)
+    some = load > 0.0
+    size = np.where(some, load, 1.0)
+    return (
+        load,
+        np.where(some, axial / size, otherwise[0]),
+        np.where(some, radial / size, otherwise[1]),
+    )
+
+
+def _after_step(problem: Problem, balance: Balance, at: Place, step: Place) -> Balance:
+    """Loads and directions of the contacts of balls with one contact a race."""
+    c, (d, x), (dd, dx) = problem.model.constants, at, step
+    a, moved = problem.centres(d + dd), problem.ring.moved(dd)
+    x = x + dx
+    still = balance.inner_load, balance.inner_direction
+    if not problem.turning:
+        load = _loaded(c.series_stiffness, *still, (moved[0], moved[1]))
+        way = direction((a[0], a[1]))[:2]
+        return balance._replace(
+            inner_load=load, outer_load=load, inner_direction=way, outer_direction=way
+        )
+    outer = _loaded(c.outer_stiffness, balance.outer_load, balance.outer_direction, (dx[0], dx[1]))
+    return balance._replace(
+        inner_load=_loaded(c.inner_stiffness, *still, (moved[0] - dx[0], moved[1] - dx[1])),
+        outer_load=outer,
+        inner_direction=direction((a[0] - x[0], a[1] - x[1]))[:2],
+        outer_direction=direction((x[0], x[1]))[:2],
+    )
+
+
+def _loaded(stiffness: float, load: Array, along: Pair, step: Pair) -> Any:
+    """k (δ + dδ)^1.5 of contacts that carry ``load``; open ones stay open."""
+    approach = (load / stiffness) ** (2.0 / 3.0)
+    deeper = np.maximum(approach + dot(along, step), LEAST * approach)
+    return np.where(load > 0.0, stiffness * deeper**1.5, 0.0)
