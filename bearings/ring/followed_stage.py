@@ -74,6 +74,7 @@ def _free(problem: Problem, d: Array, x: Array, blend: Array, stride: Array, stu
     return moved
 
 
+@np.errstate(all="ignore")  # a step into nowhere ends as an error that is no number
 def corrected(
     problem: Problem, d: Array, x: Array, blend: Array
 ) -> tuple[Array, Array, NDArray[np.bool_], Linear, NDArray[np.int_]]:
