@@ -16,7 +16,6 @@ import numpy as np
 
 from bearings.ball.plane import where
 
-
 FLAT = 1e-6  # cos αi + cos αo below which the axis of a ball counts as radial
 
 
