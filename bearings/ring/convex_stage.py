@@ -101,7 +101,7 @@ def _settled(problem: Problem, d: Array, near: Array | None) -> tuple[Array, Ans
     else:
         x, answer = np.stack(resting_seat(c, (a[0], a[1]))), resting_reaction(c, centre)
     return x, Answer(
-        energy=np.broadcast_to(answer.energy, a[0].shape).copy(),
+        energy=answer.energy,
         action=_filled(answer.action, a[0]),
         tangent=rows(answer.slope),
         follow=np.stack([_filled(row, a[0]) for row in answer.follow]),
@@ -110,7 +110,10 @@ def _settled(problem: Problem, d: Array, near: Array | None) -> tuple[Array, Ans
 
 def _filled(parts: Motion, like: Array) -> Array:
     """Numbers or arrays as arrays (m, …)."""
-    return np.stack([np.broadcast_to(part, like.shape) for part in parts])
+    whole = np.empty((len(parts), *like.shape))
+    for row, part in zip(whole, parts, strict=True):
+        row[...] = part
+    return whole
 
 
 def _ring_balance(problem: Problem, answer: Answer) -> tuple[Array, Array, NDArray[np.bool_]]:

@@ -63,10 +63,12 @@ class Ring:
 
 def rows(tangent: tuple[Motion, ...]) -> Array:
     """∂action/∂A (states, 3, m, balls) from its entries (states, balls)."""
-    entries = [entry for row in tangent for entry in row]
-    states, balls = entries[0].shape
-    entries = [np.broadcast_to(entry, (states, balls)) for entry in entries]
-    return np.stack(entries, axis=1).reshape(states, 3, -1, balls)
+    states, balls = np.shape(tangent[0][0])
+    whole = np.empty((states, 3, len(tangent[0]), balls))
+    for i, row in enumerate(tangent):
+        for j, entry in enumerate(row):
+            whole[:, i, j] = entry
+    return whole
 
 
 @lru_cache(maxsize=256)
