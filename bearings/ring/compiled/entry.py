@@ -8,8 +8,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball.balance import LawNumbers
-from bearings.ball.constants import BallConstants
+from bearings.ball.law import LawNumbers
+from bearings.geometry import Geometry
 from bearings.ring.compiled.follow import find
 from bearings.ring.compiled.one_state import One, Work, room
 
@@ -18,12 +18,11 @@ NEAR = 0.2  # relative change of speed and load from the last state that makes i
 
 
 def find_all(  # noqa: PLR0913 - compiled functions take plain numbers and arrays
-    constants: BallConstants,
+    geometry: Geometry,
     law: LawNumbers,
     azimuth: Array,
     scale: Array,
     free: NDArray[np.intp],
-    balls: int,
     turning: bool,
     one_branch: bool,
     placed: bool,
@@ -44,14 +43,13 @@ def find_all(  # noqa: PLR0913 - compiled functions take plain numbers and array
     w = room(x.shape[1])
     for k in range(len(speed)):
         squared = speed[k] ** 2 if turning else 0.0
-        push = constants.orbit * constants.nominal * squared
+        push = geometry.orbit * geometry.nominal * squared
         p = One(
-            constants,
+            geometry,
             law,
             azimuth,
             scale,
             free,
-            balls,
             turning,
             one_branch,
             placed,
@@ -77,7 +75,7 @@ def _near(p: One, speed: Array, load: Array, d: Array, k: int) -> bool:
     for j in range(5):
         size = max(size, abs(load[k, j] / p.scale[j]))
         change = max(change, abs(load[k, j] - load[k - 1, j]) / p.scale[j])
-    reach = p.constants.inner_reach + p.constants.outer_reach
+    reach = p.geometry.inner_reach + p.geometry.outer_reach
     for j in range(5):
         given = True
         for place in p.free:

@@ -55,24 +55,23 @@ def compiled_states(
     ``displacement`` (s, 5), ``guess`` (2, s or fewer, n): starts; ``chained``: where there is no
     guess, a state starts from the one before if that is near.
     """
-    model, ring = problem.model, problem.ring
+    g, ring = problem.geometry, problem.ring
     states, balls = len(problem.speed), ring.balls
     d, x = displacement.copy(), np.zeros((states, balls, 2))
     if guess is not None:
-        x[: guess.shape[1]] = np.moveaxis(guess, 0, -1)
+        x[: guess.shape[1]] = guess.transpose(1, 2, 0)
     load, stiffness = np.zeros((states, 5)), np.zeros((states, 5, 5))
     found = np.zeros(states, dtype=np.bool_)
     given = (problem.origin.T, problem.speed, problem.load)
-    _loaded.add((len(model.constants.inner), len(model.constants.outer)))
+    _loaded.add((len(g.inner_grooves), len(g.outer_grooves)))
     _entry()(
-        model.constants,
-        model.numbers,
+        g,
+        problem.law.numbers,
         ring.azimuth,
         problem.scale,
         np.flatnonzero(problem.free),
-        model.geometry.balls,
         problem.turning,
-        model.one_branch,
+        problem.law.one_branch,
         problem.placed,
         problem.full,
         tuple(np.array(part, order="C") for part in given),  # one type of array: one compilation
@@ -80,4 +79,4 @@ def compiled_states(
         np.arange(states) < (0 if guess is None else guess.shape[1]),
         chained,
     )
-    return Answer(d, np.moveaxis(x, -1, 0), load, stiffness, found)
+    return Answer(d, x.transpose(2, 0, 1), load, stiffness, found)
