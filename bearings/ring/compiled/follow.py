@@ -68,22 +68,11 @@ def find(p: One, d: Array, x: Array, near: bool, w: Work) -> bool:
 
 def _tried(p: One, d: Array, x: Array, blend: float, w: Work) -> tuple[bool, int]:
     """``correct``, taken back where it fails."""
-    _copy(d, x, w)
+    w.d[:], w.x[:] = d, x
     good, used = correct(p, d, x, blend, w)
     if not good:
-        for j in range(5):
-            d[j] = w.d[j]
-        for ball in range(len(x)):
-            x[ball, 0], x[ball, 1] = w.x[ball, 0], w.x[ball, 1]
+        d[:], x[:] = w.d, w.x
     return good, used
-
-
-def _copy(d: Array, x: Array, w: Work) -> None:
-    """Keeps (d, X)."""
-    for j in range(5):
-        w.d[j] = d[j]
-    for ball in range(len(x)):
-        w.x[ball, 0], w.x[ball, 1] = x[ball, 0], x[ball, 1]
 
 
 def correct(p: One, d: Array, x: Array, blend: float, w: Work) -> tuple[bool, int]:
@@ -199,7 +188,7 @@ def _searched(p: One, d: Array, x: Array, step: Array, found: Found, w: Work) ->
     before = found.energy - _work(p, d)
     most = before + 64.0 * EPS * (abs(before) + largest * reach)
     follow, length = w.follow.copy(), 1.0
-    _copy(d, x, w)
+    w.d[:], w.x[:] = d, x
     for _ in range(HALVINGS):
         for j in range(5):
             d[j] = w.d[j] + length * step[j]

@@ -22,10 +22,12 @@ class One(NamedTuple):
 
     ``azimuth`` (n, 6) as in ``bearings.ring.Ring``; ``scale`` (5,), ``origin`` (2,), ``load`` (5,)
     as in ``bearings.problem.Problem``; ``free``: places of the freedoms whose load is given;
-    ``placed``, ``full`` too; ``one_branch`` as in ``bearings.ball.law``; ``squared`` ω²;
-    ``push``: nominal Fc.
+    ``placed``, ``full`` too; ``one_branch`` as in ``bearings.ball.law``; ``squared`` ω².
     """
 
+    origin: Array
+    squared: float
+    load: Array
     geometry: Geometry
     law: LawNumbers
     azimuth: Array
@@ -35,10 +37,6 @@ class One(NamedTuple):
     one_branch: bool
     placed: bool
     full: float
-    origin: Array
-    squared: float
-    push: float
-    load: Array
 
 
 class Work(NamedTuple):
@@ -146,12 +144,13 @@ def evaluate(p: One, d: Array, x: Array, blend: float, w: Work) -> Found:
 def evaluate_convex(p: One, d: Array, x: Array, w: Work) -> Found:
     """The convex stage at d, balls settled from X, which is written anew."""
     largest, energy, c = 0.0, 0.0, p.geometry
+    push = c.orbit * c.nominal * p.squared
     _clear(w)
     for ball in range(len(x)):
         centre = centre_of(p, d, ball)
         if p.placed:
-            here = seat(c, centre, p.push, (x[ball, 0], x[ball, 1]))
-            answer = reaction(c, centre, here, p.push)
+            here = seat(c, centre, push, (x[ball, 0], x[ball, 1]))
+            answer = reaction(c, centre, here, push)
             _keep_follow(w.follow[ball], answer.follow[0], answer.follow[1])
         else:
             here = resting_seat(c, (centre[0], centre[1]))
