@@ -60,7 +60,7 @@ def geometry(bearing: Grooves) -> Geometry:
     mass = bearing.ball_material.density * math.pi * diameter**3 / 6.0
     inner = _race_contact(bearing, inner_f, +1.0)
     outer = _race_contact(bearing, outer_f, -1.0)
-    cosine = bearing.radial_gap / bearing.free_distance
+    inner_centres, outer_centres = bearing.centre_radii
     return Geometry(
         ball_diameter=diameter,
         pitch_diameter=pitch,
@@ -74,8 +74,8 @@ def geometry(bearing: Grooves) -> Geometry:
         outer_reach=(outer_f - 0.5) * diameter,
         radial_gap=bearing.radial_gap,
         touching=bearing.touching,
-        centre_radius=pitch / 2.0 + (inner_f - 0.5) * diameter * cosine,
-        outer_centre_radius=pitch / 2.0 - (outer_f - 0.5) * diameter * cosine,
+        centre_radius=inner_centres,
+        outer_centre_radius=outer_centres,
         inner_conformity=inner_f,
         outer_conformity=outer_f,
         size_ratio=diameter / pitch,
