@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from bearings.ring.request import condition
     from bearings.ring.state import BearingState
     from bearings.ring.tangents import stiffness
+    from bearings.ring.truncation import Truncation, truncation
 
 _HOME = {
     "BallBearing": "bearings.bearing",
@@ -35,6 +36,8 @@ _HOME = {
     "NoEquilibrium": "bearings.errors",
     "SILICON_NITRIDE": "bearings.materials",
     "STEEL": "bearings.materials",
+    "Truncation": "bearings.ring.truncation",
+    "truncation": "bearings.ring.truncation",
     **{name: f"bearings.kinds.{kind}" for kind, name in KINDS.items()},
 }
 __all__ = [  # noqa: PLE0604 - the kinds are listed once, in their folder
@@ -49,8 +52,10 @@ __all__ = [  # noqa: PLE0604 - the kinds are listed once, in their folder
     "Law",
     "Material",
     "NoEquilibrium",
+    "Truncation",
     "condition",
     "stiffness",
+    "truncation",
     *KINDS.values(),
 ]
 

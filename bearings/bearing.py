@@ -6,7 +6,8 @@ A kind is one frozen dataclass derived from ``BallBearing``, in a file of its ow
 1. **Fields.** What a maker's drawing says, declared with ``measured``: quantity, range, meaning and
    default stand on the field. Python, files, JSON Schema and key reference read them from there.
    ``ball_diameter``, ``pitch_diameter``, ``balls``, ``inner_conformity``, ``outer_conformity``,
-   ``ball_material`` and ``ring_material`` are common to all kinds.
+   ``ball_material`` and ``ring_material`` are common to all kinds, and so are
+   ``inner_shoulder_diameter`` and ``outer_shoulder_diameter``, which may be unknown.
 2. **Grooves.** ``grooves`` gives the places of the groove centres (``bearings.grooves.Grooves``):
    one or two grooves a ring, the free contact angle, and where displacement is zero. Everything
    else about the physics follows from it: no other file knows the kind.
@@ -105,6 +106,7 @@ PITCH_DIAMETER = Measure("length", "diameter of the circle of ball centres", 1e-
 BALLS = Measure("count", "number of balls", 3, 500)
 CONFORMITY = Measure("number", "groove radius over ball diameter", 0.5, 0.7, open_low=True)
 MATERIAL = Measure("material", "elastic constants and density")
+SHOULDER = Measure("length", "diameter at which the groove of the ring ends", 1e-3, 10.0, unit="mm")
 
 
 @dataclass(frozen=True)
@@ -127,6 +129,8 @@ class BallBearing:
         outer_conformity: float
         ball_material: Material
         ring_material: Material
+        inner_shoulder_diameter: float | None
+        outer_shoulder_diameter: float | None
 
     def __post_init__(self) -> None:
         for name, measure in self.measures().items():
@@ -138,6 +142,8 @@ class BallBearing:
         for fault in self._overlaps():
             raise InvalidBearing(fault)
         for fault in self._faults():
+            raise InvalidBearing(fault)
+        for fault in self._shoulder_faults():
             raise InvalidBearing(fault)
 
     @classmethod
@@ -152,6 +158,21 @@ class BallBearing:
                 f"{self.balls} balls of {self.ball_diameter * 1e3:g} mm overlap on a pitch circle "
                 f"of {self.pitch_diameter * 1e3:g} mm"
             )
+
+    def _shoulder_faults(self) -> Iterator[str]:
+        """A groove ends between its bottom and the circle of ball centres."""
+        if self.inner_shoulder_diameter is None and self.outer_shoulder_diameter is None:
+            return
+        bottoms = self.grooves.bottoms
+        for ring, bottom in zip(("inner", "outer"), bottoms, strict=True):
+            given = getattr(self, f"{ring}_shoulder_diameter")
+            low, high = sorted((bottom, float(self.pitch_diameter)))
+            if given is not None and not low < given < high:
+                yield (
+                    f"{ring}_shoulder_diameter {given * 1e3:g} mm must lie between the bottom of "
+                    f"the groove and the pitch circle: allowed inside {low * 1e3:.5g} mm to "
+                    f"{high * 1e3:.5g} mm"
+                )
 
     def _faults(self) -> Iterator[str]:
         """Contract 3."""

@@ -78,7 +78,8 @@ def geometry(bearing: Grooves) -> Geometry:
     mass = bearing.ball_material.density * math.pi * diameter**3 / 6.0
     inner, outer = _race_contact(bearing, inner_f, +1.0), _race_contact(bearing, outer_f, -1.0)
     inner_reach, outer_reach = (inner_f - 0.5) * diameter, (outer_f - 0.5) * diameter
-    cosine, size_ratio = gap / bearing.free_distance, diameter / pitch
+    inner_centres, outer_centres = bearing.centre_radii
+    size_ratio = diameter / pitch
     return Geometry(
         ball_diameter=diameter,
         pitch_diameter=pitch,
@@ -94,8 +95,8 @@ def geometry(bearing: Grooves) -> Geometry:
         touching=bearing.touching,
         inner_reach=inner_reach,
         outer_reach=outer_reach,
-        centre_radius=pitch / 2.0 + inner_reach * cosine,
-        outer_centre_radius=pitch / 2.0 - outer_reach * cosine,
+        centre_radius=inner_centres,
+        outer_centre_radius=outer_centres,
         inner_conformity=inner_f,
         outer_conformity=outer_f,
         size_ratio=size_ratio,

@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
+from bearings.contact.ellipse import middle_angle, shoulder_angle
 from bearings.materials import Material
 
 
@@ -18,6 +19,7 @@ class Grooves:
     ``inner_offsets``, ``outer_offsets`` [m]: axial places of the groove centres of a ring from its
     middle plane, one or two each, the positive first: ir, il, or, ol. ``touching``: zero
     displacement is where balls just touch under an axial push; otherwise where rings are centred.
+    ``inner_shoulder``, ``outer_shoulder``: diameters at which the grooves end, None if unknown.
     """
 
     ball_diameter: float
@@ -32,6 +34,8 @@ class Grooves:
     inner_offsets: tuple[float, ...] = (0.0,)
     outer_offsets: tuple[float, ...] = (0.0,)
     touching: bool = False
+    inner_shoulder: float | None = None
+    outer_shoulder: float | None = None
 
     @classmethod
     def of(
@@ -51,6 +55,8 @@ class Grooves:
             ring_material=bearing.ring_material,
             free_angle=float(free_angle),
             radial_gap=float(gap),
+            inner_shoulder=bearing.inner_shoulder_diameter,
+            outer_shoulder=bearing.outer_shoulder_diameter,
             **centres,
         )
 
@@ -64,3 +70,49 @@ class Grooves:
         """Names of the contacts: i, o; of two grooves a ring: ir, il, or, ol."""
         inner = ("ir", "il") if len(self.inner_offsets) == 2 else ("i",)
         return inner + (("or", "ol") if len(self.outer_offsets) == 2 else ("o",))
+
+    @property
+    def centre_radii(self) -> tuple[float, float]:
+        """Ri and Ro of the circles of inner and outer groove centres [m]."""
+        cosine, half = self.radial_gap / self.free_distance, self.pitch_diameter / 2.0
+        inner, outer = (
+            (f - 0.5) * self.ball_diameter * cosine
+            for f in (self.inner_conformity, self.outer_conformity)
+        )
+        return half + inner, half - outer
+
+    @property
+    def radii(self) -> tuple[float, float]:
+        """Groove radii f D of inner and outer ring [m]."""
+        return (
+            self.inner_conformity * self.ball_diameter,
+            self.outer_conformity * self.ball_diameter,
+        )
+
+    @property
+    def bottoms(self) -> tuple[float, float]:
+        """Diameters where the inner groove is deepest and the outer one widest [m]."""
+        (inner, outer), (ri, ro) = self.radii, self.centre_radii
+        deep = math.sqrt(inner**2 - self.inner_offsets[0] ** 2)
+        wide = math.sqrt(outer**2 - self.outer_offsets[0] ** 2)
+        return 2.0 * (ri - deep), 2.0 * (ro + wide)
+
+    @property
+    def shoulder_angles(self) -> tuple[float, float]:
+        """Angles at which inner and outer groove end [rad]; NaN where that is not known."""
+        (inner, outer), (ri, ro) = self.radii, self.centre_radii
+        di, do = self.inner_shoulder, self.outer_shoulder
+        return (
+            math.nan if di is None else shoulder_angle(ri - di / 2.0, inner),
+            math.nan if do is None else shoulder_angle(do / 2.0 - ro, outer),
+        )
+
+    @property
+    def middle_angles(self) -> tuple[float, float]:
+        """Angles at which the two arcs of inner and outer groove meet [rad]; NaN of one arc."""
+        shims = (2.0 * self.inner_offsets[0], 2.0 * self.outer_offsets[0])
+        inner, outer = (
+            middle_angle(shim, radius) if shim else math.nan
+            for shim, radius in zip(shims, self.radii, strict=True)
+        )
+        return inner, outer

@@ -65,7 +65,7 @@ GENERATED = {
             "random-dense",
             "random-bearings",
             "random-friction",
-        "random-kinds",
+            "random-kinds",
             "random-paths",
             "plain-newton",
         ),

@@ -11,6 +11,7 @@ from bearings.bearing import (
     CONFORMITY,
     MATERIAL,
     PITCH_DIAMETER,
+    SHOULDER,
     BallBearing,
     Measure,
     measured,
@@ -32,6 +33,7 @@ class AngularContactBallBearing(BallBearing):
     contact_angle : free contact angle α [rad]
     inner_conformity, outer_conformity : groove radius over ball diameter, above 0.5
     ball_material, ring_material : elastic constants and density
+    inner_shoulder_diameter, outer_shoulder_diameter : where the grooves end [m]
 
     Raises
     ------
@@ -46,6 +48,8 @@ class AngularContactBallBearing(BallBearing):
     outer_conformity: float = measured(CONFORMITY, 0.52)
     ball_material: Material = measured(MATERIAL, SILICON_NITRIDE)
     ring_material: Material = measured(MATERIAL, STEEL)
+    inner_shoulder_diameter: float | None = measured(SHOULDER, None)
+    outer_shoulder_diameter: float | None = measured(SHOULDER, None)
 
     @property
     def grooves(self) -> Grooves:

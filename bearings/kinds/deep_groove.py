@@ -13,6 +13,7 @@ from bearings.bearing import (
     CONFORMITY,
     MATERIAL,
     PITCH_DIAMETER,
+    SHOULDER,
     BallBearing,
     Measure,
     exactly_one,
@@ -45,6 +46,7 @@ class DeepGrooveBallBearing(BallBearing):
         where balls are pressed in at rest
     contact_angle : free contact angle [rad], instead: cos α = 1 − Pd/(2 BD)
     ball_material, ring_material : elastic constants and density
+    inner_shoulder_diameter, outer_shoulder_diameter : where the grooves end [m]
 
     Raises
     ------
@@ -60,6 +62,8 @@ class DeepGrooveBallBearing(BallBearing):
     contact_angle: float | None = measured(CONTACT_ANGLE, None)
     ball_material: Material = measured(MATERIAL, STEEL)
     ring_material: Material = measured(MATERIAL, STEEL)
+    inner_shoulder_diameter: float | None = measured(SHOULDER, None)
+    outer_shoulder_diameter: float | None = measured(SHOULDER, None)
 
     both_ways: ClassVar[bool] = True
 

@@ -17,6 +17,7 @@ from bearings.bearing import (
     CONFORMITY,
     MATERIAL,
     PITCH_DIAMETER,
+    SHOULDER,
     BallBearing,
     Measure,
     measured,
@@ -51,6 +52,7 @@ class FourPointBallBearing(BallBearing):
     inner_conformity, outer_conformity : groove radius over ball diameter, above 0.5
     inner_shim, outer_shim : gi, go [m]
     ball_material, ring_material : elastic constants and density
+    inner_shoulder_diameter, outer_shoulder_diameter : where the grooves end [m]
 
     Raises
     ------
@@ -69,6 +71,8 @@ class FourPointBallBearing(BallBearing):
     outer_shim: float = measured(SHIM, 0.0)
     ball_material: Material = measured(MATERIAL, STEEL)
     ring_material: Material = measured(MATERIAL, STEEL)
+    inner_shoulder_diameter: float | None = measured(SHOULDER, None)
+    outer_shoulder_diameter: float | None = measured(SHOULDER, None)
 
     both_ways: ClassVar[bool] = True
 

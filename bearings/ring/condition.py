@@ -12,6 +12,7 @@ from bearings.ring.data import Cause
 from bearings.ring.question import Question
 from bearings.ring.spin_up import Gap, spin_up
 from bearings.ring.state import BearingState
+from bearings.ring.truncation import truncation
 
 Array = NDArray[np.float64]
 PERMANENT = 4.2e9  # Pa: ISO 76, the pressure that leaves a ten-thousandth of the ball diameter
@@ -27,7 +28,9 @@ def conditions(state: BearingState, solve: Solve) -> NDArray[np.str_]:
     """What there is to say about each state (…), ``""`` where all balls carry as they should.
 
     ``"unloaded"``, ``"lost contact (balls 3–5)"``, ``"overloaded (pressure 4.6 GPa)"`` beyond the
-    4.2 GPa of ISO 76, ``"beyond the groove (balls 2)"``, ``"slips on the inner race (balls 0–4)"``;
+    4.2 GPa of ISO 76, ``"beyond the groove (balls 2)"``, ``"contact ellipse passes the shoulder of
+    the inner ring (balls 0–3), 12 % of its length lost"`` where its diameter is known,
+    ``"slips on the inner race (balls 0–4)"``;
     where there is no state ``"no contact angle"``, ``"no equilibrium: stiffness vanishes above …
     rpm at this load"`` or ``"no equilibrium: balls 2–4 are thrown off a race above … rpm at this
     load"``: the first speed without a state, spinning up from rest, searched for by ``solve``
@@ -40,6 +43,7 @@ def conditions(state: BearingState, solve: Solve) -> NDArray[np.str_]:
     angle = np.where(state.inner_load.reshape(-1, balls) > 0.0, angle, 0.0)
     status = state.status.reshape(-1, balls)
     slipping = state.slipping.reshape(-1, balls)
+    cut = _cut_off(state)
     refused = np.flatnonzero(state.outcome.reshape(-1) == "no equilibrium")
     ends = iter(endings(state.cause, refused, solve) if refused.size else [])
     words = []
@@ -49,7 +53,7 @@ def conditions(state: BearingState, solve: Solve) -> NDArray[np.str_]:
         elif outcome:
             words.append(str(outcome))
         else:
-            words.append("; ".join(_remarks(pressure[k], angle[k], status[k], slipping[k])))
+            words.append("; ".join(_remarks(pressure[k], angle[k], cut[k], status[k], slipping[k])))
     return np.array(words, dtype=str).reshape(state.outcome.shape)
 
 
@@ -105,8 +109,19 @@ def _ending(cause: Cause, gap: Gap, thrown: NDArray[np.bool_]) -> str:
     return f"stiffness vanishes {where}"
 
 
+def _cut_off(state: BearingState) -> Array:
+    """Largest share that the shoulder of each ring cuts off an ellipse (states, balls, 2)."""
+    cut, split = truncation(state).beyond_shoulder, len(state.cause.grooves.inner_offsets)
+    rings = [cut[..., :split].max(axis=-1), cut[..., split:].max(axis=-1)]
+    return np.stack(rings, axis=-1).reshape(-1, cut.shape[-2], 2)
+
+
 def _remarks(
-    pressure: Array, angle: Array, status: NDArray[np.str_], slipping: NDArray[np.str_]
+    pressure: Array,
+    angle: Array,
+    cut: Array,
+    status: NDArray[np.str_],
+    slipping: NDArray[np.str_],
 ) -> list[str]:
     """About a state that exists."""
     remarks = []
@@ -114,6 +129,12 @@ def _remarks(
         remarks.append(f"overloaded (pressure {pressure.max() / 1e9:.1f} GPa)")
     if (beyond := angle > math.pi / 2.0).any():
         remarks.append(f"beyond the groove (balls {_ranges(beyond)})")
+    for ring, share in zip(("inner", "outer"), cut.T, strict=True):
+        if (some := share > 0.0).any():
+            remarks.append(
+                f"contact ellipse passes the shoulder of the {ring} ring (balls {_ranges(some)}), "
+                f"{100.0 * share.max():.2g} % of its length lost"
+            )
     idle = (status == "lost contact") | (status == "unloaded")
     if idle.all():
         remarks.append("unloaded")

@@ -13,10 +13,12 @@ independent code, with the rounding of its table.
 from __future__ import annotations
 
 import math
+from dataclasses import fields, replace
 
 import numpy as np
 import pytest
 
+import rotordyn
 from bearings import FourPointBallBearing
 from bearings.ring.state import BearingState
 from tests.oracles.four_point import Drawing, GrooveOracle
@@ -151,3 +153,20 @@ def test_rigid_rings_are_stiffer_than_the_test_rig(
     found = (s.displacement[1, 0] - s.displacement[0, 0]) * MICRO
     assert found == pytest.approx(travel, abs=0.1)
     assert found < published
+
+
+@pytest.mark.parametrize(
+    ("name", "drawing", "shoulders"),
+    [("qj218", QJ218, (114e-3, 136e-3)), ("lacroix_r24_14", R24_14, (156e-3, 161e-3))],
+)
+def test_models_of_the_library(name: str, drawing: Drawing, shoulders: tuple[float, float]) -> None:
+    """Files say what tables 4.9 and 5.1 do; rings of R_24^14: bore and outside ± 2·14 mm."""
+    model = rotordyn.model("bearings", name)
+    inner, outer = shoulders
+    plain = replace(model, inner_shoulder_diameter=None, outer_shoulder_diameter=None)
+    assert (model.inner_shoulder_diameter, model.outer_shoulder_diameter) == (inner, outer)
+    for field in fields(plain):
+        known, here = getattr(four_point(drawing), field.name), getattr(plain, field.name)
+        if field.name.endswith("material"):
+            known, here = replace(known, name=""), replace(here, name="")
+        assert here == known or here == pytest.approx(known, rel=1e-12), field.name

@@ -31,7 +31,6 @@ def geometry(entry: BearingEntry, root: Node, way: tuple[object, ...], faults: F
         faults.at(root, (*way, *place), f"impossible bearing: {error}")
         return
     _rings(entry, bearing, root, way, faults)
-    _shoulders(entry, bearing, root, way, faults)
 
 
 def _known(entry: BearingEntry) -> bool:
@@ -62,27 +61,6 @@ def _rings(
         _no_ring(root, (*way, "bore_diameter"), "below", inner, faults)
     if entry.outside_diameter is not None and entry.outside_diameter <= outer:
         _no_ring(root, (*way, "outside_diameter"), "above", outer, faults)
-
-
-def _shoulders(
-    entry: BearingEntry, bearing: BallBearing, root: Node, way: tuple[object, ...], faults: Faults
-) -> None:
-    """Grooves reach past the contacts of the unloaded bearing, and not past the ball centres."""
-    inner, outer = 2.0 * bearing.inner_raceway_radius, 2.0 * bearing.outer_raceway_radius
-    middle = bearing.pitch_diameter
-    for key, low, high in (
-        ("inner_shoulder_diameter", inner, middle),
-        ("outer_shoulder_diameter", middle, outer),
-    ):
-        value = getattr(entry, key)
-        if value is not None and not (low < value < high or math.isnan(value)):
-            between = " to ".join(format_quantity(limit, "mm") for limit in (low, high))
-            faults.at(
-                root,
-                (*way, key),
-                f"the groove ends before the contact, or beyond the ball centres: given "
-                f"'{root.at(*way, key).raw}'; allowed: inside {between}",
-            )
 
 
 def _no_ring(root: Node, way: tuple[object, ...], side: str, limit: float, faults: Faults) -> None:

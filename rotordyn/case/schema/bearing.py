@@ -34,8 +34,6 @@ class BearingEntry(Entry):
     note: Text = ""
     bore_diameter: Diameter | None = None
     outside_diameter: Diameter | None = None
-    inner_shoulder_diameter: Diameter | None = None
-    outer_shoulder_diameter: Diameter | None = None
     width: Length | None = None
 
 

@@ -394,8 +394,6 @@ MEANINGS: dict[str, dict[str, str]] = {
         "note": "what is estimated",
         "bore_diameter": "of the inner ring",
         "outside_diameter": "of the outer ring",
-        "inner_shoulder_diameter": "where the groove of the inner ring ends",
-        "outer_shoulder_diameter": "where the groove of the outer ring ends",
         "width": "of the rings",
     },
     "material": {

@@ -1,0 +1,85 @@
+"""Contact ellipses of a solved state against the ends of their grooves."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.contact.ellipse import half_axes, share_outside
+from bearings.geometry import geometry
+from bearings.ring.state import BearingState
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Truncation:
+    """Contact ellipses on their grooves, in the order of the bearing's ``contact_names``.
+
+    By contact (…, balls, contacts): half-axes ``major`` along the groove and ``minor`` [m], 0
+    without load; ``lower_end`` and ``upper_end`` of the major axis [rad], NaN without load: a
+    contact angle less and plus a/(f D), counted towards the shoulder that the contact is closer to;
+    ``beyond_shoulder`` and ``beyond_middle``: shares of the length of the major axis that lie past
+    the shoulder, and past the line where the two arcs of a groove meet.
+
+    By contact alone (contacts,): ``shoulder_angle`` [rad], NaN where the shoulder diameter is not
+    known; ``middle_angle`` [rad] where the arcs meet, NaN in a groove of one arc.
+    """
+
+    major: Array
+    minor: Array
+    lower_end: Array
+    upper_end: Array
+    beyond_shoulder: Array
+    beyond_middle: Array
+    shoulder_angle: Array
+    middle_angle: Array
+
+    @property
+    def shoulder_margin(self) -> Array:
+        """From the upper end to the shoulder (…, balls, contacts) [rad]; negative past it."""
+        return self.shoulder_angle - self.upper_end
+
+    @property
+    def middle_margin(self) -> Array:
+        """From the groove's middle to the lower end (…, balls, contacts) [rad]; negative past."""
+        return self.lower_end - self.middle_angle
+
+    @property
+    def lost(self) -> Array:
+        """Share of the length of the major axis outside its groove (…, balls, contacts)."""
+        return np.minimum(self.beyond_shoulder + self.beyond_middle, 1.0)
+
+
+def truncation(state: BearingState) -> Truncation:
+    """How contact ellipses lie on their grooves, and how much of them grooves cut off.
+
+    A groove of one arc has alike shoulders on both sides where the bearing takes thrust both ways;
+    an ellipse may then pass either. An angular-contact ring has its shoulder on the loaded side.
+    """
+    grooves = state.cause.grooves
+    g, load = geometry(grooves), np.nan_to_num(state.contact_load)
+    split = len(g.inner_grooves)
+    inner, outer = half_axes(g.inner, load[..., :split]), half_axes(g.outer, load[..., split:])
+    major, minor = (np.concatenate(pair, axis=-1) for pair in zip(inner, outer, strict=True))
+    radii, shoulder, middle = (
+        np.array([by_ring[0]] * split + [by_ring[1]] * len(g.outer_grooves))
+        for by_ring in (grooves.radii, grooves.shoulder_angles, grooves.middle_angles)
+    )
+    alike = np.isnan(middle) & (not g.touching)
+    angle = np.where(alike, np.abs(state.contact_angle), state.contact_angle)
+    lower, upper = angle - major / radii, angle + major / radii
+    far = np.where(alike, -shoulder, np.nan)
+    none = np.full_like(shoulder, np.nan)
+    return Truncation(
+        major=major,
+        minor=minor,
+        lower_end=lower,
+        upper_end=upper,
+        beyond_shoulder=share_outside(lower, upper, far, shoulder),
+        beyond_middle=share_outside(lower, upper, middle, none),
+        shoulder_angle=shoulder,
+        middle_angle=middle,
+    )
