@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import fields
 from functools import cache
+from itertools import pairwise
 from typing import Any, get_type_hints
 
 from rotordyn.errors import InvalidInput
@@ -64,3 +65,11 @@ def doubled(names: Iterable[str]) -> Iterator[str]:
         if name and name in seen:
             yield name
         seen.add(name)
+
+
+def ascending(what: str, values: Sequence[float]) -> Iterator[str]:
+    """A sentence for each value that is not above the one before it."""
+    for before, here in pairwise(values):
+        if here <= before:
+            how = "repeated" if here == before else "not in ascending order"
+            yield f"{what}: {how}: given {here:.6g} after {before:.6g}"

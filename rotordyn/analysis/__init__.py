@@ -6,6 +6,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from rotordyn.analysis.bearing_specs import BearingMapSpec, ControlSpec
     from rotordyn.analysis.loads import (
         BalanceGrade,
         EccentricSpan,
@@ -15,10 +16,8 @@ if TYPE_CHECKING:
         Unbalance,
     )
     from rotordyn.analysis.specs import (
-        BearingMapSpec,
         CampbellSpec,
         Conditions,
-        ControlSpec,
         FrfSpec,
         MeasuredResponse,
         Port,

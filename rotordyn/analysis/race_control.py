@@ -7,10 +7,11 @@ from numpy.typing import NDArray
 
 from bearings.bearing import BallBearing
 from bearings.race_control import RACES, ControlMap, control_map, quadratic, resting_weight
+from rotordyn.analysis.bearing_specs import ControlSpec
 from rotordyn.analysis.display import RPM
 from rotordyn.analysis.results import ControlResult
 from rotordyn.analysis.results.kinds import Array
-from rotordyn.analysis.specs import Conditions, ControlSpec
+from rotordyn.analysis.specs import Conditions
 from rotordyn.errors import NoSolution
 from rotordyn.machine.limits import HIGHEST_PRESSURE
 

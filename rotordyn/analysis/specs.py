@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping
 from dataclasses import dataclass, field
-from itertools import pairwise
 from typing import Annotated
 
 from bearings.ball.law import KINEMATICS, MOMENT_SHARING, Law
+from rotordyn.analysis.bearing_specs import BearingMapSpec, ControlSpec, Tangent
 from rotordyn.analysis.formulation import FORMULATIONS, INERTIAL
 from rotordyn.analysis.loads import (
     BalanceGrade,
@@ -19,7 +19,7 @@ from rotordyn.analysis.loads import (
     Unbalance,
 )
 from rotordyn.analysis.shaft import ELEMENTS, SHAFT
-from rotordyn.description import Description, doubled
+from rotordyn.description import Description, ascending, doubled
 from rotordyn.machine.support import Freedom
 from rotordyn.quantity import (
     Accuracy,
@@ -29,20 +29,16 @@ from rotordyn.quantity import (
     Force,
     Frequency,
     Friction,
-    Growth,
     Length,
     LightLoad,
-    Load,
     Name,
     PointName,
-    RadialShare,
     Speed,
     Travel,
     Whole,
 )
 
 VARIANTS = ("nonlinear", "full", "diagonal", "constant_preload")
-TANGENTS = ("complete", "frozen", "difference")
 BEARINGS = ("dynamic", "static")
 ROTOR = ("flexible", "rigid")
 GRAVITY = ("none", "+x", "-x")
@@ -51,7 +47,6 @@ MESH_FILES = ("vtu", "vtk", "xdmf", "glb", "stl", "ply", "obj", "off")
 MOST_TEETH = MOST_STEPS = 1000
 QUANTITIES = ("receptance", "mobility", "inertance")
 REDUCED, DIRECT = METHODS = ("reduced", "direct")
-Tangent = Annotated[str, Choice(TANGENTS)]
 
 
 @dataclass(frozen=True, slots=True)
@@ -316,45 +311,6 @@ class UnbalanceSpec(Description):
         return (*own, *(self.grade.planes if self.grade else ()))
 
 
-@dataclass(frozen=True, slots=True)
-class BearingMapSpec(Description):
-    """A single bearing under axial ``loads`` [N] at every speed of the case.
-
-    ``tangents``: of ``TANGENTS``, the stiffness matrices to compute.
-    """
-
-    loads: tuple[Load, ...]
-    static_growth: Growth = 0.0
-    tangents: tuple[Tangent, ...] = TANGENTS[:1]
-
-    def _faults(self) -> Iterator[str]:
-        if not self.loads or not self.tangents:
-            yield f"no {'tangents' if self.loads else 'loads'}: at least one is needed"
-        yield from ascending("loads", self.loads)
-        for name in doubled(self.tangents):
-            yield f"tangents: repeated: given '{name}'"
-
-
-@dataclass(frozen=True, slots=True)
-class ControlSpec(Description):
-    """Which race controls the balls of a single bearing, at every speed of the case.
-
-    Axial loads from ``min_load`` to ``max_load`` [N]; ``radial``: radial over axial load.
-    """
-
-    max_load: Load
-    min_load: LightLoad = 10.0
-    radial: RadialShare = 0.0
-    static_growth: Growth = 0.0
-
-    def _faults(self) -> Iterator[str]:
-        if self.max_load <= self.min_load:
-            yield (
-                f"max_load: not above min_load: given {self.max_load:.6g} N after "
-                f"{self.min_load:.6g} N"
-            )
-
-
 Spec = (
     PreloadSpec
     | CampbellSpec
@@ -365,11 +321,3 @@ Spec = (
     | BearingMapSpec
     | ControlSpec
 )
-
-
-def ascending(what: str, values: Sequence[float]) -> Iterator[str]:
-    """A sentence for each value that is not above the one before it."""
-    for before, here in pairwise(values):
-        if here <= before:
-            how = "repeated" if here == before else "not in ascending order"
-            yield f"{what}: {how}: given {here:.6g} after {before:.6g}"

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import fields
 
+from rotordyn.analysis.bearing_specs import BearingMapSpec, ControlSpec
 from rotordyn.analysis.formulation import ROTATING, turned
 from rotordyn.analysis.on_housings import directions_on_housings, obstacles_on_housings
 from rotordyn.analysis.on_joints import obstacles_of_joints
@@ -13,20 +14,18 @@ from rotordyn.analysis.shaft import obstacles
 from rotordyn.analysis.specs import (
     DIRECT,
     QUANTITIES,
-    BearingMapSpec,
     CampbellSpec,
     Conditions,
-    ControlSpec,
     FrfSpec,
     PreloadSpec,
     SectionForcesSpec,
     Spec,
     StiffnessSpec,
     UnbalanceSpec,
-    ascending,
     not_direct,
 )
 from rotordyn.case.loads import misplaced, misplaced_unbalance, overheld, rotors_of, unheld
+from rotordyn.description import ascending
 from rotordyn.machine.held import RigidSupport
 from rotordyn.machine.housing import housed_motions
 from rotordyn.machine.reference import Reference

@@ -12,7 +12,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from rotordyn.analysis.display import response_unit
-from rotordyn.analysis.specs import NO_RESPONSE, QUANTITIES, ascending
+from rotordyn.analysis.specs import NO_RESPONSE, QUANTITIES
+from rotordyn.description import ascending
 from rotordyn.errors import InvalidInput
 from rotordyn.quantity import FREQUENCY
 from rotordyn.units import STANDARD_GRAVITY, parse_unit, shown

@@ -102,6 +102,10 @@ def _unbalance(_: Drawable, result: Any, __: Mapping[str, Any]) -> Iterator[Job]
 
 def _bearing(case: Drawable, result: Any, _: Mapping[str, Any]) -> Iterator[Job]:
     yield "bearing", partial(call, "bearing", "bearing_figure", result)
+    if result.ball.size > 1 or len(result.contact) > 2:
+        yield "bearing_contacts", partial(call, "bearing_contacts", "contacts_figure", result)
+    if result.ball.size > 1:
+        yield "bearing_azimuth", partial(call, "bearing_azimuth", "azimuth_figure", result)
     if "complete" in result.tangent and len(result.tangent) > 1:
         known = case.known
         yield "bearing_tangents", partial(call, "tangents", "tangents_figure", result, known)

@@ -85,3 +85,17 @@ def draw_references(
             zorder=6,
             label=f"{reference.kind}{whose}",
         )
+
+
+def draw_runs(
+    axes: Axes,
+    x: NDArray[np.float64],
+    y: NDArray[np.float64],
+    key: NDArray[np.int_],
+    **style: Any,
+) -> None:
+    """A curve that is broken wherever ``key``, what its points belong to, changes."""
+    starts = np.flatnonzero(np.diff(key, prepend=key[0] - 1))
+    for first, last in zip(starts, [*starts[1:], len(x)], strict=True):
+        axes.plot(x[first:last], y[first:last], **style)
+        style["label"] = None

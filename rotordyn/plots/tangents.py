@@ -8,10 +8,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.bearing_map import tangent_error
+from rotordyn.analysis.bearing_map import tangent_error, under
 from rotordyn.analysis.display import RPM
 from rotordyn.analysis.results import BearingMapResult
 from rotordyn.machine.reference import Reference
+from rotordyn.plots.labels import axis_label
 from rotordyn.plots.legends import legend, top_legend
 from rotordyn.plots.style import (
     BLACK,
@@ -60,15 +61,19 @@ def tangents_figure(result: BearingMapResult, references: Sequence[Reference] = 
         if place == 0:
             legend(axes, loc="lower left")
         if mapped:
-            _map(add_axes(figure, boxes[2 + place], "speed [rpm]", "axial load [N]"), result, error)
+            _map(
+                add_axes(figure, boxes[2 + place], "speed [rpm]", axis_label(result, "load")),
+                result,
+                error,
+            )
     return figure
 
 
 def _curves(axes: Axes, result: BearingMapResult, error: Array) -> None:
     rpm = result.speed * RPM.factor
-    for column, load in enumerate(result.load):
+    for column in range(result.load.size):
         colour = CYCLE[column % len(CYCLE)]
-        axes.plot(rpm, error[:, column], color=colour, label=f"{load:g} N")
+        axes.plot(rpm, error[:, column], color=colour, label=under(result, column))
     speed_ticks(axes, float(rpm[-1]))
 
 
@@ -120,7 +125,7 @@ def _map(axes: Axes, result: BearingMapResult, error: Array) -> None:
     axes.clabel(lines, fmt="%g", fontsize=FONT_SIZE - 1.5)
     row, column = np.unravel_index(np.nanargmax(np.abs(error)), error.shape)
     peak = f"lines: error [%]; largest {error[row, column]:+.1f} % at {rpm[row]:.0f} rpm, "
-    axes.set_title(peak + f"{result.load[column]:g} N", fontsize=FONT_SIZE - 1.0, pad=3.0)
+    axes.set_title(peak + under(result, int(column)), fontsize=FONT_SIZE - 1.0, pad=3.0)
     axes.plot(
         rpm[row], result.load[column], marker="x", color=BLACK, mew=1.4, clip_on=False, zorder=6
     )

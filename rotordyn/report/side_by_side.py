@@ -8,6 +8,7 @@ from typing import Any
 
 import numpy as np
 
+from rotordyn.analysis.bearing_map import under
 from rotordyn.analysis.display import RPM, STIFFNESS, number
 from rotordyn.analysis.known import matches, preload_sum
 from rotordyn.analysis.results import (
@@ -141,8 +142,8 @@ def _stiffness(result: StiffnessResult, _: Described) -> Cells:
 def _bearing(result: BearingMapResult, _: Described) -> Cells:
     values = result.stiffness[:, :, 0] * STIFFNESS.factor
     return {
-        f"{load:.0f} N": ", ".join(from_to(values[:, k, i, i]) for i in (0, 1))
-        for k, load in enumerate(result.load)
+        under(result, k): ", ".join(from_to(values[:, k, i, i]) for i in (0, 1))
+        for k in range(len(result.load))
     }
 
 

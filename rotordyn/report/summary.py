@@ -15,7 +15,6 @@ from rotordyn.analysis.excitation import Line, exciting
 from rotordyn.analysis.known import matches
 from rotordyn.analysis.race_control import BOUNDARY_WORDS, fit_words
 from rotordyn.analysis.results import (
-    BearingMapResult,
     CampbellResult,
     ControlResult,
     PreloadResult,
@@ -28,6 +27,7 @@ from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import SPINDLE, BearingSeat, Sleeve
 from rotordyn.report.accuracy import accuracy_words
+from rotordyn.report.bearing_map import bearing_lines
 from rotordyn.report.known import known_lines
 from rotordyn.report.measured import measured_lines
 from rotordyn.report.section_forces import section_force_lines
@@ -74,7 +74,7 @@ def summary(
     if "preload" in results:
         lines += _preload(results["preload"])
     if "bearing" in results:
-        lines += _bearing(results["bearing"])
+        lines += bearing_lines(results["bearing"])
     if "control" in results:
         lines += _control(results["control"])
     if "stiffness" in results:
@@ -235,26 +235,6 @@ def _whirl(name: str, whirl: float) -> str:
     """Whirl at the top speed, where the name does not say it."""
     known = "forward" in name or "backward" in name or not math.isfinite(whirl)
     return "" if known else _WHIRL[round(whirl)]
-
-
-def _bearing(result: BearingMapResult) -> list[str]:
-    """Axial and radial stiffness at each load, at the first and the last speed."""
-    speeds = from_to(result.speed * RPM.factor, 0)
-    name = "" if result.tangent[0] == "complete" else f" ({result.tangent[0]} tangent)"
-    lines = [f"stiffness  [N/µm] of the bearing, tilts blocked, at {speeds} rpm{name}"]
-    stiffness = result.stiffness[:, :, 0] * STIFFNESS.factor
-    for k, load in enumerate(result.load):
-        words = [word for word in result.outcome[:, k] if word]
-        if len(words) == len(result.speed):
-            lines.append(f"           {load:.0f} N: {words[0]}")
-            continue
-        axial, radial = (from_to(stiffness[:, k, i, i]) for i in (0, 1))
-        pressure = np.nanmax(np.fmax(result.inner_pressure, result.outer_pressure)[:, k]) / 1e9
-        lines.append(
-            f"           {load:.0f} N: axial {axial}, radial {radial}; pressure up to "
-            f"{pressure:.2f} GPa"
-        )
-    return lines
 
 
 def _control(result: ControlResult) -> list[str]:

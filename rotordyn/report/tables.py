@@ -77,6 +77,9 @@ LAYOUTS = {
     "bearing": (
         Layout("bearing", ("speed", "load")),
         Layout("bearing_stiffness", ("speed", "load", "tangent"), ("dof", "dof_other")),
+        Layout("bearing_balls", ("speed", "load", "ball")),
+        Layout("bearing_contacts", ("speed", "load", "ball", "contact")),
+        Layout("bearing_grooves", ("contact",)),
     ),
     "control": (
         Layout("control", ("speed", "boundary")),

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.analysis.bearing_map import under
 from rotordyn.analysis.display import RPM
 from rotordyn.analysis.results import (
     BearingMapResult,
@@ -16,12 +17,13 @@ from rotordyn.analysis.results import (
     SectionForcesResult,
 )
 from rotordyn.machine.limits import WARNING_PRESSURE
+from rotordyn.report.bearing_map import cut_off
 
 
 def result_warnings(results: Mapping[str, Any]) -> list[str]:
-    """Sentences on modes not proven, unstable modes, bearings too hard pressed or slipping, shafts
-    twisted."""
-    found = (_uncertified, _unstable_modes, _pressures, _slips, _twists)
+    """Sentences on modes not proven, unstable modes, bearings too hard pressed or slipping, contact
+    ellipses cut off, shafts twisted."""
+    found = (_uncertified, _unstable_modes, _pressures, _slips, _ellipses, _twists)
     return [sentence for look in found for sentence in look(results)]
 
 
@@ -74,8 +76,9 @@ def _pressures(results: Mapping[str, Any]) -> list[str]:
         found = [_pressed(f"bearing {name}", result.speed, own) for name, own in named]
     if isinstance(single := results.get("bearing"), BearingMapResult):
         peak = np.fmax(single.inner_pressure, single.outer_pressure)
-        loaded = zip(single.load, peak.T, strict=True)
-        found += [_pressed(f"under {load:g} N", single.speed, own) for load, own in loaded]
+        found += [
+            _pressed(f"under {under(single, k)}", single.speed, own) for k, own in enumerate(peak.T)
+        ]
     return [sentence for sentence in found if sentence]
 
 
@@ -85,9 +88,16 @@ def _slips(results: Mapping[str, Any]) -> list[str]:
         named = zip(result.bearing, result.slipping.T, strict=True)
         found = [_slipping(f"bearing {name}", result.speed, own) for name, own in named]
     if isinstance(single := results.get("bearing"), BearingMapResult):
-        loaded = zip(single.load, single.slipping.T, strict=True)
-        found += [_slipping(f"under {load:g} N", single.speed, own) for load, own in loaded]
+        found += [
+            _slipping(f"under {under(single, k)}", single.speed, own)
+            for k, own in enumerate(single.slipping.T)
+        ]
     return [sentence for sentence in found if sentence]
+
+
+def _ellipses(results: Mapping[str, Any]) -> list[str]:
+    single = results.get("bearing")
+    return cut_off(single) if isinstance(single, BearingMapResult) else []
 
 
 def _slipping(what: str, speed: NDArray[np.float64], races: NDArray[np.str_]) -> str:

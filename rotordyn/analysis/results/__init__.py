@@ -8,7 +8,6 @@ why.
 from __future__ import annotations
 
 from rotordyn.analysis.results.bearings import (
-    BearingMapResult,
     ControlResult,
     PreloadResult,
 )
@@ -26,6 +25,11 @@ from rotordyn.analysis.results.responses import (
     MobilityResult,
     TurningFrfResult,
     UnbalanceResult,
+)
+from rotordyn.analysis.results.single_bearing import (
+    BearingMapResult,
+    MomentMapResult,
+    RadialMapResult,
 )
 from rotordyn.analysis.results.statics import (
     SectionForcesResult,
@@ -53,7 +57,9 @@ __all__ = [
     "FrfResult",
     "InertanceResult",
     "MobilityResult",
+    "MomentMapResult",
     "PreloadResult",
+    "RadialMapResult",
     "Result",
     "SectionForcesResult",
     "StiffnessResult",

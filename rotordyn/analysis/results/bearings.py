@@ -48,43 +48,6 @@ class PreloadResult:
 
 
 @dataclass(frozen=True)
-class BearingMapResult:
-    """A single bearing under axial load and speed, its tilts blocked."""
-
-    speed: Array = coordinate("speed", unit="rad/s", label="speed")
-    load: Array = coordinate("load", unit="N", label="axial load")
-    tangent: Words = coordinate("tangent", unit="", label="tangent")
-    dof: Words = coordinate("dof", unit="", label="freedom")
-    dof_other: Words = coordinate("dof_other", unit="", label="freedom")
-    outcome: NDArray[np.str_] = quantity("speed", "load", unit="", label="outcome")
-    deflection: Array = quantity("speed", "load", unit="m", label="axial deflection")
-    stiffness: Array = quantity(
-        *("speed", "load", "tangent", "dof", "dof_other"),
-        unit="N/m, N/rad, N·m/rad",
-        label="stiffness",
-    )
-    inner_angle: Array = quantity("speed", "load", unit="rad", label="inner contact angle")
-    outer_angle: Array = quantity("speed", "load", unit="rad", label="outer contact angle")
-    inner_load: Array = quantity("speed", "load", unit="N", label="inner ball load")
-    outer_load: Array = quantity("speed", "load", unit="N", label="outer ball load")
-    inner_pressure: Array = quantity("speed", "load", unit="Pa", label="inner peak pressure")
-    outer_pressure: Array = quantity("speed", "load", unit="Pa", label="outer peak pressure")
-    centrifugal_force: Array = quantity("speed", "load", unit="N", label="centrifugal force")
-    gyroscopic_moment: Array = quantity("speed", "load", unit="N·m", label="gyroscopic moment")
-    inner_grip: Array = quantity("speed", "load", unit="1", label="grip needed, inner race")
-    outer_grip: Array = quantity("speed", "load", unit="1", label="grip needed, outer race")
-    slipping: NDArray[np.str_] = quantity("speed", "load", unit="", label="race that slips")
-    inner_spin_to_roll: Array = quantity(
-        "speed", "load", unit="1", label="spin-to-roll ratio, inner race"
-    )
-    outer_spin_to_roll: Array = quantity(
-        "speed", "load", unit="1", label="spin-to-roll ratio, outer race"
-    )
-    control: NDArray[np.str_] = quantity("speed", "load", unit="", label="controlling race")
-    control_agrees: Flags = quantity("speed", "load", unit="", label="kinematics agrees")
-
-
-@dataclass(frozen=True)
 class ControlResult:
     """Which race controls the balls of a single bearing over axial load and speed, tilts blocked.
 

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
+from rotordyn.analysis.bearing_specs import BearingMapSpec, ControlSpec
 from rotordyn.analysis.loads import (
     BalanceGrade,
     EccentricSpan,
@@ -15,10 +16,8 @@ from rotordyn.analysis.loads import (
     Unbalance,
 )
 from rotordyn.analysis.specs import (
-    BearingMapSpec,
     CampbellSpec,
     Conditions,
-    ControlSpec,
     FrfSpec,
     MeasuredResponse,
     Port,
@@ -121,7 +120,16 @@ _BUILDERS: dict[type, Callable[[Any], Spec]] = {
     SectionForcesEntry: section_forces,
     UnbalanceResponseEntry: unbalance,
     BearingMapEntry: lambda entry: BearingMapSpec(
-        tuple(entry.loads), entry.static_growth, tuple(entry.tangents)
+        tuple(entry.loads),
+        entry.static_growth,
+        tuple(entry.tangents),
+        radial_loads=tuple(entry.radial_loads),
+        moments=tuple(entry.moments),
+        axial_load=entry.axial_load,
+        radial_load=entry.radial_load,
+        moment=entry.moment,
+        tilt=entry.tilt,
+        dynamics=entry.dynamics,
     ),
     ControlEntry: lambda entry: ControlSpec(
         entry.max_load, entry.min_load, entry.radial, entry.static_growth

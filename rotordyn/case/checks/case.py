@@ -6,6 +6,7 @@ import math
 from collections.abc import Sequence
 from contextlib import suppress
 
+from rotordyn.analysis.bearing_specs import LISTS, contradictions
 from rotordyn.case.agreement import (
     MOST_ELEMENTS,
     NEEDS_BEARINGS,
@@ -87,7 +88,11 @@ def _of_bearing(entry: CaseEntry, root: Node, faults: Faults) -> None:
 def _lists(entry: CaseEntry, root: Node, faults: Faults) -> None:
     way, analyses = ("analyses",), entry.analyses
     if analyses.bearing is not None:
-        ascending(analyses.bearing.loads, root, (*way, "bearing", "loads"), faults)
+        for name in LISTS.values():
+            ascending(getattr(analyses.bearing, name), root, (*way, "bearing", name), faults)
+        for key, sentence in contradictions(analyses.bearing):
+            place = (key,) if key else ()
+            faults.at_key(root, (*way, "bearing", *place), sentence)
         _once(analyses.bearing.tangents, root, (*way, "bearing", "tangents"), faults)
     if analyses.control is not None:
         _range_of_loads(analyses.control, root, faults)

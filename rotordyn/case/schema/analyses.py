@@ -6,13 +6,14 @@ from typing import Annotated, Any, NamedTuple
 
 from pydantic import BeforeValidator, ConfigDict, Field, PlainValidator, WithJsonSchema
 
+from bearings.ball.law import DYNAMICS
+from rotordyn.analysis.bearing_specs import TANGENTS, TILTS
 from rotordyn.analysis.specs import (
     MESH_FILES,
     METHODS,
     MOST_STEPS,
     MOST_TEETH,
     QUANTITIES,
-    TANGENTS,
     VARIANTS,
 )
 from rotordyn.case.node import UNKNOWN
@@ -25,10 +26,12 @@ from rotordyn.case.schema.values import (
     Amplitude,
     EngineOrder,
     Flag,
+    Force,
     Frequency,
     Growth,
     LightLoad,
     Load,
+    Moment,
     Name,
     RadialShare,
     Speed,
@@ -161,9 +164,16 @@ class StiffnessEntry(Entry):
 
 
 class BearingMapEntry(Entry):
-    """A single bearing under a list of axial loads."""
+    """A single bearing under one list of loads, axial, radial or moments; others may be fixed."""
 
-    loads: Annotated[list[Load], Field(min_length=1)]
+    loads: Annotated[list[Load], Field(min_length=1)] = []
+    radial_loads: Annotated[list[Force], Field(min_length=1)] = []
+    moments: Annotated[list[Moment], Field(min_length=1)] = []
+    axial_load: Force = 0.0
+    radial_load: Force = 0.0
+    moment: Moment = 0.0
+    tilt: Annotated[str, choice(*TILTS)] = TILTS[0]
+    dynamics: Annotated[str, choice(*DYNAMICS)] = DYNAMICS[0]
     static_growth: Growth = 0.0
     tangents: Annotated[list[Tangent], Field(min_length=1)] = [TANGENTS[0]]
 

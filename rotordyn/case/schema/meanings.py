@@ -177,7 +177,15 @@ MEANINGS: dict[str, dict[str, str]] = {
         "bore": "of the uniform shaft whose outer diameter is sought",
     },
     "bearing map": {
-        "loads": "axial loads, ascending",
+        "loads": "axial loads, ascending; one of `loads`, `radial_loads`, `moments` is given",
+        "radial_loads": "radial loads along y, ascending, instead",
+        "moments": "moments about z, ascending, instead; they tilt the ring in the plane of y",
+        "axial_load": "acts all the time, where axial loads are not the list",
+        "radial_load": "acts all the time, where radial loads are not the list",
+        "moment": "acts all the time, where moments are not the list",
+        "tilt": "`blocked` holds the tilts of the ring at zero",
+        "dynamics": "`frozen`: centrifugal force at the free contact angle, no gyroscopic moment "
+        "([theory](theory/four_point.md#at-speed))",
         "static_growth": "radial growth of the inner groove at rest",
         "tangents": "stiffness matrices to compute ([theory](theory/ball.md#the-tangent))",
     },

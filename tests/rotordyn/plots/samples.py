@@ -431,6 +431,10 @@ def bearing(count: int = 13) -> BearingMapResult:
         outcome=np.full((count, load.size), "solved"),
         deflection=load / k,
         stiffness=np.stack([complete, frozen], axis=2),
+        radial_deflection=np.zeros_like(k),
+        tilt=np.zeros_like(k),
+        loaded_ball=np.zeros(k.shape, int),
+        **one_ball(load, s, ones),
         inner_angle=0.44 + 0.2 * s * ones,
         outer_angle=0.44 - 0.2 * s * ones,
         inner_load=load / 10.0 * ones,
@@ -446,6 +450,27 @@ def bearing(count: int = 13) -> BearingMapResult:
         outer_spin_to_roll=0.01 * s * ones,
         control=np.full(k.shape, "outer"),
         control_agrees=np.full(k.shape, True),
+    )
+
+
+def one_ball(load, s, ones) -> dict[str, Any]:
+    """Its contacts i and o: ellipses of 0.1 rad either side, far from the shoulders at 0.9 rad."""
+    q = np.stack([load / 10.0 * ones, load / 10.0 + 100.0 * s], axis=-1)[:, :, None]
+    angle = np.stack([0.44 + 0.2 * s * ones, 0.44 - 0.2 * s * ones], axis=-1)[:, :, None]
+    return dict(
+        ball=np.zeros(1),
+        contact=("i", "o"),
+        contacts=np.full(q.shape[:-1], 2),
+        contact_load=q,
+        contact_angle=angle,
+        contact_pressure=1.5e9 * np.ones_like(q),
+        ellipse_length=4e-4 * np.ones_like(q),
+        ellipse_width=1e-4 * np.ones_like(q),
+        ellipse_lower=angle - 0.1,
+        ellipse_upper=angle + 0.1,
+        truncated=np.zeros_like(q),
+        shoulder_angle=np.full(2, 0.9),
+        middle_angle=np.full(2, np.nan),
     )
 
 

@@ -11,8 +11,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from rotordyn.analysis.bearing_map import answer
+from rotordyn.analysis.bearing_specs import BearingMapSpec
+from rotordyn.analysis.specs import Conditions
 from rotordyn.plots.catalogue import figures
 from rotordyn.plots.draw import Drawing
+from tests.oracles.known_bearings import RPM
+from tests.oracles.known_grooves import QJ218, R24_14, four_point
 from tests.rotordyn.plots import samples
 
 NAMES = {
@@ -75,6 +80,34 @@ def test_bearing_alone(case):
         samples.SampleCase(bearing=samples.ball_bearing(0.09, 25)), {"bearing": samples.bearing(3)}
     )
     assert [name for name, _ in jobs] == ["bearing", "bearing_tangents"]
+
+
+@pytest.mark.parametrize("keys", [{"radial_loads": (0.0, 6e3, 12e3)}, {"moments": (0.0, 300.0)}])
+def test_a_bearing_whose_balls_differ(keys, tmp_path):
+    """Contacts by load and around the ring; labels with units; NaN of unloaded contacts drawn."""
+    bearing = four_point(R24_14)
+    spec = BearingMapSpec(axial_load=20e3, **keys)
+    speed = np.array([0.0, 3000.0]) * RPM
+    found = answer(bearing, Conditions(kinematics="outer"), speed, spec)
+    jobs = figures(samples.SampleCase(bearing=bearing), {"bearing": found})
+    assert [name for name, _ in jobs] == ["bearing", "bearing_contacts", "bearing_azimuth"]
+    assert set(Drawing(jobs, tmp_path, workers=1).finish()) == {name for name, _ in jobs}
+    for _, draw in jobs:
+        labels = [t for a in draw().axes for t in (a.get_xlabel(), a.get_ylabel()) if t]
+        assert labels
+        assert all(re.search(r"\[[^\]]+\]$", label) for label in labels)
+
+
+def test_a_four_point_bearing_under_thrust(tmp_path):
+    bearing = four_point(QJ218)
+    speed = np.array([0.0, 2000.0, 4000.0, 8000.0]) * RPM
+    found = answer(bearing, Conditions(), speed, BearingMapSpec((5e3, 20e3)))
+    jobs = figures(samples.SampleCase(bearing=bearing), {"bearing": found})
+    assert [name for name, _ in jobs] == ["bearing", "bearing_contacts"]
+    Drawing(jobs, tmp_path, workers=1).finish()
+    drawn = dict(jobs)["bearing_contacts"]()
+    (counts,) = (a for a in drawn.axes if "contacts" in a.get_title())
+    assert {t.get_text() for t in counts.texts} == {"2", "3"}
 
 
 def test_race_control_alone():
