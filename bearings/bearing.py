@@ -285,9 +285,10 @@ class BallBearing:
             raise InvalidBearing(f"compiled must be True, False or None, got {compiled!r}")
         law = Law(kinematics, moment_sharing, friction, dynamics)
         asked = question(load, displacement, speed, static_growth, growth)
-        for row in asked.load:
-            if why := self.refusal(row.tolist(), asked.free.tolist()):
-                raise InvalidBearing(why)
+        if type(self).refusal is not BallBearing.refusal:
+            for row in asked.load:
+                if why := self.refusal(row.tolist(), asked.free.tolist()):
+                    raise InvalidBearing(why)
         return answer(self.grooves, law, asked, start, compiled)
 
 

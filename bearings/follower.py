@@ -13,8 +13,7 @@ from bearings.errors import InvalidBearing, NoEquilibrium
 from bearings.geometry import geometry, groove_origin
 from bearings.ring.compiled.states import Answer, compiled_states
 from bearings.ring.equilibrium import solve
-from bearings.ring.model import BallModel
-from bearings.ring.problem import Problem, first_displacement
+from bearings.ring.problem import Problem, first_displacement, turns
 from bearings.ring.question import finite, five_numbers, single
 from bearings.ring.sums import full_ring
 
@@ -67,12 +66,11 @@ class Follower:
         for given, kind in ((bearing, BallBearing), (law, Law)):
             if not isinstance(given, kind):
                 raise InvalidBearing(f"a follower takes a {kind.__name__}, got {given!r}")
-        g = geometry(bearing.grooves)
         static = single("static_growth", static_growth)
         total = static if growth is None else single("growth", growth)
         self.speed = float(single("speed", speed)[0])
-        self._model = BallModel(g, law)
-        self._origin = groove_origin(g, static, total)
+        self._geometry, self._law = geometry(bearing.grooves), law
+        self._origin = groove_origin(self._geometry, static, total)
         if not np.isfinite(self._origin).all():
             raise InvalidBearing("static growth takes the whole contact angle; reduce the fit")
         self._last: Answer | None = None
@@ -126,12 +124,12 @@ class Follower:
 
     def _alike(self, move: Array, load: Array, omega: Array, *, free: bool) -> Answer:
         """States at rest and turning ones apart, in their order."""
-        turns = self._model.turns(omega)
-        if turns.all() or not turns.any():
-            return self._answer(move, load, omega, free=free, turning=bool(turns[0]))
-        borders = np.flatnonzero(np.diff(turns)) + 1
+        turning = turns(self._geometry, omega)
+        if turning.all() or not turning.any():
+            return self._answer(move, load, omega, free=free, turning=bool(turning[0]))
+        borders = np.flatnonzero(np.diff(turning)) + 1
         answers = [
-            self._answer(move[k], load[k], omega[k], free=free, turning=bool(turns[k[0]]))
+            self._answer(move[k], load[k], omega[k], free=free, turning=bool(turning[k[0]]))
             for k in np.split(np.arange(len(omega)), borders)
         ]
         joined = {
@@ -145,16 +143,17 @@ class Follower:
     ) -> Answer:
         """States that are all at rest or all turning."""
         problem = Problem(
-            model=self._model,
-            ring=full_ring(self._model.geometry),
+            geometry=self._geometry,
+            law=self._law,
+            ring=full_ring(self._geometry),
             origin=np.broadcast_to(self._origin, (2, len(omega))),
             speed=omega,
             load=load,
             free=np.full(5, free),
             turning=turning,
         )
-        near, last, chained = None, self._last, self._model.one_branch
-        if last is not None and last.found[-1] and self._model.one_branch:
+        near, last, chained = None, self._last, self._law.one_branch
+        if last is not None and last.found[-1] and self._law.one_branch:
             near = last.ball[:, -1:]
             move = np.repeat(last.displacement[-1:], len(omega), axis=0) if free else move
         elif free:

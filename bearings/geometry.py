@@ -1,10 +1,13 @@
-"""What a bearing's description implies: grooves, contacts, ball mass. Computed once a bearing."""
+"""What a bearing's description implies: grooves, contacts, ball mass. Computed once a bearing.
+
+Plain numbers in tuples, which the compiled solver takes as they are.
+"""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,24 +18,36 @@ from bearings.grooves import Grooves
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, slots=True)
-class Geometry:
+class Groove(NamedTuple):
+    """One groove: k of Q = k δ^1.5 [N/m^1.5], reach ℓ and axial place of its centre [m]."""
+
+    stiffness: float
+    reach: float
+    offset: float
+
+
+class Geometry(NamedTuple):
     """Derived constants of one bearing (SI); symbols as in the theory page.
 
-    ``free_distance`` BD between unloaded groove centres; ``inner_reach``, ``outer_reach``:
-    distance of the ball centre to each groove centre when it just touches; ``centre_radius`` Ri and
-    ``outer_centre_radius`` Ro of the circles of inner and outer groove centres; ``size_ratio``
-    γ = D/dm; ``race_ratio`` c in C = c (δi/δo)², the weight of the two races in the hybrid
-    kinematics.
+    ``inner``, ``outer``: contacts of the races; ``inner_grooves``, ``outer_grooves``: the one or
+    two grooves of a ring; ``series_stiffness`` k of both contacts in series. ``free_distance`` BD
+    between unloaded groove centres; ``inner_reach``, ``outer_reach``: distance of the ball centre
+    to each groove centre when it just touches; ``centre_radius`` Ri and ``outer_centre_radius`` Ro
+    of the circles of inner and outer groove centres; ``size_ratio`` γ = D/dm; ``race_ratio`` c in
+    C = c (δi/δo)², the weight of the two races in the hybrid kinematics. ``orbit`` ½ m dm: Fc is
+    that times (ω ωm/ω)²; ``nominal``: (ωm/ω)² at equal nominal angles, ((1 − γ cos α)/2)², where
+    all hypotheses agree.
     """
 
     ball_diameter: float
     pitch_diameter: float
     balls: int
     contact_angle: float
-    cosine: float
-    inner_offsets: tuple[float, ...]
-    outer_offsets: tuple[float, ...]
+    inner: HertzContact
+    outer: HertzContact
+    inner_grooves: tuple[Groove, ...]
+    outer_grooves: tuple[Groove, ...]
+    series_stiffness: float
     free_distance: float
     radial_gap: float
     touching: bool
@@ -43,48 +58,53 @@ class Geometry:
     inner_conformity: float
     outer_conformity: float
     size_ratio: float
+    race_ratio: float
     ball_mass: float
     ball_inertia: float
-    inner: HertzContact
-    outer: HertzContact
-    series_stiffness: float
-    race_ratio: float
+    orbit: float
+    nominal: float
+
+    @property
+    def single(self) -> bool:
+        """Whether a ball has one contact a race."""
+        return len(self.inner_grooves) == len(self.outer_grooves) == 1
 
 
 @lru_cache(maxsize=256)
 def geometry(bearing: Grooves) -> Geometry:
     """Derived constants of a bearing with these grooves."""
-    diameter, pitch = float(bearing.ball_diameter), float(bearing.pitch_diameter)
-    inner_f, outer_f = float(bearing.inner_conformity), float(bearing.outer_conformity)
-    angle = bearing.free_angle
+    diameter, pitch, gap = bearing.ball_diameter, bearing.pitch_diameter, bearing.radial_gap
+    inner_f, outer_f = bearing.inner_conformity, bearing.outer_conformity
     mass = bearing.ball_material.density * math.pi * diameter**3 / 6.0
-    inner = _race_contact(bearing, inner_f, +1.0)
-    outer = _race_contact(bearing, outer_f, -1.0)
+    inner, outer = _race_contact(bearing, inner_f, +1.0), _race_contact(bearing, outer_f, -1.0)
+    inner_reach, outer_reach = (inner_f - 0.5) * diameter, (outer_f - 0.5) * diameter
     inner_centres, outer_centres = bearing.centre_radii
+    size_ratio = diameter / pitch
     return Geometry(
         ball_diameter=diameter,
         pitch_diameter=pitch,
-        balls=int(bearing.balls),
-        contact_angle=angle,
-        cosine=math.cos(angle),
-        inner_offsets=bearing.inner_offsets,
-        outer_offsets=bearing.outer_offsets,
-        free_distance=(inner_f + outer_f - 1.0) * diameter,
-        inner_reach=(inner_f - 0.5) * diameter,
-        outer_reach=(outer_f - 0.5) * diameter,
-        radial_gap=bearing.radial_gap,
+        balls=bearing.balls,
+        contact_angle=bearing.free_angle,
+        inner=inner,
+        outer=outer,
+        inner_grooves=tuple(Groove(inner.stiffness, inner_reach, x) for x in bearing.inner_offsets),
+        outer_grooves=tuple(Groove(outer.stiffness, outer_reach, x) for x in bearing.outer_offsets),
+        series_stiffness=(inner.stiffness ** (-2 / 3) + outer.stiffness ** (-2 / 3)) ** -1.5,
+        free_distance=bearing.free_distance,
+        radial_gap=gap,
         touching=bearing.touching,
+        inner_reach=inner_reach,
+        outer_reach=outer_reach,
         centre_radius=inner_centres,
         outer_centre_radius=outer_centres,
         inner_conformity=inner_f,
         outer_conformity=outer_f,
-        size_ratio=diameter / pitch,
+        size_ratio=size_ratio,
+        race_ratio=_race_weight(inner) / _race_weight(outer),
         ball_mass=mass,
         ball_inertia=mass * diameter**2 / 10.0,
-        inner=inner,
-        outer=outer,
-        series_stiffness=(inner.stiffness ** (-2 / 3) + outer.stiffness ** (-2 / 3)) ** -1.5,
-        race_ratio=_race_weight(inner) / _race_weight(outer),
+        orbit=0.5 * mass * pitch,
+        nominal=(0.5 * (1.0 - size_ratio * math.cos(bearing.free_angle))) ** 2,
     )
 
 

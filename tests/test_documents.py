@@ -65,6 +65,7 @@ GENERATED = {
             "random-dense",
             "random-bearings",
             "random-friction",
+            "random-kinds",
             "random-paths",
             "plain-newton",
         ),

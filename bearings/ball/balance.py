@@ -12,9 +12,9 @@ from __future__ import annotations
 
 from typing import Any, NamedTuple
 
-from bearings.ball.constants import BallConstants
 from bearings.ball.friction import limited
 from bearings.ball.kinematics import Angles, Partial, Rolling, inner_share, orbit_and_spin, tan_beta
+from bearings.ball.law import LawNumbers
 from bearings.ball.plane import (
     Block,
     Motion,
@@ -28,19 +28,9 @@ from bearings.ball.plane import (
 )
 from bearings.ball.polar import Polar, less_by, more_by, scaled, times
 from bearings.ball.race import Contact, Race, against, race
+from bearings.geometry import Geometry
 
 Rows = tuple[Motion, Motion, Motion]
-
-
-class LawNumbers(NamedTuple):
-    """What is assumed of a ball, by numbers.
-
-    ``kinematics`` in ``HYPOTHESES``, ``sharing`` in ``SHARINGS``; ``limited``: friction is.
-    """
-
-    kinematics: int
-    sharing: int
-    limited: bool
 
 
 class Balance(NamedTuple):
@@ -82,7 +72,7 @@ class Settled(NamedTuple):
 
 
 def turning_balance(
-    c: BallConstants,
+    c: Geometry,
     law: LawNumbers,
     centre: Motion,
     ball: Pair,
@@ -96,7 +86,8 @@ def turning_balance(
     nominal angle) to the full one; ``vary`` 1, or 0 for derivatives that leave Fc and Mg as they
     are.
     """
-    inner, outer = race(c.inner, against(centre, ball), 1.0), race(c.outer, ball, -1.0)
+    inner = race(c.inner_grooves, against(centre, ball), 1.0)
+    outer = race(c.outer_grooves, ball, -1.0)
     si, ci, so, co = inner.sin, inner.cos, outer.sin, outer.cos
     weight = _weight(c.race_ratio, inner.approach, outer.approach)
     angles = Angles(si, ci, so, co, c.size_ratio, weight.value)
@@ -107,8 +98,9 @@ def turning_balance(
     orbit, spin = orbit_and_spin(angles, tilt.value)
     moment = _chained(turn * spin.value, turn, spin, tilt)
     loads = Contact(inner.load, inner.slope), Contact(outer.load, outer.slope)
-    if law.limited:
-        moment, tilt = limited(moment, tilt, share, loads[0], loads[1], c.limit)
+    if law.friction > 0.0:
+        limit = law.friction * c.ball_diameter
+        moment, tilt = limited(moment, tilt, share, loads[0], loads[1], limit)
         orbit = orbit_and_spin(angles, tilt.value)[0]
     full = c.orbit * squared
     push = full * (c.nominal + blend * (orbit.value**2 - c.nominal))

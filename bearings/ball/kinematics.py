@@ -12,7 +12,11 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from bearings.ball.plane import where
+
+FLAT = 1e-6  # cos αi + cos αo below which the axis of a ball counts as radial
 
 
 class Angles(NamedTuple):
@@ -59,6 +63,7 @@ def inner_control(a: Angles) -> Partial:
 def geometric(a: Angles) -> Partial:
     """β = (αi + αo)/2, by the half-angle form tan β = (sin αi + sin αo)/(cos αi + cos αo)."""
     below = a.cos_i + a.cos_o
+    below = where(np.abs(below) < FLAT, FLAT, below)
     slope = (1.0 + a.cos_i * a.cos_o + a.sin_i * a.sin_o) / below**2
     return Partial((a.sin_i + a.sin_o) / below, slope, slope, 0.0)
 

@@ -6,12 +6,24 @@ import difflib
 from collections.abc import Iterable
 from dataclasses import dataclass
 from numbers import Real
+from typing import NamedTuple
 
 from bearings.errors import InvalidBearing
 
 KINEMATICS = ("hybrid", "outer", "inner", "geometric")
 MOMENT_SHARING = ("equal", "outer", "inner", "hybrid")
 DYNAMICS = ("resultant", "frozen")
+
+
+class LawNumbers(NamedTuple):
+    """What is assumed of a ball, by numbers.
+
+    ``kinematics`` in ``HYPOTHESES``, ``sharing`` in ``SHARINGS``; ``friction``: μ, 0 for no limit.
+    """
+
+    kinematics: int
+    sharing: int
+    friction: float
 
 
 @dataclass(frozen=True, slots=True)
@@ -45,6 +57,15 @@ class Law:
             return
         if isinstance(mu, bool) or not isinstance(mu, Real) or not 1e-6 <= float(mu) <= 1e6:
             raise InvalidBearing(f"friction must be a number from 1e-6 to 1e6 or None, got {mu!r}")
+
+    @property
+    def numbers(self) -> LawNumbers:
+        """The same as plain numbers for the balance of a ball."""
+        return LawNumbers(
+            kinematics=KINEMATICS.index(self.kinematics),
+            sharing=MOMENT_SHARING.index(self.moment_sharing),
+            friction=float(self.friction or 0.0),
+        )
 
     @property
     def one_branch(self) -> bool:

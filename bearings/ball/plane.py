@@ -12,6 +12,8 @@ from typing import Any
 
 import numpy as np
 
+EPS = 2.0**-52  # rounding of a number of size 1
+
 Pair = tuple[Any, Any]
 Block = tuple[Pair, Pair]
 Motion = tuple[Any, ...]

@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from bearings.ball.constants import EPS, BallConstants, Groove
 from bearings.ball.plane import (
+    EPS,
     Block,
     Motion,
     Pair,
@@ -26,6 +26,7 @@ from bearings.ball.plane import (
     where,
 )
 from bearings.ball.race import Springs, against, spring, springs, vector_to
+from bearings.geometry import Geometry, Groove
 
 SETTLED = 1e-8  # of the ball's own loads
 
@@ -43,9 +44,11 @@ class Reaction(NamedTuple):
     follow: tuple[Motion, Motion]
 
 
-def contacts(c: BallConstants, centre: Motion, ball: Pair) -> tuple[Springs, Springs]:
+def contacts(c: Geometry, centre: Motion, ball: Pair) -> tuple[Springs, Springs]:
     """Inner and outer contacts; ``centre``: middle of the inner groove."""
-    return springs(c.inner, against(centre, ball), 1.0), springs(c.outer, ball, -1.0)
+    return springs(c.inner_grooves, against(centre, ball), 1.0), springs(
+        c.outer_grooves, ball, -1.0
+    )
 
 
 def stiffness(inner: Springs, outer: Springs) -> Block:
@@ -54,12 +57,12 @@ def stiffness(inner: Springs, outer: Springs) -> Block:
     return (inner.slope[0] + outer.slope[0], mixed), (mixed, inner.slope[2] + outer.slope[2])
 
 
-def potential(c: BallConstants, inner: Springs, outer: Springs, ball: Pair, push: Any) -> Any:
+def potential(c: Geometry, inner: Springs, outer: Springs, ball: Pair, push: Any) -> Any:
     """Of one ball; the push counts from the free outer race."""
     return inner.energy + outer.energy - push * (ball[1] - c.outer_reach)
 
 
-def reaction(c: BallConstants, centre: Motion, ball: Pair, push: Any) -> Reaction:
+def reaction(c: Geometry, centre: Motion, ball: Pair, push: Any) -> Reaction:
     """Action and tangent of a ball that sits at its seat."""
     inner, outer = contacts(c, centre, ball)
     back, energy = inverse(stiffness(inner, outer)), potential(c, inner, outer, ball, push)
@@ -86,7 +89,7 @@ def _rows(centre: Motion, inner: Springs) -> tuple[Motion, Motion, Motion]:
     return (a11, a12, t1), (a12, a22, t2), (t1, t2, tt)
 
 
-def resting_reaction(c: BallConstants, centre: Motion) -> Reaction:
+def resting_reaction(c: Geometry, centre: Motion) -> Reaction:
     """A ball at rest between one groove a ring: Q = kn (|A| − BD)₊^1.5 along A, X eliminated."""
     whole = Groove(c.series_stiffness, c.inner_reach + c.outer_reach, 0.0)
     p = spring(whole, centre)
@@ -102,35 +105,35 @@ def _still(centre: Motion, none: Any) -> Motion:
     return none, none, none
 
 
-def resting_seat(c: BallConstants, centre: Pair) -> Pair:
+def resting_seat(c: Geometry, centre: Pair) -> Pair:
     """Ball centre at rest: on the line of two groove centres; without load, on the outer race."""
     sin, cos, length = direction(centre)
     approach = np.maximum(length - c.inner_reach - c.outer_reach, 0.0)
-    part = (c.series_stiffness / c.outer_stiffness) ** (2.0 / 3.0)
+    part = (c.series_stiffness / c.outer.stiffness) ** (2.0 / 3.0)
     seat = c.outer_reach + part * approach
     return sin * seat, cos * seat
 
 
-def riding_radius(c: BallConstants, push: Any) -> Any:
+def riding_radius(c: Geometry, push: Any) -> Any:
     """X₂ of a ball that rides the bottom of an outer race of one groove."""
-    return c.outer_reach + (push / c.outer_stiffness) ** (2.0 / 3.0)
+    return c.outer_reach + (push / c.outer.stiffness) ** (2.0 / 3.0)
 
 
-def first_seat(c: BallConstants, centre: Motion, push: Any) -> Pair:
+def first_seat(c: Geometry, centre: Motion, push: Any) -> Pair:
     """Where to start the search for a seat: the best of the places that pairs of contacts give."""
-    if len(c.inner) == 1 and len(c.outer) == 1:
+    if len(c.inner_grooves) == 1 and len(c.outer_grooves) == 1:
         return _between(c, (centre[0], centre[1]), push)
     return _best(c, centre, push)
 
 
-def _best(c: BallConstants, centre: Motion, push: Any) -> Pair:
+def _best(c: Geometry, centre: Motion, push: Any) -> Pair:
     """Of all pairs of an inner and an outer contact, and of the outer arch, the least potential."""
-    half = c.outer[0].offset
-    root = (c.outer_reach + (0.5 * push / c.outer_stiffness) ** (2.0 / 3.0)) ** 2 - half * half
+    half = c.outer_grooves[0].offset
+    root = (c.outer_reach + (0.5 * push / c.outer.stiffness) ** (2.0 / 3.0)) ** 2 - half * half
     x = (0.0 * centre[0], np.sqrt(np.maximum(root, 0.0)))
     least = _energy(c, centre, x, push)
-    for outer in c.outer:
-        for inner in c.inner:
+    for outer in c.outer_grooves:
+        for inner in c.inner_grooves:
             near = vector_to(inner, centre, 1.0)
             trial = _between(c, (near[0] - outer.offset, near[1]), push)
             trial = (trial[0] + outer.offset, trial[1])
@@ -141,19 +144,19 @@ def _best(c: BallConstants, centre: Motion, push: Any) -> Pair:
     return x
 
 
-def _energy(c: BallConstants, centre: Motion, ball: Pair, push: Any) -> Any:
+def _energy(c: Geometry, centre: Motion, ball: Pair, push: Any) -> Any:
     inner, outer = contacts(c, centre, ball)
     return potential(c, inner, outer, ball, push)
 
 
-def _between(c: BallConstants, centre: Pair, push: Any) -> Pair:
+def _between(c: Geometry, centre: Pair, push: Any) -> Pair:
     """Where each race carries Fc, on the side that Fc pushes to; as at rest where pressed more.
 
     A ball that Fc alone holds starts at its races: from the bottom of the groove, deep in the inner
     race, steps that must not leave the outer race would stall. One that the inner groove carries
     beyond 90° leaves the outer race, and is seated.
     """
-    inner = c.inner_reach + (push / c.inner_stiffness) ** (2.0 / 3.0)
+    inner = c.inner_reach + (push / c.inner.stiffness) ** (2.0 / 3.0)
     outer = riding_radius(c, push)
     sin, cos, length = direction(centre)
     along = (length * length + outer * outer - inner * inner) / (2.0 * length)
@@ -182,7 +185,7 @@ class SeatStep(NamedTuple):
     moving: Any
 
 
-def seat_step(c: BallConstants, centre: Motion, ball: Pair, push: Any) -> SeatStep:
+def seat_step(c: Geometry, centre: Motion, ball: Pair, push: Any) -> SeatStep:
     """Potential and Newton step at X."""
     inner, outer = contacts(c, centre, ball)
     both = stiffness(inner, outer)
@@ -197,7 +200,7 @@ def seat_step(c: BallConstants, centre: Motion, ball: Pair, push: Any) -> SeatSt
         step=(dot(back[0], gap), dot(back[1], gap)),
         energy=energy,
         most=energy + slack,
-        room=depth(c.outer, ball),
+        room=depth(c.outer_grooves, ball),
         moving=np.sqrt(dot(gap, gap)) > SETTLED * size + noise,
     )
 

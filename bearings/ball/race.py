@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from bearings.ball.constants import Groove
 from bearings.ball.plane import Motion, Pair, Triple, direction, where
+from bearings.geometry import Groove
 
 
 class Contact(NamedTuple):

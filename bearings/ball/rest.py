@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from bearings.ball.balance import Balance, Settled
-from bearings.ball.constants import BallConstants
 from bearings.ball.plane import Motion, direction
 from bearings.ball.potential import resting_reaction
+from bearings.geometry import Geometry
 
 
-def resting_balance(c: BallConstants, centre: Motion) -> tuple[Balance, Settled]:
+def resting_balance(c: Geometry, centre: Motion) -> tuple[Balance, Settled]:
     """Balance of balls at rest, and the same with the balls eliminated; no ball unknown is left."""
     answer = resting_reaction(c, centre)
     sin, cos, _ = direction((centre[0], centre[1]))

@@ -7,8 +7,7 @@ Notation of Harris, *Rolling Bearing Analysis*, ch. 6: Σρ sum and F(ρ) differ
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
     import numpy as np
@@ -17,8 +16,7 @@ if TYPE_CHECKING:
     Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, slots=True)
-class HertzContact:
+class HertzContact(NamedTuple):
     """Two bodies pressed together at a point.
 
     ``stiffness`` k of Q = k δ^1.5 [N/m^1.5]; ``ellipticity`` κ; ``second_integral`` E(κ);

@@ -36,7 +36,7 @@ def blank(g: Geometry, question: Question, outcome: NDArray[np.str_]) -> dict[st
     states: dict[str, NDArray[Any]] = {
         name: np.full((count, g.balls), np.nan) for name in BALL_FIELDS
     }
-    touching = len(g.inner_offsets) + len(g.outer_offsets)
+    touching = len(g.inner_grooves) + len(g.outer_grooves)
     states |= {name: np.full((count, touching, g.balls), np.nan) for name in CONTACT_FIELDS}
     states["load"] = np.full((count, 5), np.nan)
     states["residual"] = np.full(count, np.nan)
@@ -55,7 +55,7 @@ def store(
     """Write the states that exist; note the outcome of the others."""
     states["outcome"][index] = solution.outcome
     good = solution.outcome == ""
-    into, b, g = index[good], solution.balance, problem.model.geometry
+    into, b, g = index[good], solution.balance, problem.geometry
     qi, qo, mg = b.inner_load[good], b.outer_load[good], b.gyroscopic_moment[good]
     share = np.broadcast_to(b.inner_share, b.inner_load.shape)[good]
     states["load"][into] = np.where(problem.free, problem.load, solution.ring_load)[good]
@@ -64,7 +64,7 @@ def store(
     states["complete_stiffness"][into] = solution.stiffness[good]
     states["ball_centre"][into] = solution.ball[:, good].swapaxes(0, 1)
     load, sin, cos = solution.contacts
-    races = [g.inner] * len(g.inner_offsets) + [g.outer] * len(g.outer_offsets)
+    races = [g.inner] * len(g.inner_grooves) + [g.outer] * len(g.outer_grooves)
     pressure = [race.peak_pressure(q[good]) for race, q in zip(races, load, strict=True)]
     sides = _sides(g)
     angle = [
@@ -74,7 +74,7 @@ def store(
         states["contact_load"][into, k] = q[good]
         states["contact_angle"][into, k] = np.where(q[good] > 0.0, turned, np.nan)
         states["contact_pressure"][into, k] = peak
-    inner, single = len(g.inner_offsets), problem.model.single
+    inner, single = len(g.inner_grooves), g.single
     inner_angle = angle[0] if single else np.arctan2(*b.inner_direction)[good]
     values = (
         qi,
@@ -97,8 +97,8 @@ def store(
 
 def _sides(g: Geometry) -> list[float]:
     """Sign of the axial direction in which the angle of each contact counts."""
-    inner = [1.0 if x >= 0.0 else -1.0 for x in g.inner_offsets]
-    return inner + [1.0 if x <= 0.0 else -1.0 for x in g.outer_offsets]
+    inner = [1.0 if x.offset >= 0.0 else -1.0 for x in g.inner_grooves]
+    return inner + [1.0 if x.offset <= 0.0 else -1.0 for x in g.outer_grooves]
 
 
 def _largest(of_contacts: list[Array]) -> Array:

@@ -11,7 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.kinematics import HYPOTHESES, Angles, orbit_and_spin
-from bearings.geometry import geometry
 from bearings.ring.data import StateData
 
 Array = NDArray[np.float64]
@@ -20,7 +19,7 @@ ROUNDING = 1e-15  # of a ratio
 
 def race_weight(state: StateData) -> Array:
     """C = Qi ai Ei/(Qo ao Eo) of the spin friction moments (…, balls); 0 where a race is free."""
-    g = geometry(state.cause.grooves)
+    g = state.cause.geometry
     outer = np.where(state.outer_load > 0.0, state.outer_load, np.inf)
     deep = (state.inner_load / g.inner.stiffness) / (outer / g.outer.stiffness)
     return np.asarray(g.race_ratio * deep ** (4.0 / 3.0))
@@ -53,7 +52,7 @@ def spin_to_roll(state: StateData) -> tuple[Array, Array]:
     that along the tangent (cos α, −sin α), components axial and radial. Without gross slip
     (1 − γ cos αi) tan(αi − β) + γ sin αi   and   (1 + γ cos αo) tan(αo − β) − γ sin αo (Harris).
     """
-    g = geometry(state.cause.grooves).size_ratio
+    g = state.cause.geometry.size_ratio
     si, ci = np.sin(state.inner_angle), np.cos(state.inner_angle)
     so, co = np.sin(state.outer_angle), np.cos(state.outer_angle)
     t = _tilt(state, Angles(si, ci, so, co, g, race_weight(state)))
@@ -67,7 +66,7 @@ def _tilt(state: StateData, angles: Angles) -> Array:
     wanted = np.asarray(HYPOTHESES[state.cause.law.kinematics](angles).value)
     if state.cause.law.friction is None:
         return wanted
-    inertia = geometry(state.cause.grooves).ball_inertia * state.speed[..., None] ** 2
+    inertia = state.cause.geometry.ball_inertia * state.speed[..., None] ** 2
     moment = inertia * orbit_and_spin(angles, wanted)[1].value
     slips = state.slipping != ""
     return np.where(slips, state.gyroscopic_moment / np.where(slips, moment, 1.0), 1.0) * wanted

@@ -13,9 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.balance import Balance
-from bearings.ball.constants import EPS, Groove
-from bearings.ball.plane import Motion, Pair, direction, dot
+from bearings.ball.plane import EPS, Motion, Pair, direction, dot
 from bearings.ball.race import against, hertz, vector_to
+from bearings.geometry import Groove
 from bearings.ring.problem import Problem
 
 Array = NDArray[np.float64]
@@ -47,19 +47,19 @@ def contacts(
     d and dd (s, 5), X and dX (2, s, n). Fc and Mg notice such a step only where they depend on the
     ratio of the loads; they are left as they are.
     """
-    if problem.model.single:
+    if problem.geometry.single:
         after = balance if step is None else _after_step(problem, balance, at, step)
         return after, of_balance(after)
-    c, (d, x) = problem.model.constants, at
+    c, (d, x) = problem.geometry, at
     dd, dx = (np.zeros_like(d), np.zeros_like(x)) if step is None else step
     a, moved = problem.centres(d), problem.ring.moved(dd)
-    inner = _bearing(c.inner, against(tuple(a), (x[0], x[1])), 1.0, moved[:2] - dx)
-    outer = _bearing(c.outer, (x[0], x[1]), -1.0, dx)
+    inner = _bearing(c.inner_grooves, against(tuple(a), (x[0], x[1])), 1.0, moved[:2] - dx)
+    outer = _bearing(c.outer_grooves, (x[0], x[1]), -1.0, dx)
     joined = Contacts(*(np.concatenate(pair) for pair in zip(inner, outer, strict=True)))
     if not problem.turning:
-        least = c.inner_stiffness * (IDLE * EPS * (c.inner_reach + c.outer_reach)) ** 1.5
+        least = c.inner.stiffness * (IDLE * EPS * (c.inner_reach + c.outer_reach)) ** 1.5
         joined = joined._replace(load=np.where(joined.load > least, joined.load, 0.0))
-    split = len(c.inner)
+    split = len(c.inner_grooves)
     (qi, si, ci), (qo, so, co) = (
         _resultant(Contacts(*(part[rows] for part in joined)), way)
         for rows, way in (
@@ -99,7 +99,7 @@ def _resultant(c: Contacts, otherwise: Pair) -> tuple[Array, Array, Array]:
 
 def _after_step(problem: Problem, balance: Balance, at: Place, step: Place) -> Balance:
     """Loads and directions of the contacts of balls with one contact a race."""
-    c, (d, x), (dd, dx) = problem.model.constants, at, step
+    c, (d, x), (dd, dx) = problem.geometry, at, step
     a, moved = problem.centres(d + dd), problem.ring.moved(dd)
     x = x + dx
     still = balance.inner_load, balance.inner_direction
@@ -109,9 +109,9 @@ def _after_step(problem: Problem, balance: Balance, at: Place, step: Place) -> B
         return balance._replace(
             inner_load=load, outer_load=load, inner_direction=way, outer_direction=way
         )
-    outer = _loaded(c.outer_stiffness, balance.outer_load, balance.outer_direction, (dx[0], dx[1]))
+    outer = _loaded(c.outer.stiffness, balance.outer_load, balance.outer_direction, (dx[0], dx[1]))
     return balance._replace(
-        inner_load=_loaded(c.inner_stiffness, *still, (moved[0] - dx[0], moved[1] - dx[1])),
+        inner_load=_loaded(c.inner.stiffness, *still, (moved[0] - dx[0], moved[1] - dx[1])),
         outer_load=outer,
         inner_direction=direction((a[0] - x[0], a[1] - x[1]))[:2],
         outer_direction=direction((x[0], x[1]))[:2],

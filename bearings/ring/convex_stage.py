@@ -12,8 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball.constants import EPS
-from bearings.ball.plane import Motion
+from bearings.ball.plane import EPS, Motion
 from bearings.ball.potential import reaction, resting_reaction, resting_seat
 from bearings.ring.linearised import followed_by
 from bearings.ring.problem import (
@@ -35,7 +34,7 @@ Array = NDArray[np.float64]
 
 def _downhill(problem: Problem, k: Array, gap: Array) -> Array:
     """Newton direction of the convex stage, a little stiffened, its length bounded."""
-    g = problem.model.geometry
+    g = problem.geometry
     soft = SOFTEST * np.abs(k).max(axis=(1, 2))
     soft += SOFT * g.balls * g.series_stiffness * math.sqrt(1e-3 * g.free_distance)
     step = np.linalg.solve(k + soft[:, None, None] * np.eye(k.shape[-1]), gap[..., None])[..., 0]
@@ -92,16 +91,16 @@ class Answer:
 
 def _settled(problem: Problem, d: Array, near: Array | None) -> tuple[Array, Answer]:
     """Ball centres at displacement d with the push frozen, and what the balls do to the ring."""
-    c, a = problem.model.constants, problem.centres(d)
+    c, a = problem.geometry, problem.centres(d)
     centre = tuple(a)
     if problem.placed:
-        push = problem.model.nominal_centrifugal(np.sqrt(problem.squared))[:, None]
+        push = (c.orbit * c.nominal * problem.squared)[:, None]
         x = seat(c, a, push, near)
         answer = reaction(c, centre, (x[0], x[1]), push)
     else:
         x, answer = np.stack(resting_seat(c, (a[0], a[1]))), resting_reaction(c, centre)
     return x, Answer(
-        energy=np.broadcast_to(answer.energy, a[0].shape).copy(),
+        energy=answer.energy,
         action=_filled(answer.action, a[0]),
         tangent=rows(answer.slope),
         follow=np.stack([_filled(row, a[0]) for row in answer.follow]),
@@ -110,12 +109,15 @@ def _settled(problem: Problem, d: Array, near: Array | None) -> tuple[Array, Ans
 
 def _filled(parts: Motion, like: Array) -> Array:
     """Numbers or arrays as arrays (m, …)."""
-    return np.stack([np.broadcast_to(part, like.shape) for part in parts])
+    whole = np.empty((len(parts), *like.shape))
+    for row, part in zip(whole, parts, strict=True):
+        row[...] = part
+    return whole
 
 
 def _ring_balance(problem: Problem, answer: Answer) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Load still missing and tangent, freedoms as lengths; and where nothing is missing."""
-    g, free, scale = problem.model.geometry, problem.free, problem.scale[problem.free]
+    g, free, scale = problem.geometry, problem.free, problem.scale[problem.free]
     gap = (problem.load - problem.ring.load(answer.action))[:, free] / scale
     k = problem.ring.stiffness(answer.tangent)[:, free][:, :, free] / scale / scale[:, None]
     carried = g.balls * np.hypot(*answer.action[:2]).max(axis=-1)
@@ -129,13 +131,13 @@ def _searched(
     problem: Problem, d: Array, x: Array, now: Answer, step: Array
 ) -> tuple[Array, Array, Answer]:
     """A step along ``step``, halved until the potential falls; balls settle at every try."""
-    count = problem.model.geometry.balls / problem.ring.balls
+    count = problem.geometry.balls / problem.ring.balls
 
     def potential(energy: Array, d: Array) -> Array:
         work = (problem.load * d)[:, problem.free].sum(axis=-1)
         return np.asarray(count * energy.sum(axis=-1) - work)
 
-    g, before = problem.model.geometry, potential(now.energy, d)
+    g, before = problem.geometry, potential(now.energy, d)
     largest = np.abs(problem.load / problem.scale).max(axis=-1)
     slack = 64.0 * EPS * (np.abs(before) + largest * (g.inner_reach + g.outer_reach))
     length, along = np.ones((len(d), 1)), problem.ring.moved(step)

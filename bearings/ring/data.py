@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.law import Law
+from bearings.geometry import Geometry, geometry
 from bearings.grooves import Grooves
 from bearings.ring.question import Question
 
@@ -22,6 +23,11 @@ class Cause:
     grooves: Grooves
     law: Law
     question: Question
+
+    @property
+    def geometry(self) -> Geometry:
+        """What the grooves imply."""
+        return geometry(self.grooves)
 
 
 @dataclass(frozen=True, eq=False)

@@ -74,6 +74,7 @@ def _free(problem: Problem, d: Array, x: Array, blend: Array, stride: Array, stu
     return moved
 
 
+@np.errstate(all="ignore")  # a step into nowhere ends as an error that is no number
 def corrected(
     problem: Problem, d: Array, x: Array, blend: Array
 ) -> tuple[Array, Array, NDArray[np.bool_], Linear, NDArray[np.int_]]:
@@ -104,8 +105,8 @@ def corrected(
     for then, now in zip(before, segments(problem, d, x), strict=True):
         good &= ~turned_far(then, now, LONGEST_TURN).any(axis=-1)
     good &= (linear.balance.outer_load > 0.0).all(axis=-1)
-    if not problem.model.one_branch:
-        good &= ~_jumped(problem.model.constants.ball_diameter, first, linear.balance).any(axis=-1)
+    if not problem.law.one_branch:
+        good &= ~_jumped(problem.geometry.ball_diameter, first, linear.balance).any(axis=-1)
     free = problem.free
     if free.any():
         k = tangent(problem, linear.balls)[:, free][:, :, free]

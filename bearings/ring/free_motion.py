@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.balance import Balance
-from bearings.ball.constants import BallConstants
+from bearings.geometry import Geometry
 from bearings.ring.problem import Problem
 
 Array = NDArray[np.float64]
@@ -30,7 +30,7 @@ def beyond(problem: Problem, d: Array, x: Array, balance: Balance) -> Array | No
     way = _unheld(problem, carrying)
     if way is None:
         return None
-    c, a = problem.model.constants, problem.centres(d[None])[:2, 0]
+    c, a = problem.geometry, problem.centres(d[None])[:2, 0]
     moving = problem.ring.moved(way[None])[:2, 0]
     fading = np.flatnonzero((load > 0.0) & ~carrying)
     if fading.size:
@@ -38,7 +38,7 @@ def beyond(problem: Problem, d: Array, x: Array, balance: Balance) -> Array | No
         if float((gap * moving[:, fading]).sum()) > 0.0:
             way, moving = -way, -moving
     idle = np.flatnonzero(~carrying)  # what fades may be met again, from the other side
-    pressed = (TOUCHING * load.max() / c.inner_stiffness) ** (2.0 / 3.0)
+    pressed = (TOUCHING * load.max() / c.inner.stiffness) ** (2.0 / 3.0)
     travel = _touch(c, a[:, idle] - x[:, idle], moving[:, idle], pressed)
     if not np.isfinite(travel).any():
         return None
@@ -63,7 +63,7 @@ def _unheld(problem: Problem, carrying: NDArray[np.bool_]) -> Array | None:
     return way
 
 
-def _touch(c: BallConstants, gap: Array, moving: Array, pressed: float) -> Array:
+def _touch(c: Geometry, gap: Array, moving: Array, pressed: float) -> Array:
     """Way (k,) after which idle balls are pressed in by ``pressed``; infinite if never.
 
     ``gap`` (2, k) from the ball centre to the inner groove centre, ``moving`` its change.

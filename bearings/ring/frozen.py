@@ -6,10 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.balance import settled, turning_balance
-from bearings.geometry import geometry, groove_origin
 from bearings.ring.data import StateData
 from bearings.ring.linearised import tangent
-from bearings.ring.model import BallModel
 from bearings.ring.problem import Problem
 from bearings.ring.sums import full_ring
 
@@ -28,29 +26,19 @@ def frozen_stiffness(state: StateData) -> Array:
     Cao & Altintas, J. Mech. Des. 126 (2004) 1089. At rest it is the complete one.
     """
     cause = state.cause
-    g = geometry(cause.grooves)
     speed = state.speed.reshape(-1)
     if not speed.size:
         return state.complete_stiffness
-    problem = Problem(
-        model=BallModel(g, cause.law),
-        ring=full_ring(g),
-        origin=groove_origin(g, cause.question.static_growth, cause.question.growth),
-        speed=speed,
-        load=np.zeros((len(speed), 5)),
-        free=np.zeros(5, dtype=bool),
-        turning=True,
-    )
     good = (speed > 0.0) & (state.outcome.reshape(-1) == "")
     turning = np.flatnonzero(good & (state.gyroscopic_moment.reshape(len(speed), -1) != 0.0).any(1))
     if not turning.size:
         return state.complete_stiffness
-    part, model = problem.take(turning), problem.model
+    part = Problem.of(cause, full_ring).take(turning)
     a = part.centres(state.displacement.reshape(-1, 5)[turning])
     x = state.ball_centre.reshape(2, len(speed), -1)[:, turning]
     squared = part.speed[:, None] ** 2
     centre, ball = tuple(a), (x[0], x[1])
-    balance = turning_balance(model.constants, model.numbers, centre, ball, squared, 1.0, 0.0)
+    balance = turning_balance(cause.geometry, cause.law.numbers, centre, ball, squared, 1.0, 0.0)
     stiffness = state.complete_stiffness.reshape(-1, 5, 5).copy()
     stiffness[turning] = tangent(part, settled(balance))
     return alike(state, stiffness.reshape(state.complete_stiffness.shape))

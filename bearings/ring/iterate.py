@@ -13,10 +13,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.plane import turned_far
-from bearings.geometry import Geometry, geometry, groove_origin
+from bearings.geometry import Geometry
 from bearings.ring.linearised import Linear, followed_by, linearise, segments, tangent
-from bearings.ring.model import BallModel
-from bearings.ring.problem import LONGEST_TURN, Index, Problem
+from bearings.ring.problem import LONGEST_TURN, Index, Problem, turns
 from bearings.ring.state import BearingState
 from bearings.ring.sums import Ring
 
@@ -84,19 +83,10 @@ def iterate(state: BearingState, ring: Callable[[Geometry], Ring]) -> Iterate:
 
     The first balls of the state are taken for those of the ring.
     """
-    cause = state.cause
-    asked, model = cause.question, BallModel(geometry(cause.grooves), cause.law)
-    whole = Problem(
-        model=model,
-        ring=ring(model.geometry),
-        origin=groove_origin(model.geometry, asked.static_growth, asked.growth),
-        speed=asked.speed,
-        load=np.zeros((len(asked.speed), 5)),
-        free=np.zeros(5, dtype=bool),
-        turning=True,
-    )
-    turns = model.turns(asked.speed)
-    groups = ((np.flatnonzero(turns == turning), turning) for turning in (True, False))
+    asked = state.cause.question
+    whole = replace(Problem.of(state.cause, ring), free=np.zeros(5, dtype=bool))
+    turn = turns(whole.geometry, asked.speed)
+    groups = ((np.flatnonzero(turn == turning), turning) for turning in (True, False))
     parts = tuple((k, replace(whole.take(k), turning=turning)) for k, turning in groups if k.size)
     ball = state.ball_centre[..., : whole.ring.balls]
     return _linearised(parts, asked.shape, state.displacement, ball)
@@ -137,6 +127,6 @@ def _linearised(parts: Parts, shape: tuple[int, ...], displacement: Array, ball:
 
 
 def _pressure(problem: Problem, found: Linear) -> Array:
-    g, balance = problem.model.geometry, found.balance
+    g, balance = problem.geometry, found.balance
     inner, outer = balance.inner_load.max(axis=-1), balance.outer_load.max(axis=-1)
     return np.maximum(g.inner.peak_pressure(inner), g.outer.peak_pressure(outer))

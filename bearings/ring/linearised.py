@@ -12,8 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.balance import Balance, Settled, settled, turning_balance
-from bearings.ball.constants import EPS
-from bearings.ball.plane import Pair
+from bearings.ball.plane import EPS, Pair
 from bearings.ball.rest import resting_balance
 from bearings.ring.problem import ROUNDING, TOLERANCE, Problem
 from bearings.ring.sums import rows
@@ -41,16 +40,16 @@ class Linear:
 
 def linearise(problem: Problem, d: Array, x: Array, blend: Array) -> Linear:
     """Balance and scaled error at (d, X); at rest X plays no part."""
-    model, a = problem.model, problem.centres(d)
+    g, a = problem.geometry, problem.centres(d)
     centre = tuple(a)
     if problem.placed:
         squared = problem.squared[:, None]
         balance = turning_balance(
-            model.constants, model.numbers, centre, (x[0], x[1]), squared, blend[:, None], 1.0
+            g, problem.law.numbers, centre, (x[0], x[1]), squared, blend[:, None], 1.0
         )
         balls = settled(balance)
     else:
-        balance, balls = resting_balance(model.constants, centre)
+        balance, balls = resting_balance(g, centre)
     ring_load = problem.ring.load(np.stack(balance.action))
     return Linear(
         balance=balance,
@@ -70,7 +69,7 @@ def scaled_error(
     problem: Problem, balance: Balance, ring_load: Array, rounding: float = ROUNDING
 ) -> Array:
     """Largest scaled residual of balls and ring but for some roundings of the lengths."""
-    g = problem.model.geometry
+    g = problem.geometry
     largest = np.maximum(balance.outer_load, balance.inner_load).max(axis=-1)
     reach = g.inner_reach + g.outer_reach
     slope = 1.5 * (g.inner.stiffness**2 * np.maximum(largest, 1e-300)) ** (1.0 / 3.0)

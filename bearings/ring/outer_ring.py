@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.kinematics import SHARINGS
-from bearings.geometry import Geometry, geometry
+from bearings.geometry import Geometry
 from bearings.ring.contact_motion import race_weight
 from bearings.ring.data import StateData
 from bearings.ring.sums import outer_maps
@@ -21,7 +21,7 @@ def outer_ring_load(state: StateData) -> Array:
     fr, and m = Ro fa − x̄ fr + λo fo Mg about the middle of the outer ring, x̄ the axial place where
     the resultant acts (0 with one groove), Ro the radius of the circle of outer groove centres.
     """
-    g = geometry(state.cause.grooves)
+    g = state.cause.geometry
     share = 2.0 - SHARINGS[state.cause.law.moment_sharing](race_weight(state))[0]
     moment = share * state.gyroscopic_moment
     along, across = state.outer_load, moment / g.ball_diameter
@@ -34,8 +34,10 @@ def outer_ring_load(state: StateData) -> Array:
 
 def _middle(state: StateData, g: Geometry) -> Array | float:
     """x̄ = Σ x Q cos α / Σ Q cos α of the outer contacts (…, balls) [m]."""
-    if len(g.outer_offsets) == 1:
+    if len(g.outer_grooves) == 1:
         return 0.0
     load = state.contact_load[..., -2:] * np.cos(np.nan_to_num(state.contact_angle[..., -2:]))
     total = load.sum(axis=-1)
-    return (load @ np.array(g.outer_offsets)) / np.where(total != 0.0, total, 1.0)
+    return (load @ np.array([x.offset for x in g.outer_grooves])) / np.where(
+        total != 0.0, total, 1.0
+    )

@@ -2,18 +2,22 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ring.model import BallModel
+from bearings.ball.law import Law
+from bearings.geometry import Geometry, groove_origin
+from bearings.ring.data import Cause
 from bearings.ring.sums import Ring
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 
 TOLERANCE = 1e-11  # of the largest ball load (ball balance) and ring load (ring balance)
+SLOW = 2e-9  # of the groove reach: a ball pressed in less by its own motion is at rest
 ROUNDING = 16.0  # of the lengths, granted above that
 
 # first stage
@@ -44,13 +48,21 @@ class Problem:
     the freedoms where ``free`` (5,) is true, the displacement is kept on the others.
     """
 
-    model: BallModel
+    geometry: Geometry
+    law: Law
     ring: Ring
     origin: Array
     speed: Array
     load: Array
     free: NDArray[np.bool_]
     turning: bool
+
+    @classmethod
+    def of(cls, cause: Cause, ring: Callable[[Geometry], Ring]) -> Problem:
+        """All states of a question, taken to turn; ``ring`` says which balls are solved."""
+        asked, g = cause.question, cause.geometry
+        origin = groove_origin(g, asked.static_growth, asked.growth)
+        return cls(g, cause.law, ring(g), origin, asked.speed, asked.load, asked.free, turning=True)
 
     def centres(self, displacement: Array) -> Array:
         """A (3, s, n) at a displacement (s, 5)."""
@@ -59,12 +71,12 @@ class Problem:
     @property
     def placed(self) -> bool:
         """Whether ball centres are unknowns: not at rest between one groove a ring."""
-        return self.turning or not self.model.single
+        return self.turning or not self.geometry.single
 
     @property
     def full(self) -> float:
-        """Blend at which a state is found."""
-        return self.model.full if self.turning else 0.0
+        """Blend at which a state is found: 1, or 0 at rest and with Fc frozen and no Mg."""
+        return 1.0 if self.turning and self.law.dynamics != "frozen" else 0.0
 
     @property
     def squared(self) -> Array:
@@ -83,7 +95,14 @@ class Problem:
     @property
     def scale(self) -> Array:
         """What makes the five freedoms lengths: 1, 1, 1, Ri, Ri [m]."""
-        return self.model.scale
+        radius = self.geometry.centre_radius
+        return np.array([1.0, 1.0, 1.0, radius, radius])
+
+
+def turns(g: Geometry, speed: Array) -> NDArray[np.bool_]:
+    """False where the centrifugal force does not press a ball measurably into its race."""
+    depth = (g.orbit * g.nominal * speed**2 / g.outer.stiffness) ** (2.0 / 3.0)
+    return np.asarray(depth > SLOW * g.outer_reach)
 
 
 def first_displacement(problem: Problem, given: Array) -> Array:
@@ -91,7 +110,7 @@ def first_displacement(problem: Problem, given: Array) -> Array:
     d = given.copy()
     if not problem.free[0]:
         return d
-    g = problem.model.geometry
+    g = problem.geometry
     thrust = np.abs(problem.load[:, :3]).max(axis=1) + np.abs(problem.load[:, 3:]).max(axis=1) / (
         g.pitch_diameter / 2.0
     )
@@ -101,6 +120,8 @@ def first_displacement(problem: Problem, given: Array) -> Array:
     side = np.where(problem.load[:, 0] < 0.0, -1.0, 1.0)
     if not g.touching:
         side *= problem.load[:, 0] != 0.0
-    shims = max(g.inner_offsets) - min(g.outer_offsets)  # of the two arcs that thrust loads
+    shims = (
+        g.inner_grooves[0].offset - g.outer_grooves[-1].offset
+    )  # of the two arcs that thrust loads
     d[:, 0] = side * (np.sqrt(length**2 - radial**2) - shims) - problem.origin[0]
     return d

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,14 +11,13 @@ from numpy.typing import NDArray
 from bearings.ball.law import Law
 from bearings.ball.potential import resting_seat
 from bearings.errors import InvalidBearing, NoEquilibrium
-from bearings.geometry import Geometry, geometry, groove_origin
+from bearings.geometry import Geometry
 from bearings.grooves import Grooves
 from bearings.ring.collect import blank, state, store
 from bearings.ring.condition import conditions
 from bearings.ring.data import Cause
 from bearings.ring.equilibrium import solve
-from bearings.ring.model import BallModel
-from bearings.ring.problem import Problem, first_displacement
+from bearings.ring.problem import Problem, first_displacement, turns
 from bearings.ring.question import Question
 from bearings.ring.state import BearingState
 from bearings.ring.sums import axial_ring, full_ring
@@ -73,17 +73,18 @@ def solved(
     cause: Cause, start: BearingState | None = None, compiled: bool | None = None
 ) -> BearingState:
     """All states of a question; see ``BallBearing.equilibrium``."""
-    asked, g = cause.question, geometry(cause.grooves)
-    model = BallModel(g, cause.law)
-    origin = groove_origin(g, asked.static_growth, asked.growth)
-    outcome = np.where(np.isfinite(origin[0]), "", "no contact angle").astype("<U16")
+    asked, g, whole = cause.question, cause.geometry, Problem.of(cause, full_ring)
+    outcome = np.where(np.isfinite(whole.origin[0]), "", "no contact angle").astype("<U16")
     outcome[asked.unloaded & (outcome == "")] = "unloaded"
     states = blank(g, asked, outcome)
     fast = _compiled(g, asked) if compiled is None else compiled
-    for index, axial, turning in _groups(model, asked, outcome):
-        problem = _problem(model, asked, origin, index, axial=axial, turning=turning)
+    for index, axial, turning in _groups(g, asked, outcome):
+        problem = replace(whole.take(index), turning=turning)
+        if axial:  # what is not axial stays at zero by symmetry
+            free = asked.free & np.array([True, False, False, False, False])
+            problem = replace(problem, ring=axial_ring(g), free=free)
         first, near = first_displacement(problem, asked.displacement[index]), None
-        if start is not None and turning and model.one_branch:
+        if start is not None and turning and cause.law.one_branch:
             first, near = _neighbour(problem, asked, start, index, first)
         store(states, index, problem, solve(problem, first, near, compiled=fast))
     return state(states, asked.shape, cause)
@@ -94,41 +95,20 @@ def _compiled(g: Geometry, asked: Question) -> bool:
     from bearings.ring.compiled.states import pays
 
     balls = int(np.where(asked.axial, 1, g.balls).sum())
-    return pays(balls, (len(g.inner_offsets), len(g.outer_offsets)))
+    return pays(balls, (len(g.inner_grooves), len(g.outer_grooves)))
 
 
 def _groups(
-    model: BallModel, asked: Question, outcome: NDArray[np.str_]
+    g: Geometry, asked: Question, outcome: NDArray[np.str_]
 ) -> Iterator[tuple[NDArray[np.intp], bool, bool]]:
     """States alike in what must be solved: (index, axial?, turning?)."""
-    g, is_axial, is_turning = model.geometry, asked.axial, model.turns(asked.speed)
+    is_axial, is_turning = asked.axial, turns(g, asked.speed)
     for axial in (True, False):
         for turning in (True, False):
             chosen = (is_axial == axial) & (is_turning == turning) & (outcome == "")
             index, share = np.flatnonzero(chosen), TOGETHER // (1 if axial else g.balls) + 1
             for first in range(0, len(index), share):
                 yield index[first : first + share], axial, turning
-
-
-def _problem(
-    model: BallModel,
-    asked: Question,
-    origin: Array,
-    index: NDArray[np.intp],
-    *,
-    axial: bool,
-    turning: bool,
-) -> Problem:
-    others = np.array([False] + [axial] * 4)  # of an axial state they stay at zero by symmetry
-    return Problem(
-        model=model,
-        ring=axial_ring(model.geometry) if axial else full_ring(model.geometry),
-        origin=origin[:, index],
-        speed=asked.speed[index],
-        load=asked.load[index],
-        free=asked.free & ~others,
-        turning=turning,
-    )
 
 
 def _neighbour(
@@ -139,9 +119,7 @@ def _neighbour(
     first: Array,
 ) -> tuple[Array, Array]:
     """(d, X) of the neighbouring states; ``first`` and seats at rest where one is missing."""
-    if start.outcome.shape != asked.shape or start.inner_load.shape[-1] != (
-        problem.model.geometry.balls
-    ):
+    if start.outcome.shape != asked.shape or start.inner_load.shape[-1] != (problem.geometry.balls):
         raise InvalidBearing(
             f"start must be a state of this bearing with batch shape {asked.shape}, got "
             f"{start.outcome.shape}"
@@ -152,5 +130,5 @@ def _neighbour(
     there = start.displacement.reshape(-1, 5)[index]
     first = np.where(known[:, None] & problem.free, there, first)
     a = problem.centres(first)
-    seats = np.stack(resting_seat(problem.model.constants, (a[0], a[1])))
+    seats = np.stack(resting_seat(problem.geometry, (a[0], a[1])))
     return first, np.where(known[:, None], near, seats)

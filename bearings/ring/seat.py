@@ -7,7 +7,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball.constants import BallConstants
 from bearings.ball.potential import (
     SeatStep,
     contacts,
@@ -18,13 +17,14 @@ from bearings.ball.potential import (
     riding_radius,
     seat_step,
 )
+from bearings.geometry import Geometry
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
 ITERATIONS = 200
 
 
-def seat(c: BallConstants, centre: Array, push: Array, start: Array | None = None) -> Array:
+def seat(c: Geometry, centre: Array, push: Array, start: Array | None = None) -> Array:
     """Ball centre X (2, …) of least potential under ``push`` Fc ≥ 0 (…) [N], at A (m, …).
 
     ``start``: a ball centre for a nearby A. A ball that the inner race does not reach rides the
@@ -33,7 +33,7 @@ def seat(c: BallConstants, centre: Array, push: Array, start: Array | None = Non
     shape = centre.shape[1:]
     a, fc = centre.reshape(len(centre), -1), np.broadcast_to(push, shape).reshape(-1)
     x, free = _first(c, a, fc, start), np.zeros(a.shape[1], dtype=bool)
-    if len(c.outer) == 1:
+    if len(c.outer_grooves) == 1:
         riding = riding_radius(c, fc)
         free = contacts(c, tuple(a), (0.0 * riding, riding))[0].energy == 0.0
         x[:, free] = 0.0
@@ -56,21 +56,21 @@ def seat(c: BallConstants, centre: Array, push: Array, start: Array | None = Non
     return x.reshape(2, *shape)
 
 
-def _first(c: BallConstants, a: Array, fc: Array, start: Array | None) -> Array:
+def _first(c: Geometry, a: Array, fc: Array, start: Array | None) -> Array:
     """Ball centres to start from, pressed into the outer race."""
     first = np.stack(first_seat(c, tuple(a), fc))
     if start is None:
         return first
     given = start.reshape(2, -1)
     better = _energy(c, a, fc, given) < _energy(c, a, fc, first)
-    return np.where(better & (depth(c.outer, (given[0], given[1])) > 0.0), given, first)
+    return np.where(better & (depth(c.outer_grooves, (given[0], given[1])) > 0.0), given, first)
 
 
-def _step(c: BallConstants, a: Array, fc: Array, x: Array) -> SeatStep:
+def _step(c: Geometry, a: Array, fc: Array, x: Array) -> SeatStep:
     return seat_step(c, tuple(a), (x[0], x[1]), fc)
 
 
-def _energy(c: BallConstants, a: Array, fc: Array, x: Array) -> Array:
+def _energy(c: Geometry, a: Array, fc: Array, x: Array) -> Array:
     ball = (x[0], x[1])
     return np.asarray(potential(c, *contacts(c, tuple(a), ball), ball, fc))
 

@@ -11,7 +11,6 @@ from bearings.ball.law import check_name
 from bearings.errors import InvalidBearing
 from bearings.ring.contact_motion import control, spin_to_roll
 from bearings.ring.data import StateData
-from bearings.ring.frozen import frozen_stiffness
 from bearings.ring.outer_ring import outer_ring_load
 
 Array = NDArray[np.float64]
@@ -41,6 +40,8 @@ class BearingState(StateData):
                 "differences solve anew: use bearings.stiffness(state, 'difference')"
             )
         check_name("stiffness method", method, ("complete", "frozen"))
+        from bearings.ring.frozen import frozen_stiffness  # the balance of balls, rarely needed
+
         return frozen_stiffness(self)
 
     @property

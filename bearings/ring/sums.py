@@ -63,10 +63,12 @@ class Ring:
 
 def rows(tangent: tuple[Motion, ...]) -> Array:
     """∂action/∂A (states, 3, m, balls) from its entries (states, balls)."""
-    entries = [entry for row in tangent for entry in row]
-    states, balls = entries[0].shape
-    entries = [np.broadcast_to(entry, (states, balls)) for entry in entries]
-    return np.stack(entries, axis=1).reshape(states, 3, -1, balls)
+    states, balls = np.shape(tangent[0][0])
+    whole = np.empty((states, 3, len(tangent[0]), balls))
+    for i, row in enumerate(tangent):
+        for j, entry in enumerate(row):
+            whole[:, i, j] = entry
+    return whole
 
 
 @lru_cache(maxsize=256)
@@ -129,7 +131,7 @@ def _maps(geometry: Geometry, radius: float | None = None) -> tuple[Array, Array
             [zero, zero, zero, -sin, cos],
         ]
     )
-    seen = 2 if len(geometry.inner_offsets) == 1 else 3
+    seen = 2 if len(geometry.inner_grooves) == 1 else 3
     return spread[:seen], spread.swapaxes(0, 1).copy()  # virtual work
 
 

@@ -6,7 +6,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.law import check_name
-from bearings.geometry import geometry
 from bearings.ring.data import Cause
 from bearings.ring.frozen import alike
 from bearings.ring.request import solved
@@ -34,7 +33,7 @@ def stiffness(state: BearingState, method: str = "complete") -> Array:
 def _difference(state: BearingState) -> Array:
     """Tangent by five-point differences of the displacement solve (…, 5, 5)."""
     cause = state.cause
-    radius = geometry(cause.grooves).centre_radius
+    radius = cause.geometry.centre_radius
     step = STEP * np.diag([1.0, 1.0, 1.0, 1.0 / radius, 1.0 / radius])
     known = state.outcome == ""
     middle = np.where(known[..., None], state.displacement, 0.0)

@@ -61,11 +61,11 @@ def truncation(state: BearingState) -> Truncation:
     """
     grooves = state.cause.grooves
     g, load = geometry(grooves), np.nan_to_num(state.contact_load)
-    split = len(g.inner_offsets)
+    split = len(g.inner_grooves)
     inner, outer = half_axes(g.inner, load[..., :split]), half_axes(g.outer, load[..., split:])
     major, minor = (np.concatenate(pair, axis=-1) for pair in zip(inner, outer, strict=True))
     radii, shoulder, middle = (
-        np.array([by_ring[0]] * split + [by_ring[1]] * len(g.outer_offsets))
+        np.array([by_ring[0]] * split + [by_ring[1]] * len(g.outer_grooves))
         for by_ring in (grooves.radii, grooves.shoulder_angles, grooves.middle_angles)
     )
     alike = np.isnan(middle) & (not g.touching)

@@ -75,7 +75,7 @@ def bearing_rows() -> list[Row]:
 
 
 def _contacts() -> Row:
-    inner, outer = geometry(HARRIS_218).inner, geometry(HARRIS_218).outer
+    inner, outer = geometry(HARRIS_218.grooves).inner, geometry(HARRIS_218.grooves).outer
     found = (inner.stiffness / 1e10, outer.stiffness / 1e10, inner.ellipticity, outer.ellipticity)
     return Row(
         "Hertz contacts of the Harris 218: k [10¹⁰ N/m^1.5], κ, inner and outer",

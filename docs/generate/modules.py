@@ -12,7 +12,6 @@ from docs.generate.places import ROOT, THEORY
 
 ROOMS = ("bearings", "rotordyn/elements", "rotordyn/system", "rotordyn/system/dynamic_stiffness")
 ROOMS += tuple(f"rotordyn/{r}" for r in ("exact", "preload", "numerics", "analysis", "surface"))
-ROOMS += ("bearings/debongnie",)
 _LINK = re.compile(r"\]\(((?:\.\./)+[\w/]+\.py)\)")
 
 

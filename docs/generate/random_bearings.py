@@ -102,6 +102,24 @@ def random_paths(found: Found) -> str:
     return table(("what", "looked at:", "confirmed:"), rows)
 
 
+def random_kinds(found: Found) -> str:
+    """Random states of every kind."""
+    rows = []
+    for kind, f in found.items():
+        wrong = ("not finite", "tensile", "residual above 1e-9", "changed by another start")
+        rows.append(
+            (
+                kind,
+                str(f["states"]),
+                str(f["no equilibrium"]),
+                *(str(f[word]) for word in wrong),
+                f"{max(f['worst'][k] for k in ('ball', 'ring')):.0e}",
+            )
+        )
+    head = ("kind", "states:", "refused:", "not finite:", "tensile:", "above 1e-9:")
+    return table((*head, "changed by another start:", "worst balance:"), rows)
+
+
 def random_friction(found: Found) -> str:
     """Refusals with any friction and with a limited one."""
     f = found["friction"]

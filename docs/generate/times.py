@@ -13,6 +13,7 @@ from docs.generate.random_bearings import (
     plain_newton,
     random_bearings,
     random_friction,
+    random_kinds,
     random_paths,
 )
 from docs.generate.scaling import scaling_parts
@@ -71,6 +72,7 @@ def benchmark_parts(found: Measured) -> dict[str, str]:
         "random-dense": _random_dense(found),
         "random-bearings": random_bearings(found["random_bearings"]),
         "random-friction": random_friction(found["random_bearings"]),
+        "random-kinds": random_kinds(found["random_kinds"]),
         "random-paths": random_paths(found["random_bearings"]),
         "plain-newton": plain_newton(found["random_bearings"]["balls"]),
     }

@@ -114,9 +114,8 @@ def _inner_outer(
 
 
 def _finish(axes: Sequence[Axes], result: PreloadResult) -> None:
-    places = ("upper left", "lower right", "lower left", "upper left")
-    for each, place in zip(axes, places, strict=True):
-        legend(each, loc=place)
+    for each in axes:
+        legend(each)
     for speed in result.stop_speed[np.isfinite(result.stop_speed)]:
         for each in axes[:3]:
             each.axvline(speed * RPM.factor, color=GREY, lw=0.8, ls=":")

@@ -8,8 +8,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball.constants import EPS
-from bearings.ball.plane import turned_far
+from bearings.ball.plane import EPS, turned_far
 from bearings.ring.compiled.dense import solve
 from bearings.ring.compiled.one_state import (
     Found,
@@ -69,22 +68,11 @@ def find(p: One, d: Array, x: Array, near: bool, w: Work) -> bool:
 
 def _tried(p: One, d: Array, x: Array, blend: float, w: Work) -> tuple[bool, int]:
     """``correct``, taken back where it fails."""
-    _copy(d, x, w)
+    w.d[:], w.x[:] = d, x
     good, used = correct(p, d, x, blend, w)
     if not good:
-        for j in range(5):
-            d[j] = w.d[j]
-        for ball in range(len(x)):
-            x[ball, 0], x[ball, 1] = w.x[ball, 0], w.x[ball, 1]
+        d[:], x[:] = w.d, w.x
     return good, used
-
-
-def _copy(d: Array, x: Array, w: Work) -> None:
-    """Keeps (d, X)."""
-    for j in range(5):
-        w.d[j] = d[j]
-    for ball in range(len(x)):
-        w.x[ball, 0], w.x[ball, 1] = x[ball, 0], x[ball, 1]
 
 
 def correct(p: One, d: Array, x: Array, blend: float, w: Work) -> tuple[bool, int]:
@@ -108,8 +96,8 @@ def convex(p: One, d: Array, x: Array, w: Work) -> bool:
     found = evaluate_convex(p, d, x, w)
     if len(p.free) == 0:
         return True
-    soft = SOFT * p.balls * p.constants.series_stiffness
-    soft *= np.sqrt(1e-3 * (p.constants.inner_reach + p.constants.outer_reach))
+    soft = SOFT * p.geometry.balls * p.geometry.series_stiffness
+    soft *= np.sqrt(1e-3 * (p.geometry.inner_reach + p.geometry.outer_reach))
     for _ in range(CONVEX_STEPS):
         if _settled(p, found, w):
             return True
@@ -120,15 +108,15 @@ def convex(p: One, d: Array, x: Array, w: Work) -> bool:
 
 def error(p: One, found: Found, w: Work) -> float:
     """Scaled residual of balls and ring; rounding of the lengths is not counted."""
-    c = p.constants
+    c = p.geometry
     reach = c.inner_reach + c.outer_reach
     largest = max(found.largest, 1e-300)
-    noise = 16.0 * EPS * reach * 1.5 * (c.inner_stiffness**2 * largest) ** (1.0 / 3.0) / TOLERANCE
+    noise = 16.0 * EPS * reach * 1.5 * (c.inner.stiffness**2 * largest) ** (1.0 / 3.0) / TOLERANCE
     worst = found.imbalance / (largest + noise)
     size = 0.0
     for j in range(5):
         size = max(size, abs(p.load[j] / p.scale[j]))
-    size += 1e-3 * p.balls * found.largest + p.balls * noise + 1e-300
+    size += 1e-3 * p.geometry.balls * found.largest + p.geometry.balls * noise + 1e-300
     for j in p.free:
         worst = max(worst, abs(w.action[j] - p.load[j]) / p.scale[j] / size)
     return worst
@@ -172,7 +160,7 @@ def _missing_step(p: One, soft: float, w: Work) -> Array:
     for i in range(len(gap)):
         k[i, i] += soft
     part, step = solve(k, gap)[0], np.zeros(5)
-    longest = LONGEST_STEP * (p.constants.inner_reach + p.constants.outer_reach)
+    longest = LONGEST_STEP * (p.geometry.inner_reach + p.geometry.outer_reach)
     shrink = min(1.0, longest / max(np.abs(part).max(), 1e-300))
     for i, j in enumerate(p.free):
         step[j] = shrink * part[i] / p.scale[j]
@@ -182,10 +170,10 @@ def _missing_step(p: One, soft: float, w: Work) -> Array:
 def _settled(p: One, found: Found, w: Work) -> bool:
     """Whether the convex stage carries the load."""
     k, gap = _reduced(p, w.action, w)
-    c, size = p.constants, 0.0
+    c, size = p.geometry, 0.0
     for j in range(5):
         size = max(size, abs(p.load[j] / p.scale[j]))
-    size += 1e-3 * p.balls * found.largest
+    size += 1e-3 * p.geometry.balls * found.largest
     noise = 16.0 * EPS * (c.inner_reach + c.outer_reach) * np.abs(k).max()
     needed = SETTLED if p.turning else 0.1 * TOLERANCE
     return np.abs(gap).max() < needed * size + noise
@@ -193,14 +181,14 @@ def _settled(p: One, found: Found, w: Work) -> bool:
 
 def _searched(p: One, d: Array, x: Array, step: Array, found: Found, w: Work) -> Found:
     """A step of the convex stage, halved until the potential falls."""
-    reach = p.constants.inner_reach + p.constants.outer_reach
+    reach = p.geometry.inner_reach + p.geometry.outer_reach
     largest = 0.0
     for j in range(5):
         largest = max(largest, abs(p.load[j] / p.scale[j]))
     before = found.energy - _work(p, d)
     most = before + 64.0 * EPS * (abs(before) + largest * reach)
     follow, length = w.follow.copy(), 1.0
-    _copy(d, x, w)
+    w.d[:], w.x[:] = d, x
     for _ in range(HALVINGS):
         for j in range(5):
             d[j] = w.d[j] + length * step[j]
@@ -242,6 +230,6 @@ def _jumped(p: One, largest: float, w: Work) -> bool:
         before, now = w.first_grip[ball], w.grip[ball]
         changed = (before[0] > 0.0) != (now[0] > 0.0)
         moment = max(abs(before[1]), abs(now[1]))
-        if changed and 2.0 * moment > JUMP * p.constants.ball_diameter * largest:
+        if changed and 2.0 * moment > JUMP * p.geometry.ball_diameter * largest:
             return True
     return False

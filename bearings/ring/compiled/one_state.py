@@ -7,10 +7,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball.balance import LawNumbers, Rows, settled, turning_balance
-from bearings.ball.constants import BallConstants, Groove
+from bearings.ball.balance import Rows, settled, turning_balance
+from bearings.ball.law import LawNumbers
 from bearings.ball.plane import Motion, Pair, Triple, plus
 from bearings.ball.potential import reaction, resting_reaction, resting_seat
+from bearings.geometry import Geometry, Groove
 from bearings.ring.compiled.seat import seat
 
 Array = NDArray[np.float64]
@@ -21,24 +22,21 @@ class One(NamedTuple):
 
     ``azimuth`` (n, 6) as in ``bearings.ring.Ring``; ``scale`` (5,), ``origin`` (2,), ``load`` (5,)
     as in ``bearings.problem.Problem``; ``free``: places of the freedoms whose load is given;
-    ``placed``, ``full`` too; ``one_branch`` as in ``bearings.ring.model``; ``squared`` ω²;
-    ``push``: nominal Fc; ``balls`` of the bearing, for which those n stand.
+    ``placed``, ``full`` too; ``one_branch`` as in ``bearings.ball.law``; ``squared`` ω².
     """
 
-    constants: BallConstants
+    origin: Array
+    squared: float
+    load: Array
+    geometry: Geometry
     law: LawNumbers
     azimuth: Array
     scale: Array
     free: NDArray[np.intp]
-    balls: int
     turning: bool
     one_branch: bool
     placed: bool
     full: float
-    origin: Array
-    squared: float
-    push: float
-    load: Array
 
 
 class Work(NamedTuple):
@@ -86,7 +84,7 @@ def room(balls: int) -> Work:
 def centre_of(p: One, d: Array, ball: int) -> Motion:
     """A of one ball."""
     motion = moved(p, d, ball)
-    return plus(motion, noticed(p.constants.inner, (p.origin[0], p.origin[1], 0.0)))
+    return plus(motion, noticed(p.geometry.inner_grooves, (p.origin[0], p.origin[1], 0.0)))
 
 
 def noticed(grooves: tuple[Groove, ...], motion: Triple) -> Motion:
@@ -98,10 +96,10 @@ def noticed(grooves: tuple[Groove, ...], motion: Triple) -> Motion:
 
 def moved(p: One, d: Array, ball: int) -> Motion:
     """What a displacement adds to A of one ball."""
-    cos, sin, radius = p.azimuth[ball, 1], p.azimuth[ball, 2], p.constants.centre_radius
+    cos, sin, radius = p.azimuth[ball, 1], p.azimuth[ball, 2], p.geometry.centre_radius
     tilt = d[4] * cos - d[3] * sin
     motion = (d[0] - radius * tilt, d[1] * cos + d[2] * sin, tilt)
-    return noticed(p.constants.inner, motion)
+    return noticed(p.geometry.inner_grooves, motion)
 
 
 def followed(f: Array, step: Motion) -> Pair:
@@ -125,13 +123,13 @@ def evaluate(p: One, d: Array, x: Array, blend: float, w: Work) -> Found:
     for ball in range(len(x)):
         centre = centre_of(p, d, ball)
         if not p.placed:
-            at_rest = resting_reaction(p.constants, centre)
+            at_rest = resting_reaction(p.geometry, centre)
             action = at_rest.action
             largest = max(largest, np.sqrt(action[0] ** 2 + action[1] ** 2))
             _add(p, ball, action, action, at_rest.slope, w)
             continue
         here = (x[ball, 0], x[ball, 1])
-        b = turning_balance(p.constants, p.law, centre, here, p.squared, blend, 1.0)
+        b = turning_balance(p.geometry, p.law, centre, here, p.squared, blend, 1.0)
         s = settled(b)
         largest = max(largest, b.inner_load, b.outer_load)
         imbalance = max(imbalance, abs(b.residual[0]), abs(b.residual[1]))
@@ -145,13 +143,14 @@ def evaluate(p: One, d: Array, x: Array, blend: float, w: Work) -> Found:
 
 def evaluate_convex(p: One, d: Array, x: Array, w: Work) -> Found:
     """The convex stage at d, balls settled from X, which is written anew."""
-    largest, energy, c = 0.0, 0.0, p.constants
+    largest, energy, c = 0.0, 0.0, p.geometry
+    push = c.orbit * c.nominal * p.squared
     _clear(w)
     for ball in range(len(x)):
         centre = centre_of(p, d, ball)
         if p.placed:
-            here = seat(c, centre, p.push, (x[ball, 0], x[ball, 1]))
-            answer = reaction(c, centre, here, p.push)
+            here = seat(c, centre, push, (x[ball, 0], x[ball, 1]))
+            answer = reaction(c, centre, here, push)
             _keep_follow(w.follow[ball], answer.follow[0], answer.follow[1])
         else:
             here = resting_seat(c, (centre[0], centre[1]))
@@ -160,7 +159,7 @@ def evaluate_convex(p: One, d: Array, x: Array, w: Work) -> Found:
         x[ball, 0], x[ball, 1] = here
         largest = max(largest, np.sqrt(answer.action[0] ** 2 + answer.action[1] ** 2))
         _add(p, ball, answer.action, answer.action, answer.slope, w)
-    return Found(largest, 0.0, 1.0, True, energy * p.balls / len(x))
+    return Found(largest, 0.0, 1.0, True, energy * p.geometry.balls / len(x))
 
 
 def _clear(w: Work) -> None:
@@ -181,7 +180,7 @@ def _add(
 
     A tilt of the ring moves its groove axially by the lever, and turns it.
     """
-    az, radius = p.azimuth[ball], p.constants.centre_radius
+    az, radius = p.azimuth[ball], p.geometry.centre_radius
     _add_load(az, radius, action, w.action)
     _add_load(az, radius, settled_action, w.settled)
     one, cos, sin, cos2, both, sin2 = az[0], az[1], az[2], az[3], az[4], az[5]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from bearings.ball.constants import BallConstants
 from bearings.ball.plane import Motion, Pair
 from bearings.ball.potential import (
     contacts,
@@ -12,18 +11,19 @@ from bearings.ball.potential import (
     riding_radius,
     seat_step,
 )
+from bearings.geometry import Geometry
 from bearings.ring.seat import ITERATIONS
 
 
-def seat(c: BallConstants, centre: Motion, push: float, start: Pair) -> Pair:
+def seat(c: Geometry, centre: Motion, push: float, start: Pair) -> Pair:
     """X of least potential, see ``bearings.ring.seat``."""
     riding = riding_radius(c, push)
-    if len(c.outer) == 1 and contacts(c, centre, (0.0, riding))[0].energy == 0.0:
+    if len(c.outer_grooves) == 1 and contacts(c, centre, (0.0, riding))[0].energy == 0.0:
         return 0.0, riding
     first = first_seat(c, centre, push)
     x = (first[0] + 0.0, first[1] + 0.0)
     now, length = seat_step(c, centre, x, push), 1.0
-    if depth(c.outer, start) > 0.0:
+    if depth(c.outer_grooves, start) > 0.0:
         given = seat_step(c, centre, start, push)
         if given.energy < now.energy:
             x, now = start, given

@@ -1,4 +1,7 @@
-"""A list of states handed to the compiled solver."""
+"""A list of states handed to the compiled solver; in a chain each may start from the last.
+
+Compiled at its first call, kept on disk for the next process (``bearings.ring.compiled.jit``).
+"""
 
 from __future__ import annotations
 
@@ -8,15 +11,16 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ring.compiled.entry import find_all
+from bearings.ring.compiled.follow import find
 from bearings.ring.compiled.jit import compiled, is_kept
+from bearings.ring.compiled.one_state import One, room
 from bearings.ring.problem import Problem
 
 Array = NDArray[np.float64]
 BALL = 6e-6  # s that a ball takes without compiling
 FROM_DISK = 2.0  # s to get the compiled solver from the disk
 COMPILING = 30.0  # s to compile it
-
+NEAR = 0.2  # relative change of speed and load from the last state that makes it a start
 
 _loaded: set[tuple[int, int]] = set()
 
@@ -55,29 +59,84 @@ def compiled_states(
     ``displacement`` (s, 5), ``guess`` (2, s or fewer, n): starts; ``chained``: where there is no
     guess, a state starts from the one before if that is near.
     """
-    model, ring = problem.model, problem.ring
+    g, ring = problem.geometry, problem.ring
     states, balls = len(problem.speed), ring.balls
     d, x = displacement.copy(), np.zeros((states, balls, 2))
     if guess is not None:
-        x[: guess.shape[1]] = np.moveaxis(guess, 0, -1)
+        x[: guess.shape[1]] = guess.transpose(1, 2, 0)
     load, stiffness = np.zeros((states, 5)), np.zeros((states, 5, 5))
     found = np.zeros(states, dtype=np.bool_)
-    given = (problem.origin.T, problem.speed, problem.load)
-    _loaded.add((len(model.constants.inner), len(model.constants.outer)))
-    _entry()(
-        model.constants,
-        model.numbers,
+    speed = problem.speed if problem.turning else 0.0 * problem.speed
+    given = (problem.origin.T, speed, problem.load)
+    _loaded.add((len(g.inner_grooves), len(g.outer_grooves)))
+    shared = (
+        g,
+        problem.law.numbers,
         ring.azimuth,
         problem.scale,
         np.flatnonzero(problem.free),
-        model.geometry.balls,
         problem.turning,
-        model.one_branch,
+        problem.law.one_branch,
         problem.placed,
         problem.full,
+    )
+    _entry()(
+        shared,
         tuple(np.array(part, order="C") for part in given),  # one type of array: one compilation
         (d, x, load, stiffness, found),
         np.arange(states) < (0 if guess is None else guess.shape[1]),
         chained,
     )
-    return Answer(d, np.moveaxis(x, -1, 0), load, stiffness, found)
+    return Answer(d, x.transpose(2, 0, 1), load, stiffness, found)
+
+
+def find_all(
+    shared: tuple[Any, ...],
+    given: tuple[Array, Array, Array],
+    answer: tuple[Array, Array, Array, Array, NDArray[np.bool_]],
+    near: NDArray[np.bool_],
+    chained: bool,
+) -> None:
+    """States of ``given`` = (A₀ (s, 2), speed (s,), load (s, 5)); compiled, called for all at once.
+
+    ``shared``: what they have in common, ``One`` from ``geometry`` on. Written into ``answer`` =
+    (d (s, 5), X (s, n, 2), load (s, 5), K (s, 5, 5), found (s,)), where d and, if ``near`` (s,), X
+    are the starts. ``chained``: a state starts from the one before where load, displacement and
+    speed are close; otherwise every state is found on its own.
+    """
+    origin, speed, load = given
+    d, x, carried, stiffness, found = answer
+    w = room(x.shape[1])
+    for k in range(len(speed)):
+        p = One(origin[k], speed[k] ** 2, load[k], *shared)
+        start = near[k]
+        if chained and not start and k and found[k - 1] and _near(p, speed, load, d, k):
+            start = True
+            _begin(d, x, p.free, k)
+        found[k] = find(p, d[k], x[k], start, w)
+        carried[k], stiffness[k] = w.action, w.stiffness
+
+
+def _near(p: One, speed: Array, load: Array, d: Array, k: int) -> bool:
+    """Whether the last state is close enough to start from."""
+    if abs(speed[k] - speed[k - 1]) > NEAR * speed[k]:
+        return False
+    size, change = 0.0, 0.0
+    for j in range(5):
+        size = max(size, abs(load[k, j] / p.scale[j]))
+        change = max(change, abs(load[k, j] - load[k - 1, j]) / p.scale[j])
+    reach = p.geometry.inner_reach + p.geometry.outer_reach
+    for j in range(5):
+        given = True
+        for place in p.free:
+            given = given and place != j
+        if given and abs(d[k, j] - d[k - 1, j]) * p.scale[j] > 0.01 * NEAR * reach:
+            return False
+    return change <= NEAR * size
+
+
+def _begin(d: Array, x: Array, free: NDArray[np.intp], k: int) -> None:
+    """The last state as a start."""
+    for j in free:
+        d[k, j] = d[k - 1, j]
+    x[k] = x[k - 1]

@@ -1,23 +1,164 @@
-"""A radially loaded ring in numbers: from a bearing, its load and its speed."""
+"""Closed approximation of a radially loaded ball bearing at high speed, after Debongnie (1992).
+
+Balls feel their centrifugal force and touch both races in the middle plane; the load of a ball is
+a power of its approach, and an integral around the ring replaces the sum over balls. Theory,
+corrections and limits: ``docs/theory/debongnie.md``. Equation numbers are those of the report.
+
+One ball: x = δ/δc − 1 and y = Qi/Fc, with δ approach of the rings at the ball, Qi load on the inner
+race, Fc centrifugal force, δc = ke Fc^(2/3) the approach at which the ball just meets the inner
+race. The compliances ki, ke are those of δ = k Q^(2/3).
+"""
 
 from __future__ import annotations
 
 import math
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
-from bearings.debongnie.ball import HIGHEST, LOWEST, power_law
-from bearings.debongnie.equivalent import LIFE, equivalent_factors, race_weights
-from bearings.debongnie.zone import distribution, peak
+from bearings.ball.law import check_name
 from bearings.errors import InvalidBearing
 from bearings.geometry import geometry
 
 if TYPE_CHECKING:
     from bearings.bearing import BallBearing
 
+Array = NDArray[np.float64]
+LOWEST, HIGHEST = 1e-2, 1e2  # x for which A and n are meant
+LIFE = 10.0 / 3.0  # w, exponent of load for a race that stands still under passing balls
 VARIANTS = ("corrected", "original")
+
+
+class PowerLaw(NamedTuple):
+    """Factor A and exponent n of y = A xⁿ."""
+
+    factor: Array | float
+    exponent: Array | float
+
+    def __call__(self, x: ArrayLike) -> Array:
+        """y at x, 0 where x ≤ 0."""
+        return np.asarray(self.factor * np.maximum(x, 0.0) ** self.exponent)
+
+
+def deflection(y: ArrayLike, ratio: ArrayLike) -> Array:
+    """x of a ball that carries ``y`` ≥ 0, exact (6); ``ratio`` is ki/ke. Broadcasts."""
+    return _deflection(np.cbrt(np.asarray(y, float)) ** 2, np.asarray(ratio, float))
+
+
+def load(x: ArrayLike, ratio: ArrayLike) -> Array:
+    """y of a ball pressed by ``x``, the inverse of ``deflection``; 0 where x ≤ 0. Broadcasts."""
+    from scipy.optimize import elementwise
+
+    wanted, k = np.broadcast_arrays(np.maximum(np.asarray(x, float), 0.0), np.asarray(ratio, float))
+    top = wanted / k * (1.0 + 1e-12)  # y^(2/3) if the outer race were rigid, beyond rounding
+    found = elementwise.find_root(
+        lambda t, x, k: _deflection(t, k) - x, (np.zeros_like(top), top), args=(wanted, k)
+    )
+    return np.asarray(found.x) ** 1.5
+
+
+def _deflection(t: Array, ratio: Array) -> Array:
+    """x at t = y^(2/3)."""
+    return np.asarray(ratio * t + np.expm1(np.log1p(t**1.5) * (2.0 / 3.0)))
+
+
+def power_law(ratio: ArrayLike) -> PowerLaw:
+    """A and n for ki/ke = ``ratio`` in closed form (12 to 14)."""
+    b = np.asarray(ratio, float) + 0.537
+    n = 1.0 / (2.0 / 3.0 + 0.08904 / b)
+    return PowerLaw(b**-n, n)
+
+
+def fitted_power_law(ratio: float, low: float = LOWEST, high: float = HIGHEST) -> PowerLaw:
+    """A and n of ln y = ln A + n ln x, by least squares for x from ``low`` to ``high``."""
+    x = np.geomspace(low, high, 201)
+    n, intercept = np.polyfit(np.log(x), np.log(load(x, ratio)), 1)
+    return PowerLaw(math.exp(intercept), float(n))
+
+
+class Distribution(NamedTuple):
+    """Loads around a ring, each over Fc, of shape (…).
+
+    ``zone`` θ0: half the angle of the loaded balls [rad]; ``inner_peak``: largest Qi; ``radial``:
+    Fr/z; ``inner_mean``, ``outer_mean``: steady ball loads of the same life on either race.
+    """
+
+    zone: Array
+    inner_peak: Array
+    radial: Array
+    inner_mean: Array
+    outer_mean: Array
+
+
+def distribution(peak: ArrayLike, law: PowerLaw, gap: float = 1.0) -> Distribution:
+    """Loads of a ring whose most loaded ball has x = ``peak`` > 0, shape (…) (15 to 18, 31, 32).
+
+    ``law`` may hold arrays that broadcast with ``peak``. ``gap`` > 0 is the displacement over δc
+    at which the first ball is loaded: 1 without clearance, so that δc/δr = 1/(1 + peak);
+    1 + clearance/(2 δc) with it.
+    """
+    x = np.asarray(peak, float)[..., None]
+    nodes, weights = np.polynomial.legendre.leggauss(48)
+    turn = (nodes + 1.0) * math.pi / 4.0  # θ = θ0 sin(turn): smooth where the load zone ends
+    zone = np.arccos(gap / (gap + x))
+    angle, weight = zone * np.sin(turn), weights / 4.0 * zone * np.cos(turn)
+    each = PowerLaw(*(np.asarray(part)[..., None] for part in law))
+    y = each(x - (x + gap) * 2.0 * np.sin(angle / 2.0) ** 2)
+    outside = 1.0 - zone[..., 0] / math.pi
+    return Distribution(
+        zone=zone[..., 0],
+        inner_peak=law(x[..., 0]),
+        radial=np.sum(weight * y * np.cos(angle), axis=-1),
+        inner_mean=np.sum(weight * y**3, axis=-1) ** (1.0 / 3.0),
+        outer_mean=(np.sum(weight * (1.0 + y) ** LIFE, axis=-1) + outside) ** (1.0 / LIFE),
+    )
+
+
+def peak(radial: ArrayLike, law: PowerLaw, gap: float = 1.0) -> Array:
+    """x of the most loaded ball under Fr/(z Fc) = ``radial``, shape (…).
+
+    NaN where it lies outside ``LOWEST`` to ``HIGHEST``: the law of the ball is not meant there.
+    """
+    from scipy.optimize import elementwise
+
+    wanted, factor, exponent = np.broadcast_arrays(np.asarray(radial, float), *law)
+    ends = (np.full_like(wanted, math.log(end)) for end in (LOWEST, HIGHEST))
+    found = elementwise.find_root(
+        lambda u, f, a, n: distribution(np.exp(u), PowerLaw(a, n), gap).radial / f - 1.0,
+        tuple(ends),
+        args=(wanted, factor, exponent),
+    )
+    return np.where(found.success, np.exp(found.x), np.nan)
+
+
+def equivalent_factors(exponent: float = 1.5) -> tuple[float, float, float]:
+    """Factors of z Q in P0, Pi and Pe, for a ring at rest with Q ∝ cosⁿ θ (20, 28).
+
+    Radial loads at rest with the same largest ball load, or with the same life on either race
+    (Lundberg and Palmgren 1947). Contacts at rest are Hertz', n = 1.5: 0.2288, 0.4068, 0.3895.
+    """
+    radial = _mean_of_cosine(exponent + 1.0)
+    inner = radial / _mean_of_cosine(3.0 * exponent) ** (1.0 / 3.0)
+    return radial, inner, radial / _mean_of_cosine(LIFE * exponent) ** (1.0 / LIFE)
+
+
+def race_weights(
+    size_ratio: float, inner: float = 0.52, outer: float = 0.52
+) -> tuple[float, float]:
+    """(C/Ci)^w and (C/Ce)^w, which add up to 1 (21 to 26).
+
+    ``size_ratio`` is D/dm; ``inner``, ``outer`` are groove radii over ball diameter.
+    """
+    grooves = inner / outer * (2.0 * outer - 1.0) / (2.0 * inner - 1.0)
+    ratio = 1.04 * ((1.0 - size_ratio) / (1.0 + size_ratio)) ** 1.72 * grooves**0.41  # Ci/Ce
+    return 1.0 / (1.0 + ratio**LIFE), 1.0 / (1.0 + ratio**-LIFE)
+
+
+def _mean_of_cosine(power: float) -> float:
+    """Mean around the ring of cosᵖ θ over the loaded half."""
+    return math.gamma(power / 2.0 + 0.5) / math.gamma(power / 2.0 + 1.0) / math.sqrt(4.0 * math.pi)
 
 
 @dataclass(frozen=True, slots=True)
@@ -154,11 +295,10 @@ def _constants(
     ring: RadialRing, speed: float, variant: str
 ) -> tuple[float, float, tuple[float, float, float]]:
     """Fc [N], δc [m] and the factors of the equivalent loads in a variant."""
+    check_name("variant", variant, VARIANTS)
     if variant == "corrected":
         force = ring.centrifugal_force(speed)
         return force, ring.outer_compliance * force ** (2.0 / 3.0), equivalent_factors()
-    if variant != "original":
-        raise InvalidBearing(f"variant must be one of {', '.join(VARIANTS)}, got {variant!r}")
     if ring.clearance:
         raise InvalidBearing("the original variant has no clearance: take the corrected one")
     force = ring.ball_mass * (0.5 * speed) ** 2 * ring.ball_diameter / 2.0
