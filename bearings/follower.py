@@ -108,7 +108,7 @@ class Follower:
             nothing = np.zeros(shape, dtype=bool)
             return Followed(load, move, np.zeros((*shape, 5, 5)), nothing)
         move, load, turn = move.reshape(-1, 5), load.reshape(-1, 5), turns(self._geometry, omega)
-        ends = (0, *(np.flatnonzero(turn[1:] != turn[:-1]) + 1), len(turn))
+        ends = (0, *((turn[1:] != turn[:-1]).nonzero()[0] + 1), len(turn))
         parts = [
             self._answer(move[a:b], load[a:b], omega[a:b], free=free, turning=bool(turn[a]))
             for a, b in itertools.pairwise(ends)
@@ -120,8 +120,12 @@ class Follower:
         if shape == () and not answer.found[0]:
             word = "unloaded" if free and not load.any() else "no equilibrium"
             raise NoEquilibrium(word, speed=float(omega[0]), remedy="see `equilibrium` for why")
-        shaped: Any = (part.reshape((*shape, *part.shape[1:])) for part in answer)
-        return Followed(*shaped)
+        return Followed(
+            answer.load.reshape(*shape, 5),
+            answer.displacement.reshape(*shape, 5),
+            answer.stiffness.reshape(*shape, 5, 5),
+            answer.found.reshape(shape),
+        )
 
     def _answer(
         self, move: Array, load: Array, omega: Array, *, free: bool, turning: bool
@@ -143,8 +147,8 @@ class Follower:
             move = np.repeat(there, len(omega), axis=0) if free else move
         elif free:
             move = first_displacement(problem, move)
-        answer, outcome = one_by_one(problem, move, near, chained=chained)
-        found = outcome == ""
+        answer = one_by_one(problem, move, near, chained=chained)[0]
+        found = answer.found
         if free:
             found &= load.any(axis=1)
         self._last = (answer.displacement[-1:], answer.ball[:, -1:]) if found[-1] else None

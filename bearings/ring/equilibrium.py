@@ -79,13 +79,13 @@ def one_by_one(
     """
     answer = compiled_states(problem, displacement, guess, chained=chained)
     outcome = _words(answer.found)
-    missing = np.flatnonzero(~answer.found)
+    missing = (~answer.found).nonzero()[0]
     if missing.size:
         part = problem.take(missing)
         found = solve(part, first_displacement(part, displacement[missing]))
         answer.displacement[missing], answer.load[missing] = found.displacement, found.ring_load
         answer.ball[:, missing], answer.stiffness[missing] = found.ball, found.stiffness
-        outcome[missing] = found.outcome
+        outcome[missing], answer.found[missing] = found.outcome, found.outcome == ""
     return answer, outcome
 
 
@@ -111,7 +111,9 @@ def _together(
 
 
 def _words(done: NDArray[np.bool_]) -> NDArray[np.str_]:
-    return np.where(done, "", "no equilibrium").astype("<U16")
+    words = np.zeros(len(done), dtype="<U16")
+    words[~done] = "no equilibrium"
+    return words
 
 
 def _last_digits(
