@@ -111,7 +111,7 @@ class Grooves:
 
     @property
     def middle_angles(self) -> tuple[float, float]:
-        """Angles at which two arcs of inner and outer groove meet, asin(g/(2 f D)) [rad], or NaN."""
+        """Angles where two arcs of inner and outer groove meet, asin(g/(2 f D)) [rad], or NaN."""
         shims = (2.0 * self.inner_offsets[0], 2.0 * self.outer_offsets[0])
         inner, outer = (
             math.asin(shim / (2.0 * radius)) if shim else math.nan
