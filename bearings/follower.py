@@ -149,7 +149,7 @@ class Follower:
             move = first_displacement(problem, move)
         answer = one_by_one(problem, move, near, chained=chained)[0]
         found = answer.found
-        if free:
+        if free and self._geometry.touching:
             found &= load.any(axis=1)
         self._last = (answer.displacement[-1:], answer.ball[:, -1:]) if found[-1] else None
         followed = Followed(answer.load, answer.displacement, answer.stiffness, found)

@@ -16,6 +16,7 @@ from bearings.contact.hertz import HertzContact, contact
 from bearings.grooves import Grooves
 
 Array = NDArray[np.float64]
+WIDEST = 0.2  # cos of the free contact angle that growth may leave a centred bearing, 78°
 
 
 class Groove(NamedTuple):
@@ -111,13 +112,14 @@ def geometry(bearing: Grooves) -> Geometry:
 def groove_origin(g: Geometry, static_growth: Array, growth: Array) -> Array:
     """Middle of the inner groove (2, …) at zero displacement, seen from that of the outer one.
 
-    Counted from touching, its axial part is zeroed with the STATIC growth, and NaN where that takes
-    the whole contact angle; counted from the centre it is 0. The radial part carries the growth at
-    speed.
+    Counted from touching, its axial part is zeroed with the STATIC growth; counted from the centre
+    it is 0. The radial part carries the growth at speed. NaN where growth leaves no contact angle:
+    takes the whole of it, or opens the grooves beyond ``WIDEST``.
     """
     radial = g.radial_gap + growth
     if not g.touching:
-        return np.stack([np.zeros_like(radial), radial])
+        open_ = np.minimum(radial, g.radial_gap + static_growth) < WIDEST * g.free_distance
+        return np.where(open_, np.nan, np.stack([np.zeros_like(radial), radial]))
     cosine = np.cos(g.contact_angle) + static_growth / g.free_distance
     possible = np.abs(cosine) <= 1.0
     axial = g.free_distance * np.sqrt(np.where(possible, 1.0 - cosine**2, np.nan))

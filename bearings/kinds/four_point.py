@@ -22,6 +22,7 @@ from bearings.bearing import (
     Measure,
     measured,
 )
+from bearings.errors import InvalidBearing
 from bearings.grooves import Grooves
 from bearings.materials import STEEL, Material
 
@@ -29,6 +30,7 @@ CONTACT_ANGLE = Measure(
     "angle", "free contact angle under thrust", 0.0, math.radians(60.0), unit="deg"
 )
 PLAY = Measure("length", "free travel of ring against ring", -1e-3, 5e-3, unit="um")
+MOST_PRESSED = 2e-3  # of the ball diameter, by which rings may press a ball at rest
 GIVEN = ("contact_angle", "axial_play", "radial_play")  # of which one fixes the others
 SHIM = Measure("length", "thickness taken out of the middle of the groove", 0.0, 0.02, unit="mm")
 
@@ -83,19 +85,25 @@ class FourPointBallBearing(BallBearing):
             return
         for ring, shim, conformity in self._rings():
             most = (2.0 * conformity - 1.0) * self.ball_diameter
-            if shim >= most:
+            if shim >= most * (1.0 - 1e-9):
                 yield (
                     f"{ring}_shim {shim * 1e3:g} mm reaches beyond the groove: with conformity "
                     f"{conformity:g} allowed below {most * 1e3:.4g} mm"
                 )
                 return
         gap = self._radial_gap()
-        if not -1.0 <= gap / self._distance <= 1.0:
-            name = next(n for n in GIVEN if getattr(self, n) is not None)
+        word = _shown(given[0], getattr(self, given[0]))
+        shims = f"inner_shim {self.inner_shim * 1e3:g} mm, outer_shim {self.outer_shim * 1e3:g} mm"
+        if not math.cos(CONTACT_ANGLE.high) - 1e-12 <= gap / self._distance <= 1.0:
             yield (
-                f"{_shown(name, getattr(self, name))} does not fit inner_shim "
-                f"{self.inner_shim * 1e3:g} mm and outer_shim {self.outer_shim * 1e3:g} mm: no "
-                "contact angle belongs to it; reduce the play or the shims"
+                f"{word} does not fit {shims}: the free contact angle must lie between 0 and 60°; "
+                "raise the play if it is too small, reduce it if it is too large"
+            )
+        elif (pressed := gap - self._radial_reach()) > MOST_PRESSED * self.ball_diameter:
+            yield (
+                f"{word} with {shims} presses every ball in by {pressed * 1e6:.4g} µm at rest, "
+                f"beyond {MOST_PRESSED * self.ball_diameter * 1e6:.4g} µm: raise the play or the "
+                "contact angle, or reduce the shims"
             )
 
     def _rings(self) -> tuple[tuple[str, float, float], ...]:
@@ -108,13 +116,17 @@ class FourPointBallBearing(BallBearing):
         rule = "give exactly one of contact_angle, axial_play and radial_play with the shims"
         if not given:
             return f"{rule}: none is given"
-        ones = [replace(self, **_none_but(n)) for n in given]
-        words = [
-            f"{_shown(name, getattr(self, name))} means "
-            + ", ".join(_shown(n, v) for n, v in zip(GIVEN, one.plays, strict=True) if n != name)
-            for name, one in zip(given, ones, strict=True)
-        ]
+        words = [_shown(name, getattr(self, name)) + self._means(name) for name in given]
         return f"{rule}, each fixes the others: {'; '.join(words)}"
+
+    def _means(self, name: str) -> str:
+        """The other two data that one of them fixes."""
+        try:
+            plays = replace(self, **_none_but(name)).plays
+        except InvalidBearing:
+            return " (impossible with these shims)"
+        others = [_shown(n, v) for n, v in zip(GIVEN, plays, strict=True) if n != name]
+        return f" means {', '.join(others)}"
 
     def _arch(self, shim: float, conformity: float) -> float:
         """Angle α⁰ at which a ball pressed radially touches both arcs, sin α⁰ = g/(2 ℓ)."""
@@ -130,7 +142,8 @@ class FourPointBallBearing(BallBearing):
             return self._distance * math.cos(self.contact_angle)
         if self.axial_play is not None:
             axial = 0.5 * (self.axial_play + self.inner_shim + self.outer_shim)
-            return math.sqrt(max(self._distance**2 - axial**2, 0.0)) if axial > 0.0 else math.nan
+            possible = 0.0 < axial < self._distance
+            return math.sqrt(self._distance**2 - axial**2) if possible else math.nan
         assert self.radial_play is not None
         return self._radial_reach() - self.radial_play / self._travel
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,6 +16,8 @@ from bearings.ring.truncation import truncation
 
 Array = NDArray[np.float64]
 PERMANENT = 4.2e9  # Pa: ISO 76, the pressure that leaves a ten-thousandth of the ball diameter
+GROSS = 0.3  # friction that no lubricated contact gives
+STEEP = math.radians(80.0)
 IMPOSSIBLE = 1.0  # Mg/D over the load of a race
 GIVEN = ("displacement", "load and displacement", "load")
 RPM = math.pi / 30.0
@@ -30,10 +32,11 @@ def conditions(state: BearingState, solve: Solve) -> NDArray[np.str_]:
     ``"unloaded"``, ``"lost contact (balls 3–5)"``, ``"overloaded (pressure 4.6 GPa)"`` beyond the
     4.2 GPa of ISO 76, ``"beyond the groove (balls 2)"``, ``"contact ellipse passes the shoulder of
     the inner ring (balls 0–3), 12 % of its length lost"`` where its diameter is known,
-    ``"slips on the inner race (balls 0–4)"``;
-    where there is no state ``"no contact angle"``, ``"no equilibrium: stiffness vanishes above …
-    rpm at this load"`` or ``"no equilibrium: balls 2–4 are thrown off a race above … rpm at this
-    load"``: the first speed without a state, spinning up from rest, searched for by ``solve``
+    ``"loaded on the open side (balls 0–3)"``, ``"an arc presses beyond the middle of its groove
+    …"``, ``"gross gyroscopic slip …"``, ``"slips on the inner race (balls 0–4)"``. Where there is
+    no state: ``"no contact angle"``, ``"no equilibrium: stiffness vanishes above … rpm at this
+    load"`` or ``"no equilibrium: balls 2–4 are thrown off a race above … rpm at this load"``: the
+    first speed without a state, spinning up from rest, searched for by ``solve``
     (``bearings.ring.spin_up``); ``"(states again from … to … rpm)"`` where some exist above it.
     Balls count from 0.
     """
@@ -43,17 +46,23 @@ def conditions(state: BearingState, solve: Solve) -> NDArray[np.str_]:
     angle = np.where(state.inner_load.reshape(-1, balls) > 0.0, angle, 0.0)
     status = state.status.reshape(-1, balls)
     slipping = state.slipping.reshape(-1, balls)
-    cut = _cut_off(state)
+    cut, middle = _cut_off(state)
+    grip = np.maximum(state.inner_grip, state.outer_grip).reshape(-1, balls)
+    grip = np.where(state.cause.law.friction is None, grip, 0.0)
+    steep = state.cause.grooves.free_angle > STEEP  # a groove of a thrust bearing ends later
+    beyond = angle > (0.75 if steep else 0.5) * math.pi
+    edges = zip(beyond, cut, middle, strict=True)
+    remarks = zip(pressure, edges, grip, status, slipping, strict=True)
     refused = np.flatnonzero(state.outcome.reshape(-1) == "no equilibrium")
     ends = iter(endings(state.cause, refused, solve) if refused.size else [])
     words = []
-    for k, outcome in enumerate(state.outcome.reshape(-1)):
+    for outcome, each in zip(state.outcome.reshape(-1), remarks, strict=True):
         if outcome == "no equilibrium":
             words.append(f"{outcome}: {next(ends)}")
         elif outcome:
             words.append(str(outcome))
         else:
-            words.append("; ".join(_remarks(pressure[k], angle[k], cut[k], status[k], slipping[k])))
+            words.append("; ".join(_remarks(*each)))
     return np.array(words, dtype=str).reshape(state.outcome.shape)
 
 
@@ -109,17 +118,23 @@ def _ending(cause: Cause, gap: Gap, thrown: NDArray[np.bool_]) -> str:
     return f"stiffness vanishes {where}"
 
 
-def _cut_off(state: BearingState) -> Array:
-    """Largest share that the shoulder of each ring cuts off an ellipse (states, balls, 2)."""
-    cut, split = truncation(state).beyond_shoulder, len(state.cause.grooves.inner_offsets)
+def _cut_off(state: BearingState) -> tuple[Array, NDArray[np.bool_]]:
+    """Largest share that the shoulder of each ring cuts off an ellipse (states, balls, 2).
+
+    Also where a contact stands beyond the middle of its groove (states, balls).
+    """
+    cuts, split = truncation(state), len(state.cause.grooves.inner_offsets)
+    cut, balls = cuts.beyond_shoulder, state.inner_load.shape[-1]
     rings = [cut[..., :split].max(axis=-1), cut[..., split:].max(axis=-1)]
-    return np.stack(rings, axis=-1).reshape(-1, cut.shape[-2], 2)
+    with np.errstate(invalid="ignore"):
+        across = (state.contact_angle < cuts.middle_angle).any(axis=-1)
+    return np.stack(rings, axis=-1).reshape(-1, balls, 2), across.reshape(-1, balls)
 
 
 def _remarks(
     pressure: Array,
-    angle: Array,
-    cut: Array,
+    edges: tuple[NDArray[np.bool_], Array, NDArray[np.bool_]],
+    grip: Array,
     status: NDArray[np.str_],
     slipping: NDArray[np.str_],
 ) -> list[str]:
@@ -127,14 +142,14 @@ def _remarks(
     remarks = []
     if pressure.max() > PERMANENT:
         remarks.append(f"overloaded (pressure {pressure.max() / 1e9:.1f} GPa)")
-    if (beyond := angle > math.pi / 2.0).any():
-        remarks.append(f"beyond the groove (balls {_ranges(beyond)})")
-    for ring, share in zip(("inner", "outer"), cut.T, strict=True):
-        if (some := share > 0.0).any():
-            remarks.append(
-                f"contact ellipse passes the shoulder of the {ring} ring (balls {_ranges(some)}), "
-                f"{100.0 * share.max():.2g} % of its length lost"
-            )
+    remarks += _at_the_edge(*edges)
+    if (aside := status == "open side").any():
+        remarks.append(f"loaded on the open side (balls {_ranges(aside)})")
+    if (gross := grip > GROSS).any():
+        remarks.append(
+            f"gross gyroscopic slip (balls {_ranges(gross)} need a friction of {grip.max():.2g}): "
+            "raise the load, lower the speed or give a limit of friction"
+        )
     idle = (status == "lost contact") | (status == "unloaded")
     if idle.all():
         remarks.append("unloaded")
@@ -145,6 +160,23 @@ def _remarks(
             name = "both races" if race == "both" else f"{race} race"
             remarks.append(f"slips on the {name} (balls {_ranges(slipping == race)})")
     return remarks
+
+
+def _at_the_edge(beyond: NDArray[np.bool_], cut: Array, middle: NDArray[np.bool_]) -> Iterator[str]:
+    """About contacts that leave their groove."""
+    if beyond.any():
+        yield f"beyond the groove (balls {_ranges(beyond)})"
+    for ring, share in zip(("inner", "outer"), cut.T, strict=True):
+        if (some := share > 0.0).any():
+            yield (
+                f"contact ellipse passes the shoulder of the {ring} ring (balls {_ranges(some)}), "
+                f"{100.0 * share.max():.2g} % of its length lost"
+            )
+    if middle.any():
+        yield (
+            f"an arc presses beyond the middle of its groove (balls {_ranges(middle)}): the shim "
+            "is too small for two arcs, give none or a larger one"
+        )
 
 
 def _ranges(chosen: NDArray[np.bool_]) -> str:

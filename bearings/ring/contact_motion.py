@@ -28,11 +28,13 @@ def race_weight(state: StateData) -> Array:
 def control(state: StateData) -> NDArray[np.str_]:
     """Which race controls each ball: ``"inner"``, ``"outer"``, ``"neither"``; ``""`` without load.
 
-    The one whose margin is positive (``control_margins``); never both.
+    The one whose margin is positive (``control_margins``); never both. Control has no meaning where
+    a ball has more than two contacts, one of which slides: ``""``.
     """
     inner, outer = control_margins(state)
     word = np.where(inner > 0.0, "inner", np.where(outer > 0.0, "outer", "neither"))
-    return np.where(state.inner_load > 0.0, word, "")
+    two = (state.contact_load > 0.0).sum(axis=-1) == 2
+    return np.where(two, word, "")
 
 
 def control_margins(state: StateData) -> tuple[Array, Array]:

@@ -124,7 +124,7 @@ def _ring_balance(problem: Problem, answer: Answer) -> tuple[Array, Array, NDArr
     size = np.abs(problem.load / problem.scale).max(axis=-1) + 1e-3 * carried
     noise = 16.0 * EPS * (g.inner_reach + g.outer_reach) * np.abs(k).max(axis=(1, 2))
     needed = SETTLED if problem.turning else 0.1 * TOLERANCE
-    return gap, k, np.abs(gap).max(axis=-1) < needed * size + noise
+    return gap, k, np.abs(gap).max(axis=-1) <= needed * size + noise
 
 
 def _searched(

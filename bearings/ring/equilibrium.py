@@ -11,7 +11,7 @@ All states of a batch advance together; those that are done drop out.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -25,6 +25,7 @@ from bearings.ring.linearised import Linear, linearise, newton_step, scaled_erro
 from bearings.ring.problem import TOLERANCE, Problem, first_displacement
 
 Array = NDArray[np.float64]
+LIGHT = 1.0  # N or N·m: a load below it overloads nothing
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -105,9 +106,28 @@ def _together(
         d[cold], x[:, cold], reached = convex_state(part, displacement[cold])
         found = reached
         if problem.placed:
-            d[cold], x[:, cold], found = followed(part, d[cold], x[:, cold], reached)
-        outcome[cold] = np.where(reached, _words(found), "overloaded")
+            d[cold], x[:, cold], found = _followed(part, d[cold], x[:, cold], reached)
+        heavy = np.abs(part.load).max(axis=1) > LIGHT
+        outcome[cold] = np.where(reached | ~heavy, _words(found), "overloaded")
     return d, x, outcome, linear
+
+
+def _followed(
+    problem: Problem, d: Array, x: Array, reached: NDArray[np.bool_]
+) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """``followed``; what fails is tried again as a ring of which not every motion is held.
+
+    A load that one or two balls carry leaves the others free: any of the places that meet it is a
+    state, and the nearest is taken. Not where contacts open and close with a jump.
+    """
+    start = d.copy(), x.copy()
+    d, x, found = followed(problem, d, x, reached)
+    left = np.flatnonzero(reached & ~found)
+    if left.size and problem.law.one_branch:
+        part = replace(problem.take(left), loose=True)
+        again = followed(part, start[0][left], start[1][:, left], np.ones(left.size, dtype=bool))
+        d[left], x[:, left], found[left] = again
+    return d, x, found
 
 
 def _words(done: NDArray[np.bool_]) -> NDArray[np.str_]:

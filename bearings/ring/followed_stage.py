@@ -29,6 +29,7 @@ from bearings.ring.problem import (
 )
 
 Array = NDArray[np.float64]
+NEUTRAL = 1e-13  # stiffness that is rounding, over the largest
 
 
 def followed(
@@ -110,8 +111,16 @@ def corrected(
     free = problem.free
     if free.any():
         k = tangent(problem, linear.balls)[:, free][:, :, free]
-        good &= np.linalg.det(_relative(k, problem.scale[free])) > 0.0
+        k = _relative(k, problem.scale[free])
+        good &= (np.linalg.det(k) > 0.0) | (_neutral(k) if problem.loose else False)
     return d, x, good, linear, used
+
+
+def _neutral(k: Array) -> NDArray[np.bool_]:
+    """Whether nothing holds one of the motions of a ring."""
+    known: NDArray[np.bool_] = np.isfinite(k).all(axis=(1, 2))
+    sizes: Array = np.linalg.svd(np.where(known[:, None, None], k, 0.0), compute_uv=False)
+    return known & (sizes[:, -1] < NEUTRAL)
 
 
 def _jumped(diameter: float, before: Balance, now: Balance) -> NDArray[np.bool_]:

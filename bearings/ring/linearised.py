@@ -94,7 +94,7 @@ def newton_step(problem: Problem, linear: Linear) -> tuple[Array, Array]:
         scale = problem.scale[free]
         gap = (problem.load - problem.ring.load(np.stack(balls.action)))[:, free] / scale
         k = tangent(problem, balls)[:, free][:, :, free] / scale / scale[:, None]
-        dd[:, free] = _solve(k, gap) / scale
+        dd[:, free] = _solve(k, gap, loose=problem.loose) / scale
     return dd, np.stack(balls.still) + followed_by(np.stack(balls.follow), problem.ring.moved(dd))
 
 
@@ -104,8 +104,8 @@ def followed_by(follow: Array, moved: Array) -> Array:
     return step if len(moved) == 2 else step + follow[:, 2] * moved[2]
 
 
-def _solve(k: Array, gap: Array) -> Array:
-    """K⁻¹ gap, zero where K is singular to rounding."""
+def _solve(k: Array, gap: Array, *, loose: bool) -> Array:
+    """K⁻¹ gap; where K is singular to rounding zero, or the shortest such step if ``loose``."""
     largest = np.abs(k).max(axis=(1, 2), keepdims=True) + 1e-300
     part = k / largest
     regular = np.abs(np.linalg.det(part)) > PLAINLY_REGULAR
@@ -113,7 +113,10 @@ def _solve(k: Array, gap: Array) -> Array:
     if soft.size:
         regular[soft] = np.linalg.svd(part[soft], compute_uv=False)[:, -1] > SINGULAR
     safe = np.where(regular[:, None, None], k, np.eye(k.shape[-1]))
-    return np.where(regular[:, None], np.linalg.solve(safe, gap[..., None])[..., 0], 0.0)
+    step = np.where(regular[:, None], np.linalg.solve(safe, gap[..., None])[..., 0], 0.0)
+    if loose and (rest := soft[~regular[soft]]).size:
+        step[rest] = (np.linalg.pinv(k[rest], rcond=SINGULAR) @ gap[rest, :, None])[..., 0]
+    return step
 
 
 def segments(problem: Problem, d: Array, x: Array) -> tuple[Pair, Pair]:

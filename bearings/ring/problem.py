@@ -45,7 +45,8 @@ class Problem:
     """States to find: all at rest or all turning.
 
     ``origin`` (2, s): A at zero displacement; ``speed`` (s,) [rad/s]; ``load`` (s, 5) is met on
-    the freedoms where ``free`` (5,) is true, the displacement is kept on the others.
+    the freedoms where ``free`` (5,) is true, the displacement is kept on the others. ``loose``: not
+    every motion of the ring need be held.
     """
 
     geometry: Geometry
@@ -56,6 +57,7 @@ class Problem:
     load: Array
     free: NDArray[np.bool_]
     turning: bool
+    loose: bool = False
 
     @classmethod
     def of(cls, cause: Cause, ring: Callable[[Geometry], Ring]) -> Problem:

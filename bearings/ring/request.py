@@ -28,7 +28,7 @@ TOGETHER = 8000  # balls in one batch: what it works on stays near the processor
 REMEDIES = {
     "overloaded": "the balls are pressed far out of their grooves; is the unit of the load right?",
     "unloaded": "no load presses the rings together; give a load, or a displacement",
-    "no contact angle": "static growth takes the whole contact angle; reduce the fit",
+    "no contact angle": "growth leaves no contact angle; reduce the fit, or look at its sign",
 }
 
 
@@ -75,7 +75,8 @@ def solved(
     """All states of a question; see ``BallBearing.equilibrium``."""
     asked, g, whole = cause.question, cause.geometry, Problem.of(cause, full_ring)
     outcome = np.where(np.isfinite(whole.origin[0]), "", "no contact angle").astype("<U16")
-    outcome[asked.unloaded & (outcome == "")] = "unloaded"
+    if g.touching:  # a centred ring is at rest under no load
+        outcome[asked.unloaded & (outcome == "")] = "unloaded"
     states = blank(g, asked, outcome)
     fast = _compiled(g, asked) if compiled is None else compiled
     for index, axial, turning in _groups(g, asked, outcome):
@@ -121,8 +122,9 @@ def _neighbour(
     """(d, X) of the neighbouring states; ``first`` and seats at rest where one is missing."""
     if start.outcome.shape != asked.shape or start.inner_load.shape[-1] != (problem.geometry.balls):
         raise InvalidBearing(
-            f"start must be a state of this bearing with batch shape {asked.shape}, got "
-            f"{start.outcome.shape}"
+            f"start must be a state of this bearing with batch shape {asked.shape} and "
+            f"{problem.geometry.balls} balls, got {start.outcome.shape} and "
+            f"{start.inner_load.shape[-1]} balls"
         )
     near = start.ball_centre.reshape(2, len(asked.speed), -1)[:, index]
     near = near[..., : problem.ring.balls]  # of an axial state all balls are alike

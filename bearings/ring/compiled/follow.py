@@ -176,7 +176,7 @@ def _settled(p: One, found: Found, w: Work) -> bool:
     size += 1e-3 * p.geometry.balls * found.largest
     noise = 16.0 * EPS * (c.inner_reach + c.outer_reach) * np.abs(k).max()
     needed = SETTLED if p.turning else 0.1 * TOLERANCE
-    return np.abs(gap).max() < needed * size + noise
+    return np.abs(gap).max() <= needed * size + noise
 
 
 def _searched(p: One, d: Array, x: Array, step: Array, found: Found, w: Work) -> Found:
