@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+import itertools
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,8 +12,7 @@ from bearings.ball.law import STANDARD, Law
 from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing, NoEquilibrium
 from bearings.geometry import geometry, groove_origin
-from bearings.ring.compiled.states import Answer, compiled_states
-from bearings.ring.equilibrium import solve
+from bearings.ring.equilibrium import one_by_one
 from bearings.ring.problem import Problem, first_displacement, turns
 from bearings.ring.question import finite, five_numbers, single
 from bearings.ring.sums import full_ring
@@ -73,7 +73,7 @@ class Follower:
         self._origin = groove_origin(self._geometry, static, total)
         if not np.isfinite(self._origin).all():
             raise InvalidBearing("static growth takes the whole contact angle; reduce the fit")
-        self._last: Answer | None = None
+        self._last: tuple[Array, Array] | None = None  # (d (1, 5), X (2, 1, n))
 
     def load(self, displacement: ArrayLike, speed: ArrayLike | None = None) -> Followed:
         """Loads (…, 5) at displacements (…, 5), one after the other, with their tangents.
@@ -107,40 +107,29 @@ class Follower:
         if not omega.size:
             nothing = np.zeros(shape, dtype=bool)
             return Followed(load, move, np.zeros((*shape, 5, 5)), nothing)
-        answer = self._alike(move.reshape(-1, 5), load.reshape(-1, 5), omega, free=free)
-        found = answer.found
-        if shape == () and not found[0]:
+        move, load, turn = move.reshape(-1, 5), load.reshape(-1, 5), turns(self._geometry, omega)
+        ends = (0, *((turn[1:] != turn[:-1]).nonzero()[0] + 1), len(turn))
+        parts = [
+            self._answer(move[a:b], load[a:b], omega[a:b], free=free, turning=bool(turn[a]))
+            for a, b in itertools.pairwise(ends)
+        ]
+        answer = parts[0]
+        if len(parts) > 1:
+            joined: Any = (np.concatenate(part) for part in zip(*parts, strict=True))
+            answer = Followed(*joined)
+        if shape == () and not answer.found[0]:
             word = "unloaded" if free and not load.any() else "no equilibrium"
             raise NoEquilibrium(word, speed=float(omega[0]), remedy="see `equilibrium` for why")
-        if not found.all():
-            for part in (answer.load, answer.displacement, answer.stiffness):
-                part[~found] = np.nan
         return Followed(
             answer.load.reshape(*shape, 5),
             answer.displacement.reshape(*shape, 5),
             answer.stiffness.reshape(*shape, 5, 5),
-            found.reshape(shape),
+            answer.found.reshape(shape),
         )
-
-    def _alike(self, move: Array, load: Array, omega: Array, *, free: bool) -> Answer:
-        """States at rest and turning ones apart, in their order."""
-        turning = turns(self._geometry, omega)
-        if turning.all() or not turning.any():
-            return self._answer(move, load, omega, free=free, turning=bool(turning[0]))
-        borders = np.flatnonzero(np.diff(turning)) + 1
-        answers = [
-            self._answer(move[k], load[k], omega[k], free=free, turning=bool(turning[k[0]]))
-            for k in np.split(np.arange(len(omega)), borders)
-        ]
-        joined = {
-            name: np.concatenate([getattr(a, name) for a in answers])
-            for name in ("displacement", "load", "stiffness", "found")
-        }
-        return Answer(ball=answers[-1].ball, **joined)
 
     def _answer(
         self, move: Array, load: Array, omega: Array, *, free: bool, turning: bool
-    ) -> Answer:
+    ) -> Followed:
         """States that are all at rest or all turning."""
         problem = Problem(
             geometry=self._geometry,
@@ -152,29 +141,19 @@ class Follower:
             free=np.full(5, free),
             turning=turning,
         )
-        near, last, chained = None, self._last, self._law.one_branch
-        if last is not None and last.found[-1] and self._law.one_branch:
-            near = last.ball[:, -1:]
-            move = np.repeat(last.displacement[-1:], len(omega), axis=0) if free else move
+        near, chained = None, self._law.one_branch
+        if self._last is not None and chained:
+            there, near = self._last
+            move = np.repeat(there, len(omega), axis=0) if free else move
         elif free:
             move = first_displacement(problem, move)
-        answer = _second_look(problem, compiled_states(problem, move, near, chained=chained))
+        answer = one_by_one(problem, move, near, chained=chained)[0]
+        found = answer.found
         if free:
-            answer.found[~load.any(axis=1)] = False
-        self._last = answer
-        return answer
-
-
-def _second_look(problem: Problem, answer: Answer) -> Answer:
-    """States that the compiled solver refuses are looked for by the batched one, which knows more.
-
-    It follows free motions (``bearings.ring.free_motion``).
-    """
-    missing = np.flatnonzero(~answer.found)
-    if missing.size:
-        part = problem.take(missing)
-        found = solve(part, first_displacement(part, answer.displacement[missing]))
-        answer.displacement[missing], answer.load[missing] = found.displacement, found.ring_load
-        answer.ball[:, missing], answer.stiffness[missing] = found.ball, found.stiffness
-        answer.found[missing] = found.outcome == ""
-    return answer
+            found &= load.any(axis=1)
+        self._last = (answer.displacement[-1:], answer.ball[:, -1:]) if found[-1] else None
+        followed = Followed(answer.load, answer.displacement, answer.stiffness, found)
+        if not found.all():
+            for part in followed[:3]:
+                part[~found] = np.nan
+        return followed

@@ -6,7 +6,6 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-from bearings.contact.ellipse import middle_angle, shoulder_angle
 from bearings.materials import Material
 
 
@@ -99,20 +98,23 @@ class Grooves:
 
     @property
     def shoulder_angles(self) -> tuple[float, float]:
-        """Angles at which inner and outer groove end [rad]; NaN where that is not known."""
+        """Angles at which inner and outer groove end [rad]; NaN where that is not known.
+
+        cos α = (Ri − d/2)/(f D) at an inner shoulder of diameter d, (d/2 − Ro)/(f D) at an outer.
+        """
         (inner, outer), (ri, ro) = self.radii, self.centre_radii
         di, do = self.inner_shoulder, self.outer_shoulder
         return (
-            math.nan if di is None else shoulder_angle(ri - di / 2.0, inner),
-            math.nan if do is None else shoulder_angle(do / 2.0 - ro, outer),
+            math.nan if di is None else math.acos((ri - di / 2.0) / inner),
+            math.nan if do is None else math.acos((do / 2.0 - ro) / outer),
         )
 
     @property
     def middle_angles(self) -> tuple[float, float]:
-        """Angles at which the two arcs of inner and outer groove meet [rad]; NaN of one arc."""
+        """Angles where two arcs of inner and outer groove meet, asin(g/(2 f D)) [rad], or NaN."""
         shims = (2.0 * self.inner_offsets[0], 2.0 * self.outer_offsets[0])
         inner, outer = (
-            middle_angle(shim, radius) if shim else math.nan
+            math.asin(shim / (2.0 * radius)) if shim else math.nan
             for shim, radius in zip(shims, self.radii, strict=True)
         )
         return inner, outer

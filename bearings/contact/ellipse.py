@@ -7,7 +7,6 @@ angle a/(f D) either side of the contact angle (Lacroix 2014, section 2.4).
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -24,20 +23,6 @@ def half_axes(race: HertzContact, load: Array) -> tuple[Array, Array]:
     """Half-axes a along the groove and b along the rolling direction under ``load`` Q ≥ 0 [m]."""
     size = np.cbrt(load)
     return race.semi_axis_major * size, race.semi_axis_minor * size
-
-
-def shoulder_angle(reach: float, groove_radius: float) -> float:
-    """Angle at which a groove ends: cos α = reach/(f D) [rad].
-
-    ``reach`` [m]: radial distance from the groove centre to the shoulder, Ri − d/2 on an inner ring
-    and d/2 − Ro on an outer one.
-    """
-    return math.acos(reach / groove_radius)
-
-
-def middle_angle(shim: float, groove_radius: float) -> float:
-    """Angle at which the two arcs of a groove meet, asin(g/(2 f D)) [rad]."""
-    return math.asin(shim / (2.0 * groove_radius))
 
 
 def share_outside(lower: Array, upper: Array, least: Array, most: Array) -> Array:

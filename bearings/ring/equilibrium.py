@@ -17,14 +17,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.balance import Balance
+from bearings.ring.compiled.states import Answer, compiled_states
 from bearings.ring.contacts import Contacts, contacts
 from bearings.ring.convex_stage import convex_state
 from bearings.ring.followed_stage import corrected, followed
 from bearings.ring.linearised import Linear, linearise, newton_step, scaled_error, tangent
-from bearings.ring.problem import TOLERANCE, Problem
+from bearings.ring.problem import TOLERANCE, Problem, first_displacement
 
 Array = NDArray[np.float64]
-Answers = tuple[Array, Array, NDArray[np.str_], Linear | None]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -51,7 +51,8 @@ def solve(
     after the other instead of all together.
     """
     if compiled:
-        d, x, outcome, linear = _one_by_one(problem, displacement, guess)
+        answer, outcome = one_by_one(problem, displacement, guess)
+        d, x, linear = answer.displacement, answer.ball, None
     else:
         d, x, outcome, linear = _together(problem, displacement, guess)
     if linear is None:
@@ -69,20 +70,28 @@ def solve(
     )
 
 
-def _one_by_one(problem: Problem, displacement: Array, guess: Array | None) -> Answers:
-    """Compiled; what is refused so is looked for together, where free motions are followed."""
-    from bearings.ring.compiled.states import compiled_states
+def one_by_one(
+    problem: Problem, displacement: Array, guess: Array | None, *, chained: bool = False
+) -> tuple[Answer, NDArray[np.str_]]:
+    """Compiled, see ``compiled_states``, and the outcome of every state.
 
-    answer = compiled_states(problem, displacement, guess)
-    d, x, outcome = answer.displacement, answer.ball, _words(answer.found)
-    missing = np.flatnonzero(~answer.found)
+    What is refused so is looked for together, where free motions are followed.
+    """
+    answer = compiled_states(problem, displacement, guess, chained=chained)
+    outcome = _words(answer.found)
+    missing = (~answer.found).nonzero()[0]
     if missing.size:
-        found = _together(problem.take(missing), displacement[missing], None)
-        d[missing], x[:, missing], outcome[missing] = found[:3]
-    return d, x, outcome, None
+        part = problem.take(missing)
+        found = solve(part, first_displacement(part, displacement[missing]))
+        answer.displacement[missing], answer.load[missing] = found.displacement, found.ring_load
+        answer.ball[:, missing], answer.stiffness[missing] = found.ball, found.stiffness
+        outcome[missing], answer.found[missing] = found.outcome, found.outcome == ""
+    return answer, outcome
 
 
-def _together(problem: Problem, displacement: Array, guess: Array | None) -> Answers:
+def _together(
+    problem: Problem, displacement: Array, guess: Array | None
+) -> tuple[Array, Array, NDArray[np.str_], Linear | None]:
     """(d, X), the outcome of every state, and its linearisation if that is known."""
     states = len(problem.speed)
     d, x = displacement.copy(), np.zeros((2, states, problem.ring.balls))
@@ -102,7 +111,9 @@ def _together(problem: Problem, displacement: Array, guess: Array | None) -> Ans
 
 
 def _words(done: NDArray[np.bool_]) -> NDArray[np.str_]:
-    return np.where(done, "", "no equilibrium").astype("<U16")
+    words = np.zeros(len(done), dtype="<U16")
+    words[~done] = "no equilibrium"
+    return words
 
 
 def _last_digits(

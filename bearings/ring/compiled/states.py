@@ -74,7 +74,7 @@ def compiled_states(
         problem.law.numbers,
         ring.azimuth,
         problem.scale,
-        np.flatnonzero(problem.free),
+        problem.free.nonzero()[0],
         problem.turning,
         problem.law.one_branch,
         problem.placed,
