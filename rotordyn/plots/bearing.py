@@ -31,13 +31,14 @@ def bearing_figure(result: BearingMapResult) -> Figure:
     """Axial and radial stiffness, contact angles and peak pressures, a colour per load.
 
     Of few speeds over load, a colour per speed. Angles and pressures are those of the most loaded
-    ball where balls differ.
+    ball where balls differ; with several contacts a race, the angle is that of their resultant.
     """
     figure = new_figure(168.0, 118.0)
     own = "" if result.tangent[0] == "complete" else f", {result.tangent[0]}"
     of = ", most loaded ball" if result.ball.size > 1 else ""
     names = [f"stiffness Kxx{own} [N/µm]", f"stiffness Kyy{own} [N/µm]"]
-    names += [f"contact angle{of} [deg]", f"peak pressure{of} [GPa]"]
+    angle = "contact angle" if len(result.contact) == 2 else "resultant angle"
+    names += [f"{angle}{of} [deg]", f"peak pressure{of} [GPa]"]
     boxes = grid_boxes(figure, 2, 2, margins=(15.0, 6.0, 12.0, 8.0), gaps=(18.0, 5.0))
     below = axis_label(result, "load") if over_load(result) else "speed [rpm]"
     axes = [
