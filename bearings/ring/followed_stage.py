@@ -118,9 +118,9 @@ def corrected(
 
 def _neutral(k: Array) -> NDArray[np.bool_]:
     """Whether nothing holds one of the motions of a ring."""
-    known: NDArray[np.bool_] = np.isfinite(k).all(axis=(1, 2))
+    known = np.isfinite(k.sum(axis=(1, 2)))
     sizes: Array = np.linalg.svd(np.where(known[:, None, None], k, 0.0), compute_uv=False)
-    return known & (sizes[:, -1] < NEUTRAL)
+    return np.asarray(known & (sizes[:, -1] < NEUTRAL))
 
 
 def _jumped(diameter: float, before: Balance, now: Balance) -> NDArray[np.bool_]:
