@@ -25,11 +25,6 @@ def where(condition: Any, yes: Any, no: Any) -> Any:
     return np.where(condition, yes, no)
 
 
-def less(a: Pair, b: Pair) -> Pair:
-    """Difference of two pairs."""
-    return a[0] - b[0], a[1] - b[1]
-
-
 def direction(v: Pair) -> tuple[Any, Any, Any]:
     """sin, cos and length of (axial, radial), the angle counted from the radial direction."""
     length = np.sqrt(v[0] * v[0] + v[1] * v[1])

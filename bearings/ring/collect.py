@@ -54,8 +54,9 @@ def store(
 ) -> None:
     """Write the states that exist; note the outcome of the others."""
     states["outcome"][index] = solution.outcome
-    good = solution.outcome == ""
-    into, b, g = index[good], solution.balance, problem.geometry
+    found = np.flatnonzero(solution.outcome == "")
+    good, into = _places(found), _places(index[found])
+    b, g = solution.balance, problem.geometry
     qi, qo, mg = b.inner_load[good], b.outer_load[good], b.gyroscopic_moment[good]
     share = np.broadcast_to(b.inner_share, b.inner_load.shape)[good]
     states["load"][into] = np.where(problem.free, problem.load, solution.ring_load)[good]
@@ -93,6 +94,13 @@ def store(
     idle = "lost contact" if problem.turning else "unloaded"
     word = np.where((inner_angle < 0.0) & g.touching, "open side", "loaded")
     states["status"][into] = np.where(qi > 0.0, word, idle)
+
+
+def _places(index: NDArray[np.intp]) -> NDArray[np.intp] | slice:
+    """Places that follow one another as a slice, which copies nothing."""
+    if index.size and index[-1] - index[0] + 1 == index.size:
+        return slice(index[0], index[-1] + 1)
+    return index
 
 
 def _sides(g: Geometry) -> list[float]:

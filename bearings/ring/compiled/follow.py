@@ -68,11 +68,19 @@ def find(p: One, d: Array, x: Array, near: bool, w: Work) -> bool:
 
 def _tried(p: One, d: Array, x: Array, blend: float, w: Work) -> tuple[bool, int]:
     """``correct``, taken back where it fails."""
-    w.d[:], w.x[:] = d, x
+    _copy(d, x, w.d, w.x)
     good, used = correct(p, d, x, blend, w)
     if not good:
-        d[:], x[:] = w.d, w.x
+        _copy(w.d, w.x, d, x)
     return good, used
+
+
+def _copy(d: Array, x: Array, into_d: Array, into_x: Array) -> None:
+    """Keeps (d, X)."""
+    for j in range(5):
+        into_d[j] = d[j]
+    for ball in range(len(x)):
+        into_x[ball, 0], into_x[ball, 1] = x[ball, 0], x[ball, 1]
 
 
 def correct(p: One, d: Array, x: Array, blend: float, w: Work) -> tuple[bool, int]:
@@ -188,7 +196,7 @@ def _searched(p: One, d: Array, x: Array, step: Array, found: Found, w: Work) ->
     before = found.energy - _work(p, d)
     most = before + 64.0 * EPS * (abs(before) + largest * reach)
     follow, length = w.follow.copy(), 1.0
-    w.d[:], w.x[:] = d, x
+    _copy(d, x, w.d, w.x)
     for _ in range(HALVINGS):
         for j in range(5):
             d[j] = w.d[j] + length * step[j]
