@@ -1,0 +1,89 @@
+"""With the centrifugal force frozen a bearing is a convex problem, whatever its kind.
+
+The potential of contacts and loads falls at every step of the search, and the state does not depend
+on where the search starts, whether all motions of the ring are held or not.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+from unittest import mock
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from bearings import BallBearing, DeepGrooveBallBearing
+from bearings.ring import convex_stage
+from tests.oracles import known_grooves
+from tests.oracles.known_bearings import RPM
+from tests.oracles.random_kinds import KINDS, draw
+
+Array = NDArray[np.float64]
+SMALL = DeepGrooveBallBearing(8e-3, 40e-3, 9, radial_clearance=10e-6)
+R20_10 = known_grooves.four_point(known_grooves.R20_10)
+
+
+def _potential(problem: Any, energy: Array, displacement: Array) -> Array:
+    """Contacts less the work of the load (states,) [J]."""
+    alike = problem.geometry.balls / problem.ring.balls
+    work = (problem.load * displacement)[:, problem.free].sum(axis=-1)
+    return np.asarray(alike * energy.sum(axis=-1) - work)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_potential_falls_at_every_step(kind: str) -> None:
+    steps: list[float] = []
+    search = convex_stage._searched
+
+    def watched(problem: Any, d: Array, x: Array, now: Any, step: Array) -> Any:
+        before = _potential(problem, now.energy, d)
+        after = search(problem, d, x, now, step)
+        change = _potential(problem, after[2].energy, after[0]) - before
+        steps.extend(change / (np.abs(before) + np.abs(change) + 1e-300))
+        return after
+
+    with mock.patch.object(convex_stage, "_searched", watched):
+        for number in range(6):
+            asked = replace(draw(kind, number, 20), dynamics="frozen")
+            assert (asked.solve().outcome == "").all()
+    assert len(steps) > 100
+    assert max(steps) < 1e-11  # rounding of a sum
+    assert np.median(steps) < -1e-9
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_the_state_does_not_depend_on_the_start(kind: str) -> None:
+    for number in range(6):
+        asked = replace(draw(kind, number, 20), dynamics="frozen")
+        cold, warm = asked.solve(), asked.solve(asked.rolled().solve())
+        assert (warm.outcome == cold.outcome).all()
+        largest = np.abs(cold.contact_load).max(axis=(1, 2))
+        apart = np.abs(warm.contact_load - cold.contact_load).max(axis=(1, 2))
+        assert (apart <= 1e-6 * largest).all()
+
+
+@pytest.mark.parametrize("speed", [0.0, 0.2, 200.0, 8000.0 * RPM])
+@pytest.mark.parametrize("dynamics", ["frozen", "resultant"])
+@pytest.mark.parametrize("bearing", [SMALL, R20_10], ids=["deep groove", "four point"])
+def test_a_load_that_one_ball_carries_has_a_state(
+    bearing: BallBearing, dynamics: str, speed: float
+) -> None:
+    """Nothing holds the ring across that ball; its load is met all the same."""
+    load = np.array([0.0, 10.0, 0.0, 0.0, 0.0])
+    s = bearing.equilibrium(load=load, speed=speed, dynamics=dynamics)
+    assert (s.inner_load > 0.0).sum() == 1
+    again = bearing.equilibrium(displacement=s.displacement, speed=speed, dynamics=dynamics)
+    assert again.load == pytest.approx(load, abs=1e-7)
+
+
+@pytest.mark.parametrize("speed", [0.0, 500.0])
+def test_a_centred_ring_rests_under_no_load(speed: float) -> None:
+    """With play nothing presses a ball; pressed at rest, the loads cancel by symmetry."""
+    loose = SMALL.equilibrium(load=np.zeros(5), speed=speed)
+    tight = replace(SMALL, radial_clearance=-5e-6).equilibrium(load=np.zeros(5), speed=speed)
+    for s in (loose, tight):
+        assert s.displacement == pytest.approx(0.0, abs=1e-15)
+    assert not loose.inner_load.any()
+    assert tight.inner_load.min() > 1.0
