@@ -1,7 +1,7 @@
 """What every ball bearing is, whatever its kind; and the contract for whoever adds a kind.
 
 A kind is one frozen dataclass derived from ``BallBearing``, in a file of its own in
-``bearings/kinds``, and one line in ``bearings.kinds.KINDS``. It keeps this contract:
+``bearings/kinds``, and its lines in ``bearings/kinds/__init__.py``. It keeps this contract:
 
 1. **Fields.** What a maker's drawing says, declared with ``measured``: quantity, range, meaning and
    default stand on the field. Python, files, JSON Schema and key reference read them from there.

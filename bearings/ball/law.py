@@ -18,7 +18,8 @@ DYNAMICS = ("resultant", "frozen")
 class LawNumbers(NamedTuple):
     """What is assumed of a ball, by numbers.
 
-    ``kinematics`` in ``HYPOTHESES``, ``sharing`` in ``SHARINGS``; ``friction``: μ, 0 for no limit.
+    Indices in ``KINEMATICS`` and ``MOMENT_SHARING``; ``friction``: μ, 0 for no limit. ``dynamics``
+    acts through the blend of the balance.
     """
 
     kinematics: int

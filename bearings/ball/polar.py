@@ -1,4 +1,4 @@
-"""Values of a ball with their derivatives by its contact angles and the lengths to the grooves.
+"""Values of a ball with derivatives by angle and approach of the resultants of both races.
 
 Plain expressions of floats or arrays, which compile as they stand.
 """
@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 
 
 class Polar(NamedTuple):
-    """A value with its derivatives by αi, ℓi, αo and ℓo."""
+    """A value with its derivatives by αi, δi, αo and δo, of the races' resultants."""
 
     value: Any
     by_inner_angle: Any

@@ -33,8 +33,8 @@ def control(state: StateData) -> NDArray[np.str_]:
     """
     inner, outer = control_margins(state)
     word = np.where(inner > 0.0, "inner", np.where(outer > 0.0, "outer", "neither"))
-    two = (state.contact_load > 0.0).sum(axis=-1) == 2
-    return np.where(two, word, "")
+    one_each = (state.inner_load > 0.0) & ((state.contact_load > 0.0).sum(axis=-1) == 2)
+    return np.where(one_each, word, "")
 
 
 def control_margins(state: StateData) -> tuple[Array, Array]:

@@ -25,6 +25,8 @@ def beyond(problem: Problem, d: Array, x: Array, balance: Balance) -> Array | No
 
     ``d`` (5,), ``x`` (2, n); ``balance`` of that state alone.
     """
+    if not problem.geometry.single:  # a groove off the middle moves with the tilt, too
+        return None
     load = balance.inner_load[0]
     carrying = load > FADING * load.max(initial=0.0)
     way = _unheld(problem, carrying)

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from bearings.ball.balance import settled, turning_balance
 from bearings.ring.data import StateData
 from bearings.ring.linearised import tangent
-from bearings.ring.problem import Problem
+from bearings.ring.problem import Problem, turns
 from bearings.ring.sums import full_ring
 
 Array = NDArray[np.float64]
@@ -23,15 +23,14 @@ COUPLED = np.array(  # x alone, y with θz, z with θy
 def frozen_stiffness(state: StateData) -> Array:
     """Tangent with centrifugal force and gyroscopic moment kept as they are (…, 5, 5).
 
-    Cao & Altintas, J. Mech. Des. 126 (2004) 1089. At rest it is the complete one.
+    Cao & Altintas, J. Mech. Des. 126 (2004) 1089. At rest, and with the ``dynamics`` of that name,
+    it is the complete one.
     """
     cause = state.cause
     speed = state.speed.reshape(-1)
-    if not speed.size:
-        return state.complete_stiffness
-    good = (speed > 0.0) & (state.outcome.reshape(-1) == "")
-    turning = np.flatnonzero(good & (state.gyroscopic_moment.reshape(len(speed), -1) != 0.0).any(1))
-    if not turning.size:
+    good = turns(cause.geometry, speed) & (state.outcome.reshape(-1) == "")
+    turning = np.flatnonzero(good)
+    if not turning.size or cause.law.dynamics == "frozen":
         return state.complete_stiffness
     part = Problem.of(cause, full_ring).take(turning)
     a = part.centres(state.displacement.reshape(-1, 5)[turning])

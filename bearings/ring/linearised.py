@@ -120,6 +120,6 @@ def _solve(k: Array, gap: Array, *, loose: bool) -> Array:
 
 
 def segments(problem: Problem, d: Array, x: Array) -> tuple[Pair, Pair]:
-    """From the outer groove centre to the ball, and on to the inner groove centre."""
+    """From the middle of the outer groove to the ball, and on to the middle of the inner one."""
     inner = problem.centres(d)[:2] - x
     return (x[0], x[1]), (inner[0], inner[1])

@@ -33,7 +33,7 @@ NEWTON_STEPS = 5  # more lead to other states across a fold
 QUICK_STEPS = 3  # a stride that took no more is followed by a longer one
 ON_THE_WAY = 1e-7  # scaled residual of a state that is only followed further
 FIRST_BLEND = 0.5  # tried from the convex problem
-LONGEST_TURN = 0.15  # rad a contact angle may move in one stride
+LONGEST_TURN = 0.15  # rad that the way from a ball to the middle of a groove may turn in one stride
 JUMP = 1e-5  # of the largest ball load: what the moment of a ball may change by at once
 FIRST_FREE = 1e-4  # stride after a free motion
 MOST_FREE_MOTIONS = 4  # on the way of one state
@@ -67,7 +67,7 @@ class Problem:
         return cls(g, cause.law, ring(g), origin, asked.speed, asked.load, asked.free, turning=True)
 
     def centres(self, displacement: Array) -> Array:
-        """A (3, s, n) at a displacement (s, 5)."""
+        """A (m, s, n) at a displacement (s, 5); m = 3 where the inner ring has two grooves, else 2."""
         return self.ring.centres(self.origin, displacement)
 
     @property

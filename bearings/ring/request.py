@@ -64,7 +64,7 @@ def remedy(word: str, law: Law) -> str:
     ways = ["raise the load", "lower the speed"]
     if law.friction is None:
         ways.append("give a limit of friction")
-    if law.kinematics in ("inner", "geometric"):
+    if not law.one_branch:
         ways.append("use outer or hybrid kinematics")
     return ", ".join(ways[:-1]) + f" or {ways[-1]}"
 

@@ -63,7 +63,8 @@ class BearingState(StateData):
     def control(self) -> NDArray[np.str_]:
         """The race that controls each ball after Jones' criterion (…, balls).
 
-        ``"inner"``, ``"outer"``, ``"neither"``, or ``""`` for a ball that carries nothing.
+        ``"inner"``, ``"outer"``, ``"neither"``, or ``""`` for a ball that the inner race does not
+        load, or that has more than two contacts.
         """
         return control(self)
 
@@ -71,7 +72,8 @@ class BearingState(StateData):
     def control_agrees(self) -> NDArray[np.bool_]:
         """False where the kinematics assumes control by a race that does not have it (…, balls).
 
-        Only "outer" and "inner" assume such a thing, and only of balls that carry load.
+        Only "outer" and "inner" assume such a thing, and only of balls with one loaded contact a
+        race.
         """
         named = self.cause.law.kinematics in ("inner", "outer")
         return (self.control == self.cause.law.kinematics) | (self.control == "") | (not named)

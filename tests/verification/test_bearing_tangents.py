@@ -5,7 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from bearings import InvalidBearing, stiffness
+from bearings import DeepGrooveBallBearing, InvalidBearing, stiffness
+from bearings.ball.kinematics import HYPOTHESES, SHARINGS
+from bearings.ball.law import KINEMATICS, MOMENT_SHARING
 from tests.oracles.known_bearings import RPM, VEX70
 
 SCALE = np.array([1.0, 1.0, 1.0, 0.045, 0.045])
@@ -72,3 +74,19 @@ def test_states_that_do_not_exist_do_not_disturb_their_neighbours() -> None:
 def test_unknown_method() -> None:
     with pytest.raises(InvalidBearing, match="did you mean 'frozen'"):
         VEX70.equilibrium(load=[1000.0, 0, 0, 0, 0]).stiffness("frosen")
+
+
+def test_numbers_of_a_law_are_places_in_its_names() -> None:
+    """Compiled code knows hypotheses by number, in the order of their names."""
+    assert tuple(HYPOTHESES) == KINEMATICS
+    assert tuple(SHARINGS) == MOMENT_SHARING
+
+
+def test_frozen_is_not_complete_where_the_moment_is_zero_and_its_slope_is_not() -> None:
+    """Under a radial load alone angles and Mg are zero, but not what a tilt makes of them."""
+    bearing = DeepGrooveBallBearing(8e-3, 40e-3, 9, radial_clearance=10e-6)
+    s = bearing.equilibrium(load=[0.0, 500.0, 0.0, 0.0, 0.0], speed=2000.0)
+    assert not s.gyroscopic_moment.any()
+    complete, frozen = s.stiffness(), s.stiffness("frozen")
+    assert apart(stiffness(s, "difference"), complete) < 1e-6
+    assert apart(frozen, complete) > 1e-6

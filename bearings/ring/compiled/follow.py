@@ -1,6 +1,7 @@
 """The two stages of ``bearings.ring.equilibrium`` for one state.
 
-What is solved, when a stride is taken back and when a state counts as found is the same there.
+What is solved and when a stride is taken back is the same there; motions that no ball holds are
+left to it.
 """
 
 from __future__ import annotations

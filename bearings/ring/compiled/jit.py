@@ -44,7 +44,7 @@ def is_kept() -> bool:
 
 
 def _chosen(condition: Any, yes: Any, no: Any) -> Any:
-    """``bearings.plane.where`` of one ball."""
+    """``bearings.ball.plane.where`` of one ball."""
     return yes if condition else no
 
 
