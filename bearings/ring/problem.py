@@ -67,7 +67,7 @@ class Problem:
         return cls(g, cause.law, ring(g), origin, asked.speed, asked.load, asked.free, turning=True)
 
     def centres(self, displacement: Array) -> Array:
-        """A (m, s, n) at a displacement (s, 5); m = 3 where the inner ring has two grooves, else 2."""
+        """A (m, s, n) at a displacement (s, 5); m is 3 with two inner grooves, else 2."""
         return self.ring.centres(self.origin, displacement)
 
     @property
