@@ -1,12 +1,12 @@
 """One ball between its grooves: its balance, what it does to the inner ring, and all derivatives.
 
 The law of a ball over its contacts, whatever the kind of bearing (at rest between one groove a
-ring: ``bearings.ball.rest``; under a frozen push: ``bearings.ball.potential``): the contacts of each
-race make a resultant (``bearings.ball.race``), directions and loads of the resultants make Fc and
-Mg. Plain expressions of floats or arrays (any shape), which compile as they stand: choices between
-balls are made by ``where``. Plane vectors are (axial, radial); X is the ball centre, A the middle
-of the inner groove (with the tilt of the ring there as its third part), both seen from the middle
-of the outer groove.
+ring: ``bearings.ball.rest``; under a frozen push: ``bearings.ball.potential``): the contacts of
+each race make a resultant (``bearings.ball.race``), directions and loads of the resultants make Fc
+and Mg. Plain expressions of floats or arrays (any shape), which compile as they stand: choices
+between balls are made by ``where``. Plane vectors are (axial, radial); X is the ball centre, A
+the middle of the inner groove (with the tilt of the ring there as its third part), both seen from
+the middle of the outer groove.
 """
 
 from __future__ import annotations

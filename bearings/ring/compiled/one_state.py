@@ -21,8 +21,9 @@ class One(NamedTuple):
     """A state to find.
 
     ``azimuth`` (n, 6) as in ``bearings.ring.sums.Ring``; ``scale`` (5,), ``origin`` (2,),
-    ``load`` (5,) as in ``bearings.ring.problem.Problem``; ``free``: places of the
-    freedoms whose load is given; ``placed``, ``full`` too; ``one_branch`` as in ``bearings.ball.law``; ``squared`` ω².
+    ``load`` (5,) as in ``bearings.ring.problem.Problem``; ``free``: places of the freedoms
+    whose load is given; ``placed``, ``full`` too; ``one_branch`` as in ``bearings.ball.law``;
+    ``squared`` ω².
     """
 
     origin: Array
