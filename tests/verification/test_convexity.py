@@ -44,7 +44,8 @@ def test_the_potential_falls_at_every_step(kind: str) -> None:
         steps.extend(change / (np.abs(before) + np.abs(change) + 1e-300))
         return after
 
-    with mock.patch.object(convex_stage, "_searched", watched):
+    batched = mock.patch("bearings.ring.request._compiled", return_value=False)
+    with batched, mock.patch.object(convex_stage, "_searched", watched):
         for number in range(6):
             asked = replace(draw(kind, number, 20), dynamics="frozen")
             assert (asked.solve().outcome == "").all()
