@@ -17,11 +17,13 @@ if TYPE_CHECKING:
     )
     from bearings.kinds.deep_groove import DeepGrooveBallBearing as DeepGrooveBallBearing
     from bearings.kinds.four_point import FourPointBallBearing as FourPointBallBearing
+    from bearings.kinds.thrust import ThrustBallBearing as ThrustBallBearing
 
 KINDS = {
     "angular_contact": "AngularContactBallBearing",
     "deep_groove": "DeepGrooveBallBearing",
     "four_point": "FourPointBallBearing",
+    "thrust": "ThrustBallBearing",
 }
 DEFAULT = "angular_contact"  # of a file that names no kind
 
