@@ -9,6 +9,7 @@ import pytest
 from hypothesis import given, settings
 
 from bearings import AngularContactBallBearing
+from tests.oracles import known_grooves
 from tests.oracles.ball_bearing import BallBearingOracle
 from tests.oracles.known_bearings import HARRIS_218, HYPOTHESES, RPM, VEX70
 from tests.oracles.random_bearings import solved
@@ -125,3 +126,15 @@ def test_missing_states_stay_missing() -> None:
     assert np.isnan(state.outer_spin_to_roll[1]).all()
     assert (state.control[1] == "").all()
     assert np.isfinite(state.inner_spin_to_roll[0]).all()
+
+
+def test_control_has_a_meaning_with_one_loaded_contact_a_race_alone() -> None:
+    """Balls that sit on both outer arcs, or touch in three points, are controlled by none."""
+    bearing = known_grooves.four_point(known_grooves.R20_10)
+    s = bearing.equilibrium(load=[2e3, 9e3, 0.0, 0.0, 0.0], speed=600.0, kinematics="inner")
+    in_the_arch = (s.inner_load == 0.0) & (s.contacts == 2)
+    assert in_the_arch.any()
+    assert (s.contacts > 2).any()
+    plain = (s.inner_load > 0.0) & (s.contacts == 2)
+    assert ((s.control != "") == plain).all()
+    assert s.control_agrees[~plain].all()
