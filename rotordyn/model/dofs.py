@@ -1,0 +1,81 @@
+"""Degrees of freedom by name: six of every node, and those that terms add.
+
+A DOF belongs to a ``Line``: what moves (a rotor, a sleeve, a housing) and its direction. Rotations
+thy count from z to −x: z and −thy obey the same equations as y and thz, so that every matrix of
+a shaft in plane z is that of plane y if DOF thy are taken with a sign of −1 (``Dofs.sign``).
+With r = y + i z and φ = thz − i thy both planes are one complex plane.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+DIRECTIONS = ("x", "y", "z", "thx", "thy", "thz")
+PLANE_OF = {"y": "y", "thz": "y", "z": "z", "thy": "z"}  # bending plane of each direction
+Indices = NDArray[np.intp]
+
+
+class Line(NamedTuple):
+    """DOF of one ``body`` that move in one way: "x", "thx", the bending planes "y" and "z", or ""
+    of coordinates that have no direction of their own."""
+
+    body: str
+    way: str
+
+    @property
+    def motion(self) -> str:
+        """"axial", "torsion", "bending", or "" of coordinates without a direction."""
+        return {"x": "axial", "thx": "torsion", "y": "bending", "z": "bending"}.get(self.way, "")
+
+
+class Dofs:
+    """All DOF of a machine, numbered as terms add them; signs (DOF,) of thy are −1, others 1."""
+
+    def __init__(self) -> None:
+        self.lines: list[Line] = []
+        self._line: list[Indices] = []
+        self._sign: list[NDArray[np.float64]] = []
+        self.count = 0
+
+    def add(self, line: Line, count: int = 1, sign: float = 1.0) -> Indices:
+        """Numbers of ``count`` new DOF of a line."""
+        if line not in self.lines:
+            self.lines.append(line)
+        self._line.append(np.full(count, self.lines.index(line)))
+        self._sign.append(np.full(count, sign))
+        self.count += count
+        return np.arange(self.count - count, self.count)
+
+    def add_nodes(self, body: str, nodes: int) -> Indices:
+        """Numbers (nodes, 6) of the DOF of new nodes, those of one node side by side."""
+        own = [Line(body, PLANE_OF.get(name, name)) for name in DIRECTIONS]
+        self.lines += [line for line in dict.fromkeys(own) if line not in self.lines]
+        self._line.append(np.tile([self.lines.index(line) for line in own], nodes))
+        self._sign.append(np.tile([-1.0 if n == "thy" else 1.0 for n in DIRECTIONS], nodes))
+        self.count += 6 * nodes
+        return np.arange(self.count - 6 * nodes, self.count).reshape(nodes, 6)
+
+    @property
+    def line(self) -> Indices:
+        """Place in ``lines`` of every DOF (DOF,)."""
+        return np.concatenate(self._line)
+
+    @property
+    def sign(self) -> NDArray[np.float64]:
+        """(DOF,)"""
+        return np.concatenate(self._sign)
+
+
+def position(direction: str) -> int:
+    """Place of a direction among the six of a node.
+
+    Raises
+    ------
+    ValueError : there is no such direction
+    """
+    if direction not in DIRECTIONS:
+        raise ValueError(f"no direction {direction!r}: one of {', '.join(DIRECTIONS)}")
+    return DIRECTIONS.index(direction)

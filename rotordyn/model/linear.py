@@ -1,0 +1,251 @@
+"""The equation of motion of one subsystem in its coordinates, at many speeds:
+
+    q̈ + C(Ω) q̇ + K(Ω) q = f
+
+C holds the gyroscopic effect, K what damping in turning parts, axial force and bearings add.
+Subsystems are components that links or the gyroscopic effect join.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.machine.support import SPINDLE
+from rotordyn.model.axial_force import geometric_stiffness
+from rotordyn.model.component import Component
+from rotordyn.elements.support import answers_alike
+from rotordyn.model.dofs import DIRECTIONS, position
+from rotordyn.model.structure import Structure, _Union
+from rotordyn.model.term import Array, Link, LinkMatrices, State
+
+class Loss(NamedTuple):
+    """Loss factors times stiffness: of what does not turn (s or 1, n, n), of shafts in bending
+    (n, n), and the latter from plane z to plane y, with opposite sign back (n, n)."""
+
+    fixed: Array
+    turning: Array
+    across: Array
+
+
+class Connection(NamedTuple):
+    """A link in the coordinates: motions (k, n), matrices (s or 1, k, k)."""
+
+    link: Link
+    motions: Array
+    matrices: LinkMatrices
+
+
+@dataclass(frozen=True, eq=False)
+class Linear:
+    """One subsystem at ``speed`` (s,): real ``stiffness`` and ``damping`` (s, n, n), mass 1.
+
+    Coordinates are those of ``components``, in this order: plane y, plane z, all others.
+    """
+
+    structure: Structure
+    components: tuple[Component, ...]
+    speed: Array
+    stiffness: Array
+    damping: Array
+    connections: tuple[Connection, ...]
+    loss: Loss | None = None
+    _memo: dict[str, Array] = field(default_factory=dict)
+
+    @property
+    def size(self) -> int:
+        """Coordinates n."""
+        return self.stiffness.shape[-1]
+
+    @cached_property
+    def slices(self) -> list[slice]:
+        """Coordinates of each component."""
+        ends = np.cumsum([0, *(c.size for c in self.components)])
+        return [slice(int(a), int(b)) for a, b in zip(ends[:-1], ends[1:], strict=True)]
+
+    @property
+    def motions(self) -> frozenset[str]:
+        """Those of "bending", "axial" and "torsion" that take part."""
+        own = {line.motion for component in self.components for line in component.lines}
+        return frozenset(own - {""})
+
+    def energy_of(self, motion: str) -> NDArray[np.bool_]:
+        """Coordinates (n,) of shafts that are of a motion."""
+        chosen = np.zeros(self.size, dtype=bool)
+        for component, own in zip(self.components, self.slices, strict=True):
+            chosen[own] = component.spindle is not None and component.lines[0].motion == motion
+        return chosen
+
+    @cached_property
+    def rigid(self) -> NDArray[np.bool_]:
+        """Coordinates that are rigid motions of shafts (n,)."""
+        return np.concatenate(
+            [c.is_rigid & (c.spindle is not None) for c in self.components] or [np.zeros(0, bool)]
+        )
+
+    @cached_property
+    def motion(self) -> Array:
+        """Displacements of the shown nodes by the coordinates (nodes, 6, n)."""
+        return self.structure.motion(self.components)
+
+    def row(self, rotor: str, x: float, direction: str) -> Array:
+        """Displacement of the node at station ``x`` [m] of a rotor in one direction (n,)."""
+        number = self.structure.node(rotor, x)[position(direction)]
+        return rows_of(self, np.array([number]))[0]
+
+    @cached_property
+    def isotropic(self) -> bool:
+        """Both planes obey the same equations: forward and backward whirl are apart."""
+        half, odd = divmod(self.size, 2)
+        firsts = [c for c in self.components if c.way == "y"]
+        seconds = [c for c in self.components if c.way == "z"]
+        if odd or len(firsts) + len(seconds) != len(self.components):
+            return False
+        if [c.lines[0].body for c in firsts] != [c.lines[0].body for c in seconds]:
+            return False
+        y, z = slice(half), slice(half, None)
+        return all(
+            answers_alike(own)
+            for link in self.connections
+            for own in link.matrices
+            if own.shape[-1] == len(DIRECTIONS)
+        )
+
+
+def rows_of(linear: Linear, dofs: NDArray[np.intp]) -> Array:
+    """Displacements of DOF, with their sign, by the coordinates (DOF, n); zero for those of other
+    subsystems."""
+    rows = np.zeros((len(dofs), linear.size))
+    sign = linear.structure.dofs.sign
+    for component, own in zip(linear.components, linear.slices, strict=True):
+        mine = component.has(dofs)
+        rows[mine, own] = sign[dofs[mine], None] * component.vectors[component.local(dofs[mine])]
+    return rows
+
+
+def subsystems(
+    structure: Structure, state: State, *, strings: bool
+) -> list[tuple[Component, ...]]:
+    """Components that links join at any of the states, or that turn with one another."""
+    every = structure.components
+    groups = _Union(len(every))
+    for k, one in enumerate(every):
+        for other in range(k):
+            same = one.lines[0].body == every[other].lines[0].body
+            planes = {one.way, every[other].way} == {"y", "z"}
+            if same and planes and one.spindle is not None:
+                groups.join(k, other)
+    links = [*structure.connections, *(structure.strings if strings else ())]
+    for link in links:
+        size = sum(np.abs(matrix).max(axis=0) for matrix in link.matrices(state))
+        joined = np.abs(link.motions).T @ size @ np.abs(link.motions) > 0.0
+        owner = structure.owner[link.dofs]
+        for row, column in np.argwhere(joined):
+            groups.join(owner[row], owner[column])
+    order = {"y": 0, "z": 1}
+    return [
+        tuple(
+            sorted(
+                (c for k, c in enumerate(every) if groups.find(k) == root),
+                key=lambda c: order.get(c.way, 2),
+            )
+        )
+        for root in groups.roots()
+    ]
+
+
+def linear(
+    structure: Structure,
+    components: Sequence[Component],
+    state: State,
+    force: Array | None = None,
+    *,
+    softened: bool = False,
+) -> Linear:
+    """The equation of a subsystem at every state.
+
+    ``force`` (s, elements of the shown mesh) [N]: axial force in the spindle's shaft, tension
+    positive; None: it and the drawbar do nothing to bending. ``softened``: Ω² M_ω is subtracted
+    from the stiffness in the fixed frame, a formulation that no physics supports.
+    """
+    speed, n = state.speed, sum(c.size for c in components)
+    stiffness, damping = np.zeros((2, len(speed), n, n))
+    found = Linear(structure, tuple(components), speed, stiffness, damping, ())
+    spin = speed[:, None, None]
+    for component, own in zip(components, found.slices, strict=True):
+        stiffness[:, own, own] += component.stiffness
+        damping[:, own, own] += component.damping
+        if softened and component.bends:
+            stiffness[:, own, own] -= spin**2 * component.projected("softening")
+        if force is not None and component.lines[0].body == SPINDLE and component.bends:
+            stiffness[:, own, own] += geometric_stiffness(structure.slopes(component), force)
+    for y, z in _planes(found):
+        own, other = found.slices[y], found.slices[z]
+        polar = structure.gyroscopic(components[y], components[z])
+        turning = components[y].turning
+        damping[:, own, other] += spin * polar
+        damping[:, other, own] -= spin * polar.T
+        stiffness[:, own, other] += spin * turning
+        stiffness[:, other, own] -= spin * turning.T
+    links = [*structure.connections, *structure.springs]
+    links += structure.strings if force is not None else []
+    connections = []
+    for link in links:
+        rows = _motions(found, link)
+        if rows is None:
+            continue
+        matrices = link.matrices(state)
+        stiffness += _between(rows, matrices.stiffness)
+        if matrices.damping.any():
+            damping += _between(rows, matrices.damping)
+        connections.append(Connection(link, rows, matrices))
+    loss = _loss(found, connections)
+    return Linear(structure, tuple(components), speed, stiffness, damping, tuple(connections), loss)
+
+
+def _motions(linear: Linear, link: Link) -> Array | None:
+    """Relative motions of a link by the coordinates (k, n); None where it is of other subsystems."""
+    rows, touched = np.zeros((len(link.motions), linear.size)), False
+    for component, own in zip(linear.components, linear.slices, strict=True):
+        mine = component.has(link.dofs)
+        if mine.any():
+            touched = True
+            vectors = component.vectors[component.local(link.dofs[mine])]
+            rows[:, own] = link.motions[:, mine] @ vectors
+    return rows if touched else None
+
+
+def _between(rows: Array, blocks: Array) -> Array:
+    """rowsᵀ block rows of blocks (s or 1, k, k): (s or 1, n, n)."""
+    return np.asarray(rows.T @ (blocks @ rows))
+
+
+def _planes(linear: Linear) -> list[tuple[int, int]]:
+    """Places of plane y and plane z of every shaft among the components."""
+    places = {(c.lines[0].body, c.way): k for k, c in enumerate(linear.components) if c.spindle}
+    return [(k, places[body, "z"]) for (body, way), k in places.items() if way == "y"]
+
+
+def _loss(linear: Linear, connections: Sequence[Connection]) -> Loss | None:
+    spindle = linear.structure.spindle
+    if not spindle.hysteretic:
+        return None
+    n = linear.size
+    fixed, turning, across = np.zeros((1, n, n)), np.zeros((n, n)), np.zeros((n, n))
+    for component, own in zip(linear.components, linear.slices, strict=True):
+        if component.spindle is not None:
+            where = turning if component.bends else fixed[0]
+            where[own, own] += spindle.loss_factor * component.stiffness
+    for y, z in _planes(linear):
+        own, other = linear.slices[y], linear.slices[z]
+        across[own, other] += turning[own, own]
+        across[other, own] -= turning[other, other]
+    for link, rows, matrices in connections:
+        if link.loss_factor:
+            fixed = fixed + link.loss_factor * _between(rows, matrices.stiffness)
+    return Loss(fixed, turning, across)
