@@ -1,6 +1,6 @@
-"""Modes over speed: those of bending, axial motion and torsion, each followed by its shape.
+"""Modes over speed: those of every subsystem, each followed by its shape.
 
-A mode of motions that supports couple is named after the one with the largest share of its kinetic
+A mode of motions that something couples is named after the one with the largest share of its kinetic
 energy, on the mean of all speeds: of two modes that veer, what each is over most of the range.
 """
 
@@ -8,25 +8,23 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
-from functools import partial
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.certificate import swings
-from rotordyn.analysis.exact_bending import ExactModes
-from rotordyn.analysis.results.modes import creeps
+from rotordyn.analysis.results.modes import is_overdamped
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec
+from rotordyn.model.free_motion import FreeMotions
+from rotordyn.model.linear import Linear
 from rotordyn.numerics.follow import doubts, follow
-from rotordyn.numerics.modes import Modes
 from rotordyn.numerics.products import times
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-Matrix = NDArray[np.inexact[Any]]
+Flags = NDArray[np.bool_]
 MOTIONS = ("bending", "axial", "torsion")
 MARGIN = 1.5  # modes up to this multiple of the highest frequency are followed
 WITHIN = 1.1  # doubts about modes above this multiple are left
@@ -35,6 +33,7 @@ MOST_KNOTS = 200  # of tables of supports, beyond which only every second (third
 NARROWEST = 1e-7  # of the range of speeds: no finer steps
 FARTHEST = 0.3  # of a pole: a larger change over a step is not believed
 PLANAR = 1e-6  # whirl degree below which a motion is straight
+OSCILLATING = 1e-6  # of |pole|: less imaginary part than that is no vibration
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -47,26 +46,29 @@ class Track:
     vector: Complex
 
     @property
-    def lost(self) -> NDArray[np.bool_]:
+    def lost(self) -> Flags:
         """(s,)"""
         return np.isnan(self.pole)
 
 
 @dataclass(frozen=True, slots=True)
 class Branch:
-    """One mode over the usable speeds: ``pole``, whirl ``degree``, column in the modes (−1: lost).
+    """One mode over the usable speeds: ``pole`` of Im > 0, whirl ``degree``, column in the modes of
+    the subsystem ``home`` (−1: lost).
 
     ``degree``: share of the kinetic energy in forward circular motion less that in backward.
-    ``vector`` (speeds, n): its displacements in the coordinates of its system.
-    Poles are those of the fixed frame, whatever the formulation. ``track``: at more speeds.
+    ``vector`` (speeds, n): its displacements in the coordinates of its subsystem. ``track``: at
+    more speeds. ``side``: +1 or −1 of whirl where planes are one, else 0.
     """
 
     kind: str
+    home: int
     pole: Complex
     degree: Array
     column: NDArray[np.intp]
     vector: Complex
     track: Track
+    side: float
 
     @property
     def frequency(self) -> Array:
@@ -78,17 +80,10 @@ class Branch:
         """+1 forward, −1 backward, 0 planar: which circular part of y, z dominates."""
         return np.where(np.abs(self.degree) < PLANAR, 0.0, np.sign(self.degree))
 
-    def at_all(self, speed: Array) -> Branch:
-        """The same mode at every ``speed`` (s,) [rad/s], of a motion that was solved at one."""
-        count = len(speed)
-        pole, vector = np.repeat(self.pole, count), np.repeat(self.vector, count, axis=0)
-        degree, column = np.repeat(self.degree, count), np.repeat(self.column, count)
-        return Branch(self.kind, pole, degree, column, vector, Track(speed, pole, vector))
-
     @property
-    def creeping(self) -> bool:
+    def overdamped(self) -> bool:
         """It hardly swings at most speeds."""
-        return bool(creeps((-self.pole.real / np.abs(self.pole))[:, None])[0])
+        return bool(is_overdamped((-self.pole.real / np.abs(self.pole))[:, None])[0])
 
     @property
     def born(self) -> int:
@@ -97,170 +92,114 @@ class Branch:
 
 
 def branches_of(scene: Scene, spec: CampbellSpec, motions: Sequence[str] = MOTIONS) -> list[Branch]:
-    """Modes of ``motions``, and of what supports couple to them, that come below
-    ``spec.max_frequency``."""
-    alone = {"bending": _bending, "axial": _axial, "torsion": _torsion}
-    branches = _coupled(scene, spec) if scene.coupled_motions & set(motions) else []
-    for motion in motions:
-        if motion not in scene.coupled_motions:
-            branches += alone[motion](scene, spec)
+    """Modes of the subsystems of ``motions`` that come below ``spec.max_frequency``."""
+    branches = [b for k in scene.with_motions(motions) for b in _followed(scene, spec, k)]
     band = 2.0 * math.pi * spec.max_frequency
     return [b for b in branches if np.nanmin(np.abs(b.track.pole.imag)) <= band]
 
 
-def home_of(scene: Scene, kind: str) -> str:
-    """A motion whose system a mode of this kind was found in, the same for all coupled ones."""
-    coupled = scene.coupled_motions
-    return min(coupled) if kind in coupled else kind
-
-
-def modes_of(scene: Scene, home: str, highest: float) -> Modes | ExactModes:
-    """Modes of the system that ``home`` is part of, those of the exact shaft up to somewhat beyond
-    ``highest`` [Hz]; poles are those of the frame of the formulation."""
-    if home == "bending" and scene.bends_exactly:
-        beyond = 2.0 * math.pi * MARGIN * highest
-        exactly = partial(scene.exact.modes, scene.bending_modes, beyond)
-        return scene.timed("exact bending modes", exactly)
-    return scene.vibration(home)[1]
-
-
-def _bending(scene: Scene, spec: CampbellSpec) -> list[Branch]:
-    if not scene.bending.isotropic:
-        branches = _followed("bending", scene, spec, (+1.0,))
-        return [replace(b, degree=whirl_degree(b.vector, b.column < 0)) for b in branches]
-    return _followed("bending", scene, spec, (-1.0, +1.0))
-
-
-def _axial(scene: Scene, spec: CampbellSpec) -> list[Branch]:
-    return _followed("axial", scene, spec, (+1.0,))
-
-
-def _torsion(scene: Scene, spec: CampbellSpec) -> list[Branch]:
-    return _followed("torsion", scene, spec, (+1.0,))
-
-
-def _coupled(scene: Scene, spec: CampbellSpec) -> list[Branch]:
-    """The modes of the motions that supports couple."""
-    branches, places = [], scene.coupled.places
-    for branch in _followed(min(scene.coupled_motions), scene, spec, (+1.0,)):
-        squares = np.abs(branch.vector[branch.column >= 0]) ** 2
-        squares = squares / squares.sum(axis=1, keepdims=True)
-        energy = {motion: squares[:, own].sum() for motion, own in places.items()}
-        kind = max(energy, key=lambda motion: float(energy[motion]))
-        degree = np.where(branch.column < 0, np.nan, 0.0)
-        if kind == "bending":
-            degree = whirl_degree(branch.vector[:, places[kind]], branch.column < 0)
-        branches.append(replace(branch, kind=kind, degree=degree))
-    return branches
-
-
-def _followed(
-    home: str, scene: Scene, spec: CampbellSpec, sides: tuple[float, ...]
-) -> list[Branch]:
-    """Branches of the modes of a system that turn with e^(i·side·ω t), ω > 0.
-
-    Where it is not clear between two speeds who is who, the machine is solved at further ones.
-    """
-    sweep = _Sweep.of(scene, home, spec.max_frequency)
-    speed = scene.speed[scene.usable]
-    if len(sweep.steps) < len(speed):  # solved at one, as nothing changes with the speed
-        same = [step.pole for step in sweep.steps]
-        return [b.at_all(speed) for side in sides for b in sweep.branches(home, spec, side, same)]
-    bends = home == "bending" or {"bending", home} <= scene.coupled_motions
-    knots = knots_between(scene) if bends else ()
+def _followed(scene: Scene, spec: CampbellSpec, home: int) -> list[Branch]:
+    """Branches of a subsystem. Where it is not clear between two speeds who is who, the machine is
+    solved at further ones."""
+    sweep = _Sweep.of(scene, home)
+    knots = knots_between(scene) if "bending" in scene.name_of(home) else ()
     if len(knots):
-        sweep = sweep.refined(scene, home, spec.max_frequency, list(knots))
-    for _ in range(ROUNDS):
+        sweep = sweep.refined(scene, home, list(knots))
+    sides = (-1.0, 1.0) if sweep.steps[0].whirl.any() else (0.0,)
+    constant = all(np.array_equal(s.pole, sweep.steps[0].pole, equal_nan=True) for s in sweep.steps)
+    for _ in range(0 if constant else ROUNDS):
         wanted = [x for side in sides for x in sweep.doubts(spec, side)]
         if not wanted or len(sweep.steps) > MOST_STEPS:
             break
-        finer = sweep.refined(scene, home, spec.max_frequency, wanted)
+        finer = sweep.refined(scene, home, wanted)
         if len(finer.steps) == len(sweep.steps):
             break
         sweep = finer
     expected = _ahead(sweep.steps, 2.0 * math.pi * MARGIN * spec.max_frequency)
-    return [b for side in sides for b in sweep.branches(home, spec, side, expected)]
+    own = scene.system(home).linear
+    return [b for side in sides for b in sweep.branches(own, home, spec, side, expected)]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Step:
-    """All modes of a system at one ``speed``: ``pole`` (k,) in the fixed frame, ``vector`` (n, k),
-    ``free`` (k,); ``system`` in the coordinates of ``frame``, None of the exact shaft; ``given``:
-    the case names the speed."""
+    """All modes of a subsystem at one ``speed``: ``pole`` (k,), ``vector`` (n, k), ``left`` (k, n),
+    which are ``free`` (k,), and ``whirl`` (k,) where planes are one; ``stiffness`` and ``damping``
+    (n, n); ``given``: the case names the speed."""
 
     speed: float
     pole: Complex
     vector: Complex
-    free: NDArray[np.bool_]
-    system: tuple[Complex, Matrix, Matrix] | None
-    frame: float
+    left: Complex
+    free: Flags
+    whirl: Array
+    stiffness: Array
+    damping: Array
     given: bool
 
     def chosen(self, side: float, ceiling: float) -> NDArray[np.intp]:
-        """Columns that turn to ``side``, ascending, up to ``ceiling`` [rad/s]."""
-        turning = side * self.pole.imag
-        columns = np.flatnonzero(swings(self.pole, turning) & (turning < ceiling) & ~self.free)
+        """Columns that whirl to ``side``, ascending, up to ``ceiling`` [rad/s]."""
+        turning = self.pole.imag
+        columns = np.flatnonzero(
+            swings(self.pole) & (turning < ceiling) & ~self.free & (self.whirl == side)
+        )
         return columns[np.argsort(turning[columns])]
 
 
+def swings(pole: Complex) -> Flags:
+    """Where a pole is that of a vibration."""
+    return np.asarray(np.abs(pole.imag) > OSCILLATING * np.abs(pole))
+
+
 def _ahead(steps: Sequence[_Step], ceiling: float) -> list[Complex]:
-    """Poles (k,) to be expected of each step at the next one: λ − w (λ ΔD + ΔK) v. Those beyond
+    """Poles (k,) to be expected of each step at the next one: λ − w (λ ΔC + ΔK) v. Those beyond
     ``ceiling`` [rad/s], and all of the last step, are expected where they are."""
-    poles = [step.pole for step in steps]
-    if len(steps) < 2 or any(step.system is None for step in steps):
-        return poles
-    left, stiffness, damping = map(
-        np.stack, zip(*(s.system for s in steps if s.system), strict=True)
-    )
-    frame, fixed = np.array([step.frame for step in steps]), np.stack(poles[:-1])
-    slowest = np.argsort(np.abs(fixed.imag), axis=1, kind="stable")
-    below = slowest[:, : int((np.abs(fixed.imag) < ceiling).sum(axis=1).max())]
-    before = list(zip(below, steps[:-1], left[:-1], strict=True))
-    vector = np.stack([step.vector[:, own] for own, step, _ in before])
-    left = np.stack([each[own] for own, _, each in before])
-    here = np.take_along_axis(fixed, below, axis=1)
-    pole = here - 1j * frame[:-1, None]
-    damped, held = (times(np.diff(each, axis=0), vector) for each in (damping, stiffness))
-    change = pole[:, None] * damped + held
-    with np.errstate(invalid="ignore", over="ignore"):
-        move = np.einsum("skn,snk->sk", left, change)
-        known = np.abs(move) < FARTHEST * np.abs(here)
-    there = np.where(known, pole - move + 1j * frame[1:, None], here)
-    np.put_along_axis(fixed, below, there, axis=1)
-    return [*fixed, poles[-1]]
+    expected = [step.pole.copy() for step in steps]
+    for step, after, pole in zip(steps[:-1], steps[1:], expected[:-1], strict=True):
+        below = np.flatnonzero(np.abs(step.pole.imag) < ceiling)
+        vector, left, here = step.vector[:, below], step.left[below], step.pole[below]
+        damped = times(after.damping - step.damping, vector)
+        change = here * damped + times(after.stiffness - step.stiffness, vector)
+        with np.errstate(invalid="ignore", over="ignore"):
+            move = (left * change.T).sum(axis=1)
+            known = np.abs(move) < FARTHEST * np.abs(here)
+        pole[below] = np.where(known, here - move, here)
+    return expected
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Sweep:
-    """The steps of one system, ascending in speed."""
+    """The steps of one subsystem, ascending in speed."""
 
     steps: tuple[_Step, ...]
 
     @classmethod
-    def of(cls, scene: Scene, home: str, highest: float, *, given: bool = True) -> _Sweep:
-        """At the usable speeds of a scene; at the first of them, where modes were solved for one
-        speed because they are the same at all."""
-        found = modes_of(scene, home, highest)
-        frame = scene.bending.frame if home == "bending" else np.zeros(len(scene.usable))
-        free = found.at_rest(frame[: len(found.pole)])
-        steps = []
-        for row, speed in enumerate(scene.speed[scene.usable][: len(found.pole)]):
-            system = None
-            if isinstance(found, Modes):
-                system = found.participation[row], found.stiffness[row], found.damping[row]
-            pole = found.pole[row] + 1j * frame[row]
-            vector = found.vector[row]
-            steps.append(
-                _Step(float(speed), pole, vector, free[row], system, float(frame[row]), given)
+    def of(cls, scene: Scene, home: int, *, given: bool = True) -> _Sweep:
+        """At the usable speeds of a scene."""
+        found = scene.system(home)
+        own = found.linear
+        return cls(
+            tuple(
+                _Step(
+                    float(speed),
+                    found.pole[row],
+                    found.vector[row],
+                    found.left[row],
+                    found.at_rest[row],
+                    found.whirl[row],
+                    own.stiffness[row],
+                    own.damping[row],
+                    given,
+                )
+                for row, speed in enumerate(scene.speed[scene.usable])
             )
-        return cls(tuple(steps))
+        )
 
-    def refined(self, scene: Scene, home: str, highest: float, speed: list[float]) -> _Sweep:
+    def refined(self, scene: Scene, home: int, speed: list[float]) -> _Sweep:
         """With more speeds, where they have a solution."""
         other = scene.at(np.setdiff1d(speed, [step.speed for step in self.steps]))
-        if all(other.outcome):
+        if not len(other.speed) or all(other.outcome):
             return self
-        more = _Sweep.of(other, home, highest, given=False)
+        more = _Sweep.of(other, home, given=False)
         return _Sweep(tuple(sorted((*self.steps, *more.steps), key=lambda step: step.speed)))
 
     def doubts(self, spec: CampbellSpec, side: float) -> list[float]:
@@ -269,34 +208,32 @@ class _Sweep:
         band = 2.0 * math.pi * spec.max_frequency
         columns = [step.chosen(side, MARGIN * band) for step in self.steps]
         narrowest = NARROWEST * float(np.ptp(speed))
-        return doubts(speed, *self._followable(columns, side), WITHIN * band, narrowest)
+        return doubts(speed, *self._followable(columns), WITHIN * band, narrowest)
 
     def branches(
-        self, kind: str, spec: CampbellSpec, side: float, expected: list[Complex]
+        self, own: Linear, home: int, spec: CampbellSpec, side: float, expected: list[Complex]
     ) -> list[Branch]:
-        """Those that turn to ``side``, at the speeds of the case; poles ``expected`` at the next
+        """Those that whirl to ``side``, at the speeds of the case; poles ``expected`` at the next
         step."""
         ceiling = 2.0 * math.pi * MARGIN * spec.max_frequency
         columns = [step.chosen(side, ceiling) for step in self.steps]
-        ahead = [side * pole.imag[own] for pole, own in zip(expected, columns, strict=True)]
-        path = follow(*self._followable(columns, side), ahead)
+        ahead = [pole.imag[chosen] for pole, chosen in zip(expected, columns, strict=True)]
+        path = follow(*self._followable(columns), ahead)
         given = [k for k, step in enumerate(self.steps) if step.given]
         return [
-            self._branch(kind, side, given, columns, path[:, own])
-            for own in np.flatnonzero((path[given] >= 0).any(axis=0))
+            self._branch(own, home, side, given, columns, path[:, k])
+            for k in np.flatnonzero((path[given] >= 0).any(axis=0))
         ]
 
-    def _followable(
-        self, columns: list[NDArray[np.intp]], side: float
-    ) -> tuple[list[Complex], list[Array]]:
+    def _followable(self, columns: list[NDArray[np.intp]]) -> tuple[list[Complex], list[Array]]:
         """Vectors and frequencies of some columns of every step."""
         both = list(zip(self.steps, columns, strict=True))
-        vectors = [step.vector[:, own] for step, own in both]
-        return vectors, [side * step.pole.imag[own] for step, own in both]
+        return [s.vector[:, own] for s, own in both], [s.pole.imag[own] for s, own in both]
 
     def _branch(
         self,
-        kind: str,
+        own: Linear,
+        home: int,
         side: float,
         given: list[int],
         columns: list[NDArray[np.intp]],
@@ -309,9 +246,20 @@ class _Sweep:
         vector = np.array([step.vector[:, c] for step, c in both])
         pole[column < 0] = complex(np.nan, np.nan)
         track = Track(np.array([step.speed for step in self.steps]), pole, vector)
-        seen, degree = column[given], side if kind == "bending" else 0.0
-        whirl = np.where(seen < 0, np.nan, degree)
-        return Branch(kind, pole[given], whirl, seen, vector[given], track)
+        kind = _kind(own, vector[column >= 0])
+        seen = column[given]
+        degree = np.where(seen < 0, np.nan, 0.0)
+        if kind == "bending":
+            degree = np.where(seen < 0, np.nan, whirl_degree(own, vector[given]))
+        return Branch(kind, home, pole[given], degree, seen, vector[given], track, side)
+
+
+def _kind(own: Linear, vector: Complex) -> str:
+    """The motion with the largest share of the kinetic energy."""
+    squares = np.abs(vector) ** 2
+    squares = squares / squares.sum(axis=1, keepdims=True)
+    energy = {m: float(squares[:, own.energy_of(m)].sum()) for m in sorted(own.motions)}
+    return max(energy, key=lambda motion: energy[motion])
 
 
 def knots_between(scene: Scene) -> Array:
@@ -322,9 +270,19 @@ def knots_between(scene: Scene) -> Array:
     return inside[:: 1 + len(inside) // MOST_KNOTS]
 
 
-def whirl_degree(vector: Complex, lost: NDArray[np.bool_]) -> Array:
-    """Forward less backward share of motions (speeds, 2m) of both planes, NaN where ``lost``."""
-    y, z = np.split(vector, 2, axis=1)
-    forward, backward = np.abs(y + 1j * z), np.abs(y - 1j * z)
-    difference = (forward**2 - backward**2).sum(axis=1)
-    return np.where(lost, np.nan, difference / (forward**2 + backward**2).sum(axis=1))
+def whirl_degree(own: Linear, vector: Complex) -> Array:
+    """Forward less backward share (s,) of motions (s, n) of a subsystem in both planes."""
+    y, z = own.planes
+    return circular_share(vector[:, y], vector[:, z])
+
+
+def circular_share(y: Complex, z: Complex) -> Array:
+    """Of motions (s, k) in plane y and in plane z."""
+    forward, backward = np.abs(y + 1j * z) ** 2, np.abs(y - 1j * z) ** 2
+    return np.asarray((forward - backward).sum(axis=1) / (forward + backward).sum(axis=1))
+
+
+def found_in(found: FreeMotions, ceiling: float) -> Flags:
+    """Motions (s, k) that swing below ``ceiling`` [rad/s] and are held."""
+    with np.errstate(invalid="ignore"):
+        return np.asarray(swings(found.pole) & (found.pole.imag < ceiling) & ~found.at_rest)

@@ -11,9 +11,9 @@ from numpy.typing import NDArray
 from rotordyn.analysis.display import RPM
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.axial_force import AxialForce, axial_force
-from rotordyn.system.buckling import withstands
-from rotordyn.system.condensed import CondensedRotor, condensed_rotor
-from rotordyn.system.mesh import Mesh
+from rotordyn.model.statics import withstands
+from rotordyn.model.structure import Structure
+from rotordyn.model.term import State
 
 Array = NDArray[np.float64]
 HALVINGS = 30
@@ -23,18 +23,17 @@ HALVINGS = 30
 class Loading:
     """Axial states of a machine: bearing loads (states, seats) [N] and tangents in their frames.
 
-    ``speed`` (states,) [rad/s]: of the shaft. ``mesh`` is asked for only where the shaft is
+    ``speed`` (states,) [rad/s]: of the shaft. ``structure`` is asked for only where the shaft is
     compressed. ``force`` [N] on the front end and ``gravity`` [m/s²], towards +x.
     """
 
     spindle: Spindle
     speed: Array
-    mesh: Callable[[], Mesh]
+    structure: Callable[[], Structure]
     seat_load: Array
     seat_stiffness: Array
     force: float
     gravity: float
-    rigid: bool
 
     def outcomes(self) -> tuple[str, ...]:
         """Per state: empty, or that the shaft buckles at this speed and what would hold."""
@@ -55,22 +54,18 @@ class Loading:
 
     def _withstands(self, forces: float, bar: float) -> NDArray[np.bool_]:
         """States that stand with shares of all axial forces, and of the drawbar's."""
-        spindle = self.spindle
+        spindle, structure = self.spindle, self.structure()
         if spindle.drawbar:
             own = replace(spindle.drawbar, force=bar * spindle.drawbar.force) if bar > 0.0 else None
             spindle = replace(spindle, drawbar=own)
-        loaded = self._condensed(spindle, self._along(spindle, forces))
-        unloaded = self._condensed(spindle, None)
-        return withstands(spindle, loaded, unloaded, self.seat_stiffness, self.speed)
+        force = self._along(spindle, forces).bending(structure.shown.middle)
+        stops = np.zeros((len(self.speed), len(structure.spindle.sleeves)), dtype=bool)
+        state = State(self.speed, self.seat_stiffness, stops)
+        return withstands(structure, state, force, bar)
 
     def _along(self, spindle: Spindle, share: float) -> AxialForce:
         load, force, gravity = self.seat_load, self.force, self.gravity
         return axial_force(spindle, share * load, share * force, share * gravity)
-
-    def _condensed(self, spindle: Spindle, along: AxialForce | None) -> CondensedRotor:
-        force = None if along is None else along.bending(self.mesh().middle)
-        start = spindle.shaft.start
-        return condensed_rotor(spindle, self.mesh(), start, force, self.speed, rigid=self.rigid)
 
     def _sentence(self, rpm: float) -> str:
         """For a single state that buckles."""

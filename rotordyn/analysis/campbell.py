@@ -7,97 +7,72 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.accuracy import frequency_error
-from rotordyn.analysis.branches import Branch, branches_of, home_of
-from rotordyn.analysis.certificate import Count, count
+from rotordyn.analysis.branches import Branch, branches_of
 from rotordyn.analysis.character import character, rigid_share
 from rotordyn.analysis.criticals import critical_speeds
-from rotordyn.analysis.exact_bending import ExactBending
-from rotordyn.analysis.formulation import ROTATING
+from rotordyn.analysis.formulation import ROTATING, require_isotropic
 from rotordyn.analysis.mode_names import named
+from rotordyn.analysis.refinement import mode_errors
 from rotordyn.analysis.results import CampbellResult, TurningCampbellResult
-from rotordyn.analysis.results.modes import CREEPING
 from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.shapes import both_planes, scaled
+from rotordyn.analysis.shapes import scaled
 from rotordyn.analysis.specs import CampbellSpec
 from rotordyn.analysis.threshold import stability_threshold
-from rotordyn.elements.node import FREEDOMS
-from rotordyn.errors import InvalidInput
-from rotordyn.system.coupled import CoupledSystem
-from rotordyn.system.lateral import LateralSystem
-from rotordyn.system.longitudinal import RodSystem
+from rotordyn.model.dofs import DIRECTIONS
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-FINER = 2  # times, at most, that it is solved again from more vibrations of the free rotor
 
 
 def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
-    """Bending, axial and torsion modes up to ``spec.max_frequency``.
+    """Bending, axial and torsion modes up to ``spec.max_frequency``, of a model refined until they
+    are as accurate as asked for (``refinement``).
 
-    Where their number is not proven, again from more free-free modes, ``FINER`` times at most;
-    where frequencies are told to be farther off than asked for, once.
+    Raises
+    ------
+    InvalidInput : the turning frame, and supports that do not answer alike in all directions
     """
-    found = _answer(scene, spec)
-    for attempt in range(FINER):
-        if found.certified[scene.usable].all() and (attempt or _accurate(scene, found)):
-            break
-        scene = scene.beyond(2.0)
-        try:
-            found = _answer(scene, spec)
-        except InvalidInput:  # more than its matrices hold
-            break
-    return found
-
-
-def _accurate(scene: Scene, found: CampbellResult) -> bool:
-    """True where every frequency of the band that swings is told to be as good as asked for."""
-    asked = scene.fineness.accuracy
-    swinging = ~found.creeping & (found.damping_ratio <= CREEPING)
-    inside = swinging & (found.frequency <= found.max_frequency)
-    return asked is None or not (found.frequency_error[inside] > asked).any()
-
-
-def _why_not(scene: Scene) -> str:
-    """What in the machine keeps the number of modes from being proven; "" if nothing special."""
-    return "loss factors" if scene.spindle.hysteretic else ""
-
-
-def _answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
-    branches, names = named(branches_of(scene, spec))
+    turned = scene.conditions.formulation == ROTATING
+    if turned:
+        require_isotropic(scene)
+    scene, (branches, names), errors = mode_errors(
+        scene, spec, lambda one: named(branches_of(one, spec))
+    )
     ends = sorted({0, len(scene.usable) - 1}) if spec.shapes else []
     criticals = critical_speeds(scene, spec, branches, names)
     threshold, growing = stability_threshold(scene, spec, branches, names)
     shape = (len(scene.usable), len(branches))
     pole = np.array([b.pole for b in branches], dtype=complex).reshape(shape[::-1]).T
-    rigid = [rigid_share(_system(scene, b.kind), b) for b in branches]
-    certified, below, seen = _counted(scene, spec, branches)
-    kind = TurningCampbellResult if scene.conditions.formulation == ROTATING else CampbellResult
+    degree = _table([b.degree for b in branches], shape)
+    rigid = [rigid_share(scene.system(b.home).linear, b) for b in branches]
+    seen = pole.imag
+    if turned:
+        bends = np.array([b.kind == "bending" for b in branches])
+        spin = scene.speed[scene.usable][:, None]
+        seen = np.where(bends, np.abs(seen - np.sign(degree) * spin), seen)
+    kind = TurningCampbellResult if turned else CampbellResult
     return kind(
         speed=scene.speed,
         mode=names,
         node=scene.mesh.stations,
         rotor=tuple(scene.spindle.ratios),
-        dof=FREEDOMS,
+        dof=DIRECTIONS,
         shape_speed=scene.speed[scene.usable][ends],
         critical=tuple(c.mode for c in criticals),
         engine_order=np.array(spec.engine_orders, dtype=float),
         outcome=scene.outcome,
-        frequency=scene.scattered(_seen(scene, branches)),
-        frequency_error=scene.scattered(_errors(scene, branches)),
+        frequency=scene.scattered(seen / (2.0 * math.pi)),
+        frequency_error=scene.scattered(errors.relative),
+        pole=scene.scattered(pole),
         max_frequency=spec.max_frequency,
-        resolved_frequency=scene.resolved_frequency,
+        unsettled=errors.unsettled,
         free=scene.scattered(_free(scene)),
         node_rotor=scene.mesh.rotor,
         speed_ratio=np.array(list(scene.spindle.ratios.values())),
-        certified=certified,
-        no_proof="" if certified[scene.usable].all() else _why_not(scene),
-        modes_below=scene.scattered(below),
-        modes_found=scene.scattered(seen),
         damping_ratio=scene.scattered(-pole.real / np.abs(pole)),
         decrement=scene.scattered(-2.0 * math.pi * pole.real / np.abs(pole.imag)),
         whirl=scene.scattered(_table([b.whirl for b in branches], shape)),
-        whirl_degree=scene.scattered(_table([b.degree for b in branches], shape)),
+        whirl_degree=scene.scattered(degree),
         rigid_share=scene.scattered(_table(rigid, shape)),
         kind=tuple(b.kind for b in branches),
         character=tuple(character(b, own) for b, own in zip(branches, rigid, strict=True)),
@@ -119,89 +94,22 @@ def _table(rows: list[Array], shape: tuple[int, int]) -> Array:
     return np.array(rows, dtype=float).reshape(shape[::-1]).T
 
 
-def _seen(scene: Scene, branches: list[Branch]) -> Array:
-    """Damped frequencies (usable, modes) [Hz] in the frame of the formulation."""
-    frames = [scene.bending.frame if b.kind == "bending" else 0.0 for b in branches]
-    seen = [np.abs(b.pole.imag - frame) for b, frame in zip(branches, frames, strict=True)]
-    return np.array(seen).reshape(len(branches), len(scene.usable)).T / (2.0 * math.pi)
-
-
-def _errors(scene: Scene, branches: list[Branch]) -> Array:
-    """Estimated relative errors of the poles (usable, modes); none by the exact shaft."""
-    errors = np.zeros((len(scene.usable), len(branches)))
-    homes = [home_of(scene, b.kind) for b in branches]
-    for motion in set(homes):
-        own = [k for k, name in enumerate(homes) if name == motion]
-        columns = np.stack([branches[k].column for k in own], axis=1)
-        exact = motion == "bending" and scene.bends_exactly
-        errors[:, own] = (
-            np.where(columns < 0, np.nan, 0.0) if exact else frequency_error(scene, motion, columns)
-        )
-    return errors
-
-
 def _free(scene: Scene) -> Array:
-    """How many eigenvalues (usable,) are those of motions that nothing holds."""
+    """Number of rigid-body (zero) eigenvalues (usable,)."""
     count = np.zeros(len(scene.usable))
-    for home in {home_of(scene, motion) for motion in ("bending", "axial", "torsion")}:
-        system, found = scene.vibration(home)
-        turned = system.frame if isinstance(system, LateralSystem) else None
-        count += found.at_rest(turned).sum(axis=-1)
+    for k in scene.with_motions(("bending", "axial", "torsion")):
+        count += scene.system(k).free_count
     return count
-
-
-def _counted(
-    scene: Scene, spec: CampbellSpec, branches: list[Branch]
-) -> tuple[NDArray[np.bool_], Array, Array]:
-    """Where the number of modes is proven and found (speeds,); that number, NaN where there is no
-    proof, and how many branches are among them (usable,)."""
-    highest = 2.0 * math.pi * spec.max_frequency
-    homes = {kind: home_of(scene, kind) for kind in ("bending", "axial", "torsion")}
-    proven = np.ones(len(scene.usable), dtype=bool)
-    below, seen = np.zeros((2, len(scene.usable)))
-    for home in set(homes.values()):
-        own = [b for b in branches if homes[b.kind] == home]
-        if home == "bending" and scene.bends_exactly:
-            whole = np.full(len(proven), np.inf)
-            number = _within(own, highest, whole)
-            known = Count(number, proven, whole)
-        else:
-            known = count(scene, home, highest)
-            number = _within(own, highest, known.radius)
-        proven = proven & known.proven
-        below, seen = below + known.number, seen + number
-    certified = np.zeros(len(scene.speed), dtype=bool)
-    certified[scene.usable] = proven & (below == seen)
-    return certified, np.where(proven, below, np.nan), seen
-
-
-def _within(branches: list[Branch], highest: float, radius: Array) -> Array:
-    """How many branches swing at ``highest`` [rad/s] at most, their poles in discs (usable,)."""
-    inside = [(np.abs(b.pole.imag) <= highest) & (np.abs(b.pole) < radius) for b in branches]
-    return np.sum(inside, axis=0) + np.zeros(len(radius))
 
 
 def _shapes(scene: Scene, branches: list[Branch], ends: list[int]) -> Complex:
     """Node displacements (ends, modes, nodes, 6), each scaled to a largest value of 1."""
     shape = (len(ends), len(branches), len(scene.mesh.stations), 6)
     shapes = np.full(shape, complex(np.nan, np.nan))
-    motion: dict[str, Array] = {}
     for place, row in enumerate(ends):
         for k, branch in enumerate(branches):
-            if branch.column[row] < 0:
-                continue
-            system, vector = _system(scene, branch.kind), branch.vector[row]
-            if isinstance(system, LateralSystem | ExactBending) and system.isotropic:
-                vector = both_planes(vector, branch.pole[row].imag)
-            if branch.kind not in motion:
-                motion[branch.kind] = system.motion
-            moved = motion[branch.kind] @ np.stack([vector.real, vector.imag], axis=-1)
-            shapes[place, k] = scaled(moved[..., 0] + 1j * moved[..., 1], branch.kind)
+            if branch.column[row] >= 0:
+                vector, motion = branch.vector[row], scene.system(branch.home).linear.motion
+                moved = motion @ np.stack([vector.real, vector.imag], axis=-1)
+                shapes[place, k] = scaled(moved[..., 0] + 1j * moved[..., 1], branch.kind)
     return shapes
-
-
-def _system(scene: Scene, kind: str) -> LateralSystem | RodSystem | CoupledSystem | ExactBending:
-    """Whose coordinates the vectors of a kind of motion are."""
-    if kind == "bending" and scene.bends_exactly:
-        return scene.exact
-    return scene.vibration(kind)[0]

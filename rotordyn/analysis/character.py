@@ -5,25 +5,20 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.branches import PLANAR, Branch, whirl_degree
-from rotordyn.analysis.exact_bending import ExactBending
-from rotordyn.elements.node import FREEDOMS
-from rotordyn.system.coupled import CoupledSystem
-from rotordyn.system.lateral import LateralSystem
-from rotordyn.system.longitudinal import RodSystem
+from rotordyn.analysis.branches import PLANAR, Branch, circular_share
+from rotordyn.model.dofs import position
+from rotordyn.model.linear import Linear
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-System = LateralSystem | RodSystem | CoupledSystem | ExactBending
 MOSTLY = 0.5  # of the kinetic energy
 FELT = 1e-3  # of the largest deflection squared: where less moves, no direction is seen
 
 
-def rigid_share(system: System, branch: Branch) -> Array:
+def rigid_share(own: Linear, branch: Branch) -> Array:
     """Share of the kinetic energy of a mode (speeds,) in motions of rigid rotors, NaN if lost."""
-    moved = branch.vector @ _rigid_motions(system, branch)
-    whole = (np.abs(branch.vector) ** 2).sum(axis=1)
-    share = (np.abs(moved) ** 2).sum(axis=1) / whole
+    squares = np.abs(branch.vector) ** 2
+    share = squares[:, own.rigid].sum(axis=1) / squares.sum(axis=1)
     return np.where(branch.column < 0, np.nan, share)
 
 
@@ -32,51 +27,16 @@ def character(branch: Branch, share: Array) -> str:
     return f"rigid-body {branch.kind}" if np.nanmean(share) > MOSTLY else branch.kind
 
 
-def whirl_along(system: System, vector: Complex, degree: float) -> str:
+def whirl_along(own: Linear, vector: Complex, degree: float) -> str:
     """``"forward"``, ``"backward"``, ``"planar"`` or ``"mixed"`` for a bending mode ``vector``
     (n,): mixed where some nodes go round one way and others the other."""
-    if isinstance(system, LateralSystem | ExactBending) and system.isotropic:
-        return "forward" if degree > 0.0 else "backward"
     if abs(degree) < PLANAR:
         return "planar"
-    y, z = (system.motion[:, FREEDOMS.index(name)] @ vector for name in ("y", "z"))
+    forward = "forward" if degree > 0.0 else "backward"
+    if own.isotropic:
+        return forward
+    y, z = (own.motion[:, position(name)] @ vector for name in ("y", "z"))
     size = np.abs(y) ** 2 + np.abs(z) ** 2
     felt = size > FELT * size.max()
-    turn = whirl_degree(np.stack([y, z], axis=1)[felt], np.zeros(felt.sum(), dtype=bool))
-    if turn.min() < -PLANAR and turn.max() > PLANAR:
-        return "mixed"
-    return "forward" if degree > 0.0 else "backward"
-
-
-def _rigid_motions(system: System, branch: Branch) -> Array:
-    """Orthonormal coordinates of rigid motions (n, r); energy is the square of coordinates."""
-    size = branch.vector.shape[1]
-    if isinstance(system, ExactBending):
-        return _of_nodes(system, size)
-    columns: list[int] = []
-    if isinstance(system, CoupledSystem):
-        parts = [(part, system.places[name].start, name) for name, part in system.parts.items()]
-    else:
-        parts = [(system, 0, branch.kind)]
-    for part, start, name in parts:
-        width = part.motion.shape[-1] // 2 if name == "bending" else 0
-        for plane in range(part.planes):
-            columns += [start + plane * width + int(k) for k in np.flatnonzero(_rigid(part))]
-    return np.eye(size)[:, columns]
-
-
-def _rigid(part: LateralSystem | RodSystem) -> NDArray[np.bool_]:
-    return part.rotor.rigid if isinstance(part, LateralSystem) else part.rigid
-
-
-def _of_nodes(system: ExactBending, size: int) -> Array:
-    """By weighted deflections and tilts of the nodes of the exact shaft, plane by plane."""
-    motions = np.zeros((len(system.x), 2, 2))
-    motions[:, 0, 0], motions[:, 0, 1] = system.weight[:, 0], system.weight[:, 0] * system.x
-    motions[:, 1, 1] = system.weight[:, 1]
-    one = np.linalg.qr(motions.reshape(-1, 2))[0]
-    planes = 1 if system.isotropic else 2
-    whole = np.zeros((planes, size // planes, planes, 2))
-    for plane in range(planes):
-        whole[plane, : len(one), plane] = one
-    return whole.reshape(size, -1)
+    turn = circular_share(y[felt, None], z[felt, None])
+    return "mixed" if turn.min() < -PLANAR and turn.max() > PLANAR else forward

@@ -21,20 +21,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.branches import MARGIN, Branch, home_of, knots_between, whirl_degree
+from rotordyn.analysis.branches import MARGIN, Branch, knots_between, whirl_degree
 from rotordyn.analysis.character import whirl_along
 from rotordyn.analysis.excitation import Line, exciting
-from rotordyn.analysis.formulation import ROTATING, SOFTENED
-from rotordyn.analysis.results import CREEPING
+from rotordyn.analysis.formulation import SOFTENED
+from rotordyn.analysis.results import OVERDAMPED
 from rotordyn.analysis.roots import Start, State, solved
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec
 from rotordyn.numerics.crossing import zero_crossings
 from rotordyn.numerics.follow import likeness
 from rotordyn.numerics.synchronous import synchronous
-from rotordyn.system.coupled import CoupledSystem
-from rotordyn.system.lateral import LateralSystem
-from rotordyn.system.longitudinal import RodSystem
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -74,8 +71,8 @@ def critical_speeds(
         if line.size * start.speed <= MARGIN * band
     ]
     found: list[tuple[Start, float, State]] = []
-    for start, speed, state in solved(scene, spec, branches, starts):
-        swings = -state.pole.real <= CREEPING * abs(state.pole)  # or else nothing resonates
+    for start, speed, state in solved(scene, branches, starts):
+        swings = -state.pole.real <= OVERDAMPED * abs(state.pole)  # or else nothing resonates
         within = abs(state.pole.imag) <= (1.0 + ROUNDING) * band
         known = any(_same(start, speed, state, other) for other in found)
         if swings and within and not known:
@@ -83,12 +80,13 @@ def critical_speeds(
     criticals = []
     for start, speed, state in found:
         kind = branches[start.branch].kind
-        place = _owner(scene, branches, home_of(scene, kind), speed, state)
-        if place is not None and branches[place].creeping:
+        home = branches[start.branch].home
+        place = _owner(branches, home, speed, state)
+        if place is not None and branches[place].overdamped:
             continue
         name = f"{kind}, not followed" if place is None else names[place]
         kind = kind if place is None else branches[place].kind
-        criticals.append(_named(scene, kind, name, start.line, speed, state))
+        criticals.append(_named(scene, home, kind, name, start.line, speed, state))
     return sorted(criticals, key=lambda c: (lines.index(c.line), c.speed))
 
 
@@ -104,72 +102,71 @@ def _crossed(branches: Sequence[Branch], line: Line) -> list[Start]:
             row = int(np.clip(np.searchsorted(speed, zero) - 1, 0, max(len(speed) - 2, 0)))
             ends = [k for k in (row, row + 1) if k < len(speed) and not track.lost[k]]
             near = min(ends, key=lambda k: abs(speed[k] - zero))
-            side = np.sign(track.pole[near].imag)
             low, high = float(speed[ends[0]]), float(speed[ends[-1]])
-            starts.append(Start(place, line, zero, low, high, track.vector[near], side))
+            starts.append(Start(place, line, zero, low, high, track.vector[near], branch.side))
     return starts
 
 
 def _direct(scene: Scene, branches: Sequence[Branch], line: Line) -> list[Start]:
     """All synchronous motions of bending between the speeds of the case, where the matrices follow
     straight lines of speed from knot to knot."""
-    bending = [place for place, branch in enumerate(branches) if branch.kind == "bending"]
-    if not _piecewise(scene) or not bending:
+    homes = {branch.home for branch in branches if branch.kind == "bending"}
+    return [start for home in homes for start in _of_system(scene, branches, home, line)]
+
+
+def _of_system(
+    scene: Scene, branches: Sequence[Branch], home: int, line: Line
+) -> list[Start]:
+    """Those of one subsystem."""
+    own = scene.system(home).linear
+    if own.motions != {"bending"} or not _piecewise(scene):
         return []
-    system: LateralSystem = scene.bending
-    polar, speed = system.rotor.polar, scene.speed[scene.usable]
+    place = next(k for k, b in enumerate(branches) if (b.kind, b.home) == ("bending", home))
+    speed = scene.speed[scene.usable]
     ends = np.unique(np.concatenate([speed[[0, -1]], knots_between(scene)]))
-    stiffness = _conservative(scene.at(ends).bending.stiffness)
-    starts, zero = [], np.zeros_like(polar)
-    for side in (1.0, -1.0) if system.isotropic else (1.0,):
-        gyroscopic = -1j * side * polar
-        if not system.isotropic:
-            gyroscopic = np.block([[zero, polar], [-polar, zero]])
-        for (low, high), (slow, fast) in zip(pairwise(ends), pairwise(stiffness), strict=True):
-            if high - low < max(NARROW * (ends[-1] - ends[0]), APART):
-                continue  # two crossings of one mode hardly fit; of one the lines tell
-            slope = (fast - slow) / (high - low)
-            spins, vectors = synchronous(slow - low * slope, gyroscopic, line.size, slope)
-            for spin, vector in zip(spins, vectors.T, strict=True):
-                if low <= spin <= high:
-                    at = float(speed[0]), float(speed[-1])
-                    starts.append(Start(bending[0], line, float(spin), *at, vector, side))
+    stiffness = _symmetric(scene.at(ends).linear(home).stiffness)
+    starts = []
+    for (low, high), (slow, fast) in zip(pairwise(ends), pairwise(stiffness), strict=True):
+        if high - low < max(NARROW * (ends[-1] - ends[0]), APART):
+            continue  # two crossings of one mode hardly fit; of one the lines tell
+        slope = (fast - slow) / (high - low)
+        spins, vectors = synchronous(slow - low * slope, own.gyroscopic, line.size, slope)
+        for spin, vector in zip(spins, vectors.T, strict=True):
+            if low <= spin <= high:
+                at = float(speed[0]), float(speed[-1])
+                starts.append(Start(place, line, float(spin), *at, vector, 0.0))
     return starts
 
 
-def _conservative(stiffness: Matrix) -> Matrix:
-    """Its Hermitian part: what turns with the shaft or couples the planes one way only shifts roots
+def _symmetric(stiffness: Matrix) -> Matrix:
+    """Its symmetric part: what turns with the shaft or couples the planes one way only shifts roots
     off the real axis, from where they would not be taken up."""
-    return np.asarray(0.5 * (stiffness + np.swapaxes(stiffness, -1, -2).conj()))
+    return np.asarray(0.5 * (stiffness + np.swapaxes(stiffness, -1, -2)))
 
 
 def _piecewise(scene: Scene) -> bool:
-    """True where bending is that of elements, and its stiffness changes with the tables of supports
-    alone."""
-    force = None if "bending" in scene.coupled_motions else scene.bending.force
+    """True where stiffness changes with the tables of supports alone."""
+    force = scene.force
     return (
-        "bending" not in scene.coupled_motions
-        and not scene.bends_exactly
-        and not scene.spindle.seats
-        and scene.conditions.formulation not in (ROTATING, SOFTENED)
+        not scene.spindle.seats
+        and scene.conditions.formulation != SOFTENED
         and (force is None or bool((force == force[:1]).all()))
     )
 
 
 def _owner(
-    scene: Scene, branches: Sequence[Branch], home: str, speed: float, state: State
+    branches: Sequence[Branch], home: int, speed: float, state: State
 ) -> int | None:
     """The followed mode that a root is part of: like it, and of its frequency, at the speeds known
     around; the likest and nearest of several."""
     best, owner = -math.inf, None
     turned = abs(state.pole.imag)
     for place, branch in enumerate(branches):
-        if home_of(scene, branch.kind) != home:
+        if branch.home != home:
             continue
         track = branch.track
         row = int(np.clip(np.searchsorted(track.speed, speed), 1, max(len(track.speed) - 1, 1)))
         ends = [k for k in (row - 1, row) if k < len(track.speed) and not track.lost[k]]
-        ends = [k for k in ends if track.pole[k].imag * state.pole.imag > 0.0]
         if not ends:
             continue
         own = np.abs(track.pole[ends].imag)
@@ -187,28 +184,22 @@ def _same(start: Start, speed: float, state: State, other: tuple[Start, float, S
     return bool(
         begun.line == start.line
         and abs(speed - at) <= SAME * at
-        and np.sign(known.pole.imag) == np.sign(state.pole.imag)
         and len(known.vector) == len(state.vector)
         and likeness(known.vector[:, None], state.vector[:, None])[0, 0] > ALIKE
     )
 
 
-def _named(scene: Scene, kind: str, name: str, line: Line, speed: float, state: State) -> Critical:
+def _named(
+    scene: Scene, home: int, kind: str, name: str, line: Line, speed: float, state: State
+) -> Critical:
     """What a root is called and whether something that turns with the shaft excites it."""
     whirl, excited = "", line.order != OF_UNBALANCE
     if kind == "bending":
-        system = scene.exact if scene.bends_exactly else scene.vibration("bending")[0]
-        isotropic = not isinstance(system, CoupledSystem | RodSystem) and system.isotropic
-        vector = state.vector
-        if isinstance(system, CoupledSystem):
-            vector = np.zeros_like(state.vector)
-            vector[system.places["bending"]] = state.vector[system.places["bending"]]
-        degree = np.sign(state.pole.imag)
-        if not isotropic:
-            own = vector[system.places["bending"]] if isinstance(system, CoupledSystem) else vector
-            degree = float(whirl_degree(own[None], np.zeros(1, dtype=bool))[0])
-        whirl = whirl_along(system, vector, float(degree))
+        own = scene.system(home).linear
+        vector = np.where(own.energy_of("bending"), state.vector, 0.0)
+        degree = float(whirl_degree(own, vector[None])[0])
+        whirl = whirl_along(own, vector, degree)
         against = "backward" if line.multiple > 0.0 else "forward"
-        excited = excited or not (isotropic and whirl == against)
+        excited = excited or not (own.isotropic and whirl == against)
     ratio = 0.0 - state.pole.real / abs(state.pole)
     return Critical(name, speed, line, kind, whirl, float(ratio), excited)

@@ -4,12 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rotordyn.analysis.frf import DIRECTLY
 from rotordyn.analysis.scene import Scene
-from rotordyn.system.lateral import LateralSystem
 
 UNASKED = "no analysis of this case needs it"
-VIBRATIONS = ("rotor", "bending", "axial", "torsion")
 
 
 def reasons(scene: Scene) -> dict[str, str]:
@@ -18,19 +15,10 @@ def reasons(scene: Scene) -> dict[str, str]:
 
 
 def _reason(scene: Scene, name: str) -> str:
-    stem = name.removesuffix("_modes")
-    coupled = stem in scene.coupled_motions and "coupled" in scene.solved
-    vibrates = any(motion in scene.solved for motion in VIBRATIONS)
     known = (
-        (stem == "exact" and not scene.bends_exactly, "the shaft is one of elements"),
-        (
-            stem == "coupled" and not scene.coupled_motions,
-            "no support or housing couples its motions",
-        ),
         (name in ("preload", "tangents") and not scene.spindle.seats, "supports are linear"),
         (name == "shaft_force" and not scene.conditions.axial_stiffening, "it does not act here"),
-        (name != stem and coupled, "it is part of the coupled system"),
-        (stem in VIBRATIONS and not vibrates, "no analysis asks for vibration"),
+        (name in ("rotor", "subsystems"), "no analysis asks for vibration"),
     )
     return next((why for holds, why in known if holds), UNASKED)
 
@@ -41,8 +29,8 @@ def spared(scene: Scene) -> tuple[str, ...]:
 
 
 def _taken(scene: Scene) -> Iterator[str]:
-    if scene.taken:
-        yield f"solved before for another variant: {', '.join(sorted(scene.taken))}"
+    if scene.reused:
+        yield f"the same as of another variant, solved once: {', '.join(sorted(scene.reused))}"
 
 
 def _bearings(scene: Scene) -> Iterator[str]:
@@ -62,20 +50,15 @@ def _bearings(scene: Scene) -> Iterator[str]:
 
 
 def _vibration(scene: Scene) -> Iterator[str]:
-    bending = scene.solved.get("bending")
-    if isinstance(bending, LateralSystem) and bending.isotropic:
-        yield (
-            "every bearing and support answers alike in all directions: both planes of bending are "
-            "one complex coordinate, half the unknowns"
-        )
-    if DIRECTLY in scene.seconds:
-        yield (
-            "responses asked for directly take no modes: nodes between forces and supports are "
-            "eliminated, pieces of shaft that are alike once"
-        )
-    unreduced = None if bending is None else bending.unreduced
-    if unreduced is not None:
-        all_freedoms, kept = unreduced.basis.vectors.shape
-        yield f"bending of the rotor: {kept} coordinates a plane for {all_freedoms} freedoms"
-    if "torsion_modes" in scene.solved and "torsion" not in scene.coupled_motions:
-        yield "nothing in torsion follows the speed: solved once for all"
+    for found in scene.systems.values():
+        own, name = found.linear, " and ".join(sorted(found.linear.motions))
+        if found.whirling:
+            yield (
+                "every bearing and support answers alike in all directions: both planes of bending "
+                "are one complex plane, half the unknowns"
+            )
+        if found.solved_once and len(own.speed) > 1:
+            yield f"nothing in {name} follows the speed: solved once for all"
+        if "bending" in own.motions:
+            dofs = sum(len(component.dofs) for component in own.components)
+            yield f"{name}: {own.size} coordinates for {dofs} degrees of freedom"

@@ -16,7 +16,7 @@ from rotordyn.preload.bearing_iterates import BearingIterates, States
 from rotordyn.preload.network import Network
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.stops import stops_wanted
-from rotordyn.system.condensed import CondensedRotor
+from rotordyn.model.statics import PlaneRotor
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -49,7 +49,7 @@ class Point:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class RadialProblem:
-    """Unknowns: p coordinates of the condensed rotor, then the positions of the bodies.
+    """Unknowns: p coordinates of the rotor, then the positions of the bodies.
 
     ``bearings``: which bearing of the arrangement stands for each seat; ``rows`` (seats, 3,
     unknowns) give (x, y, θz) between the rings; ``rest`` and ``limit`` (bodies,); ``held`` (speeds,
@@ -57,7 +57,7 @@ class RadialProblem:
     """
 
     network: Network
-    rotor: CondensedRotor
+    rotor: PlaneRotor
     bearings: tuple[int, ...]
     rows: Array
     rest: Array
@@ -67,7 +67,7 @@ class RadialProblem:
 
     @classmethod
     def at(
-        cls, state: PreloadState, rotor: CondensedRotor, index: NDArray[np.intp]
+        cls, state: PreloadState, rotor: PlaneRotor, index: NDArray[np.intp]
     ) -> RadialProblem:
         """The problem at some of a preload state's speeds."""
         network = state.network
@@ -295,7 +295,7 @@ def _bearing_of_seats(network: Network) -> tuple[int, ...]:
     return tuple(owner[seat] for seat in sorted(owner))
 
 
-def _rows(network: Network, rotor: CondensedRotor) -> Array:
+def _rows(network: Network, rotor: PlaneRotor) -> Array:
     """(x, y, θz) between the rings of every seat, in the unknowns."""
     p, bodies = len(rotor.point), len(network.arrangement.bodies)
     rows = np.zeros((len(rotor.seats), 3, p + bodies))

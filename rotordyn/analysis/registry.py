@@ -26,7 +26,7 @@ from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
 
 if TYPE_CHECKING:
-    from rotordyn.analysis.scene import Scene
+    from rotordyn.analysis.stage import Memo
 
 SPINDLE_ANALYSES = {
     "preload": "rotordyn.analysis.preload",
@@ -69,12 +69,11 @@ def answer_spindle(
     speeds: tuple[float, ...],
     analyses: Mapping[str, Spec],
     progress: Progress,
-    known: list[Scene] | None = None,
+    memo: Memo | None = None,
 ) -> Answers:
     """Answer ``analyses`` for a spindle at ``speeds`` [rad/s]; shared stages are solved once.
 
-    ``known``: scenes of like machines, whose stages of the same inputs are taken over; this one
-    joins them.
+    ``memo``: stages of like machines, of which those of the same inputs are taken over.
 
     Raises
     ------
@@ -94,22 +93,19 @@ def answer_spindle(
         np.array(speeds),
         max_frequency=_highest(analyses, speeds[-1] * max(map(abs, spindle.ratios.values()))),
         ports=_ports(spindle, analyses),
+        memo=memo,
     )
     results: dict[str, Result] = {}
-    for other in known or ():
-        scene.adopt(other)
     with linear_algebra_alone():
         scene.require_solution()
         for name, spec in analyses.items():
             progress(name)
             answer = import_module(SPINDLE_ANALYSES[name]).answer
             results[name] = scene.timed(f"answer {name}", partial(answer, scene, spec))
-        if known is not None:
-            known.append(scene)
         return Answers(
             results,
-            seconds=scene.seconds,
-            asked=scene.asked,
+            seconds=scene.clock.seconds,
+            asked=scene.clock.asked,
             skipped=reasons(scene),
             spared=spared(scene),
             tolerances=scene.tolerances,

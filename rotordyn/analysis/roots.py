@@ -11,16 +11,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.branches import Branch, home_of, modes_of
-from rotordyn.analysis.certificate import swings
-from rotordyn.analysis.exact_bending import ExactModes
+from rotordyn.analysis.branches import Branch, swings
 from rotordyn.analysis.excitation import Line
 from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec
+from rotordyn.model.free_motion import FreeMotions
+from rotordyn.model.hysteresis import Signs, signs_of
 from rotordyn.numerics.follow import likeness
-from rotordyn.numerics.modes import Modes
-from rotordyn.system.hysteresis import Signs, signs_of
-from rotordyn.system.lateral import LateralSystem
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -34,7 +30,8 @@ NEARNESS = 2.0  # of likeness that a distance as large as the frequency costs
 class Start:
     """Where to look: ``speed`` [rad/s] for ``branch``, between ``low`` and ``high``.
 
-    ``line``: what excites there; ``before``: a speed already looked at, and what it missed by.
+    ``line``: what excites there; ``side``: the whirl of the branch where planes are one, else 0;
+    ``before``: a speed already looked at, and what it missed by.
     """
 
     branch: int
@@ -57,7 +54,7 @@ class State:
 
 
 def solved(
-    scene: Scene, spec: CampbellSpec, branches: Sequence[Branch], starts: Sequence[Start]
+    scene: Scene, branches: Sequence[Branch], starts: Sequence[Start]
 ) -> list[tuple[Start, float, State]]:
     """Every start led to its root by secants, all at once; those without one are left out."""
     if not starts:
@@ -67,7 +64,7 @@ def solved(
     open_, done = list(range(len(starts))), []
     near: dict[int, tuple[Start, float, State]] = {}
     for _ in range(ITERATIONS):
-        states = _states(scene, spec, branches, [starts[k] for k in open_], at[open_])
+        states = _states(scene, branches, [starts[k] for k in open_], at[open_])
         still = []
         for k, state in zip(open_, states, strict=True):
             if state is None:
@@ -104,7 +101,7 @@ def _next(start: Start, at: float, miss: float) -> float:
 
 
 def _states(
-    scene: Scene, spec: CampbellSpec, branches: Sequence[Branch], starts: list[Start], at: Array
+    scene: Scene, branches: Sequence[Branch], starts: list[Start], at: Array
 ) -> list[State | None]:
     """The mode of every start at its speed; None where there is none, or no equilibrium."""
     speeds, row = np.unique(at, return_inverse=True)
@@ -113,44 +110,32 @@ def _states(
         return [None] * len(starts)
     place = np.full(len(speeds), -1)
     place[other.usable] = np.arange(len(other.usable))
-    homes = [
-        (home_of(scene, branches[start.branch].kind), start.line.size, start.side)
-        for start in starts
-    ]
-    known = {way: _known(other, spec, *way) for way in set(homes)}
-    still = np.zeros(len(speeds))
-    frames = {way: other.bending.frame if way[0] == "bending" else still for way in known}
+    ways = [(branches[start.branch].home, start.line.size, start.side) for start in starts]
+    known = {way: _known(other, *way) for way in set(ways)}
     return [
-        None if k < 0 else _nearest(known[way], frames[way], int(k), start, float(speed))
-        for way, start, k, speed in zip(homes, starts, place[row], at, strict=True)
+        None if k < 0 else _nearest(known[way], int(k), start, float(speed))
+        for way, start, k, speed in zip(ways, starts, place[row], at, strict=True)
     ]
 
 
-def _known(
-    scene: Scene, spec: CampbellSpec, home: str, order: float, side: float
-) -> Modes | ExactModes:
-    """Modes of a system; with loss factors, of motions that turn at ``order`` times the speed."""
-    system = scene.vibration(home)[0]
-    if system.hysteresis is None:
-        return modes_of(scene, home, spec.max_frequency)
-    whirling = isinstance(system, LateralSystem) and system.isotropic
-    turning = side * order if whirling else order
-    signs = signs_of(np.array([turning]), np.ones(1), whirling=whirling)
-    return scene.answering(home, Signs(*map(int, signs[0])))[1]
+def _known(scene: Scene, home: int, order: float, side: float) -> FreeMotions:
+    """Modes of a subsystem; with loss factors, of motions that turn at ``order`` times the speed."""
+    found = scene.system(home)
+    if found.lossy is None:
+        return found
+    turning = side * order if found.whirling else order
+    signs = signs_of(np.array([turning]), np.ones(1), whirling=found.whirling)
+    return found.answering(Signs(*map(int, signs[0])))
 
 
-def _nearest(
-    modes: Modes | ExactModes, frame: Array, row: int, start: Start, speed: float
-) -> State | None:
-    """The swinging mode of a system that is most like the start and near to its line."""
-    row = min(row, len(modes.pole) - 1)
-    pole = modes.pole[row] + 1j * frame[row]
-    turning = start.side * pole.imag
-    columns = np.flatnonzero(swings(pole, turning))
+def _nearest(found: FreeMotions, row: int, start: Start, speed: float) -> State | None:
+    """The swinging mode of a subsystem that is most like the start and near to its line."""
+    pole, vector = found.pole[row], found.vector[row]
+    columns = np.flatnonzero(swings(pole) & (found.whirl[row] * start.side >= 0.0))
     if not columns.size:
         return None
-    alike = likeness(start.vector[:, None], modes.vector[row][:, columns])[0]
-    line = start.line.size * speed
-    apart = np.abs(turning[columns] - line) / np.maximum(turning[columns], line)
+    alike = likeness(start.vector[:, None], vector[:, columns])[0]
+    line, turning = start.line.size * speed, pole.imag[columns]
+    apart = np.abs(turning - line) / np.maximum(turning, line)
     best = columns[int((alike - NEARNESS * apart).argmax())]
-    return State(complex(pole[best]), modes.vector[row][:, best], abs(pole[best].imag) - line)
+    return State(complex(pole[best]), vector[:, best], float(pole[best].imag) - line)

@@ -9,13 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM, number
-from rotordyn.numerics.modes import Modes
+from rotordyn.model.free_motion import FreeMotions
 
 
-def instability(found: Iterable[Modes], speed: NDArray[np.float64]) -> list[str]:
+def instability(found: Iterable[FreeMotions], speed: NDArray[np.float64]) -> list[str]:
     """One sentence where some motion grows at some of ``speed`` [rad/s], else none.
-
-    The eigenvalues of each system are at those speeds, or one set serves them all.
     """
     fastest = np.full(len(speed), 0j)
     for modes in found:

@@ -1,43 +1,49 @@
-"""Results that several questions share: solved on first use, kept and timed."""
+"""Results that several analyses share: pure functions of a machine, kept in one memo by what they
+depend on, and timed."""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Callable
+from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
 T = TypeVar("T")
+Inputs = tuple[Any, ...]
 
 
-class stage(property):  # noqa: N801
-    """A shared result: solved on first use, kept, its own time noted without that of others."""
+@dataclass
+class Memo:
+    """Values of stages by name, each with the inputs that it follows from; seconds each stage took
+    by itself, and who ``asked`` for it first ("": the case).
 
-    def __init__(self, solve: Callable[[Any], Any]) -> None:
-        name = solve.__name__
-
-        def get(staged: Staged) -> Any:
-            if name not in staged.solved:
-                staged.solved[name] = staged.timed(name, lambda: solve(staged))
-            return staged.solved[name]
-
-        super().__init__(get, doc=solve.__doc__)
-        self.name = name
-
-
-class Staged:
-    """Holds what its stages have solved, the seconds each of them took, and who ``asked`` first.
-
-    What nothing else asked for was asked for by the case (``""``).
+    Machines that differ little (variants, other speeds, a finer model) share one memo.
     """
 
-    def __init__(self) -> None:
-        self.solved: dict[str, Any] = {}
-        self.seconds: dict[str, float] = {}
-        self.asked: dict[str, str] = {}
-        self._running: list[tuple[str, float]] = []
+    values: dict[str, list[tuple[Inputs, Any]]] = field(default_factory=dict)
+
+    def known(self, name: str, inputs: Inputs) -> tuple[Any] | None:
+        """The value of a stage of the same inputs, in a tuple, or None."""
+        for other, value in self.values.get(name, ()):
+            if other == inputs:
+                return (value,)
+        return None
+
+    def keep(self, name: str, inputs: Inputs, value: Any) -> None:
+        """Remember a value."""
+        self.values.setdefault(name, []).append((inputs, value))
+
+
+@dataclass
+class Clock:
+    """Seconds of every stage without those of stages inside it, and who asked first."""
+
+    seconds: dict[str, float] = field(default_factory=dict)
+    asked: dict[str, str] = field(default_factory=dict)
+    _running: list[tuple[str, float]] = field(default_factory=list)
 
     def timed(self, name: str, work: Callable[[], T]) -> T:
-        """Run ``work`` and add its own seconds, without those of stages inside it, to ``name``."""
+        """Run ``work`` and add its own seconds to ``name``."""
         begin = time.perf_counter()
         self.asked.setdefault(name, self._running[-1][0] if self._running else "")
         self._running.append((name, 0.0))
@@ -51,9 +57,59 @@ class Staged:
                 outer, before = self._running[-1]
                 self._running[-1] = outer, before + spent
 
+
+class stage(property):  # noqa: N801
+    """A shared result: a property solved on first use.
+
+    ``follows``: what of the machine it depends on beside its speeds; with it the value serves every
+    machine of the same memo for which that is the same.
+    """
+
+    def __init__(
+        self, solve: Callable[[Any], Any], follows: Callable[[Any], Inputs] | None = None
+    ) -> None:
+        name = solve.__name__
+
+        def get(staged: Staged) -> Any:
+            if name not in staged.solved:
+                staged.solved[name] = _value(staged)
+            return staged.solved[name]
+
+        def _value(staged: Staged) -> Any:
+            inputs = follows(staged) if follows else None
+            known = staged.memo.known(name, inputs) if inputs is not None else None
+            if known is not None:
+                staged.reused.add(name)
+                return known[0]
+            value = staged.clock.timed(name, lambda: solve(staged))
+            if inputs is not None:
+                staged.memo.keep(name, inputs, value)
+            return value
+
+        super().__init__(get, doc=solve.__doc__)
+        self.name = name
+
+
+def stage_of(follows: Callable[[Any], Inputs]) -> Callable[[Callable[[Any], Any]], stage]:
+    """A stage whose value depends on ``follows`` alone."""
+    return lambda solve: stage(solve, follows)
+
+
+class Staged:
+    """A machine with its stages: what it has ``solved``, and what was ``reused`` from the memo."""
+
+    def __init__(self, memo: Memo | None = None, clock: Clock | None = None) -> None:
+        self.memo, self.clock = memo or Memo(), clock or Clock()
+        self.solved: dict[str, Any] = {}
+        self.reused: set[str] = set()
+
+    def timed(self, name: str, work: Callable[[], T]) -> T:
+        """Run ``work`` and note its seconds."""
+        return self.clock.timed(name, work)
+
     @property
     def skipped(self) -> tuple[str, ...]:
-        """Stages that no question asked for."""
+        """Stages that no analysis asked for."""
         return tuple(
             name
             for kind in reversed(type(self).__mro__)

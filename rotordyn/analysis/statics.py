@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import replace
 from functools import cached_property
 from typing import Any
 
@@ -11,23 +13,32 @@ from numpy.typing import NDArray
 from bearings.ball.law import Law
 from rotordyn.analysis.buckling import Loading
 from rotordyn.analysis.specs import Conditions
-from rotordyn.analysis.stage import Staged, stage
+from rotordyn.analysis.stage import Clock, Memo, Staged, stage, stage_of
 from rotordyn.errors import NoSolution
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import Sleeve, Spring
 from rotordyn.preload.axial_force import AxialForce, axial_force
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.system.mesh import Mesh, build_mesh
 from rotordyn.units import STANDARD_GRAVITY
 
 Array = NDArray[np.float64]
+ANY_SPRING = Spring(preload=1.0, stiffness=1.0)
 
 
 class Statics(Staged):
     """A machine under given conditions at given speeds [rad/s], ascending, without vibration."""
 
-    def __init__(self, spindle: Spindle, conditions: Conditions, speed: Array) -> None:
-        super().__init__()
+    def __init__(
+        self,
+        spindle: Spindle,
+        conditions: Conditions,
+        speed: Array,
+        memo: Memo | None = None,
+        clock: Clock | None = None,
+    ) -> None:
+        super().__init__(memo, clock)
         self.spindle = spindle
         self.conditions = conditions
         self.speed = speed
@@ -119,22 +130,22 @@ class Statics(Staged):
         whole[self.usable] = values
         return whole
 
-    @stage
+    @stage_of(lambda self: (bodies(self.spindle), self.conditions.element_length))
     def mesh(self) -> Mesh:
         """Nodes and elements of the shaft."""
         return build_mesh(self.spindle, self.conditions.element_length)
 
-    @stage
+    @stage_of(lambda self: self._axial_inputs)
     def preload(self) -> PreloadState:
         """Dynamic preload state at ``bearing_speed``."""
         return dynamic_preload(self.grounded, self.bearing_speed, self.law, self.axial_force)
 
-    @stage
+    @stage_of(lambda self: self._axial_inputs)
     def shaft_force(self) -> AxialForce:
         """Axial force in the shaft at ``bearing_speed``."""
         return self._along(self._seat_load)
 
-    @stage
+    @stage_of(lambda self: (*self._axial_inputs, self.conditions))
     def buckling(self) -> tuple[str, ...]:
         """Per speed of ``bearing_speed``: empty, or that the shaft buckles."""
         seats = self.spindle.seats
@@ -152,12 +163,11 @@ class Statics(Staged):
         loading = Loading(
             self.grounded,
             speed,
-            lambda: self.mesh,
+            lambda: self.rotor,
             seat_load,
             seat_stiffness,
             self.conditions.axial_force,
             self.gravity,
-            self.rigid,
         )
         return loading.outcomes()
 
@@ -175,10 +185,16 @@ class Statics(Staged):
         return axial_force(self.grounded, seat_load, self.conditions.axial_force, self.gravity)
 
     @property
+    def _axial_inputs(self) -> tuple[Any, ...]:
+        """What the preload state follows from."""
+        forces = self.axial_force, self.conditions.axial_force, self.gravity
+        return (self.spindle, self.law, *forces, self.bearing_speed.tobytes())
+
+    @property
     def _seat_load(self) -> Array:
         return self.preload.seat_load() if self.spindle.seats else _no_seats(self.bearing_speed)
 
-    @stage
+    @stage_of(lambda self: (*self._axial_inputs, self.conditions.tangent))
     def tangents(self) -> Array:
         """Bearing tangents in their own frames at ``bearing_speed`` (…, seats, 5, 5)."""
         return self.preload.seat_stiffness(self.conditions.tangent)
@@ -189,6 +205,20 @@ class Statics(Staged):
         if not self.spindle.seats:
             return _no_seats(self.speed, 5, 5)
         return self.tangents[self.bearing_row[self.usable]]
+
+
+def bodies(spindle: Spindle) -> Spindle:
+    """The machine without what its bodies do not depend on: springs and stops of sleeves, words."""
+    sleeves = tuple(
+        replace(each, spring=replace(ANY_SPRING, stiffness=_kind(each)), stop_travel=math.inf)
+        for each in spindle.sleeves
+    )
+    return replace(spindle, sleeves=sleeves, title="", note="", references=())
+
+
+def _kind(sleeve: Sleeve) -> float:
+    """Stiffness that stands for any: a sleeve moves along the axis, or it does not."""
+    return math.inf if math.isinf(sleeve.spring.stiffness) else 1.0
 
 
 def _no_seats(speed: Array, *rest: int) -> Array:

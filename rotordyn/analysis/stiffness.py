@@ -21,7 +21,7 @@ from rotordyn.analysis.specs import StiffnessSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.preload.outcome import LEAST_LOAD
 from rotordyn.preload.state import PreloadState
-from rotordyn.system.condensed import CondensedRotor, condensed_rotor
+from rotordyn.model.statics import PlaneRotor, plane_rotor
 
 Array = NDArray[np.float64]
 REACHED = 1e-12  # m
@@ -88,16 +88,15 @@ def _rotor(
     spec: StiffnessSpec,
     seat_load: Array | None = None,
     speed: Array | None = None,
-) -> CondensedRotor:
+) -> PlaneRotor:
     """The rotor under the axial forces at ``bearing_speed``, or under others (states, seats)."""
-    return condensed_rotor(
-        scene.spindle,
-        scene.mesh,
-        scene.spindle.points[spec.point],
-        scene.bending_force(seat_load),
-        scene.state_speed if speed is None else speed,
-        rigid=scene.rigid,
-    )
+    force = scene.bending_force(seat_load)
+    at = scene.state_speed if speed is None else speed
+    states = max(len(at), 0 if force is None else len(force))
+    at = np.broadcast_to(at, states)
+    if force is not None:
+        force = np.broadcast_to(force, (states, force.shape[1]))
+    return plane_rotor(scene.rotor, at, scene.spindle.place(spec.point), force)
 
 
 def _outcome(scene: Scene, found: dict[str, Variant]) -> tuple[str, ...]:
@@ -112,7 +111,7 @@ def _outcome(scene: Scene, found: dict[str, Variant]) -> tuple[str, ...]:
 
 
 def _nonlinear(
-    state: PreloadState, rotor: CondensedRotor, rows: NDArray[np.intp], force: Array
+    state: PreloadState, rotor: PlaneRotor, rows: NDArray[np.intp], force: Array
 ) -> RadialCurve:
     """The full bearing model at every load; equal rows are solved once."""
     distinct, place = np.unique(rows, return_inverse=True)
@@ -157,7 +156,7 @@ def _short_stop(scene: Scene, spec: StiffnessSpec, force: Array, usual: RadialCu
 
 
 def _linear(
-    scene: Scene, spec: StiffnessSpec, rotor: CondensedRotor, name: str, force: Array
+    scene: Scene, spec: StiffnessSpec, rotor: PlaneRotor, name: str, force: Array
 ) -> Variant:
     """A variant with constant bearing tangents."""
     rows = scene.bearing_row[scene.usable]
@@ -224,7 +223,7 @@ def _plane_blocks(scene: Scene, stiffness: Array) -> Array:
     return block * sign[:, :, None] * sign[:, None, :]
 
 
-def _flexibility(rotor: CondensedRotor, block: Array) -> Array:
+def _flexibility(rotor: PlaneRotor, block: Array) -> Array:
     """Deflection of the point per unit force (speeds,) [m/N]."""
     bearings = np.einsum("kip,skij,kjq->spq", rotor.seats, block, rotor.seats, optimize=True)
     load = np.broadcast_to(rotor.point[:, None], (len(block), len(rotor.point), 1))

@@ -12,8 +12,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.branches import MARGIN, Branch, home_of, modes_of
-from rotordyn.analysis.certificate import swings
+from rotordyn.analysis.branches import MARGIN, Branch, found_in
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec
 from rotordyn.errors import NoSolution
@@ -33,19 +32,18 @@ def stability_threshold(
     found = [(math.inf, "")]
     for branch, name in zip(branches, names, strict=True):
         track, speed = branch.track, branch.track.speed
-        home = home_of(scene, branch.kind)
-        growing = grows(track.pole, scene.vibration(home)[1].largest.max())
+        growing = grows(track.pole, scene.system(branch.home).modes.largest.max())
         if not growing.any():
             continue
         row = int(growing.argmax())
         begin = float(speed[row])
         if row and not track.lost[row - 1]:
-            begin = _begin(scene, spec, home, float(speed[row - 1]), begin)
+            begin = _begin(scene, spec, branch.home, float(speed[row - 1]), begin)
         found.append((begin, name))
     return min(found)
 
 
-def _begin(scene: Scene, spec: CampbellSpec, home: str, low: float, high: float) -> float:
+def _begin(scene: Scene, spec: CampbellSpec, home: int, low: float, high: float) -> float:
     """Where the largest growth becomes positive between two speeds, by Brent's method, which finds
     jumps too: by loss factors growth changes its sign at once. Where there is no equilibrium on the
     way, the lowest speed known to grow."""
@@ -70,14 +68,12 @@ def _begin(scene: Scene, spec: CampbellSpec, home: str, low: float, high: float)
         return min(growing)
 
 
-def _growth(scene: Scene, spec: CampbellSpec, home: str, speed: float) -> float:
+def _growth(scene: Scene, spec: CampbellSpec, home: int, speed: float) -> float:
     """Largest Re λ over |λ| of what swings in the band; none where there is no equilibrium."""
     other = scene.at(np.array([speed]))
     if any(other.outcome):
         return math.nan
-    modes = modes_of(other, home, spec.max_frequency)
-    frame = other.bending.frame if home == "bending" else np.zeros(1)
-    pole = modes.pole[0] + 1j * frame[0]
-    inside = np.abs(pole.imag) < 2.0 * math.pi * MARGIN * spec.max_frequency
-    inside &= swings(pole, np.abs(pole.imag)) & ~modes.at_rest(frame)[0]
-    return float((pole.real / np.abs(pole))[inside].max(initial=-1.0))
+    found = other.system(home)
+    inside = found_in(found, 2.0 * math.pi * MARGIN * spec.max_frequency)[0]
+    pole = found.pole[0][inside]
+    return float((pole.real / np.abs(pole)).max(initial=-1.0))

@@ -11,22 +11,20 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.accuracy import MOST_SPEEDS, synchronous_change
 from rotordyn.analysis.branches import branches_of
 from rotordyn.analysis.criticals import critical_speeds
 from rotordyn.analysis.display import number
 from rotordyn.analysis.mode_names import named
 from rotordyn.analysis.orbit import orbit
+from rotordyn.analysis.refinement import Rows, changes, settled
 from rotordyn.analysis.results import UnbalanceResult
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, UnbalanceSpec
-from rotordyn.analysis.unbalance_loads import Acting, acting, node_loads, unbalanced
+from rotordyn.analysis.unbalance_loads import acting, node_loads, unbalanced
 from rotordyn.errors import NoSolution
-from rotordyn.machine.rotor import Place
-from rotordyn.numerics.modes import Modes
-from rotordyn.system.hysteresis import SYNCHRONOUS
-from rotordyn.system.longitudinal import RodSystem
-from rotordyn.system.synchronous import displacements, frame_of, support_forces, synchronous
+from rotordyn.model.dofs import position
+from rotordyn.model.free_motion import FORWARD, FreeMotions
+from rotordyn.model.hysteresis import SYNCHRONOUS
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -37,7 +35,8 @@ BEYOND = 1.2  # times the top speed: up to there criticals are looked for
 
 
 def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
-    """At every speed with a steady response.
+    """At every speed with a steady response, of a model refined until it is as accurate as asked
+    for.
 
     Raises
     ------
@@ -45,21 +44,23 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
     """
     spindle, rotor = scene.spindle, unbalanced(scene.spindle, spec)
     ratio = spindle.ratios[rotor]
+    scene, error = settled(
+        scene,
+        lambda one: _errors(one, spec, ratio),
+        lambda found: float(np.nanmax(found, initial=0.0)),
+    )
     speed = ratio * scene.speed[scene.usable]
-    system, turning = scene.answering("bending", SYNCHRONOUS)
-    assert not isinstance(system, RodSystem), "bending is no rod"
-    frame = frame_of(system, speed)
-    absent = _absences(scene.vibration("bending")[1], turning, speed, frame)
+    found = scene.system(_home(scene))
+    absent = _absences(found, speed)
     counts = (speed != 0.0) | (speed == 0.0).all()  # at rest nothing acts
     why = [word for word, one in zip(absent, counts, strict=True) if one]
     if all(why):
         raise NoSolution(f"no speed of the case has a steady response to unbalance: {why[0]}")
     steady = np.array([word == "" for word in absent])
-    nodes = [scene.node(name) for name in spec.points]
-    moved = synchronous(system, speed, node_loads(spindle, scene.mesh, spec))
+    moved = _moved(scene, found, spec, speed)
     moved[~steady] = complex(np.nan, np.nan)
-    displacement = scene.scattered(_in_time(ratio, displacements(system, moved, nodes)))
-    force = scene.scattered(_in_time(ratio, support_forces(system, speed, moved)))
+    displacement = scene.scattered(_in_time(ratio, _displacements(scene, found, spec, moved)))
+    force = scene.scattered(_in_time(ratio, _forces(scene, found, speed, moved)))
     ellipse = orbit(displacement[..., 0], displacement[..., 1])
     placed = acting(spindle, scene.mesh, spec)
     critical = _criticals(scene, ratio)
@@ -87,8 +88,64 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         unbalance_angle=np.array([np.angle(one.size) for one in placed]),
         critical_speed=np.array([speed for _, speed, _ in critical]),
         critical_damping=np.array([damping for *_, damping in critical]),
-        error=_errors(scene, displacement, nodes, placed, ratio),
+        error=error,
     )
+
+
+def _home(scene: Scene) -> int:
+    """The subsystem of bending."""
+    return scene.owner(scene.spindle.shaft.start, "y")
+
+
+def _moved(
+    scene: Scene, found: FreeMotions, spec: UnbalanceSpec, speed: Array
+) -> Complex:
+    """Coordinates (speeds, n) under loads Ω² e^(iΩt) that turn; at rest nothing moves.
+
+    ``speed`` Ω (speeds,) [rad/s] of the rotor that is out of balance, below 0 where it turns
+    against the spindle: its motion is then that of the conjugate loads. Where the dynamic stiffness
+    is singular the answer is not finite.
+    """
+    own, loads = found.linear, node_loads(scene.spindle, scene.mesh, spec)
+    ahead = np.where(speed < 0.0, -1.0, 1.0)
+    motion = own.motion
+    planes = [
+        np.stack([motion[:, position(a)], sign * motion[:, position(b)]], axis=1)
+        for a, b, sign in (("y", "thz", 1.0), ("z", "thy", -1.0))
+    ]
+    turned = [np.einsum("nfc,nf->c", plane, loads) for plane in planes]
+    force = turned[0] * FORWARD[0] + turned[1] * FORWARD[1]
+    back = turned[0].conj() * FORWARD[0].conj() + turned[1].conj() * FORWARD[1].conj()
+    stiffness = found.stiffness(SYNCHRONOUS)
+    moved = np.zeros((len(speed), own.size), dtype=complex)
+    for row in np.flatnonzero(speed):
+        w = abs(speed[row])
+        dynamic = stiffness[row] + 1j * w * own.damping[row] - w**2 * np.eye(own.size)
+        try:
+            moved[row] = np.linalg.solve(dynamic, w**2 * (force if ahead[row] > 0.0 else back))
+        except np.linalg.LinAlgError:
+            moved[row] = complex(np.inf, np.inf)
+    return np.where(ahead[:, None] > 0.0, moved, moved.conj())
+
+
+def _displacements(
+    scene: Scene, found: FreeMotions, spec: UnbalanceSpec, moved: Complex
+) -> Complex:
+    """Of the points along y and z (speeds, points, 2)."""
+    places = [scene.spindle.place(name) for name in spec.points]
+    rows = [[found.linear.row(*place, way) for way in AXES] for place in places]
+    return np.einsum("pan,sn->spa", np.array(rows), moved)
+
+
+def _forces(scene: Scene, found: FreeMotions, speed: Array, moved: Complex) -> Complex:
+    """Of bearings, then supports on the shaft along y and z (speeds, connections, 2) [N]."""
+    own = {id(each.link): each for each in found.linear.connections}
+    connections = scene.rotor.connections
+    force = np.zeros((len(speed), len(connections), 2), dtype=complex)
+    for k, link in enumerate(connections):
+        if id(link) in own:
+            force[:, k] = own[id(link)].force(speed, moved)[:, [position(way) for way in AXES]]
+    return force
 
 
 def _in_time(ratio: float, moved: Complex) -> Complex:
@@ -96,22 +153,20 @@ def _in_time(ratio: float, moved: Complex) -> Complex:
     return moved if ratio > 0.0 else moved.conj()
 
 
-def _absences(found: Modes, turning: Modes, speed: Array, frame: Array) -> list[str]:
-    """Per speed: empty, or why there is no steady response.
-
-    ``turning``: the modes of motions that turn with the shaft.
-    """
+def _absences(found: FreeMotions, speed: Array) -> list[str]:
+    """Per speed: empty, or why there is no steady response."""
+    turning = found.answering(SYNCHRONOUS)
     words = []
     for row, spin in enumerate(speed):
-        pole = found.pole[row]
-        growing = found.growing[row]
-        near = np.abs(turning.pole[row] - 1j * (spin - frame[row])).min() <= UNDAMPED * abs(spin)
+        pole, growing = found.pole[row], found.growing[row]
+        near = np.abs(turning.pole[row] - 1j * abs(spin)) <= UNDAMPED * abs(spin)
+        near &= turning.whirl[row] * spin >= 0.0
         if growing.any():
-            own = pole[growing][pole[growing].real.argmax()] + 1j * frame[row]
+            own = pole[growing][pole[growing].real.argmax()]
             hertz = abs(own.imag) / (2.0 * math.pi)
             how = f"vibrates by itself at {number(hertz)} Hz" if hertz else "moves away by itself"
             words.append(f"unstable: the machine {how}")
-        elif near and spin != 0.0:
+        elif near.any() and spin != 0.0:
             words.append("a critical speed without damping: the response grows without bound")
         else:
             words.append("")
@@ -143,30 +198,14 @@ def _criticals(scene: Scene, ratio: float) -> list[tuple[str, float, float]]:
     ]
 
 
-def _errors(
-    scene: Scene, displacement: Complex, nodes: list[int], placed: list[Acting], ratio: float
-) -> Array:
-    """Largest estimated error over the largest displacement (points,), of some speeds."""
-    size = np.abs(displacement[scene.usable]).max(axis=(1, 2))
-    steady = np.flatnonzero(np.isfinite(size) & (scene.speed[scene.usable] > 0.0))
-    if not steady.size:
-        return np.zeros(len(nodes))
-    rows = steady[np.unique(np.linspace(0, steady.size - 1, MOST_SPEEDS).round().astype(int))]
-    rows = np.union1d(rows, steady[size[steady].argmax()])
-    excited = [_nearest(scene, one.place) for one in placed]
-    force = np.array([one.size for one in placed])
-    worst = np.zeros(len(nodes))
-    for row in rows.tolist():
-        change = synchronous_change(scene, row, nodes, excited, ratio)
-        spin = ratio * scene.speed[scene.usable[row]]
-        off = np.abs(np.einsum("pkx,k->px", change, force * spin**2)).max(axis=1)
-        worst = np.maximum(worst, off)
-    peak = np.nanmax(np.abs(displacement), axis=(0, 2))
-    return np.asarray(worst / np.where(peak > 0.0, peak, 1.0))
+def _errors(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Array:
+    """Largest change of the motion of each point by the finer model, over its peak (points,)."""
+    if scene.rigid:
+        return np.zeros(len(spec.points))
 
+    def values(one: Scene, rows: Rows) -> Complex:
+        found = one.system_at(_home(one), rows)
+        moved = _moved(one, found, spec, ratio * one.speed[one.usable[rows]])
+        return np.nan_to_num(_displacements(one, found, spec, moved))
 
-def _nearest(scene: Scene, place: Place) -> int:
-    """The node next to a place, among those of all rotors."""
-    rotor, x = place
-    own = scene.mesh.of_rotors[rotor].x
-    return scene.mesh.spans[rotor].start + int(np.abs(own - x).argmin())
+    return changes(scene, values, 1)

@@ -14,7 +14,7 @@ from rotordyn.errors import InvalidInput, NoSolution
 if TYPE_CHECKING:
     import xarray as xr
 
-    from rotordyn.analysis.scene import Scene
+    from rotordyn.analysis.stage import Memo
 
 
 @dataclass(frozen=True, slots=True)
@@ -51,15 +51,15 @@ def run(case: Case) -> Mapping[str, xr.Dataset]:
 
 
 def solve(
-    case: Case, progress: Progress = lambda name: None, known: list[Scene] | None = None
+    case: Case, progress: Progress = lambda name: None, memo: Memo | None = None
 ) -> Answers:
     """Answer every question of ``case`` with frozen results; its variants are left aside.
 
-    ``known``: scenes of cases solved before, for what they have in common; this one's joins them.
+    ``memo``: stages of cases solved before, for what they have in common.
     """
     if case.spindle is not None:
         own = (case.spindle, case.conditions, case.speeds, case.analyses)
-        return answer_spindle(*own, progress, known)
+        return answer_spindle(*own, progress, memo)
     assert case.bearing is not None, "a case has one of the two"
     return answer_bearing(case.bearing, case.conditions, case.speeds, case.analyses, progress)
 
@@ -71,11 +71,13 @@ def solve_variants(case: Case, progress: Progress = lambda name: None) -> Varian
     ------
     NoSolution : no variant has a physical solution at any speed
     """
+    from rotordyn.analysis.stage import Memo
+
     found = VariantAnswers({})
-    known: list[Scene] = []
+    memo = Memo()
     for name, variant in case.variants.items():
         try:
-            found.answers[name] = solve(variant, partial(_part, progress, name), known)
+            found.answers[name] = solve(variant, partial(_part, progress, name), memo)
         except NoSolution as error:
             found.failed[name] = f"variant {name}: {error}"
     if not found.answers:

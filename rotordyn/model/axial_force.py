@@ -24,10 +24,13 @@ def slope_rows(shaft: Shaft, shown: Mesh, way: str) -> tuple[list[Rows], int]:
 
 def geometric_stiffness(slopes: Array, force: Array) -> Array:
     """(s, m, m) of coordinates with ``slopes`` (places, m) under the axial ``force`` (s, elements)
-    [N], tension positive, by the few fields that the forces are made of."""
-    states, size, fields = np.linalg.svd(force, full_matrices=False)
-    known = size > NOTHING * size[0] if size.size else size > 0.0
-    each = np.repeat(fields[known], len(slopes) // force.shape[1], axis=1)
+    [N], tension positive, by the few fields that the forces are made of; NaN where it is not known."""
+    known = np.isfinite(force).all(axis=1)
+    states, size, fields = np.linalg.svd(force[known], full_matrices=False)
+    clear = size > NOTHING * size[0] if size.size else size > 0.0
+    each = np.repeat(fields[clear], len(slopes) // force.shape[1], axis=1)
     own = np.array([slopes.T @ (one[:, None] * slopes) for one in each])
     own = own.reshape(len(each), slopes.shape[1], slopes.shape[1])
-    return np.tensordot(states[:, known] * size[known], own, 1)
+    found = np.full((len(force), *own.shape[1:]), np.nan)
+    found[known] = np.tensordot(states[:, clear] * size[clear], own, 1)
+    return found

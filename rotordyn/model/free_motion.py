@@ -8,7 +8,7 @@ in, motions are given over all coordinates of the subsystem, one of every pair o
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 import numpy as np
@@ -34,7 +34,8 @@ class FreeMotions:
 
     linear: Linear
     modes: Modes
-    lossy: Hysteretic | None
+    lossy: Hysteretic | None = None
+    solved_once: bool = False
 
     @property
     def whirling(self) -> bool:
@@ -79,6 +80,12 @@ class FreeMotions:
     @property
     def _backward(self) -> NDArray[np.bool_]:
         return np.asarray(self.modes.pole.imag < 0.0)
+
+    @cached_property
+    def whirl(self) -> Array:
+        """+1 of forward and −1 of backward whirl where planes are one, else 0 (s, k)."""
+        sign = np.where(self.modes.pole.imag < 0.0, -1.0, 1.0)
+        return sign if self.whirling else np.zeros(self.pole.shape)
 
     @cached_property
     def at_rest(self) -> NDArray[np.bool_]:
@@ -146,17 +153,33 @@ class FreeMotions:
             return self.lossy.residual
         return residual(self.modes, self.modes.stiffness, self.modes.damping)
 
-    def answering(self, signs: Signs) -> tuple[Complex, Complex]:
-        """Stiffness and damping (s, n, n) that answer motions of some signs of loss."""
+    def at(self, rows: NDArray[np.intp]) -> FreeMotions:
+        """At some of the speeds."""
+        own = self.linear.at(rows)
+        if self.lossy is not None:
+            return free_motions(own)
+        return FreeMotions(own, self.modes.at(rows))
+
+    def answering(self, signs: Signs) -> FreeMotions:
+        """Motions of the linear system that answers those of some signs of loss."""
+        return self if self.lossy is None else replace(self, modes=self.lossy.answering(signs))
+
+    def stiffness(self, signs: Signs) -> NDArray[np.inexact]:
+        """Stiffness (s, n, n) that answers motions of some signs of loss."""
         own = _hysteresis(self.linear)
-        added = 0.0 if own is None else own.stiffness(signs)
-        return self.linear.stiffness + added, self.linear.damping + 0j
+        return self.linear.stiffness + (0.0 if own is None else own.stiffness(signs))
 
 
 def free_motions(linear: Linear) -> FreeMotions:
-    """All free motions; with loss factors, each with those of its own frequency."""
+    """All free motions; with loss factors, each with those of its own frequency. What is the same
+    at all speeds is solved once."""
     stiffness, damping = linear.stiffness, linear.damping
     loss = _hysteresis(linear)
+    speeds = len(linear.speed)
+    same = all((own == own[:1]).all() for own in (stiffness, damping))
+    if same and loss is None and speeds > 1:
+        one = free_motions(linear.at(np.zeros(1, dtype=np.intp)))
+        return FreeMotions(linear, one.modes.at(np.zeros(speeds, dtype=np.intp)), None, True)
     if linear.isotropic:
         half = linear.size // 2
         stiffness, damping = (_circular(own, half) for own in (stiffness, damping))

@@ -9,7 +9,7 @@ Subsystems are components that links or the gyroscopic effect join.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import NamedTuple
 
@@ -24,6 +24,11 @@ from rotordyn.model.dofs import DIRECTIONS, position
 from rotordyn.model.structure import Structure, _Union
 from rotordyn.model.term import Array, Link, LinkMatrices, State
 
+def _some(values: Array, rows: NDArray[np.intp]) -> Array:
+    """Of values (s or 1, …) those of some speeds; one serves all."""
+    return values if len(values) == 1 else values[rows]
+
+
 class Loss(NamedTuple):
     """Loss factors times stiffness: of what does not turn (s or 1, n, n), of shafts in bending
     (n, n), and the latter from plane z to plane y, with opposite sign back (n, n)."""
@@ -32,6 +37,13 @@ class Loss(NamedTuple):
     turning: Array
     across: Array
 
+    def at(self, rows: NDArray[np.intp]) -> Loss:
+        """At some of the speeds."""
+        return self._replace(fixed=_some(self.fixed, rows))
+
+
+Complex = NDArray[np.complex128]
+
 
 class Connection(NamedTuple):
     """A link in the coordinates: motions (k, n), matrices (s or 1, k, k)."""
@@ -39,6 +51,18 @@ class Connection(NamedTuple):
     link: Link
     motions: Array
     matrices: LinkMatrices
+
+    def at(self, rows: NDArray[np.intp]) -> Connection:
+        """At some of the speeds."""
+        own = LinkMatrices(*(_some(each, rows) for each in self.matrices))
+        return self._replace(matrices=own)
+
+    def force(self, omega: Array, moved: Complex) -> Complex:
+        """Of the link on what it holds (s, k), by coordinates ``moved`` (s, n) that swing at
+        ``omega`` (s,) [rad/s]."""
+        lossy = 1.0 + 1j * self.link.loss_factor * np.sign(omega)[:, None, None]
+        dynamic = self.matrices.stiffness * lossy + 1j * omega[:, None, None] * self.matrices.damping
+        return -np.einsum("sij,sj->si", dynamic, moved @ self.motions.T)
 
 
 @dataclass(frozen=True, eq=False)
@@ -55,12 +79,32 @@ class Linear:
     damping: Array
     connections: tuple[Connection, ...]
     loss: Loss | None = None
-    _memo: dict[str, Array] = field(default_factory=dict)
+
+    @cached_property
+    def gyroscopic(self) -> Array:
+        """G (n, n): what of ``damping`` is per unit of the spindle's speed."""
+        whole = np.zeros((self.size, self.size))
+        for y, z in _planes(self):
+            own, other = self.slices[y], self.slices[z]
+            polar = self.structure.gyroscopic(self.components[y], self.components[z])
+            whole[own, other], whole[other, own] = polar, -polar.T
+        return whole
 
     @property
     def size(self) -> int:
         """Coordinates n."""
         return self.stiffness.shape[-1]
+
+    def at(self, rows: NDArray[np.intp]) -> Linear:
+        """At some of the speeds."""
+        return replace(
+            self,
+            speed=self.speed[rows],
+            stiffness=self.stiffness[rows],
+            damping=self.damping[rows],
+            connections=tuple(each.at(rows) for each in self.connections),
+            loss=None if self.loss is None else self.loss.at(rows),
+        )
 
     @cached_property
     def slices(self) -> list[slice]:
@@ -93,10 +137,30 @@ class Linear:
         """Displacements of the shown nodes by the coordinates (nodes, 6, n)."""
         return self.structure.motion(self.components)
 
+    @cached_property
+    def planes(self) -> tuple[NDArray[np.intp], NDArray[np.intp]]:
+        """Coordinates of plane y and, in the same order, of plane z, where bodies have both."""
+        pairs = [(self.slices[a], self.slices[b]) for a, b in _planes(self)]
+        every, none = np.arange(self.size), np.zeros(0, dtype=np.intp)
+        return (
+            np.concatenate([none, *(every[y] for y, _ in pairs)]),
+            np.concatenate([none, *(every[z] for _, z in pairs)]),
+        )
+
     def row(self, rotor: str, x: float, direction: str) -> Array:
         """Displacement of the node at station ``x`` [m] of a rotor in one direction (n,)."""
         number = self.structure.node(rotor, x)[position(direction)]
-        return rows_of(self, np.array([number]))[0]
+        return self.displaced(np.array([number]))[0]
+
+    def displaced(self, dofs: NDArray[np.intp]) -> Array:
+        """Displacements of DOF in their directions by the coordinates (DOF, n); zero of those of
+        other subsystems."""
+        rows, sign = np.zeros((len(dofs), self.size)), self.structure.dofs.sign
+        for component, own in zip(self.components, self.slices, strict=True):
+            mine = component.has(dofs)
+            vectors = component.vectors[component.local(dofs[mine])]
+            rows[mine, own] = sign[dofs[mine], None] * vectors
+        return rows
 
     @cached_property
     def isotropic(self) -> bool:
@@ -115,17 +179,6 @@ class Linear:
             for own in link.matrices
             if own.shape[-1] == len(DIRECTIONS)
         )
-
-
-def rows_of(linear: Linear, dofs: NDArray[np.intp]) -> Array:
-    """Displacements of DOF, with their sign, by the coordinates (DOF, n); zero for those of other
-    subsystems."""
-    rows = np.zeros((len(dofs), linear.size))
-    sign = linear.structure.dofs.sign
-    for component, own in zip(linear.components, linear.slices, strict=True):
-        mine = component.has(dofs)
-        rows[mine, own] = sign[dofs[mine], None] * component.vectors[component.local(dofs[mine])]
-    return rows
 
 
 def subsystems(
@@ -166,12 +219,14 @@ def linear(
     force: Array | None = None,
     *,
     softened: bool = False,
+    pull: float = 1.0,
 ) -> Linear:
     """The equation of a subsystem at every state.
 
     ``force`` (s, elements of the shown mesh) [N]: axial force in the spindle's shaft, tension
     positive; None: it and the drawbar do nothing to bending. ``softened``: Ω² M_ω is subtracted
-    from the stiffness in the fixed frame, a formulation that no physics supports.
+    from the stiffness in the fixed frame, a formulation that no physics supports. ``pull``: share
+    of the drawbar's tension that holds it straight.
     """
     speed, n = state.speed, sum(c.size for c in components)
     stiffness, damping = np.zeros((2, len(speed), n, n))
@@ -184,22 +239,21 @@ def linear(
             stiffness[:, own, own] -= spin**2 * component.projected("softening")
         if force is not None and component.lines[0].body == SPINDLE and component.bends:
             stiffness[:, own, own] += geometric_stiffness(structure.slopes(component), force)
+    damping += spin * found.gyroscopic
     for y, z in _planes(found):
         own, other = found.slices[y], found.slices[z]
-        polar = structure.gyroscopic(components[y], components[z])
         turning = components[y].turning
-        damping[:, own, other] += spin * polar
-        damping[:, other, own] -= spin * polar.T
         stiffness[:, own, other] += spin * turning
         stiffness[:, other, own] -= spin * turning.T
-    links = [*structure.connections, *structure.springs]
-    links += structure.strings if force is not None else []
+    links = [(link, 1.0) for link in (*structure.connections, *structure.springs)]
+    links += [(link, pull) for link in structure.strings] if force is not None else []
     connections = []
-    for link in links:
+    for link, share in links:
         rows = _motions(found, link)
         if rows is None:
             continue
-        matrices = link.matrices(state)
+        held, damped = link.matrices(state)
+        matrices = LinkMatrices(share * held, damped)
         stiffness += _between(rows, matrices.stiffness)
         if matrices.damping.any():
             damping += _between(rows, matrices.damping)
@@ -228,7 +282,11 @@ def _between(rows: Array, blocks: Array) -> Array:
 def _planes(linear: Linear) -> list[tuple[int, int]]:
     """Places of plane y and plane z of every shaft among the components."""
     places = {(c.lines[0].body, c.way): k for k, c in enumerate(linear.components) if c.spindle}
-    return [(k, places[body, "z"]) for (body, way), k in places.items() if way == "y"]
+    return [
+        (k, places[body, "z"])
+        for (body, way), k in places.items()
+        if way == "y" and (body, "z") in places
+    ]
 
 
 def _loss(linear: Linear, connections: Sequence[Connection]) -> Loss | None:

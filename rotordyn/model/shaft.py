@@ -230,13 +230,14 @@ def _kappa(spindle: Spindle, mesh: Mesh) -> Array:
 def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indices, Indices]:
     """Nodes, degrees in bending and of rods."""
     if fine.accuracy is None:
-        return shown, *np.ones((2, shown.nodes - 1), dtype=np.intp)
+        mesh = divided(shown, np.full(shown.nodes - 1, 2**fine.finer, dtype=np.intp))
+        return mesh, *np.ones((2, mesh.nodes - 1), dtype=np.intp)
     coarse = station_mesh(spindle)
     wave = bending_wave(fine.band, fine.spin, *sections(spindle, coarse))
     parts, degree = parts_and_degree(wave * coarse.length, fine.accuracy)
     along = np.maximum(*(rod_wave(fine.band, *own(coarse)) for own in (axial, torsion)))
     more, rod_degree = parts_and_degree(along * coarse.length / parts, fine.accuracy)
-    parts = parts * more
+    parts, degree, rod_degree = parts * more, degree + fine.finer, rod_degree + fine.finer
     size = float((np.where(degree < 2, 0, 2 * degree - 1) + 2) @ parts)
     if size > MOST_DOF:
         raise InvalidInput(

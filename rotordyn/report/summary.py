@@ -159,10 +159,10 @@ def _modes(result: CampbellResult) -> list[str]:
     entries = [
         f"{result.mode[k]} {from_to(result.frequency[:, k])}"
         f"{_whirl(result.mode[k], result.whirl[-1, k])}"
-        for k in np.flatnonzero(~result.creeping)
+        for k in np.flatnonzero(~result.overdamped)
     ]
-    if result.creeping.any():
-        entries.append(f"{result.creeping.sum()} more that hardly swing")
+    if result.overdamped.any():
+        entries.append(f"{result.overdamped.sum()} more that hardly swing")
     frame = " in the turning frame" if turning(result) else ""
     lines = [f"modes [Hz]{frame} {rpm}: " + "; ".join(map(unbroken, entries))]
     if len(result.speed) == 1:
@@ -218,7 +218,7 @@ def _nearest(result: CampbellResult) -> str:
     hertz = result.speed[-1] / (2.0 * math.pi)
     chosen = [
         k
-        for k in np.flatnonzero(~result.creeping)
+        for k in np.flatnonzero(~result.overdamped)
         if result.kind[k] == "bending" and result.whirl[-1, k] >= 0.0 and hertz > 0.0
     ]
     if not chosen:

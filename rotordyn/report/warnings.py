@@ -21,27 +21,17 @@ from rotordyn.report.bearing_map import cut_off
 
 
 def result_warnings(results: Mapping[str, Any]) -> list[str]:
-    """Sentences on modes not proven, unstable modes, bearings too hard pressed or slipping, contact
+    """Sentences on modes that change with the model, unstable modes, bearings too hard pressed or slipping, contact
     ellipses cut off, shafts twisted."""
-    found = (_uncertified, _unstable_modes, _pressures, _slips, _ellipses, _twists)
+    found = (_unsettled, _unstable_modes, _pressures, _slips, _ellipses, _twists)
     return [sentence for look in found for sentence in look(results)]
 
 
-def _uncertified(results: Mapping[str, Any]) -> list[str]:
+def _unsettled(results: Mapping[str, Any]) -> list[str]:
     result = results.get("campbell")
-    if not isinstance(result, CampbellResult):
+    if not isinstance(result, CampbellResult) or not result.unsettled:
         return []
-    open_ = ~result.certified & np.array([not word for word in result.outcome])
-    at = np.flatnonzero(open_)
-    if not at.size:
-        return []
-    number, seen = result.modes_below[at[0]], result.modes_found[at[0]]
-    why = f" ({result.no_proof})" if result.no_proof else ""
-    proven = f"proven {number:.0f}" if np.isfinite(number) else f"no proof of their number{why}"
-    return [
-        f"modes not certified at {at.size} of {len(open_)} speeds, first at "
-        f"{result.speed[at[0]] * RPM.factor:.0f} rpm: {proven}, found {seen:.0f}"
-    ]
+    return [f"modes are less sure than asked for: {result.unsettled}"]
 
 
 def _unstable_modes(results: Mapping[str, Any]) -> list[str]:

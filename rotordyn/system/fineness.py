@@ -12,6 +12,7 @@ CUTOFF = 2.5  # free-free modes kept, over the highest frequency asked, at the u
 STANDARD_CUTOFF = 4.0  # the same with standard elements, whose own error is to stand alone
 WEIGHTLESS = 30.0  # frequency of what has no mass, over the highest asked, at the usual accuracy
 SHARE = 0.03  # of the accuracy, that a gyroscopic force without its answer may cost
+FINER = 1.5  # cut-off of a finer model over that of the one before
 TINY = 1e-300  # keeps the division by a speed next to none from overflow
 
 
@@ -20,12 +21,14 @@ class Fineness:
     """How good a model must be: relative ``accuracy`` of every frequency up to ``frequency`` [Hz].
 
     ``spin`` [rad/s]: highest speed. ``accuracy`` None: standard elements between the nodes of the
-    mesh, whatever they give.
+    mesh, whatever they give. ``finer``: steps beyond that; each is one degree more in every element,
+    or half the length of standard ones, and a cut-off ``FINER`` times as high.
     """
 
     frequency: float
     spin: float = 0.0
     accuracy: float | None = None
+    finer: int = 0
 
     @property
     def band(self) -> float:
@@ -37,7 +40,7 @@ class Fineness:
         """Up to which free-free modes are kept [rad/s]: the error by those left out falls with its
         fourth power."""
         factor = STANDARD_CUTOFF if self.accuracy is None else CUTOFF * self._finer**0.25
-        return factor * self.band
+        return FINER**self.finer * factor * self.band
 
     @property
     def weightless(self) -> float:

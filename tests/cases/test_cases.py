@@ -12,7 +12,7 @@ import pytest
 
 import rotordyn
 from docs.site.runs import case_run
-from rotordyn.analysis.results import creeps
+from rotordyn.analysis.results import is_overdamped
 from rotordyn.report.netcdf import read_results
 from tests.oracles.spindles import CASES
 
@@ -68,7 +68,7 @@ def _told(data: Any) -> Any:
     """Without the number of modes where it is not proven, and without modes that hardly swing."""
     if "certified" not in data:
         return data.data_vars
-    swinging = np.flatnonzero(~creeps(data.damping_ratio.values))
+    swinging = np.flatnonzero(~is_overdamped(data.damping_ratio.values))
     left = data.isel(mode=swinging).data_vars
     return left if data.certified.any() else {k: v for k, v in left.items() if k != "modes_below"}
 

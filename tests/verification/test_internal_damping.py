@@ -12,7 +12,7 @@ import pytest
 import rotordyn
 from bearings import Material
 from rotordyn.analysis import campbell
-from rotordyn.analysis.results import CREEPING
+from rotordyn.analysis.results import OVERDAMPED
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions
 from rotordyn.machine.damping import RayleighDamping
@@ -117,11 +117,11 @@ def test_what_hardly_swings_is_numbered_last_and_not_listed() -> None:
     damping = RayleighDamping(stiffness=2e-5)
     spindle = replace(rotor(1e3), rotor_damping=(), rayleigh=damping)
     found = answered(spindle, [100.0, 600.0])
-    creeping = found.creeping[[kind == "bending" for kind in found.kind]]
-    assert creeping.any()
-    assert not creeping[0]
-    assert (np.diff(creeping.astype(int)) >= 0).all()
-    ratio = found.damping_ratio[:, found.creeping]
+    overdamped = found.overdamped[[kind == "bending" for kind in found.kind]]
+    assert overdamped.any()
+    assert not overdamped[0]
+    assert (np.diff(overdamped.astype(int)) >= 0).all()
+    ratio = found.damping_ratio[:, found.overdamped]
     assert (ratio[np.isfinite(ratio)] > 0.99).all()
     assert found.modes_below == pytest.approx(found.modes_found)
     assert len(found.critical_speed) > 0
@@ -134,15 +134,15 @@ def test_what_swings_at_one_end_only_by_a_hair_creeps() -> None:
     spindle = replace(rotor(1e3), rotor_damping=(), rayleigh=RayleighDamping(stiffness=2e-4))
     found = answered(spindle, [0.0, 200.0, 500.0, 700.0, 930.0])
     last, bending = found.damping_ratio[-1], np.array(found.kind) == "bending"
-    hair = found.creeping & (last < CREEPING)
+    hair = found.overdamped & (last < OVERDAMPED)
     assert hair.any()
     assert last[hair] == pytest.approx(1.0 / math.hypot(1.0, 2e-4 * 930.0), abs=2e-3)
-    assert (np.diff(found.creeping[bending].astype(int)) >= 0).all()
-    assert not np.isin(found.critical, np.array(found.mode)[found.creeping]).any()
+    assert (np.diff(found.overdamped[bending].astype(int)) >= 0).all()
+    assert not np.isin(found.critical, np.array(found.mode)[found.overdamped]).any()
 
 
-@pytest.mark.parametrize(("slow", "creeps"), [(0.995, True), (0.985, False)])
-def test_what_creeps_at_most_speeds_has_no_critical_speed(slow: float, creeps: bool) -> None:
+@pytest.mark.parametrize(("slow", "is_overdamped"), [(0.995, True), (0.985, False)])
+def test_what_creeps_at_most_speeds_has_no_critical_speed(slow: float, is_overdamped: bool) -> None:
     """A damper whose rate falls with speed: the disc, of ω √(1 − ζ²), meets the speed where it has
     ζ < 0.97, and that is told of a mode that swings at most of the speeds only."""
     omega, stiff = still(rotor(0.0))
@@ -157,8 +157,8 @@ def test_what_creeps_at_most_speeds_has_no_critical_speed(slow: float, creeps: b
         speeds=(0.0, 0.06 * omega, 0.3 * omega),
     )
     found = answered(replace(bare, supports=(*bare.supports[:2], damper)), speeds)
-    assert found.creeping.any() == creeps
-    assert found.critical_excited.any() == (not creeps)
+    assert found.overdamped.any() == is_overdamped
+    assert found.critical_excited.any() == (not is_overdamped)
     assert (found.critical_damping[found.critical_excited] < 0.97).all()
 
 

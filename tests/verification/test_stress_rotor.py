@@ -273,7 +273,7 @@ def test_a_rigid_support_is_a_pin(stiffness: float) -> None:
 
 @pytest.mark.parametrize("damping", [1e9, 1e13])
 def test_a_damper_that_holds_is_a_pin(damping: float) -> None:
-    """What creeps through it is slower than rounding tells: no growth."""
+    """What is_overdamped through it is slower than rounding tells: no growth."""
     own = on_two(HELD, damping)
     expected = whirl_frequencies(exact_rotor(on_two(1e13), 0.0, NO_SEATS), 1)[0] / HZ
     result = modes(own)

@@ -12,11 +12,11 @@ from rotordyn.analysis.results.bearings import (
     PreloadResult,
 )
 from rotordyn.analysis.results.modes import (
-    CREEPING,
+    OVERDAMPED,
     ROUNDING,
     CampbellResult,
     TurningCampbellResult,
-    creeps,
+    is_overdamped,
 )
 from rotordyn.analysis.results.responses import (
     FrequencyResponse,
@@ -48,7 +48,7 @@ Result = (
 )
 
 __all__ = [
-    "CREEPING",
+    "OVERDAMPED",
     "ROUNDING",
     "BearingMapResult",
     "CampbellResult",
@@ -66,7 +66,7 @@ __all__ = [
     "TurningCampbellResult",
     "TurningFrfResult",
     "UnbalanceResult",
-    "creeps",
+    "is_overdamped",
     "turning",
 ]
 

@@ -11,14 +11,14 @@ from rotordyn.analysis.result import coordinate, quantity
 from rotordyn.analysis.results.kinds import Array, Complex, Flags, Words
 
 ROUNDING = 1e-6  # of a damping ratio
-CREEPING = 0.99  # damping ratio above which a motion hardly swings
+OVERDAMPED = 0.99  # damping ratio above which a motion hardly swings
 
 
-def creeps(damping_ratio: Array) -> Flags:
+def is_overdamped(damping_ratio: Array) -> Flags:
     """Which motions (modes,) hardly swing at most of the speeds (speeds, modes) at which they are
-    there, NaN where they are not: those of a damping ratio above ``CREEPING``."""
+    there, NaN where they are not: those of a damping ratio above ``OVERDAMPED``."""
     known = np.isfinite(damping_ratio).sum(axis=0)
-    crept = (damping_ratio > CREEPING).sum(axis=0)
+    crept = (damping_ratio > OVERDAMPED).sum(axis=0)
     return np.asarray((2 * crept > known) | (known == 0))
 
 
@@ -33,10 +33,8 @@ class CampbellResult:
     shaft; ``character``: the kind, as a rigid-body motion where that is most of it.
     ``shape``: displacements of the nodes at the speeds ``shape_speed``, scaled to a largest
     translation (or rotation) of 1, complex.
-    ``certified``: the number of modes up to the highest frequency asked for is proven
-    (``modes_below``, NaN where it is not) and as many were followed (``modes_found``);
-    ``no_proof``: what in the machine keeps it from being proven, or "". Modes so
-    strongly damped that their |pole| lies beyond the disc of that proof are not counted.
+    ``pole``: λ of e^(λt) with Im λ ≥ 0. ``unsettled``: what still changes by more than the accuracy
+    asked for as the model is refined, a sentence, or "".
     ``stability_threshold``: lowest speed of the range at which a mode begins to grow, infinite
     where none does; ``first_to_grow``: that mode, or "". ``rotor``: the spindle's shaft and further
     rotors, at ``speed_ratio`` times its speed; ``node_rotor``: the one that a node is of; whirl is
@@ -64,16 +62,13 @@ class CampbellResult:
         "speed", "mode", unit="1", label="estimated relative error of the frequency"
     )
     max_frequency: float = quantity(unit="Hz", label="modes and critical speeds up to")
-    resolved_frequency: float = quantity(unit="Hz", label="highest frequency the mesh resolves")
+    unsettled: str = quantity(unit="", label="what changes as the model is refined")
+    pole: Complex = quantity("speed", "mode", unit="rad/s", label="pole")
     free: Array = quantity(
         "speed", unit="1", label="eigenvalues at zero, of motions that nothing holds: no modes"
     )
     node_rotor: Words = quantity("node", unit="", label="rotor of the node")
     speed_ratio: Array = quantity("rotor", unit="1", label="speed over that of the spindle")
-    certified: Flags = quantity("speed", unit="", label="number of modes proven")
-    no_proof: str = quantity(unit="", label="what keeps their number from being proven")
-    modes_below: Array = quantity("speed", unit="1", label="modes below the highest frequency")
-    modes_found: Array = quantity("speed", unit="1", label="modes followed below it")
     damping_ratio: Array = quantity("speed", "mode", unit="1", label="damping ratio")
     decrement: Array = quantity("speed", "mode", unit="1", label="logarithmic decrement")
     whirl: Array = quantity("speed", "mode", unit="1", label="whirl direction")
@@ -98,14 +93,14 @@ class CampbellResult:
         return np.asarray(self.damping_ratio < -ROUNDING)
 
     @property
-    def creeping(self) -> Flags:
+    def overdamped(self) -> Flags:
         """Modes (modes,) that hardly swing at most speeds: counted, neither drawn nor listed."""
-        return creeps(self.damping_ratio)
+        return is_overdamped(self.damping_ratio)
 
     @property
     def largest_error(self) -> float:
         """Of the frequencies where modes swing; those that hardly do are left out."""
-        swinging = ~self.creeping & (self.damping_ratio <= CREEPING)
+        swinging = ~self.overdamped & (self.damping_ratio <= OVERDAMPED)
         return float(np.nanmax(np.where(swinging, self.frequency_error, 0.0), initial=0.0))
 
 

@@ -90,25 +90,25 @@ def test_campbell_leaves_out_what_hardly_swings():
     result = samples.campbell(9)
     ratio = result.damping_ratio.copy()
     ratio[:, 0], ratio[4, 2] = 0.9999, 0.9999  # the second does swing, but at one speed
-    creeping = replace(result, damping_ratio=ratio)
-    lines = [len(whirl_segments(r).get("backward", [])) for r in (result, creeping)]
+    overdamped = replace(result, damping_ratio=ratio)
+    lines = [len(whirl_segments(r).get("backward", [])) for r in (result, overdamped)]
     assert lines[1] == lines[0] - 1
     names = [
         {t.get_text() for t in campbell_figure(r).axes[0].texts if t.get_text() != "1×"}
-        for r in (result, creeping)
+        for r in (result, overdamped)
     ]
     (gone,) = names[0] - names[1]
     assert gone.startswith(result.mode[0])
 
 
 def test_figure_and_summary_tell_one_error_of_what_swings():
-    """The largest of a motion that creeps is told by neither, that of a strongly damped one is."""
+    """The largest of a motion that is_overdamped is told by neither, that of a strongly damped one is."""
     result = samples.campbell(9)
     ratio, error = result.damping_ratio.copy(), result.frequency_error.copy()
     ratio[:5, 0], ratio[:4, 1], ratio[:, 2] = 0.9999, 0.9999, 0.9
     error[:, 0], error[0, 1], error[3, 2] = 0.5, 0.4, 0.021
     strong = replace(result, damping_ratio=ratio, frequency_error=error)
-    assert strong.creeping.tolist() == [k == 0 for k in range(len(result.mode))]
+    assert strong.overdamped.tolist() == [k == 0 for k in range(len(result.mode))]
     assert strong.largest_error == 0.021
     assert accuracy_words({"campbell": strong})[0] == "frequencies within 3e-02"
     said = [t.get_text() for t in campbell_figure(strong).axes[0].texts]

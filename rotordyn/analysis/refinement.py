@@ -1,0 +1,175 @@
+"""Error by refinement: the model is solved once more, finer, at a few speeds.
+
+Finer is one degree more in every element (half the length of standard ones) and a cut-off of the
+reduction 1.5 times as high. The change is reported as the error, of frequencies, receptances and
+orbits alike. Where it is more than the accuracy asked for, the finer model takes the place of the
+first one, ``ROUNDS`` times at most.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import NamedTuple, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analysis.branches import Branch, swings
+from rotordyn.analysis.display import RPM
+from rotordyn.analysis.results import OVERDAMPED
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import CampbellSpec
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Rows = NDArray[np.intp]
+Modes = tuple[list[Branch], tuple[str, ...]]
+T = TypeVar("T")
+FEW = 3  # speeds at which the finer model is solved
+ROUNDS = 2
+SAME = 0.1  # of a pole: what has none so near in the finer model vanishes there
+ROUNDING = 1e-12
+
+
+class ModeErrors(NamedTuple):
+    """``relative`` change of the poles (usable, modes); ``unsettled``: modes that the finer model
+    has more or fewer of, or errors above the accuracy, as a sentence, or ""."""
+
+    relative: Array
+    unsettled: str
+
+
+def few_rows(scene: Scene) -> Rows:
+    """First, middle and last of the usable speeds."""
+    last = len(scene.usable) - 1
+    return np.unique(np.linspace(0, last, min(FEW, last + 1)).round().astype(np.intp))
+
+
+def settled(
+    scene: Scene, solve: Callable[[Scene], T], error: Callable[[T], float]
+) -> tuple[Scene, T]:
+    """The first of ever finer models whose ``error`` is below the accuracy asked for, or the last
+    one, and what ``solve`` gives of it."""
+    accuracy = scene.conditions.accuracy
+    asked = math.inf if scene.conditions.element_length is not None else accuracy
+    for _ in range(ROUNDS):
+        found = solve(scene)
+        if error(found) <= asked:
+            return scene, found
+        scene = scene.refined()
+    return scene, solve(scene)
+
+
+def changes(scene: Scene, values: Callable[[Scene, Rows], Array | Complex], axis: int) -> Array:
+    """Largest change of values (few, …, n, …) by the finer model, over their largest size; along
+    all axes but ``axis``."""
+    rows = few_rows(scene)
+    coarse, fine = values(scene, rows), values(scene.refined(), rows)
+    along = tuple(k for k in range(coarse.ndim) if k != axis)
+    size = np.abs(fine).max(axis=along, initial=0.0)
+    change = np.abs(fine - coarse).max(axis=along, initial=0.0)
+    return np.where(size > 0.0, change / np.where(size > 0.0, size, 1.0), 0.0)
+
+
+def mode_errors(
+    scene: Scene, spec: CampbellSpec, modes: Callable[[Scene], Modes]
+) -> tuple[Scene, Modes, ModeErrors]:
+    """Modes of a model that is fine enough, and how far they are off."""
+
+    def solve(one: Scene) -> tuple[Modes, ModeErrors]:
+        found = modes(one)
+        if one.rigid:
+            shape = (len(one.usable), len(found[0]))
+            return found, ModeErrors(np.zeros(shape), "")
+        return found, _compared(one, spec, found[0])
+
+    def worst(found: tuple[Modes, ModeErrors]) -> float:
+        (branches, _), errors = found
+        if errors.unsettled:
+            return math.inf
+        return max(
+            (
+                float(np.nanmax(errors.relative[inside, k], initial=0.0))
+                for k, b in enumerate(branches)
+                if not b.overdamped and (inside := _judged(b, spec)).any()
+            ),
+            default=0.0,
+        )
+
+    scene, (found, errors) = settled(scene, solve, worst)
+    most = worst((found, errors))
+    if scene.conditions.element_length is None and most > scene.conditions.accuracy:
+        why = errors.unsettled or f"frequencies change by up to {most:.0e} as the model is refined"
+        errors = errors._replace(unsettled=why)
+    elif scene.conditions.element_length is not None:
+        errors = errors._replace(unsettled="")
+    return scene, found, errors
+
+
+def _judged(branch: Branch, spec: CampbellSpec) -> NDArray[np.bool_]:
+    """Speeds (usable,) at which a mode swings within the band."""
+    with np.errstate(invalid="ignore"):
+        ratio = -branch.pole.real / np.abs(branch.pole)
+        return np.asarray((branch.frequency <= spec.max_frequency) & (ratio <= OVERDAMPED))
+
+
+def _compared(scene: Scene, spec: CampbellSpec, branches: list[Branch]) -> ModeErrors:
+    """Poles of followed modes beside the nearest ones of the finer model."""
+    rows, finer = few_rows(scene), scene.refined()
+    errors = np.full((len(rows), len(branches)), np.nan)
+    unsettled, band = "", 2.0 * math.pi * spec.max_frequency
+    for home in sorted({branch.home for branch in branches}):
+        found = finer.system_at(home, rows)
+        for place, row in enumerate(rows):
+            for side in (-1.0, 0.0, 1.0):
+                own = [
+                    k
+                    for k, b in enumerate(branches)
+                    if b.home == home and b.side == side and b.column[row] >= 0
+                ]
+                pole, free = found.pole[place], found.at_rest[place]
+                with np.errstate(invalid="ignore"):
+                    there = pole[swings(pole) & ~free & (found.whirl[place] == side)]
+                here = np.array([branches[k].pole[row] for k in own], dtype=complex)
+                apart, extra = _paired(here, there)
+                errors[place, own] = apart
+                inside = (np.abs(here.imag) < (1.0 - SAME) * band) & (apart > SAME)
+                strongly = -here.real > OVERDAMPED * np.abs(here)
+                if (inside & ~strongly).any():
+                    unsettled = _sentence(scene, row, "vanish", here[inside & ~strongly])
+                more = extra[(extra.imag < (1.0 - SAME) * band)]
+                more = more[-more.real <= OVERDAMPED * np.abs(more)]
+                if more.size:
+                    unsettled = _sentence(scene, row, "appear", more)
+    at = scene.speed[scene.usable]
+    relative = np.full((len(at), len(branches)), np.nan)
+    for k, branch in enumerate(branches):
+        known = np.isfinite(errors[:, k])
+        if known.any():
+            relative[:, k] = np.interp(at, at[rows[known]], errors[known, k])
+        else:
+            relative[:, k] = 0.0
+        relative[branch.column < 0, k] = np.nan
+    return ModeErrors(np.maximum(relative, ROUNDING), unsettled)
+
+
+def _sentence(scene: Scene, row: int, what: str, pole: Complex) -> str:
+    hertz = np.abs(pole[0].imag) / (2.0 * math.pi)
+    rpm = scene.speed[scene.usable[row]] * RPM.factor
+    return f"modes {what} as the model is refined, one of {hertz:.6g} Hz at {rpm:.6g} rpm"
+
+
+def _paired(here: Complex, there: Complex) -> tuple[Array, Complex]:
+    """Relative distance of each pole to its partner, the nearest pairs first; infinite without one;
+    and the poles of ``there`` that are left without one."""
+    apart = np.full(len(here), np.inf)
+    if not (here.size and there.size):
+        return apart, there
+    distance = np.abs(here[:, None] - there) / np.abs(here)[:, None]
+    taken = np.zeros(len(there), dtype=bool)
+    for _ in range(min(distance.shape)):
+        row, column = np.unravel_index(int(distance.argmin()), distance.shape)
+        apart[row], taken[column] = distance[row, column], True
+        distance[row, :], distance[:, column] = np.inf, np.inf
+    return apart, there[~taken]
