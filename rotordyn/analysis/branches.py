@@ -9,19 +9,16 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.certificate import swings
-from rotordyn.analysis.exact_bending import ExactModes
 from rotordyn.analysis.results.modes import creeps
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec
 from rotordyn.numerics.follow import doubts, follow
-from rotordyn.numerics.modes import Modes
 from rotordyn.numerics.products import times
 
 Array = NDArray[np.float64]
@@ -114,16 +111,6 @@ def home_of(scene: Scene, kind: str) -> str:
     return min(coupled) if kind in coupled else kind
 
 
-def modes_of(scene: Scene, home: str, highest: float) -> Modes | ExactModes:
-    """Modes of the system that ``home`` is part of, those of the exact shaft up to somewhat beyond
-    ``highest`` [Hz]; poles are those of the frame of the formulation."""
-    if home == "bending" and scene.bends_exactly:
-        beyond = 2.0 * math.pi * MARGIN * highest
-        exactly = partial(scene.exact.modes, scene.bending_modes, beyond)
-        return scene.timed("exact bending modes", exactly)
-    return scene.vibration(home)[1]
-
-
 def _bending(scene: Scene, spec: CampbellSpec) -> list[Branch]:
     if not scene.bending.isotropic:
         branches = _followed("bending", scene, spec, (+1.0,))
@@ -161,7 +148,7 @@ def _followed(
 
     Where it is not clear between two speeds who is who, the machine is solved at further ones.
     """
-    sweep = _Sweep.of(scene, home, spec.max_frequency)
+    sweep = _Sweep.of(scene, home)
     speed = scene.speed[scene.usable]
     if len(sweep.steps) < len(speed):  # solved at one, as nothing changes with the speed
         same = [step.pole for step in sweep.steps]
@@ -169,12 +156,12 @@ def _followed(
     bends = home == "bending" or {"bending", home} <= scene.coupled_motions
     knots = knots_between(scene) if bends else ()
     if len(knots):
-        sweep = sweep.refined(scene, home, spec.max_frequency, list(knots))
+        sweep = sweep.refined(scene, home, list(knots))
     for _ in range(ROUNDS):
         wanted = [x for side in sides for x in sweep.doubts(spec, side)]
         if not wanted or len(sweep.steps) > MOST_STEPS:
             break
-        finer = sweep.refined(scene, home, spec.max_frequency, wanted)
+        finer = sweep.refined(scene, home, wanted)
         if len(finer.steps) == len(sweep.steps):
             break
         sweep = finer
@@ -185,14 +172,14 @@ def _followed(
 @dataclass(frozen=True, eq=False, slots=True)
 class _Step:
     """All modes of a system at one ``speed``: ``pole`` (k,) in the fixed frame, ``vector`` (n, k),
-    ``free`` (k,); ``system`` in the coordinates of ``frame``, None of the exact shaft; ``given``:
-    the case names the speed."""
+    ``free`` (k,); ``system`` in the coordinates of ``frame``; ``given``: the case names the
+    speed."""
 
     speed: float
     pole: Complex
     vector: Complex
     free: NDArray[np.bool_]
-    system: tuple[Complex, Matrix, Matrix] | None
+    system: tuple[Complex, Matrix, Matrix]
     frame: float
     given: bool
 
@@ -207,11 +194,9 @@ def _ahead(steps: Sequence[_Step], ceiling: float) -> list[Complex]:
     """Poles (k,) to be expected of each step at the next one: λ − w (λ ΔD + ΔK) v. Those beyond
     ``ceiling`` [rad/s], and all of the last step, are expected where they are."""
     poles = [step.pole for step in steps]
-    if len(steps) < 2 or any(step.system is None for step in steps):
+    if len(steps) < 2:
         return poles
-    left, stiffness, damping = map(
-        np.stack, zip(*(s.system for s in steps if s.system), strict=True)
-    )
+    left, stiffness, damping = map(np.stack, zip(*(s.system for s in steps), strict=True))
     frame, fixed = np.array([step.frame for step in steps]), np.stack(poles[:-1])
     slowest = np.argsort(np.abs(fixed.imag), axis=1, kind="stable")
     below = slowest[:, : int((np.abs(fixed.imag) < ceiling).sum(axis=1).max())]
@@ -237,17 +222,15 @@ class _Sweep:
     steps: tuple[_Step, ...]
 
     @classmethod
-    def of(cls, scene: Scene, home: str, highest: float, *, given: bool = True) -> _Sweep:
+    def of(cls, scene: Scene, home: str, *, given: bool = True) -> _Sweep:
         """At the usable speeds of a scene; at the first of them, where modes were solved for one
         speed because they are the same at all."""
-        found = modes_of(scene, home, highest)
+        found = scene.vibration(home)[1]
         frame = scene.bending.frame if home == "bending" else np.zeros(len(scene.usable))
         free = found.at_rest(frame[: len(found.pole)])
         steps = []
         for row, speed in enumerate(scene.speed[scene.usable][: len(found.pole)]):
-            system = None
-            if isinstance(found, Modes):
-                system = found.participation[row], found.stiffness[row], found.damping[row]
+            system = found.participation[row], found.stiffness[row], found.damping[row]
             pole = found.pole[row] + 1j * frame[row]
             vector = found.vector[row]
             steps.append(
@@ -255,12 +238,12 @@ class _Sweep:
             )
         return cls(tuple(steps))
 
-    def refined(self, scene: Scene, home: str, highest: float, speed: list[float]) -> _Sweep:
+    def refined(self, scene: Scene, home: str, speed: list[float]) -> _Sweep:
         """With more speeds, where they have a solution."""
         other = scene.at(np.setdiff1d(speed, [step.speed for step in self.steps]))
         if all(other.outcome):
             return self
-        more = _Sweep.of(other, home, highest, given=False)
+        more = _Sweep.of(other, home, given=False)
         return _Sweep(tuple(sorted((*self.steps, *more.steps), key=lambda step: step.speed)))
 
     def doubts(self, spec: CampbellSpec, side: float) -> list[float]:

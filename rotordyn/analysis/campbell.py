@@ -9,10 +9,9 @@ from numpy.typing import NDArray
 
 from rotordyn.analysis.accuracy import frequency_error
 from rotordyn.analysis.branches import Branch, branches_of, home_of
-from rotordyn.analysis.certificate import Count, count
+from rotordyn.analysis.certificate import count
 from rotordyn.analysis.character import character, rigid_share
 from rotordyn.analysis.criticals import critical_speeds
-from rotordyn.analysis.exact_bending import ExactBending
 from rotordyn.analysis.formulation import ROTATING
 from rotordyn.analysis.mode_names import named
 from rotordyn.analysis.results import CampbellResult, TurningCampbellResult
@@ -23,9 +22,7 @@ from rotordyn.analysis.specs import CampbellSpec
 from rotordyn.analysis.threshold import stability_threshold
 from rotordyn.elements.node import FREEDOMS
 from rotordyn.errors import InvalidInput
-from rotordyn.system.coupled import CoupledSystem
 from rotordyn.system.lateral import LateralSystem
-from rotordyn.system.longitudinal import RodSystem
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -70,7 +67,7 @@ def _answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     threshold, growing = stability_threshold(scene, spec, branches, names)
     shape = (len(scene.usable), len(branches))
     pole = np.array([b.pole for b in branches], dtype=complex).reshape(shape[::-1]).T
-    rigid = [rigid_share(_system(scene, b.kind), b) for b in branches]
+    rigid = [rigid_share(scene.vibration(b.kind)[0], b) for b in branches]
     certified, below, seen = _counted(scene, spec, branches)
     kind = TurningCampbellResult if scene.conditions.formulation == ROTATING else CampbellResult
     return kind(
@@ -127,16 +124,13 @@ def _seen(scene: Scene, branches: list[Branch]) -> Array:
 
 
 def _errors(scene: Scene, branches: list[Branch]) -> Array:
-    """Estimated relative errors of the poles (usable, modes); none by the exact shaft."""
+    """Estimated relative errors of the poles (usable, modes)."""
     errors = np.zeros((len(scene.usable), len(branches)))
     homes = [home_of(scene, b.kind) for b in branches]
     for motion in set(homes):
         own = [k for k, name in enumerate(homes) if name == motion]
         columns = np.stack([branches[k].column for k in own], axis=1)
-        exact = motion == "bending" and scene.bends_exactly
-        errors[:, own] = (
-            np.where(columns < 0, np.nan, 0.0) if exact else frequency_error(scene, motion, columns)
-        )
+        errors[:, own] = frequency_error(scene, motion, columns)
     return errors
 
 
@@ -161,13 +155,8 @@ def _counted(
     below, seen = np.zeros((2, len(scene.usable)))
     for home in set(homes.values()):
         own = [b for b in branches if homes[b.kind] == home]
-        if home == "bending" and scene.bends_exactly:
-            whole = np.full(len(proven), np.inf)
-            number = _within(own, highest, whole)
-            known = Count(number, proven, whole)
-        else:
-            known = count(scene, home, highest)
-            number = _within(own, highest, known.radius)
+        known = count(scene, home, highest)
+        number = _within(own, highest, known.radius)
         proven = proven & known.proven
         below, seen = below + known.number, seen + number
     certified = np.zeros(len(scene.speed), dtype=bool)
@@ -190,18 +179,11 @@ def _shapes(scene: Scene, branches: list[Branch], ends: list[int]) -> Complex:
         for k, branch in enumerate(branches):
             if branch.column[row] < 0:
                 continue
-            system, vector = _system(scene, branch.kind), branch.vector[row]
-            if isinstance(system, LateralSystem | ExactBending) and system.isotropic:
+            system, vector = scene.vibration(branch.kind)[0], branch.vector[row]
+            if isinstance(system, LateralSystem) and system.isotropic:
                 vector = both_planes(vector, branch.pole[row].imag)
             if branch.kind not in motion:
                 motion[branch.kind] = system.motion
             moved = motion[branch.kind] @ np.stack([vector.real, vector.imag], axis=-1)
             shapes[place, k] = scaled(moved[..., 0] + 1j * moved[..., 1], branch.kind)
     return shapes
-
-
-def _system(scene: Scene, kind: str) -> LateralSystem | RodSystem | CoupledSystem | ExactBending:
-    """Whose coordinates the vectors of a kind of motion are."""
-    if kind == "bending" and scene.bends_exactly:
-        return scene.exact
-    return scene.vibration(kind)[0]

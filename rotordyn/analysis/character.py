@@ -6,7 +6,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.branches import PLANAR, Branch, whirl_degree
-from rotordyn.analysis.exact_bending import ExactBending
 from rotordyn.elements.node import FREEDOMS
 from rotordyn.system.coupled import CoupledSystem
 from rotordyn.system.lateral import LateralSystem
@@ -14,7 +13,7 @@ from rotordyn.system.longitudinal import RodSystem
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-System = LateralSystem | RodSystem | CoupledSystem | ExactBending
+System = LateralSystem | RodSystem | CoupledSystem
 MOSTLY = 0.5  # of the kinetic energy
 FELT = 1e-3  # of the largest deflection squared: where less moves, no direction is seen
 
@@ -35,7 +34,7 @@ def character(branch: Branch, share: Array) -> str:
 def whirl_along(system: System, vector: Complex, degree: float) -> str:
     """``"forward"``, ``"backward"``, ``"planar"`` or ``"mixed"`` for a bending mode ``vector``
     (n,): mixed where some nodes go round one way and others the other."""
-    if isinstance(system, LateralSystem | ExactBending) and system.isotropic:
+    if isinstance(system, LateralSystem) and system.isotropic:
         return "forward" if degree > 0.0 else "backward"
     if abs(degree) < PLANAR:
         return "planar"
@@ -51,8 +50,6 @@ def whirl_along(system: System, vector: Complex, degree: float) -> str:
 def _rigid_motions(system: System, branch: Branch) -> Array:
     """Orthonormal coordinates of rigid motions (n, r); energy is the square of coordinates."""
     size = branch.vector.shape[1]
-    if isinstance(system, ExactBending):
-        return _of_nodes(system, size)
     columns: list[int] = []
     if isinstance(system, CoupledSystem):
         parts = [(part, system.places[name].start, name) for name, part in system.parts.items()]
@@ -67,16 +64,3 @@ def _rigid_motions(system: System, branch: Branch) -> Array:
 
 def _rigid(part: LateralSystem | RodSystem) -> NDArray[np.bool_]:
     return part.rotor.rigid if isinstance(part, LateralSystem) else part.rigid
-
-
-def _of_nodes(system: ExactBending, size: int) -> Array:
-    """By weighted deflections and tilts of the nodes of the exact shaft, plane by plane."""
-    motions = np.zeros((len(system.x), 2, 2))
-    motions[:, 0, 0], motions[:, 0, 1] = system.weight[:, 0], system.weight[:, 0] * system.x
-    motions[:, 1, 1] = system.weight[:, 1]
-    one = np.linalg.qr(motions.reshape(-1, 2))[0]
-    planes = 1 if system.isotropic else 2
-    whole = np.zeros((planes, size // planes, planes, 2))
-    for plane in range(planes):
-        whole[plane, : len(one), plane] = one
-    return whole.reshape(size, -1)

@@ -74,7 +74,7 @@ def critical_speeds(
         if line.size * start.speed <= MARGIN * band
     ]
     found: list[tuple[Start, float, State]] = []
-    for start, speed, state in solved(scene, spec, branches, starts):
+    for start, speed, state in solved(scene, branches, starts):
         swings = -state.pole.real <= CREEPING * abs(state.pole)  # or else nothing resonates
         within = abs(state.pole.imag) <= (1.0 + ROUNDING) * band
         known = any(_same(start, speed, state, other) for other in found)
@@ -144,12 +144,10 @@ def _conservative(stiffness: Matrix) -> Matrix:
 
 
 def _piecewise(scene: Scene) -> bool:
-    """True where bending is that of elements, and its stiffness changes with the tables of supports
-    alone."""
+    """True where the stiffness of bending changes with the tables of supports alone."""
     force = None if "bending" in scene.coupled_motions else scene.bending.force
     return (
         "bending" not in scene.coupled_motions
-        and not scene.bends_exactly
         and not scene.spindle.seats
         and scene.conditions.formulation not in (ROTATING, SOFTENED)
         and (force is None or bool((force == force[:1]).all()))
@@ -197,7 +195,7 @@ def _named(scene: Scene, kind: str, name: str, line: Line, speed: float, state: 
     """What a root is called and whether something that turns with the shaft excites it."""
     whirl, excited = "", line.order != OF_UNBALANCE
     if kind == "bending":
-        system = scene.exact if scene.bends_exactly else scene.vibration("bending")[0]
+        system = scene.vibration("bending")[0]
         isotropic = not isinstance(system, CoupledSystem | RodSystem) and system.isotropic
         vector = state.vector
         if isinstance(system, CoupledSystem):

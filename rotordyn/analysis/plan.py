@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rotordyn.analysis.frf import DIRECTLY
 from rotordyn.analysis.scene import Scene
 from rotordyn.system.lateral import LateralSystem
 
@@ -22,7 +21,6 @@ def _reason(scene: Scene, name: str) -> str:
     coupled = stem in scene.coupled_motions and "coupled" in scene.solved
     vibrates = any(motion in scene.solved for motion in VIBRATIONS)
     known = (
-        (stem == "exact" and not scene.bends_exactly, "the shaft is one of elements"),
         (
             stem == "coupled" and not scene.coupled_motions,
             "no support or housing couples its motions",
@@ -67,11 +65,6 @@ def _vibration(scene: Scene) -> Iterator[str]:
         yield (
             "every bearing and support answers alike in all directions: both planes of bending are "
             "one complex coordinate, half the unknowns"
-        )
-    if DIRECTLY in scene.seconds:
-        yield (
-            "responses asked for directly take no modes: nodes between forces and supports are "
-            "eliminated, pieces of shaft that are alike once"
         )
     unreduced = None if bending is None else bending.unreduced
     if unreduced is not None:

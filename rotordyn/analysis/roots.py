@@ -11,12 +11,10 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.branches import Branch, home_of, modes_of
+from rotordyn.analysis.branches import Branch, home_of
 from rotordyn.analysis.certificate import swings
-from rotordyn.analysis.exact_bending import ExactModes
 from rotordyn.analysis.excitation import Line
 from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec
 from rotordyn.numerics.follow import likeness
 from rotordyn.numerics.modes import Modes
 from rotordyn.system.hysteresis import Signs, signs_of
@@ -57,7 +55,7 @@ class State:
 
 
 def solved(
-    scene: Scene, spec: CampbellSpec, branches: Sequence[Branch], starts: Sequence[Start]
+    scene: Scene, branches: Sequence[Branch], starts: Sequence[Start]
 ) -> list[tuple[Start, float, State]]:
     """Every start led to its root by secants, all at once; those without one are left out."""
     if not starts:
@@ -67,7 +65,7 @@ def solved(
     open_, done = list(range(len(starts))), []
     near: dict[int, tuple[Start, float, State]] = {}
     for _ in range(ITERATIONS):
-        states = _states(scene, spec, branches, [starts[k] for k in open_], at[open_])
+        states = _states(scene, branches, [starts[k] for k in open_], at[open_])
         still = []
         for k, state in zip(open_, states, strict=True):
             if state is None:
@@ -104,7 +102,7 @@ def _next(start: Start, at: float, miss: float) -> float:
 
 
 def _states(
-    scene: Scene, spec: CampbellSpec, branches: Sequence[Branch], starts: list[Start], at: Array
+    scene: Scene, branches: Sequence[Branch], starts: list[Start], at: Array
 ) -> list[State | None]:
     """The mode of every start at its speed; None where there is none, or no equilibrium."""
     speeds, row = np.unique(at, return_inverse=True)
@@ -117,7 +115,7 @@ def _states(
         (home_of(scene, branches[start.branch].kind), start.line.size, start.side)
         for start in starts
     ]
-    known = {way: _known(other, spec, *way) for way in set(homes)}
+    known = {way: _known(other, *way) for way in set(homes)}
     still = np.zeros(len(speeds))
     frames = {way: other.bending.frame if way[0] == "bending" else still for way in known}
     return [
@@ -126,22 +124,18 @@ def _states(
     ]
 
 
-def _known(
-    scene: Scene, spec: CampbellSpec, home: str, order: float, side: float
-) -> Modes | ExactModes:
+def _known(scene: Scene, home: str, order: float, side: float) -> Modes:
     """Modes of a system; with loss factors, of motions that turn at ``order`` times the speed."""
-    system = scene.vibration(home)[0]
+    system, found = scene.vibration(home)
     if system.hysteresis is None:
-        return modes_of(scene, home, spec.max_frequency)
+        return found
     whirling = isinstance(system, LateralSystem) and system.isotropic
     turning = side * order if whirling else order
     signs = signs_of(np.array([turning]), np.ones(1), whirling=whirling)
     return scene.answering(home, Signs(*map(int, signs[0])))[1]
 
 
-def _nearest(
-    modes: Modes | ExactModes, frame: Array, row: int, start: Start, speed: float
-) -> State | None:
+def _nearest(modes: Modes, frame: Array, row: int, start: Start, speed: float) -> State | None:
     """The swinging mode of a system that is most like the start and near to its line."""
     row = min(row, len(modes.pole) - 1)
     pole = modes.pole[row] + 1j * frame[row]

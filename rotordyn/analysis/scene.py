@@ -15,10 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM
-from rotordyn.analysis.exact_bending import ExactBending, exact_bending
 from rotordyn.analysis.formulation import ROTATING, SOFTENED, told
 from rotordyn.analysis.hysteretic import Hysteretic
-from rotordyn.analysis.shaft import EXACT
 from rotordyn.analysis.specs import Conditions
 from rotordyn.analysis.stability import instability
 from rotordyn.analysis.stage import stage
@@ -73,15 +71,6 @@ class Scene(Statics):
         still = {name for kind in Statics.__mro__ for name in vars(kind)}
         more.solved.update({n: value for n, value in self.solved.items() if n in still})
         return more
-
-    def seen_from(self, ports: tuple[Place, ...]) -> Scene:
-        """The same machine, its motion meant to be good at fewer places; this one if it is known
-        already."""
-        if "rotor" in self.solved:
-            return self
-        own = Scene(self.spindle, self.conditions, self.speed, self.max_frequency, ports)
-        own.solved.update(self.solved)
-        return own
 
     def adopt(self, other: Scene) -> None:
         """Take over what another scene has solved from the same inputs."""
@@ -142,7 +131,7 @@ class Scene(Statics):
     @property
     def resolved_frequency(self) -> float:
         """Highest bending frequency that the elements carry within the accuracy [Hz]."""
-        return math.inf if self.bends_exactly else self.rotor.resolved
+        return self.rotor.resolved
 
     @property
     def _port_nodes(self) -> tuple[int, ...]:
@@ -179,16 +168,6 @@ class Scene(Statics):
     def bending_modes(self) -> Modes:
         """All eigenvalues of the bending system."""
         return self._free_motions("bending", self.bending)
-
-    @stage
-    def exact(self) -> ExactBending:
-        """The shaft without elements at the usable speeds."""
-        return exact_bending(self)
-
-    @property
-    def bends_exactly(self) -> bool:
-        """True where modes and receptances of bending are those of the exact shaft."""
-        return self.conditions.shaft == EXACT
 
     @stage
     def axial(self) -> RodSystem:

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.branches import MARGIN, Branch, home_of, modes_of
+from rotordyn.analysis.branches import MARGIN, Branch, home_of
 from rotordyn.analysis.certificate import swings
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec
@@ -75,7 +75,7 @@ def _growth(scene: Scene, spec: CampbellSpec, home: str, speed: float) -> float:
     other = scene.at(np.array([speed]))
     if any(other.outcome):
         return math.nan
-    modes = modes_of(other, home, spec.max_frequency)
+    modes = other.vibration(home)[1]
     frame = other.bending.frame if home == "bending" else np.zeros(1)
     pole = modes.pole[0] + 1j * frame[0]
     inside = np.abs(pole.imag) < 2.0 * math.pi * MARGIN * spec.max_frequency
