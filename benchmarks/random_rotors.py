@@ -23,10 +23,10 @@ from rotordyn.analysis import campbell, certificate
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions
 from rotordyn.errors import InvalidInput
-from rotordyn.exact.count import modes_below, whirl_frequencies
-from rotordyn.exact.rotor import exact_rotor
 from rotordyn.machine.support import LinearSupport
 from tests.oracles.dense_bending import dense_poles
+from tests.oracles.exact_shaft.count import modes_below, whirl_frequencies
+from tests.oracles.exact_shaft.rotor import exact_rotor
 from tests.oracles.stepped_rotors import stepped_rotor
 
 NO_SEATS = np.zeros((0, 5, 5))

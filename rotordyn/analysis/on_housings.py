@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from rotordyn.analysis.formulation import ROTATING
-from rotordyn.analysis.shaft import EXACT, Modelled
 
 _REFUSED = {
     "stiffness": "the radial stiffness takes no housings: ask frf at a low frequency instead",
@@ -13,21 +12,16 @@ _REFUSED = {
 
 
 def obstacles_on_housings(
-    conditions: Modelled, asked: Iterable[str]
+    formulation: str, asked: Iterable[str]
 ) -> Iterator[tuple[tuple[str, ...], str]]:
     """Where a case asks what housings do not allow, and a sentence."""
     for name in sorted(set(asked) & set(_REFUSED)):
         yield ("analyses", name), _REFUSED[name]
-    if conditions.formulation == ROTATING:
+    if formulation == ROTATING:
         yield (
             ("conditions", "formulation"),
             "a turning frame cannot describe housings, which stand still: given 'rotating'; "
             "allowed: inertial",
-        )
-    if conditions.shaft == EXACT:
-        yield (
-            ("conditions", "shaft"),
-            "the exact shaft takes no housings: given 'exact'; allowed: elements",
         )
 
 

@@ -6,7 +6,6 @@ from collections.abc import Iterable, Iterator, Mapping
 from typing import Protocol
 
 from rotordyn.analysis.formulation import INERTIAL
-from rotordyn.analysis.shaft import EXACT
 from rotordyn.machine.support import GROUND, SPINDLE
 
 _REFUSED = {
@@ -18,8 +17,6 @@ _REFUSED = {
 class Conditioned(Protocol):
     """Conditions, as they are given or as they are read."""
 
-    @property
-    def shaft(self) -> str: ...
     @property
     def formulation(self) -> str: ...
     @property
@@ -39,11 +36,6 @@ def obstacles_of_rotors(
             ("conditions", "formulation"),
             "rotors of different speeds have no common turning frame: given "
             f"'{conditions.formulation}'; allowed: {INERTIAL}",
-        )
-    if conditions.shaft == EXACT:
-        yield (
-            ("conditions", "shaft"),
-            "the exact shaft takes no further rotors: given 'exact'; allowed: elements",
         )
     if conditions.gravity != "none":
         yield (

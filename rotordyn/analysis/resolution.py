@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterator, Mapping
 
 from rotordyn.analysis.display import RPM
-from rotordyn.analysis.shaft import EXACT
 from rotordyn.analysis.specs import Conditions, FrfSpec, Spec, UnbalanceSpec
 from rotordyn.machine.spindle import Spindle
 from rotordyn.system.hierarchic_rotor import half_wave
@@ -33,7 +32,7 @@ def beyond_elements(
     weakest = min(limits, key=lambda name: limits[name])
     limit, mesh = limits[weakest], meshes[weakest]
     for name, highest in asked.items():
-        if highest > limit and not (name == "frf" and conditions.shaft == EXACT):
+        if highest > limit:
             turned = f" ({highest * 2.0 * math.pi * RPM.factor:.0f} rpm)" if name != "frf" else ""
             yield (
                 f"{name} goes up to {highest:.6g} Hz{turned}, and an element of "

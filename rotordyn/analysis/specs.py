@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from typing import Annotated
 
@@ -18,7 +18,6 @@ from rotordyn.analysis.loads import (
     TwistLimit,
     Unbalance,
 )
-from rotordyn.analysis.shaft import ELEMENTS, SHAFT
 from rotordyn.description import Description, ascending, doubled
 from rotordyn.machine.support import Freedom
 from rotordyn.quantity import (
@@ -46,7 +45,6 @@ WEIGHT = ("none", "+x", "-x", "+y", "-y", "+z", "-z")
 MESH_FILES = ("vtu", "vtk", "xdmf", "glb", "stl", "ply", "obj", "off")
 MOST_TEETH = MOST_STEPS = 1000
 QUANTITIES = ("receptance", "mobility", "inertance")
-REDUCED, DIRECT = METHODS = ("reduced", "direct")
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,8 +61,7 @@ class Conditions(Description):
     asked for; the elements follow. ``element_length`` [m]: standard elements no longer than that
     instead, whatever their error.
     ``formulation``: of ``formulation.FORMULATIONS``, how bending is written.
-    ``axial_stiffening``: the axial force in the shaft acts on its bending. ``shaft``: of
-    ``shaft.SHAFT``, how it bends in modes and receptances.
+    ``axial_stiffening``: the axial force in the shaft acts on its bending.
     """
 
     kinematics: Annotated[str, Choice(KINEMATICS)] = "hybrid"
@@ -79,7 +76,6 @@ class Conditions(Description):
     element_length: Length | None = None
     formulation: Annotated[str, Choice(FORMULATIONS)] = INERTIAL
     axial_stiffening: bool = True
-    shaft: Annotated[str, Choice(SHAFT)] = ELEMENTS
 
     @property
     def law(self) -> Law:
@@ -179,22 +175,6 @@ class MeasuredResponse(Description):
             yield NO_RESPONSE
 
 
-BENDS = {"bending"}
-
-
-def not_direct(asked: Collection[str], coupled: Collection[str]) -> str:
-    """Why responses of the motions ``asked`` are not given directly, where some are ``coupled`` to
-    one another or to housings; empty where they are."""
-    others = ["axial motion" if name == "axial" else name for name in sorted(set(asked) - BENDS)]
-    if BENDS & set(coupled):
-        why = "and supports or housings join it to more here"
-    elif others:
-        why = f"not {' and '.join(others)}"
-    else:
-        return ""
-    return f"method direct answers bending by itself, {why}: take method: reduced"
-
-
 @dataclass(frozen=True, slots=True)
 class FrfSpec(Description):
     """Responses between ``pairs`` (response, excitation) at every speed and frequency [Hz].
@@ -202,10 +182,7 @@ class FrfSpec(Description):
     ``quantity``: of ``QUANTITIES``: displacement, velocity or acceleration over force. ``measured``
     is laid over what is computed.
     ``slices``: speeds [rad/s] at which curves are drawn and UFF58 records written (nearest speed
-    of the case); none given = the lowest and the highest. ``method``: of ``METHODS``, ``"reduced"``
-    (modes and static answers, with an estimate of what they leave out) or ``"direct"`` (the
-    assembled matrices at every frequency; bending only). A rigid rotor and the exact shaft
-    (``Conditions``) leave nothing out, whatever the method.
+    of the case); none given = the lowest and the highest.
     """
 
     frequencies: tuple[Frequency, ...]
@@ -213,7 +190,6 @@ class FrfSpec(Description):
     slices: tuple[Speed, ...] = ()
     quantity: Annotated[str, Choice(QUANTITIES)] = QUANTITIES[0]
     measured: tuple[MeasuredResponse, ...] = ()
-    method: Annotated[str, Choice(METHODS)] = REDUCED
 
     def _faults(self) -> Iterator[str]:
         if not self.frequencies or not self.pairs:

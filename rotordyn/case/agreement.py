@@ -10,9 +10,7 @@ from rotordyn.analysis.formulation import ROTATING, turned
 from rotordyn.analysis.on_housings import directions_on_housings, obstacles_on_housings
 from rotordyn.analysis.on_joints import obstacles_of_joints
 from rotordyn.analysis.on_rotors import joined_along, obstacles_of_rotors
-from rotordyn.analysis.shaft import obstacles
 from rotordyn.analysis.specs import (
-    DIRECT,
     QUANTITIES,
     CampbellSpec,
     Conditions,
@@ -22,7 +20,6 @@ from rotordyn.analysis.specs import (
     Spec,
     StiffnessSpec,
     UnbalanceSpec,
-    not_direct,
 )
 from rotordyn.case.loads import misplaced, misplaced_unbalance, overheld, rotors_of, unheld
 from rotordyn.description import ascending
@@ -141,11 +138,11 @@ def housings_agree(
         yield f"{'.'.join(way)}: {sentence}"
     if spindle.seats:
         yield from joined_along(spindle.supports)
-    for way, sentence in obstacles_of_joints(conditions, analyses) if spindle.joints else ():
+    for way, sentence in obstacles_of_joints(analyses) if spindle.joints else ():
         yield f"{'.'.join(way)}: {sentence}"
     if not spindle.housings:
         return
-    for way, sentence in obstacles_on_housings(conditions, analyses):
+    for way, sentence in obstacles_on_housings(conditions.formulation, analyses):
         yield f"{'.'.join(way)}: {sentence}"
     named = {name for housing in spindle.housings for name in housing.directions}
     loaded = conditions.axial_force != 0.0 or conditions.gravity != "none"
@@ -182,8 +179,6 @@ def _machine(spindle: Spindle, conditions: Conditions) -> Iterator[str]:
     if free and not spindle.seats:
         axes = " and ".join(free)
         yield f"the shaft is not held: no bearings, no support with stiffness along {axes}"
-    for sentence in obstacles(conditions, spindle.damped, spindle.loss_factor, spindle.supports):
-        yield f"conditions.shaft: {sentence}"
     longest = conditions.element_length
     least = (spindle.shaft.end - spindle.shaft.start) / MOST_ELEMENTS
     if longest is not None and longest < least:
@@ -213,9 +208,6 @@ def _question(name: str, spec: Spec, spindle: Spindle, conditions: Conditions) -
 def _frf(name: str, spec: FrfSpec, spindle: Spindle, conditions: Conditions) -> Iterator[str]:
     if spec.quantity != QUANTITIES[0] and conditions.formulation == ROTATING:
         yield f"{name}: quantity: {turned(spec.quantity)}"
-    asked = {MOTIONS[port.direction] for pair in spec.pairs for port in pair}
-    if spec.method == DIRECT and (why := not_direct(asked, _coupled(spindle))):
-        yield f"{name}: method: {why}"
     for point in {port.point: None for pair in spec.pairs for port in pair}:
         yield from _exists(point, spindle.places, f"{name}: unknown point")
     for pair in spec.pairs:

@@ -11,6 +11,7 @@ from pydantic_core import ErrorDetails
 from rotordyn import units
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import UNKNOWN, Node
+from rotordyn.case.retired import RETIRED
 from rotordyn.quantity import suggestion
 
 M = TypeVar("M", bound=BaseModel)
@@ -77,6 +78,8 @@ def _report(
 def _unknown_key(model: type[BaseModel], keys: tuple[int | str, ...]) -> str:
     allowed = _keys_at(model, keys[:-1])
     given = str(keys[-1])
+    if sentence := RETIRED.get((str(keys[-2]) if len(keys) > 1 else "", given)):
+        return sentence
     listed = ", ".join(allowed[:_LISTED]) + (", …" if len(allowed) > _LISTED else "")
     return f"unknown key: given {units.shown(given)}; allowed: {listed or 'no keys'}" + suggestion(
         given, allowed

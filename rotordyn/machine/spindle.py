@@ -210,12 +210,6 @@ class Spindle(Description):
         shaft."""
         yield from off_the_shaft(self.shaft, placed)
 
-    def at_speed(self, speed: float) -> Spindle:
-        """This machine with its supports as they are at ``speed`` [rad/s]."""
-        if not any(support.speeds for support in self.supports):
-            return self
-        return replace(self, supports=tuple(support.at(speed) for support in self.supports))
-
     @property
     def lumped(self) -> tuple[PointMass, ...]:
         """Point masses and discs, all as point masses."""

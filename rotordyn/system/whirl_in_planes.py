@@ -29,11 +29,6 @@ def planes_of_whirl(both_ways: Values) -> tuple[Values, Values]:
     return planes_of(ahead, back.conj())
 
 
-def whirl_of(y: Values, z: Values) -> Complex:
-    """Whirl at ω, then at −ω (…, 2f), of motion in the planes (…, f)."""
-    return np.concatenate([y + 1j * z, (y - 1j * z).conj()], axis=-1)
-
-
 def receptance_in_planes(
     both_ways: Complex, turns: NDArray[np.intp], planar: NDArray[np.bool_]
 ) -> Complex:

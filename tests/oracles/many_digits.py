@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from decimal import Decimal, localcontext
 
-from rotordyn.exact.rotor import ExactRotor
+from tests.oracles.exact_shaft.rotor import ExactRotor
 
 DIGITS = 60
 Column = list[Decimal]

@@ -195,13 +195,6 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
     "nothing couples axial motion and bending": lambda: case(
         analyses={"frf": FrfSpec((1.0,), ((Port("tip", "x"), TIP),))}
     ),
-    "frf: method: method direct answers bending by itself, not axial motion": lambda: case(
-        analyses={"frf": FrfSpec((1.0,), ((Port("tip", "x"),) * 2,), method="direct")}
-    ),
-    "and supports or housings join it to more here": lambda: case(
-        spindle=spindle(supports=(replace(SUPPORT, stiffness={("x", "y"): 1.0}),)),
-        analyses={"frf": FrfSpec((1.0,), ((TIP, TIP),), method="direct")},
-    ),
     "couples plane y or the axis to other motions .yz.": lambda: case(
         spindle=spindle(supports=(replace(SUPPORT, stiffness={("y", "z"): 1.0}),)),
         analyses={"stiffness": StiffnessSpec("tip")},

@@ -12,13 +12,14 @@ from rotordyn.analysis import campbell
 from rotordyn.analysis.accuracy import frequency_error
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec
-from rotordyn.exact.count import modes_below, whirl_frequencies
-from rotordyn.exact.rotor import exact_rotor
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from rotordyn.system.mesh import build_mesh
+from tests.oracles.exact_shaft.bending import exact_poles, exact_receptance
+from tests.oracles.exact_shaft.count import modes_below, whirl_frequencies
+from tests.oracles.exact_shaft.rotor import exact_rotor
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.rotors import support, uniform
 from tests.oracles.spindles import answers, mfw2310, pairs, scene, undamped, with_sleeve
@@ -72,8 +73,8 @@ def test_poles_of_uneven_supports_move_as_told(accuracy: float | None, damped: b
         asked = {"accuracy": accuracy} if accuracy else {"element_length": spindle.shaft.end / 60.0}
         speed = np.array([100.0 * highest / 60.0])
         found = Scene(spindle, Conditions(**asked), speed, highest)  # type: ignore[arg-type]
-        exact = Scene(spindle, Conditions(shaft="exact"), speed, highest)
-        truth = exact.exact.modes(exact.bending_modes, 2.0 * math.pi * highest).pole[0]
+        fine = Scene(spindle, Conditions(accuracy=1e-6), speed, highest)
+        truth = exact_poles(fine, highest)[0]
         pole = found.bending_modes.pole[0]
         band = (pole.imag > 0.02 * math.pi * highest) & (pole.imag < 1.98 * math.pi * highest)
         column = np.flatnonzero(band & (np.abs(pole.real) < pole.imag))
@@ -95,10 +96,10 @@ def test_receptances_of_the_spindle(accuracy: float) -> None:
     }
     spindle = mfw2310(rotor_damping=())
     found = answers(spindle, (0, 24000), asked, accuracy=accuracy)["frf"]
-    exact = answers(spindle, (0, 24000), asked, shaft="exact")["frf"]
-    assert (exact.error == 0.0).all()
-    peak = np.abs(exact.receptance).max(axis=-1)
-    error = (np.abs(found.receptance - exact.receptance).max(axis=-1) / peak).max(axis=0)
+    spec = asked["frf"]
+    exact = exact_receptance(scene(spindle, (0, 24000)), spec.pairs, np.array(spec.frequencies))
+    peak = np.abs(exact).max(axis=-1)
+    error = (np.abs(found.receptance - exact).max(axis=-1) / peak).max(axis=0)
     assert error.max() <= accuracy
     assert np.abs(np.log(found.error / error)).max() < math.log(3.0)
 
@@ -113,8 +114,7 @@ def test_drawbar_and_sprung_sleeve_are_told_of(what: str, accuracy: float) -> No
     else:
         spindle = with_sleeve(spindle, "rear", radial_stiffness=3e8)
     found = scene(spindle, (0, 24000), accuracy=accuracy)
-    exact = scene(spindle, (0, 24000), accuracy=accuracy, shaft="exact")
-    truth = exact.exact.modes(exact.bending_modes, 2.0 * math.pi * 4400.0).pole
+    truth = exact_poles(found, 4400.0)
     for row, pole in enumerate(found.bending_modes.pole):
         size = np.abs(pole.imag)
         column = np.flatnonzero((size < 8000.0 * math.pi) & (size > 100.0))
@@ -189,11 +189,6 @@ def test_free_rotors_have_an_error_of_their_receptances() -> None:
     assert abs(math.log(rough.error[0] / error)) < math.log(3.0)
 
 
-def test_no_mode_in_the_band_of_the_exact_shaft() -> None:
-    found = answers(mfw2310(rotor_damping=()), (0,), {"campbell": CampbellSpec(1.0)}, shaft="exact")
-    assert not found["campbell"].mode
-
-
 @pytest.mark.parametrize("thin", [1e-6, 1e-3])
 def test_a_low_band_keeps_its_digits_beside_stiff_sections(thin: float) -> None:
     """Far below all that bends, and a section whose stiffness drowns the band in rounding."""
@@ -206,8 +201,9 @@ def test_a_low_band_keeps_its_digits_beside_stiff_sections(thin: float) -> None:
     ]
     spindle = Spindle("short", Shaft(0.0, sections), supports=tuple(held), points={"nose": 0.0})
     asked = {"frf": FrfSpec((0.01,), pairs("nose.y/nose.y"))}
-    found, exact = (answers(spindle, (0,), asked, shaft=s)["frf"] for s in ("elements", "exact"))
-    assert found.receptance == pytest.approx(exact.receptance, rel=1e-5)
+    found = answers(spindle, (0,), asked)["frf"]
+    exact = exact_receptance(scene(spindle, (0,)), asked["frf"].pairs, np.array([0.01]))
+    assert found.receptance == pytest.approx(exact, rel=1e-5)
 
 
 def test_planes_that_nothing_couples_have_no_error_between_them() -> None:

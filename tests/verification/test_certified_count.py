@@ -14,8 +14,6 @@ from rotordyn.analysis import campbell
 from rotordyn.analysis.certificate import certificate
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions
-from rotordyn.exact.count import modes_below, whirl_frequencies
-from rotordyn.exact.rotor import exact_rotor
 from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.housing import RigidHousing
 from rotordyn.machine.joint import Joint
@@ -27,6 +25,8 @@ from rotordyn.system.hierarchy import Hierarchy
 from rotordyn.system.leakage import Leakage
 from rotordyn.system.mesh import build_mesh
 from rotordyn.system.unreduced import MaterialDamping
+from tests.oracles.exact_shaft.count import modes_below, whirl_frequencies
+from tests.oracles.exact_shaft.rotor import exact_rotor
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.rotors import STEEL, support, uniform
 from tests.oracles.spindles import RPM, mfw2310

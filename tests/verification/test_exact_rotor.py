@@ -9,12 +9,12 @@ import pytest
 from scipy.linalg import expm
 
 from rotordyn.errors import InvalidInput
-from rotordyn.exact.count import modes_below, whirl_frequencies
-from rotordyn.exact.poles import exact_mode
-from rotordyn.exact.rotor import exact_rotor
-from rotordyn.exact.segment import Segments, transfer
 from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
+from tests.oracles.exact_shaft.count import modes_below, whirl_frequencies
+from tests.oracles.exact_shaft.poles import exact_mode
+from tests.oracles.exact_shaft.rotor import exact_rotor
+from tests.oracles.exact_shaft.segment import Segments, transfer
 from tests.oracles.rotors import STEPPED, support, uniform
 from tests.oracles.spinning_beam import PinnedBeam
 from tests.oracles.stepped_rotors import stepped_rotor

@@ -1,4 +1,4 @@
-"""A case whose shaft is exact: elements converge to it, no mode is missed, none is invented."""
+"""The exact shaft and the shaft of elements: these converge to it, every mode is there once."""
 
 from __future__ import annotations
 
@@ -9,20 +9,28 @@ from typing import Any
 
 import numpy as np
 import pytest
+from scipy.optimize import linear_sum_assignment
 
 from rotordyn.analysis import campbell, frf
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec
 from rotordyn.errors import InvalidInput
-from rotordyn.exact.box import Box, poles_inside
-from rotordyn.exact.count import modes_below
-from rotordyn.exact.rotor import exact_rotor
-from rotordyn.exact.shooting import Shooting
-from rotordyn.exact.spectrum import modes_inside
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from rotordyn.system.mesh import Mesh, station_mesh
+from rotordyn.system.whirl_in_planes import planes_of
+from tests.oracles.exact_shaft.bending import (
+    exact_modes,
+    exact_poles,
+    exact_receptance,
+    exact_rotors,
+)
+from tests.oracles.exact_shaft.box import Box, poles_inside
+from tests.oracles.exact_shaft.count import modes_below
+from tests.oracles.exact_shaft.rotor import exact_rotor
+from tests.oracles.exact_shaft.shooting import Shooting
+from tests.oracles.exact_shaft.spectrum import modes_inside
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.rotors import STEPPED, support, uniform
 from tests.oracles.spindles import mfw2310, pairs, scene, undamped, with_sleeve
@@ -96,11 +104,10 @@ def in_elements(parts: int) -> list[tuple[np.ndarray, np.ndarray]]:
 @pytest.mark.parametrize("row", range(len(SPEEDS)), ids=["rest", "24000 rpm"])
 def test_elements_converge_to_it_with_order_two(row: int) -> None:
     """Halving every element leaves a quarter of the error, in every pole and receptance."""
-    found = scene(MACHINES["plain"], SPEEDS, shaft="exact")
-    asked = FrfSpec(tuple(FREQUENCY), pairs(*PAIRS))
-    exact_h = frf.answer(found, asked).receptance[row]
-    modes = found.exact.modes(found.bending_modes, HZ * 3600.0)
-    exact = modes.pole[row][np.isfinite(modes.pole[row])]
+    found = scene(MACHINES["plain"], SPEEDS)
+    exact_h = exact_receptance(found, pairs(*PAIRS), FREQUENCY)[row]
+    pole = exact_poles(found, 3600.0)[row]
+    exact = pole[np.isfinite(pole)]
     exact = np.where(exact.imag < 0.0, exact.conj(), exact)
     errors, errors_h = [], []
     for parts in (2, 4, 8):
@@ -118,44 +125,41 @@ def test_elements_converge_to_it_with_order_two(row: int) -> None:
 
 @pytest.mark.parametrize("name", MACHINES)
 def test_fine_elements_agree(name: str) -> None:
-    """Names, frequencies, damping and receptances, whatever couples planes, sleeves and bar."""
-    spec = FrfSpec(tuple(FREQUENCY), pairs(*PAIRS))
-    found = []
-    for shaft in ("elements", "exact"):
-        ports = tuple(MACHINES[name].points.values())
-        own = scene(MACHINES[name], SPEEDS, 3500.0, ports, shaft=shaft, element_length=0.003)
-        found.append((campbell.answer(own, CampbellSpec(3500.0)), frf.answer(own, spec)))
-    (plain, plain_h), (exact, exact_h) = found
-    assert plain.mode == exact.mode
-    assert np.nanmax(np.abs(plain.frequency / exact.frequency - 1.0)) < 1e-4
-    assert np.nanmax(np.abs(plain.damping_ratio - exact.damping_ratio)) < 1e-5
-    np.testing.assert_array_equal(plain.whirl, exact.whirl)
-    size = np.abs(exact_h.receptance).max(axis=(0, 2), keepdims=True)
-    assert np.abs(plain_h.receptance - exact_h.receptance).max() < 0.02 * size.max()
-    for pair in range(len(PAIRS)):
-        gap = np.abs(plain_h.receptance - exact_h.receptance)[:, pair].max()
-        assert gap <= 0.01 * size[0, pair, 0]
+    """Poles, how many there are, and receptances, whatever couples planes, sleeves and bar."""
+    ports = tuple(MACHINES[name].points.values())
+    own = scene(MACHINES[name], SPEEDS, 3500.0, ports, element_length=0.003)
+    result = campbell.answer(own, CampbellSpec(3500.0, shapes=False))
+    bends = [kind == "bending" for kind in result.kind]
+    for row, exact in enumerate(exact_poles(own, 3600.0)):
+        ratio, turning = result.damping_ratio[row, bends], HZ * result.frequency[row, bends]
+        found = turning * (1j - ratio / np.sqrt(1.0 - ratio**2))
+        found = found[turning < HZ * 3500.0]
+        truth = exact[np.isfinite(exact)].real + 1j * np.abs(exact[np.isfinite(exact)].imag)
+        gap = np.abs(truth[:, None] - found) / np.abs(found)
+        assert len(found) == (truth.imag < HZ * 3500.0).sum() >= 7
+        assert gap[linear_sum_assignment(gap)].max() < 1e-4
+    plain_h = frf.answer(own, FrfSpec(tuple(FREQUENCY), pairs(*PAIRS))).receptance
+    exact_h = exact_receptance(own, pairs(*PAIRS), FREQUENCY)
+    size = np.abs(exact_h).max(axis=(0, 2))
+    assert (np.abs(plain_h - exact_h).max(axis=(0, 2)) <= 0.01 * size).all()
 
 
 def test_shapes_are_those_of_the_elements() -> None:
-    """Scaled to a largest translation of one; in isotropic bearings up to a quarter turn."""
-    shapes = []
-    for shaft in ("elements", "exact"):
-        own = scene(MACHINES["uneven"], SPEEDS, 3500.0, shaft=shaft, element_length=0.003)
-        shapes.append(campbell.answer(own, CampbellSpec(3500.0)).shape)
-    assert np.abs(shapes[0] - shapes[1]).max() < 1e-3
-
-
-def test_turning_frame_sees_the_same_poles_shifted() -> None:
-    found = [
-        campbell.answer(
-            scene(MACHINES["plain"], SPEEDS, shaft="exact", formulation=formulation),
-            CampbellSpec(3000.0),
-        )
-        for formulation in ("inertial", "rotating")
-    ]
-    fixed, turning = (r.frequency[1, [n == "bending 1 forward" for n in r.mode]][0] for r in found)
-    assert turning == pytest.approx(abs(fixed - SPEEDS[1] / 60.0), rel=1e-10)
+    """Parallel to those of the poles nearest, in both planes."""
+    own = scene(MACHINES["uneven"], SPEEDS, 3500.0, element_length=0.003)
+    result = campbell.answer(own, CampbellSpec(3500.0))
+    poles, shapes = exact_modes(own, 3500.0, result.node)
+    for row, (pole, shape) in enumerate(zip(poles, shapes, strict=True)):
+        planes = planes_of(shape[..., 0], shape[..., 2])
+        for k in (k for k, kind in enumerate(result.kind) if kind == "bending"):
+            frequency = HZ * result.frequency[row, k]
+            if not frequency < HZ * 3500.0:
+                continue
+            nearest = int(np.nanargmin(np.abs(pole.imag - frequency)))
+            truth = np.concatenate([plane[nearest] for plane in planes])
+            seen = np.concatenate([result.shape[row, k, :, way] for way in (1, 2)])
+            share = abs(np.vdot(truth, seen)) ** 2
+            assert share > (1.0 - 1e-6) * (np.linalg.norm(truth) * np.linalg.norm(seen)) ** 2
 
 
 # --- closed forms under axial force ------------------------------------------------------------
@@ -208,17 +212,15 @@ def rough_elements(spindle: Spindle) -> Conditions:
     return Conditions(element_length=spindle.shaft.end / 100.0)
 
 
-def random_scenes(seed: int, isotropic: bool, damped: bool) -> tuple[Scene, Scene, float]:
-    """In elements of high degree, and exact; and the highest frequency of interest [Hz]."""
+def random_scene(seed: int, isotropic: bool, damped: bool) -> tuple[Scene, float]:
+    """In elements of high degree, and the highest frequency of interest [Hz]."""
     rng = np.random.default_rng(seed)
     spindle = stepped_rotor(rng, isotropic=isotropic, damped=damped)
     rough = Scene(spindle, rough_elements(spindle), np.zeros(1), 10.0).bending_modes.pole[0].imag
     lowest = np.sort(np.abs(rough[np.abs(rough) > 1e-3]))[::2] / HZ
     highest = 1.6 * float(lowest[min(7, len(lowest) - 1)])
     speed = np.array([rng.uniform(0.0, 5.0) * HZ * lowest[0]])
-    fine = Conditions(accuracy=1e-6)
-    exact = Conditions(shaft="exact")
-    return (*(Scene(spindle, c, speed, highest) for c in (fine, exact)), highest)  # type: ignore[return-value]
+    return Scene(spindle, Conditions(accuracy=1e-6), speed, highest), highest
 
 
 def vibrations(pole: np.ndarray, isotropic: bool, highest: float) -> np.ndarray:
@@ -233,9 +235,8 @@ def vibrations(pole: np.ndarray, isotropic: bool, highest: float) -> np.ndarray:
 @pytest.mark.parametrize("seed", range(6))
 def test_random_rotors(seed: int, isotropic: bool, damped: bool) -> None:
     """Every pole of fine elements is found, and every pole found is one of theirs."""
-    fine, exact, highest = random_scenes(seed, isotropic, damped)
-    theirs, start = fine.bending_modes.pole[0], exact.bending_modes
-    ours = exact.exact.modes(start, HZ * highest).pole[0]
+    fine, highest = random_scene(seed, isotropic, damped)
+    theirs, ours = fine.bending_modes.pole[0], exact_poles(fine, highest)[0]
     for one, other in ((ours, theirs), (theirs, ours)):
         sought = vibrations(one, isotropic, highest * 0.99)
         assert len(sought) >= 3
@@ -268,7 +269,7 @@ def test_starts_only_save_time(seed: int, damped: bool) -> None:
 def test_both_counts_agree() -> None:
     """Signs of the dynamic stiffness and turns of the determinant, sleeves and bar included."""
     for name in ("plain", "sprung sleeves", "drawbar"):
-        own = scene(undamped(MACHINES[name]), (0.0,), shaft="exact").exact.rotors[0]
+        own = exact_rotors(scene(undamped(MACHINES[name]), (0.0,)))[0]
         own = replace(own, spin=2500.0)
         fine = own.up_to(HZ * 4000.0)
         for low, high in ((100.0, 20000.0), (-20000.0, -100.0)):
@@ -300,25 +301,23 @@ def test_modes_that_coincide_have_their_own_vectors() -> None:
 def test_reciprocity_at_rest() -> None:
     """All matrices are symmetric there: response and excitation may change places."""
     even = replace(UNEVEN, stiffness={**UNEVEN.stiffness, ("z", "y"): 3e7})
-    found = scene(flagship(supports=(even,)), (0.0,), shaft="exact")
+    found = scene(flagship(supports=(even,)), (0.0,))
     there = pairs("Oc2.y/O3.thz", "Oc2.z/Oc1.y", "O1.thy/Oc2.thz")
     back = tuple((excitation, response) for response, excitation in there)
-    spec = FrfSpec(tuple(FREQUENCY), there + back)
-    h = frf.answer(found, spec).receptance[0]
+    h = exact_receptance(found, there + back, FREQUENCY)[0]
     np.testing.assert_allclose(h[:3], h[3:], rtol=1e-8)
 
 
 @pytest.mark.parametrize("name", ["plain", "uneven"])
 def test_static_limit_is_the_flexibility(name: str) -> None:
     """Elements of any length are exact there, without axial force."""
-    found = scene(MACHINES[name], SPEEDS, shaft="exact", axial_stiffening=False)
-    spec = FrfSpec((1e-4,), pairs(*PAIRS))
-    h = frf.answer(found, spec).receptance[..., 0]
+    found = scene(MACHINES[name], SPEEDS, axial_stiffening=False)
+    h = exact_receptance(found, pairs(*PAIRS), np.array([1e-4]))[..., 0]
     mesh = station_mesh(found.spindle)
     for row in range(len(SPEEDS)):
         full = FullRotor(found.spindle, mesh, found.seat_stiffness[row], found.speed[row])
         flexibility = np.linalg.inv(full.stiffness)
-        for k, (response, excitation) in enumerate(spec.pairs):
+        for k, (response, excitation) in enumerate(pairs(*PAIRS)):
             points = found.spindle.points
             i = full.row(points[response.point], response.direction)
             j = full.row(points[excitation.point], excitation.direction)
@@ -328,36 +327,20 @@ def test_static_limit_is_the_flexibility(name: str) -> None:
 
 def test_weight_varies_along_the_shaft() -> None:
     """A hanging shaft: fine elements, each with its mean force, and pieces of the same mesh."""
-    found = [
-        campbell.answer(
-            scene(MACHINES["plain"], (0.0,), shaft=s, gravity="-x", element_length=0.003),
-            CampbellSpec(2000.0),
-        ).frequency
-        for s in ("elements", "exact")
-    ]
-    assert found[0] == pytest.approx(found[1], rel=2e-5)
+    own = scene(MACHINES["plain"], (0.0,), gravity="-x", element_length=0.003)
+    found = campbell.answer(own, CampbellSpec(2000.0, shapes=False))
+    frequency = np.sort(found.frequency[0, [kind == "bending" for kind in found.kind]])
+    inside = frequency[frequency < 2000.0]
+    exact = np.sort(np.abs(exact_poles(own, 2000.0)[0].imag)) / HZ
+    assert inside == pytest.approx(exact[: len(inside)], rel=2e-5)
 
 
 # --- what it cannot be -------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
-    ("changes", "word"),
-    [
-        ({"rotor": "rigid"}, "a rigid rotor does not bend"),
-        ({"formulation": "fixed-frame softening"}, "a term of the elements"),
-    ],
-)
-def test_conditions_that_contradict_it(changes: dict[str, str], word: str) -> None:
-    with pytest.raises(InvalidInput, match=word):
-        campbell.answer(
-            scene(MACHINES["plain"], (0.0,), shaft="exact", **changes), CampbellSpec(1000.0)
-        )
-
-
 def test_modal_damping_and_coupled_motions_are_refused() -> None:
     with pytest.raises(InvalidInput, match="no modes to damp one by one"):
-        campbell.answer(scene(mfw2310(), (0.0,), shaft="exact"), CampbellSpec(1000.0))
+        exact_rotors(scene(mfw2310(), (0.0,)))
     joined = flagship(supports=(LinearSupport("s", 0.2, {("x", "y"): 1e7}),))
-    with pytest.raises(InvalidInput, match="couples bending with another motion"):
-        scene(joined, (0.0,), shaft="exact").exact.modes(None, 1.0)  # type: ignore[arg-type]
+    with pytest.raises(InvalidInput, match="couples bending"):
+        exact_rotors(scene(joined, (0.0,)))

@@ -596,11 +596,6 @@ def test_estimated_errors_are_those_without_losses_nearly() -> None:
     np.testing.assert_allclose(errors[0], errors[1], rtol=0.05)
 
 
-def test_exact_shaft_takes_none() -> None:
-    with pytest.raises(InvalidInput, match="without loss factors"):
-        modes(disc(), [0.0], shaft="exact")
-
-
 def test_refused_by_a_description() -> None:
     skew = {("y", "y"): 1e6, ("z", "z"): 1e6, ("y", "z"): 2e5, ("z", "y"): -2e5}
     with pytest.raises(InvalidInput, match="not symmetric: given yz 200000 and zy -200000"):

@@ -14,7 +14,6 @@ from bearings import Material
 from rotordyn.analysis import CampbellSpec, Conditions
 from rotordyn.analysis.registry import answer_spindle
 from rotordyn.analysis.results import CampbellResult
-from rotordyn.errors import InvalidInput
 from rotordyn.machine import LinearSupport, RayleighDamping, Section, Shaft, Spindle
 from rotordyn.machine.inertia import rotor_inertia
 from tests.oracles.spindles import RPM
@@ -72,11 +71,6 @@ def test_it_adds_to_modal_damping() -> None:
     swinging = alone.frequency[0] > 100.0
     added = both.damping_ratio[0, swinging] - alone.damping_ratio[0, swinging]
     assert added == pytest.approx(0.01, rel=1e-5)
-
-
-def test_exact_shaft_takes_none() -> None:
-    with pytest.raises(InvalidInput, match=r"and damping\.rayleigh out"):
-        modes(bar(1e6), 100.0, shaft="exact")
 
 
 def test_read_from_a_case(tmp_path: Path) -> None:

@@ -24,14 +24,14 @@ from rotordyn.analysis.specs import (
     UnbalanceSpec,
 )
 from rotordyn.errors import InvalidInput
-from rotordyn.exact.count import whirl_frequencies
-from rotordyn.exact.rotor import exact_rotor
 from rotordyn.machine.housing import RigidHousing
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.system import mesh
 from tests.oracles.dense_bending import dense_poles
+from tests.oracles.exact_shaft.count import whirl_frequencies
+from tests.oracles.exact_shaft.rotor import exact_rotor
 from tests.oracles.rotors import STEEL, support, uniform
 from tests.oracles.spindles import RPM, pairs
 from tests.verification.test_soft_springs import encloses
@@ -105,19 +105,17 @@ def test_sections_of_a_millionfold_stiffness(thick: int) -> None:
         assert encloses(exact, lowest, 1e-10)
 
 
-@pytest.mark.parametrize("shaft", ["elements", "exact"])
 @pytest.mark.parametrize("share", [1e-300, 1.4e-7, 1.6e-7, 1e-6])
-def test_a_piece_of_a_millionth_of_the_length(share: float, shaft: str) -> None:
+def test_a_piece_of_a_millionth_of_the_length(share: float) -> None:
     """Cut where nothing changes, at any length: no frequency moves."""
-    whole = modes(row(Section(0.5, 0.05, 0.0, STEEL)), shaft=shaft, accuracy=1e-6)
+    whole = modes(row(Section(0.5, 0.05, 0.0, STEEL)), accuracy=1e-6)
     cut = [Section(h, 0.05, 0.0, STEEL) for h in (0.2, 0.5 * share, 0.3 - 0.5 * share)]
-    found = modes(row(*cut), shaft=shaft, accuracy=1e-6)
+    found = modes(row(*cut), accuracy=1e-6)
     assert bending(found) == pytest.approx(bending(whole), rel=3e-7)
     assert found.certified.all()
 
 
-@pytest.mark.parametrize("shaft", ["elements", "exact"])
-def test_stations_a_nanometre_apart_are_one(shaft: str) -> None:
+def test_stations_a_nanometre_apart_are_one() -> None:
     """Two supports, masses and points there: one of the sum."""
     twice = on_two(
         supports=tuple(
@@ -128,17 +126,16 @@ def test_stations_a_nanometre_apart_are_one(shaft: str) -> None:
         masses=tuple(PointMass(f"m{k}", 0.2 + 1e-9 * k, 1.5) for k in (0, 1)),
     )
     once = on_two(masses=(PointMass("m", 0.2, 3.0),))
-    both = [modes(spindle, shaft=shaft) for spindle in (twice, once)]
+    both = [modes(spindle) for spindle in (twice, once)]
     assert bending(both[0]) == pytest.approx(bending(both[1]), rel=1e-9)
-    near = [receptance(seen(s, shaft=shaft), 10.0, 400.0) for s in (twice, once)]
+    near = [receptance(seen(s), 10.0, 400.0) for s in (twice, once)]
     assert near[0] == pytest.approx(near[1], rel=1e-6)
 
 
-@pytest.mark.parametrize("shaft", ["elements", "exact"])
 @pytest.mark.parametrize(
     ("length", "young", "density"), [(-7, 0, 0), (6, 26, -2), (0, -30, -36), (0, -30, 26)]
 )
-def test_units_do_not_matter(length: int, young: int, density: int, shaft: str) -> None:
+def test_units_do_not_matter(length: int, young: int, density: int) -> None:
     """Lengths × 2ᵃ, E × 2ᵇ, ρ × 2ᶜ: frequencies go by 2^(b/2 − c/2 − a)."""
     scale = 2.0**length
     material = Material("m", 2.1e11 * 2.0**young, 0.3, 7800.0 * 2.0**density)
@@ -148,8 +145,8 @@ def test_units_do_not_matter(length: int, young: int, density: int, shaft: str) 
     faster = 2.0 ** (young / 2.0 - density / 2.0 - length)
     top = 2000.0 * faster
     plain, scaled = (
-        modes(on_two(), shaft=shaft),
-        modes(bar, (0.0, 500.0 * faster), top, shaft=shaft),
+        modes(on_two()),
+        modes(bar, (0.0, 500.0 * faster), top),
     )
     assert scaled.mode == plain.mode
     assert scaled.frequency == pytest.approx(plain.frequency * faster, rel=1e-8)
@@ -179,12 +176,6 @@ def test_more_sections_than_fit_are_refused_before_any_matrix(
         assert tracemalloc.get_traced_memory()[1] < 20e6
     finally:
         tracemalloc.stop()
-
-
-def test_the_exact_shaft_of_too_many_pieces_is_refused() -> None:
-    thin = Section(5e-5, 0.05, 0.0, STEEL)
-    with pytest.raises(InvalidInput, match=r"given 100\d\d; allowed: up to 2999; .*elements"):
-        modes(row(*[thin] * 10_000), (0.0,), 200.0, shaft="exact")
 
 
 def test_waves_shorter_than_matrices_hold_are_refused() -> None:

@@ -74,14 +74,13 @@ def halfway(rpm: float) -> LinearSupport:
     return LinearSupport("film", 0.03, *own)
 
 
-@pytest.mark.parametrize("shaft", ["elements", "exact"])
-def test_every_speed_is_a_machine_of_its_own(shaft: str) -> None:
-    whole = scene(on(TABLED, OTHER), RPMS, shaft=shaft)
+def test_every_speed_is_a_machine_of_its_own() -> None:
+    whole = scene(on(TABLED, OTHER), RPMS)
     spec = FrfSpec(FREQUENCY, pairs("nose.y/tip.y", "nose.z/tip.y", "tip.thy/nose.z"))
     curves = frf.answer(whole, spec).receptance
     for row, rpm in enumerate(RPMS):
         fastest = sorted({rpm, RPMS[-1]})  # whose coordinates are those of the whole
-        alone = scene(on(halfway(rpm), OTHER), tuple(fastest), shaft=shaft)
+        alone = scene(on(halfway(rpm), OTHER), tuple(fastest))
         own = frf.answer(alone, spec).receptance[0]
         assert np.abs(curves[row] - own).max() < 1e-8 * np.abs(own).max()
         ours, theirs = (np.sort_complex(p) for p in (whole.bending_modes.pole[row], poles(alone)))
@@ -109,9 +108,7 @@ def test_rigid_rotor_follows_its_supports() -> None:
         )
     )
     speed = np.linspace(0.0, 800.0, 5)
-    found = Scene(
-        replace(rotor, supports=pair), Conditions(rotor="rigid", shaft="elements"), speed, 500.0
-    )
+    found = Scene(replace(rotor, supports=pair), Conditions(rotor="rigid"), speed, 500.0)
     k = 1e6 + 1e4 * speed
     bounce = np.sqrt(2.0 * k / body.mass)
     half = 0.5 * body.polar / body.diametral * speed
@@ -400,5 +397,5 @@ def test_no_critical_speed_where_a_search_ends_at_the_range() -> None:
         if b.kind == "bending" and (np.abs(b.pole.imag) > whole.speed).all()
     ]
     assert len(above) >= 1
-    for _, speed, state in solved(whole, spec, branches, above):
+    for _, speed, state in solved(whole, branches, above):
         assert speed == pytest.approx(abs(state.pole.imag), rel=1e-6)

@@ -62,9 +62,7 @@ def _spec(entry: Any) -> Spec:
 
 def _frf(entry: FrfEntry) -> FrfSpec:
     pairs = tuple((Port(*response), Port(*excitation)) for response, excitation in entry.asked)
-    return FrfSpec(
-        values(entry.frequencies), pairs, tuple(entry.slices), entry.quantity, method=entry.method
-    )
+    return FrfSpec(values(entry.frequencies), pairs, tuple(entry.slices), entry.quantity)
 
 
 def section_forces(entry: SectionForcesEntry) -> SectionForcesSpec:

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from rotordyn.analysis.formulation import ROTATING
-from rotordyn.analysis.shaft import obstacles
 from rotordyn.case.agreement import moved_along
 from rotordyn.case.build.sweep import values
 from rotordyn.case.faults import Faults
@@ -23,14 +22,7 @@ def conditions(
     root: Node,
     faults: Faults,
 ) -> None:
-    """The turning frame needs even supports, an axial force something that holds the shaft.
-
-    The exact shaft has no modes to damp, nor anything but bending.
-    """
-    for sentence in obstacles(
-        entry, spindle.damping.of_rotor, spindle.damping.loss_factor, supports
-    ):
-        faults.at(root, ("conditions", "shaft"), f"{sentence}: given 'exact'; allowed: elements")
+    """The turning frame needs even supports, an axial force something that holds the shaft."""
     if entry.formulation == ROTATING:
         for support in supports:
             _even(support, root, faults)

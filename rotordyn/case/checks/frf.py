@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from contextlib import suppress
 
 from rotordyn.analysis.formulation import ROTATING, turned
-from rotordyn.analysis.specs import DIRECT, QUANTITIES, not_direct
+from rotordyn.analysis.specs import QUANTITIES
 from rotordyn.case.agreement import uncoupled
 from rotordyn.case.build.spindle import housing
 from rotordyn.case.build.sweep import values
@@ -55,8 +55,6 @@ def frf(
     # a support whose faults are reported already might couple anything
     known = len(supports) == len(spindle.supports)
     coupled = coupled_motions(supports) | _housed(spindle) if known else _ALL_MOTIONS
-    if entry.method == DIRECT:
-        _bending(entry, coupled if known else frozenset(), root, faults)
     seen: set[str] = set()
     for index, pair in enumerate(entry.pairs):
         way = (*WAY, "pairs", index)
@@ -67,13 +65,6 @@ def frf(
         _coupled(pair.response, pair.excitation, coupled, root, way, faults)
     for response, excitation in entry.asked[len(seen) :]:
         _coupled(response, excitation, coupled, root, (*WAY, "matrix"), faults)
-
-
-def _bending(entry: FrfEntry, coupled: frozenset[str], root: Node, faults: Faults) -> None:
-    """What is asked directly is bending, which nothing couples with other motions."""
-    asked = {MOTIONS[place.direction] for pair in entry.asked for place in pair if place.point}
-    if why := not_direct(asked, coupled):
-        faults.at(root, (*WAY, "method"), f"{why}: given '{entry.method}'")
 
 
 def _housed(spindle: SpindleEntry) -> frozenset[str]:

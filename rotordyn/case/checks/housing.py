@@ -74,7 +74,7 @@ def on_housings(entry: CaseEntry, spindle: SpindleEntry, root: Node, faults: Fau
     if not spindle.housings:
         return
     asked = entry.analyses.model_fields_set
-    for way, sentence in obstacles_on_housings(entry.conditions, asked):
+    for way, sentence in obstacles_on_housings(entry.conditions.formulation, asked):
         faults.at_key(root, way, sentence)
     named = {
         freedom

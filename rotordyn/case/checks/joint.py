@@ -49,5 +49,5 @@ def on_joints(
 ) -> None:
     """The questions and conditions of a case take joints."""
     if spindle.joints or (tool is not None and tool.joints):
-        for way, sentence in obstacles_of_joints(entry.conditions, entry.analyses.model_fields_set):
+        for way, sentence in obstacles_of_joints(entry.analyses.model_fields_set):
             faults.at_key(root, way, sentence)

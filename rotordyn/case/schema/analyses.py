@@ -10,7 +10,6 @@ from bearings.ball.law import DYNAMICS
 from rotordyn.analysis.bearing_specs import TANGENTS, TILTS
 from rotordyn.analysis.specs import (
     MESH_FILES,
-    METHODS,
     MOST_STEPS,
     MOST_TEETH,
     QUANTITIES,
@@ -141,7 +140,6 @@ class FrfEntry(Entry):
     pairs: Annotated[list[PairEntry], Field(min_length=1)] = []
     matrix: ResponseMatrixEntry | None = None
     slices: list[Speed] = []
-    method: Annotated[str, choice(*METHODS)] = METHODS[0]
     measured: list[MeasuredEntry] = []
 
     @property

@@ -8,7 +8,6 @@ from typing import Annotated
 from bearings.ball.law import KINEMATICS, MOMENT_SHARING
 from rotordyn.analysis.bearing_specs import TANGENTS
 from rotordyn.analysis.formulation import FORMULATIONS, INERTIAL
-from rotordyn.analysis.shaft import SHAFT
 from rotordyn.analysis.specs import BEARINGS, GRAVITY, ROTOR
 from rotordyn.case.schema.base import Entry
 from rotordyn.case.schema.values import Accuracy, Flag, Force, Friction, Length, choice
@@ -33,4 +32,3 @@ class ConditionsEntry(Entry):
     element_length: Length | None = None
     formulation: Annotated[str, choice(*FORMULATIONS)] = INERTIAL
     axial_stiffening: Flag = True
-    shaft: Annotated[str, choice(*SHAFT)] = "elements"

@@ -44,8 +44,6 @@ MEANINGS: dict[str, dict[str, str]] = {
         "element_length": "standard elements no longer than that instead, whatever their error",
         "formulation": "frame in which bending is written ([the three](formulations.md))",
         "axial_stiffening": "the axial force in the shaft stiffens or softens its bending",
-        "shaft": "`exact`: bending without elements in modes and receptances "
-        "([how](theory/exact.md))",
     },
     "speed range": {
         "from": "first speed",
@@ -88,7 +86,6 @@ MEANINGS: dict[str, dict[str, str]] = {
         "pairs": "which responses to which forces; these or `matrix`, or both",
         "matrix": "lists instead: every response to every excitation",
         "slices": "speeds drawn as curves and written as UFF58 (nearest speed of the case)",
-        "method": "by modes, or all freedoms solved ([which](theory/receptances.md#two-methods))",
         "measured": "measured ones laid over ([how](theory/receptances.md#measured-responses))",
     },
     "pair": {

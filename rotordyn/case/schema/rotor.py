@@ -30,11 +30,6 @@ class RotorDampingEntry(Entry):
     internal: Share = 0.0
     rayleigh: RayleighEntry = RayleighEntry()
 
-    @property
-    def of_rotor(self) -> bool:
-        """The rotor itself is damped."""
-        return any(self.rotor) or bool(self.rayleigh.mass or self.rayleigh.stiffness)
-
 
 class RotorEntry(Entry):
     """A further rotor inside, around or beside the shaft, at stations of the same axis.

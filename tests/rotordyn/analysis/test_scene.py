@@ -34,9 +34,9 @@ ASKED = {
 }
 STAGES = {
     "mesh", "preload", "shaft_force", "buckling", "tangents", "rotor", "bending", "bending_modes",
-    "axial", "axial_modes", "torsion", "torsion_modes", "coupled", "coupled_modes", "exact",
+    "axial", "axial_modes", "torsion", "torsion_modes", "coupled", "coupled_modes",
 }  # fmt: skip
-JOINED = {"coupled", "coupled_modes", "exact"}
+JOINED = {"coupled", "coupled_modes"}
 RODS = {"axial", "axial_modes", "torsion", "torsion_modes"}
 
 

@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
-import pytest
 
 from rotordyn.analysis.frf import answer
 from rotordyn.analysis.scene import Scene
@@ -13,9 +12,7 @@ from rotordyn.analysis.specs import Conditions, FrfSpec
 from rotordyn.system.whirl_in_planes import (
     FORWARD,
     planes_of,
-    planes_of_whirl,
     receptance_in_planes,
-    whirl_of,
 )
 from tests.oracles.rotors import STEPPED, support
 from tests.oracles.spindles import RPM, pairs
@@ -29,7 +26,6 @@ ROTOR = replace(STEPPED, points={"tip": -0.05, "mid": 0.11})
 def test_there_and_back() -> None:
     rng = np.random.default_rng(1)
     y, z = rng.standard_normal((2, 4, 3)) + 1j * rng.standard_normal((2, 4, 3))
-    np.testing.assert_allclose(planes_of_whirl(whirl_of(y, z)), (y, z), rtol=1e-14)
     np.testing.assert_allclose(planes_of(y + 1j * z, y - 1j * z), (y, z), rtol=1e-14)
 
 
@@ -54,15 +50,12 @@ def test_receptances_are_those_of_both_planes_in_one_matrix() -> None:
     np.testing.assert_allclose(found, expected, rtol=1e-13)
 
 
-@pytest.mark.parametrize("way", ["direct", "reduced", "exact"])
-def test_planes_apart_answer_each_other_with_nothing(way: str) -> None:
+def test_planes_apart_answer_each_other_with_nothing() -> None:
     """Not even rounding, at rest on supports that do not couple them; else they do answer."""
     for supports, rpm, apart in ((EVEN, 0.0, True), (EVEN, 3000.0, False), (SKEW, 0.0, False)):
         spindle = replace(ROTOR, supports=supports)
-        conditions = Conditions(shaft="exact" if way == "exact" else "elements")
-        scene = Scene(spindle, conditions, np.array([rpm * RPM]), 1000.0, (-0.05, 0.11))
-        method = "direct" if way == "direct" else "reduced"
-        spec = FrfSpec((100.0, 900.0), pairs("tip.z/tip.y", "mid.y/tip.z"), method=method)
+        scene = Scene(spindle, Conditions(), np.array([rpm * RPM]), 1000.0, (-0.05, 0.11))
+        spec = FrfSpec((100.0, 900.0), pairs("tip.z/tip.y", "mid.y/tip.z"))
         found = answer(scene, spec)
         assert (found.receptance == 0.0).all() == apart
         assert (found.receptance != 0.0).all() != apart

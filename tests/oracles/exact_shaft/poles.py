@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.errors import NoSolution
-from rotordyn.exact.banded import solve, times
-from rotordyn.exact.rotor import ExactRotor
-from rotordyn.exact.shooting import Shooting
+from tests.oracles.exact_shaft.banded import solve, times
+from tests.oracles.exact_shaft.rotor import ExactRotor
+from tests.oracles.exact_shaft.shooting import Shooting
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.exact.banded import solve
-from rotordyn.exact.rotor import ExactRotor
-from rotordyn.exact.shooting import Shooting
+from tests.oracles.exact_shaft.banded import solve
+from tests.oracles.exact_shaft.rotor import ExactRotor
+from tests.oracles.exact_shaft.shooting import Shooting
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

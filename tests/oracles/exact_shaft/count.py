@@ -17,9 +17,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.errors import InvalidInput
-from rotordyn.exact.poles import exact_mode
-from rotordyn.exact.rotor import ExactRotor
-from rotordyn.exact.segment import transfer
+from tests.oracles.exact_shaft.poles import exact_mode
+from tests.oracles.exact_shaft.rotor import ExactRotor
+from tests.oracles.exact_shaft.segment import transfer
 
 Array = NDArray[np.float64]
 FIRST = 10.0  # rad/s, where the search for a frequency with enough modes below begins

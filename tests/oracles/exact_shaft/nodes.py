@@ -16,10 +16,10 @@ from numpy.typing import NDArray
 
 from rotordyn.elements.lumped import lumped_element
 from rotordyn.elements.support import ALIKE, node_matrix, turn
-from rotordyn.exact.circular import PLANES, TURNING
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import BearingSeat, Sleeve
 from rotordyn.system.mesh import Mesh
+from tests.oracles.exact_shaft.circular import PLANES, TURNING
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

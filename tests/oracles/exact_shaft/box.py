@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.errors import NoSolution
-from rotordyn.exact.banded import phases
-from rotordyn.exact.shooting import Shooting
+from tests.oracles.exact_shaft.banded import phases
+from tests.oracles.exact_shaft.shooting import Shooting
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

@@ -13,9 +13,9 @@ from dataclasses import dataclass, fields
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.exact.banded import empty, place
-from rotordyn.exact.rotor import ExactRotor
-from rotordyn.exact.segment import Segments, transfer
+from tests.oracles.exact_shaft.banded import empty, place
+from tests.oracles.exact_shaft.rotor import ExactRotor
+from tests.oracles.exact_shaft.segment import Segments, transfer
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

@@ -6,10 +6,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.errors import NoSolution
-from rotordyn.exact.box import Box, poles_inside
-from rotordyn.exact.count import countable, modes_below
-from rotordyn.exact.poles import ExactMode, null_space, reached
-from rotordyn.exact.shooting import Shooting
+from tests.oracles.exact_shaft.box import Box, poles_inside
+from tests.oracles.exact_shaft.count import countable, modes_below
+from tests.oracles.exact_shaft.poles import ExactMode, null_space, reached
+from tests.oracles.exact_shaft.shooting import Shooting
 
 Complex = NDArray[np.complex128]
 SAME = 1e-8  # of |ω|: nearer roots are one
@@ -68,8 +68,7 @@ class _Found:
         if self._inside(box) > number or depth == 0:
             raise NoSolution(
                 f"{number} modes of the exact shaft were counted from {box.low:.6g} to "
-                f"{box.high:.6g} rad/s and {self._inside(box)} were reached: "
-                "take shaft: elements, or another speed"
+                f"{box.high:.6g} rad/s and {self._inside(box)} were reached"
             )
         for half in box.cut([mode.omega for mode in self.modes if mode.omega in box]):
             self.complete(half, depth - 1)

@@ -1,1 +1,0 @@
-"""The stepped Timoshenko rotor without discretisation: a truth to measure elements against."""
