@@ -10,14 +10,14 @@ from numpy.typing import NDArray
 from scipy.linalg import eigvals, solve
 
 from benchmarks.peer import machine
-from rotordyn.elements.support import node_matrix
+from rotordyn.model.support import node_matrix
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.sparse import filled
-from rotordyn.system.assemble import loaded_plane
-from rotordyn.system.dofs import BOTH_PLANES
+from tests.oracles.dense_rotor.assemble import loaded_plane
+from tests.oracles.dense_rotor.selection import BOTH_PLANES
 from rotordyn.system.hierarchic_rotor import beams, bending_hierarchy, deflections
 from rotordyn.system.hierarchy import Hierarchy
-from rotordyn.system.mesh import build_mesh
+from rotordyn.model.mesh import build_mesh
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

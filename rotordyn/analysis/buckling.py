@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM
 from rotordyn.machine.spindle import Spindle
-from rotordyn.preload.axial_force import AxialForce, axial_force
 from rotordyn.model.statics import withstands
 from rotordyn.model.structure import Structure
 from rotordyn.model.term import State
+from rotordyn.preload.axial_force import AxialForce, axial_force
 
 Array = NDArray[np.float64]
 HALVINGS = 30

@@ -114,9 +114,7 @@ def _direct(scene: Scene, branches: Sequence[Branch], line: Line) -> list[Start]
     return [start for home in homes for start in _of_system(scene, branches, home, line)]
 
 
-def _of_system(
-    scene: Scene, branches: Sequence[Branch], home: int, line: Line
-) -> list[Start]:
+def _of_system(scene: Scene, branches: Sequence[Branch], home: int, line: Line) -> list[Start]:
     """Those of one subsystem."""
     own = scene.system(home).linear
     if own.motions != {"bending"} or not _piecewise(scene):
@@ -134,7 +132,9 @@ def _of_system(
         for spin, vector in zip(spins, vectors.T, strict=True):
             if low <= spin <= high:
                 at = float(speed[0]), float(speed[-1])
-                starts.append(Start(place, line, float(spin), *at, vector, 0.0))
+                degree = float(whirl_degree(own, vector[None])[0])
+                side = float(np.sign(degree)) if own.isotropic else 0.0
+                starts.append(Start(place, line, float(spin), *at, vector, side))
     return starts
 
 
@@ -154,9 +154,7 @@ def _piecewise(scene: Scene) -> bool:
     )
 
 
-def _owner(
-    branches: Sequence[Branch], home: int, speed: float, state: State
-) -> int | None:
+def _owner(branches: Sequence[Branch], home: int, speed: float, state: State) -> int | None:
     """The followed mode that a root is part of: like it, and of its frequency, at the speeds known
     around; the likest and nearest of several."""
     best, owner = -math.inf, None

@@ -48,7 +48,9 @@ def require_isotropic(scene: Scene) -> None:
     """
     for k in scene.with_motions(("bending",)):
         own = scene.system(k).linear
-        if own.motions != {"bending"} or any(c.spindle is None and not c.way for c in own.components):
+        if own.motions != {"bending"} or any(
+            c.spindle is None and not c.way for c in own.components
+        ):
             raise InvalidInput(
                 "the rotating formulation cannot describe supports that couple bending with "
                 "another motion, nor housings: use the inertial one"

@@ -102,9 +102,7 @@ def _by_system(scene: Scene, pairs: Sequence[tuple[Port, Port]]) -> dict[int, li
     return found
 
 
-def _receptance(
-    scene: Scene, found: FreeMotions, pairs: Sequence[tuple[Port, Port]]
-) -> Answered:
+def _receptance(scene: Scene, found: FreeMotions, pairs: Sequence[tuple[Port, Port]]) -> Answered:
     """Receptances (speeds, pairs, f) of a subsystem by frequency (f,) [Hz]."""
     rows = [
         [found.linear.row(*scene.spindle.place(port.point), port.direction) for port in pair]
@@ -126,7 +124,9 @@ def _errors(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> Array:
     for k, own in _by_system(scene, spec.pairs).items():
         pairs, judged = [spec.pairs[place] for place in own], _judged(scene, k, frequency)
 
-        def values(one: Scene, rows: Rows, k: int = k, pairs: Any = pairs, at: Array = judged) -> Complex:
+        def values(
+            one: Scene, rows: Rows, k: int = k, pairs: Any = pairs, at: Array = judged
+        ) -> Complex:
             found = one.system_at(k, rows)
             with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
                 return _receptance(one, found, pairs)(at) * (2.0 * math.pi * at) ** power

@@ -10,6 +10,9 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 
+CIRCLE = 1e-8  # of the half axes: a smaller difference is rounding, and the angle taken as 0
+
+
 class Orbit(NamedTuple):
     """Half axes and the angle of the major one from y to z [rad], −π/2 to π/2; arrays alike.
 
@@ -28,6 +31,7 @@ def orbit(y: NDArray[np.complex128], z: NDArray[np.complex128]) -> Orbit:
     arguments.
     """
     forward, backward = 0.5 * (y + 1j * z), 0.5 * (y.conj() + 1j * z.conj())
-    turned = 0.5 * np.angle(forward * backward)
     ahead, behind = np.abs(forward), np.abs(backward)
+    circle = np.minimum(ahead, behind) <= CIRCLE * np.maximum(ahead, behind)
+    turned = np.where(circle, 0.0, 0.5 * np.angle(forward * backward))
     return Orbit(ahead + behind, ahead - behind, turned)

@@ -11,12 +11,12 @@ from numpy.typing import NDArray
 
 from bearings.ring.sums import half_ring
 from rotordyn.machine.limits import HIGHEST_PRESSURE
+from rotordyn.model.statics import PlaneRotor
 from rotordyn.preload.arrangement import HOUSING, SHAFT, AxialBearing
 from rotordyn.preload.bearing_iterates import BearingIterates, States
 from rotordyn.preload.network import Network
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.stops import stops_wanted
-from rotordyn.model.statics import PlaneRotor
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -66,9 +66,7 @@ class RadialProblem:
     held: Flags
 
     @classmethod
-    def at(
-        cls, state: PreloadState, rotor: PlaneRotor, index: NDArray[np.intp]
-    ) -> RadialProblem:
+    def at(cls, state: PreloadState, rotor: PlaneRotor, index: NDArray[np.intp]) -> RadialProblem:
         """The problem at some of a preload state's speeds."""
         network = state.network
         part = replace(network, arrangement=network.arrangement.at(index))

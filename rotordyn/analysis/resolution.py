@@ -8,8 +8,8 @@ from collections.abc import Iterator, Mapping
 from rotordyn.analysis.display import RPM
 from rotordyn.analysis.specs import Conditions, FrfSpec, Spec, UnbalanceSpec
 from rotordyn.machine.spindle import Spindle
-from rotordyn.system.hierarchic_rotor import half_wave
-from rotordyn.system.mesh import build_mesh
+from rotordyn.model.mesh import build_mesh
+from rotordyn.model.shaft import half_wave
 
 
 def beyond_elements(

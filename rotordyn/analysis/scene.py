@@ -22,12 +22,12 @@ from rotordyn.analysis.statics import Statics, bodies
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
 from rotordyn.model.component import Component
+from rotordyn.model.fineness import Fineness
 from rotordyn.model.free_motion import FreeMotions, free_motions
 from rotordyn.model.linear import Linear, linear, subsystems
 from rotordyn.model.structure import Structure
 from rotordyn.model.term import State
 from rotordyn.preload.growth import released_fits
-from rotordyn.system.fineness import Fineness
 
 Array = NDArray[np.float64]
 

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.loads import TwistLimit, station
+from rotordyn.analysis.outer_fibre import outer_fibre
 from rotordyn.analysis.results import SectionForcesResult
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import SectionForcesSpec
@@ -21,20 +22,19 @@ from rotordyn.analysis.static_loads import (
     resultant,
     static_loads,
 )
-from rotordyn.elements.outer_fibre import outer_fibre
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.cross_section import area
 from rotordyn.machine.spindle import Spindle
-from rotordyn.system.elastic_line import Compliance, compliance, elastic_line
-from rotordyn.system.holding import (
+from rotordyn.model.elastic_line import Compliance, compliance, elastic_line
+from rotordyn.model.holding import (
     held_stiffness,
     length_scale,
     rigid_motion,
     rigidly_held,
 )
-from rotordyn.system.mesh import Mesh
-from rotordyn.system.reactions import Held, reactions
-from rotordyn.system.section_forces import SectionForces, section_forces
+from rotordyn.model.mesh import Mesh
+from rotordyn.model.reactions import Held, reactions
+from rotordyn.model.section_forces import SectionForces, section_forces
 
 Array = NDArray[np.float64]
 COMPONENTS = ("Fx", "Fy", "Fz", "Mx", "My", "Mz")
@@ -63,7 +63,7 @@ def answer(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
         :, nodes
     ]
     held = Held(
-        stiffness=held_stiffness(spindle, scene.seat_stiffness, _closed(scene), speed),
+        stiffness=held_stiffness(scene.rotor, scene.state),
         rigid=rigidly_held(spindle).ravel(),
         motion=rigid_motion(mesh.x[nodes], float(mesh.x[0])).reshape(-1, 6),
         flexibility=_flexibility(mesh, give, nodes),
@@ -80,13 +80,6 @@ def answer(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
     own = rigid_motion(mesh.x, float(mesh.x[0]))
     moved += np.einsum("nij,sj->sni", own, front, optimize=True)
     return _result(scene, spec, mesh, forces, moved, push)
-
-
-def _closed(scene: Scene) -> NDArray[np.bool_]:
-    """Sleeves that stand at their stops (usable, sleeves)."""
-    if not scene.spindle.seats:
-        return np.zeros((len(scene.usable), len(scene.spindle.sleeves)), dtype=bool)
-    return scene.preload.net.held[scene.bearing_row[scene.usable], 1:]
 
 
 def _flexibility(mesh: Mesh, give: Compliance, nodes: list[int]) -> Array:

@@ -13,8 +13,7 @@ from rotordyn.model.free_motion import FreeMotions
 
 
 def instability(found: Iterable[FreeMotions], speed: NDArray[np.float64]) -> list[str]:
-    """One sentence where some motion grows at some of ``speed`` [rad/s], else none.
-    """
+    """One sentence where some motion grows at some of ``speed`` [rad/s], else none."""
     fastest = np.full(len(speed), 0j)
     for modes in found:
         pole = np.where(modes.growing, modes.pole, 0.0)

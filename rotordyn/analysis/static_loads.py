@@ -14,8 +14,8 @@ from rotordyn.analysis.specs import Conditions, SectionForcesSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.cross_section import area
 from rotordyn.machine.spindle import Spindle
-from rotordyn.system.holding import free_motions, free_names, length_scale, rigid_motion
-from rotordyn.system.mesh import Mesh, build_mesh, station_mesh
+from rotordyn.model.holding import free_motions, free_names, length_scale, rigid_motion
+from rotordyn.model.mesh import Mesh, build_mesh, station_mesh
 from rotordyn.units import STANDARD_GRAVITY
 
 Array = NDArray[np.float64]

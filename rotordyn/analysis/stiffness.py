@@ -19,9 +19,9 @@ from rotordyn.analysis.results import StiffnessResult
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import StiffnessSpec
 from rotordyn.errors import InvalidInput
+from rotordyn.model.statics import PlaneRotor, plane_rotor
 from rotordyn.preload.outcome import LEAST_LOAD
 from rotordyn.preload.state import PreloadState
-from rotordyn.model.statics import PlaneRotor, plane_rotor
 
 Array = NDArray[np.float64]
 REACHED = 1e-12  # m

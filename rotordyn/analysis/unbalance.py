@@ -97,9 +97,7 @@ def _home(scene: Scene) -> int:
     return scene.owner(scene.spindle.shaft.start, "y")
 
 
-def _moved(
-    scene: Scene, found: FreeMotions, spec: UnbalanceSpec, speed: Array
-) -> Complex:
+def _moved(scene: Scene, found: FreeMotions, spec: UnbalanceSpec, speed: Array) -> Complex:
     """Coordinates (speeds, n) under loads Ω² e^(iΩt) that turn; at rest nothing moves.
 
     ``speed`` Ω (speeds,) [rad/s] of the rotor that is out of balance, below 0 where it turns

@@ -18,7 +18,7 @@ from rotordyn.machine.cross_section import area
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
-from rotordyn.system.mesh import Mesh
+from rotordyn.model.mesh import Mesh
 
 Complex = NDArray[np.complex128]
 

@@ -50,9 +50,7 @@ def run(case: Case) -> Mapping[str, xr.Dataset]:
     }
 
 
-def solve(
-    case: Case, progress: Progress = lambda name: None, memo: Memo | None = None
-) -> Answers:
+def solve(case: Case, progress: Progress = lambda name: None, memo: Memo | None = None) -> Answers:
     """Answer every question of ``case`` with frozen results; its variants are left aside.
 
     ``memo``: stages of cases solved before, for what they have in common.

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from rotordyn.elements.bubbles import points
+from rotordyn.model.elements.polynomials import points
+from rotordyn.model.mesh import Mesh
 from rotordyn.model.shaft import Rows, Shaft
 from rotordyn.model.term import Array
-from rotordyn.system.mesh import Mesh
 
 GAUSS = 7  # degree up to which the work of the axial force is integrated exactly
 NOTHING = 1e-15  # of the largest: fields of force that are rounding of the others

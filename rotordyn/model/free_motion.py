@@ -17,7 +17,6 @@ from numpy.typing import NDArray
 from rotordyn.model.hysteresis import Hysteresis, Hysteretic, Signs
 from rotordyn.model.linear import Linear
 from rotordyn.numerics.modes import Modes, modes, residual
-from rotordyn.numerics.products import times
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -113,13 +112,17 @@ class FreeMotions:
         return self._in_planes(lambda r, e: answer(both, r, e), responses, excitations)
 
     def turning_receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
-        """The same seen from a frame that turns with the shaft: whirl at ω there is whirl at ω + Ω."""
-        rows = []
-        for row, spin in enumerate(self.linear.speed):
-            one = self.modes.at(np.array([row]))
-            both = np.concatenate([omega + spin, spin - omega])
-            rows.append(self._in_planes(lambda r, e: one.receptance(both, r, e), responses, excitations))  # noqa: B023
-        return np.concatenate(rows)
+        """The same seen from a frame that turns with the shaft: whirl at ω there is whirl at
+        ω + Ω."""
+
+        def answer(own: Array, other: Array) -> Complex:
+            found = []
+            for row, spin in enumerate(self.linear.speed):
+                both = np.concatenate([omega + spin, spin - omega])
+                found.append(self.modes.at(np.array([row])).receptance(both, own, other))
+            return np.concatenate(found)
+
+        return self._in_planes(answer, responses, excitations)
 
     def _in_planes(
         self, answer: Callable[[Array, Array], Complex], responses: Array, excitations: Array
@@ -127,7 +130,9 @@ class FreeMotions:
         """Of receptances of whirl at ω, then at −ω: each row acts in one plane."""
         half = self.linear.size // 2
         folded = [rows[:, :half] + rows[:, half:] for rows in (responses, excitations)]
-        place = [np.abs(rows[:, half:]).any(axis=1).astype(int) for rows in (responses, excitations)]
+        place = [
+            np.abs(rows[:, half:]).any(axis=1).astype(int) for rows in (responses, excitations)
+        ]
         ahead, back = np.split(answer(*folded), 2, axis=-1)
         back = back.conj()
         turn = (place[0] - place[1])[:, None]
@@ -143,7 +148,11 @@ class FreeMotions:
         if self.lossy is not None and self.lossy.loss.turns:
             coupled |= self.linear.speed != 0.0
         for matrix in (self.modes.stiffness, self.modes.damping):
-            coupled |= matrix.imag.reshape(len(matrix), -1).any(axis=1) if np.iscomplexobj(matrix) else False
+            coupled |= (
+                matrix.imag.reshape(len(matrix), -1).any(axis=1)
+                if np.iscomplexobj(matrix)
+                else False
+            )
         return coupled
 
     @property

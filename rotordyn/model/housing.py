@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from rotordyn.elements.support import node_matrix
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.housing import Housing, ReducedHousing, RigidHousing
 from rotordyn.machine.spindle import Spindle
 from rotordyn.model.dofs import DIRECTIONS, PLANE_OF, Dofs, Indices, Line, position
+from rotordyn.model.support import node_matrix
 from rotordyn.model.term import Array, Part
 
 SYMMETRIC = 1e-6  # of the largest entry: a mass matrix that differs more from its transpose is none

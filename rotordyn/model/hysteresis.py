@@ -74,9 +74,7 @@ class Hysteresis:
 class Hysteretic:
     """A system with loss factors at ``spin`` (s,) [rad/s], solved for every set of signs once."""
 
-    def __init__(
-        self, stiffness: Matrix, damping: Matrix, loss: Hysteresis, spin: Array
-    ) -> None:
+    def __init__(self, stiffness: Matrix, damping: Matrix, loss: Hysteresis, spin: Array) -> None:
         self.stiffness, self.damping, self.loss, self.spin = stiffness, damping, loss, spin
         self.whirling = loss.across is None
         self._plain = modes(stiffness, damping)

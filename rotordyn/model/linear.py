@@ -19,10 +19,11 @@ from numpy.typing import NDArray
 from rotordyn.machine.support import SPINDLE
 from rotordyn.model.axial_force import geometric_stiffness
 from rotordyn.model.component import Component
-from rotordyn.elements.support import answers_alike
 from rotordyn.model.dofs import DIRECTIONS, position
 from rotordyn.model.structure import Structure, _Union
+from rotordyn.model.support import answers_alike
 from rotordyn.model.term import Array, Link, LinkMatrices, State
+
 
 def _some(values: Array, rows: NDArray[np.intp]) -> Array:
     """Of values (s or 1, …) those of some speeds; one serves all."""
@@ -61,7 +62,9 @@ class Connection(NamedTuple):
         """Of the link on what it holds (s, k), by coordinates ``moved`` (s, n) that swing at
         ``omega`` (s,) [rad/s]."""
         lossy = 1.0 + 1j * self.link.loss_factor * np.sign(omega)[:, None, None]
-        dynamic = self.matrices.stiffness * lossy + 1j * omega[:, None, None] * self.matrices.damping
+        dynamic = (
+            self.matrices.stiffness * lossy + 1j * omega[:, None, None] * self.matrices.damping
+        )
         return -np.einsum("sij,sj->si", dynamic, moved @ self.motions.T)
 
 
@@ -181,9 +184,7 @@ class Linear:
         )
 
 
-def subsystems(
-    structure: Structure, state: State, *, strings: bool
-) -> list[tuple[Component, ...]]:
+def subsystems(structure: Structure, state: State, *, strings: bool) -> list[tuple[Component, ...]]:
     """Components that links join at any of the states, or that turn with one another."""
     every = structure.components
     groups = _Union(len(every))

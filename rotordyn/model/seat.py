@@ -5,11 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 
 import numpy as np
+from numpy.typing import ArrayLike
 
-from rotordyn.elements.support import turn
 from rotordyn.machine.support import BearingSeat
-from rotordyn.model.term import LinkMatrices, State
+from rotordyn.model.dofs import position
+from rotordyn.model.term import Array, LinkMatrices, State
 
+BEARING_DIRECTIONS = ("x", "y", "z", "thy", "thz")
+_HALF_TURN_ABOUT_Y = np.array([-1.0, 1.0, -1.0, 1.0, -1.0])
+_PLACES = np.array([position(name) for name in BEARING_DIRECTIONS])
 NOISE = 1e-12  # of what two directions resist by themselves: less coupling is rounding
 
 
@@ -24,3 +28,17 @@ def seat_matrices(seat: BearingSeat, place: int) -> Callable[[State], LinkMatric
         return LinkMatrices(np.where(noise, 0.0, stiffness), damping[None])
 
     return matrices
+
+
+def turn(matrix: ArrayLike, thrust: int) -> Array:
+    """A bearing's matrix (…, 5, 5) in its own frame, as (…, 6, 6) in the spindle's.
+
+    ``thrust`` −1 means that the bearing's own x is −x of the spindle: a half turn about y,
+    R = diag(−1, 1, −1, 1, −1) and K → R K R, so that K[y, thz] and K[z, thy] change sign.
+    The bearing does not resist spin: row and column thx are zero.
+    """
+    own = np.asarray(matrix, dtype=np.float64)
+    signs = _HALF_TURN_ABOUT_Y if thrust < 0 else np.ones(5)
+    turned = np.zeros((*own.shape[:-2], 6, 6))
+    turned[..., _PLACES[:, None], _PLACES] = signs[:, None] * own * signs
+    return turned

@@ -12,21 +12,18 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
-from rotordyn.elements import hierarchic_bending as bending
-from rotordyn.elements import hierarchic_rod as rod
-from rotordyn.elements.plane_bending import shear_parameter
-from rotordyn.elements.shear import shear_coefficient
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
 from rotordyn.model.dofs import Dofs, Indices, Line, position
+from rotordyn.model.elements import beam as bending
+from rotordyn.model.elements import rod
+from rotordyn.model.elements.shear import shear_coefficient
+from rotordyn.model.elements.standard_beam import shear_parameter
+from rotordyn.model.fineness import Fineness, bending_wave, parts_and_degree, resolved, rod_wave
+from rotordyn.model.mesh import COINCIDENT, Mesh, divided, station_mesh
 from rotordyn.model.term import Array, Part
-from rotordyn.system.degrees import bending_wave, parts_and_degree, rod_wave
-from rotordyn.system.fineness import Fineness
-from rotordyn.system.hierarchy import divided
-from rotordyn.system.mesh import COINCIDENT, Mesh, station_mesh
 
 Rows = tuple[Indices, Indices, Array]  # places (e, r), DOF (e, k) and factors (e, r, k)
 MOST_DOF = 200_000  # of a bending plane
@@ -99,7 +96,7 @@ class Shaft:
         yield from self._rod_parts()
 
     def _bending_parts(self) -> Iterator[Part]:
-        mesh, kappa = self.mesh, _kappa(self.spindle, self.mesh)
+        mesh, kappa = self.mesh, shear_coefficients(self.spindle, self.mesh)
         every = (
             mesh.length,
             mesh.outer_diameter,
@@ -203,7 +200,7 @@ def sections(spindle: Spindle, mesh: Mesh) -> tuple[Array, Array, Array, Array]:
     ring = area(mesh.outer_diameter, mesh.inner_diameter)
     moment = second_moment(mesh.outer_diameter, mesh.inner_diameter)
     return (
-        _kappa(spindle, mesh) * mesh.shear_modulus * ring,
+        shear_coefficients(spindle, mesh) * mesh.shear_modulus * ring,
         mesh.young_modulus * moment,
         mesh.density * ring,
         mesh.density * moment,
@@ -222,7 +219,8 @@ def torsion(mesh: Mesh) -> tuple[Array, Array]:
     return mesh.shear_modulus * polar, mesh.density * polar
 
 
-def _kappa(spindle: Spindle, mesh: Mesh) -> Array:
+def shear_coefficients(spindle: Spindle, mesh: Mesh) -> Array:
+    """κ of every element (elements,)."""
     ratio = mesh.inner_diameter / mesh.outer_diameter
     return shear_coefficient(spindle.shaft.shear_coefficient, mesh.poisson_ratio, ratio)
 
@@ -246,3 +244,13 @@ def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indi
             "sections that are alike"
         )
     return divided(coarse, parts), np.repeat(degree, parts), np.repeat(rod_degree, parts)
+
+
+def half_wave(spindle: Spindle, mesh: Mesh, spin: float) -> float:
+    """Highest whirl [rad/s] that crosses no element of ``mesh`` by more than half a wave."""
+    own = sections(spindle, mesh)
+
+    def phase(omega: float) -> float:
+        return float((bending_wave(omega, spin, *own) * mesh.length).max())
+
+    return resolved(phase, math.pi, 1.0)

@@ -15,8 +15,8 @@ import numpy as np
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve
 from rotordyn.model.dofs import Dofs, Indices, Line
+from rotordyn.model.fineness import Fineness
 from rotordyn.model.term import Link, LinkMatrices, Part, State
-from rotordyn.system.fineness import Fineness
 
 CLOSED = 1e3  # stiffness of a closed stop over that of the bearings on its sleeve
 SOFT = 1e6  # N/m: a fictitious mass is not taken from less
@@ -56,9 +56,7 @@ class Sleeves:
         """The spring along the axis, and the stop where the sleeve stands at it."""
         for place, sleeve in enumerate(self.spindle.sleeves):
             if (sleeve.name, "x") in self.dofs:
-                carried = [
-                    k for k, s in enumerate(self.spindle.seats) if s.name in sleeve.bearings
-                ]
+                carried = [k for k, s in enumerate(self.spindle.seats) if s.name in sleeve.bearings]
                 yield Link(
                     f"sleeve {sleeve.name}",
                     _one(self.dofs[sleeve.name, "x"])[0],

@@ -41,7 +41,9 @@ def plane_rotor(
 ) -> PlaneRotor:
     """Of a structure with a port at ``point``, under the axial ``force`` (states, elements) [N]."""
     components = [
-        c for c in structure.components if c.way == "y" and not c.lines[0].body.startswith("housing")
+        c
+        for c in structure.components
+        if c.way == "y" and not c.lines[0].body.startswith("housing")
     ]
     state = _without_bearings(structure, speed)
     own = linear(structure, components, state, force)

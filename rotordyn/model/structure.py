@@ -16,16 +16,16 @@ from rotordyn.model.axial_force import slope_rows
 from rotordyn.model.component import Component
 from rotordyn.model.dofs import DIRECTIONS, Dofs, Indices, Line, position
 from rotordyn.model.drawbar import drawbar_links
+from rotordyn.model.fineness import Fineness
 from rotordyn.model.housing import Foundation
 from rotordyn.model.joint import joint_parts
 from rotordyn.model.lumped import lumped_parts
+from rotordyn.model.mesh import Mesh
 from rotordyn.model.seat import seat_matrices
 from rotordyn.model.shaft import PLANES, Shaft
 from rotordyn.model.sleeve import Sleeves
 from rotordyn.model.support import matrices_of
 from rotordyn.model.term import Array, Link, Part
-from rotordyn.system.fineness import Fineness
-from rotordyn.system.mesh import Mesh
 
 PAIRED = {"y": "z", "z": "y", "thy": "thz", "thz": "thy"}  # planes keep the same static modes
 JOINING = ("mass", "stiffness", "damping")  # matrices that make DOF one component
@@ -104,9 +104,7 @@ class Structure:
         """Motion (6, DOF) of nodes against that of the housing that carries a connection."""
         nodes = [self.node(rotor, x) for rotor, x, _ in ends]
         sign = self.dofs.sign
-        motions = [
-            way * np.diag(sign[own]) for own, (_, _, way) in zip(nodes, ends, strict=True)
-        ]
+        motions = [way * np.diag(sign[own]) for own, (_, _, way) in zip(nodes, ends, strict=True)]
         for housing in self.housings:
             if name in housing.under:
                 nodes.append(housing.dofs)

@@ -5,7 +5,7 @@ Both know ``@``, ``.T``, ``+``, ``.diagonal()`` and ``.shape``; what they do not
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -16,7 +16,6 @@ Indices = NDArray[np.intp]
 Matrix = Any  # NDArray[np.float64], or csr_array of scipy.sparse
 Part = tuple[Indices, Indices, Array]
 LARGE = 300  # freedoms from which few vectors of all are found faster in compressed rows
-LONG = 1000  # from which a chain is stored in them
 
 
 def summed(shape: tuple[int, int], parts: Iterable[Part], *, large: bool) -> Matrix:
@@ -38,17 +37,6 @@ def summed(shape: tuple[int, int], parts: Iterable[Part], *, large: bool) -> Mat
     return coo_array((np.concatenate(value), places), shape=shape).tocsr()
 
 
-def block_diagonal(blocks: Sequence[Matrix]) -> Matrix:
-    """Side by side; of compressed rows where one of them is."""
-    if any(is_sparse(block) for block in blocks):
-        from scipy.sparse import block_diag
-
-        return block_diag(blocks, format="csr")
-    from scipy.linalg import block_diag as dense_diag
-
-    return dense_diag(*blocks)
-
-
 def is_sparse(matrix: Matrix) -> bool:
     """True of compressed rows."""
     return not isinstance(matrix, np.ndarray)
@@ -57,21 +45,3 @@ def is_sparse(matrix: Matrix) -> bool:
 def filled(matrix: Matrix) -> Array:
     """As a dense array."""
     return np.asarray(matrix.toarray() if is_sparse(matrix) else matrix)
-
-
-def scaled_rows(matrix: Matrix, factor: Array) -> Matrix:
-    """Each row times its ``factor`` (rows,)."""
-    if not is_sparse(matrix):
-        return matrix * factor[:, None]
-    from scipy.sparse import diags_array
-
-    return (diags_array(factor) @ matrix).tocsr()
-
-
-def wider(matrix: Matrix, more: int) -> Matrix:
-    """With ``more`` empty columns behind the last."""
-    if not is_sparse(matrix):
-        return np.pad(matrix, ((0, 0), (0, more)))
-    wide = matrix.copy()
-    wide.resize(matrix.shape[0], matrix.shape[1] + more)
-    return wide

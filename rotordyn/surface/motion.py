@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.elements.interpolation import between_nodes
-from rotordyn.elements.plane_bending import shear_parameter
-from rotordyn.elements.shear import shear_coefficient
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.shaft import Shaft
+from rotordyn.model.elements.shear import shear_coefficient
+from rotordyn.model.elements.standard_beam import shear_parameter
 from rotordyn.surface.body import Array, Surface
+from rotordyn.surface.interpolation import between_nodes
 
 Complex = NDArray[np.complex128]
 STEEPEST = 0.35  # rad: tilt of a drawn cross-section, which grows by 1 / cos of it

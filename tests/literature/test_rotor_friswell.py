@@ -16,13 +16,13 @@ from scipy.linalg import eigh
 
 import rotordyn
 from bearings.materials import Material
-from rotordyn.elements.plane_bending import axial_force_stiffness, shear_parameter
-from rotordyn.elements.shear import shear_coefficient
+from rotordyn.model.elements.standard_beam import axial_force_stiffness, shear_parameter
+from rotordyn.model.elements.shear import shear_coefficient
 from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.spindle import Spindle
-from rotordyn.system.assemble import add_at_nodes, bending_plane, chain, rotor_matrices, torsion_rod
-from rotordyn.system.dofs import LATERAL
-from rotordyn.system.mesh import build_mesh
+from tests.oracles.dense_rotor.assemble import add_at_nodes, bending_plane, chain, rotor_matrices, torsion_rod
+from tests.oracles.dense_rotor.selection import LATERAL
+from rotordyn.model.mesh import build_mesh
 from tests.oracles.rotors import on_supports, support, uniform
 from tests.oracles.spindles import CASES
 from tests.oracles.whirl import eigenvalues, frequencies_at_rest

@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import eigvals, solve
 
-from rotordyn.elements.support import node_matrix
+from rotordyn.model.support import node_matrix
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.sparse import filled
-from rotordyn.system.assemble import loaded_plane
-from rotordyn.system.dofs import BOTH_PLANES
+from tests.oracles.dense_rotor.assemble import loaded_plane
+from tests.oracles.dense_rotor.selection import BOTH_PLANES
 from rotordyn.system.hierarchic_rotor import bending_hierarchy, deflections, rigid_motions
 
 Complex = NDArray[np.complex128]

@@ -8,7 +8,7 @@ import numpy as np
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
-from rotordyn.elements.node import FREEDOMS
+from rotordyn.model.dofs import DIRECTIONS
 from rotordyn.machine.support import LinearSupport
 
 Array = NDArray[np.float64]
@@ -19,8 +19,8 @@ def entries(matrix: Array) -> dict[tuple[str, str], float]:
     """All 36 entries of a matrix by pair of freedoms."""
     return {
         (row, column): float(matrix[i, j])
-        for i, row in enumerate(FREEDOMS)
-        for j, column in enumerate(FREEDOMS)
+        for i, row in enumerate(DIRECTIONS)
+        for j, column in enumerate(DIRECTIONS)
     }
 
 

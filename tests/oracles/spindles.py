@@ -17,7 +17,7 @@ from rotordyn.analysis.specs import Conditions, Port, Spec
 from rotordyn.case.case import Case
 from rotordyn.case.read import load
 from rotordyn.machine.spindle import Spindle
-from rotordyn.system.mesh import ELEMENTS_OVER_LENGTH
+from rotordyn.model.mesh import ELEMENTS_OVER_LENGTH
 
 ROOT = Path(__file__).resolve().parents[2]
 CASES = ROOT / "cases"

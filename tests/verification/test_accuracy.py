@@ -16,7 +16,7 @@ from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
-from rotordyn.system.mesh import build_mesh
+from rotordyn.model.mesh import build_mesh
 from tests.oracles.exact_shaft.bending import exact_poles, exact_receptance
 from tests.oracles.exact_shaft.count import modes_below, whirl_frequencies
 from tests.oracles.exact_shaft.rotor import exact_rotor

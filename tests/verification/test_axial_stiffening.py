@@ -22,8 +22,8 @@ from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.lumped import Disc
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
-from rotordyn.system.assemble import add_at_nodes, bending_plane
-from rotordyn.system.dofs import PLANE_Y
+from tests.oracles.dense_rotor.assemble import add_at_nodes, bending_plane
+from tests.oracles.dense_rotor.selection import PLANE_Y
 from rotordyn.system.stiffening import stiffening
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.rotors import support, uniform
@@ -223,7 +223,8 @@ def soft(points: dict[str, float] | None = None) -> Spindle:
 
 def dense(found: Scene, row: int) -> np.ndarray:
     """Static stiffness of plane y, nothing condensed."""
-    from rotordyn.elements.support import node_matrix, turn
+    from rotordyn.model.seat import turn
+from rotordyn.model.support import node_matrix
 
     spindle, mesh = found.spindle, found.mesh
     blocks = [

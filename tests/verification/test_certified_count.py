@@ -23,7 +23,7 @@ from rotordyn.report.warnings import result_warnings
 from rotordyn.system import fineness, flexibility, lateral_rotor
 from rotordyn.system.hierarchy import Hierarchy
 from rotordyn.system.leakage import Leakage
-from rotordyn.system.mesh import build_mesh
+from rotordyn.model.mesh import build_mesh
 from rotordyn.system.unreduced import MaterialDamping
 from tests.oracles.exact_shaft.count import modes_below, whirl_frequencies
 from tests.oracles.exact_shaft.rotor import exact_rotor

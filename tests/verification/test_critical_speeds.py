@@ -17,7 +17,7 @@ from rotordyn.analysis.specs import CampbellSpec, Conditions
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
-from rotordyn.system.mesh import build_mesh
+from rotordyn.model.mesh import build_mesh
 from tests.literature.test_rotor_friswell import base, overhung
 from tests.oracles.exact_shaft.poles import exact_mode
 from tests.oracles.exact_shaft.rotor import exact_rotor

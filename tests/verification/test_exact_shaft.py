@@ -18,7 +18,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
-from rotordyn.system.mesh import Mesh, station_mesh
+from rotordyn.model.mesh import Mesh, station_mesh
 from rotordyn.system.whirl_in_planes import planes_of
 from tests.oracles.exact_shaft.bending import (
     exact_modes,

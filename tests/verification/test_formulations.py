@@ -22,7 +22,7 @@ from rotordyn.job import solve
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.spindle import Spindle
 from rotordyn.plots.compared.catalogue import comparison_figures
-from rotordyn.system.assemble import add_at_nodes, bending_plane
+from tests.oracles.dense_rotor.assemble import add_at_nodes, bending_plane
 from tests.oracles.rotors import STEEL, support, uniform
 from tests.oracles.spindles import RPM, answers, case, mfw2310, pairs, scene
 

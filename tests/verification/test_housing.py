@@ -20,13 +20,14 @@ from rotordyn.analysis.specs import (
     PointLoad,
     SectionForcesSpec,
 )
-from rotordyn.elements.support import node_matrix, turn
+from rotordyn.model.seat import turn
+from rotordyn.model.support import node_matrix
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.housing import ReducedHousing, RigidHousing
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
-from rotordyn.system.dofs import ALL
+from tests.oracles.dense_rotor.selection import ALL
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.rotors import STEPPED, support
 from tests.oracles.spindles import RPM, case, mfw2310, pairs, standard

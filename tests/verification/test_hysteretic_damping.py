@@ -35,8 +35,8 @@ from rotordyn.machine.support import LinearSupport
 from rotordyn.numerics.reduction import RitzBasis
 from rotordyn.report.warnings import result_warnings
 from rotordyn.system import flexibility
-from rotordyn.system.assemble import rotor_matrices
-from rotordyn.system.dofs import LATERAL
+from tests.oracles.dense_rotor.assemble import rotor_matrices
+from tests.oracles.dense_rotor.selection import LATERAL
 from rotordyn.system.hysteresis import Signs
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.rotors import STEPPED, support, uniform

@@ -21,9 +21,9 @@ from rotordyn.machine.joint import Joint
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.modes import modes
-from rotordyn.system.assemble import rotor_matrices
-from rotordyn.system.dofs import ALL
-from rotordyn.system.mesh import build_mesh
+from tests.oracles.dense_rotor.assemble import rotor_matrices
+from tests.oracles.dense_rotor.selection import ALL
+from rotordyn.model.mesh import build_mesh
 from tests.oracles.rotors import STEEL, STEPPED, support, uniform
 from tests.oracles.spindles import RPM, case, mfw2310, pairs
 

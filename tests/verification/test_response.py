@@ -17,8 +17,8 @@ from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
-from rotordyn.system.dofs import LATERAL
-from rotordyn.system.mesh import build_mesh
+from tests.oracles.dense_rotor.selection import LATERAL
+from rotordyn.model.mesh import build_mesh
 from tests.oracles.coaxial import COAXIAL, STEEL
 from tests.oracles.exact_shaft.bending import exact_receptance
 from tests.oracles.full_rotor import FullRotor

@@ -13,19 +13,19 @@ from hypothesis import strategies as st
 from rotordyn.analysis import campbell, frf
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec
-from rotordyn.elements.node import FREEDOMS
+from rotordyn.model.dofs import DIRECTIONS
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import coupled_motions
-from rotordyn.system.dofs import ALL
+from tests.oracles.dense_rotor.selection import ALL
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.matrices import definite, definites, held, turn_about_axis
 from tests.oracles.rotors import STEPPED, support
 from tests.oracles.spindles import RPM, case, mfw2310, pairs, scene, standard, with_springs
 
 HIGHEST = 2000.0
-EVERY = tuple(f"nose.{a}/tip.{b}" for a, b in product(FREEDOMS, FREEDOMS))
-DRIVEN = tuple(f"{point}.{a}/{point}.{a}" for point in ("nose", "tip") for a in FREEDOMS)
+EVERY = tuple(f"nose.{a}/tip.{b}" for a, b in product(DIRECTIONS, DIRECTIONS))
+DRIVEN = tuple(f"{point}.{a}/{point}.{a}" for point in ("nose", "tip") for a in DIRECTIONS)
 FREQUENCY = np.linspace(5.0, HIGHEST, 80)
 RANDOM = np.random.default_rng(7).uniform(-1.0, 1.0, (4, 6, 6))
 

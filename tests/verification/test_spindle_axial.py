@@ -14,7 +14,7 @@ from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, FrfSpec
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
-from rotordyn.system.assemble import axial_rod, torsion_rod
+from tests.oracles.dense_rotor.assemble import axial_rod, torsion_rod
 from tests.oracles.spindles import mfw2310, pairs, scene, undamped, with_sleeve
 
 FREQUENCY = np.linspace(5.0, 4000.0, 300)

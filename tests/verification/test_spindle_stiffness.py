@@ -17,14 +17,14 @@ from bearings.ring.iterate import Iterate
 from rotordyn.analysis.radial import RadialProblem
 from rotordyn.analysis.specs import PreloadSpec, StiffnessSpec
 from rotordyn.analysis.stiffness import answer as stiffness_answer
-from rotordyn.elements.support import turn
+from rotordyn.model.seat import turn
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import BearingSeat, Sleeve, Spring
 from rotordyn.preload.network import Network
-from rotordyn.system.assemble import add_at_nodes, bending_plane
-from rotordyn.system.dofs import PLANE_Y
-from rotordyn.system.mesh import build_mesh
+from tests.oracles.dense_rotor.assemble import add_at_nodes, bending_plane
+from tests.oracles.dense_rotor.selection import PLANE_Y
+from rotordyn.model.mesh import build_mesh
 from rotordyn.system.stiffening import stiffening
 from tests.oracles.spindles import RPM, TOP, answers, mfw2310, scene, with_sleeve, with_springs
 

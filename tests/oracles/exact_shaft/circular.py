@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.system.dofs import Selection
+from tests.oracles.dense_rotor.selection import Selection
 
 Complex = NDArray[np.complex128]
 PLANES = Selection(("y", "thz", "z", "thy"), (1, 1, 1, -1))

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rotordyn.elements.bubbles import bubbles, points
-from rotordyn.elements.hierarchic_bending import hierarchic_bending, inner_freedoms, shapes
-from rotordyn.elements.plane_bending import plane_bending, shear_parameter
+from rotordyn.model.elements.polynomials import bubbles, points
+from rotordyn.model.elements.beam import hierarchic_bending, inner_freedoms, shapes
+from rotordyn.model.elements.standard_beam import plane_bending, shear_parameter
 from rotordyn.machine.cross_section import area, second_moment
 
 E, G, RHO, KAPPA = 2.1e11, 2.1e11 / 2.6, 7800.0, 0.886

@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rotordyn.elements.interpolation import between_nodes
-from rotordyn.elements.node import FREEDOMS
+from rotordyn.surface.interpolation import between_nodes
+from rotordyn.model.dofs import DIRECTIONS
 
 LENGTH, FORCE, BENDING, SHEAR = 0.7, 300.0, 4e4, 2e6
-Y, Z, THX, THY, THZ = (FREEDOMS.index(name) for name in ("y", "z", "thx", "thy", "thz"))
+Y, Z, THX, THY, THZ = (DIRECTIONS.index(name) for name in ("y", "z", "thx", "thy", "thz"))
 
 
 def cantilever(x: np.ndarray) -> np.ndarray:

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from numpy.polynomial import Polynomial
 
-from rotordyn.elements.plane_bending import (
+from rotordyn.model.elements.standard_beam import (
     axial_force_stiffness,
     plane_bending,
     shear_parameter,

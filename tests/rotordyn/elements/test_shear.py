@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rotordyn.elements.shear import cowper, hutchinson, shear_coefficient
+from rotordyn.model.elements.shear import cowper, hutchinson, shear_coefficient
 from rotordyn.errors import InvalidInput
 
 

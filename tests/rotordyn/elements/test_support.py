@@ -5,8 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rotordyn.elements.node import position
-from rotordyn.elements.support import node_matrix, turn
+from rotordyn.model.dofs import position
+from rotordyn.model.seat import turn
+from rotordyn.model.support import node_matrix
 
 
 def own_frame() -> np.ndarray:

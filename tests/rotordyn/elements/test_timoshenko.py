@@ -7,9 +7,9 @@ import math
 import numpy as np
 import pytest
 
-from rotordyn.elements.lumped import lumped_element
-from rotordyn.elements.node import FREEDOMS, position
-from rotordyn.elements.timoshenko import shaft_element
+from tests.oracles.dense_rotor.lumped import lumped_element
+from rotordyn.model.dofs import DIRECTIONS, position
+from tests.oracles.dense_rotor.timoshenko import shaft_element
 from rotordyn.machine.lumped import PointMass
 
 LENGTH, OUTER, INNER = 0.06, 0.08, 0.03
@@ -30,7 +30,7 @@ def test_symmetry() -> None:
 
 
 def test_four_motions_are_decoupled() -> None:
-    names = [GROUPS[name] for name in FREEDOMS * 2]
+    names = [GROUPS[name] for name in DIRECTIONS * 2]
     apart = np.array([[a != b for b in names] for a in names])
     for matrix in (ELEMENT.mass, ELEMENT.translational_mass, ELEMENT.stiffness):
         assert not matrix[apart].any()

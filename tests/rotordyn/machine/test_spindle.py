@@ -9,7 +9,7 @@ import pytest
 import rotordyn
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.shaft import Shaft
-from rotordyn.system.mesh import build_mesh
+from rotordyn.model.mesh import build_mesh
 from tests.oracles.rotors import uniform
 
 

@@ -9,7 +9,7 @@ import pytest
 
 from rotordyn.surface.body import together
 from rotordyn.surface.several import displacements, holders, section_motions, surfaces
-from rotordyn.system.mesh import build_mesh
+from rotordyn.model.mesh import build_mesh
 from tests.oracles.coaxial import COAXIAL, INNER, OUTER
 
 MESH = build_mesh(COAXIAL)

@@ -7,11 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rotordyn.elements.lumped import lumped_element
-from rotordyn.elements.shear import cowper
-from rotordyn.elements.support import turn
-from rotordyn.elements.timoshenko import shaft_element
-from rotordyn.system.assemble import (
+from tests.oracles.dense_rotor.lumped import lumped_element
+from rotordyn.model.elements.shear import cowper
+from rotordyn.model.seat import turn
+from tests.oracles.dense_rotor.timoshenko import shaft_element
+from tests.oracles.dense_rotor.assemble import (
     add_at_nodes,
     axial_rod,
     bending_plane,
@@ -19,8 +19,8 @@ from rotordyn.system.assemble import (
     rotor_matrices,
     torsion_rod,
 )
-from rotordyn.system.dofs import ALL, AXIAL, LATERAL, PLANE_Y, PLANE_Z, TORSION, Selection
-from rotordyn.system.mesh import build_mesh
+from tests.oracles.dense_rotor.selection import ALL, AXIAL, LATERAL, PLANE_Y, PLANE_Z, TORSION, Selection
+from rotordyn.model.mesh import build_mesh
 from tests.oracles.rotors import STEPPED
 from tests.oracles.whirl import eigenvalues, state_space
 

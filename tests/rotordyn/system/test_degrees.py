@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rotordyn.elements.hierarchic_rod import hierarchic_rod, inner_freedoms, shapes
-from rotordyn.system.degrees import (
+from rotordyn.model.elements.rod import hierarchic_rod, inner_freedoms, shapes
+from rotordyn.model.fineness import (
     HIGHEST,
     bending_wave,
     expected_error,

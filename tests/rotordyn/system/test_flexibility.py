@@ -13,8 +13,8 @@ from rotordyn.machine.joint import Joint
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.sparse import filled
-from rotordyn.system.assemble import loaded_plane, loaded_rod
-from rotordyn.system.dofs import AXIAL
+from tests.oracles.dense_rotor.assemble import loaded_plane, loaded_rod
+from tests.oracles.dense_rotor.selection import AXIAL
 from rotordyn.system.flexibility import bending_answer, rod_answer
 from rotordyn.system.geometric_stiffness import GeometricStiffness
 from rotordyn.system.hierarchic_rotor import (
@@ -24,7 +24,7 @@ from rotordyn.system.hierarchic_rotor import (
     rigid_motions,
     rod_hierarchy,
 )
-from rotordyn.system.mesh import build_mesh
+from rotordyn.model.mesh import build_mesh
 from rotordyn.system.stiffening import stiffening
 from tests.oracles.rotors import STEEL, uniform
 

@@ -12,7 +12,7 @@ from rotordyn.machine.lumped import Disc
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
-from rotordyn.system.mesh import ELEMENTS_OVER_LENGTH, build_mesh
+from rotordyn.model.mesh import ELEMENTS_OVER_LENGTH, build_mesh
 from tests.oracles.rotors import STEEL, STEPPED, uniform
 
 FULL = replace(

@@ -12,9 +12,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.elements.node import FREEDOMS, position
-from rotordyn.elements.plane_bending import PlaneBending, plane_bending
-from rotordyn.elements.rod import Rod, rod
+from rotordyn.model.dofs import DIRECTIONS, position
+from rotordyn.model.elements.standard_beam import PlaneBending, plane_bending
+from rotordyn.model.elements.rod import Rod, rod
 from rotordyn.machine.cross_section import area, second_moment
 
 Array = NDArray[np.float64]
@@ -76,7 +76,7 @@ def _transform(*names: str, signs: tuple[int, ...]) -> Array:
     matrix = np.zeros((12, 2 * width))
     for node in (0, 1):
         for column, (name, sign) in enumerate(zip(names, signs, strict=True)):
-            matrix[len(FREEDOMS) * node + position(name), width * node + column] = sign
+            matrix[len(DIRECTIONS) * node + position(name), width * node + column] = sign
     return matrix
 
 

@@ -18,9 +18,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.elements.bubbles import bubbles, points
-from rotordyn.elements.plane_bending import PlaneBending, plane_bending, shear_parameter
 from rotordyn.machine.cross_section import area, second_moment
+from rotordyn.model.elements.polynomials import bubbles, points
+from rotordyn.model.elements.standard_beam import PlaneBending, plane_bending, shear_parameter
 
 Array = NDArray[np.float64]
 _CONSTANT = 1.0 / 6.0**0.5  # shear angle of the freedom of constant shear: −½ ∫ψ_2 dξ
@@ -29,16 +29,6 @@ _CONSTANT = 1.0 / 6.0**0.5  # shear angle of the freedom of constant shear: −�
 def inner_freedoms(degree: int) -> int:
     """Freedoms between the nodes of an element of ``degree`` n ≥ 1 (1: the standard element)."""
     return 0 if degree < 2 else 2 * degree - 1
-
-
-def added_freedoms(low: int, high: int) -> tuple[list[int], list[int]]:
-    """Of the freedoms of degree ``high``: those of degree ``low``, in its order, and the others."""
-    kept = list(range(4))
-    if low >= 2:
-        shear, constant = 4, 4 + high
-        kept += range(shear, shear + low)
-        kept += [constant, *range(constant + 1, constant + low - 1)]
-    return kept, [k for k in range(4 + inner_freedoms(high)) if k not in kept]
 
 
 def hierarchic_bending(

@@ -7,7 +7,7 @@ from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import accumulate, pairwise
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
@@ -204,3 +204,13 @@ def _divided(stations: Array, longest: float) -> Array:
     number = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
     inside = number * np.repeat(span / parts, parts) + np.repeat(stations[:-1], parts)
     return np.concatenate([inside, stations[-1:]])
+
+
+def divided(mesh: Mesh, parts: NDArray[np.intp]) -> Mesh:
+    """Every element of ``mesh`` cut into equal ``parts`` (elements,)."""
+    step = np.repeat(mesh.length / parts, parts)
+    x = np.concatenate([mesh.x[:1], mesh.x[0] + np.cumsum(step)])
+    x[np.concatenate([[0], np.cumsum(parts)])] = mesh.x
+    names = ("outer_diameter", "inner_diameter", "young_modulus", "poisson_ratio", "density")
+    own: dict[str, Any] = {name: np.repeat(getattr(mesh, name), parts) for name in names}
+    return replace(mesh, x=x, **own)

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.elements.node import FREEDOMS, place_of, position
+from rotordyn.model.dofs import DIRECTIONS, place_of, position
 
 
 @dataclass(frozen=True, slots=True)
@@ -55,17 +55,17 @@ class Selection:
 
         With ``columns`` another selection, the block that couples the two.
         """
-        nodes = matrix.shape[-1] // len(FREEDOMS)
+        nodes = matrix.shape[-1] // len(DIRECTIONS)
         other = columns or self
         block = matrix[..., self._places(nodes)[:, None], other._places(nodes)]
         return block * np.outer(np.tile(self.signs, nodes), np.tile(other.signs, nodes))
 
     def _places(self, nodes: int) -> NDArray[np.intp]:
         local = np.array([position(name) for name in self.names])
-        return (np.arange(nodes)[:, None] * len(FREEDOMS) + local).ravel()
+        return (np.arange(nodes)[:, None] * len(DIRECTIONS) + local).ravel()
 
 
-ALL = Selection(FREEDOMS, (1, 1, 1, 1, 1, 1))
+ALL = Selection(DIRECTIONS, (1, 1, 1, 1, 1, 1))
 LATERAL = Selection(("y", "z", "thy", "thz"), (1, 1, 1, 1))
 PLANE_Y = Selection(("y", "thz"), (1, 1))
 PLANE_Z = Selection(("z", "thy"), (1, -1))

@@ -7,7 +7,7 @@ stiffness of the supports, displacements at these are u = u0 + F r + B q, and
     r + K u = 0 (elastic),   u = 0 (rigid),   Bᵀ r = −(resultant of the loads).
 
 Reactions that equilibrium alone determines thus come from the last line, whatever F and K are; a
-freedom that nothing holds has its motion at the front end set to zero.
+direction that nothing holds has its motion at the front end set to zero.
 """
 
 from __future__ import annotations

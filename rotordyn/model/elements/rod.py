@@ -1,28 +1,48 @@
-"""Rod of any polynomial degree with the linear rod as its core (axial motion or torsion).
+"""Rod of any polynomial degree (axial motion or torsion): the linear rod is degree 1.
 
-Freedoms: those of ``rod``, then the amplitudes of ψ_2 … ψ_n, which stand alone in stiffness;
+DOF: those of the nodes, then the amplitudes of ψ_2 … ψ_n, which stand alone in stiffness;
 frequencies err as h^(2n).
 """
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.elements.bubbles import bubbles, points
-from rotordyn.elements.rod import Rod, rod
+from rotordyn.model.elements.polynomials import bubbles, points
 
 Array = NDArray[np.float64]
+
+_STIFFNESS = np.array([[1.0, -1.0], [-1.0, 1.0]])
+_MASS = np.array([[2.0, 1.0], [1.0, 2.0]]) / 6.0
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Rod:
+    """Matrices of shape (…, 2, 2)."""
+
+    mass: Array
+    stiffness: Array
+
+
+def rod(length: Array, rigidity: Array, line_inertia: Array) -> Rod:
+    """Consistent matrices of rods, leading dimensions broadcast.
+
+    ``length`` [m]; ``rigidity`` E A [N] or G Ip [N·m²]; ``line_inertia`` ρ A [kg/m] or ρ Ip [kg·m].
+    """
+    mass = _spread(line_inertia * length) * _MASS
+    return Rod(mass=mass, stiffness=_spread(rigidity / length) * _STIFFNESS)
+
+
+def _spread(values: Array) -> Array:
+    return np.asarray(values)[..., None, None]
 
 
 def inner_freedoms(degree: int) -> int:
     """Freedoms between the nodes of a rod of ``degree`` n ≥ 1."""
     return degree - 1
-
-
-def added_freedoms(low: int, high: int) -> tuple[list[int], list[int]]:
-    """Of the freedoms of degree ``high``: those of degree ``low``, and the others."""
-    return list(range(low + 1)), list(range(low + 1, high + 1))
 
 
 def hierarchic_rod(length: Array, rigidity: Array, line_inertia: Array, *, degree: int) -> Rod:

@@ -9,9 +9,9 @@ from numpy.typing import NDArray
 
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
-from rotordyn.system.assemble import shear_coefficients
-from rotordyn.system.mesh import Mesh
-from rotordyn.system.section_forces import SectionForces
+from rotordyn.model.mesh import Mesh
+from rotordyn.model.section_forces import SectionForces
+from tests.oracles.dense_rotor.assemble import shear_coefficients
 
 Array = NDArray[np.float64]
 

@@ -1,4 +1,4 @@
-"""How fine a mesh must be: the degree that carries a wave through an element within a tolerance.
+"""How fine a model is: what accuracy asks of elements and of their reduction.
 
 An element of degree n that a wave of number k crosses over a length h errs in frequency by
 
@@ -12,13 +12,18 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Degrees = NDArray[np.intp]
-
+USUAL = 1e-4  # relative error of a frequency that a designer does not notice
+CUTOFF = 2.5  # free-free modes kept, over the highest frequency asked, at the usual accuracy
+STANDARD_CUTOFF = 4.0  # the same with standard elements, whose own error is to stand alone
+WEIGHTLESS = 30.0  # frequency of what has no mass, over the highest asked, at the usual accuracy
+FINER = 1.5  # cut-off of a finer model over that of the one before
 HIGHEST = 10
 FAR, HALVINGS = 1e12, 30
 SAFETY = 5.0  # what is aimed at lies below what is asked by this
@@ -26,6 +31,44 @@ _DEGREES = np.arange(1, HIGHEST + 1)
 _FACTOR = np.array(
     [0.5 * (math.factorial(n) / math.factorial(2 * n)) ** 2 / (2 * n + 1) for n in _DEGREES]
 )
+
+
+@dataclass(frozen=True, slots=True)
+class Fineness:
+    """How good a model must be: relative ``accuracy`` of every frequency up to ``frequency`` [Hz].
+
+    ``spin`` [rad/s]: highest speed. ``accuracy`` None: standard elements between the nodes of the
+    mesh, whatever they give. ``finer``: steps beyond that; each is one degree more in every element,
+    or half the length of standard ones, and a cut-off ``FINER`` times as high.
+    """
+
+    frequency: float
+    spin: float = 0.0
+    accuracy: float | None = None
+    finer: int = 0
+
+    @property
+    def band(self) -> float:
+        """The highest frequency asked for [rad/s]."""
+        return 2.0 * math.pi * self.frequency
+
+    @property
+    def cutoff(self) -> float:
+        """Up to which free-free modes are kept [rad/s]: the error by those left out falls with its
+        fourth power."""
+        factor = STANDARD_CUTOFF if self.accuracy is None else CUTOFF * self._finer**0.25
+        return FINER**self.finer * factor * self.band
+
+    @property
+    def weightless(self) -> float:
+        """The frequency lent to what has no mass [rad/s], far above the band: the error by that
+        falls with its square."""
+        return 2.0 * math.pi * WEIGHTLESS * (self._finer**0.5 * self.frequency)
+
+    @property
+    def _finer(self) -> float:
+        """How many times as accurate as usual, at least once."""
+        return 1.0 if self.accuracy is None else max(1.0, USUAL / self.accuracy)
 
 
 def expected_error(phase: Array, degree: Degrees) -> Array:

@@ -13,18 +13,18 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.elements.lumped import LumpedElement, lumped_element
-from rotordyn.elements.plane_bending import plane_bending
-from rotordyn.elements.rod import rod
-from rotordyn.elements.shear import shear_coefficient
-from rotordyn.elements.timoshenko import shaft_element
+from tests.oracles.dense_rotor.lumped import LumpedElement, lumped_element
+from rotordyn.model.elements.standard_beam import plane_bending
+from rotordyn.model.elements.rod import rod
+from rotordyn.model.elements.shear import shear_coefficient
+from tests.oracles.dense_rotor.timoshenko import shaft_element
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
-from rotordyn.numerics.sparse import LONG, Matrix, is_sparse, summed
-from rotordyn.system.dofs import ALL, AXIAL, PLANE_Y, PLANE_Z, TORSION, Selection
-from rotordyn.system.hierarchy import Hierarchy
+from rotordyn.numerics.sparse import Matrix, is_sparse, summed
+from tests.oracles.dense_rotor.selection import ALL, AXIAL, PLANE_Y, PLANE_Z, TORSION, Selection
+from rotordyn.model.hierarchy import Hierarchy
 from rotordyn.system.jumps import hinged
-from rotordyn.system.mesh import Mesh
+from rotordyn.model.mesh import Mesh
 
 Array = NDArray[np.float64]
 
@@ -161,7 +161,7 @@ def chain(blocks: Array) -> Matrix:
     elements, width = len(blocks), blocks.shape[-1] // 2
     rows = width * np.arange(elements)[:, None] + np.arange(2 * width)
     size = (elements + 1) * width
-    return summed((size, size), [(rows, rows, blocks)], large=size >= LONG)
+    return summed((size, size), [(rows, rows, blocks)], large=size >= 1000)
 
 
 def add_at_nodes(matrix: Matrix, nodes: Sequence[int], blocks: Array) -> Matrix:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.elements.node import position
+from rotordyn.model.dofs import position
 from rotordyn.machine.lumped import PointMass
 
 Array = NDArray[np.float64]

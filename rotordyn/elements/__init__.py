@@ -1,1 +1,0 @@
-"""Local matrices: numbers in, small arrays out; no node numbers, no speed."""

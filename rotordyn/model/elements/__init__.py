@@ -1,0 +1,1 @@
+"""Shape functions and matrices of beams and rods of any degree."""

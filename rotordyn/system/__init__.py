@@ -1,1 +1,0 @@
-"""The rotor as a whole: mesh, order of freedoms, assembled matrices."""
