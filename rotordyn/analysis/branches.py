@@ -1,7 +1,8 @@
 """Modes over speed: those of every subsystem, each followed by its shape.
 
-A mode of motions that something couples is named after the one with the largest share of its kinetic
-energy, on the mean of all speeds: of two modes that veer, what each is over most of the range.
+A mode of motions that something couples is named after the one with the largest share of its
+kinetic energy, on the mean of all speeds: of two modes that veer, what each is over most of the
+range.
 """
 
 from __future__ import annotations

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Sequence
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -122,17 +123,18 @@ def _errors(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> Array:
     if scene.rigid:
         return error
     for k, own in _by_system(scene, spec.pairs).items():
-        pairs, judged = [spec.pairs[place] for place in own], _judged(scene, k, frequency)
-
-        def values(
-            one: Scene, rows: Rows, k: int = k, pairs: Any = pairs, at: Array = judged
-        ) -> Complex:
-            found = one.system_at(k, rows)
-            with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
-                return _receptance(one, found, pairs)(at) * (2.0 * math.pi * at) ** power
-
-        error[own] = np.nan_to_num(changes(scene, values, 1))
+        pairs, at = [spec.pairs[place] for place in own], _judged(scene, k, frequency)
+        error[own] = np.nan_to_num(changes(scene, partial(_weighed, k, pairs, at, power), 1))
     return error
+
+
+def _weighed(
+    k: int, pairs: Sequence[tuple[Port, Port]], at: Array, power: int, scene: Scene, rows: Rows
+) -> Complex:
+    """Receptances times ω to a power (rows, pairs, f) at frequencies ``at`` (f,) [Hz]."""
+    with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
+        found = _receptance(scene, scene.system_at(k, rows), pairs)(at)
+        return np.asarray(found * (2.0 * math.pi * at) ** power)
 
 
 def _judged(scene: Scene, k: int, frequency: Array) -> Array:
@@ -166,8 +168,9 @@ def _refuse_unlimited(
         row, column = np.argwhere(lost)[0]
         rpm = scene.speed[scene.usable[min(row, len(scene.usable) - 1)]] * RPM.factor
         raise InvalidInput(
-            f"frf: the response is unbounded at {frequency[column]:.10g} Hz and {rpm:.6g} rpm, where "
-            "an undamped or rigid-body mode lies: add damping or a support, or drop this frequency"
+            f"frf: the response is unbounded at {frequency[column]:.10g} Hz and {rpm:.6g} rpm, "
+            "where an undamped or rigid-body mode lies: add damping or a support, or drop this "
+            "frequency"
         )
 
 

@@ -16,7 +16,7 @@ def named(branches: Iterable[Branch]) -> tuple[list[Branch], tuple[str, ...]]:
 
 
 def _place(branch: Branch) -> tuple[str, bool, float, float]:
-    """Bending, axial, torsion; overdamped ones last; from below; of twins the backward one first."""
+    """Bending, axial, torsion; overdamped ones last; from below; of equal ones backward first."""
     kind = {"bending": "0", "axial": "1", "torsion": "2"}[branch.kind]
     first = branch.born
     return (

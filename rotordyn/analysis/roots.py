@@ -119,7 +119,7 @@ def _states(
 
 
 def _known(scene: Scene, home: int, order: float, side: float) -> FreeMotions:
-    """Modes of a subsystem; with loss factors, of motions that turn at ``order`` times the speed."""
+    """Modes of a subsystem; with loss factors, of motions at ``order`` times the speed."""
     found = scene.system(home)
     if found.lossy is None:
         return found

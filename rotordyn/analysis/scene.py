@@ -144,6 +144,9 @@ class Scene(Statics):
         places = [self.spindle.place(at) for at in self.ports]
         return Structure(self.spindle, self.mesh, self.fineness, places, rigid=self.rigid)
 
+    def _structure(self) -> Structure:
+        return self.rotor
+
     @property
     def state(self) -> State:
         """Speeds, tangents and stops at the usable speeds."""

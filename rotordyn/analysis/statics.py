@@ -19,6 +19,7 @@ from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve, Spring
 from rotordyn.model.mesh import Mesh, build_mesh
+from rotordyn.model.structure import Structure
 from rotordyn.preload.axial_force import AxialForce, axial_force
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.units import STANDARD_GRAVITY
@@ -163,7 +164,7 @@ class Statics(Staged):
         loading = Loading(
             self.grounded,
             speed,
-            lambda: self.rotor,
+            self._structure,
             seat_load,
             seat_stiffness,
             self.conditions.axial_force,
@@ -183,6 +184,10 @@ class Statics(Staged):
 
     def _along(self, seat_load: Array) -> AxialForce:
         return axial_force(self.grounded, seat_load, self.conditions.axial_force, self.gravity)
+
+    def _structure(self) -> Structure:
+        """The terms of the machine."""
+        raise NotImplementedError
 
     @property
     def _axial_inputs(self) -> tuple[Any, ...]:

@@ -24,7 +24,7 @@ def slope_rows(shaft: Shaft, shown: Mesh, way: str) -> tuple[list[Rows], int]:
 
 def geometric_stiffness(slopes: Array, force: Array) -> Array:
     """(s, m, m) of coordinates with ``slopes`` (places, m) under the axial ``force`` (s, elements)
-    [N], tension positive, by the few fields that the forces are made of; NaN where it is not known."""
+    [N], tension positive, by the few fields that forces are made of; NaN where it is not known."""
     known = np.isfinite(force).all(axis=1)
     states, size, fields = np.linalg.svd(force[known], full_matrices=False)
     clear = size > NOTHING * size[0] if size.size else size > 0.0

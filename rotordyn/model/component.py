@@ -145,7 +145,7 @@ class Component:
             rigid[self.local(dofs)] = motion
         if self.cutoff == 0.0:  # a rigid rotor
             factor = np.linalg.cholesky(rigid.T @ (mass @ rigid))
-            return np.linalg.solve(factor, rigid.T).T, np.zeros(rigid.shape[1])
+            return np.asarray(np.linalg.solve(factor, rigid.T).T), np.zeros(rigid.shape[1])
         ports = np.zeros((len(self.dofs), len(self.ports)))
         ports[self.local(self.ports), np.arange(len(self.ports))] = 1.0
         basis = reduce(mass, stiffness, rigid, ports, self.cutoff)

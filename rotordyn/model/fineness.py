@@ -38,8 +38,8 @@ class Fineness:
     """How good a model must be: relative ``accuracy`` of every frequency up to ``frequency`` [Hz].
 
     ``spin`` [rad/s]: highest speed. ``accuracy`` None: standard elements between the nodes of the
-    mesh, whatever they give. ``finer``: steps beyond that; each is one degree more in every element,
-    or half the length of standard ones, and a cut-off ``FINER`` times as high.
+    mesh, whatever they give. ``finer``: steps beyond that; each is one degree more in every
+    element, or half the length of standard ones, and a cut-off ``FINER`` times as high.
     """
 
     frequency: float

@@ -1,4 +1,4 @@
-"""Free motions of a subsystem: its poles and vectors at every speed, and receptances summed of them.
+"""Free motions of a subsystem: poles and vectors at every speed, and receptances summed of them.
 
 Where both planes obey the same equations they are solved as one complex plane r = y + i z, half the
 unknowns: whirl at a pole of Im > 0 is forward, of Im < 0 backward. Whatever form they are solved
@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from rotordyn.model.hysteresis import Hysteresis, Hysteretic, Signs
 from rotordyn.model.linear import Linear
+from rotordyn.model.term import Matrices
 from rotordyn.numerics.modes import Modes, modes, residual
 
 Array = NDArray[np.float64]
@@ -182,7 +183,8 @@ class FreeMotions:
 def free_motions(linear: Linear) -> FreeMotions:
     """All free motions; with loss factors, each with those of its own frequency. What is the same
     at all speeds is solved once."""
-    stiffness, damping = linear.stiffness, linear.damping
+    stiffness: Matrices = linear.stiffness
+    damping: Matrices = linear.damping
     loss = _hysteresis(linear)
     speeds = len(linear.speed)
     same = all((own == own[:1]).all() for own in (stiffness, damping))
@@ -205,8 +207,8 @@ def _hysteresis(linear: Linear) -> Hysteresis | None:
     return None if linear.loss is None else Hysteresis(*linear.loss)
 
 
-def _circular(matrix: Array, half: int) -> NDArray[np.inexact]:
+def _circular(matrix: Matrices, half: int) -> Matrices:
     """A − iB of [[A, B], [−B, A]] (s, n, n): acts on r = y + i z; real where nothing couples the
     planes."""
     own, across = matrix[:, :half, :half], matrix[:, :half, half:]
-    return own - 1j * across if across.any() else own
+    return np.asarray(own - 1j * across) if across.any() else own

@@ -25,7 +25,8 @@ class Foundation:
     """
 
     def __init__(self, dofs: Dofs, spindle: Spindle, housing: Housing) -> None:
-        stations = {each.name: each.x for each in (*spindle.seats, *spindle.supports)}
+        stations = {seat.name: seat.x for seat in spindle.seats}
+        stations |= {support.name: support.x for support in spindle.supports}
         body = f"housing {housing.name}"
         if isinstance(housing, RigidHousing):
             names: tuple[str, ...] = housing.freedoms

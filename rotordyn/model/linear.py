@@ -11,6 +11,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
+from itertools import accumulate, pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -112,8 +113,8 @@ class Linear:
     @cached_property
     def slices(self) -> list[slice]:
         """Coordinates of each component."""
-        ends = np.cumsum([0, *(c.size for c in self.components)])
-        return [slice(int(a), int(b)) for a, b in zip(ends[:-1], ends[1:], strict=True)]
+        ends = accumulate((c.size for c in self.components), initial=0)
+        return [slice(a, b) for a, b in pairwise(ends)]
 
     @property
     def motions(self) -> frozenset[str]:
@@ -168,14 +169,12 @@ class Linear:
     @cached_property
     def isotropic(self) -> bool:
         """Both planes obey the same equations: forward and backward whirl are apart."""
-        half, odd = divmod(self.size, 2)
         firsts = [c for c in self.components if c.way == "y"]
         seconds = [c for c in self.components if c.way == "z"]
-        if odd or len(firsts) + len(seconds) != len(self.components):
+        if len(firsts) + len(seconds) != len(self.components):
             return False
         if [c.lines[0].body for c in firsts] != [c.lines[0].body for c in seconds]:
             return False
-        y, z = slice(half), slice(half, None)
         return all(
             answers_alike(own)
             for link in self.connections
@@ -264,7 +263,7 @@ def linear(
 
 
 def _motions(linear: Linear, link: Link) -> Array | None:
-    """Relative motions of a link by the coordinates (k, n); None where it is of other subsystems."""
+    """Relative motions of a link by the coordinates (k, n); None if it is of other subsystems."""
     rows, touched = np.zeros((len(link.motions), linear.size)), False
     for component, own in zip(linear.components, linear.slices, strict=True):
         mine = component.has(link.dofs)

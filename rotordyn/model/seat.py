@@ -18,7 +18,7 @@ NOISE = 1e-12  # of what two directions resist by themselves: less coupling is r
 
 
 def seat_matrices(seat: BearingSeat, place: int) -> Callable[[State], LinkMatrices]:
-    """Of the bearing number ``place``: its tangent in the spindle's frame (s, 6, 6), its dampers."""
+    """Of bearing number ``place``: its tangent in the spindle's frame (s, 6, 6), its dampers."""
     damping = np.diag([seat.axial_damping, *[seat.radial_damping] * 2, 0.0, 0.0, 0.0])
 
     def matrices(state: State) -> LinkMatrices:

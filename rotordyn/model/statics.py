@@ -76,7 +76,7 @@ def withstands(
 def _negative(matrix: Array) -> Array:
     """Number of negative eigenvalues (s,) of the symmetric part; infinite where it is not known."""
     matrix = 0.5 * (matrix + np.swapaxes(matrix, 1, 2))
-    known = np.isfinite(matrix).all(axis=(1, 2))
+    known = np.asarray(np.isfinite(matrix).all(axis=(1, 2)))
     size = np.sqrt(np.abs(np.diagonal(matrix, axis1=1, axis2=2)))
     size = np.where(known[:, None] & (size > 0.0), size, 1.0)
     scaled = np.where(known[:, None, None], matrix, 0.0) / size[:, :, None] / size[:, None, :]

@@ -3,7 +3,7 @@ but links."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
 
@@ -26,6 +26,7 @@ from rotordyn.model.shaft import PLANES, Shaft
 from rotordyn.model.sleeve import Sleeves
 from rotordyn.model.support import matrices_of
 from rotordyn.model.term import Array, Link, Part
+from rotordyn.numerics.sparse import summed
 
 PAIRED = {"y": "z", "z": "y", "thy": "thz", "thz": "thy"}  # planes keep the same static modes
 JOINING = ("mass", "stiffness", "damping")  # matrices that make DOF one component
@@ -112,34 +113,35 @@ class Structure:
         return np.concatenate(nodes), np.concatenate(motions, axis=1)
 
     def _port_dofs(self, places: Iterable[Place]) -> Indices:
-        """DOF of shafts at which links, dampers of joints, heavy discs and users act."""
+        """DOF of shafts at which links, heavy discs, dampers of joints and users act."""
         wanted: set[tuple[str, int, str]] = set()
+        for rotor, x, names in [*self._loaded(), *((*place, DIRECTIONS) for place in places)]:
+            node = self.shafts[rotor].mesh.node_of(x)
+            wanted |= {(rotor, node, n) for name in names for n in (name, PAIRED.get(name, name))}
+        own = {int(self.shafts[r].node[node, position(name)]) for r, node, name in wanted}
+        for shaft in self.shafts.values():
+            for joint in shaft.spindle.joints:
+                if joint.radial_damping or joint.tilt_damping:
+                    own |= set(shaft.behind[shaft.mesh.node_of(joint.x)].tolist())
+        return np.array(sorted(own), dtype=np.intp)
 
-        def add(rotor: str, x: float, names: Iterable[str]) -> None:
-            wanted.update((rotor, self.shafts[rotor].mesh.node_of(x), name) for name in names)
-
+    def _loaded(self) -> Iterator[tuple[str, float, Iterable[str]]]:
+        """Rotor, station and directions in which the terms act on shafts."""
         for seat in self.spindle.seats:
-            add(SPINDLE, seat.x, set(DIRECTIONS) - {"thx"})
+            yield SPINDLE, seat.x, set(DIRECTIONS) - {"thx"}
         for support in self.spindle.supports:
             touched = {n for pair in (*support.stiffness, *support.damping) for n in pair}
             for rotor in {support.holds, support.against} - {GROUND}:
-                add(rotor, support.x, touched)
+                yield rotor, support.x, touched
         for x in self.spindle.drawbar.stations if self.spindle.drawbar else ():
-            add(SPINDLE, x, PLANES_NAMES)
-        for place in places:
-            add(*place, DIRECTIONS)
-        behind: list[int] = []
+            yield SPINDLE, x, PAIRED
         for rotor, shaft in self.shafts.items():
             for body in shaft.spindle.lumped:
                 if body.polar_inertia:
-                    add(rotor, body.x, ("thy", "thz"))
+                    yield rotor, body.x, ("thy", "thz")
             for joint in shaft.spindle.joints:
-                if any((joint.radial_damping, joint.tilt_damping)):
-                    add(rotor, joint.x, PLANES_NAMES)
-                    behind += shaft.behind[shaft.mesh.node_of(joint.x)].tolist()
-        wanted |= {(rotor, node, PAIRED.get(name, name)) for rotor, node, name in wanted}
-        own = {int(self.shafts[r].node[node, position(name)]) for r, node, name in wanted}
-        return np.array(sorted(own | set(behind)), dtype=np.intp)
+                if joint.radial_damping or joint.tilt_damping:
+                    yield rotor, joint.x, PAIRED
 
     @cached_property
     def components(self) -> list[Component]:
@@ -160,7 +162,7 @@ class Structure:
             dofs = np.flatnonzero(of_mine)
             if not len(dofs):
                 continue
-            parts = [own for p in square if (own := _cut(p, of_mine)) is not None]
+            parts = [cut for part in square if (cut := _cut(part, of_mine)) is not None]
             own = tuple(lines[k] for k in mine)
             found.append(self._component(own, dofs, parts, solved))
         return found
@@ -202,8 +204,6 @@ class Structure:
             own = [p for p in self.parts if p.matrix == "gyroscopic" and y.has(p.rows[:1, 0]).all()]
             shape = len(y.dofs), len(z.dofs)
             blocks = [(y.local(p.rows), z.local(p.columns), p.blocks) for p in own]
-            from rotordyn.numerics.sparse import summed
-
             matrix = summed(shape, blocks, large=y.large)
             self._gyroscopic[key] = np.asarray(y.vectors.T @ (matrix @ z.vectors))
         return self._gyroscopic[key]
@@ -247,9 +247,6 @@ class Structure:
         else:
             whole[:, position(line.way)] = component.displaced(len(x), shaft.moved(line.way, x))
         return whole
-
-
-PLANES_NAMES = ("y", "z", "thy", "thz")
 
 
 def _cut(part: Part, chosen: np.ndarray) -> Part | None:

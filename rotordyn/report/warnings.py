@@ -21,8 +21,8 @@ from rotordyn.report.bearing_map import cut_off
 
 
 def result_warnings(results: Mapping[str, Any]) -> list[str]:
-    """Sentences on modes that change with the model, unstable modes, bearings too hard pressed or slipping, contact
-    ellipses cut off, shafts twisted."""
+    """Sentences on modes that change with the model, unstable modes, bearings too hard pressed or
+    slipping, contact ellipses cut off, shafts twisted."""
     found = (_unsettled, _unstable_modes, _pressures, _slips, _ellipses, _twists)
     return [sentence for look in found for sentence in look(results)]
 
