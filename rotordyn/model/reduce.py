@@ -1,0 +1,229 @@
+"""One uncoupled motion of a free body in a few vectors: its lowest modes, static modes at ports.
+
+The problem K φ = λ M φ has rigid motions R, K R = 0. Held at as many DOF as it has rigid motions
+the body is statically determinate and K is positive definite on the others. There elastic modes
+obey K y = λ (M − M R Rᵀ M) y with M-orthonormal R, and φ = y − R Rᵀ M y (inertia relief). Their
+inverse values 1/λ are computed: stiff DOF give small ones, which do not drown slow modes in
+rounding, and rigid motions take no part. Static modes after Craig, *Structural Dynamics* (1981).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.errors import InvalidInput
+
+Array = NDArray[np.float64]
+Matrix = Any  # NDArray[np.float64], or csr_array of scipy.sparse
+LEAST_MODES = 8
+LARGE = 300  # DOF from which Lanczos finds a few modes faster than LAPACK finds all
+MOST_DENSE = 6000  # DOF; four matrices of that size are 1.2 GB
+MOST_ENTRIES = 200_000_000  # of all vectors of a large body, 1.6 GB
+ROUNDING = 1e-15  # of a diagonal entry: a pivot that small is zero
+NEW = 1e-10  # of the flexibility at the ports: vectors that add less (1e-5 squared) are dependent
+NOTHING = 1e-28  # of what a load moves a body rigidly: flexibility that is rounding
+TINY = 1e-200  # [s²], keeps a load of zeros from division by zero
+STIFF = 1e-8  # of the largest 1/λ: modes above the cutoff are told from rounding down to here
+ASIDE = 1.2345e-7  # relative, from round values of the cutoff, at which a pivot may vanish
+NEAR = 1e-5  # relative: an eigenvalue so near the cutoff may be counted on either side of it
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Basis:
+    """Vectors Φ (n, m) with Φᵀ M Φ = 1 and Φᵀ K Φ = diag(``values``) [rad²/s²], ascending.
+
+    ``modes`` (m,): which of them are eigenvectors; the others are static modes.
+    """
+
+    vectors: Array
+    values: Array
+    modes: NDArray[np.bool_]
+
+
+def reduce(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff: float) -> Basis:
+    """Modes of a free body up to ω = ``cutoff`` [rad/s] and static modes for loads ``ports``.
+
+    Parameters
+    ----------
+    mass, stiffness : ndarray or csr_array, shape (n, n)
+        M positive definite; K positive semi-definite, of null space ``rigid``.
+    rigid : ndarray, shape (n, r)
+        Rigid motions, kept as they stand; their values are 0.
+    ports : ndarray, shape (n, p)
+        Loads; the vectors hold the static displacement by their self-equilibrated part.
+    cutoff : float
+        ``LEAST_MODES`` modes are kept in any case, rigid ones included, if there are as many.
+
+    Raises
+    ------
+    InvalidInput : M or K is not definite, or the vectors asked for do not fit into memory
+    """
+    from scipy.sparse.linalg import ArpackError
+
+    try:
+        return _reduced(mass, stiffness, rigid, ports, cutoff)
+    except (np.linalg.LinAlgError, ArpackError):
+        raise InvalidInput(
+            "the modes of a free body cannot be computed: a part of it has no mass, is held by "
+            "nothing, or is stiff or light beyond the digits of its matrices; join it to others "
+            "or leave it out"
+        ) from None
+
+
+def _reduced(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff: float) -> Basis:
+    from scipy.sparse import csr_array
+
+    size, still = rigid.shape
+    least, below, large = max(LEAST_MODES - still, 0), 0, False
+    if size >= LARGE:
+        mass, stiffness = csr_array(mass), csr_array(stiffness)
+        shifted = _factors(stiffness - (1.0 - ASIDE) * cutoff**2 * mass)
+        below = int((shifted.U.diagonal() < 0.0).sum()) - still  # Sylvester's law of inertia
+        large = size > MOST_DENSE or 8 * max(below, least) < size
+    if large and (3 * below + 4 * ports.shape[1]) * size > MOST_ENTRIES:
+        raise InvalidInput(
+            f"{below} modes and {ports.shape[1]} loads of a body of {size} DOF do not fit into "
+            "memory; ask for lower frequencies or less accuracy, or join sections that are alike"
+        )
+    if not large:
+        mass, stiffness = (m.toarray() if hasattr(m, "toarray") else m for m in (mass, stiffness))
+    body = _Body.held(mass, stiffness, rigid)
+    if large:
+        values, elastic = _by_lanczos(body, below, least, cutoff)
+    else:
+        values, elastic = _by_lapack(body, least, cutoff)
+    static_values, static = _static_modes(body, values, elastic, ports)
+    every = np.concatenate([np.zeros(still), values, static_values])
+    vectors, order = np.hstack([body.rigid, elastic, static]), np.argsort(every, kind="stable")
+    return Basis(vectors[:, order], every[order], order < still + len(values))
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class _Body:
+    """A body whose DOF are ``free`` but for those that hold it.
+
+    ``root`` U: Uᵀ U = M. ``rigid`` R (n, r): Rᵀ M R = 1; ``pushed``: M R. ``solve``: y (n − r, k)
+    of K y = f on the free DOF; ``lower`` L: L Lᵀ = K there, empty of a sparse K.
+    """
+
+    mass: Matrix
+    root: Matrix
+    rigid: Array
+    pushed: Array
+    free: NDArray[np.intp]
+    lower: Array
+    solve: Callable[[Array], Array]
+
+    @classmethod
+    def held(cls, mass: Matrix, stiffness: Matrix, rigid: Array) -> _Body:
+        """At the DOF that hold it best."""
+        from scipy.linalg import cho_solve, qr
+        from scipy.sparse import diags_array
+
+        size = np.linalg.cholesky(rigid.T @ (mass @ rigid))
+        rigid = np.asarray(np.linalg.solve(size, rigid.T).T)
+        _, order = qr(rigid.T * np.sqrt(abs(mass.diagonal())), mode="r", pivoting=True)
+        free = np.sort(order[rigid.shape[1] :])
+        pushed, stiff = mass @ rigid, stiffness[free][:, free]
+        if isinstance(mass, np.ndarray):
+            root, lower = np.linalg.cholesky(mass).T, np.linalg.cholesky(stiff)
+            _refuse_singular(lower.diagonal() ** 2, stiff)
+            return cls(
+                mass, root, rigid, pushed, free, lower, lambda f: cho_solve((lower, True), f)
+            )
+        factors, held = _factors(mass), _factors(stiff)
+        _refuse_singular(held.U.diagonal()[held.perm_c], stiff)
+        _refuse_singular(factors.U.diagonal()[factors.perm_c], mass)
+        root = diags_array(factors.U.diagonal() ** -0.5) @ factors.U.tocsr()[:, factors.perm_c]
+        return cls(mass, root, rigid, pushed, free, np.zeros((0, 0)), held.solve)
+
+    def elastic(self, motions: Array) -> Array:
+        """Motions (n, k) of those (n − r, k) of the free DOF, without rigid ones."""
+        every = np.zeros((len(self.rigid), motions.shape[1]))
+        every[self.free] = motions
+        return np.asarray(every - self.rigid @ (self.pushed.T @ every))
+
+    def displaced(self, loads: Array) -> Array:
+        """Elastic displacements (n, k) by the self-equilibrated part of ``loads`` (n, k)."""
+        loads = loads - self.pushed @ (self.rigid.T @ loads)
+        return self.elastic(self.solve(loads[self.free]))
+
+    def normalised(self, motions: Array) -> tuple[Array, Array]:
+        """Values and vectors of the span of ``motions`` V (n, k), Vᵀ K V = 1.
+
+        They are the singular values of U V; small ones keep as many digits as large ones."""
+        _, size, turn = np.linalg.svd(np.linalg.qr(self.root @ motions, mode="r"))
+        return size**-2, motions @ (turn.T / size)
+
+
+def _by_lapack(body: _Body, least: int, cutoff: float) -> tuple[Array, Array]:
+    """Elastic modes up to the cutoff, so many at ``least``: values (k,), vectors (n, k)."""
+    from scipy.linalg import solve_triangular
+    from scipy.linalg.lapack import dsygst
+
+    pushed = body.pushed[body.free]
+    inertia = body.mass[body.free][:, body.free] - pushed @ pushed.T
+    inner, _ = dsygst(inertia, body.lower, lower=1)  # L⁻¹ (M − M R Rᵀ M) L⁻ᵀ
+    inverse, turn = np.linalg.eigh(inner, UPLO="L")
+    lowest = np.arange(len(inverse))[::-1] < least
+    clear = inverse > STIFF * inverse.max(initial=0.0)
+    turn = turn[:, (inverse * cutoff**2 > 1.0) | (lowest & clear)]
+    return body.normalised(body.elastic(solve_triangular(body.lower, turn, trans="T", lower=True)))
+
+
+def _by_lanczos(body: _Body, below: int, least: int, cutoff: float) -> tuple[Array, Array]:
+    """The same, so many known to be ``below`` the cutoff."""
+    from scipy.sparse.linalg import LinearOperator, eigsh
+
+    def displaced(load: Array) -> Array:
+        return body.displaced(load.reshape(-1, 1)).ravel()
+
+    inverse = LinearOperator(body.mass.shape, matvec=displaced, dtype=np.float64)
+    start = displaced(np.random.default_rng(1).standard_normal(len(body.rigid)))
+    wanted = max(below, least)
+    values, modes = eigsh(body.mass, wanted, M=body.mass, sigma=0.0, OPinv=inverse, v0=start)
+    order = np.argsort(values)
+    values, modes = values[order], modes[:, order]
+    if (values < (1.0 + NEAR) * max(cutoff**2, values[0])).sum() < below:  # one is missed
+        raise np.linalg.LinAlgError
+    return values, modes - body.rigid @ (body.pushed.T @ modes)
+
+
+def _static_modes(body: _Body, values: Array, elastic: Array, ports: Array) -> tuple[Array, Array]:
+    """What displacements by ``ports`` add to ``elastic`` modes (n, k) of ``values`` (k,)."""
+    pushed, answer = body.mass @ elastic, elastic.T @ ports
+    loads = ports - pushed @ answer
+    motions = body.displaced(loads)
+    energy = motions.T @ loads
+    flexibility = energy.diagonal() + (answer**2 / values[:, None]).sum(axis=0)
+    rounding = ((body.rigid.T @ ports) ** 2).sum(axis=0) * (1.0 / values).max(initial=0.0)
+    scale = (np.maximum(flexibility, NOTHING * rounding) + TINY) ** -0.5
+    share, turn = np.linalg.eigh(scale[:, None] * (energy + energy.T) / 2.0 * scale)
+    new = share > NEW
+    motions = motions @ (scale[:, None] * turn[:, new] / np.sqrt(share[new]))
+    return body.normalised(motions - elastic @ (pushed.T @ motions))
+
+
+def _refuse_singular(pivots: Array, matrix: Matrix) -> None:
+    """Raise LinAlgError where a pivot of elimination (n,) is no more than rounding."""
+    if (pivots <= ROUNDING * matrix.diagonal()).any():
+        raise np.linalg.LinAlgError
+
+
+def _factors(matrix: Matrix) -> Any:
+    """Sparse L U of a symmetric matrix, pivots on its diagonal; LinAlgError where one vanishes."""
+    from scipy.sparse.linalg import splu
+
+    options = {"SymmetricMode": True, "Equil": False}
+    try:
+        factors = splu(matrix.tocsc(), "MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options=options)
+    except RuntimeError:
+        raise np.linalg.LinAlgError from None
+    if (factors.perm_r != factors.perm_c).any():
+        raise np.linalg.LinAlgError
+    return factors
