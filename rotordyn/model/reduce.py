@@ -138,8 +138,10 @@ class _Body:
             )
         factors, held = _factors(mass), _factors(stiff)
         _refuse_singular(held.U.diagonal()[held.perm_c], stiff)
-        _refuse_singular(factors.U.diagonal()[factors.perm_c], mass)
-        root = diags_array(factors.U.diagonal() ** -0.5) @ factors.U.tocsr()[:, factors.perm_c]
+        upper, pivots = factors.U.tocsr()[:, factors.perm_c], factors.U.diagonal()
+        if pivots.min() <= 0.0:
+            raise np.linalg.LinAlgError
+        root = diags_array(pivots**-0.5) @ upper
         return cls(mass, root, rigid, pushed, free, np.zeros((0, 0)), held.solve)
 
     def elastic(self, motions: Array) -> Array:
@@ -210,7 +212,7 @@ def _static_modes(body: _Body, values: Array, elastic: Array, ports: Array) -> t
 
 
 def _refuse_singular(pivots: Array, matrix: Matrix) -> None:
-    """Raise LinAlgError where a pivot of elimination (n,) is no more than rounding."""
+    """Raise LinAlgError where a pivot (n,) is rounding: a part of the body is held by nothing."""
     if (pivots <= ROUNDING * matrix.diagonal()).any():
         raise np.linalg.LinAlgError
 
