@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.errors import InvalidInput
+from rotordyn.numerics.threads import linear_algebra_alone
 
 Array = NDArray[np.float64]
 Matrix = Any  # NDArray[np.float64], or csr_array of scipy.sparse
@@ -66,7 +67,8 @@ def reduce(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff: 
     from scipy.sparse.linalg import ArpackError
 
     try:
-        return _reduced(mass, stiffness, rigid, ports, cutoff)
+        with linear_algebra_alone():  # that of scipy may have been loaded just now
+            return _reduced(mass, stiffness, rigid, ports, cutoff)
     except (np.linalg.LinAlgError, ArpackError):
         raise InvalidInput(
             "the modes of a free body cannot be computed: a part of it has no mass, is held by "
