@@ -27,7 +27,7 @@ MOST_DENSE = 6000  # DOF; four matrices of that size are 1.2 GB
 MOST_ENTRIES = 200_000_000  # of all vectors of a large body, 1.6 GB
 ROUNDING = 1e-15  # of a diagonal entry: a pivot that small is zero
 NEW = 1e-10  # of the flexibility at the ports: vectors that add less (1e-5 squared) are dependent
-NOTHING = 1e-26  # of what a load moves a body rigidly: flexibility that is rounding
+RIGIDLY = 1e-13  # of a load: with less beside inertia it moves the body rigidly
 TINY = 1e-200  # [s²], keeps a load of zeros from division by zero
 STIFF = 1e-8  # of the largest 1/λ: modes above the cutoff are told from rounding down to here
 ASIDE = 1.2345e-7  # relative, from round values of the cutoff, at which a pivot may vanish
@@ -228,13 +228,14 @@ def _by_lanczos(body: _Body, below: int, least: int, cutoff: float) -> tuple[Arr
 
 def _static_modes(body: _Body, values: Array, elastic: Array, ports: Array) -> tuple[Array, Array]:
     """What displacements by ``ports`` add to ``elastic`` modes (n, k) of ``values`` (k,)."""
+    bending = np.abs(ports - body.pushed @ (body.rigid.T @ ports)).max(axis=0, initial=0.0)
+    ports = ports[:, bending > RIGIDLY * np.abs(ports).max(axis=0, initial=0.0)]
     pushed, answer = body.mass @ elastic, elastic.T @ ports
     loads = ports - pushed @ answer
     motions = body.displaced(loads)
     energy = motions.T @ loads
     flexibility = energy.diagonal() + (answer**2 / values[:, None]).sum(axis=0)
-    rounding = ((body.rigid.T @ ports) ** 2).sum(axis=0) * (1.0 / values).max(initial=0.0)
-    scale = (np.maximum(flexibility, NOTHING * rounding) + TINY) ** -0.5
+    scale = (flexibility + TINY) ** -0.5
     share, turn = np.linalg.eigh(scale[:, None] * (energy + energy.T) / 2.0 * scale)
     new = share > NEW
     motions = motions @ (scale[:, None] * turn[:, new] / np.sqrt(share[new]))
