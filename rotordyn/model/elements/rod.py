@@ -66,6 +66,27 @@ def hierarchic_rod(length: Array, rigidity: Array, line_inertia: Array, *, degre
     return Rod(mass=mass, stiffness=stiffness)
 
 
+def tapered_points(degree: int) -> tuple[Array, Array]:
+    """Gauss points on [−1, 1] and weights, exact for a conical rod."""
+    return points(2 * degree + 4)
+
+
+def tapered_rod(
+    length: Array, rigidity: Array, line_inertia: Array, *, degree: int, xi: Array, weight: Array
+) -> Rod:
+    """The same of rods that change along the axis: ``rigidity`` and ``line_inertia`` (elements,
+    points) at the points ``xi`` of a quadrature."""
+    shape, half = shapes(degree, xi), length[:, None] / 2.0
+    rise = np.stack([-0.5 + 0.0 * xi, 0.5 + 0.0 * xi], axis=-1)
+    if degree > 1:
+        rise = np.concatenate([rise, bubbles(degree, xi)[2]], axis=-1)
+    mass, stiffness = (line_inertia * weight * half), (rigidity * weight / half)
+    return Rod(
+        mass=np.einsum("ep,pi,pj->eij", mass, shape, shape, optimize=True),
+        stiffness=np.einsum("ep,pi,pj->eij", stiffness, rise, rise, optimize=True),
+    )
+
+
 def shapes(degree: int, xi: Array) -> Array:
     """Shape functions at ``xi`` (…) on [−1, 1], (…, degree + 1)."""
     linear = np.stack([(1.0 - xi) / 2.0, (1.0 + xi) / 2.0], axis=-1)
