@@ -36,7 +36,9 @@ def mean_second_moment(outer: tuple[Number, Number], inner: tuple[Number, Number
     return second_moment(do, di) + math.pi / 64.0 * (more - less)
 
 
-def area_moments(outer: tuple[float, float], inner: tuple[float, float]) -> tuple[float, float]:
+def area_moments(
+    outer: tuple[Number, Number], inner: tuple[Number, Number]
+) -> tuple[Number, Number]:
     """∫ A t dt and ∫ A t² dt [m²] over a cone, t from −½ at its front to ½ at its rear end."""
     (do, ro), (di, ri) = _middle(*outer), _middle(*inner)
     first = math.pi / 24.0 * (do * ro - di * ri)

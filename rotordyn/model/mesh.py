@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.errors import InvalidInput
-from rotordyn.machine.cross_section import mean_area
+from rotordyn.machine.cross_section import area_moments, mean_area
 from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import SPINDLE
@@ -119,6 +119,20 @@ class Mesh:
     def mass(self) -> Array:
         """Mass of each element [kg]."""
         return np.asarray(self.density * mean_area(self.outer, self.inner) * self.length)
+
+    @property
+    def weight_line(self) -> Array:
+        """Mass per length of each element at both of its ends (elements, 2) [kg/m], straight in
+        between, with the mass and the centre of gravity that the element has."""
+        mean = self.density * mean_area(self.outer, self.inner)
+        rise = 12.0 * self.density * area_moments(self.outer, self.inner)[0]
+        return np.stack([mean - rise / 2.0, mean + rise / 2.0], axis=1)
+
+    @property
+    def centre(self) -> Array:
+        """Centre of gravity of each element [m]."""
+        front, rear = self.weight_line.T
+        return np.asarray(self.middle + (rear - front) / (rear + front) * self.length / 6.0)
 
     @property
     def shear_modulus(self) -> Array:

@@ -15,19 +15,33 @@ from functools import cached_property
 import numpy as np
 
 from rotordyn.errors import InvalidInput
-from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
 from rotordyn.model.dofs import Dofs, Indices, Line, position
 from rotordyn.model.elements import beam as bending
 from rotordyn.model.elements import rod
-from rotordyn.model.elements.shear import RIGID, shear_coefficient
-from rotordyn.model.elements.standard_beam import shear_parameter
-from rotordyn.model.fineness import Fineness, bending_wave, cut, parts_and_degree, resolved, rod_wave
+from rotordyn.model.elements.standard_beam import PlaneBending, shear_parameter
+from rotordyn.model.fineness import (
+    Fineness,
+    bending_wave,
+    cut,
+    parts_and_degree,
+    resolved,
+    rod_wave,
+)
 from rotordyn.model.mesh import COINCIDENT, Mesh, divided, station_mesh
+from rotordyn.model.section import (
+    ENDS,
+    MIDDLE,
+    axial,
+    sections,
+    sections_at,
+    shear_coefficients,
+    sheared,
+    torsion,
+)
 from rotordyn.model.term import Array, Part
 
 Rows = tuple[Indices, Indices, Array]  # places (e, r), DOF (e, k) and factors (e, r, k)
-MIDDLE, ENDS = np.array([0.0]), np.array([-1.0, 0.0, 1.0])
 MOST_DOF = 200_000  # of a bending plane
 WAYS = {"radial": ("y", "z"), "tilt": ("thy", "thz"), "axial": ("x",), "torsion": ("thx",)}
 PLANES = {"y": (("y", "thz"), np.array([1.0, 1.0])), "z": (("z", "thy"), np.array([1.0, -1.0]))}
@@ -99,7 +113,7 @@ class Shaft:
                 yield Part("softening", rows, rows, own.translational_mass)
             yield Part("gyroscopic", y, z, self.ratio * own.polar)
 
-    def _cylindrical(self, chosen: Indices, degree: int) -> bending.PlaneBending:
+    def _cylindrical(self, chosen: Indices, degree: int) -> PlaneBending:
         mesh = self.mesh
         every = (
             mesh.length,
@@ -112,7 +126,7 @@ class Shaft:
         )
         return bending.hierarchic_bending(*(each[chosen] for each in every), degree=degree)
 
-    def _tapered(self, chosen: Indices, degree: int) -> bending.PlaneBending:
+    def _tapered(self, chosen: Indices, degree: int) -> PlaneBending:
         xi, weight = bending.tapered_points(degree)
         along = (each[chosen] for each in sections_at(self.spindle, self.mesh, xi))
         place = self.mesh.length[chosen], self._phi[chosen]
@@ -220,49 +234,6 @@ def _alike(mesh: Mesh, degree: Indices) -> Iterator[tuple[Indices, int, bool]]:
                 yield chosen, int(n), conical
 
 
-def sheared(spindle: Spindle) -> bool:
-    """False where a shaft does not deform in shear."""
-    return spindle.shaft.shear_coefficient != RIGID
-
-
-def sections_at(spindle: Spindle, mesh: Mesh, xi: Array) -> tuple[Array, Array, Array, Array]:
-    """κGA [N], EI [N·m²], ρA [kg/m], ρI [kg·m] at ``xi`` on [−1, 1], (elements, places)."""
-    outer, inner = mesh.diameters(xi)
-    ring, moment = area(outer, inner), second_moment(outer, inner)
-    young, density = mesh.young_modulus[:, None], mesh.density[:, None]
-    kappa = shear_coefficient(
-        spindle.shaft.shear_coefficient, mesh.poisson_ratio[:, None], inner / outer
-    )
-    shear = kappa * mesh.shear_modulus[:, None] * ring
-    return shear, young * moment, density * ring, density * moment
-
-
-def sections(spindle: Spindle, mesh: Mesh) -> tuple[Array, Array, Array, Array]:
-    """The same in the middle of every element (elements,)."""
-    shear, bend, mass, rotary = (e[:, 0] for e in sections_at(spindle, mesh, MIDDLE))
-    return shear, bend, mass, rotary
-
-
-def axial(mesh: Mesh, xi: Array) -> tuple[Array, Array]:
-    """E A [N] and ρ A [kg/m] at ``xi`` on [−1, 1], (elements, places)."""
-    ring = area(*mesh.diameters(xi))
-    return mesh.young_modulus[:, None] * ring, mesh.density[:, None] * ring
-
-
-def torsion(mesh: Mesh, xi: Array) -> tuple[Array, Array]:
-    """G Ip [N·m²] and ρ Ip [kg·m] at ``xi`` on [−1, 1], (elements, places)."""
-    polar = 2.0 * second_moment(*mesh.diameters(xi))
-    return mesh.shear_modulus[:, None] * polar, mesh.density[:, None] * polar
-
-
-def shear_coefficients(spindle: Spindle, mesh: Mesh) -> Array:
-    """κ in the middle of every element (elements,)."""
-    outer, inner = (each[:, 0] for each in mesh.diameters(MIDDLE))
-    return shear_coefficient(
-        spindle.shaft.shear_coefficient, mesh.poisson_ratio, inner / outer
-    )
-
-
 def _waves(spindle: Spindle, mesh: Mesh, omega: float, spin: float) -> Array:
     """Largest wave number in bending of each element, at its ends and in its middle [1/m]."""
     return bending_wave(omega, spin, *sections_at(spindle, mesh, ENDS)).max(axis=1)
@@ -277,8 +248,12 @@ def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indi
     ratio = coarse.steepness
     wave = _waves(spindle, coarse, fine.band, fine.spin)
     parts, degree = parts_and_degree(wave * coarse.length, fine.accuracy, ratio)
-    along = np.maximum(*(rod_wave(fine.band, *own(coarse, MIDDLE))[:, 0] for own in (axial, torsion)))
-    more, rod_degree = parts_and_degree(along * coarse.length / parts, fine.accuracy, cut(ratio, parts))
+    along = np.maximum(
+        *(rod_wave(fine.band, *own(coarse, MIDDLE))[:, 0] for own in (axial, torsion))
+    )
+    more, rod_degree = parts_and_degree(
+        along * coarse.length / parts, fine.accuracy, cut(ratio, parts)
+    )
     if not sheared(spindle):
         degree = np.maximum(degree, 2)  # degrees 1 and 2 are one element without shear
     parts, degree, rod_degree = parts * more, degree + fine.finer, rod_degree + fine.finer

@@ -8,8 +8,8 @@ Freedoms: (v1, φ1, v2, φ2) of ``plane_bending``, then between the nodes, for d
 
 Together v has degree n + 1 and φ = v′ degree n: nothing locks at any slenderness, and frequencies
 err as h^(2n). In the energy of deformation all inner freedoms stand alone, which keeps slender
-elements well conditioned. A beam rigid in shear (Φ = 0) has no freedoms of shear. In a cone the same
-shapes are those of the section in its middle, and all energies are integrated by Gauss points.
+elements well conditioned. A beam rigid in shear (Φ = 0) has no freedoms of shear. In a cone the
+shapes are those of the section in its middle, and all energies are integrated at Gauss points.
 """
 
 from __future__ import annotations
@@ -68,8 +68,8 @@ def hierarchic_bending(
     xi, weight = points(2 * degree + 4)
     shape = shapes(length, phi, degree, xi)
     along = weight * length[:, None] / 2.0
-    translational = _product(shape.deflection, density * ring, along)
-    rotary = _product(shape.rotation, density * moment, along)
+    translational = _product(shape.deflection, (density * ring)[:, None], along)
+    rotary = _product(shape.rotation, (density * moment)[:, None], along)
     translational[:, :4, :4] = standard.translational_mass
     rotary[:, :4, :4] = standard.polar / 2.0
     stiffness = np.zeros_like(rotary)
@@ -203,6 +203,7 @@ _ROTATION_SHEAR = np.array([[0, 1, 0, 0], [0, -1, 0, 1], [0, 0, 0, 0], [0, 0, 0,
 
 
 def _product(shape: Array, factor: Array, along: Array) -> Array:
-    """∫ factor · shapeᵀ shape dx of every element (elements, freedoms, freedoms)."""
-    weighted = shape * (factor[:, None] * along)[..., None]
+    """∫ factor · shapeᵀ shape dx of every element (elements, freedoms, freedoms); ``factor``
+    (elements, points or 1)."""
+    weighted = shape * (factor * along)[..., None]
     return np.asarray(np.swapaxes(weighted, -1, -2) @ shape)
