@@ -15,7 +15,8 @@ import numpy as np
 from rotordyn.machine.spindle import Spindle
 from rotordyn.model.damping import modal_damping
 from rotordyn.model.dofs import Indices, Line
-from rotordyn.model.reduce import reduce
+from rotordyn.model.fineness import Fineness
+from rotordyn.model.reduce import Coupling, reduce
 from rotordyn.model.shaft import Rows
 from rotordyn.model.term import Array, Part
 from rotordyn.numerics.sparse import LARGE, Matrix, summed
@@ -26,8 +27,9 @@ class Component:
     """DOF ``dofs`` (n,) of ``lines``, and the ``parts`` on them.
 
     ``rigid``: rigid motions of a free shaft, empty of what is no shaft; ``ports``: DOF that keep a
-    static mode; ``spindle``: the rotor whose damping it has, None of what is no shaft. ``solved``:
-    components with the same matrices share one reduction.
+    static mode; ``spindle``: the rotor whose damping it has, None of what is no shaft; ``cutoff``:
+    of its free modes, 0 of a rigid one. ``solved``: components with the same matrices share one
+    reduction.
     """
 
     lines: tuple[Line, ...]
@@ -37,6 +39,7 @@ class Component:
     ports: Indices
     spindle: Spindle | None
     cutoff: float
+    fine: Fineness
     bends: bool
     solved: dict[tuple[bytes, ...], tuple[Array, Array, Array]]
 
@@ -135,12 +138,15 @@ class Component:
             inverse = np.linalg.inv(np.linalg.cholesky((mass + mass.T) / 2.0))
             values = inverse @ stiffness @ inverse.T
             return inverse.T, values, np.zeros_like(values)
-        key = tuple(_bytes(each) for each in (mass, stiffness, self.local(self.ports)))
+        polar = self.assembled("polar")
+        key = tuple(_bytes(each) for each in (mass, stiffness, polar, self.local(self.ports)))
         if key not in self.solved:
-            self.solved[key] = self._of_shaft(mass, stiffness)
+            self.solved[key] = self._of_shaft(mass, stiffness, polar)
         return self.solved[key]
 
-    def _of_shaft(self, mass: Matrix, stiffness: Matrix) -> tuple[Array, Array, Array]:
+    def _of_shaft(
+        self, mass: Matrix, stiffness: Matrix, polar: Matrix
+    ) -> tuple[Array, Array, Array]:
         rigid = np.zeros((len(self.dofs), self.rigid[0][1].shape[1]))
         for dofs, motion in self.rigid:
             rigid[self.local(dofs)] = motion
@@ -150,7 +156,10 @@ class Component:
             return np.asarray(np.linalg.solve(factor, rigid.T).T), none, np.diag(none)
         ports = np.zeros((len(self.dofs), len(self.ports)))
         ports[self.local(self.ports), np.arange(len(self.ports))] = 1.0
-        basis = reduce(mass, stiffness, rigid, ports, self.cutoff)
+        fine, coupling = self.fine, None
+        if self.bends and fine.spin:
+            coupling = Coupling(fine.spin * polar, fine.slow, fine.negligible)
+        basis = reduce(mass, stiffness, rigid, ports, self.cutoff, coupling)
         return basis.vectors, basis.values, basis.roots
 
 

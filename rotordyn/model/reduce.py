@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -49,7 +49,26 @@ class Basis:
     roots: Array
 
 
-def reduce(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff: float) -> Basis:
+class Coupling(NamedTuple):
+    """Loads ω ``matrix`` φ of motions φ at ω that M and K do not know of, as gyroscopic moments.
+
+    They reach modes far above any cutoff: static modes for those of modes up to ``band`` [rad/s]
+    stand for these, unless they move frequencies by less than ``negligible`` (relative).
+    """
+
+    matrix: Matrix
+    band: float
+    negligible: float
+
+
+def reduce(
+    mass: Matrix,
+    stiffness: Matrix,
+    rigid: Array,
+    ports: Array,
+    cutoff: float,
+    coupling: Coupling | None = None,
+) -> Basis:
     """Modes of a free body up to ω = ``cutoff`` [rad/s] and static modes for loads ``ports``.
 
     Parameters
@@ -62,6 +81,8 @@ def reduce(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff: 
         Loads; the vectors hold the static displacement by their self-equilibrated part.
     cutoff : float
         ``LEAST_MODES`` modes are kept in any case, rigid ones included, if there are as many.
+    coupling : Coupling, optional
+        Loads that modes bring on one another.
 
     Raises
     ------
@@ -69,7 +90,7 @@ def reduce(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff: 
     """
     try:
         with linear_algebra_alone():  # that of scipy may have been loaded just now
-            return _reduced(mass, stiffness, rigid, ports, cutoff)
+            return _reduced(mass, stiffness, rigid, ports, cutoff, coupling)
     except np.linalg.LinAlgError:
         raise InvalidInput(
             "the modes of a free body cannot be computed: a part of it has no mass, is held by "
@@ -78,7 +99,14 @@ def reduce(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff: 
         ) from None
 
 
-def _reduced(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff: float) -> Basis:
+def _reduced(
+    mass: Matrix,
+    stiffness: Matrix,
+    rigid: Array,
+    ports: Array,
+    cutoff: float,
+    coupling: Coupling | None,
+) -> Basis:
     size, still = rigid.shape
     least, below, large = max(LEAST_MODES - still, 0), 0, False
     if size >= LARGE:
@@ -101,7 +129,11 @@ def _reduced(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff
         values, elastic = _by_lanczos(body, below, least, cutoff)
     else:
         values, elastic, rest = _by_lapack(body, least, cutoff)
-    static_values, static = _static_modes(body, values, elastic, ports)
+    loads = np.zeros((size, 0))
+    if coupling is not None:
+        slow = np.hstack([body.rigid, elastic[:, values <= coupling.band**2]])
+        loads = coupling.matrix @ slow * (NEW / coupling.negligible) ** 0.5
+    static_values, static = _static_modes(body, values, elastic, ports, loads)
     every = np.concatenate([np.zeros(still), values, static_values])
     vectors, order = np.hstack([body.rigid, elastic, static]), np.argsort(every, kind="stable")
     roots, made = np.diag(np.sqrt(every)), slice(still + len(values), None)
@@ -226,16 +258,22 @@ def _by_lanczos(body: _Body, below: int, least: int, cutoff: float) -> tuple[Arr
     return values, modes - body.rigid @ (body.pushed.T @ modes)
 
 
-def _static_modes(body: _Body, values: Array, elastic: Array, ports: Array) -> tuple[Array, Array]:
-    """What displacements by ``ports`` add to ``elastic`` modes (n, k) of ``values`` (k,)."""
+def _static_modes(
+    body: _Body, values: Array, elastic: Array, ports: Array, coupled: Array
+) -> tuple[Array, Array]:
+    """What displacements by ``ports`` and by loads ``coupled`` add to ``elastic`` modes (n, k) of
+    ``values`` (k,); the latter as soon as their energy is more than ``NEW``."""
+    given = ports.shape[1]
+    ports = np.hstack([ports, coupled])
     bending = np.abs(ports - body.pushed @ (body.rigid.T @ ports)).max(axis=0, initial=0.0)
-    ports = ports[:, bending > RIGIDLY * np.abs(ports).max(axis=0, initial=0.0)]
+    kept = np.flatnonzero(bending > RIGIDLY * np.abs(ports).max(axis=0, initial=0.0))
+    ports = ports[:, kept]
     pushed, answer = body.mass @ elastic, elastic.T @ ports
     loads = ports - pushed @ answer
     motions = body.displaced(loads)
     energy = motions.T @ loads
     flexibility = energy.diagonal() + (answer**2 / values[:, None]).sum(axis=0)
-    scale = (flexibility + TINY) ** -0.5
+    scale = np.where(kept < given, (flexibility + TINY) ** -0.5, 1.0)
     share, turn = np.linalg.eigh(scale[:, None] * (energy + energy.T) / 2.0 * scale)
     new = share > NEW
     motions = motions @ (scale[:, None] * turn[:, new] / np.sqrt(share[new]))

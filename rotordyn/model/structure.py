@@ -163,6 +163,13 @@ class Structure:
             if not len(dofs):
                 continue
             parts = [cut for part in square if (cut := _cut(part, of_mine)) is not None]
+            parts += [
+                Part("polar", rows, rows, part.blocks)
+                for part in self.parts
+                if part.matrix == "gyroscopic"
+                for rows in (part.rows, part.columns)
+                if rows.size and of_mine[rows].all()
+            ]
             own = tuple(lines[k] for k in mine)
             found.append(self._component(own, dofs, parts, solved))
         return found
@@ -191,6 +198,7 @@ class Structure:
             ports=np.intersect1d(self._ports, dofs),
             spindle=None if shaft is None else shaft.spindle,
             cutoff=0.0 if self.rigid else self.fine.cutoff,
+            fine=self.fine,
             bends=lines[0].motion == "bending",
             solved=solved,
             ratio=1.0 if shaft is None else shaft.ratio,
