@@ -17,6 +17,7 @@ from rotordyn.analysis.specs import Conditions, Port, Spec
 from rotordyn.case.case import Case
 from rotordyn.case.read import load
 from rotordyn.machine.spindle import Spindle
+from rotordyn.model.free_motion import FreeMotions
 from rotordyn.model.mesh import ELEMENTS_OVER_LENGTH
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -82,6 +83,11 @@ def scene(
     if "accuracy" not in changes:
         changes = standard(spindle) | changes
     return Scene(spindle, conditions(**changes), np.array(rpm) * RPM, max_frequency, ports)
+
+
+def system_of(found: Scene, motion: str = "bending") -> FreeMotions:
+    """The first subsystem in which a motion takes part."""
+    return found.system(found.with_motions((motion,))[0])
 
 
 def answers(

@@ -22,9 +22,6 @@ from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.lumped import Disc
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
-from tests.oracles.dense_rotor.assemble import add_at_nodes, bending_plane
-from tests.oracles.dense_rotor.selection import PLANE_Y
-from rotordyn.system.stiffening import stiffening
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.rotors import support, uniform
 from tests.oracles.spindles import answers, mfw2310, pairs, scene, standard
@@ -150,11 +147,12 @@ def test_a_bar_in_a_free_part_of_the_shaft_acts_with_its_ends() -> None:
     bar = Drawbar(2e4, 0.3, 0.8, (0.5,))
     spindle = replace(uniform(1.0, 0.05), drawbar=bar)
     found = Scene(spindle, Conditions(), np.zeros(1))
-    rigid = np.zeros((found.mesh.nodes, 2, 2))
-    rigid[:, 0, 0], rigid[:, 0, 1], rigid[:, 1, 1] = 1.0, found.mesh.x, 1.0
-    tension, force = stiffening(spindle, found.mesh), found.bending_force()
-    work = np.tensordot(force[0], tension.projected(rigid), 1) + tension.bar(rigid)
-    assert np.abs(work).max() < 1e-9 * 2e4
+    (bending,) = found.with_motions(("bending",))
+    own = found.linear(bending)
+    work = own.stiffness[0][np.ix_(own.rigid, own.rigid)]
+    moved = np.abs(own.motion[:, 1:3, own.rigid]).max()
+    assert own.rigid.sum() == 4
+    assert np.abs(work).max() < 1e-9 * 2e4 * moved**2
 
 
 # --- against all freedoms ----------------------------------------------------------------------
@@ -191,17 +189,23 @@ def full(found: Scene, row: int) -> FullRotor:
     )
 
 
+def swinging(found: Scene, row: int) -> np.ndarray:
+    """Angular frequencies of bending, ascending."""
+    (bending,) = found.with_motions(("bending",))
+    imag = found.system(bending).pole[row].imag
+    return np.sort(imag[imag > 1.0])
+
+
 @pytest.mark.parametrize("row", [0, 1], ids=["rest", "24000 rpm"])
 def test_reduced_rotor_under_a_strong_bar(row: int) -> None:
     """The bar moves modes by per cents; the reduction follows within 1e-5."""
     found = strong((0, 24000))
-    poles = found.bending_modes.pole[row]
-    ours = np.sort(np.abs(poles.imag[(poles.imag != 0) & (np.abs(poles.imag) < HZ * 4000)]))
+    ours = swinging(found, row)
+    ours = ours[ours < HZ * 4000]
     exact = np.sort(full(found, row).poles(4000.0).imag)
     assert ours == pytest.approx(exact, rel=1e-5)
     plain = Scene(found.spindle, replace(found.conditions, axial_stiffening=False), found.speed)
-    before = np.abs(plain.bending_modes.pole[row].imag)
-    before = np.sort(before[before > 1.0])[: len(ours)]
+    before = swinging(plain, row)[: len(ours)]
     assert (ours / before).min() < 0.99
     frequency = np.linspace(5.0, 4000.0, 60)
     spec = FrfSpec(tuple(frequency), pairs("Oc2.y/Oc2.y", "Oc2.z/Oc2.y"))
@@ -221,23 +225,6 @@ def soft(points: dict[str, float] | None = None) -> Spindle:
     return replace(spindle, shaft=replace(spindle.shaft, sections=sections))
 
 
-def dense(found: Scene, row: int) -> np.ndarray:
-    """Static stiffness of plane y, nothing condensed."""
-    from rotordyn.model.seat import turn
-from rotordyn.model.support import node_matrix
-
-    spindle, mesh = found.spindle, found.mesh
-    blocks = [
-        turn(k, s.thrust) for k, s in zip(found.seat_stiffness[row], spindle.seats, strict=True)
-    ]
-    blocks += [node_matrix(s.stiffness) for s in spindle.supports]
-    nodes = mesh.nodes_of(spindle.seats, spindle.supports)
-    tension, every = stiffening(spindle, mesh), np.eye(2 * mesh.nodes).reshape(mesh.nodes, 2, -1)
-    own = bending_plane(spindle, mesh).stiffness
-    own = own + tension.shaft(found.bending_force()[row]) + tension.bar(every)
-    return add_at_nodes(own, nodes, PLANE_Y.take(np.array(blocks)))
-
-
 @pytest.mark.parametrize("share", [0.5, 0.95])
 def test_condensed_rotor_near_buckling(share: float) -> None:
     """Half way to buckling, and close to it, against all freedoms: 1e-6."""
@@ -246,9 +233,10 @@ def test_condensed_rotor_near_buckling(share: float) -> None:
     found = scene(spindle, (0, 12000))
     asked = StiffnessSpec("Oc2", 50.0, 1, ("nonlinear", "full"))
     result = stiffness.answer(found, asked)
-    tip = PLANE_Y.row(found.mesh.node_of(-0.0524), "y")
     for row in (0, 1):
-        expected = 1.0 / np.linalg.inv(dense(found, row))[tip, tip]
+        rotor = full(found, row)
+        tip = rotor.row(-0.0524, "y")
+        expected = 1.0 / np.linalg.inv(rotor.stiffness)[tip, tip]
         assert result.tangent[row] == pytest.approx([expected] * 2, rel=1e-6)
     plain = stiffness.answer(scene(soft(), (0, 12000)), asked)
     assert (result.tangent < (1.0 - 0.3 * share) * plain.tangent).all()
@@ -259,8 +247,8 @@ def critical_bar(rpm: float = 12000.0) -> float:
     bar = replace(STRONG, force=0.3 * STRONG.force)
     found = scene(replace(soft(), drawbar=bar), (rpm,))
     same_mesh = {**mfw2310().points, "guide": 0.15, "other": 0.3, "end": 0.38}
-    unloaded = dense(scene(soft(same_mesh), (rpm,)), 0)
-    change = unloaded - dense(found, 0)
+    unloaded = full(scene(soft(same_mesh), (rpm,)), 0).stiffness
+    change = unloaded - full(found, 0).stiffness
     sym = [0.5 * (m + m.T) for m in (change, unloaded)]
     largest = eigh(*sym, eigvals_only=True)[-1]
     return bar.force / float(largest)

@@ -47,15 +47,15 @@ def both(spindle: Spindle, speed: np.ndarray, highest: float, **changes: Any) ->
 def assert_same_physics(ours: Scene, turned: Scene, highest: float, rel: float) -> None:
     """Poles shifted by −iΩ, and H there at ω that of the fixed frame at ω + Ω."""
     for row, spin in enumerate(ours.speed[ours.usable]):
-        fixed = by_imaginary(ours.bending_modes.pole[row], highest)
-        seen = by_imaginary(turned.bending_modes.pole[row] + 1j * spin, highest)
+        fixed = by_imaginary(system_of(ours).modes.pole[row], highest)
+        seen = by_imaginary(system_of(turned).modes.pole[row] + 1j * spin, highest)
         assert len(fixed) == len(seen) >= 4
         assert np.abs(seen - fixed).max() <= rel * np.abs(fixed).max()
         omega = HZ * np.array([-0.7, -0.13, 0.011, 0.3, 0.8]) * highest
         rows = ours.rotor.basis[[0, 1]]
         ends = np.array([rows[0], rows[1], rows[0]]), np.array([rows[0], rows[0], rows[1]])
-        h = ours.bending_modes.receptance(omega + spin, *ends)[row]
-        there = turned.bending_modes.receptance(omega, *ends)[row]
+        h = system_of(ours).modes.receptance(omega + spin, *ends)[row]
+        there = system_of(turned).modes.receptance(omega, *ends)[row]
         assert np.abs(there / h - 1.0).max() < rel
 
 
@@ -71,7 +71,7 @@ def test_flagship() -> None:
     still = [replace(s.conditions, bearings="static") for s in (ours, turned)]
     fast = [Scene(mfw2310(), c, np.array([60000.0]) * RPM, 4000.0, (-0.0524,)) for c in still]
     assert_same_physics(*fast, 4000.0, 1e-9)
-    forward = fast[0].bending_modes.pole[0].imag
+    forward = system_of(fast[0]).modes.pole[0].imag
     assert (forward[forward > 1.0] < fast[0].speed[0]).any()
 
 

@@ -39,8 +39,8 @@ def scene(machine: Spindle, rpm: tuple[float, ...], highest: float, **given: obj
 
 def swinging(found: Scene, row: int = 0) -> np.ndarray:
     """Poles of bending of one sign, by frequency, as in both planes."""
-    pole = found.bending_modes.pole[row]
-    if found.bending.isotropic:
+    pole = system_of(found).modes.pole[row]
+    if system_of(found).whirling:
         pole = np.where(pole.imag < 0.0, pole.conj(), pole)
     pole = pole[pole.imag > 1.0]
     return pole[np.argsort(pole.imag)]
@@ -210,13 +210,13 @@ def four_freedoms(ratio: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 def test_two_rigid_rotors_and_a_spring_between_them(ratio: float) -> None:
     mass, stiffness, polar = four_freedoms(ratio)
     found = scene(rigid_pair(ratio), (0.0, 12000.0, 40000.0), 900.0, rotor="rigid")
-    assert found.bending.isotropic
+    assert system_of(found).whirling
     for row, speed in enumerate(found.speed):
         one, none = np.eye(4), np.zeros((4, 4))
         inverse = np.linalg.inv(mass)
         whole = np.block([[none, one], [-inverse @ stiffness, 1j * speed * inverse @ polar]])
         expected = np.sort(np.linalg.eigvals(whole).imag)
-        pole = found.bending_modes.pole[row]
+        pole = system_of(found).modes.pole[row]
         assert np.sort(pole.imag) == pytest.approx(expected, rel=1e-9)
         assert np.abs(pole.real).max() < 1e-6
 
@@ -377,7 +377,7 @@ def at_speed() -> Scene:
 @pytest.mark.parametrize("row", [0, 1])
 def test_three_rotors_by_dense_matrices(damped: Scene, row: int) -> None:
     expected = Together(DAMPED, ELEMENT, float(damped.speed[row])).poles(1200.0)
-    found = [damped.bending_modes, damped.axial_modes, damped.torsion_modes]
+    found = [system_of(damped, motion).modes for motion in ("bending", "axial", "torsion")]
     poles = np.concatenate([modes.pole[min(row, len(modes.pole) - 1)] for modes in found])
     near = np.abs(poles[:, None] / expected - 1.0).min(axis=0)
     assert len(expected) > 20

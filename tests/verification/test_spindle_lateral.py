@@ -50,8 +50,8 @@ def full(found: Scene, row: int) -> FullRotor:
 
 def poles(found: Scene, row: int, highest: float) -> np.ndarray:
     """Poles of the reduced system in the upper half plane."""
-    values = found.bending_modes.pole[row]
-    if found.bending.isotropic:
+    values = system_of(found).modes.pole[row]
+    if system_of(found).whirling:
         values = np.where(values.imag > 0, values, values.conj())
     values = values[(values.imag > 1.0) & (values.imag < 2 * np.pi * highest)]
     return values[np.argsort(values.imag)]
@@ -107,8 +107,8 @@ def test_complex_and_real_form_agree() -> None:
     tangents[:, 0, 2, 2] *= 1.0 + 1e-8
     uneven = scene(ours.spindle, (0, 24000), ports=PORTS)
     uneven.solved["preload"] = _Tangents(ours, tangents)
-    assert ours.bending.isotropic
-    assert not uneven.bending.isotropic
+    assert system_of(ours).whirling
+    assert not system_of(uneven).whirling
     assert curves(uneven) == pytest.approx(curves(ours), rel=1e-5, abs=1e-13)
     for row in (0, 1):
         a, b = poles(ours, row, 4000.0), poles(uneven, row, 4000.0)
@@ -132,7 +132,7 @@ def test_anisotropic_supports_against_all_freedoms() -> None:
     found = Scene(
         rotor.spindle, rotor.conditions, np.array(rotor.speeds)[[0, -1]], 600.0, (0.2, 0.5)
     )
-    assert not found.bending.isotropic
+    assert not system_of(found).whirling
     names = ("disc_1.y/disc_2.y", "disc_1.z/disc_2.y", "disc_2.thy/disc_1.z")
     global_frequency = np.linspace(5.0, 590.0, 150)
     spec = FrfSpec(tuple(global_frequency), pairs(*names))
@@ -150,7 +150,7 @@ def test_anisotropic_supports_against_all_freedoms() -> None:
 
 def test_eigenpairs_leave_no_residual() -> None:
     for found in (solved(), solved((0.01, 0.02, 0.05))):
-        assert residual(found.bending_modes, found.bending.stiffness, found.bending.damping) < 1e-10
+        assert system_of(found).residual < 1e-10
 
 
 def test_static_limit_is_the_flexibility() -> None:

@@ -83,12 +83,12 @@ def test_every_speed_is_a_machine_of_its_own() -> None:
         alone = scene(on(halfway(rpm), OTHER), tuple(fastest))
         own = frf.answer(alone, spec).receptance[0]
         assert np.abs(curves[row] - own).max() < 1e-8 * np.abs(own).max()
-        ours, theirs = (np.sort_complex(p) for p in (whole.bending_modes.pole[row], poles(alone)))
+        ours, theirs = (np.sort_complex(p) for p in (system_of(whole).modes.pole[row], poles(alone)))
         assert np.abs(ours - theirs).max() < 1e-7 * np.abs(theirs).max()
 
 
 def poles(alone: Scene) -> np.ndarray:
-    return alone.bending_modes.pole[0]
+    return system_of(alone).modes.pole[0]
 
 
 def test_rigid_rotor_follows_its_supports() -> None:
@@ -114,7 +114,7 @@ def test_rigid_rotor_follows_its_supports() -> None:
     half = 0.5 * body.polar / body.diametral * speed
     rock = np.sqrt(half**2 + 2.0 * k * 0.05**2 / body.diametral)
     exact = np.stack([bounce, -bounce, half + rock, half - rock], axis=1)
-    turning = np.sort(found.bending_modes.pole.imag, axis=1)
+    turning = np.sort(system_of(found).modes.pole.imag, axis=1)
     assert turning == pytest.approx(np.sort(exact, axis=1), rel=1e-9)
 
 
@@ -258,7 +258,7 @@ def test_critical_speeds_and_threshold_within_the_table() -> None:
         assert 0.0 < speed <= top
         alone = replace(rotor, supports=(halfway(speed / RPM), OTHER))
         one = Scene(alone, FINE, np.unique([speed, top]), 1500.0)
-        every = [one.bending_modes, one.axial_modes, one.torsion_modes]
+        every = [system_of(one, motion).modes for motion in ("bending", "axial", "torsion")]
         turning = np.concatenate([np.abs(m.pole[0].imag) for m in every])
         order = result.critical_order[k]
         assert np.abs(turning / (order * speed) - 1.0).min() < 1e-8
