@@ -29,7 +29,7 @@ from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.system import mesh
-from tests.oracles.dense_bending import dense_poles
+from tests.oracles.dense_rotor.unreduced import dense_poles
 from tests.oracles.exact_shaft.count import whirl_frequencies
 from tests.oracles.exact_shaft.rotor import exact_rotor
 from tests.oracles.rotors import STEEL, support, uniform
