@@ -90,6 +90,12 @@ def system_of(found: Scene, motion: str = "bending") -> FreeMotions:
     return found.system(found.with_motions((motion,))[0])
 
 
+def all_poles(found: Scene, row: int = 0) -> np.ndarray:
+    """Poles of Im ≥ 0 of all subsystems at one speed [rad/s]."""
+    every = [found.system(k).pole[row] for k in range(len(found.subsystems))]
+    return np.concatenate([pole[np.isfinite(pole)] for pole in every])
+
+
 def answers(
     spindle: Spindle, rpm: Sequence[float], analyses: Mapping[str, Spec], **changes: Any
 ) -> dict[str, Any]:

@@ -15,7 +15,7 @@ from rotordyn.analysis.specs import FrfSpec
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.modes import residual
 from tests.oracles.full_rotor import FullRotor
-from tests.oracles.spindles import case, mfw2310, pairs, scene, with_sleeve
+from tests.oracles.spindles import case, mfw2310, pairs, scene, system_of, with_sleeve
 
 PORTS = (-0.0524, -0.0721)
 PAIRS = (

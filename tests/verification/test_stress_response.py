@@ -17,7 +17,7 @@ from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec, Unbalance
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from tests.oracles.rotors import STEEL, support, uniform
-from tests.oracles.spindles import pairs
+from tests.oracles.spindles import pairs, system_of
 
 HZ = 2.0 * math.pi
 HELD = 1e8  # N/m
