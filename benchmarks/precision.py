@@ -20,6 +20,7 @@ from rotordyn.analysis.accuracy import frequency_error
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import Conditions
 from rotordyn.machine.spindle import Spindle
+from tests.oracles.exact_shaft.bending import exact_poles
 
 Array = NDArray[np.float64]
 ACCURACIES = (1e-2, 1e-3, 1e-4, 1e-5, 1e-6, 1e-7, 1e-8)
@@ -66,8 +67,7 @@ def curves() -> list[dict[str, Any]]:
 
 
 def _curve(machine: Machine) -> list[dict[str, Any]]:
-    exact = machine.scene(shaft="exact")
-    truth = exact.exact.modes(exact.bending_modes, 2.2 * math.pi * machine.band).pole
+    truth = exact_poles(machine.scene(), 1.1 * machine.band)
     length = machine.spindle.shaft.end - machine.spindle.shaft.start
     settings = [("any degree", f"{a:.0e}", {"accuracy": a}) for a in ACCURACIES]
     settings += [("standard", f"1/{n} of the shaft", {"element_length": length / n}) for n in PARTS]

@@ -3,13 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import NamedTuple
 
 from bearings.materials import Material
 from benchmarks.peer import machine
 from rotordyn.analysis.specs import (
-    DIRECT,
-    REDUCED,
     CampbellSpec,
     Conditions,
     FrfSpec,
@@ -25,37 +22,26 @@ CAMPBELL, RESPONSE, ALL, MAP = "campbell", "one response", "all responses", "map
 WORKS = (CAMPBELL, RESPONSE, ALL, MAP)
 
 
-class Setting(NamedTuple):
-    """A way of ours to do a work."""
-
-    conditions: Conditions
-    method: str = REDUCED
-
-
-BEST = Setting(Conditions(accuracy=1e-4))
-FINE = Setting(Conditions(accuracy=1e-8))
-SAME = Setting(Conditions(element_length=1.0001 * machine.ELEMENT))  # the peer's elements
-EXACT = Setting(Conditions(shaft="exact", accuracy=1e-8))  # axial motion, torsion: elements
-DIRECTLY, SAME_DIRECTLY = (Setting(own.conditions, DIRECT) for own in (BEST, SAME))
+BEST = Conditions(accuracy=1e-4)
+FINE = Conditions(accuracy=1e-8)
+SAME = Conditions(element_length=1.0001 * machine.ELEMENT)  # the peer's elements
 SETTINGS = {
     "accuracy 1e-4": BEST,
     "accuracy 1e-8": FINE,
     "60 standard elements": SAME,
-    "accuracy 1e-4, direct": DIRECTLY,
-    "60 standard elements, direct": SAME_DIRECTLY,
 }
 # Fine where equality with a dense solve is looked for, and with a node at every output only the
 # peer's elements.
 ASKED = {
     CAMPBELL: (BEST, SAME),
-    RESPONSE: (BEST, FINE, SAME, DIRECTLY, SAME_DIRECTLY),
-    ALL: (SAME, SAME_DIRECTLY),
-    MAP: (BEST, FINE, SAME, DIRECTLY, SAME_DIRECTLY),
+    RESPONSE: (BEST, FINE, SAME),
+    ALL: (SAME,),
+    MAP: (BEST, FINE, SAME),
 }
 INPUT = Port("input", "y")
 
 
-def settings(work: str) -> dict[str, Setting]:
+def settings(work: str) -> dict[str, Conditions]:
     """Ways of ours to do a work, by name."""
     return {name: own for name, own in SETTINGS.items() if own in ASKED[work]}
 
@@ -63,7 +49,7 @@ def settings(work: str) -> dict[str, Setting]:
 def case(
     work: str,
     kind: str,
-    setting: Setting = BEST,
+    setting: Conditions = BEST,
     speeds: tuple[float, ...] | None = None,
     frequencies: tuple[float, ...] = machine.FREQUENCIES,
 ) -> Case:
@@ -71,17 +57,22 @@ def case(
     own: tuple[float, ...] = {CAMPBELL: machine.SPEEDS, MAP: machine.MAP_SPEEDS}.get(
         work, (machine.SPEED,)
     )
-    name, asked = _question(work, frequencies, setting.method)
+    name, asked = _question(work, frequencies)
     built = spindle(kind, every_node=work == ALL)
-    return Case("peer", work, speeds or own, {name: asked}, setting.conditions, built)
+    return Case("peer", work, speeds or own, {name: asked}, setting, built)
 
 
-def _question(work: str, frequencies: tuple[float, ...], method: str) -> tuple[str, Spec]:
+def _question(work: str, frequencies: tuple[float, ...]) -> tuple[str, Spec]:
     if work == CAMPBELL:
         return "campbell", CampbellSpec(machine.BAND, shapes=False)
+    return "frf", FrfSpec(frequencies, pairs(work))
+
+
+def pairs(work: str) -> tuple[tuple[Port, Port], ...]:
+    """Responses of a work to a force at the input."""
     nodes = range(machine.NODES) if work == ALL else ()
     every = tuple((Port(f"node {k}", name), INPUT) for k in nodes for name in machine.MOTIONS)
-    return "frf", FrfSpec(frequencies, every or ((INPUT, INPUT),), method=method)
+    return every or ((INPUT, INPUT),)
 
 
 def spindle(kind: str, *, every_node: bool = False) -> Spindle:

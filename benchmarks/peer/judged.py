@@ -14,14 +14,17 @@ from benchmarks.peer.cases import (
     ALL,
     ASKED,
     CAMPBELL,
-    EXACT,
+    FINE,
     RESPONSE,
     SETTINGS,
-    Setting,
     case,
+    pairs,
     spindle,
 )
 from benchmarks.peer.dense import Dense, of_ours, of_theirs
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import Conditions
+from tests.oracles.exact_shaft.bending import exact_poles, exact_receptance
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -34,8 +37,8 @@ SAMPLE = machine.FREQUENCIES[machine.SAMPLE]
 
 def judged(kind: str, theirs: dict[str, Array]) -> dict[str, Any]:
     """Errors of the works, by setting of ours and of the ``peer``."""
-    truth = {CAMPBELL: [own[: machine.MODES] for own in our_modes(kind, EXACT)]}
-    truth |= {work: our_response(work, kind, EXACT) for work in RESPONSES}
+    truth: dict[str, Any] = {CAMPBELL: [own[: machine.MODES] for own in exact_modes(kind)]}
+    truth |= {work: exact_response(work, kind) for work in RESPONSES}
     peer, column = of_theirs(theirs, FREEDOMS), theirs["response"]
     found = {"peer": {CAMPBELL: mode_errors(theirs["pole"][machine.JUDGED], truth[CAMPBELL], peer)}}
     for work in RESPONSES:
@@ -46,10 +49,9 @@ def judged(kind: str, theirs: dict[str, Array]) -> dict[str, Any]:
     return found
 
 
-def _ours(kind: str, setting: Setting, truth: dict[str, Any]) -> dict[str, Any]:
+def _ours(kind: str, setting: Conditions, truth: dict[str, Any]) -> dict[str, Any]:
     def dense(work: str, highest: float, spin: float) -> Dense:
-        conditions = setting.conditions
-        accuracy = None if conditions.element_length is not None else conditions.accuracy
+        accuracy = None if setting.element_length is not None else setting.accuracy
         return of_ours(spindle(kind, every_node=work == ALL), accuracy, highest, spin)
 
     found = {}
@@ -65,20 +67,49 @@ def _ours(kind: str, setting: Setting, truth: dict[str, Any]) -> dict[str, Any]:
     return found
 
 
-def our_modes(kind: str, setting: Setting, speeds: tuple[float, ...] = SPEEDS) -> list[Complex]:
+def our_modes(kind: str, setting: Conditions, speeds: tuple[float, ...] = SPEEDS) -> list[Complex]:
     """Poles of all modes of the band at every speed, by frequency; the last speed is the highest
     of the work, so that the elements are its own."""
     found = rotordyn.run(case(CAMPBELL, kind, setting, speeds))["campbell"]
+    return [_by_frequency(row) for row in _poles(found)]
+
+
+def exact_modes(kind: str) -> list[Complex]:
+    """The same of the exact shaft; axial motion and torsion by elements of an accuracy of 1e-8."""
+    found = rotordyn.run(case(CAMPBELL, kind, FINE, SPEEDS))["campbell"]
+    others = _poles(found)[:, found["kind"].to_numpy() != "bending"]
+    bending = exact_poles(_scene(CAMPBELL, kind, SPEEDS, machine.BAND), 1.1 * machine.BAND)
+    bending = bending.real + 1j * np.abs(bending.imag)
+    return [_by_frequency(row) for row in np.concatenate([bending, others], axis=1)]
+
+
+def exact_response(work: str, kind: str) -> Complex:
+    """As ``our_response``, of the exact shaft."""
+    scene = _scene(work, kind, (machine.SPEED,), SAMPLE[-1])
+    return _by_node(work, exact_receptance(scene, pairs(work), np.array(SAMPLE))[0].T)
+
+
+def _scene(work: str, kind: str, speeds: tuple[float, ...], highest: float) -> Scene:
+    return Scene(spindle(kind, every_node=work == ALL), FINE, np.array(speeds), highest)
+
+
+def _poles(found: Any) -> Complex:
     frequency, ratio = found["frequency"].to_numpy(), found["damping_ratio"].to_numpy()
-    pole = 2.0 * math.pi * frequency * (1j - ratio / np.sqrt(1.0 - ratio**2))
-    rows = (row[np.isfinite(row)] for row in pole)
-    return [row[np.argsort(row.imag)] for row in rows]
+    return np.asarray(2.0 * math.pi * frequency * (1j - ratio / np.sqrt(1.0 - ratio**2)))
 
 
-def our_response(work: str, kind: str, setting: Setting) -> Complex:
+def _by_frequency(pole: Complex) -> Complex:
+    known = pole[np.isfinite(pole)]
+    return known[np.argsort(known.imag)]
+
+
+def our_response(work: str, kind: str, setting: Conditions) -> Complex:
     """Motions of the nodes (frequencies, nodes, 4), or that of the input (frequencies, 1, 1)."""
     found = rotordyn.run(case(work, kind, setting, frequencies=SAMPLE))["frf"]
-    values = found["receptance"].to_numpy()[0].T
+    return _by_node(work, found["receptance"].to_numpy()[0].T)
+
+
+def _by_node(work: str, values: Complex) -> Complex:
     shape = (machine.NODES, len(machine.MOTIONS)) if work == ALL else (1, 1)
     return np.asarray(values.reshape(len(SAMPLE), *shape))
 

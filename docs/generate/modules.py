@@ -10,8 +10,8 @@ from pathlib import Path
 from docs.generate.marked import table
 from docs.generate.places import ROOT, THEORY
 
-ROOMS = ("bearings", "rotordyn/elements", "rotordyn/system", "rotordyn/system/dynamic_stiffness")
-ROOMS += tuple(f"rotordyn/{r}" for r in ("exact", "preload", "numerics", "analysis", "surface"))
+ROOMS = ("bearings", "rotordyn/elements", "rotordyn/system")
+ROOMS += tuple(f"rotordyn/{r}" for r in ("preload", "numerics", "analysis", "surface"))
 _LINK = re.compile(r"\]\(((?:\.\./)+[\w/]+\.py)\)")
 
 

@@ -9,12 +9,12 @@ from docs.generate.precision import plain_ticks
 from docs.generate.sweeps import Lines
 from docs.generate.times import measured
 from rotordyn.plots.legends import legend
-from rotordyn.plots.style import BLUE, GREEN, RED, add_axes, grid_boxes, new_figure, save
+from rotordyn.plots.style import BLUE, RED, add_axes, grid_boxes, new_figure, save
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-LOOKS = {"any degree": (BLUE, "o-"), "standard": (RED, "s--"), "direct": (GREEN, "^:")}
+LOOKS = {"any degree": (BLUE, "o-"), "standard": (RED, "s--")}
 
 
 def draw_sweeps() -> None:

@@ -3,7 +3,8 @@
 Finer is one degree more in every element (half the length of standard ones) and a cut-off of the
 reduction 1.5 times as high. The change is reported as the error, of frequencies, receptances and
 orbits alike. Where it is more than the accuracy asked for, the finer model takes the place of the
-first one, ``ROUNDS`` times at most.
+first one, ``ROUNDS`` times at most. Responses may err by ``RESPONSES`` times as much of their peak:
+an error δ of a frequency moves the flank of a peak of damping ratio ζ by δ/2ζ of its height.
 """
 
 from __future__ import annotations
@@ -28,6 +29,7 @@ Modes = tuple[list[Branch], tuple[str, ...]]
 T = TypeVar("T")
 FEW = 3  # speeds at which the finer model is solved
 ROUNDS = 2
+RESPONSES = 10.0  # error of a response over its peak, to that of frequencies: it may be as large
 SAME = 0.1  # of a pole: what has none so near in the finer model vanishes there
 ROUNDING = 1e-12
 
@@ -51,8 +53,9 @@ def settled(
 ) -> tuple[Scene, T]:
     """The first of ever finer models whose ``error`` is below the accuracy asked for, or the last
     one, and what ``solve`` gives of it."""
-    accuracy = scene.conditions.accuracy
-    asked = math.inf if scene.conditions.element_length is not None else accuracy
+    asked = RESPONSES * scene.conditions.accuracy
+    if scene.conditions.element_length is not None:
+        asked = math.inf
     for _ in range(ROUNDS):
         found = solve(scene)
         if error(found) <= asked:
@@ -97,7 +100,7 @@ def mode_errors(
             default=0.0,
         )
 
-    scene, (found, errors) = settled(scene, solve, worst)
+    scene, (found, errors) = settled(scene, solve, lambda each: RESPONSES * worst(each))
     most = worst((found, errors))
     if scene.conditions.element_length is None and most > scene.conditions.accuracy:
         why = errors.unsettled or f"frequencies change by up to {most:.0e} as the model is refined"

@@ -38,7 +38,7 @@ class Component:
     spindle: Spindle | None
     cutoff: float
     bends: bool
-    solved: dict[tuple[bytes, ...], tuple[Array, Array]]
+    solved: dict[tuple[bytes, ...], tuple[Array, Array, Array]]
 
     @property
     def way(self) -> str:
@@ -105,7 +105,7 @@ class Component:
         """Modal and Rayleigh's (m, m)."""
         if self.spindle is None:
             return np.zeros((self.size, self.size))
-        return np.diag(modal_damping(self.spindle, self.values, bending=self.bends))
+        return modal_damping(self.spindle, self.values, self._reduced[2], bending=self.bends)
 
     @cached_property
     def damping(self) -> Array:
@@ -129,27 +129,29 @@ class Component:
         return np.asarray(self.vectors.T @ (self.assembled(name) @ self.vectors))
 
     @cached_property
-    def _reduced(self) -> tuple[Array, Array]:
+    def _reduced(self) -> tuple[Array, Array, Array]:
         mass, stiffness = self.assembled("mass"), self.assembled("stiffness")
         if self.spindle is None:
             inverse = np.linalg.inv(np.linalg.cholesky((mass + mass.T) / 2.0))
-            return inverse.T, inverse @ stiffness @ inverse.T
+            values = inverse @ stiffness @ inverse.T
+            return inverse.T, values, np.zeros_like(values)
         key = tuple(_bytes(each) for each in (mass, stiffness, self.local(self.ports)))
         if key not in self.solved:
             self.solved[key] = self._of_shaft(mass, stiffness)
         return self.solved[key]
 
-    def _of_shaft(self, mass: Matrix, stiffness: Matrix) -> tuple[Array, Array]:
+    def _of_shaft(self, mass: Matrix, stiffness: Matrix) -> tuple[Array, Array, Array]:
         rigid = np.zeros((len(self.dofs), self.rigid[0][1].shape[1]))
         for dofs, motion in self.rigid:
             rigid[self.local(dofs)] = motion
         if self.cutoff == 0.0:  # a rigid rotor
             factor = np.linalg.cholesky(rigid.T @ (mass @ rigid))
-            return np.asarray(np.linalg.solve(factor, rigid.T).T), np.zeros(rigid.shape[1])
+            none = np.zeros(rigid.shape[1])
+            return np.asarray(np.linalg.solve(factor, rigid.T).T), none, np.diag(none)
         ports = np.zeros((len(self.dofs), len(self.ports)))
         ports[self.local(self.ports), np.arange(len(self.ports))] = 1.0
         basis = reduce(mass, stiffness, rigid, ports, self.cutoff)
-        return basis.vectors, basis.values
+        return basis.vectors, basis.values, basis.roots
 
 
 def _bytes(matrix: Matrix) -> bytes:

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.errors import InvalidInput
+from rotordyn.numerics.threads import linear_algebra_alone
 
 Array = NDArray[np.float64]
 Matrix = Any  # NDArray[np.float64], or csr_array of scipy.sparse
@@ -24,11 +25,13 @@ LEAST_MODES = 8
 LARGE = 300  # DOF from which Lanczos finds a few modes faster than LAPACK finds all
 MOST_DENSE = 6000  # DOF; four matrices of that size are 1.2 GB
 MOST_ENTRIES = 200_000_000  # of all vectors of a large body, 1.6 GB
+ROUNDING = 1e-15  # of a diagonal entry: a pivot that small is zero
 NEW = 1e-10  # of the flexibility at the ports: vectors that add less (1e-5 squared) are dependent
 NOTHING = 1e-28  # of what a load moves a body rigidly: flexibility that is rounding
 TINY = 1e-200  # [s²], keeps a load of zeros from division by zero
-STIFF = 1e-10  # of the largest 1/λ: modes above the cutoff are told from rounding down to here
+STIFF = 1e-8  # of the largest 1/λ: modes above the cutoff are told from rounding down to here
 ASIDE = 1.2345e-7  # relative, from round values of the cutoff, at which a pivot may vanish
+RESOLVED = 1e-14  # of the largest 1/λ: stiffer modes are rounding, and matter to nobody
 NEAR = 1e-5  # relative: an eigenvalue so near the cutoff may be counted on either side of it
 
 
@@ -36,12 +39,14 @@ NEAR = 1e-5  # relative: an eigenvalue so near the cutoff may be counted on eith
 class Basis:
     """Vectors Φ (n, m) with Φᵀ M Φ = 1 and Φᵀ K Φ = diag(``values``) [rad²/s²], ascending.
 
-    ``modes`` (m,): which of them are eigenvectors; the others are static modes.
+    ``modes`` (m,): which of them are eigenvectors; the others are static modes. ``roots`` (m, m):
+    Φᵀ M √(M⁻¹K) Φ [rad/s], of a large body as if all vectors were modes.
     """
 
     vectors: Array
     values: Array
     modes: NDArray[np.bool_]
+    roots: Array
 
 
 def reduce(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff: float) -> Basis:
@@ -62,11 +67,10 @@ def reduce(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff: 
     ------
     InvalidInput : M or K is not definite, or the vectors asked for do not fit into memory
     """
-    from scipy.sparse.linalg import ArpackError
-
     try:
-        return _reduced(mass, stiffness, rigid, ports, cutoff)
-    except (np.linalg.LinAlgError, ArpackError):
+        with linear_algebra_alone():  # that of scipy may have been loaded just now
+            return _reduced(mass, stiffness, rigid, ports, cutoff)
+    except np.linalg.LinAlgError:
         raise InvalidInput(
             "the modes of a free body cannot be computed: a part of it has no mass, is held by "
             "nothing, or is stiff or light beyond the digits of its matrices; join it to others "
@@ -75,11 +79,11 @@ def reduce(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff: 
 
 
 def _reduced(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff: float) -> Basis:
-    from scipy.sparse import csr_array
-
     size, still = rigid.shape
     least, below, large = max(LEAST_MODES - still, 0), 0, False
     if size >= LARGE:
+        from scipy.sparse import csr_array
+
         mass, stiffness = csr_array(mass), csr_array(stiffness)
         shifted = _factors(stiffness - (1.0 - ASIDE) * cutoff**2 * mass)
         below = int((shifted.U.diagonal() < 0.0).sum()) - still  # Sylvester's law of inertia
@@ -92,14 +96,27 @@ def _reduced(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff
     if not large:
         mass, stiffness = (m.toarray() if hasattr(m, "toarray") else m for m in (mass, stiffness))
     body = _Body.held(mass, stiffness, rigid)
+    rest = np.zeros((size, 0)), np.zeros(0)
     if large:
         values, elastic = _by_lanczos(body, below, least, cutoff)
     else:
-        values, elastic = _by_lapack(body, least, cutoff)
+        values, elastic, rest = _by_lapack(body, least, cutoff)
     static_values, static = _static_modes(body, values, elastic, ports)
     every = np.concatenate([np.zeros(still), values, static_values])
     vectors, order = np.hstack([body.rigid, elastic, static]), np.argsort(every, kind="stable")
-    return Basis(vectors[:, order], every[order], order < still + len(values))
+    roots, made = np.diag(np.sqrt(every)), slice(still + len(values), None)
+    roots[made, made] = _roots(body, static, static_values, rest)
+    swapped = np.ix_(order, order)
+    return Basis(vectors[:, order], every[order], order < still + len(values), roots[swapped])
+
+
+def _roots(body: _Body, static: Array, values: Array, rest: tuple[Array, Array]) -> Array:
+    """√(M⁻¹K) on static modes (n, s) of ``values``, made of the modes ``rest`` and their ω; what
+    these do not make up is taken for a mode."""
+    modes, omega = rest
+    share = modes.T @ (body.mass @ static)
+    lacking = np.clip(1.0 - (share**2).sum(axis=0), 0.0, 1.0)
+    return np.asarray(share.T @ (omega[:, None] * share) + np.diag(lacking * np.sqrt(values)))
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -126,19 +143,21 @@ class _Body:
 
         size = np.linalg.cholesky(rigid.T @ (mass @ rigid))
         rigid = np.asarray(np.linalg.solve(size, rigid.T).T)
-        _, order = qr(rigid.T * np.sqrt(mass.diagonal()), mode="r", pivoting=True)
+        _, order = qr(rigid.T * np.sqrt(abs(mass.diagonal())), mode="r", pivoting=True)
         free = np.sort(order[rigid.shape[1] :])
         pushed, stiff = mass @ rigid, stiffness[free][:, free]
         if isinstance(mass, np.ndarray):
             root, lower = np.linalg.cholesky(mass).T, np.linalg.cholesky(stiff)
+            _refuse_singular(lower.diagonal() ** 2, stiff)
             return cls(
                 mass, root, rigid, pushed, free, lower, lambda f: cho_solve((lower, True), f)
             )
         factors, held = _factors(mass), _factors(stiff)
-        pivots = factors.U.diagonal()
-        if min(pivots.min(), held.U.diagonal().min()) <= 0.0:
+        _refuse_singular(held.U.diagonal()[held.perm_c], stiff)
+        upper, pivots = factors.U.tocsr()[:, factors.perm_c], factors.U.diagonal()
+        if pivots.min() <= 0.0:
             raise np.linalg.LinAlgError
-        root = diags_array(pivots**-0.5) @ factors.U.tocsr()[:, factors.perm_c]
+        root = diags_array(pivots**-0.5) @ upper
         return cls(mass, root, rigid, pushed, free, np.zeros((0, 0)), held.solve)
 
     def elastic(self, motions: Array) -> Array:
@@ -160,8 +179,11 @@ class _Body:
         return size**-2, motions @ (turn.T / size)
 
 
-def _by_lapack(body: _Body, least: int, cutoff: float) -> tuple[Array, Array]:
-    """Elastic modes up to the cutoff, so many at ``least``: values (k,), vectors (n, k)."""
+def _by_lapack(
+    body: _Body, least: int, cutoff: float
+) -> tuple[Array, Array, tuple[Array, Array]]:
+    """Elastic modes up to the cutoff, so many at ``least``: values (k,), vectors (n, k); those
+    above, and their ω."""
     from scipy.linalg import solve_triangular
     from scipy.linalg.lapack import dsygst
 
@@ -171,8 +193,11 @@ def _by_lapack(body: _Body, least: int, cutoff: float) -> tuple[Array, Array]:
     inverse, turn = np.linalg.eigh(inner, UPLO="L")
     lowest = np.arange(len(inverse))[::-1] < least
     clear = inverse > STIFF * inverse.max(initial=0.0)
-    turn = turn[:, (inverse * cutoff**2 > 1.0) | (lowest & clear)]
-    return body.normalised(body.elastic(solve_triangular(body.lower, turn, trans="T", lower=True)))
+    kept = (inverse * cutoff**2 > 1.0) | (lowest & clear)
+    every = body.elastic(solve_triangular(body.lower, turn, trans="T", lower=True))
+    rest = ~kept & (inverse > RESOLVED * inverse.max(initial=0.0))
+    omega = inverse[rest] ** -0.5
+    return *body.normalised(every[:, kept]), (every[:, rest] * omega, omega)
 
 
 def _by_lanczos(body: _Body, below: int, least: int, cutoff: float) -> tuple[Array, Array]:
@@ -206,6 +231,12 @@ def _static_modes(body: _Body, values: Array, elastic: Array, ports: Array) -> t
     new = share > NEW
     motions = motions @ (scale[:, None] * turn[:, new] / np.sqrt(share[new]))
     return body.normalised(motions - elastic @ (pushed.T @ motions))
+
+
+def _refuse_singular(pivots: Array, matrix: Matrix) -> None:
+    """Raise LinAlgError where a pivot (n,) is rounding: a part of the body is held by nothing."""
+    if (pivots <= ROUNDING * matrix.diagonal()).any():
+        raise np.linalg.LinAlgError
 
 
 def _factors(matrix: Matrix) -> Any:

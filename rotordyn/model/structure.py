@@ -154,7 +154,7 @@ class Structure:
                 coupled = np.abs(part.blocks).max(axis=0) > 0.0
                 for row, column in np.argwhere(coupled):
                     groups.join(of_dof[part.rows[0, row]], of_dof[part.columns[0, column]])
-        solved: dict[tuple[bytes, ...], tuple[Array, Array]] = {}
+        solved: dict[tuple[bytes, ...], tuple[Array, Array, Array]] = {}
         found = []
         for root in groups.roots():
             mine = [k for k in range(len(lines)) if groups.find(k) == root]
@@ -180,7 +180,7 @@ class Structure:
         lines: tuple[Line, ...],
         dofs: Indices,
         parts: list[Part],
-        solved: dict[tuple[bytes, ...], tuple[Array, Array]],
+        solved: dict[tuple[bytes, ...], tuple[Array, Array, Array]],
     ) -> Component:
         shaft = self.shafts.get(lines[0].body)
         return Component(

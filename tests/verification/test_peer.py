@@ -10,11 +10,13 @@ import numpy as np
 import pytest
 
 from benchmarks.peer import machine
-from benchmarks.peer.cases import CAMPBELL, DIRECTLY, FINE, RESPONSE, SAME, spindle
+from benchmarks.peer.cases import CAMPBELL, FINE, RESPONSE, SAME, spindle
 from benchmarks.peer.dense import of_ours, of_theirs
 from benchmarks.peer.judged import (
     SAMPLE,
     SPEEDS,
+    exact_modes,
+    exact_response,
     mode_errors,
     off,
     our_modes,
@@ -52,9 +54,7 @@ def test_the_machine_has_60_equal_elements_and_5_bearings() -> None:
 def test_dense_matrices_are_those_of_every_freedom(kind: str) -> None:
     """Against the plain assembly, node by node, of the same 60 elements."""
     built = spindle(kind)
-    whole = FullRotor(
-        built, build_mesh(built, SAME.conditions.element_length), NO_SEATS, machine.SPEED
-    )
+    whole = FullRotor(built, build_mesh(built, SAME.element_length), NO_SEATS, machine.SPEED)
     ours = of_ours(built, None, TOP, machine.SPEED)
     few = ours.poles(machine.SPEED)[: machine.MODES]
     assert few == pytest.approx(whole.poles(TOP * 2)[: machine.MODES], rel=1e-7)
@@ -68,7 +68,7 @@ def test_dense_matrices_are_those_of_every_freedom(kind: str) -> None:
 
 @kinds
 def test_our_side_equals_a_dense_solve_where_that_is_asked(kind: str) -> None:
-    modes = of_ours(spindle(kind), FINE.conditions.accuracy, machine.BAND, machine.SPEEDS[-1])
+    modes = of_ours(spindle(kind), FINE.accuracy, machine.BAND, machine.SPEEDS[-1])
     found = our_modes(kind, FINE, SPEEDS[::4])
     dense = [modes.poles(spin)[:8] for spin in SPEEDS[::4]]
     errors = [
@@ -78,10 +78,17 @@ def test_our_side_equals_a_dense_solve_where_that_is_asked(kind: str) -> None:
     ]
     assert len(errors) == 8 * len(found) == 16
     assert max(errors) < 1e-9
-    for setting, least in ((FINE, 1e-7), (DIRECTLY, 1e-9)):
-        response = our_response(RESPONSE, kind, setting)
-        whole = of_ours(spindle(kind), setting.conditions.accuracy, TOP, machine.SPEED)
-        assert response_errors(response, response, whole)["discrete"] < least
+    response = our_response(RESPONSE, kind, FINE)
+    whole = of_ours(spindle(kind), FINE.accuracy, TOP, machine.SPEED)
+    assert response_errors(response, response, whole)["discrete"] < 1e-7
+
+
+@kinds
+def test_our_side_is_near_the_exact_shaft(kind: str) -> None:
+    for own, truth in zip(our_modes(kind, FINE), exact_modes(kind), strict=True):
+        assert own[: machine.MODES] == pytest.approx(truth[: machine.MODES], rel=1e-7)
+    truth = exact_response(RESPONSE, kind)
+    assert np.median(off(our_response(RESPONSE, kind, FINE), truth)) < 1e-7
 
 
 def test_a_mode_moved_or_lost_is_noticed() -> None:
