@@ -171,7 +171,7 @@ def test_reduced_wire_between_pins(share: float) -> None:
     assert first(beam(), axial_force=share * EULER)[0] == pytest.approx(lowest, rel=1e-6)
 
 
-STRONG = Drawbar(9e6, -0.0524, 0.38, (0.15, 0.3))  # half of what buckles the shaft
+STRONG = Drawbar(3e5, -0.0524, 0.38, (0.15, 0.3))  # 430 MPa in the neck behind the tool
 
 
 def strong(rpm: Sequence[float], **changes: Any) -> Scene:
@@ -198,7 +198,7 @@ def swinging(found: Scene, row: int) -> np.ndarray:
 
 @pytest.mark.parametrize("row", [0, 1], ids=["rest", "24000 rpm"])
 def test_reduced_rotor_under_a_strong_bar(row: int) -> None:
-    """The bar moves modes by per cents; the reduction follows within 1e-5."""
+    """The bar moves modes; the reduction, whose vectors do not know of it, follows within 1e-5."""
     found = strong((0, 24000))
     ours = swinging(found, row)
     ours = ours[ours < HZ * 4000]
@@ -206,7 +206,7 @@ def test_reduced_rotor_under_a_strong_bar(row: int) -> None:
     assert ours == pytest.approx(exact, rel=1e-5)
     plain = Scene(found.spindle, replace(found.conditions, axial_stiffening=False), found.speed)
     before = swinging(plain, row)[: len(ours)]
-    assert (ours / before).min() < 0.99
+    assert (ours / before).min() < 1.0 - 1e-4
     frequency = np.linspace(5.0, 4000.0, 60)
     spec = FrfSpec(tuple(frequency), pairs("Oc2.y/Oc2.y", "Oc2.z/Oc2.y"))
     rotor = full(found, row)
@@ -215,21 +215,22 @@ def test_reduced_rotor_under_a_strong_bar(row: int) -> None:
     assert np.abs(ours_h - exact_h).max() < 5e-4 * np.abs(exact_h).max()
 
 
-def soft(points: dict[str, float] | None = None) -> Spindle:
-    """The flagship with a shaft so soft that a bar within its range can buckle it."""
+def slender(points: dict[str, float] | None = None) -> Spindle:
+    """The flagship's bearings on a bar of 30 mm, which a drawbar within its range can buckle; steps
+    and necks of the true shaft yield long before."""
     spindle = mfw2310(points=points) if points else mfw2310()
     sections = tuple(
-        replace(s, material=replace(s.material, young_modulus=0.3 * s.material.young_modulus))
-        for s in spindle.shaft.sections
+        replace(s, outer_diameter=0.03, inner_diameter=0.0) for s in spindle.shaft.sections
     )
     return replace(spindle, shaft=replace(spindle.shaft, sections=sections))
 
 
 @pytest.mark.parametrize("share", [0.5, 0.95])
 def test_condensed_rotor_near_buckling(share: float) -> None:
-    """Half way to buckling, and close to it, against all freedoms: 1e-6."""
+    """Half way to buckling, and close to it, against all freedoms: 1e-4 of the axial force, whose
+    error the tangent there has over (1 − share)."""
     critical = critical_bar()
-    spindle = replace(soft(), drawbar=replace(STRONG, force=share * critical))
+    spindle = replace(slender(), drawbar=replace(STRONG, force=share * critical))
     found = scene(spindle, (0, 12000))
     asked = StiffnessSpec("Oc2", 50.0, 1, ("nonlinear", "full"))
     result = stiffness.answer(found, asked)
@@ -237,17 +238,17 @@ def test_condensed_rotor_near_buckling(share: float) -> None:
         rotor = full(found, row)
         tip = rotor.row(-0.0524, "y")
         expected = 1.0 / np.linalg.inv(rotor.stiffness)[tip, tip]
-        assert result.tangent[row] == pytest.approx([expected] * 2, rel=1e-6)
-    plain = stiffness.answer(scene(soft(), (0, 12000)), asked)
+        assert result.tangent[row] == pytest.approx([expected] * 2, rel=1e-4 / (1.0 - share))
+    plain = stiffness.answer(scene(slender(), (0, 12000)), asked)
     assert (result.tangent < (1.0 - 0.3 * share) * plain.tangent).all()
 
 
 def critical_bar(rpm: float = 12000.0) -> float:
     """Force of the strong bar at which a direction of the full model loses its stiffness."""
-    bar = replace(STRONG, force=0.3 * STRONG.force)
-    found = scene(replace(soft(), drawbar=bar), (rpm,))
+    bar = replace(STRONG, force=1e6)
+    found = scene(replace(slender(), drawbar=bar), (rpm,))
     same_mesh = {**mfw2310().points, "guide": 0.15, "other": 0.3, "end": 0.38}
-    unloaded = full(scene(soft(same_mesh), (rpm,)), 0).stiffness
+    unloaded = full(scene(slender(same_mesh), (rpm,)), 0).stiffness
     change = unloaded - full(found, 0).stiffness
     sym = [0.5 * (m + m.T) for m in (change, unloaded)]
     largest = eigh(*sym, eigvals_only=True)[-1]
@@ -272,7 +273,7 @@ def test_axial_force_that_buckles_the_shaft_is_refused() -> None:
 def test_spindle_buckles_where_the_full_model_says() -> None:
     critical = critical_bar()
     for share, stands in ((0.999, True), (1.001, False)):
-        spindle = replace(soft(), drawbar=replace(STRONG, force=share * critical))
+        spindle = replace(slender(), drawbar=replace(STRONG, force=share * critical))
         found = scene(spindle, (0, 12000))
         assert (found.outcome[1] == "") == stands
     most = float(found.outcome[1].split("at most ")[1].split()[0]) * 1e3
@@ -282,7 +283,7 @@ def test_spindle_buckles_where_the_full_model_says() -> None:
 def test_buckled_speeds_are_named_and_the_others_delivered() -> None:
     """The bearings soften with speed: what stands at rest buckles at 20 000 rpm."""
     force = 0.5 * (critical_bar(0.0) + critical_bar(20000.0))
-    spindle = replace(soft(), drawbar=replace(STRONG, force=force))
+    spindle = replace(slender(), drawbar=replace(STRONG, force=force))
     asked = {
         "preload": PreloadSpec(),
         "campbell": CampbellSpec(2000.0),
