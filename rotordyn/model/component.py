@@ -7,6 +7,7 @@ of a sleeve or a housing are its own DOF. Mass is the identity in all of them.
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -15,7 +16,7 @@ import numpy as np
 from rotordyn.machine.spindle import Spindle
 from rotordyn.model.damping import modal_damping
 from rotordyn.model.dofs import Indices, Line
-from rotordyn.model.reduce import reduce
+from rotordyn.model.reduce import Coupling, reduce
 from rotordyn.model.shaft import Rows
 from rotordyn.model.term import Array, Part
 from rotordyn.numerics.sparse import LARGE, Matrix, summed
@@ -121,6 +122,7 @@ class Component:
         return own + self.ratio * self.spindle.internal_damping * self.own_damping
 
     ratio: float = 1.0
+    gyroscopic: float = math.inf
 
     def projected(self, name: str) -> Array:
         """A matrix in the coordinates (m, m)."""
@@ -135,7 +137,8 @@ class Component:
             inverse = np.linalg.inv(np.linalg.cholesky((mass + mass.T) / 2.0))
             values = inverse @ stiffness @ inverse.T
             return inverse.T, values, np.zeros_like(values)
-        key = tuple(_bytes(each) for each in (mass, stiffness, self.local(self.ports)))
+        limit = np.array([self.gyroscopic])
+        key = tuple(_bytes(each) for each in (mass, stiffness, self.local(self.ports), limit))
         if key not in self.solved:
             self.solved[key] = self._of_shaft(mass, stiffness)
         return self.solved[key]
@@ -150,7 +153,11 @@ class Component:
             return np.asarray(np.linalg.solve(factor, rigid.T).T), none, np.diag(none)
         ports = np.zeros((len(self.dofs), len(self.ports)))
         ports[self.local(self.ports), np.arange(len(self.ports))] = 1.0
-        basis = reduce(mass, stiffness, rigid, ports, self.cutoff)
+        coupling = None
+        if self.bends and self.gyroscopic < math.inf:
+            polar = 2.0 * (mass - self.assembled("softening"))  # discs have ports for their moments
+            coupling = Coupling(polar, self.gyroscopic)
+        basis = reduce(mass, stiffness, rigid, ports, self.cutoff, coupling)
         return basis.vectors, basis.values, basis.roots
 
 

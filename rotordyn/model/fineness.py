@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +23,8 @@ USUAL = 1e-4  # relative error of a frequency that a designer does not notice
 CUTOFF = 2.5  # free-free modes kept, over the highest frequency asked, at the usual accuracy
 STANDARD_CUTOFF = 4.0  # the same with standard elements, whose own error is to stand alone
 WEIGHTLESS = 30.0  # frequency of what has no mass, over the highest asked, at the usual accuracy
+SHARE = 0.03  # of the accuracy, that a gyroscopic force without its static mode may cost
+TINY = 1e-300  # keeps the division by a speed next to none from overflow
 FINER = 1.5  # cut-off of a finer model over that of the one before
 HIGHEST = 10
 FAR, HALVINGS = 1e12, 30
@@ -47,6 +49,10 @@ class Fineness:
     accuracy: float | None = None
     finer: int = 0
 
+    def at_ratio(self, ratio: float) -> Fineness:
+        """The same of a rotor that turns at ``ratio`` times the speed."""
+        return replace(self, spin=abs(ratio) * self.spin)
+
     @property
     def band(self) -> float:
         """The highest frequency asked for [rad/s]."""
@@ -64,6 +70,13 @@ class Fineness:
         """The frequency lent to what has no mass [rad/s], far above the band: the error by that
         falls with its square."""
         return 2.0 * math.pi * WEIGHTLESS * (self._finer**0.5 * self.frequency)
+
+    @property
+    def gyroscopic(self) -> float:
+        """Energy f K⁻¹ f [s²] from which gyroscopic forces f get a static mode: without it Ω s f of
+        a mode of unit mass moves its pole s by Ω² f K⁻¹ f / 2 of itself."""
+        allowed = 2.0 * SHARE * USUAL / self._finer / FINER ** (4 * self.finer)
+        return allowed / self.spin**2 if self.spin**2 > TINY * allowed else math.inf
 
     @property
     def _finer(self) -> float:

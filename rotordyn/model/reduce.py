@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -32,6 +32,7 @@ TINY = 1e-200  # [s²], keeps a load of zeros from division by zero
 STIFF = 1e-8  # of the largest 1/λ: modes above the cutoff are told from rounding down to here
 ASIDE = 1.2345e-7  # relative, from round values of the cutoff, at which a pivot may vanish
 RESOLVED = 1e-14  # of the largest 1/λ: stiffer modes are rounding, and matter to nobody
+COUPLED = 0.8  # of the cutoff: modes up to there are coupled
 NEAR = 1e-5  # relative: an eigenvalue so near the cutoff may be counted on either side of it
 
 
@@ -49,7 +50,25 @@ class Basis:
     roots: Array
 
 
-def reduce(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff: float) -> Basis:
+class Coupling(NamedTuple):
+    """Loads ``matrix`` (n, n) times each mode, such as gyroscopic moments, of which those of an
+    energy f K⁻¹ f of ``least`` [s²] or more get a static mode.
+
+    They may act on what no mode near the cutoff moves, the shear of a thick shaft.
+    """
+
+    matrix: Matrix
+    least: float
+
+
+def reduce(
+    mass: Matrix,
+    stiffness: Matrix,
+    rigid: Array,
+    ports: Array,
+    cutoff: float,
+    coupling: Coupling | None = None,
+) -> Basis:
     """Modes of a free body up to ω = ``cutoff`` [rad/s] and static modes for loads ``ports``.
 
     Parameters
@@ -62,6 +81,8 @@ def reduce(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff: 
         Loads; the vectors hold the static displacement by their self-equilibrated part.
     cutoff : float
         ``LEAST_MODES`` modes are kept in any case, rigid ones included, if there are as many.
+    coupling : Coupling, optional
+        Loads by the modes up to ``COUPLED`` of the cutoff.
 
     Raises
     ------
@@ -69,7 +90,7 @@ def reduce(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff: 
     """
     try:
         with linear_algebra_alone():  # that of scipy may have been loaded just now
-            return _reduced(mass, stiffness, rigid, ports, cutoff)
+            return _reduced(mass, stiffness, rigid, ports, cutoff, coupling)
     except np.linalg.LinAlgError:
         raise InvalidInput(
             "the modes of a free body cannot be computed: a part of it has no mass, is held by "
@@ -78,7 +99,14 @@ def reduce(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff: 
         ) from None
 
 
-def _reduced(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff: float) -> Basis:
+def _reduced(
+    mass: Matrix,
+    stiffness: Matrix,
+    rigid: Array,
+    ports: Array,
+    cutoff: float,
+    coupling: Coupling | None,
+) -> Basis:
     size, still = rigid.shape
     least, below, large = max(LEAST_MODES - still, 0), 0, False
     if size >= LARGE:
@@ -101,7 +129,11 @@ def _reduced(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff
         values, elastic = _by_lanczos(body, below, least, cutoff)
     else:
         values, elastic, rest = _by_lapack(body, least, cutoff)
-    static_values, static = _static_modes(body, values, elastic, ports)
+    motions = _displacements(body, values, elastic, ports)
+    if coupling is not None:
+        loads = _coupled_loads(body, values, elastic, coupling.matrix, COUPLED * cutoff)
+        motions = _completed(body, elastic, motions, loads, coupling.least)
+    static_values, static = body.normalised(motions - elastic @ ((mass @ elastic).T @ motions))
     every = np.concatenate([np.zeros(still), values, static_values])
     vectors, order = np.hstack([body.rigid, elastic, static]), np.argsort(every, kind="stable")
     roots, made = np.diag(np.sqrt(every)), slice(still + len(values), None)
@@ -179,9 +211,7 @@ class _Body:
         return size**-2, motions @ (turn.T / size)
 
 
-def _by_lapack(
-    body: _Body, least: int, cutoff: float
-) -> tuple[Array, Array, tuple[Array, Array]]:
+def _by_lapack(body: _Body, least: int, cutoff: float) -> tuple[Array, Array, tuple[Array, Array]]:
     """Elastic modes up to the cutoff, so many at ``least``: values (k,), vectors (n, k); those
     above, and their ω."""
     from scipy.linalg import solve_triangular
@@ -218,8 +248,9 @@ def _by_lanczos(body: _Body, below: int, least: int, cutoff: float) -> tuple[Arr
     return values, modes - body.rigid @ (body.pushed.T @ modes)
 
 
-def _static_modes(body: _Body, values: Array, elastic: Array, ports: Array) -> tuple[Array, Array]:
-    """What displacements by ``ports`` add to ``elastic`` modes (n, k) of ``values`` (k,)."""
+def _displacements(body: _Body, values: Array, elastic: Array, ports: Array) -> Array:
+    """Displacements V (n, l) by ``ports`` beside ``elastic`` modes (n, k) of ``values`` (k,),
+    Vᵀ K V = 1."""
     pushed, answer = body.mass @ elastic, elastic.T @ ports
     loads = ports - pushed @ answer
     motions = body.displaced(loads)
@@ -229,8 +260,30 @@ def _static_modes(body: _Body, values: Array, elastic: Array, ports: Array) -> t
     scale = (np.maximum(flexibility, NOTHING * rounding) + TINY) ** -0.5
     share, turn = np.linalg.eigh(scale[:, None] * (energy + energy.T) / 2.0 * scale)
     new = share > NEW
-    motions = motions @ (scale[:, None] * turn[:, new] / np.sqrt(share[new]))
-    return body.normalised(motions - elastic @ (pushed.T @ motions))
+    return np.asarray(motions @ (scale[:, None] * turn[:, new] / np.sqrt(share[new])))
+
+
+def _coupled_loads(
+    body: _Body, values: Array, elastic: Array, matrix: Matrix, highest: float
+) -> Array:
+    """Loads by rigid motions and modes up to ``highest`` [rad/s], those of the upper half of them
+    less, as they take less part in the motions of the lower."""
+    low = values <= highest**2
+    weight = np.minimum(1.0, (highest / 2.0) ** 2 / values[low])
+    return np.hstack([matrix @ body.rigid, matrix @ (elastic[:, low] * weight)])
+
+
+def _completed(body: _Body, elastic: Array, motions: Array, loads: Array, least: float) -> Array:
+    """``motions`` V (n, k), Vᵀ K V = 1, with the displacements by ``loads`` that add an energy of
+    ``least``, likewise."""
+    loads = loads - (body.mass @ elastic) @ (elastic.T @ loads)
+    more = body.displaced(loads)
+    whole = float((more * loads).sum())
+    more = more - motions @ (motions.T @ loads)
+    energy = more.T @ loads
+    values, turn = np.linalg.eigh((energy + energy.T) / 2.0)
+    new = values > max(least, NEW * whole)
+    return np.hstack([motions, more @ (turn[:, new] / np.sqrt(values[new]))])
 
 
 def _refuse_singular(pivots: Array, matrix: Matrix) -> None:

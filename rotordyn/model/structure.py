@@ -3,8 +3,8 @@ but links."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
 from functools import cached_property
 
 import numpy as np
@@ -60,7 +60,7 @@ class Structure:
                 spindle.part(name),
                 name,
                 ratio,
-                replace(fine, spin=abs(ratio) * fine.spin),
+                fine.at_ratio(ratio),
                 shown.of_rotors[name],
             )
             for name, ratio in spindle.ratios.items()
@@ -194,6 +194,7 @@ class Structure:
             bends=lines[0].motion == "bending",
             solved=solved,
             ratio=1.0 if shaft is None else shaft.ratio,
+            gyroscopic=math.inf if shaft is None else self.fine.at_ratio(shaft.ratio).gyroscopic,
         )
 
     def gyroscopic(self, y: Component, z: Component) -> Array:
