@@ -27,7 +27,7 @@ MOST_DENSE = 6000  # DOF; four matrices of that size are 1.2 GB
 MOST_ENTRIES = 200_000_000  # of all vectors of a large body, 1.6 GB
 ROUNDING = 1e-15  # of a diagonal entry: a pivot that small is zero
 NEW = 1e-10  # of the flexibility at the ports: vectors that add less (1e-5 squared) are dependent
-NOTHING = 1e-28  # of what a load moves a body rigidly: flexibility that is rounding
+RIGIDLY = 1e-13  # of a load: with less beside inertia it moves the body rigidly
 TINY = 1e-200  # [s²], keeps a load of zeros from division by zero
 STIFF = 1e-8  # of the largest 1/λ: modes above the cutoff are told from rounding down to here
 ASIDE = 1.2345e-7  # relative, from round values of the cutoff, at which a pivot may vanish
@@ -170,20 +170,20 @@ class _Body:
     @classmethod
     def held(cls, mass: Matrix, stiffness: Matrix, rigid: Array) -> _Body:
         """At the DOF that hold it best."""
-        from scipy.linalg import cho_solve, qr
-        from scipy.sparse import diags_array
-
         size = np.linalg.cholesky(rigid.T @ (mass @ rigid))
         rigid = np.asarray(np.linalg.solve(size, rigid.T).T)
-        _, order = qr(rigid.T * np.sqrt(abs(mass.diagonal())), mode="r", pivoting=True)
-        free = np.sort(order[rigid.shape[1] :])
+        free = np.delete(np.arange(len(rigid)), _holding(rigid, np.sqrt(abs(mass.diagonal()))))
         pushed, stiff = mass @ rigid, stiffness[free][:, free]
         if isinstance(mass, np.ndarray):
             root, lower = np.linalg.cholesky(mass).T, np.linalg.cholesky(stiff)
             _refuse_singular(lower.diagonal() ** 2, stiff)
-            return cls(
-                mass, root, rigid, pushed, free, lower, lambda f: cho_solve((lower, True), f)
-            )
+
+            def solve(load: Array) -> Array:
+                return np.asarray(np.linalg.solve(lower.T, np.linalg.solve(lower, load)))
+
+            return cls(mass, root, rigid, pushed, free, lower, solve)
+        from scipy.sparse import diags_array
+
         factors, held = _factors(mass), _factors(stiff)
         _refuse_singular(held.U.diagonal()[held.perm_c], stiff)
         upper, pivots = factors.U.tocsr()[:, factors.perm_c], factors.U.diagonal()
@@ -211,20 +211,30 @@ class _Body:
         return size**-2, motions @ (turn.T / size)
 
 
+def _holding(rigid: Array, scale: Array) -> list[int]:
+    """DOF that hold a body with the motions ``rigid`` (n, r), as far apart as they are; each in
+    its ``scale`` (n,)."""
+    rest, chosen = rigid * scale[:, None], list[int]()
+    for _ in range(rigid.shape[1]):
+        size = (rest**2).sum(axis=1)
+        chosen.append(int(size.argmax()))
+        row = rest[chosen[-1]] / np.sqrt(size[chosen[-1]])
+        rest = rest - np.outer(rest @ row, row)
+    return chosen
+
+
 def _by_lapack(body: _Body, least: int, cutoff: float) -> tuple[Array, Array, tuple[Array, Array]]:
     """Elastic modes up to the cutoff, so many at ``least``: values (k,), vectors (n, k); those
     above, and their ω."""
-    from scipy.linalg import solve_triangular
-    from scipy.linalg.lapack import dsygst
-
     pushed = body.pushed[body.free]
     inertia = body.mass[body.free][:, body.free] - pushed @ pushed.T
-    inner, _ = dsygst(inertia, body.lower, lower=1)  # L⁻¹ (M − M R Rᵀ M) L⁻ᵀ
-    inverse, turn = np.linalg.eigh(inner, UPLO="L")
+    half = np.linalg.solve(body.lower, inertia)
+    inner = np.linalg.solve(body.lower, half.T)  # L⁻¹ (M − M R Rᵀ M) L⁻ᵀ
+    inverse, turn = np.linalg.eigh((inner + inner.T) / 2.0)
     lowest = np.arange(len(inverse))[::-1] < least
     clear = inverse > STIFF * inverse.max(initial=0.0)
     kept = (inverse * cutoff**2 > 1.0) | (lowest & clear)
-    every = body.elastic(solve_triangular(body.lower, turn, trans="T", lower=True))
+    every = body.elastic(np.linalg.solve(body.lower.T, turn))
     rest = ~kept & (inverse > RESOLVED * inverse.max(initial=0.0))
     omega = inverse[rest] ** -0.5
     return *body.normalised(every[:, kept]), (every[:, rest] * omega, omega)
@@ -251,13 +261,14 @@ def _by_lanczos(body: _Body, below: int, least: int, cutoff: float) -> tuple[Arr
 def _displacements(body: _Body, values: Array, elastic: Array, ports: Array) -> Array:
     """Displacements V (n, l) by ``ports`` beside ``elastic`` modes (n, k) of ``values`` (k,),
     Vᵀ K V = 1."""
+    bending = np.abs(ports - body.pushed @ (body.rigid.T @ ports)).max(axis=0, initial=0.0)
+    ports = ports[:, bending > RIGIDLY * np.abs(ports).max(axis=0, initial=0.0)]
     pushed, answer = body.mass @ elastic, elastic.T @ ports
     loads = ports - pushed @ answer
     motions = body.displaced(loads)
     energy = motions.T @ loads
     flexibility = energy.diagonal() + (answer**2 / values[:, None]).sum(axis=0)
-    rounding = ((body.rigid.T @ ports) ** 2).sum(axis=0) * (1.0 / values).max(initial=0.0)
-    scale = (np.maximum(flexibility, NOTHING * rounding) + TINY) ** -0.5
+    scale = (flexibility + TINY) ** -0.5
     share, turn = np.linalg.eigh(scale[:, None] * (energy + energy.T) / 2.0 * scale)
     new = share > NEW
     return np.asarray(motions @ (scale[:, None] * turn[:, new] / np.sqrt(share[new])))

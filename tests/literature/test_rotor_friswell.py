@@ -20,7 +20,13 @@ from rotordyn.model.elements.standard_beam import axial_force_stiffness, shear_p
 from rotordyn.model.elements.shear import shear_coefficient
 from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.spindle import Spindle
-from tests.oracles.dense_rotor.assemble import add_at_nodes, bending_plane, chain, rotor_matrices, torsion_rod
+from tests.oracles.dense_rotor.assemble import (
+    add_at_nodes,
+    bending_plane,
+    chain,
+    rotor_matrices,
+    torsion_rod,
+)
 from tests.oracles.dense_rotor.selection import LATERAL
 from rotordyn.model.mesh import build_mesh
 from tests.oracles.rotors import on_supports, support, uniform

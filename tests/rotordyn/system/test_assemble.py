@@ -19,7 +19,15 @@ from tests.oracles.dense_rotor.assemble import (
     rotor_matrices,
     torsion_rod,
 )
-from tests.oracles.dense_rotor.selection import ALL, AXIAL, LATERAL, PLANE_Y, PLANE_Z, TORSION, Selection
+from tests.oracles.dense_rotor.selection import (
+    ALL,
+    AXIAL,
+    LATERAL,
+    PLANE_Y,
+    PLANE_Z,
+    TORSION,
+    Selection,
+)
 from rotordyn.model.mesh import build_mesh
 from tests.oracles.rotors import STEPPED
 from tests.oracles.whirl import eigenvalues, state_space

@@ -5,7 +5,15 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tests.oracles.dense_rotor.selection import ALL, AXIAL, LATERAL, PLANE_Y, PLANE_Z, TORSION, Selection
+from tests.oracles.dense_rotor.selection import (
+    ALL,
+    AXIAL,
+    LATERAL,
+    PLANE_Y,
+    PLANE_Z,
+    TORSION,
+    Selection,
+)
 
 SELECTIONS = (ALL, LATERAL, PLANE_Y, PLANE_Z, AXIAL, TORSION)
 
