@@ -14,7 +14,19 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.model.dofs import DIRECTIONS, place_of, position
+from rotordyn.model.dofs import DIRECTIONS, position
+
+
+def place_of(direction: str, directions: tuple[str, ...]) -> int:
+    """Place of a direction in an order of them.
+
+    Raises
+    ------
+    ValueError : it is not among them
+    """
+    if direction not in directions:
+        raise ValueError(f"no direction {direction!r}: one of {', '.join(directions)}")
+    return directions.index(direction)
 
 
 @dataclass(frozen=True, slots=True)
