@@ -92,7 +92,7 @@ def store(
     for name, value in zip(BALL_FIELDS, values, strict=True):
         states[name][into] = value
     idle = "lost contact" if problem.turning else "unloaded"
-    word = np.where((inner_angle < 0.0) & g.touching, "open side", "loaded")
+    word = np.where((inner_angle < 0.0) & (not g.both_ways), "open side", "loaded")
     states["status"][into] = np.where(qi > 0.0, word, idle)
 
 

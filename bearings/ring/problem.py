@@ -120,10 +120,8 @@ def first_displacement(problem: Problem, given: Array) -> Array:
     length = g.free_distance + (share / g.series_stiffness) ** (2.0 / 3.0)
     radial = np.minimum(np.abs(problem.origin[1]), 0.999 * length)
     side = np.where(problem.load[:, 0] < 0.0, -1.0, 1.0)
-    if not g.touching:
+    if g.both_ways:
         side *= problem.load[:, 0] != 0.0
-    shims = (
-        g.inner_grooves[0].offset - g.outer_grooves[-1].offset
-    )  # of the two arcs that thrust loads
+    shims = g.inner_grooves[0].offset - g.outer_grooves[-1].offset  # of the arcs thrust loads
     d[:, 0] = side * (np.sqrt(length**2 - radial**2) - shims) - problem.origin[0]
     return d

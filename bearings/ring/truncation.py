@@ -68,7 +68,7 @@ def truncation(state: BearingState) -> Truncation:
         np.array([by_ring[0]] * split + [by_ring[1]] * len(g.outer_grooves))
         for by_ring in (grooves.radii, grooves.shoulder_angles, grooves.middle_angles)
     )
-    alike = np.isnan(middle) & (not g.touching)
+    alike = np.isnan(middle) & g.both_ways
     angle = np.where(alike, np.abs(state.contact_angle), state.contact_angle)
     lower, upper = angle - major / radii, angle + major / radii
     far = np.where(alike, -shoulder, np.nan)
