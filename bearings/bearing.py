@@ -294,21 +294,32 @@ class BallBearing:
             ``outcome`` per state instead
         """
         from bearings.ball.law import Law
-        from bearings.ring.question import question
-        from bearings.ring.request import answer
+        from bearings.ring.condition import refusal
+        from bearings.ring.operation import operation
+        from bearings.ring.request import solved
         from bearings.ring.state import BearingState
 
         if start is not None and not isinstance(start, BearingState):
             raise InvalidBearing(f"start must be a state of this bearing, got {start!r:.80}")
         if not (compiled is None or isinstance(compiled, bool)):
             raise InvalidBearing(f"compiled must be True, False or None, got {compiled!r}")
-        law = Law(kinematics, moment_sharing, friction, dynamics)
-        asked = question(load, displacement, speed, static_growth, growth)
+        points = operation(
+            self.grooves,
+            Law(kinematics, moment_sharing, friction, dynamics),
+            load=load,
+            displacement=displacement,
+            speed=speed,
+            static_growth=static_growth,
+            growth=growth,
+        )
         if type(self).refusal is not BallBearing.refusal:
-            for row in asked.load:
-                if why := self.refusal(row.tolist(), asked.free.tolist()):
+            for row in points.load:
+                if why := self.refusal(row.tolist(), points.free.tolist()):
                     raise InvalidBearing(why)
-        return answer(self.grooves, law, asked, start, compiled)
+        state = solved(points, start, compiled)
+        if points.shape == () and state.outcome:
+            raise refusal(state)
+        return state
 
 
 def _number(value: object) -> bool:

@@ -27,7 +27,7 @@ from bearings.ball.plane import (
     plus,
     where,
 )
-from bearings.ball.polar import Polar, less_by, more_by, scaled, times
+from bearings.ball.polar import Polar, exchanged, less_by, more_by, scaled, times
 from bearings.ball.race import Contact, Race, against, race
 from bearings.geometry import Geometry
 
@@ -193,8 +193,8 @@ def _weight(ratio: float, di: Any, do: Any) -> Polar:
 
 def _share(law: tuple[Any, Any], weight: Polar) -> Polar:
     """λi, which depends on the weight alone."""
-    by_length = law[1] * weight.by_inner_length
-    return Polar(law[0], 0.0, by_length, 0.0, law[1] * weight.by_outer_length)
+    by_length = law[1] * weight.by_inner_approach
+    return Polar(law[0], 0.0, by_length, 0.0, law[1] * weight.by_outer_approach)
 
 
 def _tilt(law: Partial, weight: Polar, rolls: Any) -> Polar:
@@ -202,9 +202,9 @@ def _tilt(law: Partial, weight: Polar, rolls: Any) -> Polar:
     return Polar(
         law.value * rolls,
         law.by_inner * rolls,
-        law.by_weight * weight.by_inner_length * rolls,
+        law.by_weight * weight.by_inner_approach * rolls,
         law.by_outer * rolls,
-        law.by_weight * weight.by_outer_length * rolls,
+        law.by_weight * weight.by_outer_approach * rolls,
     )
 
 
@@ -214,9 +214,9 @@ def _chained(value: Any, factor: Any, rolling: Rolling, tilt: Polar) -> Polar:
     return Polar(
         value,
         factor * rolling.by_inner + by_tilt * tilt.by_inner_angle,
-        by_tilt * tilt.by_inner_length,
+        by_tilt * tilt.by_inner_approach,
         factor * rolling.by_outer + by_tilt * tilt.by_outer_angle,
-        by_tilt * tilt.by_outer_length,
+        by_tilt * tilt.by_outer_approach,
     )
 
 
@@ -228,51 +228,35 @@ def _inner_force(contact: Contact, friction: Polar, sin: Any, cos: Any) -> tuple
         Polar(
             axial,
             radial + friction.by_inner_angle * cos,
-            contact.slope * sin + friction.by_inner_length * cos,
+            contact.slope * sin + friction.by_inner_approach * cos,
             friction.by_outer_angle * cos,
-            friction.by_outer_length * cos,
+            friction.by_outer_approach * cos,
         ),
         Polar(
             radial,
             -axial - friction.by_inner_angle * sin,
-            contact.slope * cos - friction.by_inner_length * sin,
+            contact.slope * cos - friction.by_inner_approach * sin,
             -friction.by_outer_angle * sin,
-            -friction.by_outer_length * sin,
+            -friction.by_outer_approach * sin,
         ),
     )
 
 
 def _outer_force(contact: Contact, friction: Polar, sin: Any, cos: Any) -> tuple[Polar, Polar]:
     """Axial and radial force of ball and outer ring on each other."""
-    axial = contact.load * sin + friction.value * cos
-    radial = contact.load * cos - friction.value * sin
-    return (
-        Polar(
-            axial,
-            friction.by_inner_angle * cos,
-            friction.by_inner_length * cos,
-            radial + friction.by_outer_angle * cos,
-            contact.slope * sin + friction.by_outer_length * cos,
-        ),
-        Polar(
-            radial,
-            -friction.by_inner_angle * sin,
-            -friction.by_inner_length * sin,
-            -axial - friction.by_outer_angle * sin,
-            contact.slope * cos - friction.by_outer_length * sin,
-        ),
-    )
+    axial, radial = _inner_force(contact, exchanged(friction), sin, cos)
+    return exchanged(axial), exchanged(radial)
 
 
 def _by_inner(p: Polar, inner: Race) -> Motion:
     """Derivatives by A."""
-    return combined(p.by_inner_angle, inner.angle_by, p.by_inner_length, inner.approach_by)
+    return combined(p.by_inner_angle, inner.angle_by, p.by_inner_approach, inner.approach_by)
 
 
 def _by_outer(p: Polar, outer: Race) -> Pair:
     """Derivatives by X through the outer race alone."""
     a, b = outer.angle_by, outer.approach_by
-    turn, along = p.by_outer_angle, p.by_outer_length
+    turn, along = p.by_outer_angle, p.by_outer_approach
     return turn * a[0] + along * b[0], turn * a[1] + along * b[1]
 
 

@@ -30,11 +30,11 @@ def limited(
     part = where(slips, hold.value / wanted, 1.0)
     by_inner_angle = where(slips, -part * side * moment.by_inner_angle / wanted, 0.0)
     by_outer_angle = where(slips, -part * side * moment.by_outer_angle / wanted, 0.0)
-    inner_change = hold.by_inner_length - part * side * moment.by_inner_length
-    outer_change = hold.by_outer_length - part * side * moment.by_outer_length
-    by_inner_length = where(slips, inner_change / wanted, 0.0)
-    by_outer_length = where(slips, outer_change / wanted, 0.0)
-    held = Polar(part, by_inner_angle, by_inner_length, by_outer_angle, by_outer_length)
+    inner_change = hold.by_inner_approach - part * side * moment.by_inner_approach
+    outer_change = hold.by_outer_approach - part * side * moment.by_outer_approach
+    by_inner_approach = where(slips, inner_change / wanted, 0.0)
+    by_outer_approach = where(slips, outer_change / wanted, 0.0)
+    held = Polar(part, by_inner_angle, by_inner_approach, by_outer_angle, by_outer_approach)
     return times(held, moment), times(held, tilt)
 
 
@@ -49,7 +49,7 @@ def _held(share: Polar, inner: Contact, outer: Contact, limit: float) -> Polar:
     return Polar(
         can,
         0.0,
-        where(first, limit * inner.slope / one_i, 0.0) + change * share.by_inner_length,
+        where(first, limit * inner.slope / one_i, 0.0) + change * share.by_inner_approach,
         0.0,
-        where(first, 0.0, limit * outer.slope / one_o) + change * share.by_outer_length,
+        where(first, 0.0, limit * outer.slope / one_o) + change * share.by_outer_approach,
     )

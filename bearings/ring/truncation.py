@@ -59,7 +59,7 @@ def truncation(state: BearingState) -> Truncation:
     A groove of one arc has alike shoulders on both sides where the bearing takes thrust both ways;
     an ellipse may then pass either. An angular-contact ring has its shoulder on the loaded side.
     """
-    grooves = state.cause.grooves
+    grooves = state.operation.grooves
     g, load = geometry(grooves), np.nan_to_num(state.contact_load)
     split = len(g.inner_grooves)
     inner, outer = half_axes(g.inner, load[..., :split]), half_axes(g.outer, load[..., split:])
