@@ -1,17 +1,18 @@
 """One ball between its grooves: its balance, what it does to the inner ring, and all derivatives.
 
-The law of a ball over its contacts, whatever the kind of bearing (at rest between one groove a
-ring: ``bearings.ball.rest``; under a frozen push: ``bearings.ball.potential``): the contacts of
-each race make a resultant (``bearings.ball.race``), directions and loads of the resultants make Fc
-and Mg. Plain expressions of floats or arrays (any shape), which compile as they stand: choices
-between balls are made by ``where``. Plane vectors are (axial, radial); X is the ball centre, A
-the middle of the inner groove (with the tilt of the ring there as its third part), both seen from
-the middle of the outer groove.
+The law of a ball over its contacts, whatever the kind of bearing (under a fixed push, and at rest:
+``bearings.ball.potential``): the contacts of each race make a resultant (``bearings.ball.race``),
+directions and loads of the resultants make Fc and Mg. Plain expressions of floats or arrays (any
+shape), which compile as they stand: choices between balls are made by ``where``. Plane vectors are
+(axial, radial); X is the ball centre, A the middle of the inner groove (with the tilt of the ring
+there as its third part), both seen from the middle of the outer groove.
 """
 
 from __future__ import annotations
 
 from typing import Any, NamedTuple
+
+import numpy as np
 
 from bearings.ball.friction import limited
 from bearings.ball.kinematics import Angles, Partial, Rolling, inner_share, orbit_and_spin, tan_beta
@@ -23,11 +24,13 @@ from bearings.ball.plane import (
     Triple,
     combined,
     determinant,
+    direction,
     inverse,
     plus,
     where,
 )
 from bearings.ball.polar import Polar, exchanged, less_by, more_by, scaled, times
+from bearings.ball.potential import resting_reaction
 from bearings.ball.race import Contact, Race, against, race
 from bearings.geometry import Geometry
 
@@ -182,6 +185,31 @@ def settled(b: Balance) -> Settled:
             plus(b.action_by_centre[2], combined(z1, follow[0], z2, follow[1])),
         ),
     )
+
+
+def resting_balance(c: Geometry, centre: Motion) -> tuple[Balance, Settled]:
+    """Balance of balls at rest, and the same with the balls eliminated; no ball unknown is left."""
+    answer = resting_reaction(c, centre)
+    sin, cos, _ = direction((centre[0], centre[1]))
+    load = np.hypot(answer.action[0], answer.action[1])
+    zero = np.zeros_like(load)
+    nothing = (zero, zero)
+    balance = Balance(
+        residual=nothing,
+        residual_by_ball=((zero + 1.0, zero), (zero, zero + 1.0)),
+        residual_by_centre=(nothing, nothing),
+        action=answer.action,
+        action_by_ball=(nothing, nothing, nothing),
+        action_by_centre=answer.slope,
+        inner_load=load,
+        outer_load=load,
+        inner_direction=(sin, cos),
+        outer_direction=(sin, cos),
+        centrifugal_force=zero,
+        gyroscopic_moment=zero,
+        inner_share=zero + 1.0,
+    )
+    return balance, Settled(zero + 1.0, nothing, (nothing, nothing), answer.action, answer.slope)
 
 
 def _weight(ratio: float, di: Any, do: Any) -> Polar:

@@ -11,9 +11,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball.balance import Balance, Settled, settled, turning_balance
+from bearings.ball.balance import Balance, Settled, resting_balance, settled, turning_balance
 from bearings.ball.plane import EPS, Pair
-from bearings.ball.rest import resting_balance
 from bearings.ring.assembly import rows
 from bearings.ring.problem import Problem
 from bearings.ring.tolerances import PLAINLY_REGULAR, ROUNDING, SINGULAR, TOLERANCE
