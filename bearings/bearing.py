@@ -64,17 +64,18 @@ class Measure:
             taken = isinstance(value, Material)
             return "" if taken else f"{name} must be a bearings.Material, got {value!r}"
         if not _number(value):
-            return f"{name} must be a finite number, got {value!r}"
+            return f"{name} must be a finite number, got {value!r:.60}"
         number = float(value)  # type: ignore[arg-type]
         if self.quantity == "count" and number != int(number):
-            return f"{name} must be a whole number from {self.low:g} up, got {value!r}"
+            return f"{name} must be a whole number from {self.low:g} up, got {value!r:.60}"
         above = number > self.low if self.open_low else number >= self.low
         if above and number <= self.high:
             return ""
         low = "above" if self.open_low else "from"
+        doubt = ": is the unit right?" if self.unit else ""
         return (
             f"{name} must lie {low} {self._shown(self.low)} up to {self._shown(self.high)}, got "
-            f"{self._shown(number)}: is the unit right?"
+            f"{self._shown(number)}{doubt}"
         )
 
     def _shown(self, value: float) -> str:

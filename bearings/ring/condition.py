@@ -143,8 +143,7 @@ def _cut_off(state: BearingState) -> tuple[Array, NDArray[np.bool_]]:
     cuts, split = truncation(state), len(state.operation.grooves.inner_offsets)
     cut, balls = cuts.beyond_shoulder, state.inner_load.shape[-1]
     rings = [cut[..., :split].max(axis=-1), cut[..., split:].max(axis=-1)]
-    with np.errstate(invalid="ignore"):
-        across = (state.contact_angle < cuts.middle_angle).any(axis=-1)
+    across = cuts.across_middle.any(axis=-1)
     return np.stack(rings, axis=-1).reshape(-1, balls, 2), across.reshape(-1, balls)
 
 

@@ -167,8 +167,18 @@ def _numbers(name: str, value: ArrayLike) -> Array:
     try:
         array = np.asarray(value, dtype=float)
     except (TypeError, ValueError, OverflowError) as error:
-        raise InvalidBearing(f"{name} must be numbers, got {value!r}") from error
+        raise InvalidBearing(f"{name} must be numbers, got {value!r:.80}") from error
+    if _truths(value):
+        raise InvalidBearing(f"{name} must be numbers, got {value!r:.80}")
     size = np.abs(array)
     if ((size > LARGEST[name]) & (size < np.inf)).any():
         raise InvalidBearing(f"{name} beyond {LARGEST[name]:g} SI units: is the unit right?")
     return array
+
+
+def _truths(value: ArrayLike) -> bool:
+    """Whether True or False stand among numbers, which ``float`` would take for 1 and 0."""
+    if isinstance(value, np.ndarray) and value.dtype != object:
+        return value.dtype == bool
+    each = np.asarray(value, dtype=object).flat
+    return any(isinstance(number, bool | np.bool_) for number in each)

@@ -33,6 +33,7 @@ BY_BALL = (
     "inner_grip",
     "outer_grip",
 )
+ALIKE = ("contacts", "touching", "both_ways")  # of a bearing and the one of a start
 BY_CONTACT = ("contact_load", "contact_angle", "contact_pressure")
 
 
@@ -93,6 +94,10 @@ def _neighbour(
     first: Array,
 ) -> tuple[Array, Array]:
     """(d, X) of the neighbouring states; ``first`` and seats at rest where one is missing."""
+    theirs, ours = start.operation.grooves, operation.grooves
+    if any(getattr(theirs, name) != getattr(ours, name) for name in ALIKE):
+        names = ", ".join(ours.contacts)
+        raise InvalidBearing(f"start must be a state of a bearing of this kind, contacts {names}")
     if start.outcome.shape != operation.shape or start.inner_load.shape[-1] != (
         problem.geometry.balls
     ):

@@ -48,6 +48,12 @@ class Truncation:
         return self.lower_end - self.middle_angle
 
     @property
+    def across_middle(self) -> NDArray[np.bool_]:
+        """Contacts that stand beyond the middle of their groove (…, balls, contacts)."""
+        with np.errstate(invalid="ignore"):
+            return np.asarray(0.5 * (self.lower_end + self.upper_end) < self.middle_angle)
+
+    @property
     def lost(self) -> Array:
         """Share of the length of the major axis outside its groove (…, balls, contacts)."""
         return np.minimum(self.beyond_shoulder + self.beyond_middle, 1.0)

@@ -130,7 +130,8 @@ class Scene(Statics):
             for name, speed in released_fits(self.spindle, float(self.bearing_speed.max()))
         )
         grown = instability(found, self.speed[self.usable]) if found else ()
-        return (*fits, *grown)
+        pressed = self.preload.small_shims() if "preload" in self.solved else ()
+        return (*fits, *pressed, *grown)
 
     @property
     def fineness(self) -> Fineness:
