@@ -56,7 +56,7 @@ from rotordyn.machine import (
 )
 from rotordyn.quantity import LENGTH, RIGIDITY
 
-BEARING = AngularContactBallBearing(7.144e-3, 55e-3, 19, math.radians(25))
+BEARING = AngularContactBallBearing(7.144e-3, 55e-3, 19, contact_angle=math.radians(25))
 SHAFT = Shaft(0.0, (Section(0.3, 0.05, 0.02, STEEL, "body"),))
 FRONT, REAR = BearingSeat("a", BEARING, 0.05, 1), BearingSeat("b", BEARING, 0.2, -1)
 SLEEVE = Sleeve("rear", ("b",), Spring(300.0, 5e6))

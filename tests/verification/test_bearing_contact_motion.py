@@ -104,7 +104,9 @@ def test_control_goes_from_inner_at_rest_to_outer_at_speed() -> None:
 
     Between lies a band in which neither race controls (Noël's Fig. 2.8 calls both valid there).
     """
-    bearing = AngularContactBallBearing(9.525e-3, 90e-3, 25, 0.4363, 0.52, 0.56)
+    bearing = AngularContactBallBearing(
+        9.525e-3, 90e-3, 25, contact_angle=0.4363, inner_conformity=0.52, outer_conformity=0.56
+    )
     speed = np.linspace(0.0, 30000.0, 61) * RPM
     s = bearing.equilibrium(load=[1000.0, 0, 0, 0, 0], speed=speed)
     words = [word for word, _ in groupby(s.control[:, 0].tolist())]
