@@ -86,9 +86,10 @@ def turning_balance(
 ) -> Balance:
     """Balance of a ball on a turning ring (theory: one ball).
 
-    ``squared`` ω² [rad²/s²]; ``blend`` t in [0, 1] leads from the convex problem (Mg = 0, Fc at the
-    nominal angle) to the full one; ``vary`` 1, or 0 for derivatives that leave Fc and Mg as they
-    are.
+    ``centre``: A, with the tilt of the ring where it has two grooves; ``ball``: X; ``law``:
+    which hypotheses of motion and sharing hold. ``squared`` ω² [rad²/s²]; ``blend`` t in [0, 1]
+    leads from the convex problem (Mg = 0, Fc at the nominal angle) to the full one; ``vary`` 1,
+    or 0 for derivatives that leave Fc and Mg as they are.
     """
     inner = race(c.inner_grooves, against(centre, ball), 1.0)
     outer = race(c.outer_grooves, ball, -1.0)
@@ -96,19 +97,19 @@ def turning_balance(
     weight = _weight(c.race_ratio, inner.approach, outer.approach)
     angles = Angles(si, ci, so, co, c.size_ratio, weight.value)
     share = _share(inner_share(law.sharing, weight.value), weight)
-    turn = blend * c.ball_inertia * squared
+    inertia = blend * c.ball_inertia * squared  # Mg over (ωm/ω) (ωR/ω) sin β
     rolls = where(inner.approach > 0.0, 1.0, 0.0)
-    tilt = _tilt(tan_beta(law.kinematics, angles), weight, rolls)
-    orbit, spin = orbit_and_spin(angles, tilt.value)
-    moment = _chained(turn * spin.value, turn, spin, tilt)
+    attitude = _attitude(tan_beta(law.kinematics, angles), weight, rolls)
+    orbit, spin = orbit_and_spin(angles, attitude.value)
+    moment = _chained(inertia * spin.value, inertia, spin, attitude)
     loads = Contact(inner.load, inner.slope), Contact(outer.load, outer.slope)
     if law.friction > 0.0:
         limit = law.friction * c.ball_diameter
-        moment, tilt = limited(moment, tilt, share, loads[0], loads[1], limit)
-        orbit = orbit_and_spin(angles, tilt.value)[0]
+        moment, attitude = limited(moment, attitude, share, loads[0], loads[1], limit)
+        orbit = orbit_and_spin(angles, attitude.value)[0]
     full = c.orbit * squared
     push = full * (c.nominal + blend * (orbit.value**2 - c.nominal))
-    fc = _chained(push, 2.0 * vary * blend * full * orbit.value, orbit, tilt)
+    fc = _chained(push, 2.0 * vary * blend * full * orbit.value, orbit, attitude)
     ti = scaled(vary, 1.0 / c.ball_diameter, times(share, moment))
     to = less_by(scaled(vary, 2.0 / c.ball_diameter, moment), ti)
 
@@ -219,32 +220,32 @@ def _weight(ratio: float, di: Any, do: Any) -> Polar:
     return Polar(slope * di, 0.0, 2.0 * slope, 0.0, -2.0 * slope * di / deep)
 
 
-def _share(law: tuple[Any, Any], weight: Polar) -> Polar:
-    """λi, which depends on the weight alone."""
-    by_length = law[1] * weight.by_inner_approach
-    return Polar(law[0], 0.0, by_length, 0.0, law[1] * weight.by_outer_approach)
+def _share(share: tuple[Any, Any], weight: Polar) -> Polar:
+    """λi, from its value and its slope by the weight alone."""
+    by_inner = share[1] * weight.by_inner_approach
+    return Polar(share[0], 0.0, by_inner, 0.0, share[1] * weight.by_outer_approach)
 
 
-def _tilt(law: Partial, weight: Polar, rolls: Any) -> Polar:
-    """tan β, 0 of a ball that rides the outer race alone."""
+def _attitude(beta: Partial, weight: Polar, rolls: Any) -> Polar:
+    """tan β of the axis the ball turns about; 0 of a ball that rides the outer race alone."""
     return Polar(
-        law.value * rolls,
-        law.by_inner * rolls,
-        law.by_weight * weight.by_inner_approach * rolls,
-        law.by_outer * rolls,
-        law.by_weight * weight.by_outer_approach * rolls,
+        beta.value * rolls,
+        beta.by_inner * rolls,
+        beta.by_weight * weight.by_inner_approach * rolls,
+        beta.by_outer * rolls,
+        beta.by_weight * weight.by_outer_approach * rolls,
     )
 
 
-def _chained(value: Any, factor: Any, rolling: Rolling, tilt: Polar) -> Polar:
+def _chained(value: Any, factor: Any, rolling: Rolling, attitude: Polar) -> Polar:
     """A value that changes by ``factor`` times a rolling ratio."""
-    by_tilt = factor * rolling.by_tilt
+    by_attitude = factor * rolling.by_attitude
     return Polar(
         value,
-        factor * rolling.by_inner + by_tilt * tilt.by_inner_angle,
-        by_tilt * tilt.by_inner_approach,
-        factor * rolling.by_outer + by_tilt * tilt.by_outer_angle,
-        by_tilt * tilt.by_outer_approach,
+        factor * rolling.by_inner + by_attitude * attitude.by_inner_angle,
+        by_attitude * attitude.by_inner_approach,
+        factor * rolling.by_outer + by_attitude * attitude.by_outer_angle,
+        by_attitude * attitude.by_outer_approach,
     )
 
 

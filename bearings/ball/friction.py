@@ -17,11 +17,11 @@ FAR = 1e300  # N·m: a race without a share of the moment never slips
 
 
 def limited(
-    moment: Polar, tilt: Polar, share: Polar, inner: Contact, outer: Contact, limit: float
+    moment: Polar, attitude: Polar, share: Polar, inner: Contact, outer: Contact, limit: float
 ) -> tuple[Polar, Polar]:
     """Moment and tan β with which neither race carries more than ``limit`` · Q of the moment.
 
-    ``moment``, ``tilt``: as the hypothesis has them; ``share``: λi; ``limit`` μ D [m].
+    ``moment``, ``attitude``: as the hypothesis has them; ``share``: λi; ``limit`` μ D [m].
     """
     hold = _held(share, inner, outer, limit)
     side = where(moment.value < 0.0, -1.0, 1.0)
@@ -35,7 +35,7 @@ def limited(
     by_inner_approach = where(slips, inner_change / wanted, 0.0)
     by_outer_approach = where(slips, outer_change / wanted, 0.0)
     held = Polar(part, by_inner_angle, by_inner_approach, by_outer_angle, by_outer_approach)
-    return times(held, moment), times(held, tilt)
+    return times(held, moment), times(held, attitude)
 
 
 def _held(share: Polar, inner: Contact, outer: Contact, limit: float) -> Polar:

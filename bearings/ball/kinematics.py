@@ -44,7 +44,7 @@ class Rolling(NamedTuple):
     value: Any
     by_inner: Any
     by_outer: Any
-    by_tilt: Any
+    by_attitude: Any
 
 
 def outer_control(a: Angles) -> Partial:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from bearings.ball.plane import EPS, Motion
 from bearings.ball.potential import (
     SeatStep,
-    contacts,
+    both_races,
     depth,
     first_seat,
     improves,
@@ -166,7 +166,7 @@ def seat(c: Geometry, centre: Array, push: Array, start: Array | None = None) ->
     x, free = _first_places(c, a, fc, start), np.zeros(a.shape[1], dtype=bool)
     if len(c.outer_grooves) == 1:
         riding = riding_radius(c, fc)
-        free = contacts(c, tuple(a), (0.0 * riding, riding))[0].energy == 0.0
+        free = both_races(c, tuple(a), (0.0 * riding, riding))[0].energy == 0.0
         x[:, free] = 0.0
         x[1, free] = riding[free]
     now = _step(c, a, fc, x)
@@ -203,7 +203,7 @@ def _step(c: Geometry, a: Array, fc: Array, x: Array) -> SeatStep:
 
 def _energy(c: Geometry, a: Array, fc: Array, x: Array) -> Array:
     ball = (x[0], x[1])
-    return np.asarray(potential(c, *contacts(c, tuple(a), ball), ball, fc))
+    return np.asarray(potential(c, *both_races(c, tuple(a), ball), ball, fc))
 
 
 def _some_steps(steps: SeatStep, index: Index) -> SeatStep:

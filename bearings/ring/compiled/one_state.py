@@ -11,7 +11,7 @@ from bearings.ball.balance import Rows, settled, turning_balance
 from bearings.ball.law import LawNumbers
 from bearings.ball.plane import Motion, Pair, Triple, plus
 from bearings.ball.potential import (
-    contacts,
+    both_races,
     depth,
     first_seat,
     improves,
@@ -249,7 +249,7 @@ def _add_load(az: Array, radius: float, action: Triple, load: Array) -> None:
 def seat(c: Geometry, centre: Motion, push: float, start: Pair) -> Pair:
     """X of least potential, see ``seat`` in ``bearings.ring.convex_stage``."""
     riding = riding_radius(c, push)
-    if len(c.outer_grooves) == 1 and contacts(c, centre, (0.0, riding))[0].energy == 0.0:
+    if len(c.outer_grooves) == 1 and both_races(c, centre, (0.0, riding))[0].energy == 0.0:
         return 0.0, riding
     first = first_seat(c, centre, push)
     x = (first[0] + 0.0, first[1] + 0.0)

@@ -35,15 +35,16 @@ class Found(NamedTuple):
     exists: NDArray[np.bool_]
 
 
-def pays(balls: int, kind: tuple[int, int]) -> bool:
+def pays(balls: int, grooves: tuple[int, int]) -> bool:
     """Whether so many balls are found sooner with the compiled solver, its loading included.
 
-    ``kind``: numbers of contacts a race, for each of which the solver is compiled once.
+    ``grooves`` of the inner and the outer ring: for each pair of these numbers the solver is
+    compiled once.
     """
-    if kind in _loaded:
+    if grooves in _loaded:
         return True
     seconds = BALL * balls
-    return seconds > COMPILING or (seconds > FROM_DISK and kind == (1, 1) and is_kept())
+    return seconds > COMPILING or (seconds > FROM_DISK and grooves == (1, 1) and is_kept())
 
 
 @lru_cache(maxsize=1)
