@@ -115,7 +115,7 @@ class Follower:
         if shape == () and not found[0]:
             word = "unloaded" if free and not load.any() else "no equilibrium"
             raise NoEquilibrium(word, speed=float(omega[0]), remedy="see `equilibrium` for why")
-        return Followed(*(part.reshape((*shape, *part.shape[1:])) for part in whole))
+        return Followed(*[part.reshape((*shape, *part.shape[1:])) for part in whole])
 
     def _solved(
         self, move: Array, load: Array, omega: Array, *, free: bool, turning: bool
