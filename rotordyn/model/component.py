@@ -15,10 +15,14 @@ import numpy as np
 from rotordyn.machine.spindle import Spindle
 from rotordyn.model.damping import modal_damping
 from rotordyn.model.dofs import Indices, Line
-from rotordyn.model.reduce import Coupling, reduce
+from rotordyn.model.reduce import Basis, Coupling, reduce
 from rotordyn.model.shaft import Rows
 from rotordyn.model.term import Array, Part
 from rotordyn.numerics.sparse import LARGE, Matrix, summed
+
+# Over the cut-off: what swings faster has lost its digits beside slow motions, as in a shaft that
+# weighs next to nothing. Frequencies err by its inverse square.
+FASTEST = 1e3
 
 
 @dataclass(eq=False)
@@ -157,7 +161,15 @@ class Component:
         if self.polar:
             coupling = Coupling(self.assembled("gyroscopic", self.polar), self.band)
         basis = reduce(mass, stiffness, rigid, ports, self.cutoff, coupling)
-        return basis.vectors, basis.values, basis.roots
+        return _weighed(basis, FASTEST * self.cutoff)
+
+
+def _weighed(basis: Basis, fastest: float) -> tuple[Array, Array, Array]:
+    """Vectors, values and roots of a basis; what would swing faster than ``fastest`` [rad/s] gets
+    as much more mass as brings it there: how it gives way is as before."""
+    with np.errstate(divide="ignore"):
+        scale = np.minimum(1.0, fastest / np.sqrt(basis.values))
+    return basis.vectors * scale, basis.values * scale**2, scale[:, None] * basis.roots * scale
 
 
 def _bytes(matrix: Matrix) -> bytes:

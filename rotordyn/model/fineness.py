@@ -81,7 +81,7 @@ class Fineness:
 
     @property
     def slow(self) -> float:
-        """Up to which modes gyroscopic forces are answered [rad/s]: beyond the band, since free-free
+        """Up to which modes gyroscopic forces are answered [rad/s], beyond the band: free-free
         modes above it take part in modes below."""
         return FINER ** (self.finer + 1) * self.band
 

@@ -215,7 +215,8 @@ MEANINGS: dict[str, dict[str, str]] = {
     },
     "shaft": {
         "start": "station of its front end",
-        "shear_coefficient": "formula by Poisson's ratio and diameters, or the coefficient",
+        "shear_coefficient": "formula by Poisson's ratio and diameters, or the coefficient; "
+        "`none`: no shear deformation (Euler and Bernoulli's beam)",
         "material": "of sections that name none; name, path or mapping",
         "sections": "from front to rear",
     },
@@ -292,7 +293,9 @@ MEANINGS: dict[str, dict[str, str]] = {
         "stiffness": "between its two ends, 6×6, in the fixed frame",
         "damping": "between its two ends, 6×6, in the fixed frame",
         "rigid": "freedoms that do not move (`section_forces` only), instead of a stiffness",
-        "speeds": "of the values in lists, ascending; nothing is known beyond the first and last",
+        "speeds": "of the values in lists, ascending",
+        "beyond": "the first and last of them: `refuse` a case with such speeds, or `hold` the "
+        "values at the nearest end, with a warning",
         "table": "CSV file that holds these lists instead "
         "([columns](conventions.md#tables-over-speed))",
         "loss_factor": "η of its stiffness: hysteretic damping in the fixed frame, without further "
