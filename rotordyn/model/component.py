@@ -7,8 +7,7 @@ of a sleeve or a housing are its own DOF. Mass is the identity in all of them.
 
 from __future__ import annotations
 
-import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -30,7 +29,8 @@ class Component:
 
     ``rigid``: rigid motions of a free shaft, empty of what is no shaft; ``ports``: DOF that keep a
     static mode; ``spindle``: the rotor whose damping it has, None of what is no shaft. ``solved``:
-    components with the same matrices share one reduction.
+    components with the same matrices share one reduction. ``polar``: gyroscopic parts in one plane
+    whose forces on modes up to ``band`` [rad/s] static modes answer; none where they need not.
     """
 
     lines: tuple[Line, ...]
@@ -60,7 +60,7 @@ class Component:
 
     def assembled(self, name: str, parts: list[Part] | None = None) -> Matrix:
         """A matrix (n, n) of the parts of that name."""
-        own = [p for p in (parts or self.parts) if p.matrix == name]
+        own = [p for p in parts or self.parts if p.matrix == name]
         size = len(self.dofs)
         blocks = [(self.local(p.rows), self.local(p.columns), p.blocks) for p in own]
         return summed((size, size), blocks, large=self.large)
@@ -124,7 +124,8 @@ class Component:
         return own + self.ratio * self.spindle.internal_damping * self.own_damping
 
     ratio: float = 1.0
-    gyroscopic: float = math.inf
+    polar: list[Part] = field(default_factory=list)
+    band: float = 0.0
 
     def projected(self, name: str) -> Array:
         """A matrix in the coordinates (m, m)."""
@@ -139,8 +140,7 @@ class Component:
             inverse = np.linalg.inv(np.linalg.cholesky((mass + mass.T) / 2.0))
             values = inverse @ stiffness @ inverse.T
             return inverse.T, values, np.zeros_like(values)
-        limit = np.array([self.gyroscopic])
-        key = tuple(_bytes(each) for each in (mass, stiffness, self.local(self.ports), limit))
+        key = tuple(_bytes(each) for each in (mass, stiffness, self.local(self.ports)))
         if key not in self.solved:
             self.solved[key] = self._of_shaft(mass, stiffness)
         return self.solved[key]
@@ -156,9 +156,8 @@ class Component:
         ports = np.zeros((len(self.dofs), len(self.ports)))
         ports[self.local(self.ports), np.arange(len(self.ports))] = 1.0
         coupling = None
-        if self.bends and self.gyroscopic < math.inf:
-            polar = 2.0 * (mass - self.assembled("softening"))  # discs have ports for their moments
-            coupling = Coupling(polar, self.gyroscopic)
+        if self.polar:
+            coupling = Coupling(self.assembled("gyroscopic", self.polar), self.band)
         basis = reduce(mass, stiffness, rigid, ports, self.cutoff, coupling)
         # coordinates with next to no mass are lent one, or their damping drowns slow modes
         stiff = np.maximum(np.sqrt(basis.values) / (WEIGHTLESS * self.cutoff), 1.0)

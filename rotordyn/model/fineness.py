@@ -12,7 +12,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,9 +23,8 @@ USUAL = 1e-4  # relative error of a frequency that a designer does not notice
 CUTOFF = 2.5  # free-free modes kept, over the highest frequency asked, at the usual accuracy
 STANDARD_CUTOFF = 4.0  # the same with standard elements, whose own error is to stand alone
 WEIGHTLESS = 30.0  # frequency of what has no mass, over the highest asked, at the usual accuracy
-SHARE = 0.03  # of the accuracy, that a gyroscopic force without its static mode may cost
-TINY = 1e-300  # keeps the division by a speed next to none from overflow
-FINER = 3.0  # cut-off of a finer model over that of the one before: truncation errors fall slowly
+PRECISE = 1e-5  # accuracy below which gyroscopic forces are answered
+FINER = 1.5  # cut-off of a finer model over that of the one before
 HIGHEST = 10
 FAR, HALVINGS = 1e12, 30
 SAFETY = 5.0  # what is aimed at lies below what is asked by this
@@ -49,10 +48,6 @@ class Fineness:
     accuracy: float | None = None
     finer: int = 0
 
-    def at_ratio(self, ratio: float) -> Fineness:
-        """The same of a rotor that turns at ``ratio`` times the speed."""
-        return replace(self, spin=abs(ratio) * self.spin)
-
     @property
     def band(self) -> float:
         """The highest frequency asked for [rad/s]."""
@@ -66,17 +61,22 @@ class Fineness:
         return FINER**self.finer * factor * self.band
 
     @property
+    def gyroscopic(self) -> bool:
+        """Whether static modes answer the gyroscopic forces of the modes asked for: cheaper than a
+        higher cut-off where much accuracy is asked for."""
+        return self.accuracy is None or self.accuracy < PRECISE or self.finer > 0
+
+    @property
+    def slow(self) -> float:
+        """Up to which modes gyroscopic forces are answered [rad/s]: beyond the band, since free-free
+        modes above it take part in modes below."""
+        return FINER ** (self.finer + 1) * self.band
+
+    @property
     def weightless(self) -> float:
         """The frequency lent to what has no mass [rad/s], far above the band: the error by that
         falls with its square."""
-        return 2.0 * math.pi * WEIGHTLESS * (self._finer**0.5 * self.frequency)
-
-    @property
-    def gyroscopic(self) -> float:
-        """Energy f K⁻¹ f [s²] from which gyroscopic forces f get a static mode: without it Ω s f of
-        a mode of unit mass moves its pole s by Ω² f K⁻¹ f / 2 of itself."""
-        allowed = 2.0 * SHARE * USUAL / self._finer / FINER ** (4 * self.finer)
-        return allowed / self.spin**2 if self.spin**2 > TINY * allowed else math.inf
+        return FINER**self.finer * WEIGHTLESS * self._finer**0.5 * self.band
 
     @property
     def _finer(self) -> float:

@@ -32,7 +32,6 @@ TINY = 1e-200  # [s²], keeps a load of zeros from division by zero
 STIFF = 1e-8  # of the largest 1/λ: modes above the cutoff are told from rounding down to here
 ASIDE = 1.2345e-7  # relative, from round values of the cutoff, at which a pivot may vanish
 RESOLVED = 1e-14  # of the largest 1/λ: stiffer modes are rounding, and matter to nobody
-COUPLED = 0.8  # of the cutoff: modes up to there are coupled
 NEAR = 1e-5  # relative: an eigenvalue so near the cutoff may be counted on either side of it
 
 
@@ -51,14 +50,11 @@ class Basis:
 
 
 class Coupling(NamedTuple):
-    """Loads ``matrix`` (n, n) times each mode, such as gyroscopic moments, of which those of an
-    energy f K⁻¹ f of ``least`` [s²] or more get a static mode.
-
-    They may act on what no mode near the cutoff moves, the shear of a thick shaft.
-    """
+    """Forces that ``matrix`` (n, n), such as the gyroscopic one, makes of modes up to ``band``
+    [rad/s]."""
 
     matrix: Matrix
-    least: float
+    band: float
 
 
 def reduce(
@@ -82,7 +78,7 @@ def reduce(
     cutoff : float
         ``LEAST_MODES`` modes are kept in any case, rigid ones included, if there are as many.
     coupling : Coupling, optional
-        Loads by the modes up to ``COUPLED`` of the cutoff.
+        The vectors also hold the static displacement by its forces.
 
     Raises
     ------
@@ -129,11 +125,10 @@ def _reduced(
         values, elastic = _by_lanczos(body, below, least, cutoff)
     else:
         values, elastic, rest = _by_lapack(body, least, cutoff)
-    motions = _displacements(body, values, elastic, ports)
     if coupling is not None:
-        loads = _coupled_loads(body, values, elastic, coupling.matrix, COUPLED * cutoff)
-        motions = _completed(body, elastic, motions, loads, coupling.least)
-    static_values, static = body.normalised(motions - elastic @ ((mass @ elastic).T @ motions))
+        swung = np.hstack([body.rigid, elastic[:, values <= coupling.band**2]])
+        ports = np.hstack([ports, coupling.matrix @ swung])
+    static_values, static = _static_modes(body, values, elastic, ports)
     every = np.concatenate([np.zeros(still), values, static_values])
     vectors, order = np.hstack([body.rigid, elastic, static]), np.argsort(every, kind="stable")
     roots, made = np.diag(np.sqrt(every)), slice(still + len(values), None)
@@ -258,9 +253,8 @@ def _by_lanczos(body: _Body, below: int, least: int, cutoff: float) -> tuple[Arr
     return values, modes - body.rigid @ (body.pushed.T @ modes)
 
 
-def _displacements(body: _Body, values: Array, elastic: Array, ports: Array) -> Array:
-    """Displacements V (n, l) by ``ports`` beside ``elastic`` modes (n, k) of ``values`` (k,),
-    Vᵀ K V = 1."""
+def _static_modes(body: _Body, values: Array, elastic: Array, ports: Array) -> tuple[Array, Array]:
+    """What displacements by ``ports`` add to ``elastic`` modes (n, k) of ``values`` (k,)."""
     bending = np.abs(ports - body.pushed @ (body.rigid.T @ ports)).max(axis=0, initial=0.0)
     ports = ports[:, bending > RIGIDLY * np.abs(ports).max(axis=0, initial=0.0)]
     pushed, answer = body.mass @ elastic, elastic.T @ ports
@@ -271,30 +265,8 @@ def _displacements(body: _Body, values: Array, elastic: Array, ports: Array) -> 
     scale = (flexibility + TINY) ** -0.5
     share, turn = np.linalg.eigh(scale[:, None] * (energy + energy.T) / 2.0 * scale)
     new = share > NEW
-    return np.asarray(motions @ (scale[:, None] * turn[:, new] / np.sqrt(share[new])))
-
-
-def _coupled_loads(
-    body: _Body, values: Array, elastic: Array, matrix: Matrix, highest: float
-) -> Array:
-    """Loads by rigid motions and modes up to ``highest`` [rad/s], those of the upper half of them
-    less, as they take less part in the motions of the lower."""
-    low = values <= highest**2
-    weight = np.minimum(1.0, (highest / 2.0) ** 2 / values[low])
-    return np.hstack([matrix @ body.rigid, matrix @ (elastic[:, low] * weight)])
-
-
-def _completed(body: _Body, elastic: Array, motions: Array, loads: Array, least: float) -> Array:
-    """``motions`` V (n, k), Vᵀ K V = 1, with the displacements by ``loads`` that add an energy of
-    ``least``, likewise."""
-    loads = loads - (body.mass @ elastic) @ (elastic.T @ loads)
-    more = body.displaced(loads)
-    whole = float((more * loads).sum())
-    more = more - motions @ (motions.T @ loads)
-    energy = more.T @ loads
-    values, turn = np.linalg.eigh((energy + energy.T) / 2.0)
-    new = values > max(least, NEW * whole)
-    return np.hstack([motions, more @ (turn[:, new] / np.sqrt(values[new]))])
+    motions = motions @ (scale[:, None] * turn[:, new] / np.sqrt(share[new]))
+    return body.normalised(motions - elastic @ (pushed.T @ motions))
 
 
 def _refuse_singular(pivots: Array, matrix: Matrix) -> None:
