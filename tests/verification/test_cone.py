@@ -1,4 +1,4 @@
-"""Conical sections: mass in closed form, frequencies by Bessel functions, rate of the steps."""
+"""Conical sections: mass in closed form, frequencies by Bessel functions, cut anywhere."""
 
 from __future__ import annotations
 
@@ -12,15 +12,17 @@ from scipy.optimize import brentq
 from scipy.special import iv, jv, kv, yv
 
 import rotordyn
+from rotordyn.analysis import campbell
+from rotordyn.analysis.results import CampbellResult
 from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import Conditions
+from rotordyn.analysis.specs import CampbellSpec, Conditions
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.cone import MOST, STEP, cone
 from rotordyn.machine.inertia import rotor_inertia
-from rotordyn.machine.shaft import Shaft
+from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
-from tests.oracles.rotors import STEEL
+from tests.oracles.stepped_rotors import STEEL
 
 LENGTH, THICK, THIN = 1.0, 0.0025, 0.001
 CLAMP = {("y", "y"): 1e9, ("z", "z"): 1e9, ("thy", "thy"): 1e7, ("thz", "thz"): 1e7}
@@ -68,14 +70,55 @@ def exact() -> np.ndarray:
 
 
 def test_a_cantilever_in_bessel_functions() -> None:
-    assert frequencies(STEP) == pytest.approx(exact(), rel=2e-4)
+    assert frequencies(STEP) == pytest.approx(exact(), rel=5e-5)  # slender, yet not without shear
 
 
-def test_the_steps_err_with_their_square() -> None:
-    coarse, half, fine = (frequencies(step) for step in (0.16, 0.08, 0.01))
-    ratio = (coarse - fine) / (half - fine)
-    assert ratio == pytest.approx([4.0] * 3, rel=0.15)
-    assert np.abs(frequencies(STEP) / fine - 1.0).max() < 2e-4
+@pytest.mark.parametrize("step", [10.0, 0.3, 0.05])
+def test_any_number_of_pieces(step: float) -> None:
+    """Elements integrate the taper, of one piece as of ninety."""
+    assert frequencies(step) == pytest.approx(frequencies(STEP), rel=1e-7)
+
+
+def supported(ends: tuple[float, float], step: float) -> Spindle:
+    """A shaft of 400 mm on two supports, the rear half overhung."""
+    stiff = {("y", "y"): 2e8, ("z", "z"): 2e8}
+    held = tuple(LinearSupport(name, x, stiff) for name, x in (("a", 0.0), ("b", 0.15)))
+    return Spindle("cone", Shaft(0.0, cone(0.4, ends, (0.0, 0.0), STEEL, step=step)), supports=held)
+
+
+@pytest.mark.parametrize("accuracy", [1e-4, 1e-6])
+@pytest.mark.parametrize("rear", [0.0496, 0.03])
+def test_the_error_of_a_single_cone_is_reported(rear: float, accuracy: float) -> None:
+    """A gentle cone and a steep one, as one piece against many of a much finer model."""
+    spec, speed = CampbellSpec(4000.0, shapes=False), np.array([0.0, 300.0])
+
+    def solved(step: float, accuracy: float) -> CampbellResult:
+        spindle = supported((0.05, rear), step)
+        return campbell.answer(Scene(spindle, Conditions(accuracy=accuracy), speed, 4000.0), spec)
+
+    one, many = solved(10.0, accuracy), solved(5e-4 if rear > 0.04 else 2e-2, 1e-8)
+    chosen = [k for k, kind in enumerate(one.kind) if kind == "bending"]
+    error = np.abs(one.frequency[:, chosen] / many.frequency[:, chosen] - 1.0)
+    assert error.max() <= accuracy
+    reported = np.nanmax(one.frequency_error[:, chosen])
+    assert 1.0 / 3.0 < reported / error.max() < 3.0
+
+
+def test_parts_of_a_frustum_weigh_what_the_whole_does() -> None:
+    (whole,) = cone(0.4, (0.05, 0.03), (0.01, 0.02), STEEL, step=10.0)
+    squares = [
+        whole.between(a, b)[0] ** 2 - whole.between(a, b)[1] ** 2 for a, b in ((0, 0.3), (0.3, 1))
+    ]
+    mean = 0.3 * squares[0] + 0.7 * squares[1]
+    assert mean == pytest.approx(whole.outer_diameter**2 - whole.inner_diameter**2, rel=1e-13)
+    assert whole.between(0.0, 1.0)[2:] == pytest.approx((-0.02, 0.01), rel=1e-13)
+
+
+def test_a_taper_beyond_a_point_is_refused() -> None:
+    with pytest.raises(InvalidInput, match="no end"):
+        Section(0.1, 0.05, 0.0, STEEL, outer_taper=0.1)
+    with pytest.raises(InvalidInput, match="below the outer_diameter"):
+        Section(0.1, 0.05, 0.03, STEEL, outer_taper=-0.04)
 
 
 def test_mass_and_inertia_of_a_frustum() -> None:
