@@ -64,7 +64,7 @@ class Fineness:
     def weightless(self) -> float:
         """The frequency lent to what has no mass [rad/s], far above the band: the error by that
         falls with its square."""
-        return 2.0 * math.pi * WEIGHTLESS * (self._finer**0.5 * self.frequency)
+        return FINER**self.finer * WEIGHTLESS * self._finer**0.5 * self.band
 
     @property
     def slow(self) -> float:
