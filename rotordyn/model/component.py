@@ -7,7 +7,7 @@ of a sleeve or a housing are its own DOF. Mass is the identity in all of them.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -15,7 +15,6 @@ import numpy as np
 from rotordyn.machine.spindle import Spindle
 from rotordyn.model.damping import modal_damping
 from rotordyn.model.dofs import Indices, Line
-from rotordyn.model.fineness import Fineness
 from rotordyn.model.reduce import Coupling, reduce
 from rotordyn.model.shaft import Rows
 from rotordyn.model.term import Array, Part
@@ -27,9 +26,9 @@ class Component:
     """DOF ``dofs`` (n,) of ``lines``, and the ``parts`` on them.
 
     ``rigid``: rigid motions of a free shaft, empty of what is no shaft; ``ports``: DOF that keep a
-    static mode; ``spindle``: the rotor whose damping it has, None of what is no shaft; ``cutoff``:
-    of its free modes, 0 of a rigid one. ``solved``: components with the same matrices share one
-    reduction.
+    static mode; ``spindle``: the rotor whose damping it has, None of what is no shaft. ``solved``:
+    components with the same matrices share one reduction. ``polar``: gyroscopic parts in one plane
+    whose forces on modes up to ``band`` [rad/s] static modes answer; none where they need not.
     """
 
     lines: tuple[Line, ...]
@@ -39,7 +38,6 @@ class Component:
     ports: Indices
     spindle: Spindle | None
     cutoff: float
-    fine: Fineness
     bends: bool
     solved: dict[tuple[bytes, ...], tuple[Array, Array, Array]]
 
@@ -60,7 +58,7 @@ class Component:
 
     def assembled(self, name: str, parts: list[Part] | None = None) -> Matrix:
         """A matrix (n, n) of the parts of that name."""
-        own = [p for p in (parts or self.parts) if p.matrix == name]
+        own = [p for p in parts or self.parts if p.matrix == name]
         size = len(self.dofs)
         blocks = [(self.local(p.rows), self.local(p.columns), p.blocks) for p in own]
         return summed((size, size), blocks, large=self.large)
@@ -124,6 +122,8 @@ class Component:
         return own + self.ratio * self.spindle.internal_damping * self.own_damping
 
     ratio: float = 1.0
+    polar: list[Part] = field(default_factory=list)
+    band: float = 0.0
 
     def projected(self, name: str) -> Array:
         """A matrix in the coordinates (m, m)."""
@@ -138,15 +138,12 @@ class Component:
             inverse = np.linalg.inv(np.linalg.cholesky((mass + mass.T) / 2.0))
             values = inverse @ stiffness @ inverse.T
             return inverse.T, values, np.zeros_like(values)
-        polar = self.assembled("polar")
-        key = tuple(_bytes(each) for each in (mass, stiffness, polar, self.local(self.ports)))
+        key = tuple(_bytes(each) for each in (mass, stiffness, self.local(self.ports)))
         if key not in self.solved:
-            self.solved[key] = self._of_shaft(mass, stiffness, polar)
+            self.solved[key] = self._of_shaft(mass, stiffness)
         return self.solved[key]
 
-    def _of_shaft(
-        self, mass: Matrix, stiffness: Matrix, polar: Matrix
-    ) -> tuple[Array, Array, Array]:
+    def _of_shaft(self, mass: Matrix, stiffness: Matrix) -> tuple[Array, Array, Array]:
         rigid = np.zeros((len(self.dofs), self.rigid[0][1].shape[1]))
         for dofs, motion in self.rigid:
             rigid[self.local(dofs)] = motion
@@ -156,9 +153,9 @@ class Component:
             return np.asarray(np.linalg.solve(factor, rigid.T).T), none, np.diag(none)
         ports = np.zeros((len(self.dofs), len(self.ports)))
         ports[self.local(self.ports), np.arange(len(self.ports))] = 1.0
-        fine, coupling = self.fine, None
-        if self.bends and fine.spin:
-            coupling = Coupling(fine.spin * polar, fine.slow, fine.negligible)
+        coupling = None
+        if self.polar:
+            coupling = Coupling(self.assembled("gyroscopic", self.polar), self.band)
         basis = reduce(mass, stiffness, rigid, ports, self.cutoff, coupling)
         return basis.vectors, basis.values, basis.roots
 
