@@ -38,12 +38,14 @@ def judge(estimated: np.ndarray, error: np.ndarray) -> None:
 
 
 def bending(result: CampbellResult, row: int, highest: float) -> np.ndarray:
-    """Columns of bending up to ``highest`` [Hz]."""
+    """Columns of bending that swings up to ``highest`` [Hz]."""
     return np.array(
         [
             k
             for k, kind in enumerate(result.kind)
-            if kind == "bending" and result.frequency[row, k] < highest
+            if kind == "bending"
+            and result.frequency[row, k] < highest
+            and result.damping_ratio[row, k] < 0.7
         ]
     )
 
