@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from rotordyn.analysis import campbell
+from rotordyn.analysis.refinement import RESPONSES
 from rotordyn.analysis.results import CampbellResult
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec
@@ -111,9 +112,9 @@ def test_receptances_of_the_spindle(accuracy: float) -> None:
     found = answers(spindle, (0, 24000), asked, accuracy=accuracy)["frf"]
     spec = asked["frf"]
     exact = exact_receptance(scene(spindle, (0, 24000)), spec.pairs, np.array(spec.frequencies))
-    peak = np.abs(exact).max(axis=-1)
-    error = (np.abs(found.receptance - exact).max(axis=-1) / peak).max(axis=0)
-    assert error.max() <= accuracy
+    peak = np.abs(exact).max(axis=(0, 2))
+    error = np.abs(found.receptance - exact).max(axis=(0, 2)) / peak
+    assert error.max() <= RESPONSES * accuracy
     judge(found.error, error)
 
 
