@@ -18,6 +18,7 @@ from rotordyn.analysis.specs import Conditions, Port, Spec
 from rotordyn.case.case import Case
 from rotordyn.case.read import load
 from rotordyn.machine.spindle import Spindle
+from rotordyn.model.free_motion import FreeMotions
 from rotordyn.model.mesh import ELEMENTS_OVER_LENGTH
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -97,6 +98,17 @@ def joined_motions(scene: Scene) -> set[str]:
     (k,) = scene.with_motions(("bending",))
     names = set(scene.name_of(k).split(" and "))
     return names if len(names) > 1 else set()
+
+
+def system_of(found: Scene, motion: str = "bending") -> FreeMotions:
+    """The first subsystem in which a motion takes part."""
+    return found.system(found.with_motions((motion,))[0])
+
+
+def all_poles(found: Scene, row: int = 0) -> np.ndarray:
+    """Poles of Im ≥ 0 of all subsystems at one speed [rad/s]."""
+    every = [found.system(k).pole[row] for k in range(len(found.subsystems))]
+    return np.concatenate([pole[np.isfinite(pole)] for pole in every])
 
 
 def answers(
