@@ -7,14 +7,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from rotordyn.analysis.accuracy import frequency_error
 
 from rotordyn.analysis import campbell
-<<<<<<< HEAD
 from rotordyn.analysis.refinement import RESPONSES
 from rotordyn.analysis.results import CampbellResult
-=======
->>>>>>> wtA
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec
 from rotordyn.machine.drawbar import Drawbar

@@ -21,7 +21,6 @@ from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from tests.oracles.rotors import STEEL
-from tests.oracles.spindles import poles
 
 LENGTH, THICK, THIN = 1.0, 0.0025, 0.001
 CLAMP = {("y", "y"): 1e9, ("z", "z"): 1e9, ("thy", "thy"): 1e7, ("thz", "thz"): 1e7}
