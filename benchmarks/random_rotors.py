@@ -127,9 +127,8 @@ def against_dense(seed: int) -> dict[str, Any]:
         scene = Scene(spindle, Conditions(accuracy=FINE), np.array([spin]), highest)
         result = campbell.answer(scene, CampbellSpec(highest, shapes=False))
     bending = np.array([kind == "bending" for kind in result.kind])
-    ratio = result.damping_ratio[0]
-    size = 2.0 * math.pi * result.frequency[0] / np.sqrt(1.0 - ratio**2)
-    ours = -ratio * size + 2j * math.pi * result.frequency[0]
+    ours = result.pole[0]
+    size = np.abs(ours)
     ours = ours[bending & (size < edge) & (ours.imag > SWINGING * size)]
     errors, left = [], list(ours)
     for pole in poles:

@@ -29,7 +29,6 @@ def _sections(lines: Lines) -> str:
     head = (
         "sections:",
         "modes:",
-        "number proven:",
         "told error:",
         "first call [s]:",
         "call [s]:",
@@ -39,7 +38,6 @@ def _sections(lines: Lines) -> str:
         (
             f"{line['size']:,}".replace(",", " "),
             str(line["modes"]),
-            "yes" if line["proven"] else "no",
             f"{line['told']:.0e}",
             f"{line['first']:.2f}",
             f"{line['seconds']:.3f}",
