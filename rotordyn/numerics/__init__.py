@@ -1,1 +1,1 @@
-"""Algorithms that know no rotor: eigenproblems, modes followed over a parameter, sparse sums, threads."""
+"""Algorithms that know no rotor: eigenproblems, followed modes, sparse sums, threads."""
