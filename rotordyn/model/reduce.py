@@ -50,15 +50,11 @@ class Basis:
 
 
 class Coupling(NamedTuple):
-    """Loads ω ``matrix`` φ of motions φ at ω that M and K do not know of, as gyroscopic moments.
-
-    They reach modes far above any cutoff: static modes for those of modes up to ``band`` [rad/s]
-    stand for these, unless they move frequencies by less than ``negligible`` (relative).
-    """
+    """Forces that ``matrix`` (n, n), such as the gyroscopic one, makes of modes up to ``band``
+    [rad/s]."""
 
     matrix: Matrix
     band: float
-    negligible: float
 
 
 def reduce(
@@ -82,7 +78,7 @@ def reduce(
     cutoff : float
         ``LEAST_MODES`` modes are kept in any case, rigid ones included, if there are as many.
     coupling : Coupling, optional
-        Loads that modes bring on one another.
+        The vectors also hold the static displacement by its forces.
 
     Raises
     ------
@@ -129,11 +125,10 @@ def _reduced(
         values, elastic = _by_lanczos(body, below, least, cutoff)
     else:
         values, elastic, rest = _by_lapack(body, least, cutoff)
-    loads = np.zeros((size, 0))
     if coupling is not None:
-        slow = np.hstack([body.rigid, elastic[:, values <= coupling.band**2]])
-        loads = coupling.matrix @ slow * (NEW / coupling.negligible) ** 0.5
-    static_values, static = _static_modes(body, values, elastic, ports, loads)
+        swung = np.hstack([body.rigid, elastic[:, values <= coupling.band**2]])
+        ports = np.hstack([ports, coupling.matrix @ swung])
+    static_values, static = _static_modes(body, values, elastic, ports)
     every = np.concatenate([np.zeros(still), values, static_values])
     vectors, order = np.hstack([body.rigid, elastic, static]), np.argsort(every, kind="stable")
     roots, made = np.diag(np.sqrt(every)), slice(still + len(values), None)
@@ -258,22 +253,16 @@ def _by_lanczos(body: _Body, below: int, least: int, cutoff: float) -> tuple[Arr
     return values, modes - body.rigid @ (body.pushed.T @ modes)
 
 
-def _static_modes(
-    body: _Body, values: Array, elastic: Array, ports: Array, coupled: Array
-) -> tuple[Array, Array]:
-    """What displacements by ``ports`` and by loads ``coupled`` add to ``elastic`` modes (n, k) of
-    ``values`` (k,); the latter as soon as their energy is more than ``NEW``."""
-    given = ports.shape[1]
-    ports = np.hstack([ports, coupled])
+def _static_modes(body: _Body, values: Array, elastic: Array, ports: Array) -> tuple[Array, Array]:
+    """What displacements by ``ports`` add to ``elastic`` modes (n, k) of ``values`` (k,)."""
     bending = np.abs(ports - body.pushed @ (body.rigid.T @ ports)).max(axis=0, initial=0.0)
-    kept = np.flatnonzero(bending > RIGIDLY * np.abs(ports).max(axis=0, initial=0.0))
-    ports = ports[:, kept]
+    ports = ports[:, bending > RIGIDLY * np.abs(ports).max(axis=0, initial=0.0)]
     pushed, answer = body.mass @ elastic, elastic.T @ ports
     loads = ports - pushed @ answer
     motions = body.displaced(loads)
     energy = motions.T @ loads
     flexibility = energy.diagonal() + (answer**2 / values[:, None]).sum(axis=0)
-    scale = np.where(kept < given, (flexibility + TINY) ** -0.5, 1.0)
+    scale = (flexibility + TINY) ** -0.5
     share, turn = np.linalg.eigh(scale[:, None] * (energy + energy.T) / 2.0 * scale)
     new = share > NEW
     motions = motions @ (scale[:, None] * turn[:, new] / np.sqrt(share[new]))
