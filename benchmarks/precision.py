@@ -13,10 +13,10 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
+from rotordyn.analysis.accuracy import frequency_error
 
 import rotordyn
 from benchmarks.processes import ROOT
-from rotordyn.analysis.accuracy import frequency_error
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import Conditions
 from rotordyn.machine.spindle import Spindle

@@ -24,7 +24,7 @@ from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.support import LinearSupport
-from tests.oracles.dense_bending import dense_poles
+from tests.oracles.dense_rotor.unreduced import dense_poles
 from tests.oracles.exact_shaft.count import modes_below, whirl_frequencies
 from tests.oracles.exact_shaft.rotor import exact_rotor
 from tests.oracles.stepped_rotors import stepped_rotor

@@ -7,17 +7,17 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
+from rotordyn.system.hierarchic_rotor import beams, bending_hierarchy, deflections
+from rotordyn.system.hierarchy import Hierarchy
 from scipy.linalg import eigvals, solve
 
 from benchmarks.peer import machine
-from rotordyn.model.support import node_matrix
 from rotordyn.machine.spindle import Spindle
+from rotordyn.model.mesh import build_mesh
+from rotordyn.model.support import node_matrix
 from rotordyn.numerics.sparse import filled
 from tests.oracles.dense_rotor.assemble import loaded_plane
 from tests.oracles.dense_rotor.selection import BOTH_PLANES
-from rotordyn.system.hierarchic_rotor import beams, bending_hierarchy, deflections
-from rotordyn.system.hierarchy import Hierarchy
-from rotordyn.model.mesh import build_mesh
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

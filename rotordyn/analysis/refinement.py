@@ -1,16 +1,18 @@
 """Error by refinement: the model is solved once more, finer, at a few speeds.
 
 Finer is one degree more in every element (half the length of standard ones) and a cut-off of the
-reduction 1.5 times as high. The change is reported as the error, of frequencies, receptances and
-orbits alike. Where it is more than the accuracy asked for, the finer model takes the place of the
-first one, ``ROUNDS`` times at most. Responses may err by ``RESPONSES`` times as much of their peak:
-an error δ of a frequency moves the flank of a peak of damping ratio ζ by δ/2ζ of its height.
+reduction ``fineness.FINER`` times as high. The change is reported as the error, of frequencies,
+receptances and orbits alike. Where it is more than the accuracy asked for, the finer model takes
+the place of the first one, ``ROUNDS`` times at most. Responses may err by ``RESPONSES`` times as
+much of their peak: an error δ of a frequency moves the flank of a peak of damping ratio ζ by δ/2ζ
+of its height.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from itertools import product
 from typing import NamedTuple, TypeVar
 
 import numpy as np
@@ -35,10 +37,12 @@ ROUNDING = 1e-12
 
 
 class ModeErrors(NamedTuple):
-    """``relative`` change of the poles (usable, modes); ``unsettled``: modes that the finer model
-    has more or fewer of, or errors above the accuracy, as a sentence, or ""."""
+    """Change by the finer model (usable, modes): ``frequency``, relative, and ``damping`` of the
+    ratio; ``unsettled``: modes that it has more or fewer of, or errors above the accuracy, as a
+    sentence, or ""."""
 
-    relative: Array
+    frequency: Array
+    damping: Array
     unsettled: str
 
 
@@ -84,7 +88,7 @@ def mode_errors(
         found = modes(one)
         if one.rigid:
             shape = (len(one.usable), len(found[0]))
-            return found, ModeErrors(np.zeros(shape), "")
+            return found, ModeErrors(np.zeros(shape), np.zeros(shape), "")
         return found, _compared(one, spec, found[0])
 
     def worst(found: tuple[Modes, ModeErrors]) -> float:
@@ -93,7 +97,8 @@ def mode_errors(
             return math.inf
         return max(
             (
-                float(np.nanmax(errors.relative[inside, k], initial=0.0))
+                float(np.nanmax(each[inside, k], initial=0.0)) / share
+                for each, share in ((errors.frequency, 1.0), (errors.damping, RESPONSES))
                 for k, b in enumerate(branches)
                 if not b.overdamped and (inside := _judged(b, spec)).any()
             ),
@@ -120,41 +125,42 @@ def _judged(branch: Branch, spec: CampbellSpec) -> NDArray[np.bool_]:
 def _compared(scene: Scene, spec: CampbellSpec, branches: list[Branch]) -> ModeErrors:
     """Poles of followed modes beside the nearest ones of the finer model."""
     rows, finer = few_rows(scene), scene.refined()
-    errors = np.full((len(rows), len(branches)), np.nan)
-    unsettled, band = "", 2.0 * math.pi * spec.max_frequency
+    errors = np.full((2, len(rows), len(branches)), np.nan)
+    unsettled, band = "", (1.0 - SAME) * 2.0 * math.pi * spec.max_frequency
     for home in sorted({branch.home for branch in branches}):
         found = finer.system_at(home, rows)
-        for place, row in enumerate(rows):
-            for side in (-1.0, 0.0, 1.0):
-                own = [
-                    k
-                    for k, b in enumerate(branches)
-                    if b.home == home and b.side == side and b.column[row] >= 0
-                ]
-                pole, free = found.pole[place], found.at_rest[place]
-                with np.errstate(invalid="ignore"):
-                    there = pole[swings(pole) & ~free & (found.whirl[place] == side)]
-                here = np.array([branches[k].pole[row] for k in own], dtype=complex)
-                apart, extra = _paired(here, there)
-                errors[place, own] = apart
-                inside = (np.abs(here.imag) < (1.0 - SAME) * band) & (apart > SAME)
-                strongly = -here.real > OVERDAMPED * np.abs(here)
-                if (inside & ~strongly).any():
-                    unsettled = _sentence(scene, row, "vanish", here[inside & ~strongly])
-                more = extra[(extra.imag < (1.0 - SAME) * band)]
-                more = more[-more.real <= OVERDAMPED * np.abs(more)]
-                if more.size:
-                    unsettled = _sentence(scene, row, "appear", more)
+        for (place, row), side in product(enumerate(rows), (-1.0, 0.0, 1.0)):
+            own = [k for k, b in enumerate(branches) if (b.home, b.side) == (home, side)]
+            own = [k for k in own if branches[k].column[row] >= 0]
+            pole = found.pole[place]
+            there = pole[swings(pole) & ~found.at_rest[place] & (found.whirl[place] == side)]
+            here = np.array([branches[k].pole[row] for k in own], dtype=complex)
+            partner, extra = _paired(here, there)
+            known = np.isfinite(partner)
+            errors[:, place, own] = np.where(known, _change(here, partner), np.nan)
+            for what, lost in (("vanish", here[~known]), ("appear", extra)):
+                if (
+                    judged := lost[(lost.imag < band) & (-lost.real <= OVERDAMPED * abs(lost))]
+                ).size:
+                    unsettled = _sentence(scene, row, what, judged)
     at = scene.speed[scene.usable]
-    relative = np.full((len(at), len(branches)), np.nan)
+    whole = np.full((2, len(at), len(branches)), np.nan)
     for k, branch in enumerate(branches):
-        known = np.isfinite(errors[:, k])
-        if known.any():
-            relative[:, k] = np.interp(at, at[rows[known]], errors[known, k])
-        else:
-            relative[:, k] = 0.0
-        relative[branch.column < 0, k] = np.nan
-    return ModeErrors(np.maximum(relative, ROUNDING), unsettled)
+        known = np.isfinite(errors[0, :, k])
+        for kind in (0, 1):
+            known_at = at[rows[known]]
+            whole[kind, :, k] = (
+                np.interp(at, known_at, errors[kind, known, k]) if known.any() else 0
+            )
+        whole[:, branch.column < 0, k] = np.nan
+    frequency, damping = np.maximum(whole, ROUNDING)
+    return ModeErrors(frequency, damping, unsettled)
+
+
+def _change(here: Complex, there: Complex) -> Array:
+    """Relative change of frequencies and change of damping ratios (2, k)."""
+    size = np.abs(here)
+    return np.abs([(here.imag - there.imag) / size, here.real / size - there.real / np.abs(there)])
 
 
 def _sentence(scene: Scene, row: int, what: str, pole: Complex) -> str:
@@ -163,16 +169,16 @@ def _sentence(scene: Scene, row: int, what: str, pole: Complex) -> str:
     return f"modes {what} as the model is refined, one of {hertz:.6g} Hz at {rpm:.6g} rpm"
 
 
-def _paired(here: Complex, there: Complex) -> tuple[Array, Complex]:
-    """Relative distance of each pole to its partner, the nearest pairs first; infinite without one;
-    and the poles of ``there`` that are left without one."""
-    apart = np.full(len(here), np.inf)
-    if not (here.size and there.size):
-        return apart, there
-    distance = np.abs(here[:, None] - there) / np.abs(here)[:, None]
+def _paired(here: Complex, there: Complex) -> tuple[Complex, Complex]:
+    """The partner of each pole of ``here``, the nearest pairs first, NaN where none is near; and
+    the poles of ``there`` that are left without one."""
+    partner = np.full(len(here), complex(np.nan, np.nan))
     taken = np.zeros(len(there), dtype=bool)
+    distance = np.abs(here[:, None] - there) / np.abs(here)[:, None]
     for _ in range(min(distance.shape)):
         row, column = np.unravel_index(int(distance.argmin()), distance.shape)
-        apart[row], taken[column] = distance[row, column], True
+        if distance[row, column] > SAME:
+            break
+        partner[row], taken[column] = there[column], True
         distance[row, :], distance[:, column] = np.inf, np.inf
-    return apart, there[~taken]
+    return partner, there[~taken]

@@ -7,7 +7,7 @@ of a sleeve or a housing are its own DOF. Mass is the identity in all of them.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 
 import numpy as np
@@ -15,7 +15,7 @@ import numpy as np
 from rotordyn.machine.spindle import Spindle
 from rotordyn.model.damping import modal_damping
 from rotordyn.model.dofs import Indices, Line
-from rotordyn.model.reduce import reduce
+from rotordyn.model.reduce import Coupling, reduce
 from rotordyn.model.shaft import Rows
 from rotordyn.model.term import Array, Part
 from rotordyn.numerics.sparse import LARGE, Matrix, summed
@@ -27,7 +27,8 @@ class Component:
 
     ``rigid``: rigid motions of a free shaft, empty of what is no shaft; ``ports``: DOF that keep a
     static mode; ``spindle``: the rotor whose damping it has, None of what is no shaft. ``solved``:
-    components with the same matrices share one reduction.
+    components with the same matrices share one reduction. ``polar``: gyroscopic parts in one plane
+    whose forces on modes up to ``band`` [rad/s] static modes answer; none where they need not.
     """
 
     lines: tuple[Line, ...]
@@ -57,7 +58,7 @@ class Component:
 
     def assembled(self, name: str, parts: list[Part] | None = None) -> Matrix:
         """A matrix (n, n) of the parts of that name."""
-        own = [p for p in (parts or self.parts) if p.matrix == name]
+        own = [p for p in parts or self.parts if p.matrix == name]
         size = len(self.dofs)
         blocks = [(self.local(p.rows), self.local(p.columns), p.blocks) for p in own]
         return summed((size, size), blocks, large=self.large)
@@ -121,6 +122,8 @@ class Component:
         return own + self.ratio * self.spindle.internal_damping * self.own_damping
 
     ratio: float = 1.0
+    polar: list[Part] = field(default_factory=list)
+    band: float = 0.0
 
     def projected(self, name: str) -> Array:
         """A matrix in the coordinates (m, m)."""
@@ -150,7 +153,10 @@ class Component:
             return np.asarray(np.linalg.solve(factor, rigid.T).T), none, np.diag(none)
         ports = np.zeros((len(self.dofs), len(self.ports)))
         ports[self.local(self.ports), np.arange(len(self.ports))] = 1.0
-        basis = reduce(mass, stiffness, rigid, ports, self.cutoff)
+        coupling = None
+        if self.polar:
+            coupling = Coupling(self.assembled("gyroscopic", self.polar), self.band)
+        basis = reduce(mass, stiffness, rigid, ports, self.cutoff, coupling)
         return basis.vectors, basis.values, basis.roots
 
 

@@ -23,6 +23,7 @@ USUAL = 1e-4  # relative error of a frequency that a designer does not notice
 CUTOFF = 2.5  # free-free modes kept, over the highest frequency asked, at the usual accuracy
 STANDARD_CUTOFF = 4.0  # the same with standard elements, whose own error is to stand alone
 WEIGHTLESS = 30.0  # frequency of what has no mass, over the highest asked, at the usual accuracy
+PRECISE = 1e-5  # accuracy below which gyroscopic forces are answered
 FINER = 1.5  # cut-off of a finer model over that of the one before
 HIGHEST = 10
 FAR, HALVINGS = 1e12, 30
@@ -60,10 +61,22 @@ class Fineness:
         return FINER**self.finer * factor * self.band
 
     @property
+    def gyroscopic(self) -> bool:
+        """Whether static modes answer the gyroscopic forces of the modes asked for: cheaper than a
+        higher cut-off where much accuracy is asked for."""
+        return self.accuracy is None or self.accuracy < PRECISE or self.finer > 0
+
+    @property
+    def slow(self) -> float:
+        """Up to which modes gyroscopic forces are answered [rad/s]: beyond the band, since free-free
+        modes above it take part in modes below."""
+        return FINER ** (self.finer + 1) * self.band
+
+    @property
     def weightless(self) -> float:
         """The frequency lent to what has no mass [rad/s], far above the band: the error by that
         falls with its square."""
-        return 2.0 * math.pi * WEIGHTLESS * (self._finer**0.5 * self.frequency)
+        return FINER**self.finer * WEIGHTLESS * self._finer**0.5 * self.band
 
     @property
     def _finer(self) -> float:

@@ -221,6 +221,13 @@ class Linear:
             return False
         if [c.lines[0].body for c in firsts] != [c.lines[0].body for c in seconds]:
             return False
+        own = ("vectors", "stiffness", "damping", "turning")
+        if not all(
+            np.array_equal(getattr(y, name), getattr(z, name))
+            for y, z in zip(firsts, seconds, strict=True)
+            for name in own
+        ):
+            return False
         return all(
             answers_alike(own)
             for each in self.connections

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -49,7 +49,22 @@ class Basis:
     roots: Array
 
 
-def reduce(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff: float) -> Basis:
+class Coupling(NamedTuple):
+    """Forces that ``matrix`` (n, n), such as the gyroscopic one, makes of modes up to ``band``
+    [rad/s]."""
+
+    matrix: Matrix
+    band: float
+
+
+def reduce(
+    mass: Matrix,
+    stiffness: Matrix,
+    rigid: Array,
+    ports: Array,
+    cutoff: float,
+    coupling: Coupling | None = None,
+) -> Basis:
     """Modes of a free body up to ω = ``cutoff`` [rad/s] and static modes for loads ``ports``.
 
     Parameters
@@ -62,6 +77,8 @@ def reduce(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff: 
         Loads; the vectors hold the static displacement by their self-equilibrated part.
     cutoff : float
         ``LEAST_MODES`` modes are kept in any case, rigid ones included, if there are as many.
+    coupling : Coupling, optional
+        The vectors also hold the static displacement by its forces.
 
     Raises
     ------
@@ -69,7 +86,7 @@ def reduce(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff: 
     """
     try:
         with linear_algebra_alone():  # that of scipy may have been loaded just now
-            return _reduced(mass, stiffness, rigid, ports, cutoff)
+            return _reduced(mass, stiffness, rigid, ports, cutoff, coupling)
     except np.linalg.LinAlgError:
         raise InvalidInput(
             "the modes of a free body cannot be computed: a part of it has no mass, is held by "
@@ -78,7 +95,14 @@ def reduce(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff: 
         ) from None
 
 
-def _reduced(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff: float) -> Basis:
+def _reduced(
+    mass: Matrix,
+    stiffness: Matrix,
+    rigid: Array,
+    ports: Array,
+    cutoff: float,
+    coupling: Coupling | None,
+) -> Basis:
     size, still = rigid.shape
     least, below, large = max(LEAST_MODES - still, 0), 0, False
     if size >= LARGE:
@@ -101,6 +125,9 @@ def _reduced(mass: Matrix, stiffness: Matrix, rigid: Array, ports: Array, cutoff
         values, elastic = _by_lanczos(body, below, least, cutoff)
     else:
         values, elastic, rest = _by_lapack(body, least, cutoff)
+    if coupling is not None:
+        swung = np.hstack([body.rigid, elastic[:, values <= coupling.band**2]])
+        ports = np.hstack([ports, coupling.matrix @ swung])
     static_values, static = _static_modes(body, values, elastic, ports)
     every = np.concatenate([np.zeros(still), values, static_values])
     vectors, order = np.hstack([body.rigid, elastic, static]), np.argsort(every, kind="stable")

@@ -15,6 +15,7 @@ from rotordyn.model.structure import Structure
 from rotordyn.model.term import Array, State
 
 PLANE = [position("y"), position("thz")]
+NOTHING = 1e-8  # of the root of the largest stiffness: a motion that nothing holds
 ROUNDING = 1e-12  # of a stiffness matrix with unit diagonal
 
 
@@ -48,8 +49,8 @@ def plane_rotor(
     state = _without_bearings(structure, speed)
     own = linear(structure, components, state, force)
     number = structure.node(*point)[position("y")]
-    seats = {id(each.link): each.motions[PLANE] for each in own.connections}
-    rows = [seats[id(link)] for link in structure.seats]
+    motions = {id(each.link): each.motions for each in own.connections}
+    rows = [motions[id(link)][PLANE] for link in structure.seats]
     seated, moved = np.array(rows).reshape(-1, 2, own.size), own.displaced(np.array([number]))[0]
     return PlaneRotor(own.within(own.stiffness), seated @ own.basis, moved @ own.basis)
 
@@ -76,6 +77,8 @@ def _negative(matrix: Array) -> Array:
     matrix = 0.5 * (matrix + np.swapaxes(matrix, 1, 2))
     known = np.asarray(np.isfinite(matrix).all(axis=(1, 2)))
     size = np.sqrt(np.abs(np.diagonal(matrix, axis1=1, axis2=2)))
+    largest = size.max(axis=1, keepdims=True)
+    size = np.where(size > NOTHING * largest, size, largest)  # held by nothing: rounding
     size = np.where(known[:, None] & (size > 0.0), size, 1.0)
     scaled = np.where(known[:, None, None], matrix, 0.0) / size[:, :, None] / size[:, None, :]
     try:

@@ -196,7 +196,19 @@ class Structure:
             bends=lines[0].motion == "bending",
             solved=solved,
             ratio=1.0 if shaft is None else shaft.ratio,
+            polar=self._polar(dofs, lines[0].way) if self.fine.gyroscopic else [],
+            band=self.fine.slow,
         )
+
+    def _polar(self, dofs: Indices, way: str) -> list[Part]:
+        """Gyroscopic parts that act on a bending plane, both sides of them in that plane."""
+        found = []
+        for part in self.parts:
+            if part.matrix == "gyroscopic" and part.rows.size:
+                rows = part.rows if way == "y" else part.columns
+                if np.isin(rows[0, 0], dofs):
+                    found.append(Part("gyroscopic", rows, rows, part.blocks))
+        return found
 
     def gyroscopic(self, y: Component, z: Component) -> Array:
         """Couples the velocities of plane z to plane y of a rotor (m, m), per unit of the spindle's

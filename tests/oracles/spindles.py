@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rotordyn.analysis.registry import answer_spindle
 from rotordyn.analysis.scene import Scene
@@ -17,6 +18,7 @@ from rotordyn.analysis.specs import Conditions, Port, Spec
 from rotordyn.case.case import Case
 from rotordyn.case.read import load
 from rotordyn.machine.spindle import Spindle
+from rotordyn.model.free_motion import FreeMotions
 from rotordyn.model.mesh import ELEMENTS_OVER_LENGTH
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -82,6 +84,31 @@ def scene(
     if "accuracy" not in changes:
         changes = standard(spindle) | changes
     return Scene(spindle, conditions(**changes), np.array(rpm) * RPM, max_frequency, ports)
+
+
+def poles(scene: Scene, row: int) -> NDArray[np.complex128]:
+    """Those of all motions at a usable speed, one of each pair, Im ≥ 0 [rad/s]."""
+    every = scene.with_motions(("bending", "axial", "torsion"))
+    found = np.concatenate([scene.system(k).pole[row] for k in every])
+    return found[np.isfinite(found)]
+
+
+def joined_motions(scene: Scene) -> set[str]:
+    """The motions that bending is coupled with, itself included; none where it is alone."""
+    (k,) = scene.with_motions(("bending",))
+    names = set(scene.name_of(k).split(" and "))
+    return names if len(names) > 1 else set()
+
+
+def system_of(found: Scene, motion: str = "bending") -> FreeMotions:
+    """The first subsystem in which a motion takes part."""
+    return found.system(found.with_motions((motion,))[0])
+
+
+def all_poles(found: Scene, row: int = 0) -> np.ndarray:
+    """Poles of Im ≥ 0 of all subsystems at one speed [rad/s]."""
+    every = [found.system(k).pole[row] for k in range(len(found.subsystems))]
+    return np.concatenate([pole[np.isfinite(pole)] for pole in every])
 
 
 def answers(

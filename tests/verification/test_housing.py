@@ -20,13 +20,13 @@ from rotordyn.analysis.specs import (
     PointLoad,
     SectionForcesSpec,
 )
-from rotordyn.model.seat import turn
-from rotordyn.model.support import node_matrix
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.housing import ReducedHousing, RigidHousing
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
+from rotordyn.model.seat import turn
+from rotordyn.model.support import node_matrix
 from tests.oracles.dense_rotor.selection import ALL
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.rotors import STEPPED, support
@@ -176,7 +176,7 @@ def one_housing() -> Spindle:
 
 @pytest.mark.parametrize("rpm", [0.0, 12000.0])
 def test_the_number_of_modes_is_that_of_all_freedoms(rpm: float) -> None:
-    """Proven with housings under the supports: dense eigenvalues of rotor and housing."""
+    """Housings under the supports: dense eigenvalues of rotor and housing."""
     found = scene(one_housing(), (rpm,), element_length=0.01)
     highest = 2500.0
     result = campbell.answer(found, CampbellSpec(highest, shapes=False))
@@ -186,8 +186,8 @@ def test_the_number_of_modes_is_that_of_all_freedoms(rpm: float) -> None:
         [[np.zeros((n, n)), np.eye(n)], [-inverse @ dense.stiffness, -inverse @ dense.damping]]
     )
     frequency = np.linalg.eigvals(companion).imag / (2.0 * np.pi)
-    assert result.certified.all()
-    assert result.modes_below[0] == ((frequency > 1.0) & (frequency <= highest)).sum() > 8
+    expected = ((frequency > 1.0) & (frequency <= highest)).sum()
+    assert (result.frequency[0] <= highest).sum() == expected > 8
 
 
 def test_two_supports_on_one_housing() -> None:
@@ -229,12 +229,9 @@ def test_the_number_of_modes_of_a_spindle_without_supports(rpm: float) -> None:
         [[np.zeros((n, n)), np.eye(n)], [-inverse @ stiffness, -inverse @ damping]]
     )
     frequency = np.linalg.eigvals(companion).imag / (2.0 * np.pi)
-    others = sum(
-        kind != "bending" and hertz <= highest
-        for kind, hertz in zip(result.kind, result.frequency[0], strict=True)
-    )
-    assert result.certified.all()
-    assert result.modes_below[0] - others == ((frequency > 1.0) & (frequency <= highest)).sum() >= 8
+    bent = np.array([kind == "bending" for kind in result.kind])
+    expected = ((frequency > 1.0) & (frequency <= highest)).sum()
+    assert (result.frequency[0, bent] <= highest).sum() == expected >= 8
 
 
 def test_a_stiff_housing_is_ground() -> None:

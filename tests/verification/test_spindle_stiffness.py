@@ -17,15 +17,13 @@ from bearings.ring.iterate import Iterate
 from rotordyn.analysis.radial import RadialProblem
 from rotordyn.analysis.specs import PreloadSpec, StiffnessSpec
 from rotordyn.analysis.stiffness import answer as stiffness_answer
-from rotordyn.model.seat import turn
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import BearingSeat, Sleeve, Spring
-from rotordyn.preload.network import Network
-from tests.oracles.dense_rotor.assemble import add_at_nodes, bending_plane
-from tests.oracles.dense_rotor.selection import PLANE_Y
 from rotordyn.model.mesh import build_mesh
-from rotordyn.system.stiffening import stiffening
+from rotordyn.preload.network import Network
+from tests.oracles.dense_rotor.assemble import bending_plane
+from tests.oracles.full_rotor import FullRotor
 from tests.oracles.spindles import RPM, TOP, answers, mfw2310, scene, with_sleeve, with_springs
 
 SPEEDS = (0, 12000, 24000)
@@ -54,17 +52,12 @@ def test_tangent_at_no_load_is_the_full_matrix() -> None:
 
 def test_full_matrix_against_all_freedoms() -> None:
     found = scene(mfw2310(), SPEEDS)
-    plane = bending_plane(found.spindle, found.mesh)
-    nodes = [found.mesh.node_of(s.x) for s in found.spindle.seats]
-    tip = PLANE_Y.row(found.mesh.node_of(-0.0524), "y")
     for row in range(3):
-        for variant, mask in (("full", np.ones(5)), ("diagonal", None)):
-            blocks = found.seat_stiffness[row]
-            blocks = blocks * (np.eye(5) if mask is None else 1.0)
-            turned = [turn(k, s.thrust) for k, s in zip(blocks, found.spindle.seats, strict=True)]
-            tension = stiffening(found.spindle, found.mesh).shaft(found.bending_force()[row])
-            whole = add_at_nodes(plane.stiffness + tension, nodes, PLANE_Y.take(np.array(turned)))
-            expected = 1.0 / np.linalg.inv(whole)[tip, tip]
+        for variant, mask in (("full", 1.0), ("diagonal", np.eye(5))):
+            blocks, force = found.seat_stiffness[row] * mask, found.bending_force()[row]
+            whole = FullRotor(found.spindle, found.mesh, blocks, 0.0, axial_force=force)
+            tip = whole.row(-0.0524, "y")
+            expected = 1.0 / np.linalg.inv(whole.stiffness)[tip, tip]
             assert tangent(stiffness(), variant)[row] == pytest.approx(expected, rel=1e-7)
 
 

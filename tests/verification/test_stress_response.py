@@ -17,7 +17,7 @@ from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec, Unbalance
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from tests.oracles.rotors import STEEL, support, uniform
-from tests.oracles.spindles import pairs
+from tests.oracles.spindles import pairs, system_of
 
 HZ = 2.0 * math.pi
 HELD = 1e8  # N/m
@@ -48,7 +48,7 @@ def answered(
 def resonance(**conditions: Any) -> float:
     """A frequency of the very system that answers [Hz]."""
     scene = Scene(bar(), Conditions(**conditions), np.array([0.0, 500.0]), 1000.0, (0.0, 0.25))
-    known = np.abs(scene.bending_modes.pole[0].imag) / HZ
+    known = np.abs(system_of(scene).modes.pole[0].imag) / HZ
     return float(known[known > 1.0].min())
 
 

@@ -14,7 +14,16 @@ from rotordyn.analysis.specs import CampbellSpec, FrfSpec, PreloadSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.state import PreloadState, dynamic_preload
-from tests.oracles.spindles import RPM, TOP, answers, conditions, mfw2310, pairs, undamped
+from tests.oracles.spindles import (
+    RPM,
+    TOP,
+    answers,
+    conditions,
+    mfw2310,
+    pairs,
+    system_of,
+    undamped,
+)
 
 LAW = Law("outer", "equal")
 STILL = np.zeros(1)
@@ -73,7 +82,7 @@ def test_edge_of_lost_contact(way: float) -> None:
     assert lost in word.split(" is unloaded")[0].removeprefix("bearing ").split(", ")
     assert "(preload lost)" in word
     scene = Scene(mfw2310(), conditions(axial_force=inside), STILL, 500.0)
-    assert np.isfinite(scene.bending_modes.pole).all()
+    assert np.isfinite(system_of(scene).modes.pole).all()
 
 
 @pytest.mark.parametrize("preload", [5e-324, 1e-5, 1e-2, 0.04])
@@ -146,7 +155,7 @@ def test_sleeves_at_the_ends_of_their_range(one: dict[str, float], other: dict[s
     found = []
     for changes in (one, other):
         scene = Scene(undamped(on_sleeves(**changes)), conditions(), STILL, 2000.0)
-        pole = np.sort(np.abs(scene.bending_modes.pole[0].imag))
+        pole = np.sort(np.abs(system_of(scene).modes.pole[0].imag))
         found.append(pole[pole > 1.0][:8])
     assert found[0] == pytest.approx(found[1], rel=2e-4)
 

@@ -61,6 +61,9 @@ class CampbellResult:
     frequency_error: Array = quantity(
         "speed", "mode", unit="1", label="estimated relative error of the frequency"
     )
+    damping_error: Array = quantity(
+        "speed", "mode", unit="1", label="estimated error of the damping ratio"
+    )
     max_frequency: float = quantity(unit="Hz", label="modes and critical speeds up to")
     unsettled: str = quantity(unit="", label="what changes as the model is refined")
     pole: Complex = quantity("speed", "mode", unit="rad/s", label="pole")

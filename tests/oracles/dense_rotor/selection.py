@@ -1,9 +1,9 @@
-"""The order of freedoms: the only place that turns node and name into a row.
+"""Which directions of every node matrices are of: the only place that turns node and name into a
+row.
 
-Rows run node by node (narrow bands); a ``Selection`` says which freedoms a node contributes, with
-which sign. The two lateral planes, (y, thz) and (z, −thy), then have the same matrices, and with
-r = y + i z and φ = θz − i θy the vector of PLANE_Y plus i times that of PLANE_Z is the complex form
-(r, φ) of a rotor whose bearings are isotropic.
+Rows run node by node; a ``Selection`` says which directions a node contributes, with which sign.
+The two bending planes, (y, thz) and (z, −thy), then have the same matrices, and with r = y + i z
+and φ = θz − i θy the vector of PLANE_Y plus i times that of PLANE_Z is the complex form (r, φ).
 """
 
 from __future__ import annotations
@@ -14,41 +14,36 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.model.dofs import DIRECTIONS, place_of, position
+from rotordyn.model.dofs import DIRECTIONS, position
 
 
 @dataclass(frozen=True, slots=True)
 class Selection:
-    """The freedoms ``names`` of every node, in this order, each with its sign (+1 or −1)."""
+    """The directions ``names`` of every node, in this order, each with its sign (+1 or −1)."""
 
     names: tuple[str, ...]
     signs: tuple[int, ...]
 
     @property
     def width(self) -> int:
-        """Freedoms per node."""
+        """Directions per node."""
         return len(self.names)
 
     def size(self, nodes: int) -> int:
-        """Freedoms of a rotor with that many nodes."""
+        """DOF of a rotor with that many nodes."""
         return self.width * nodes
 
-    def row(self, node: int, freedom: str) -> int:
-        """Row of a node's freedom.
+    def row(self, node: int, direction: str) -> int:
+        """Row of a node's direction."""
+        return self.width * node + self.names.index(direction)
 
-        Raises
-        ------
-        ValueError : the freedom is not part of this selection
-        """
-        return self.width * node + place_of(freedom, self.names)
+    def rows(self, direction: str, nodes: int) -> NDArray[np.intp]:
+        """Rows of one direction at all nodes."""
+        return np.arange(nodes) * self.width + self.names.index(direction)
 
-    def rows(self, freedom: str, nodes: int) -> NDArray[np.intp]:
-        """Rows of one freedom at all nodes."""
-        return np.arange(nodes) * self.width + place_of(freedom, self.names)
-
-    def sign(self, freedom: str) -> int:
-        """−1 where the selected coordinate is minus the freedom."""
-        return self.signs[place_of(freedom, self.names)]
+    def sign(self, direction: str) -> int:
+        """−1 where the selected coordinate is minus the displacement."""
+        return self.signs[self.names.index(direction)]
 
     def take(self, matrix: NDArray[Any], columns: Selection | None = None) -> NDArray[Any]:
         """The selected part of a node's (…, 6, 6) or an element's (…, 12, 12) matrix.

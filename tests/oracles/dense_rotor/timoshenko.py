@@ -12,10 +12,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.model.dofs import DIRECTIONS, position
-from rotordyn.model.elements.standard_beam import PlaneBending, plane_bending
-from rotordyn.model.elements.rod import Rod, rod
 from rotordyn.machine.cross_section import area, second_moment
+from rotordyn.model.dofs import DIRECTIONS, position
+from rotordyn.model.elements.rod import Rod, rod
+from rotordyn.model.elements.standard_beam import PlaneBending, plane_bending
 
 Array = NDArray[np.float64]
 

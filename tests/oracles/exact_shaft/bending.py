@@ -81,12 +81,9 @@ def exact_modes(scene: Scene, highest: float, x: Array) -> tuple[Complex, Comple
 
     Shapes: deflection and tilt of each circular part at the stations ``x`` [m].
     """
-    modes = scene.bending_modes
-    frame = scene.bending.frame
-    free = modes.at_rest(frame)
     found = []
     for row, rotor in enumerate(exact_rotors(scene)):
-        near = modes.pole[row, ~free[row]] + 1j * frame[row]
+        near = signed_poles(scene, row)
         found.append(_modes(rotor, -1j * near, 2.0 * math.pi * highest, x))
     most = max(len(pole) for pole, _ in found)
     poles = np.full((len(found), most), complex(np.nan, np.nan))
@@ -94,6 +91,18 @@ def exact_modes(scene: Scene, highest: float, x: Array) -> tuple[Complex, Comple
     for row, (pole, shape) in enumerate(found):
         poles[row, : len(pole)], shapes[row, : len(pole)] = pole, shape
     return poles, shapes
+
+
+def signed_poles(scene: Scene, row: int) -> Complex:
+    """Poles of the scene's own bending at a usable speed, rigid motions left out; backward whirl
+    has Im λ < 0, where planes are coupled both of each pair are given."""
+    found = []
+    for k in scene.with_motions(("bending",)):
+        own = scene.system(k)
+        kept = np.isfinite(own.pole[row]) & ~own.at_rest[row]
+        pole, whirl = own.pole[row, kept], own.whirl[row, kept]
+        found += [pole[whirl >= 0.0], pole[whirl <= 0.0].conj()]
+    return np.concatenate(found)
 
 
 def exact_receptance(scene: Scene, pairs: Sequence[tuple[Port, Port]], frequency: Array) -> Complex:

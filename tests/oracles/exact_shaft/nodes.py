@@ -14,12 +14,12 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
-from tests.oracles.dense_rotor.lumped import lumped_element
-from rotordyn.model.seat import turn
-from rotordyn.model.support import ALIKE, node_matrix
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import BearingSeat, Sleeve
 from rotordyn.model.mesh import Mesh
+from rotordyn.model.seat import turn
+from rotordyn.model.support import ALIKE, node_matrix
+from tests.oracles.dense_rotor.lumped import lumped_element
 from tests.oracles.exact_shaft.circular import PLANES, TURNING
 
 Array = NDArray[np.float64]

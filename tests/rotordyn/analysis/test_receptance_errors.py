@@ -6,13 +6,13 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from rotordyn.numerics.answers import answers
 
 from rotordyn.analysis.frf import answer
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import Conditions, FrfSpec, Port
 from rotordyn.machine.housing import RigidHousing
 from rotordyn.machine.spindle import Spindle
-from rotordyn.numerics.answers import answers
 from rotordyn.numerics.modes import modes
 from tests.oracles.rotors import STEPPED, support
 from tests.oracles.spindles import RPM
