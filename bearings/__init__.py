@@ -17,7 +17,7 @@ if TYPE_CHECKING:
     from bearings.follower import Followed, Follower
     from bearings.kinds import *  # noqa: F403 - adding a kind touches that folder alone
     from bearings.materials import SILICON_NITRIDE, STEEL, Material
-    from bearings.ring.request import condition
+    from bearings.ring.condition import condition
     from bearings.ring.state import BearingState
     from bearings.ring.tangents import stiffness
     from bearings.ring.truncation import Truncation, truncation
@@ -26,7 +26,7 @@ _HOME = {
     "BallBearing": "bearings.bearing",
     "BearingError": "bearings.errors",
     "BearingState": "bearings.ring.state",
-    "condition": "bearings.ring.request",
+    "condition": "bearings.ring.condition",
     "stiffness": "bearings.ring.tangents",
     "Followed": "bearings.follower",
     "Follower": "bearings.follower",

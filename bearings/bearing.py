@@ -3,11 +3,9 @@
 A kind is one frozen dataclass derived from ``BallBearing``, in a file of its own in
 ``bearings/kinds``, and its lines in ``bearings/kinds/__init__.py``. It keeps this contract:
 
-1. **Fields.** What a maker's drawing says, declared with ``measured``: quantity, range, meaning and
-   default stand on the field. Python, files, JSON Schema and key reference read them from there.
-   ``ball_diameter``, ``pitch_diameter``, ``balls``, ``inner_conformity``, ``outer_conformity``,
-   ``ball_material`` and ``ring_material`` are common to all kinds, and so are
-   ``inner_shoulder_diameter`` and ``outer_shoulder_diameter``, which may be unknown.
+1. **Fields.** What a maker's drawing says beside the common fields, declared with ``measured``:
+   quantity, range, meaning and default stand on the field. Python, files, JSON Schema and key
+   reference read them from there. A common field is declared again where its default differs.
 2. **Grooves.** ``grooves`` gives the places of the groove centres (``bearings.grooves.Grooves``):
    one or two grooves a ring, the free contact angle, and where displacement is zero. Everything
    else about the physics follows from it: no other file knows the kind.
@@ -30,13 +28,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import MISSING, dataclass, field, fields
+from dataclasses import KW_ONLY, MISSING, dataclass, field, fields
+from itertools import chain
 from numbers import Integral, Real
 from typing import TYPE_CHECKING, Any, ClassVar
 
 from bearings.errors import InvalidBearing
 from bearings.grooves import Grooves
-from bearings.materials import Material
+from bearings.materials import STEEL, Material
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -65,17 +64,18 @@ class Measure:
             taken = isinstance(value, Material)
             return "" if taken else f"{name} must be a bearings.Material, got {value!r}"
         if not _number(value):
-            return f"{name} must be a finite number, got {value!r}"
+            return f"{name} must be a finite number, got {value!r:.60}"
         number = float(value)  # type: ignore[arg-type]
         if self.quantity == "count" and number != int(number):
-            return f"{name} must be a whole number from {self.low:g} up, got {value!r}"
+            return f"{name} must be a whole number from {self.low:g} up, got {value!r:.60}"
         above = number > self.low if self.open_low else number >= self.low
         if above and number <= self.high:
             return ""
         low = "above" if self.open_low else "from"
+        doubt = ": is the unit right?" if self.unit else ""
         return (
             f"{name} must lie {low} {self._shown(self.low)} up to {self._shown(self.high)}, got "
-            f"{self._shown(number)}: is the unit right?"
+            f"{self._shown(number)}{doubt}"
         )
 
     def _shown(self, value: float) -> str:
@@ -83,22 +83,17 @@ class Measure:
             return f"{math.degrees(value):g}° (in rad)"
         return f"{value:g} m" if self.quantity == "length" else f"{value:g}"
 
+    def drawn(self, value: float) -> str:
+        """A value in the unit of drawings."""
+        scale, unit = {"deg": (math.pi / 180.0, "°"), "um": (1e-6, " µm"), "mm": (1e-3, " mm")}[
+            self.unit
+        ]
+        return f"{value / scale:.4g}{unit}"
+
 
 def measured(measure: Measure, default: Any = MISSING) -> Any:
     """A dataclass field that takes what ``measure`` says."""
     return field(default=default, metadata={"measure": measure})
-
-
-def exactly_one(bearing: BallBearing, *names: str) -> Iterator[str]:
-    """A sentence where not exactly one of some data is given that fix one another."""
-    given = [f"{name} {getattr(bearing, name):.6g}" for name in names if _is(bearing, name)]
-    if len(given) != 1:
-        words = " and ".join(given) or "none"
-        yield f"give exactly one of {', '.join(names)}, since each fixes the others: got {words}"
-
-
-def _is(bearing: BallBearing, name: str) -> bool:
-    return getattr(bearing, name) is not None
 
 
 BALL_DIAMETER = Measure("length", "diameter of a ball", 1e-4, 0.2, unit="mm")
@@ -109,41 +104,44 @@ MATERIAL = Measure("material", "elastic constants and density")
 SHOULDER = Measure("length", "diameter at which the groove of the ring ends", 1e-3, 10.0, unit="mm")
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, slots=True)
 class BallBearing:
     """A single-row ball bearing with rigid rings, of any kind; see the contract above.
+
+    Parameters
+    ----------
+    ball_diameter, pitch_diameter : D, dm [m]
+    balls : number of balls, at least 3
+    inner_conformity, outer_conformity : groove radius over ball diameter, above 0.5
+    ball_material, ring_material : elastic constants and density
+    inner_shoulder_diameter, outer_shoulder_diameter : where the grooves end [m], None if unknown
 
     Raises
     ------
     InvalidBearing : data out of range, or impossible together
     """
 
-    __slots__ = ()
     both_ways: ClassVar[bool] = False
 
-    if TYPE_CHECKING:
-        ball_diameter: float
-        pitch_diameter: float
-        balls: int
-        inner_conformity: float
-        outer_conformity: float
-        ball_material: Material
-        ring_material: Material
-        inner_shoulder_diameter: float | None
-        outer_shoulder_diameter: float | None
+    ball_diameter: float = measured(BALL_DIAMETER)
+    pitch_diameter: float = measured(PITCH_DIAMETER)
+    balls: int = measured(BALLS)
+    _: KW_ONLY
+    inner_conformity: float = measured(CONFORMITY, 0.52)
+    outer_conformity: float = measured(CONFORMITY, 0.52)
+    ball_material: Material = measured(MATERIAL, STEEL)
+    ring_material: Material = measured(MATERIAL, STEEL)
+    inner_shoulder_diameter: float | None = measured(SHOULDER, None)
+    outer_shoulder_diameter: float | None = measured(SHOULDER, None)
 
     def __post_init__(self) -> None:
         for name, measure in self.measures().items():
             value = getattr(self, name)
-            if value is None and _optional(type(self), name):
+            if value is None and type(self).__dataclass_fields__[name].default is None:
                 continue
             if why := measure.refusal(name, value):
                 raise InvalidBearing(why)
-        for fault in self._overlaps():
-            raise InvalidBearing(fault)
-        for fault in self._faults():
-            raise InvalidBearing(fault)
-        for fault in self._shoulder_faults():
+        for fault in chain(self._overlaps(), self._faults(), self._shoulder_faults()):
             raise InvalidBearing(fault)
 
     @classmethod
@@ -178,6 +176,23 @@ class BallBearing:
         """Contract 3."""
         yield from ()
 
+    def drawn(self, name: str, value: float | None = None) -> str:
+        """A field and its value, or another one, in the unit of drawings."""
+        value = getattr(self, name) if value is None else value
+        return f"{name} {self.measures()[name].drawn(value)}"
+
+    def _exactly_one(self, names: Sequence[str]) -> Iterator[str]:
+        """A sentence where not exactly one of some data is given that fix one another."""
+        given = [name for name in names if getattr(self, name) is not None]
+        if len(given) != 1:
+            words = "; ".join(self.drawn(name) + self._meaning(name) for name in given) or "none"
+            rule = f"give exactly one of {', '.join(names)}, since each fixes the others"
+            yield f"{rule}: got {words}"
+
+    def _meaning(self, name: str) -> str:
+        """What one of such data means for the others."""
+        return ""
+
     @property
     def grooves(self) -> Grooves:
         """Contract 2."""
@@ -186,6 +201,11 @@ class BallBearing:
     def refusal(self, load: Sequence[float], free: Sequence[bool]) -> str:
         """Contract 4: ``load`` (5,) and where it is ``free`` to act (5,)."""
         return ""
+
+    @property
+    def free_distance(self) -> float:
+        """BD, between the centres of an inner and an outer groove that just touch a ball [m]."""
+        return (self.inner_conformity + self.outer_conformity - 1.0) * self.ball_diameter
 
     @property
     def contact_names(self) -> tuple[str, ...]:
@@ -275,25 +295,32 @@ class BallBearing:
             ``outcome`` per state instead
         """
         from bearings.ball.law import Law
-        from bearings.ring.question import question
-        from bearings.ring.request import answer
+        from bearings.ring.condition import refusal
+        from bearings.ring.operation import operation
+        from bearings.ring.request import solved
         from bearings.ring.state import BearingState
 
         if start is not None and not isinstance(start, BearingState):
             raise InvalidBearing(f"start must be a state of this bearing, got {start!r:.80}")
         if not (compiled is None or isinstance(compiled, bool)):
             raise InvalidBearing(f"compiled must be True, False or None, got {compiled!r}")
-        law = Law(kinematics, moment_sharing, friction, dynamics)
-        asked = question(load, displacement, speed, static_growth, growth)
+        points = operation(
+            self.grooves,
+            Law(kinematics, moment_sharing, friction, dynamics),
+            load=load,
+            displacement=displacement,
+            speed=speed,
+            static_growth=static_growth,
+            growth=growth,
+        )
         if type(self).refusal is not BallBearing.refusal:
-            for row in asked.load:
-                if why := self.refusal(row.tolist(), asked.free.tolist()):
+            for row in points.load:
+                if why := self.refusal(row.tolist(), points.free.tolist()):
                     raise InvalidBearing(why)
-        return answer(self.grooves, law, asked, start, compiled)
-
-
-def _optional(kind: type[BallBearing], name: str) -> bool:
-    return kind.__dataclass_fields__[name].default is None
+        state = solved(points, start, compiled)
+        if points.shape == () and state.outcome:
+            raise refusal(state)
+        return state
 
 
 def _number(value: object) -> bool:

@@ -12,10 +12,10 @@ from bearings.ball.law import STANDARD, Law
 from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing, NoEquilibrium
 from bearings.geometry import geometry, groove_origin
+from bearings.ring.assembly import full_assembly
 from bearings.ring.equilibrium import one_by_one
+from bearings.ring.operation import finite, five_numbers
 from bearings.ring.problem import Problem, first_displacement, turns
-from bearings.ring.question import finite, five_numbers, single
-from bearings.ring.sums import full_ring
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
@@ -66,9 +66,9 @@ class Follower:
         for given, kind in ((bearing, BallBearing), (law, Law)):
             if not isinstance(given, kind):
                 raise InvalidBearing(f"a follower takes a {kind.__name__}, got {given!r}")
-        static = single("static_growth", static_growth)
-        total = static if growth is None else single("growth", growth)
-        self.speed = float(single("speed", speed)[0])
+        static = finite("static_growth", static_growth, single=True)
+        total = static if growth is None else finite("growth", growth, single=True)
+        self.speed = float(finite("speed", speed, single=True)[0])
         self._geometry, self._law = geometry(bearing.grooves), law
         self._origin = groove_origin(self._geometry, static, total)
         if not np.isfinite(self._origin).all():
@@ -84,20 +84,16 @@ class Follower:
         NoEquilibrium : a single state does not exist
         """
         given = five_numbers("displacement", displacement)
-        return self._found(given, np.zeros_like(given), speed, free=False)
+        return self._followed(given, np.zeros_like(given), speed, free=False)
 
     def displacement(self, load: ArrayLike, speed: ArrayLike | None = None) -> Followed:
-        """Displacements (…, 5) under loads (…, 5), one after the other, with their tangents.
-
-        Raises
-        ------
-        InvalidBearing : numbers that are not finite, shapes
-        NoEquilibrium : a single state does not exist
-        """
+        """Displacements (…, 5) under loads (…, 5); the rest as for ``load``."""
         given = five_numbers("load", load)
-        return self._found(np.zeros_like(given), given, speed, free=True)
+        return self._followed(np.zeros_like(given), given, speed, free=True)
 
-    def _found(self, move: Array, load: Array, speed: ArrayLike | None, *, free: bool) -> Followed:
+    def _followed(
+        self, move: Array, load: Array, speed: ArrayLike | None, *, free: bool
+    ) -> Followed:
         shape = load.shape[:-1]
         turning = np.abs(finite("speed", self.speed if speed is None else speed))
         try:
@@ -105,36 +101,30 @@ class Follower:
         except ValueError as error:
             raise InvalidBearing(f"speed {turning.shape} does not fit states {shape}") from error
         if not omega.size:
-            nothing = np.zeros(shape, dtype=bool)
-            return Followed(load, move, np.zeros((*shape, 5, 5)), nothing)
+            return Followed(load, move, np.zeros((*shape, 5, 5)), np.zeros(shape, dtype=bool))
         move, load, turn = move.reshape(-1, 5), load.reshape(-1, 5), turns(self._geometry, omega)
         ends = (0, *((turn[1:] != turn[:-1]).nonzero()[0] + 1), len(turn))
-        parts = [
-            self._answer(move[a:b], load[a:b], omega[a:b], free=free, turning=bool(turn[a]))
+        parts: Any = [
+            self._solved(move[a:b], load[a:b], omega[a:b], free=free, turning=bool(turn[a]))
             for a, b in itertools.pairwise(ends)
         ]
-        answer = parts[0]
+        whole = parts[0]
         if len(parts) > 1:
-            joined: Any = (np.concatenate(part) for part in zip(*parts, strict=True))
-            answer = Followed(*joined)
-        if shape == () and not answer.found[0]:
+            whole = [np.concatenate(part) for part in zip(*parts, strict=True)]
+        found = whole[-1]
+        if shape == () and not found[0]:
             word = "unloaded" if free and not load.any() else "no equilibrium"
             raise NoEquilibrium(word, speed=float(omega[0]), remedy="see `equilibrium` for why")
-        return Followed(
-            answer.load.reshape(*shape, 5),
-            answer.displacement.reshape(*shape, 5),
-            answer.stiffness.reshape(*shape, 5, 5),
-            answer.found.reshape(shape),
-        )
+        return Followed(*[part.reshape((*shape, *part.shape[1:])) for part in whole])
 
-    def _answer(
+    def _solved(
         self, move: Array, load: Array, omega: Array, *, free: bool, turning: bool
     ) -> Followed:
         """States that are all at rest or all turning."""
         problem = Problem(
             geometry=self._geometry,
             law=self._law,
-            ring=full_ring(self._geometry),
+            assembly=full_assembly(self._geometry),
             origin=np.broadcast_to(self._origin, (2, len(omega))),
             speed=omega,
             load=load,
@@ -147,13 +137,11 @@ class Follower:
             move = np.repeat(there, len(omega), axis=0) if free else move
         elif free:
             move = first_displacement(problem, move)
-        answer = one_by_one(problem, move, near, chained=chained)[0]
-        found = answer.found
+        d, ball, carried, stiffness, found = one_by_one(problem, move, near, chained=chained)[0]
         if free and self._geometry.touching:
             found &= load.any(axis=1)
-        self._last = (answer.displacement[-1:], answer.ball[:, -1:]) if found[-1] else None
-        followed = Followed(answer.load, answer.displacement, answer.stiffness, found)
+        self._last = (d[-1:], ball[:, -1:]) if found[-1] else None
         if not found.all():
-            for part in followed[:3]:
+            for part in (carried, d, stiffness):
                 part[~found] = np.nan
-        return followed
+        return Followed(carried, d, stiffness, found)

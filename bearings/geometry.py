@@ -52,6 +52,7 @@ class Geometry(NamedTuple):
     free_distance: float
     radial_gap: float
     touching: bool
+    both_ways: bool
     inner_reach: float
     outer_reach: float
     centre_radius: float
@@ -94,6 +95,7 @@ def geometry(bearing: Grooves) -> Geometry:
         free_distance=bearing.free_distance,
         radial_gap=gap,
         touching=bearing.touching,
+        both_ways=bearing.both_ways,
         inner_reach=inner_reach,
         outer_reach=outer_reach,
         centre_radius=inner_centres,

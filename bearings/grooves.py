@@ -18,7 +18,8 @@ class Grooves:
     ``inner_offsets``, ``outer_offsets`` [m]: axial places of the groove centres of a ring from its
     middle plane, one or two each, the positive first: ir, il, or, ol. ``touching``: zero
     displacement is where balls just touch under an axial push; otherwise where rings are centred.
-    ``inner_shoulder``, ``outer_shoulder``: diameters at which the grooves end, None if unknown.
+    ``both_ways``: carries thrust in both directions. ``inner_shoulder``, ``outer_shoulder``:
+    diameters at which the grooves end, None if unknown.
     """
 
     ball_diameter: float
@@ -33,16 +34,24 @@ class Grooves:
     inner_offsets: tuple[float, ...] = (0.0,)
     outer_offsets: tuple[float, ...] = (0.0,)
     touching: bool = False
+    both_ways: bool = True
     inner_shoulder: float | None = None
     outer_shoulder: float | None = None
 
     @classmethod
     def of(
-        cls, bearing: Any, *, free_angle: float, radial_gap: float | None = None, **centres: Any
+        cls,
+        bearing: Any,
+        *,
+        free_angle: float | None = None,
+        radial_gap: float | None = None,
+        **centres: Any,
     ) -> Grooves:
-        """Of a kind with the common fields; Ri − Ro is BD cos αf where it is not given."""
-        f, diameter = bearing.inner_conformity + bearing.outer_conformity, bearing.ball_diameter
-        distance = (float(f) - 1.0) * float(diameter)
+        """Of a kind with the common fields, one of αf and Ri − Ro = BD cos αf given or both."""
+        distance = float(bearing.free_distance)
+        if free_angle is None:
+            assert radial_gap is not None
+            free_angle = math.acos(min(radial_gap / distance, 1.0))
         gap = distance * math.cos(free_angle) if radial_gap is None else radial_gap
         return cls(
             ball_diameter=float(bearing.ball_diameter),
@@ -54,6 +63,7 @@ class Grooves:
             ring_material=bearing.ring_material,
             free_angle=float(free_angle),
             radial_gap=float(gap),
+            both_ways=bearing.both_ways,
             inner_shoulder=bearing.inner_shoulder_diameter,
             outer_shoulder=bearing.outer_shoulder_diameter,
             **centres,

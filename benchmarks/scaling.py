@@ -154,7 +154,14 @@ def bearing(balls: int) -> AngularContactBallBearing:
     """A ring as full with any number of balls of 9.525 mm."""
     size = 9.525e-3
     pitch = 1.16 * size / math.sin(math.pi / balls)
-    return AngularContactBallBearing(size, pitch, balls, math.radians(25.0), 0.56, 0.54)
+    return AngularContactBallBearing(
+        size,
+        pitch,
+        balls,
+        contact_angle=math.radians(25.0),
+        inner_conformity=0.56,
+        outer_conformity=0.54,
+    )
 
 
 def on_bearings(count: int) -> Spindle:

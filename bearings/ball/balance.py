@@ -1,17 +1,18 @@
 """One ball between its grooves: its balance, what it does to the inner ring, and all derivatives.
 
-The law of a ball over its contacts, whatever the kind of bearing (at rest between one groove a
-ring: ``bearings.ball.rest``; under a frozen push: ``bearings.ball.potential``): the contacts of
-each race make a resultant (``bearings.ball.race``), directions and loads of the resultants make Fc
-and Mg. Plain expressions of floats or arrays (any shape), which compile as they stand: choices
-between balls are made by ``where``. Plane vectors are (axial, radial); X is the ball centre, A
-the middle of the inner groove (with the tilt of the ring there as its third part), both seen from
-the middle of the outer groove.
+The law of a ball over its contacts, whatever the kind of bearing (under a fixed push, and at rest:
+``bearings.ball.potential``): the contacts of each race make a resultant (``bearings.ball.race``),
+directions and loads of the resultants make Fc and Mg. Plain expressions of floats or arrays (any
+shape), which compile as they stand: choices between balls are made by ``where``. Plane vectors are
+(axial, radial); X is the ball centre, A the middle of the inner groove (with the tilt of the ring
+there as its third part), both seen from the middle of the outer groove.
 """
 
 from __future__ import annotations
 
 from typing import Any, NamedTuple
+
+import numpy as np
 
 from bearings.ball.friction import limited
 from bearings.ball.kinematics import Angles, Partial, Rolling, inner_share, orbit_and_spin, tan_beta
@@ -23,11 +24,13 @@ from bearings.ball.plane import (
     Triple,
     combined,
     determinant,
+    direction,
     inverse,
     plus,
     where,
 )
-from bearings.ball.polar import Polar, less_by, more_by, scaled, times
+from bearings.ball.polar import Polar, exchanged, less_by, more_by, scaled, times
+from bearings.ball.potential import resting_reaction
 from bearings.ball.race import Contact, Race, against, race
 from bearings.geometry import Geometry
 
@@ -83,9 +86,10 @@ def turning_balance(
 ) -> Balance:
     """Balance of a ball on a turning ring (theory: one ball).
 
-    ``squared`` ω² [rad²/s²]; ``blend`` t in [0, 1] leads from the convex problem (Mg = 0, Fc at the
-    nominal angle) to the full one; ``vary`` 1, or 0 for derivatives that leave Fc and Mg as they
-    are.
+    ``centre``: A, with the tilt of the ring where it has two grooves; ``ball``: X; ``law``:
+    which hypotheses of motion and sharing hold. ``squared`` ω² [rad²/s²]; ``blend`` t in [0, 1]
+    leads from the convex problem (Mg = 0, Fc at the nominal angle) to the full one; ``vary`` 1,
+    or 0 for derivatives that leave Fc and Mg as they are.
     """
     inner = race(c.inner_grooves, against(centre, ball), 1.0)
     outer = race(c.outer_grooves, ball, -1.0)
@@ -93,19 +97,19 @@ def turning_balance(
     weight = _weight(c.race_ratio, inner.approach, outer.approach)
     angles = Angles(si, ci, so, co, c.size_ratio, weight.value)
     share = _share(inner_share(law.sharing, weight.value), weight)
-    turn = blend * c.ball_inertia * squared
+    inertia = blend * c.ball_inertia * squared  # Mg over (ωm/ω) (ωR/ω) sin β
     rolls = where(inner.approach > 0.0, 1.0, 0.0)
-    tilt = _tilt(tan_beta(law.kinematics, angles), weight, rolls)
-    orbit, spin = orbit_and_spin(angles, tilt.value)
-    moment = _chained(turn * spin.value, turn, spin, tilt)
+    attitude = _attitude(tan_beta(law.kinematics, angles), weight, rolls)
+    orbit, spin = orbit_and_spin(angles, attitude.value)
+    moment = _chained(inertia * spin.value, inertia, spin, attitude)
     loads = Contact(inner.load, inner.slope), Contact(outer.load, outer.slope)
     if law.friction > 0.0:
         limit = law.friction * c.ball_diameter
-        moment, tilt = limited(moment, tilt, share, loads[0], loads[1], limit)
-        orbit = orbit_and_spin(angles, tilt.value)[0]
+        moment, attitude = limited(moment, attitude, share, loads[0], loads[1], limit)
+        orbit = orbit_and_spin(angles, attitude.value)[0]
     full = c.orbit * squared
     push = full * (c.nominal + blend * (orbit.value**2 - c.nominal))
-    fc = _chained(push, 2.0 * vary * blend * full * orbit.value, orbit, tilt)
+    fc = _chained(push, 2.0 * vary * blend * full * orbit.value, orbit, attitude)
     ti = scaled(vary, 1.0 / c.ball_diameter, times(share, moment))
     to = less_by(scaled(vary, 2.0 / c.ball_diameter, moment), ti)
 
@@ -184,6 +188,31 @@ def settled(b: Balance) -> Settled:
     )
 
 
+def resting_balance(c: Geometry, centre: Motion) -> tuple[Balance, Settled]:
+    """Balance of balls at rest, and the same with the balls eliminated; no ball unknown is left."""
+    answer = resting_reaction(c, centre)
+    sin, cos, _ = direction((centre[0], centre[1]))
+    load = np.hypot(answer.action[0], answer.action[1])
+    zero = np.zeros_like(load)
+    nothing = (zero, zero)
+    balance = Balance(
+        residual=nothing,
+        residual_by_ball=((zero + 1.0, zero), (zero, zero + 1.0)),
+        residual_by_centre=(nothing, nothing),
+        action=answer.action,
+        action_by_ball=(nothing, nothing, nothing),
+        action_by_centre=answer.slope,
+        inner_load=load,
+        outer_load=load,
+        inner_direction=(sin, cos),
+        outer_direction=(sin, cos),
+        centrifugal_force=zero,
+        gyroscopic_moment=zero,
+        inner_share=zero + 1.0,
+    )
+    return balance, Settled(zero + 1.0, nothing, (nothing, nothing), answer.action, answer.slope)
+
+
 def _weight(ratio: float, di: Any, do: Any) -> Polar:
     """C of the races, c (δi/δo)²; without meaning where the outer race is free."""
     deep = where(do > 0.0, do, 1.0)
@@ -191,32 +220,32 @@ def _weight(ratio: float, di: Any, do: Any) -> Polar:
     return Polar(slope * di, 0.0, 2.0 * slope, 0.0, -2.0 * slope * di / deep)
 
 
-def _share(law: tuple[Any, Any], weight: Polar) -> Polar:
-    """λi, which depends on the weight alone."""
-    by_length = law[1] * weight.by_inner_length
-    return Polar(law[0], 0.0, by_length, 0.0, law[1] * weight.by_outer_length)
+def _share(share: tuple[Any, Any], weight: Polar) -> Polar:
+    """λi, from its value and its slope by the weight alone."""
+    by_inner = share[1] * weight.by_inner_approach
+    return Polar(share[0], 0.0, by_inner, 0.0, share[1] * weight.by_outer_approach)
 
 
-def _tilt(law: Partial, weight: Polar, rolls: Any) -> Polar:
-    """tan β, 0 of a ball that rides the outer race alone."""
+def _attitude(beta: Partial, weight: Polar, rolls: Any) -> Polar:
+    """tan β of the axis the ball turns about; 0 of a ball that rides the outer race alone."""
     return Polar(
-        law.value * rolls,
-        law.by_inner * rolls,
-        law.by_weight * weight.by_inner_length * rolls,
-        law.by_outer * rolls,
-        law.by_weight * weight.by_outer_length * rolls,
+        beta.value * rolls,
+        beta.by_inner * rolls,
+        beta.by_weight * weight.by_inner_approach * rolls,
+        beta.by_outer * rolls,
+        beta.by_weight * weight.by_outer_approach * rolls,
     )
 
 
-def _chained(value: Any, factor: Any, rolling: Rolling, tilt: Polar) -> Polar:
+def _chained(value: Any, factor: Any, rolling: Rolling, attitude: Polar) -> Polar:
     """A value that changes by ``factor`` times a rolling ratio."""
-    by_tilt = factor * rolling.by_tilt
+    by_attitude = factor * rolling.by_attitude
     return Polar(
         value,
-        factor * rolling.by_inner + by_tilt * tilt.by_inner_angle,
-        by_tilt * tilt.by_inner_length,
-        factor * rolling.by_outer + by_tilt * tilt.by_outer_angle,
-        by_tilt * tilt.by_outer_length,
+        factor * rolling.by_inner + by_attitude * attitude.by_inner_angle,
+        by_attitude * attitude.by_inner_approach,
+        factor * rolling.by_outer + by_attitude * attitude.by_outer_angle,
+        by_attitude * attitude.by_outer_approach,
     )
 
 
@@ -228,51 +257,35 @@ def _inner_force(contact: Contact, friction: Polar, sin: Any, cos: Any) -> tuple
         Polar(
             axial,
             radial + friction.by_inner_angle * cos,
-            contact.slope * sin + friction.by_inner_length * cos,
+            contact.slope * sin + friction.by_inner_approach * cos,
             friction.by_outer_angle * cos,
-            friction.by_outer_length * cos,
+            friction.by_outer_approach * cos,
         ),
         Polar(
             radial,
             -axial - friction.by_inner_angle * sin,
-            contact.slope * cos - friction.by_inner_length * sin,
+            contact.slope * cos - friction.by_inner_approach * sin,
             -friction.by_outer_angle * sin,
-            -friction.by_outer_length * sin,
+            -friction.by_outer_approach * sin,
         ),
     )
 
 
 def _outer_force(contact: Contact, friction: Polar, sin: Any, cos: Any) -> tuple[Polar, Polar]:
     """Axial and radial force of ball and outer ring on each other."""
-    axial = contact.load * sin + friction.value * cos
-    radial = contact.load * cos - friction.value * sin
-    return (
-        Polar(
-            axial,
-            friction.by_inner_angle * cos,
-            friction.by_inner_length * cos,
-            radial + friction.by_outer_angle * cos,
-            contact.slope * sin + friction.by_outer_length * cos,
-        ),
-        Polar(
-            radial,
-            -friction.by_inner_angle * sin,
-            -friction.by_inner_length * sin,
-            -axial - friction.by_outer_angle * sin,
-            contact.slope * cos - friction.by_outer_length * sin,
-        ),
-    )
+    axial, radial = _inner_force(contact, exchanged(friction), sin, cos)
+    return exchanged(axial), exchanged(radial)
 
 
 def _by_inner(p: Polar, inner: Race) -> Motion:
     """Derivatives by A."""
-    return combined(p.by_inner_angle, inner.angle_by, p.by_inner_length, inner.approach_by)
+    return combined(p.by_inner_angle, inner.angle_by, p.by_inner_approach, inner.approach_by)
 
 
 def _by_outer(p: Polar, outer: Race) -> Pair:
     """Derivatives by X through the outer race alone."""
     a, b = outer.angle_by, outer.approach_by
-    turn, along = p.by_outer_angle, p.by_outer_length
+    turn, along = p.by_outer_angle, p.by_outer_approach
     return turn * a[0] + along * b[0], turn * a[1] + along * b[1]
 
 

@@ -17,11 +17,11 @@ FAR = 1e300  # N·m: a race without a share of the moment never slips
 
 
 def limited(
-    moment: Polar, tilt: Polar, share: Polar, inner: Contact, outer: Contact, limit: float
+    moment: Polar, attitude: Polar, share: Polar, inner: Contact, outer: Contact, limit: float
 ) -> tuple[Polar, Polar]:
     """Moment and tan β with which neither race carries more than ``limit`` · Q of the moment.
 
-    ``moment``, ``tilt``: as the hypothesis has them; ``share``: λi; ``limit`` μ D [m].
+    ``moment``, ``attitude``: as the hypothesis has them; ``share``: λi; ``limit`` μ D [m].
     """
     hold = _held(share, inner, outer, limit)
     side = where(moment.value < 0.0, -1.0, 1.0)
@@ -30,12 +30,12 @@ def limited(
     part = where(slips, hold.value / wanted, 1.0)
     by_inner_angle = where(slips, -part * side * moment.by_inner_angle / wanted, 0.0)
     by_outer_angle = where(slips, -part * side * moment.by_outer_angle / wanted, 0.0)
-    inner_change = hold.by_inner_length - part * side * moment.by_inner_length
-    outer_change = hold.by_outer_length - part * side * moment.by_outer_length
-    by_inner_length = where(slips, inner_change / wanted, 0.0)
-    by_outer_length = where(slips, outer_change / wanted, 0.0)
-    held = Polar(part, by_inner_angle, by_inner_length, by_outer_angle, by_outer_length)
-    return times(held, moment), times(held, tilt)
+    inner_change = hold.by_inner_approach - part * side * moment.by_inner_approach
+    outer_change = hold.by_outer_approach - part * side * moment.by_outer_approach
+    by_inner_approach = where(slips, inner_change / wanted, 0.0)
+    by_outer_approach = where(slips, outer_change / wanted, 0.0)
+    held = Polar(part, by_inner_angle, by_inner_approach, by_outer_angle, by_outer_approach)
+    return times(held, moment), times(held, attitude)
 
 
 def _held(share: Polar, inner: Contact, outer: Contact, limit: float) -> Polar:
@@ -49,7 +49,7 @@ def _held(share: Polar, inner: Contact, outer: Contact, limit: float) -> Polar:
     return Polar(
         can,
         0.0,
-        where(first, limit * inner.slope / one_i, 0.0) + change * share.by_inner_length,
+        where(first, limit * inner.slope / one_i, 0.0) + change * share.by_inner_approach,
         0.0,
-        where(first, 0.0, limit * outer.slope / one_o) + change * share.by_outer_length,
+        where(first, 0.0, limit * outer.slope / one_o) + change * share.by_outer_approach,
     )

@@ -9,7 +9,6 @@ Ruixia (Mech. Mach. Theory 2010), as settled on the theory page.
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -45,7 +44,7 @@ class Rolling(NamedTuple):
     value: Any
     by_inner: Any
     by_outer: Any
-    by_tilt: Any
+    by_attitude: Any
 
 
 def outer_control(a: Angles) -> Partial:
@@ -92,16 +91,8 @@ def hybrid(a: Angles) -> Partial:
     )
 
 
-HYPOTHESES: dict[str, Callable[[Angles], Partial]] = {
-    "hybrid": hybrid,
-    "outer": outer_control,
-    "inner": inner_control,
-    "geometric": geometric,
-}
-
-
 def tan_beta(law: int, a: Angles) -> Partial:
-    """tan β by the number of the hypothesis in ``HYPOTHESES``."""
+    """tan β by the number of the hypothesis in ``bearings.ball.law.KINEMATICS``."""
     if law == 0:
         return hybrid(a)
     if law == 1:
@@ -141,40 +132,12 @@ def orbit_and_spin(a: Angles, t: Any) -> tuple[Rolling, Rolling]:
     )
 
 
-def share_equal(weight: Any) -> tuple[Any, Any]:
-    """λi and dλi/dC when both races carry the gyroscopic moment alike."""
-    return 1.0, 0.0
-
-
-def share_outer(weight: Any) -> tuple[Any, Any]:
-    """The outer race carries all of it."""
-    return 0.0, 0.0
-
-
-def share_inner(weight: Any) -> tuple[Any, Any]:
-    """The inner race carries all of it."""
-    return 2.0, 0.0
-
-
-def share_hybrid(weight: Any) -> tuple[Any, Any]:
-    """λi = 2C/(1 + C)."""
-    return 2.0 * weight / (1.0 + weight), 2.0 / (1.0 + weight) ** 2
-
-
-SHARINGS: dict[str, Callable[[Any], tuple[Any, Any]]] = {
-    "equal": share_equal,
-    "outer": share_outer,
-    "inner": share_inner,
-    "hybrid": share_hybrid,
-}
-
-
 def inner_share(law: int, weight: Any) -> tuple[Any, Any]:
-    """λi and dλi/dC by the number of the law in ``SHARINGS``."""
-    if law == 0:
-        return share_equal(weight)
-    if law == 1:
-        return share_outer(weight)
-    if law == 2:
-        return share_inner(weight)
-    return share_hybrid(weight)
+    """λi and dλi/dC by the number of the law in ``bearings.ball.law.MOMENT_SHARING``.
+
+    Of 2: both races carry the gyroscopic moment alike (1), the outer one all of it (0), the inner
+    one (2), or each by its weight, λi = 2C/(1 + C).
+    """
+    if law == 3:
+        return 2.0 * weight / (1.0 + weight), 2.0 / (1.0 + weight) ** 2
+    return (1.0, 0.0, 2.0)[law], 0.0

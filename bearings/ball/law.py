@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from bearings.errors import InvalidBearing
 
+# The numbers of hypotheses and sharings in compiled code are their places here.
 KINEMATICS = ("hybrid", "outer", "inner", "geometric")
 MOMENT_SHARING = ("equal", "outer", "inner", "hybrid")
 DYNAMICS = ("resultant", "frozen")

@@ -13,9 +13,16 @@ class Polar(NamedTuple):
 
     value: Any
     by_inner_angle: Any
-    by_inner_length: Any
+    by_inner_approach: Any
     by_outer_angle: Any
-    by_outer_length: Any
+    by_outer_approach: Any
+
+
+def exchanged(p: Polar) -> Polar:
+    """Seen with the races exchanged."""
+    return Polar(
+        p.value, p.by_outer_angle, p.by_outer_approach, p.by_inner_angle, p.by_inner_approach
+    )
 
 
 def times(p: Polar, q: Polar) -> Polar:
@@ -23,9 +30,9 @@ def times(p: Polar, q: Polar) -> Polar:
     return Polar(
         p.value * q.value,
         p.value * q.by_inner_angle + q.value * p.by_inner_angle,
-        p.value * q.by_inner_length + q.value * p.by_inner_length,
+        p.value * q.by_inner_approach + q.value * p.by_inner_approach,
         p.value * q.by_outer_angle + q.value * p.by_outer_angle,
-        p.value * q.by_outer_length + q.value * p.by_outer_length,
+        p.value * q.by_outer_approach + q.value * p.by_outer_approach,
     )
 
 
@@ -35,9 +42,9 @@ def scaled(vary: float, factor: float, p: Polar) -> Polar:
     return Polar(
         factor * p.value,
         slope * p.by_inner_angle,
-        slope * p.by_inner_length,
+        slope * p.by_inner_approach,
         slope * p.by_outer_angle,
-        slope * p.by_outer_length,
+        slope * p.by_outer_approach,
     )
 
 
@@ -46,9 +53,9 @@ def more_by(p: Polar, q: Polar) -> Polar:
     return Polar(
         p.value + q.value,
         p.by_inner_angle + q.by_inner_angle,
-        p.by_inner_length + q.by_inner_length,
+        p.by_inner_approach + q.by_inner_approach,
         p.by_outer_angle + q.by_outer_angle,
-        p.by_outer_length + q.by_outer_length,
+        p.by_outer_approach + q.by_outer_approach,
     )
 
 
@@ -57,7 +64,7 @@ def less_by(p: Polar, q: Polar) -> Polar:
     return Polar(
         p.value - q.value,
         p.by_inner_angle - q.by_inner_angle,
-        p.by_inner_length - q.by_inner_length,
+        p.by_inner_approach - q.by_inner_approach,
         p.by_outer_angle - q.by_outer_angle,
-        p.by_outer_length - q.by_outer_length,
+        p.by_outer_approach - q.by_outer_approach,
     )

@@ -44,8 +44,8 @@ class Reaction(NamedTuple):
     follow: tuple[Motion, Motion]
 
 
-def contacts(c: Geometry, centre: Motion, ball: Pair) -> tuple[Springs, Springs]:
-    """Inner and outer contacts; ``centre``: middle of the inner groove."""
+def both_races(c: Geometry, centre: Motion, ball: Pair) -> tuple[Springs, Springs]:
+    """The contacts of the inner and of the outer race as springs, at A and X."""
     return springs(c.inner_grooves, against(centre, ball), 1.0), springs(
         c.outer_grooves, ball, -1.0
     )
@@ -64,7 +64,7 @@ def potential(c: Geometry, inner: Springs, outer: Springs, ball: Pair, push: Any
 
 def reaction(c: Geometry, centre: Motion, ball: Pair, push: Any) -> Reaction:
     """Action and tangent of a ball that sits at its seat."""
-    inner, outer = contacts(c, centre, ball)
+    inner, outer = both_races(c, centre, ball)
     back, energy = inverse(stiffness(inner, outer)), potential(c, inner, outer, ball, push)
     first, second, third = _rows(centre, inner)
     follow = (
@@ -145,7 +145,7 @@ def _best(c: Geometry, centre: Motion, push: Any) -> Pair:
 
 
 def _energy(c: Geometry, centre: Motion, ball: Pair, push: Any) -> Any:
-    inner, outer = contacts(c, centre, ball)
+    inner, outer = both_races(c, centre, ball)
     return potential(c, inner, outer, ball, push)
 
 
@@ -187,7 +187,7 @@ class SeatStep(NamedTuple):
 
 def seat_step(c: Geometry, centre: Motion, ball: Pair, push: Any) -> SeatStep:
     """Potential and Newton step at X."""
-    inner, outer = contacts(c, centre, ball)
+    inner, outer = both_races(c, centre, ball)
     both = stiffness(inner, outer)
     back = inverse(both)
     gap = (inner.force[0] - outer.force[0], inner.force[1] - outer.force[1] + push)

@@ -30,17 +30,6 @@ from bearings.fit.cylinder import (
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-__all__ = [
-    "AXIAL_CONDITIONS",
-    "CompoundState",
-    "Cylinder",
-    "centrifugal_growth",
-    "compound",
-    "raceway_radius",
-    "release_speed",
-    "thermal_growth",
-]
-
 Fits = NDArray[np.bool_]
 
 
@@ -145,11 +134,6 @@ def release_speed(
             release[joint] = math.sqrt(squared)
         active[joint] = not active[joint]
     return release
-
-
-def raceway_radius(pitch_diameter: float, ball_diameter: float, contact_angle: float) -> float:
-    """Radius of the ball's contact on the inner race, (dm − D cos α)/2 [m]."""
-    return 0.5 * (pitch_diameter - ball_diameter * math.cos(contact_angle))
 
 
 def thermal_growth(

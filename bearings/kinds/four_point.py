@@ -11,20 +11,9 @@ from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any, ClassVar
 
-from bearings.bearing import (
-    BALL_DIAMETER,
-    BALLS,
-    CONFORMITY,
-    MATERIAL,
-    PITCH_DIAMETER,
-    SHOULDER,
-    BallBearing,
-    Measure,
-    measured,
-)
+from bearings.bearing import BallBearing, Measure, measured
 from bearings.errors import InvalidBearing
 from bearings.grooves import Grooves
-from bearings.materials import STEEL, Material
 
 CONTACT_ANGLE = Measure(
     "angle", "free contact angle under thrust", 0.0, math.radians(60.0), unit="deg"
@@ -35,7 +24,7 @@ GIVEN = ("contact_angle", "axial_play", "radial_play")  # of which one fixes the
 SHIM = Measure("length", "thickness taken out of the middle of the groove", 0.0, 0.02, unit="mm")
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class FourPointBallBearing(BallBearing):
     """A single-row four-point-contact ball bearing with rigid rings.
 
@@ -46,55 +35,38 @@ class FourPointBallBearing(BallBearing):
 
     Parameters
     ----------
-    ball_diameter, pitch_diameter : D, dm [m]
-    balls : number of balls, at least 3
     contact_angle : free contact angle αf [rad]; or one of
     axial_play : Ep, free axial travel of ring against ring [m]
     radial_play : Jd, free radial travel of ring against ring [m]; negative plays: preload at rest
-    inner_conformity, outer_conformity : groove radius over ball diameter, above 0.5
     inner_shim, outer_shim : gi, go [m]
-    ball_material, ring_material : elastic constants and density
-    inner_shoulder_diameter, outer_shoulder_diameter : where the grooves end [m]
 
     Raises
     ------
     InvalidBearing : the geometry is impossible, or not exactly one of angle and plays is given
     """
 
-    ball_diameter: float = measured(BALL_DIAMETER)
-    pitch_diameter: float = measured(PITCH_DIAMETER)
-    balls: int = measured(BALLS)
     contact_angle: float | None = measured(CONTACT_ANGLE, None)
     axial_play: float | None = measured(PLAY, None)
     radial_play: float | None = measured(PLAY, None)
-    inner_conformity: float = measured(CONFORMITY, 0.52)
-    outer_conformity: float = measured(CONFORMITY, 0.52)
     inner_shim: float = measured(SHIM, 0.0)
     outer_shim: float = measured(SHIM, 0.0)
-    ball_material: Material = measured(MATERIAL, STEEL)
-    ring_material: Material = measured(MATERIAL, STEEL)
-    inner_shoulder_diameter: float | None = measured(SHOULDER, None)
-    outer_shoulder_diameter: float | None = measured(SHOULDER, None)
 
     both_ways: ClassVar[bool] = True
 
     def _faults(self) -> Iterator[str]:
-        given = [name for name in GIVEN if getattr(self, name) is not None]
-        if len(given) != 1:
-            yield self._contradiction(given)
-            return
+        yield from self._exactly_one(GIVEN)
         for ring, shim, conformity in self._rings():
             most = (2.0 * conformity - 1.0) * self.ball_diameter
             if shim >= most * (1.0 - 1e-9):
                 yield (
-                    f"{ring}_shim {shim * 1e3:g} mm reaches beyond the groove: with conformity "
+                    f"{self.drawn(f'{ring}_shim')} reaches beyond the groove: with conformity "
                     f"{conformity:g} allowed below {most * 1e3:.4g} mm"
                 )
                 return
         gap = self._radial_gap()
-        word = _shown(given[0], getattr(self, given[0]))
-        shims = f"inner_shim {self.inner_shim * 1e3:g} mm, outer_shim {self.outer_shim * 1e3:g} mm"
-        if not math.cos(CONTACT_ANGLE.high) - 1e-12 <= gap / self._distance <= 1.0:
+        word = next(self.drawn(name) for name in GIVEN if getattr(self, name) is not None)
+        shims = f"{self.drawn('inner_shim')}, {self.drawn('outer_shim')}"
+        if not math.cos(CONTACT_ANGLE.high) - 1e-12 <= gap / self.free_distance <= 1.0:
             yield (
                 f"{word} does not fit {shims}: the free contact angle must lie between 0 and 60°; "
                 "raise the play if it is too small, reduce it if it is too large"
@@ -112,38 +84,28 @@ class FourPointBallBearing(BallBearing):
             ("outer", self.outer_shim, self.outer_conformity),
         )
 
-    def _contradiction(self, given: list[str]) -> str:
-        rule = "give exactly one of contact_angle, axial_play and radial_play with the shims"
-        if not given:
-            return f"{rule}: none is given"
-        words = [_shown(name, getattr(self, name)) + self._means(name) for name in given]
-        return f"{rule}, each fixes the others: {'; '.join(words)}"
-
-    def _means(self, name: str) -> str:
+    def _meaning(self, name: str) -> str:
         """The other two data that one of them fixes."""
+        others: dict[str, Any] = {other: None for other in GIVEN if other != name}
         try:
-            plays = replace(self, **_none_but(name)).plays
+            plays = replace(self, **others).plays
         except InvalidBearing:
             return " (impossible with these shims)"
-        others = [_shown(n, v) for n, v in zip(GIVEN, plays, strict=True) if n != name]
-        return f" means {', '.join(others)}"
+        words = [self.drawn(n, v) for n, v in zip(GIVEN, plays, strict=True) if n != name]
+        return f" means {', '.join(words)}"
 
     def _arch(self, shim: float, conformity: float) -> float:
         """Angle α⁰ at which a ball pressed radially touches both arcs, sin α⁰ = g/(2 ℓ)."""
         return math.asin(min(shim / ((2.0 * conformity - 1.0) * self.ball_diameter), 1.0))
 
-    @property
-    def _distance(self) -> float:
-        return (self.inner_conformity + self.outer_conformity - 1.0) * self.ball_diameter
-
     def _radial_gap(self) -> float:
         """BD cos αf, from whichever of the three data is given (Lacroix 2.41–2.49, corrected)."""
         if self.contact_angle is not None:
-            return self._distance * math.cos(self.contact_angle)
+            return self.free_distance * math.cos(self.contact_angle)
         if self.axial_play is not None:
             axial = 0.5 * (self.axial_play + self.inner_shim + self.outer_shim)
-            possible = 0.0 < axial < self._distance
-            return math.sqrt(self._distance**2 - axial**2) if possible else math.nan
+            possible = 0.0 < axial < self.free_distance
+            return math.sqrt(self.free_distance**2 - axial**2) if possible else math.nan
         assert self.radial_play is not None
         return self._radial_reach() - self.radial_play / self._travel
 
@@ -165,32 +127,20 @@ class FourPointBallBearing(BallBearing):
     def plays(self) -> tuple[float, float, float]:
         """Free contact angle αf [rad], axial play Ep [m] and radial play Jd [m]."""
         gap = self._radial_gap()
-        angle = math.acos(gap / self._distance)
+        angle = math.acos(gap / self.free_distance)
         shims = self.inner_shim + self.outer_shim
-        axial = 2.0 * self._distance * math.sin(angle) - shims
+        axial = 2.0 * self.free_distance * math.sin(angle) - shims
         return angle, axial, self._travel * (self._radial_reach() - gap)
 
     @property
     def grooves(self) -> Grooves:
         """Centres of the arcs half a shim either side of the middle, each on the far side."""
-        gap = self._radial_gap()
         return Grooves.of(
             self,
-            free_angle=math.acos(gap / self._distance),
-            radial_gap=gap,
+            radial_gap=self._radial_gap(),
             inner_offsets=_arcs(self.inner_shim / 2.0),
             outer_offsets=_arcs(self.outer_shim / 2.0),
         )
-
-
-def _none_but(name: str) -> dict[str, Any]:
-    return {other: None for other in GIVEN if other != name}
-
-
-def _shown(name: str, value: float) -> str:
-    if name == "contact_angle":
-        return f"{name} {math.degrees(value):.4g}°"
-    return f"{name} {value * 1e6:.4g} µm"
 
 
 def _arcs(offset: float) -> tuple[float, ...]:

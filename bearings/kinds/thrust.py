@@ -6,49 +6,22 @@ import math
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from bearings.bearing import (
-    BALL_DIAMETER,
-    BALLS,
-    CONFORMITY,
-    MATERIAL,
-    PITCH_DIAMETER,
-    SHOULDER,
-    BallBearing,
-    measured,
-)
+from bearings.bearing import CONFORMITY, BallBearing, measured
 from bearings.grooves import Grooves
-from bearings.materials import STEEL, Material
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True, slots=True, kw_only=True)
 class ThrustBallBearing(BallBearing):
     """A single-direction thrust ball bearing with rigid washers.
 
     The shaft washer is the inner ring, the housing washer the outer one. Nothing but the grooves
     guides it radially: it carries thrust towards +x and moments, no radial load.
 
-    Parameters
-    ----------
-    ball_diameter, pitch_diameter : D, dm [m]
-    balls : number of balls, at least 3
-    inner_conformity, outer_conformity : groove radius of either washer over ball diameter
-    ball_material, ring_material : elastic constants and density
-    inner_shoulder_diameter, outer_shoulder_diameter : where the grooves end [m]
-
-    Raises
-    ------
-    InvalidBearing : the geometry is impossible
+    Parameters: those of ``BallBearing``.
     """
 
-    ball_diameter: float = measured(BALL_DIAMETER)
-    pitch_diameter: float = measured(PITCH_DIAMETER)
-    balls: int = measured(BALLS)
     inner_conformity: float = measured(CONFORMITY, 0.54)
     outer_conformity: float = measured(CONFORMITY, 0.54)
-    ball_material: Material = measured(MATERIAL, STEEL)
-    ring_material: Material = measured(MATERIAL, STEEL)
-    inner_shoulder_diameter: float | None = measured(SHOULDER, None)
-    outer_shoulder_diameter: float | None = measured(SHOULDER, None)
 
     def refusal(self, load: Sequence[float], free: Sequence[bool]) -> str:
         """Radial load, or thrust that lifts the washers off."""

@@ -1,32 +1,55 @@
-"""What there is to say about each state of a batch, in a few words."""
+"""What there is to say about each state of a batch, in a few words; why there is none."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ring.data import Cause
-from bearings.ring.question import Question
+from bearings.ball.law import Law
+from bearings.errors import NoEquilibrium
+from bearings.ring.operation import Operation
+from bearings.ring.request import solved
 from bearings.ring.spin_up import Gap, spin_up
 from bearings.ring.state import BearingState
+from bearings.ring.tolerances import GROSS, IMPOSSIBLE, PERMANENT, STEEP
 from bearings.ring.truncation import truncation
 
 Array = NDArray[np.float64]
-PERMANENT = 4.2e9  # Pa: ISO 76, the pressure that leaves a ten-thousandth of the ball diameter
-GROSS = 0.3  # friction that no lubricated contact gives
-STEEP = math.radians(80.0)
-IMPOSSIBLE = 1.0  # Mg/D over the load of a race
+
 GIVEN = ("displacement", "load and displacement", "load")
 RPM = math.pi / 30.0
+REMEDIES = {
+    "overloaded": "the balls are pressed far out of their grooves; is the unit of the load right?",
+    "unloaded": "no load presses the rings together; give a load, or a displacement",
+    "no contact angle": "growth leaves no contact angle; reduce the fit, or look at its sign",
+}
 
 
-Solve = Callable[[Cause], BearingState]
+def refusal(state: BearingState) -> NoEquilibrium:
+    """The error of a single state that does not exist."""
+    word = str(state.outcome)
+    return NoEquilibrium(
+        word,
+        speed=float(state.operation.speed[0]),
+        remedy=REMEDIES.get(word) or _remedy(state.operation.law),
+        look=lambda: str(condition(state)).partition(": ")[2],
+    )
 
 
-def conditions(state: BearingState, solve: Solve) -> NDArray[np.str_]:
+def _remedy(law: Law) -> str:
+    """What helps where there is no equilibrium under these assumptions."""
+    ways = ["raise the load", "lower the speed"]
+    if law.friction is None:
+        ways.append("give a limit of friction")
+    if not law.one_branch:
+        ways.append("use outer or hybrid kinematics")
+    return ", ".join(ways[:-1]) + f" or {ways[-1]}"
+
+
+def condition(state: BearingState) -> NDArray[np.str_]:
     """What there is to say about each state (…), ``""`` where all balls carry as they should.
 
     ``"unloaded"``, ``"lost contact (balls 3–5)"``, ``"overloaded (pressure 4.6 GPa)"`` beyond the
@@ -36,8 +59,8 @@ def conditions(state: BearingState, solve: Solve) -> NDArray[np.str_]:
     …"``, ``"gross gyroscopic slip …"``, ``"slips on the inner race (balls 0–4)"``. Where there is
     no state: ``"no contact angle"``, ``"no equilibrium: stiffness vanishes above … rpm at this
     load"`` or ``"no equilibrium: balls 2–4 are thrown off a race above … rpm at this load"``: the
-    first speed without a state, spinning up from rest, searched for by ``solve``
-    (``bearings.ring.spin_up``); ``"(states again from … to … rpm)"`` where some exist above it.
+    first speed without a state, spinning up from rest (``bearings.ring.spin_up``); ``"(states again
+    from … to … rpm)"`` where some exist above it.
     Balls count from 0.
     """
     balls = state.inner_load.shape[-1]
@@ -48,13 +71,13 @@ def conditions(state: BearingState, solve: Solve) -> NDArray[np.str_]:
     slipping = state.slipping.reshape(-1, balls)
     cut, middle = _cut_off(state)
     grip = np.maximum(state.inner_grip, state.outer_grip).reshape(-1, balls)
-    grip = np.where(state.cause.law.friction is None, grip, 0.0)
-    steep = state.cause.grooves.free_angle > STEEP  # a groove of a thrust bearing ends later
+    grip = np.where(state.operation.law.friction is None, grip, 0.0)
+    steep = state.operation.grooves.free_angle > STEEP  # a groove of a thrust bearing ends later
     beyond = angle > (0.75 if steep else 0.5) * math.pi
     edges = zip(beyond, cut, middle, strict=True)
     remarks = zip(pressure, edges, grip, status, slipping, strict=True)
     refused = np.flatnonzero(state.outcome.reshape(-1) == "no equilibrium")
-    ends = iter(endings(state.cause, refused, solve) if refused.size else [])
+    ends = iter(endings(state.operation, refused) if refused.size else [])
     words = []
     for outcome, each in zip(state.outcome.reshape(-1), remarks, strict=True):
         if outcome == "no equilibrium":
@@ -66,25 +89,25 @@ def conditions(state: BearingState, solve: Solve) -> NDArray[np.str_]:
     return np.array(words, dtype=str).reshape(state.outcome.shape)
 
 
-def endings(cause: Cause, index: NDArray[np.intp], solve: Solve) -> list[str]:
+def endings(operation: Operation, index: NDArray[np.intp]) -> list[str]:
     """Up to which speed questions that have no state have one, and what ends it."""
-    gaps = first_gaps(cause, index, solve)
-    last = _again(cause, index, np.array([gap.low for gap in gaps]), solve)
+    gaps = first_gaps(operation, index)
+    last = solved(operation.repeated(index, np.array([gap.low for gap in gaps])))
     load = np.minimum(last.inner_load, last.outer_load)
-    force = np.abs(last.gyroscopic_moment) / cause.grooves.ball_diameter
+    force = np.abs(last.gyroscopic_moment) / operation.grooves.ball_diameter
     thrown = (load > 0.0) & (force > IMPOSSIBLE * load)
-    return [_ending(cause, gap, balls) for gap, balls in zip(gaps, thrown, strict=True)]
+    return [_ending(operation, gap, balls) for gap, balls in zip(gaps, thrown, strict=True)]
 
 
-def first_gaps(cause: Cause, index: NDArray[np.intp], solve: Solve) -> list[Gap]:
+def first_gaps(operation: Operation, index: NDArray[np.intp]) -> list[Gap]:
     """First gaps of speed of some questions; what their searches ask for is solved together."""
-    asked, jumps = cause.question, not cause.law.one_branch
-    searches = [spin_up(float(asked.speed[k]), jumps=jumps) for k in index]
+    jumps = not operation.law.one_branch
+    searches = [spin_up(float(operation.speed[k]), jumps=jumps) for k in index]
     speeds, gaps = [next(search) for search in searches], [Gap(0.0)] * len(searches)
     going = list(range(len(searches)))
     while going:
         row = np.repeat(index[going], [len(speeds[k]) for k in going])
-        found = _again(cause, row, np.concatenate([speeds[k] for k in going]), solve)
+        found = solved(operation.repeated(row, np.concatenate([speeds[k] for k in going])))
         there, touch = found.outcome == "", found.inner_load > 0.0
         borders = np.cumsum([len(speeds[k]) for k in going])[:-1]
         parts = zip(going, np.split(there, borders), np.split(touch, borders), strict=True)
@@ -97,15 +120,9 @@ def first_gaps(cause: Cause, index: NDArray[np.intp], solve: Solve) -> list[Gap]
     return gaps
 
 
-def _again(cause: Cause, index: NDArray[np.intp], speed: Array, solve: Solve) -> BearingState:
-    """Some questions of a state at other speeds."""
-    asked: Question = cause.question.repeated(index, speed)
-    return solve(Cause(cause.grooves, cause.law, asked))
-
-
-def _ending(cause: Cause, gap: Gap, thrown: NDArray[np.bool_]) -> str:
-    asked = cause.question
-    given = GIVEN[int(asked.free.sum() > 0) + asked.free.all()]
+def _ending(operation: Operation, gap: Gap, thrown: NDArray[np.bool_]) -> str:
+    free = operation.free
+    given = GIVEN[int(free.sum() > 0) + free.all()]
     where = f"above {gap.low / RPM:.0f} rpm at this {given}"
     if gap.low == 0.0:
         where = f"as soon as the ring turns at this {given}"
@@ -123,11 +140,10 @@ def _cut_off(state: BearingState) -> tuple[Array, NDArray[np.bool_]]:
 
     Also where a contact stands beyond the middle of its groove (states, balls).
     """
-    cuts, split = truncation(state), len(state.cause.grooves.inner_offsets)
+    cuts, split = truncation(state), len(state.operation.grooves.inner_offsets)
     cut, balls = cuts.beyond_shoulder, state.inner_load.shape[-1]
     rings = [cut[..., :split].max(axis=-1), cut[..., split:].max(axis=-1)]
-    with np.errstate(invalid="ignore"):
-        across = (state.contact_angle < cuts.middle_angle).any(axis=-1)
+    across = cuts.across_middle.any(axis=-1)
     return np.stack(rings, axis=-1).reshape(-1, balls, 2), across.reshape(-1, balls)
 
 

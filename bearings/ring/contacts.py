@@ -17,11 +17,10 @@ from bearings.ball.plane import EPS, Motion, Pair, direction, dot
 from bearings.ball.race import against, hertz, vector_to
 from bearings.geometry import Groove
 from bearings.ring.problem import Problem
+from bearings.ring.tolerances import IDLE, LEAST
 
 Array = NDArray[np.float64]
 Place = tuple[Array, Array]
-LEAST = 0.5  # of an approach is left
-IDLE = 64.0  # roundings of the lengths: less approach of a ball at rest is none
 
 
 class Contacts(NamedTuple):
@@ -32,13 +31,6 @@ class Contacts(NamedTuple):
     cos: Array
 
 
-def of_balance(balance: Balance) -> Contacts:
-    """Of balls with one contact a race."""
-    (si, ci), (so, co) = balance.inner_direction, balance.outer_direction
-    load = np.stack([balance.inner_load, balance.outer_load])
-    return Contacts(load, np.stack([si, so]), np.stack([ci, co]))
-
-
 def contacts(
     problem: Problem, balance: Balance, at: Place, step: Place | None = None
 ) -> tuple[Balance, Contacts]:
@@ -47,12 +39,14 @@ def contacts(
     d and dd (s, 5), X and dX (2, s, n). Fc and Mg notice such a step only where they depend on the
     ratio of the loads; they are left as they are.
     """
-    if problem.geometry.single:
-        after = balance if step is None else _after_step(problem, balance, at, step)
-        return after, of_balance(after)
+    if problem.geometry.single and not (problem.turning and step is not None):
+        after = balance if step is None else _at_rest(problem, balance, at, step)
+        (si, ci), (so, co) = after.inner_direction, after.outer_direction
+        load = np.stack([after.inner_load, after.outer_load])
+        return after, Contacts(load, np.stack([si, so]), np.stack([ci, co]))
     c, (d, x) = problem.geometry, at
     dd, dx = (np.zeros_like(d), np.zeros_like(x)) if step is None else step
-    a, moved = problem.centres(d), problem.ring.moved(dd)
+    a, moved = problem.centres(d), problem.assembly.moved(dd)
     inner = _bearing(c.inner_grooves, against(tuple(a), (x[0], x[1])), 1.0, moved[:2] - dx)
     outer = _bearing(c.outer_grooves, (x[0], x[1]), -1.0, dx)
     joined = Contacts(*(np.concatenate(pair) for pair in zip(inner, outer, strict=True)))
@@ -76,12 +70,15 @@ def contacts(
 def _bearing(
     grooves: tuple[Groove, ...], vector: Motion, side: float, step: Array
 ) -> tuple[Array, Array, Array]:
-    ways = [direction(vector_to(groove, vector, side)) for groove in grooves]
-    loads = []
-    for groove, (sin, cos, length) in zip(grooves, ways, strict=True):
+    each = []
+    for groove in grooves:
+        along = vector_to(groove, vector, side)
+        sin, cos, length = direction(along)
         load = hertz(groove.stiffness, np.maximum(length - groove.reach, 0.0)).load
-        loads.append(_loaded(groove.stiffness, load, (sin, cos), (step[0], step[1])))
-    return np.stack(loads), np.stack([w[0] for w in ways]), np.stack([w[1] for w in ways])
+        load = _loaded(groove.stiffness, load, (sin, cos), (step[0], step[1]))
+        each.append((load, *direction((along[0] + step[0], along[1] + step[1]))[:2]))
+    load, sin, cos = (np.stack(part) for part in zip(*each, strict=True))
+    return load, sin, cos
 
 
 def _resultant(c: Contacts, otherwise: Pair) -> tuple[Array, Array, Array]:
@@ -97,24 +94,14 @@ def _resultant(c: Contacts, otherwise: Pair) -> tuple[Array, Array, Array]:
     )
 
 
-def _after_step(problem: Problem, balance: Balance, at: Place, step: Place) -> Balance:
-    """Loads and directions of the contacts of balls with one contact a race."""
-    c, (d, x), (dd, dx) = problem.geometry, at, step
-    a, moved = problem.centres(d + dd), problem.ring.moved(dd)
-    x = x + dx
-    still = balance.inner_load, balance.inner_direction
-    if not problem.turning:
-        load = _loaded(c.series_stiffness, *still, (moved[0], moved[1]))
-        way = direction((a[0], a[1]))[:2]
-        return balance._replace(
-            inner_load=load, outer_load=load, inner_direction=way, outer_direction=way
-        )
-    outer = _loaded(c.outer.stiffness, balance.outer_load, balance.outer_direction, (dx[0], dx[1]))
+def _at_rest(problem: Problem, balance: Balance, at: Place, step: Place) -> Balance:
+    """Loads and directions of balls at rest between one groove a ring: contacts in series."""
+    a, moved = problem.centres(at[0] + step[0]), problem.assembly.moved(step[0])
+    stiffness, along = problem.geometry.series_stiffness, (moved[0], moved[1])
+    load = _loaded(stiffness, balance.inner_load, balance.inner_direction, along)
+    way = direction((a[0], a[1]))[:2]
     return balance._replace(
-        inner_load=_loaded(c.inner.stiffness, *still, (moved[0] - dx[0], moved[1] - dx[1])),
-        outer_load=outer,
-        inner_direction=direction((a[0] - x[0], a[1] - x[1]))[:2],
-        outer_direction=direction((x[0], x[1]))[:2],
+        inner_load=load, outer_load=load, inner_direction=way, outer_direction=way
     )
 
 

@@ -1,35 +1,123 @@
-"""First stage: the bearing with the gyroscopic moment off and the centrifugal force frozen.
+"""First stage: the bearing with the gyroscopic moment off and the centrifugal force fixed.
 
 The balls' potentials add up to a convex function of the ring's displacement, so that Newton steps
-shortened until the potential falls lead to its one equilibrium from anywhere.
+shortened until the potential falls lead to its one equilibrium from anywhere. At every place of the
+ring the balls settle, each in the least of its own potential.
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.plane import EPS, Motion
-from bearings.ball.potential import reaction, resting_reaction, resting_seat
+from bearings.ball.potential import (
+    SeatStep,
+    both_races,
+    depth,
+    first_seat,
+    improves,
+    potential,
+    reaction,
+    resting_reaction,
+    resting_seat,
+    riding_radius,
+    seat_step,
+)
+from bearings.geometry import Geometry
+from bearings.ring.assembly import rows
 from bearings.ring.linearised import followed_by
-from bearings.ring.problem import (
+from bearings.ring.problem import Index, Problem
+from bearings.ring.tolerances import (
     CONVEX_STEPS,
     HALVINGS,
     LONGEST_STEP,
+    ROUNDING,
+    SEAT_STEPS,
     SETTLED,
     SOFT,
     SOFTEST,
     TOLERANCE,
-    Index,
-    Problem,
 )
-from bearings.ring.seat import seat
-from bearings.ring.sums import rows
 
 Array = NDArray[np.float64]
+
+
+class Reactions(NamedTuple):
+    """What settled balls do to the ring.
+
+    ``energy`` (s, n), ``action`` (3, s, n), ``slope`` (s, 3, m, n); ``follow`` (2, m, s, n): how
+    the balls go with it.
+    """
+
+    energy: Array
+    action: Array
+    slope: Array
+    follow: Array
+
+
+def convex_state(problem: Problem, start: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """(d, X) of the convex stage and whether it was reached (it always should)."""
+    d = start.copy()
+    x, balls = _seated(problem, d, None)
+    done = np.full(len(d), not problem.free.any())
+    scale, todo, part = problem.scale[problem.free], np.arange(len(d)), problem
+    if done.all():
+        return d, x, done
+    for _ in range(CONVEX_STEPS):
+        gap, k, balanced = _ring_balance(part, balls)
+        done[todo] = balanced
+        going = np.flatnonzero(~balanced)
+        if not going.size:
+            break
+        todo, part, balls = todo[going], part.take(going), _some(balls, going)
+        step = np.zeros((todo.size, 5))
+        step[:, problem.free] = _downhill(part, k[going], gap[going]) / scale
+        d[todo], x[:, todo], balls = _searched(part, d[todo], x[:, todo], balls, step)
+    return d, x, done
+
+
+def _seated(problem: Problem, d: Array, near: Array | None) -> tuple[Array, Reactions]:
+    """Ball centres at displacement d under a fixed push, and what the balls do to the ring."""
+    c, a = problem.geometry, problem.centres(d)
+    centre = tuple(a)
+    if problem.placed:
+        push = (c.orbit * c.nominal * problem.squared)[:, None]
+        x = seat(c, a, push, near)
+        each = reaction(c, centre, (x[0], x[1]), push)
+    else:
+        x, each = np.stack(resting_seat(c, (a[0], a[1]))), resting_reaction(c, centre)
+    follow = np.stack([_filled(row, a[0]) for row in each.follow])
+    return x, Reactions(each.energy, _filled(each.action, a[0]), rows(each.slope), follow)
+
+
+def _some(balls: Reactions, index: Index) -> Reactions:
+    """Of some states."""
+    energy, action, slope, follow = balls
+    return Reactions(energy[index], action[:, index], slope[index], follow[:, :, index])
+
+
+def _filled(parts: Motion, like: Array) -> Array:
+    """Numbers or arrays as arrays (m, …)."""
+    whole = np.empty((len(parts), *like.shape))
+    for row, part in zip(whole, parts, strict=True):
+        row[...] = part
+    return whole
+
+
+def _ring_balance(problem: Problem, balls: Reactions) -> tuple[Array, Array, NDArray[np.bool_]]:
+    """Load still missing and tangent, freedoms as lengths; and where nothing is missing."""
+    g, free, scale = problem.geometry, problem.free, problem.scale[problem.free]
+    gap = (problem.load - problem.assembly.load(balls.action))[:, free] / scale
+    k = problem.assembly.stiffness(balls.slope)[:, free][:, :, free] / scale / scale[:, None]
+    carried = g.balls * np.hypot(*balls.action[:2]).max(axis=-1)
+    size = np.abs(problem.load / problem.scale).max(axis=-1) + 1e-3 * carried
+    noise = ROUNDING * EPS * (g.inner_reach + g.outer_reach) * np.abs(k).max(axis=(1, 2))
+    needed = SETTLED if problem.turning else 0.1 * TOLERANCE
+    return gap, k, np.abs(gap).max(axis=-1) <= needed * size + noise
 
 
 def _downhill(problem: Problem, k: Array, gap: Array) -> Array:
@@ -42,111 +130,89 @@ def _downhill(problem: Problem, k: Array, gap: Array) -> Array:
     return step * np.minimum(1.0, LONGEST_STEP * g.free_distance / np.maximum(longest, 1e-300))
 
 
-def convex_state(problem: Problem, start: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
-    """(d, X) of the convex stage and whether it was reached (it always should)."""
-    d = start.copy()
-    x, answer = _settled(problem, d, None)
-    if not problem.free.any():
-        return d, x, np.ones(len(d), dtype=bool)
-    done = np.zeros(len(d), dtype=bool)
-    for _ in range(CONVEX_STEPS):
-        gap, k, done = _ring_balance(problem, answer)
-        todo = np.flatnonzero(~done)
-        if not todo.size:
-            break
-        part = problem.take(todo)
-        step = np.zeros((todo.size, 5))
-        scale = problem.scale[problem.free]
-        step[:, problem.free] = _downhill(problem, k[todo], gap[todo]) / scale
-        d[todo], x[:, todo], fresh = _searched(part, d[todo], x[:, todo], answer.some(todo), step)
-        answer.take(todo, fresh)
-    return d, x, done
-
-
-@dataclass(frozen=True, eq=False, slots=True)
-class Answer:
-    """What settled balls do to the ring.
-
-    ``energy`` (s, n), ``action`` (3, s, n), ``tangent`` (s, 3, m, n); ``follow`` (2, m, s, n): how
-    the balls go with it.
-    """
-
-    energy: Array
-    action: Array
-    tangent: Array
-    follow: Array
-
-    def some(self, index: Index) -> Answer:
-        """The answer of some states."""
-        parts = (self.energy[index], self.action[:, index], self.tangent[index])
-        return Answer(*parts, self.follow[:, :, index])
-
-    def take(self, index: Index, fresh: Answer) -> None:
-        """Write the answer of some states anew."""
-        self.energy[index] = fresh.energy
-        self.action[:, index] = fresh.action
-        self.tangent[index] = fresh.tangent
-        self.follow[..., index, :] = fresh.follow
-
-
-def _settled(problem: Problem, d: Array, near: Array | None) -> tuple[Array, Answer]:
-    """Ball centres at displacement d with the push frozen, and what the balls do to the ring."""
-    c, a = problem.geometry, problem.centres(d)
-    centre = tuple(a)
-    if problem.placed:
-        push = (c.orbit * c.nominal * problem.squared)[:, None]
-        x = seat(c, a, push, near)
-        answer = reaction(c, centre, (x[0], x[1]), push)
-    else:
-        x, answer = np.stack(resting_seat(c, (a[0], a[1]))), resting_reaction(c, centre)
-    return x, Answer(
-        energy=answer.energy,
-        action=_filled(answer.action, a[0]),
-        tangent=rows(answer.slope),
-        follow=np.stack([_filled(row, a[0]) for row in answer.follow]),
-    )
-
-
-def _filled(parts: Motion, like: Array) -> Array:
-    """Numbers or arrays as arrays (m, …)."""
-    whole = np.empty((len(parts), *like.shape))
-    for row, part in zip(whole, parts, strict=True):
-        row[...] = part
-    return whole
-
-
-def _ring_balance(problem: Problem, answer: Answer) -> tuple[Array, Array, NDArray[np.bool_]]:
-    """Load still missing and tangent, freedoms as lengths; and where nothing is missing."""
-    g, free, scale = problem.geometry, problem.free, problem.scale[problem.free]
-    gap = (problem.load - problem.ring.load(answer.action))[:, free] / scale
-    k = problem.ring.stiffness(answer.tangent)[:, free][:, :, free] / scale / scale[:, None]
-    carried = g.balls * np.hypot(*answer.action[:2]).max(axis=-1)
-    size = np.abs(problem.load / problem.scale).max(axis=-1) + 1e-3 * carried
-    noise = 16.0 * EPS * (g.inner_reach + g.outer_reach) * np.abs(k).max(axis=(1, 2))
-    needed = SETTLED if problem.turning else 0.1 * TOLERANCE
-    return gap, k, np.abs(gap).max(axis=-1) <= needed * size + noise
-
-
 def _searched(
-    problem: Problem, d: Array, x: Array, now: Answer, step: Array
-) -> tuple[Array, Array, Answer]:
+    problem: Problem, d: Array, x: Array, balls: Reactions, step: Array
+) -> tuple[Array, Array, Reactions]:
     """A step along ``step``, halved until the potential falls; balls settle at every try."""
-    count = problem.geometry.balls / problem.ring.balls
+    count = problem.geometry.balls / problem.assembly.balls
 
-    def potential(energy: Array, d: Array) -> Array:
+    def total(energy: Array, d: Array) -> Array:
         work = (problem.load * d)[:, problem.free].sum(axis=-1)
         return np.asarray(count * energy.sum(axis=-1) - work)
 
-    g, before = problem.geometry, potential(now.energy, d)
+    g, before = problem.geometry, total(balls.energy, d)
     largest = np.abs(problem.load / problem.scale).max(axis=-1)
     slack = 64.0 * EPS * (np.abs(before) + largest * (g.inner_reach + g.outer_reach))
-    length, along = np.ones((len(d), 1)), problem.ring.moved(step)
-    along = followed_by(now.follow, along)
+    length, along = np.ones((len(d), 1)), problem.assembly.moved(step)
+    along = followed_by(balls.follow, along)
     for _ in range(HALVINGS):
         trial = d + length * step
-        seats, answer = _settled(problem, trial, x + length * along)
-        good = potential(answer.energy, trial) <= before + slack
+        seats, moved = _seated(problem, trial, x + length * along)
+        good = total(moved.energy, trial) <= before + slack
         if good.all():
             break
         length = np.where(good[:, None], length, 0.5 * length)
-    return trial, seats, answer
+    return trial, seats, moved
+
+
+def seat(c: Geometry, centre: Array, push: Array, start: Array | None = None) -> Array:
+    """Ball centre X (2, …) of least potential under ``push`` Fc ≥ 0 (…) [N], at A (m, …).
+
+    ``start``: a ball centre for a nearby A. A ball that the inner race does not reach rides the
+    outer race. Every ball takes Newton steps of its own length, halved where the potential rises.
+    """
+    shape = centre.shape[1:]
+    a, fc = centre.reshape(len(centre), -1), np.broadcast_to(push, shape).reshape(-1)
+    x, free = _first_places(c, a, fc, start), np.zeros(a.shape[1], dtype=bool)
+    if len(c.outer_grooves) == 1:
+        riding = riding_radius(c, fc)
+        free = both_races(c, tuple(a), (0.0 * riding, riding))[0].energy == 0.0
+        x[:, free] = 0.0
+        x[1, free] = riding[free]
+    now = _step(c, a, fc, x)
+    todo = np.flatnonzero(now.moving & ~free)
+    now, length = _some_steps(now, todo), np.ones(todo.size)
+    for _ in range(SEAT_STEPS):
+        if not todo.size:
+            break
+        trial = x[:, todo] + length * np.stack(now.step)
+        then = _step(c, a[:, todo], fc[todo], trial)
+        good = improves(now, then)
+        x[:, todo[good]] = trial[:, good]
+        length = np.where(good, 1.0, 0.5 * length)
+        if not good.all():
+            then = _either(good, then, now)
+        going = np.flatnonzero(then.moving)
+        todo, now, length = todo[going], _some_steps(then, going), length[going]
+    return x.reshape(2, *shape)
+
+
+def _first_places(c: Geometry, a: Array, fc: Array, start: Array | None) -> Array:
+    """Ball centres to start from, pressed into the outer race."""
+    first = np.stack(first_seat(c, tuple(a), fc))
+    if start is None:
+        return first
+    given = start.reshape(2, -1)
+    better = _energy(c, a, fc, given) < _energy(c, a, fc, first)
+    return np.where(better & (depth(c.outer_grooves, (given[0], given[1])) > 0.0), given, first)
+
+
+def _step(c: Geometry, a: Array, fc: Array, x: Array) -> SeatStep:
+    return seat_step(c, tuple(a), (x[0], x[1]), fc)
+
+
+def _energy(c: Geometry, a: Array, fc: Array, x: Array) -> Array:
+    ball = (x[0], x[1])
+    return np.asarray(potential(c, *both_races(c, tuple(a), ball), ball, fc))
+
+
+def _some_steps(steps: SeatStep, index: Index) -> SeatStep:
+    """The steps of some balls."""
+    parts: Any = (np.asarray(part)[..., index] for part in steps)
+    return SeatStep(*parts)
+
+
+def _either(choice: NDArray[np.bool_], yes: SeatStep, no: SeatStep) -> SeatStep:
+    """The steps of some balls from one set, of the others from another."""
+    parts: Any = (np.where(choice, *pair) for pair in zip(yes, no, strict=True))
+    return SeatStep(*parts)

@@ -17,15 +17,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.balance import Balance
-from bearings.ring.compiled.states import Answer, compiled_states
+from bearings.ring.compiled.states import Found, compiled_states
 from bearings.ring.contacts import Contacts, contacts
 from bearings.ring.convex_stage import convex_state
 from bearings.ring.followed_stage import corrected, followed
 from bearings.ring.linearised import Linear, linearise, newton_step, scaled_error, tangent
-from bearings.ring.problem import TOLERANCE, Problem, first_displacement
+from bearings.ring.problem import Problem, first_displacement
+from bearings.ring.tolerances import LIGHT, TOLERANCE
 
 Array = NDArray[np.float64]
-LIGHT = 1.0  # N or N·m: a load below it overloads nothing
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -52,8 +52,8 @@ def solve(
     after the other instead of all together.
     """
     if compiled:
-        answer, outcome = one_by_one(problem, displacement, guess)
-        d, x, linear = answer.displacement, answer.ball, None
+        found, outcome = one_by_one(problem, displacement, guess)
+        d, x, linear = found.displacement, found.ball, None
     else:
         d, x, outcome, linear = _together(problem, displacement, guess)
     if linear is None:
@@ -73,21 +73,21 @@ def solve(
 
 def one_by_one(
     problem: Problem, displacement: Array, guess: Array | None, *, chained: bool = False
-) -> tuple[Answer, NDArray[np.str_]]:
+) -> tuple[Found, NDArray[np.str_]]:
     """Compiled, see ``compiled_states``, and the outcome of every state.
 
     What is refused so is looked for together, where free motions are followed.
     """
-    answer = compiled_states(problem, displacement, guess, chained=chained)
-    outcome = _words(answer.found)
-    missing = (~answer.found).nonzero()[0]
+    found = compiled_states(problem, displacement, guess, chained=chained)
+    outcome = _words(found.exists)
+    missing = (~found.exists).nonzero()[0]
     if missing.size:
         part = problem.take(missing)
-        found = solve(part, first_displacement(part, displacement[missing]))
-        answer.displacement[missing], answer.load[missing] = found.displacement, found.ring_load
-        answer.ball[:, missing], answer.stiffness[missing] = found.ball, found.stiffness
-        outcome[missing], answer.found[missing] = found.outcome, found.outcome == ""
-    return answer, outcome
+        again = solve(part, first_displacement(part, displacement[missing]))
+        found.displacement[missing], found.load[missing] = again.displacement, again.ring_load
+        found.ball[:, missing], found.stiffness[missing] = again.ball, again.stiffness
+        outcome[missing], found.exists[missing] = again.outcome, again.outcome == ""
+    return found, outcome
 
 
 def _together(
@@ -95,7 +95,7 @@ def _together(
 ) -> tuple[Array, Array, NDArray[np.str_], Linear | None]:
     """(d, X), the outcome of every state, and its linearisation if that is known."""
     states = len(problem.speed)
-    d, x = displacement.copy(), np.zeros((2, states, problem.ring.balls))
+    d, x = displacement.copy(), np.zeros((2, states, problem.assembly.balls))
     done, linear = np.zeros(states, dtype=bool), None
     if problem.turning and guess is not None:
         d, x, done, linear = corrected(problem, d, guess, np.full(states, problem.full))[:4]
@@ -147,7 +147,7 @@ def _last_digits(
     dd, dx = newton_step(problem, linear)
     dd, dx = np.where(left[:, None], dd, 0.0), np.where(left[:, None], dx, 0.0)
     part = tangent(problem, linear.balls) @ dd[..., None]
-    load = problem.ring.load(np.stack(linear.balls.action)) + part[..., 0]
+    load = problem.assembly.load(np.stack(linear.balls.action)) + part[..., 0]
     ring_load = np.where(left[:, None], load, linear.ring_load)
     touching = contacts(problem, linear.balance, (d, x), (dd, dx))
     return (d + dd, x + dx), *touching, ring_load

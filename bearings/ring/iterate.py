@@ -14,10 +14,11 @@ from numpy.typing import NDArray
 
 from bearings.ball.plane import turned_far
 from bearings.geometry import Geometry
+from bearings.ring.assembly import Assembly
 from bearings.ring.linearised import Linear, followed_by, linearise, segments, tangent
-from bearings.ring.problem import LONGEST_TURN, Index, Problem, turns
+from bearings.ring.problem import Index, Problem, turns
 from bearings.ring.state import BearingState
-from bearings.ring.sums import Ring
+from bearings.ring.tolerances import LONGEST_TURN
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -28,7 +29,7 @@ Parts = tuple[tuple[Index, Problem], ...]
 class Iterate:
     """A batch of bearings of one model on the way to balance; ``shape`` (…) is that of the batch.
 
-    ``displacement`` (…, 5); ``ball`` (2, …, n): centres of the balls that the ring solves.
+    ``displacement`` (…, 5); ``ball`` (2, …, n): centres of the balls that are solved.
     ``load`` (…, 5) and ``stiffness`` (…, 5, 5) of the rings with the balls settled to first order;
     ``error`` (…): largest imbalance of a ball over the largest ball load, NaN where there is no
     state; ``pressure`` (…): largest of both races [Pa]; ``sound`` (…): every ball on the physical
@@ -59,7 +60,7 @@ class Iterate:
 
     def along(self, change: Array) -> Array:
         """What balls do with a ``change`` (…, 5) of the displacement (2, …, n)."""
-        moved = self.parts[0][1].ring.moved(change.reshape(-1, 5))
+        moved = self.parts[0][1].assembly.moved(change.reshape(-1, 5))
         return followed_by(self.follow, moved.reshape(len(moved), *self.ball.shape[1:]))
 
     def follows(self, before: Iterate) -> Flags:
@@ -78,18 +79,18 @@ class Iterate:
         return self.displacement.reshape(-1, 5)[index], balls[:, index]
 
 
-def iterate(state: BearingState, ring: Callable[[Geometry], Ring]) -> Iterate:
-    """A solved batch as an iterate; ``ring`` says which of its balls are solved.
+def iterate(state: BearingState, assembly: Callable[[Geometry], Assembly]) -> Iterate:
+    """A solved batch as an iterate; ``assembly`` says which of its balls are solved.
 
-    The first balls of the state are taken for those of the ring.
+    The first balls of the state are taken for those of the assembly.
     """
-    asked = state.cause.question
-    whole = replace(Problem.of(state.cause, ring), free=np.zeros(5, dtype=bool))
-    turn = turns(whole.geometry, asked.speed)
+    operation = state.operation
+    whole = replace(Problem.of(operation, assembly), free=np.zeros(5, dtype=bool))
+    turn = turns(whole.geometry, operation.speed)
     groups = ((np.flatnonzero(turn == turning), turning) for turning in (True, False))
     parts = tuple((k, replace(whole.take(k), turning=turning)) for k, turning in groups if k.size)
-    ball = state.ball_centre[..., : whole.ring.balls]
-    return _linearised(parts, asked.shape, state.displacement, ball)
+    ball = state.ball_centre[..., : whole.assembly.balls]
+    return _linearised(parts, operation.shape, state.displacement, ball)
 
 
 def _linearised(parts: Parts, shape: tuple[int, ...], displacement: Array, ball: Array) -> Iterate:
@@ -98,11 +99,11 @@ def _linearised(parts: Parts, shape: tuple[int, ...], displacement: Array, ball:
     load, stiffness = np.empty((count, 5)), np.empty((count, 5, 5))
     error, pressure = np.empty(count), np.empty(count)
     sound = np.empty(count, dtype=bool)
-    parts_of = len(parts[0][1].ring.spread)
+    parts_of = len(parts[0][1].assembly.spread)
     still, follow = np.zeros((2, count, balls)), np.zeros((2, parts_of, count, balls))
     for k, problem in parts:
         found = linearise(problem, d[k], x[:, k], np.full(len(k), problem.full))
-        load[k] = problem.ring.load(np.stack(found.balls.action))
+        load[k] = problem.assembly.load(np.stack(found.balls.action))
         stiffness[k] = tangent(problem, found.balls)
         error[k], pressure[k] = found.error, _pressure(problem, found)
         sound[k] = np.isfinite(found.error)

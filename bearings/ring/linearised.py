@@ -11,15 +11,13 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball.balance import Balance, Settled, settled, turning_balance
+from bearings.ball.balance import Balance, Settled, resting_balance, settled, turning_balance
 from bearings.ball.plane import EPS, Pair
-from bearings.ball.rest import resting_balance
-from bearings.ring.problem import ROUNDING, TOLERANCE, Problem
-from bearings.ring.sums import rows
+from bearings.ring.assembly import rows
+from bearings.ring.problem import Problem
+from bearings.ring.tolerances import PLAINLY_REGULAR, ROUNDING, SINGULAR, TOLERANCE
 
 Array = NDArray[np.float64]
-PLAINLY_REGULAR = 1e-14  # determinant of K over its largest entry
-SINGULAR = 1e-13  # least singular value of K over its largest entry: there it is rounding
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -50,7 +48,7 @@ def linearise(problem: Problem, d: Array, x: Array, blend: Array) -> Linear:
         balls = settled(balance)
     else:
         balance, balls = resting_balance(g, centre)
-    ring_load = problem.ring.load(np.stack(balance.action))
+    ring_load = problem.assembly.load(np.stack(balance.action))
     return Linear(
         balance=balance,
         balls=balls,
@@ -62,7 +60,7 @@ def linearise(problem: Problem, d: Array, x: Array, blend: Array) -> Linear:
 
 def tangent(problem: Problem, balls: Settled) -> Array:
     """∂f/∂d with the balls following the ring, all of Fc and Mg included (s, 5, 5)."""
-    return problem.ring.stiffness(rows(balls.tangent))
+    return problem.assembly.stiffness(rows(balls.tangent))
 
 
 def scaled_error(
@@ -92,10 +90,12 @@ def newton_step(problem: Problem, linear: Linear) -> tuple[Array, Array]:
     dd = np.zeros_like(problem.load)
     if free.any():
         scale = problem.scale[free]
-        gap = (problem.load - problem.ring.load(np.stack(balls.action)))[:, free] / scale
+        gap = (problem.load - problem.assembly.load(np.stack(balls.action)))[:, free] / scale
         k = tangent(problem, balls)[:, free][:, :, free] / scale / scale[:, None]
         dd[:, free] = _solve(k, gap, loose=problem.loose) / scale
-    return dd, np.stack(balls.still) + followed_by(np.stack(balls.follow), problem.ring.moved(dd))
+    return dd, np.stack(balls.still) + followed_by(
+        np.stack(balls.follow), problem.assembly.moved(dd)
+    )
 
 
 def followed_by(follow: Array, moved: Array) -> Array:

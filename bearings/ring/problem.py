@@ -1,4 +1,4 @@
-"""What is asked of a bearing: states to find under given loads or displacements."""
+"""The equations to solve: states to find under given loads or displacements."""
 
 from __future__ import annotations
 
@@ -10,34 +10,12 @@ from numpy.typing import NDArray
 
 from bearings.ball.law import Law
 from bearings.geometry import Geometry, groove_origin
-from bearings.ring.data import Cause
-from bearings.ring.sums import Ring
+from bearings.ring.assembly import Assembly
+from bearings.ring.operation import Operation
+from bearings.ring.tolerances import SLOW
 
 Array = NDArray[np.float64]
 Index = NDArray[np.intp]
-
-TOLERANCE = 1e-11  # of the largest ball load (ball balance) and ring load (ring balance)
-SLOW = 2e-9  # of the groove reach: a ball pressed in less by its own motion is at rest
-ROUNDING = 16.0  # of the lengths, granted above that
-
-# first stage
-CONVEX_STEPS = 100
-HALVINGS = 40
-SETTLED = 1e-6  # of the loads: enough to start the second stage from
-SOFTEST = 1e-7  # of the ring's stiffness, added to it
-SOFT = 1e-13  # of a bearing's stiffness at a thousandth of its free distance, where none is held
-LONGEST_STEP = 0.2  # of the free distance
-
-# second stage
-NEWTON_STEPS = 5  # more lead to other states across a fold
-QUICK_STEPS = 3  # a stride that took no more is followed by a longer one
-ON_THE_WAY = 1e-7  # scaled residual of a state that is only followed further
-FIRST_BLEND = 0.5  # tried from the convex problem
-LONGEST_TURN = 0.15  # rad that the way from a ball to the middle of a groove may turn in one stride
-JUMP = 1e-5  # of the largest ball load: what the moment of a ball may change by at once
-FIRST_FREE = 1e-4  # stride after a free motion
-MOST_FREE_MOTIONS = 4  # on the way of one state
-SHORTEST_BLEND = 2.0**-17  # paths of light balls may begin steeply
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -51,7 +29,7 @@ class Problem:
 
     geometry: Geometry
     law: Law
-    ring: Ring
+    assembly: Assembly
     origin: Array
     speed: Array
     load: Array
@@ -60,15 +38,15 @@ class Problem:
     loose: bool = False
 
     @classmethod
-    def of(cls, cause: Cause, ring: Callable[[Geometry], Ring]) -> Problem:
-        """All states of a question, taken to turn; ``ring`` says which balls are solved."""
-        asked, g = cause.question, cause.geometry
-        origin = groove_origin(g, asked.static_growth, asked.growth)
-        return cls(g, cause.law, ring(g), origin, asked.speed, asked.load, asked.free, turning=True)
+    def of(cls, o: Operation, assembly: Callable[[Geometry], Assembly]) -> Problem:
+        """All operating points, taken to turn; ``assembly`` says which balls are solved."""
+        g = o.geometry
+        origin = groove_origin(g, o.static_growth, o.growth)
+        return cls(g, o.law, assembly(g), origin, o.speed, o.load, o.free, turning=True)
 
     def centres(self, displacement: Array) -> Array:
         """A (m, s, n) at a displacement (s, 5); m is 3 with two inner grooves, else 2."""
-        return self.ring.centres(self.origin, displacement)
+        return self.assembly.centres(self.origin, displacement)
 
     @property
     def placed(self) -> bool:
@@ -120,10 +98,8 @@ def first_displacement(problem: Problem, given: Array) -> Array:
     length = g.free_distance + (share / g.series_stiffness) ** (2.0 / 3.0)
     radial = np.minimum(np.abs(problem.origin[1]), 0.999 * length)
     side = np.where(problem.load[:, 0] < 0.0, -1.0, 1.0)
-    if not g.touching:
+    if g.both_ways:
         side *= problem.load[:, 0] != 0.0
-    shims = (
-        g.inner_grooves[0].offset - g.outer_grooves[-1].offset
-    )  # of the two arcs that thrust loads
+    shims = g.inner_grooves[0].offset - g.outer_grooves[-1].offset  # of the arcs thrust loads
     d[:, 0] = side * (np.sqrt(length**2 - radial**2) - shims) - problem.origin[0]
     return d

@@ -1,109 +1,83 @@
-"""From a question to solved states: alike ones together, each group in one solve."""
+"""From operating points to solved states: alike ones together, each group in one solve."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball.law import Law
 from bearings.ball.potential import resting_seat
-from bearings.errors import InvalidBearing, NoEquilibrium
+from bearings.errors import InvalidBearing
 from bearings.geometry import Geometry
-from bearings.grooves import Grooves
-from bearings.ring.collect import blank, state, store
-from bearings.ring.condition import conditions
-from bearings.ring.data import Cause
-from bearings.ring.equilibrium import solve
+from bearings.ring.assembly import axial_assembly, full_assembly
+from bearings.ring.equilibrium import Solution, solve
+from bearings.ring.operation import Operation
 from bearings.ring.problem import Problem, first_displacement, turns
-from bearings.ring.question import Question
 from bearings.ring.state import BearingState
-from bearings.ring.sums import axial_ring, full_ring
+from bearings.ring.tolerances import TOGETHER
 
 Array = NDArray[np.float64]
-TOGETHER = 8000  # balls in one batch: what it works on stays near the processor
-
-REMEDIES = {
-    "overloaded": "the balls are pressed far out of their grooves; is the unit of the load right?",
-    "unloaded": "no load presses the rings together; give a load, or a displacement",
-    "no contact angle": "growth leaves no contact angle; reduce the fit, or look at its sign",
-}
-
-
-def answer(
-    grooves: Grooves,
-    law: Law,
-    asked: Question,
-    start: BearingState | None,
-    compiled: bool | None,
-) -> BearingState:
-    """See ``BallBearing.equilibrium``."""
-    found = solved(Cause(grooves, law, asked), start, compiled)
-    if asked.shape == () and found.outcome:
-        word, speed = str(found.outcome), float(asked.speed[0])
-        raise NoEquilibrium(
-            word,
-            speed=speed,
-            remedy=remedy(word, law),
-            look=lambda: str(condition(found)).partition(": ")[2],
-        )
-    return found
-
-
-def condition(state: BearingState) -> NDArray[np.str_]:
-    """What there is to say about each state of a batch (…), see ``conditions``."""
-    return conditions(state, solved)
-
-
-def remedy(word: str, law: Law) -> str:
-    """What helps against an outcome under these assumptions."""
-    if word != "no equilibrium":
-        return REMEDIES[word]
-    ways = ["raise the load", "lower the speed"]
-    if law.friction is None:
-        ways.append("give a limit of friction")
-    if not law.one_branch:
-        ways.append("use outer or hybrid kinematics")
-    return ", ".join(ways[:-1]) + f" or {ways[-1]}"
+Arrays = dict[str, NDArray[Any]]
+BY_BALL = (
+    "inner_load",
+    "outer_load",
+    "inner_angle",
+    "outer_angle",
+    "inner_pressure",
+    "outer_pressure",
+    "centrifugal_force",
+    "gyroscopic_moment",
+    "inner_grip",
+    "outer_grip",
+)
+ALIKE = ("contacts", "touching", "both_ways")  # of a bearing and the one of a start
+BY_CONTACT = ("contact_load", "contact_angle", "contact_pressure")
 
 
 def solved(
-    cause: Cause, start: BearingState | None = None, compiled: bool | None = None
+    operation: Operation, start: BearingState | None = None, compiled: bool | None = None
 ) -> BearingState:
-    """All states of a question; see ``BallBearing.equilibrium``."""
-    asked, g, whole = cause.question, cause.geometry, Problem.of(cause, full_ring)
+    """All states of a batch; see ``BallBearing.equilibrium``."""
+    g, whole = operation.geometry, Problem.of(operation, full_assembly)
     outcome = np.where(np.isfinite(whole.origin[0]), "", "no contact angle").astype("<U16")
     if g.touching:  # a centred ring is at rest under no load
-        outcome[asked.unloaded & (outcome == "")] = "unloaded"
-    states = blank(g, asked, outcome)
-    fast = _compiled(g, asked) if compiled is None else compiled
-    for index, axial, turning in _groups(g, asked, outcome):
+        outcome[operation.unloaded & (outcome == "")] = "unloaded"
+    states = _blank(g, operation, outcome)
+    fast = _compiled(g, operation) if compiled is None else compiled
+    for index, axial, turning in _groups(g, operation, outcome):
         problem = replace(whole.take(index), turning=turning)
         if axial:  # what is not axial stays at zero by symmetry
-            free = asked.free & np.array([True, False, False, False, False])
-            problem = replace(problem, ring=axial_ring(g), free=free)
-        first, near = first_displacement(problem, asked.displacement[index]), None
-        if start is not None and turning and cause.law.one_branch:
-            first, near = _neighbour(problem, asked, start, index, first)
-        store(states, index, problem, solve(problem, first, near, compiled=fast))
-    return state(states, asked.shape, cause)
+            free = operation.free & np.array([True, False, False, False, False])
+            problem = replace(problem, assembly=axial_assembly(g), free=free)
+        first, near = first_displacement(problem, operation.displacement[index]), None
+        if start is not None and turning and operation.law.one_branch:
+            first, near = _neighbour(problem, operation, start, index, first)
+        _store(states, index, problem, solve(problem, first, near, compiled=fast))
+    shape = operation.shape
+    centre = states.pop("ball_centre").reshape(*shape, 2, g.balls)
+    return BearingState(
+        operation,
+        ball_centre=np.moveaxis(centre, -2, 0),
+        **{name: value.reshape((*shape, *value.shape[1:])) for name, value in states.items()},
+    )
 
 
-def _compiled(g: Geometry, asked: Question) -> bool:
+def _compiled(g: Geometry, operation: Operation) -> bool:
     """Whether the compiled solver pays for what is asked; an axial state counts as one ball."""
     from bearings.ring.compiled.states import pays
 
-    balls = int(np.where(asked.axial, 1, g.balls).sum())
+    balls = int(np.where(operation.axial, 1, g.balls).sum())
     return pays(balls, (len(g.inner_grooves), len(g.outer_grooves)))
 
 
 def _groups(
-    g: Geometry, asked: Question, outcome: NDArray[np.str_]
+    g: Geometry, operation: Operation, outcome: NDArray[np.str_]
 ) -> Iterator[tuple[NDArray[np.intp], bool, bool]]:
     """States alike in what must be solved: (index, axial?, turning?)."""
-    is_axial, is_turning = asked.axial, turns(g, asked.speed)
+    is_axial, is_turning = operation.axial, turns(g, operation.speed)
     for axial in (True, False):
         for turning in (True, False):
             chosen = (is_axial == axial) & (is_turning == turning) & (outcome == "")
@@ -114,23 +88,107 @@ def _groups(
 
 def _neighbour(
     problem: Problem,
-    asked: Question,
+    operation: Operation,
     start: BearingState,
     index: NDArray[np.intp],
     first: Array,
 ) -> tuple[Array, Array]:
     """(d, X) of the neighbouring states; ``first`` and seats at rest where one is missing."""
-    if start.outcome.shape != asked.shape or start.inner_load.shape[-1] != (problem.geometry.balls):
+    theirs, ours = start.operation.grooves, operation.grooves
+    if any(getattr(theirs, name) != getattr(ours, name) for name in ALIKE):
+        names = ", ".join(ours.contacts)
+        raise InvalidBearing(f"start must be a state of a bearing of this kind, contacts {names}")
+    if start.outcome.shape != operation.shape or start.inner_load.shape[-1] != (
+        problem.geometry.balls
+    ):
         raise InvalidBearing(
-            f"start must be a state of this bearing with batch shape {asked.shape} and "
+            f"start must be a state of this bearing with batch shape {operation.shape} and "
             f"{problem.geometry.balls} balls, got {start.outcome.shape} and "
             f"{start.inner_load.shape[-1]} balls"
         )
-    near = start.ball_centre.reshape(2, len(asked.speed), -1)[:, index]
-    near = near[..., : problem.ring.balls]  # of an axial state all balls are alike
+    near = start.ball_centre.reshape(2, len(operation.speed), -1)[:, index]
+    near = near[..., : problem.assembly.balls]  # of an axial state all balls are alike
     known = np.asarray(np.isfinite(near).all(axis=(0, 2)))
     there = start.displacement.reshape(-1, 5)[index]
     first = np.where(known[:, None] & problem.free, there, first)
     a = problem.centres(first)
     seats = np.stack(resting_seat(problem.geometry, (a[0], a[1])))
     return first, np.where(known[:, None], near, seats)
+
+
+def _blank(g: Geometry, operation: Operation, outcome: NDArray[np.str_]) -> Arrays:
+    """Arrays for every field, NaN until a state is found."""
+    contacts = (g.balls, len(g.inner_grooves) + len(g.outer_grooves))
+    shapes = {"residual": (), "load": (5,), "displacement": (5,), "complete_stiffness": (5, 5)}
+    shapes |= dict.fromkeys(BY_BALL, (g.balls,)) | dict.fromkeys(BY_CONTACT, contacts)
+    shapes |= {"ball_centre": (2, g.balls)}
+    count = len(outcome)
+    states: Arrays = {name: np.full((count, *shape), np.nan) for name, shape in shapes.items()}
+    states["status"] = np.full((count, g.balls), "", dtype="<U12")
+    return states | {"speed": operation.speed, "outcome": outcome}
+
+
+def _store(states: Arrays, index: NDArray[np.intp], problem: Problem, solution: Solution) -> None:
+    """Write the states that exist; note the outcome of the others."""
+    states["outcome"][index] = solution.outcome
+    found = np.flatnonzero(solution.outcome == "")
+    good, into = _places(found), _places(index[found])
+    for name, value in (_of_rings(problem, solution) | _of_balls(problem, solution)).items():
+        states[name][into] = value[good]
+
+
+def _of_rings(problem: Problem, solution: Solution) -> Arrays:
+    """Fields of the rings, and the places of the balls."""
+    return {
+        "load": np.where(problem.free, problem.load, solution.ring_load),
+        "displacement": solution.displacement,
+        "residual": solution.residual,
+        "complete_stiffness": solution.stiffness,
+        "ball_centre": solution.ball.swapaxes(0, 1),
+    }
+
+
+def _of_balls(problem: Problem, solution: Solution) -> Arrays:
+    """Fields by ball and by contact."""
+    g, b, (load, sin, cos) = problem.geometry, solution.balance, solution.contacts
+    qi, qo, mg = b.inner_load, b.outer_load, b.gyroscopic_moment
+    inner = len(g.inner_grooves)
+    races = [g.inner] * inner + [g.outer] * len(g.outer_grooves)
+    pressure = np.stack([race.peak_pressure(q) for race, q in zip(races, load, strict=True)])
+    side = np.array(_sides(g))[:, None, None]
+    angle = np.arctan2(side * sin, cos)
+    inner_angle = angle[0] if g.single else np.arctan2(*b.inner_direction)
+    idle = "lost contact" if problem.turning else "unloaded"
+    word = np.where((inner_angle < 0.0) & (not g.both_ways), "open side", "loaded")
+    by_contact = (load, np.where(load > 0.0, angle, np.nan), pressure)
+    return {
+        "inner_load": qi,
+        "outer_load": qo,
+        "inner_angle": inner_angle,
+        "outer_angle": angle[1] if g.single else np.arctan2(*b.outer_direction),
+        "inner_pressure": pressure[:inner].max(axis=0),
+        "outer_pressure": pressure[inner:].max(axis=0),
+        "centrifugal_force": np.broadcast_to(b.centrifugal_force, qi.shape),
+        "gyroscopic_moment": mg,
+        "inner_grip": _grip(b.inner_share * mg, qi, g.ball_diameter),
+        "outer_grip": _grip((2.0 - b.inner_share) * mg, qo, g.ball_diameter),
+        "status": np.where(qi > 0.0, word, idle),
+    } | {name: np.moveaxis(v, 0, -1) for name, v in zip(BY_CONTACT, by_contact, strict=True)}
+
+
+def _places(index: NDArray[np.intp]) -> NDArray[np.intp] | slice:
+    """Places that follow one another as a slice, which copies nothing."""
+    if index.size and index[-1] - index[0] + 1 == index.size:
+        return slice(index[0], index[-1] + 1)
+    return index
+
+
+def _sides(g: Geometry) -> list[float]:
+    """Sign of the axial direction in which the angle of each contact counts."""
+    inner = [1.0 if x.offset >= 0.0 else -1.0 for x in g.inner_grooves]
+    return inner + [1.0 if x.offset <= 0.0 else -1.0 for x in g.outer_grooves]
+
+
+def _grip(moment: Array, load: Array, diameter: float) -> Array:
+    """Friction coefficient that holds λ Mg at a race: λ |Mg| / (D Q); 0 where nothing presses."""
+    return np.where(load > 0.0, np.abs(moment) / (diameter * np.where(load > 0.0, load, 1.0)), 0.0)

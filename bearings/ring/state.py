@@ -2,25 +2,70 @@
 
 from __future__ import annotations
 
+import math
+from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bearings.ball.kinematics import Angles, inner_share, orbit_and_spin, tan_beta
 from bearings.ball.law import check_name
 from bearings.errors import InvalidBearing
-from bearings.ring.contact_motion import control, spin_to_roll
-from bearings.ring.data import StateData
-from bearings.ring.outer_ring import outer_ring_load
+from bearings.ring.assembly import outer_assembly
+from bearings.ring.operation import Operation
 
 Array = NDArray[np.float64]
+RATIO_ROUNDING = 1e-15  # of a ratio
 
 
-class BearingState(StateData):
+@dataclass(frozen=True, eq=False)
+class BearingState:
     """Physical state of a bearing, or of a batch of states with leading shape (…).
 
-    Its arrays: ``bearings.ring.data.StateData``.
+    ``load`` (…, 5) [N, N·m], ``displacement`` (…, 5) [m, rad], ``speed`` (…) [rad/s] without its
+    sign. ``residual`` (…): largest imbalance of a ball over the largest ball load, or of the ring
+    over its load. ``complete_stiffness`` (…, 5, 5).
+
+    By contact (…, balls, contacts), in the order of the bearing's ``contact_names``:
+    ``contact_load`` [N], ``contact_angle`` [rad] (NaN without load; in a bearing of one groove a
+    ring negative on the side away from thrust), ``contact_pressure`` [Pa].
+
+    By ball (…, balls): ``inner_load``, ``outer_load`` [N]: resultants of the races;
+    ``inner_angle``, ``outer_angle`` [rad]: their directions; ``inner_pressure``,
+    ``outer_pressure`` [Pa]: largest of each race; ``centrifugal_force`` [N],
+    ``gyroscopic_moment`` [N·m]; ``inner_grip``, ``outer_grip``: friction coefficient that each race
+    needs to carry its share of the gyroscopic moment; ``status``: ``"loaded"``, ``"open side"``
+    (loaded against the side without a shoulder), ``"lost contact"`` (rides the outer race),
+    ``"unloaded"`` (at rest).
+
+    ``outcome`` (…): ``""`` where the state exists; where it does not, all numbers are NaN.
+    ``ball_centre`` (2, …, balls): a start for neighbouring states; ``operation``: what was asked.
     """
+
+    operation: Operation
+
+    load: Array
+    displacement: Array
+    speed: Array
+    residual: Array
+    complete_stiffness: Array
+    contact_load: Array
+    contact_angle: Array
+    contact_pressure: Array
+    inner_load: Array
+    outer_load: Array
+    inner_angle: Array
+    outer_angle: Array
+    inner_pressure: Array
+    outer_pressure: Array
+    centrifugal_force: Array
+    gyroscopic_moment: Array
+    inner_grip: Array
+    outer_grip: Array
+    status: NDArray[np.str_]
+    outcome: NDArray[np.str_]
+    ball_centre: Array
 
     def stiffness(self, method: str = "complete") -> Array:
         """Tangent K = ∂load/∂displacement, shape (…, 5, 5) [N/m, N/rad, N·m/rad].
@@ -40,7 +85,7 @@ class BearingState(StateData):
                 "differences solve anew: use bearings.stiffness(state, 'difference')"
             )
         check_name("stiffness method", method, ("complete", "frozen"))
-        from bearings.ring.frozen import frozen_stiffness  # the balance of balls, rarely needed
+        from bearings.ring.tangents import frozen_stiffness  # the balance of balls, rarely needed
 
         return frozen_stiffness(self)
 
@@ -49,24 +94,42 @@ class BearingState(StateData):
         """How many contacts of each ball bear load (…, balls)."""
         return np.asarray((self.contact_load > 0.0).sum(axis=-1))
 
-    @cached_property
-    def outer_ring_load(self) -> Array:
-        """(Fx, Fy, Fz, My, Mz) that the balls put on the outer ring (…, 5) [N, N·m].
+    @property
+    def slipping(self) -> NDArray[np.str_]:
+        """Which race of each ball slips under the given friction (…, balls): ``""`` for none."""
+        friction = self.operation.law.friction
+        most = math.inf if friction is None else friction * (1.0 - 1e-9)
+        inner, outer = self.inner_grip >= most, self.outer_grip >= most
+        return np.select([inner & outer, inner, outer], ["both", "inner", "outer"], "")
 
-        Fx is that of ``load``; Fy and Fz are greater by the centrifugal forces. The moments are
-        about the centre of the circle of *outer* groove middles, to which the axial place of the
-        inner ones adds lever arms.
+    @property
+    def race_weight(self) -> Array:
+        """C = Qi ai Ei/(Qo ao Eo) of the spin friction moments (…, balls); 0 on a free race."""
+        g = self.operation.geometry
+        outer = np.where(self.outer_load > 0.0, self.outer_load, np.inf)
+        deep = (self.inner_load / g.inner.stiffness) / (outer / g.outer.stiffness)
+        return np.asarray(g.race_ratio * deep ** (4.0 / 3.0))
+
+    @property
+    def control_margins(self) -> tuple[Array, Array]:
+        """C cos(αi − αo) − 1 and cos(αi − αo) − C of each ball, inner and outer race (…, balls).
+
+        Jones (1959): a race controls where its friction moment, turned onto the normal of the other
+        race, is the larger one, that is where its margin is positive.
         """
-        return outer_ring_load(self)
+        weight, cosine = self.race_weight, np.cos(self.inner_angle - self.outer_angle)
+        return weight * cosine - 1.0, cosine - weight
 
     @cached_property
     def control(self) -> NDArray[np.str_]:
         """The race that controls each ball after Jones' criterion (…, balls).
 
         ``"inner"``, ``"outer"``, ``"neither"``, or ``""`` for a ball that the inner race does not
-        load, or that has more than two contacts.
+        load, or that has more than two contacts, one of which slides.
         """
-        return control(self)
+        inner, outer = self.control_margins
+        word = np.where(inner > 0.0, "inner", np.where(outer > 0.0, "outer", "neither"))
+        return np.where((self.inner_load > 0.0) & (self.contacts == 2), word, "")
 
     @property
     def control_agrees(self) -> NDArray[np.bool_]:
@@ -75,8 +138,9 @@ class BearingState(StateData):
         Only "outer" and "inner" assume such a thing, and only of balls with one loaded contact a
         race.
         """
-        named = self.cause.law.kinematics in ("inner", "outer")
-        return (self.control == self.cause.law.kinematics) | (self.control == "") | (not named)
+        assumed = self.operation.law.kinematics
+        agrees = (self.control == assumed) | (self.control == "")
+        return agrees | (assumed not in ("inner", "outer"))
 
     @property
     def inner_spin_to_roll(self) -> Array:
@@ -90,4 +154,60 @@ class BearingState(StateData):
 
     @cached_property
     def _spin_to_roll(self) -> tuple[Array, Array]:
-        return spin_to_roll(self)
+        """Of the ball's rotation against a race: the part along the contact line (sin α, cos α),
+        over that along the tangent (cos α, −sin α), components axial and radial. Without gross slip
+        (1 − γ cos αi) tan(αi − β) + γ sin αi and (1 + γ cos αo) tan(αo − β) − γ sin αo (Harris). It
+        does not depend on speed: at rest it is what the first slow turn would show.
+        """
+        g = self.operation.geometry.size_ratio
+        si, ci = np.sin(self.inner_angle), np.cos(self.inner_angle)
+        so, co = np.sin(self.outer_angle), np.cos(self.outer_angle)
+        t = self._tan_beta(Angles(si, ci, so, co, g, self.race_weight))
+        inner = (1.0 - g * ci) * (si - ci * t) / (ci + si * t) + g * si
+        outer = (1.0 + g * co) * (so - co * t) / (co + so * t) - g * so
+        return self._held(inner), self._held(outer)
+
+    def _tan_beta(self, angles: Angles) -> Array:
+        """tan β as the hypothesis has it, less where a race slips."""
+        law, g = self.operation.law, self.operation.geometry
+        wanted = np.asarray(tan_beta(law.numbers.kinematics, angles).value)
+        if law.friction is None:
+            return wanted
+        inertia = g.ball_inertia * self.speed[..., None] ** 2
+        moment = inertia * orbit_and_spin(angles, wanted)[1].value
+        slips = self.slipping != ""
+        return np.where(slips, self.gyroscopic_moment / np.where(slips, moment, 1.0), 1.0) * wanted
+
+    def _held(self, ratio: Array) -> Array:
+        """A ratio without its rounding, 0 of balls that carry nothing."""
+        real = (self.inner_load > 0.0) & (np.abs(ratio) > RATIO_ROUNDING)
+        return np.where(real | np.isnan(self.inner_load), ratio, 0.0)
+
+    @cached_property
+    def outer_ring_load(self) -> Array:
+        """(Fx, Fy, Fz, My, Mz) that the balls put on the outer ring (…, 5) [N, N·m].
+
+        Fx is that of ``load``; Fy and Fz are greater by the centrifugal forces. The moments are
+        about the centre of the circle of *outer* groove middles, to which the axial place of the
+        inner ones adds lever arms: per ball axial force fa, radial force fr (contacts, and friction
+        λo Mg/D across their resultant) give Ro fa − x̄ fr + λo fo Mg, x̄ the axial place where the
+        resultant acts (0 with one groove), Ro the radius of the circle of outer groove centres.
+        """
+        g, law = self.operation.geometry, self.operation.law
+        share = 2.0 - inner_share(law.numbers.sharing, self.race_weight)[0]
+        moment = share * self.gyroscopic_moment
+        along, across = self.outer_load, moment / g.ball_diameter
+        sin, cos = np.sin(self.outer_angle), np.cos(self.outer_angle)
+        axial, radial = along * sin + across * cos, along * cos - across * sin
+        tilting = -g.outer_conformity * moment + self._outer_middle() * radial
+        action = np.stack([axial, radial, tilting]).reshape(3, -1, g.balls)
+        return outer_assembly(g).load(action).reshape(*self.outcome.shape, 5)
+
+    def _outer_middle(self) -> Array | float:
+        """x̄ = Σ x Q cos α / Σ Q cos α of the outer contacts (…, balls) [m]."""
+        grooves = self.operation.geometry.outer_grooves
+        if len(grooves) == 1:
+            return 0.0
+        load = self.contact_load[..., -2:] * np.cos(np.nan_to_num(self.contact_angle[..., -2:]))
+        total = load.sum(axis=-1)
+        return (load @ np.array([x.offset for x in grooves])) / np.where(total != 0.0, total, 1.0)

@@ -1,19 +1,28 @@
-"""Every tangent of a solved state, the one that solves anew among them."""
+"""Tangents of a solved state beside the complete one: by frozen dynamics and by differences."""
 
 from __future__ import annotations
 
 import numpy as np
 from numpy.typing import NDArray
 
+from bearings.ball.balance import settled, turning_balance
 from bearings.ball.law import check_name
-from bearings.ring.data import Cause
-from bearings.ring.frozen import alike
+from bearings.ring.assembly import full_assembly
+from bearings.ring.linearised import tangent
+from bearings.ring.problem import Problem, turns
 from bearings.ring.request import solved
 from bearings.ring.state import BearingState
 
 Array = NDArray[np.float64]
 METHODS = ("complete", "frozen", "difference")
 STEP = 1e-8  # m, of the central differences
+
+QUARTER_TURN = np.array(  # of (x, y, z, θy, θz) about x
+    [[1, 0, 0, 0, 0], [0, 0, 1, 0, 0], [0, -1, 0, 0, 0], [0, 0, 0, 0, 1], [0, 0, 0, -1, 0]]
+)
+COUPLED = np.array(  # x alone, y with θz, z with θy
+    [[1, 0, 0, 0, 0], [0, 1, 0, 0, 1], [0, 0, 1, 1, 0], [0, 0, 1, 1, 0], [0, 1, 0, 0, 1]]
+)
 
 
 def stiffness(state: BearingState, method: str = "complete") -> Array:
@@ -32,13 +41,45 @@ def stiffness(state: BearingState, method: str = "complete") -> Array:
 
 def _difference(state: BearingState) -> Array:
     """Tangent by five-point differences of the displacement solve (…, 5, 5)."""
-    cause = state.cause
-    radius = cause.geometry.centre_radius
+    operation = state.operation
+    radius = operation.geometry.centre_radius
     step = STEP * np.diag([1.0, 1.0, 1.0, 1.0 / radius, 1.0 / radius])
     known = state.outcome == ""
     middle = np.where(known[..., None], state.displacement, 0.0)
     moved = [middle[..., None, :] + k * step for k in (1.0, -1.0, 2.0, -2.0)]
-    asked = cause.question.at(np.stack(moved))
-    load = solved(Cause(cause.grooves, cause.law, asked)).load
+    load = solved(operation.at(np.stack(moved))).load
     slope = (8.0 * (load[0] - load[1]) - (load[2] - load[3])) / (12.0 * np.diag(step)[:, None])
     return alike(state, np.where(known[..., None, None], slope.swapaxes(-1, -2), np.nan))
+
+
+def frozen_stiffness(state: BearingState) -> Array:
+    """Tangent with centrifugal force and gyroscopic moment kept as they are (…, 5, 5).
+
+    Cao & Altintas, J. Mech. Des. 126 (2004) 1089. At rest, and with the ``dynamics`` of that name,
+    it is the complete one.
+    """
+    operation = state.operation
+    speed = state.speed.reshape(-1)
+    good = turns(operation.geometry, speed) & (state.outcome.reshape(-1) == "")
+    turning = np.flatnonzero(good)
+    if not turning.size or operation.law.dynamics == "frozen":
+        return state.complete_stiffness
+    part = Problem.of(operation, full_assembly).take(turning)
+    a = part.centres(state.displacement.reshape(-1, 5)[turning])
+    x = state.ball_centre.reshape(2, len(speed), -1)[:, turning]
+    squared = part.speed[:, None] ** 2
+    centre, ball = tuple(a), (x[0], x[1])
+    balance = turning_balance(
+        operation.geometry, operation.law.numbers, centre, ball, squared, 1.0, 0.0
+    )
+    stiffness = state.complete_stiffness.reshape(-1, 5, 5).copy()
+    stiffness[turning] = tangent(part, settled(balance))
+    return alike(state, stiffness.reshape(state.complete_stiffness.shape))
+
+
+def alike(state: BearingState, stiffness: Array) -> Array:
+    """Rounding removed where a state is axial: its planes answer alike and do not couple."""
+    axial = ((state.load == 0.0) & (state.displacement == 0.0))[..., 1:].all(axis=-1)
+    turned = QUARTER_TURN @ stiffness @ QUARTER_TURN.T
+    exact = np.where(COUPLED, 0.5 * (stiffness + turned), 0.0)
+    return np.where(axial[..., None, None], exact, stiffness)

@@ -48,6 +48,12 @@ class Truncation:
         return self.lower_end - self.middle_angle
 
     @property
+    def across_middle(self) -> NDArray[np.bool_]:
+        """Contacts that stand beyond the middle of their groove (…, balls, contacts)."""
+        with np.errstate(invalid="ignore"):
+            return np.asarray(0.5 * (self.lower_end + self.upper_end) < self.middle_angle)
+
+    @property
     def lost(self) -> Array:
         """Share of the length of the major axis outside its groove (…, balls, contacts)."""
         return np.minimum(self.beyond_shoulder + self.beyond_middle, 1.0)
@@ -59,7 +65,7 @@ def truncation(state: BearingState) -> Truncation:
     A groove of one arc has alike shoulders on both sides where the bearing takes thrust both ways;
     an ellipse may then pass either. An angular-contact ring has its shoulder on the loaded side.
     """
-    grooves = state.cause.grooves
+    grooves = state.operation.grooves
     g, load = geometry(grooves), np.nan_to_num(state.contact_load)
     split = len(g.inner_grooves)
     inner, outer = half_axes(g.inner, load[..., :split]), half_axes(g.outer, load[..., split:])
@@ -68,7 +74,7 @@ def truncation(state: BearingState) -> Truncation:
         np.array([by_ring[0]] * split + [by_ring[1]] * len(g.outer_grooves))
         for by_ring in (grooves.radii, grooves.shoulder_angles, grooves.middle_angles)
     )
-    alike = np.isnan(middle) & (not g.touching)
+    alike = np.isnan(middle) & g.both_ways
     angle = np.where(alike, np.abs(state.contact_angle), state.contact_angle)
     lower, upper = angle - major / radii, angle + major / radii
     far = np.where(alike, -shoulder, np.nan)

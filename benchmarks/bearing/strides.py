@@ -17,7 +17,8 @@ from unittest import mock
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ring.problem import (
+from bearings.ring.state import BearingState
+from bearings.ring.tolerances import (
     FIRST_BLEND,
     FIRST_FREE,
     LONGEST_TURN,
@@ -25,7 +26,6 @@ from bearings.ring.problem import (
     QUICK_STEPS,
     SHORTEST_BLEND,
 )
-from bearings.ring.state import BearingState
 from benchmarks.bearing.subject import solver
 from benchmarks.random_bearings.rings import Asked, draw_states
 from tests.oracles.random_states import HIGHEST
@@ -38,7 +38,7 @@ FINE, FINER = 2.0**-5, 2.0**-7
 
 @dataclass(frozen=True)
 class Strides:
-    """What ``bearings.ring.problem`` calls by these names."""
+    """What ``bearings.ring.tolerances`` calls by these names."""
 
     first: float = FIRST_BLEND
     turn: float = LONGEST_TURN

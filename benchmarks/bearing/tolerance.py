@@ -10,8 +10,8 @@ from unittest import mock
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ring.problem import ON_THE_WAY
 from bearings.ring.state import BearingState
+from bearings.ring.tolerances import ON_THE_WAY
 from benchmarks.bearing.reference import Reference, largest
 from benchmarks.bearing.subject import SPEED, VEX70, random_states, solver
 from benchmarks.bearing.timing import fastest

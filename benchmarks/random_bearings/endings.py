@@ -35,7 +35,7 @@ def survey_endings(count: int) -> dict[str, Any]:
             refused = refused[: count - tally["refusals"]]
             if refused.size:
                 begin = time.process_time()
-                gaps = first_gaps(state.cause, refused, solved)
+                gaps = first_gaps(state.operation, refused)
                 seconds += time.process_time() - begin
                 for index, gap in zip(refused, gaps, strict=True):
                     word = _compared(tally, state, int(index), gap)
@@ -50,7 +50,7 @@ def _compared(tally: Counter[str], state: BearingState, index: int, gap: Gap) ->
     there = _there(state, index, speed)
     above = bool(there[speed > gap.low].any())
     tally["refusals"] += 1
-    tally[f"refusals, {state.cause.law.kinematics}"] += 1
+    tally[f"refusals, {state.operation.law.kinematics}"] += 1
     tally["states at all speeds below"] += int(there[speed <= gap.low].all())
     tally["states again above"] += int(above)
     tally["states again above, told"] += int(above and gap.again is not None)
@@ -63,4 +63,4 @@ def _compared(tally: Counter[str], state: BearingState, index: int, gap: Gap) ->
 
 
 def _there(state: BearingState, index: int, speed: NDArray[np.float64]) -> NDArray[np.bool_]:
-    return state.cause.solved(state.cause.question.repeated(index, speed)).outcome == ""
+    return solved(state.operation.repeated(index, speed)).outcome == ""

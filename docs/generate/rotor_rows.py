@@ -14,8 +14,8 @@ from rotordyn.analysis.results import CampbellResult
 from rotordyn.job import solve
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
-from tests.oracles.dense_rotor.assemble import bending_plane
 from rotordyn.model.mesh import build_mesh
+from tests.oracles.dense_rotor.assemble import bending_plane
 from tests.oracles.spinning_beam import PinnedBeam
 
 Array = NDArray[np.float64]

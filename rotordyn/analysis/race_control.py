@@ -6,8 +6,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.bearing import BallBearing
-from bearings.race_control import RACES, ControlMap, control_map, quadratic, resting_weight
 from rotordyn.analysis.bearing_specs import ControlSpec
+from rotordyn.analysis.control_map import (
+    RACES,
+    ControlMap,
+    control_map,
+    quadratic,
+    resting_weight,
+)
 from rotordyn.analysis.display import RPM
 from rotordyn.analysis.results import ControlResult
 from rotordyn.analysis.results.kinds import Array

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ring.sums import half_ring
+from bearings.ring.assembly import half_assembly
 from rotordyn.machine.limits import HIGHEST_PRESSURE
 from rotordyn.model.statics import PlaneRotor
 from rotordyn.preload.arrangement import HOUSING, SHAFT, AxialBearing
@@ -88,7 +88,7 @@ class RadialProblem:
             None if near is None else near.states,
             displacement=self._displacement(coordinates),
         )
-        return self._point(coordinates, BearingIterates.solved(states, half_ring), states)
+        return self._point(coordinates, BearingIterates.solved(states, half_assembly), states)
 
     def advance(self, coordinates: Array, near: Point) -> Point:
         """Bearings moved to given coordinates, their balls by a Newton step."""

@@ -1,10 +1,11 @@
 """Error by refinement: the model is solved once more, finer, at a few speeds.
 
 Finer is one degree more in every element (half the length of standard ones) and a cut-off of the
-reduction 1.5 times as high. The change is reported as the error, of frequencies, receptances and
-orbits alike. Where it is more than the accuracy asked for, the finer model takes the place of the
-first one, ``ROUNDS`` times at most. Responses may err by ``RESPONSES`` times as much of their peak:
-an error δ of a frequency moves the flank of a peak of damping ratio ζ by δ/2ζ of its height.
+reduction ``fineness.FINER`` times as high. The change is reported as the error, of frequencies,
+receptances and orbits alike. Where it is more than the accuracy asked for, the finer model takes
+the place of the first one, ``ROUNDS`` times at most. Responses may err by ``RESPONSES`` times as
+much of their peak: an error δ of a frequency moves the flank of a peak of damping ratio ζ by δ/2ζ
+of its height.
 """
 
 from __future__ import annotations

@@ -121,7 +121,8 @@ class Scene(Statics):
         )
         found = list(self.systems.values())
         grown = instability(found, self.speed[self.usable]) if found else ()
-        return (*fits, *grown)
+        pressed = self.preload.small_shims() if "preload" in self.solved else ()
+        return (*fits, *pressed, *grown)
 
     def node(self, at: str | float | Place) -> int:
         """The node shown of a named point, of a station on the shaft or of a place, among those of

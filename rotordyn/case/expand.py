@@ -14,7 +14,7 @@ from rotordyn.case.library import UnknownModel, find
 from rotordyn.case.node import UNKNOWN, Node
 from rotordyn.case.override import apply
 from rotordyn.case.reduced import NoModel, ReducedModel
-from rotordyn.case.schema.bearing import wrong_kind
+from rotordyn.case.schema.bearing import entry_of, kind_in, kinds_with, wrong_kind
 from rotordyn.case.schema.housing import ModelFilesEntry
 from rotordyn.case.table import tabled
 from rotordyn.case.validate import validate
@@ -117,8 +117,17 @@ def bearing(reference: Node, override: tuple[Node | None, ...], reader: Reader) 
     if kind is not None and (why := wrong_kind(kind.value)):
         reader.faults.at(root, ("kind",), why)
         return None
+    _forget_nulls(root)
     _fill(root, _MATERIALS_OF_BEARING, "materials", reader)
     return root
+
+
+def _forget_nulls(bearing: Node) -> None:
+    """Takes out keys of other kinds that an override has set to null."""
+    kept = entry_of(kind_in(bearing.plain())).model_fields
+    for key in [k for k, v in bearing.items() if v.value is None and v.file != bearing.file]:
+        if key not in kept and kinds_with(str(key)):
+            del bearing.value[key]
 
 
 def _bearing_of_seat(root: Node, seat: Node, reader: Reader) -> None:

@@ -12,6 +12,7 @@ from rotordyn import units
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import UNKNOWN, Node
 from rotordyn.case.retired import RETIRED
+from rotordyn.case.schema.bearing import kinds_with
 from rotordyn.quantity import suggestion
 
 M = TypeVar("M", bound=BaseModel)
@@ -62,7 +63,7 @@ def _report(
             return
         faults.missing(root, keys, "missing key: it must be given")
     elif kind == "extra_forbidden":
-        faults.at_key(root, keys, _unknown_key(model, keys))
+        _report_unknown(model, root, keys, faults)
     elif kind == "rotordyn":
         faults.at(root, keys, detail["msg"])
     elif kind == "too_long":
@@ -73,6 +74,23 @@ def _report(
         given = "an empty list" if kind == "too_short" else shown
         needed = _FORMS.get(keys[-1]) or _SHAPES.get(kind, "another kind of value")
         faults.at(root, keys, f"wrong shape: given {given}; allowed: {needed}")
+
+
+def _report_unknown(
+    model: type[BaseModel], root: Node, keys: tuple[int | str, ...], faults: Faults
+) -> None:
+    """An unknown key; of a bearing, the key of another kind than is written or than an override
+    has made of its model."""
+    here, last, sentence = root.at(*keys[:-1]), str(keys[-1]), _unknown_key(model, keys)
+    kind, key = here.child("kind"), here.child(last)
+    kinds = kinds_with(last) if "ball_diameter" in _keys_at(model, keys[:-1]) else []
+    if kinds and kind is None:
+        sentence += f"; is 'kind: {kinds[0]}' missing?"
+    elif kinds and kind and key and key.file == here.file != kind.file:
+        hint = f"; the model gives it: add {last}: null to the override"
+        faults.at(root, (*keys[:-1], "kind"), sentence + hint)
+        return
+    faults.at_key(root, keys, sentence)
 
 
 def _unknown_key(model: type[BaseModel], keys: tuple[int | str, ...]) -> str:

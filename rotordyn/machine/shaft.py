@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from bisect import bisect_right
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
@@ -18,23 +19,56 @@ from rotordyn.quantity import (
     Length,
     OptionalName,
     Station,
+    Taper,
 )
 
+WHOLE = 1.0 + 1e-9  # of a taper that begins at nothing, and may round
 SHEAR_COEFFICIENTS = ("cowper", "hutchinson")
 
 
 @dataclass(frozen=True, slots=True)
 class Section(Description):
-    """A hollow cylinder, homogeneous [m]."""
+    """A hollow cylinder or frustum, homogeneous [m].
+
+    Diameters are those of the cylinder of the same length and mass; ``outer_taper`` and
+    ``inner_taper``: by how much they are larger at the rear end than at the front one.
+    """
 
     length: Length
     outer_diameter: Diameter
     inner_diameter: Bore
     material: Material
     name: OptionalName = ""
+    outer_taper: Taper = 0.0
+    inner_taper: Taper = 0.0
 
     def _faults(self) -> Iterator[str]:
         yield from no_wall(self.inner_diameter, self.outer_diameter)
+        for diameter, taper in self._walls:
+            if taper**2 > 3.0 * WHOLE * diameter**2:
+                yield f"a taper of {taper:.6g} m leaves no end of {diameter:.6g} m: allowed: less"
+                return
+        for outer, inner in zip(*(_ends(*wall) for wall in self._walls), strict=True):
+            yield from no_wall(inner, outer)
+
+    @property
+    def _walls(self) -> tuple[tuple[float, float], tuple[float, float]]:
+        return (self.outer_diameter, self.outer_taper), (self.inner_diameter, self.inner_taper)
+
+    def between(self, begin: float, end: float) -> tuple[float, float, float, float]:
+        """Diameters, outer and inner, and tapers of the part from ``begin`` to ``end``, shares of
+        the length."""
+        found = []
+        for mean, taper in self._walls:
+            if taper == 0.0:
+                found.append((mean, 0.0))
+                continue
+            front, rear = _ends(mean, taper)
+            own = taper * (end - begin)
+            middle = front + (rear - front) * (begin + end) / 2.0
+            found.append((math.sqrt(middle**2 + own**2 / 12.0), own))
+        (outer, outer_taper), (inner, inner_taper) = found
+        return outer, inner, outer_taper, inner_taper
 
 
 @dataclass(frozen=True, slots=True)
@@ -79,6 +113,12 @@ class Shaft(Description):
         """This shaft with ``sections`` put in front of its start (a tool in the nose)."""
         start = self.start - sum(s.length for s in sections)
         return replace(self, start=start, sections=sections + self.sections)
+
+
+def _ends(mean: float, taper: float) -> tuple[float, float]:
+    """Diameters at both ends of a frustum as heavy as a cylinder of diameter ``mean``."""
+    middle = math.sqrt(max(mean**2 - taper**2 / 12.0, 0.0))
+    return middle - taper / 2.0, middle + taper / 2.0
 
 
 def no_wall(inner_diameter: float, outer_diameter: float) -> Iterator[str]:

@@ -11,7 +11,7 @@ from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
 from rotordyn.model.mesh import Mesh
 from rotordyn.model.section_forces import SectionForces
-from tests.oracles.dense_rotor.assemble import shear_coefficients
+from rotordyn.model.shaft import shear_coefficients
 
 Array = NDArray[np.float64]
 

@@ -67,10 +67,16 @@ class Fineness:
         return self.accuracy is None or self.accuracy < PRECISE or self.finer > 0
 
     @property
+    def slow(self) -> float:
+        """Up to which modes gyroscopic forces are answered [rad/s]: beyond the band, since free-free
+        modes above it take part in modes below."""
+        return FINER ** (self.finer + 1) * self.band
+
+    @property
     def weightless(self) -> float:
         """The frequency lent to what has no mass [rad/s], far above the band: the error by that
         falls with its square."""
-        return 2.0 * math.pi * WEIGHTLESS * (self._finer**0.5 * self.frequency)
+        return FINER**self.finer * WEIGHTLESS * self._finer**0.5 * self.band
 
     @property
     def _finer(self) -> float:

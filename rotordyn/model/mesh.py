@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.errors import InvalidInput
-from rotordyn.machine.shaft import Shaft
+from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import SPINDLE
 
@@ -44,6 +44,8 @@ class Mesh:
     young_modulus: Array
     poisson_ratio: Array
     density: Array
+    outer_taper: Array
+    inner_taper: Array
     further: Mapping[str, Mesh] = field(default_factory=dict)
 
     @property
@@ -81,6 +83,21 @@ class Mesh:
     def middle(self) -> Array:
         """Middle of each element [m]."""
         return np.asarray((self.x[1:] + self.x[:-1]) / 2.0)
+
+    @property
+    def tapered(self) -> NDArray[np.bool_]:
+        """Elements that are frusta (elements,)."""
+        return np.asarray((self.outer_taper != 0.0) | (self.inner_taper != 0.0))
+
+    def diameters(self, xi: Array) -> tuple[Array, Array]:
+        """Outer and inner ones at ``xi`` (points,) on [−1, 1] of every element (elements,
+        points)."""
+        ways = ((self.outer_diameter, self.outer_taper), (self.inner_diameter, self.inner_taper))
+        outer, inner = (
+            np.sqrt(mean**2 - taper**2 / 12.0)[:, None] + 0.5 * taper[:, None] * xi
+            for mean, taper in ways
+        )
+        return outer, inner
 
     @property
     def shear_modulus(self) -> Array:
@@ -149,14 +166,30 @@ def _mesh(spindle: Spindle, longest: float) -> Mesh:
     stations = _merged(shaft, placed)
     x = _divided(stations, longest)
     sections = shaft.sections_at((x[1:] + x[:-1]) / 2.0)
+    outer, inner, outer_taper, inner_taper = _walls(shaft, x, sections)
     return Mesh(
         x=x,
-        outer_diameter=np.array([s.outer_diameter for s in sections]),
-        inner_diameter=np.array([s.inner_diameter for s in sections]),
+        outer_diameter=outer,
+        inner_diameter=inner,
+        outer_taper=outer_taper,
+        inner_taper=inner_taper,
         young_modulus=np.array([s.material.young_modulus for s in sections]),
         poisson_ratio=np.array([s.material.poisson_ratio for s in sections]),
         density=np.array([s.material.density for s in sections]),
     )
+
+
+def _walls(shaft: Shaft, x: Array, sections: Sequence[Section]) -> Array:
+    """Diameters and tapers, outer and inner, of the elements between ``x`` (4, elements)."""
+    walls = np.array([(s.outer_diameter, s.inner_diameter, 0.0, 0.0) for s in sections])
+    tapered = np.array([bool(s.outer_taper or s.inner_taper) for s in sections])
+    if tapered.any():
+        edges = np.array(shaft.boundaries)
+        for k in np.flatnonzero(tapered).tolist():
+            place = int(np.searchsorted(edges, (x[k] + x[k + 1]) / 2.0, side="right")) - 1
+            share = (x[k : k + 2] - edges[place]) / (edges[place + 1] - edges[place])
+            walls[k] = sections[k].between(*np.clip(share, 0.0, 1.0))
+    return walls.T
 
 
 def _longest(shaft: Shaft, element_length: float | None) -> float:
@@ -213,4 +246,13 @@ def divided(mesh: Mesh, parts: NDArray[np.intp]) -> Mesh:
     x[np.concatenate([[0], np.cumsum(parts)])] = mesh.x
     names = ("outer_diameter", "inner_diameter", "young_modulus", "poisson_ratio", "density")
     own: dict[str, Any] = {name: np.repeat(getattr(mesh, name), parts) for name in names}
+    count = np.repeat(parts, parts)
+    place = np.arange(len(count)) - np.repeat(np.cumsum(parts) - parts, parts)
+    for way in ("outer", "inner"):
+        taper = np.repeat(getattr(mesh, f"{way}_taper"), parts)
+        if taper.any():
+            middle = np.sqrt(own[f"{way}_diameter"] ** 2 - taper**2 / 12.0)
+            middle = middle + taper * ((place + 0.5) / count - 0.5)
+            own[f"{way}_diameter"] = np.sqrt(middle**2 + (taper / count) ** 2 / 12.0)
+        own[f"{way}_taper"] = taper / count
     return replace(mesh, x=x, **own)

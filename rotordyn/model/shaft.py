@@ -8,8 +8,9 @@ that of the part behind, which share the DOF in which it is rigid.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
@@ -20,7 +21,7 @@ from rotordyn.model.dofs import Dofs, Indices, Line, position
 from rotordyn.model.elements import beam as bending
 from rotordyn.model.elements import rod
 from rotordyn.model.elements.shear import shear_coefficient
-from rotordyn.model.elements.standard_beam import shear_parameter
+from rotordyn.model.elements.standard_beam import PlaneBending, shear_parameter
 from rotordyn.model.fineness import Fineness, bending_wave, parts_and_degree, resolved, rod_wave
 from rotordyn.model.mesh import COINCIDENT, Mesh, divided, station_mesh
 from rotordyn.model.term import Array, Part
@@ -106,9 +107,12 @@ class Shaft:
             mesh.density,
             kappa,
         )
-        for n in np.unique(self.degree):
-            chosen = np.flatnonzero(self.degree == n)
-            own = bending.hierarchic_bending(*(each[chosen] for each in every), degree=int(n))
+        for n, tapered in _kinds(self.degree, mesh):
+            chosen = np.flatnonzero((self.degree == n) & (mesh.tapered == tapered))
+            if tapered:
+                own = self._tapered(chosen, n)
+            else:
+                own = bending.hierarchic_bending(*(each[chosen] for each in every), degree=n)
             y, z = self.rows("y", chosen), self.rows("z", chosen)
             for rows in (y, z):
                 yield Part("mass", rows, rows, own.mass)
@@ -116,14 +120,32 @@ class Shaft:
                 yield Part("softening", rows, rows, own.translational_mass)
             yield Part("gyroscopic", y, z, self.ratio * own.polar)
 
+    def _tapered(self, chosen: Indices, degree: int) -> PlaneBending:
+        """Bending elements that are frusta."""
+        shear, bend, *_ = (each[chosen] for each in self.sections)
+        phi = shear_parameter(self.mesh.length[chosen], bend, shear)
+
+        def along(xi: Array) -> tuple[Array, ...]:
+            own = _local(self.mesh, chosen, xi)
+            return sections(self.spindle, own)
+
+        return bending.tapered_bending(self.mesh.length[chosen], phi, along, degree=degree)
+
     def _rod_parts(self) -> Iterator[Part]:
         mesh = self.mesh
-        for way, (rigidity, inertia) in (("x", axial(mesh)), ("thx", torsion(mesh))):
-            for n in np.unique(self.rod_degree):
-                chosen = np.flatnonzero(self.rod_degree == n)
-                own = rod.hierarchic_rod(
-                    mesh.length[chosen], rigidity[chosen], inertia[chosen], degree=int(n)
-                )
+        for way, properties in (("x", axial), ("thx", torsion)):
+            rigidity, inertia = properties(mesh)
+            for n, tapered in _kinds(self.rod_degree, mesh):
+                chosen = np.flatnonzero((self.rod_degree == n) & (mesh.tapered == tapered))
+                length = mesh.length[chosen]
+                if tapered:
+                    own = rod.tapered_rod(
+                        length,
+                        partial(_along, properties, mesh, chosen),
+                        degree=n,
+                    )
+                else:
+                    own = rod.hierarchic_rod(length, rigidity[chosen], inertia[chosen], degree=n)
                 rows = self.rows(way, chosen)
                 yield Part("mass", rows, rows, own.mass)
                 yield Part("stiffness", rows, rows, own.stiffness)
@@ -193,6 +215,34 @@ class Shaft:
         element = np.clip(np.searchsorted(nodes, x - slack) - 1, 0, len(self.degree) - 1)
         xi = 2.0 * (x - nodes[element]) / self.mesh.length[element] - 1.0
         return element, np.clip(xi, -1.0, 1.0)
+
+
+def _kinds(degree: Indices, mesh: Mesh) -> list[tuple[int, bool]]:
+    """Degrees of the elements of a mesh, and whether elements of each are frusta."""
+    return sorted({(int(n), bool(t)) for n, t in zip(degree, mesh.tapered, strict=True)})
+
+
+def _along(
+    properties: Callable[[Mesh], tuple[Array, Array]], mesh: Mesh, chosen: Indices, xi: Array
+) -> tuple[Array, Array]:
+    """Properties at ``xi`` of some elements (elements, points)."""
+    return properties(_local(mesh, chosen, xi))
+
+
+def _local(mesh: Mesh, chosen: Indices, xi: Array) -> Mesh:
+    """Diameters and material at ``xi`` of some elements: arrays (elements, points)."""
+    outer, inner = (each[chosen] for each in mesh.diameters(xi))
+    young, poisson, density = (
+        each[chosen, None] for each in (mesh.young_modulus, mesh.poisson_ratio, mesh.density)
+    )
+    return replace(
+        mesh,
+        outer_diameter=outer,
+        inner_diameter=inner,
+        young_modulus=young,
+        poisson_ratio=poisson,
+        density=density,
+    )
 
 
 def sections(spindle: Spindle, mesh: Mesh) -> tuple[Array, Array, Array, Array]:

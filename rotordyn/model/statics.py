@@ -80,7 +80,7 @@ def _negative(matrix: Array) -> Array:
     known = np.asarray(np.isfinite(matrix).all(axis=(1, 2)))
     size = np.sqrt(np.abs(np.diagonal(matrix, axis1=1, axis2=2)))
     largest = size.max(axis=1, keepdims=True)
-    size = np.where(size > NOTHING * largest, size, largest)  # what nothing holds has rounding alone
+    size = np.where(size > NOTHING * largest, size, largest)  # held by nothing: rounding
     size = np.where(known[:, None] & (size > 0.0), size, 1.0)
     scaled = np.where(known[:, None, None], matrix, 0.0) / size[:, :, None] / size[:, None, :]
     try:

@@ -195,7 +195,7 @@ class Structure:
             solved=solved,
             ratio=1.0 if shaft is None else shaft.ratio,
             polar=self._polar(dofs, lines[0].way) if self.fine.gyroscopic else [],
-            band=self.fine.band,
+            band=self.fine.slow,
         )
 
     def _polar(self, dofs: Indices, way: str) -> list[Part]:

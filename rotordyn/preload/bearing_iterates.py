@@ -18,8 +18,8 @@ from bearings.ring.state import BearingState
 
 if TYPE_CHECKING:
     from bearings.geometry import Geometry
+    from bearings.ring.assembly import Assembly
     from bearings.ring.iterate import Iterate
-    from bearings.ring.sums import Ring
 
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -44,7 +44,7 @@ class BearingIterates:
     of: dict[Alike, tuple[list[int], Iterate]]
 
     @classmethod
-    def solved(cls, states: States, ring: Callable[[Geometry], Ring]) -> BearingIterates:
+    def solved(cls, states: States, ring: Callable[[Geometry], Assembly]) -> BearingIterates:
         """Bearings that were solved by themselves; ``ring`` says which of their balls move on."""
         from bearings.ring.iterate import iterate
 

@@ -12,7 +12,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import BearingSeat
 
 if TYPE_CHECKING:
-    from bearings.fit.compound import Cylinder
+    from bearings.fit.cylinder import Cylinder
 
 Array = NDArray[np.float64]
 
@@ -55,7 +55,7 @@ def released_fits(spindle: Spindle, speed: float) -> list[tuple[str, float]]:
 
 def _fitted(spindle: Spindle, seat: BearingSeat, fit: InterferenceFit) -> tuple[Cylinder, Cylinder]:
     """Shaft and inner ring as cylinders."""
-    from bearings.fit.compound import Cylinder
+    from bearings.fit.cylinder import Cylinder
 
     section, bearing = spindle.shaft.section_at(seat.x), seat.bearing
     bore = fit.bore_diameter / 2.0

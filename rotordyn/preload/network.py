@@ -94,13 +94,13 @@ class Network:
 
     def respond(self, x: Array, near: Response | None = None) -> Response:
         """Loads and slopes of the bearings at positions ``x``, every bearing solved by itself."""
-        from bearings.ring.sums import axial_ring
+        from bearings.ring.assembly import axial_assembly
 
         displacement = self._displacement(x)
         near_by = near.states if near is not None and near.states else None
         every = range(displacement.shape[1])
         states = self.solve_bearings(every, near_by, displacement=displacement)
-        return self._response(BearingIterates.solved(states, axial_ring), states)
+        return self._response(BearingIterates.solved(states, axial_assembly), states)
 
     def move(self, x: Array, near: Response) -> Response:
         """Loads and slopes at positions ``x``, balls a Newton step on from where they were."""

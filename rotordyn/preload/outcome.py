@@ -82,8 +82,9 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int) ->
     if loose.size:
         return (
             f"bearing {names[loose[0]]} stands within its play at {rpm:.0f} rpm, where no ball is "
-            "pressed and it holds nothing: let a spring or an axial force load it, or take away "
-            "its play"
+            "pressed and it holds nothing, so that all that is linear about this state would "
+            "leave it out, however the shaft is held elsewhere: let a spring or an axial force "
+            "load it, or take away its play"
         )
     if not net.found[row]:
         return f"the axial arrangement finds no equilibrium at {rpm:.0f} rpm: raise the preload"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
@@ -103,6 +104,21 @@ class PreloadState:
                 for seat in arrangement.bearings[bearing].seats:
                     place[seat] = (solved.state, column)
         return [place[seat] for seat in sorted(place)]
+
+    def small_shims(self) -> list[str]:
+        """A sentence for each bearing an arc of whose grooves presses beyond their middle."""
+        from bearings.ring.truncation import truncation
+
+        found = []
+        for seat, (state, column) in zip(self.spindle.seats, self.seat_states(), strict=True):
+            across = truncation(state).across_middle[:, column].any(axis=(-1, -2))
+            if (rows := np.flatnonzero(across & self.usable)).size:
+                found.append(
+                    f"bearing {seat.name}: an arc presses beyond the middle of its groove, first "
+                    f"at {self.speed[rows[0]] * 30.0 / math.pi:.0f} rpm; the shim is too small "
+                    "for two arcs, give none or a larger one"
+                )
+        return found
 
     def seat_load(self) -> Array:
         """Axial load of every bearing in its own frame (speeds, seats) [N]."""

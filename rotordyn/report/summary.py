@@ -126,8 +126,11 @@ def _which(seat: BearingSeat) -> str:
 
 
 def _signs(spindle: Spindle) -> str:
-    one_way = any(not seat.bearing.both_ways for seat in spindle.seats)
-    return " (+: a push towards +x loads it)" if one_way else ""
+    thrusts = [seat.thrust for seat in spindle.seats if not seat.bearing.both_ways]
+    if not thrusts:
+        return ""
+    sign = "+" if max(thrusts) > 0 else "−"
+    return f" ({sign}: a push towards {sign}x loads it)"
 
 
 def _sleeve(sleeve: Sleeve) -> str:

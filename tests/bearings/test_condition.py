@@ -13,7 +13,6 @@ from bearings import NoEquilibrium
 from bearings import condition as words_of
 from bearings.ring import condition, equilibrium, followed_stage
 from bearings.ring.linearised import linearise
-from bearings.ring.request import solved
 from benchmarks.random_bearings import rings
 from tests.oracles.known_bearings import HARRIS_218, RPM, VEX70
 
@@ -104,7 +103,7 @@ def test_a_ring_that_two_balls_hold_turns_as_slowly_as_one_likes(compiled: bool)
 def test_states_again_are_told() -> None:
     asked, index = rings.draw_states(83), 5
     state = asked.solve()
-    (word,) = condition.endings(state.cause, np.array([index]), solved)
+    (word,) = condition.endings(state.operation, np.array([index]))
     match = re.fullmatch(
         r"balls 3 are thrown off a race above (\d+) rpm at this \w+ "
         r"\(states again, with gaps, from (\d+) to (\d+) rpm\)",
@@ -121,7 +120,7 @@ def test_balls_that_are_solved(monkeypatch: pytest.MonkeyPatch) -> None:
     whole = linearise
 
     def counted(problem: Any, *state: Any) -> Any:
-        widths.add(problem.ring.balls)
+        widths.add(problem.assembly.balls)
         return whole(problem, *state)
 
     for caller in (equilibrium, followed_stage):

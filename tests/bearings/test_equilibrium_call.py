@@ -3,12 +3,19 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
 import pytest
 
-from bearings import AngularContactBallBearing, BearingError, InvalidBearing, NoEquilibrium
+from bearings import (
+    AngularContactBallBearing,
+    BearingError,
+    DeepGrooveBallBearing,
+    InvalidBearing,
+    NoEquilibrium,
+)
 from tests.oracles.known_bearings import HARRIS_209, RPM, VEX70
 
 THRUST = [1000.0, 0.0, 0.0, 0.0, 0.0]
@@ -197,3 +204,37 @@ def test_impossible_bearings(change: dict[str, float]) -> None:
     AngularContactBallBearing(**fine)
     with pytest.raises(InvalidBearing):
         AngularContactBallBearing(**(fine | change))
+
+
+@pytest.mark.parametrize(
+    "load", [[True, 0, 0, 0, 0], np.array([True] * 5), [[1000.0, 0, 0, 0, np.False_]]]
+)
+def test_truth_values_are_no_loads(load: Any) -> None:
+    with pytest.raises(InvalidBearing, match="load must be numbers"):
+        VEX70.equilibrium(load=load)
+
+
+def test_a_start_is_a_state_of_the_same_kind() -> None:
+    load = [1000.0, 0.0, 0.0, 0.0, 0.0]
+    other = DeepGrooveBallBearing(
+        VEX70.ball_diameter, VEX70.pitch_diameter, VEX70.balls, radial_clearance=10e-6
+    )
+    with pytest.raises(InvalidBearing, match="start must be a state of a bearing of this kind"):
+        VEX70.equilibrium(load=load, speed=1000.0, start=other.equilibrium(load=load, speed=1000.0))
+
+
+@pytest.mark.parametrize(
+    ("change", "asks"),
+    [
+        ({"balls": 2}, False),
+        ({"inner_conformity": 52.0}, False),
+        ({"balls": 10**400}, False),
+        ({"ball_diameter": 9.525}, True),
+        ({"contact_angle": 25.0}, True),
+    ],
+)
+def test_only_values_with_a_unit_are_asked_for_it(change: dict[str, Any], asks: bool) -> None:
+    with pytest.raises(InvalidBearing) as refused:
+        replace(VEX70, **change)
+    assert ("is the unit right?" in str(refused.value)) == asks
+    assert len(str(refused.value)) < 200

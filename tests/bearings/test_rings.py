@@ -9,16 +9,14 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_bvp
 
-from bearings import STEEL, InvalidBearing, Material
+from bearings import STEEL, AngularContactBallBearing, InvalidBearing, Material
 from bearings.fit.compound import (
-    AXIAL_CONDITIONS,
-    Cylinder,
     centrifugal_growth,
     compound,
-    raceway_radius,
     release_speed,
     thermal_growth,
 )
+from bearings.fit.cylinder import AXIAL_CONDITIONS, Cylinder
 
 SHAFT_STEEL = Material("shaft steel", 210e9, 0.3, 7850.0)
 CERAMIC = Material("ceramic", 315e9, 0.26, 3190.0)
@@ -316,7 +314,8 @@ def test_temperature_alone() -> None:
 @axials
 def test_raceway_of_the_flagship_grows_by_about_six_micrometres(axial: str) -> None:
     """40 mm bore, 70 mm seat, inner ring to (dm − D cos α)/2 = 40.68 mm, 24 000 rpm."""
-    radius = raceway_radius(0.09, 9.525e-3, math.radians(25.0))
+    bearing = AngularContactBallBearing(9.525e-3, 0.09, 25, contact_angle=math.radians(25.0))
+    radius = bearing.inner_raceway_radius
     assert radius == pytest.approx(40.68e-3, abs=6e-6)
     stack = (SHAFT, Cylinder(0.035, radius, STEEL))
     grown = centrifugal_growth(stack, [FIT], radius, [0.0, OMEGA / 2, OMEGA], axial=axial)

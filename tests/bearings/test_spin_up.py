@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -85,10 +84,9 @@ def test_a_bearing_has_states_up_to_the_speed_told_and_again_above(number: int, 
     """The first: without states only from 4.3 to 4.6 % of its speed, then up to 11.7 %."""
     state = rings.draw_states(number).solve()
     assert state.outcome[index] == "no equilibrium"
-    gap = first_gaps(state.cause, np.array([index]), solved)[0]
+    gap = first_gaps(state.operation, np.array([index]))[0]
     assert gap.again is not None
     below = gap.low * np.array([0.25, 0.5, 0.75, 0.95, 1.0])
     speed = np.array([*below, gap.low + state.speed[index] / 8192.0, *gap.again])
-    asked = replace(state.cause, question=state.cause.question.repeated(index, speed))
-    there = solved(asked).outcome == ""
+    there = solved(state.operation.repeated(index, speed)).outcome == ""
     assert there.tolist() == [True] * 5 + [False] + [True] * 2

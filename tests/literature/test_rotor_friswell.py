@@ -16,10 +16,11 @@ from scipy.linalg import eigh
 
 import rotordyn
 from bearings.materials import Material
-from rotordyn.model.elements.standard_beam import axial_force_stiffness, shear_parameter
-from rotordyn.model.elements.shear import shear_coefficient
 from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.spindle import Spindle
+from rotordyn.model.elements.shear import shear_coefficient
+from rotordyn.model.elements.standard_beam import axial_force_stiffness, shear_parameter
+from rotordyn.model.mesh import build_mesh
 from tests.oracles.dense_rotor.assemble import (
     add_at_nodes,
     bending_plane,
@@ -28,7 +29,6 @@ from tests.oracles.dense_rotor.assemble import (
     torsion_rod,
 )
 from tests.oracles.dense_rotor.selection import LATERAL
-from rotordyn.model.mesh import build_mesh
 from tests.oracles.rotors import on_supports, support, uniform
 from tests.oracles.spindles import CASES
 from tests.oracles.whirl import eigenvalues, frequencies_at_rest

@@ -21,10 +21,10 @@ from rotordyn.analysis.registry import answer_spindle
 from rotordyn.analysis.results import UnbalanceResult
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.support import LinearSupport
-from tests.oracles.dense_rotor.assemble import rotor_matrices, torsion_rod
-from tests.oracles.dense_rotor.selection import LATERAL
 from rotordyn.model.mesh import build_mesh
 from tests.oracles.case_files import answered, bending_poles
+from tests.oracles.dense_rotor.assemble import rotor_matrices, torsion_rod
+from tests.oracles.dense_rotor.selection import LATERAL
 from tests.oracles.rotors import on_supports, uniform
 from tests.oracles.whirl import eigenvalues, frequencies_at_rest
 

@@ -14,9 +14,9 @@ from hypothesis import strategies as st
 from scipy.linalg import block_diag, eigh
 from scipy.sparse import csr_array, diags_array
 
-from rotordyn.model.elements.beam import hierarchic_bending
 from rotordyn.errors import InvalidInput
 from rotordyn.model import reduce as module
+from rotordyn.model.elements.beam import hierarchic_bending
 from rotordyn.model.reduce import LARGE, LEAST_MODES, Basis, reduce
 
 Array = np.ndarray

@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rotordyn.analysis.registry import answer_spindle
 from rotordyn.analysis.scene import Scene
@@ -83,6 +84,20 @@ def scene(
     if "accuracy" not in changes:
         changes = standard(spindle) | changes
     return Scene(spindle, conditions(**changes), np.array(rpm) * RPM, max_frequency, ports)
+
+
+def poles(scene: Scene, row: int) -> NDArray[np.complex128]:
+    """Those of all motions at a usable speed, one of each pair, Im ≥ 0 [rad/s]."""
+    every = scene.with_motions(("bending", "axial", "torsion"))
+    found = np.concatenate([scene.system(k).pole[row] for k in every])
+    return found[np.isfinite(found)]
+
+
+def joined_motions(scene: Scene) -> set[str]:
+    """The motions that bending is coupled with, itself included; none where it is alone."""
+    (k,) = scene.with_motions(("bending",))
+    names = set(scene.name_of(k).split(" and "))
+    return names if len(names) > 1 else set()
 
 
 def system_of(found: Scene, motion: str = "bending") -> FreeMotions:

@@ -15,7 +15,6 @@ from hypothesis import strategies as st
 
 import rotordyn
 from bearings import STEEL, AngularContactBallBearing, InvalidBearing, Material
-from bearings.ball.kinematics import HYPOTHESES, SHARINGS
 from rotordyn.analysis import (
     BalanceGrade,
     BearingMapSpec,
@@ -33,7 +32,7 @@ from rotordyn.analysis import (
     UnbalanceSpec,
 )
 from rotordyn.analysis.registry import BEARING_ANALYSES, SPINDLE_ANALYSES
-from rotordyn.analysis.specs import KINEMATICS, MOMENT_SHARING, MeasuredResponse
+from rotordyn.analysis.specs import MeasuredResponse
 from rotordyn.case.agreement import ANALYSES
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import (
@@ -57,7 +56,7 @@ from rotordyn.machine import (
 )
 from rotordyn.quantity import LENGTH, RIGIDITY
 
-BEARING = AngularContactBallBearing(7.144e-3, 55e-3, 19, math.radians(25))
+BEARING = AngularContactBallBearing(7.144e-3, 55e-3, 19, contact_angle=math.radians(25))
 SHAFT = Shaft(0.0, (Section(0.3, 0.05, 0.02, STEEL, "body"),))
 FRONT, REAR = BearingSeat("a", BEARING, 0.05, 1), BearingSeat("b", BEARING, 0.2, -1)
 SLEEVE = Sleeve("rear", ("b",), Spring(300.0, 5e6))
@@ -336,11 +335,6 @@ def test_a_length_is_taken_just_where_its_range_holds(value: float) -> None:
     assert LENGTH.holds(value) == (0.0 < value <= 100.0)
     assert bool(LENGTH.refusal(value)) != LENGTH.holds(value)
     assert RIGIDITY.holds(value) == (0.0 < value <= 1e12 or value == INF)
-
-
-def test_words_are_those_that_the_bearings_know() -> None:
-    assert set(KINEMATICS) == set(HYPOTHESES)
-    assert set(MOMENT_SHARING) == set(SHARINGS)
 
 
 def test_analyses_are_those_of_the_registry() -> None:

@@ -7,9 +7,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from rotordyn.analysis.accuracy import frequency_error
 
 from rotordyn.analysis import campbell
-from rotordyn.analysis.accuracy import frequency_error
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec
 from rotordyn.machine.drawbar import Drawbar

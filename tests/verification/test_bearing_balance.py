@@ -39,7 +39,7 @@ def hard_loads(seed: int) -> tuple[np.ndarray, np.ndarray]:
 
 
 def one(batch: BearingState, index: int) -> Any:
-    names = [f.name for f in fields(batch) if f.name not in ("ball_centre", "cause")]
+    names = [f.name for f in fields(batch) if f.name not in ("ball_centre", "operation")]
     return SimpleNamespace(**{name: getattr(batch, name)[index] for name in names})
 
 

@@ -14,9 +14,15 @@ import pytest
 
 from bearings import Follower, InvalidBearing, NoEquilibrium
 from bearings.ball.balance import turning_balance
-from bearings.ball.kinematics import HYPOTHESES as BY_NAME
-from bearings.ball.kinematics import SHARINGS as LAWS_OF_SHARING
-from bearings.ball.kinematics import Angles, inner_share, tan_beta
+from bearings.ball.kinematics import (
+    Angles,
+    geometric,
+    hybrid,
+    inner_control,
+    inner_share,
+    outer_control,
+    tan_beta,
+)
 from bearings.ball.law import KINEMATICS, MOMENT_SHARING, Law
 from bearings.ring.compiled import states
 from bearings.ring.compiled.jit import compiled
@@ -42,10 +48,22 @@ def thrown(seed: int) -> tuple[np.ndarray, np.ndarray]:
 def test_names_and_numbers_of_the_laws_agree() -> None:
     """The numbers by which the compiled code chooses are places in the lists of names."""
     angles = Angles(0.4, (1.0 - 0.4**2) ** 0.5, 0.3, (1.0 - 0.3**2) ** 0.5, 0.1, 0.7)
+    by_name = {
+        "hybrid": hybrid,
+        "outer": outer_control,
+        "inner": inner_control,
+        "geometric": geometric,
+    }
     for law, name in enumerate(KINEMATICS):
-        assert tan_beta(law, angles) == BY_NAME[name](angles)
+        assert tan_beta(law, angles) == by_name[name](angles)
+    shares = {
+        "equal": (1.0, 0.0),
+        "outer": (0.0, 0.0),
+        "inner": (2.0, 0.0),
+        "hybrid": (1.4 / 1.7, 2.0 / 1.7**2),
+    }
     for law, name in enumerate(MOMENT_SHARING):
-        assert inner_share(law, 0.7) == LAWS_OF_SHARING[name](0.7)
+        assert inner_share(law, 0.7) == shares[name]
 
 
 def test_the_source_is_the_same() -> None:

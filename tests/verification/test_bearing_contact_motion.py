@@ -52,9 +52,9 @@ def test_spin_to_roll_is_that_of_the_rigid_bodies(balls: RigidBalls) -> None:
 def test_the_controlling_race_of_the_hypothesis_sees_no_spin(balls: RigidBalls) -> None:
     s = balls.state
     ratio = {"inner": s.inner_spin_to_roll, "outer": s.outer_spin_to_roll}
-    if s.cause.law.kinematics in ratio:
-        assert np.abs(ratio[s.cause.law.kinematics]).max() < 1e-14
-    if s.cause.law.kinematics == "geometric":
+    if s.operation.law.kinematics in ratio:
+        assert np.abs(ratio[s.operation.law.kinematics]).max() < 1e-14
+    if s.operation.law.kinematics == "geometric":
         sizes = np.abs(s.inner_spin_to_roll), np.abs(s.outer_spin_to_roll)
         assert sizes[0] == pytest.approx(sizes[1], abs=1e-14)
 
@@ -94,8 +94,8 @@ def test_control_after_jones(balls: RigidBalls) -> None:
         if min(map(abs, margins)) > 1e-9:
             expected = "inner" if margins[0] > 0 else "outer" if margins[1] > 0 else "neither"
             assert word == expected
-    named = s.cause.law.kinematics in ("inner", "outer")
-    wrong = (s.control != "") & (s.control != s.cause.law.kinematics)
+    named = s.operation.law.kinematics in ("inner", "outer")
+    wrong = (s.control != "") & (s.control != s.operation.law.kinematics)
     assert (s.control_agrees == ~(wrong & named)).all()
 
 
@@ -104,7 +104,9 @@ def test_control_goes_from_inner_at_rest_to_outer_at_speed() -> None:
 
     Between lies a band in which neither race controls (Noël's Fig. 2.8 calls both valid there).
     """
-    bearing = AngularContactBallBearing(9.525e-3, 90e-3, 25, 0.4363, 0.52, 0.56)
+    bearing = AngularContactBallBearing(
+        9.525e-3, 90e-3, 25, contact_angle=0.4363, inner_conformity=0.52, outer_conformity=0.56
+    )
     speed = np.linspace(0.0, 30000.0, 61) * RPM
     s = bearing.equilibrium(load=[1000.0, 0, 0, 0, 0], speed=speed)
     words = [word for word, _ in groupby(s.control[:, 0].tolist())]

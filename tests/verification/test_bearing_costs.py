@@ -6,7 +6,7 @@ import pytest
 
 from bearings.contact import hertz
 from bearings.geometry import geometry
-from bearings.ring.problem import TOLERANCE
+from bearings.ring.tolerances import TOLERANCE
 from benchmarks.bearing.hertz_fits import contacts, measure_hertz
 from benchmarks.bearing.methods import measure_methods
 from benchmarks.bearing.reference import Reference

@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from bearings.ring.assembly import axial_assembly, full_assembly, half_assembly
 from bearings.ring.iterate import Iterate, iterate
 from bearings.ring.state import BearingState
-from bearings.ring.sums import axial_ring, full_ring, half_ring
 from tests.oracles.known_bearings import RPM, VEX70
 
 SPEED = np.array([0.0, 6000.0, 18000.0, 30000.0]) * RPM
@@ -26,7 +26,7 @@ def solved(displacement: np.ndarray, balls: int = 25) -> BearingState:
 def test_half_a_ring_is_the_whole_in_the_plane_of_a_ball(balls: int) -> None:
     """Loads, the tangent in the plane and across it, and what it does not couple."""
     state = solved(IN_PLANE, balls)
-    whole, half = (iterate(state, ring) for ring in (full_ring, half_ring))
+    whole, half = (iterate(state, ring) for ring in (full_assembly, half_assembly))
     assert half.ball.shape[-1] == balls // 2 + 1
     scale = np.array([1.0, 1.0, 1.0, 0.045, 0.045])
     size = np.abs(whole.load).max()
@@ -42,7 +42,7 @@ def test_half_a_ring_is_the_whole_in_the_plane_of_a_ball(balls: int) -> None:
 
 def test_one_ball_stands_for_an_axial_state() -> None:
     state = solved(np.array([25e-6, 0.0, 0.0, 0.0, 0.0]))
-    one, whole = (iterate(state, ring) for ring in (axial_ring, full_ring))
+    one, whole = (iterate(state, ring) for ring in (axial_assembly, full_assembly))
     assert one.ball.shape[-1] == 1
     assert one.load == pytest.approx(whole.load, rel=1e-12, abs=1e-9)
     assert one.load == pytest.approx(state.load, rel=1e-10, abs=1e-9)
@@ -50,7 +50,7 @@ def test_one_ball_stands_for_an_axial_state() -> None:
 
 def test_load_misses_by_the_square_of_what_balls_miss() -> None:
     """A tenth of the distance of all balls from balance leaves a hundredth in the load."""
-    start = iterate(solved(IN_PLANE), full_ring)
+    start = iterate(solved(IN_PLANE), full_assembly)
     away = 1e-7 * np.random.default_rng(4).uniform(-1.0, 1.0, start.ball.shape)
     turning = SPEED > 0.0
     found = [start.at(start.displacement, start.ball + share * away) for share in (1.0, 0.1)]
@@ -65,7 +65,7 @@ def test_rings_and_balls_reach_the_state_under_a_load_together() -> None:
     load = np.array([900.0, 200.0, 0.0, 0.0, 3.0])
     axial = VEX70.equilibrium(load=[900.0, 0, 0, 0, 0], speed=SPEED, kinematics="outer")
     expected = VEX70.equilibrium(load=load, speed=SPEED, kinematics="outer")
-    here = iterate(axial, half_ring)
+    here = iterate(axial, half_assembly)
     for _ in range(7):
         here = here.moved(here.displacement + _step(here, load))
     assert here.displacement == pytest.approx(expected.displacement, rel=1e-9, abs=1e-15)
@@ -85,13 +85,13 @@ def test_without_a_state_nothing_is_said() -> None:
     light = np.array([[900.0, 0, 0, 0, 0]] * 3 + [[2.0, 0, 0, 0, 0]])
     state = VEX70.equilibrium(load=light, speed=SPEED, kinematics="inner")
     assert (state.outcome != "").tolist() == [False, False, False, True]
-    found = iterate(state, axial_ring)
+    found = iterate(state, axial_assembly)
     assert np.isfinite(found.error).tolist() == [True, True, True, False]
     assert found.follows(found).tolist() == [True, True, True, False]
 
 
 def test_an_angle_that_turns_far_is_told() -> None:
-    start = iterate(solved(IN_PLANE), full_ring)
+    start = iterate(solved(IN_PLANE), full_assembly)
     sin, cos = np.sin(0.16), np.cos(0.16)
     turned = np.stack(
         [cos * start.ball[0] + sin * start.ball[1], cos * start.ball[1] - sin * start.ball[0]]

@@ -6,8 +6,6 @@ import numpy as np
 import pytest
 
 from bearings import DeepGrooveBallBearing, InvalidBearing, stiffness
-from bearings.ball.kinematics import HYPOTHESES, SHARINGS
-from bearings.ball.law import KINEMATICS, MOMENT_SHARING
 from tests.oracles.known_bearings import RPM, VEX70
 
 SCALE = np.array([1.0, 1.0, 1.0, 0.045, 0.045])
@@ -74,12 +72,6 @@ def test_states_that_do_not_exist_do_not_disturb_their_neighbours() -> None:
 def test_unknown_method() -> None:
     with pytest.raises(InvalidBearing, match="did you mean 'frozen'"):
         VEX70.equilibrium(load=[1000.0, 0, 0, 0, 0]).stiffness("frosen")
-
-
-def test_numbers_of_a_law_are_places_in_its_names() -> None:
-    """Compiled code knows hypotheses by number, in the order of their names."""
-    assert tuple(HYPOTHESES) == KINEMATICS
-    assert tuple(SHARINGS) == MOMENT_SHARING
 
 
 def test_frozen_is_not_complete_where_the_moment_is_zero_and_its_slope_is_not() -> None:

@@ -8,23 +8,23 @@ from typing import Any
 
 import numpy as np
 import pytest
+from rotordyn.analysis.certificate import certificate
+from rotordyn.numerics.reduction import RitzBasis
+from rotordyn.system import fineness, flexibility, lateral_rotor
+from rotordyn.system.hierarchy import Hierarchy
+from rotordyn.system.leakage import Leakage
+from rotordyn.system.unreduced import MaterialDamping
 
 from benchmarks import random_rotors
 from rotordyn.analysis import campbell
-from rotordyn.analysis.certificate import certificate
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions
 from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.housing import RigidHousing
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.spindle import Spindle
-from rotordyn.numerics.reduction import RitzBasis
-from rotordyn.report.warnings import result_warnings
-from rotordyn.system import fineness, flexibility, lateral_rotor
-from rotordyn.system.hierarchy import Hierarchy
-from rotordyn.system.leakage import Leakage
 from rotordyn.model.mesh import build_mesh
-from rotordyn.system.unreduced import MaterialDamping
+from rotordyn.report.warnings import result_warnings
 from tests.oracles.exact_shaft.count import modes_below, whirl_frequencies
 from tests.oracles.exact_shaft.rotor import exact_rotor
 from tests.oracles.full_rotor import FullRotor

@@ -34,8 +34,8 @@ def made(step: float) -> Spindle:
 
 def frequencies(step: float) -> np.ndarray:
     scene = Scene(made(step), Conditions(accuracy=1e-7), np.zeros(1), 75.0)
-    pole = scene.bending_modes.pole[0].imag
-    return np.sort(pole[pole > 1.0])[:3]
+    pole = scene.system(scene.with_motions(("bending",))[0]).pole[0].imag
+    return np.sort(pole[pole > 1.0])[:6:2]  # both whirls of each mode are alike
 
 
 def exact() -> np.ndarray:

@@ -27,7 +27,7 @@ R20_10 = known_grooves.four_point(known_grooves.R20_10)
 
 def _potential(problem: Any, energy: Array, displacement: Array) -> Array:
     """Contacts less the work of the load (states,) [J]."""
-    alike = problem.geometry.balls / problem.ring.balls
+    alike = problem.geometry.balls / problem.assembly.balls
     work = (problem.load * displacement)[:, problem.free].sum(axis=-1)
     return np.asarray(alike * energy.sum(axis=-1) - work)
 

@@ -51,7 +51,9 @@ def turning_frame(found: Scene, spin: float) -> tuple[np.ndarray, np.ndarray, np
         ]
         return add_at_nodes(0j * plane.mass, nodes, np.array(blocks))
 
-    springs, damping = (held([getattr(s, w) for s in spindle.supports]) for w in ("stiffness", "damping"))
+    springs, damping = (
+        held([getattr(s, w) for s in spindle.supports]) for w in ("stiffness", "damping")
+    )
     moved, rotary = plane.translational_mass, plane.mass - plane.translational_mass
     stiffness = plane.stiffness + springs + 1j * spin * damping
     stiffness = stiffness - spin**2 * moved + spin**2 * (plane.polar - rotary)

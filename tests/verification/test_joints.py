@@ -20,10 +20,10 @@ from rotordyn.errors import InvalidInput
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
+from rotordyn.model.mesh import build_mesh
 from rotordyn.numerics.modes import modes
 from tests.oracles.dense_rotor.assemble import rotor_matrices
 from tests.oracles.dense_rotor.selection import ALL
-from rotordyn.model.mesh import build_mesh
 from tests.oracles.rotors import STEEL, STEPPED, support, uniform
 from tests.oracles.spindles import RPM, all_poles, case, mfw2310, pairs, system_of
 

@@ -11,6 +11,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from rotordyn.numerics.reduction import RitzBasis
+from rotordyn.system import flexibility, hierarchy, remainder
+from rotordyn.system.hierarchic_rotor import bending_hierarchy
 
 from rotordyn.analysis import campbell, frf
 from rotordyn.analysis.scene import Scene
@@ -22,9 +25,6 @@ from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics import flexible
-from rotordyn.numerics.reduction import RitzBasis
-from rotordyn.system import flexibility, hierarchy, remainder
-from rotordyn.system.hierarchic_rotor import bending_hierarchy
 from tests.oracles.rotors import STEEL, support, uniform
 from tests.oracles.spindles import pairs
 from tests.oracles.spinning_beam import PinnedBeam

@@ -17,9 +17,9 @@ from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
-from tests.oracles.dense_rotor.selection import LATERAL
 from rotordyn.model.mesh import build_mesh
 from tests.oracles.coaxial import COAXIAL, STEEL
+from tests.oracles.dense_rotor.selection import LATERAL
 from tests.oracles.exact_shaft.bending import exact_receptance
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.rotors import STEPPED, support

@@ -13,17 +13,28 @@ from hypothesis import strategies as st
 from rotordyn.analysis import campbell, frf
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec
-from rotordyn.model.dofs import DIRECTIONS
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import coupled_motions
+from rotordyn.model.dofs import DIRECTIONS
 from tests.oracles.dense_rotor.selection import ALL
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.matrices import definite, definites, held, turn_about_axis
 from tests.oracles.rotors import STEPPED, support
-from tests.oracles.spindles import RPM, case, mfw2310, pairs, scene, standard, with_springs
+from tests.oracles.spindles import (
+    RPM,
+    case,
+    joined_motions,
+    mfw2310,
+    pairs,
+    poles,
+    scene,
+    standard,
+    with_springs,
+)
 
 HIGHEST = 2000.0
+REDUCED = 1e-5  # relative error by a cut-off of four times the band, where the length is given
 EVERY = tuple(f"nose.{a}/tip.{b}" for a, b in product(DIRECTIONS, DIRECTIONS))
 DRIVEN = tuple(f"{point}.{a}/{point}.{a}" for point in ("nose", "tip") for a in DIRECTIONS)
 FREQUENCY = np.linspace(5.0, HIGHEST, 80)
@@ -40,10 +51,10 @@ def solved(spindle: Spindle, rpm: tuple[float, ...], element: float | None = 0.0
     return Scene(spindle, conditions, np.array(rpm) * RPM, HIGHEST, ports)
 
 
-def above(poles: np.ndarray, highest: float = HIGHEST) -> np.ndarray:
+def above(found: np.ndarray, highest: float = HIGHEST) -> np.ndarray:
     """Those that oscillate up to ``highest`` [Hz], by imaginary part."""
-    poles = poles[(poles.imag > 1.0) & (poles.imag < 2.0 * np.pi * highest)]
-    return poles[np.argsort(poles.imag)]
+    found = found[(found.imag > 1.0) & (found.imag < 2.0 * np.pi * highest)]
+    return found[np.argsort(found.imag)]
 
 
 def receptance(found: Scene, names: tuple[str, ...]) -> np.ndarray:
@@ -73,9 +84,9 @@ def gap(ours: np.ndarray, exact: np.ndarray, driven: np.ndarray) -> float:
 
 
 def compare(found: Scene, row: int) -> None:
-    ours, exact = above(found.coupled_modes.pole[row]), whole(found, row).poles(HIGHEST)
+    ours, exact = above(poles(found, row)), whole(found, row).poles(HIGHEST)
     assert len(ours) == len(exact) >= 1  # strong dampers leave few that swing
-    assert np.abs(ours / exact - 1.0).max() < 1e-6
+    assert np.abs(ours / exact - 1.0).max() < REDUCED
     curves = receptance(found, EVERY)[row]
     assert gap(curves, dense(found, row, EVERY), dense(found, row, DRIVEN)) < 1e-5
 
@@ -107,7 +118,8 @@ def full_supports(*, skew: float = 0.0) -> tuple[object, object]:
 def test_reduced_basis_of_a_fine_mesh(skew: float) -> None:
     found = solved(on(*full_supports(skew=skew)), (0, 20000), None)
     assert len(found.mesh.x) > 50
-    assert found.coupled.stiffness.shape[-1] < 100
+    (k,) = found.with_motions(("bending",))
+    assert found.linear(k).size < 100
     for row in (0, 1):
         compare(found, row)
 
@@ -119,9 +131,9 @@ def test_bearings_beside_a_coupling_support() -> None:
     found = scene(spindle, (0, 24000), 2000.0, bearings="static")
     assert found.outcome == ("", "")
     for row in (0, 1):
-        ours, exact = above(found.coupled_modes.pole[row]), whole(found, row).poles(HIGHEST)
+        ours, exact = above(poles(found, row)), whole(found, row).poles(HIGHEST)
         assert len(ours) == len(exact) >= 5
-        assert np.abs(ours / exact - 1.0).max() < 1e-6
+        assert np.abs(ours / exact - 1.0).max() < REDUCED
 
 
 @pytest.mark.parametrize("degrees", [90.0, 180.0, 37.0])
@@ -140,20 +152,11 @@ def test_turned_about_the_axis(degrees: float) -> None:
         for r in (np.eye(6), turn)
     )
     for row in (0, 1):
-        a, b = above(first.coupled_modes.pole[row]), above(turned.coupled_modes.pole[row])
+        a, b = above(poles(first, row)), above(poles(turned, row))
         assert b == pytest.approx(a, rel=1e-8)
     h, g = (receptance(s, EVERY).reshape(2, 6, 6, -1) for s in (first, turned))
     expected = np.einsum("ia,sabf,jb->sijf", turn, h, turn)
     assert g == pytest.approx(expected, rel=1e-6, abs=1e-8 * np.abs(expected).max())
-
-
-def apart(found: Scene, row: int) -> np.ndarray:
-    """Poles of the three motions, each by itself."""
-    bending = found.bending_modes.pole[row]
-    if found.bending.isotropic:
-        bending = np.concatenate([bending, bending.conj()])
-    rods = (found.axial_modes.pole[row], found.torsion_modes.pole[0])
-    return above(np.concatenate([bending, *rods]))
 
 
 def test_couplings_that_cancel_leave_the_motions_apart() -> None:
@@ -171,9 +174,9 @@ def test_couplings_that_cancel_leave_the_motions_apart() -> None:
         for n, part in enumerate((k, opposite, *rest))
     ]
     joined = solved(on(*every), (20000,))
-    assert not plain.coupled_motions
-    assert len(joined.coupled_motions) == 3
-    assert above(joined.coupled_modes.pole[0]) == pytest.approx(apart(plain, 0), rel=1e-9)
+    assert not joined_motions(plain)
+    assert len(joined_motions(joined)) == 3
+    assert above(poles(joined, 0)) == pytest.approx(above(poles(plain, 0)), rel=1e-9)
     names = ("nose.x/tip.y", "nose.thx/tip.x", "nose.thz/tip.thx")
     across, straight = receptance(joined, names), receptance(joined, ("nose.y/tip.y",))
     assert np.abs(across).max() < 1e-9 * np.abs(straight).max() / 0.1
@@ -192,9 +195,10 @@ def test_plane_that_a_turned_coupling_leaves_alone() -> None:
     k = turn @ (even + coupling) @ turn.T
     joined = solved(on(held("a", 0.03, k), held("b", 0.2, even)), (0,))
     plain = solved(on(held("a", 0.03, even), held("b", 0.2, even)), (0,))
-    assert joined.coupled_motions == {"axial", "bending"}
-    alone = above(np.concatenate([p := plain.bending_modes.pole[0], p.conj()]).ravel())[::2]
-    ours = above(joined.coupled_modes.pole[0])
+    assert joined_motions(joined) == {"axial", "bending"}
+    (bending,) = plain.with_motions(("bending",))
+    alone = above(plain.system(bending).pole[0])[::2]
+    ours = above(poles(joined, 0))
     distance = np.abs(ours[:, None] / alone - 1.0).min(axis=0)
     assert distance.max() < 1e-8
     assert np.abs(ours[:, None] / alone - 1.0).min(axis=1).max() > 1e-3
@@ -207,12 +211,13 @@ def test_weak_coupling_moves_frequencies_with_its_square() -> None:
     own[0, 0] = own[3, 3] = True
     lateral = [1, 2, 4, 5]
     own[np.ix_(lateral, lateral)] = True
-    rest = apart(solved(on(*(held(n, x, k * own) for n, x in (("a", 0.03), ("b", 0.2)))), (0,)), 0)
+    plain = solved(on(*(held(n, x, k * own) for n, x in (("a", 0.03), ("b", 0.2)))), (0,))
+    rest = above(poles(plain, 0))
     moved = []
     for share in (0.02, 0.01, 0.005):
         weak = np.where(own, k, share * k)
         found = solved(on(*(held(n, x, weak) for n, x in (("a", 0.03), ("b", 0.2)))), (0,))
-        moved.append(np.abs(above(found.coupled_modes.pole[0]) / rest - 1.0))
+        moved.append(np.abs(above(poles(found, 0)) / rest - 1.0))
     assert moved[0].max() < 2e-3
     for coarse, fine in ((moved[0], moved[1]), (moved[1], moved[2])):
         seen = fine > 1e-8
@@ -227,8 +232,9 @@ def test_screw_leaves_bending_in_its_complex_form() -> None:
     ends[0] = replace(ends[0], stiffness={**ends[0].stiffness, **screw})
     found = Scene(on(*ends), Conditions(rotor="rigid"), np.array([0, 20000]) * RPM, HIGHEST)
     answer = campbell.answer(found, CampbellSpec(HIGHEST))
-    assert found.bending.isotropic
-    assert found.coupled_motions == {"axial", "torsion"}
+    (bending,), (screw_motion,) = (found.with_motions((m,)) for m in ("bending", "axial"))
+    assert found.linear(bending).isotropic
+    assert found.name_of(screw_motion) == "axial and torsion"
     body = rotor_inertia(found.spindle)
     scale = np.diag([body.mass, body.polar]) ** 0.5
     inverse = np.linalg.inv(scale)

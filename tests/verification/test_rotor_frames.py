@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 from scipy.linalg import eigvals
 
-from tests.oracles.dense_rotor.assemble import add_at_nodes, bending_plane
 from rotordyn.model.mesh import build_mesh
+from tests.oracles.dense_rotor.assemble import add_at_nodes, bending_plane
 from tests.oracles.rotors import STEPPED
 from tests.oracles.whirl import by_modulus, whirl_frequencies
 

@@ -7,11 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rotordyn.model.seat import turn
 from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
-from tests.oracles.dense_rotor.assemble import add_at_nodes, rotor_matrices
 from rotordyn.model.mesh import build_mesh
+from rotordyn.model.seat import turn
+from tests.oracles.dense_rotor.assemble import add_at_nodes, rotor_matrices
 from tests.oracles.rotors import STEPPED
 from tests.oracles.whirl import eigenvalues
 

@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.oracles.dense_rotor.assemble import bending_plane
-from tests.oracles.dense_rotor.selection import PLANE_Y
 from rotordyn.model.mesh import build_mesh
 from tests.oracles.case_files import answered, bending_poles
+from tests.oracles.dense_rotor.assemble import bending_plane
+from tests.oracles.dense_rotor.selection import PLANE_Y
 from tests.oracles.rotors import uniform
 from tests.oracles.spinning_beam import PinnedBeam
 from tests.oracles.whirl import frequencies_at_rest, whirl_frequencies

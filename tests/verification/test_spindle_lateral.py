@@ -13,7 +13,6 @@ from rotordyn.analysis import frf
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import FrfSpec
 from rotordyn.machine.spindle import Spindle
-from rotordyn.numerics.modes import residual
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.spindles import case, mfw2310, pairs, scene, system_of, with_sleeve
 

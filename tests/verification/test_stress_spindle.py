@@ -14,7 +14,16 @@ from rotordyn.analysis.specs import CampbellSpec, FrfSpec, PreloadSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.state import PreloadState, dynamic_preload
-from tests.oracles.spindles import RPM, TOP, answers, conditions, mfw2310, pairs, system_of, undamped
+from tests.oracles.spindles import (
+    RPM,
+    TOP,
+    answers,
+    conditions,
+    mfw2310,
+    pairs,
+    system_of,
+    undamped,
+)
 
 LAW = Law("outer", "equal")
 STILL = np.zeros(1)

@@ -83,7 +83,9 @@ def test_every_speed_is_a_machine_of_its_own() -> None:
         alone = scene(on(halfway(rpm), OTHER), tuple(fastest))
         own = frf.answer(alone, spec).receptance[0]
         assert np.abs(curves[row] - own).max() < 1e-8 * np.abs(own).max()
-        ours, theirs = (np.sort_complex(p) for p in (system_of(whole).modes.pole[row], poles(alone)))
+        ours, theirs = (
+            np.sort_complex(p) for p in (system_of(whole).modes.pole[row], poles(alone))
+        )
         assert np.abs(ours - theirs).max() < 1e-7 * np.abs(theirs).max()
 
 

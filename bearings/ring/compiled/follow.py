@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from bearings.ball.plane import EPS, turned_far
 from bearings.ring.compiled.dense import solve
 from bearings.ring.compiled.one_state import (
-    Found,
+    Evaluation,
     One,
     Work,
     centre_of,
@@ -21,7 +21,7 @@ from bearings.ring.compiled.one_state import (
     followed,
     moved,
 )
-from bearings.ring.problem import (
+from bearings.ring.tolerances import (
     CONVEX_STEPS,
     FIRST_BLEND,
     HALVINGS,
@@ -31,6 +31,7 @@ from bearings.ring.problem import (
     NEWTON_STEPS,
     ON_THE_WAY,
     QUICK_STEPS,
+    ROUNDING,
     SETTLED,
     SHORTEST_BLEND,
     SOFT,
@@ -69,19 +70,11 @@ def find(p: One, d: Array, x: Array, near: bool, w: Work) -> bool:
 
 def _tried(p: One, d: Array, x: Array, blend: float, w: Work) -> tuple[bool, int]:
     """``correct``, taken back where it fails."""
-    _copy(d, x, w.d, w.x)
+    w.d[:], w.x[:] = d, x
     good, used = correct(p, d, x, blend, w)
     if not good:
-        _copy(w.d, w.x, d, x)
+        d[:], x[:] = w.d, w.x
     return good, used
-
-
-def _copy(d: Array, x: Array, into_d: Array, into_x: Array) -> None:
-    """Keeps (d, X)."""
-    for j in range(5):
-        into_d[j] = d[j]
-    for ball in range(len(x)):
-        into_x[ball, 0], into_x[ball, 1] = x[ball, 0], x[ball, 1]
 
 
 def correct(p: One, d: Array, x: Array, blend: float, w: Work) -> tuple[bool, int]:
@@ -115,17 +108,16 @@ def convex(p: One, d: Array, x: Array, w: Work) -> bool:
     return _settled(p, found, w)
 
 
-def error(p: One, found: Found, w: Work) -> float:
+def error(p: One, found: Evaluation, w: Work) -> float:
     """Scaled residual of balls and ring; rounding of the lengths is not counted."""
     c = p.geometry
     reach = c.inner_reach + c.outer_reach
     largest = max(found.largest, 1e-300)
-    noise = 16.0 * EPS * reach * 1.5 * (c.inner.stiffness**2 * largest) ** (1.0 / 3.0) / TOLERANCE
+    noise = (
+        ROUNDING * EPS * reach * 1.5 * (c.inner.stiffness**2 * largest) ** (1.0 / 3.0) / TOLERANCE
+    )
     worst = found.imbalance / (largest + noise)
-    size = 0.0
-    for j in range(5):
-        size = max(size, abs(p.load[j] / p.scale[j]))
-    size += 1e-3 * p.geometry.balls * found.largest + p.geometry.balls * noise + 1e-300
+    size = p.load_size + p.geometry.balls * (1e-3 * found.largest + noise) + 1e-300
     for j in p.free:
         worst = max(worst, abs(w.action[j] - p.load[j]) / p.scale[j] / size)
     return worst
@@ -176,28 +168,22 @@ def _missing_step(p: One, soft: float, w: Work) -> Array:
     return step
 
 
-def _settled(p: One, found: Found, w: Work) -> bool:
+def _settled(p: One, found: Evaluation, w: Work) -> bool:
     """Whether the convex stage carries the load."""
     k, gap = _reduced(p, w.action, w)
-    c, size = p.geometry, 0.0
-    for j in range(5):
-        size = max(size, abs(p.load[j] / p.scale[j]))
-    size += 1e-3 * p.geometry.balls * found.largest
-    noise = 16.0 * EPS * (c.inner_reach + c.outer_reach) * np.abs(k).max()
+    c, size = p.geometry, p.load_size + 1e-3 * p.geometry.balls * found.largest
+    noise = ROUNDING * EPS * (c.inner_reach + c.outer_reach) * np.abs(k).max()
     needed = SETTLED if p.turning else 0.1 * TOLERANCE
     return np.abs(gap).max() <= needed * size + noise
 
 
-def _searched(p: One, d: Array, x: Array, step: Array, found: Found, w: Work) -> Found:
+def _searched(p: One, d: Array, x: Array, step: Array, found: Evaluation, w: Work) -> Evaluation:
     """A step of the convex stage, halved until the potential falls."""
     reach = p.geometry.inner_reach + p.geometry.outer_reach
-    largest = 0.0
-    for j in range(5):
-        largest = max(largest, abs(p.load[j] / p.scale[j]))
     before = found.energy - _work(p, d)
-    most = before + 64.0 * EPS * (abs(before) + largest * reach)
+    most = before + 64.0 * EPS * (abs(before) + p.load_size * reach)
     follow, length = w.follow.copy(), 1.0
-    _copy(d, x, w.d, w.x)
+    w.d[:], w.x[:] = d, x
     for _ in range(HALVINGS):
         for j in range(5):
             d[j] = w.d[j] + length * step[j]

@@ -10,9 +10,19 @@ from numpy.typing import NDArray
 from bearings.ball.balance import Rows, settled, turning_balance
 from bearings.ball.law import LawNumbers
 from bearings.ball.plane import Motion, Pair, Triple, plus
-from bearings.ball.potential import reaction, resting_reaction, resting_seat
+from bearings.ball.potential import (
+    both_races,
+    depth,
+    first_seat,
+    improves,
+    reaction,
+    resting_reaction,
+    resting_seat,
+    riding_radius,
+    seat_step,
+)
 from bearings.geometry import Geometry, Groove
-from bearings.ring.compiled.seat import seat
+from bearings.ring.tolerances import SEAT_STEPS
 
 Array = NDArray[np.float64]
 
@@ -20,19 +30,21 @@ Array = NDArray[np.float64]
 class One(NamedTuple):
     """A state to find.
 
-    ``azimuth`` (n, 6) as in ``bearings.ring.sums.Ring``; ``scale`` (5,), ``origin`` (2,),
-    ``load`` (5,) as in ``bearings.ring.problem.Problem``; ``free``: places of the freedoms
-    whose load is given; ``placed``, ``full`` too; ``one_branch`` as in ``bearings.ball.law``;
-    ``squared`` ω².
+    ``origin`` (2,), ``load`` (5,), ``scale`` (5,), ``placed`` and ``full`` as in
+    ``bearings.ring.problem.Problem``; ``azimuth`` (n, 6) as in
+    ``bearings.ring.assembly.Assembly``; ``free``: places of the freedoms whose load
+    is given; ``one_branch`` as in ``bearings.ball.law``; ``squared`` ω²; ``load_size``: largest
+    load, as a force.
     """
 
     origin: Array
     squared: float
     load: Array
+    scale: Array
+    load_size: float
     geometry: Geometry
     law: LawNumbers
     azimuth: Array
-    scale: Array
     free: NDArray[np.intp]
     turning: bool
     one_branch: bool
@@ -60,8 +72,8 @@ class Work(NamedTuple):
     x: Array
 
 
-class Found(NamedTuple):
-    """Of an evaluation.
+class Evaluation(NamedTuple):
+    """Sums over the balls.
 
     ``largest`` ball load; ``imbalance`` of a ball; ``fold``: smallest ball determinant;
     ``pressed``: every ball on the outer race; ``energy`` of the convex stage.
@@ -117,7 +129,7 @@ def _keep_follow(f: Array, first: Motion, second: Motion) -> None:
         f[2], f[5] = first[2], second[2]
 
 
-def evaluate(p: One, d: Array, x: Array, blend: float, w: Work) -> Found:
+def evaluate(p: One, d: Array, x: Array, blend: float, w: Work) -> Evaluation:
     """The full problem at (d, X)."""
     largest, imbalance, fold, pressed = 0.0, 0.0, np.inf, True
     _clear(w)
@@ -139,10 +151,10 @@ def evaluate(p: One, d: Array, x: Array, blend: float, w: Work) -> Found:
         w.still[ball, 0], w.still[ball, 1] = s.still
         _keep_follow(w.follow[ball], s.follow[0], s.follow[1])
         _add(p, ball, b.action, s.action, s.tangent, w)
-    return Found(largest, imbalance, fold, pressed, 0.0)
+    return Evaluation(largest, imbalance, fold, pressed, 0.0)
 
 
-def evaluate_convex(p: One, d: Array, x: Array, w: Work) -> Found:
+def evaluate_convex(p: One, d: Array, x: Array, w: Work) -> Evaluation:
     """The convex stage at d, balls settled from X, which is written anew."""
     largest, energy, c = 0.0, 0.0, p.geometry
     push = c.orbit * c.nominal * p.squared
@@ -151,16 +163,16 @@ def evaluate_convex(p: One, d: Array, x: Array, w: Work) -> Found:
         centre = centre_of(p, d, ball)
         if p.placed:
             here = seat(c, centre, push, (x[ball, 0], x[ball, 1]))
-            answer = reaction(c, centre, here, push)
-            _keep_follow(w.follow[ball], answer.follow[0], answer.follow[1])
+            each = reaction(c, centre, here, push)
+            _keep_follow(w.follow[ball], each.follow[0], each.follow[1])
         else:
             here = resting_seat(c, (centre[0], centre[1]))
-            answer = resting_reaction(c, centre)
-        energy += answer.energy
+            each = resting_reaction(c, centre)
+        energy += each.energy
         x[ball, 0], x[ball, 1] = here
-        largest = max(largest, np.sqrt(answer.action[0] ** 2 + answer.action[1] ** 2))
-        _add(p, ball, answer.action, answer.action, answer.slope, w)
-    return Found(largest, 0.0, 1.0, True, energy * p.geometry.balls / len(x))
+        largest = max(largest, np.sqrt(each.action[0] ** 2 + each.action[1] ** 2))
+        _add(p, ball, each.action, each.action, each.slope, w)
+    return Evaluation(largest, 0.0, 1.0, True, energy * p.geometry.balls / len(x))
 
 
 def _clear(w: Work) -> None:
@@ -232,3 +244,27 @@ def _add_load(az: Array, radius: float, action: Triple, load: Array) -> None:
     load[2] += az[2] * radial
     load[3] += az[2] * lever
     load[4] -= az[1] * lever
+
+
+def seat(c: Geometry, centre: Motion, push: float, start: Pair) -> Pair:
+    """X of least potential, see ``seat`` in ``bearings.ring.convex_stage``."""
+    riding = riding_radius(c, push)
+    if len(c.outer_grooves) == 1 and both_races(c, centre, (0.0, riding))[0].energy == 0.0:
+        return 0.0, riding
+    first = first_seat(c, centre, push)
+    x = (first[0] + 0.0, first[1] + 0.0)
+    now, length = seat_step(c, centre, x, push), 1.0
+    if depth(c.outer_grooves, start) > 0.0:
+        given = seat_step(c, centre, start, push)
+        if given.energy < now.energy:
+            x, now = start, given
+    for _ in range(SEAT_STEPS):
+        if not now.moving:
+            break
+        trial = (x[0] + length * now.step[0], x[1] + length * now.step[1])
+        then = seat_step(c, centre, trial, push)
+        if improves(now, then):
+            x, now, length = trial, then, 1.0
+        else:
+            length *= 0.5
+    return x

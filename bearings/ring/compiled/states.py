@@ -25,25 +25,26 @@ NEAR = 0.2  # relative change of speed and load from the last state that makes i
 _loaded: set[tuple[int, int]] = set()
 
 
-class Answer(NamedTuple):
+class Found(NamedTuple):
     """d (s, 5), X (2, s, n), load (s, 5), K (s, 5, 5), and where there is a state (s,)."""
 
     displacement: Array
     ball: Array
     load: Array
     stiffness: Array
-    found: NDArray[np.bool_]
+    exists: NDArray[np.bool_]
 
 
-def pays(balls: int, kind: tuple[int, int]) -> bool:
+def pays(balls: int, grooves: tuple[int, int]) -> bool:
     """Whether so many balls are found sooner with the compiled solver, its loading included.
 
-    ``kind``: numbers of contacts a race, for each of which the solver is compiled once.
+    ``grooves`` of the inner and the outer ring: for each pair of these numbers the solver is
+    compiled once.
     """
-    if kind in _loaded:
+    if grooves in _loaded:
         return True
     seconds = BALL * balls
-    return seconds > COMPILING or (seconds > FROM_DISK and kind == (1, 1) and is_kept())
+    return seconds > COMPILING or (seconds > FROM_DISK and grooves == (1, 1) and is_kept())
 
 
 @lru_cache(maxsize=1)
@@ -53,27 +54,26 @@ def _entry() -> Any:
 
 def compiled_states(
     problem: Problem, displacement: Array, guess: Array | None, *, chained: bool = False
-) -> Answer:
+) -> Found:
     """Solve one state after the other.
 
     ``displacement`` (s, 5), ``guess`` (2, s or fewer, n): starts; ``chained``: where there is no
     guess, a state starts from the one before if that is near.
     """
-    g, ring = problem.geometry, problem.ring
-    states, balls = len(problem.speed), ring.balls
+    g, balls = problem.geometry, problem.assembly.balls
+    states = len(problem.speed)
     d, x = displacement.copy(), np.zeros((states, balls, 2))
     if guess is not None:
         x[: guess.shape[1]] = guess.transpose(1, 2, 0)
     load, stiffness = np.zeros((states, 5)), np.zeros((states, 5, 5))
-    found = np.zeros(states, dtype=np.bool_)
+    exists = np.zeros(states, dtype=np.bool_)
     speed = problem.speed if problem.turning else 0.0 * problem.speed
-    given = (problem.origin.T, speed, problem.load)
+    given = (problem.origin.T, speed, problem.load, problem.scale)
     _loaded.add((len(g.inner_grooves), len(g.outer_grooves)))
     shared = (
         g,
         problem.law.numbers,
-        ring.azimuth,
-        problem.scale,
+        problem.assembly.azimuth,
         problem.free.nonzero()[0],
         problem.turning,
         problem.law.one_branch,
@@ -83,37 +83,38 @@ def compiled_states(
     _entry()(
         shared,
         tuple(np.array(part, order="C") for part in given),  # one type of array: one compilation
-        (d, x, load, stiffness, found),
+        (d, x, load, stiffness, exists),
         np.arange(states) < (0 if guess is None else guess.shape[1]),
         chained,
     )
-    return Answer(d, x.transpose(2, 0, 1), load, stiffness, found)
+    return Found(d, x.transpose(2, 0, 1), load, stiffness, exists)
 
 
 def find_all(
     shared: tuple[Any, ...],
-    given: tuple[Array, Array, Array],
-    answer: tuple[Array, Array, Array, Array, NDArray[np.bool_]],
+    given: tuple[Array, Array, Array, Array],
+    states: tuple[Array, Array, Array, Array, NDArray[np.bool_]],
     near: NDArray[np.bool_],
     chained: bool,
 ) -> None:
-    """States of ``given`` = (A₀ (s, 2), speed (s,), load (s, 5)); compiled, called for all at once.
+    """States of ``given`` = (A₀ (s, 2), speed, load (s, 5), scale (5,)); called for all at once.
 
-    ``shared``: what they have in common, ``One`` from ``geometry`` on. Written into ``answer`` =
-    (d (s, 5), X (s, n, 2), load (s, 5), K (s, 5, 5), found (s,)), where d and, if ``near`` (s,), X
+    ``shared``: what they have in common, ``One`` from ``geometry`` on. Written into ``states`` =
+    (d (s, 5), X (s, n, 2), load (s, 5), K (s, 5, 5), exists (s,)), where d and, if ``near`` (s,), X
     are the starts. ``chained``: a state starts from the one before where load, displacement and
     speed are close; otherwise every state is found on its own.
     """
-    origin, speed, load = given
-    d, x, carried, stiffness, found = answer
+    origin, speed, load, scale = given
+    d, x, carried, stiffness, exists = states
     w = room(x.shape[1])
     for k in range(len(speed)):
-        p = One(origin[k], speed[k] ** 2, load[k], *shared)
+        size = np.abs(load[k] / scale).max()
+        p = One(origin[k], speed[k] ** 2, load[k], scale, size, *shared)
         start = near[k]
-        if chained and not start and k and found[k - 1] and _near(p, speed, load, d, k):
+        if chained and not start and k and exists[k - 1] and _near(p, speed, load, d, k):
             start = True
             _begin(d, x, p.free, k)
-        found[k] = find(p, d[k], x[k], start, w)
+        exists[k] = find(p, d[k], x[k], start, w)
         carried[k], stiffness[k] = w.action, w.stiffness
 
 
@@ -121,9 +122,8 @@ def _near(p: One, speed: Array, load: Array, d: Array, k: int) -> bool:
     """Whether the last state is close enough to start from."""
     if abs(speed[k] - speed[k - 1]) > NEAR * speed[k]:
         return False
-    size, change = 0.0, 0.0
+    change = 0.0
     for j in range(5):
-        size = max(size, abs(load[k, j] / p.scale[j]))
         change = max(change, abs(load[k, j] - load[k - 1, j]) / p.scale[j])
     reach = p.geometry.inner_reach + p.geometry.outer_reach
     for j in range(5):
@@ -132,7 +132,7 @@ def _near(p: One, speed: Array, load: Array, d: Array, k: int) -> bool:
             given = given and place != j
         if given and abs(d[k, j] - d[k - 1, j]) * p.scale[j] > 0.01 * NEAR * reach:
             return False
-    return change <= NEAR * size
+    return change <= NEAR * p.load_size
 
 
 def _begin(d: Array, x: Array, free: NDArray[np.intp], k: int) -> None:

@@ -27,8 +27,8 @@ def geometry(entry: BearingEntry, root: Node, way: tuple[object, ...], faults: F
     try:
         bearing = built(entry)
     except InvalidBearing as error:
-        place = _named(str(error), entry, root.at(*way))
-        faults.at(root, (*way, *place), f"impossible bearing: {error}")
+        place, hint = _named(str(error), entry, root.at(*way))
+        faults.at(root, (*way, *place), f"impossible bearing: {error}{hint}")
         return
     _rings(entry, bearing, root, way, faults)
 
@@ -46,11 +46,21 @@ def _known(entry: BearingEntry) -> bool:
     return True
 
 
-def _named(sentence: str, entry: BearingEntry, here: Node) -> tuple[str, ...]:
-    """The first key that a sentence names, among those that the file gives."""
+def _named(sentence: str, entry: BearingEntry, here: Node) -> tuple[tuple[str, ...], str]:
+    """The key to change of those that a sentence names, and how to override one of the model.
+
+    Keys that an override gives come first: the model of a library is not the user's to change.
+    """
     words = re.findall(r"[a-z_]+", sentence)
     given = [w for w in words if w in entry.measures and here.child(w) is not None]
-    return tuple(given[:1])
+    written = [w for w in given if here.at(w).file != here.file]
+    fields = type(entry).model_fields
+    optional = [w for w in given if w not in written and fields[w].default is None]
+    hint = ""
+    if written and optional and "exactly one" in sentence:
+        nulls = ", ".join(f"{w}: null" for w in dict.fromkeys(optional))
+        hint = f"; the model gives {optional[0]} already: add {nulls} to the override"
+    return tuple((written or given)[:1]), hint
 
 
 def _rings(

@@ -47,6 +47,11 @@ def wrong_kind(word: object) -> str:
     )
 
 
+def kinds_with(key: str) -> list[str]:
+    """The kinds that have this key."""
+    return [kind for kind in KINDS if key in kind_class(kind).measures()]
+
+
 @cache
 def entry_of(kind: str) -> type[BearingEntry]:
     """The entry of one kind, by its word in ``KINDS``."""

@@ -13,6 +13,7 @@ elements well conditioned.
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -23,6 +24,7 @@ from rotordyn.model.elements.polynomials import bubbles, points
 from rotordyn.model.elements.standard_beam import PlaneBending, plane_bending, shear_parameter
 
 Array = NDArray[np.float64]
+MORE = 10  # degrees of polynomials that Gauss points take beside the square of the shapes
 _CONSTANT = 1.0 / 6.0**0.5  # shear angle of the freedom of constant shear: −½ ∫ψ_2 dξ
 
 
@@ -66,14 +68,38 @@ def hierarchic_bending(
     xi, weight = points(2 * degree + 4)
     shape = shapes(length, phi, degree, xi)
     along = weight * length[:, None] / 2.0
-    translational = _product(shape.deflection, density * ring, along)
-    rotary = _product(shape.rotation, density * moment, along)
+    translational = _product(shape.deflection, (density * ring)[:, None] * along)
+    rotary = _product(shape.rotation, (density * moment)[:, None] * along)
     translational[:, :4, :4] = standard.translational_mass
     rotary[:, :4, :4] = standard.polar / 2.0
     stiffness = np.zeros_like(rotary)
     stiffness[:, :4, :4] = standard.stiffness
     inner = np.arange(4, stiffness.shape[-1])
     stiffness[:, inner, inner] = _inner_stiffness(length, bending, shear, degree)
+    return PlaneBending(
+        mass=translational + rotary,
+        translational_mass=translational,
+        polar=2.0 * rotary,
+        stiffness=stiffness,
+    )
+
+
+def tapered_bending(
+    length: Array, phi: Array, sections: Callable[[Array], Sequence[Array]], *, degree: int
+) -> PlaneBending:
+    """The same of elements whose sections change along them, integrated over Gauss points.
+
+    ``phi`` Φ (elements,), that of the shape functions; ``sections`` at ξ (points,): κGA [N],
+    EI [N·m²], ρA [kg/m], ρI [kg·m], each (elements, points).
+    """
+    xi, weight = points(2 * degree + MORE)
+    shape = shapes(length, phi, degree, xi)
+    shear, bending, mass, inertia = sections(xi)
+    along = weight * length[:, None] / 2.0
+    translational = _product(shape.deflection, mass * along)
+    rotary = _product(shape.rotation, inertia * along)
+    stiffness = _product(shape.curvature, bending * along)
+    stiffness += _product(shape.slope - shape.rotation, shear * along)
     return PlaneBending(
         mass=translational + rotary,
         translational_mass=translational,
@@ -155,7 +181,8 @@ _ROTATION = np.array([[0, 1, 0, 0], [-6, -4, 6, -2], [6, 3, -6, 3], [0, 0, 0, 0]
 _ROTATION_SHEAR = np.array([[0, 1, 0, 0], [0, -1, 0, 1], [0, 0, 0, 0], [0, 0, 0, 0]], dtype=float)
 
 
-def _product(shape: Array, factor: Array, along: Array) -> Array:
-    """∫ factor · shapeᵀ shape dx of every element (elements, freedoms, freedoms)."""
-    weighted = shape * (factor[:, None] * along)[..., None]
+def _product(shape: Array, factor: Array) -> Array:
+    """Σ factor · shapeᵀ shape over the points (elements, points) of every element (elements,
+    freedoms, freedoms)."""
+    weighted = shape * factor[..., None]
     return np.asarray(np.swapaxes(weighted, -1, -2) @ shape)

@@ -6,6 +6,7 @@ frequencies err as h^(2n).
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,6 +17,7 @@ from rotordyn.model.elements.polynomials import bubbles, points
 Array = NDArray[np.float64]
 
 _STIFFNESS = np.array([[1.0, -1.0], [-1.0, 1.0]])
+MORE = 10  # as in ``beam``
 _MASS = np.array([[2.0, 1.0], [1.0, 2.0]]) / 6.0
 
 
@@ -63,6 +65,25 @@ def hierarchic_rod(length: Array, rigidity: Array, line_inertia: Array, *, degre
     stiffness[:, :2, :2] = core.stiffness
     inner = np.arange(2, degree + 1)
     stiffness[:, inner, inner] = (2.0 * rigidity / length)[:, None]
+    return Rod(mass=mass, stiffness=stiffness)
+
+
+def tapered_rod(
+    length: Array, properties: Callable[[Array], tuple[Array, Array]], *, degree: int
+) -> Rod:
+    """The same of rods whose ``properties`` change along them: rigidity and inertia at ξ (points,),
+    (elements, points) each."""
+    xi, weight = points(2 * degree + MORE)
+    rigidity, inertia = properties(xi)
+    along = weight * length[:, None] / 2.0
+    shape = np.broadcast_to(shapes(degree, xi), (len(length), len(xi), degree + 1))
+    ends = np.broadcast_to([-0.5, 0.5], (len(xi), 2))
+    slope = ends if degree < 2 else np.concatenate([ends, bubbles(degree, xi)[2]], axis=-1)
+    slope = slope / (length / 2.0)[:, None, None]
+    mass, stiffness = (
+        np.swapaxes(rows * (factor * along)[..., None], 1, 2) @ rows
+        for rows, factor in ((shape, inertia), (slope, rigidity))
+    )
     return Rod(mass=mass, stiffness=stiffness)
 
 

@@ -9,7 +9,7 @@ import pytest
 
 import rotordyn.analysis.race_control as race_control
 from bearings.ball.law import Law
-from bearings.race_control import control_map, quadratic
+from rotordyn.analysis.control_map import control_map, quadratic
 from rotordyn.analysis.race_control import answer, fit_words, fitted
 from rotordyn.analysis.specs import Conditions, ControlSpec
 from rotordyn.errors import NoSolution

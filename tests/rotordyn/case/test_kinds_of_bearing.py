@@ -138,6 +138,43 @@ def test_an_override_may_change_the_kind(tmp_path: Path) -> None:
     assert found.radial_clearance == pytest.approx(20e-6)
 
 
+def overridden(folder: Path, override: str) -> Any:
+    path = folder / "case.yaml"
+    path.write_text(
+        f"bearing: '6012'\noverride: {{{override}}}\n"
+        "speeds: [0 rpm]\nanalyses: {bearing: {loads: [100 N]}}\n",
+        encoding="utf-8",
+    )
+    return rotordyn.load(path).bearing
+
+
+@pytest.mark.parametrize(
+    ("override", "place"),
+    [
+        ("contact_angle: 15 deg", "override.contact_angle"),
+        ("kind: angular_contact, contact_angle: 15 deg", "override.kind"),
+    ],
+)
+def test_a_fault_that_an_override_makes_is_put_right_there(
+    override: str, place: str, tmp_path: Path
+) -> None:
+    """At the line of the user, not in the model of the library; with the way out, which works."""
+    with pytest.raises(rotordyn.InvalidInput, match="add radial_clearance: null") as refused:
+        overridden(tmp_path, override)
+    (fault,) = refused.value.faults
+    assert (Path(fault.file).name, fault.line, fault.path) == ("case.yaml", 2, place)
+    found = overridden(tmp_path, f"{override}, radial_clearance: null")
+    assert found.contact_angle == pytest.approx(math.radians(15.0))
+
+
+def test_a_key_of_another_kind_asks_for_the_kind(tmp_path: Path) -> None:
+    with pytest.raises(rotordyn.InvalidInput, match="is 'kind: deep_groove' missing"):
+        model(tmp_path, **COMMON, radial_clearance="15 um")
+    with pytest.raises(rotordyn.InvalidInput) as refused:
+        model(tmp_path, kind="angular_contact", **COMMON, radial_clearance="15 um")
+    assert "missing?" not in str(refused.value)
+
+
 def rear(name: str = "rear") -> tuple[Spindle, Any]:
     spindle = rotordyn.load("spindle_deep_groove_rear").spindle
     assert spindle is not None

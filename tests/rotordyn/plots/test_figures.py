@@ -102,7 +102,7 @@ def test_campbell_leaves_out_what_hardly_swings():
 
 
 def test_figure_and_summary_tell_one_error_of_what_swings():
-    """The largest of a motion that is_overdamped is told by neither, that of a strongly damped one is."""
+    """The largest of an overdamped motion is told by neither, that of a strongly damped one is."""
     result = samples.campbell(9)
     ratio, error = result.damping_ratio.copy(), result.frequency_error.copy()
     ratio[:5, 0], ratio[:4, 1], ratio[:, 2] = 0.9999, 0.9999, 0.9

@@ -97,6 +97,7 @@ def test_a_force_pushes_the_shaft_through_the_play() -> None:
     assert before.seat_load()[0, 2] < 0.0 < after.seat_load()[0, 2]
     assert within.seat_load()[0, 2] == 0.0
     assert "rear stands within its play at 0 rpm" in within.outcome[0]
+    assert "however the shaft is held elsewhere" in within.outcome[0]
     assert within.spring_force[0, 0] == pytest.approx(700.0, rel=1e-9)
     assert abs(within.net.position[0, 0]) < play / 2.0
     assert after.outcome == ("",)
@@ -160,3 +161,16 @@ def test_each_seat_is_solved_under_its_law() -> None:
         )
         assert found.seat_load()[0, k] == pytest.approx(alone.load[0], rel=1e-9)
     assert found.seat_load()[0, 0] != pytest.approx(found.seat_load()[0, 1], rel=1e-4)
+
+
+@pytest.mark.parametrize("shim", [1e-6, 5e-5])
+def test_a_shim_too_small_for_two_arcs_is_reported(shim: float) -> None:
+    small = FourPointBallBearing(
+        0.0103, 0.0775, 13, contact_angle=math.radians(25.0), inner_shim=shim
+    )
+    found = state(sprung_set(1, small)).small_shims()
+    if shim < 1e-5:
+        (word,) = found
+        assert "bearing rear: an arc presses beyond the middle of its groove" in word
+    else:
+        assert not found

@@ -7,9 +7,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from rotordyn.model.mesh import build_mesh
 from rotordyn.surface.body import together
 from rotordyn.surface.several import displacements, holders, section_motions, surfaces
-from rotordyn.model.mesh import build_mesh
 from tests.oracles.coaxial import COAXIAL, INNER, OUTER
 
 MESH = build_mesh(COAXIAL)

@@ -1,13 +1,17 @@
-"""What a caller asks of a bearing, checked and laid out as a list of states."""
+"""The operating points of a bearing that are asked for, checked and laid out as a list."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from bearings.ball.law import Law
 from bearings.errors import InvalidBearing
+from bearings.geometry import Geometry, geometry
+from bearings.grooves import Grooves
 
 Array = NDArray[np.float64]
 LARGEST = {  # SI; far beyond any bearing
@@ -21,13 +25,15 @@ PAIRS = ("Fx or δx", "Fy or δy", "Fz or δz", "My or θy", "Mz or θz")
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Question:
-    """States to find, one after the other; ``shape`` is the caller's batch shape.
+class Operation:
+    """Bearing, assumptions and operating points; ``shape`` is the caller's batch shape.
 
     Where ``free`` (5,) is true ``load`` (s, 5) is given, elsewhere ``displacement`` (s, 5); what is
     not given is zero. ``speed`` without sign, ``static_growth``, ``growth`` (s,).
     """
 
+    grooves: Grooves
+    law: Law
     free: NDArray[np.bool_]
     load: Array
     displacement: Array
@@ -35,6 +41,11 @@ class Question:
     static_growth: Array
     growth: Array
     shape: tuple[int, ...]
+
+    @property
+    def geometry(self) -> Geometry:
+        """What the grooves imply."""
+        return geometry(self.grooves)
 
     @property
     def axial(self) -> NDArray[np.bool_]:
@@ -46,31 +57,36 @@ class Question:
         """States that no load presses together, free to retreat along the axis (s,)."""
         return np.asarray(self.free[0] & (self.load == 0.0).all(axis=1))
 
-    def repeated(self, index: int | NDArray[np.intp], speeds: Array) -> Question:
-        """The same question about one of its states, or some (k,), at other ``speeds`` (k,)."""
+    def repeated(self, index: int | NDArray[np.intp], speeds: Array) -> Operation:
+        """One of its points, or some (k,), at other ``speeds`` (k,)."""
         row = np.broadcast_to(index, speeds.shape)
-        parts = (self.load[row], self.displacement[row])
-        growth = (self.static_growth[row], self.growth[row])
-        return Question(self.free, *parts, speeds, *growth, speeds.shape)
+        names = ("load", "displacement", "static_growth", "growth")
+        parts: dict[str, Any] = {name: getattr(self, name)[row] for name in names}
+        return replace(self, speed=speeds, shape=speeds.shape, **parts)
 
-    def at(self, displacement: Array) -> Question:
-        """Loads asked for at displacements (k, …, m, 5) around those of the states (…)."""
+    def at(self, displacement: Array) -> Operation:
+        """Displacements (k, …, m, 5) given around those of the points (…)."""
         shape = displacement.shape[:-1]
-        growths = (self.speed, self.static_growth, self.growth)
-        wide = (a.reshape(*self.shape, 1) for a in growths)
-        speed, static, growth = (np.broadcast_to(a, shape).reshape(-1) for a in wide)
+        names = ("speed", "static_growth", "growth")
+        wide = {name: getattr(self, name).reshape(*self.shape, 1) for name in names}
+        parts: dict[str, Any] = {
+            name: np.broadcast_to(a, shape).reshape(-1) for name, a in wide.items()
+        }
         move = displacement.reshape(-1, 5)
-        free = np.zeros(5, dtype=bool)
-        return Question(free, np.zeros_like(move), move, speed, static, growth, shape)
+        load, free = np.zeros_like(move), np.zeros(5, dtype=bool)
+        return replace(self, free=free, load=load, displacement=move, shape=shape, **parts)
 
 
-def question(
+def operation(
+    grooves: Grooves,
+    law: Law,
+    *,
     load: ArrayLike | None,
     displacement: ArrayLike | None,
     speed: ArrayLike,
     static_growth: ArrayLike,
     growth: ArrayLike | None,
-) -> Question:
+) -> Operation:
     """Check and broadcast; see ``BallBearing.equilibrium``.
 
     Raises
@@ -81,7 +97,8 @@ def question(
         raise InvalidBearing("give load or displacement, exactly one of each pair")
     mixed = load is not None and displacement is not None
     force, move = (
-        five_numbers(n, v, mixed) for n, v in (("load", load), ("displacement", displacement))
+        five_numbers("load", load, mixed),
+        five_numbers("displacement", displacement, mixed),
     )
     free = _free(force, move)
     omega, static = finite("speed", speed), finite("static_growth", static_growth)
@@ -95,7 +112,7 @@ def question(
     force, move = (
         np.nan_to_num(np.broadcast_to(a, (*shape, 5)).reshape(-1, 5)) for a in (force, move)
     )
-    return Question(free, force, move, np.abs(omega), static, total, shape)
+    return Operation(grooves, law, free, force, move, np.abs(omega), static, total, shape)
 
 
 def five_numbers(name: str, value: ArrayLike | None, mixed: bool = False) -> Array:
@@ -115,6 +132,21 @@ def five_numbers(name: str, value: ArrayLike | None, mixed: bool = False) -> Arr
     return array
 
 
+def finite(name: str, value: ArrayLike, *, single: bool = False) -> Array:
+    """Numbers of any shape; where ``single`` one number, as (1,).
+
+    Raises
+    ------
+    InvalidBearing : something else, or not finite
+    """
+    array = _numbers(name, value)
+    if not np.isfinite(array).all():
+        raise InvalidBearing(f"{name} must be finite, got {value!r}")
+    if single and array.size != 1:
+        raise InvalidBearing(f"{name} must be one number, got {value!r}")
+    return array.reshape(1) if single else array
+
+
 def _free(load: Array, displacement: Array) -> NDArray[np.bool_]:
     """Which of the five pairs are given by their load (5,), the same for every state."""
     by_load, by_move = (
@@ -131,38 +163,24 @@ def _free(load: Array, displacement: Array) -> NDArray[np.bool_]:
     return np.asarray(by_load.all(axis=0))
 
 
-def finite(name: str, value: ArrayLike) -> Array:
-    """Numbers of any shape.
-
-    Raises
-    ------
-    InvalidBearing : something else, or not finite
-    """
-    array = _numbers(name, value)
-    if not np.isfinite(array).all():
-        raise InvalidBearing(f"{name} must be finite, got {value!r}")
-    return array
-
-
-def single(name: str, value: ArrayLike) -> Array:
-    """One number (1,).
-
-    Raises
-    ------
-    InvalidBearing : more than one, or not finite
-    """
-    array = finite(name, value)
-    if array.size != 1:
-        raise InvalidBearing(f"{name} must be one number, got {value!r}")
-    return array.reshape(1)
-
-
 def _numbers(name: str, value: ArrayLike) -> Array:
     try:
         array = np.asarray(value, dtype=float)
     except (TypeError, ValueError, OverflowError) as error:
-        raise InvalidBearing(f"{name} must be numbers, got {value!r}") from error
+        raise InvalidBearing(f"{name} must be numbers, got {value!r:.80}") from error
+    if _truths(value):
+        raise InvalidBearing(f"{name} must be numbers, got {value!r:.80}")
     size = np.abs(array)
     if ((size > LARGEST[name]) & (size < np.inf)).any():
         raise InvalidBearing(f"{name} beyond {LARGEST[name]:g} SI units: is the unit right?")
     return array
+
+
+def _truths(value: object) -> bool:
+    """Whether True or False stand among numbers, which ``float`` would take for 1 and 0."""
+    if type(value) is float:  # the speed of most calls
+        return False
+    if isinstance(value, np.ndarray) and value.dtype != object:
+        return value.dtype == bool
+    each = np.asarray(value, dtype=object).flat
+    return any(isinstance(number, bool | np.bool_) for number in each)

@@ -7,10 +7,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rotordyn.model.elements.polynomials import bubbles, points
-from rotordyn.model.elements.beam import hierarchic_bending, inner_freedoms, shapes
-from rotordyn.model.elements.standard_beam import plane_bending, shear_parameter
 from rotordyn.machine.cross_section import area, second_moment
+from rotordyn.model.elements.beam import hierarchic_bending, inner_freedoms, shapes
+from rotordyn.model.elements.polynomials import bubbles, points
+from rotordyn.model.elements.standard_beam import plane_bending, shear_parameter
 
 E, G, RHO, KAPPA = 2.1e11, 2.1e11 / 2.6, 7800.0, 0.886
 DEGREES = (1, 2, 3, 5, 8)

@@ -20,7 +20,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Ring:
+class Assembly:
     """The balls that need solving and how they map to the five freedoms.
 
     ``azimuth`` (n, 6): 1, cos ψ, sin ψ, cos² ψ, cos ψ sin ψ, sin² ψ. ``spread`` (m, 5, n):
@@ -72,14 +72,14 @@ def rows(tangent: tuple[Motion, ...]) -> Array:
 
 
 @lru_cache(maxsize=256)
-def full_ring(geometry: Geometry) -> Ring:
+def full_assembly(geometry: Geometry) -> Assembly:
     """Every ball on its own."""
     spread, gather = _maps(geometry)
-    return Ring(_azimuth(geometry), spread, gather, _pairs(spread, gather))
+    return Assembly(_azimuth(geometry), spread, gather, _pairs(spread, gather))
 
 
 @lru_cache(maxsize=256)
-def axial_ring(geometry: Geometry) -> Ring:
+def axial_assembly(geometry: Geometry) -> Assembly:
     """One ball for all: the displacement is purely axial, the tangent is not.
 
     Sums over the ball angles that vanish for three balls or more are set to exactly zero.
@@ -90,15 +90,15 @@ def axial_ring(geometry: Geometry) -> Ring:
     one = np.zeros((len(spread), 5, 1))
     one[0, 0] = 1.0
     azimuth = _without_noise(_azimuth(geometry).sum(axis=0, keepdims=True))
-    return Ring(azimuth, one, _without_noise(total), _without_noise(rows.sum(axis=1)))
+    return Assembly(azimuth, one, _without_noise(total), _without_noise(rows.sum(axis=1)))
 
 
 @lru_cache(maxsize=256)
-def half_ring(geometry: Geometry) -> Ring:
+def half_assembly(geometry: Geometry) -> Assembly:
     """The balls on one side of the plane of y, each for its mirror image too.
 
     The ring moves in that plane alone. Fz and My are exactly zero, and so is what couples the
-    planes in the tangent. Not for the compiled solver: it knows a ring by ``azimuth`` alone and
+    planes in the tangent. Not for the compiled solver: it knows the balls by ``azimuth`` alone and
     would count every ball once, without its image.
     """
     spread, gather = _maps(geometry)
@@ -111,14 +111,14 @@ def half_ring(geometry: Geometry) -> Ring:
     plane = np.array([True, True, False, False, True])
     pairs = _pairs(spread, gather).reshape(-1, 5, 5) * (plane[:, None] == plane)
     gather = plane[:, None, None] * gather
-    return Ring(_azimuth(geometry)[:count], spread, gather, pairs.reshape(-1, 25))
+    return Assembly(_azimuth(geometry)[:count], spread, gather, pairs.reshape(-1, 25))
 
 
 @lru_cache(maxsize=256)
-def outer_maps(geometry: Geometry) -> Ring:
+def outer_assembly(geometry: Geometry) -> Assembly:
     """Every ball against the outer ring."""
     spread, gather = _maps(geometry, geometry.outer_centre_radius)
-    return Ring(_azimuth(geometry), spread, gather, _pairs(spread, gather))
+    return Assembly(_azimuth(geometry), spread, gather, _pairs(spread, gather))
 
 
 def _maps(geometry: Geometry, radius: float | None = None) -> tuple[Array, Array]:

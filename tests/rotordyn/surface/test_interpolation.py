@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rotordyn.surface.interpolation import between_nodes
 from rotordyn.model.dofs import DIRECTIONS
+from rotordyn.surface.interpolation import between_nodes
 
 LENGTH, FORCE, BENDING, SHEAR = 0.7, 300.0, 4e4, 2e6
 Y, Z, THX, THY, THZ = (DIRECTIONS.index(name) for name in ("y", "z", "thx", "thy", "thz"))

@@ -15,7 +15,6 @@ from bearings.ball.law import STANDARD, Law
 from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing
 from bearings.geometry import geometry
-from bearings.ring.contact_motion import control_margins
 from bearings.ring.state import BearingState
 
 Array = NDArray[np.float64]
@@ -45,7 +44,7 @@ class ControlMap:
     """Race control of one bearing; ``speed`` (s,) [rad/s], ``load`` (l,) axial [N], ascending.
 
     ``inner_margin``, ``outer_margin`` (s, l): positive where that race controls every loaded ball
-    (``contact_motion.control_margins``, of the ball with the least); NaN beside an ``outcome``.
+    (``BearingState.control_margins``, of the ball with the least); NaN beside an ``outcome``.
     ``boundary`` (2, s) [N], of the inner and the outer race: the load above which the inner race
     controls, and the one up to which the outer race does. ``absence`` (2, s): ``""``, or why there
     is none (the boundary is NaN). ``changes`` (2, s): how often the race gains or loses control
@@ -120,7 +119,7 @@ def control_map(
 
 def least_margins(state: BearingState) -> Array:
     """Of both races the margin of the loaded ball that has the least (2, …); NaN without state."""
-    margins = np.where(state.inner_load > 0.0, np.stack(control_margins(state)), np.inf)
+    margins = np.where(state.inner_load > 0.0, np.stack(state.control_margins), np.inf)
     return np.where(state.outcome == "", margins.min(axis=-1), np.nan)
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rotordyn.model.elements.shear import cowper, hutchinson, shear_coefficient
 from rotordyn.errors import InvalidInput
+from rotordyn.model.elements.shear import cowper, hutchinson, shear_coefficient
 
 
 def test_solid_circle() -> None:

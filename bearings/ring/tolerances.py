@@ -1,0 +1,51 @@
+"""What the solver of a bearing takes for small, near, singular or enough."""
+
+from __future__ import annotations
+
+import math
+
+TOLERANCE = 1e-11  # of the largest ball load (ball balance) and ring load (ring balance)
+ROUNDING = 16.0  # roundings of the lengths, granted above that
+SLOW = 2e-9  # of the groove reach: a ball pressed in less by its own motion is at rest
+LIGHT = 1.0  # N or N·m: a load below it overloads nothing
+TOGETHER = 8000  # balls in one batch: what it works on stays near the processor
+
+# contacts of a solved state
+LEAST = 0.5  # of an approach is left by a step
+IDLE = 64.0  # roundings of the lengths: less approach of a ball at rest is none
+
+# linear equations of a ring
+PLAINLY_REGULAR = 1e-14  # determinant of K over its largest entry
+SINGULAR = 1e-13  # least singular value of K over its largest entry: there it is rounding
+NEUTRAL = 1e-13  # the same, of a motion that nothing holds
+
+# first stage
+CONVEX_STEPS = 100
+SEAT_STEPS = 200  # of one ball
+HALVINGS = 40
+SETTLED = 1e-6  # of the loads: enough to start the second stage from
+SOFTEST = 1e-7  # of the ring's stiffness, added to it
+SOFT = 1e-13  # of a bearing's stiffness at a thousandth of its free distance, where none is held
+LONGEST_STEP = 0.2  # of the free distance
+
+# second stage
+NEWTON_STEPS = 5  # more lead to other states across a fold
+QUICK_STEPS = 3  # a stride that took no more is followed by a longer one
+ON_THE_WAY = 1e-7  # scaled residual of a state that is only followed further
+FIRST_BLEND = 0.5  # tried from the convex problem
+SHORTEST_BLEND = 2.0**-17  # paths of light balls may begin steeply
+LONGEST_TURN = 0.15  # rad that the way from a ball to the middle of a groove may turn in one stride
+JUMP = 1e-5  # of the largest ball load: what the moment of a ball may change by at once
+
+# free motions on the way
+FIRST_FREE = 1e-4  # stride after a free motion
+MOST_FREE_MOTIONS = 4  # of one state
+FADING = 1e-2  # of the largest inner load: less will be gone at the next stride
+TOUCHING = 1e-3  # of the largest inner load: what the ball that takes over is pressed with
+HELD = 1e-9  # of the largest singular value: less is no hold
+
+# the words about a state
+PERMANENT = 4.2e9  # Pa: ISO 76, the pressure that leaves a ten-thousandth of the ball diameter
+GROSS = 0.3  # friction that no lubricated contact gives
+STEEP = math.radians(80.0)  # free contact angle of a bearing whose grooves end beyond 90°
+IMPOSSIBLE = 1.0  # Mg/D over the load of a race
