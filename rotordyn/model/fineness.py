@@ -68,8 +68,8 @@ class Fineness:
 
     @property
     def slow(self) -> float:
-        """Up to which modes gyroscopic forces are answered [rad/s]: beyond the band, since free-free
-        modes above it take part in modes below."""
+        """Up to which modes gyroscopic forces are answered [rad/s]: free modes beyond the band take
+        part in motions within it."""
         return FINER ** (self.finer + 1) * self.band
 
     @property
