@@ -141,7 +141,7 @@ class Statics(Staged):
         """Dynamic preload state at ``bearing_speed``."""
         return dynamic_preload(self.grounded, self.bearing_speed, self.law, self.axial_force)
 
-    @stage_of(lambda self: self._axial_inputs)
+    @stage_of(lambda self: (*self._axial_inputs, self.conditions.tension))
     def shaft_force(self) -> AxialForce:
         """Axial force in the shaft at ``bearing_speed``."""
         return self._along(self._seat_load)
@@ -165,6 +165,7 @@ class Statics(Staged):
             seat_stiffness,
             self.conditions.axial_force,
             self.gravity,
+            self.conditions.tension,
         )
         return loading.outcomes()
 
@@ -179,7 +180,8 @@ class Statics(Staged):
         return along.bending(self.mesh.middle)
 
     def _along(self, seat_load: Array) -> AxialForce:
-        return axial_force(self.grounded, seat_load, self.conditions.axial_force, self.gravity)
+        own = self.conditions
+        return axial_force(self.grounded, seat_load, own.axial_force, self.gravity, own.tension)
 
     def _structure(self) -> Structure:
         """The terms of the machine."""
