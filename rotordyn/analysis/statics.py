@@ -131,6 +131,12 @@ class Statics(Staged):
         whole[self.usable] = values
         return whole
 
+    def flagged(self, values: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """Flags at the usable speeds (usable,) over all speeds, False elsewhere."""
+        whole = np.zeros(len(self.speed), dtype=bool)
+        whole[self.usable] = values
+        return whole
+
     @stage_of(lambda self: (bodies(self.spindle), self.conditions.element_length))
     def mesh(self) -> Mesh:
         """Nodes and elements of the shaft."""

@@ -271,7 +271,7 @@ def test_motions_that_hardly_swing_ask_for_no_more_modes(monkeypatch: pytest.Mon
         lateral_rotor, "free_vectors", lambda *a: (asked.append(a[3]), whole(*a))[1]
     )
     result = answered(uniform(1.0, 0.05, supports=ends), [0.0, 500.0], 3000.0)
-    assert result.overdamped.any()
+    assert result.mostly_overdamped.any()
     assert np.nanmax(result.frequency_error) > 1e-4 > result.largest_error
     assert result.certified.all()
     assert len(asked) == 1
