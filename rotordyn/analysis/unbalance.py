@@ -1,7 +1,6 @@
 """Steady response to unbalance: orbits at points, forces of bearings and supports, over speed.
 
-Bending by elements, whatever ``shaft`` of the conditions says; bearings at their preload state of
-each speed.
+Bearings have the tangents of their preload state at each speed.
 """
 
 from __future__ import annotations

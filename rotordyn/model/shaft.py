@@ -1,29 +1,45 @@
 """The shaft of a rotor: elements of any degree in bending, axial motion and torsion.
 
 Nodes stand at every station and between them so that no wave up to the highest frequency errs by
-more than the accuracy allows (``degrees``). A joint has two nodes, that of the part in front and
-that of the part behind, which share the DOF in which it is rigid.
+more than the accuracy allows (``fineness``). Where a joint gives way the element behind it stands
+on the node and on one more DOF, the motion of the part behind against the part in front: so the
+spring of a joint is the stiffness of one DOF, and however stiff, no digits of the shaft are lost.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
-from functools import partial
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from rotordyn.errors import InvalidInput
-from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
 from rotordyn.model.dofs import Dofs, Indices, Line, position
 from rotordyn.model.elements import beam as bending
 from rotordyn.model.elements import rod
-from rotordyn.model.elements.shear import shear_coefficient
 from rotordyn.model.elements.standard_beam import PlaneBending, shear_parameter
-from rotordyn.model.fineness import Fineness, bending_wave, parts_and_degree, resolved, rod_wave
+from rotordyn.model.fineness import (
+    Fineness,
+    bending_wave,
+    cut,
+    parts_and_degree,
+    resolved,
+    rod_wave,
+)
 from rotordyn.model.mesh import COINCIDENT, Mesh, divided, station_mesh
+from rotordyn.model.section import (
+    ENDS,
+    MIDDLE,
+    axial,
+    sections,
+    sections_at,
+    shear_coefficients,
+    sheared,
+    torsion,
+)
 from rotordyn.model.term import Array, Part
 
 Rows = tuple[Indices, Indices, Array]  # places (e, r), DOF (e, k) and factors (e, r, k)
@@ -36,9 +52,9 @@ PLANES = {"y": (("y", "thz"), np.array([1.0, 1.0])), "z": (("z", "thy"), np.arra
 class Shaft:
     """Elements between the nodes of ``mesh``, of a rotor called ``body``.
 
-    ``node`` (nodes, 6): DOF of the nodes, of a joint those in front; ``behind`` (nodes, 6): those
-    of the part behind it, elsewhere the same. ``degree`` (elements,) in bending, ``rod_degree``
-    axially and in torsion; ``inner``: by line of the rotor the first inner DOF of each element.
+    ``node`` (nodes, 6): DOF of the nodes, of a joint those of the part in front; ``jump``: by node
+    and direction the DOF of a joint there. ``degree`` (elements,) in bending, ``rod_degree`` of
+    rods; ``inner``: by line of the rotor the first inner DOF of each element.
     """
 
     body: str
@@ -46,7 +62,7 @@ class Shaft:
     spindle: Spindle
     mesh: Mesh
     node: Indices
-    behind: Indices
+    jump: dict[tuple[int, str], int]
     degree: Indices
     rod_degree: Indices
     inner: dict[str, Indices]
@@ -64,32 +80,23 @@ class Shaft:
         """
         mesh, degree, rod_degree = _elements(spindle, shown, fine)
         node = dofs.add_nodes(body, mesh.nodes)
-        behind = node.copy()
+        jump: dict[tuple[int, str], int] = {}
         for joint in spindle.joints:
             at = mesh.node_of(joint.x)
             for way, directions in WAYS.items():
                 if math.isfinite(getattr(joint, way)):
                     for name in directions:
                         line = Line(body, {"thz": "y", "thy": "z"}.get(name, name))
-                        behind[at, position(name)] = dofs.add(
-                            line, sign=-1.0 if name == "thy" else 1.0
-                        )[0]
-        counts = {
-            "y": np.where(degree < 2, 0, 2 * degree - 1),
-            "x": rod_degree - 1,
-        }
+                        sign = -1.0 if name == "thy" else 1.0
+                        jump[at, name] = int(dofs.add(line, sign=sign)[0])
+        counts = {"y": bending.inner_freedoms(degree, sheared(spindle)), "x": rod_degree - 1}
         counts["z"], counts["thx"] = counts["y"], counts["x"]
         inner = {}
         for way, own in counts.items():
             first = dofs.add(Line(body, way), int(own.sum()))
             begin = int(first[0]) if len(first) else 0
             inner[way] = begin + np.concatenate([[0], np.cumsum(own)[:-1]]).astype(np.intp)
-        return cls(body, ratio, spindle, mesh, node, behind, degree, rod_degree, inner)
-
-    @property
-    def sections(self) -> tuple[Array, Array, Array, Array]:
-        """κGA [N], EI [N·m²], ρA [kg/m], ρI [kg·m] of every element."""
-        return sections(self.spindle, self.mesh)
+        return cls(body, ratio, spindle, mesh, node, jump, degree, rod_degree, inner)
 
     def parts(self) -> Iterator[Part]:
         """Mass, stiffness, gyroscopic effect and translational mass (softening)."""
@@ -97,7 +104,17 @@ class Shaft:
         yield from self._rod_parts()
 
     def _bending_parts(self) -> Iterator[Part]:
-        mesh, kappa = self.mesh, shear_coefficients(self.spindle, self.mesh)
+        for chosen, n, tapers in _alike(self.mesh, self.degree):
+            own = self._tapered(chosen, n) if tapers else self._cylindrical(chosen, n)
+            (y, moves), (z, _) = self.rows("y", chosen), self.rows("z", chosen)
+            for rows in (y, z):
+                yield Part("mass", rows, rows, _between(moves, own.mass))
+                yield Part("stiffness", rows, rows, _between(moves, own.stiffness))
+                yield Part("softening", rows, rows, _between(moves, own.translational_mass))
+            yield Part("gyroscopic", y, z, self.ratio * _between(moves, own.polar))
+
+    def _cylindrical(self, chosen: Indices, degree: int) -> PlaneBending:
+        mesh = self.mesh
         every = (
             mesh.length,
             mesh.outer_diameter,
@@ -105,93 +122,98 @@ class Shaft:
             mesh.young_modulus,
             mesh.shear_modulus,
             mesh.density,
-            kappa,
+            shear_coefficients(self.spindle, mesh),
         )
-        for n, tapered in _kinds(self.degree, mesh):
-            chosen = np.flatnonzero((self.degree == n) & (mesh.tapered == tapered))
-            if tapered:
-                own = self._tapered(chosen, n)
-            else:
-                own = bending.hierarchic_bending(*(each[chosen] for each in every), degree=n)
-            y, z = self.rows("y", chosen), self.rows("z", chosen)
-            for rows in (y, z):
-                yield Part("mass", rows, rows, own.mass)
-                yield Part("stiffness", rows, rows, own.stiffness)
-                yield Part("softening", rows, rows, own.translational_mass)
-            yield Part("gyroscopic", y, z, self.ratio * own.polar)
+        return bending.hierarchic_bending(*(each[chosen] for each in every), degree=degree)
 
     def _tapered(self, chosen: Indices, degree: int) -> PlaneBending:
-        """Bending elements that are frusta."""
-        shear, bend, *_ = (each[chosen] for each in self.sections)
-        phi = shear_parameter(self.mesh.length[chosen], bend, shear)
+        xi, weight = bending.tapered_points(degree)
+        along = (each[chosen] for each in sections_at(self.spindle, self.mesh, xi))
+        place = self.mesh.length[chosen], self._phi[chosen]
+        return bending.tapered_bending(*place, *along, degree=degree, xi=xi, weight=weight)
 
-        def along(xi: Array) -> tuple[Array, ...]:
-            own = _local(self.mesh, chosen, xi)
-            return sections(self.spindle, own)
-
-        return bending.tapered_bending(self.mesh.length[chosen], phi, along, degree=degree)
+    @cached_property
+    def _phi(self) -> Array:
+        """Shear parameter Φ of every element, of a cone in its middle (elements,)."""
+        shear, bend, *_ = sections(self.spindle, self.mesh)
+        return shear_parameter(self.mesh.length, bend, shear)
 
     def _rod_parts(self) -> Iterator[Part]:
         mesh = self.mesh
-        for way, properties in (("x", axial), ("thx", torsion)):
-            rigidity, inertia = properties(mesh)
-            for n, tapered in _kinds(self.rod_degree, mesh):
-                chosen = np.flatnonzero((self.rod_degree == n) & (mesh.tapered == tapered))
-                length = mesh.length[chosen]
-                if tapered:
+        for way, section in (("x", axial), ("thx", torsion)):
+            for chosen, n, tapers in _alike(mesh, self.rod_degree):
+                if tapers:
+                    xi, weight = rod.tapered_points(n)
+                    rigidity, inertia = (each[chosen] for each in section(mesh, xi))
                     own = rod.tapered_rod(
-                        length,
-                        partial(_along, properties, mesh, chosen),
-                        degree=n,
+                        mesh.length[chosen], rigidity, inertia, degree=n, xi=xi, weight=weight
                     )
                 else:
-                    own = rod.hierarchic_rod(length, rigidity[chosen], inertia[chosen], degree=n)
-                rows = self.rows(way, chosen)
-                yield Part("mass", rows, rows, own.mass)
-                yield Part("stiffness", rows, rows, own.stiffness)
+                    rigidity, inertia = (each[chosen, 0] for each in section(mesh, MIDDLE))
+                    own = rod.hierarchic_rod(mesh.length[chosen], rigidity, inertia, degree=n)
+                rows, moves = self.rows(way, chosen)
+                yield Part("mass", rows, rows, _between(moves, own.mass))
+                yield Part("stiffness", rows, rows, _between(moves, own.stiffness))
 
-    def rows(self, way: str, elements: Indices) -> Indices:
-        """DOF (e, k) of elements of one degree, those of the ends first."""
+    def rows(self, way: str, elements: Indices) -> tuple[Indices, Array | None]:
+        """DOF (e, k) of elements of one degree, those of the ends first, of joints last; and how
+        their own motions (e, j, k) follow these, None where there is no joint before any."""
         names = PLANES[way][0] if way in PLANES else (way,)
         places = [position(name) for name in names]
         degree = int((self.degree if way in PLANES else self.rod_degree)[elements[0]])
-        count = bending.inner_freedoms(degree) if way in PLANES else rod.inner_freedoms(degree)
+        if way in PLANES:
+            count = int(bending.inner_freedoms(np.array(degree), sheared(self.spindle)))
+        else:
+            count = rod.inner_freedoms(degree)
         inner = self.inner[way][elements][:, None] + np.arange(count)
-        ends = self.behind[elements][:, places], self.node[elements + 1][:, places]
-        return np.concatenate([*ends, inner], axis=1)
+        ends = self.node[elements][:, places], self.node[elements + 1][:, places]
+        rows = np.concatenate([*ends, inner], axis=1)
+        gives = [[(e, name) in self.jump for name in names] for e in elements.tolist() if self.jump]
+        if not np.any(gives):
+            return rows, None
+        jumps = [
+            [self.jump.get((int(e), n), row[0]) for n in names]
+            for e, row in zip(elements, rows, strict=True)
+        ]
+        moves = np.tile(np.eye(rows.shape[1]), (len(elements), 1, 1))
+        jumped = np.zeros((*rows.shape, len(names)))
+        for place in range(len(names)):
+            jumped[:, place, place] = np.array(gives)[:, place]
+        return np.hstack([rows, jumps]), np.concatenate([moves, jumped], axis=2)
 
     def rigid(self, way: str) -> Iterator[tuple[Indices, Array]]:
         """Rigid motions of the DOF of a line: DOF and their displacements, signed."""
         x = self.mesh.x - self.mesh.x.mean()
-        for nodes in (self.node, self.behind):
-            if way not in PLANES:
-                yield nodes[:, position(way)], np.ones((len(x), 1))
-            else:
-                deflection, tilt = (nodes[:, position(name)] for name in PLANES[way][0])
-                yield deflection, np.stack([np.ones_like(x), x], axis=1)
-                yield tilt, np.stack([np.zeros_like(x), np.ones_like(x)], axis=1)
+        if way not in PLANES:
+            yield self.node[:, position(way)], np.ones((len(x), 1))
+        else:
+            deflection, tilt = (self.node[:, position(name)] for name in PLANES[way][0])
+            yield deflection, np.stack([np.ones_like(x), x], axis=1)
+            yield tilt, np.stack([np.zeros_like(x), np.ones_like(x)], axis=1)
 
     def bent(self, way: str, x: Array) -> list[Rows]:
         """Of a bending plane deflection and tilt at stations ``x``, two rows a station; at a joint
         those of the part in front."""
         found = []
-        for at, rows, shape in self._shapes(way, x):
+        for at, (rows, moves), shape in self._shapes(way, x):
             both = np.stack([shape.deflection[:, 0], shape.rotation[:, 0]], axis=1)
-            found.append((2 * at[:, None] + np.arange(2), rows, both))
+            found.append((2 * at[:, None] + np.arange(2), rows, _by(both, moves)))
         return found
 
     def sloped(self, way: str, x: Array, weight: Array) -> list[Rows]:
         """The slopes v′ there times ``weight`` (stations,), a row a station."""
         return [
-            (at[:, None], rows, shape.slope * weight[at, None, None])
-            for at, rows, shape in self._shapes(way, x)
+            (at[:, None], rows, _by(shape.slope * weight[at, None, None], moves))
+            for at, (rows, moves), shape in self._shapes(way, x)
         ]
 
-    def _shapes(self, way: str, x: Array) -> Iterator[tuple[Indices, Indices, bending.Shapes]]:
-        """Of stations in elements of one degree: which, DOF of their elements, shape functions."""
+    def _shapes(
+        self, way: str, x: Array
+    ) -> Iterator[tuple[Indices, tuple[Indices, Array | None], bending.Shapes]]:
+        """Of stations in elements of one degree: which, ``rows`` of their elements, shape
+        functions."""
         element, xi = self._place(x)
-        shear, bend, *_ = self.sections
-        phi = shear_parameter(self.mesh.length, bend, shear)
+        phi = self._phi
         degree = self.degree[element]
         for n in np.unique(degree):
             at = np.flatnonzero(degree == n)
@@ -205,8 +227,8 @@ class Shaft:
         degree, found = self.rod_degree[element], []
         for n in np.unique(degree):
             at = np.flatnonzero(degree == n)
-            shape = rod.shapes(int(n), xi[at, None])
-            found.append((at[:, None], self.rows(way, element[at]), shape))
+            rows, moves = self.rows(way, element[at])
+            found.append((at[:, None], rows, _by(rod.shapes(int(n), xi[at, None]), moves)))
         return found
 
     def _place(self, x: Array) -> tuple[Indices, Array]:
@@ -217,62 +239,29 @@ class Shaft:
         return element, np.clip(xi, -1.0, 1.0)
 
 
-def _kinds(degree: Indices, mesh: Mesh) -> list[tuple[int, bool]]:
-    """Degrees of the elements of a mesh, and whether elements of each are frusta."""
-    return sorted({(int(n), bool(t)) for n, t in zip(degree, mesh.tapered, strict=True)})
+def _by(shape: Array, moves: Array | None) -> Array:
+    """Factors (e, r, k) of motions of elements (e, r, j) by their DOF."""
+    return shape if moves is None else np.asarray(shape @ moves)
 
 
-def _along(
-    properties: Callable[[Mesh], tuple[Array, Array]], mesh: Mesh, chosen: Indices, xi: Array
-) -> tuple[Array, Array]:
-    """Properties at ``xi`` of some elements (elements, points)."""
-    return properties(_local(mesh, chosen, xi))
+def _between(moves: Array | None, blocks: Array) -> Array:
+    """Blocks (e, k, k) of matrices (e, j, j) of elements by their DOF."""
+    return blocks if moves is None else np.asarray(np.swapaxes(moves, 1, 2) @ blocks @ moves)
 
 
-def _local(mesh: Mesh, chosen: Indices, xi: Array) -> Mesh:
-    """Diameters and material at ``xi`` of some elements: arrays (elements, points)."""
-    outer, inner = (each[chosen] for each in mesh.diameters(xi))
-    young, poisson, density = (
-        each[chosen, None] for each in (mesh.young_modulus, mesh.poisson_ratio, mesh.density)
-    )
-    return replace(
-        mesh,
-        outer_diameter=outer,
-        inner_diameter=inner,
-        young_modulus=young,
-        poisson_ratio=poisson,
-        density=density,
-    )
+def _alike(mesh: Mesh, degree: Indices) -> Iterator[tuple[Indices, int, bool]]:
+    """Elements of one degree, cylinders and cones apart: which, their degree, are they cones."""
+    tapers = mesh.tapers
+    for n in np.unique(degree):
+        for conical in (False, True):
+            chosen = np.flatnonzero((degree == n) & (tapers == conical))
+            if chosen.size:
+                yield chosen, int(n), conical
 
 
-def sections(spindle: Spindle, mesh: Mesh) -> tuple[Array, Array, Array, Array]:
-    """κGA [N], EI [N·m²], ρA [kg/m], ρI [kg·m] of every element of a mesh."""
-    ring = area(mesh.outer_diameter, mesh.inner_diameter)
-    moment = second_moment(mesh.outer_diameter, mesh.inner_diameter)
-    return (
-        shear_coefficients(spindle, mesh) * mesh.shear_modulus * ring,
-        mesh.young_modulus * moment,
-        mesh.density * ring,
-        mesh.density * moment,
-    )
-
-
-def axial(mesh: Mesh) -> tuple[Array, Array]:
-    """E A [N] and ρ A [kg/m] of every element."""
-    ring = area(mesh.outer_diameter, mesh.inner_diameter)
-    return mesh.young_modulus * ring, mesh.density * ring
-
-
-def torsion(mesh: Mesh) -> tuple[Array, Array]:
-    """G Ip [N·m²] and ρ Ip [kg·m] of every element."""
-    polar = 2.0 * second_moment(mesh.outer_diameter, mesh.inner_diameter)
-    return mesh.shear_modulus * polar, mesh.density * polar
-
-
-def shear_coefficients(spindle: Spindle, mesh: Mesh) -> Array:
-    """κ of every element (elements,)."""
-    ratio = mesh.inner_diameter / mesh.outer_diameter
-    return shear_coefficient(spindle.shaft.shear_coefficient, mesh.poisson_ratio, ratio)
+def _waves(spindle: Spindle, mesh: Mesh, omega: float, spin: float) -> Array:
+    """Largest wave number in bending of each element, at its ends and in its middle [1/m]."""
+    return bending_wave(omega, spin, *sections_at(spindle, mesh, ENDS)).max(axis=1)
 
 
 def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indices, Indices]:
@@ -281,12 +270,19 @@ def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indi
         mesh = divided(shown, np.full(shown.nodes - 1, 2**fine.finer, dtype=np.intp))
         return mesh, *np.ones((2, mesh.nodes - 1), dtype=np.intp)
     coarse = station_mesh(spindle)
-    wave = bending_wave(fine.band, fine.spin, *sections(spindle, coarse))
-    parts, degree = parts_and_degree(wave * coarse.length, fine.accuracy)
-    along = np.maximum(*(rod_wave(fine.band, *own(coarse)) for own in (axial, torsion)))
-    more, rod_degree = parts_and_degree(along * coarse.length / parts, fine.accuracy)
+    ratio = coarse.steepness
+    wave = _waves(spindle, coarse, fine.band, fine.spin)
+    parts, degree = parts_and_degree(wave * coarse.length, fine.accuracy, ratio)
+    along = np.maximum(
+        *(rod_wave(fine.band, *own(coarse, MIDDLE))[:, 0] for own in (axial, torsion))
+    )
+    more, rod_degree = parts_and_degree(
+        along * coarse.length / parts, fine.accuracy, cut(ratio, parts)
+    )
+    if not sheared(spindle):
+        degree = np.maximum(degree, 2)  # degrees 1 and 2 are one element without shear
     parts, degree, rod_degree = parts * more, degree + fine.finer, rod_degree + fine.finer
-    size = float((np.where(degree < 2, 0, 2 * degree - 1) + 2) @ parts)
+    size = float((bending.inner_freedoms(degree, sheared(spindle)) + 2) @ parts)
     if size > MOST_DOF:
         raise InvalidInput(
             f"bending up to {fine.frequency:.6g} Hz takes {size:.3g} degrees of freedom; allowed: "
@@ -298,9 +294,8 @@ def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indi
 
 def half_wave(spindle: Spindle, mesh: Mesh, spin: float) -> float:
     """Highest whirl [rad/s] that crosses no element of ``mesh`` by more than half a wave."""
-    own = sections(spindle, mesh)
 
     def phase(omega: float) -> float:
-        return float((bending_wave(omega, spin, *own) * mesh.length).max())
+        return float((_waves(spindle, mesh, omega, spin) * mesh.length).max())
 
     return resolved(phase, math.pi, 1.0)

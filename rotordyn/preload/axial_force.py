@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.cross_section import area
+from rotordyn.machine.inertia import mass_in_front
 from rotordyn.machine.spindle import Spindle
 
 Array = NDArray[np.float64]
@@ -27,14 +28,13 @@ class AxialForce:
     """Forces along the shaft at every state.
 
     ``station`` (k,) [m] and ``push`` (states, k) [N]: what acts on the shaft there, towards +x;
-    ``edge`` (e,) [m] and ``weight`` (e,) [N]: weight of the sections in front of each edge.
+    ``gravity`` [m/s²], towards +x.
     """
 
     spindle: Spindle
     station: Array
     push: Array
-    edge: Array
-    weight: Array
+    gravity: float
 
     def at(self, x: Array) -> Array:
         """Force in the wall of the shaft at ``x`` (p,) [m], tension positive, (states, p) [N]."""
@@ -42,7 +42,7 @@ class AxialForce:
         none = np.zeros((len(self.push), 1))
         pushed = np.concatenate([none, np.cumsum(self.push[:, order], axis=1)], axis=1)
         in_front = np.searchsorted(self.station[order], x)
-        return -pushed[:, in_front] - np.interp(x, self.edge, self.weight)
+        return -pushed[:, in_front] - self.gravity * mass_in_front(self.spindle.shaft, x)
 
     def bending(self, x: Array) -> Array:
         """Force that follows the slope of the shaft at ``x``, tension positive, (states, p) [N].
@@ -57,7 +57,7 @@ class AxialForce:
     @property
     def compresses(self) -> bool:
         """True where some state compresses the shaft against its bending somewhere."""
-        ends = np.unique(np.concatenate([self.station, self.edge]))
+        ends = np.unique(np.concatenate([self.station, self.spindle.shaft.boundaries]))
         inside = (ends[:-1, None] + np.diff(ends)[:, None] * np.array([1e-6, 1.0 - 1e-6])).ravel()
         force = self.bending(inside)
         return bool((force < -BALANCED * np.nanmax(np.abs(self.push), initial=0.0)).any())
@@ -90,20 +90,16 @@ def axial_force(
     ]
     if bar is not None:
         alone += [(bar.start, bar.force), (bar.end, -bar.force)]
-    masses = [
-        s.material.density * area(s.outer_diameter, s.inner_diameter) * s.length
-        for s in shaft.sections
-    ]
-    weight = gravity * np.concatenate([[0.0], np.cumsum(masses)])
     push = np.concatenate(
         [-thrust * seat_load, np.tile([value for _, value in alone], (states, 1))], axis=1
     )
-    carried = -(push.sum(axis=1) + weight[-1])
+    weight = gravity * float(mass_in_front(shaft, np.array([shaft.end]))[0])
+    carried = -(push.sum(axis=1) + weight)
     rigid = [k for k, s in enumerate(spindle.supports) if "x" in s.rigid]
-    held = np.array(
-        [float(k in rigid) if rigid else s.along for k, s in enumerate(spindle.supports)]
-    )
-    size = max(np.abs(push).max(initial=0.0), np.abs(weight).max())
+    held = np.array([s.along for s in spindle.supports])
+    if rigid:
+        held = np.isin(np.arange(len(held)), rigid).astype(float)
+    size = max(np.abs(push).max(initial=0.0), abs(weight))
     if not spindle.seats and not held.any() and (np.abs(carried) > BALANCED * size).any():
         raise InvalidInput(
             "nothing holds the shaft along its axis against the axial force and its weight: give "
@@ -118,8 +114,7 @@ def axial_force(
             + [support.x for support in spindle.supports]
         ),
         push=np.concatenate([push, np.outer(carried, share)], axis=1),
-        edge=np.array(shaft.boundaries),
-        weight=weight,
+        gravity=gravity,
     )
     if len(rigid) > 1:
         found.push[:, push.shape[1] + np.array(rigid)] += _clamped(found, rigid)
@@ -132,11 +127,9 @@ def _clamped(found: AxialForce, rigid: list[int]) -> Array:
     joints = found.spindle.joints
     stations = np.array([found.spindle.supports[k].x for k in rigid])
     order = np.argsort(stations)
-    mean = np.zeros(
-        (len(found.push), len(rigid) + 1)
-    )  # [N] between them, and 0 beyond the outer ones
+    mean = np.zeros((len(found.push), len(rigid) + 1))  # [N] between them; beyond them none
     for gap, (low, high) in enumerate(pairwise(stations[order]), start=1):
-        marks = np.concatenate([found.station, found.edge, [low, high]])
+        marks = np.concatenate([found.station, found.spindle.shaft.boundaries, [low, high]])
         marks = np.unique(marks[(low <= marks) & (marks <= high)])
         half = np.diff(marks)[:, None] / 2.0
         x = (marks[:-1, None] + half * (1.0 + POINTS)).ravel()
@@ -152,10 +145,5 @@ def _clamped(found: AxialForce, rigid: list[int]) -> Array:
 
 def _rigidity(spindle: Spindle, x: Array) -> Array:
     """E A (p,) [N] of the shaft at stations ``x`` (p,) [m]."""
-    edges, found = np.array(spindle.shaft.boundaries), []
-    for at, section in zip(x, spindle.shaft.sections_at(x), strict=True):
-        begin = edges[max(int(np.searchsorted(edges, at)) - 1, 0)]
-        share = float((at - begin) / section.length)
-        outer, inner, *_ = section.between(share, share)
-        found.append(section.material.young_modulus * area(outer, inner))
-    return np.array(found)
+    stiff = [section.material.young_modulus for section in spindle.shaft.sections_at(x)]
+    return np.array(stiff) * [area(*spindle.shaft.diameters_at(at)) for at in x.tolist()]
