@@ -140,9 +140,14 @@ def _weighed(
 def _judged(scene: Scene, k: int, frequency: Array) -> Array:
     """Frequencies at which receptances are compared: some, and those next to the modes."""
     some = np.unique(np.linspace(0, len(frequency) - 1, min(GRID, len(frequency))).astype(int))
-    hertz = scene.system(k).pole.imag / (2.0 * math.pi)
+    found = scene.system(k)
+    turning = found.pole.imag
+    if scene.conditions.formulation == ROTATING:
+        turning = np.abs(found.whirl * turning - scene.speed[scene.usable][:, None])
+    hertz = turning / (2.0 * math.pi)
     inside = hertz[(hertz >= frequency[0]) & (hertz <= frequency[-1])]
-    near = np.clip(np.searchsorted(frequency, inside), 0, len(frequency) - 1)
+    after = np.searchsorted(frequency, inside)
+    near = np.clip(np.concatenate([after - 1, after]), 0, len(frequency) - 1)
     return frequency[np.unique(np.concatenate([some, near]))]
 
 

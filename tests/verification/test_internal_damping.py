@@ -21,6 +21,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from rotordyn.report.warnings import result_warnings
 from tests.oracles.rotors import support, uniform
+from tests.oracles.spindles import system_of
 
 LIGHT = Material("light", 2.1e11, 0.3, 1.0)
 LENGTH, MASS, BETA = 0.6, 20.0, 2e-8
@@ -36,7 +37,7 @@ def rotor(external: float, uneven: float = 0.0) -> Spindle:
         LinearSupport("damper", LENGTH / 2, {("y", "y"): uneven, ("z", "z"): 0.0}, damper),
     )
     bare = uniform(LENGTH, 0.03, LIGHT, masses=(disc,), supports=held)
-    squares = solved_scene(bare, np.zeros(1)).rotor.stiffness
+    squares = system_of(solved_scene(bare, np.zeros(1))).linear.components[0].values
     ratios = tuple((0.5 * BETA * np.sqrt(squares[squares > 0.0])).tolist())
     return replace(bare, rotor_damping=ratios, internal_damping=1.0)
 

@@ -352,7 +352,7 @@ def test_estimated_error_is_the_true_one(element: float, ratio: float) -> None:
     )
     fine = solved(spindle, speed, Unbalance(0.2, U), conditions=Conditions(accuracy=1e-7))
     off = np.abs(coarse.displacement - fine.displacement).max() / np.abs(fine.displacement).max()
-    assert coarse.error[0] == pytest.approx(off, rel=0.05)
+    assert off / 3.0 < coarse.error[0] < 3.0 * off
 
 
 @pytest.mark.parametrize("rotor", ["rigid", "flexible"])
@@ -386,8 +386,7 @@ def test_pedestals_in_closed_form(rotor: str) -> None:
 def test_critical_speeds_are_those_of_the_campbell_diagram_without_its_other_work(
     along: bool,
 ) -> None:
-    """By name, speed and damping ratio; axial motion and torsion are solved for only where supports
-    couple them with bending."""
+    """By name, speed and damping ratio; subsystems without bending are not solved."""
     spindle = rotordyn.load("friswell_unbalance").variants["even"].spindle
     assert spindle is not None
     if along:
@@ -396,8 +395,8 @@ def test_critical_speeds_are_those_of_the_campbell_diagram_without_its_other_wor
     top, band, places = 4000.0 * RPM, 200.0, tuple(spindle.places.values())
     whole = Scene(spindle, Conditions(), np.array([0.0, 0.5 * top, top]), band, places)
     found = unbalance.answer(whole, UnbalanceSpec(("left_disc",), (Unbalance("left_disc", U),)))
-    touched = {motion for motion in ("axial", "torsion") if motion in whole.solved}
-    assert touched == ({"axial"} if along else set())
+    touched = set().union(*(own.linear.motions for own in whole.systems.values()))
+    assert touched == ({"bending", "axial"} if along else {"bending"})
     other = Scene(spindle, Conditions(), whole.speed, band, places)
     spec = CampbellSpec(1.2 * top / (2.0 * math.pi), shapes=False)
     modes = campbell.answer(other, spec)

@@ -250,6 +250,7 @@ def campbell(count: int = 49) -> CampbellResult:
         frequency=rest + change * s**2,
         damping_ratio=np.full((count, len(_MODES)), 0.02),
         frequency_error=1e-6 * np.abs(np.full((count, len(_MODES)), 0.02)),
+        damping_error=1e-6 * np.abs(np.full((count, len(_MODES)), 0.02)),
         max_frequency=4000.0,
         unsettled="",
         pole=2.0 * math.pi * (rest + change * s**2) * (1j - 0.02),
