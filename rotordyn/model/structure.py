@@ -123,7 +123,8 @@ class Structure:
         for shaft in self.shafts.values():
             for joint in shaft.spindle.joints:
                 if joint.radial_damping or joint.tilt_damping:
-                    own |= set(shaft.behind[shaft.mesh.node_of(joint.x)].tolist())
+                    at = shaft.mesh.node_of(joint.x)
+                    own |= {number for (node, _), number in shaft.jump.items() if node == at}
         return np.array(sorted(own), dtype=np.intp)
 
     def _loaded(self) -> Iterator[tuple[str, float, Iterable[str]]]:
