@@ -2,8 +2,8 @@
 
 One to eight sections of 0.2 to 500 diameters, discs, masses, two to four springs, up to five times
 the first critical speed; the lowest six frequencies of both whirls, against the exact shaft.
-Missing or spurious modes, errors beyond the accuracy asked for, and what is told of the error are
-counted. Then one to sixty sections on damped supports that tell directions apart, against all
+Missing or spurious modes, errors beyond the accuracy asked for, and the reported error beside the
+true one are counted. Then one to sixty sections on damped supports that tell directions apart, against all
 eigenvalues of the assembled matrices. Both are written into ``benchmarks/results.json``.
 """
 
@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.kept import keep
-from rotordyn.analysis import campbell, certificate
+from rotordyn.analysis import campbell
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions
 from rotordyn.errors import InvalidInput
@@ -57,6 +57,7 @@ def survey(count: int, accuracy: float) -> dict[str, Any]:
         "worst": float(max(errors)),
         "judged": len(ratios),
         "within_3": int((apart < math.log(3.0)).sum()),
+        "too_small": int((np.array(ratios) < 0.1).sum()),
         "half": float(np.median(ratios)),
     }
 
@@ -97,8 +98,7 @@ def dense_survey(count: int) -> dict[str, Any]:
         "modes": sum(one["modes"] for one in found),
         "missing": sum(one["missing"] for one in found),
         "spurious": sum(one["spurious"] for one in found),
-        "not_certified": sum(not one["certified"] for one in found),
-        "counted_otherwise": sum(one["counted"] != one["in_disc"] for one in found),
+        "unsettled": sum(one["unsettled"] for one in found),
         "unstable": sum(one["unstable"] for one in found),
         "worst": max(errors),
         "warnings": sum(one["warnings"] for one in found),
@@ -126,14 +126,9 @@ def against_dense(seed: int) -> dict[str, Any]:
         warnings.simplefilter("always")
         scene = Scene(spindle, Conditions(accuracy=FINE), np.array([spin]), highest)
         result = campbell.answer(scene, CampbellSpec(highest, shapes=False))
-    disc = certificate.count(scene, "bending", edge).radius[0]
-    counted = (np.abs(every) < disc) & (every.imag <= edge)
-    counted &= certificate.swings(every, every.imag)
     bending = np.array([kind == "bending" for kind in result.kind])
-    ratio = result.damping_ratio[0]
-    size = 2.0 * math.pi * result.frequency[0] / np.sqrt(1.0 - ratio**2)
-    ours = -ratio * size + 2j * math.pi * result.frequency[0]
-    others = int(((size < edge) & ~bending).sum())
+    ours = result.pole[0]
+    size = np.abs(ours)
     ours = ours[bending & (size < edge) & (ours.imag > SWINGING * size)]
     errors, left = [], list(ours)
     for pole in poles:
@@ -147,9 +142,7 @@ def against_dense(seed: int) -> dict[str, Any]:
         "missing": len(poles) - len(errors),
         "spurious": len(left),
         "errors": errors or [0.0],
-        "certified": bool(result.certified.all()),
-        "in_disc": int(counted.sum()),
-        "counted": int(np.nan_to_num(result.modes_below[0])) - others,
+        "unsettled": bool(result.unsettled),
         "unstable": int((poles.real > 1e-9 * np.abs(poles)).sum()),
         "warnings": len(heard),
     }

@@ -62,7 +62,7 @@ class Job:
 def measure_frf() -> dict[str, Any]:
     """µs per speed and frequency, and the error of the modal sum."""
     job = Job.of_flagship()
-    runs = [job.solved()[0].seconds for _ in range(5)]
+    runs = [job.solved()[0].clock.seconds for _ in range(5)]
     few = Job.of_flagship(FEW)
     scene, found = few.solved()
     points = len(job.speed) * len(job.spec.frequencies)
@@ -70,7 +70,7 @@ def measure_frf() -> dict[str, Any]:
         "speeds": len(job.speed),
         "frequencies": len(job.spec.frequencies),
         "pairs": len(job.spec.pairs),
-        "modes": 1e6 * median(run["bending_modes"] for run in runs) / len(job.speed),
+        "modes": 1e6 * median(run["bending modes"] for run in runs) / len(job.speed),
         "point": 1e6 * median(run["frf"] for run in runs) / points,
         "error": _modal_error(scene, few.spec, found),
     }
@@ -79,9 +79,11 @@ def measure_frf() -> dict[str, Any]:
 def _modal_error(scene: Scene, spec: FrfSpec, found: NDArray[np.complex128]) -> float:
     """The map against one linear solution per speed and frequency with the same matrices."""
     response, excitation = spec.pairs[0]
-    spindle, system = scene.spindle, scene.bending
+    (bending,) = scene.with_motions(("bending",))
+    free = scene.system(bending)
+    system, half = free.modes, free.linear.size // 2
     rows = [
-        system.rotor.row(scene.mesh.node_of(spindle.points[port.point]), port.direction)
+        free.linear.row(*scene.spindle.place(port.point), port.direction)[:half]
         for port in (response, excitation)
     ]
     omega = 2.0 * math.pi * np.array(spec.frequencies)[::20]

@@ -93,7 +93,6 @@ def one_shaft(sections: int) -> dict[str, Any]:
     return {
         "size": sections,
         "modes": len(found.mode),
-        "proven": bool(found.certified.all()),
         "told": float(np.nanmax(found.frequency_error)),
         "first": first,
         "seconds": seconds,

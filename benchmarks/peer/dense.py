@@ -7,17 +7,17 @@ from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
-from rotordyn.system.hierarchic_rotor import beams, bending_hierarchy, deflections
-from rotordyn.system.hierarchy import Hierarchy
 from scipy.linalg import eigvals, solve
 
 from benchmarks.peer import machine
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import SPINDLE
+from rotordyn.model.dofs import position
+from rotordyn.model.fineness import Fineness
 from rotordyn.model.mesh import build_mesh
-from rotordyn.model.support import node_matrix
-from rotordyn.numerics.sparse import filled
-from tests.oracles.dense_rotor.assemble import loaded_plane
-from tests.oracles.dense_rotor.selection import BOTH_PLANES
+from rotordyn.model.structure import Structure
+from rotordyn.model.term import State
+from tests.oracles.dense_rotor.unreduced import unreduced
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -67,38 +67,17 @@ def of_ours(spindle: Spindle, accuracy: float | None, highest: float, spin: floa
 
     Standard ones of the peer's length where ``accuracy`` is None.
     """
-    if accuracy is None:
-        mesh = build_mesh(spindle, 1.0001 * machine.ELEMENT)
-        elements = beams(spindle, mesh, np.ones(mesh.nodes - 1, dtype=np.intp))
-    else:
-        elements = bending_hierarchy(spindle, 2.0 * math.pi * highest, spin, accuracy)
-    plane = loaded_plane(spindle, elements)
-    own, polar = filled(plane.mass), filled(plane.polar)
-    zero = np.zeros_like(own)
-    mass, stiffness = (np.block([[m, zero], [zero, m]]) for m in (own, filled(plane.stiffness)))
-    damping = np.zeros_like(mass)
-    for support in spindle.supports:
-        rows = _both(spindle, elements, (support.x,))
-        stiffness = stiffness + rows.T @ BOTH_PLANES.take(node_matrix(support.stiffness)) @ rows
-        damping = damping + rows.T @ BOTH_PLANES.take(node_matrix(support.damping)) @ rows
-    return Dense(
-        mass,
-        damping,
-        np.block([[zero, polar], [-polar, zero]]),
-        stiffness,
-        np.concatenate([_in_order(_both(spindle, elements, (x,))) for x in machine.STATIONS]),
-    )
-
-
-def _both(spindle: Spindle, elements: Hierarchy, x: tuple[float, ...]) -> Array:
-    """Deflection and slope in plane y, then in plane z, at one station (4, 2n)."""
-    seen = filled(deflections(spindle, elements, np.array(x)))
-    return np.block([[seen, 0.0 * seen], [0.0 * seen, seen]])
-
-
-def _in_order(rows: Array) -> Array:
-    """Of (y, thz, z, −thy): ``machine.MOTIONS``."""
-    return rows[[0, 2, 3, 1]] * np.array([1.0, 1.0, -1.0, 1.0])[:, None]
+    mesh = build_mesh(spindle, 1.0001 * machine.ELEMENT if accuracy is None else None)
+    structure = Structure(spindle, mesh, Fineness(highest, spin, accuracy))
+    state = State(np.zeros(1), np.zeros((1, 0, 5, 5)), np.zeros((1, 0), dtype=bool))
+    own = unreduced(structure, state, "bending")
+    seen, sign = [], structure.dofs.sign
+    for x in machine.STATIONS:
+        for number in structure.node(SPINDLE, x)[[position(name) for name in machine.MOTIONS]]:
+            row = np.zeros(len(own.dofs))
+            row[own.row(int(number))] = sign[number]
+            seen.append(row)
+    return Dense(own.mass, own.damping, own.gyroscopic, own.stiffness + own.held, np.array(seen))
 
 
 def of_theirs(arrays: dict[str, Array], freedoms: tuple[int, ...]) -> Dense:

@@ -29,8 +29,7 @@ def _sections(lines: Lines) -> str:
     head = (
         "sections:",
         "modes:",
-        "number proven:",
-        "told error:",
+        "reported error:",
         "first call [s]:",
         "call [s]:",
         "peak memory of the process [MB]:",
@@ -39,7 +38,6 @@ def _sections(lines: Lines) -> str:
         (
             f"{line['size']:,}".replace(",", " "),
             str(line["modes"]),
-            "yes" if line["proven"] else "no",
             f"{line['told']:.0e}",
             f"{line['first']:.2f}",
             f"{line['seconds']:.3f}",

@@ -22,11 +22,17 @@ PAGES = {
     "rotordyn": ("rotordyn", ("rotordyn", "rotordyn.errors")),
     "bearings": (
         "bearings",
-        ("bearings", "bearings.ring.state", "bearings.fit.compound", "bearings.debongnie"),
+        (
+            "bearings",
+            "bearings.ring.state",
+            "bearings.fit.compound",
+            "bearings.fit.cylinder",
+            "bearings.debongnie",
+        ),
     ),
     "machine": ("Machines", ("rotordyn.machine", "rotordyn.machine.*")),
-    "questions": ("Questions", ("rotordyn.analysis", "rotordyn.analysis.specs")),
-    "answers": ("Answers", ("rotordyn.analysis.results",)),
+    "analyses": ("Analyses", ("rotordyn.analysis", "rotordyn.analysis.specs")),
+    "results": ("Results", ("rotordyn.analysis.results",)),
 }
 INTRODUCTION = """Python interface
 ================

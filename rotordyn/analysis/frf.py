@@ -69,8 +69,10 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
         scene, lambda one: _errors(one, spec, frequency, power), lambda found: float(found.max())
     )
     values = np.zeros((len(scene.usable), len(spec.pairs), len(frequency)), dtype=complex)
+    growing = np.zeros(len(scene.usable), dtype=bool)
     for k, own in _by_system(scene, spec.pairs).items():
         found = scene.system(k)
+        growing |= found.growing.any(axis=1)
         within = _receptance(scene, found, [spec.pairs[place] for place in own])
         with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
             values[:, own] = within(frequency)
@@ -87,6 +89,7 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
         frequency=frequency,
         pair=names,
         outcome=scene.outcome,
+        unstable=scene.flagged(growing),
         is_slice=np.isin(np.arange(len(scene.speed)), sorted(slices)),
         error=error,
         **rest,
@@ -140,9 +143,14 @@ def _weighed(
 def _judged(scene: Scene, k: int, frequency: Array) -> Array:
     """Frequencies at which receptances are compared: some, and those next to the modes."""
     some = np.unique(np.linspace(0, len(frequency) - 1, min(GRID, len(frequency))).astype(int))
-    hertz = scene.system(k).pole.imag / (2.0 * math.pi)
+    found = scene.system(k)
+    turning = found.pole.imag
+    if scene.conditions.formulation == ROTATING:
+        turning = np.abs(found.whirl * turning - scene.speed[scene.usable][:, None])
+    hertz = turning / (2.0 * math.pi)
     inside = hertz[(hertz >= frequency[0]) & (hertz <= frequency[-1])]
-    near = np.clip(np.searchsorted(frequency, inside), 0, len(frequency) - 1)
+    after = np.searchsorted(frequency, inside)
+    near = np.clip(np.concatenate([after - 1, after]), 0, len(frequency) - 1)
     return frequency[np.unique(np.concatenate([some, near]))]
 
 

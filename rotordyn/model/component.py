@@ -15,14 +15,12 @@ import numpy as np
 from rotordyn.machine.spindle import Spindle
 from rotordyn.model.damping import modal_damping
 from rotordyn.model.dofs import Indices, Line
-from rotordyn.model.reduce import Basis, Coupling, reduce
+from rotordyn.model.reduce import Coupling, reduce
 from rotordyn.model.shaft import Rows
 from rotordyn.model.term import Array, Part
 from rotordyn.numerics.sparse import LARGE, Matrix, summed
 
-# Over the cut-off: what swings faster has lost its digits beside slow motions, as in a shaft that
-# weighs next to nothing. Frequencies err by its inverse square.
-FASTEST = 1e3
+WEIGHTLESS = 1e3  # of the cutoff: no coordinate has a higher frequency
 
 
 @dataclass(eq=False)
@@ -161,15 +159,10 @@ class Component:
         if self.polar:
             coupling = Coupling(self.assembled("gyroscopic", self.polar), self.band)
         basis = reduce(mass, stiffness, rigid, ports, self.cutoff, coupling)
-        return _weighed(basis, FASTEST * self.cutoff)
-
-
-def _weighed(basis: Basis, fastest: float) -> tuple[Array, Array, Array]:
-    """Vectors, values and roots of a basis; what would swing faster than ``fastest`` [rad/s] gets
-    as much more mass as brings it there: how it gives way is as before."""
-    with np.errstate(divide="ignore"):
-        scale = np.minimum(1.0, fastest / np.sqrt(basis.values))
-    return basis.vectors * scale, basis.values * scale**2, scale[:, None] * basis.roots * scale
+        # coordinates with next to no mass are lent one, or their damping drowns slow modes
+        stiff = np.maximum(np.sqrt(basis.values) / (WEIGHTLESS * self.cutoff), 1.0)
+        roots = basis.roots / stiff[:, None] / stiff
+        return basis.vectors / stiff, basis.values / stiff**2, roots
 
 
 def _bytes(matrix: Matrix) -> bytes:

@@ -31,7 +31,7 @@ CUTOFF = 2.5  # free-free modes kept, over the highest frequency asked, at the u
 STANDARD_CUTOFF = 4.0  # the same with standard elements, whose own error is to stand alone
 WEIGHTLESS = 30.0  # frequency of what has no mass, over the highest asked, at the usual accuracy
 PRECISE = 1e-5  # accuracy below which gyroscopic forces are answered
-FINER = 1.5  # cut-off of a finer model over that of the one before
+FINER = 2.0  # cut-off of a finer model over that of the one before; 1.5 may add no mode
 HIGHEST = 10
 FAR, HALVINGS = 1e12, 30
 SAFETY = 5.0  # what is aimed at lies below what is asked by this
@@ -81,8 +81,8 @@ class Fineness:
 
     @property
     def slow(self) -> float:
-        """Up to which modes gyroscopic forces are answered [rad/s], beyond the band: free-free
-        modes above it take part in modes below."""
+        """Up to which modes gyroscopic forces are answered [rad/s]: beyond the band, since
+        free-free modes above it take part in modes below."""
         return FINER ** (self.finer + 1) * self.band
 
     @property

@@ -7,11 +7,8 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from rotordyn.model.dofs import position
 from rotordyn.model.shaft import WAYS, Shaft
 from rotordyn.model.term import Part
-
-_RELATIVE = np.array([[[1.0, -1.0], [-1.0, 1.0]]])
 
 
 def joint_parts(shaft: Shaft) -> Iterator[Part]:
@@ -23,10 +20,9 @@ def joint_parts(shaft: Shaft) -> Iterator[Part]:
             if math.isinf(stiffness):
                 continue
             for name in directions:
-                place = position(name)
-                rows = np.array([[shaft.node[at, place], shaft.behind[at, place]]])
-                yield Part("stiffness", rows, rows, stiffness * _RELATIVE)
+                rows, one = np.array([[shaft.jump[at, name]]]), np.ones((1, 1, 1))
+                yield Part("stiffness", rows, rows, stiffness * one)
                 if damping:
-                    yield Part("damping", rows, rows, damping * _RELATIVE)
+                    yield Part("damping", rows, rows, damping * one)
                     if name not in ("x", "thx"):
-                        yield Part("turning", rows, rows, shaft.ratio * damping * _RELATIVE)
+                        yield Part("turning", rows, rows, shaft.ratio * damping * one)

@@ -1,8 +1,9 @@
 """The shaft of a rotor: elements of any degree in bending, axial motion and torsion.
 
 Nodes stand at every station and between them so that no wave up to the highest frequency errs by
-more than the accuracy allows (``degrees``). A joint has two nodes, that of the part in front and
-that of the part behind, which share the DOF in which it is rigid.
+more than the accuracy allows (``fineness``). Where a joint gives way the element behind it stands
+on the node and on one more DOF, the motion of the part behind against the part in front: so the
+spring of a joint is the stiffness of one DOF, and however stiff, no digits of the shaft are lost.
 """
 
 from __future__ import annotations
@@ -51,9 +52,9 @@ PLANES = {"y": (("y", "thz"), np.array([1.0, 1.0])), "z": (("z", "thy"), np.arra
 class Shaft:
     """Elements between the nodes of ``mesh``, of a rotor called ``body``.
 
-    ``node`` (nodes, 6): DOF of the nodes, of a joint those in front; ``behind`` (nodes, 6): those
-    of the part behind it, elsewhere the same. ``degree`` (elements,) in bending, ``rod_degree``
-    axially and in torsion; ``inner``: by line of the rotor the first inner DOF of each element.
+    ``node`` (nodes, 6): DOF of the nodes, of a joint those of the part in front; ``jump``: by node
+    and direction the DOF of a joint there. ``degree`` (elements,) in bending, ``rod_degree`` of
+    rods; ``inner``: by line of the rotor the first inner DOF of each element.
     """
 
     body: str
@@ -61,7 +62,7 @@ class Shaft:
     spindle: Spindle
     mesh: Mesh
     node: Indices
-    behind: Indices
+    jump: dict[tuple[int, str], int]
     degree: Indices
     rod_degree: Indices
     inner: dict[str, Indices]
@@ -79,16 +80,15 @@ class Shaft:
         """
         mesh, degree, rod_degree = _elements(spindle, shown, fine)
         node = dofs.add_nodes(body, mesh.nodes)
-        behind = node.copy()
+        jump: dict[tuple[int, str], int] = {}
         for joint in spindle.joints:
             at = mesh.node_of(joint.x)
             for way, directions in WAYS.items():
                 if math.isfinite(getattr(joint, way)):
                     for name in directions:
                         line = Line(body, {"thz": "y", "thy": "z"}.get(name, name))
-                        behind[at, position(name)] = dofs.add(
-                            line, sign=-1.0 if name == "thy" else 1.0
-                        )[0]
+                        sign = -1.0 if name == "thy" else 1.0
+                        jump[at, name] = int(dofs.add(line, sign=sign)[0])
         counts = {"y": bending.inner_freedoms(degree, sheared(spindle)), "x": rod_degree - 1}
         counts["z"], counts["thx"] = counts["y"], counts["x"]
         inner = {}
@@ -96,7 +96,7 @@ class Shaft:
             first = dofs.add(Line(body, way), int(own.sum()))
             begin = int(first[0]) if len(first) else 0
             inner[way] = begin + np.concatenate([[0], np.cumsum(own)[:-1]]).astype(np.intp)
-        return cls(body, ratio, spindle, mesh, node, behind, degree, rod_degree, inner)
+        return cls(body, ratio, spindle, mesh, node, jump, degree, rod_degree, inner)
 
     def parts(self) -> Iterator[Part]:
         """Mass, stiffness, gyroscopic effect and translational mass (softening)."""
@@ -106,12 +106,12 @@ class Shaft:
     def _bending_parts(self) -> Iterator[Part]:
         for chosen, n, tapers in _alike(self.mesh, self.degree):
             own = self._tapered(chosen, n) if tapers else self._cylindrical(chosen, n)
-            y, z = self.rows("y", chosen), self.rows("z", chosen)
+            (y, moves), (z, _) = self.rows("y", chosen), self.rows("z", chosen)
             for rows in (y, z):
-                yield Part("mass", rows, rows, own.mass)
-                yield Part("stiffness", rows, rows, own.stiffness)
-                yield Part("softening", rows, rows, own.translational_mass)
-            yield Part("gyroscopic", y, z, self.ratio * own.polar)
+                yield Part("mass", rows, rows, _between(moves, own.mass))
+                yield Part("stiffness", rows, rows, _between(moves, own.stiffness))
+                yield Part("softening", rows, rows, _between(moves, own.translational_mass))
+            yield Part("gyroscopic", y, z, self.ratio * _between(moves, own.polar))
 
     def _cylindrical(self, chosen: Indices, degree: int) -> PlaneBending:
         mesh = self.mesh
@@ -151,12 +151,13 @@ class Shaft:
                 else:
                     rigidity, inertia = (each[chosen, 0] for each in section(mesh, MIDDLE))
                     own = rod.hierarchic_rod(mesh.length[chosen], rigidity, inertia, degree=n)
-                rows = self.rows(way, chosen)
-                yield Part("mass", rows, rows, own.mass)
-                yield Part("stiffness", rows, rows, own.stiffness)
+                rows, moves = self.rows(way, chosen)
+                yield Part("mass", rows, rows, _between(moves, own.mass))
+                yield Part("stiffness", rows, rows, _between(moves, own.stiffness))
 
-    def rows(self, way: str, elements: Indices) -> Indices:
-        """DOF (e, k) of elements of one degree, those of the ends first."""
+    def rows(self, way: str, elements: Indices) -> tuple[Indices, Array | None]:
+        """DOF (e, k) of elements of one degree, those of the ends first, of joints last; and how
+        their own motions (e, j, k) follow these, None where there is no joint before any."""
         names = PLANES[way][0] if way in PLANES else (way,)
         places = [position(name) for name in names]
         degree = int((self.degree if way in PLANES else self.rod_degree)[elements[0]])
@@ -165,38 +166,52 @@ class Shaft:
         else:
             count = rod.inner_freedoms(degree)
         inner = self.inner[way][elements][:, None] + np.arange(count)
-        ends = self.behind[elements][:, places], self.node[elements + 1][:, places]
-        return np.concatenate([*ends, inner], axis=1)
+        ends = self.node[elements][:, places], self.node[elements + 1][:, places]
+        rows = np.concatenate([*ends, inner], axis=1)
+        gives = [[(e, name) in self.jump for name in names] for e in elements.tolist() if self.jump]
+        if not np.any(gives):
+            return rows, None
+        jumps = [
+            [self.jump.get((int(e), n), row[0]) for n in names]
+            for e, row in zip(elements, rows, strict=True)
+        ]
+        moves = np.tile(np.eye(rows.shape[1]), (len(elements), 1, 1))
+        jumped = np.zeros((*rows.shape, len(names)))
+        for place in range(len(names)):
+            jumped[:, place, place] = np.array(gives)[:, place]
+        return np.hstack([rows, jumps]), np.concatenate([moves, jumped], axis=2)
 
     def rigid(self, way: str) -> Iterator[tuple[Indices, Array]]:
         """Rigid motions of the DOF of a line: DOF and their displacements, signed."""
         x = self.mesh.x - self.mesh.x.mean()
-        for nodes in (self.node, self.behind):
-            if way not in PLANES:
-                yield nodes[:, position(way)], np.ones((len(x), 1))
-            else:
-                deflection, tilt = (nodes[:, position(name)] for name in PLANES[way][0])
-                yield deflection, np.stack([np.ones_like(x), x], axis=1)
-                yield tilt, np.stack([np.zeros_like(x), np.ones_like(x)], axis=1)
+        if way not in PLANES:
+            yield self.node[:, position(way)], np.ones((len(x), 1))
+        else:
+            deflection, tilt = (self.node[:, position(name)] for name in PLANES[way][0])
+            yield deflection, np.stack([np.ones_like(x), x], axis=1)
+            yield tilt, np.stack([np.zeros_like(x), np.ones_like(x)], axis=1)
 
     def bent(self, way: str, x: Array) -> list[Rows]:
         """Of a bending plane deflection and tilt at stations ``x``, two rows a station; at a joint
         those of the part in front."""
         found = []
-        for at, rows, shape in self._shapes(way, x):
+        for at, (rows, moves), shape in self._shapes(way, x):
             both = np.stack([shape.deflection[:, 0], shape.rotation[:, 0]], axis=1)
-            found.append((2 * at[:, None] + np.arange(2), rows, both))
+            found.append((2 * at[:, None] + np.arange(2), rows, _by(both, moves)))
         return found
 
     def sloped(self, way: str, x: Array, weight: Array) -> list[Rows]:
         """The slopes v′ there times ``weight`` (stations,), a row a station."""
         return [
-            (at[:, None], rows, shape.slope * weight[at, None, None])
-            for at, rows, shape in self._shapes(way, x)
+            (at[:, None], rows, _by(shape.slope * weight[at, None, None], moves))
+            for at, (rows, moves), shape in self._shapes(way, x)
         ]
 
-    def _shapes(self, way: str, x: Array) -> Iterator[tuple[Indices, Indices, bending.Shapes]]:
-        """Of stations in elements of one degree: which, DOF of their elements, shape functions."""
+    def _shapes(
+        self, way: str, x: Array
+    ) -> Iterator[tuple[Indices, tuple[Indices, Array | None], bending.Shapes]]:
+        """Of stations in elements of one degree: which, ``rows`` of their elements, shape
+        functions."""
         element, xi = self._place(x)
         phi = self._phi
         degree = self.degree[element]
@@ -212,8 +227,8 @@ class Shaft:
         degree, found = self.rod_degree[element], []
         for n in np.unique(degree):
             at = np.flatnonzero(degree == n)
-            shape = rod.shapes(int(n), xi[at, None])
-            found.append((at[:, None], self.rows(way, element[at]), shape))
+            rows, moves = self.rows(way, element[at])
+            found.append((at[:, None], rows, _by(rod.shapes(int(n), xi[at, None]), moves)))
         return found
 
     def _place(self, x: Array) -> tuple[Indices, Array]:
@@ -222,6 +237,16 @@ class Shaft:
         element = np.clip(np.searchsorted(nodes, x - slack) - 1, 0, len(self.degree) - 1)
         xi = 2.0 * (x - nodes[element]) / self.mesh.length[element] - 1.0
         return element, np.clip(xi, -1.0, 1.0)
+
+
+def _by(shape: Array, moves: Array | None) -> Array:
+    """Factors (e, r, k) of motions of elements (e, r, j) by their DOF."""
+    return shape if moves is None else np.asarray(shape @ moves)
+
+
+def _between(moves: Array | None, blocks: Array) -> Array:
+    """Blocks (e, k, k) of matrices (e, j, j) of elements by their DOF."""
+    return blocks if moves is None else np.asarray(np.swapaxes(moves, 1, 2) @ blocks @ moves)
 
 
 def _alike(mesh: Mesh, degree: Indices) -> Iterator[tuple[Indices, int, bool]]:

@@ -12,7 +12,7 @@ import numpy as np
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import GROUND, SPINDLE, BearingSeat, LinearSupport
-from rotordyn.model.axial_force import slope_rows
+from rotordyn.model.axial_force import Slopes, slope_rows
 from rotordyn.model.component import Component
 from rotordyn.model.dofs import DIRECTIONS, Dofs, Indices, Line, position
 from rotordyn.model.drawbar import drawbar_links
@@ -99,7 +99,8 @@ class Structure:
         if support.against != GROUND:
             ends.append((support.against, support.x, -1.0))
         dofs, motions = self._against(support.name, ends)
-        return Link(support.name, dofs, motions, matrices_of(support), support.loss_factor)
+        rigid = tuple(position(direction) for direction in support.rigid)
+        return Link(support.name, dofs, motions, matrices_of(support), support.loss_factor, rigid)
 
     def _against(self, name: str, ends: list[tuple[str, float, float]]) -> tuple[Indices, Array]:
         """Motion (6, DOF) of nodes against that of the housing that carries a connection."""
@@ -122,7 +123,8 @@ class Structure:
         for shaft in self.shafts.values():
             for joint in shaft.spindle.joints:
                 if joint.radial_damping or joint.tilt_damping:
-                    own |= set(shaft.behind[shaft.mesh.node_of(joint.x)].tolist())
+                    at = shaft.mesh.node_of(joint.x)
+                    own |= {number for (node, _), number in shaft.jump.items() if node == at}
         return np.array(sorted(own), dtype=np.intp)
 
     def _loaded(self) -> Iterator[tuple[str, float, Iterable[str]]]:
@@ -131,6 +133,7 @@ class Structure:
             yield SPINDLE, seat.x, set(DIRECTIONS) - {"thx"}
         for support in self.spindle.supports:
             touched = {n for pair in (*support.stiffness, *support.damping) for n in pair}
+            touched |= set(support.rigid)
             for rotor in {support.holds, support.against} - {GROUND}:
                 yield rotor, support.x, touched
         for x in self.spindle.drawbar.stations if self.spindle.drawbar else ():
@@ -224,16 +227,16 @@ class Structure:
     def _gyroscopic(self) -> dict[tuple[int, int], Array]:
         return {}
 
-    def slopes(self, component: Component) -> Array:
-        """Weighted slopes of a bending plane of the spindle's shaft (places, m)."""
+    def slopes(self, component: Component) -> Slopes:
+        """Weighted slopes of a bending plane of the spindle's shaft."""
         key = id(component)
         if key not in self._slopes:
-            rows, count = slope_rows(self.shafts[SPINDLE], self.shown, component.way)
-            self._slopes[key] = component.displaced(count, rows)
+            rows, element = slope_rows(self.shafts[SPINDLE], self.shown, component.way)
+            self._slopes[key] = Slopes(component.displaced(len(element), rows), element)
         return self._slopes[key]
 
     @cached_property
-    def _slopes(self) -> dict[int, Array]:
+    def _slopes(self) -> dict[int, Slopes]:
         return {}
 
     def motion(self, components: Sequence[Component]) -> Array:

@@ -49,7 +49,8 @@ UNEVEN = LinearSupport(
     {("y", "y"): 500.0},
 )
 HELD = replace(STEPPED, supports=(support("a", 0.05, (2e8, 2e8)), support("b", 0.25, (1e8, 1e8))))
-STRONG = Drawbar(9e6, -0.0524, 0.38, (0.15, 0.3))
+# Beyond 1 MN, where no shaft holds, axial force reaches modes far above the cutoff.
+STRONG = Drawbar(3e5, -0.0524, 0.38, (0.15, 0.3))
 
 
 def flagship(**changes: Any) -> Spindle:

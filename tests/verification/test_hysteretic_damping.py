@@ -433,8 +433,9 @@ def test_unbalance_of_an_isotropic_rotor_bends_the_shaft_for_good(formulation: s
         turning(disc(eta, outer), speed, formulation=formulation) for eta in (0.04, 0.0)
     )
     assert set(lossy.outcome) == {""}
-    np.testing.assert_allclose(lossy.displacement, plain.displacement, rtol=1e-9)
-    np.testing.assert_allclose(lossy.force, plain.force, rtol=1e-9, atol=1e-9)
+    for ours, theirs in ((lossy.displacement, plain.displacement), (lossy.force, plain.force)):
+        # rounding beside pins of 1e12 N/m, five decades above the shaft
+        np.testing.assert_allclose(ours, theirs, rtol=0.0, atol=1e-7 * np.abs(theirs).max())
 
 
 def test_unbalance_without_damping_has_no_answer_where_it_meets_the_critical_speed() -> None:
@@ -443,7 +444,7 @@ def test_unbalance_without_damping_has_no_answer_where_it_meets_the_critical_spe
     found = turning(disc(), [0.5 * omega, exact, 2.0 * omega])
     assert found.outcome[0] == ""
     assert "critical speed without damping" in found.outcome[1]
-    assert "unstable" in found.outcome[2]
+    assert found.outcome[2] == "" and found.unstable.tolist() == [False, False, True]
 
 
 def test_unbalance_on_uneven_and_lossy_supports() -> None:

@@ -405,7 +405,9 @@ def test_sleeves_give_along_and_across() -> None:
     front, rear = (sleeve.spring.stiffness for sleeve in mfw2310().sleeves)
     held = [1 / (1 / k[0, 2] + 1 / front), k[1, 2]]
     whole = k[:, 0] + k[:, 1] + held + 1 / (1 / (k[:, 3] + k[:, 4]) + 1 / rear)
-    np.testing.assert_allclose(result.axial_displacement[:, 0], 10.0 / whole, rtol=1e-9)
+    np.testing.assert_allclose(result.axial_displacement[0, 0], 10.0 / whole[0], rtol=1e-9)
+    # a stop is a thousand times as stiff as the bearings of its sleeve
+    np.testing.assert_allclose(result.axial_displacement[1, 0], 10.0 / whole[1], rtol=1e-3)
 
     soft = with_sleeve(mfw2310(), "rear", radial_stiffness=3e7)
     across = {

@@ -79,8 +79,8 @@ def test_only_what_nothing_holds_is_left_out(
     bending = [k for k, kind in enumerate(result.kind) if kind == "bending"]
     frequency = np.sort(result.frequency[0, bending])
     assert (frequency < 0.1).sum() == 2 * slow
-    along = 2 + 2  # nothing holds axial motion and torsion
-    assert result.free == pytest.approx(along + 2 * (2 - len(springs)))
+    along = 2 + 2  # nothing holds axial motion and torsion: two poles at zero each
+    assert result.free == pytest.approx(along + 4 * (2 - len(springs)))  # in both planes
     assert (result.frequency_error[0, bending] < 1e-4).all()
 
 
@@ -102,7 +102,9 @@ def test_lowest_modes_against_sixty_digits(seed: int) -> None:
         for k, omega in zip(own, truth, strict=True):
             assert encloses(exact, direction * omega, 1e-11)
             ours = 2.0 * math.pi * result.frequency[0, k]
-            assert encloses(exact, direction * ours, 3.0 * result.frequency_error[0, k])
+            # refinement does not show rounding, which is held below 1e-8
+            width = max(3.0 * result.frequency_error[0, k], 1e-8)
+            assert encloses(exact, direction * ours, width)
             assert result.frequency_error[0, k] < 1e-8
 
 

@@ -23,7 +23,7 @@ HZ = 2.0 * math.pi
 HELD = 1e8  # N/m
 MASS = STEEL.density * math.pi / 4.0 * 0.05**2 * 0.5
 BOUNCE = math.sqrt(2.0 * HELD / MASS) / HZ
-UNLIMITED = "nothing limits the response at"
+UNLIMITED = "the response is unbounded at"
 
 
 def bar(damping: float = 0.0) -> Spindle:
@@ -52,7 +52,12 @@ def resonance(**conditions: Any) -> float:
     return float(known[known > 1.0].min())
 
 
-KINDS = [{}, {"rotor": "rigid"}, {"formulation": "rotating"}]
+STANDARD = {"element_length": 0.05}  # no refinement: the modes are those of what answers
+KINDS: list[dict[str, Any]] = [
+    STANDARD,
+    {"rotor": "rigid"},
+    {"formulation": "rotating", **STANDARD},
+]
 
 
 @pytest.mark.parametrize("conditions", KINDS, ids=str)
@@ -153,15 +158,19 @@ def test_unbalance_at_a_critical_speed_solved_for() -> None:
     """The critical speed that is told is the one at which there is no steady response."""
     spindle = bar()
     spec = UnbalanceSpec(("tip",), (Unbalance("tip", 1e-6),))
-    speeds = np.array([0.0, 6000.0])
-    scene = Scene(spindle, Conditions(), speeds, 6000.0 / HZ, (0.0,))
+    speeds, standard = np.array([0.0, 6000.0]), Conditions(element_length=0.05)
+    scene = Scene(spindle, standard, speeds, 6000.0 / HZ, (0.0,))
     (critical,) = unbalance.answer(scene, spec).critical_speed
-    at = Scene(spindle, Conditions(), np.array([critical, 6000.0]), 6000.0 / HZ, (0.0,))
+    at = Scene(spindle, standard, np.array([critical, 6000.0]), 6000.0 / HZ, (0.0,))
     resonant = unbalance.answer(at, spec)
     assert "a critical speed without damping" in resonant.outcome[0]
     assert np.isnan(resonant.displacement[0]).all()
     near = Scene(
-        spindle, Conditions(), critical * np.array([1 - 1e-6, 1 + 1e-6]), 6000.0 / HZ, (0.0,)
+        spindle,
+        standard,
+        critical * np.array([1 - 1e-6, 1 + 1e-6]),
+        6000.0 / HZ,
+        (0.0,),
     )
     phase = unbalance.answer(near, spec).displacement[:, 0, 0]
     assert np.isfinite(phase).all()

@@ -289,18 +289,17 @@ def test_balance_grade(phase: str) -> None:
     assert (found.grade_speed, hand.grade_speed) == (1000.0, 0.0)
 
 
-def test_unstable_machine_has_no_steady_response() -> None:
-    """Follower stiffness k_yz = −k_zy pumps forward whirl once q > c ω."""
+def test_an_unstable_machine_is_given_its_steady_solution() -> None:
+    """Follower stiffness k_yz = −k_zy pumps forward whirl once q > c ω: k − iq for k in r."""
     q = 0.3 * C * math.sqrt(K / M)
-    stable = on_two(block(K, K, q, -q), block(C, C))
-    assert np.isfinite(
-        solved(stable, [100.0], Unbalance("disc", U), conditions=RIGID).amplitude
-    ).all()
-    unstable = on_two(block(K, K, 10 * q, -10 * q), block(C, C))
-    with pytest.raises(
-        NoSolution, match=r"^no speed .* steady response to unbalance: unstable: .*Hz$"
-    ):
-        solved(unstable, [100.0, 200.0], Unbalance("disc", U), conditions=RIGID)
+    for share, unstable in ((1.0, False), (10.0, True)):
+        spindle = on_two(block(K, K, share * q, -share * q), block(C, C))
+        found = solved(spindle, [100.0, 200.0], Unbalance("disc", U), conditions=RIGID)
+        mass, speed = rotor_inertia(spindle).mass, found.speed
+        whirl = speed**2 * U / (K - 1j * share * q + 1j * speed * C - mass * speed**2)
+        np.testing.assert_allclose(found.displacement[:, 0, 0], whirl, rtol=1e-6)
+        assert (found.unstable == unstable).all()
+        assert set(found.outcome) == {""}
 
 
 @pytest.mark.parametrize(("beside", "told"), [(0.4, False), (3.0, True)])
@@ -316,12 +315,11 @@ def test_a_peak_between_the_speeds_of_the_case_is_told(beside: float, told: bool
 
 
 def test_rest_is_no_steady_response() -> None:
-    """Internal damping: stable at rest, not at the speeds asked for. Nothing acts at rest."""
-    spindle = replace(on_two(block(K, K), block(0.0, 0.0)), rotor_damping=(0.02,))
-    spindle = replace(spindle, internal_damping=1.0)
-    top = 6.0 * math.sqrt(K / rotor_inertia(spindle).mass)
-    with pytest.raises(NoSolution, match="steady response to unbalance: unstable"):
-        solved(spindle, [0.0, top], Unbalance("disc", U))
+    """Without damping, at rest and at the critical speed: nothing acts at rest."""
+    spindle = on_two(block(K, K), block(0.0, 0.0))
+    critical = math.sqrt(K / rotor_inertia(spindle).mass)
+    with pytest.raises(NoSolution, match="steady response to unbalance: a critical speed"):
+        solved(spindle, [0.0, critical], Unbalance("disc", U), conditions=RIGID)
 
 
 def test_critical_speed_without_damping() -> None:
@@ -352,7 +350,7 @@ def test_estimated_error_is_the_true_one(element: float, ratio: float) -> None:
     )
     fine = solved(spindle, speed, Unbalance(0.2, U), conditions=Conditions(accuracy=1e-7))
     off = np.abs(coarse.displacement - fine.displacement).max() / np.abs(fine.displacement).max()
-    assert coarse.error[0] == pytest.approx(off, rel=0.05)
+    assert off / 3.0 < coarse.error[0] < 3.0 * off
 
 
 @pytest.mark.parametrize("rotor", ["rigid", "flexible"])
@@ -386,8 +384,7 @@ def test_pedestals_in_closed_form(rotor: str) -> None:
 def test_critical_speeds_are_those_of_the_campbell_diagram_without_its_other_work(
     along: bool,
 ) -> None:
-    """By name, speed and damping ratio; axial motion and torsion are solved for only where supports
-    couple them with bending."""
+    """By name, speed and damping ratio; subsystems without bending are not solved."""
     spindle = rotordyn.load("friswell_unbalance").variants["even"].spindle
     assert spindle is not None
     if along:
@@ -396,8 +393,8 @@ def test_critical_speeds_are_those_of_the_campbell_diagram_without_its_other_wor
     top, band, places = 4000.0 * RPM, 200.0, tuple(spindle.places.values())
     whole = Scene(spindle, Conditions(), np.array([0.0, 0.5 * top, top]), band, places)
     found = unbalance.answer(whole, UnbalanceSpec(("left_disc",), (Unbalance("left_disc", U),)))
-    touched = {motion for motion in ("axial", "torsion") if motion in whole.solved}
-    assert touched == ({"axial"} if along else set())
+    touched = set().union(*(own.linear.motions for own in whole.systems.values()))
+    assert touched == ({"bending", "axial"} if along else {"bending"})
     other = Scene(spindle, Conditions(), whole.speed, band, places)
     spec = CampbellSpec(1.2 * top / (2.0 * math.pi), shapes=False)
     modes = campbell.answer(other, spec)

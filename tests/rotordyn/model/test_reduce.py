@@ -10,7 +10,7 @@ from scipy.linalg import eigh
 
 from rotordyn.errors import InvalidInput
 from rotordyn.model import reduce as module
-from rotordyn.model.reduce import LEAST_MODES, reduce
+from rotordyn.model.reduce import LEAST_MODES, Coupling, reduce
 
 
 def free_chain(seed: int, size: int) -> tuple[np.ndarray, np.ndarray]:
@@ -163,3 +163,21 @@ def test_what_does_not_fit_into_memory_is_refused(monkeypatch: pytest.MonkeyPatc
     mass, stiffness = free_chain(8, 200)
     with pytest.raises(InvalidInput, match="do not fit into memory"):
         reduce(mass, stiffness, np.ones((200, 1)), np.eye(200)[:, [0]], 0.3)
+
+
+def test_moments_of_slow_modes_keep_their_static_modes() -> None:
+    """As flexible as the whole to the loads that a matrix brings on slow modes."""
+    mass, stiffness = free_chain(5, 40)
+    rigid, loads = np.ones((40, 1)), np.eye(40)[:, [0]]
+    half = np.diff(np.eye(40), axis=0) * np.random.default_rng(1).uniform(0.5, 2.0, (39, 1))
+    matrix = half.T @ half
+    alone = reduce(mass, stiffness, rigid, loads, 0.3)
+    found = reduce(mass, stiffness, rigid, loads, 0.3, Coupling(matrix, 0.2))
+    slow = alone.vectors[:, alone.modes & (alone.values < 0.2**2)]
+    moment = matrix @ slow[:, 1:]
+    moment = moment - mass @ slow[:, :1] @ (slow[:, :1].T @ moment)
+    whole = moment.T @ np.linalg.pinv(stiffness) @ moment
+    kept = found.vectors[:, 1:].T @ moment
+    assert kept.T @ (kept / found.values[1:, None]) == pytest.approx(whole, abs=1e-7 * whole.max())
+    poor = alone.vectors[:, 1:].T @ moment
+    assert np.abs(poor.T @ (poor / alone.values[1:, None]) - whole).max() > 1e-3 * whole.max()
