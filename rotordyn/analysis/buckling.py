@@ -24,7 +24,8 @@ class Loading:
     """Axial states of a machine: bearing loads (states, seats) [N] and tangents in their frames.
 
     ``speed`` (states,) [rad/s]: of the shaft. ``structure`` is asked for only where the shaft is
-    compressed. ``force`` [N] on the front end and ``gravity`` [m/s²], towards +x.
+    compressed. ``force`` [N] on the front end and ``gravity`` [m/s²] towards +x; ``tension`` [N]
+    pulls at both ends.
     """
 
     spindle: Spindle
@@ -34,6 +35,7 @@ class Loading:
     seat_stiffness: Array
     force: float
     gravity: float
+    tension: float
 
     def outcomes(self) -> tuple[str, ...]:
         """Per state: empty, or that the shaft buckles at this speed and what would hold."""
@@ -64,8 +66,8 @@ class Loading:
         return withstands(structure, state, force, bar)
 
     def _along(self, spindle: Spindle, share: float) -> AxialForce:
-        load, force, gravity = self.seat_load, self.force, self.gravity
-        return axial_force(spindle, share * load, share * force, share * gravity)
+        own = (share * each for each in (self.force, self.gravity, self.tension))
+        return axial_force(spindle, share * self.seat_load, *own)
 
     def _sentence(self, rpm: float) -> str:
         """For a single state that buckles."""
@@ -79,7 +81,7 @@ class Loading:
         most = _largest(lambda share: bool(self._withstands(share, share)[0]))
         return (
             f"the axial force buckles the shaft at {rpm:.0f} rpm, {most:.3g} of it would not: "
-            "lower axial_force or hold the shaft better"
+            "lower it or hold the shaft better"
         )
 
 

@@ -13,7 +13,7 @@ from rotordyn.analysis.criticals import critical_speeds
 from rotordyn.analysis.formulation import ROTATING, require_isotropic
 from rotordyn.analysis.mode_names import named
 from rotordyn.analysis.refinement import mode_errors
-from rotordyn.analysis.results import CampbellResult, TurningCampbellResult
+from rotordyn.analysis.results import OVERDAMPED, CampbellResult, TurningCampbellResult
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.shapes import scaled
 from rotordyn.analysis.specs import CampbellSpec
@@ -50,6 +50,8 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         bends = np.array([b.kind == "bending" for b in branches])
         spin = scene.speed[scene.usable][:, None]
         seen = np.where(bends, np.abs(seen - np.sign(degree) * spin), seen)
+    with np.errstate(invalid="ignore"):
+        ratio = scene.scattered(-pole.real / np.abs(pole))
     kind = TurningCampbellResult if turned else CampbellResult
     return kind(
         speed=scene.speed,
@@ -70,7 +72,8 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         free=scene.scattered(_free(scene)),
         node_rotor=scene.mesh.rotor,
         speed_ratio=np.array(list(scene.spindle.ratios.values())),
-        damping_ratio=scene.scattered(-pole.real / np.abs(pole)),
+        damping_ratio=ratio,
+        overdamped=ratio > OVERDAMPED,
         decrement=scene.scattered(-2.0 * math.pi * pole.real / np.abs(pole.imag)),
         whirl=scene.scattered(_table([b.whirl for b in branches], shape)),
         whirl_degree=scene.scattered(degree),

@@ -69,8 +69,10 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
         scene, lambda one: _errors(one, spec, frequency, power), lambda found: float(found.max())
     )
     values = np.zeros((len(scene.usable), len(spec.pairs), len(frequency)), dtype=complex)
+    growing = np.zeros(len(scene.usable), dtype=bool)
     for k, own in _by_system(scene, spec.pairs).items():
         found = scene.system(k)
+        growing |= found.growing.any(axis=1)
         within = _receptance(scene, found, [spec.pairs[place] for place in own])
         with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
             values[:, own] = within(frequency)
@@ -87,6 +89,7 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
         frequency=frequency,
         pair=names,
         outcome=scene.outcome,
+        unstable=scene.flagged(growing),
         is_slice=np.isin(np.arange(len(scene.speed)), sorted(slices)),
         error=error,
         **rest,

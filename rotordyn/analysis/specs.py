@@ -56,10 +56,10 @@ class Conditions(Description):
     stiffness of the bearings of a spindle wherever they act as linear springs. ``bearings``:
     ``"dynamic"`` (speed acts on the bearings) or ``"static"`` (their state at rest serves every
     speed). ``rotor``: ``"flexible"`` or ``"rigid"``. ``axial_force`` [N] on the front end of the
-    shaft (of the tool) towards +x; ``gravity``: of ``GRAVITY``, the way the weight of a vertical
-    spindle points. ``accuracy``: relative error allowed of every frequency up to the highest
-    asked for; the elements follow. ``element_length`` [m]: standard elements no longer than that
-    instead, whatever their error.
+    shaft (of the tool) towards +x; ``tension`` [N] pulls at both of its ends; ``gravity``: of
+    ``GRAVITY``, the way the weight of a vertical spindle points. ``accuracy``: relative error
+    allowed of every frequency up to the highest asked for; the elements follow.
+    ``element_length`` [m]: standard elements no longer than that instead, whatever their error.
     ``formulation``: of ``formulation.FORMULATIONS``, how bending is written.
     ``axial_stiffening``: the axial force in the shaft acts on its bending.
     """
@@ -71,6 +71,7 @@ class Conditions(Description):
     bearings: Annotated[str, Choice(BEARINGS)] = "dynamic"
     rotor: Annotated[str, Choice(ROTOR)] = "flexible"
     axial_force: Force = 0.0
+    tension: Force = 0.0
     gravity: Annotated[str, Choice(GRAVITY)] = "none"
     accuracy: Accuracy = 1e-4
     element_length: Length | None = None

@@ -28,5 +28,6 @@ def instability(found: Iterable[FreeMotions], speed: NDArray[np.float64]) -> lis
     return [
         f"unstable at {at.size} of {len(speed)} speeds, first at "
         f"{number(speed[at[0]] * RPM.factor, 0)} rpm: the machine {how}, growing e-fold in "
-        f"{1.0 / worst.real:.3g} s; receptances there are no steady vibration"
+        f"{1.0 / worst.real:.3g} s; forced responses there are the steady solution of the linear "
+        "equations, which the machine does not reach by itself"
     ]

@@ -95,7 +95,8 @@ def _weights(spindle: Spindle, spec: SectionForcesSpec, conditions: Conditions) 
 
 def _along(spindle: Spindle, conditions: Conditions) -> Iterator[tuple[float, float]]:
     """Stations and axial forces that a preload state would carry."""
-    yield spindle.shaft.start, conditions.axial_force
+    yield spindle.shaft.start, conditions.axial_force - conditions.tension
+    yield spindle.shaft.end, conditions.tension
     if bar := spindle.drawbar:
         yield bar.start, bar.force
         yield bar.end, -bar.force

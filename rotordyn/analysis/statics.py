@@ -131,6 +131,12 @@ class Statics(Staged):
         whole[self.usable] = values
         return whole
 
+    def flagged(self, values: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """Flags at the usable speeds (usable,) over all speeds, False elsewhere."""
+        whole = np.zeros(len(self.speed), dtype=bool)
+        whole[self.usable] = values
+        return whole
+
     @stage_of(lambda self: (bodies(self.spindle), self.conditions.element_length))
     def mesh(self) -> Mesh:
         """Nodes and elements of the shaft."""
@@ -141,7 +147,7 @@ class Statics(Staged):
         """Dynamic preload state at ``bearing_speed``."""
         return dynamic_preload(self.grounded, self.bearing_speed, self.law, self.axial_force)
 
-    @stage_of(lambda self: self._axial_inputs)
+    @stage_of(lambda self: (*self._axial_inputs, self.conditions.tension))
     def shaft_force(self) -> AxialForce:
         """Axial force in the shaft at ``bearing_speed``."""
         return self._along(self._seat_load)
@@ -165,6 +171,7 @@ class Statics(Staged):
             seat_stiffness,
             self.conditions.axial_force,
             self.gravity,
+            self.conditions.tension,
         )
         return loading.outcomes()
 
@@ -179,7 +186,8 @@ class Statics(Staged):
         return along.bending(self.mesh.middle)
 
     def _along(self, seat_load: Array) -> AxialForce:
-        return axial_force(self.grounded, seat_load, self.conditions.axial_force, self.gravity)
+        own = self.conditions
+        return axial_force(self.grounded, seat_load, own.axial_force, self.gravity, own.tension)
 
     def _structure(self) -> Structure:
         """The terms of the machine."""

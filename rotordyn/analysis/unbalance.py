@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from rotordyn.analysis.branches import branches_of
 from rotordyn.analysis.criticals import critical_speeds
-from rotordyn.analysis.display import number
 from rotordyn.analysis.mode_names import named
 from rotordyn.analysis.orbit import orbit
 from rotordyn.analysis.refinement import Rows, changes, settled
@@ -35,13 +34,14 @@ BEYOND = 1.2  # times the top speed: up to there criticals are looked for
 
 
 def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
-    """At every speed with a steady response, of a model refined until it is as accurate as asked
+    """At every speed with a steady solution, of a model refined until it is as accurate as asked
     for.
 
     Raises
     ------
     NoSolution : no speed has one
     """
+    scene.system(_home(scene))  # tells of instability (``Scene.warnings``)
     spindle, rotor = scene.spindle, unbalanced(scene.spindle, spec)
     ratio = spindle.ratios[rotor]
     scene, error = settled(
@@ -73,6 +73,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         unbalance=tuple(one.name for one in placed),
         critical=tuple(name for name, *_ in critical),
         outcome=_outcome(scene, absent),
+        unstable=scene.flagged(np.asarray(found.growing.any(axis=1))),
         displacement=displacement,
         amplitude=np.abs(displacement),
         phase=np.angle(displacement),
@@ -170,27 +171,17 @@ def _in_time(ratio: float, moved: Complex) -> Complex:
 
 
 def _absences(found: FreeMotions, speed: Array) -> list[str]:
-    """Per speed: empty, or why there is no steady response."""
+    """Per speed: empty, or why there is no steady solution."""
     turning = found.answering(SYNCHRONOUS)
-    words = []
-    for row, spin in enumerate(speed):
-        pole, growing = found.pole[row], found.growing[row]
-        near = np.abs(turning.pole[row] - 1j * abs(spin)) <= UNDAMPED * abs(spin)
-        near &= turning.whirl[row] * spin >= 0.0
-        if growing.any():
-            own = pole[growing][pole[growing].real.argmax()]
-            hertz = abs(own.imag) / (2.0 * math.pi)
-            how = f"vibrates by itself at {number(hertz)} Hz" if hertz else "moves away by itself"
-            words.append(f"unstable: the machine {how}")
-        elif near.any() and spin != 0.0:
-            words.append("a critical speed without damping: the response grows without bound")
-        else:
-            words.append("")
-    return words
+    own, size = speed[:, None], np.abs(speed)[:, None]
+    near = np.abs(turning.pole - 1j * size) <= UNDAMPED * size
+    lost = (near & (turning.whirl * own >= 0.0)).any(axis=1) & (speed != 0.0)
+    why = "a critical speed without damping: the response grows without bound"
+    return [why if one else "" for one in lost]
 
 
 def _outcome(scene: Scene, absent: list[str]) -> tuple[str, ...]:
-    """Why a speed has no steady response, or no state at all."""
+    """Why a speed has no steady solution, or no state at all."""
     words = list(scene.outcome)
     for row, word in zip(scene.usable, absent, strict=True):
         words[row] = word

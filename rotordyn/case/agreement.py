@@ -238,7 +238,9 @@ def _section_forces(
     name: str, spec: SectionForcesSpec, spindle: Spindle, conditions: Conditions
 ) -> Iterator[str]:
     reach = spindle.shaft.start, spindle.shaft.end
-    otherwise = bool(spindle.seats or spindle.drawbar or conditions.axial_force)
+    otherwise = bool(
+        spindle.seats or spindle.drawbar or conditions.axial_force or conditions.tension
+    )
     where = spindle.points, reach, conditions.gravity
     faults = list(misplaced(spec, *where, otherwise=otherwise))
     for way, sentence in faults or unheld(spec, spindle, conditions):

@@ -12,7 +12,7 @@ import numpy as np
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import GROUND, SPINDLE, BearingSeat, LinearSupport
-from rotordyn.model.axial_force import slope_rows
+from rotordyn.model.axial_force import Slopes, slope_rows
 from rotordyn.model.component import Component
 from rotordyn.model.dofs import DIRECTIONS, Dofs, Indices, Line, position
 from rotordyn.model.drawbar import drawbar_links
@@ -227,16 +227,16 @@ class Structure:
     def _gyroscopic(self) -> dict[tuple[int, int], Array]:
         return {}
 
-    def slopes(self, component: Component) -> Array:
-        """Weighted slopes of a bending plane of the spindle's shaft (places, m)."""
+    def slopes(self, component: Component) -> Slopes:
+        """Weighted slopes of a bending plane of the spindle's shaft."""
         key = id(component)
         if key not in self._slopes:
-            rows, count = slope_rows(self.shafts[SPINDLE], self.shown, component.way)
-            self._slopes[key] = component.displaced(count, rows)
+            rows, element = slope_rows(self.shafts[SPINDLE], self.shown, component.way)
+            self._slopes[key] = Slopes(component.displaced(len(element), rows), element)
         return self._slopes[key]
 
     @cached_property
-    def _slopes(self) -> dict[int, Array]:
+    def _slopes(self) -> dict[int, Slopes]:
         return {}
 
     def motion(self, components: Sequence[Component]) -> Array:

@@ -87,7 +87,7 @@ def whirl_segments(result: CampbellResult) -> Segments:
     """Curves of (rpm, Hz) by look; a mode that changes its whirl is cut there."""
     rpm = result.speed * RPM.factor
     found: Segments = {}
-    for column in np.flatnonzero(~result.overdamped):
+    for column in np.flatnonzero(~result.mostly_overdamped):
         kind = result.kind[column]
         frequency, whirl = result.frequency[:, column], result.whirl[:, column]
         looks = [_look(kind, w) for w in whirl]
@@ -270,7 +270,7 @@ def _name_modes(
     from matplotlib.collections import LineCollection
 
     last = result.frequency[-1]
-    drawn = np.isfinite(last) & (last <= top) & ~result.overdamped
+    drawn = np.isfinite(last) & (last <= top) & ~result.mostly_overdamped
     shown = np.flatnonzero(drawn).tolist()
     labels = [(float(last[k]), f"{result.mode[k]}  {number(float(last[k]), 0)}") for k in shown]
     looks = [LOOKS[_look(result.kind[k], result.whirl[-1, k])][0] for k in shown]

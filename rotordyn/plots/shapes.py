@@ -88,7 +88,7 @@ def plane_curve(shape: NDArray[np.complex128]) -> NDArray[np.float64]:
 def _chosen(result: CampbellResult) -> list[int]:
     """The modes shown: those with a shape, lowest first; of a whirling pair both when they fit."""
     has_shape = np.asarray(np.isfinite(result.shape).any(axis=(0, 2, 3)))
-    known = [k for k in range(len(result.mode)) if has_shape[k] and not result.overdamped[k]]
+    known = [k for k in range(len(result.mode)) if has_shape[k] and not result.mostly_overdamped[k]]
     known.sort(key=lambda k: float(np.nan_to_num(result.frequency[0, k], nan=np.inf)))
     if len(known) > MOST:
         names = {result.mode[k] for k in known}

@@ -49,7 +49,7 @@ class Look(Protocol):
 def sheets(result: CampbellResult) -> Iterator[tuple[str, int, list[int]]]:
     """Name, speed and modes of every sheet: those that have a shape, the lowest first."""
     for speed, rpm in enumerate(result.shape_speed * RPM.factor):
-        known = np.isfinite(result.shape[speed]).all(axis=(1, 2)) & ~result.overdamped
+        known = np.isfinite(result.shape[speed]).all(axis=(1, 2)) & ~result.mostly_overdamped
         modes = sorted(np.flatnonzero(known).tolist(), key=lambda k: _hertz(result, speed, k))
         pages = [modes[k : k + PANELS] for k in range(0, len(modes), PANELS)]
         for place, page in enumerate(pages, start=1):

@@ -8,16 +8,19 @@ sleeves, and reach the shaft through their bearings only.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.errors import InvalidInput
+from rotordyn.machine.cross_section import area
 from rotordyn.machine.inertia import mass_in_front
 from rotordyn.machine.spindle import Spindle
 
 Array = NDArray[np.float64]
 BALANCED = 1e-9  # of the largest force
+POINTS, WEIGHTS = np.polynomial.legendre.leggauss(5)
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -61,13 +64,18 @@ class AxialForce:
 
 
 def axial_force(
-    spindle: Spindle, seat_load: Array, force: float = 0.0, gravity: float = 0.0
+    spindle: Spindle,
+    seat_load: Array,
+    force: float = 0.0,
+    gravity: float = 0.0,
+    tension: float = 0.0,
 ) -> AxialForce:
     """Axial force in the shaft of ``spindle`` in every state.
 
     ``seat_load`` (states, seats) [N]: axial loads of the bearings in their own frames, where the
     shaft pushes the inner ring. ``force`` [N] on the front end of the shaft and ``gravity`` [m/s²],
-    both towards +x. Supports carry what is left, each by its axial stiffness.
+    both towards +x; ``tension`` [N] pulls at both ends. Supports carry what is left, each by its
+    axial stiffness, or those that are rigid along x.
 
     Raises
     ------
@@ -75,7 +83,11 @@ def axial_force(
     """
     states, bar, shaft = len(seat_load), spindle.drawbar, spindle.shaft
     thrust = np.array([float(seat.thrust) for seat in spindle.seats])
-    alone = [(shaft.start, force), *((body.x, gravity * body.mass) for body in spindle.lumped)]
+    alone = [
+        (shaft.start, force - tension),
+        (shaft.end, tension),
+        *((body.x, gravity * body.mass) for body in spindle.lumped),
+    ]
     if bar is not None:
         alone += [(bar.start, bar.force), (bar.end, -bar.force)]
     push = np.concatenate(
@@ -83,14 +95,18 @@ def axial_force(
     )
     weight = gravity * float(mass_in_front(shaft, np.array([shaft.end]))[0])
     carried = -(push.sum(axis=1) + weight)
+    rigid = [k for k, s in enumerate(spindle.supports) if "x" in s.rigid]
     held = np.array([s.along for s in spindle.supports])
-    if not spindle.seats and not held.any() and (np.abs(carried) > BALANCED).any():
+    if rigid:
+        held = np.isin(np.arange(len(held)), rigid).astype(float)
+    size = max(np.abs(push).max(initial=0.0), abs(weight))
+    if not spindle.seats and not held.any() and (np.abs(carried) > BALANCED * size).any():
         raise InvalidInput(
             "nothing holds the shaft along its axis against the axial force and its weight: give "
-            "a support the stiffness xx"
+            "a support the stiffness xx or hold x rigidly, or take tension, which pulls both ends"
         )
     share = held / held.sum() if held.any() else held
-    return AxialForce(
+    found = AxialForce(
         spindle=spindle,
         station=np.array(
             [seat.x for seat in spindle.seats]
@@ -100,3 +116,34 @@ def axial_force(
         push=np.concatenate([push, np.outer(carried, share)], axis=1),
         gravity=gravity,
     )
+    if len(rigid) > 1:
+        found.push[:, push.shape[1] + np.array(rigid)] += _clamped(found, rigid)
+    return found
+
+
+def _clamped(found: AxialForce, rigid: list[int]) -> Array:
+    """What supports ``rigid`` along x push beside the forces ``found`` (states, rigid): so much
+    that the shaft between two of them is as long as without any force."""
+    joints = found.spindle.joints
+    stations = np.array([found.spindle.supports[k].x for k in rigid])
+    order = np.argsort(stations)
+    mean = np.zeros((len(found.push), len(rigid) + 1))  # [N] between them; beyond them none
+    for gap, (low, high) in enumerate(pairwise(stations[order]), start=1):
+        marks = np.concatenate([found.station, found.spindle.shaft.boundaries, [low, high]])
+        marks = np.unique(marks[(low <= marks) & (marks <= high)])
+        half = np.diff(marks)[:, None] / 2.0
+        x = (marks[:-1, None] + half * (1.0 + POINTS)).ravel()
+        give = (half * WEIGHTS).ravel() / _rigidity(found.spindle, x)
+        within = [joint for joint in joints if low < joint.x < high]
+        x = np.concatenate([x, [joint.x for joint in within]])
+        give = np.concatenate([give, [1.0 / joint.axial for joint in within]])
+        mean[:, gap] = found.at(x) @ give / give.sum()
+    pushes = np.empty((len(mean), len(rigid)))
+    pushes[:, order] = np.diff(mean, axis=1)
+    return pushes
+
+
+def _rigidity(spindle: Spindle, x: Array) -> Array:
+    """E A (p,) [N] of the shaft at stations ``x`` (p,) [m]."""
+    stiff = [section.material.young_modulus for section in spindle.shaft.sections_at(x)]
+    return np.array(stiff) * [area(*spindle.shaft.diameters_at(at)) for at in x.tolist()]

@@ -92,7 +92,7 @@ def _campbell(result: CampbellResult, _: Described) -> Cells:
 
 def _bending(result: CampbellResult, row: int) -> list[str]:
     """Backward/forward frequencies of the bending modes at a speed, one number where equal."""
-    chosen = [k for k in np.flatnonzero(~result.overdamped) if result.kind[k] == "bending"]
+    chosen = [k for k in np.flatnonzero(~result.mostly_overdamped) if result.kind[k] == "bending"]
     values = result.frequency[row, chosen]
     known = np.flatnonzero(np.isfinite(result.whirl).any(axis=1))
     whirl = result.whirl[known[-1], chosen]  # at rest twins need not turn either way

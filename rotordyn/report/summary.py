@@ -15,6 +15,7 @@ from rotordyn.analysis.excitation import Line, exciting
 from rotordyn.analysis.known import matches
 from rotordyn.analysis.race_control import BOUNDARY_WORDS, fit_words
 from rotordyn.analysis.results import (
+    OVERDAMPED,
     CampbellResult,
     ControlResult,
     PreloadResult,
@@ -162,12 +163,12 @@ def _modes(result: CampbellResult) -> list[str]:
     entries = [
         f"{result.mode[k]} {from_to(result.frequency[:, k])}"
         f"{_whirl(result.mode[k], result.whirl[-1, k])}"
-        for k in np.flatnonzero(~result.overdamped)
+        for k in np.flatnonzero(~result.mostly_overdamped)
     ]
-    if result.overdamped.any():
-        entries.append(f"{result.overdamped.sum()} more that hardly swing")
+    if result.mostly_overdamped.any():
+        entries.append(f"{result.mostly_overdamped.sum()} more, overdamped")
     frame = " in the turning frame" if turning(result) else ""
-    lines = [f"modes [Hz]{frame} {rpm}: " + "; ".join(map(unbroken, entries))]
+    lines = [f"modes [Hz]{frame} {rpm}: " + "; ".join(map(unbroken, entries)), *_overdamped(result)]
     if len(result.speed) == 1:
         return lines
     ratios = dict(zip(result.rotor, result.speed_ratio.tolist(), strict=True))
@@ -188,6 +189,18 @@ def _modes(result: CampbellResult) -> list[str]:
         told = ", ".join(known) or none
         lines.append(f"critical   {name}, margin to top speed: {told}{beyond}")
     return lines
+
+
+def _overdamped(result: CampbellResult) -> list[str]:
+    """Modes that hardly swing at some of the speeds."""
+    words = []
+    for k in np.flatnonzero(result.overdamped.any(axis=0) & ~result.mostly_overdamped):
+        at = np.flatnonzero(result.overdamped[:, k])
+        speeds = from_to(result.speed[at] * RPM.factor, 0)
+        words.append(unbroken(f"{result.mode[k]} {speeds} rpm"))
+    if not words:
+        return []
+    return [f"           overdamped, with a damping ratio above {OVERDAMPED:g}: {'; '.join(words)}"]
 
 
 def _criticals(result: CampbellResult, line: Line) -> list[str]:
@@ -221,7 +234,7 @@ def _nearest(result: CampbellResult) -> str:
     hertz = result.speed[-1] / (2.0 * math.pi)
     chosen = [
         k
-        for k in np.flatnonzero(~result.overdamped)
+        for k in np.flatnonzero(~result.mostly_overdamped)
         if result.kind[k] == "bending" and result.whirl[-1, k] >= 0.0 and hertz > 0.0
     ]
     if not chosen:

@@ -125,9 +125,6 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
     "support 'l' holds x rigidly beside bearings": lambda: spindle(
         supports=(LinearSupport("l", 0.1, rigid=("x",)),)
     ),
-    "preload: support 'l' holds y rigidly, which only section_forces takes": lambda: case(
-        spindle=spindle(supports=(LinearSupport("l", 0.1, rigid=("y",)),))
-    ),
     "section_forces: nothing acts: allowed: at least one of loads": lambda: case(
         spindle=spindle(seats=(), sleeves=(), supports=(SUPPORT,)),
         analyses={"section_forces": SectionForcesSpec()},

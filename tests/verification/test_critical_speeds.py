@@ -165,7 +165,7 @@ def test_a_fine_diagram_crosses_the_line_at_the_critical_speeds(order: float) ->
     found = answered(rotor, [0, 3000, 6000], order * 100.0, (order,), element=0.25)
     fine = answered(rotor, np.linspace(0, 6000, 51), order * 100.0, (), element=0.25)
     crossings = []
-    for k in np.flatnonzero(~fine.overdamped & (np.array(fine.kind) == "bending")):
+    for k in np.flatnonzero(~fine.mostly_overdamped & (np.array(fine.kind) == "bending")):
         miss = PchipInterpolator(
             fine.speed, fine.frequency[:, k] - order * fine.speed / (2.0 * math.pi)
         )

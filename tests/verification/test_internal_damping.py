@@ -118,11 +118,11 @@ def test_what_hardly_swings_is_numbered_last_and_not_listed() -> None:
     damping = RayleighDamping(stiffness=2e-5)
     spindle = replace(rotor(1e3), rotor_damping=(), rayleigh=damping)
     found = answered(spindle, [100.0, 600.0])
-    overdamped = found.overdamped[[kind == "bending" for kind in found.kind]]
+    overdamped = found.mostly_overdamped[[kind == "bending" for kind in found.kind]]
     assert overdamped.any()
     assert not overdamped[0]
     assert (np.diff(overdamped.astype(int)) >= 0).all()
-    ratio = found.damping_ratio[:, found.overdamped]
+    ratio = found.damping_ratio[:, found.mostly_overdamped]
     assert (ratio[np.isfinite(ratio)] > 0.99).all()
     assert len(found.critical_speed) > 0
     assert (found.critical_damping < 0.99).all()
@@ -134,11 +134,11 @@ def test_what_swings_at_one_end_only_by_a_hair_creeps() -> None:
     spindle = replace(rotor(1e3), rotor_damping=(), rayleigh=RayleighDamping(stiffness=2e-4))
     found = answered(spindle, [0.0, 200.0, 500.0, 700.0, 930.0])
     last, bending = found.damping_ratio[-1], np.array(found.kind) == "bending"
-    hair = found.overdamped & (last < OVERDAMPED)
+    hair = found.mostly_overdamped & (last < OVERDAMPED)
     assert hair.any()
     assert last[hair] == pytest.approx(1.0 / math.hypot(1.0, 2e-4 * 930.0), abs=2e-3)
-    assert (np.diff(found.overdamped[bending].astype(int)) >= 0).all()
-    assert not np.isin(found.critical, np.array(found.mode)[found.overdamped]).any()
+    assert (np.diff(found.mostly_overdamped[bending].astype(int)) >= 0).all()
+    assert not np.isin(found.critical, np.array(found.mode)[found.mostly_overdamped]).any()
 
 
 @pytest.mark.parametrize(("slow", "is_overdamped"), [(0.995, True), (0.985, False)])
@@ -157,7 +157,7 @@ def test_what_creeps_at_most_speeds_has_no_critical_speed(slow: float, is_overda
         speeds=(0.0, 0.06 * omega, 0.3 * omega),
     )
     found = answered(replace(bare, supports=(*bare.supports[:2], damper)), speeds)
-    assert found.overdamped.any() == is_overdamped
+    assert found.mostly_overdamped.any() == is_overdamped
     assert found.critical_excited.any() == (not is_overdamped)
     assert (found.critical_damping[found.critical_excited] < 0.97).all()
 

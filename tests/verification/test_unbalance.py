@@ -289,18 +289,17 @@ def test_balance_grade(phase: str) -> None:
     assert (found.grade_speed, hand.grade_speed) == (1000.0, 0.0)
 
 
-def test_unstable_machine_has_no_steady_response() -> None:
-    """Follower stiffness k_yz = −k_zy pumps forward whirl once q > c ω."""
+def test_an_unstable_machine_is_given_its_steady_solution() -> None:
+    """Follower stiffness k_yz = −k_zy pumps forward whirl once q > c ω: k − iq for k in r."""
     q = 0.3 * C * math.sqrt(K / M)
-    stable = on_two(block(K, K, q, -q), block(C, C))
-    assert np.isfinite(
-        solved(stable, [100.0], Unbalance("disc", U), conditions=RIGID).amplitude
-    ).all()
-    unstable = on_two(block(K, K, 10 * q, -10 * q), block(C, C))
-    with pytest.raises(
-        NoSolution, match=r"^no speed .* steady response to unbalance: unstable: .*Hz$"
-    ):
-        solved(unstable, [100.0, 200.0], Unbalance("disc", U), conditions=RIGID)
+    for share, unstable in ((1.0, False), (10.0, True)):
+        spindle = on_two(block(K, K, share * q, -share * q), block(C, C))
+        found = solved(spindle, [100.0, 200.0], Unbalance("disc", U), conditions=RIGID)
+        mass, speed = rotor_inertia(spindle).mass, found.speed
+        whirl = speed**2 * U / (K - 1j * share * q + 1j * speed * C - mass * speed**2)
+        np.testing.assert_allclose(found.displacement[:, 0, 0], whirl, rtol=1e-6)
+        assert (found.unstable == unstable).all()
+        assert set(found.outcome) == {""}
 
 
 @pytest.mark.parametrize(("beside", "told"), [(0.4, False), (3.0, True)])
@@ -316,12 +315,11 @@ def test_a_peak_between_the_speeds_of_the_case_is_told(beside: float, told: bool
 
 
 def test_rest_is_no_steady_response() -> None:
-    """Internal damping: stable at rest, not at the speeds asked for. Nothing acts at rest."""
-    spindle = replace(on_two(block(K, K), block(0.0, 0.0)), rotor_damping=(0.02,))
-    spindle = replace(spindle, internal_damping=1.0)
-    top = 6.0 * math.sqrt(K / rotor_inertia(spindle).mass)
-    with pytest.raises(NoSolution, match="steady response to unbalance: unstable"):
-        solved(spindle, [0.0, top], Unbalance("disc", U))
+    """Without damping, at rest and at the critical speed: nothing acts at rest."""
+    spindle = on_two(block(K, K), block(0.0, 0.0))
+    critical = math.sqrt(K / rotor_inertia(spindle).mass)
+    with pytest.raises(NoSolution, match="steady response to unbalance: a critical speed"):
+        solved(spindle, [0.0, critical], Unbalance("disc", U), conditions=RIGID)
 
 
 def test_critical_speed_without_damping() -> None:

@@ -33,7 +33,8 @@ class CampbellResult:
     shaft; ``character``: the kind, as a rigid-body motion where that is most of it.
     ``shape``: displacements of the nodes at the speeds ``shape_speed``, scaled to a largest
     translation (or rotation) of 1, complex.
-    ``pole``: λ of e^(λt) with Im λ ≥ 0. ``unsettled``: what still changes by more than the accuracy
+    ``pole``: λ of e^(λt) with Im λ ≥ 0. ``overdamped``: its damping ratio is above ``OVERDAMPED``,
+    so that the motion hardly swings. ``unsettled``: what still changes by more than the accuracy
     asked for as the model is refined, a sentence, or "".
     ``stability_threshold``: lowest speed of the range at which a mode begins to grow, infinite
     where none does; ``first_to_grow``: that mode, or "". ``rotor``: the spindle's shaft and further
@@ -73,6 +74,7 @@ class CampbellResult:
     node_rotor: Words = quantity("node", unit="", label="rotor of the node")
     speed_ratio: Array = quantity("rotor", unit="1", label="speed over that of the spindle")
     damping_ratio: Array = quantity("speed", "mode", unit="1", label="damping ratio")
+    overdamped: Flags = quantity("speed", "mode", unit="", label="overdamped")
     decrement: Array = quantity("speed", "mode", unit="1", label="logarithmic decrement")
     whirl: Array = quantity("speed", "mode", unit="1", label="whirl direction")
     whirl_degree: Array = quantity("speed", "mode", unit="1", label="forward less backward share")
@@ -96,14 +98,14 @@ class CampbellResult:
         return np.asarray(self.damping_ratio < -ROUNDING)
 
     @property
-    def overdamped(self) -> Flags:
-        """Modes (modes,) that hardly swing at most speeds: counted, neither drawn nor listed."""
+    def mostly_overdamped(self) -> Flags:
+        """Modes (modes,) overdamped at most speeds: counted, neither drawn nor listed."""
         return is_overdamped(self.damping_ratio)
 
     @property
     def largest_error(self) -> float:
         """Of the frequencies where modes swing; those that hardly do are left out."""
-        swinging = ~self.overdamped & (self.damping_ratio <= OVERDAMPED)
+        swinging = ~self.mostly_overdamped & ~self.overdamped
         return float(np.nanmax(np.where(swinging, self.frequency_error, 0.0), initial=0.0))
 
 

@@ -19,7 +19,9 @@ class FrequencyResponse:
 
     Subclasses add the values, whose name is their ``kind``. What was ``measured`` has frequencies
     of its own, NaN beyond its last ``sample``; its highest peaks stand beside the computed ones
-    next to them, NaN where there are fewer. ``likeness``: frequency response assurance criterion.
+    next to them, NaN where there are fewer. ``unstable``: some motion grows by itself there, so
+    that the steady solution given is not reached. ``likeness``: frequency response assurance
+    criterion.
     """
 
     kind: ClassVar[str]
@@ -28,6 +30,7 @@ class FrequencyResponse:
     frequency: Array = coordinate("frequency", unit="Hz", label="frequency")
     pair: Words = coordinate("pair", unit="", label="response / excitation")
     outcome: Words = quantity("speed", unit="", label="outcome")
+    unstable: Flags = quantity("speed", unit="", label="not reached: the machine is unstable")
     is_slice: Flags = quantity("speed", unit="", label="drawn as slice")
     error: Array = quantity("pair", unit="1", label="estimated error over the largest value")
     measured: Words = coordinate("measured", unit="", label="measured response")
@@ -124,8 +127,9 @@ class UnbalanceResult:
     so that ``phase`` is how far a motion leads it. Axes of the orbit: half lengths,
     ``minor_axis`` below zero where the orbit runs against the spindle; ``inclination`` of the major
     one from y to z. ``force``: of a bearing or support on what it holds, ``force_amplitude`` the
-    major half axis of its hodograph. ``critical_speed``: synchronous criticals among the speeds.
-    ``grade_speed``: of the spindle, for which a balance grade is given; 0 without one.
+    major half axis of its hodograph. ``unstable``: some motion grows by itself there, so that the
+    steady solution given is not reached. ``critical_speed``: synchronous criticals among the
+    speeds. ``grade_speed``: of the spindle, for which a balance grade is given; 0 without one.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -135,6 +139,7 @@ class UnbalanceResult:
     unbalance: Words = coordinate("unbalance", unit="", label="unbalance")
     critical: Words = coordinate("critical", unit="", label="critical speed")
     outcome: Words = quantity("speed", unit="", label="outcome")
+    unstable: Flags = quantity("speed", unit="", label="not reached: the machine is unstable")
     displacement: Complex = quantity("speed", "point", "axis", unit="m", label="displacement")
     amplitude: Array = quantity("speed", "point", "axis", unit="m", label="amplitude, zero to peak")
     phase: Array = quantity("speed", "point", "axis", unit="rad", label="phase lead")

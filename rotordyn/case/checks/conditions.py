@@ -36,7 +36,7 @@ def conditions(
                 root,
                 ("conditions", key),
                 f"nothing holds the shaft along its axis: given '{given}'; allowed: with bearings, "
-                "or with a support that has the stiffness xx",
+                "or with a support that has the stiffness xx or is rigid in x; tension needs none",
             )
 
 
@@ -55,6 +55,14 @@ def _even(support: LinearSupport, root: Node, faults: Faults) -> None:
             "cannot describe: given 'rotating'; allowed: inertial",
         )
         return
+    uneven = next((p for p in ("yz", ("thy", "thz")) if len({*p} & {*support.rigid}) == 1), None)
+    if uneven is not None:
+        faults.at(
+            root,
+            way,
+            f"support '{support.name}' holds only one of {' and '.join(uneven)} rigidly, which a "
+            "turning frame cannot describe: given 'rotating'; allowed: inertial",
+        )
     speeds = np.array(support.speeds or (0.0,))
     for name in ("stiffness", "damping"):
         if not answers_alike(support_matrices(support, name, speeds)):

@@ -37,7 +37,7 @@ def section_forces(
     if asked is None:
         return
     points, reach = _places(spindle, tool)
-    otherwise = bool(spindle.bearings or spindle.drawbar or own.axial_force)
+    otherwise = bool(spindle.bearings or spindle.drawbar or own.axial_force or own.tension)
     for way, sentence in misplaced(asked, points, reach, own.gravity, otherwise=otherwise):
         faults.at(root, (*WAY, *way), sentence)
     if faults:

@@ -27,6 +27,7 @@ class ConditionsEntry(Entry):
     bearings: Annotated[str, choice(*BEARINGS)] = "dynamic"
     rotor: Annotated[str, choice(*ROTOR)] = "flexible"
     axial_force: Force = 0.0
+    tension: Force = 0.0
     gravity: Annotated[str, choice(*GRAVITY)] = "none"
     accuracy: Accuracy = 1e-4
     element_length: Length | None = None

@@ -39,6 +39,8 @@ MEANINGS: dict[str, dict[str, str]] = {
         "bearings": "`static`: the state at rest serves every speed",
         "rotor": "`rigid`: the shaft does not bend, stretch or twist",
         "axial_force": "external force on the front end of the shaft (of the tool), towards +x",
+        "tension": "force that pulls at both ends of the shaft and needs no support; below 0 it "
+        "presses",
         "gravity": "direction of the rotor's weight (vertical spindle); sleeves are not weighed",
         "accuracy": "relative error allowed of every frequency asked for; the elements follow",
         "element_length": "standard elements no longer than that instead, whatever their error",

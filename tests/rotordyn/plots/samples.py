@@ -255,6 +255,7 @@ def campbell(count: int = 49) -> CampbellResult:
         unsettled="",
         pole=2.0 * math.pi * (rest + change * s**2) * (1j - 0.02),
         free=np.full(count, 2.0),
+        overdamped=np.zeros((count, len(_MODES)), dtype=bool),
         decrement=np.full((count, len(_MODES)), 0.02 * 2.0 * math.pi),
         whirl=whirl,
         whirl_degree=whirl,
@@ -293,6 +294,7 @@ def frf(count: int = 49, points: int = 2000) -> FrfResult:
         pair=("Oc2.y / Oc2.y", "Oc1.y / Oc2.y", "O2.y / Oc2.y", "O3.y / Oc2.y"),
         outcome=("solved",) * count,
         receptance=total,
+        unstable=np.zeros(count, dtype=bool),
         is_slice=is_slice,
         error=np.full(4, 3e-5),
         **measured_fields(FrfSpec((1.0,), ((Port("a", "y"),) * 2,)), speed, frequency, (), total),
@@ -385,6 +387,7 @@ def unbalance(count: int = 49) -> UnbalanceResult:
     ahead = 0.5 * np.abs(moved[..., 0] + 1j * moved[..., 1])
     behind = 0.5 * np.abs(moved[..., 0] - 1j * moved[..., 1])
     return UnbalanceResult(
+        unstable=np.zeros(speed.size, dtype=bool),
         rotor="spindle",
         grade_speed=0.0,
         speed_ratio=1.0,

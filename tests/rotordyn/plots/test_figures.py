@@ -108,7 +108,7 @@ def test_figure_and_summary_tell_one_error_of_what_swings():
     ratio[:5, 0], ratio[:4, 1], ratio[:, 2] = 0.9999, 0.9999, 0.9
     error[:, 0], error[0, 1], error[3, 2] = 0.5, 0.4, 0.021
     strong = replace(result, damping_ratio=ratio, frequency_error=error)
-    assert strong.overdamped.tolist() == [k == 0 for k in range(len(result.mode))]
+    assert strong.mostly_overdamped.tolist() == [k == 0 for k in range(len(result.mode))]
     assert strong.largest_error == 0.021
     assert accuracy_words({"campbell": strong})[0] == "frequencies within 3e-02"
     said = [t.get_text() for t in campbell_figure(strong).axes[0].texts]

@@ -1,0 +1,104 @@
+"""Tension: an axial force in the shaft that needs no support along the axis."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from bearings.materials import Material
+from rotordyn.analysis import campbell, section_forces
+from rotordyn.analysis.loads import PointLoad
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import CampbellSpec, Conditions, SectionForcesSpec
+from rotordyn.errors import InvalidInput, NoSolution
+from rotordyn.machine.joint import Joint
+from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import LinearSupport
+from rotordyn.preload.axial_force import axial_force
+from tests.oracles.spinning_beam import PinnedBeam
+
+STEEL = Material("steel", 2.1e11, 0.3, 7800.0)
+LENGTH, DIAMETER = 1.0, 0.02
+SPEEDS = np.array([0.0, 1000.0])
+EULER = math.pi**2 * 2.1e11 * math.pi * DIAMETER**4 / 64 / LENGTH**2
+SHEAR = PinnedBeam(LENGTH, DIAMETER).shear
+BUCKLING = EULER / (1.0 + EULER / SHEAR)
+FINE = Conditions(accuracy=1e-8)
+
+
+def beam(*ways: str, **more: Any) -> Spindle:
+    """Between pins, the front one held in ``ways`` besides."""
+    shaft = Shaft(0.0, (Section(LENGTH, DIAMETER, 0.0, STEEL),))
+    pins = (
+        LinearSupport("a", 0.0, rigid=("y", "z", *ways)),
+        LinearSupport("b", LENGTH, rigid=("y", "z")),
+    )
+    return Spindle("beam", shaft, supports=pins, points={"mid": LENGTH / 2}, **more)
+
+
+def bending(spindle: Spindle, conditions: Conditions, highest: float = 1000.0) -> Any:
+    found = campbell.answer(Scene(spindle, conditions, SPEEDS, highest), CampbellSpec(highest))
+    return np.sort(found.frequency[:, [kind == "bending" for kind in found.kind]], axis=1)
+
+
+@pytest.mark.parametrize("tension", [-0.9 * BUCKLING, 0.5 * BUCKLING, 20.0 * BUCKLING])
+@pytest.mark.parametrize("ways", [(), ("x",)])
+def test_pinned_beam_in_closed_form(tension: float, ways: tuple[str, ...]) -> None:
+    own = PinnedBeam(LENGTH, DIAMETER, tension=tension)
+    found = bending(beam(*ways), replace(FINE, tension=tension))
+    for row, speed in enumerate(SPEEDS):
+        exact = np.concatenate([own.frequencies(k, speed) for k in (1, 2, 3, 4, 5)])
+        exact = np.sort(np.abs(exact))[: found.shape[1]] / (2.0 * math.pi)
+        assert found[row] == pytest.approx(exact, rel=2e-8)
+
+
+def test_a_column_buckles_at_the_load_of_euler_and_engesser() -> None:
+    def scene(share: float) -> Scene:
+        return Scene(beam(), replace(FINE, tension=-share * BUCKLING), SPEEDS, 200.0)
+
+    assert not any(scene(1.0 - 1e-6).outcome)
+    assert all("buckles the shaft" in word for word in scene(1.0 + 1e-6).outcome)
+    with pytest.raises(NoSolution, match=r"0\.5 of it would not"):
+        scene(2.0).require_solution()
+
+
+def test_section_forces_take_it() -> None:
+    spec = SectionForcesSpec(loads=(PointLoad("mid", Fy=1.0),))
+    found = section_forces.answer(Scene(beam(), Conditions(tension=1e3), np.zeros(1)), spec)
+    assert found.normal_force == pytest.approx(1e3)
+
+
+def test_an_axial_force_that_nothing_holds_is_still_refused() -> None:
+    with pytest.raises(InvalidInput, match="or take tension, which pulls both ends"):
+        bending(beam(), replace(FINE, axial_force=10.0))
+
+
+def test_one_rigid_support_takes_all_of_an_axial_force() -> None:
+    """Force on the front end, held at the rear: the whole shaft is pressed."""
+    spindle = beam()
+    rear = replace(spindle.supports[1], rigid=("x", "y", "z"))
+    spindle = replace(spindle, supports=(spindle.supports[0], rear))
+    pressed = bending(spindle, replace(FINE, axial_force=0.5 * BUCKLING))
+    assert pressed == pytest.approx(bending(beam(), replace(FINE, tension=-0.5 * BUCKLING)))
+
+
+def test_between_two_rigid_supports_the_shaft_keeps_its_length() -> None:
+    """Two walls, a force at the step: each side takes it by its rigidity, E A over length."""
+    thick, thin = Section(0.4, 0.04, 0.0, STEEL), Section(0.6, 0.02, 0.01, STEEL)
+    supports = tuple(LinearSupport(n, x, rigid=("x", "y", "z")) for n, x in (("a", 0), ("b", 1)))
+    spindle = Spindle("clamped", Shaft(0.0, (thick, thin)), supports=supports)
+    spindle = replace(spindle, drawbar=None, joints=(Joint("j", 0.7, axial=1e8),))
+    weighed = axial_force(spindle, np.zeros((1, 0)), gravity=9.81, force=100.0, tension=7.0)
+    x = np.linspace(0.0, 1.0, 200001)
+    x = (x[1:] + x[:-1]) / 2.0
+    area = np.where(x < 0.4, 0.04**2, 0.02**2 - 0.01**2) * math.pi / 4
+    force = weighed.at(x)[0]
+    length = np.mean(force / (2.1e11 * area)) + weighed.at(np.array([0.7]))[0, 0] / 1e8
+    assert abs(length) < 1e-7 * np.mean(np.abs(force) / (2.1e11 * area))
+    mass = 7800.0 * np.mean(area)
+    assert force[0] - force[-1] == pytest.approx(9.81 * mass, rel=1e-4)
