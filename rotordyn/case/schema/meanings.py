@@ -296,8 +296,8 @@ MEANINGS: dict[str, dict[str, str]] = {
         "damping": "between its two ends, 6×6, in the fixed frame",
         "rigid": "freedoms that do not move, instead of a stiffness",
         "speeds": "of the values in lists, ascending",
-        "beyond": "the first and last of them: `refuse` a case with such speeds, or `hold` the "
-        "values at the nearest end, with a warning",
+        "beyond": "at speeds outside a table: `refuse` the case, or `hold` the values of its "
+        "nearest end, with a warning",
         "table": "CSV file that holds these lists instead "
         "([columns](conventions.md#tables-over-speed))",
         "loss_factor": "η of its stiffness: hysteretic damping in the fixed frame, without further "
