@@ -134,7 +134,6 @@ def suggestion(given: object, allowed: Iterable[str]) -> str:
 STATION = Quantity("length", at_least="-100 m", at_most="100 m")
 LENGTH = Quantity("length", above="0 m", at_most="100 m")
 DIAMETER = Quantity("length", above="0.1 mm", at_most="10 m")
-TAPER = Quantity("length", at_least="-10 m", at_most="10 m")
 BORE = Quantity("length", at_least="0 m", at_most="10 m")
 GROWTH = Quantity("length", at_least="-1 mm", at_most="1 mm")
 INTERFERENCE = Quantity("length", at_least="0 um", at_most="1 mm")
@@ -187,7 +186,6 @@ RadialShare = Annotated[float, RADIAL_SHARE]
 SpeedRatio = Annotated[float, SPEED_RATIO]
 EngineOrder = Annotated[float, ENGINE_ORDER]
 Diameter = Annotated[float, DIAMETER]
-Taper = Annotated[float, TAPER]
 Bore = Annotated[float, BORE]
 Growth = Annotated[float, GROWTH]
 Interference = Annotated[float, INTERFERENCE]

@@ -46,7 +46,7 @@ def write_bending() -> None:
     """What formulation and axial force do to the flagship."""
     rewrite(DOCS / "formulations.md", {"formulations": formulation_table()})
     fresh = {"axial-force": axial_force_spans(), "axial-stiffening": axial_force_table()}
-    rewrite(DOCS / "theory" / "rotor.md", fresh)
+    rewrite(DOCS / "theory" / "axial_force.md", fresh)
 
 
 def write_choosing() -> None:
@@ -74,7 +74,7 @@ PAGES: dict[str, Callable[[], None]] = {
     "docs/theory/README.md": write_theory,
     "docs/theory/debongnie.md": write_debongnie,
     "docs/benchmarks.md": write_benchmarks,
-    "docs/formulations.md, docs/theory/rotor.md": write_bending,
+    "docs/formulations.md, docs/theory/axial_force.md": write_bending,
     "docs/choosing.md": write_choosing,
     "docs/mfw2310.md": write_flagship,
     "README.md": write_readme,

@@ -29,7 +29,7 @@ def _sections(lines: Lines) -> str:
     head = (
         "sections:",
         "modes:",
-        "told error:",
+        "reported error:",
         "first call [s]:",
         "call [s]:",
         "peak memory of the process [MB]:",

@@ -15,7 +15,7 @@ def sweep_parts(found: dict[str, Lines]) -> dict[str, str]:
     rows = [
         (f"{r['tolerance']:.0e}", f"{r['error']:.0e}", _milliseconds(r)) for r in found["preload"]
     ]
-    wide = ("way", "asked:", "true error:", "told error:", "time [ms]:")
+    wide = ("way", "asked:", "true error:", "reported error:", "time [ms]:")
     lines = [
         (r["way"], r["setting"], f"{r['error']:.1e}", f"{r['told']:.1e}", _milliseconds(r))
         for r in found["map"]

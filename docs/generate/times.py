@@ -138,7 +138,7 @@ def _precision(found: Measured) -> str:
         "asked:",
         "unknowns kept:",
         "true error:",
-        "told error:",
+        "reported error:",
         "time [ms]:",
     )
     lines = [
@@ -165,7 +165,7 @@ def _random(found: Measured) -> str:
         "missing or spurious:",
         "beyond the accuracy:",
         "largest error:",
-        "told within a factor of 3:",
+        "reported within a factor of 3:",
     )
     lines = [
         (

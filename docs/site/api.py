@@ -25,8 +25,8 @@ PAGES = {
         ("bearings", "bearings.ring.state", "bearings.fit.compound", "bearings.debongnie"),
     ),
     "machine": ("Machines", ("rotordyn.machine", "rotordyn.machine.*")),
-    "questions": ("Questions", ("rotordyn.analysis", "rotordyn.analysis.specs")),
-    "answers": ("Answers", ("rotordyn.analysis.results",)),
+    "analyses": ("Analyses", ("rotordyn.analysis", "rotordyn.analysis.specs")),
+    "results": ("Results", ("rotordyn.analysis.results",)),
 }
 INTRODUCTION = """Python interface
 ================

@@ -1,4 +1,4 @@
-"""The questions: what is asked (specs), what is answered (results), and how, one file each."""
+"""The analyses: what is asked for (specs), results, and how they are computed, one file each."""
 
 from __future__ import annotations
 

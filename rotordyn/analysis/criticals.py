@@ -122,13 +122,15 @@ def _of_system(scene: Scene, branches: Sequence[Branch], home: int, line: Line) 
     place = next(k for k, b in enumerate(branches) if (b.kind, b.home) == ("bending", home))
     speed = scene.speed[scene.usable]
     ends = np.unique(np.concatenate([speed[[0, -1]], knots_between(scene)]))
-    stiffness = _symmetric(scene.at(ends).linear(home).stiffness)
+    stiffness = own.within(_symmetric(scene.at(ends).linear(home).stiffness))
+    gyroscopic = own.within(own.gyroscopic)
     starts = []
     for (low, high), (slow, fast) in zip(pairwise(ends), pairwise(stiffness), strict=True):
         if high - low < max(NARROW * (ends[-1] - ends[0]), APART):
             continue  # two crossings of one mode hardly fit; of one the lines tell
         slope = (fast - slow) / (high - low)
-        spins, vectors = synchronous(slow - low * slope, own.gyroscopic, line.size, slope)
+        spins, vectors = synchronous(slow - low * slope, gyroscopic, line.size, slope)
+        vectors = own.basis @ vectors
         for spin, vector in zip(spins, vectors.T, strict=True):
             if low <= spin <= high:
                 at = float(speed[0]), float(speed[-1])

@@ -23,7 +23,7 @@ from rotordyn.analysis.static_loads import (
     static_loads,
 )
 from rotordyn.errors import InvalidInput
-from rotordyn.machine.cross_section import area
+from rotordyn.machine.inertia import mass_in_front
 from rotordyn.machine.spindle import Spindle
 from rotordyn.model.elastic_line import Compliance, compliance, elastic_line
 from rotordyn.model.holding import (
@@ -88,7 +88,7 @@ def _flexibility(mesh: Mesh, give: Compliance, nodes: list[int]) -> Array:
     unit = np.zeros((6 * count, mesh.nodes, 6))
     for k, node in enumerate(nodes):
         unit[6 * k + np.arange(6), node, np.arange(6)] = 1.0
-    none = np.zeros((mesh.nodes - 1, 3))
+    none = np.zeros((mesh.nodes - 1, 2, 3))
     moved = elastic_line(mesh.x, give, section_forces(mesh.x, unit, none), none)
     return np.asarray(moved[:, nodes].reshape(6 * count, 6 * count).T)
 
@@ -110,7 +110,7 @@ def _result(
     line = scene.scattered(
         np.stack([moved[:, :-1], moved[:, 1:]], axis=2).reshape(len(moved), -1, 6)
     )
-    outer, inner = (np.repeat(d, 2) for d in (mesh.outer_diameter, mesh.inner_diameter))
+    outer, inner = (np.stack(ends, axis=1).ravel() for ends in (mesh.outer, mesh.inner))
     stress = outer_fibre(cut, outer, inner)
     held = [(each.name, each.x) for each in spindle.seats]
     held += [(each.name, each.x) for each in spindle.supports]
@@ -161,9 +161,9 @@ def _preloaded(scene: Scene, mesh: Mesh) -> Array:
     """Axial force of the preload state at both ends of the elements (usable, elements, 2) [N]."""
     rows = scene.bearing_row[scene.usable]
     middle = scene.shaft_force.at(mesh.middle)[rows]
-    section = area(mesh.outer_diameter, mesh.inner_diameter)
-    half = scene.gravity * mesh.density * section * mesh.length / 2.0
-    return np.stack([middle + half, middle - half], axis=-1)
+    edges = np.stack([mesh.x[:-1], mesh.middle, mesh.x[1:]])
+    front, half, rear = scene.gravity * mass_in_front(scene.spindle.shaft, edges)
+    return np.stack([middle + (half - front), middle - (rear - half)], axis=-1)
 
 
 def _preload_push(scene: Scene) -> Array:

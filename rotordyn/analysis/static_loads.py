@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from rotordyn.analysis.loads import station
 from rotordyn.analysis.specs import Conditions, SectionForcesSpec
 from rotordyn.errors import InvalidInput
-from rotordyn.machine.cross_section import area
 from rotordyn.machine.spindle import Spindle
 from rotordyn.model.holding import free_motions, free_names, length_scale, rigid_motion
 from rotordyn.model.mesh import Mesh, build_mesh, station_mesh
@@ -26,19 +25,19 @@ _WAYS = {"x": 0, "y": 1, "z": 2}
 
 @dataclass(frozen=True, eq=False, slots=True)
 class StaticLoads:
-    """``point`` (nodes, 6) [N, N·m] and ``line`` (elements, 3) [N/m]; ``turning`` (nodes, 6) per
-    unit of Ω² [kg·m]."""
+    """``point`` (nodes, 6) [N, N·m] and ``line`` (elements, 2, 3) [N/m], at both ends of each
+    element and straight in between; ``turning`` (nodes, 6) per unit of Ω² [kg·m]."""
 
     point: Array
     turning: Array
     line: Array
 
     def on_nodes(self, x: Array) -> Array:
-        """Point loads with the same resultant: half of each element's line load at either end."""
-        half = self.line * np.diff(x)[:, None] / 2.0
-        gathered = self.point.copy()
-        gathered[:-1, :3] += half
-        gathered[1:, :3] += half
+        """Point loads with the same resultant: of each element's line load at either end."""
+        front, rear = np.moveaxis(self.line, 1, 0)
+        length, gathered = np.diff(x)[:, None], self.point.copy()
+        gathered[:-1, :3] += (2.0 * front + rear) * length / 6.0
+        gathered[1:, :3] += (front + 2.0 * rear) * length / 6.0
         return gathered
 
 
@@ -64,13 +63,13 @@ def static_loads(
     for each in spec.unbalances:
         way = np.array([0.0, math.cos(each.angle), math.sin(each.angle), 0.0, 0.0, 0.0])
         _put(turning, mesh, station(spindle, each.at), each.unbalance * way)
-    line = np.zeros((mesh.nodes - 1, 3))
+    line = np.zeros((mesh.nodes - 1, 2, 3))
     for span in spec.line_loads:
         ends = [station(spindle, at) for at in (span.start, span.to)]
         covered = (ends[0] < mesh.middle) & (mesh.middle < ends[1])
         line[covered] += (span.qx, span.qy, span.qz)
     for gravity in _weights(spindle, spec, conditions):
-        line += np.outer(mesh.density * area(mesh.outer_diameter, mesh.inner_diameter), gravity)
+        line += mesh.weight_line[..., None] * gravity
         for body in spindle.lumped:
             point[mesh.node_of(body.x), :3] += body.mass * gravity
     if not spindle.seats:

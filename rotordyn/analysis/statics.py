@@ -154,12 +154,8 @@ class Statics(Staged):
         return self.buckled(self._seat_load, tangents, self.state_speed)
 
     def buckled(self, seat_load: Array, seat_stiffness: Array, speed: Array) -> tuple[str, ...]:
-        """Per state with other loads (states, seats) and tangents of the bearings: as above.
-
-        Not looked at on rigid supports, which only first-order theory takes.
-        """
-        rigid = any(support.rigid for support in self.spindle.supports)
-        if not self.conditions.axial_stiffening or rigid:
+        """Per state with other loads (states, seats) and tangents of the bearings: as above."""
+        if not self.conditions.axial_stiffening:
             return ("",) * len(speed)
         loading = Loading(
             self.grounded,

@@ -1,12 +1,12 @@
 """Steady response to unbalance: orbits at points, forces of bearings and supports, over speed.
 
-Bending by elements, whatever ``shaft`` of the conditions says; bearings at their preload state of
-each speed.
+Bearings have the tangents of their preload state at each speed.
 """
 
 from __future__ import annotations
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -57,10 +57,11 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
     if all(why):
         raise NoSolution(f"no speed of the case has a steady response to unbalance: {why[0]}")
     steady = np.array([word == "" for word in absent])
-    moved = _moved(scene, found, spec, speed)
-    moved[~steady] = complex(np.nan, np.nan)
-    displacement = scene.scattered(_in_time(ratio, _displacements(scene, found, spec, moved)))
-    force = scene.scattered(_in_time(ratio, _forces(scene, found, speed, moved)))
+    motion = _steady(scene, found, spec, speed)
+    for each in motion:
+        each[~steady] = complex(np.nan, np.nan)
+    displacement = scene.scattered(_in_time(ratio, _displacements(scene, found, spec, motion)))
+    force = scene.scattered(_in_time(ratio, _forces(scene, found, speed, motion)))
     ellipse = orbit(displacement[..., 0], displacement[..., 1])
     placed = acting(spindle, scene.mesh, spec)
     critical = _criticals(scene, ratio)
@@ -97,8 +98,16 @@ def _home(scene: Scene) -> int:
     return scene.owner(scene.spindle.shaft.start, "y")
 
 
-def _moved(scene: Scene, found: FreeMotions, spec: UnbalanceSpec, speed: Array) -> Complex:
-    """Coordinates (speeds, n) under loads Ω² e^(iΩt) that turn; at rest nothing moves.
+class Steady(NamedTuple):
+    """Coordinates ``moved`` (speeds, n), and the forces ``left`` (speeds, n) that springs, dampers
+    and inertia leave to rigid supports."""
+
+    moved: Complex
+    left: Complex
+
+
+def _steady(scene: Scene, found: FreeMotions, spec: UnbalanceSpec, speed: Array) -> Steady:
+    """Motion under loads Ω² e^(iΩt) that turn; at rest nothing moves.
 
     ``speed`` Ω (speeds,) [rad/s] of the rotor that is out of balance, below 0 where it turns
     against the spindle: its motion is then that of the conjugate loads. Where the dynamic stiffness
@@ -115,34 +124,43 @@ def _moved(scene: Scene, found: FreeMotions, spec: UnbalanceSpec, speed: Array) 
     force = turned[0] * FORWARD[0] + turned[1] * FORWARD[1]
     back = turned[0].conj() * FORWARD[0].conj() + turned[1].conj() * FORWARD[1].conj()
     stiffness = found.stiffness(SYNCHRONOUS)
-    moved = np.zeros((len(speed), own.size), dtype=complex)
+    moved, left = np.zeros((2, len(speed), own.size), dtype=complex)
     for row in np.flatnonzero(speed):
         w = abs(speed[row])
         dynamic = stiffness[row] + 1j * w * own.damping[row] - w**2 * np.eye(own.size)
+        load = w**2 * (force if ahead[row] > 0.0 else back)
         try:
-            moved[row] = np.linalg.solve(dynamic, w**2 * (force if ahead[row] > 0.0 else back))
+            within = np.linalg.solve(own.within(dynamic), load @ own.basis)
         except np.linalg.LinAlgError:
-            moved[row] = complex(np.inf, np.inf)
-    return np.where(ahead[:, None] > 0.0, moved, moved.conj())
+            moved[row] = left[row] = complex(np.inf, np.inf)
+            continue
+        moved[row] = own.basis @ within
+        left[row] = load - dynamic @ moved[row]
+    return Steady(*(np.where(ahead[:, None] > 0.0, own, own.conj()) for own in (moved, left)))
 
 
 def _displacements(
-    scene: Scene, found: FreeMotions, spec: UnbalanceSpec, moved: Complex
+    scene: Scene, found: FreeMotions, spec: UnbalanceSpec, motion: Steady
 ) -> Complex:
     """Of the points along y and z (speeds, points, 2)."""
     places = [scene.spindle.place(name) for name in spec.points]
     rows = [[found.linear.row(*place, way) for way in AXES] for place in places]
-    return np.einsum("pan,sn->spa", np.array(rows), moved)
+    return np.einsum("pan,sn->spa", np.array(rows), motion.moved)
 
 
-def _forces(scene: Scene, found: FreeMotions, speed: Array, moved: Complex) -> Complex:
+def _forces(scene: Scene, found: FreeMotions, speed: Array, motion: Steady) -> Complex:
     """Of bearings, then supports on the shaft along y and z (speeds, connections, 2) [N]."""
     own = {id(each.link): each for each in found.linear.connections}
     connections = scene.rotor.connections
     force = np.zeros((len(speed), len(connections), 2), dtype=complex)
+    axes = [position(way) for way in AXES]
+    known = np.isfinite(motion.left).all(axis=1)
+    rigid = found.linear.rigid_force(motion.left[known])
     for k, link in enumerate(connections):
         if id(link) in own:
-            force[:, k] = own[id(link)].force(speed, moved)[:, [position(way) for way in AXES]]
+            force[:, k] = own[id(link)].force(speed, motion.moved)[:, axes]
+        if link.name in rigid:
+            force[known, k] += rigid[link.name][:, axes]
     return force
 
 
@@ -203,7 +221,7 @@ def _errors(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Array:
 
     def values(one: Scene, rows: Rows) -> Complex:
         found = one.system_at(_home(one), rows)
-        moved = _moved(one, found, spec, ratio * one.speed[one.usable[rows]])
-        return np.nan_to_num(_displacements(one, found, spec, moved))
+        motion = _steady(one, found, spec, ratio * one.speed[one.usable[rows]])
+        return np.nan_to_num(_displacements(one, found, spec, motion))
 
     return changes(scene, values, 1)

@@ -18,6 +18,8 @@ from rotordyn.machine.cross_section import area
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
+from rotordyn.model.elements.beam import shapes
+from rotordyn.model.elements.polynomials import points
 from rotordyn.model.mesh import Mesh
 
 Complex = NDArray[np.complex128]
@@ -54,8 +56,8 @@ def acting(spindle: Spindle, mesh: Mesh, spec: UnbalanceSpec) -> list[Acting]:
     for span in spec.spans:
         rotor, own = _covered(spindle, mesh, span)
         on = mesh.of_rotors[rotor]
-        mass = np.where(own, _mass(on), 0.0)
-        middle = float((mass * on.middle).sum() / mass.sum())
+        mass = np.where(own, on.mass, 0.0)
+        middle = float((mass * on.centre).sum() / mass.sum())
         found.append(Acting(span.name, Place(rotor, middle), float(mass.sum()) * _off_axis(span)))
     found += _permitted(spindle, spec.grade) if spec.grade else []
     return [one._replace(name=one.name or f"unbalance {k}") for k, one in enumerate(found, start=1)]
@@ -64,8 +66,8 @@ def acting(spindle: Spindle, mesh: Mesh, spec: UnbalanceSpec) -> list[Acting]:
 def node_loads(spindle: Spindle, mesh: Mesh, spec: UnbalanceSpec) -> Complex:
     """Force and moment per Ω² (nodes of all rotors, 2) [kg·m, kg·m²] on r = y + i z and its tilt.
 
-    A span loads both ends of each of its elements by ½ and ± 1/12 of the length, which does the
-    work of a uniform load on them.
+    A span loads both ends of each of its elements by what does the work of its mass on the
+    cubics of their deflection and tilt (½ and ± 1/12 of the length for a cylinder).
     """
     loads = np.zeros((len(mesh.stations), 2), dtype=complex)
     for each in spec.unbalances:
@@ -76,10 +78,9 @@ def node_loads(spindle: Spindle, mesh: Mesh, spec: UnbalanceSpec) -> Complex:
     for span in spec.spans:
         rotor, own = _covered(spindle, mesh, span)
         on, at = mesh.of_rotors[rotor], loads[mesh.spans[rotor]]
-        size = np.where(own, _mass(on) * _off_axis(span), 0.0)
-        turn = size * on.length / 12.0
-        at[:-1] += np.stack([size / 2.0, turn], axis=1)
-        at[1:] += np.stack([size / 2.0, -turn], axis=1)
+        size = np.where(own, _off_axis(span), 0.0)[:, None] * _on_ends(on)
+        at[:-1] += size[:, :2]
+        at[1:] += size[:, 2:]
     return loads
 
 
@@ -108,9 +109,12 @@ def _off_axis(span: EccentricSpan) -> complex:
     return cmath.rect(span.eccentricity, span.angle)
 
 
-def _mass(mesh: Mesh) -> NDArray[np.float64]:
-    section = area(mesh.outer_diameter, mesh.inner_diameter)
-    return np.asarray(mesh.density * section * mesh.length)
+def _on_ends(mesh: Mesh) -> NDArray[np.float64]:
+    """Mass and its moment at both ends of each element (elements, 4) [kg, kg·m]."""
+    xi, weight = points(6)
+    cubic = shapes(mesh.length, np.zeros_like(mesh.length), 1, xi).deflection
+    mass = mesh.density[:, None] * area(*mesh.diameters(xi)) * weight * mesh.length[:, None] / 2.0
+    return np.einsum("ep,epi->ei", mass, cubic)
 
 
 def _covered(spindle: Spindle, mesh: Mesh, span: EccentricSpan) -> tuple[str, NDArray[np.bool_]]:

@@ -23,7 +23,6 @@ from rotordyn.analysis.specs import (
 )
 from rotordyn.case.loads import misplaced, misplaced_unbalance, overheld, rotors_of, unheld
 from rotordyn.description import ascending
-from rotordyn.machine.held import RigidSupport
 from rotordyn.machine.housing import housed_motions
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
@@ -43,7 +42,6 @@ ANALYSES: dict[str, type[Spec]] = {
 OF_A_BEARING = ("bearing", "control")
 OF_BALLS = ("kinematics", "moment_sharing", "friction")
 NEEDS_BEARINGS = ("preload", "stiffness")
-TAKE_RIGID = ("section_forces",)
 MOST_ELEMENTS = 1000
 _SPOKEN = {"axial": "axial motion"}
 
@@ -191,8 +189,6 @@ def _machine(spindle: Spindle, conditions: Conditions) -> Iterator[str]:
 def _question(name: str, spec: Spec, spindle: Spindle, conditions: Conditions) -> Iterator[str]:
     if name in NEEDS_BEARINGS and not spindle.seats:
         yield f"{name} needs bearings: this spindle has none"
-    if name not in TAKE_RIGID:
-        yield from (f"{name}: {sentence}" for sentence in rigid_supports(spindle.supports))
     if isinstance(spec, FrfSpec):
         yield from _frf(name, spec, spindle, conditions)
     if isinstance(spec, UnbalanceSpec):
@@ -248,16 +244,6 @@ def _section_forces(
     for way, sentence in faults or unheld(spec, spindle, conditions):
         yield ": ".join(filter(None, (name, ".".join(map(str, way)), sentence)))
     yield from (f"conditions.rotor: {sentence}" for sentence in overheld(spindle, conditions))
-
-
-def rigid_supports(supports: Iterable[RigidSupport]) -> Iterator[str]:
-    """A sentence for every support that only section forces take."""
-    for support in supports:
-        if support.rigid:
-            yield (
-                f"support '{support.name}' holds {', '.join(support.rigid)} rigidly, which only "
-                "section_forces takes: give it a stiffness"
-            )
 
 
 def _exists(name: str, allowed: Iterable[str], what: str) -> Iterator[str]:

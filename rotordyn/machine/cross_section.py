@@ -1,4 +1,5 @@
-"""The hollow circle that every section of a shaft has; floats or arrays alike."""
+"""The hollow circle that every section of a shaft has, and its means over a cone; floats or arrays
+alike."""
 
 from __future__ import annotations
 
@@ -20,3 +21,30 @@ def second_moment(outer_diameter: Number, inner_diameter: Number) -> Number:
     """I = π (do⁴ − di⁴) / 64 about a diameter [m⁴]; about the axis it is twice that."""
     squares = outer_diameter**2 + inner_diameter**2
     return area(outer_diameter, inner_diameter) * squares / 16.0
+
+
+def mean_area(outer: tuple[Number, Number], inner: tuple[Number, Number]) -> Number:
+    """Mean of A over a cone of diameters ``outer`` and ``inner`` at its ends [m²]."""
+    (do, ro), (di, ri) = _middle(*outer), _middle(*inner)
+    return area(do, di) + math.pi / 48.0 * (ro**2 - ri**2)
+
+
+def mean_second_moment(outer: tuple[Number, Number], inner: tuple[Number, Number]) -> Number:
+    """Mean of I over a cone of diameters ``outer`` and ``inner`` at its ends [m⁴]."""
+    more, less = (d**2 * r**2 / 2.0 + r**4 / 80.0 for d, r in (_middle(*outer), _middle(*inner)))
+    (do, _), (di, _) = _middle(*outer), _middle(*inner)
+    return second_moment(do, di) + math.pi / 64.0 * (more - less)
+
+
+def area_moments(
+    outer: tuple[Number, Number], inner: tuple[Number, Number]
+) -> tuple[Number, Number]:
+    """∫ A t dt and ∫ A t² dt [m²] over a cone, t from −½ at its front to ½ at its rear end."""
+    (do, ro), (di, ri) = _middle(*outer), _middle(*inner)
+    first = math.pi / 24.0 * (do * ro - di * ri)
+    return first, area(do, di) / 12.0 + math.pi / 320.0 * (ro**2 - ri**2)
+
+
+def _middle(front: Number, rear: Number) -> tuple[Number, Number]:
+    """Diameter in the middle, and its rise from end to end."""
+    return (front + rear) / 2.0, rear - front

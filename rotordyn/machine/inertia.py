@@ -4,9 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
-from rotordyn.machine.cross_section import area, second_moment
-from rotordyn.machine.shaft import Section
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.machine.cross_section import area_moments, mean_area, mean_second_moment
+from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 
 
@@ -31,22 +35,34 @@ def rotor_inertia(spindle: Spindle) -> RotorInertia:
     return RotorInertia(mass, centre, polar, sum(shifted))
 
 
-def section_inertia(section: Section, centre: float) -> RotorInertia:
-    """A hollow cylinder as a rigid body at its ``centre`` [m]."""
-    mass = section.material.density * section.length * _area(section)
-    ring = second_moment(section.outer_diameter, section.inner_diameter)
-    transverse = section.material.density * section.length * ring
-    diametral = transverse + mass * section.length**2 / 12.0
+def section_inertia(section: Section, front: float) -> RotorInertia:
+    """A hollow cylinder or cone whose ``front`` end is at that station [m], as a rigid body."""
+    line, length = section.material.density * section.length, section.length
+    mass = line * mean_area(section.outer, section.inner)
+    first, second = (line * each for each in area_moments(section.outer, section.inner))
+    transverse = line * mean_second_moment(section.outer, section.inner)
+    diametral = transverse + (second - first**2 / mass) * length**2
+    centre = front + (0.5 + first / mass) * length
     return RotorInertia(mass, centre, 2.0 * transverse, diametral)
 
 
-def _area(section: Section) -> float:
-    return area(section.outer_diameter, section.inner_diameter)
+def mass_in_front(shaft: Shaft, x: NDArray[np.float64]) -> NDArray[np.float64]:
+    """Mass of the shaft in front of stations ``x`` [m], without bodies on it [kg]."""
+    columns: Any = [(*s.outer, *s.inner, s.material.density, s.length) for s in shaft.sections]
+    front_outer, rear_outer, front_inner, rear_inner, density, length = np.array(columns).T
+    edges = np.array(shaft.boundaries)
+    outer, inner = (front_outer, rear_outer), (front_inner, rear_inner)
+    masses = density * length * mean_area(outer, inner)
+    k = np.clip(np.searchsorted(edges, x) - 1, 0, len(masses) - 1)
+    share = np.clip((x - edges[k]) / length[k], 0.0, 1.0)
+    ends = [(a[k], a[k] + share * (b - a)[k]) for a, b in (outer, inner)]
+    whole = np.concatenate([[0.0], np.cumsum(masses)])
+    return np.asarray(whole[k] + density[k] * length[k] * share * mean_area(ends[0], ends[1]))
 
 
 def _bodies(spindle: Spindle) -> Iterator[RotorInertia]:
     shaft = spindle.shaft
     for section, left in zip(shaft.sections, shaft.boundaries, strict=False):
-        yield section_inertia(section, left + section.length / 2.0)
+        yield section_inertia(section, left)
     for body in spindle.lumped:
         yield RotorInertia(body.mass, body.x, body.polar_inertia, body.diametral_inertia)

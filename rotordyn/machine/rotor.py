@@ -125,6 +125,7 @@ def of_one_rotor(given: str) -> str:
     )
 
 
-def freedoms_held(pairs: Iterable[tuple[str, str]]) -> frozenset[str]:
-    """Freedoms across the axis that stiffness entries hold by themselves."""
-    return frozenset(a for a, b in pairs if a == b and MOTIONS[a] == "bending")
+def freedoms_held(pairs: Iterable[tuple[str, str]], rigid: Iterable[str]) -> frozenset[str]:
+    """Freedoms across the axis that stiffness entries hold by themselves, or ``rigid`` supports."""
+    held = (*(a for a, b in pairs if a == b), *rigid)
+    return frozenset(freedom for freedom in held if MOTIONS.get(freedom) == "bending")

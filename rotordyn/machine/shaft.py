@@ -1,4 +1,4 @@
-"""The turning shaft as a row of cylindrical sections."""
+"""The turning shaft as a row of cylindrical and conical sections."""
 
 from __future__ import annotations
 
@@ -19,19 +19,18 @@ from rotordyn.quantity import (
     Length,
     OptionalName,
     Station,
-    Taper,
 )
 
-WHOLE = 1.0 + 1e-9  # of a taper that begins at nothing, and may round
-SHEAR_COEFFICIENTS = ("cowper", "hutchinson")
+SHEAR_COEFFICIENTS = ("cowper", "hutchinson", "none")
+STEEPEST = 50.0  # ratio of outer diameters, or of walls, at the ends of one section
 
 
 @dataclass(frozen=True, slots=True)
 class Section(Description):
-    """A hollow cylinder or frustum, homogeneous [m].
+    """A hollow cylinder, homogeneous [m]; a cone where diameters of its rear end are given.
 
-    Diameters are those of the cylinder of the same length and mass; ``outer_taper`` and
-    ``inner_taper``: by how much they are larger at the rear end than at the front one.
+    Diameters are those of the front end, and of the rear end where none are given for it; they
+    change along the axis in straight lines.
     """
 
     length: Length
@@ -39,43 +38,32 @@ class Section(Description):
     inner_diameter: Bore
     material: Material
     name: OptionalName = ""
-    outer_taper: Taper = 0.0
-    inner_taper: Taper = 0.0
+    rear_outer_diameter: Diameter | None = None
+    rear_inner_diameter: Bore | None = None
 
     def _faults(self) -> Iterator[str]:
-        yield from no_wall(self.inner_diameter, self.outer_diameter)
-        for diameter, taper in self._walls:
-            if taper**2 > 3.0 * WHOLE * diameter**2:
-                yield f"a taper of {taper:.6g} m leaves no end of {diameter:.6g} m: allowed: less"
-                return
-        for outer, inner in zip(*(_ends(*wall) for wall in self._walls), strict=True):
-            yield from no_wall(inner, outer)
+        found = [*no_wall(self.inner_diameter, self.outer_diameter)]
+        yield from found or taper_faults(self.outer, self.inner)
 
     @property
-    def _walls(self) -> tuple[tuple[float, float], tuple[float, float]]:
-        return (self.outer_diameter, self.outer_taper), (self.inner_diameter, self.inner_taper)
+    def outer(self) -> tuple[float, float]:
+        """Outer diameters at both ends [m]."""
+        rear = self.rear_outer_diameter
+        return self.outer_diameter, self.outer_diameter if rear is None else rear
 
-    def between(self, begin: float, end: float) -> tuple[float, float, float, float]:
-        """Diameters, outer and inner, and tapers of the part from ``begin`` to ``end``, shares of
-        the length."""
-        found = []
-        for mean, taper in self._walls:
-            if taper == 0.0:
-                found.append((mean, 0.0))
-                continue
-            front, rear = _ends(mean, taper)
-            own = taper * (end - begin)
-            middle = front + (rear - front) * (begin + end) / 2.0
-            found.append((math.sqrt(middle**2 + own**2 / 12.0), own))
-        (outer, outer_taper), (inner, inner_taper) = found
-        return outer, inner, outer_taper, inner_taper
+    @property
+    def inner(self) -> tuple[float, float]:
+        """Inner diameters at both ends [m]."""
+        rear = self.rear_inner_diameter
+        return self.inner_diameter, self.inner_diameter if rear is None else rear
 
 
 @dataclass(frozen=True, slots=True)
 class Shaft(Description):
     """Sections laid end to end from ``start`` towards +x.
 
-    ``shear_coefficient`` is ``"cowper"``, ``"hutchinson"`` or a number.
+    ``shear_coefficient`` is ``"cowper"``, ``"hutchinson"``, a number, or ``"none"``: no shear
+    deformation.
     """
 
     start: Station
@@ -109,16 +97,18 @@ class Shaft(Description):
         rights, last = self.boundaries[1:], len(self.sections) - 1
         return [self.sections[min(bisect_right(rights, x), last)] for x in stations]
 
+    def diameters_at(self, x: float) -> tuple[float, float]:
+        """Outer and inner diameter at ``x`` [m]; at a step, those of the section after it."""
+        place = min(bisect_right(self.boundaries[1:], x), len(self.sections) - 1)
+        section, left = self.sections[place], self.boundaries[place]
+        share = min(max((x - left) / section.length, 0.0), 1.0)
+        outer, inner = (a + share * (b - a) for a, b in (section.outer, section.inner))
+        return outer, inner
+
     def preceded_by(self, sections: tuple[Section, ...]) -> Shaft:
         """This shaft with ``sections`` put in front of its start (a tool in the nose)."""
         start = self.start - sum(s.length for s in sections)
         return replace(self, start=start, sections=sections + self.sections)
-
-
-def _ends(mean: float, taper: float) -> tuple[float, float]:
-    """Diameters at both ends of a frustum as heavy as a cylinder of diameter ``mean``."""
-    middle = math.sqrt(max(mean**2 - taper**2 / 12.0, 0.0))
-    return middle - taper / 2.0, middle + taper / 2.0
 
 
 def no_wall(inner_diameter: float, outer_diameter: float) -> Iterator[str]:
@@ -127,4 +117,22 @@ def no_wall(inner_diameter: float, outer_diameter: float) -> Iterator[str]:
         yield (
             f"no wall left: inner_diameter {inner_diameter:.6g} m; "
             f"allowed: below the outer_diameter, {outer_diameter:.6g} m"
+        )
+
+
+def taper_faults(outer: tuple[float, float], inner: tuple[float, float]) -> Iterator[str]:
+    """What is wrong with the diameters [m] at the front and the rear end of a section."""
+    for place, do, di in zip(("front", "rear"), outer, inner, strict=True):
+        if not 0.0 <= di < do:
+            yield (
+                f"no wall left at the {place} end: inner_diameter {di:.6g} m; allowed: below the "
+                f"outer_diameter, {do:.6g} m"
+            )
+            return
+    wall = (outer[0] - inner[0], outer[1] - inner[1])
+    if max(abs(math.log(b / a)) for a, b in (outer, wall)) > math.log(STEEPEST):
+        yield (
+            f"a cone too steep: outer diameter {outer[0]:.6g} m to {outer[1]:.6g} m, wall "
+            f"{wall[0] / 2.0:.6g} m to {wall[1] / 2.0:.6g} m; allowed: a ratio up to "
+            f"{STEEPEST:g} of either; divide it"
         )

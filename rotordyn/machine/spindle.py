@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 
@@ -177,7 +177,7 @@ class Spindle(Description):
         yield from faults
         if faults or not self.rotors:
             return
-        held = {n: self._held(s for s in self.supports if n in s.ends) for n in names}
+        held = {n: self._held([s for s in self.supports if n in s.ends]) for n in names}
         yield from (sentence for _, sentence in rotor_faults(self.rotors, held))
         for name in names:
             try:
@@ -186,9 +186,9 @@ class Spindle(Description):
                 yield f"rotors: {refusal}"
 
     @staticmethod
-    def _held(supports: Iterable[LinearSupport]) -> frozenset[str]:
+    def _held(supports: Sequence[LinearSupport]) -> frozenset[str]:
         stiff = (pair for s in supports for pair, value in s.stiffness.items() if acts(value))
-        return freedoms_held(stiff)
+        return freedoms_held(stiff, (freedom for s in supports for freedom in s.rigid))
 
     def _station_faults(self) -> Iterator[str]:
         placed: tuple[PointMass | Disc | BearingSeat | LinearSupport, ...]

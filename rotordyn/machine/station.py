@@ -42,7 +42,7 @@ def joint_faults(shaft: Shaft, joints: Sequence[Joint]) -> Iterator[str]:
 def fit_faults(shaft: Shaft, seats: Iterable[BearingSeat]) -> Iterator[str]:
     """A fit whose bore is no larger than that of the shaft."""
     for seat in seats:
-        fit, hole = seat.growth.centrifugal, shaft.section_at(seat.x).inner_diameter
+        fit, hole = seat.growth.centrifugal, shaft.diameters_at(seat.x)[1]
         if isinstance(fit, InterferenceFit) and fit.bore_diameter <= hole:
             yield (
                 f"the bore of bearing {seat.name} leaves no shaft: given "

@@ -168,7 +168,7 @@ class LinearSupport(Description):
     ``stiffness`` [N/m, N/rad …] and ``damping`` map a pair of node freedoms (load, displacement),
     such as ``("y", "y")`` or ``("y", "thz")``, to the entry of the 6×6 matrix; freedoms are
     x, y, z, thx, thy, thz. Entries not named are zero; nothing is symmetrised. Freedoms in
-    ``rigid`` do not move at all and have no stiffness; only section forces take them.
+    ``rigid`` do not move at all and have no stiffness.
     An entry among y, z, thy and thz may be a tuple of values, one at each of ``speeds`` [rad/s],
     linear in between and not known beyond. ``loss_factor`` [-]: hysteretic damping, of its
     stiffness.

@@ -20,6 +20,8 @@ from rotordyn.model.shaft import Rows
 from rotordyn.model.term import Array, Part
 from rotordyn.numerics.sparse import LARGE, Matrix, summed
 
+WEIGHTLESS = 1e3  # of the cutoff: no coordinate has a higher frequency
+
 
 @dataclass(eq=False)
 class Component:
@@ -157,7 +159,10 @@ class Component:
         if self.polar:
             coupling = Coupling(self.assembled("gyroscopic", self.polar), self.band)
         basis = reduce(mass, stiffness, rigid, ports, self.cutoff, coupling)
-        return basis.vectors, basis.values, basis.roots
+        # coordinates with next to no mass are lent one, or their damping drowns slow modes
+        stiff = np.maximum(np.sqrt(basis.values) / (WEIGHTLESS * self.cutoff), 1.0)
+        roots = basis.roots / stiff[:, None] / stiff
+        return basis.vectors / stiff, basis.values / stiff**2, roots
 
 
 def _bytes(matrix: Matrix) -> bytes:

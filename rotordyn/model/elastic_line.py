@@ -7,18 +7,20 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
+from rotordyn.model.elements.polynomials import points
 from rotordyn.model.mesh import Mesh
+from rotordyn.model.section import axial, sections_at, torsion
 from rotordyn.model.section_forces import SectionForces
-from rotordyn.model.shaft import shear_coefficients
 
 Array = NDArray[np.float64]
+GAUSS = 31  # degree of the quadrature over an element: exact for cylinders, to rounding for cones
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Compliance:
-    """1/EA, 1/κGA [1/N], 1/EI, 1/GIp [1/(N·m²)] of every element (elements,)."""
+    """∫ sᵏ/EA ds, ∫ sᵏ/κGA ds, ∫ sᵏ/EI ds and ∫ sᵏ/GIp ds over every element (elements,), k from 0
+    on along the first axis, with s [m] counted from its rear end."""
 
     stretch: Array
     shear: Array
@@ -28,35 +30,38 @@ class Compliance:
 
 def compliance(spindle: Spindle, mesh: Mesh, *, rigid: bool) -> Compliance:
     """Of a Timoshenko shaft; zero where the rotor is ``rigid``."""
-    ring = mesh.outer_diameter, mesh.inner_diameter
+    xi, weight = points(GAUSS)
+    s = mesh.length[:, None] * (1.0 - xi) / 2.0
+    powers = np.stack([s**k for k in range(5)]) * weight * mesh.length[:, None] / 2.0
+    shear, bending, *_ = sections_at(spindle, mesh, xi)
+    rigidities = axial(mesh, xi)[0], shear, bending, torsion(mesh, xi)[0]
     own = 0.0 if rigid else 1.0
-    shear = shear_coefficients(spindle, mesh) * mesh.shear_modulus
-    return Compliance(
-        stretch=own / (mesh.young_modulus * area(*ring)),
-        shear=own / (shear * area(*ring)),
-        bending=own / (mesh.young_modulus * second_moment(*ring)),
-        torsion=own / (2.0 * mesh.shear_modulus * second_moment(*ring)),
-    )
+    return Compliance(*(own * (powers / each).sum(axis=-1) for each in rigidities))
 
 
 def elastic_line(x: Array, give: Compliance, forces: SectionForces, line: Array) -> Array:
     """Displacement (…, nodes, 6) of nodes at ``x`` [m] with the front end held; exact.
 
-    ``line`` (…, elements, 3): the line loads [N/m] that are part of ``forces``.
+    ``line`` (…, elements, 2, 3): the line loads [N/m] that are part of ``forces``.
     """
     h = np.diff(x)
-    qx, qy, qz = np.moveaxis(line, -1, 0)
+    qx, qy, qz = np.moveaxis(line[..., 1, :], -1, 0)
+    rx, ry, rz = np.moveaxis((line[..., 0, :] - line[..., 1, :]) / h[:, None], -1, 0)
     n, ty, tz, mt, my, mz = np.moveaxis(forces.rear, -1, 0)
-    turn_y = give.bending * (my * h - tz * h**2 / 2.0 - qz * h**3 / 6.0)
-    turn_z = give.bending * (mz * h + ty * h**2 / 2.0 + qy * h**3 / 6.0)
-    thy, thz = _from_front(turn_y), _from_front(turn_z)
-    bend_y = give.bending * (mz * h**2 / 2.0 + ty * h**3 / 3.0 + qy * h**4 / 8.0)
-    bend_z = give.bending * (my * h**2 / 2.0 - tz * h**3 / 3.0 - qz * h**4 / 8.0)
-    y = h * thz[..., :-1] + bend_y + give.shear * (ty * h + qy * h**2 / 2.0)
-    z = -h * thy[..., :-1] - bend_z + give.shear * (tz * h + qz * h**2 / 2.0)
-    stretch = give.stretch * (n * h + qx * h**2 / 2.0)
+
+    def strain(give: Array, k: int, *series: Array) -> Array:
+        """∫ sᵏ (a + b s + …) give ds."""
+        return np.asarray(sum(each * give[k + j] for j, each in enumerate(series)))
+
+    bent_y, bent_z = (my, -tz, -qz / 2.0, -rz / 6.0), (mz, ty, qy / 2.0, ry / 6.0)
+    thy, thz = (_from_front(strain(give.bending, 0, *each)) for each in (bent_y, bent_z))
+    bow_y, bow_z = (strain(give.bending, 1, *each) for each in (bent_y, bent_z))
+    y = h * thz[..., :-1] + bow_z + strain(give.shear, 0, ty, qy, ry / 2.0)
+    z = -h * thy[..., :-1] - bow_y + strain(give.shear, 0, tz, qz, rz / 2.0)
+    stretch = strain(give.stretch, 0, n, qx, rx / 2.0)
     columns = (_from_front(stretch), _from_front(y), _from_front(z))
-    return np.stack([*columns, _from_front(give.torsion * mt * h), thy, thz], axis=-1)
+    twist = _from_front(strain(give.torsion, 0, mt))
+    return np.stack([*columns, twist, thy, thz], axis=-1)
 
 
 def _from_front(change: Array) -> Array:

@@ -5,7 +5,14 @@ An element of degree n that a wave of number k crosses over a length h errs in f
     ½ (n! / (2n)!)² (k h)^(2n) / (2n + 1)
 
 (Ainsworth, SIAM J. Numer. Anal. 42 (2004) 553, for equal elements in a row), of the energy that the
-wave has there: an upper bound for bending, shear and rods alike.
+wave has there: an upper bound for bending, shear and rods alike. That is half the share of the
+strain energy in the strain ε ~ e^(ikx) which polynomials of degree n − 1 lack, by its n-th
+derivative. In a cone ε ~ e^(ikx)/d⁴, and (k h)^n becomes
+
+    Σ_j C(n, j) (k h)^(n−j) τ^j (j + 3)!/3!,   τ = 4 (√r − 1)/(√r + 1)
+
+with r the ratio of the diameters, or walls, at the ends of the element (for a small taper τ is its
+relative change, and (τ/4)^j is how Legendre series of functions with a pole at the apex fall).
 """
 
 from __future__ import annotations
@@ -24,11 +31,17 @@ CUTOFF = 2.5  # free-free modes kept, over the highest frequency asked, at the u
 STANDARD_CUTOFF = 4.0  # the same with standard elements, whose own error is to stand alone
 WEIGHTLESS = 30.0  # frequency of what has no mass, over the highest asked, at the usual accuracy
 PRECISE = 1e-5  # accuracy below which gyroscopic forces are answered
-FINER = 1.5  # cut-off of a finer model over that of the one before
+FINER = 2.0  # cut-off of a finer model over that of the one before; 1.5 may add no mode
 HIGHEST = 10
 FAR, HALVINGS = 1e12, 30
 SAFETY = 5.0  # what is aimed at lies below what is asked by this
 _DEGREES = np.arange(1, HIGHEST + 1)
+_CONE = np.array(
+    [
+        [math.comb(n, j) * math.factorial(j + 3) / 6.0 if j <= n else 0.0 for n in _DEGREES]
+        for j in range(HIGHEST + 1)
+    ]
+)
 _FACTOR = np.array(
     [0.5 * (math.factorial(n) / math.factorial(2 * n)) ** 2 / (2 * n + 1) for n in _DEGREES]
 )
@@ -68,8 +81,8 @@ class Fineness:
 
     @property
     def slow(self) -> float:
-        """Up to which modes gyroscopic forces are answered [rad/s]: free modes beyond the band take
-        part in motions within it."""
+        """Up to which modes gyroscopic forces are answered [rad/s]: beyond the band, since
+        free-free modes above it take part in modes below."""
         return FINER ** (self.finer + 1) * self.band
 
     @property
@@ -89,17 +102,38 @@ def expected_error(phase: Array, degree: Degrees) -> Array:
     return np.asarray(_FACTOR[degree - 1] * phase ** (2.0 * degree))
 
 
-def least_degree(phase: Array, tolerance: float) -> Degrees:
-    """The lowest degree within ``tolerance`` at each phase; 0 where none up to ``HIGHEST`` is."""
-    errors = _FACTOR * np.asarray(phase)[..., None] ** (2.0 * _DEGREES)
+def least_degree(phase: Array, tolerance: float, ratio: Array | float = 1.0) -> Degrees:
+    """The lowest degree within ``tolerance`` at each phase and ``ratio`` of diameters; 0 where none
+    up to ``HIGHEST`` is."""
+    errors = _FACTOR * _derivatives(np.asarray(phase), np.asarray(ratio)) ** 2
     good = errors <= tolerance
     return np.where(good.any(axis=-1), good.argmax(axis=-1) + 1, 0).astype(np.intp)
 
 
-def parts_and_degree(phase: Array, tolerance: float) -> tuple[Degrees, Degrees]:
-    """Into how many equal parts a length of ``phase`` is cut, and their degree."""
-    parts = np.ones(len(phase), dtype=np.intp)
-    while not (degree := least_degree(phase / parts, tolerance / SAFETY)).all():
+def _derivatives(phase: Array, ratio: Array) -> Array:
+    """hⁿ times the n-th derivative of the strain, over its size, of every degree n."""
+    found, root = phase[..., None] ** (1.0 * _DEGREES), np.sqrt(ratio)
+    if (ratio == 1.0).all():
+        return np.asarray(found)
+    taper = 4.0 * (root - 1.0) / (root + 1.0)
+    for j in _DEGREES:
+        share = phase[..., None] ** np.maximum(_DEGREES - j, 0.0) * taper[..., None] ** float(j)
+        found = found + _CONE[j] * share
+    return np.asarray(found)
+
+
+def cut(ratio: Array, parts: Degrees) -> Array:
+    """Ratio of the diameters at the ends of the steepest of equal parts of a cone of ``ratio``."""
+    return np.asarray(1.0 + (ratio - 1.0) / parts)
+
+
+def parts_and_degree(
+    phase: Array, tolerance: float, ratio: Array | None = None
+) -> tuple[Degrees, Degrees]:
+    """Into how many equal parts lengths of ``phase`` are cut, cones with a ``ratio`` of the
+    diameters at their ends, and their degree."""
+    parts, whole = np.ones(len(phase), dtype=np.intp), np.ones(1) if ratio is None else ratio
+    while not (degree := least_degree(phase / parts, tolerance / SAFETY, cut(whole, parts))).all():
         parts = np.where(degree == 0, parts + 1 + parts // 4, parts)
     return parts, degree
 

@@ -63,19 +63,38 @@ class FreeMotions:
     def vector(self) -> Complex:
         """(s, n, k)"""
         if self.whirling:
-            own, back = self.modes.vector, self._backward[:, None, :]
+            own, back = self._expanded(self.modes.vector), self._backward[:, None, :]
             y = 0.5 * np.where(back, own.conj(), own)
             return np.concatenate([y, np.where(back, 1j, -1j) * y], axis=1)
-        return np.take_along_axis(self.modes.vector, self._chosen[0][:, None, :], axis=2)
+        own = np.take_along_axis(self.modes.vector, self._chosen[0][:, None, :], axis=2)
+        return self._expanded(own)
+
+    @cached_property
+    def _allowed(self) -> Array | None:
+        """Motions that the modes are made of, in the coordinates of the subsystem or of its plane;
+        None where these are theirs."""
+        whole = self.linear.allowed
+        if whole is None or not self.whirling:
+            return whole
+        return whole[: whole.shape[0] // 2, : whole.shape[1] // 2]
+
+    def _expanded(self, vector: Complex) -> Complex:
+        return vector if self._allowed is None else np.asarray(self._allowed @ vector)
+
+    def _folded(self, rows: Array) -> Array:
+        """Rows (pairs, n) in the coordinates of the modes."""
+        return rows if self._allowed is None else np.asarray(rows @ self._allowed)
 
     @cached_property
     def left(self) -> Complex:
         """(s, k, n)"""
         if self.whirling:
-            own, back = self.modes.participation, self._backward[:, :, None]
+            left, back = self.modes.participation, self._backward[:, :, None]
+            own = np.swapaxes(self._expanded(np.swapaxes(left, 1, 2)), 1, 2)
             y = np.where(back, own.conj(), own)
             return np.concatenate([y, np.where(back, -1j, 1j) * y], axis=2)
-        return np.take_along_axis(self.modes.participation, self._chosen[0][:, :, None], axis=1)
+        left = np.take_along_axis(self.modes.participation, self._chosen[0][:, :, None], axis=1)
+        return np.swapaxes(self._expanded(np.swapaxes(left, 1, 2)), 1, 2)
 
     @property
     def _backward(self) -> NDArray[np.bool_]:
@@ -108,7 +127,7 @@ class FreeMotions:
         """At ``omega`` (f,) > 0 of paired rows (pairs, n): (s, pairs, f)."""
         answer = (self.lossy or self.modes).receptance
         if not self.whirling:
-            return answer(omega, responses, excitations)
+            return answer(omega, self._folded(responses), self._folded(excitations))
         both = np.concatenate([omega, -omega])
         return self._in_planes(lambda r, e: answer(both, r, e), responses, excitations)
 
@@ -134,7 +153,7 @@ class FreeMotions:
         place = [
             np.abs(rows[:, half:]).any(axis=1).astype(int) for rows in (responses, excitations)
         ]
-        ahead, back = np.split(answer(*folded), 2, axis=-1)
+        ahead, back = np.split(answer(*map(self._folded, folded)), 2, axis=-1)
         back = back.conj()
         turn = (place[0] - place[1])[:, None]
         same, across = 0.5 * (ahead + back), -0.5j * (ahead - back)
@@ -176,23 +195,24 @@ class FreeMotions:
 
     def stiffness(self, signs: Signs) -> NDArray[np.inexact]:
         """Stiffness (s, n, n) that answers motions of some signs of loss."""
-        own = _hysteresis(self.linear)
+        loss = self.linear.loss
+        own = None if loss is None else Hysteresis(*loss)
         return self.linear.stiffness + (0.0 if own is None else own.stiffness(signs))
 
 
 def free_motions(linear: Linear) -> FreeMotions:
     """All free motions; with loss factors, each with those of its own frequency. What is the same
     at all speeds is solved once."""
-    stiffness: Matrices = linear.stiffness
-    damping: Matrices = linear.damping
-    loss = _hysteresis(linear)
+    stiffness: Matrices = linear.within(linear.stiffness)
+    damping: Matrices = linear.within(linear.damping)
+    loss = None if linear.loss is None else Hysteresis(*map(linear.within, linear.loss))
     speeds = len(linear.speed)
     same = all((own == own[:1]).all() for own in (stiffness, damping))
     if same and loss is None and speeds > 1:
         one = free_motions(linear.at(np.zeros(1, dtype=np.intp)))
         return FreeMotions(linear, one.modes.at(np.zeros(speeds, dtype=np.intp)), None, True)
     if linear.isotropic:
-        half = linear.size // 2
+        half = stiffness.shape[-1] // 2
         stiffness, damping = (_circular(own, half) for own in (stiffness, damping))
         if loss is not None:
             fixed = _circular(loss.fixed, half)
@@ -201,10 +221,6 @@ def free_motions(linear: Linear) -> FreeMotions:
         return FreeMotions(linear, modes(stiffness, damping), None)
     lossy = Hysteretic(stiffness, damping, loss, linear.speed)
     return FreeMotions(linear, lossy.free_motions(), lossy)
-
-
-def _hysteresis(linear: Linear) -> Hysteresis | None:
-    return None if linear.loss is None else Hysteresis(*linear.loss)
 
 
 def _circular(matrix: Matrices, half: int) -> Matrices:

@@ -2,7 +2,8 @@
 
     q̈ + C(Ω) q̇ + K(Ω) q = f
 
-C holds the gyroscopic effect, K what damping in turning parts, axial force and bearings add.
+C holds the gyroscopic effect, K what damping in turning parts, axial force and bearings add. Where
+supports are rigid, q = A p with the motions A that they allow (``constraint``).
 Subsystems are components that links or the gyroscopic effect join.
 """
 
@@ -12,7 +13,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import accumulate, pairwise
-from typing import NamedTuple
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,10 +21,13 @@ from numpy.typing import NDArray
 from rotordyn.machine.support import SPINDLE
 from rotordyn.model.axial_force import geometric_stiffness
 from rotordyn.model.component import Component
+from rotordyn.model.constraint import DEPENDENT, allowed_motions
 from rotordyn.model.dofs import DIRECTIONS, position
 from rotordyn.model.structure import Structure, _Union
 from rotordyn.model.support import answers_alike
-from rotordyn.model.term import Array, Link, LinkMatrices, State
+from rotordyn.model.term import Array, Link, LinkMatrices, Matrices, State
+
+T = TypeVar("T", bound=Matrices)
 
 
 def _some(values: Array, rows: NDArray[np.intp]) -> Array:
@@ -59,9 +63,16 @@ class Connection(NamedTuple):
         own = LinkMatrices(*(_some(each, rows) for each in self.matrices))
         return self._replace(matrices=own)
 
+    @property
+    def rigid(self) -> Array:
+        """1 of motions without give, else 0 (k,)."""
+        flags = np.zeros(len(self.motions))
+        flags[list(self.link.rigid)] = 1.0
+        return flags
+
     def force(self, omega: Array, moved: Complex) -> Complex:
-        """Of the link on what it holds (s, k), by coordinates ``moved`` (s, n) that swing at
-        ``omega`` (s,) [rad/s]."""
+        """Of the link's springs and dampers on what it holds (s, k), by coordinates ``moved``
+        (s, n) that swing at ``omega`` (s,) [rad/s]."""
         lossy = 1.0 + 1j * self.link.loss_factor * np.sign(omega)[:, None, None]
         dynamic = (
             self.matrices.stiffness * lossy + 1j * omega[:, None, None] * self.matrices.damping
@@ -74,6 +85,8 @@ class Linear:
     """One subsystem at ``speed`` (s,): real ``stiffness`` and ``damping`` (s, n, n), mass 1.
 
     Coordinates are those of ``components``, in this order: plane y, plane z, all others.
+    ``allowed`` A (n, m), orthonormal: the motions that rigid supports allow, in the same order;
+    None where there are none.
     """
 
     structure: Structure
@@ -83,6 +96,7 @@ class Linear:
     damping: Array
     connections: tuple[Connection, ...]
     loss: Loss | None = None
+    allowed: Array | None = None
 
     @cached_property
     def gyroscopic(self) -> Array:
@@ -109,6 +123,17 @@ class Linear:
             connections=tuple(each.at(rows) for each in self.connections),
             loss=None if self.loss is None else self.loss.at(rows),
         )
+
+    def within(self, matrix: T) -> T:
+        """Of a matrix (…, n, n) what acts in the motions that rigid supports allow (…, m, m)."""
+        if self.allowed is None:
+            return matrix
+        return np.asarray(self.allowed.T @ (matrix @ self.allowed))  # type: ignore[return-value]
+
+    @property
+    def basis(self) -> Array:
+        """``allowed``, or all coordinates (n, m)."""
+        return np.eye(self.size) if self.allowed is None else self.allowed
 
     @cached_property
     def slices(self) -> list[slice]:
@@ -166,6 +191,27 @@ class Linear:
             rows[mine, own] = sign[dofs[mine], None] * vectors
         return rows
 
+    def rigid_force(self, unbalanced: Complex) -> dict[str, Complex]:
+        """Forces of rigid supports on what they hold (s, 6), by name, where others leave
+        ``unbalanced`` (s, n) to them; of motions without give only.
+
+        NaN where supports that hold the same motion share it: their shares are not determined.
+        """
+        held = [each for each in self.connections if each.link.rigid]
+        if not held:
+            return {}
+        rows = np.concatenate([each.motions[each.rigid > 0.0] for each in held])
+        acting = np.flatnonzero(rows.any(axis=1))
+        force = np.zeros((len(unbalanced), len(rows)), dtype=complex)
+        answer, _, rank, _ = np.linalg.lstsq(rows[acting].T, -unbalanced.T, rcond=DEPENDENT)
+        force[:, acting] = answer.T if rank == len(acting) else complex(np.nan, np.nan)
+        found, begin = {}, 0
+        for each in held:
+            own = np.zeros((len(unbalanced), len(each.motions)), dtype=complex)
+            own[:, each.rigid > 0.0] = force[:, begin : begin + len(each.link.rigid)]
+            found[each.link.name], begin = own, begin + len(each.link.rigid)
+        return found
+
     @cached_property
     def isotropic(self) -> bool:
         """Both planes obey the same equations: forward and backward whirl are apart."""
@@ -184,8 +230,8 @@ class Linear:
             return False
         return all(
             answers_alike(own)
-            for link in self.connections
-            for own in link.matrices
+            for each in self.connections
+            for own in (*each.matrices, np.diag(each.rigid))
             if own.shape[-1] == len(DIRECTIONS)
         )
 
@@ -203,6 +249,7 @@ def subsystems(structure: Structure, state: State, *, strings: bool) -> list[tup
     links = [*structure.connections, *(structure.strings if strings else ())]
     for link in links:
         size = sum(np.abs(matrix).max(axis=0) for matrix in link.matrices(state))
+        size = size + np.diag(np.isin(np.arange(len(size)), link.rigid))
         joined = np.abs(link.motions).T @ size @ np.abs(link.motions) > 0.0
         owner = structure.owner[link.dofs]
         for row, column in np.argwhere(joined):
@@ -265,8 +312,37 @@ def linear(
         if matrices.damping.any():
             damping += _between(rows, matrices.damping)
         connections.append(Connection(link, rows, matrices))
-    loss = _loss(found, connections)
-    return Linear(structure, tuple(components), speed, stiffness, damping, tuple(connections), loss)
+    return replace(
+        found,
+        connections=tuple(connections),
+        loss=_loss(found, connections),
+        allowed=_allowed(found, connections),
+    )
+
+
+def _allowed(linear: Linear, connections: Sequence[Connection]) -> Array | None:
+    """Motions that rigid supports allow; coordinates of components that none joins stay apart."""
+    none = np.zeros((0, linear.size))
+    rows = np.concatenate([none, *(each.motions[each.rigid > 0.0] for each in connections)])
+    rows = rows[rows.any(axis=1)]
+    if not len(rows):
+        return None
+    groups = _Union(len(linear.components))
+    touched = np.array([rows[:, own].any(axis=1) for own in linear.slices]).T
+    for row in touched:
+        for k in np.flatnonzero(row):
+            groups.join(int(row.argmax()), int(k))
+    blocks, every = [], np.arange(linear.size)
+    for root in groups.roots():
+        mine = [k for k in range(len(linear.components)) if groups.find(k) == root]
+        own = np.concatenate([every[linear.slices[k]] for k in mine])
+        held, block = rows[touched[:, mine].any(axis=1)][:, own], np.zeros((linear.size, len(own)))
+        block[own, np.arange(len(own))] = 1.0
+        if len(held):
+            stiffness = [linear.components[k].stiffness.diagonal() for k in mine]
+            block = block @ allowed_motions(held, np.concatenate(stiffness))
+        blocks.append(block)
+    return np.hstack(blocks)
 
 
 def _motions(linear: Linear, link: Link) -> Array | None:

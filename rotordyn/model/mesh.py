@@ -13,7 +13,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.errors import InvalidInput
-from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.cross_section import area_moments, mean_area
+from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import SPINDLE
 
@@ -35,17 +36,18 @@ class HasStation(Protocol):
 class Mesh:
     """Nodes ``x`` (nodes,) [m], ascending; all else per element, shape (nodes − 1,), SI.
 
+    Diameters are those at the front end of an element, and at its rear end: of a cone others.
     ``further``: meshes of further rotors by name, whose nodes are numbered behind these.
     """
 
     x: Array
     outer_diameter: Array
     inner_diameter: Array
+    rear_outer_diameter: Array
+    rear_inner_diameter: Array
     young_modulus: Array
     poisson_ratio: Array
     density: Array
-    outer_taper: Array
-    inner_taper: Array
     further: Mapping[str, Mesh] = field(default_factory=dict)
 
     @property
@@ -85,19 +87,52 @@ class Mesh:
         return np.asarray((self.x[1:] + self.x[:-1]) / 2.0)
 
     @property
-    def tapered(self) -> NDArray[np.bool_]:
-        """Elements that are frusta (elements,)."""
-        return np.asarray((self.outer_taper != 0.0) | (self.inner_taper != 0.0))
+    def outer(self) -> tuple[Array, Array]:
+        """Outer diameters at both ends of each element [m]."""
+        return self.outer_diameter, self.rear_outer_diameter
+
+    @property
+    def inner(self) -> tuple[Array, Array]:
+        """Inner diameters at both ends of each element [m]."""
+        return self.inner_diameter, self.rear_inner_diameter
+
+    @property
+    def tapers(self) -> NDArray[np.bool_]:
+        """Elements that are cones (elements,)."""
+        (do, ro), (di, ri) = self.outer, self.inner
+        return np.asarray((do != ro) | (di != ri))
+
+    @property
+    def steepness(self) -> Array:
+        """Ratio of the outer diameters, or of the walls if that is more, at the ends of each
+        element, the larger over the smaller."""
+        outer, wall = np.array(self.outer), np.array(self.outer) - np.array(self.inner)
+        return np.asarray(np.maximum(*(d.max(axis=0) / d.min(axis=0) for d in (outer, wall))))
 
     def diameters(self, xi: Array) -> tuple[Array, Array]:
-        """Outer and inner ones at ``xi`` (points,) on [−1, 1] of every element (elements,
-        points)."""
-        ways = ((self.outer_diameter, self.outer_taper), (self.inner_diameter, self.inner_taper))
-        outer, inner = (
-            np.sqrt(mean**2 - taper**2 / 12.0)[:, None] + 0.5 * taper[:, None] * xi
-            for mean, taper in ways
-        )
+        """Outer and inner diameter (elements, places) at ``xi`` on [−1, 1]; along a cone linear."""
+        share = (1.0 + xi) / 2.0
+        outer, inner = (a[:, None] + np.outer(b - a, share) for a, b in (self.outer, self.inner))
         return outer, inner
+
+    @property
+    def mass(self) -> Array:
+        """Mass of each element [kg]."""
+        return np.asarray(self.density * mean_area(self.outer, self.inner) * self.length)
+
+    @property
+    def weight_line(self) -> Array:
+        """Mass per length of each element at both of its ends (elements, 2) [kg/m], straight in
+        between, with the mass and the centre of gravity that the element has."""
+        mean = self.density * mean_area(self.outer, self.inner)
+        rise = 12.0 * self.density * area_moments(self.outer, self.inner)[0]
+        return np.stack([mean - rise / 2.0, mean + rise / 2.0], axis=1)
+
+    @property
+    def centre(self) -> Array:
+        """Centre of gravity of each element [m]."""
+        front, rear = self.weight_line.T
+        return np.asarray(self.middle + (rear - front) / (rear + front) * self.length / 6.0)
 
     @property
     def shear_modulus(self) -> Array:
@@ -165,31 +200,26 @@ def _mesh(spindle: Spindle, longest: float) -> Mesh:
         )
     stations = _merged(shaft, placed)
     x = _divided(stations, longest)
-    sections = shaft.sections_at((x[1:] + x[:-1]) / 2.0)
-    outer, inner, outer_taper, inner_taper = _walls(shaft, x, sections)
+    place = np.searchsorted(shaft.boundaries[1:-1], (x[1:] + x[:-1]) / 2.0, side="right")
+    sections, left = [shaft.sections[k] for k in place], np.array(shaft.boundaries)[place]
+    length = np.array([s.length for s in sections])
+    front, rear = (np.clip((end - left) / length, 0.0, 1.0) for end in (x[:-1], x[1:]))
+    outer, inner = (np.array([getattr(s, which) for s in sections]) for which in ("outer", "inner"))
     return Mesh(
         x=x,
-        outer_diameter=outer,
-        inner_diameter=inner,
-        outer_taper=outer_taper,
-        inner_taper=inner_taper,
+        outer_diameter=_along(outer, front),
+        inner_diameter=_along(inner, front),
+        rear_outer_diameter=_along(outer, rear),
+        rear_inner_diameter=_along(inner, rear),
         young_modulus=np.array([s.material.young_modulus for s in sections]),
         poisson_ratio=np.array([s.material.poisson_ratio for s in sections]),
         density=np.array([s.material.density for s in sections]),
     )
 
 
-def _walls(shaft: Shaft, x: Array, sections: Sequence[Section]) -> Array:
-    """Diameters and tapers, outer and inner, of the elements between ``x`` (4, elements)."""
-    walls = np.array([(s.outer_diameter, s.inner_diameter, 0.0, 0.0) for s in sections])
-    tapered = np.array([bool(s.outer_taper or s.inner_taper) for s in sections])
-    if tapered.any():
-        edges = np.array(shaft.boundaries)
-        for k in np.flatnonzero(tapered).tolist():
-            place = int(np.searchsorted(edges, (x[k] + x[k + 1]) / 2.0, side="right")) - 1
-            share = (x[k : k + 2] - edges[place]) / (edges[place + 1] - edges[place])
-            walls[k] = sections[k].between(*np.clip(share, 0.0, 1.0))
-    return walls.T
+def _along(ends: Array, share: Array) -> Array:
+    """Diameters between those at ``ends`` (elements, 2) of sections."""
+    return np.asarray(ends[:, 0] + share * (ends[:, 1] - ends[:, 0]))
 
 
 def _longest(shaft: Shaft, element_length: float | None) -> float:
@@ -244,15 +274,12 @@ def divided(mesh: Mesh, parts: NDArray[np.intp]) -> Mesh:
     step = np.repeat(mesh.length / parts, parts)
     x = np.concatenate([mesh.x[:1], mesh.x[0] + np.cumsum(step)])
     x[np.concatenate([[0], np.cumsum(parts)])] = mesh.x
-    names = ("outer_diameter", "inner_diameter", "young_modulus", "poisson_ratio", "density")
+    names = ("young_modulus", "poisson_ratio", "density")
     own: dict[str, Any] = {name: np.repeat(getattr(mesh, name), parts) for name in names}
-    count = np.repeat(parts, parts)
-    place = np.arange(len(count)) - np.repeat(np.cumsum(parts) - parts, parts)
-    for way in ("outer", "inner"):
-        taper = np.repeat(getattr(mesh, f"{way}_taper"), parts)
-        if taper.any():
-            middle = np.sqrt(own[f"{way}_diameter"] ** 2 - taper**2 / 12.0)
-            middle = middle + taper * ((place + 0.5) / count - 0.5)
-            own[f"{way}_diameter"] = np.sqrt(middle**2 + (taper / count) ** 2 / 12.0)
-        own[f"{way}_taper"] = taper / count
+    last = np.repeat(parts, parts)
+    number = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
+    for name, (front, rear) in (("outer", mesh.outer), ("inner", mesh.inner)):
+        ends = np.repeat(np.stack([front, rear], axis=1), parts, axis=0)
+        own[f"{name}_diameter"] = _along(ends, number / last)
+        own[f"rear_{name}_diameter"] = _along(ends, (number + 1) / last)
     return replace(mesh, x=x, **own)

@@ -19,7 +19,7 @@ class SectionForces:
     """N, Ty, Tz [N], Mt, My, Mz [N·m] at both ends of every element (…, elements, 6).
 
     ``front`` and ``rear`` are within the element, behind its front node and before its rear one: at
-    a node they differ by the point load there. In between, moments are quadratic where a line load
+    a node they differ by the point load there. In between, moments are cubic where a line load
     acts, else linear.
     """
 
@@ -30,14 +30,16 @@ class SectionForces:
 def section_forces(x: Array, point: Array, line: Array) -> SectionForces:
     """Section forces between nodes at ``x`` (nodes,) [m], ascending.
 
-    ``point`` (…, nodes, 6): forces and moments on nodes [N, N·m]; ``line`` (…, elements, 3): force
-    per length of each element [N/m]; supports are loads like any other.
+    ``point`` (nodes, 6): forces and moments on nodes [N, N·m]; ``line`` (…, elements, 2, 3): force
+    per length [N/m] at both ends of each element, straight in between; supports are loads like any
+    other.
     """
     h = np.diff(x)[:, None]
-    along = line * h
+    begin, end = line[..., 0, :], line[..., 1, :]
+    along, arm = (begin + end) * h / 2.0, (begin + 2.0 * end) * h / 6.0
     force_rear = _behind(point[..., 1:, :3]) + point[..., 1:, :3] + _behind(along)
     force_front = force_rear + along
-    gain = h * _lever(force_rear) + 0.5 * h * _lever(along)
+    gain = h * _lever(force_rear) + h * _lever(arm)
     moment_rear = _behind(point[..., 1:, 3:]) + point[..., 1:, 3:] + _behind(gain)
     return SectionForces(
         np.concatenate([force_front, moment_rear + gain], axis=-1),

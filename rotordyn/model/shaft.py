@@ -8,22 +8,37 @@ that of the part behind, which share the DOF in which it is rigid.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass, replace
-from functools import partial
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
 
 import numpy as np
 
 from rotordyn.errors import InvalidInput
-from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
 from rotordyn.model.dofs import Dofs, Indices, Line, position
 from rotordyn.model.elements import beam as bending
 from rotordyn.model.elements import rod
-from rotordyn.model.elements.shear import shear_coefficient
 from rotordyn.model.elements.standard_beam import PlaneBending, shear_parameter
-from rotordyn.model.fineness import Fineness, bending_wave, parts_and_degree, resolved, rod_wave
+from rotordyn.model.fineness import (
+    Fineness,
+    bending_wave,
+    cut,
+    parts_and_degree,
+    resolved,
+    rod_wave,
+)
 from rotordyn.model.mesh import COINCIDENT, Mesh, divided, station_mesh
+from rotordyn.model.section import (
+    ENDS,
+    MIDDLE,
+    axial,
+    sections,
+    sections_at,
+    shear_coefficients,
+    sheared,
+    torsion,
+)
 from rotordyn.model.term import Array, Part
 
 Rows = tuple[Indices, Indices, Array]  # places (e, r), DOF (e, k) and factors (e, r, k)
@@ -74,10 +89,7 @@ class Shaft:
                         behind[at, position(name)] = dofs.add(
                             line, sign=-1.0 if name == "thy" else 1.0
                         )[0]
-        counts = {
-            "y": np.where(degree < 2, 0, 2 * degree - 1),
-            "x": rod_degree - 1,
-        }
+        counts = {"y": bending.inner_freedoms(degree, sheared(spindle)), "x": rod_degree - 1}
         counts["z"], counts["thx"] = counts["y"], counts["x"]
         inner = {}
         for way, own in counts.items():
@@ -86,33 +98,14 @@ class Shaft:
             inner[way] = begin + np.concatenate([[0], np.cumsum(own)[:-1]]).astype(np.intp)
         return cls(body, ratio, spindle, mesh, node, behind, degree, rod_degree, inner)
 
-    @property
-    def sections(self) -> tuple[Array, Array, Array, Array]:
-        """κGA [N], EI [N·m²], ρA [kg/m], ρI [kg·m] of every element."""
-        return sections(self.spindle, self.mesh)
-
     def parts(self) -> Iterator[Part]:
         """Mass, stiffness, gyroscopic effect and translational mass (softening)."""
         yield from self._bending_parts()
         yield from self._rod_parts()
 
     def _bending_parts(self) -> Iterator[Part]:
-        mesh, kappa = self.mesh, shear_coefficients(self.spindle, self.mesh)
-        every = (
-            mesh.length,
-            mesh.outer_diameter,
-            mesh.inner_diameter,
-            mesh.young_modulus,
-            mesh.shear_modulus,
-            mesh.density,
-            kappa,
-        )
-        for n, tapered in _kinds(self.degree, mesh):
-            chosen = np.flatnonzero((self.degree == n) & (mesh.tapered == tapered))
-            if tapered:
-                own = self._tapered(chosen, n)
-            else:
-                own = bending.hierarchic_bending(*(each[chosen] for each in every), degree=n)
+        for chosen, n, tapers in _alike(self.mesh, self.degree):
+            own = self._tapered(chosen, n) if tapers else self._cylindrical(chosen, n)
             y, z = self.rows("y", chosen), self.rows("z", chosen)
             for rows in (y, z):
                 yield Part("mass", rows, rows, own.mass)
@@ -120,32 +113,44 @@ class Shaft:
                 yield Part("softening", rows, rows, own.translational_mass)
             yield Part("gyroscopic", y, z, self.ratio * own.polar)
 
+    def _cylindrical(self, chosen: Indices, degree: int) -> PlaneBending:
+        mesh = self.mesh
+        every = (
+            mesh.length,
+            mesh.outer_diameter,
+            mesh.inner_diameter,
+            mesh.young_modulus,
+            mesh.shear_modulus,
+            mesh.density,
+            shear_coefficients(self.spindle, mesh),
+        )
+        return bending.hierarchic_bending(*(each[chosen] for each in every), degree=degree)
+
     def _tapered(self, chosen: Indices, degree: int) -> PlaneBending:
-        """Bending elements that are frusta."""
-        shear, bend, *_ = (each[chosen] for each in self.sections)
-        phi = shear_parameter(self.mesh.length[chosen], bend, shear)
+        xi, weight = bending.tapered_points(degree)
+        along = (each[chosen] for each in sections_at(self.spindle, self.mesh, xi))
+        place = self.mesh.length[chosen], self._phi[chosen]
+        return bending.tapered_bending(*place, *along, degree=degree, xi=xi, weight=weight)
 
-        def along(xi: Array) -> tuple[Array, ...]:
-            own = _local(self.mesh, chosen, xi)
-            return sections(self.spindle, own)
-
-        return bending.tapered_bending(self.mesh.length[chosen], phi, along, degree=degree)
+    @cached_property
+    def _phi(self) -> Array:
+        """Shear parameter Φ of every element, of a cone in its middle (elements,)."""
+        shear, bend, *_ = sections(self.spindle, self.mesh)
+        return shear_parameter(self.mesh.length, bend, shear)
 
     def _rod_parts(self) -> Iterator[Part]:
         mesh = self.mesh
-        for way, properties in (("x", axial), ("thx", torsion)):
-            rigidity, inertia = properties(mesh)
-            for n, tapered in _kinds(self.rod_degree, mesh):
-                chosen = np.flatnonzero((self.rod_degree == n) & (mesh.tapered == tapered))
-                length = mesh.length[chosen]
-                if tapered:
+        for way, section in (("x", axial), ("thx", torsion)):
+            for chosen, n, tapers in _alike(mesh, self.rod_degree):
+                if tapers:
+                    xi, weight = rod.tapered_points(n)
+                    rigidity, inertia = (each[chosen] for each in section(mesh, xi))
                     own = rod.tapered_rod(
-                        length,
-                        partial(_along, properties, mesh, chosen),
-                        degree=n,
+                        mesh.length[chosen], rigidity, inertia, degree=n, xi=xi, weight=weight
                     )
                 else:
-                    own = rod.hierarchic_rod(length, rigidity[chosen], inertia[chosen], degree=n)
+                    rigidity, inertia = (each[chosen, 0] for each in section(mesh, MIDDLE))
+                    own = rod.hierarchic_rod(mesh.length[chosen], rigidity, inertia, degree=n)
                 rows = self.rows(way, chosen)
                 yield Part("mass", rows, rows, own.mass)
                 yield Part("stiffness", rows, rows, own.stiffness)
@@ -155,7 +160,10 @@ class Shaft:
         names = PLANES[way][0] if way in PLANES else (way,)
         places = [position(name) for name in names]
         degree = int((self.degree if way in PLANES else self.rod_degree)[elements[0]])
-        count = bending.inner_freedoms(degree) if way in PLANES else rod.inner_freedoms(degree)
+        if way in PLANES:
+            count = int(bending.inner_freedoms(np.array(degree), sheared(self.spindle)))
+        else:
+            count = rod.inner_freedoms(degree)
         inner = self.inner[way][elements][:, None] + np.arange(count)
         ends = self.behind[elements][:, places], self.node[elements + 1][:, places]
         return np.concatenate([*ends, inner], axis=1)
@@ -190,8 +198,7 @@ class Shaft:
     def _shapes(self, way: str, x: Array) -> Iterator[tuple[Indices, Indices, bending.Shapes]]:
         """Of stations in elements of one degree: which, DOF of their elements, shape functions."""
         element, xi = self._place(x)
-        shear, bend, *_ = self.sections
-        phi = shear_parameter(self.mesh.length, bend, shear)
+        phi = self._phi
         degree = self.degree[element]
         for n in np.unique(degree):
             at = np.flatnonzero(degree == n)
@@ -217,62 +224,19 @@ class Shaft:
         return element, np.clip(xi, -1.0, 1.0)
 
 
-def _kinds(degree: Indices, mesh: Mesh) -> list[tuple[int, bool]]:
-    """Degrees of the elements of a mesh, and whether elements of each are frusta."""
-    return sorted({(int(n), bool(t)) for n, t in zip(degree, mesh.tapered, strict=True)})
+def _alike(mesh: Mesh, degree: Indices) -> Iterator[tuple[Indices, int, bool]]:
+    """Elements of one degree, cylinders and cones apart: which, their degree, are they cones."""
+    tapers = mesh.tapers
+    for n in np.unique(degree):
+        for conical in (False, True):
+            chosen = np.flatnonzero((degree == n) & (tapers == conical))
+            if chosen.size:
+                yield chosen, int(n), conical
 
 
-def _along(
-    properties: Callable[[Mesh], tuple[Array, Array]], mesh: Mesh, chosen: Indices, xi: Array
-) -> tuple[Array, Array]:
-    """Properties at ``xi`` of some elements (elements, points)."""
-    return properties(_local(mesh, chosen, xi))
-
-
-def _local(mesh: Mesh, chosen: Indices, xi: Array) -> Mesh:
-    """Diameters and material at ``xi`` of some elements: arrays (elements, points)."""
-    outer, inner = (each[chosen] for each in mesh.diameters(xi))
-    young, poisson, density = (
-        each[chosen, None] for each in (mesh.young_modulus, mesh.poisson_ratio, mesh.density)
-    )
-    return replace(
-        mesh,
-        outer_diameter=outer,
-        inner_diameter=inner,
-        young_modulus=young,
-        poisson_ratio=poisson,
-        density=density,
-    )
-
-
-def sections(spindle: Spindle, mesh: Mesh) -> tuple[Array, Array, Array, Array]:
-    """κGA [N], EI [N·m²], ρA [kg/m], ρI [kg·m] of every element of a mesh."""
-    ring = area(mesh.outer_diameter, mesh.inner_diameter)
-    moment = second_moment(mesh.outer_diameter, mesh.inner_diameter)
-    return (
-        shear_coefficients(spindle, mesh) * mesh.shear_modulus * ring,
-        mesh.young_modulus * moment,
-        mesh.density * ring,
-        mesh.density * moment,
-    )
-
-
-def axial(mesh: Mesh) -> tuple[Array, Array]:
-    """E A [N] and ρ A [kg/m] of every element."""
-    ring = area(mesh.outer_diameter, mesh.inner_diameter)
-    return mesh.young_modulus * ring, mesh.density * ring
-
-
-def torsion(mesh: Mesh) -> tuple[Array, Array]:
-    """G Ip [N·m²] and ρ Ip [kg·m] of every element."""
-    polar = 2.0 * second_moment(mesh.outer_diameter, mesh.inner_diameter)
-    return mesh.shear_modulus * polar, mesh.density * polar
-
-
-def shear_coefficients(spindle: Spindle, mesh: Mesh) -> Array:
-    """κ of every element (elements,)."""
-    ratio = mesh.inner_diameter / mesh.outer_diameter
-    return shear_coefficient(spindle.shaft.shear_coefficient, mesh.poisson_ratio, ratio)
+def _waves(spindle: Spindle, mesh: Mesh, omega: float, spin: float) -> Array:
+    """Largest wave number in bending of each element, at its ends and in its middle [1/m]."""
+    return bending_wave(omega, spin, *sections_at(spindle, mesh, ENDS)).max(axis=1)
 
 
 def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indices, Indices]:
@@ -281,12 +245,19 @@ def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indi
         mesh = divided(shown, np.full(shown.nodes - 1, 2**fine.finer, dtype=np.intp))
         return mesh, *np.ones((2, mesh.nodes - 1), dtype=np.intp)
     coarse = station_mesh(spindle)
-    wave = bending_wave(fine.band, fine.spin, *sections(spindle, coarse))
-    parts, degree = parts_and_degree(wave * coarse.length, fine.accuracy)
-    along = np.maximum(*(rod_wave(fine.band, *own(coarse)) for own in (axial, torsion)))
-    more, rod_degree = parts_and_degree(along * coarse.length / parts, fine.accuracy)
+    ratio = coarse.steepness
+    wave = _waves(spindle, coarse, fine.band, fine.spin)
+    parts, degree = parts_and_degree(wave * coarse.length, fine.accuracy, ratio)
+    along = np.maximum(
+        *(rod_wave(fine.band, *own(coarse, MIDDLE))[:, 0] for own in (axial, torsion))
+    )
+    more, rod_degree = parts_and_degree(
+        along * coarse.length / parts, fine.accuracy, cut(ratio, parts)
+    )
+    if not sheared(spindle):
+        degree = np.maximum(degree, 2)  # degrees 1 and 2 are one element without shear
     parts, degree, rod_degree = parts * more, degree + fine.finer, rod_degree + fine.finer
-    size = float((np.where(degree < 2, 0, 2 * degree - 1) + 2) @ parts)
+    size = float((bending.inner_freedoms(degree, sheared(spindle)) + 2) @ parts)
     if size > MOST_DOF:
         raise InvalidInput(
             f"bending up to {fine.frequency:.6g} Hz takes {size:.3g} degrees of freedom; allowed: "
@@ -298,9 +269,8 @@ def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indi
 
 def half_wave(spindle: Spindle, mesh: Mesh, spin: float) -> float:
     """Highest whirl [rad/s] that crosses no element of ``mesh`` by more than half a wave."""
-    own = sections(spindle, mesh)
 
     def phase(omega: float) -> float:
-        return float((bending_wave(omega, spin, *own) * mesh.length).max())
+        return float((_waves(spindle, mesh, omega, spin) * mesh.length).max())
 
     return resolved(phase, math.pi, 1.0)

@@ -51,9 +51,8 @@ def plane_rotor(
     number = structure.node(*point)[position("y")]
     motions = {id(each.link): each.motions for each in own.connections}
     rows = [motions[id(link)][PLANE] for link in structure.seats]
-    return PlaneRotor(
-        own.stiffness, np.array(rows).reshape(-1, 2, own.size), own.displaced(np.array([number]))[0]
-    )
+    seated, moved = np.array(rows).reshape(-1, 2, own.size), own.displaced(np.array([number]))[0]
+    return PlaneRotor(own.within(own.stiffness), seated @ own.basis, moved @ own.basis)
 
 
 def withstands(
@@ -68,9 +67,8 @@ def withstands(
     bent = structure.components[structure.owner[first]]
     every = subsystems(structure, state, strings=True)
     components = next(own for own in every if bent in own)
-    loaded, free = (
-        linear(structure, components, state, each, pull=pull).stiffness for each in (force, None)
-    )
+    both = [linear(structure, components, state, each, pull=pull) for each in (force, None)]
+    loaded, free = (own.within(own.stiffness) for own in both)
     return np.asarray(_negative(loaded) <= _negative(free))
 
 

@@ -99,7 +99,8 @@ class Structure:
         if support.against != GROUND:
             ends.append((support.against, support.x, -1.0))
         dofs, motions = self._against(support.name, ends)
-        return Link(support.name, dofs, motions, matrices_of(support), support.loss_factor)
+        rigid = tuple(position(direction) for direction in support.rigid)
+        return Link(support.name, dofs, motions, matrices_of(support), support.loss_factor, rigid)
 
     def _against(self, name: str, ends: list[tuple[str, float, float]]) -> tuple[Indices, Array]:
         """Motion (6, DOF) of nodes against that of the housing that carries a connection."""
@@ -131,6 +132,7 @@ class Structure:
             yield SPINDLE, seat.x, set(DIRECTIONS) - {"thx"}
         for support in self.spindle.supports:
             touched = {n for pair in (*support.stiffness, *support.damping) for n in pair}
+            touched |= set(support.rigid)
             for rotor in {support.holds, support.against} - {GROUND}:
                 yield rotor, support.x, touched
         for x in self.spindle.drawbar.stations if self.spindle.drawbar else ():

@@ -61,6 +61,7 @@ class Link:
 
     ``matrices``: at the states of a machine. ``directions``: of the six of a node, those that d is
     made of. ``loss_factor`` [-]: of the stiffness. ``tilts``: moments act on tilts too.
+    ``rigid``: places of the motions that are zero, whatever acts (``constraint``).
     """
 
     name: str
@@ -68,3 +69,4 @@ class Link:
     motions: Array
     matrices: Callable[[State], LinkMatrices]
     loss_factor: float = 0.0
+    rigid: tuple[int, ...] = ()

@@ -1,1 +1,1 @@
-"""Algorithms that know no rotor: eigenproblems, eliminations and following, dense and sparse."""
+"""Algorithms that know no rotor: eigenproblems, followed modes, sparse sums, threads."""

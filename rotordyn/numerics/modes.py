@@ -53,7 +53,8 @@ class Modes:
         """
         turned = np.zeros(self.pole.shape[:-1]) if frame is None else frame
         size = np.abs(self.pole + 1j * turned[..., None])
-        small = size <= NOISE * np.sqrt(np.abs(self.stiffness).max(axis=(-2, -1)))[..., None]
+        largest = np.abs(self.stiffness).max(axis=(-2, -1), initial=0.0)
+        small = size <= NOISE * np.sqrt(largest)[..., None]
         if not small.any():
             return np.asarray(small)
         rank = size.argsort(axis=-1).argsort(axis=-1)
@@ -80,7 +81,7 @@ class Modes:
     @property
     def largest(self) -> Array:
         """Of each system the largest |pole| (…, 1) [rad/s]."""
-        return np.abs(self.pole).max(axis=-1, keepdims=True)
+        return np.abs(self.pole).max(axis=-1, keepdims=True, initial=0.0)
 
     @property
     def growing(self) -> NDArray[np.bool_]:
@@ -153,8 +154,12 @@ def modes(stiffness: Matrix, damping: Matrix) -> Modes:
 
     A coordinate whose stiffness is ``NOTHING`` beside the largest counts as free.
     """
-    stiffness = _of_weight(stiffness)
     shape = np.broadcast_shapes(stiffness.shape, damping.shape)
+    if not shape[-1]:  # nothing that moves
+        none = np.zeros((*shape[:-2], 0, 0), dtype=complex)
+        pole = np.zeros(shape[:-1], dtype=complex)
+        return Modes(stiffness, damping, pole, none, none, np.ones(shape[:-2]))
+    stiffness = _of_weight(stiffness)
     known = conservative_modes(stiffness, damping)
     if known is None:
         pole, vector, participation, condition = _general(stiffness, damping, shape)

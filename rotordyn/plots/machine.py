@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 from itertools import pairwise
 from typing import TYPE_CHECKING
 
@@ -32,7 +31,6 @@ if TYPE_CHECKING:
 SHADES = ("#B9C4CE", "#D8C3A5", "#B5CDB8", "#CBB9D1", "#E3D9A9", "#C7C7C7")
 _WIDTH, _SIDE = 168.0, 4.0
 OUTSIDE = 2  # zorder of what is seen from outside, thicker rotors in front
-SLOPE = 0.02  # of the outer diameter: a smaller step from section to section is that of a cone
 
 
 def machine_figure(spindle: Spindle) -> Figure:
@@ -58,7 +56,7 @@ def machine_figure(spindle: Spindle) -> Figure:
     if spindle.drawbar:
         draw_drawbar(sketch, spindle.drawbar, spindle.shaft)
     for seat in spindle.seats:
-        radius = spindle.shaft.section_at(seat.x).outer_diameter / 2.0
+        radius = spindle.shaft.diameters_at(seat.x)[0] / 2.0
         draw_bearing(sketch, seat, bearing_width(seat, spindle.seats), radius)
     _hold(sketch, axes, spindle, reach + 3.0 / scale, (left, right), scale)
     _supports(sketch, spindle)
@@ -79,7 +77,7 @@ def _by_size(spindle: Spindle) -> list[Spindle]:
 
 
 def _radius(part: Spindle) -> float:
-    return max(section.outer_diameter for section in part.shaft.sections) / 2.0
+    return max(max(section.outer) for section in part.shaft.sections) / 2.0
 
 
 def _extent(spindle: Spindle) -> tuple[float, float]:
@@ -102,17 +100,13 @@ def _reach(spindle: Spindle) -> float:
 
 def _draw_shaft(sketch: Sketch, spindle: Spindle, shades: dict[str, str], rank: int) -> None:
     """One rotor; of ``rank`` 0 the thinnest, alone with what is within its bore."""
-    edges = [x * 1e3 for x in spindle.shaft.boundaries]
-    begin = 0
-    for run in _runs(spindle.shaft.sections):
-        own, shade = edges[begin : begin + len(run) + 1], shades[run[0].material.name]
-        if len(run) == 1:
-            _draw_section(sketch, run[0], own[0], own[1], shade, rank)
-        else:
-            _draw_cone(sketch, run, own, shade, rank)
-        begin += len(run)
+    for section, ends in zip(
+        spindle.shaft.sections, pairwise(spindle.shaft.boundaries), strict=True
+    ):
+        a, b = (x * 1e3 for x in ends)
+        _draw_section(sketch, section, a, b, shades[section.material.name], rank)
     for joint in spindle.joints:
-        x, radius = joint.x * 1e3, spindle.shaft.section_at(joint.x).outer_diameter * 500.0
+        x, radius = joint.x * 1e3, spindle.shaft.diameters_at(joint.x)[0] * 500.0
         sketch.line([(x, -radius), (x, radius)], RED, 1.4, z=7)
 
 
@@ -120,50 +114,15 @@ def _draw_section(
     sketch: Sketch, section: Section, a: float, b: float, shade: str, rank: int
 ) -> None:
     """The wall cut above the axis with the bore open behind it; the outside below."""
-    outer, inner = section.outer_diameter * 500.0, section.inner_diameter * 500.0
-    sketch.box(a, b, inner, outer, shade)
-    if inner > 0.0 and not rank:
-        sketch.box(a, b, 0.0, inner, "#F7F7F7", width=0.35, edge="#999999")
-    sketch.box(a, b, -outer, 0.0, "#ECEFF1", width=0.7, z=OUTSIDE + 2 * rank)
-
-
-def _runs(sections: Sequence[Section]) -> list[list[Section]]:
-    """Neighbours of one material that hardly differ belong together: the cylinders of a cone."""
-    runs: list[list[Section]] = []
-    for section in sections:
-        if runs and _slopes(runs[-1][-1], section):
-            runs[-1].append(section)
-        else:
-            runs.append([section])
-    return runs
-
-
-def _slopes(one: Section, other: Section) -> bool:
-    step = abs(other.outer_diameter - one.outer_diameter)
-    wall = abs(other.inner_diameter - one.inner_diameter)
-    return other.material == one.material and 0.0 < max(step, wall) < SLOPE * one.outer_diameter
-
-
-def _draw_cone(
-    sketch: Sketch, run: Sequence[Section], edges: list[float], shade: str, rank: int
-) -> None:
-    """The same of a cone."""
-    x = [edges[0], *((a + b) / 2.0 for a, b in pairwise(edges)), edges[-1]]
-    outer, inner = (
-        [d[0], *d, d[-1]]
-        for d in (
-            [s.outer_diameter * 500.0 for s in run],
-            [s.inner_diameter * 500.0 for s in run],
-        )
+    (front, rear), (bore, end) = (
+        [d * 500.0 for d in each] for each in (section.outer, section.inner)
     )
-    top, bore = list(zip(x, outer, strict=True)), list(zip(x, inner, strict=True))
-    sketch.polygon([*top, *bore[::-1]], shade)
-    if max(inner) > 0.0 and not rank:
-        axis = [(x[-1], 0.0), (x[0], 0.0)]
-        sketch.polygon([*bore, *axis], "#F7F7F7", edge="#999999", width=0.35)
-    bottom = [(a, -r) for a, r in top]
-    outside = OUTSIDE + 2 * rank
-    sketch.polygon([(x[0], 0.0), *bottom, (x[-1], 0.0)], "#ECEFF1", width=0.7, z=outside)
+    sketch.polygon([(a, bore), (b, end), (b, rear), (a, front)], shade)
+    if max(bore, end) > 0.0 and not rank:
+        hole = [(a, 0.0), (b, 0.0), (b, end), (a, bore)]
+        sketch.polygon(hole, "#F7F7F7", width=0.35, edge="#999999")
+    below = [(a, -front), (b, -rear), (b, 0.0), (a, 0.0)]
+    sketch.polygon(below, "#ECEFF1", width=0.7, z=OUTSIDE + 2 * rank)
 
 
 def _shades(spindle: Spindle) -> dict[str, str]:
@@ -265,13 +224,13 @@ def _supports(sketch: Sketch, spindle: Spindle) -> None:
 def _outside(spindle: Spindle, support: LinearSupport) -> float:
     """Radius of what a support holds [mm]."""
     shaft = _parts(spindle)[support.holds].shaft
-    return shaft.section_at(support.x).outer_diameter * 500.0
+    return shaft.diameters_at(support.x)[0] * 500.0
 
 
 def _ground(spindle: Spindle, support: LinearSupport) -> float:
     """Where a support stands on ground [mm]: below every rotor there."""
     there = [
-        part.shaft.section_at(support.x).outer_diameter * 500.0
+        part.shaft.diameters_at(support.x)[0] * 500.0
         for part in _parts(spindle).values()
         if part.shaft.start <= support.x <= part.shaft.end
     ]
@@ -289,9 +248,9 @@ def _between(sketch: Sketch, spindle: Spindle, support: LinearSupport) -> None:
 
 def _gap(spindle: Spindle, support: LinearSupport) -> tuple[float, float]:
     """Radii between which a support joins two rotors [mm]."""
-    ends = [_parts(spindle)[end].shaft.section_at(support.x) for end in support.ends]
-    thin, thick = sorted(ends, key=lambda section: section.outer_diameter)
-    low, high = thin.outer_diameter * 500.0, thick.inner_diameter * 500.0
+    ends = [_parts(spindle)[end].shaft.diameters_at(support.x) for end in support.ends]
+    (thin, _), (_, bore) = sorted(ends)
+    low, high = thin * 500.0, bore * 500.0
     if high > low:
         return low, high
     return low - 2.0, low + 2.0  # side by side, or one on the other
@@ -363,8 +322,7 @@ def _marks(sketch: Sketch, spindle: Spindle, size: float) -> list[tuple[float, f
 
 def _height(part: Spindle, x: float, rotor: str) -> float:
     """Where something on a rotor is marked [mm]: on the axis, of a further one in its wall."""
-    section = part.shaft.section_at(x)
-    wall = (section.outer_diameter + section.inner_diameter) * 250.0
+    wall = sum(part.shaft.diameters_at(x)) * 250.0
     return 0.0 if rotor == SPINDLE else wall
 
 

@@ -124,16 +124,19 @@ def _outline(axes: Axes, spindle: Spindle) -> None:
     """The shafts to their own scale along x and a common one across; bearings as marks."""
     sketch = Sketch()
     shafts = [spindle.part(name).shaft for name in spindle.ratios]
-    widest = max(s.outer_diameter for shaft in shafts for s in shaft.sections)
+    widest = max(max(s.outer) for shaft in shafts for s in shaft.sections)
     edges = sorted(x for shaft in shafts for x in shaft.boundaries)
     for shaft in shafts:
-        for section, (a, b) in _pieces(shaft):
+        for section, ends in _pieces(shaft):
+            a, b = (x * 1e3 for x in ends)
             half, hollow = (
-                0.55 * d / widest for d in (section.outer_diameter, section.inner_diameter)
+                [0.55 * d / widest for d in each] for each in (section.outer, section.inner)
             )
-            walls = [(-half, half)] if shaft is shafts[0] else [(-half, -hollow), (hollow, half)]
-            for low, high in walls:
-                sketch.box(a * 1e3, b * 1e3, low, high, "#F0F1F2", edge="#D5D8DA", width=0.5, z=1)
+            inside = [-d for d in half] if shaft is shafts[0] else hollow
+            for side in (1.0,) if shaft is shafts[0] else (1.0, -1.0):
+                (low, low_end), (high, high_end) = ([side * d for d in w] for w in (inside, half))
+                wall = [(a, low), (b, low_end), (b, high_end), (a, high)]
+                sketch.polygon(wall, "#F0F1F2", edge="#D5D8DA", width=0.5, z=1)
     sketch.line([(edges[0] * 1e3, 0.0), (edges[-1] * 1e3, 0.0)], GREY, 0.5, "dashdot", z=2)
     for x in [s.x * 1e3 for s in spindle.seats] + [s.x * 1e3 for s in spindle.supports]:
         for side in (-1.0, 1.0):

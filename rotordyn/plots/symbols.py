@@ -137,5 +137,5 @@ def _narrowest(bar: Drawbar, shaft: Shaft) -> float:
         for section, left, right in zip(shaft.sections, edges, edges[1:], strict=False)
         if left < bar.end and right > bar.start
     ]
-    bores = [section.inner_diameter for section in along if section.inner_diameter > 0.0]
-    return min(bores) if bores else min(section.outer_diameter for section in along) / 3.0
+    bores = [bore for section in along for bore in section.inner if bore > 0.0]
+    return min(bores) if bores else min(min(section.outer) for section in along) / 3.0

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.errors import InvalidInput
-from rotordyn.machine.cross_section import area
+from rotordyn.machine.inertia import mass_in_front
 from rotordyn.machine.spindle import Spindle
 
 Array = NDArray[np.float64]
@@ -25,14 +25,13 @@ class AxialForce:
     """Forces along the shaft at every state.
 
     ``station`` (k,) [m] and ``push`` (states, k) [N]: what acts on the shaft there, towards +x;
-    ``edge`` (e,) [m] and ``weight`` (e,) [N]: weight of the sections in front of each edge.
+    ``gravity`` [m/s²], towards +x.
     """
 
     spindle: Spindle
     station: Array
     push: Array
-    edge: Array
-    weight: Array
+    gravity: float
 
     def at(self, x: Array) -> Array:
         """Force in the wall of the shaft at ``x`` (p,) [m], tension positive, (states, p) [N]."""
@@ -40,7 +39,7 @@ class AxialForce:
         none = np.zeros((len(self.push), 1))
         pushed = np.concatenate([none, np.cumsum(self.push[:, order], axis=1)], axis=1)
         in_front = np.searchsorted(self.station[order], x)
-        return -pushed[:, in_front] - np.interp(x, self.edge, self.weight)
+        return -pushed[:, in_front] - self.gravity * mass_in_front(self.spindle.shaft, x)
 
     def bending(self, x: Array) -> Array:
         """Force that follows the slope of the shaft at ``x``, tension positive, (states, p) [N].
@@ -55,7 +54,7 @@ class AxialForce:
     @property
     def compresses(self) -> bool:
         """True where some state compresses the shaft against its bending somewhere."""
-        ends = np.unique(np.concatenate([self.station, self.edge]))
+        ends = np.unique(np.concatenate([self.station, self.spindle.shaft.boundaries]))
         inside = (ends[:-1, None] + np.diff(ends)[:, None] * np.array([1e-6, 1.0 - 1e-6])).ravel()
         force = self.bending(inside)
         return bool((force < -BALANCED * np.nanmax(np.abs(self.push), initial=0.0)).any())
@@ -79,15 +78,11 @@ def axial_force(
     alone = [(shaft.start, force), *((body.x, gravity * body.mass) for body in spindle.lumped)]
     if bar is not None:
         alone += [(bar.start, bar.force), (bar.end, -bar.force)]
-    masses = [
-        s.material.density * area(s.outer_diameter, s.inner_diameter) * s.length
-        for s in shaft.sections
-    ]
-    weight = gravity * np.concatenate([[0.0], np.cumsum(masses)])
     push = np.concatenate(
         [-thrust * seat_load, np.tile([value for _, value in alone], (states, 1))], axis=1
     )
-    carried = -(push.sum(axis=1) + weight[-1])
+    weight = gravity * float(mass_in_front(shaft, np.array([shaft.end]))[0])
+    carried = -(push.sum(axis=1) + weight)
     held = np.array([s.along for s in spindle.supports])
     if not spindle.seats and not held.any() and (np.abs(carried) > BALANCED).any():
         raise InvalidInput(
@@ -103,6 +98,5 @@ def axial_force(
             + [support.x for support in spindle.supports]
         ),
         push=np.concatenate([push, np.outer(carried, share)], axis=1),
-        edge=np.array(shaft.boundaries),
-        weight=weight,
+        gravity=gravity,
     )

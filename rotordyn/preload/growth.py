@@ -57,9 +57,10 @@ def _fitted(spindle: Spindle, seat: BearingSeat, fit: InterferenceFit) -> tuple[
     """Shaft and inner ring as cylinders."""
     from bearings.fit.cylinder import Cylinder
 
-    section, bearing = spindle.shaft.section_at(seat.x), seat.bearing
+    material, bearing = spindle.shaft.section_at(seat.x).material, seat.bearing
+    hole = spindle.shaft.diameters_at(seat.x)[1]
     bore = fit.bore_diameter / 2.0
     return (
-        Cylinder(section.inner_diameter / 2.0, bore, section.material),
+        Cylinder(hole / 2.0, bore, material),
         Cylinder(bore, bearing.inner_raceway_radius, bearing.ring_material),
     )

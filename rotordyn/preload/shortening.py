@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -30,14 +32,18 @@ def strain_integral(shaft: Shaft, start: float, end: float) -> float:
     low, high = min(start, end), max(start, end)
     total = 0.0
     for section, left, right in zip(shaft.sections, edges[:-1], edges[1:], strict=True):
-        covered = min(right, high) - max(left, low)
-        if covered > 0.0:
-            total += covered * _strain(section)
+        ends = max(left, low), min(right, high)
+        if ends[1] > ends[0]:
+            shares = [(x - left) / (right - left) for x in ends]
+            total += (ends[1] - ends[0]) * _strain(section, shares)
     return total if end >= start else -total
 
 
-def _strain(section: Section) -> float:
-    """Mean axial strain of a free rotating hollow cylinder over Ω²: −ν ρ (ro² + ri²) / (2 E)."""
-    material = section.material
-    radii = (section.outer_diameter**2 + section.inner_diameter**2) / 4.0
+def _strain(section: Section, shares: Sequence[float]) -> float:
+    """Mean axial strain of a free rotating hollow cylinder over Ω²: −ν ρ (ro² + ri²) / (2 E); its
+    mean between two ``shares`` of a cone."""
+    material, radii = section.material, 0.0
+    for front, rear in (section.outer, section.inner):
+        a, b = (front + share * (rear - front) for share in shares)
+        radii += (a * a + a * b + b * b) / 12.0
     return -material.poisson_ratio * material.density * radii / (2.0 * material.young_modulus)

@@ -68,7 +68,7 @@ def summary(
     if "campbell" in results:
         lines += _modes(results["campbell"])
     if words := accuracy_words(results):
-        lines.append(f"accuracy   estimated errors by the elements: {', '.join(words)}")
+        lines.append(f"accuracy   estimated errors by refinement: {', '.join(words)}")
     if "frf" in results:
         lines += measured_lines(results["frf"])
     if "preload" in results:

@@ -62,9 +62,9 @@ def at_phase(displacement: Complex, phase: float) -> Array:
 
 
 def _shear_parameters(shaft: Shaft, node: Array) -> Array:
-    sections = shaft.sections_at((node[1:] + node[:-1]) / 2.0)
-    outer = np.array([s.outer_diameter for s in sections])
-    inner = np.array([s.inner_diameter for s in sections])
+    middle = (node[1:] + node[:-1]) / 2.0
+    sections = shaft.sections_at(middle)
+    outer, inner = np.array([shaft.diameters_at(x) for x in middle]).T
     young = np.array([s.material.young_modulus for s in sections])
     poisson = np.array([s.material.poisson_ratio for s in sections])
     kappa = shear_coefficient(shaft.shear_coefficient, poisson, inner / outer)

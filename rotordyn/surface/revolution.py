@@ -18,17 +18,38 @@ Interval = tuple[float, float]
 
 @dataclass(frozen=True, slots=True)
 class Tube:
-    """A hollow cylinder from ``left`` to ``right`` between radii ``inner`` and ``outer`` [m]."""
+    """A hollow cylinder from ``left`` to ``right`` between radii ``inner`` and ``outer`` [m].
+
+    A cone where radii at its right end are given.
+    """
 
     left: float
     right: float
     inner: float
     outer: float
+    right_inner: float | None = None
+    right_outer: float | None = None
 
     @property
     def wall(self) -> Interval:
-        """From the inner to the outer radius."""
+        """From the inner to the outer radius at the left end."""
         return self.inner, self.outer
+
+    @property
+    def right_wall(self) -> Interval:
+        """The same at the right end."""
+        inner, outer = self.right_inner, self.right_outer
+        return self.inner if inner is None else inner, self.outer if outer is None else outer
+
+    def radii(self, x: float) -> Interval:
+        """The same at ``x``."""
+        share = (x - self.left) / (self.right - self.left)
+        if x == self.right:
+            return self.right_wall
+        inner, outer = (
+            a + share * (b - a) for a, b in zip(self.wall, self.right_wall, strict=True)
+        )
+        return inner, outer
 
 
 def revolved(
@@ -46,9 +67,9 @@ def revolved(
     rings = _Rings(facets)
     for tube in tubes:
         xs = _cuts(tube, longest)
-        rings.wall([(x, tube.outer) for x in xs])
-        if tube.inner > 0.0:
-            rings.wall([(x, tube.inner) for x in reversed(xs)])
+        rings.wall([(x, tube.radii(x)[1]) for x in xs])
+        if max(tube.inner, tube.right_wall[0]) > 0.0:
+            rings.wall([(x, tube.radii(x)[0]) for x in reversed(xs)])
     for before, after in zip([None, *tubes], [*tubes, None], strict=True):
         _faces(rings, before, after)
     points = np.concatenate(rings.points)
@@ -73,10 +94,10 @@ def _faces(rings: _Rings, before: Tube | None, after: Tube | None) -> None:
     """What of the two walls that meet is bare: it looks towards +x where ``before`` ends."""
     x = before.right if before else after.left if after else 0.0
     if before:
-        for inner, outer in _bare(before.wall, after.wall if after else None):
+        for inner, outer in _bare(before.right_wall, after.wall if after else None):
             rings.wall([(x, outer), (x, inner)])
     if after:
-        for inner, outer in _bare(after.wall, before.wall if before else None):
+        for inner, outer in _bare(after.wall, before.right_wall if before else None):
             rings.wall([(x, inner), (x, outer)])
 
 
@@ -93,7 +114,7 @@ def _bare(wall: Interval, against: Interval | None) -> Iterator[Interval]:
 
 def _generators(rings: _Rings, tubes: Sequence[Tube], longest: float) -> Iterator[Whole]:
     """Lines along the outside at even angles."""
-    places = [(x, tube.outer) for tube in tubes for x in _cuts(tube, longest)]
+    places = [(x, tube.radii(x)[1]) for tube in tubes for x in _cuts(tube, longest)]
     first = np.array([rings.first[place] for place in dict.fromkeys(places)])
     for angle in range(0, rings.facets, rings.facets // GENERATORS):
         yield first + angle
@@ -102,7 +123,7 @@ def _generators(rings: _Rings, tubes: Sequence[Tube], longest: float) -> Iterato
 def _edges(rings: _Rings, tubes: Sequence[Tube]) -> Iterator[Whole]:
     """Circles where sections begin and end."""
     around = np.append(np.arange(rings.facets), 0)
-    ends = {(x, tube.outer): None for tube in tubes for x in (tube.left, tube.right)}
+    ends = {(x, tube.radii(x)[1]): None for tube in tubes for x in (tube.left, tube.right)}
     for place in ends:
         yield rings.first[place] + around
 

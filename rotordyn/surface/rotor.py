@@ -28,7 +28,11 @@ def rotor_surface(spindle: Spindle, facets: int = FACETS) -> Surface:
     longest = (shaft.end - shaft.start) / RINGS_OVER_LENGTH
     edges = shaft.boundaries
     tubes = [
-        Tube(left, right, section.inner_diameter / 2.0, section.outer_diameter / 2.0)
+        Tube(
+            left,
+            right,
+            *(d / 2.0 for pair in zip(section.inner, section.outer, strict=True) for d in pair),
+        )
         for section, left, right in zip(shaft.sections, edges, edges[1:], strict=False)
     ]
     bodies = [revolved(SHAFT, tubes, longest, facets)]
@@ -85,7 +89,7 @@ def _disc(disc: Disc, number: int, facets: int) -> Surface:
 def _mass(mass: PointMass, number: int, shaft: Shaft, facets: int) -> Surface:
     """The hollow cylinder around the shaft that has the inertias of ``mass``, if there is one."""
     width = _COLLAR * (shaft.end - shaft.start)
-    inner = shaft.section_at(mass.x).outer_diameter / 2.0
+    inner = shaft.diameters_at(mass.x)[0] / 2.0
     outer = 1.06 * inner
     if mass.mass > 0.0 and 2.0 * mass.polar_inertia / mass.mass > inner**2 + outer**2:
         outer = math.sqrt(2.0 * mass.polar_inertia / mass.mass - inner**2)
@@ -105,6 +109,6 @@ def _outer_ring(seat: BearingSeat, seats: Sequence[BearingSeat], facets: int) ->
 
 def _support(support: LinearSupport, shaft: Shaft, facets: int) -> Surface:
     half = _COLLAR * (shaft.end - shaft.start) / 2.0
-    radius = shaft.section_at(support.x).outer_diameter / 2.0
+    radius = shaft.diameters_at(support.x)[0] / 2.0
     tube = Tube(support.x - half, support.x + half, 1.25 * radius, 1.6 * radius)
     return revolved(support.name, [tube], facets=facets, station=support.x)

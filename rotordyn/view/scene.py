@@ -232,7 +232,7 @@ def _rows(points: Array) -> Any:
 
 
 def _widest(part: Spindle) -> float:
-    return max(section.outer_diameter for section in part.shaft.sections)
+    return max(max(section.outer) for section in part.shaft.sections)
 
 
 def _on_axis(x: Array) -> Array:

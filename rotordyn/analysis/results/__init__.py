@@ -1,4 +1,4 @@
-"""What the analyses answer: frozen arrays that know their dimensions and units, nothing else.
+"""Results of the analyses: frozen arrays that know their dimensions and units, nothing else.
 
 Every field is declared with its dimensions and unit (``result``). A value that does not exist is
 NaN only where an ``outcome`` of the same speed, an ``absence``, or the label of the same mode says

@@ -18,7 +18,6 @@ from rotordyn.case.schema.rotor import RotorEntry
 from rotordyn.case.schema.shaft import DiscEntry, MassEntry, SectionEntry, ShaftEntry, ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.case.schema.support import SeatEntry, SleeveEntry, SupportEntry
-from rotordyn.machine.cone import cone
 from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.growth import (
@@ -121,9 +120,16 @@ def _reference(entry: ReferenceEntry) -> Reference:
 
 def _sections(entries: Sequence[SectionEntry], common: MaterialEntry | None) -> tuple[Section, ...]:
     return tuple(
-        cylinder
+        Section(
+            s.length,
+            s.outer_diameter,
+            s.inner_diameter,
+            material(s.material or common),
+            s.name,
+            s.rear_outer_diameter,
+            s.rear_inner_diameter,
+        )
         for s in entries
-        for cylinder in cone(s.length, s.outer, s.inner, material(s.material or common), s.name)
     )
 
 

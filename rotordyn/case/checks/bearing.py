@@ -183,7 +183,8 @@ def _hole(entry: SpindleEntry, x: float) -> float | None:
     left = entry.shaft.start
     for section in entry.shaft.sections:
         if left <= x < left + section.length:
-            return max(section.inner)
+            front, rear = section.inner
+            return front + (x - left) / section.length * (rear - front)
         left += section.length
     return None
 

@@ -12,8 +12,6 @@ from rotordyn.case.agreement import (
     NEEDS_BEARINGS,
     OF_A_BEARING,
     OF_BALLS,
-    TAKE_RIGID,
-    rigid_supports,
 )
 from rotordyn.case.build.spindle import support
 from rotordyn.case.build.sweep import values
@@ -162,7 +160,6 @@ def against_machine(
     if entry.analyses.stiffness is not None:
         _stiffness(entry.analyses.stiffness, points, spindle, root, faults)
         _one_plane(supports, root, faults)
-    _rigid(entry, spindle, root, faults)
     if entry.analyses.section_forces is not None:
         section_forces(entry, spindle, tool, root, faults)
     unbalance(entry, spindle, tool, root, faults)
@@ -179,13 +176,6 @@ def _known_there(
     for each in supports:
         for sentence in each.beyond(values(entry.speeds)):
             faults.at(root, ("speeds",), sentence)
-
-
-def _rigid(entry: CaseEntry, spindle: SpindleEntry, root: Node, faults: Faults) -> None:
-    """Only some questions take rigid supports."""
-    for name in sorted(entry.analyses.model_fields_set - {*TAKE_RIGID, *OF_A_BEARING}):
-        for sentence in rigid_supports(spindle.supports):
-            faults.at_key(root, ("analyses", name), sentence)
 
 
 def _supports(spindle: SpindleEntry) -> list[LinearSupport]:

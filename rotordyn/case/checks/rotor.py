@@ -74,7 +74,7 @@ def _alone(rotor: RotorEntry, root: Node, faults: Faults) -> None:
 def _held(entry: SpindleEntry, name: str) -> frozenset[str]:
     touching = [support for support in entry.supports if name in support.ends]
     stiff = [pair for s in touching for pair, value in entries(s.stiffness).items() if acts(value)]
-    return freedoms_held(stiff)
+    return freedoms_held(stiff, (freedom for s in touching for freedom in s.rigid))
 
 
 def on_rotors(

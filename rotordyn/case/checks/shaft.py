@@ -9,7 +9,7 @@ from rotordyn.case.checks.names import unique
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
 from rotordyn.case.schema.shaft import DiscEntry, MassEntry, SectionEntry
-from rotordyn.machine.cone import cone_faults
+from rotordyn.machine.shaft import taper_faults
 from rotordyn.units import format_quantity
 
 Span = tuple[float, float]
@@ -45,11 +45,11 @@ def wall(
 
 
 def _rear_wall(entry: SectionEntry, root: Node, way: tuple[object, ...], faults: Faults) -> None:
-    """A cone has a wall at its rear end, and is not too steep for its cylinders."""
+    """A cone has a wall at its rear end, and is not too steep."""
     known = (*entry.outer, *entry.inner)
     if entry.inner_diameter >= entry.outer_diameter or any(math.isnan(d) for d in known):
         return
-    for sentence in cone_faults(entry.outer, entry.inner):
+    for sentence in taper_faults(entry.outer, entry.inner):
         faults.at(root, way, sentence)
 
 

@@ -291,7 +291,7 @@ MEANINGS: dict[str, dict[str, str]] = {
         "x": "station",
         "stiffness": "between its two ends, 6×6, in the fixed frame",
         "damping": "between its two ends, 6×6, in the fixed frame",
-        "rigid": "freedoms that do not move (`section_forces` only), instead of a stiffness",
+        "rigid": "freedoms that do not move, instead of a stiffness",
         "speeds": "of the values in lists, ascending; nothing is known beyond the first and last",
         "table": "CSV file that holds these lists instead "
         "([columns](conventions.md#tables-over-speed))",

@@ -84,7 +84,7 @@ class SupportEntry(Entry):
     """A linear support to ground or to another rotor, by its matrices; nothing is made symmetric.
 
     An entry by name may be a list, one value at each of `speeds`, straight lines in between. Or
-    freedoms held rigidly, which only `section_forces` takes.
+    freedoms held rigidly, which do not move.
     """
 
     name: Name

@@ -8,12 +8,12 @@ Freedoms: (v1, φ1, v2, φ2) of ``plane_bending``, then between the nodes, for d
 
 Together v has degree n + 1 and φ = v′ degree n: nothing locks at any slenderness, and frequencies
 err as h^(2n). In the energy of deformation all inner freedoms stand alone, which keeps slender
-elements well conditioned.
+elements well conditioned. A beam rigid in shear (Φ = 0) has no freedoms of shear. In a cone the
+shapes are those of the section in its middle, and all energies are integrated at Gauss points.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -24,13 +24,13 @@ from rotordyn.model.elements.polynomials import bubbles, points
 from rotordyn.model.elements.standard_beam import PlaneBending, plane_bending, shear_parameter
 
 Array = NDArray[np.float64]
-MORE = 10  # degrees of polynomials that Gauss points take beside the square of the shapes
+Whole = NDArray[np.intp]
 _CONSTANT = 1.0 / 6.0**0.5  # shear angle of the freedom of constant shear: −½ ∫ψ_2 dξ
 
 
-def inner_freedoms(degree: int) -> int:
-    """Freedoms between the nodes of an element of ``degree`` n ≥ 1 (1: the standard element)."""
-    return 0 if degree < 2 else 2 * degree - 1
+def inner_freedoms(degree: Whole, sheared: bool = True) -> Whole:
+    """Freedoms between the nodes of elements of ``degree`` n ≥ 1 (1: the standard element)."""
+    return np.where(degree < 2, 0, 2 * degree - 1 if sheared else degree - 2)
 
 
 def hierarchic_bending(
@@ -68,8 +68,8 @@ def hierarchic_bending(
     xi, weight = points(2 * degree + 4)
     shape = shapes(length, phi, degree, xi)
     along = weight * length[:, None] / 2.0
-    translational = _product(shape.deflection, (density * ring)[:, None] * along)
-    rotary = _product(shape.rotation, (density * moment)[:, None] * along)
+    translational = _product(shape.deflection, (density * ring)[:, None], along)
+    rotary = _product(shape.rotation, (density * moment)[:, None], along)
     translational[:, :4, :4] = standard.translational_mass
     rotary[:, :4, :4] = standard.polar / 2.0
     stiffness = np.zeros_like(rotary)
@@ -84,51 +84,67 @@ def hierarchic_bending(
     )
 
 
-def tapered_bending(
-    length: Array, phi: Array, sections: Callable[[Array], Sequence[Array]], *, degree: int
-) -> PlaneBending:
-    """The same of elements whose sections change along them, integrated over Gauss points.
-
-    ``phi`` Φ (elements,), that of the shape functions; ``sections`` at ξ (points,): κGA [N],
-    EI [N·m²], ρA [kg/m], ρI [kg·m], each (elements, points).
-    """
-    xi, weight = points(2 * degree + MORE)
-    shape = shapes(length, phi, degree, xi)
-    shear, bending, mass, inertia = sections(xi)
-    along = weight * length[:, None] / 2.0
-    translational = _product(shape.deflection, mass * along)
-    rotary = _product(shape.rotation, inertia * along)
-    stiffness = _product(shape.curvature, bending * along)
-    stiffness += _product(shape.slope - shape.rotation, shear * along)
-    return PlaneBending(
-        mass=translational + rotary,
-        translational_mass=translational,
-        polar=2.0 * rotary,
-        stiffness=stiffness,
-    )
-
-
 def _inner_stiffness(length: Array, bending: Array, shear: Array, degree: int) -> Array:
-    """Energy of each inner freedom (elements, 2·degree − 1)."""
+    """Energy of each inner freedom (elements, ``inner_freedoms``)."""
     one = np.ones((1, degree))
     pure_shear = (2.0 * shear / length)[:, None] * one
     constant = 2.0 * bending / length + shear * _CONSTANT**2 * length
     pure_bending = (2.0 * bending / length)[:, None] * one[:, 2:]
+    if np.isinf(shear).all():
+        return np.asarray(pure_bending)
     return np.concatenate([pure_shear, constant[:, None], pure_bending], axis=1)
+
+
+def tapered_points(degree: int) -> tuple[Array, Array]:
+    """Gauss points on [−1, 1] and weights, exact for all of a cone but its shear coefficient."""
+    return points(max(2 * degree, 4) + 8)
+
+
+def tapered_bending(
+    length: Array,
+    phi: Array,
+    shear: Array,
+    bending: Array,
+    line_mass: Array,
+    rotary: Array,
+    *,
+    degree: int,
+    xi: Array,
+    weight: Array,
+) -> PlaneBending:
+    """Matrices of elements that change along the axis, as ``hierarchic_bending``.
+
+    ``phi`` (elements,): Φ of their shapes. κGA [N], EI [N·m²], ρA [kg/m] and ρI [kg·m] (elements,
+    points) at the points ``xi`` of a quadrature.
+    """
+    shape, along = shapes(length, phi, degree, xi), weight * length[:, None] / 2.0
+    translational = _product(shape.deflection, line_mass, along)
+    rotation = _product(shape.rotation, rotary, along)
+    stiffness = _product(shape.curvature, bending, along)
+    if phi.any():
+        stiffness = stiffness + _product(shape.shear, shear, along)
+    return PlaneBending(
+        mass=translational + rotation,
+        translational_mass=translational,
+        polar=2.0 * rotation,
+        stiffness=stiffness,
+    )
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Shapes:
-    """Shape functions of all freedoms, each (elements, points, freedoms)."""
+    """Shape functions of all freedoms, each (elements, points, freedoms); ``shear``: v′ − φ."""
 
     deflection: Array
     slope: Array
     rotation: Array
     curvature: Array
+    shear: Array
 
 
 def shapes(length: Array, phi: Array, degree: int, xi: Array) -> Shapes:
-    """v, v′, φ and φ′ at ``xi`` on [−1, 1]; ``phi`` Φ = 12 EI/(κGA L²), (elements,).
+    """v, v′, φ and φ′ at ``xi`` on [−1, 1]; ``phi`` Φ = 12 EI/(κGA L²), (elements,): zeros of
+    beams rigid in shear.
 
     ``xi``: (points,) the same of all elements, or (elements, points).
     """
@@ -136,11 +152,13 @@ def shapes(length: Array, phi: Array, degree: int, xi: Array) -> Shapes:
     if degree < 2:
         return Shapes(*nodal)
     inner = _inner(length, degree, xi)
+    if not phi.any():
+        inner = [each[..., degree + 1 :] for each in inner]
     return Shapes(*(np.concatenate(pair, axis=-1) for pair in zip(nodal, inner, strict=True)))
 
 
 def _inner(length: Array, degree: int, xi: Array) -> list[Array]:
-    """v, v′, φ, φ′ of the inner freedoms."""
+    """v, v′, φ, φ′, v′ − φ of the inner freedoms."""
     half = length[:, None, None] / 2.0
     integral, psi, rise = bubbles(degree + 1, xi)
     none = np.zeros((*xi.shape, degree))
@@ -148,17 +166,19 @@ def _inner(length: Array, degree: int, xi: Array) -> list[Array]:
     bent = np.concatenate([level, integral[..., 1:-1]], axis=-1)
     leaning = np.concatenate([psi[..., :1] + _CONSTANT, psi[..., 1:-1]], axis=-1)
     wide = np.ones_like(half)
+    sheared = np.where(np.arange(degree - 1) == 0, _CONSTANT, 0.0) * np.ones_like(xi)[..., None]
     return [
         np.concatenate([psi * wide, half * bent], axis=-1),
         np.concatenate([rise / half, leaning * wide], axis=-1),
         np.concatenate([none, psi[..., :-1]], axis=-1) * wide,
         np.concatenate([none, rise[..., :-1]], axis=-1) / half,
+        np.concatenate([rise / half, sheared * wide], axis=-1),
     ]
 
 
 def _nodal(length: Array, phi: Array, xi: Array) -> list[Array]:
-    """v, v′, φ, φ′ of exact static answers to unit displacements of the nodes: of constant shear
-    force.
+    """v, v′, φ, φ′, v′ − φ of exact static answers to unit displacements of the nodes: of constant
+    shear force.
 
     Cubics in the place s from 0 to 1: those of a beam without shear and Φ times others, over 1 + Φ.
     """
@@ -170,7 +190,8 @@ def _nodal(length: Array, phi: Array, xi: Array) -> list[Array]:
     lever = np.where(_TILTS, h, 1.0)
     v = (_DEFLECTION + f * _DEFLECTION_SHEAR) / (1.0 + f) * lever
     turn = (_ROTATION + f * _ROTATION_SHEAR) / (1.0 + f) * lever / h
-    return [place @ v, rate @ v, place @ turn, rate @ turn]
+    lean = f / (1.0 + f) * np.where(_TILTS, -0.5, np.array([-1.0, 0.0, 1.0, 0.0]) / h)
+    return [place @ v, rate @ v, place @ turn, rate @ turn, lean * one[..., None]]
 
 
 # Coefficients of 1, s, s², s³ (rows) in the answers to (v1, φ1, v2, φ2).
@@ -181,8 +202,8 @@ _ROTATION = np.array([[0, 1, 0, 0], [-6, -4, 6, -2], [6, 3, -6, 3], [0, 0, 0, 0]
 _ROTATION_SHEAR = np.array([[0, 1, 0, 0], [0, -1, 0, 1], [0, 0, 0, 0], [0, 0, 0, 0]], dtype=float)
 
 
-def _product(shape: Array, factor: Array) -> Array:
-    """Σ factor · shapeᵀ shape over the points (elements, points) of every element (elements,
-    freedoms, freedoms)."""
-    weighted = shape * factor[..., None]
+def _product(shape: Array, factor: Array, along: Array) -> Array:
+    """∫ factor · shapeᵀ shape dx of every element (elements, freedoms, freedoms); ``factor``
+    (elements, points or 1)."""
+    weighted = shape * (factor * along)[..., None]
     return np.asarray(np.swapaxes(weighted, -1, -2) @ shape)

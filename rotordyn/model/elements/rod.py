@@ -6,7 +6,6 @@ frequencies err as h^(2n).
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,7 +16,6 @@ from rotordyn.model.elements.polynomials import bubbles, points
 Array = NDArray[np.float64]
 
 _STIFFNESS = np.array([[1.0, -1.0], [-1.0, 1.0]])
-MORE = 10  # as in ``beam``
 _MASS = np.array([[2.0, 1.0], [1.0, 2.0]]) / 6.0
 
 
@@ -68,23 +66,25 @@ def hierarchic_rod(length: Array, rigidity: Array, line_inertia: Array, *, degre
     return Rod(mass=mass, stiffness=stiffness)
 
 
+def tapered_points(degree: int) -> tuple[Array, Array]:
+    """Gauss points on [−1, 1] and weights, exact for a conical rod."""
+    return points(2 * degree + 4)
+
+
 def tapered_rod(
-    length: Array, properties: Callable[[Array], tuple[Array, Array]], *, degree: int
+    length: Array, rigidity: Array, line_inertia: Array, *, degree: int, xi: Array, weight: Array
 ) -> Rod:
-    """The same of rods whose ``properties`` change along them: rigidity and inertia at ξ (points,),
-    (elements, points) each."""
-    xi, weight = points(2 * degree + MORE)
-    rigidity, inertia = properties(xi)
-    along = weight * length[:, None] / 2.0
-    shape = np.broadcast_to(shapes(degree, xi), (len(length), len(xi), degree + 1))
-    ends = np.broadcast_to([-0.5, 0.5], (len(xi), 2))
-    slope = ends if degree < 2 else np.concatenate([ends, bubbles(degree, xi)[2]], axis=-1)
-    slope = slope / (length / 2.0)[:, None, None]
-    mass, stiffness = (
-        np.swapaxes(rows * (factor * along)[..., None], 1, 2) @ rows
-        for rows, factor in ((shape, inertia), (slope, rigidity))
+    """The same of rods that change along the axis: ``rigidity`` and ``line_inertia`` (elements,
+    points) at the points ``xi`` of a quadrature."""
+    shape, half = shapes(degree, xi), length[:, None] / 2.0
+    rise = np.stack([-0.5 + 0.0 * xi, 0.5 + 0.0 * xi], axis=-1)
+    if degree > 1:
+        rise = np.concatenate([rise, bubbles(degree, xi)[2]], axis=-1)
+    mass, stiffness = (line_inertia * weight * half), (rigidity * weight / half)
+    return Rod(
+        mass=np.einsum("ep,pi,pj->eij", mass, shape, shape, optimize=True),
+        stiffness=np.einsum("ep,pi,pj->eij", stiffness, rise, rise, optimize=True),
     )
-    return Rod(mass=mass, stiffness=stiffness)
 
 
 def shapes(degree: int, xi: Array) -> Array:

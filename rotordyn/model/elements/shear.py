@@ -32,24 +32,27 @@ def hutchinson(poisson_ratio: ArrayLike, diameter_ratio: ArrayLike) -> Array:
     return 6.0 * (1.0 + nu) ** 2 * plus / below
 
 
+RIGID = "none"  # no deformation in shear: Euler and Bernoulli's beam
 FORMULAS = {"cowper": cowper, "hutchinson": hutchinson}
 
 
 def shear_coefficient(
     choice: str | float, poisson_ratio: ArrayLike, diameter_ratio: ArrayLike
 ) -> Array:
-    """κ by the name of a formula, or the number itself.
+    """κ by the name of a formula, or the number itself; infinite for ``"none"``.
 
     Raises
     ------
     InvalidInput : the name is unknown, or the number not positive and finite
     """
+    shape = np.broadcast_shapes(np.shape(poisson_ratio), np.shape(diameter_ratio))
+    if choice == RIGID:
+        return np.full(shape, math.inf)
     if isinstance(choice, str):
         if choice not in FORMULAS:
-            known = ", ".join(FORMULAS)
+            known = ", ".join([*FORMULAS, RIGID])
             raise InvalidInput(f"unknown shear coefficient {choice!r}: one of {known}, or a number")
         return FORMULAS[choice](poisson_ratio, diameter_ratio)
     if not (math.isfinite(choice) and choice > 0.0):
         raise InvalidInput(f"a shear coefficient must be positive, got {choice!r}")
-    shape = np.broadcast_shapes(np.shape(poisson_ratio), np.shape(diameter_ratio))
     return np.full(shape, float(choice))

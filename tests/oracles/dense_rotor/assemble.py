@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from rotordyn.machine.spindle import Spindle
 from rotordyn.model.mesh import Mesh
-from rotordyn.model.shaft import shear_coefficients
+from rotordyn.model.section import shear_coefficients
 from tests.oracles.dense_rotor.lumped import lumped_element
 from tests.oracles.dense_rotor.selection import ALL, AXIAL, PLANE_Y, PLANE_Z, TORSION, Selection
 from tests.oracles.dense_rotor.timoshenko import shaft_element
@@ -97,6 +97,8 @@ def add_at_nodes(matrix: Array, nodes: Sequence[int], blocks: Array) -> Array:
 
 
 def _matrix(spindle: Spindle, mesh: Mesh, name: str, rows: Selection, columns: Selection) -> Array:
+    if mesh.tapers.any():
+        raise ValueError("standard elements of the dense rotor are cylinders")
     element = shaft_element(
         mesh.length,
         mesh.outer_diameter,

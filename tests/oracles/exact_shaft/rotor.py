@@ -82,6 +82,8 @@ def exact_rotor(
 
 
 def _segments(spindle: Spindle, mesh: Mesh, tension: Array) -> Segments:
+    if mesh.tapers.any():
+        raise InvalidInput("the exact shaft is made of cylinders")
     ratio = mesh.inner_diameter / mesh.outer_diameter
     ring = area(mesh.outer_diameter, mesh.inner_diameter)
     moment = second_moment(mesh.outer_diameter, mesh.inner_diameter)

@@ -11,14 +11,13 @@ import numpy as np
 import pytest
 
 from bearings import FourPointBallBearing
-from rotordyn.machine.cone import cone
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.housing import RigidHousing
 from rotordyn.machine.joint import Joint
-from rotordyn.machine.shaft import Shaft
+from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.support import BearingSeat
 from rotordyn.plots.labels import spread
-from rotordyn.plots.machine import _runs, machine_figure
+from rotordyn.plots.machine import _draw_section, machine_figure
 from rotordyn.plots.sketch import Sketch
 from rotordyn.plots.symbols import contact_lines, draw_drawbar
 from tests.oracles.rotors import STEPPED, support
@@ -142,7 +141,8 @@ def test_spread_of_too_many_stays_inside():
 
 def test_a_cone_is_drawn_whole_its_joints_and_housing_named() -> None:
     steel = STEPPED.shaft.sections[0].material
-    shaft = Shaft(0.0, (*cone(0.1, (0.03, 0.06), (0.0, 0.01), steel), *STEPPED.shaft.sections))
+    nose = Section(0.1, 0.03, 0.0, steel, "nose", 0.06, 0.01)
+    shaft = Shaft(0.0, (nose, *STEPPED.shaft.sections))
     supports = (support("left", 0.12, (1e7, 1e7)), support("right", 0.3, (1e7, 1e7)))
     box = RigidHousing("box", ("left", "right"), 0.2, 9.0, {("y", "y"): 1e8, ("z", "z"): 1e8})
     machine = replace(
@@ -153,7 +153,9 @@ def test_a_cone_is_drawn_whole_its_joints_and_housing_named() -> None:
         housings=(box,),
         joints=(Joint("flange", 0.2, tilt=1e5),),
     )
-    runs = _runs(shaft.sections)
-    assert [len(run) for run in runs] == [len(shaft.sections) - 4, 1, 1, 1, 1]
+    sketch = Sketch()
+    _draw_section(sketch, nose, 0.0, 100.0, "#B9C4CE", 0)
+    wall, *_ = sketch.polygons["#B9C4CE", "#333333", 0.7, 2]
+    assert wall == [(0.0, 0.0), (100.0, 5.0), (100.0, 30.0), (0.0, 15.0)]
     words = {text.get_text() for text in machine_figure(machine).axes[0].texts}
     assert {"flange", "box", "left", "right"} <= words

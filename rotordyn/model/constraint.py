@@ -1,0 +1,43 @@
+"""Motions that rigid supports allow: R q = 0 is solved, no spring stands for it.
+
+In coordinates of unit mass and stiffness ω², rigid motions of a body (ω = 0) follow its elastic
+ones as far as they can, q_r = −R_r⁺ R_e q_e, which costs no energy; what then is left of R holds
+elastic motions, taken in the measure ω q_e. The basis is the left singular vectors of these
+motions: orthonormal, slow motions first, which keep their digits however stiff the rest is.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+DEPENDENT = 1e-10  # of the largest: a constraint with less follows from the others
+
+
+def allowed_motions(rows: Array, stiffness: Array) -> Array:
+    """Orthonormal basis (n, m) of the coordinates q with ``rows`` (c, n) q = 0.
+
+    ``stiffness`` ω² (n,) [rad²/s²] of the coordinates by themselves, 0 of rigid motions. Rows that
+    follow from others hold nothing more.
+    """
+    rows = rows / np.abs(rows).max(axis=1, keepdims=True)
+    first = np.argmax(np.abs(rows) > 0.5, axis=1)
+    rows = rows * np.sign(rows[np.arange(len(rows)), first])[:, None]  # alike in both planes
+    free = stiffness <= 0.0
+    ways, size, turn = np.linalg.svd(rows[:, free])
+    rank = int((size > DEPENDENT).sum())
+    follow = -turn[:rank].T @ ((ways[:, :rank] / size[:rank]).T @ rows[:, ~free])
+    soft = np.sqrt(stiffness[~free].min(initial=np.inf) / stiffness[~free])
+    elastic = soft[:, None] * _null_space((ways[:, rank:].T @ rows[:, ~free]) * soft)
+    motions = np.zeros((len(stiffness), elastic.shape[1]))
+    motions[free], motions[~free] = follow @ elastic, elastic
+    still = np.zeros((len(stiffness), turn.shape[0] - rank))
+    still[free] = turn[rank:].T
+    return np.hstack([still, np.linalg.svd(motions, full_matrices=False)[0]])
+
+
+def _null_space(rows: Array) -> Array:
+    """(n, m) of rows (c, n)."""
+    _, size, turn = np.linalg.svd(rows)
+    return np.asarray(turn[int((size > DEPENDENT * size.max(initial=0.0)).sum()) :].T)
