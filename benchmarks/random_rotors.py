@@ -3,8 +3,8 @@
 One to eight sections of 0.2 to 500 diameters, discs, masses, two to four springs, up to five times
 the first critical speed; the lowest six frequencies of both whirls, against the exact shaft.
 Missing or spurious modes, errors beyond the accuracy asked for, and the reported error beside the
-true one are counted. Then one to sixty sections on damped supports that tell directions apart, against all
-eigenvalues of the assembled matrices. Both are written into ``benchmarks/results.json``.
+true one are counted. Then one to sixty sections on damped supports that tell directions apart,
+against all eigenvalues of the assembled matrices. Both are written into ``benchmarks/results.json``.
 """
 
 from __future__ import annotations

@@ -22,7 +22,13 @@ PAGES = {
     "rotordyn": ("rotordyn", ("rotordyn", "rotordyn.errors")),
     "bearings": (
         "bearings",
-        ("bearings", "bearings.ring.state", "bearings.fit.compound", "bearings.debongnie"),
+        (
+            "bearings",
+            "bearings.ring.state",
+            "bearings.fit.compound",
+            "bearings.fit.cylinder",
+            "bearings.debongnie",
+        ),
     ),
     "machine": ("Machines", ("rotordyn.machine", "rotordyn.machine.*")),
     "analyses": ("Analyses", ("rotordyn.analysis", "rotordyn.analysis.specs")),

@@ -19,7 +19,15 @@ def setup(app: Any) -> dict[str, bool]:
     """Have autodoc hand over every docstring it reads."""
     app.connect("autodoc-process-docstring", _process)
     app.connect("autodoc-process-signature", _signature)
+    _print_aliases_by_name()
     return {"parallel_read_safe": True, "parallel_write_safe": True}
+
+
+def _print_aliases_by_name() -> None:
+    """Sphinx prints an alias inside another type, as in ``tuple[Array, Array]``, by its repr."""
+    from sphinx.util.inspect import TypeAliasForwardRef
+
+    TypeAliasForwardRef.__repr__ = lambda alias: alias.name
 
 
 def _process(app: Any, what: str, name: str, obj: Any, options: Any, lines: list[str]) -> None:

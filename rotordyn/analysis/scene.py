@@ -119,10 +119,11 @@ class Scene(Statics):
             f"{speed * RPM.factor:.0f} rpm; raise its interference"
             for name, speed in released_fits(self.spindle, float(self.bearing_speed.max()))
         )
+        held = [s for each in self.spindle.supports for s in each.held_at(self.speed)]
         found = list(self.systems.values())
         grown = instability(found, self.speed[self.usable]) if found else ()
         pressed = self.preload.small_shims() if "preload" in self.solved else ()
-        return (*fits, *pressed, *grown)
+        return (*fits, *pressed, *held, *grown)
 
     def node(self, at: str | float | Place) -> int:
         """The node shown of a named point, of a station on the shaft or of a place, among those of

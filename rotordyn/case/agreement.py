@@ -116,7 +116,7 @@ def supports_agree(
 ) -> Iterator[str]:
     """Supports are known at the speeds; none turns motion along the axis into a push aside."""
     for support in spindle.supports:
-        yield from support.beyond(speeds)
+        yield from support.unknown_at(speeds)
     own = conditions
     moved = moved_along(speeds, own.bearings, own.axial_force, own.gravity != "none")
     for support in spindle.supports if spindle.seats and moved else ():

@@ -44,6 +44,7 @@ MOTIONS = {
 Value = float | tuple[float, ...]
 Entries = Mapping[tuple[Freedom, Freedom], Value]
 TILTS = frozenset({"thy", "thz"})
+BEYOND = ("refuse", "hold")  # what becomes of a speed that a table does not reach
 TABLED = ("y", "z", "thy", "thz")  # freedoms whose entries may follow the speed
 RPM = math.pi / 30.0
 SYMMETRIC = 1e-9  # of an entry: less than that is rounding
@@ -170,8 +171,8 @@ class LinearSupport(Description):
     x, y, z, thx, thy, thz. Entries not named are zero; nothing is symmetrised. Freedoms in
     ``rigid`` do not move at all and have no stiffness.
     An entry among y, z, thy and thz may be a tuple of values, one at each of ``speeds`` [rad/s],
-    linear in between and not known beyond. ``loss_factor`` [-]: hysteretic damping, of its
-    stiffness.
+    linear in between; ``beyond`` the first and the last they are not known (``"refuse"``), or those
+    of the nearest end (``"hold"``). ``loss_factor`` [-]: hysteretic damping, of its stiffness.
     """
 
     name: Name
@@ -183,6 +184,7 @@ class LinearSupport(Description):
     holds: Name = SPINDLE
     against: Name = GROUND
     loss_factor: LossFactor = 0.0
+    beyond: Annotated[str, Choice(BEYOND)] = "refuse"
 
     def _faults(self) -> Iterator[str]:
         found = [*table_faults(self.stiffness, self.damping, self.speeds)]
@@ -190,6 +192,7 @@ class LinearSupport(Description):
         if not found:
             yield from loss_faults(self.stiffness, self.loss_factor)
         yield from _too_large(self.stiffness, self.damping)
+        yield from hold_faults(self.beyond, self.speeds)
         if any(b <= a for a, b in pairwise(self.speeds)):
             yield "the speeds of its table must ascend without repeats"
         for freedom in doubled(self.rigid):
@@ -221,27 +224,44 @@ class LinearSupport(Description):
         """
         if not self.speeds:
             return self
-        for sentence in self.beyond((speed,)):
+        for sentence in self.unknown_at((speed,)):
             raise InvalidInput(sentence)
         stiffness, damping = (
             {pair: _between(self.speeds, value, speed) for pair, value in entries.items()}
             for entries in (self.stiffness, self.damping)
         )
-        return replace(self, stiffness=stiffness, damping=damping, speeds=())
+        return replace(self, stiffness=stiffness, damping=damping, speeds=(), beyond="refuse")
 
-    def beyond(self, speeds: Iterable[float]) -> Iterator[str]:
-        """A sentence where the first of ``speeds`` [rad/s] lies that its table does not hold."""
-        if not self.speeds:
-            return
-        low, high = self.speeds[0], self.speeds[-1]
-        for speed in speeds:
-            if not low - SLACK * high <= speed <= high + SLACK * high:
+    def unknown_at(self, speeds: Iterable[float]) -> Iterator[str]:
+        """A sentence where the first of ``speeds`` [rad/s] lies that its table does not know."""
+        for speed in self._beside(speeds)[:1] if self.beyond == "refuse" else ():
+            yield (
+                f"support '{self.name}' is not known at that speed: given "
+                f"{speed / RPM:.6g} rpm; allowed: {self.speeds[0] / RPM:.6g} rpm to "
+                f"{self.speeds[-1] / RPM:.6g} rpm, the range of its table; or beyond: hold"
+            )
+
+    def held_at(self, speeds: Iterable[float]) -> Iterator[str]:
+        """A sentence about those of ``speeds`` [rad/s] at which an end of its table is held."""
+        beside = self._beside(speeds) if self.beyond == "hold" else []
+        for end, own in (
+            (self.speeds[:1], [speed for speed in beside if speed < self.speeds[0]]),
+            (self.speeds[-1:], [speed for speed in beside if speed > self.speeds[-1]]),
+        ):
+            if own:
+                low, high = (f"{each / RPM:.6g} rpm" for each in (min(own), max(own)))
+                at = low if low == high else f"{low} to {high}"
                 yield (
-                    f"support '{self.name}' is not known at that speed: given "
-                    f"{speed / RPM:.6g} rpm; allowed: {low / RPM:.6g} rpm to {high / RPM:.6g} rpm, "
-                    "the range of its table"
+                    f"support '{self.name}' is held beyond its table as at {end[0] / RPM:.6g} rpm, "
+                    f"at {at}: extend the table"
                 )
-                return
+
+    def _beside(self, speeds: Iterable[float]) -> list[float]:
+        """Speeds [rad/s] that its table does not reach."""
+        if not self.speeds:
+            return []
+        low, high = self.speeds[0], self.speeds[-1]
+        return [s for s in speeds if not low - SLACK * high <= s <= high + SLACK * high]
 
     @property
     def sideways(self) -> tuple[tuple[str, str], ...]:
@@ -303,6 +323,12 @@ def table_faults(
         yield ("speeds",), "speeds without a table: no entry has a list of values"
 
 
+def hold_faults(beyond: str, speeds: Sequence[float]) -> Iterator[str]:
+    """A sentence where there is no table whose ends could be held."""
+    if beyond == "hold" and not speeds:
+        yield "beyond: hold is of a table over speed, and there is none"
+
+
 def loss_faults(stiffness: Entries, loss_factor: float) -> Iterator[str]:
     """A sentence where a loss factor has no spring whose energy it could be a share of."""
     if loss_factor == 0.0:
@@ -351,7 +377,7 @@ def _resists(entries: Mapping[tuple[str, str], float]) -> bool:
 
 
 def _between(speeds: tuple[float, ...], value: Value, speed: float) -> float:
-    """Of a table, linear between its speeds; beside it (by rounding), its end."""
+    """Of a table, linear between its speeds; beside it, its end."""
     if not isinstance(value, tuple):
         return value
     k = min(max(bisect_left(speeds, speed), 1), len(speeds) - 1)

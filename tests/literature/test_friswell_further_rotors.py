@@ -77,7 +77,8 @@ def test_four_ways_to_join_disc_and_shaft(interface: str, tmp_path: Path) -> Non
         bending_poles(answered(HOLLOW.format(pin=pin, **parts), tmp_path)["campbell"]).imag[:6]
         for pin in ("5e5", "1e6")
     )
-    assert (2.0 * hard - soft) / HZ == pytest.approx(expected, abs=6e-5)
+    # digits printed, or what the reduction of these standard elements truncates
+    assert (2.0 * hard - soft) / HZ == pytest.approx(expected, abs=6e-5, rel=5e-7)
 
 
 SLENDER = """

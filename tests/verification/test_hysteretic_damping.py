@@ -444,7 +444,8 @@ def test_unbalance_without_damping_has_no_answer_where_it_meets_the_critical_spe
     found = turning(disc(), [0.5 * omega, exact, 2.0 * omega])
     assert found.outcome[0] == ""
     assert "critical speed without damping" in found.outcome[1]
-    assert found.outcome[2] == "" and found.unstable.tolist() == [False, False, True]
+    assert found.outcome[2] == ""
+    assert found.unstable.tolist() == [False, False, True]
 
 
 def test_unbalance_on_uneven_and_lossy_supports() -> None:

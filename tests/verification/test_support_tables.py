@@ -23,6 +23,8 @@ from rotordyn.analysis.specs import (
     SectionForcesSpec,
     StiffnessSpec,
 )
+from rotordyn.errors import InvalidInput
+from rotordyn.job import solve
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.spindle import Spindle
@@ -153,6 +155,27 @@ def test_reactions_of_a_beam() -> None:
     assert found.reaction[:, 0, 1] == pytest.approx(-100.0 * 0.1 / 0.17, rel=1e-9)
     sunk = found.deflection_y[:, front]
     assert sunk == pytest.approx(100.0 * 0.1 / 0.17 / np.array([1e7, 2.5e7]), rel=1e-9)
+
+
+def test_an_end_of_a_table_is_held_on_request() -> None:
+    """As a support of that constant value, with a warning; inside the table nothing changes."""
+    held = replace(TABLED, beyond="hold")
+    beyond = (0.0, 15000.0, 22000.0, 30000.0)
+    with pytest.raises(InvalidInput, match="not known at that speed: given 22000 rpm"):
+        TABLED.at(22000.0 * RPM)
+    whole = scene(on(held, OTHER), beyond)
+    for row, rpm in enumerate(beyond):
+        alone = scene(on(halfway(min(rpm, 20000.0)), OTHER), (rpm,))
+        ours, theirs = (np.sort_complex(all_poles(s, k)) for s, k in ((whole, row), (alone, 0)))
+        assert ours == pytest.approx(theirs, rel=1e-7)
+    (warning,) = (w for w in whole.warnings if "film" in w)
+    assert "as at 20000 rpm, at 22000 rpm to 30000 rpm" in warning
+    assert not any("film" in w for w in scene(on(held, OTHER), RPMS).warnings)
+    later = replace(held, speeds=(1000.0 * RPM, 6000.0 * RPM, 20000.0 * RPM))
+    (below,) = (w for w in scene(on(later, OTHER), (0.0, 9000.0)).warnings if "film" in w)
+    assert "as at 1000 rpm, at 0 rpm:" in below
+    with pytest.raises(InvalidInput, match="of a table over speed, and there is none"):
+        replace(OTHER, beyond="hold")
 
 
 CASE = """
@@ -399,3 +422,19 @@ def test_no_critical_speed_where_a_search_ends_at_the_range() -> None:
     assert len(above) >= 1
     for _, speed, state in solved(whole, branches, above):
         assert speed == pytest.approx(abs(state.pole.imag), rel=1e-6)
+
+
+def test_a_case_holds_a_table_on_request(tmp_path: Path) -> None:
+    text = (CASE % LISTS).replace("4000 rpm]", "7000 rpm]")
+    (tmp_path / "refused.yaml").write_text(text)
+    with pytest.raises(InvalidInput, match="not known at that speed: given 7000 rpm"):
+        rotordyn.load(tmp_path / "refused.yaml")
+    (tmp_path / "held.yaml").write_text(
+        text.replace("left, x: 0 m,", "left, x: 0 m, beyond: hold,")
+    )
+    solution = solve(rotordyn.load(tmp_path / "held.yaml"))
+    assert any("'left' is held beyond its table as at 6000 rpm" in w for w in solution.warnings)
+    none = CASE % "beyond: hold, stiffness: {yy: 1 N/um, zz: 1 N/um}"
+    (tmp_path / "none.yaml").write_text(none)
+    with pytest.raises(InvalidInput, match="hold is of a table over speed"):
+        rotordyn.load(tmp_path / "none.yaml")

@@ -208,7 +208,14 @@ def support(entry: SupportEntry) -> LinearSupport:
     matrices = entries(entry.stiffness), entries(entry.damping)
     rigid, speeds = tuple(entry.rigid), tuple(entry.speeds)
     return LinearSupport(
-        entry.name, entry.x, *matrices, rigid, speeds, *entry.ends, entry.loss_factor
+        entry.name,
+        entry.x,
+        *matrices,
+        rigid,
+        speeds,
+        *entry.ends,
+        entry.loss_factor,
+        entry.beyond,
     )
 
 

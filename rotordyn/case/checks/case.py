@@ -174,7 +174,7 @@ def _known_there(
 ) -> None:
     """Tables of supports reach over the speeds of the case."""
     for each in supports:
-        for sentence in each.beyond(values(entry.speeds)):
+        for sentence in each.unknown_at(values(entry.speeds)):
             faults.at(root, ("speeds",), sentence)
 
 

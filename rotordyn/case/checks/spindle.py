@@ -29,7 +29,14 @@ from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.case.schema.support import SupportEntry
 from rotordyn.machine.held import held_twice
 from rotordyn.machine.naming import name_faults
-from rotordyn.machine.support import SPINDLE, acts, loss_faults, rigid_and_elastic, table_faults
+from rotordyn.machine.support import (
+    SPINDLE,
+    acts,
+    hold_faults,
+    loss_faults,
+    rigid_and_elastic,
+    table_faults,
+)
 
 
 def spindle(entry: SpindleEntry, root: Node, tool: ToolEntry | None, faults: Faults) -> None:
@@ -119,6 +126,8 @@ def _support(entry: SupportEntry, root: Node, way: tuple[object, ...], faults: F
     for sentence in rigid_and_elastic(entry.rigid, named):
         faults.at(root, (*way, "rigid"), sentence)
     ascending(entry.speeds, root, (*way, "speeds"), faults)
+    for sentence in hold_faults(entry.beyond, entry.speeds):
+        faults.at(root, (*way, "beyond"), sentence)
     found = [*table_faults(entries(entry.stiffness), entries(entry.damping), entry.speeds)]
     for place, sentence in found:
         faults.at(root, (*way, *place), sentence)

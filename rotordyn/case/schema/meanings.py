@@ -217,7 +217,8 @@ MEANINGS: dict[str, dict[str, str]] = {
     },
     "shaft": {
         "start": "station of its front end",
-        "shear_coefficient": "formula by Poisson's ratio and diameters, or the coefficient",
+        "shear_coefficient": "formula by Poisson's ratio and diameters, or the coefficient; "
+        "`none`: no shear deformation (Euler and Bernoulli's beam)",
         "material": "of sections that name none; name, path or mapping",
         "sections": "from front to rear",
     },
@@ -294,7 +295,9 @@ MEANINGS: dict[str, dict[str, str]] = {
         "stiffness": "between its two ends, 6×6, in the fixed frame",
         "damping": "between its two ends, 6×6, in the fixed frame",
         "rigid": "freedoms that do not move, instead of a stiffness",
-        "speeds": "of the values in lists, ascending; nothing is known beyond the first and last",
+        "speeds": "of the values in lists, ascending",
+        "beyond": "at speeds outside a table: `refuse` the case, or `hold` the values of its "
+        "nearest end, with a warning",
         "table": "CSV file that holds these lists instead "
         "([columns](conventions.md#tables-over-speed))",
         "loss_factor": "η of its stiffness: hysteretic damping in the fixed frame, without further "

@@ -33,7 +33,7 @@ from rotordyn.case.schema.values import (
     choice,
     none_if_unknown,
 )
-from rotordyn.machine.support import GROUND, SPINDLE
+from rotordyn.machine.support import BEYOND, GROUND, SPINDLE
 
 
 class BearingDampingEntry(Entry):
@@ -97,6 +97,7 @@ class SupportEntry(Entry):
     loss_factor: LossFactor = 0.0
     holds: Name = SPINDLE
     against: Name = GROUND
+    beyond: Annotated[str, choice(*BEYOND)] = "refuse"
 
     @property
     def ends(self) -> tuple[str, str]:

@@ -97,7 +97,7 @@ def _inner_stiffness(length: Array, bending: Array, shear: Array, degree: int) -
 
 def tapered_points(degree: int) -> tuple[Array, Array]:
     """Gauss points on [−1, 1] and weights, exact for all of a cone but its shear coefficient."""
-    return points(max(2 * degree, 4) + 8)
+    return points(max(2 * degree, 4) + 10)
 
 
 def tapered_bending(
