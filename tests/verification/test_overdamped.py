@@ -1,0 +1,55 @@
+"""Overdamped modes are flagged by speed and mode."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from bearings.materials import Material
+from rotordyn.analysis import campbell
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import CampbellSpec, Conditions
+from rotordyn.machine.inertia import rotor_inertia
+from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import LinearSupport
+from rotordyn.report.datasets import dataset
+from rotordyn.report.tables import LAYOUTS, tidy_columns
+
+STEEL = Material("steel", 2.1e11, 0.3, 7800.0)
+SPEEDS, RATIOS = (0.0, 50.0, 100.0, 150.0), (0.2, 0.5, 0.8, 0.995)
+
+
+def test_a_rigid_rotor_whose_damper_grows_with_speed() -> None:
+    """ζ = c/√(2 k m)/2 of translation on two equal supports, at each speed of the table; tilt is
+    held by other springs, and does not take part."""
+    shaft = Shaft(0.0, (Section(0.4, 0.05, 0.0, STEEL),))
+    mass = rotor_inertia(Spindle("m", shaft)).mass
+    stiffness = 1e6
+    damping = tuple(2.0 * ratio * math.sqrt(stiffness * mass) for ratio in RATIOS)
+    entries = {
+        ("y", "y"): stiffness,
+        ("z", "z"): stiffness,
+        ("thy", "thy"): 1e9,
+        ("thz", "thz"): 1e9,
+    }
+    dampers = {("y", "y"): damping, ("z", "z"): damping}
+    middle = LinearSupport("s", 0.2, entries, dampers, speeds=SPEEDS)
+    spindle = Spindle("rigid", shaft, supports=(middle,))
+    scene = Scene(spindle, Conditions(rotor="rigid"), np.array(SPEEDS), 500.0)
+    found = campbell.answer(scene, CampbellSpec(500.0))
+    modes = [k for k, kind in enumerate(found.kind) if kind == "bending"]
+    assert len(modes) == 2
+    for k in modes:
+        assert found.damping_ratio[:, k] == pytest.approx(RATIOS, rel=1e-9)
+        assert found.overdamped[:, k].tolist() == [False, False, False, True]
+        omega = math.sqrt(stiffness / mass)
+        pole = [complex(-r, math.sqrt(1.0 - r * r)) * omega for r in RATIOS]
+        assert found.pole[:, k] == pytest.approx(np.array(pole), rel=1e-9)
+    assert not found.mostly_overdamped.any()
+    assert dataset(found)["overdamped"].dims == ("speed", "mode")
+    headers = [header for header, _ in tidy_columns(found, LAYOUTS["campbell"][0])]
+    assert any(header.startswith("overdamped") for header in headers)
+    assert any(header.startswith("pole") and "imaginary" in header for header in headers)
