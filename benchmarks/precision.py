@@ -19,8 +19,8 @@ from benchmarks.processes import ROOT
 from rotordyn.analysis import campbell
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions
+from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.machine.spindle import Spindle
-from rotordyn.model.free_motion import FreeMotions
 from tests.oracles.exact_shaft.bending import exact_poles
 
 Array = NDArray[np.float64]

@@ -4,7 +4,7 @@ One to eight sections of 0.2 to 500 diameters, discs, masses, two to four spring
 the first critical speed; the lowest six frequencies of both whirls, against the exact shaft.
 Missing or spurious modes, errors beyond the accuracy asked for, and the reported error beside the
 true one are counted. Then one to sixty sections on damped supports that tell directions apart,
-against all eigenvalues of the assembled matrices. Both are written into ``benchmarks/results.json``.
+against all eigenvalues of the assembled matrices. Both are kept in ``benchmarks/results.json``.
 """
 
 from __future__ import annotations

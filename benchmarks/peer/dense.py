@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 from scipy.linalg import eigvals, solve
 
 from benchmarks.peer import machine
+from rotordyn.equation.dofs import position
+from rotordyn.equation.fineness import Fineness
+from rotordyn.equation.mesh import build_mesh
+from rotordyn.equation.structure import Structure
+from rotordyn.equation.term import State
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import SPINDLE
-from rotordyn.model.dofs import position
-from rotordyn.model.fineness import Fineness
-from rotordyn.model.mesh import build_mesh
-from rotordyn.model.structure import Structure
-from rotordyn.model.term import State
 from tests.oracles.dense_rotor.unreduced import unreduced
 
 Array = NDArray[np.float64]

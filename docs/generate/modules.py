@@ -10,7 +10,7 @@ from pathlib import Path
 from docs.generate.marked import table
 from docs.generate.places import ROOT, THEORY
 
-ROOMS = ("bearings", "rotordyn/model", "rotordyn/model/elements")
+ROOMS = ("bearings", "rotordyn/equation", "rotordyn/equation/elements")
 ROOMS += tuple(f"rotordyn/{r}" for r in ("preload", "numerics", "analysis", "surface"))
 _LINK = re.compile(r"\]\(((?:\.\./)+[\w/]+\.py)\)")
 

@@ -11,10 +11,10 @@ from bearings import Material
 from docs.generate.places import ROOT
 from docs.generate.rows import Row
 from rotordyn.analysis.results import CampbellResult
+from rotordyn.equation.mesh import build_mesh
 from rotordyn.job import solve
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
-from rotordyn.model.mesh import build_mesh
 from tests.oracles.dense_rotor.assemble import bending_plane
 from tests.oracles.spinning_beam import PinnedBeam
 

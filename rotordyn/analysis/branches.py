@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 from rotordyn.analysis.results.modes import is_overdamped
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec
-from rotordyn.model.free_motion import FreeMotions
-from rotordyn.model.linear import Linear
+from rotordyn.equation.free_motion import FreeMotions
+from rotordyn.equation.linear import Linear
 from rotordyn.numerics.follow import doubts, follow
 from rotordyn.numerics.products import times
 

@@ -9,10 +9,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM
+from rotordyn.equation.statics import withstands
+from rotordyn.equation.structure import Structure
+from rotordyn.equation.term import State
 from rotordyn.machine.spindle import Spindle
-from rotordyn.model.statics import withstands
-from rotordyn.model.structure import Structure
-from rotordyn.model.term import State
 from rotordyn.preload.axial_force import AxialForce, axial_force
 
 Array = NDArray[np.float64]

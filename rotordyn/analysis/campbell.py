@@ -18,7 +18,7 @@ from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.shapes import scaled
 from rotordyn.analysis.specs import CampbellSpec
 from rotordyn.analysis.threshold import stability_threshold
-from rotordyn.model.dofs import DIRECTIONS
+from rotordyn.equation.dofs import DIRECTIONS
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

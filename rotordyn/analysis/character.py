@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.branches import PLANAR, Branch, circular_share
-from rotordyn.model.dofs import position
-from rotordyn.model.linear import Linear
+from rotordyn.equation.dofs import position
+from rotordyn.equation.linear import Linear
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

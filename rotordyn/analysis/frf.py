@@ -23,8 +23,8 @@ from rotordyn.analysis.results import (
 )
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import QUANTITIES, FrfSpec, Port
+from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.errors import InvalidInput
-from rotordyn.model.free_motion import FreeMotions
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ring.assembly import half_assembly
+from rotordyn.equation.statics import PlaneRotor
 from rotordyn.machine.limits import HIGHEST_PRESSURE
-from rotordyn.model.statics import PlaneRotor
 from rotordyn.preload.arrangement import HOUSING, SHAFT, AxialBearing
 from rotordyn.preload.bearing_iterates import BearingIterates, States
 from rotordyn.preload.network import Network

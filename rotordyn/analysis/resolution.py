@@ -7,9 +7,9 @@ from collections.abc import Iterator, Mapping
 
 from rotordyn.analysis.display import RPM
 from rotordyn.analysis.specs import Conditions, FrfSpec, Spec, UnbalanceSpec
+from rotordyn.equation.mesh import build_mesh
+from rotordyn.equation.shaft import half_wave
 from rotordyn.machine.spindle import Spindle
-from rotordyn.model.mesh import build_mesh
-from rotordyn.model.shaft import half_wave
 
 
 def beyond_elements(

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from rotordyn.analysis.branches import Branch, swings
 from rotordyn.analysis.excitation import Line
 from rotordyn.analysis.scene import Scene
-from rotordyn.model.free_motion import FreeMotions
-from rotordyn.model.hysteresis import Signs, signs_of
+from rotordyn.equation.free_motion import FreeMotions
+from rotordyn.equation.hysteresis import Signs, signs_of
 from rotordyn.numerics.follow import likeness
 
 Array = NDArray[np.float64]

@@ -19,14 +19,14 @@ from rotordyn.analysis.specs import Conditions
 from rotordyn.analysis.stability import instability
 from rotordyn.analysis.stage import Clock, Memo, stage, stage_of
 from rotordyn.analysis.statics import Statics, bodies
+from rotordyn.equation.component import Component
+from rotordyn.equation.fineness import Fineness
+from rotordyn.equation.free_motion import FreeMotions, free_motions
+from rotordyn.equation.linear import Linear, linear, subsystems
+from rotordyn.equation.structure import Structure
+from rotordyn.equation.term import State
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
-from rotordyn.model.component import Component
-from rotordyn.model.fineness import Fineness
-from rotordyn.model.free_motion import FreeMotions, free_motions
-from rotordyn.model.linear import Linear, linear, subsystems
-from rotordyn.model.structure import Structure
-from rotordyn.model.term import State
 from rotordyn.preload.growth import released_fits
 
 Array = NDArray[np.float64]

@@ -22,19 +22,19 @@ from rotordyn.analysis.static_loads import (
     resultant,
     static_loads,
 )
-from rotordyn.errors import InvalidInput
-from rotordyn.machine.inertia import mass_in_front
-from rotordyn.machine.spindle import Spindle
-from rotordyn.model.elastic_line import Compliance, compliance, elastic_line
-from rotordyn.model.holding import (
+from rotordyn.equation.elastic_line import Compliance, compliance, elastic_line
+from rotordyn.equation.holding import (
     held_stiffness,
     length_scale,
     rigid_motion,
     rigidly_held,
 )
-from rotordyn.model.mesh import Mesh
-from rotordyn.model.reactions import Held, reactions
-from rotordyn.model.section_forces import SectionForces, section_forces
+from rotordyn.equation.mesh import Mesh
+from rotordyn.equation.reactions import Held, reactions
+from rotordyn.equation.section_forces import SectionForces, section_forces
+from rotordyn.errors import InvalidInput
+from rotordyn.machine.inertia import mass_in_front
+from rotordyn.machine.spindle import Spindle
 
 Array = NDArray[np.float64]
 COMPONENTS = ("Fx", "Fy", "Fz", "Mx", "My", "Mz")

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.display import RPM, number
-from rotordyn.model.free_motion import FreeMotions
+from rotordyn.equation.free_motion import FreeMotions
 
 
 def instability(found: Iterable[FreeMotions], speed: NDArray[np.float64]) -> list[str]:

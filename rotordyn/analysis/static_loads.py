@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 
 from rotordyn.analysis.loads import station
 from rotordyn.analysis.specs import Conditions, SectionForcesSpec
+from rotordyn.equation.holding import free_motions, free_names, length_scale, rigid_motion
+from rotordyn.equation.mesh import Mesh, build_mesh, station_mesh
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
-from rotordyn.model.holding import free_motions, free_names, length_scale, rigid_motion
-from rotordyn.model.mesh import Mesh, build_mesh, station_mesh
 from rotordyn.units import STANDARD_GRAVITY
 
 Array = NDArray[np.float64]

@@ -14,12 +14,12 @@ from bearings.ball.law import Law
 from rotordyn.analysis.buckling import Loading
 from rotordyn.analysis.specs import Conditions
 from rotordyn.analysis.stage import Clock, Memo, Staged, stage_of
+from rotordyn.equation.mesh import Mesh, build_mesh
+from rotordyn.equation.structure import Structure
 from rotordyn.errors import NoSolution
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve, Spring
-from rotordyn.model.mesh import Mesh, build_mesh
-from rotordyn.model.structure import Structure
 from rotordyn.preload.axial_force import AxialForce, axial_force
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.units import STANDARD_GRAVITY

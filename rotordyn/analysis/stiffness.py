@@ -18,8 +18,8 @@ from rotordyn.analysis.radial_curve import RadialCurve, radial_curve
 from rotordyn.analysis.results import StiffnessResult
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import StiffnessSpec
+from rotordyn.equation.statics import PlaneRotor, plane_rotor
 from rotordyn.errors import InvalidInput
-from rotordyn.model.statics import PlaneRotor, plane_rotor
 from rotordyn.preload.outcome import LEAST_LOAD
 from rotordyn.preload.state import PreloadState
 

@@ -20,10 +20,10 @@ from rotordyn.analysis.results import UnbalanceResult
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, UnbalanceSpec
 from rotordyn.analysis.unbalance_loads import acting, node_loads, unbalanced
+from rotordyn.equation.dofs import position
+from rotordyn.equation.free_motion import FORWARD, FreeMotions
+from rotordyn.equation.hysteresis import SYNCHRONOUS
 from rotordyn.errors import NoSolution
-from rotordyn.model.dofs import position
-from rotordyn.model.free_motion import FORWARD, FreeMotions
-from rotordyn.model.hysteresis import SYNCHRONOUS
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

@@ -13,14 +13,14 @@ from numpy.typing import NDArray
 
 from rotordyn.analysis.loads import BalanceGrade, EccentricSpan
 from rotordyn.analysis.specs import UnbalanceSpec
+from rotordyn.equation.elements.beam import shapes
+from rotordyn.equation.elements.polynomials import points
+from rotordyn.equation.mesh import Mesh
 from rotordyn.machine.balance import permissible_unbalance, plane_shares
 from rotordyn.machine.cross_section import area
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
-from rotordyn.model.elements.beam import shapes
-from rotordyn.model.elements.polynomials import points
-from rotordyn.model.mesh import Mesh
 
 Complex = NDArray[np.complex128]
 

@@ -220,7 +220,7 @@ def _span(
 
 def overheld(spindle: Spindle, conditions: Conditions) -> Iterator[str]:
     """A sentence where a rigid rotor lies on more rigid supports than can be told apart."""
-    from rotordyn.model.holding import holds_twice
+    from rotordyn.equation.holding import holds_twice
 
     if conditions.rotor == "rigid" and holds_twice(spindle):
         yield (

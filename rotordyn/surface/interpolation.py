@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.model.dofs import position
+from rotordyn.equation.dofs import position
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

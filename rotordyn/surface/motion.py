@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.equation.elements.shear import shear_coefficient
+from rotordyn.equation.elements.standard_beam import shear_parameter
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.shaft import Shaft
-from rotordyn.model.elements.shear import shear_coefficient
-from rotordyn.model.elements.standard_beam import shear_parameter
 from rotordyn.surface.body import Array, Surface
 from rotordyn.surface.interpolation import between_nodes
 

@@ -19,9 +19,9 @@ from bearings.materials import Material
 from rotordyn.analysis import Conditions, Unbalance, UnbalanceSpec
 from rotordyn.analysis.registry import answer_spindle
 from rotordyn.analysis.results import UnbalanceResult
+from rotordyn.equation.mesh import build_mesh
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.support import LinearSupport
-from rotordyn.model.mesh import build_mesh
 from tests.oracles.case_files import answered, bending_poles
 from tests.oracles.dense_rotor.assemble import rotor_matrices, torsion_rod
 from tests.oracles.dense_rotor.selection import LATERAL

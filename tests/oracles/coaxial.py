@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 from scipy.linalg import block_diag, eigvals
 
 from bearings.materials import Material
+from rotordyn.equation.mesh import build_mesh
+from rotordyn.equation.support import node_matrix
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.rotor import Rotor
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
-from rotordyn.model.mesh import build_mesh
-from rotordyn.model.support import node_matrix
 from tests.oracles.dense_rotor.assemble import rotor_matrices
 from tests.oracles.dense_rotor.selection import ALL
 

@@ -10,13 +10,13 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import cholesky, eigh, eigvals, solve_triangular
 
+from rotordyn.equation.elements.shear import shear_coefficient
+from rotordyn.equation.elements.standard_beam import axial_force_stiffness, shear_parameter
+from rotordyn.equation.mesh import Mesh
+from rotordyn.equation.seat import turn
+from rotordyn.equation.support import node_matrix
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
-from rotordyn.model.elements.shear import shear_coefficient
-from rotordyn.model.elements.standard_beam import axial_force_stiffness, shear_parameter
-from rotordyn.model.mesh import Mesh
-from rotordyn.model.seat import turn
-from rotordyn.model.support import node_matrix
 from tests.oracles.dense_rotor.assemble import add_at_nodes, rotor_matrices
 from tests.oracles.dense_rotor.selection import LATERAL, Selection
 

@@ -8,8 +8,8 @@ import numpy as np
 from hypothesis import strategies as st
 from numpy.typing import NDArray
 
+from rotordyn.equation.dofs import DIRECTIONS
 from rotordyn.machine.support import LinearSupport
-from rotordyn.model.dofs import DIRECTIONS
 
 Array = NDArray[np.float64]
 LENGTH = 0.1  # m, between a force and its moment

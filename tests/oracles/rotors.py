@@ -8,12 +8,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.materials import Material
+from rotordyn.equation.mesh import Mesh
+from rotordyn.equation.support import node_matrix
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
-from rotordyn.model.mesh import Mesh
-from rotordyn.model.support import node_matrix
 from tests.oracles.dense_rotor.assemble import RotorMatrices, add_at_nodes
 from tests.oracles.dense_rotor.selection import ALL, Selection
 

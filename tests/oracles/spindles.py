@@ -17,9 +17,9 @@ from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import Conditions, Port, Spec
 from rotordyn.case.case import Case
 from rotordyn.case.read import load
+from rotordyn.equation.free_motion import FreeMotions
+from rotordyn.equation.mesh import ELEMENTS_OVER_LENGTH
 from rotordyn.machine.spindle import Spindle
-from rotordyn.model.free_motion import FreeMotions
-from rotordyn.model.mesh import ELEMENTS_OVER_LENGTH
 
 ROOT = Path(__file__).resolve().parents[2]
 CASES = ROOT / "cases"

@@ -13,11 +13,11 @@ from rotordyn.analysis.refinement import RESPONSES
 from rotordyn.analysis.results import CampbellResult
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec
+from rotordyn.equation.mesh import build_mesh
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
-from rotordyn.model.mesh import build_mesh
 from tests.oracles.exact_shaft.bending import exact_poles, exact_receptance
 from tests.oracles.exact_shaft.count import modes_below, whirl_frequencies
 from tests.oracles.exact_shaft.rotor import exact_rotor

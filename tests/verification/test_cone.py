@@ -19,15 +19,15 @@ from rotordyn.analysis.registry import answer_spindle
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import Conditions
 from rotordyn.analysis.unbalance_loads import acting, node_loads
+from rotordyn.equation.elements.beam import tapered_bending, tapered_points
+from rotordyn.equation.elements.standard_beam import shear_parameter
+from rotordyn.equation.mesh import build_mesh, divided, station_mesh
+from rotordyn.equation.section import sections, sections_at
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.inertia import mass_in_front, rotor_inertia
 from rotordyn.machine.shaft import STEEPEST, Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
-from rotordyn.model.elements.beam import tapered_bending, tapered_points
-from rotordyn.model.elements.standard_beam import shear_parameter
-from rotordyn.model.mesh import build_mesh, divided, station_mesh
-from rotordyn.model.section import sections, sections_at
 from rotordyn.preload.shortening import strain_integral
 from rotordyn.surface.rotor import rotor_surface
 from tests.oracles.exact_shaft.count import whirl_frequencies

@@ -14,10 +14,10 @@ from scipy.linalg import eigvals
 from rotordyn.analysis import campbell, roots
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions
+from rotordyn.equation.mesh import build_mesh
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
-from rotordyn.model.mesh import build_mesh
 from tests.literature.test_rotor_friswell import base, overhung
 from tests.oracles.exact_shaft.poles import exact_mode
 from tests.oracles.exact_shaft.rotor import exact_rotor

@@ -9,14 +9,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from rotordyn.equation.dofs import DIRECTIONS, position
+from rotordyn.equation.elements.shear import cowper
+from rotordyn.equation.fineness import Fineness
+from rotordyn.equation.mesh import build_mesh
+from rotordyn.equation.seat import turn
+from rotordyn.equation.structure import Structure
+from rotordyn.equation.term import State
 from rotordyn.machine.lumped import PointMass
-from rotordyn.model.dofs import DIRECTIONS, position
-from rotordyn.model.elements.shear import cowper
-from rotordyn.model.fineness import Fineness
-from rotordyn.model.mesh import build_mesh
-from rotordyn.model.seat import turn
-from rotordyn.model.structure import Structure
-from rotordyn.model.term import State
 from tests.oracles.dense_rotor.assemble import add_at_nodes, bending_plane, rotor_matrices
 from tests.oracles.dense_rotor.lumped import lumped_element
 from tests.oracles.dense_rotor.selection import LATERAL, PLANE_Y, PLANE_Z

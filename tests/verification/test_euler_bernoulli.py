@@ -14,10 +14,10 @@ from rotordyn.analysis.loads import PointLoad
 from rotordyn.analysis.registry import answer_spindle
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import Conditions
+from rotordyn.equation.elements.beam import inner_freedoms
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
-from rotordyn.model.elements.beam import inner_freedoms
 from tests.oracles.rotors import STEEL
 from tests.oracles.spindles import RPM
 

@@ -14,11 +14,11 @@ from scipy.optimize import linear_sum_assignment
 from rotordyn.analysis import campbell, frf
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec
+from rotordyn.equation.mesh import Mesh, station_mesh
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
-from rotordyn.model.mesh import Mesh, station_mesh
 from tests.oracles.exact_shaft.bending import (
     exact_modes,
     exact_poles,

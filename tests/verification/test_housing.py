@@ -20,13 +20,13 @@ from rotordyn.analysis.specs import (
     PointLoad,
     SectionForcesSpec,
 )
+from rotordyn.equation.seat import turn
+from rotordyn.equation.support import node_matrix
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.housing import ReducedHousing, RigidHousing
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
-from rotordyn.model.seat import turn
-from rotordyn.model.support import node_matrix
 from tests.oracles.dense_rotor.selection import ALL
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.rotors import STEPPED, support

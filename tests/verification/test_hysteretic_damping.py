@@ -26,13 +26,13 @@ from rotordyn.analysis.specs import (
     Unbalance,
     UnbalanceSpec,
 )
+from rotordyn.equation.hysteresis import Signs
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.housing import RigidHousing
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
-from rotordyn.model.hysteresis import Signs
 from tests.oracles.dense_rotor.assemble import rotor_matrices
 from tests.oracles.dense_rotor.selection import LATERAL
 from tests.oracles.full_rotor import FullRotor

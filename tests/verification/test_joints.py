@@ -16,11 +16,11 @@ import rotordyn
 from rotordyn.analysis import campbell, frf, stiffness
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec, StiffnessSpec
+from rotordyn.equation.mesh import build_mesh
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
-from rotordyn.model.mesh import build_mesh
 from rotordyn.numerics.modes import modes
 from tests.oracles.dense_rotor.assemble import rotor_matrices
 from tests.oracles.dense_rotor.selection import ALL

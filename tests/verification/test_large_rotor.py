@@ -14,12 +14,12 @@ import pytest
 from rotordyn.analysis import campbell, frf
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec
+from rotordyn.equation import reduce
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
-from rotordyn.model import reduce
 from tests.oracles.rotors import STEEL, support
 from tests.oracles.spindles import pairs
 from tests.oracles.spinning_beam import PinnedBeam

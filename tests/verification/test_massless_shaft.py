@@ -13,9 +13,9 @@ from bearings.materials import Material
 from rotordyn.analysis import CampbellSpec, Conditions
 from rotordyn.analysis.registry import answer_spindle
 from rotordyn.analysis.results import CampbellResult
+from rotordyn.equation.elements.standard_beam import plane_bending
 from rotordyn.machine import Disc, LinearSupport, Section, Shaft, Spindle
 from rotordyn.machine.damping import RayleighDamping
-from rotordyn.model.elements.standard_beam import plane_bending
 from tests.oracles.rotors import STEEL
 from tests.oracles.spindles import RPM
 

@@ -12,8 +12,8 @@ from rotordyn.analysis import campbell
 from rotordyn.analysis.results import CampbellResult
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions
+from rotordyn.equation.mesh import build_mesh
 from rotordyn.machine.spindle import Spindle
-from rotordyn.model.mesh import build_mesh
 from tests.oracles.dense_rotor.unreduced import dense_poles
 from tests.oracles.exact_shaft.count import modes_below, whirl_frequencies
 from tests.oracles.exact_shaft.rotor import exact_rotor

@@ -26,7 +26,7 @@ from benchmarks.peer.judged import (
 )
 from docs.generate.peer import peer_parts, peer_seconds
 from docs.generate.times import measured
-from rotordyn.model.mesh import build_mesh
+from rotordyn.equation.mesh import build_mesh
 from tests.oracles.full_rotor import FullRotor
 
 NO_SEATS = np.zeros((0, 5, 5))

@@ -13,10 +13,10 @@ from hypothesis import strategies as st
 from rotordyn.analysis import campbell, frf
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec
+from rotordyn.equation.dofs import DIRECTIONS
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import coupled_motions
-from rotordyn.model.dofs import DIRECTIONS
 from tests.oracles.dense_rotor.selection import ALL
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.matrices import definite, definites, held, turn_about_axis

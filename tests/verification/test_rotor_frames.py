@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from scipy.linalg import eigvals
 
-from rotordyn.model.mesh import build_mesh
+from rotordyn.equation.mesh import build_mesh
 from tests.oracles.dense_rotor.assemble import add_at_nodes, bending_plane
 from tests.oracles.rotors import STEPPED
 from tests.oracles.whirl import by_modulus, whirl_frequencies

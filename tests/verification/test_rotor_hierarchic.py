@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
-from rotordyn.model.elements.beam import hierarchic_bending, inner_freedoms
+from rotordyn.equation.elements.beam import hierarchic_bending, inner_freedoms
 from tests.oracles.spinning_beam import PinnedBeam
 from tests.oracles.whirl import whirl_frequencies
 

@@ -7,7 +7,7 @@ import math
 import numpy as np
 import pytest
 
-from rotordyn.model.mesh import build_mesh
+from rotordyn.equation.mesh import build_mesh
 from tests.oracles.dense_rotor.assemble import axial_rod, bending_plane, torsion_rod
 from tests.oracles.rotors import STEEL, uniform
 from tests.oracles.whirl import frequencies_at_rest

@@ -7,10 +7,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from rotordyn.equation.mesh import build_mesh
+from rotordyn.equation.seat import turn
 from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
-from rotordyn.model.mesh import build_mesh
-from rotordyn.model.seat import turn
 from tests.oracles.dense_rotor.assemble import add_at_nodes, rotor_matrices
 from tests.oracles.rotors import STEPPED
 from tests.oracles.whirl import eigenvalues

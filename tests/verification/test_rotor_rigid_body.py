@@ -8,11 +8,11 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from bearings.materials import Material
+from rotordyn.equation.mesh import build_mesh
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
-from rotordyn.model.mesh import build_mesh
 from tests.oracles.dense_rotor.assemble import RotorMatrices, bending_plane, rotor_matrices
 from tests.oracles.dense_rotor.selection import ALL
 from tests.oracles.rotors import STEPPED

@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rotordyn.model.mesh import build_mesh
+from rotordyn.equation.mesh import build_mesh
 from tests.oracles.case_files import answered, bending_poles
 from tests.oracles.dense_rotor.assemble import bending_plane
 from tests.oracles.dense_rotor.selection import PLANE_Y

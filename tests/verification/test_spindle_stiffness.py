@@ -17,10 +17,10 @@ from bearings.ring.iterate import Iterate
 from rotordyn.analysis.radial import RadialProblem
 from rotordyn.analysis.specs import PreloadSpec, StiffnessSpec
 from rotordyn.analysis.stiffness import answer as stiffness_answer
+from rotordyn.equation.mesh import build_mesh
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import BearingSeat, Sleeve, Spring
-from rotordyn.model.mesh import build_mesh
 from rotordyn.preload.network import Network
 from tests.oracles.dense_rotor.assemble import bending_plane
 from tests.oracles.full_rotor import FullRotor

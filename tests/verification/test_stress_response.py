@@ -161,23 +161,15 @@ def test_unbalance_at_a_critical_speed_solved_for() -> None:
     speeds = np.array([0.0, 6000.0])
     scene = Scene(spindle, Conditions(element_length=0.05), speeds, 6000.0 / HZ, (0.0,))
     (critical,) = unbalance.answer(scene, spec).critical_speed
-<<<<<<< HEAD
-    at = Scene(spindle, standard, np.array([critical, 6000.0]), 6000.0 / HZ, (0.0,))
-=======
     at = Scene(
         spindle, Conditions(element_length=0.05), np.array([critical, 6000.0]), 6000.0 / HZ, (0.0,)
     )
->>>>>>> wtT2
     resonant = unbalance.answer(at, spec)
     assert "a critical speed without damping" in resonant.outcome[0]
     assert np.isnan(resonant.displacement[0]).all()
     near = Scene(
         spindle,
-<<<<<<< HEAD
-        standard,
-=======
         Conditions(element_length=0.05),
->>>>>>> wtT2
         critical * np.array([1 - 1e-6, 1 + 1e-6]),
         6000.0 / HZ,
         (0.0,),

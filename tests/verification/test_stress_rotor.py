@@ -23,12 +23,12 @@ from rotordyn.analysis.specs import (
     SectionForcesSpec,
     UnbalanceSpec,
 )
+from rotordyn.equation import mesh
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.housing import RigidHousing
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
-from rotordyn.model import mesh
 from tests.oracles.dense_rotor.unreduced import dense_poles
 from tests.oracles.exact_shaft.count import whirl_frequencies
 from tests.oracles.exact_shaft.rotor import exact_rotor

@@ -44,7 +44,7 @@ def _even(support: LinearSupport, root: Node, faults: Faults) -> None:
     """Bearings under axial load are even; supports are where their matrices say so."""
     import numpy as np
 
-    from rotordyn.model.support import answers_alike, support_matrices
+    from rotordyn.equation.support import answers_alike, support_matrices
 
     way = ("conditions", "formulation")
     if "bending" in coupled_motions([support]):

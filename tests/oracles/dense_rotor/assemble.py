@@ -11,9 +11,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.equation.mesh import Mesh
+from rotordyn.equation.section import shear_coefficients
 from rotordyn.machine.spindle import Spindle
-from rotordyn.model.mesh import Mesh
-from rotordyn.model.section import shear_coefficients
 from tests.oracles.dense_rotor.lumped import lumped_element
 from tests.oracles.dense_rotor.selection import ALL, AXIAL, PLANE_Y, PLANE_Z, TORSION, Selection
 from tests.oracles.dense_rotor.timoshenko import shaft_element

@@ -7,8 +7,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.equation.dofs import position
 from rotordyn.machine.lumped import PointMass
-from rotordyn.model.dofs import position
 
 Array = NDArray[np.float64]
 

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.model.dofs import DIRECTIONS, position
+from rotordyn.equation.dofs import DIRECTIONS, position
 
 
 @dataclass(frozen=True, slots=True)

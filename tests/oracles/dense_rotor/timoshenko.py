@@ -12,10 +12,10 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.equation.dofs import DIRECTIONS, position
+from rotordyn.equation.elements.rod import Rod, rod
+from rotordyn.equation.elements.standard_beam import PlaneBending, plane_bending
 from rotordyn.machine.cross_section import area, second_moment
-from rotordyn.model.dofs import DIRECTIONS, position
-from rotordyn.model.elements.rod import Rod, rod
-from rotordyn.model.elements.standard_beam import PlaneBending, plane_bending
 
 Array = NDArray[np.float64]
 

@@ -13,12 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.linalg import eigvals, solve
 
+from rotordyn.equation.dofs import Indices
+from rotordyn.equation.fineness import Fineness
+from rotordyn.equation.mesh import build_mesh
+from rotordyn.equation.structure import Structure
+from rotordyn.equation.term import State
 from rotordyn.machine.spindle import Spindle
-from rotordyn.model.dofs import Indices
-from rotordyn.model.fineness import Fineness
-from rotordyn.model.mesh import build_mesh
-from rotordyn.model.structure import Structure
-from rotordyn.model.term import State
 from rotordyn.numerics.sparse import summed
 
 Array = NDArray[np.float64]

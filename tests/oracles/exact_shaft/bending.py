@@ -16,9 +16,9 @@ from numpy.typing import NDArray
 
 from rotordyn.analysis.scene import Scene
 from rotordyn.analysis.specs import Port
+from rotordyn.equation.mesh import station_mesh
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.support import coupled_motions
-from rotordyn.model.mesh import station_mesh
 from tests.oracles.exact_shaft.box import Box
 from tests.oracles.exact_shaft.circular import load, response
 from tests.oracles.exact_shaft.poles import ExactMode

@@ -14,11 +14,11 @@ from itertools import pairwise
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.equation.mesh import Mesh
+from rotordyn.equation.seat import turn
+from rotordyn.equation.support import ALIKE, node_matrix
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import BearingSeat, Sleeve
-from rotordyn.model.mesh import Mesh
-from rotordyn.model.seat import turn
-from rotordyn.model.support import ALIKE, node_matrix
 from tests.oracles.dense_rotor.lumped import lumped_element
 from tests.oracles.exact_shaft.circular import PLANES, TURNING
 

@@ -7,11 +7,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.equation.elements.shear import shear_coefficient
+from rotordyn.equation.mesh import Mesh, station_mesh
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.cross_section import area, second_moment
 from rotordyn.machine.spindle import Spindle
-from rotordyn.model.elements.shear import shear_coefficient
-from rotordyn.model.mesh import Mesh, station_mesh
 from tests.oracles.exact_shaft.nodes import NodeTerms, node_terms
 from tests.oracles.exact_shaft.segment import Segments
 

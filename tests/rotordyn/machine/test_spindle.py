@@ -7,9 +7,9 @@ from dataclasses import replace
 import pytest
 
 import rotordyn
+from rotordyn.equation.mesh import build_mesh
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.shaft import Shaft
-from rotordyn.model.mesh import build_mesh
 from tests.oracles.rotors import uniform
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rotordyn.model.dofs import DIRECTIONS
+from rotordyn.equation.dofs import DIRECTIONS
 from rotordyn.surface.interpolation import between_nodes
 
 LENGTH, FORCE, BENDING, SHEAR = 0.7, 300.0, 4e4, 2e6

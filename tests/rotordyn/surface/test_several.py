@@ -7,7 +7,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rotordyn.model.mesh import build_mesh
+from rotordyn.equation.mesh import build_mesh
 from rotordyn.surface.body import together
 from rotordyn.surface.several import displacements, holders, section_motions, surfaces
 from tests.oracles.coaxial import COAXIAL, INNER, OUTER

@@ -1,0 +1,50 @@
+"""What the axial force N in a shaft does to its bending: ∫ N v′ w′ dx in each plane."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+
+from rotordyn.equation.dofs import Indices
+from rotordyn.equation.elements.polynomials import points
+from rotordyn.equation.mesh import Mesh
+from rotordyn.equation.shaft import Rows, Shaft
+from rotordyn.equation.term import Array
+
+GAUSS = 7  # degree up to which the work of the axial force is integrated exactly
+NOTHING = 1e-15  # of the largest: fields of force that are rounding of the others
+
+
+class Slopes(NamedTuple):
+    """Weighted slopes of a plane: ``rows`` (places, …) and the shown ``element`` of each place."""
+
+    rows: Array
+    element: Indices
+
+
+def slope_rows(shaft: Shaft, shown: Mesh, way: str) -> tuple[list[Rows], Indices]:
+    """Slopes of a plane at Gauss points of every element of the mesh ``shown``, times the root of
+    the length that each stands for, and the element of each; slopes jump at nodes of the shaft, so
+    that none of its elements shares a Gauss rule with the next."""
+    xi, weight = points(GAUSS)
+    ends = np.unique(np.concatenate([shown.x, shaft.mesh.x]))
+    middle, length = (ends[1:] + ends[:-1]) / 2.0, np.diff(ends)
+    x = middle[:, None] + length[:, None] / 2.0 * xi
+    root = np.sqrt(weight * (length[:, None] / 2.0))
+    element = np.clip(np.searchsorted(shown.x, middle) - 1, 0, len(shown.length) - 1)
+    return shaft.sloped(way, x.ravel(), root.ravel()), np.repeat(element, len(xi))
+
+
+def geometric_stiffness(slopes: Slopes, force: Array) -> Array:
+    """(s, m, m) of coordinates with ``slopes`` (places, m) under the axial ``force`` (s, elements)
+    [N], tension positive, by the few fields that forces are made of; NaN where it is not known."""
+    known = np.isfinite(force).all(axis=1)
+    states, size, fields = np.linalg.svd(force[known], full_matrices=False)
+    clear = size > NOTHING * size[0] if size.size else size > 0.0
+    rows, each = slopes.rows, fields[clear][:, slopes.element]
+    own = np.array([rows.T @ (one[:, None] * rows) for one in each])
+    own = own.reshape(len(each), rows.shape[1], rows.shape[1])
+    found = np.full((len(force), *own.shape[1:]), np.nan)
+    found[known] = np.tensordot(states[:, clear] * size[clear], own, 1)
+    return found

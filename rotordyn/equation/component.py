@@ -1,0 +1,171 @@
+"""One uncoupled motion of one body, reduced: found as what the constant matrices of the terms join.
+
+A free shaft has four: axial motion, torsion, bending in plane y and in plane z. Its coordinates are
+free modes up to a cut-off and static modes at ports (``reduce``), or its rigid motions alone; those
+of a sleeve or a housing are its own DOF. Mass is the identity in all of them.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+
+from rotordyn.equation.damping import modal_damping
+from rotordyn.equation.dofs import Indices, Line
+from rotordyn.equation.reduce import Coupling, reduce
+from rotordyn.equation.shaft import Rows
+from rotordyn.equation.term import Array, Part
+from rotordyn.machine.spindle import Spindle
+from rotordyn.numerics.sparse import LARGE, Matrix, summed
+
+WEIGHTLESS = 1e3  # of the cutoff: no coordinate has a higher frequency
+
+
+@dataclass(eq=False)
+class Component:
+    """DOF ``dofs`` (n,) of ``lines``, and the ``parts`` on them.
+
+    ``rigid``: rigid motions of a free shaft, empty of what is no shaft; ``ports``: DOF that keep a
+    static mode; ``spindle``: the rotor whose damping it has, None of what is no shaft. ``solved``:
+    components with the same matrices share one reduction. ``polar``: gyroscopic parts in one plane
+    whose forces on modes up to ``band`` [rad/s] static modes answer; none where they need not.
+    """
+
+    lines: tuple[Line, ...]
+    dofs: Indices
+    parts: list[Part]
+    rigid: list[tuple[Indices, Array]]
+    ports: Indices
+    spindle: Spindle | None
+    cutoff: float
+    bends: bool
+    solved: dict[tuple[bytes, ...], tuple[Array, Array, Array]]
+
+    @property
+    def way(self) -> str:
+        """ "y", "z", "x", "thx", or "" where lines of several ways or none are joined."""
+        ways = {line.way for line in self.lines}
+        return ways.pop() if len(ways) == 1 else ""
+
+    def local(self, dofs: Indices) -> Indices:
+        """Places of DOF among those of the component."""
+        return np.searchsorted(self.dofs, dofs)
+
+    def has(self, dofs: Indices) -> np.ndarray:
+        """Which of some DOF are its own."""
+        place = np.minimum(self.local(dofs), len(self.dofs) - 1)
+        return np.asarray(self.dofs[place] == dofs)
+
+    def assembled(self, name: str, parts: list[Part] | None = None) -> Matrix:
+        """A matrix (n, n) of the parts of that name."""
+        own = [p for p in parts or self.parts if p.matrix == name]
+        size = len(self.dofs)
+        blocks = [(self.local(p.rows), self.local(p.columns), p.blocks) for p in own]
+        return summed((size, size), blocks, large=self.large)
+
+    @property
+    def large(self) -> bool:
+        """True where matrices are of compressed rows."""
+        return len(self.dofs) >= LARGE * 4
+
+    def displaced(self, count: int, rows: list[Rows]) -> Array:
+        """Motion of ``count`` places by the coordinates (count, m), rows of DOF as a shaft gives
+        them."""
+        own = [(places, self.local(dofs), factors) for places, dofs, factors in rows]
+        large = count * len(self.dofs) > 1_000_000
+        return np.asarray(summed((count, len(self.dofs)), own, large=large) @ self.vectors)
+
+    @property
+    def size(self) -> int:
+        """Coordinates m."""
+        return self.vectors.shape[1]
+
+    @property
+    def vectors(self) -> Array:
+        """Displacements of the DOF by the coordinates (n, m)."""
+        return self._reduced[0]
+
+    @property
+    def values(self) -> Array:
+        """Stiffness of the coordinates (m,), of a shaft; (m, m) of other bodies."""
+        return self._reduced[1]
+
+    @property
+    def is_rigid(self) -> np.ndarray:
+        """Coordinates that are rigid motions of a shaft (m,)."""
+        own = self.values if self.values.ndim == 1 else np.ones(self.size)
+        return np.asarray(own == 0.0)
+
+    @cached_property
+    def stiffness(self) -> Array:
+        """(m, m)"""
+        return np.diag(self.values) if self.values.ndim == 1 else self.values
+
+    @cached_property
+    def own_damping(self) -> Array:
+        """Modal and Rayleigh's (m, m)."""
+        if self.spindle is None:
+            return np.zeros((self.size, self.size))
+        return modal_damping(self.spindle, self.values, self._reduced[2], bending=self.bends)
+
+    @cached_property
+    def damping(self) -> Array:
+        """With that of dampers inside the body."""
+        return self.own_damping + self.projected("damping")
+
+    @cached_property
+    def turning(self) -> Array:
+        """What of it turns with the rotor, per unit of the spindle's speed (m, m): of bending."""
+        own = self.projected("turning")
+        if self.spindle is None or not self.spindle.internal_damping or not self.bends:
+            return own
+        return own + self.ratio * self.spindle.internal_damping * self.own_damping
+
+    ratio: float = 1.0
+    polar: list[Part] = field(default_factory=list)
+    band: float = 0.0
+
+    def projected(self, name: str) -> Array:
+        """A matrix in the coordinates (m, m)."""
+        if not any(part.matrix == name for part in self.parts):
+            return np.zeros((self.size, self.size))
+        return np.asarray(self.vectors.T @ (self.assembled(name) @ self.vectors))
+
+    @cached_property
+    def _reduced(self) -> tuple[Array, Array, Array]:
+        mass, stiffness = self.assembled("mass"), self.assembled("stiffness")
+        if self.spindle is None:
+            inverse = np.linalg.inv(np.linalg.cholesky((mass + mass.T) / 2.0))
+            values = inverse @ stiffness @ inverse.T
+            return inverse.T, values, np.zeros_like(values)
+        key = tuple(_bytes(each) for each in (mass, stiffness, self.local(self.ports)))
+        if key not in self.solved:
+            self.solved[key] = self._of_shaft(mass, stiffness)
+        return self.solved[key]
+
+    def _of_shaft(self, mass: Matrix, stiffness: Matrix) -> tuple[Array, Array, Array]:
+        rigid = np.zeros((len(self.dofs), self.rigid[0][1].shape[1]))
+        for dofs, motion in self.rigid:
+            rigid[self.local(dofs)] = motion
+        if self.cutoff == 0.0:  # a rigid rotor
+            factor = np.linalg.cholesky(rigid.T @ (mass @ rigid))
+            none = np.zeros(rigid.shape[1])
+            return np.asarray(np.linalg.solve(factor, rigid.T).T), none, np.diag(none)
+        ports = np.zeros((len(self.dofs), len(self.ports)))
+        ports[self.local(self.ports), np.arange(len(self.ports))] = 1.0
+        coupling = None
+        if self.polar:
+            coupling = Coupling(self.assembled("gyroscopic", self.polar), self.band)
+        basis = reduce(mass, stiffness, rigid, ports, self.cutoff, coupling)
+        # coordinates with next to no mass are lent one, or their damping drowns slow modes
+        stiff = np.maximum(np.sqrt(basis.values) / (WEIGHTLESS * self.cutoff), 1.0)
+        roots = basis.roots / stiff[:, None] / stiff
+        return basis.vectors / stiff, basis.values / stiff**2, roots
+
+
+def _bytes(matrix: Matrix) -> bytes:
+    if isinstance(matrix, np.ndarray):
+        return matrix.tobytes()
+    return b"".join(each.tobytes() for each in (matrix.data, matrix.indices, matrix.indptr))

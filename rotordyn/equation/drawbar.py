@@ -1,0 +1,25 @@
+"""The drawbar as a string under tension P, straight between the stations at which it touches the
+shaft: over a distance L it answers with P/L to their relative deflection."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+import numpy as np
+
+from rotordyn.equation.dofs import position
+from rotordyn.equation.shaft import Shaft
+from rotordyn.equation.term import Link, LinkMatrices
+
+
+def drawbar_links(shaft: Shaft) -> Iterator[Link]:
+    """One for every straight part."""
+    bar = shaft.spindle.drawbar
+    for a, b in pairwise(bar.contacts if bar else ()):
+        assert bar is not None
+        ends = shaft.node[[shaft.mesh.node_of(a), shaft.mesh.node_of(b)]]
+        dofs = ends[:, [position("y"), position("z")]].ravel()
+        motions = np.array([[-1.0, 0.0, 1.0, 0.0], [0.0, -1.0, 0.0, 1.0]])
+        held = LinkMatrices(bar.force / (b - a) * np.eye(2)[None], np.zeros((1, 2, 2)))
+        yield Link("drawbar", dofs, motions, lambda _, held=held: held)  # type: ignore[misc]

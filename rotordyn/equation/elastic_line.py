@@ -1,0 +1,69 @@
+"""How a shaft deforms under its section forces: strain integrated from the front end on."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.equation.elements.polynomials import points
+from rotordyn.equation.mesh import Mesh
+from rotordyn.equation.section import axial, sections_at, torsion
+from rotordyn.equation.section_forces import SectionForces
+from rotordyn.machine.spindle import Spindle
+
+Array = NDArray[np.float64]
+GAUSS = 31  # degree of the quadrature over an element: exact for cylinders, to rounding for cones
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Compliance:
+    """∫ sᵏ/EA ds, ∫ sᵏ/κGA ds, ∫ sᵏ/EI ds and ∫ sᵏ/GIp ds over every element (elements,), k from 0
+    on along the first axis, with s [m] counted from its rear end."""
+
+    stretch: Array
+    shear: Array
+    bending: Array
+    torsion: Array
+
+
+def compliance(spindle: Spindle, mesh: Mesh, *, rigid: bool) -> Compliance:
+    """Of a Timoshenko shaft; zero where the rotor is ``rigid``."""
+    xi, weight = points(GAUSS)
+    s = mesh.length[:, None] * (1.0 - xi) / 2.0
+    powers = np.stack([s**k for k in range(5)]) * weight * mesh.length[:, None] / 2.0
+    shear, bending, *_ = sections_at(spindle, mesh, xi)
+    rigidities = axial(mesh, xi)[0], shear, bending, torsion(mesh, xi)[0]
+    own = 0.0 if rigid else 1.0
+    return Compliance(*(own * (powers / each).sum(axis=-1) for each in rigidities))
+
+
+def elastic_line(x: Array, give: Compliance, forces: SectionForces, line: Array) -> Array:
+    """Displacement (…, nodes, 6) of nodes at ``x`` [m] with the front end held; exact.
+
+    ``line`` (…, elements, 2, 3): the line loads [N/m] that are part of ``forces``.
+    """
+    h = np.diff(x)
+    qx, qy, qz = np.moveaxis(line[..., 1, :], -1, 0)
+    rx, ry, rz = np.moveaxis((line[..., 0, :] - line[..., 1, :]) / h[:, None], -1, 0)
+    n, ty, tz, mt, my, mz = np.moveaxis(forces.rear, -1, 0)
+
+    def strain(give: Array, k: int, *series: Array) -> Array:
+        """∫ sᵏ (a + b s + …) give ds."""
+        return np.asarray(sum(each * give[k + j] for j, each in enumerate(series)))
+
+    bent_y, bent_z = (my, -tz, -qz / 2.0, -rz / 6.0), (mz, ty, qy / 2.0, ry / 6.0)
+    thy, thz = (_from_front(strain(give.bending, 0, *each)) for each in (bent_y, bent_z))
+    bow_y, bow_z = (strain(give.bending, 1, *each) for each in (bent_y, bent_z))
+    y = h * thz[..., :-1] + bow_z + strain(give.shear, 0, ty, qy, ry / 2.0)
+    z = -h * thy[..., :-1] - bow_y + strain(give.shear, 0, tz, qz, rz / 2.0)
+    stretch = strain(give.stretch, 0, n, qx, rx / 2.0)
+    columns = (_from_front(stretch), _from_front(y), _from_front(z))
+    twist = _from_front(strain(give.torsion, 0, mt))
+    return np.stack([*columns, twist, thy, thz], axis=-1)
+
+
+def _from_front(change: Array) -> Array:
+    """Values at the nodes (…, nodes) from changes over the elements, 0 at the front."""
+    return np.concatenate([np.zeros_like(change[..., :1]), np.cumsum(change, axis=-1)], axis=-1)

@@ -1,0 +1,209 @@
+"""Timoshenko beam of any polynomial degree in one plane, with the standard element as its core.
+
+Freedoms: (v1, φ1, v2, φ2) of ``plane_bending``, then between the nodes, for degree n ≥ 2,
+
+- n of shear: v = ψ_2 … ψ_(n+1), φ = 0;
+- one of constant shear: φ = ψ_2 and the v whose slope differs from it by a constant;
+- n − 2 of bending without shear: φ = ψ_3 … ψ_n and v = ∫φ dx.
+
+Together v has degree n + 1 and φ = v′ degree n: nothing locks at any slenderness, and frequencies
+err as h^(2n). In the energy of deformation all inner freedoms stand alone, which keeps slender
+elements well conditioned. A beam rigid in shear (Φ = 0) has no freedoms of shear. In a cone the
+shapes are those of the section in its middle, and all energies are integrated at Gauss points.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.equation.elements.polynomials import bubbles, points
+from rotordyn.equation.elements.standard_beam import PlaneBending, plane_bending, shear_parameter
+from rotordyn.machine.cross_section import area, second_moment
+
+Array = NDArray[np.float64]
+Whole = NDArray[np.intp]
+_CONSTANT = 1.0 / 6.0**0.5  # shear angle of the freedom of constant shear: −½ ∫ψ_2 dξ
+
+
+def inner_freedoms(degree: Whole, sheared: bool = True) -> Whole:
+    """Freedoms between the nodes of elements of ``degree`` n ≥ 1 (1: the standard element)."""
+    return np.where(degree < 2, 0, 2 * degree - 1 if sheared else degree - 2)
+
+
+def hierarchic_bending(
+    length: Array,
+    outer_diameter: Array,
+    inner_diameter: Array,
+    young_modulus: Array,
+    shear_modulus: Array,
+    density: Array,
+    shear_coefficient: Array,
+    *,
+    degree: int,
+) -> PlaneBending:
+    """Matrices of hollow circular elements, all of one ``degree``.
+
+    Each of shape (elements, k, k) with k = 4 + ``inner_freedoms(degree)``.
+
+    Lengths and diameters (elements,) [m], moduli [Pa], density [kg/m³], shear coefficient κ [1].
+    """
+    standard = plane_bending(
+        length,
+        outer_diameter,
+        inner_diameter,
+        young_modulus,
+        shear_modulus,
+        density,
+        shear_coefficient,
+    )
+    if degree < 2:
+        return standard
+    ring = area(outer_diameter, inner_diameter)
+    moment = second_moment(outer_diameter, inner_diameter)
+    bending, shear = young_modulus * moment, shear_coefficient * shear_modulus * ring
+    phi = shear_parameter(length, bending, shear)
+    xi, weight = points(2 * degree + 4)
+    shape = shapes(length, phi, degree, xi)
+    along = weight * length[:, None] / 2.0
+    translational = _product(shape.deflection, (density * ring)[:, None], along)
+    rotary = _product(shape.rotation, (density * moment)[:, None], along)
+    translational[:, :4, :4] = standard.translational_mass
+    rotary[:, :4, :4] = standard.polar / 2.0
+    stiffness = np.zeros_like(rotary)
+    stiffness[:, :4, :4] = standard.stiffness
+    inner = np.arange(4, stiffness.shape[-1])
+    stiffness[:, inner, inner] = _inner_stiffness(length, bending, shear, degree)
+    return PlaneBending(
+        mass=translational + rotary,
+        translational_mass=translational,
+        polar=2.0 * rotary,
+        stiffness=stiffness,
+    )
+
+
+def _inner_stiffness(length: Array, bending: Array, shear: Array, degree: int) -> Array:
+    """Energy of each inner freedom (elements, ``inner_freedoms``)."""
+    one = np.ones((1, degree))
+    pure_shear = (2.0 * shear / length)[:, None] * one
+    constant = 2.0 * bending / length + shear * _CONSTANT**2 * length
+    pure_bending = (2.0 * bending / length)[:, None] * one[:, 2:]
+    if np.isinf(shear).all():
+        return np.asarray(pure_bending)
+    return np.concatenate([pure_shear, constant[:, None], pure_bending], axis=1)
+
+
+def tapered_points(degree: int) -> tuple[Array, Array]:
+    """Gauss points on [−1, 1] and weights, exact for all of a cone but its shear coefficient."""
+    return points(max(2 * degree, 4) + 10)
+
+
+def tapered_bending(
+    length: Array,
+    phi: Array,
+    shear: Array,
+    bending: Array,
+    line_mass: Array,
+    rotary: Array,
+    *,
+    degree: int,
+    xi: Array,
+    weight: Array,
+) -> PlaneBending:
+    """Matrices of elements that change along the axis, as ``hierarchic_bending``.
+
+    ``phi`` (elements,): Φ of their shapes. κGA [N], EI [N·m²], ρA [kg/m] and ρI [kg·m] (elements,
+    points) at the points ``xi`` of a quadrature.
+    """
+    shape, along = shapes(length, phi, degree, xi), weight * length[:, None] / 2.0
+    translational = _product(shape.deflection, line_mass, along)
+    rotation = _product(shape.rotation, rotary, along)
+    stiffness = _product(shape.curvature, bending, along)
+    if phi.any():
+        stiffness = stiffness + _product(shape.shear, shear, along)
+    return PlaneBending(
+        mass=translational + rotation,
+        translational_mass=translational,
+        polar=2.0 * rotation,
+        stiffness=stiffness,
+    )
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Shapes:
+    """Shape functions of all freedoms, each (elements, points, freedoms); ``shear``: v′ − φ."""
+
+    deflection: Array
+    slope: Array
+    rotation: Array
+    curvature: Array
+    shear: Array
+
+
+def shapes(length: Array, phi: Array, degree: int, xi: Array) -> Shapes:
+    """v, v′, φ and φ′ at ``xi`` on [−1, 1]; ``phi`` Φ = 12 EI/(κGA L²), (elements,): zeros of
+    beams rigid in shear.
+
+    ``xi``: (points,) the same of all elements, or (elements, points).
+    """
+    nodal = _nodal(length, phi, xi)
+    if degree < 2:
+        return Shapes(*nodal)
+    inner = _inner(length, degree, xi)
+    if not phi.any():
+        inner = [each[..., degree + 1 :] for each in inner]
+    return Shapes(*(np.concatenate(pair, axis=-1) for pair in zip(nodal, inner, strict=True)))
+
+
+def _inner(length: Array, degree: int, xi: Array) -> list[Array]:
+    """v, v′, φ, φ′, v′ − φ of the inner freedoms."""
+    half = length[:, None, None] / 2.0
+    integral, psi, rise = bubbles(degree + 1, xi)
+    none = np.zeros((*xi.shape, degree))
+    level = integral[..., :1] + _CONSTANT * (xi[..., None] + 1.0)  # vanishes at both ends
+    bent = np.concatenate([level, integral[..., 1:-1]], axis=-1)
+    leaning = np.concatenate([psi[..., :1] + _CONSTANT, psi[..., 1:-1]], axis=-1)
+    wide = np.ones_like(half)
+    sheared = np.where(np.arange(degree - 1) == 0, _CONSTANT, 0.0) * np.ones_like(xi)[..., None]
+    return [
+        np.concatenate([psi * wide, half * bent], axis=-1),
+        np.concatenate([rise / half, leaning * wide], axis=-1),
+        np.concatenate([none, psi[..., :-1]], axis=-1) * wide,
+        np.concatenate([none, rise[..., :-1]], axis=-1) / half,
+        np.concatenate([rise / half, sheared * wide], axis=-1),
+    ]
+
+
+def _nodal(length: Array, phi: Array, xi: Array) -> list[Array]:
+    """v, v′, φ, φ′, v′ − φ of exact static answers to unit displacements of the nodes: of constant
+    shear force.
+
+    Cubics in the place s from 0 to 1: those of a beam without shear and Φ times others, over 1 + Φ.
+    """
+    s = (xi + 1.0) / 2.0 * np.ones((len(length), 1))
+    h, f = length[:, None, None], phi[:, None, None]
+    one = np.ones_like(s)
+    place = np.stack([one, s, s * s, s * s * s], axis=-1)
+    rate = np.stack([0.0 * one, one, 2.0 * s, 3.0 * s * s], axis=-1) / h
+    lever = np.where(_TILTS, h, 1.0)
+    v = (_DEFLECTION + f * _DEFLECTION_SHEAR) / (1.0 + f) * lever
+    turn = (_ROTATION + f * _ROTATION_SHEAR) / (1.0 + f) * lever / h
+    lean = f / (1.0 + f) * np.where(_TILTS, -0.5, np.array([-1.0, 0.0, 1.0, 0.0]) / h)
+    return [place @ v, rate @ v, place @ turn, rate @ turn, lean * one[..., None]]
+
+
+# Coefficients of 1, s, s², s³ (rows) in the answers to (v1, φ1, v2, φ2).
+_TILTS = np.array([False, True, False, True])
+_DEFLECTION = np.array([[1, 0, 0, 0], [0, 1, 0, 0], [-3, -2, 3, -1], [2, 1, -2, 1]], dtype=float)
+_DEFLECTION_SHEAR = np.array([[1, 0, 0, 0], [-1, 0.5, 1, -0.5], [0, -0.5, 0, 0.5], [0, 0, 0, 0]])
+_ROTATION = np.array([[0, 1, 0, 0], [-6, -4, 6, -2], [6, 3, -6, 3], [0, 0, 0, 0]], dtype=float)
+_ROTATION_SHEAR = np.array([[0, 1, 0, 0], [0, -1, 0, 1], [0, 0, 0, 0], [0, 0, 0, 0]], dtype=float)
+
+
+def _product(shape: Array, factor: Array, along: Array) -> Array:
+    """∫ factor · shapeᵀ shape dx of every element (elements, freedoms, freedoms); ``factor``
+    (elements, points or 1)."""
+    weighted = shape * (factor * along)[..., None]
+    return np.asarray(np.swapaxes(weighted, -1, -2) @ shape)

@@ -1,0 +1,230 @@
+"""Free motions of a subsystem: poles and vectors at every speed, and receptances summed of them.
+
+Where both planes obey the same equations they are solved as one complex plane r = y + i z, half the
+unknowns: whirl at a pole of Im > 0 is forward, of Im < 0 backward. Whatever form they are solved
+in, motions are given over all coordinates of the subsystem, one of every pair of conjugates.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.equation.hysteresis import Hysteresis, Hysteretic, Signs
+from rotordyn.equation.linear import Linear
+from rotordyn.equation.term import Matrices
+from rotordyn.numerics.modes import Modes, modes, residual
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+FORWARD = np.array([1.0, -1.0j])  # planes y and z of whirl r e^(iωt)
+
+
+@dataclass(frozen=True, eq=False)
+class FreeMotions:
+    """Of ``linear``, solved as ``modes`` of one complex plane or of all coordinates.
+
+    ``pole`` (s, k) [rad/s], Im ≥ 0, NaN where a speed has fewer; ``vector`` (s, n, k); ``left``
+    (s, k, n): the receptance at iω is Σ vector left / (iω − pole) and, of Im > 0, the conjugate.
+    """
+
+    linear: Linear
+    modes: Modes
+    lossy: Hysteretic | None = None
+    solved_once: bool = False
+
+    @property
+    def whirling(self) -> bool:
+        """Solved as one complex plane."""
+        return self.linear.isotropic
+
+    @cached_property
+    def _chosen(self) -> tuple[NDArray[np.intp], NDArray[np.bool_]]:
+        """Columns of ``modes`` (s, k), and which of them fill up a row."""
+        columns, many = self.modes.one_of_each_pair()
+        return columns, many == 0.0
+
+    @cached_property
+    def pole(self) -> Complex:
+        """(s, k)"""
+        if self.whirling:
+            pole = self.modes.pole
+            return np.where(pole.imag < 0.0, pole.conj(), pole)
+        columns, none = self._chosen
+        pole = np.take_along_axis(self.modes.pole, columns, axis=-1)
+        pole[none] = complex(np.nan, np.nan)
+        return pole
+
+    @cached_property
+    def vector(self) -> Complex:
+        """(s, n, k)"""
+        if self.whirling:
+            own, back = self._expanded(self.modes.vector), self._backward[:, None, :]
+            y = 0.5 * np.where(back, own.conj(), own)
+            return np.concatenate([y, np.where(back, 1j, -1j) * y], axis=1)
+        own = np.take_along_axis(self.modes.vector, self._chosen[0][:, None, :], axis=2)
+        return self._expanded(own)
+
+    @cached_property
+    def _allowed(self) -> Array | None:
+        """Motions that the modes are made of, in the coordinates of the subsystem or of its plane;
+        None where these are theirs."""
+        whole = self.linear.allowed
+        if whole is None or not self.whirling:
+            return whole
+        return whole[: whole.shape[0] // 2, : whole.shape[1] // 2]
+
+    def _expanded(self, vector: Complex) -> Complex:
+        return vector if self._allowed is None else np.asarray(self._allowed @ vector)
+
+    def _folded(self, rows: Array) -> Array:
+        """Rows (pairs, n) in the coordinates of the modes."""
+        return rows if self._allowed is None else np.asarray(rows @ self._allowed)
+
+    @cached_property
+    def left(self) -> Complex:
+        """(s, k, n)"""
+        if self.whirling:
+            left, back = self.modes.participation, self._backward[:, :, None]
+            own = np.swapaxes(self._expanded(np.swapaxes(left, 1, 2)), 1, 2)
+            y = np.where(back, own.conj(), own)
+            return np.concatenate([y, np.where(back, -1j, 1j) * y], axis=2)
+        left = np.take_along_axis(self.modes.participation, self._chosen[0][:, :, None], axis=1)
+        return np.swapaxes(self._expanded(np.swapaxes(left, 1, 2)), 1, 2)
+
+    @property
+    def _backward(self) -> NDArray[np.bool_]:
+        return np.asarray(self.modes.pole.imag < 0.0)
+
+    @cached_property
+    def whirl(self) -> Array:
+        """+1 of forward and −1 of backward whirl where planes are one, else 0 (s, k)."""
+        sign = np.where(self.modes.pole.imag < 0.0, -1.0, 1.0)
+        return sign if self.whirling else np.zeros(self.pole.shape)
+
+    @cached_property
+    def at_rest(self) -> NDArray[np.bool_]:
+        """Motions that nothing holds: poles at zero (s, k)."""
+        free = self.modes.at_rest()
+        return free if self.whirling else np.take_along_axis(free, self._chosen[0], axis=-1)
+
+    @cached_property
+    def free_count(self) -> Array:
+        """How many poles at zero (s,), both of a pair."""
+        return self.modes.at_rest().sum(axis=-1) * (2.0 if self.whirling else 1.0)
+
+    @cached_property
+    def growing(self) -> NDArray[np.bool_]:
+        """Motions that grow by themselves (s, k)."""
+        own = self.modes.growing
+        return own if self.whirling else np.take_along_axis(own, self._chosen[0], axis=-1)
+
+    def receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
+        """At ``omega`` (f,) > 0 of paired rows (pairs, n): (s, pairs, f)."""
+        answer = (self.lossy or self.modes).receptance
+        if not self.whirling:
+            return answer(omega, self._folded(responses), self._folded(excitations))
+        both = np.concatenate([omega, -omega])
+        return self._in_planes(lambda r, e: answer(both, r, e), responses, excitations)
+
+    def turning_receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
+        """The same seen from a frame that turns with the shaft: whirl at ω there is whirl at
+        ω + Ω."""
+
+        def answer(own: Array, other: Array) -> Complex:
+            found = []
+            for row, spin in enumerate(self.linear.speed):
+                both = np.concatenate([omega + spin, spin - omega])
+                found.append(self.modes.at(np.array([row])).receptance(both, own, other))
+            return np.concatenate(found)
+
+        return self._in_planes(answer, responses, excitations)
+
+    def _in_planes(
+        self, answer: Callable[[Array, Array], Complex], responses: Array, excitations: Array
+    ) -> Complex:
+        """Of receptances of whirl at ω, then at −ω: each row acts in one plane."""
+        half = self.linear.size // 2
+        folded = [rows[:, :half] + rows[:, half:] for rows in (responses, excitations)]
+        place = [
+            np.abs(rows[:, half:]).any(axis=1).astype(int) for rows in (responses, excitations)
+        ]
+        ahead, back = np.split(answer(*map(self._folded, folded)), 2, axis=-1)
+        back = back.conj()
+        turn = (place[0] - place[1])[:, None]
+        same, across = 0.5 * (ahead + back), -0.5j * (ahead - back)
+        if not self._coupled.all():
+            across[~self._coupled] = 0.0
+        return np.where(turn == 0, same, turn * across)
+
+    @cached_property
+    def _coupled(self) -> NDArray[np.bool_]:
+        """Speeds (s,) at which something couples the planes."""
+        coupled = np.zeros(len(self.linear.speed), dtype=bool)
+        if self.lossy is not None and self.lossy.loss.turns:
+            coupled |= self.linear.speed != 0.0
+        for matrix in (self.modes.stiffness, self.modes.damping):
+            coupled |= (
+                matrix.imag.reshape(len(matrix), -1).any(axis=1)
+                if np.iscomplexobj(matrix)
+                else False
+            )
+        return coupled
+
+    @property
+    def residual(self) -> float:
+        """Largest relative residual of the eigenpairs."""
+        if self.lossy is not None:
+            return self.lossy.residual
+        return residual(self.modes, self.modes.stiffness, self.modes.damping)
+
+    def at(self, rows: NDArray[np.intp]) -> FreeMotions:
+        """At some of the speeds."""
+        own = self.linear.at(rows)
+        if self.lossy is not None:
+            return free_motions(own)
+        return FreeMotions(own, self.modes.at(rows))
+
+    def answering(self, signs: Signs) -> FreeMotions:
+        """Motions of the linear system that answers those of some signs of loss."""
+        return self if self.lossy is None else replace(self, modes=self.lossy.answering(signs))
+
+    def stiffness(self, signs: Signs) -> NDArray[np.inexact]:
+        """Stiffness (s, n, n) that answers motions of some signs of loss."""
+        loss = self.linear.loss
+        own = None if loss is None else Hysteresis(*loss)
+        return self.linear.stiffness + (0.0 if own is None else own.stiffness(signs))
+
+
+def free_motions(linear: Linear) -> FreeMotions:
+    """All free motions; with loss factors, each with those of its own frequency. What is the same
+    at all speeds is solved once."""
+    stiffness: Matrices = linear.within(linear.stiffness)
+    damping: Matrices = linear.within(linear.damping)
+    loss = None if linear.loss is None else Hysteresis(*map(linear.within, linear.loss))
+    speeds = len(linear.speed)
+    same = all((own == own[:1]).all() for own in (stiffness, damping))
+    if same and loss is None and speeds > 1:
+        one = free_motions(linear.at(np.zeros(1, dtype=np.intp)))
+        return FreeMotions(linear, one.modes.at(np.zeros(speeds, dtype=np.intp)), None, True)
+    if linear.isotropic:
+        half = stiffness.shape[-1] // 2
+        stiffness, damping = (_circular(own, half) for own in (stiffness, damping))
+        if loss is not None:
+            fixed = _circular(loss.fixed, half)
+            loss = Hysteresis(fixed, loss.turning[:half, :half], None)
+    if loss is None:
+        return FreeMotions(linear, modes(stiffness, damping), None)
+    lossy = Hysteretic(stiffness, damping, loss, linear.speed)
+    return FreeMotions(linear, lossy.free_motions(), lossy)
+
+
+def _circular(matrix: Matrices, half: int) -> Matrices:
+    """A − iB of [[A, B], [−B, A]] (s, n, n): acts on r = y + i z; real where nothing couples the
+    planes."""
+    own, across = matrix[:, :half, :half], matrix[:, :half, half:]
+    return np.asarray(own - 1j * across) if across.any() else own

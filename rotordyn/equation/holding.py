@@ -1,0 +1,126 @@
+"""What holds a shaft at rest: bearings, in series with their sleeves and housings, and supports.
+
+Connections are the bearings, then the supports, in order; each has the six directions of its node.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.equation.dofs import DIRECTIONS, position
+from rotordyn.equation.seat import BEARING_DIRECTIONS
+from rotordyn.equation.structure import Structure
+from rotordyn.equation.support import node_matrix
+from rotordyn.equation.term import State
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import LinearSupport
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+ZERO = 1e-9  # of the largest: below that a motion is not held
+
+
+def rigid_motion(x: Array, front: float) -> Array:
+    """Displacements (…, 6, 6) of stations ``x`` by those of the rigid shaft at ``front`` [m].
+
+    Its transpose gathers loads at ``x`` to their resultant about ``front``.
+    """
+    lever = np.asarray(x) - front
+    motion = np.zeros((*lever.shape, 6, 6))
+    motion[...] = np.eye(6)
+    motion[..., 1, 5] = lever
+    motion[..., 2, 4] = -lever
+    return motion
+
+
+def length_scale(spindle: Spindle) -> Array:
+    """What turns the six displacements of a node into lengths: the length of the shaft (6,)."""
+    length = spindle.shaft.end - spindle.shaft.start
+    return np.array([1.0, 1.0, 1.0, length, length, length])
+
+
+def rigidly_held(spindle: Spindle) -> Flags:
+    """Directions held without give (connections, 6)."""
+    held = np.zeros((len(spindle.seats) + len(spindle.supports), 6), dtype=bool)
+    for row, support in zip(held[len(spindle.seats) :], spindle.supports, strict=True):
+        row[[position(direction) for direction in support.rigid]] = True
+    return held
+
+
+def held_stiffness(structure: Structure, state: State) -> Array:
+    """Stiffness of everything but what is rigid (s, 6 × connections, 6 × connections).
+
+    Sleeves and housings follow their own stiffness; sleeves do not tilt.
+    """
+    links, count = structure.connections, len(structure.connections)
+    states = len(state.speed)
+    whole = np.zeros((states, count, 6, count, 6))
+    for k, link in enumerate(links):
+        whole[:, k, :, k] = link.matrices(state).stiffness
+    flat = whole.reshape(states, 6 * count, 6 * count)
+    others = np.concatenate(
+        [np.zeros(0, dtype=np.intp), *(c.dofs for c in structure.components if c.spindle is None)]
+    )
+    if not others.size:
+        return flat
+    place = {int(dof): k for k, dof in enumerate(others)}
+    rows, own = np.zeros((6 * count, len(others))), np.zeros((states, *(2 * (len(others),))))
+    for k, link in enumerate(links):
+        for column, dof in enumerate(link.dofs.tolist()):
+            if dof in place:
+                rows[6 * k : 6 * k + 6, place[dof]] = link.motions[:, column]
+    for component in structure.components:
+        if component.spindle is None:
+            at = [place[dof] for dof in component.dofs.tolist()]
+            own[:, np.array(at)[:, None], at] += component.assembled("stiffness")
+    for link in structure.springs:
+        at = [place[dof] for dof in link.dofs.tolist()]
+        own[:, np.array(at)[:, None], at] += link.matrices(state).stiffness
+    inner = rows.T @ flat @ rows + own
+    return np.asarray(flat - flat @ rows @ np.linalg.solve(inner, rows.T @ flat))
+
+
+def free_motions(spindle: Spindle) -> Array:
+    """Motions of the rigid shaft that nothing holds (6, k), orthonormal.
+
+    They are those of the front end, in lengths (``length_scale``).
+    """
+    scale, front = length_scale(spindle), spindle.shaft.start
+    rows = [np.zeros((6, 6))]
+    for seat in spindle.seats:
+        own = rigid_motion(np.array(seat.x), front)
+        rows.append(own[[position(direction) for direction in BEARING_DIRECTIONS]])
+    for support in spindle.supports:
+        own = rigid_motion(np.array(support.x), front)
+        stiff = node_matrix(_largest(support)) / scale / scale[:, None]
+        largest = np.abs(stiff).max()
+        rows.append(own[[position(direction) for direction in support.rigid]])
+        rows.append(stiff / largest @ (scale[:, None] * own) if largest > 0.0 else own[:0])
+    _, size, ways = np.linalg.svd(np.concatenate(rows) / scale * scale[3])
+    return np.asarray(ways[size <= ZERO * size[0]].T)
+
+
+def _largest(support: LinearSupport) -> dict[tuple[str, str], float]:
+    """The stiffness of a support, of a table the largest values: what it holds at some speed."""
+    return {
+        pair: max(value, key=abs) if isinstance(value, tuple) else value
+        for pair, value in support.stiffness.items()
+    }
+
+
+def holds_twice(spindle: Spindle) -> bool:
+    """True where rigid supports hold the shaft, taken as a rigid body, more often than they can."""
+    scale, front = length_scale(spindle), spindle.shaft.start
+    rows = [np.zeros((0, 6))]
+    for support in spindle.supports:
+        own = scale[:, None] * rigid_motion(np.array(support.x), front) / scale
+        rows.append(own[[position(direction) for direction in support.rigid]])
+    held = np.concatenate(rows)
+    return bool(np.linalg.matrix_rank(held, tol=ZERO) < len(held)) if held.size else False
+
+
+def free_names(motions: Array) -> str:
+    """The directions that free motions move, as one names them."""
+    moved = np.abs(motions).max(axis=1, initial=0.0) > ZERO
+    return ", ".join(name for name, moves in zip(DIRECTIONS, moved, strict=True) if moves)

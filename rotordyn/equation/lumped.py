@@ -1,0 +1,36 @@
+"""Point masses and discs: rigid bodies on one node."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from rotordyn.equation.dofs import position
+from rotordyn.equation.shaft import PLANES, Shaft
+from rotordyn.equation.term import Part
+
+
+def lumped_parts(shaft: Shaft) -> Iterator[Part]:
+    """Mass, inertia and gyroscopic effect of what sits on a shaft; at a joint in front of it."""
+    bodies = shaft.spindle.lumped
+    if not bodies:
+        return
+    nodes = shaft.node[[shaft.mesh.node_of(body.x) for body in bodies]]
+    mass = np.array([body.mass for body in bodies])
+    polar = np.array([body.polar_inertia for body in bodies])
+    diametral = np.array([body.diametral_inertia for body in bodies])
+    none = np.zeros_like(mass)
+    for way, inertia in (("x", mass), ("thx", polar)):
+        rows = nodes[:, [position(way)]]
+        yield Part("mass", rows, rows, inertia[:, None, None])
+    planes = {w: nodes[:, [position(name) for name in names]] for w, (names, _) in PLANES.items()}
+    for rows in planes.values():
+        yield Part("mass", rows, rows, _diagonal(mass, diametral))
+        yield Part("softening", rows, rows, _diagonal(mass, none))
+    yield Part("gyroscopic", planes["y"], planes["z"], shaft.ratio * _diagonal(none, polar))
+
+
+def _diagonal(first: np.ndarray, second: np.ndarray) -> np.ndarray:
+    """(bodies, 2, 2)"""
+    return np.stack([first, second], axis=1)[:, :, None] * np.eye(2)

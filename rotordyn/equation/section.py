@@ -1,0 +1,54 @@
+"""Rigidities and inertias of the section of a shaft, anywhere along its elements."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rotordyn.equation.elements.shear import RIGID, shear_coefficient
+from rotordyn.equation.mesh import Mesh
+from rotordyn.equation.term import Array
+from rotordyn.machine.cross_section import area, second_moment
+from rotordyn.machine.spindle import Spindle
+
+MIDDLE, ENDS = np.array([0.0]), np.array([-1.0, 0.0, 1.0])
+
+
+def sheared(spindle: Spindle) -> bool:
+    """False where a shaft does not deform in shear."""
+    return spindle.shaft.shear_coefficient != RIGID
+
+
+def sections_at(spindle: Spindle, mesh: Mesh, xi: Array) -> tuple[Array, Array, Array, Array]:
+    """κGA [N], EI [N·m²], ρA [kg/m], ρI [kg·m] at ``xi`` on [−1, 1], (elements, places)."""
+    outer, inner = mesh.diameters(xi)
+    ring, moment = area(outer, inner), second_moment(outer, inner)
+    young, density = mesh.young_modulus[:, None], mesh.density[:, None]
+    kappa = shear_coefficient(
+        spindle.shaft.shear_coefficient, mesh.poisson_ratio[:, None], inner / outer
+    )
+    shear = kappa * mesh.shear_modulus[:, None] * ring
+    return shear, young * moment, density * ring, density * moment
+
+
+def sections(spindle: Spindle, mesh: Mesh) -> tuple[Array, Array, Array, Array]:
+    """The same in the middle of every element (elements,)."""
+    shear, bend, mass, rotary = (e[:, 0] for e in sections_at(spindle, mesh, MIDDLE))
+    return shear, bend, mass, rotary
+
+
+def axial(mesh: Mesh, xi: Array) -> tuple[Array, Array]:
+    """E A [N] and ρ A [kg/m] at ``xi`` on [−1, 1], (elements, places)."""
+    ring = area(*mesh.diameters(xi))
+    return mesh.young_modulus[:, None] * ring, mesh.density[:, None] * ring
+
+
+def torsion(mesh: Mesh, xi: Array) -> tuple[Array, Array]:
+    """G Ip [N·m²] and ρ Ip [kg·m] at ``xi`` on [−1, 1], (elements, places)."""
+    polar = 2.0 * second_moment(*mesh.diameters(xi))
+    return mesh.shear_modulus[:, None] * polar, mesh.density[:, None] * polar
+
+
+def shear_coefficients(spindle: Spindle, mesh: Mesh) -> Array:
+    """κ in the middle of every element (elements,)."""
+    outer, inner = (each[:, 0] for each in mesh.diameters(MIDDLE))
+    return shear_coefficient(spindle.shaft.shear_coefficient, mesh.poisson_ratio, inner / outer)

@@ -1,0 +1,301 @@
+"""The shaft of a rotor: elements of any degree in bending, axial motion and torsion.
+
+Nodes stand at every station and between them so that no wave up to the highest frequency errs by
+more than the accuracy allows (``fineness``). Where a joint gives way the element behind it stands
+on the node and on one more DOF, the motion of the part behind against the part in front: so the
+spring of a joint is the stiffness of one DOF, and however stiff, no digits of the shaft are lost.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+
+from rotordyn.equation.dofs import Dofs, Indices, Line, position
+from rotordyn.equation.elements import beam as bending
+from rotordyn.equation.elements import rod
+from rotordyn.equation.elements.standard_beam import PlaneBending, shear_parameter
+from rotordyn.equation.fineness import (
+    Fineness,
+    bending_wave,
+    cut,
+    parts_and_degree,
+    resolved,
+    rod_wave,
+)
+from rotordyn.equation.mesh import COINCIDENT, Mesh, divided, station_mesh
+from rotordyn.equation.section import (
+    ENDS,
+    MIDDLE,
+    axial,
+    sections,
+    sections_at,
+    shear_coefficients,
+    sheared,
+    torsion,
+)
+from rotordyn.equation.term import Array, Part
+from rotordyn.errors import InvalidInput
+from rotordyn.machine.spindle import Spindle
+
+Rows = tuple[Indices, Indices, Array]  # places (e, r), DOF (e, k) and factors (e, r, k)
+MOST_DOF = 200_000  # of a bending plane
+WAYS = {"radial": ("y", "z"), "tilt": ("thy", "thz"), "axial": ("x",), "torsion": ("thx",)}
+PLANES = {"y": (("y", "thz"), np.array([1.0, 1.0])), "z": (("z", "thy"), np.array([1.0, -1.0]))}
+
+
+@dataclass(frozen=True, eq=False)
+class Shaft:
+    """Elements between the nodes of ``mesh``, of a rotor called ``body``.
+
+    ``node`` (nodes, 6): DOF of the nodes, of a joint those of the part in front; ``jump``: by node
+    and direction the DOF of a joint there. ``degree`` (elements,) in bending, ``rod_degree`` of
+    rods; ``inner``: by line of the rotor the first inner DOF of each element.
+    """
+
+    body: str
+    ratio: float
+    spindle: Spindle
+    mesh: Mesh
+    node: Indices
+    jump: dict[tuple[int, str], int]
+    degree: Indices
+    rod_degree: Indices
+    inner: dict[str, Indices]
+
+    @classmethod
+    def of(
+        cls, dofs: Dofs, spindle: Spindle, body: str, ratio: float, fine: Fineness, shown: Mesh
+    ) -> Shaft:
+        """A rotor as fine as an accuracy asks; without one standard elements between the nodes of
+        the mesh ``shown``.
+
+        Raises
+        ------
+        InvalidInput : more DOF than ``MOST_DOF``
+        """
+        mesh, degree, rod_degree = _elements(spindle, shown, fine)
+        node = dofs.add_nodes(body, mesh.nodes)
+        jump: dict[tuple[int, str], int] = {}
+        for joint in spindle.joints:
+            at = mesh.node_of(joint.x)
+            for way, directions in WAYS.items():
+                if math.isfinite(getattr(joint, way)):
+                    for name in directions:
+                        line = Line(body, {"thz": "y", "thy": "z"}.get(name, name))
+                        sign = -1.0 if name == "thy" else 1.0
+                        jump[at, name] = int(dofs.add(line, sign=sign)[0])
+        counts = {"y": bending.inner_freedoms(degree, sheared(spindle)), "x": rod_degree - 1}
+        counts["z"], counts["thx"] = counts["y"], counts["x"]
+        inner = {}
+        for way, own in counts.items():
+            first = dofs.add(Line(body, way), int(own.sum()))
+            begin = int(first[0]) if len(first) else 0
+            inner[way] = begin + np.concatenate([[0], np.cumsum(own)[:-1]]).astype(np.intp)
+        return cls(body, ratio, spindle, mesh, node, jump, degree, rod_degree, inner)
+
+    def parts(self) -> Iterator[Part]:
+        """Mass, stiffness, gyroscopic effect and translational mass (softening)."""
+        yield from self._bending_parts()
+        yield from self._rod_parts()
+
+    def _bending_parts(self) -> Iterator[Part]:
+        for chosen, n, tapers in _alike(self.mesh, self.degree):
+            own = self._tapered(chosen, n) if tapers else self._cylindrical(chosen, n)
+            (y, moves), (z, _) = self.rows("y", chosen), self.rows("z", chosen)
+            for rows in (y, z):
+                yield Part("mass", rows, rows, _between(moves, own.mass))
+                yield Part("stiffness", rows, rows, _between(moves, own.stiffness))
+                yield Part("softening", rows, rows, _between(moves, own.translational_mass))
+            yield Part("gyroscopic", y, z, self.ratio * _between(moves, own.polar))
+
+    def _cylindrical(self, chosen: Indices, degree: int) -> PlaneBending:
+        mesh = self.mesh
+        every = (
+            mesh.length,
+            mesh.outer_diameter,
+            mesh.inner_diameter,
+            mesh.young_modulus,
+            mesh.shear_modulus,
+            mesh.density,
+            shear_coefficients(self.spindle, mesh),
+        )
+        return bending.hierarchic_bending(*(each[chosen] for each in every), degree=degree)
+
+    def _tapered(self, chosen: Indices, degree: int) -> PlaneBending:
+        xi, weight = bending.tapered_points(degree)
+        along = (each[chosen] for each in sections_at(self.spindle, self.mesh, xi))
+        place = self.mesh.length[chosen], self._phi[chosen]
+        return bending.tapered_bending(*place, *along, degree=degree, xi=xi, weight=weight)
+
+    @cached_property
+    def _phi(self) -> Array:
+        """Shear parameter Φ of every element, of a cone in its middle (elements,)."""
+        shear, bend, *_ = sections(self.spindle, self.mesh)
+        return shear_parameter(self.mesh.length, bend, shear)
+
+    def _rod_parts(self) -> Iterator[Part]:
+        mesh = self.mesh
+        for way, section in (("x", axial), ("thx", torsion)):
+            for chosen, n, tapers in _alike(mesh, self.rod_degree):
+                if tapers:
+                    xi, weight = rod.tapered_points(n)
+                    rigidity, inertia = (each[chosen] for each in section(mesh, xi))
+                    own = rod.tapered_rod(
+                        mesh.length[chosen], rigidity, inertia, degree=n, xi=xi, weight=weight
+                    )
+                else:
+                    rigidity, inertia = (each[chosen, 0] for each in section(mesh, MIDDLE))
+                    own = rod.hierarchic_rod(mesh.length[chosen], rigidity, inertia, degree=n)
+                rows, moves = self.rows(way, chosen)
+                yield Part("mass", rows, rows, _between(moves, own.mass))
+                yield Part("stiffness", rows, rows, _between(moves, own.stiffness))
+
+    def rows(self, way: str, elements: Indices) -> tuple[Indices, Array | None]:
+        """DOF (e, k) of elements of one degree, those of the ends first, of joints last; and how
+        their own motions (e, j, k) follow these, None where there is no joint before any."""
+        names = PLANES[way][0] if way in PLANES else (way,)
+        places = [position(name) for name in names]
+        degree = int((self.degree if way in PLANES else self.rod_degree)[elements[0]])
+        if way in PLANES:
+            count = int(bending.inner_freedoms(np.array(degree), sheared(self.spindle)))
+        else:
+            count = rod.inner_freedoms(degree)
+        inner = self.inner[way][elements][:, None] + np.arange(count)
+        ends = self.node[elements][:, places], self.node[elements + 1][:, places]
+        rows = np.concatenate([*ends, inner], axis=1)
+        gives = [[(e, name) in self.jump for name in names] for e in elements.tolist() if self.jump]
+        if not np.any(gives):
+            return rows, None
+        jumps = [
+            [self.jump.get((int(e), n), row[0]) for n in names]
+            for e, row in zip(elements, rows, strict=True)
+        ]
+        moves = np.tile(np.eye(rows.shape[1]), (len(elements), 1, 1))
+        jumped = np.zeros((*rows.shape, len(names)))
+        for place in range(len(names)):
+            jumped[:, place, place] = np.array(gives)[:, place]
+        return np.hstack([rows, jumps]), np.concatenate([moves, jumped], axis=2)
+
+    def rigid(self, way: str) -> Iterator[tuple[Indices, Array]]:
+        """Rigid motions of the DOF of a line: DOF and their displacements, signed."""
+        x = self.mesh.x - self.mesh.x.mean()
+        if way not in PLANES:
+            yield self.node[:, position(way)], np.ones((len(x), 1))
+        else:
+            deflection, tilt = (self.node[:, position(name)] for name in PLANES[way][0])
+            yield deflection, np.stack([np.ones_like(x), x], axis=1)
+            yield tilt, np.stack([np.zeros_like(x), np.ones_like(x)], axis=1)
+
+    def bent(self, way: str, x: Array) -> list[Rows]:
+        """Of a bending plane deflection and tilt at stations ``x``, two rows a station; at a joint
+        those of the part in front."""
+        found = []
+        for at, (rows, moves), shape in self._shapes(way, x):
+            both = np.stack([shape.deflection[:, 0], shape.rotation[:, 0]], axis=1)
+            found.append((2 * at[:, None] + np.arange(2), rows, _by(both, moves)))
+        return found
+
+    def sloped(self, way: str, x: Array, weight: Array) -> list[Rows]:
+        """The slopes v′ there times ``weight`` (stations,), a row a station."""
+        return [
+            (at[:, None], rows, _by(shape.slope * weight[at, None, None], moves))
+            for at, (rows, moves), shape in self._shapes(way, x)
+        ]
+
+    def _shapes(
+        self, way: str, x: Array
+    ) -> Iterator[tuple[Indices, tuple[Indices, Array | None], bending.Shapes]]:
+        """Of stations in elements of one degree: which, ``rows`` of their elements, shape
+        functions."""
+        element, xi = self._place(x)
+        phi = self._phi
+        degree = self.degree[element]
+        for n in np.unique(degree):
+            at = np.flatnonzero(degree == n)
+            own = element[at]
+            shape = bending.shapes(self.mesh.length[own], phi[own], int(n), xi[at, None])
+            yield at, self.rows(way, own), shape
+
+    def moved(self, way: str, x: Array) -> list[Rows]:
+        """Axial displacement or twist at stations ``x``, a row a station."""
+        element, xi = self._place(x)
+        degree, found = self.rod_degree[element], []
+        for n in np.unique(degree):
+            at = np.flatnonzero(degree == n)
+            rows, moves = self.rows(way, element[at])
+            found.append((at[:, None], rows, _by(rod.shapes(int(n), xi[at, None]), moves)))
+        return found
+
+    def _place(self, x: Array) -> tuple[Indices, Array]:
+        """Element and ξ on [−1, 1] of stations ``x`` [m]; at a node of the element in front."""
+        nodes, slack = self.mesh.x, COINCIDENT * float(self.mesh.x[-1] - self.mesh.x[0])
+        element = np.clip(np.searchsorted(nodes, x - slack) - 1, 0, len(self.degree) - 1)
+        xi = 2.0 * (x - nodes[element]) / self.mesh.length[element] - 1.0
+        return element, np.clip(xi, -1.0, 1.0)
+
+
+def _by(shape: Array, moves: Array | None) -> Array:
+    """Factors (e, r, k) of motions of elements (e, r, j) by their DOF."""
+    return shape if moves is None else np.asarray(shape @ moves)
+
+
+def _between(moves: Array | None, blocks: Array) -> Array:
+    """Blocks (e, k, k) of matrices (e, j, j) of elements by their DOF."""
+    return blocks if moves is None else np.asarray(np.swapaxes(moves, 1, 2) @ blocks @ moves)
+
+
+def _alike(mesh: Mesh, degree: Indices) -> Iterator[tuple[Indices, int, bool]]:
+    """Elements of one degree, cylinders and cones apart: which, their degree, are they cones."""
+    tapers = mesh.tapers
+    for n in np.unique(degree):
+        for conical in (False, True):
+            chosen = np.flatnonzero((degree == n) & (tapers == conical))
+            if chosen.size:
+                yield chosen, int(n), conical
+
+
+def _waves(spindle: Spindle, mesh: Mesh, omega: float, spin: float) -> Array:
+    """Largest wave number in bending of each element, at its ends and in its middle [1/m]."""
+    return bending_wave(omega, spin, *sections_at(spindle, mesh, ENDS)).max(axis=1)
+
+
+def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indices, Indices]:
+    """Nodes, degrees in bending and of rods."""
+    if fine.accuracy is None:
+        mesh = divided(shown, np.full(shown.nodes - 1, 2**fine.finer, dtype=np.intp))
+        return mesh, *np.ones((2, mesh.nodes - 1), dtype=np.intp)
+    coarse = station_mesh(spindle)
+    ratio = coarse.steepness
+    wave = _waves(spindle, coarse, fine.band, fine.spin)
+    parts, degree = parts_and_degree(wave * coarse.length, fine.accuracy, ratio)
+    along = np.maximum(
+        *(rod_wave(fine.band, *own(coarse, MIDDLE))[:, 0] for own in (axial, torsion))
+    )
+    more, rod_degree = parts_and_degree(
+        along * coarse.length / parts, fine.accuracy, cut(ratio, parts)
+    )
+    if not sheared(spindle):
+        degree = np.maximum(degree, 2)  # degrees 1 and 2 are one element without shear
+    parts, degree, rod_degree = parts * more, degree + fine.finer, rod_degree + fine.finer
+    size = float((bending.inner_freedoms(degree, sheared(spindle)) + 2) @ parts)
+    if size > MOST_DOF:
+        raise InvalidInput(
+            f"bending up to {fine.frequency:.6g} Hz takes {size:.3g} degrees of freedom; allowed: "
+            f"up to {MOST_DOF}; ask for lower frequencies or speeds, less accuracy, or join "
+            "sections that are alike"
+        )
+    return divided(coarse, parts), np.repeat(degree, parts), np.repeat(rod_degree, parts)
+
+
+def half_wave(spindle: Spindle, mesh: Mesh, spin: float) -> float:
+    """Highest whirl [rad/s] that crosses no element of ``mesh`` by more than half a wave."""
+
+    def phase(omega: float) -> float:
+        return float((_waves(spindle, mesh, omega, spin) * mesh.length).max())
+
+    return resolved(phase, math.pi, 1.0)

@@ -1,0 +1,85 @@
+"""Sliding sleeves: one DOF along the axis where the preload spring gives way, two across it where
+the bore does.
+
+A sleeve without mass has the one that puts it far above the highest frequency asked for on its
+spring (``Fineness.weightless``).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from rotordyn.equation.dofs import Dofs, Indices, Line
+from rotordyn.equation.fineness import Fineness
+from rotordyn.equation.term import Link, LinkMatrices, Part, State
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import Sleeve
+
+CLOSED = 1e3  # stiffness of a closed stop over that of the bearings on its sleeve
+SOFT = 1e6  # N/m: a fictitious mass is not taken from less
+
+
+class Sleeves:
+    """DOF of all sleeves: ``dofs`` by name of the sleeve and direction."""
+
+    def __init__(self, dofs: Dofs, spindle: Spindle, fine: Fineness) -> None:
+        self.spindle, self.fine = spindle, fine
+        self.dofs: dict[tuple[str, str], int] = {}
+        for sleeve in spindle.sleeves:
+            for way, stiffness in springs(sleeve):
+                if math.isfinite(stiffness):
+                    number = dofs.add(Line(f"sleeve {sleeve.name}", way))
+                    self.dofs[sleeve.name, way] = int(number[0])
+
+    def under(self, seat: str) -> dict[str, int]:
+        """DOF of the sleeve that carries a bearing, by direction."""
+        sleeve = self.spindle.sleeve_of(seat)
+        ways = ("x", "y", "z") if sleeve else ()
+        own = {way: self.dofs.get((sleeve.name, way)) for way in ways if sleeve}
+        return {way: number for way, number in own.items() if number is not None}
+
+    def parts(self) -> Iterator[Part]:
+        """Mass, and the spring across the axis."""
+        for sleeve in self.spindle.sleeves:
+            for way, stiffness in springs(sleeve):
+                if (sleeve.name, way) in self.dofs:
+                    rows = _one(self.dofs[sleeve.name, way])
+                    mass = sleeve.mass or max(stiffness, SOFT) / self.fine.weightless**2
+                    yield Part("mass", rows, rows, np.full((1, 1, 1), mass))
+                    if way != "x":
+                        yield Part("stiffness", rows, rows, np.full((1, 1, 1), stiffness))
+
+    def links(self) -> Iterator[Link]:
+        """The spring along the axis, and the stop where the sleeve stands at it."""
+        for place, sleeve in enumerate(self.spindle.sleeves):
+            if (sleeve.name, "x") in self.dofs:
+                carried = [k for k, s in enumerate(self.spindle.seats) if s.name in sleeve.bearings]
+                yield Link(
+                    f"sleeve {sleeve.name}",
+                    _one(self.dofs[sleeve.name, "x"])[0],
+                    np.ones((1, 1)),
+                    _spring_and_stop(sleeve, place, carried),
+                )
+
+
+def springs(sleeve: Sleeve) -> tuple[tuple[str, float], ...]:
+    """Directions and their stiffness [N/m], infinite where it cannot move."""
+    radial = sleeve.radial_stiffness
+    return ("x", sleeve.spring.stiffness), ("y", radial), ("z", radial)
+
+
+def _spring_and_stop(sleeve: Sleeve, place: int, carried: list[int]):  # type: ignore[no-untyped-def]
+    def matrices(state: State) -> LinkMatrices:
+        bearings = state.tangents[:, carried, 0, 0].sum(axis=1)
+        stop = CLOSED * bearings * state.stops[:, place]
+        held = sleeve.spring.stiffness + stop
+        return LinkMatrices(held[:, None, None], np.zeros((1, 1, 1)))
+
+    return matrices
+
+
+def _one(number: int) -> Indices:
+    return np.array([[number]])

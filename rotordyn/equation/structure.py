@@ -1,0 +1,297 @@
+"""A machine without its states: DOF, parts and links of all terms, components that nothing joins
+but links."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import replace
+from functools import cached_property
+
+import numpy as np
+
+from rotordyn.equation.axial_force import Slopes, slope_rows
+from rotordyn.equation.component import Component
+from rotordyn.equation.dofs import DIRECTIONS, Dofs, Indices, Line, position
+from rotordyn.equation.drawbar import drawbar_links
+from rotordyn.equation.fineness import Fineness
+from rotordyn.equation.housing import Foundation
+from rotordyn.equation.joint import joint_parts
+from rotordyn.equation.lumped import lumped_parts
+from rotordyn.equation.mesh import Mesh
+from rotordyn.equation.seat import seat_matrices
+from rotordyn.equation.shaft import PLANES, Shaft
+from rotordyn.equation.sleeve import Sleeves
+from rotordyn.equation.support import matrices_of
+from rotordyn.equation.term import Array, Link, Part
+from rotordyn.machine.rotor import Place
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import GROUND, SPINDLE, BearingSeat, LinearSupport
+from rotordyn.numerics.sparse import summed
+
+PAIRED = {"y": "z", "z": "y", "thy": "thz", "thz": "thy"}  # planes keep the same static modes
+JOINING = ("mass", "stiffness", "damping")  # matrices that make DOF one component
+
+
+class Structure:
+    """All terms of a ``spindle``.
+
+    ``shown``: nodes at which motion is displayed; ``fine``: how fine elements and reduction are;
+    ``ports``: further places at which forces act or motion is read; ``rigid``: shafts do not bend.
+
+    Raises
+    ------
+    InvalidInput : as ``Shaft.of`` and ``Foundation``
+    """
+
+    def __init__(
+        self,
+        spindle: Spindle,
+        shown: Mesh,
+        fine: Fineness,
+        ports: Iterable[Place] = (),
+        *,
+        rigid: bool = False,
+    ) -> None:
+        self.spindle, self.shown, self.fine, self.rigid = spindle, shown, fine, rigid
+        self.dofs = Dofs()
+        self.shafts = {
+            name: Shaft.of(
+                self.dofs,
+                spindle.part(name),
+                name,
+                ratio,
+                replace(fine, spin=abs(ratio) * fine.spin),
+                shown.of_rotors[name],
+            )
+            for name, ratio in spindle.ratios.items()
+        }
+        self.sleeves = Sleeves(self.dofs, spindle, fine)
+        self.housings = [Foundation(self.dofs, spindle, each) for each in spindle.housings]
+        terms = [self.sleeves.parts(), *(housing.parts() for housing in self.housings)]
+        for shaft in self.shafts.values():
+            terms += [shaft.parts(), lumped_parts(shaft), joint_parts(shaft)]
+        self.parts: list[Part] = [part for term in terms for part in term]
+        self.seats = [self._seat_link(k, seat) for k, seat in enumerate(spindle.seats)]
+        self.supports = [self._support_link(support) for support in spindle.supports]
+        self.springs = list(self.sleeves.links())
+        self.strings = list(drawbar_links(self.shafts[SPINDLE]))
+        self._ports = self._port_dofs(ports)
+
+    @property
+    def connections(self) -> list[Link]:
+        """Bearings, then supports."""
+        return [*self.seats, *self.supports]
+
+    def node(self, rotor: str, x: float) -> Indices:
+        """DOF (6,) of the node of a rotor at station ``x`` [m]."""
+        shaft = self.shafts[rotor]
+        return np.asarray(shaft.node[shaft.mesh.node_of(x)])
+
+    def _seat_link(self, place: int, seat: BearingSeat) -> Link:
+        dofs, motions = self._against(seat.name, [(SPINDLE, seat.x, 1.0)])
+        for way, number in self.sleeves.under(seat.name).items():
+            dofs = np.append(dofs, number)
+            motions = np.concatenate([motions, -_unit(position(way))], axis=1)
+        return Link(seat.name, dofs, motions, seat_matrices(seat, place))
+
+    def _support_link(self, support: LinearSupport) -> Link:
+        ends = [(support.holds, support.x, 1.0)]
+        if support.against != GROUND:
+            ends.append((support.against, support.x, -1.0))
+        dofs, motions = self._against(support.name, ends)
+        rigid = tuple(position(direction) for direction in support.rigid)
+        return Link(support.name, dofs, motions, matrices_of(support), support.loss_factor, rigid)
+
+    def _against(self, name: str, ends: list[tuple[str, float, float]]) -> tuple[Indices, Array]:
+        """Motion (6, DOF) of nodes against that of the housing that carries a connection."""
+        nodes = [self.node(rotor, x) for rotor, x, _ in ends]
+        sign = self.dofs.sign
+        motions = [way * np.diag(sign[own]) for own, (_, _, way) in zip(nodes, ends, strict=True)]
+        for housing in self.housings:
+            if name in housing.under:
+                nodes.append(housing.dofs)
+                motions.append(-housing.under[name])
+        return np.concatenate(nodes), np.concatenate(motions, axis=1)
+
+    def _port_dofs(self, places: Iterable[Place]) -> Indices:
+        """DOF of shafts at which links, heavy discs, dampers of joints and users act."""
+        wanted: set[tuple[str, int, str]] = set()
+        for rotor, x, names in [*self._loaded(), *((*place, DIRECTIONS) for place in places)]:
+            node = self.shafts[rotor].mesh.node_of(x)
+            wanted |= {(rotor, node, n) for name in names for n in (name, PAIRED.get(name, name))}
+        own = {int(self.shafts[r].node[node, position(name)]) for r, node, name in wanted}
+        for shaft in self.shafts.values():
+            for joint in shaft.spindle.joints:
+                if joint.radial_damping or joint.tilt_damping:
+                    at = shaft.mesh.node_of(joint.x)
+                    own |= {number for (node, _), number in shaft.jump.items() if node == at}
+        return np.array(sorted(own), dtype=np.intp)
+
+    def _loaded(self) -> Iterator[tuple[str, float, Iterable[str]]]:
+        """Rotor, station and directions in which the terms act on shafts."""
+        for seat in self.spindle.seats:
+            yield SPINDLE, seat.x, set(DIRECTIONS) - {"thx"}
+        for support in self.spindle.supports:
+            touched = {n for pair in (*support.stiffness, *support.damping) for n in pair}
+            touched |= set(support.rigid)
+            for rotor in {support.holds, support.against} - {GROUND}:
+                yield rotor, support.x, touched
+        for x in self.spindle.drawbar.stations if self.spindle.drawbar else ():
+            yield SPINDLE, x, PAIRED
+        for rotor, shaft in self.shafts.items():
+            for body in shaft.spindle.lumped:
+                if body.polar_inertia:
+                    yield rotor, body.x, ("thy", "thz")
+            for joint in shaft.spindle.joints:
+                if joint.radial_damping or joint.tilt_damping:
+                    yield rotor, joint.x, PAIRED
+
+    @cached_property
+    def components(self) -> list[Component]:
+        """Joined by constant matrices, in the order of their first line."""
+        lines, of_dof = self.dofs.lines, self.dofs.line
+        groups = _Union(len(lines))
+        square = [part for part in self.parts if part.matrix != "gyroscopic" and part.rows.size]
+        for part in square:
+            if part.matrix in JOINING:
+                coupled = np.abs(part.blocks).max(axis=0) > 0.0
+                for row, column in np.argwhere(coupled):
+                    groups.join(of_dof[part.rows[0, row]], of_dof[part.columns[0, column]])
+        solved: dict[tuple[bytes, ...], tuple[Array, Array, Array]] = {}
+        found = []
+        for root in groups.roots():
+            mine = [k for k in range(len(lines)) if groups.find(k) == root]
+            of_mine = np.isin(of_dof, mine)
+            dofs = np.flatnonzero(of_mine)
+            if not len(dofs):
+                continue
+            parts = [cut for part in square if (cut := _cut(part, of_mine)) is not None]
+            own = tuple(lines[k] for k in mine)
+            found.append(self._component(own, dofs, parts, solved))
+        return found
+
+    @cached_property
+    def owner(self) -> Indices:
+        """Place among the components of every DOF."""
+        owner = np.zeros(self.dofs.count, dtype=np.intp)
+        for k, component in enumerate(self.components):
+            owner[component.dofs] = k
+        return owner
+
+    def _component(
+        self,
+        lines: tuple[Line, ...],
+        dofs: Indices,
+        parts: list[Part],
+        solved: dict[tuple[bytes, ...], tuple[Array, Array, Array]],
+    ) -> Component:
+        shaft = self.shafts.get(lines[0].body)
+        return Component(
+            lines=lines,
+            dofs=dofs,
+            parts=parts,
+            rigid=[] if shaft is None else list(shaft.rigid(lines[0].way)),
+            ports=np.intersect1d(self._ports, dofs),
+            spindle=None if shaft is None else shaft.spindle,
+            cutoff=0.0 if self.rigid else self.fine.cutoff,
+            bends=lines[0].motion == "bending",
+            solved=solved,
+            ratio=1.0 if shaft is None else shaft.ratio,
+            polar=self._polar(dofs, lines[0].way) if self.fine.gyroscopic else [],
+            band=self.fine.slow,
+        )
+
+    def _polar(self, dofs: Indices, way: str) -> list[Part]:
+        """Gyroscopic parts that act on a bending plane, both sides of them in that plane."""
+        found = []
+        for part in self.parts:
+            if part.matrix == "gyroscopic" and part.rows.size:
+                rows = part.rows if way == "y" else part.columns
+                if np.isin(rows[0, 0], dofs):
+                    found.append(Part("gyroscopic", rows, rows, part.blocks))
+        return found
+
+    def gyroscopic(self, y: Component, z: Component) -> Array:
+        """Couples the velocities of plane z to plane y of a rotor (m, m), per unit of the spindle's
+        speed."""
+        key = id(y), id(z)
+        if key not in self._gyroscopic:
+            own = [p for p in self.parts if p.matrix == "gyroscopic" and y.has(p.rows[:1, 0]).all()]
+            shape = len(y.dofs), len(z.dofs)
+            blocks = [(y.local(p.rows), z.local(p.columns), p.blocks) for p in own]
+            matrix = summed(shape, blocks, large=y.large)
+            self._gyroscopic[key] = np.asarray(y.vectors.T @ (matrix @ z.vectors))
+        return self._gyroscopic[key]
+
+    @cached_property
+    def _gyroscopic(self) -> dict[tuple[int, int], Array]:
+        return {}
+
+    def slopes(self, component: Component) -> Slopes:
+        """Weighted slopes of a bending plane of the spindle's shaft."""
+        key = id(component)
+        if key not in self._slopes:
+            rows, element = slope_rows(self.shafts[SPINDLE], self.shown, component.way)
+            self._slopes[key] = Slopes(component.displaced(len(element), rows), element)
+        return self._slopes[key]
+
+    @cached_property
+    def _slopes(self) -> dict[int, Slopes]:
+        return {}
+
+    def motion(self, components: Sequence[Component]) -> Array:
+        """Displacements of the shown nodes by the coordinates of components (nodes, 6, n)."""
+        ends = np.cumsum([0, *(c.size for c in components)])
+        whole = np.zeros((len(self.shown.stations), 6, int(ends[-1])))
+        for component, begin, end in zip(components, ends[:-1], ends[1:], strict=True):
+            for line in component.lines:
+                if line.body in self.shafts:
+                    nodes = self.shown.spans[line.body]
+                    own = self._motion_of(line, component)
+                    whole[nodes, :, begin:end] += own
+        return whole
+
+    def _motion_of(self, line: Line, component: Component) -> Array:
+        shaft, x = self.shafts[line.body], self.shown.of_rotors[line.body].x
+        whole = np.zeros((len(x), 6, component.size))
+        if line.way in PLANES:
+            names, signs = PLANES[line.way]
+            both = component.displaced(2 * len(x), shaft.bent(line.way, x))
+            for place, (name, sign) in enumerate(zip(names, signs, strict=True)):
+                whole[:, position(name)] = sign * both[place::2]
+        else:
+            whole[:, position(line.way)] = component.displaced(len(x), shaft.moved(line.way, x))
+        return whole
+
+
+def _cut(part: Part, chosen: np.ndarray) -> Part | None:
+    """Of a part on rows = columns what is on chosen DOF."""
+    own = chosen[part.rows[0]]
+    if own.all() or not own.any():
+        return part if own.all() else None
+    return Part(part.matrix, part.rows[:, own], part.rows[:, own], part.blocks[:, own][:, :, own])
+
+
+class _Union:
+    """Sets of numbers below ``count``, joined in pairs."""
+
+    def __init__(self, count: int) -> None:
+        self._parent = list(range(count))
+
+    def find(self, k: int) -> int:
+        while self._parent[k] != k:
+            k = self._parent[k]
+        return k
+
+    def join(self, a: int, b: int) -> None:
+        low, high = sorted((self.find(int(a)), self.find(int(b))))
+        self._parent[high] = low
+
+    def roots(self) -> list[int]:
+        return sorted({self.find(k) for k in range(len(self._parent))})
+
+
+def _unit(place: int) -> Array:
+    column = np.zeros((6, 1))
+    column[place] = 1.0
+    return column

@@ -1,0 +1,71 @@
+"""Linear supports: 6×6 matrices, some of them tables over speed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+
+import numpy as np
+
+from rotordyn.equation.dofs import position
+from rotordyn.equation.term import Array, LinkMatrices, State
+from rotordyn.machine.support import LinearSupport, Value
+
+ALIKE = 1e-9  # of an entry: below that its difference between the planes is rounding
+_QUARTER_TURN = np.zeros((6, 6))
+for _row, _column, _sign in ((0, 0, 1), (1, 2, -1), (2, 1, 1), (3, 3, 1), (4, 5, -1), (5, 4, 1)):
+    _QUARTER_TURN[_row, _column] = _sign
+
+
+def matrices_of(support: LinearSupport) -> Callable[[State], LinkMatrices]:
+    """Stiffness and damping over the six directions (s or 1, 6, 6).
+
+    Raises
+    ------
+    InvalidInput : its table does not reach one of the speeds
+    """
+
+    def matrices(state: State) -> LinkMatrices:
+        speed = state.speed if support.speeds else state.speed[:1]
+        return LinkMatrices(
+            support_matrices(support, "stiffness", speed),
+            support_matrices(support, "damping", speed),
+        )
+
+    return matrices
+
+
+def node_matrix(entries: Mapping[tuple[str, str], Value]) -> Array:
+    """Matrix (6, 6) of a linear support's entries by pair of directions; nothing is symmetrised.
+
+    Raises
+    ------
+    ValueError : a name is none of x, y, z, thx, thy, thz, or an entry is a table over speed
+    """
+    matrix = np.zeros((6, 6))
+    for (row, column), value in entries.items():
+        matrix[position(row), position(column)] = value
+    return matrix
+
+
+def support_matrices(support: LinearSupport, which: str, speed: Array) -> Array:
+    """``"stiffness"`` or ``"damping"`` of a support at every ``speed`` [rad/s], (speeds, 6, 6).
+
+    Raises
+    ------
+    InvalidInput : its table does not reach one of the speeds
+    """
+    if not support.speeds:
+        one = node_matrix(getattr(support, which))
+        return np.broadcast_to(one, (len(speed), 6, 6))
+    held = [node_matrix(getattr(support.at(float(each)), which)) for each in speed]
+    return np.array(held).reshape(-1, 6, 6)
+
+
+def answers_alike(matrix: Array) -> bool:
+    """True where a node's (…, 6, 6) matrix is the same in all directions about the axis.
+
+    It must not change under a quarter turn about x: y → z, z → −y, and tilts likewise.
+    """
+    turned = _QUARTER_TURN @ matrix @ _QUARTER_TURN.T
+    size = np.maximum(np.abs(matrix), np.abs(turned))
+    return bool((np.abs(matrix - turned) <= ALIKE * size).all())

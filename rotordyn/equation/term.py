@@ -1,0 +1,72 @@
+"""What a term of the equation of motion gives.
+
+    M q̈ + (C + Ω G) q̇ + (K + Ω N − Ω² S) q = f
+
+1. A term is built from its description (``rotordyn.machine``) and numbers the DOF that it adds.
+2. ``parts``: constant matrices, blocks on DOF: "mass", "stiffness", "damping"; "gyroscopic" (per
+   unit of the spindle's speed, rows in plane y, columns in plane z: G is that and minus its
+   transpose); "turning", damping in the frame of its rotor times the speed ratio (also counted in
+   "damping"; N couples the planes by it); "softening", S of fixed-frame softening.
+3. ``links``: springs and dampers between DOF whose matrices follow the speed, the bearings' state
+   or the axial force: they join bodies, and do not take part in the reduction of a body, which
+   keeps a static mode for each DOF that a link touches.
+4. Matrices are of the signed DOF of ``dofs``.
+
+To add a term: a file like ``lumped`` (parts) or ``support`` (links), and one line in ``structure``.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.equation.dofs import Indices
+
+Array = NDArray[np.float64]
+Matrices = NDArray[np.inexact[Any]]
+
+
+class Part(NamedTuple):
+    """Blocks (e, r, c) of a ``matrix`` at DOF ``rows`` (e, r) and ``columns`` (e, c)."""
+
+    matrix: str
+    rows: Indices
+    columns: Indices
+    blocks: Array
+
+
+class State(NamedTuple):
+    """What links follow: ``speed`` (s,) [rad/s]; ``tangents`` (s, seats, 5, 5) of the bearings in
+    their own frames; sleeves at their ``stops`` (s, sleeves)."""
+
+    speed: Array
+    tangents: Array
+    stops: NDArray[np.bool_]
+
+
+class LinkMatrices(NamedTuple):
+    """Stiffness and damping (s or 1, k, k) of a link over its relative motions."""
+
+    stiffness: Array
+    damping: Array
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Link:
+    """Springs and dampers over k relative motions d = ``motions`` (k, DOF) q[``dofs``].
+
+    ``matrices``: at the states of a machine. ``directions``: of the six of a node, those that d is
+    made of. ``loss_factor`` [-]: of the stiffness. ``tilts``: moments act on tilts too.
+    ``rigid``: places of the motions that are zero, whatever acts (``constraint``).
+    """
+
+    name: str
+    dofs: Indices
+    motions: Array
+    matrices: Callable[[State], LinkMatrices]
+    loss_factor: float = 0.0
+    rigid: tuple[int, ...] = ()

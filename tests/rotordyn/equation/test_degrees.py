@@ -1,0 +1,90 @@
+"""The degree follows the wave that an element must carry, and the tolerance."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from rotordyn.equation.elements.rod import hierarchic_rod, inner_freedoms, shapes
+from rotordyn.equation.fineness import (
+    HIGHEST,
+    bending_wave,
+    expected_error,
+    least_degree,
+    parts_and_degree,
+    resolved,
+    rod_wave,
+)
+from tests.oracles.spinning_beam import PinnedBeam
+from tests.verification.test_rotor_hierarchic import at_rest
+
+
+@pytest.mark.parametrize("degree", [2, 3, 4, 5])
+@pytest.mark.parametrize("slenderness", [5.0, 1000.0])
+def test_expected_error_bounds_that_of_a_pinned_beam(degree: int, slenderness: float) -> None:
+    """And is no more than three times as large, over all its energy in bending and shear."""
+    beam = PinnedBeam(0.1 * slenderness, 0.1)
+    exact = beam.bending_whirl(1, 0.0)[1]
+    found = at_rest(beam, 3, degree, 1)[0] / exact - 1.0
+    bound = float(expected_error(np.array([np.pi / 3.0]), np.array([degree]))[0])
+    assert 0.3 * bound < found < 1.05 * bound
+
+
+def test_rod_of_any_degree_errs_as_expected() -> None:
+    """A free rod of unit speed of sound: mode n has k = n π / L."""
+    for degree in (1, 2, 3, 4):
+        element = hierarchic_rod(np.array([1.0]), np.array([1.0]), np.array([1.0]), degree=degree)
+        count = 4
+        size = count + 1 + count * inner_freedoms(degree)
+        mass, stiffness = np.zeros((size, size)), np.zeros((size, size))
+        for k in range(count):
+            first = count + 1 + k * inner_freedoms(degree)
+            rows = np.r_[k, k + 1, first : first + inner_freedoms(degree)]
+            mass[np.ix_(rows, rows)] += element.mass[0]
+            stiffness[np.ix_(rows, rows)] += element.stiffness[0]
+        values = np.linalg.eigvals(np.linalg.solve(mass, stiffness)).real
+        found = np.sqrt(np.sort(values)[1]) / (np.pi / count) - 1.0
+        bound = float(expected_error(np.array([np.pi / count]), np.array([degree]))[0])
+        assert found == pytest.approx(bound, rel=0.15)
+
+
+def test_rod_shapes_meet_at_the_nodes() -> None:
+    assert shapes(4, np.array([-1.0, 1.0])) == pytest.approx(np.eye(5)[:2], abs=1e-14)
+
+
+def test_least_degree_is_the_least() -> None:
+    phase = np.array([1e-4, 0.1, 0.5, 1.0, 2.0, 4.0])
+    degree = least_degree(phase, 1e-5)
+    assert (np.diff(degree) >= 0).all()
+    assert (expected_error(phase, degree) <= 1e-5).all()
+    above = degree > 1
+    assert (expected_error(phase[above], degree[above] - 1) > 1e-5).all()
+    assert least_degree(np.array([100.0]), 1e-8)[0] == 0
+
+
+def test_long_waves_are_cut_into_parts() -> None:
+    parts, degree = parts_and_degree(np.array([0.01, 3.0, 300.0]), 1e-6)
+    assert list(parts[:2]) == [1, 1]
+    assert parts[2] > 20
+    assert degree.max() <= HIGHEST
+
+
+def test_waves_are_those_of_the_exact_dispersion() -> None:
+    beam = PinnedBeam(0.5, 0.1)
+    for mode in (1, 3):
+        for spin in (0.0, 2000.0):
+            backward = beam.bending_whirl(mode, spin)[0]
+            found = bending_wave(
+                backward,
+                spin,
+                *(
+                    np.array([v])
+                    for v in (beam.shear, beam.bending, beam.line_mass, beam.line_inertia)
+                ),
+            )
+            assert found[0] == pytest.approx(beam.wave_number(mode), rel=1e-9)
+    assert rod_wave(10.0, np.array([4.0]), np.array([1.0]))[0] == 5.0
+
+
+def test_resolved_frequency_is_where_the_error_meets_the_tolerance() -> None:
+    assert resolved(lambda w: (w / 50.0) ** 4, 1e-4, 1.0) == pytest.approx(5.0, rel=1e-9)

@@ -1,0 +1,83 @@
+"""Motions solved as one complex plane: seen in both planes, and what couples these."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from rotordyn.analysis.frf import answer
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import Conditions, FrfSpec
+from rotordyn.equation.free_motion import free_motions
+from rotordyn.equation.linear import Linear
+from rotordyn.numerics.modes import modes
+from tests.oracles.rotors import STEPPED, support
+from tests.oracles.spindles import RPM, pairs
+
+OMEGA = np.array([40.0, 900.0, 7000.0])
+EVEN = (support("front", 0.0, (8e7, 8e7), 300.0), support("rear", 0.2, (6e7, 6e7), 200.0))
+SKEW = tuple(replace(s, stiffness={**s.stiffness, ("y", "z"): 5e6, ("z", "y"): -5e6}) for s in EVEN)
+ROTOR = replace(STEPPED, points={"tip": -0.05, "mid": 0.11})
+
+
+def bending(supports: tuple, rpm: float) -> Linear:
+    spindle = replace(ROTOR, supports=supports)
+    scene = Scene(spindle, Conditions(), np.array([rpm * RPM]), 1000.0, (-0.05, 0.11))
+    (k,) = scene.with_motions(("bending",))
+    return scene.linear(k)
+
+
+@pytest.mark.parametrize("supports", [EVEN, SKEW], ids=["even", "skew"])
+def test_one_complex_plane_is_both_planes_in_one_real_system(supports: tuple) -> None:
+    linear = bending(supports, 9000.0)
+    assert linear.isotropic
+    found = free_motions(linear)
+    both = modes(linear.stiffness, linear.damping)
+    upper = both.pole[0][both.pole[0].imag > 0.0]
+    apart = np.abs(np.sort_complex(found.pole[0])[:, None] - upper).min(axis=1)
+    assert (apart < 1e-9 * np.abs(np.sort_complex(found.pole[0]))).all()
+    assert found.pole.shape[1] == len(upper)
+    k, d = linear.stiffness[0], linear.damping[0]
+    balance = [
+        (s**2 * v + s * d @ v + k @ v) / np.abs(k @ v).max()
+        for s, v in zip(found.pole[0], found.vector[0].T, strict=True)
+    ]
+    assert np.abs(balance).max() < 1e-9
+    turning = found.vector[0].T.reshape(-1, 2, linear.size // 2)
+    ways = np.where(found.whirl[0] > 0, -1j, 1j)
+    np.testing.assert_allclose(turning[:, 1], ways[:, None] * turning[:, 0], rtol=1e-12)
+    rows = np.random.default_rng(2).normal(size=(4, linear.size // 2))
+    out = np.concatenate([rows, 0.0 * rows], axis=1)
+    into = np.concatenate([0.0 * rows, rows[::-1]], axis=1)
+    for response, excitation in ((out, out[::-1]), (out, into), (into, out), (into, into)):
+        ours = found.receptance(OMEGA, response, excitation)
+        theirs = both.receptance(OMEGA, response, excitation)
+        assert np.abs(ours - theirs).max() < 1e-9 * np.abs(theirs).max()
+
+
+def test_left_and_right_vectors_sum_up_to_the_receptance() -> None:
+    """Σ v l / (iω − λ) and, of Im λ > 0, the conjugate."""
+    found = free_motions(bending(EVEN, 9000.0))
+    pole, vector, left = (each[0] for each in (found.pole, found.vector, found.left))
+    row, own = vector[[0]], left[:, [0]]
+    total = [
+        (row @ (own / (1j * w - pole)[:, None]))[0, 0]
+        + (row.conj() @ (own.conj() / (1j * w - pole.conj())[:, None]))[0, 0]
+        for w in OMEGA
+    ]
+    unit = np.eye(1, vector.shape[0])
+    assert total == pytest.approx(found.receptance(OMEGA, unit, unit)[0, 0], rel=1e-9)
+
+
+def test_planes_apart_answer_each_other_with_nothing() -> None:
+    """Not even rounding, at rest on supports that do not couple them; else they do answer."""
+    for supports, rpm, apart in ((EVEN, 0.0, True), (EVEN, 3000.0, False), (SKEW, 0.0, False)):
+        spindle = replace(ROTOR, supports=supports)
+        scene = Scene(spindle, Conditions(), np.array([rpm * RPM]), 1000.0, (-0.05, 0.11))
+        spec = FrfSpec((100.0, 900.0), pairs("tip.z/tip.y", "mid.y/tip.z"))
+        found = answer(scene, spec)
+        assert (found.receptance == 0.0).all() == apart
+        assert (found.receptance != 0.0).all() != apart
+        assert not (apart and found.error.any())

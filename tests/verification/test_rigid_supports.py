@@ -1,0 +1,177 @@
+"""Rigid supports: no motion at all there, in every analysis."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from bearings.materials import Material
+from rotordyn.analysis import campbell, frf, section_forces, unbalance
+from rotordyn.analysis.loads import PointLoad, Unbalance
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import (
+    CampbellSpec,
+    Conditions,
+    FrfSpec,
+    Port,
+    SectionForcesSpec,
+    UnbalanceSpec,
+)
+from rotordyn.equation.constraint import allowed_motions
+from rotordyn.machine.rotor import Rotor
+from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import LinearSupport
+from tests.oracles.spinning_beam import PinnedBeam
+
+STEEL = Material("steel", 2.1e11, 0.3, 7800.0)
+LENGTH, DIAMETER = 0.5, 0.05
+SPEEDS = np.array([0.0, 500.0, 2000.0])
+FINE = Conditions(accuracy=1e-8)
+
+
+def beam(*supports: LinearSupport, **more: Any) -> Spindle:
+    shaft = Shaft(0.0, (Section(LENGTH, DIAMETER, 0.0, STEEL),))
+    return Spindle("beam", shaft, supports=supports, points={"mid": 0.2, "end": LENGTH}, **more)
+
+
+def pin(name: str, x: float, *ways: str, **more: Any) -> LinearSupport:
+    return LinearSupport(name, x, rigid=ways or ("y", "z"), **more)
+
+
+def spring(name: str, x: float, stiffness: float, *ways: str, damping: float = 0.0) -> Any:
+    return LinearSupport(
+        name,
+        x,
+        {(way, way): stiffness for way in ways or ("y", "z")},
+        {(way, way): damping for way in ways or ("y", "z")} if damping else {},
+    )
+
+
+def bending(spindle: Spindle, highest: float = 6000.0, conditions: Conditions = FINE) -> Any:
+    """Frequencies of bending (speeds, modes) [Hz], ascending."""
+    found = campbell.answer(Scene(spindle, conditions, SPEEDS, highest), CampbellSpec(highest))
+    return np.sort(found.frequency[:, [kind == "bending" for kind in found.kind]], axis=1)
+
+
+def response(spindle: Spindle, *pair: str, conditions: Conditions = FINE) -> Any:
+    ports = tuple(Port(*end.split(".")) for end in pair)
+    spec = FrfSpec(tuple(np.linspace(20.0, 1500.0, 60)), ((ports[0], ports[1]),))
+    scene = Scene(spindle, conditions, SPEEDS, 1500.0, (0.2, LENGTH))
+    return frf.answer(scene, spec).receptance[:, 0]  # type: ignore[attr-defined]
+
+
+def whirling(spindle: Spindle, point: str = "mid") -> Any:
+    spec = UnbalanceSpec((point,), (Unbalance(point, 1e-5),))
+    return unbalance.answer(Scene(spindle, FINE, SPEEDS, 500.0, (0.2, LENGTH)), spec)
+
+
+def test_pinned_beam_in_closed_form() -> None:
+    own = PinnedBeam(LENGTH, DIAMETER)
+    exact = [
+        np.sort(np.abs(np.concatenate([own.frequencies(k, s) for k in (1, 2, 3, 4)])))[:8]
+        for s in SPEEDS
+    ]
+    found = bending(beam(pin("a", 0.0), pin("b", LENGTH)))
+    assert found == pytest.approx(np.array(exact) / (2.0 * math.pi), rel=1e-8)
+
+
+def test_each_plane_by_itself() -> None:
+    """Held in y and z at different places, the planes are those of two machines."""
+    mixed = beam(pin("a", 0.0), pin("b", LENGTH, "y"), pin("c", 0.3, "z"))
+    ends = [beam(pin("a", 0.0), pin("b", LENGTH)), beam(pin("a", 0.0), pin("c", 0.3))]
+    rest = np.sort(np.concatenate([bending(each)[0, ::2] for each in ends]))
+    assert bending(mixed)[0] == pytest.approx(rest, rel=1e-9)
+
+
+@pytest.mark.parametrize("ways", [("y", "z"), ("y", "z", "thy", "thz"), ("y", "thy")])
+def test_limit_of_ever_stiffer_springs(ways: tuple[str, ...]) -> None:
+    """The distance to springs falls as their stiffness grows."""
+    others = spring("a", 0.0, 2e7, damping=500.0), spring("b", 0.35, 5e7, damping=500.0)
+    held = beam(pin("c", LENGTH, *ways), *others)
+    apart: dict[str, list[float]] = {"modes": [], "frf": [], "orbit": [], "force": []}
+    modes, receptance, orbit = bending(held), response(held, "mid.y", "mid.z"), whirling(held)
+    for stiffness in (1e10, 1e11):
+        like = beam(spring("c", LENGTH, stiffness, *ways), *others)
+        near = response(like, "mid.y", "mid.z")
+        other = whirling(like)
+        apart["modes"].append(np.abs(bending(like) / modes - 1.0).max())
+        apart["frf"].append(np.abs(near - receptance).max() / np.abs(receptance).max())
+        for key, name in (("orbit", "displacement"), ("force", "force")):
+            own = getattr(orbit, name)
+            apart[key].append(np.abs(getattr(other, name) - own).max() / np.abs(own).max())
+    for key, (soft, stiff) in apart.items():
+        assert stiff < 0.02, key
+        assert stiff == pytest.approx(soft / 10.0, rel=0.1, abs=1e-9), key
+
+
+def test_reactions_of_unbalance_balance_the_inertia() -> None:
+    """Rigid rotor between pins: Ω² U is shared by the lever arms."""
+    rigid = replace(FINE, rotor="rigid")
+    spindle = beam(pin("a", 0.0), pin("b", LENGTH))
+    spec = UnbalanceSpec(("mid",), (Unbalance("mid", 1e-5),))
+    found = unbalance.answer(Scene(spindle, rigid, SPEEDS, 500.0, (0.2,)), spec)
+    share = np.array([1.0 - 0.2 / LENGTH, 0.2 / LENGTH])
+    assert np.abs(found.displacement).max() < 1e-20
+    assert found.force[..., 0] == pytest.approx(-1e-5 * np.outer(SPEEDS**2, share), rel=1e-9)
+
+
+def test_statics_are_those_of_section_forces() -> None:
+    """A slow force bends the shaft as a static one, on three pins, one more than needed."""
+    held = beam(pin("a", 0.0), pin("b", 0.3), pin("c", LENGTH))
+    spec = SectionForcesSpec(loads=(PointLoad("mid", Fy=1000.0),))
+    line = section_forces.answer(Scene(held, FINE, np.zeros(1)), spec)
+    ports = (Port("mid", "y"), Port("mid", "y"))
+    slow = frf.answer(Scene(held, FINE, np.zeros(1), 1000.0, (0.2,)), FrfSpec((0.01,), (ports,)))
+    at = np.abs(line.cut - 0.2).argmin()
+    static = line.deflection_y[0, at] / 1000.0
+    assert slow.receptance[0, 0, 0].real == pytest.approx(static, rel=1e-7)  # type: ignore[attr-defined]
+
+
+def test_two_rotors_without_give_between_them_are_one() -> None:
+    """A quill pinned to the shaft at both ends, beside a spring so stiff that it might be a pin."""
+    quill = Rotor("quill", 1.0, Shaft(0.1, (Section(0.3, 0.02, 0.0, STEEL),)))
+    frame = spring("a", 0.0, 5e7), spring("b", LENGTH, 5e7)
+
+    def joined(*ties: LinearSupport) -> Any:
+        return bending(beam(*frame, *ties, rotors=(quill,)), 2500.0)
+
+    own = {"holds": "quill", "against": "spindle"}
+    exact = joined(pin("i", 0.1, **own), pin("k", 0.4, **own))
+    near = [
+        joined(*(replace(spring(n, x, k), **own) for n, x in (("i", 0.1), ("k", 0.4))))
+        for k in (1e11, 1e12)
+    ]
+    soft, stiff = (np.abs(each / exact - 1.0).max() for each in near)
+    assert stiff < 1e-4
+    assert stiff == pytest.approx(soft / 10.0, rel=0.1)
+
+
+def test_hysteretic_shaft_between_pins() -> None:
+    held = beam(pin("a", 0.0), pin("b", LENGTH), loss_factor=0.02)
+    like = beam(spring("a", 0.0, 1e13), spring("b", LENGTH, 1e13), loss_factor=0.02)
+    found, near = (response(each, "mid.y", "mid.y") for each in (held, like))
+    assert np.abs(found - near).max() < 1e-3 * np.abs(found).max()
+
+
+def test_a_rotor_that_cannot_move() -> None:
+    """A rigid rotor held in everything has no modes, and answers no force."""
+    every = pin("a", 0.0, "x", "y", "z", "thx", "thy", "thz")
+    conditions = replace(FINE, rotor="rigid")
+    scene = Scene(beam(every), conditions, SPEEDS, 1000.0)
+    assert campbell.answer(scene, CampbellSpec(1000.0)).mode == ()
+    assert not response(beam(every), "mid.y", "mid.y", conditions=conditions).any()
+
+
+def test_a_constraint_that_follows_from_others_holds_nothing_more() -> None:
+    rng = np.random.default_rng(3)
+    stiffness = np.concatenate([[0.0, 0.0], 10.0 ** rng.uniform(3, 14, 10)])
+    rows = rng.standard_normal((3, 12))
+    found = allowed_motions(np.vstack([rows, rows[0] - rows[2]]), stiffness)
+    assert found.shape == (12, 9)
+    assert found.T @ found == pytest.approx(np.eye(9), abs=1e-13)
+    assert np.abs(rows @ found).max() < 1e-12
