@@ -32,7 +32,7 @@ TURNED = "rotating"
 
 
 def both(spindle: Spindle, speed: np.ndarray, highest: float, **changes: Any) -> list[Scene]:
-    ports = (spindle.shaft.start,)
+    ports = (spindle.shaft.start, *spindle.points.values())
     return [
         Scene(spindle, Conditions(formulation=f, **changes), speed, highest, ports)
         for f in ("inertial", TURNED)

@@ -21,7 +21,6 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from rotordyn.report.warnings import result_warnings
 from tests.oracles.rotors import support, uniform
-from tests.oracles.spindles import system_of
 
 LIGHT = Material("light", 2.1e11, 0.3, 1.0)
 LENGTH, MASS, BETA = 0.6, 20.0, 2e-8
@@ -37,9 +36,7 @@ def rotor(external: float, uneven: float = 0.0) -> Spindle:
         LinearSupport("damper", LENGTH / 2, {("y", "y"): uneven, ("z", "z"): 0.0}, damper),
     )
     bare = uniform(LENGTH, 0.03, LIGHT, masses=(disc,), supports=held)
-    squares = system_of(solved_scene(bare, np.zeros(1))).linear.components[0].values
-    ratios = tuple((0.5 * BETA * np.sqrt(squares[squares > 0.0])).tolist())
-    return replace(bare, rotor_damping=ratios, internal_damping=1.0)
+    return replace(bare, rayleigh=RayleighDamping(stiffness=BETA), internal_damping=1.0)
 
 
 def solved_scene(spindle: Spindle, speed: np.ndarray, **conditions: Any) -> Scene:
@@ -116,7 +113,7 @@ def test_what_hardly_swings_is_numbered_last_and_not_listed() -> None:
     """β of the shaft overdamps its short waves, which in the fixed frame turn with it: they are
     modes by the letter, and counted, but stand behind those that swing."""
     damping = RayleighDamping(stiffness=2e-5)
-    spindle = replace(rotor(1e3), rotor_damping=(), rayleigh=damping)
+    spindle = replace(rotor(1e3), rayleigh=damping)
     found = answered(spindle, [100.0, 600.0])
     overdamped = found.mostly_overdamped[[kind == "bending" for kind in found.kind]]
     assert overdamped.any()
