@@ -15,6 +15,7 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import dataclass
+from functools import partial
 from itertools import pairwise
 from typing import Any
 
@@ -129,15 +130,36 @@ def _of_system(scene: Scene, branches: Sequence[Branch], home: int, line: Line) 
         if high - low < max(NARROW * (ends[-1] - ends[0]), APART):
             continue  # two crossings of one mode hardly fit; of one the lines tell
         slope = (fast - slow) / (high - low)
-        spins, vectors = synchronous(slow - low * slope, gyroscopic, line.size, slope)
-        vectors = own.basis @ vectors
-        for spin, vector in zip(spins, vectors.T, strict=True):
-            if low <= spin <= high:
-                at = float(speed[0]), float(speed[-1])
-                degree = float(whirl_degree(own, vector[None])[0])
-                side = float(np.sign(degree)) if own.isotropic else 0.0
-                starts.append(Start(place, line, float(spin), *at, vector, side))
+        still = slow - low * slope
+        for side, of_side in _SIDES.items() if own.isotropic else [(0.0, _of_both)]:
+            spins, vectors = of_side(still, gyroscopic, slope, line.size)
+            for spin, vector in zip(spins, (own.basis @ vectors).T, strict=True):
+                if low <= spin <= high:
+                    at = float(speed[0]), float(speed[-1])
+                    starts.append(Start(place, line, float(spin), *at, vector, side))
     return starts
+
+
+def _of_both(
+    stiffness: Matrix, gyroscopic: Matrix, slope: Matrix, order: float
+) -> tuple[Array, Complex]:
+    """Synchronous motions of both planes."""
+    return synchronous(stiffness, gyroscopic, order, slope)
+
+
+def _of_whirl(
+    side: float, stiffness: Matrix, gyroscopic: Matrix, slope: Matrix, order: float
+) -> tuple[Array, Complex]:
+    """Those that whirl one way, of planes that are one: such of both ways may be at one speed."""
+    h = len(stiffness) // 2
+    still, change = (m[:h, :h] - 1j * m[:h, h:] for m in (stiffness, slope))
+    spins, vectors = synchronous(still, -1j * side * gyroscopic[:h, h:], order, change)
+    return spins, np.concatenate(
+        [vectors, -1j * vectors] if side > 0.0 else [vectors.conj(), 1j * vectors.conj()]
+    )
+
+
+_SIDES = {side: partial(_of_whirl, side) for side in (1.0, -1.0)}
 
 
 def _symmetric(stiffness: Matrix) -> Matrix:

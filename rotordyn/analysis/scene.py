@@ -139,12 +139,19 @@ class Scene(Statics):
             self.fineness,
             self.ports,
             self.rigid,
+            self._pressed,
         )
     )
     def rotor(self) -> Structure:
         """Terms of the machine and its components, each reduced when it is first asked for."""
         places = [self.spindle.place(at) for at in self.ports]
-        return Structure(self.spindle, self.mesh, self.fineness, places, rigid=self.rigid)
+        kind = {"rigid": self.rigid, "pressed": self._pressed}
+        return Structure(self.spindle, self.mesh, self.fineness, places, **kind)
+
+    @property
+    def _pressed(self) -> bool:
+        own = self.conditions
+        return own.axial_stiffening and bool(own.tension or own.axial_force)
 
     def _structure(self) -> Structure:
         return self.rotor

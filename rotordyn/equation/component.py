@@ -31,6 +31,7 @@ class Component:
     static mode; ``spindle``: the rotor whose damping it has, None of what is no shaft. ``solved``:
     components with the same matrices share one reduction. ``polar``: gyroscopic parts in one plane
     whose forces on modes up to ``band`` [rad/s] static modes answer; none where they need not.
+    ``pressed``: weighted slopes where an axial force may come near to buckling, None elsewhere.
     """
 
     lines: tuple[Line, ...]
@@ -73,9 +74,13 @@ class Component:
     def displaced(self, count: int, rows: list[Rows]) -> Array:
         """Motion of ``count`` places by the coordinates (count, m), rows of DOF as a shaft gives
         them."""
+        return np.asarray(self.placed(count, rows) @ self.vectors)
+
+    def placed(self, count: int, rows: list[Rows]) -> Matrix:
+        """The same by the DOF (count, n)."""
         own = [(places, self.local(dofs), factors) for places, dofs, factors in rows]
-        large = count * len(self.dofs) > 1_000_000
-        return np.asarray(summed((count, len(self.dofs)), own, large=large) @ self.vectors)
+        large = self.large or count * len(self.dofs) > 1_000_000
+        return summed((count, len(self.dofs)), own, large=large)
 
     @property
     def size(self) -> int:
@@ -126,6 +131,7 @@ class Component:
     ratio: float = 1.0
     polar: list[Part] = field(default_factory=list)
     band: float = 0.0
+    pressed: tuple[int, list[Rows]] | None = None
 
     def projected(self, name: str) -> Array:
         """A matrix in the coordinates (m, m)."""
@@ -155,10 +161,14 @@ class Component:
             return np.asarray(np.linalg.solve(factor, rigid.T).T), none, np.diag(none)
         ports = np.zeros((len(self.dofs), len(self.ports)))
         ports[self.local(self.ports), np.arange(len(self.ports))] = 1.0
-        coupling = None
+        couplings = []
         if self.polar:
-            coupling = Coupling(self.assembled("gyroscopic", self.polar), self.band)
-        basis = reduce(mass, stiffness, rigid, ports, self.cutoff, coupling)
+            couplings.append(Coupling(self.assembled("gyroscopic", self.polar), self.band))
+        if self.pressed is not None:
+            count, rows = self.pressed
+            slopes = self.placed(count, rows)
+            couplings.append(Coupling(slopes.T @ slopes, self.cutoff, statics=True))
+        basis = reduce(mass, stiffness, rigid, ports, self.cutoff, couplings)
         # coordinates with next to no mass are lent one, or their damping drowns slow modes
         stiff = np.maximum(np.sqrt(basis.values) / (WEIGHTLESS * self.cutoff), 1.0)
         roots = basis.roots / stiff[:, None] / stiff

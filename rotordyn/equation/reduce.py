@@ -9,7 +9,7 @@ rounding, and rigid motions take no part. Static modes after Craig, *Structural 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
@@ -50,11 +50,12 @@ class Basis:
 
 
 class Coupling(NamedTuple):
-    """Forces that ``matrix`` (n, n), such as the gyroscopic one, makes of modes up to ``band``
-    [rad/s]."""
+    """Forces that ``matrix`` (n, n), such as the gyroscopic one, makes of rigid motions, of modes
+    up to ``band`` [rad/s] and, of axial force, of ``statics``: displacements by loads at ports."""
 
     matrix: Matrix
     band: float
+    statics: bool = False
 
 
 def reduce(
@@ -63,7 +64,7 @@ def reduce(
     rigid: Array,
     ports: Array,
     cutoff: float,
-    coupling: Coupling | None = None,
+    couplings: Sequence[Coupling] = (),
 ) -> Basis:
     """Modes of a free body up to ω = ``cutoff`` [rad/s] and static modes for loads ``ports``.
 
@@ -77,7 +78,7 @@ def reduce(
         Loads; the vectors hold the static displacement by their self-equilibrated part.
     cutoff : float
         ``LEAST_MODES`` modes are kept in any case, rigid ones included, if there are as many.
-    coupling : Coupling, optional
+    couplings : sequence of Coupling, optional
         The vectors also hold the static displacement by its forces.
 
     Raises
@@ -86,7 +87,7 @@ def reduce(
     """
     try:
         with linear_algebra_alone():  # that of scipy may have been loaded just now
-            return _reduced(mass, stiffness, rigid, ports, cutoff, coupling)
+            return _reduced(mass, stiffness, rigid, ports, cutoff, couplings)
     except np.linalg.LinAlgError:
         raise InvalidInput(
             "the modes of a free body cannot be computed: a part of it has no mass, is held by "
@@ -101,7 +102,7 @@ def _reduced(
     rigid: Array,
     ports: Array,
     cutoff: float,
-    coupling: Coupling | None,
+    couplings: Sequence[Coupling],
 ) -> Basis:
     size, still = rigid.shape
     least, below, large = max(LEAST_MODES - still, 0), 0, False
@@ -125,9 +126,10 @@ def _reduced(
         values, elastic = _by_lanczos(body, below, least, cutoff)
     else:
         values, elastic, rest = _by_lapack(body, least, cutoff)
-    if coupling is not None:
-        swung = np.hstack([body.rigid, elastic[:, values <= coupling.band**2]])
-        ports = np.hstack([ports, coupling.matrix @ swung])
+    moved = body.displaced(ports) if any(each.statics for each in couplings) else ports
+    for each in couplings:
+        swung = [body.rigid, elastic[:, values <= each.band**2], *([moved] if each.statics else [])]
+        ports = np.hstack([ports, each.matrix @ np.hstack(swung)])
     static_values, static = _static_modes(body, values, elastic, ports)
     every = np.concatenate([np.zeros(still), values, static_values])
     vectors, order = np.hstack([body.rigid, elastic, static]), np.argsort(every, kind="stable")

@@ -18,7 +18,7 @@ from rotordyn.equation.term import Link, LinkMatrices, Part, State
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve
 
-CLOSED = 1e3  # stiffness of a closed stop over that of the bearings on its sleeve
+CLOSED = 1e6  # stiffness of a closed stop over that of the bearings on its sleeve
 SOFT = 1e6  # N/m: a fictitious mass is not taken from less
 
 

@@ -19,7 +19,7 @@ from rotordyn.equation.joint import joint_parts
 from rotordyn.equation.lumped import lumped_parts
 from rotordyn.equation.mesh import Mesh
 from rotordyn.equation.seat import seat_matrices
-from rotordyn.equation.shaft import PLANES, Shaft
+from rotordyn.equation.shaft import PLANES, Rows, Shaft
 from rotordyn.equation.sleeve import Sleeves
 from rotordyn.equation.support import matrices_of
 from rotordyn.equation.term import Array, Link, Part
@@ -36,7 +36,8 @@ class Structure:
     """All terms of a ``spindle``.
 
     ``shown``: nodes at which motion is displayed; ``fine``: how fine elements and reduction are;
-    ``ports``: further places at which forces act or motion is read; ``rigid``: shafts do not bend.
+    ``ports``: further places at which forces act or motion is read; ``rigid``: shafts do not bend;
+    ``pressed``: an axial force is given that may come near to buckling.
 
     Raises
     ------
@@ -51,8 +52,10 @@ class Structure:
         ports: Iterable[Place] = (),
         *,
         rigid: bool = False,
+        pressed: bool = False,
     ) -> None:
         self.spindle, self.shown, self.fine, self.rigid = spindle, shown, fine, rigid
+        self.pressed = pressed
         self.dofs = Dofs()
         self.shafts = {
             name: Shaft.of(
@@ -199,7 +202,21 @@ class Structure:
             ratio=1.0 if shaft is None else shaft.ratio,
             polar=self._polar(dofs, lines[0].way) if self.fine.gyroscopic else [],
             band=self.fine.slow,
+            pressed=self._pressed(lines[0]),
         )
+
+    def _pressed(self, line: Line) -> tuple[int, list[Rows]] | None:
+        """Slopes of a plane of the spindle's shaft, where a drawbar presses it or ``pressed``."""
+        bar = self.spindle.drawbar
+        barred = bar is not None and bool(bar.contacts)
+        if line.body != SPINDLE or line.motion != "bending" or not (barred or self.pressed):
+            return None
+        rows, element = slope_rows(self.shafts[SPINDLE], self.shown, line.way)
+        if bar is None or self.pressed:
+            return len(element), rows
+        middle = self.shown.middle[element]
+        inside = ((bar.start < middle) & (middle < bar.end)).astype(float)
+        return len(element), [(at, dofs, own * inside[at][:, :, None]) for at, dofs, own in rows]
 
     def _polar(self, dofs: Indices, way: str) -> list[Part]:
         """Gyroscopic parts that act on a bending plane, both sides of them in that plane."""

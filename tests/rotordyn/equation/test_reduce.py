@@ -172,7 +172,7 @@ def test_moments_of_slow_modes_keep_their_static_modes() -> None:
     half = np.diff(np.eye(40), axis=0) * np.random.default_rng(1).uniform(0.5, 2.0, (39, 1))
     matrix = half.T @ half
     alone = reduce(mass, stiffness, rigid, loads, 0.3)
-    found = reduce(mass, stiffness, rigid, loads, 0.3, Coupling(matrix, 0.2))
+    found = reduce(mass, stiffness, rigid, loads, 0.3, [Coupling(matrix, 0.2)])
     slow = alone.vectors[:, alone.modes & (alone.values < 0.2**2)]
     moment = matrix @ slow[:, 1:]
     moment = moment - mass @ slow[:, :1] @ (slow[:, :1].T @ moment)
