@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -67,6 +67,8 @@ def of_ours(spindle: Spindle, accuracy: float | None, highest: float, spin: floa
 
     Standard ones of the peer's length where ``accuracy`` is None.
     """
+    points = {f"station {k}": x for k, x in enumerate(machine.STATIONS)}
+    spindle = replace(spindle, points=points)  # so that nodes are there
     mesh = build_mesh(spindle, 1.0001 * machine.ELEMENT if accuracy is None else None)
     structure = Structure(spindle, mesh, Fineness(highest, spin, accuracy))
     state = State(np.zeros(1), np.zeros((1, 0, 5, 5)), np.zeros((1, 0), dtype=bool))

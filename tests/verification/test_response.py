@@ -126,6 +126,7 @@ def machines() -> dict[str, tuple[Spindle, dict[str, Any]]]:
 
 
 MACHINES = machines()
+SEEN = 2e-7  # of the peak: errors below a thousandth of the accuracy asked for are not judged
 
 
 @pytest.mark.parametrize("kind", MACHINES)
@@ -136,7 +137,9 @@ def test_reported_errors_are_those_of_a_coarser_model(kind: str) -> None:
     rough, fine = (response(spindle, 15000.0, accuracy=a, **more) for a in (1e-4, 1e-8))
     true = np.abs(values(rough) - values(fine)).max(axis=1) / np.abs(values(fine)).max(axis=1)
     # in turning axes modes up to Ω beyond the band of the model are seen within it
-    assert np.abs(np.log(rough.error / true)).max() < math.log(6.0 if kind == "turning" else 3.0)
+    apart = np.abs(np.log(rough.error / true))[true > SEEN]
+    assert apart.max(initial=0.0) < math.log(6.0 if kind == "turning" else 3.0)
+    assert (rough.error[true <= SEEN] < 10.0 * SEEN).all()
     assert fine.error.max() < 5e-7  # of peaks of some per cent damping
 
 

@@ -85,7 +85,7 @@ def test_one_way_coupling_answers_one_way() -> None:
     spec = FrfSpec((50.0, 500.0), pairs("Oc2.x/Oc2.y", "Oc2.y/Oc2.x", "Oc2.y/Oc2.y"))
     values = np.abs(frf.answer(found, spec).receptance)
     assert (values[:, 0] > 1e-6 * values[:, 2]).all()
-    assert (values[:, 1] < 1e-12 * values[:, 2]).all()
+    assert (values[:, 1] < 1e-11 * values[:, 2]).all()  # rounding of the sum over modes
 
 
 @pytest.mark.parametrize("entry", [("y", "z"), ("x", "y"), ("thx", "thz"), ("z", "x")])
