@@ -10,6 +10,7 @@ import pytest
 from matplotlib.collections import LineCollection
 
 from rotordyn.analysis.results import InertanceResult, MobilityResult
+from rotordyn.analysis.results.modes import OVERDAMPED
 from rotordyn.machine.reference import Reference
 from rotordyn.plots.campbell import LOOKS, campbell_figure, whirl_segments
 from rotordyn.plots.catalogue import figures
@@ -107,7 +108,9 @@ def test_figure_and_summary_tell_one_error_of_what_swings():
     ratio, error = result.damping_ratio.copy(), result.frequency_error.copy()
     ratio[:5, 0], ratio[:4, 1], ratio[:, 2] = 0.9999, 0.9999, 0.9
     error[:, 0], error[0, 1], error[3, 2] = 0.5, 0.4, 0.021
-    strong = replace(result, damping_ratio=ratio, frequency_error=error)
+    strong = replace(
+        result, damping_ratio=ratio, frequency_error=error, overdamped=ratio > OVERDAMPED
+    )
     assert strong.mostly_overdamped.tolist() == [k == 0 for k in range(len(result.mode))]
     assert strong.largest_error == 0.021
     assert accuracy_words({"campbell": strong})[0] == "frequencies within 3e-02"
