@@ -7,7 +7,7 @@ depends on; nothing else writes into it.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from functools import partial
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -156,7 +156,7 @@ class Scene(Statics):
     def _structure(self) -> Structure:
         return self.rotor
 
-    @property
+    @cached_property
     def state(self) -> State:
         """Speeds, tangents and stops at the usable speeds."""
         speed, sleeves = self.speed[self.usable], len(self.spindle.sleeves)
@@ -165,7 +165,7 @@ class Scene(Statics):
             stops = self.preload.net.held[self.bearing_row[self.usable], 1:]
         return State(speed, self.seat_stiffness, stops)
 
-    @property
+    @cached_property
     def force(self) -> Array | None:
         """Axial force that acts on bending at the usable speeds (usable, elements) [N]."""
         force = self.bending_force()

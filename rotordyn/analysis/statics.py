@@ -95,7 +95,8 @@ class Statics(Staged):
     @property
     def axial_force(self) -> float:
         """External force and weight along the axis [N]."""
-        return self.conditions.axial_force + self.gravity * rotor_inertia(self.grounded).mass
+        weight = self.gravity * rotor_inertia(self.grounded).mass if self.gravity else 0.0
+        return self.conditions.axial_force + weight
 
     @cached_property
     def outcome(self) -> tuple[str, ...]:

@@ -42,7 +42,10 @@ class AxialForce:
         none = np.zeros((len(self.push), 1))
         pushed = np.concatenate([none, np.cumsum(self.push[:, order], axis=1)], axis=1)
         in_front = np.searchsorted(self.station[order], x)
-        return -pushed[:, in_front] - self.gravity * mass_in_front(self.spindle.shaft, x)
+        force = -pushed[:, in_front]
+        if self.gravity:
+            force = force - self.gravity * mass_in_front(self.spindle.shaft, x)
+        return np.asarray(force)
 
     def bending(self, x: Array) -> Array:
         """Force that follows the slope of the shaft at ``x``, tension positive, (states, p) [N].
@@ -93,7 +96,9 @@ def axial_force(
     push = np.concatenate(
         [-thrust * seat_load, np.tile([value for _, value in alone], (states, 1))], axis=1
     )
-    weight = gravity * float(mass_in_front(shaft, np.array([shaft.end]))[0])
+    weight = 0.0
+    if gravity:
+        weight = gravity * float(mass_in_front(shaft, np.array([shaft.end]))[0])
     carried = -(push.sum(axis=1) + weight)
     rigid = [k for k, s in enumerate(spindle.supports) if "x" in s.rigid]
     held = np.array([s.along for s in spindle.supports])
