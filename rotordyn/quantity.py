@@ -150,6 +150,8 @@ LINE_FORCE = Quantity("line load", at_least="-100000 kN/m", at_most="100000 kN/m
 UNBALANCE = Quantity("unbalance", at_least="0 g mm", at_most="1000 kg m")
 BALANCE_QUALITY = Quantity("balance quality", above="0 mm/s", at_most="10000 mm/s")
 ECCENTRICITY = Quantity("length", at_least="0 um", at_most="100 mm")
+VISCOSITY = Quantity("viscosity", above="0 Pa s", at_most="1000 Pa s")
+ECCENTRICITY_RATIO = Quantity("ratio", at_least="0 %", below="100 %")
 ANGLE = Quantity("angle", at_least="-360 deg", at_most="360 deg")
 TWIST_ANGLE = Quantity("angle", above="0 deg", at_most="360 deg")
 LOAD = Quantity("force", above="0 N", at_most="10000 kN")
@@ -202,6 +204,8 @@ LineForce = Annotated[float, LINE_FORCE]
 UnbalanceSize = Annotated[float, UNBALANCE]
 BalanceQuality = Annotated[float, BALANCE_QUALITY]
 Eccentricity = Annotated[float, ECCENTRICITY]
+Viscosity = Annotated[float, VISCOSITY]
+EccentricityRatio = Annotated[float, ECCENTRICITY_RATIO]
 Angle = Annotated[float, ANGLE]
 TwistAngle = Annotated[float, TWIST_ANGLE]
 Load = Annotated[float, LOAD]

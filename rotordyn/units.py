@@ -74,6 +74,7 @@ KINDS: dict[str, tuple[str, ...]] = {
     "rate": ("1/s",),
     "time": ("s", "ms", "us"),
     "pressure": ("Pa", "MPa", "GPa"),
+    "viscosity": ("Pa s", "mPa s"),
     "density": ("kg/m^3", "g/cm^3"),
     "stiffness": ("N/m", "N/mm", "N/um", "kN/mm", "MN/m"),
     "coupling stiffness": ("N/rad", "kN/rad", "N"),

@@ -28,6 +28,7 @@ PAGES = {
         "spindle.SpindleEntry shaft.ShaftEntry shaft.SectionEntry shaft.MassEntry shaft.DiscEntry "
         "support.SeatEntry growth.GrowthEntry growth.QuadraticEntry growth.FitEntry "
         "growth.ShorteningEntry support.SleeveEntry support.SpringEntry support.SupportEntry "
+        "squeeze_film.SqueezeFilmDamperEntry "
         "housing.HousingEntry housing.ModelFilesEntry "
         "joint.JointEntry joint.JointDampingEntry rotor.RotorEntry rotor.RotorDampingEntry "
         "matrix.WholeStiffnessEntry matrix.WholeDampingEntry "

@@ -58,7 +58,7 @@ def answer(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
     give = compliance(spindle, mesh, rigid=scene.rigid)
     acting = np.broadcast_to(resultant(loads.on_nodes(mesh.x), mesh.x), (len(speed), 6))
     acting = acting + np.multiply.outer(speed**2, resultant(loads.turning, mesh.x))
-    nodes = mesh.nodes_of(spindle.seats, spindle.supports)
+    nodes = mesh.nodes_of(spindle.connections)
     loose = elastic_line(mesh.x, give, section_forces(mesh.x, point, loads.line), loads.line)[
         :, nodes
     ]
@@ -112,8 +112,7 @@ def _result(
     )
     outer, inner = (np.stack(ends, axis=1).ravel() for ends in (mesh.outer, mesh.inner))
     stress = outer_fibre(cut, outer, inner)
-    held = [(each.name, each.x) for each in spindle.seats]
-    held += [(each.name, each.x) for each in spindle.supports]
+    held = [(each.name, each.x) for each in spindle.connections]
     spans = [_span(limit, spindle, mesh) for limit in spec.twist_limits]
     turned = [moved[:, span.stop, 3] - moved[:, span.start, 3] for span in spans]
     needed = [
@@ -169,9 +168,10 @@ def _preloaded(scene: Scene, mesh: Mesh) -> Array:
 def _preload_push(scene: Scene) -> Array:
     """What bearings and supports do to the shaft in the preload state (usable, k, 6) [N, N·m]."""
     spindle, push = scene.spindle, scene.shaft_force.push[scene.bearing_row[scene.usable]]
-    own = np.zeros((len(push), len(spindle.seats) + len(spindle.supports), 6))
+    own = np.zeros((len(push), len(spindle.connections), 6))
+    elastic = len(spindle.seats) + len(spindle.supports)
     own[:, : len(spindle.seats), 0] = push[:, : len(spindle.seats)]
-    own[:, len(spindle.seats) :, 0] = push[:, push.shape[1] - len(spindle.supports) :]
+    own[:, len(spindle.seats) : elastic, 0] = push[:, push.shape[1] - len(spindle.supports) :]
     return own
 
 

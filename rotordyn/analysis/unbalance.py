@@ -69,7 +69,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         speed=scene.speed,
         point=spec.points,
         axis=AXES,
-        support=(*(s.name for s in spindle.seats), *(s.name for s in spindle.supports)),
+        support=tuple(each.name for each in spindle.connections),
         unbalance=tuple(one.name for one in placed),
         critical=tuple(name for name, *_ in critical),
         outcome=_outcome(scene, absent),

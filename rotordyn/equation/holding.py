@@ -41,9 +41,9 @@ def length_scale(spindle: Spindle) -> Array:
 
 
 def rigidly_held(spindle: Spindle) -> Flags:
-    """Directions held without give (connections, 6)."""
-    held = np.zeros((len(spindle.seats) + len(spindle.supports), 6), dtype=bool)
-    for row, support in zip(held[len(spindle.seats) :], spindle.supports, strict=True):
+    """Directions held without give (connections, 6); dampers hold none."""
+    held = np.zeros((len(spindle.connections), 6), dtype=bool)
+    for row, support in zip(held[len(spindle.seats) :], spindle.supports, strict=False):
         row[[position(direction) for direction in support.rigid]] = True
     return held
 

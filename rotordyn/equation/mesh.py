@@ -232,7 +232,7 @@ def _longest(shaft: Shaft, element_length: float | None) -> float:
 
 def _placed(spindle: Spindle) -> Iterator[tuple[str, float]]:
     """What sits on the shaft, by a name to complain with."""
-    for kind in ("seats", "supports", "masses", "discs", "joints"):
+    for kind in ("seats", "supports", "dampers", "masses", "discs", "joints"):
         for number, item in enumerate(getattr(spindle, kind), start=1):
             yield f"{kind} {number} ({item.name})", item.x
     for x in spindle.drawbar.stations if spindle.drawbar else ():

@@ -21,10 +21,12 @@ from rotordyn.equation.mesh import Mesh
 from rotordyn.equation.seat import seat_matrices
 from rotordyn.equation.shaft import PLANES, Rows, Shaft
 from rotordyn.equation.sleeve import Sleeves
+from rotordyn.equation.squeeze_film import film_matrices
 from rotordyn.equation.support import matrices_of
 from rotordyn.equation.term import Array, Link, Part
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.squeeze_film import SqueezeFilmDamper
 from rotordyn.machine.support import GROUND, SPINDLE, BearingSeat, LinearSupport
 from rotordyn.numerics.sparse import summed
 
@@ -76,14 +78,15 @@ class Structure:
         self.parts: list[Part] = [part for term in terms for part in term]
         self.seats = [self._seat_link(k, seat) for k, seat in enumerate(spindle.seats)]
         self.supports = [self._support_link(support) for support in spindle.supports]
+        self.dampers = [self._damper_link(damper) for damper in spindle.dampers]
         self.springs = list(self.sleeves.links())
         self.strings = list(drawbar_links(self.shafts[SPINDLE]))
         self._ports = self._port_dofs(ports)
 
     @property
     def connections(self) -> list[Link]:
-        """Bearings, then supports."""
-        return [*self.seats, *self.supports]
+        """Bearings, then supports, then dampers, as ``Spindle.connections``."""
+        return [*self.seats, *self.supports, *self.dampers]
 
     def node(self, rotor: str, x: float) -> Indices:
         """DOF (6,) of the node of a rotor at station ``x`` [m]."""
@@ -104,6 +107,10 @@ class Structure:
         dofs, motions = self._against(support.name, ends)
         rigid = tuple(position(direction) for direction in support.rigid)
         return Link(support.name, dofs, motions, matrices_of(support), support.loss_factor, rigid)
+
+    def _damper_link(self, damper: SqueezeFilmDamper) -> Link:
+        dofs, motions = self._against(damper.name, [(SPINDLE, damper.x, 1.0)])
+        return Link(damper.name, dofs, motions, film_matrices(damper))
 
     def _against(self, name: str, ends: list[tuple[str, float, float]]) -> tuple[Indices, Array]:
         """Motion (6, DOF) of nodes against that of the housing that carries a connection."""
@@ -132,8 +139,9 @@ class Structure:
 
     def _loaded(self) -> Iterator[tuple[str, float, Iterable[str]]]:
         """Rotor, station and directions in which the terms act on shafts."""
-        for seat in self.spindle.seats:
-            yield SPINDLE, seat.x, set(DIRECTIONS) - {"thx"}
+        seats = [(seat.x, set(DIRECTIONS) - {"thx"}) for seat in self.spindle.seats]
+        for x, names in [*seats, *((damper.x, {"y", "z"}) for damper in self.spindle.dampers)]:
+            yield SPINDLE, x, names
         for support in self.spindle.supports:
             touched = {n for pair in (*support.stiffness, *support.damping) for n in pair}
             touched |= set(support.rigid)

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from rotordyn.machine.rotor import Rotor
     from rotordyn.machine.shaft import Section, Shaft
     from rotordyn.machine.spindle import Spindle
+    from rotordyn.machine.squeeze_film import SqueezeFilmDamper
     from rotordyn.machine.support import BearingSeat, LinearSupport, Sleeve, Spring
     from rotordyn.machine.tool import Tool
 
@@ -47,6 +48,7 @@ _HOME = {
     "Sleeve": "support",
     "Spindle": "spindle",
     "Spring": "support",
+    "SqueezeFilmDamper": "squeeze_film",
     "Tool": "tool",
 }
 __all__ = [
@@ -71,6 +73,7 @@ __all__ = [
     "Sleeve",
     "Spindle",
     "Spring",
+    "SqueezeFilmDamper",
     "Tool",
 ]
 

@@ -27,6 +27,7 @@ from rotordyn.machine.rotor import (
 )
 from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.sleeved import shift_faults, sleeve_faults
+from rotordyn.machine.squeeze_film import SqueezeFilmDamper
 from rotordyn.machine.station import fit_faults, joint_faults, off_the_shaft
 from rotordyn.machine.support import GROUND, SPINDLE, BearingSeat, LinearSupport, Sleeve, acts
 from rotordyn.machine.tool import Tool
@@ -43,7 +44,8 @@ class Spindle(Description):
     named stations [m]. ``housings``: what bearings and supports stand on; those that none carries
     stand on ground. ``joints``: between parts of the shaft. ``rotors``: further ones on the same
     axis, joined to the shaft, to ground and to one another by supports. ``loss_factor`` [-]:
-    hysteretic damping, of the stiffness of shaft and joints; it turns with the shaft.
+    hysteretic damping, of the stiffness of shaft and joints; it turns with the shaft. ``dampers``:
+    squeeze films between the shaft and ground.
     """
 
     name: str
@@ -66,6 +68,7 @@ class Spindle(Description):
     joints: tuple[Joint, ...] = ()
     rotors: tuple[Rotor, ...] = ()
     loss_factor: LossFactor = 0.0
+    dampers: tuple[SqueezeFilmDamper, ...] = ()
 
     @property
     def damped(self) -> bool:
@@ -129,6 +132,11 @@ class Spindle(Description):
         return replace(self, supports=own, housings=(), rotors=())
 
     @property
+    def connections(self) -> tuple[BearingSeat | LinearSupport | SqueezeFilmDamper, ...]:
+        """Bearings, then supports, then dampers."""
+        return (*self.seats, *self.supports, *self.dampers)
+
+    @property
     def connection_losses(self) -> tuple[float, ...]:
         """Loss factors of bearings, which have none, then of supports."""
         return (*(0.0 for _ in self.seats), *(support.loss_factor for support in self.supports))
@@ -142,6 +150,7 @@ class Spindle(Description):
         yield from named_twice("seats", self.seats)
         yield from named_twice("sleeves", self.sleeves)
         yield from named_twice("supports", self.supports)
+        yield from named_twice("supports and dampers", self.supports + self.dampers)
         yield from named_twice("masses and discs", self.masses + self.discs)
         yield from self._ends_faults()
         yield from self._station_faults()
@@ -191,9 +200,9 @@ class Spindle(Description):
         return freedoms_held(stiff, (freedom for s in supports for freedom in s.rigid))
 
     def _station_faults(self) -> Iterator[str]:
-        placed: tuple[PointMass | Disc | BearingSeat | LinearSupport, ...]
+        placed: tuple[PointMass | Disc | BearingSeat | LinearSupport | SqueezeFilmDamper, ...]
         own = tuple(support for support in self.supports if SPINDLE in support.ends)
-        placed = (*self.masses, *self.discs, *self.seats, *own)
+        placed = (*self.masses, *self.discs, *self.seats, *own, *self.dampers)
         yield from self.off_the_shaft(
             *((f"{type(item).__name__} {item.name}", item.x) for item in placed),
             *(("drawbar", x) for x in (self.drawbar.stations if self.drawbar else ())),

@@ -33,6 +33,7 @@ from rotordyn.machine.reference import QUANTITIES, Reference
 from rotordyn.machine.rotor import Rotor
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.squeeze_film import SqueezeFilmDamper
 from rotordyn.machine.support import BearingSeat, LinearSupport, Sleeve, Spring
 from rotordyn.machine.tool import Tool
 
@@ -47,6 +48,7 @@ def spindle(entry: SpindleEntry, name: str) -> Spindle:
         seats=tuple(_seat(seat, entry) for seat in entry.bearings),
         sleeves=tuple(_sleeve(sleeve) for sleeve in entry.sleeves),
         supports=tuple(support(each) for each in entry.supports),
+        dampers=tuple(SqueezeFilmDamper(**dict(each)) for each in entry.dampers),
         drawbar=_drawbar(entry.drawbar),
         points=dict(entry.points),
         shortening=_shortening(entry.shortening),

@@ -29,6 +29,7 @@ from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.case.schema.support import SupportEntry
 from rotordyn.machine.held import held_twice
 from rotordyn.machine.naming import name_faults
+from rotordyn.machine.squeeze_film import film_faults
 from rotordyn.machine.support import (
     SPINDLE,
     acts,
@@ -101,12 +102,25 @@ def _length(tool: ToolEntry | None) -> float:
 
 
 def _stations(entry: SpindleEntry, reach: Span, root: Node, faults: Faults) -> None:
-    for key, what in (("bearings", "bearing"), ("masses", "mass"), ("discs", "disc")):
+    for key, what in (
+        ("bearings", "bearing"),
+        ("masses", "mass"),
+        ("discs", "disc"),
+        ("dampers", "damper"),
+    ):
         for index, item in enumerate(getattr(entry, key)):
             on_shaft(item.x, reach, what, root, (key, index, "x"), faults)
     unique([support.name for support in entry.supports], root, ("supports",), faults)
     for sentence in held_twice(entry.bearings, entry.supports):
         faults.at(root, ("supports",), sentence)
+    taken = [support.name for support in entry.supports]
+    unique([damper.name for damper in entry.dampers], root, ("dampers",), faults)
+    for index, damper in enumerate(entry.dampers):
+        if damper.name in taken:
+            message = f"name already taken by a support: '{damper.name}'"
+            faults.at(root, ("dampers", index, "name"), message)
+        for sentence in film_faults(damper):
+            faults.at(root, ("dampers", index, "clearance"), sentence)
     every = {SPINDLE: reach, **reaches(entry)}
     for index, support in enumerate(entry.supports):
         for end in support.ends:

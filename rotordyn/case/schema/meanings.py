@@ -207,6 +207,7 @@ MEANINGS: dict[str, dict[str, str]] = {
         "shortening": "axial shift of the seats with speed",
         "sleeves": "sliding sleeves with their springs",
         "supports": "linear supports to ground, to the housing that carries them, to another rotor",
+        "dampers": "squeeze films between the shaft and ground",
         "housings": "what supports and bearings stand on where that gives way",
         "joints": "between parts of the shaft, as of a tool holder",
         "rotors": "further ones on the same axis, turning at their own speeds",
@@ -363,6 +364,17 @@ MEANINGS: dict[str, dict[str, str]] = {
     "whole damping": {
         "freedoms": "what rows (loads) and columns (velocities) belong to",
         "matrix": "N s/m, N s/rad or N m s/rad as the freedoms require; a bare 0 needs no unit",
+    },
+    "squeeze film damper": {
+        "name": "of the damper",
+        "x": "station",
+        "viscosity": "dynamic, of the oil in the film",
+        "length": "of the film, open at both ends; short against the radius",
+        "radius": "of the journal, which does not spin",
+        "clearance": "on the radius",
+        "eccentricity_ratio": "radius of the circular orbit over the clearance",
+        "film": "`cavitated`: pressure over half the circumference (π film); `full`: over all "
+        "of it ([theory](theory/supports.md#squeeze-film-dampers))",
     },
     "drawbar": {
         "force": "tension in the bar, which compresses the shaft between `from` and `to`",

@@ -12,6 +12,7 @@ from rotordyn.case.schema.joint import JointEntry
 from rotordyn.case.schema.reference import ReferenceEntry
 from rotordyn.case.schema.rotor import RotorDampingEntry, RotorEntry
 from rotordyn.case.schema.shaft import DiscEntry, MassEntry, ShaftEntry
+from rotordyn.case.schema.squeeze_film import SqueezeFilmDamperEntry
 from rotordyn.case.schema.support import (
     BearingDampingEntry,
     SeatEntry,
@@ -47,6 +48,7 @@ class SpindleEntry(Entry):
     shortening: ShorteningEntry | None = None
     sleeves: list[SleeveEntry] = []
     supports: list[SupportEntry] = []
+    dampers: list[SqueezeFilmDamperEntry] = []
     housings: list[HousingEntry] = []
     joints: list[JointEntry] = []
     rotors: list[RotorEntry] = []

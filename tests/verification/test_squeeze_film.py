@@ -1,0 +1,164 @@
+"""Squeeze-film dampers: pressure integrated numerically, a rigid rotor in closed form, faults."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.integrate import dblquad
+
+from rotordyn.analysis import frf, section_forces, unbalance
+from rotordyn.analysis.scene import Scene
+from rotordyn.analysis.specs import (
+    Conditions,
+    FrfSpec,
+    PointLoad,
+    SectionForcesSpec,
+    Unbalance,
+    UnbalanceSpec,
+)
+from rotordyn.equation.squeeze_film import film_coefficients
+from rotordyn.errors import InvalidInput
+from rotordyn.machine.inertia import rotor_inertia
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.squeeze_film import FILMS, SqueezeFilmDamper
+from tests.oracles.rotors import support, uniform
+from tests.oracles.spindles import pairs, poles
+
+LENGTH, SPRING = 0.4, 2e6
+FILM = SqueezeFilmDamper("left film", 0.0, 0.01, 0.02, 0.05, 1e-4, 0.4)
+SPEED = np.array([0.0, 80.0, 400.0, 1500.0])
+KINDS = pytest.mark.parametrize("film", FILMS)
+RIGID = Conditions(rotor="rigid")
+
+
+def machine(film: str) -> Spindle:
+    """A uniform shaft between two springs, each with a film beside it."""
+    springs = [support(name, x, (SPRING, SPRING)) for name, x in (("a", 0.0), ("b", LENGTH))]
+    left = replace(FILM, film=film)
+    films = left, replace(left, name="right film", x=LENGTH)
+    rotor = uniform(LENGTH, 0.05, supports=springs)
+    return replace(rotor, dampers=films, points={"mid": LENGTH / 2.0})
+
+
+def scene(film: str) -> Scene:
+    return Scene(machine(film), RIGID, SPEED, 500.0, (LENGTH / 2.0,))
+
+
+def integrated(damper: SqueezeFilmDamper, whirl: float) -> tuple[float, float]:
+    """Force of the film along the displacement and along the velocity, by its pressure
+    6 μ (∂h/∂t) (s² − L²/4) / h³ at θ from the displacement and s along the axis."""
+    e, half = damper.eccentricity_ratio * damper.clearance, damper.length / 2.0
+
+    def pressure(s: float, angle: float) -> float:
+        h, squeeze = damper.clearance - e * math.cos(angle), -whirl * e * math.sin(angle)
+        return 6.0 * damper.viscosity * squeeze * (s * s - half * half) / h**3
+
+    end = math.pi if damper.film == "cavitated" else 2.0 * math.pi
+    radial, along = (
+        -damper.radius
+        * dblquad(lambda s, a, way=way: pressure(s, a) * way(a), 0.0, end, -half, half)[0]
+        for way in (math.cos, math.sin)
+    )
+    return radial, along
+
+
+@KINDS
+@pytest.mark.parametrize("eps", [0.01, 0.4, 0.8])
+def test_coefficients_are_those_of_the_pressure_integrated(film: str, eps: float) -> None:
+    damper, whirl = replace(FILM, film=film, eccentricity_ratio=eps), 700.0
+    radial, along = integrated(damper, whirl)
+    stiffness, damping = film_coefficients(damper)
+    e = eps * damper.clearance
+    assert along == pytest.approx(-damping * whirl * e, rel=1e-7)
+    assert radial == pytest.approx(-stiffness * whirl * e, rel=1e-7, abs=1e-7 * abs(along))
+
+
+def test_pressure_of_the_cavitated_film_is_positive_where_it_acts() -> None:
+    """Half of the full film acts, and half of its damping is left."""
+    half, whole = (film_coefficients(replace(FILM, film=film)) for film in FILMS)
+    assert whole == (0.0, pytest.approx(2.0 * half[1], rel=1e-15))
+    assert half[1] == pytest.approx(math.pi * 0.01 * 0.05 * 200.0**3 / (2.0 * 0.84**1.5), rel=1e-12)
+    assert half[0] == pytest.approx(2.0 * 0.01 * 0.05 * 200.0**3 * 0.4 / 0.84**2, rel=1e-12)
+
+
+def parts(film: str) -> tuple[np.ndarray, float, float]:
+    """Stiffness of a spring and film (speeds,), damping of a film, mass of the rotor."""
+    stiffness, damping = film_coefficients(machine(film).dampers[0])
+    return SPRING + stiffness * SPEED, damping, rotor_inertia(machine(film)).mass
+
+
+@KINDS
+def test_rigid_rotor_under_unbalance(film: str) -> None:
+    """(2 K − M Ω² + 2 iΩC) r = U Ω²; each film has its share −(K_f + iΩC) r."""
+    held, damping, mass = parts(film)
+    size = 1e-5
+    found = unbalance.answer(scene(film), UnbalanceSpec(("mid",), (Unbalance("mid", size),)))
+    stiff = 2.0 * held - mass * SPEED**2 + 2j * SPEED * damping
+    expected = size * SPEED**2 / stiff
+    np.testing.assert_allclose(found.displacement[:, 0, 0], expected, rtol=1e-8)
+    assert found.support == ("a", "b", "left film", "right film")
+    force = np.asarray(found.force)[:, 2, 0]
+    np.testing.assert_allclose(force, -(held - SPRING + 1j * SPEED * damping) * expected, rtol=1e-8)
+
+
+@KINDS
+def test_free_motion_of_a_rigid_rotor(film: str) -> None:
+    """M p² + 2 C p + 2 K = 0 of the motion across the axis, with a thin oil that lets it swing."""
+    spindle = machine(film)
+    spindle = replace(
+        spindle, dampers=tuple(replace(each, viscosity=1e-3) for each in spindle.dampers)
+    )
+    found = Scene(spindle, RIGID, SPEED, 500.0, (LENGTH / 2.0,))
+    stiffness, damping = film_coefficients(spindle.dampers[0])
+    mass = rotor_inertia(spindle).mass
+    for row, speed in enumerate(SPEED):
+        held = SPRING + stiffness * speed
+        exact = (-damping + 1j * math.sqrt(2.0 * held * mass - damping**2)) / mass
+        off = np.sort(np.abs(poles(found, row) - exact))
+        assert off[1] < 1e-7 * abs(exact), "forward and backward"
+
+
+@KINDS
+def test_receptance_of_a_rigid_rotor(film: str) -> None:
+    held, damping, mass = parts(film)
+    spec = FrfSpec(frequencies=(5.0, 40.0, 300.0), pairs=pairs("mid.y/mid.y"))
+    found: Any = frf.answer(scene(film), spec)
+    omega = 2.0 * math.pi * np.array(spec.frequencies)
+    expected = 1.0 / (2.0 * held[:, None] - mass * omega**2 + 2j * omega * damping)
+    np.testing.assert_allclose(np.squeeze(found.response), expected, rtol=1e-7)
+
+
+@KINDS
+def test_static_load_is_shared_by_stiffness(film: str) -> None:
+    held, _, _ = parts(film)
+    spec = SectionForcesSpec(loads=(PointLoad("mid", Fy=100.0),))
+    found: Any = section_forces.answer(scene(film), spec)
+    share = np.asarray(found.reaction)[:, :, 1]
+    np.testing.assert_allclose(share[:, 0], -50.0 * SPRING / held, rtol=1e-9)
+    np.testing.assert_allclose(share[:, 2], -50.0 * (1.0 - SPRING / held), rtol=1e-9, atol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("changes", "sentence"),
+    [
+        ({"viscosity": 0.0}, "viscosity"),
+        ({"eccentricity_ratio": 1.0}, "eccentricity_ratio"),
+        ({"film": "half"}, "film: not one of its choices"),
+        ({"clearance": 0.05}, "clearance must be below the radius"),
+    ],
+)
+def test_faults_of_a_film(changes: dict[str, Any], sentence: str) -> None:
+    with pytest.raises(InvalidInput, match=sentence):
+        replace(FILM, **changes)
+
+
+def test_faults_of_a_machine() -> None:
+    spindle = machine("full")
+    with pytest.raises(InvalidInput, match="name"):
+        replace(spindle, dampers=(replace(FILM, name="a"),))
+    with pytest.raises(InvalidInput, match="left film"):
+        replace(spindle, dampers=(replace(FILM, x=1.0),))
