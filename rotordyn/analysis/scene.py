@@ -181,7 +181,7 @@ class Scene(Statics):
         """The equation of motion of a subsystem at the usable speeds, or at some ``rows`` of
         them."""
         chosen: Any = slice(None) if rows is None else rows
-        state = State(*(each[chosen] for each in self.state))
+        state = State(*(each[chosen] for each in self.state[:3]))
         force = None if self.force is None else self.force[chosen]
         softened = self.conditions.formulation == SOFTENED
         solve = partial(linear, self.rotor, self.subsystems[k], state, force, softened=softened)

@@ -53,6 +53,7 @@ def held_stiffness(structure: Structure, state: State) -> Array:
 
     Sleeves and housings follow their own stiffness; sleeves do not tilt.
     """
+    state = state._replace(standing=True)
     links, count = structure.connections, len(structure.connections)
     states = len(state.speed)
     whole = np.zeros((states, count, 6, count, 6))

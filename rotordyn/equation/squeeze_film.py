@@ -31,11 +31,12 @@ def film_coefficients(damper: SqueezeFilmDamper) -> tuple[float, float]:
 
 
 def film_matrices(damper: SqueezeFilmDamper) -> Callable[[State], LinkMatrices]:
-    """Stiffness (s, 6, 6) and damping (1, 6, 6) of whirl at the speed of the spindle."""
+    """Stiffness (s, 6, 6) and damping (1, 6, 6) of whirl at the speed of the spindle; a load that
+    stands still is carried by no film."""
     stiffness, damping = film_coefficients(damper)
 
     def matrices(state: State) -> LinkMatrices:
-        whirl = np.abs(state.speed)[:, None, None]
+        whirl = np.abs(state.speed)[:, None, None] * (not state.standing)
         return LinkMatrices(stiffness * whirl * _RADIAL, damping * _RADIAL[None])
 
     return matrices

@@ -92,4 +92,5 @@ def _negative(matrix: Array) -> Array:
 def _without_bearings(structure: Structure, speed: Array) -> State:
     seats, sleeves = len(structure.spindle.seats), len(structure.spindle.sleeves)
     none = np.zeros((len(speed), seats, 5, 5))
-    return State(speed, none, np.zeros((len(speed), sleeves), dtype=bool))
+    stops = np.zeros((len(speed), sleeves), dtype=bool)
+    return State(speed, none, stops, standing=True)

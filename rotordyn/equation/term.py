@@ -41,11 +41,12 @@ class Part(NamedTuple):
 
 class State(NamedTuple):
     """What links follow: ``speed`` (s,) [rad/s]; ``tangents`` (s, seats, 5, 5) of the bearings in
-    their own frames; sleeves at their ``stops`` (s, sleeves)."""
+    their own frames; sleeves at their ``stops`` (s, sleeves). ``standing``: loads stand still."""
 
     speed: Array
     tangents: Array
     stops: NDArray[np.bool_]
+    standing: bool = False
 
 
 class LinkMatrices(NamedTuple):
