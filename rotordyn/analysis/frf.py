@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from rotordyn.analysis.display import RPM
 from rotordyn.analysis.formulation import ROTATING, require_isotropic, turned
 from rotordyn.analysis.measured import measured_fields
-from rotordyn.analysis.refinement import Rows, changes, settled
+from rotordyn.analysis.refinement import Rows, changes, few_rows, settled
 from rotordyn.analysis.results import (
     FrequencyResponse,
     FrfResult,
@@ -29,6 +29,8 @@ from rotordyn.errors import InvalidInput
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Answered = Callable[[Array], Complex]
+DOUBTFUL = 1e-2  # error over the peak, from which a response may be rounding alone
+NOTHING = 1e-9  # of the direct responses at both ends: less is rounding
 GRID = 24  # frequencies at which the finer model is compared, besides those of the modes
 MOST_VALUES = 100_000_000
 UNDAMPED = 1e-9  # of the frequency: a pole so near to it has no damping
@@ -128,7 +130,18 @@ def _errors(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> Array:
     for k, own in _by_system(scene, spec.pairs).items():
         pairs, at = [spec.pairs[place] for place in own], _judged(scene, k, frequency)
         error[own] = np.nan_to_num(changes(scene, partial(_weighed, k, pairs, at, power), 1))
+        for place in own:
+            if error[place] > DOUBTFUL and _is_rounding(scene, k, spec.pairs[place], at):
+                error[place] = 0.0
     return error
+
+
+def _is_rounding(scene: Scene, k: int, pair: tuple[Port, Port], at: Array) -> bool:
+    """A response that symmetry makes zero: nothing beside the direct ones of its two ends."""
+    response, excitation = pair
+    every = [pair, (response, response), (excitation, excitation)]
+    own, *ends = np.abs(_weighed(k, every, at, 0, scene, few_rows(scene))).max(axis=(0, 2))
+    return bool(own <= NOTHING * math.sqrt(ends[0] * ends[1]))
 
 
 def _weighed(

@@ -192,7 +192,7 @@ def _criticals(scene: Scene, ratio: float) -> list[tuple[str, float, float]]:
     """Critical speeds among those of the case and the damping ratio at each, by the name of the
     mode, of what turns ``ratio`` times as fast."""
     top = float(scene.speed[-1])
-    if len(scene.usable) < 2 or top < SLOWEST:
+    if len(scene.usable) < 2 or abs(ratio) * top < SLOWEST:
         return []
     highest = BEYOND * abs(ratio) * top / (2.0 * math.pi)
     spec = CampbellSpec(max_frequency=highest, shapes=False)

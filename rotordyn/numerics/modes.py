@@ -51,6 +51,8 @@ class Modes:
         measure, and up to two poles to each; so slow motions on soft springs are none of them,
         however stiff the rest is.
         """
+        if not self.pole.size:
+            return np.zeros(self.pole.shape, dtype=bool)
         turned = np.zeros(self.pole.shape[:-1]) if frame is None else frame
         size = np.abs(self.pole + 1j * turned[..., None])
         largest = np.abs(self.stiffness).max(axis=(-2, -1), initial=0.0)
@@ -252,6 +254,8 @@ def _times_real(matrix: Complex, table: Array) -> Complex:
 
 def residual(found: Modes, stiffness: Matrix, damping: Matrix) -> float:
     """Largest |(λ² + λ D + K) v| over (|λ|² + |λ D| + |K|) |v| of all eigenpairs."""
+    if not found.pole.size:
+        return 0.0
     columns, _ = found.one_of_each_pair()
     own = np.take_along_axis(found.pole, columns, axis=-1)
     pole, vector = own[..., None, :], np.take_along_axis(found.vector, columns[..., None, :], -1)
