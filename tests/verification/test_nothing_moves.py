@@ -53,8 +53,9 @@ def test_unbalance_of_a_rotor_that_stands_still_moves_nothing() -> None:
     ground = [
         replace(support(name, x, (K, K)), holds="sleeve") for name, x in (("s", 0.05), ("t", 0.15))
     ]
-    machine = held(support("a", 0.05, (K, K)), support("b", 0.45, (K, K)), *ground)
-    scene = Scene(replace(machine, rotors=(sleeve,)), Conditions(), SPEEDS, 500.0)
+    machine = held(support("a", 0.05, (K, K)), support("b", 0.45, (K, K)))
+    machine = replace(machine, supports=(*machine.supports, *ground), rotors=(sleeve,))
+    scene = Scene(machine, Conditions(), SPEEDS, 500.0)
     spec = UnbalanceSpec(("sleeve.out",), (Unbalance("sleeve.out", 1e-5),))
     found = unbalance.answer(scene, spec)
     assert not found.displacement.any()
