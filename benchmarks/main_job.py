@@ -102,7 +102,7 @@ def _machine(busy: float | None) -> dict[str, Any]:
     import platform
     from importlib.metadata import version
 
-    libraries = ("numpy", "scipy", "pydantic", "xarray", "matplotlib")
+    libraries = ("numpy", "scipy", "xarray", "matplotlib")
     count = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
     return {
         "processors": count,

@@ -131,7 +131,7 @@ def _called(item: Shipped) -> tuple[str, str]:
 def _schema(arguments: argparse.Namespace) -> int:
     import json
 
-    from rotordyn.case.schema.editor import json_schema
+    from rotordyn.case.schema import json_schema
 
     print(json.dumps(json_schema(arguments.file), indent=2))
     return 0

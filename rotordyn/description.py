@@ -1,16 +1,46 @@
-"""What frozen descriptions have in common: every field is checked when one is built."""
+"""What frozen descriptions have in common: fields and the rules between them, checked when one is
+built.
+
+Rules between fields are written once, in ``_faults``: a path of keys, as files write them, and a
+sentence, in which ``{given}`` stands for what is at the path as it was written. A description built
+in Python raises the first of them; of a file all are reported, each with its line.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import fields
+import math
+import re
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from contextvars import ContextVar
+from dataclasses import is_dataclass
 from functools import cache
 from itertools import pairwise
-from typing import Any, get_type_hints
+from typing import Any
 
 from rotordyn.errors import InvalidInput
-from rotordyn.field import Check, Refused, check_of
-from rotordyn.measures import measured_fields
+from rotordyn.field import Check, Refused, bare, check_of, declared, found_in, shown
+from rotordyn.quantity import Quantity
+
+Path = tuple[str | int, ...]
+Faults = Iterable[tuple[Path, str]]
+
+_PLACES = re.compile(r"\{(given|before)(?::(\w+))?\}")
+_checked: ContextVar[bool] = ContextVar("checked", default=True)
+
+
+@contextmanager
+def unchecked() -> Iterator[None]:
+    """Descriptions built within are not checked: their fields are, and their rules will be.
+
+    So a file of which some values are faulty can be held against all other rules: what is not known
+    is NaN, an empty word or None, on which no comparison takes hold.
+    """
+    token = _checked.set(False)
+    try:
+        yield
+    finally:
+        _checked.reset(token)
 
 
 class Description:
@@ -24,6 +54,8 @@ class Description:
     __slots__ = ()
 
     def __post_init__(self) -> None:
+        if not _checked.get():
+            return
         kind: Any = type(self)
         for name, check in _checks(kind):
             given = getattr(self, name)
@@ -34,11 +66,15 @@ class Description:
                 raise InvalidInput(f"{where}: {refusal.why}") from None
             if taken is not given:
                 object.__setattr__(self, name, taken)
-        for fault in self._faults():
-            raise InvalidInput(f"{self._called()}: {fault}")
+        require(self, self._faults())
+        require(self, self._last_faults())
 
-    def _faults(self) -> Iterable[str]:
-        """What contradicts itself although every field is fine, a sentence each."""
+    def _faults(self) -> Faults:
+        """What contradicts itself although every field is fine: path of keys and a sentence."""
+        return ()
+
+    def _last_faults(self) -> Faults:
+        """The same, where it takes a computation and all else must be right."""
         return ()
 
     def _called(self) -> str:
@@ -46,30 +82,108 @@ class Description:
         return f"{kind} {name}" if isinstance(name, str) and name else kind
 
 
-@cache
-def declared(kind: Any) -> dict[str, Any]:
-    """Annotation of every field of a dataclass, in order; of a bearing with what it measures."""
-    hints = {**get_type_hints(kind, include_extras=True), **measured_fields(kind)}
-    return {field.name: hints[field.name] for field in fields(kind)}
+def require(description: Description, faults: Faults) -> None:
+    """Raises the first of ``faults`` of a description as InvalidInput; nothing while unchecked."""
+    for path, sentence in faults if _checked.get() else ():
+        raise InvalidInput(f"{description._called()}: {told(description, path, sentence)}")
 
 
 @cache
 def _checks(kind: Any) -> tuple[tuple[str, Check], ...]:
-    return tuple((name, check_of(hint)) for name, hint in declared(kind).items())
+    return tuple((field.name, check_of(field.annotation)) for field in declared(kind))
+
+
+def told(holder: object, path: Path, sentence: str) -> str:
+    """A fault as said of a description built in Python: path, sentence, value."""
+    where = _walked(holder, path)[0]
+    said = filled(sentence, path, lambda way: _written(holder, way))
+    return f"{where}: {said}" if where else said
+
+
+def filled(sentence: str, path: Path, written: Callable[[Path], str]) -> str:
+    """``{given}``: the value at the path as it was written; ``{before}``: the item before it;
+    ``{given:from}``: what stands beside it under that key."""
+
+    def value(match: re.Match[str]) -> str:
+        last = path[-1] if path else ""
+        if match[1] == "before" and isinstance(last, int):
+            return written((*path[:-1], last - 1))
+        return written((*path[:-1], match[2]) if match[2] else path)
+
+    return _PLACES.sub(value, sentence)
+
+
+def _written(holder: object, path: Path) -> str:
+    _, value, quantity = _walked(holder, path)
+    return quantity.written(value) if quantity and isinstance(value, float) else shown(value)
+
+
+def _walked(holder: Any, path: Path) -> tuple[str, Any, Quantity | None]:
+    """The path with items called by their names, the value there, and its quantity."""
+    words: list[str] = []
+    value, annotation, within = holder, None, ""
+    for step in path:
+        if isinstance(step, int):
+            value = value[step] if isinstance(value, Sequence) and step < len(value) else None
+            name = getattr(value, "name", "")
+            words[-1:] = [*words[-1:], name] if name else [f"{words[-1]}[{step}]"]
+            continue
+        words.append(step)
+        if isinstance(value, Mapping):
+            value = value.get(step)
+        elif is_dataclass(value):
+            keys = (within, step) if within else (step,)
+            kind: Any = type(value)
+            field = next((f for f in declared(kind) if f.keys == keys), None)
+            within = step if field is None else ""
+            if field is not None:
+                value, annotation = getattr(value, field.name), field.annotation
+    return ".".join(words), value, _quantity(annotation)
+
+
+def _quantity(annotation: Any) -> Quantity | None:
+    found = found_in(annotation, Quantity) if annotation is not None else None
+    if found is None and hasattr(bare(annotation), "__args__"):
+        return next((q for q in map(_quantity, bare(annotation).__args__) if q), None)
+    return found if isinstance(found, Quantity) else None
 
 
 def doubled(names: Iterable[str]) -> Iterator[str]:
     """Names that come again; empty ones aside."""
+    for index, _ in repeated(names := list(names)):
+        yield names[index]
+
+
+def repeated(names: Iterable[str]) -> Iterator[tuple[int, str]]:
+    """Place and sentence of each name that came before; empty ones aside."""
     seen: set[str] = set()
-    for name in names:
+    for index, name in enumerate(names):
         if name and name in seen:
-            yield name
+            yield index, f"repeated: given '{name}'"
         seen.add(name)
 
 
-def ascending(what: str, values: Sequence[float]) -> Iterator[str]:
-    """A sentence for each value that is not above the one before it."""
-    for before, here in pairwise(values):
+def named_twice(key: str, items: Iterable[Any]) -> Faults:
+    """Path and sentence for each item of a list that bears the name of an earlier one."""
+    names = [item.name for item in items]
+    for index, _ in repeated(names):
+        yield (key, index, "name"), f"name given twice: '{names[index]}'"
+
+
+def ascending(key: str, values: Sequence[float]) -> Faults:
+    """Path and sentence for each value of a list that is not above the one before it."""
+    for index, (before, here) in enumerate(pairwise(values), start=1):
         if here <= before:
             how = "repeated" if here == before else "not in ascending order"
-            yield f"{what}: {how}: given {here:.6g} after {before:.6g}"
+            yield (key, index), f"{how}: given {{given}} after {{before}}"
+
+
+def within(path: Path, faults: Faults) -> Faults:
+    """The same faults of what stands at ``path``."""
+    for way, sentence in faults:
+        yield (*path, *way), sentence
+
+
+def known(value: float | None) -> bool:
+    """A number whose fault is not reported already."""
+    return value is not None and not math.isnan(value)

@@ -1,24 +1,27 @@
-"""What a field of a description takes, read off its annotation.
+"""What a field of a description takes, read off its annotation: one grammar for Python and files.
 
-The annotation says the type, and by ``Annotated`` the range, words or form of name that go with it
-(``rotordyn.quantity``). Sequences become tuples and numbers of numpy plain ones.
+An annotation says the type and, by ``Annotated``, the range, words, number of items or form of name
+that go with it (``rotordyn.quantity``), what files call it (``Key``), and in a plain text what it
+means. Sequences become tuples and numbers of numpy plain ones; text with a unit is read where the
+annotation tells the unit.
 """
 
 from __future__ import annotations
 
 import math
 import types
-from collections.abc import Callable, Iterable, Mapping
-from dataclasses import is_dataclass
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import MISSING, dataclass, fields, is_dataclass
 from functools import cache
 from numbers import Integral, Real
-from typing import Annotated, Any, Union, get_args, get_origin
+from typing import Annotated, Any, Union, get_args, get_origin, get_type_hints
 
-from rotordyn import units
 from rotordyn.errors import InvalidInput
-from rotordyn.quantity import Choice, Quantity, suggestion
+from rotordyn.measures import meaning_of, measured_fields
+from rotordyn.quantity import Choice, Key, Quantity, Words
 
 Check = Callable[[Any], Any]
+REQUIRED: Any = type("Required", (), {"__repr__": lambda self: "REQUIRED"})()  # has no default
 
 
 class Refused(Exception):
@@ -32,58 +35,105 @@ class Refused(Exception):
         self.why, self.place = why, place
 
 
+@dataclass(frozen=True, slots=True)
+class Field:
+    """One field of a description, or one further key of its files.
+
+    ``name``: of the attribute, empty where there is none; ``keys``: what files and paths call it,
+    one word or two, none where it is no key; ``default``: in files, ``REQUIRED`` where they must
+    give it.
+    """
+
+    name: str
+    keys: tuple[str, ...]
+    annotation: Any
+    meaning: str
+    default: Any = REQUIRED
+    missing: str = ""
+
+
+@cache
+def declared(kind: Any) -> tuple[Field, ...]:
+    """Every field of a dataclass, in order; of a bearing with what it measures."""
+    hints = {**get_type_hints(kind, include_extras=True), **measured_fields(kind)}
+    return tuple(_declared(field, hints[field.name]) for field in fields(kind))
+
+
+def _declared(field: Any, annotation: Any) -> Field:
+    own = metadata(annotation)
+    key = next((m for m in own if isinstance(m, Key)), Key())
+    default = REQUIRED if field.default is MISSING else field.default
+    if field.default_factory is not MISSING:
+        default = field.default_factory()
+    if key.required:
+        default = REQUIRED
+    elif default is REQUIRED and key.default is not None:
+        default = key.default
+    meaning = next((m for m in own if isinstance(m, str)), "") or meaning_of(field)
+    keys = () if key.hidden else tuple((key.name or field.name).split("."))
+    return Field(field.name, keys, annotation, meaning, default, key.missing)
+
+
+def metadata(annotation: Any) -> tuple[Any, ...]:
+    """What stands beside the type in ``Annotated``."""
+    return annotation.__metadata__ if get_origin(annotation) is Annotated else ()
+
+
+def bare(annotation: Any) -> Any:
+    """The type without what stands beside it."""
+    return get_args(annotation)[0] if get_origin(annotation) is Annotated else annotation
+
+
+def found_in(annotation: Any, kind: type) -> Any:
+    """What of one kind stands beside the type or beside one of its forms; None if nothing does."""
+    for member in (annotation, *members(annotation)):
+        for each in metadata(member):
+            if isinstance(each, kind):
+                return each
+    return None
+
+
+def members(annotation: Any) -> tuple[Any, ...]:
+    """The forms that a value may have, None aside; the annotation alone where it has one form.
+
+    What stands beside a union stands beside each of its forms.
+    """
+    inner, beside = bare(annotation), metadata(annotation)
+    if get_origin(inner) not in (Union, types.UnionType):
+        return (annotation,)
+    forms = (member for member in get_args(inner) if member is not type(None))
+    return tuple(Annotated[(form, *beside)] if beside else form for form in forms)
+
+
+def optional(annotation: Any) -> bool:
+    """None is one of the values that are taken."""
+    return type(None) in get_args(bare(annotation))
+
+
 def accept(annotation: Any, value: object) -> Any:
     """``value`` as a field of this annotation keeps it; raises Refused."""
     return check_of(annotation)(value)
 
 
-def in_si(annotation: Any, value: object) -> Any:
-    """``value`` with text such as ``"8 N/um"`` read, wherever the annotation tells the unit.
-
-    Raises Refused where the text is no such quantity.
-    """
-    quantity = _quantity_of(annotation)
-    if isinstance(value, str) and quantity is not None:
-        return _read(annotation, quantity, value)
-    origin, inner = get_origin(annotation), get_args(annotation)
-    if origin is tuple and inner[-1] is ... and isinstance(value, list | tuple):
-        return tuple(in_si(inner[0], item) for item in value)
-    if origin is Mapping and isinstance(value, Mapping):
-        return {key: in_si(inner[1], item) for key, item in value.items()}
-    return value
-
-
-def _read(annotation: Any, quantity: Quantity, text: str) -> Any:
-    try:
-        return accept(annotation, text)
-    except Refused:
-        pass
-    if text and text == quantity.infinite:
-        return float("inf")
-    try:
-        return units.parse(text, quantity.kind)
-    except InvalidInput as error:
-        word = quantity.infinite
-        also = f", or {word}{suggestion(text, (word,))}" if word else ""
-        raise Refused(str(error) + also) from None
-
-
-def _quantity_of(annotation: Any) -> Quantity | None:
-    origin = get_origin(annotation)
-    if origin is Annotated:
-        return next((m for m in annotation.__metadata__ if isinstance(m, Quantity)), None)
-    if origin in (Union, types.UnionType):
-        found = (_quantity_of(member) for member in get_args(annotation))
-        return next((quantity for quantity in found if quantity is not None), None)
-    return None
-
-
 @cache
 def check_of(annotation: Any) -> Check:
     """What a field of this annotation does with a value: keeps it or raises Refused."""
+    inner, limits = bare(annotation), metadata(annotation)
+    quantity = next((m for m in limits if isinstance(m, Quantity)), None)
+    if inner is float and quantity is not None:
+        return _measured(quantity)
+    check = _unlimited(inner)
+    words = next((m for m in limits if isinstance(m, Words)), None)
+    limits = tuple(m for m in limits if hasattr(m, "refusal"))
+    if words is not None:
+        return _bounded(_worded(words, check), limits)
+    return _bounded(check, limits) if limits else check
+
+
+def _unlimited(annotation: Any) -> Check:
     origin, inner = get_origin(annotation), get_args(annotation)
     if origin is Annotated:
-        return _bounded(_number if inner[0] is float else check_of(inner[0]), inner[1:])
+        return check_of(annotation)
     if origin in (Union, types.UnionType):
         return _one_of(inner)
     if origin is tuple:
@@ -93,8 +143,29 @@ def check_of(annotation: Any) -> Check:
     return _PLAIN.get(annotation) or _instance(annotation)
 
 
+def _worded(words: Words, check: Check) -> Check:
+    return lambda value: check(words.taken(value))
+
+
+def _measured(quantity: Quantity) -> Check:
+    """A number in SI units, or text with a unit."""
+
+    def measured(value: Any) -> float:
+        if isinstance(value, str):
+            try:
+                return quantity.read(value)
+            except InvalidInput as refusal:
+                raise Refused(str(refusal)) from None
+        number = _number(value)
+        if why := quantity.refusal(number):
+            raise Refused(why)
+        return number
+
+    return measured
+
+
 def _bounded(check: Check, limits: tuple[Any, ...]) -> Check:
-    choices = [limit for limit in limits if isinstance(limit, Choice)]
+    choices = [limit for limit in limits if isinstance(limit, Choice | Words)]
 
     def bounded(value: Any) -> Any:
         try:
@@ -110,29 +181,32 @@ def _bounded(check: Check, limits: tuple[Any, ...]) -> Check:
     return bounded
 
 
-def _one_of(members: tuple[Any, ...]) -> Check:
-    checks = {member: check_of(member) for member in members}
+def _one_of(forms: tuple[Any, ...]) -> Check:
+    checks = {form: check_of(form) for form in forms}
 
     def one(value: Any) -> Any:
         about_the_value = []
-        for member, check in checks.items():
+        for form, check in checks.items():
             try:
                 return check(value)
             except Refused as refusal:
-                about_the_value += [refusal] if _fits(value, member) else []
+                about_the_value += [refusal] if _fits(value, form) else []
         if about_the_value:
-            raise about_the_value[0]
-        raise Refused(_kind_wanted(value, " or ".join(map(_noun, members))))
+            raise about_the_value[-1] if isinstance(value, str) else about_the_value[0]
+        raise Refused(_kind_wanted(value, " or ".join(map(_noun, checks))))
 
     return one
 
 
-def _fits(value: object, member: Any) -> bool:
-    """A refusal of this member is about the value itself, not about its type."""
-    bare = get_args(member)[0] if get_origin(member) is Annotated else member
-    if bare is float:
-        return isinstance(value, Real) and not isinstance(value, bool)
-    return isinstance(bare, type) and isinstance(value, bare)
+def _fits(value: object, form: Any) -> bool:
+    """A refusal of this form is about the value itself, not about its type."""
+    inner = bare(form)
+    if inner is float:
+        measured = isinstance(value, str) and any(c.isdigit() for c in value)
+        return measured or (isinstance(value, Real) and not isinstance(value, bool))
+    if get_origin(inner) is tuple:
+        return isinstance(value, list | tuple)
+    return isinstance(inner, type) and isinstance(value, inner)
 
 
 def _row(inner: tuple[Any, ...]) -> Check:
@@ -200,15 +274,15 @@ def _instance(kind: type) -> Check:
     return instance
 
 
-_PLAIN: dict[Any, Check] = {float: _finite, int: _whole}
+_PLAIN: dict[Any, Check] = {float: _finite, int: _whole, Any: lambda value: value}
 _NOUNS = {str: "text", bool: "True or False", float: "a number in SI units", int: "a whole number"}
 
 
-def _noun(kind: Any) -> str:
-    bare = get_args(kind)[0] if get_origin(kind) is Annotated else kind
-    if bare is type(None):
+def _noun(form: Any) -> str:
+    kind = bare(form)
+    if kind is type(None):
         return "None"
-    return _NOUNS.get(bare) or str(getattr(bare, "__name__", bare))
+    return _NOUNS.get(kind) or str(getattr(kind, "__name__", kind))
 
 
 def _kind_wanted(value: object, wanted: str) -> str:
@@ -221,3 +295,12 @@ def shown(value: object) -> str:
         return f"a {type(value).__name__}"
     text = " ".join(repr(value).split())
     return text if len(text) <= 40 else text[:37] + "..."
+
+
+def descriptions(annotation: Any) -> Iterator[type]:
+    """The dataclasses that a value may be, or hold in its items."""
+    inner = bare(annotation)
+    if isinstance(inner, type) and is_dataclass(inner):
+        yield inner
+    for part in get_args(inner):
+        yield from descriptions(part)

@@ -31,6 +31,12 @@ def measured_fields(kind: Any) -> dict[str, Any]:
     }
 
 
+def meaning_of(field: Any) -> str:
+    """The phrase that a field of a bearing declares; empty where it declares none."""
+    measure = field.metadata.get("measure")
+    return "" if measure is None else measure.meaning
+
+
 def _annotation(measure: Measure, *, optional: bool) -> Any:
     within = limits(measure)
     plain: Any = int if isinstance(within, Whole) else float

@@ -14,6 +14,7 @@ from functools import cached_property
 from typing import Annotated
 
 from rotordyn import units
+from rotordyn.errors import InvalidInput
 
 NAME = re.compile(r"[^\W\d][\w \-]*")
 
@@ -68,13 +69,54 @@ class Quantity:
         above = value > self.low if self.above else value >= self.low
         return above and (value < self.high if self.below else value <= self.high)
 
-    def refusal(self, value: float) -> str:
-        """Why ``value`` [SI] is not taken; empty where it is."""
+    def refusal(self, value: float, given: str = "") -> str:
+        """Why ``value`` [SI], written as ``given``, is not taken; empty where it is.
+
+        A bare number that would fit in another unit is asked about.
+        """
         if self.holds(value):
             return ""
-        given = f"{value:.6g} {self.coherent_unit}".rstrip()
-        words = f"{self.allowed}, or infinite" if self.infinite else self.allowed
-        return f"{self.kind} out of range: given {given}; allowed: {words or 'a finite number'}"
+        allowed = self.allowed or "a finite number"
+        if given:
+            return f"{self.kind} out of range: given {given}; allowed: {allowed}"
+        words = f"{allowed}, or infinite" if self.infinite else allowed
+        return (
+            f"{self.kind} out of range: given {self.written(value)}; allowed: {words}"
+            f"{self._likely(value)}"
+        )
+
+    def _likely(self, value: float) -> str:
+        """The unit in which a number out of range lies within it, as a question."""
+        for unit in units.KINDS[self.kind]:
+            scaled = value * units.parse_unit(unit).scale
+            if scaled != value and math.isfinite(scaled) and self.holds(scaled):
+                return f" (did you mean {value:.6g} {unit} = {scaled:.6g}?)"
+        return ""
+
+    def written(self, value: float) -> str:
+        """``value`` [SI] as one would write it into a file, in the SI unit."""
+        if math.isinf(value):
+            return self.infinite or str(value)
+        return f"{value:.6g} {self.coherent_unit}".rstrip()
+
+    def read(self, given: object) -> float:
+        """The value [SI] of text such as ``"25 mm"``, or of a number where the kind has no unit.
+
+        Raises
+        ------
+        InvalidInput : no such quantity, or out of range
+        """
+        if self.infinite and given == self.infinite:
+            return math.inf
+        try:
+            value = units.parse(given, self.kind)
+        except InvalidInput as error:
+            word = self.infinite
+            also = f", or {word}{suggestion(given, (word,))}" if word else ""
+            raise InvalidInput(f"{error}{also}") from None
+        if why := self.refusal(value, units.shown(given)):
+            raise InvalidInput(why)
+        return value
 
 
 @dataclass(frozen=True)
@@ -83,13 +125,20 @@ class Choice:
 
     allowed: tuple[object, ...]
 
-    def refusal(self, value: object) -> str:
-        """Why ``value`` is not taken; empty where it is."""
-        if value in self.allowed:
+    def refusal(self, value: object, given: str = "") -> str:
+        """Why ``value``, written as ``given``, is not taken; empty where it is."""
+        if any(value == word and type(value) is type(word) for word in self.allowed):
             return ""
         words = [str(word) or '""' for word in self.allowed]
         hint = suggestion(value, words)
-        return f"not one of its choices: given {value!r}; allowed: {', '.join(words)}{hint}"
+        shown = given or repr(value)
+        return f"not one of its choices: given {shown}; allowed: {', '.join(words)}{hint}"
+
+    def read(self, given: object) -> object:
+        """The word as given; raises InvalidInput."""
+        if why := self.refusal(given, units.shown(given)):
+            raise InvalidInput(why)
+        return given
 
 
 @dataclass(frozen=True)
@@ -99,11 +148,20 @@ class Whole:
     at_least: int
     at_most: int
 
-    def refusal(self, value: int) -> str:
-        """Why ``value`` is not taken; empty where it is."""
+    def refusal(self, value: int, given: str = "") -> str:
+        """Why ``value``, written as ``given``, is not taken; empty where it is."""
         if self.at_least <= value <= self.at_most:
             return ""
-        return f"out of range: given {value}; allowed: {self.at_least} to {self.at_most}"
+        return f"out of range: given {given or value}; allowed: {self.at_least} to {self.at_most}"
+
+    def read(self, given: object) -> int:
+        """The number as given; raises InvalidInput."""
+        if not isinstance(given, int) or isinstance(given, bool) or self.refusal(given):
+            raise InvalidInput(
+                f"not a whole number in its range: given {units.shown(given)}; "
+                f"allowed: {self.at_least} to {self.at_most}"
+            )
+        return given
 
 
 @dataclass(frozen=True)
@@ -116,12 +174,96 @@ class Named:
     optional: bool = False
     dotted: bool = False
 
-    def refusal(self, value: str) -> str:
-        """Why ``value`` is not taken; empty where it is."""
+    def refusal(self, value: str, given: str = "") -> str:
+        """Why ``value``, written as ``given``, is not taken; empty where it is."""
         parts = value.split(".", 1) if self.dotted else [value]
         if all(NAME.fullmatch(part) for part in parts) or (self.optional and not value):
             return ""
-        return f"not a name: given {value!r}; allowed: a letter, then letters, digits, _, -"
+        shown = given or repr(value)
+        if self.dotted:
+            return f"no name of a point: given {shown}; allowed: POINT, or ROTOR.POINT"
+        return f"not a name: given {shown}; allowed: a letter, then letters, digits, _, -"
+
+    def read(self, given: object) -> str:
+        """The name as given; raises InvalidInput."""
+        name = given if isinstance(given, str) else "."
+        if why := self.refusal(name, units.shown(given)):
+            raise InvalidInput(why)
+        return name
+
+
+@dataclass(frozen=True)
+class Items:
+    """How many items a list has."""
+
+    at_least: int = 1
+    at_most: int = 100_000
+
+    def refusal(self, value: tuple[object, ...], given: str = "") -> str:
+        """Why ``value`` is not taken; empty where it is."""
+        if len(value) < self.at_least:
+            few = "one item" if self.at_least == 1 else f"{self.at_least} items"
+            return f"too few items: given {given or len(value)}; allowed: at least {few}"
+        if len(value) > self.at_most:
+            return f"too many items: given {len(value)}; allowed: up to {self.at_most}"
+        return ""
+
+
+@dataclass(frozen=True)
+class Words:
+    """Words for a few values: ``"+x"`` for 1; ``silent``: the value where nothing is said."""
+
+    values: tuple[tuple[str, object], ...]
+    silent: object = None
+
+    def refusal(self, value: object, given: str = "") -> str:
+        """Why ``value``, written as ``given``, is not taken; empty where it is."""
+        if value == self.silent or any(value == meant for _, meant in self.values):
+            return ""
+        words = ", ".join(word for word, _ in self.values)
+        hint = suggestion(value, [word for word, _ in self.values])
+        return f"not one of its choices: given {given or repr(value)}; allowed: {words}{hint}"
+
+    def read(self, given: object) -> object:
+        """The value that a word stands for; raises InvalidInput."""
+        words = dict(self.values)
+        if isinstance(given, str) and given in words:
+            return words[given]
+        shown = units.shown(given)
+        raise InvalidInput(self.refusal(given if isinstance(given, str) else (), shown))
+
+    def taken(self, value: object) -> object:
+        """The value that a word stands for; any other value as it is."""
+        return dict(self.values).get(value, value) if isinstance(value, str) else value
+
+    def word(self, value: object) -> object:
+        """The word for a value; the value itself where it has none."""
+        return next((word for word, meant in self.values if meant == value), value)
+
+
+@dataclass(frozen=True)
+class Key:
+    """How files and paths call a field, where that is not its name.
+
+    ``name``: dotted where it stands within a mapping of its own; empty: the name of the field.
+    ``hidden``: it is no key. ``default``: its value where a file leaves it out and Python may not.
+    ``required``: files must give it although Python need not. ``missing``: what to say where it is
+    not given.
+    """
+
+    name: str = ""
+    hidden: bool = False
+    default: object = None
+    required: bool = False
+    missing: str = "it must be given"
+
+
+HIDDEN = Key(hidden=True)
+
+
+@dataclass(frozen=True)
+class Sweep:
+    """Marks a list of ascending values that files may write as a range: from, to, step or count."""
 
 
 def suggestion(given: object, allowed: Iterable[str]) -> str:

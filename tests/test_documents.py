@@ -168,11 +168,12 @@ def test_reference_of_keys_is_that_of_the_schema() -> None:
 
 
 def test_reference_of_keys_leaves_no_entry_out() -> None:
-    from rotordyn.case import schema
-    from rotordyn.case.schema import matrix
     from rotordyn.case.schema.base import Entry
     from rotordyn.case.schema.bearing import entry_of
     from rotordyn.case.schema.growth import FitEntry
+
+    from rotordyn.case import schema
+    from rotordyn.case.schema import matrix
 
     names = [found.name for found in pkgutil.iter_modules(schema.__path__)]
     modules = [importlib.import_module(f"{schema.__name__}.{name}") for name in names]

@@ -13,11 +13,11 @@ from typing import Annotated, Any, Union, get_args, get_origin
 
 from pydantic import PlainValidator, TypeAdapter, ValidationError
 from pydantic.fields import FieldInfo
-
-from rotordyn import units
 from rotordyn.case.schema.analyses import Place
 from rotordyn.case.schema.base import Entry, title
 from rotordyn.case.schema.bearing import BearingEntry
+
+from rotordyn import units
 
 _KIND = re.compile(r"expected (.+?): given")
 

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from importlib import import_module
 
-from bearings.kinds import KINDS
-from docs.generate.accepted import accepted, default
-from docs.generate.marked import table
 from rotordyn.case.schema.base import Entry, title
 from rotordyn.case.schema.bearing import BearingEntry, entry_of
 from rotordyn.case.schema.meanings import meanings
+
+from bearings.kinds import KINDS
+from docs.generate.accepted import accepted, default
+from docs.generate.marked import table
 
 # Part of the page -> the entries it lists, in order of reading.
 PAGES = {

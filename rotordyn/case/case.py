@@ -1,53 +1,81 @@
-"""A case: one machine, how it is modelled, which speeds, which questions."""
+"""A case: one machine, how it is modelled, which speeds, which analyses."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from collections.abc import Mapping
+from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Annotated
 
 from bearings.bearing import BallBearing
-from rotordyn.analyses.contract import Spec
-from rotordyn.case.agreement import (
-    ANALYSES,
-    housings_agree,
-    questions_agree,
-    references_agree,
-    resolved_agree,
-    speeds_agree,
-    supports_agree,
-)
-from rotordyn.description import Description
+from rotordyn.analyses.bearing.spec import BearingMapSpec
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.control.spec import ControlSpec
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.preload.spec import PreloadSpec
+from rotordyn.analyses.section_forces.spec import SectionForcesSpec
+from rotordyn.analyses.stiffness.spec import StiffnessSpec
+from rotordyn.analyses.unbalance.spec import UnbalanceSpec
+from rotordyn.description import Description, Faults, ascending, within
+from rotordyn.machine.assembly import unknown
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
-from rotordyn.quantity import Choice, Name, Speed
+from rotordyn.quantity import HIDDEN, Choice, Items, Key, Name, Speed, Sweep
+from rotordyn.scene.agreement import last_setting_faults, setting_faults
 from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.spec import Setting, Spec
+
+ANALYSES: dict[str, type[Spec]] = {
+    "preload": PreloadSpec,
+    "campbell": CampbellSpec,
+    "frf": FrfSpec,
+    "stiffness": StiffnessSpec,
+    "section_forces": SectionForcesSpec,
+    "unbalance": UnbalanceSpec,
+    "bearing": BearingMapSpec,
+    "control": ControlSpec,
+}
+OF_A_BEARING = ("bearing", "control")
+OF_BALLS = ("kinematics", "moment_sharing", "friction")
+
+
+class ByName:
+    """Marks specs by the name of their analysis, which tells what each of them is."""
 
 
 @dataclass(frozen=True, slots=True)
 class Case(Description):
-    """Everything a run needs, in SI units.
+    """The case itself: a machine, how it is modelled, the speeds, and what is asked.
 
-    Exactly one of ``spindle`` and ``bearing`` is given. ``speeds`` [rad/s] ascend without repeats.
-    ``analyses`` maps a name of the registry to its Spec; nothing else is computed. ``references``
-    are shown beside the computed values. ``files``: every file read; ``digest``: their hash, with
-    the changes that ``vary`` made to them. ``variants``: other cases with the same speeds and
-    questions, by name; where there are any, they are answered side by side, and the case itself is
-    not.
+    Exactly one of ``spindle`` and ``bearing`` is given. Nothing that ``analyses`` does not name is
+    computed. ``files``: every file read; ``digest``: their hash, with the changes that ``vary``
+    made to them. ``variants``: other cases with the same speeds and analyses, by name; where there
+    are any, they are answered side by side, and the case itself is not.
     """
 
-    name: str
-    title: str
-    speeds: tuple[Speed, ...]
-    analyses: Mapping[Annotated[str, Choice(tuple(ANALYSES))], Spec]
-    conditions: Conditions = field(default_factory=Conditions)
-    spindle: Spindle | None = None
-    bearing: BallBearing | None = None
-    references: tuple[Reference, ...] = ()
-    files: tuple[Path, ...] = ()
-    digest: str = ""
-    variants: Mapping[Name, Case] = field(default_factory=dict)
+    name: Annotated[str, HIDDEN]
+    title: Annotated[str, Key(default=""), "one line, shown in summary and figures"]
+    speeds: Annotated[
+        tuple[Speed, ...], Items(), Sweep(), "every speed at which the analyses are answered"
+    ]
+    analyses: Annotated[
+        Mapping[Annotated[str, Choice(tuple(ANALYSES))], Spec],
+        ByName(),
+        "what is asked; what is not named is not computed",
+    ]
+    conditions: Annotated[Conditions, "how the machine is modelled"] = field(
+        default_factory=Conditions
+    )
+    spindle: Annotated[Spindle | None, "name of a model, or a path; either this or `bearing`"] = (
+        None
+    )
+    bearing: Annotated[
+        BallBearing | None, "name or path of a single bearing; either this or `spindle`"
+    ] = None
+    references: Annotated[tuple[Reference, ...], "known values shown beside the computed ones"] = ()
+    files: Annotated[tuple[Path, ...], HIDDEN] = ()
+    digest: Annotated[str, HIDDEN] = ""
+    variants: Annotated[Mapping[Name, Case], HIDDEN] = field(default_factory=dict)
 
     @property
     def known(self) -> tuple[Reference, ...]:
@@ -64,20 +92,77 @@ class Case(Description):
 
         return vary(self, changes)
 
-    def _faults(self) -> Iterator[str]:
+    @property
+    def setting(self) -> Setting | None:
+        """Spindle, conditions and speeds; None of a single bearing."""
+        if self.spindle is None:
+            return None
+        return Setting(self.spindle, self.conditions, self.speeds)
+
+    def _faults(self) -> Faults:
         if (self.spindle is None) == (self.bearing is None):
             given = "neither" if self.spindle is None else "both"
-            yield f"a case has either a spindle or a bearing: given {given}"
+            yield (), f"a case has either a spindle or a bearing: given {given}"
             return
-        yield from speeds_agree(self.speeds, self.analyses)
-        yield from questions_agree(self.spindle, self.conditions, self.analyses)
-        if self.spindle is not None:
-            yield from supports_agree(self.spindle, self.conditions, self.speeds)
-            yield from resolved_agree(self.spindle, self.conditions, self.analyses, self.speeds)
-            yield from housings_agree(self.spindle, self.conditions, self.analyses)
-        yield from references_agree(self.references, self.conditions)
+        yield from self.faults_alone()
+        yield from self._asked_of_machine()
+        if self.setting is not None:
+            yield from setting_faults(self.setting)
+            for name, spec in self.analyses.items():
+                yield from within(("analyses", name), spec.faults_on(self.setting))
+        yield from self._variants()
+
+    def faults_alone(self) -> Faults:
+        """What is wrong whatever the machine is."""
+        yield from ascending("speeds", self.speeds)
+        if not self.analyses:
+            yield ("analyses",), "nothing is asked: name at least one analysis"
+        for name, spec in self.analyses.items():
+            wanted = ANALYSES[name]
+            if not isinstance(spec, wanted):
+                given = type(spec).__name__
+                yield ("analyses", name), f"takes a {wanted.__name__}: given a {given}"
+        known = [each.name for each in fields(Conditions)]
+        for index, reference in enumerate(self.references):
+            for name in reference.conditions:
+                for sentence in unknown("condition", name, known):
+                    yield ("references", index, "conditions"), sentence
+
+    def _asked_of_machine(self) -> Faults:
+        """A single bearing has no rotor and no weight; a spindle is more than one bearing."""
+        for name in self.analyses:
+            if (name in OF_A_BEARING) != (self.bearing is not None):
+                kind = "spindle" if self.bearing is None else "single bearing"
+                yield ("analyses", name), f"this analysis does not apply to a {kind}"
+        plain = Conditions()
+        for each in fields(Conditions) if self.bearing is not None else ():
+            name = each.name
+            if name not in OF_BALLS and getattr(self.conditions, name) != getattr(plain, name):
+                yield (
+                    ("conditions", name),
+                    f"does not apply to a single bearing; allowed: {', '.join(OF_BALLS)}",
+                )
+
+    def _variants(self) -> Faults:
         for name, variant in self.variants.items():
             if variant.speeds != self.speeds or variant.analyses != self.analyses:
-                yield f"variant {name}: its speeds and analyses must be those of the case"
-            if variant.variants:
-                yield f"variant {name}: a variant has no variants of its own"
+                yield (
+                    ("compare", name),
+                    "the speeds and analyses of a variant must be those of the case",
+                )
+
+    def _last_faults(self) -> Faults:
+        if self.setting is None:
+            return
+        asked = self.analyses.items()
+        if any(isinstance(spec, SectionForcesSpec) for _, spec in asked):
+            yield from last_setting_faults(self.setting)
+        for name, spec in asked:
+            yield from within(("analyses", name), spec.last_faults_on(self.setting))
+        if self.conditions.element_length is not None:
+            from rotordyn.analyses.resolution import beyond_elements
+
+            top = max(self.speeds, default=0.0)
+            assert self.spindle is not None
+            for why in beyond_elements(self.spindle, self.conditions, self.analyses, top):
+                yield ("conditions", "element_length"), f"{why}: given {{given}}"

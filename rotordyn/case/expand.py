@@ -8,16 +8,18 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 
+from bearings.kinds import KINDS
+from rotordyn import units
 from rotordyn.case.document import read_bytes, read_document
 from rotordyn.case.faults import Faults
+from rotordyn.case.keys import ModelFiles, bearing_class, keys_of, kinds_with
 from rotordyn.case.library import UnknownModel, find
 from rotordyn.case.node import UNKNOWN, Node
 from rotordyn.case.override import apply
+from rotordyn.case.reading import Reading
 from rotordyn.case.reduced import NoModel, ReducedModel
-from rotordyn.case.schema.bearing import entry_of, kind_in, kinds_with, wrong_kind
-from rotordyn.case.schema.housing import ModelFilesEntry
 from rotordyn.case.table import tabled
-from rotordyn.case.validate import validate
+from rotordyn.machine.assembly import unknown
 
 _MATERIALS_OF_BEARING = (("ball_material",), ("ring_material",))
 _MATERIALS_OF_SPINDLE = (
@@ -114,8 +116,9 @@ def bearing(reference: Node, override: tuple[Node | None, ...], reader: Reader) 
     for changes in override:
         apply(changes, root, reader.faults)
     kind = root.child("kind")
-    if kind is not None and (why := wrong_kind(kind.value)):
-        reader.faults.at(root, ("kind",), why)
+    if kind is not None and kind.value not in KINDS:
+        for why in unknown("kind of bearing", kind.raw or units.shown(kind.plain()), KINDS):
+            reader.faults.at(root, ("kind",), why)
         return None
     _forget_nulls(root)
     _fill(root, _MATERIALS_OF_BEARING, "materials", reader)
@@ -124,9 +127,10 @@ def bearing(reference: Node, override: tuple[Node | None, ...], reader: Reader) 
 
 def _forget_nulls(bearing: Node) -> None:
     """Takes out keys of other kinds that an override has set to null."""
-    kept = entry_of(kind_in(bearing.plain())).model_fields
+    kind = bearing.child("kind")
+    kept = {own.keys for own in keys_of(bearing_class(kind.value if kind else None))}
     for key in [k for k, v in bearing.items() if v.value is None and v.file != bearing.file]:
-        if key not in kept and kinds_with(str(key)):
+        if (key,) not in kept and kinds_with(str(key)):
             del bearing.value[key]
 
 
@@ -169,17 +173,18 @@ def _reduced(reference: Node, reader: Reader) -> ReducedModel | None:
     from rotordyn.case.reduced_files import from_archive, from_market
 
     if isinstance(reference.value, dict):
-        entry = validate(ModelFilesEntry, reference, reader.faults)
-        if entry is None or reader.faults:
+        before = len(reader.faults.found)
+        files = Reading(reader.faults, {}).value(ModelFiles, reference)
+        if len(reader.faults.found) > before:
             return None
         raw = {}
         for name in ("mass", "stiffness", "damping"):
-            if getattr(entry, name):
+            if getattr(files, name):
                 content = _raw(reference.at(name), reader)
                 if content is None:
                     return None
                 raw[name] = content
-        read = partial(from_market, raw, entry.places)
+        read = partial(from_market, raw, files.places)
     elif isinstance(reference.value, str):
         content = _raw(reference, reader)
         if content is None:

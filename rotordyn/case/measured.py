@@ -8,11 +8,11 @@ import math
 import re
 import warnings
 from collections.abc import Sequence
+from itertools import pairwise
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from rotordyn.analyses.frf.spec import NO_RESPONSE, QUANTITIES
-from rotordyn.description import ascending
 from rotordyn.errors import InvalidInput
 from rotordyn.quantity import FREQUENCY
 from rotordyn.results.display import response_unit
@@ -237,9 +237,12 @@ def _record(quantity: str, frequency: list[float], values: list[complex]) -> Rec
         raise InvalidInput(f"{len(values)} values at {len(frequency)} frequencies")
     if len(frequency) < 2:
         raise InvalidInput(f"too few frequencies: given {len(frequency)}; allowed: at least 2")
-    for sentence in (*map(FREQUENCY.refusal, frequency), *ascending("frequency", frequency)):
-        if sentence:
-            raise InvalidInput(sentence)
+    for refusal in filter(None, map(FREQUENCY.refusal, frequency)):
+        raise InvalidInput(refusal)
+    for before, here in pairwise(frequency):
+        if here <= before:
+            how = "repeated" if here == before else "not in ascending order"
+            raise InvalidInput(f"frequency: {how}: given {here:.6g} after {before:.6g}")
     if not any(values):
         raise InvalidInput(NO_RESPONSE)
     if not all(map(cmath.isfinite, values)):

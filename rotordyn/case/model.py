@@ -9,27 +9,19 @@ from typing import Literal, TypeVar, overload
 from bearings.bearing import BallBearing
 from bearings.materials import Material
 from rotordyn.case import expand
-from rotordyn.case.build import bearing as build_bearing
-from rotordyn.case.build import spindle as build_spindle
-from rotordyn.case.checks import bearing as check_bearing
-from rotordyn.case.checks import spindle as check_spindle
 from rotordyn.case.faults import Faults
+from rotordyn.case.forms import reading_of
 from rotordyn.case.library import UnknownModel, find
+from rotordyn.case.machines import read_bearing, read_spindle, read_tool
 from rotordyn.case.node import Node
 from rotordyn.case.read import in_order
-from rotordyn.case.schema.bearing import BearingEntry, entry_of, kind_in
-from rotordyn.case.schema.material import MaterialEntry
-from rotordyn.case.schema.shaft import ToolEntry
-from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.case.shipped import known_kind
-from rotordyn.case.validate import validate
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.tool import Tool
 
 Model = Spindle | Tool | BallBearing | Material
 T = TypeVar("T")
-E = TypeVar("E", SpindleEntry, ToolEntry, BearingEntry, MaterialEntry)
 
 
 @overload
@@ -53,14 +45,18 @@ def model(kind: str, reference: str | Path) -> Model:
     InvalidInput : no such kind or model; or all faults of the file, each with its line
     """
     root, reader = _document(known_kind(kind), reference)
-    name = Path(root.file).stem
-    if kind == "spindles":
-        return build_spindle.spindle(_spindle(root, reader), name)
-    if kind == "tools":
-        return build_spindle.tool(_tool(root, reader), name)
-    if kind == "bearings":
-        return build_bearing.bearing(_bearing(root, reader))
-    return build_bearing.material(_entry(MaterialEntry, root, reader))
+    reading = reading_of(reader)
+    found: Model | None = None
+    if kind == "spindles" and (tree := expand.spindle(root, None, reader)):
+        found = read_spindle(reading, tree, None)[0]
+    elif kind == "tools" and (tree := expand.tool(root, reader)):
+        found = read_tool(reading, tree)
+    elif kind == "bearings":
+        found = read_bearing(reading, expand.bearing(root, (), reader))
+    elif kind == "materials":
+        found = reading.value(Material, root)
+    whole: Model = _whole(found, reader)
+    return whole
 
 
 def _document(kind: str, reference: object) -> tuple[Node, expand.Reader]:
@@ -72,31 +68,6 @@ def _document(kind: str, reference: object) -> tuple[Node, expand.Reader]:
     except UnknownModel as error:
         raise InvalidInput(str(error)) from None
     return _whole(root, reader), reader
-
-
-def _spindle(root: Node, reader: expand.Reader) -> SpindleEntry:
-    tree = _whole(expand.spindle(root, None, reader), reader)
-    entry = _entry(SpindleEntry, tree, reader)
-    check_spindle.spindle(entry, tree, None, reader.faults)
-    return _whole(entry, reader)
-
-
-def _tool(root: Node, reader: expand.Reader) -> ToolEntry:
-    tree = _whole(expand.tool(root, reader), reader)
-    entry = _entry(ToolEntry, tree, reader)
-    check_spindle.tool(entry, tree, None, reader.faults)
-    return _whole(entry, reader)
-
-
-def _bearing(root: Node, reader: expand.Reader) -> BearingEntry:
-    tree = _whole(expand.bearing(root, (), reader), reader)
-    entry: BearingEntry = _entry(entry_of(kind_in(tree.plain())), tree, reader)
-    check_bearing.geometry(entry, tree, (), reader.faults)
-    return _whole(entry, reader)
-
-
-def _entry(shape: type[E], tree: Node, reader: expand.Reader) -> E:
-    return _whole(validate(shape, tree, reader.faults), reader)
 
 
 def _whole(found: T | None, reader: expand.Reader) -> T:

@@ -4,17 +4,22 @@ from __future__ import annotations
 
 import hashlib
 import os
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import Any
 
 from rotordyn.case.case import Case
 from rotordyn.case.faults import Faults
 from rotordyn.errors import Fault, InvalidInput
 
-if TYPE_CHECKING:
-    from rotordyn.case.parts import Parts
-    from rotordyn.machine.spindle import Spindle
+# Keys by which a file that is no case is known, and what it is called.
+_OTHER_FILES = {
+    "shaft": "spindle",
+    "ball_diameter": "bearing",
+    "young_modulus": "material",
+    "sections": "tool",
+}
 
 
 def load(path: str | Path) -> Case:
@@ -27,7 +32,6 @@ def load(path: str | Path) -> Case:
     """
     from rotordyn.case.expand import Reader
     from rotordyn.case.library import find_case
-    from rotordyn.case.parts import read_parts
     from rotordyn.case.variants import variant_trees
 
     if not isinstance(path, str | os.PathLike):
@@ -35,70 +39,95 @@ def load(path: str | Path) -> Case:
     file = find_case(path if isinstance(path, str) else Path(path))
     reader = Reader(Faults())
     root = reader.document(file)
-    parts = None if root is None else read_parts(root, reader)
-    variants: dict[str, Parts | None] = {}
+    whole = None if root is None else _case(root, file.stem, reader)
+    made: dict[str, Case] = {}
     if root is not None and not reader.faults:
-        trees = variant_trees(root)
-        for name, tree in trees.items():
+        for name, tree in variant_trees(root).items():
             reader.faults.variant = name
-            variants[name] = read_parts(tree, reader)
-    if parts is None or reader.faults:
-        raise InvalidInput(in_order(reader.faults.found))
-    return _build(file, parts, variants, reader.contents)
+            title = root.at("compare", name).child("title")
+            variant = _case(tree, name, reader)
+            if variant is not None:
+                written = str(title.value).strip() if title is not None else ""
+                made[name] = _with(variant, title=written or name.replace("_", " "))
+    if whole is None or reader.faults:
+        raise InvalidInput(in_order(reader.faults.found, "" if root is None else root.file))
+    read = {"files": tuple(reader.contents), "digest": _digest(reader.contents)}
+    return _with(whole, variants={n: _with(v, **read) for n, v in made.items()}, **read)
 
 
-def in_order(faults: list[Fault]) -> list[Fault]:
-    """Faults by file, in the order the files were met, then by line."""
-    files = [fault.file for fault in faults]
+def _with(case: Case, **changes: Any) -> Case:
+    """The case with other values of fields that no rule is about."""
+    from rotordyn.description import unchecked
+
+    with unchecked():
+        return replace(case, **changes)
+
+
+def in_order(faults: list[Fault], first: str = "") -> list[Fault]:
+    """Faults by file, ``first`` and then in the order the files were met, and by line."""
+    files = [first, *(fault.file for fault in faults)]
     return sorted(faults, key=lambda f: (files.index(f.file), f.line, f.column))
 
 
-def _build(
-    path: Path, parts: Parts, variants: dict[str, Parts | None], contents: dict[Path, bytes]
-) -> Case:
-    whole = _case(path.stem, parts, contents)
-    made = {
-        name: replace(_case(name, other, contents), title=_title(name, parts))
-        for name, other in variants.items()
-        if other is not None
-    }
-    return replace(whole, variants=made)
+def _case(root: Any, name: str, reader: Any) -> Case | None:
+    """The case in ``root``; good for use only if ``reader.faults`` stays empty."""
+    from rotordyn.case import expand
+    from rotordyn.case.forms import reading_of
+    from rotordyn.case.machines import named_once, read_bearing, read_spindle
+    from rotordyn.description import unchecked
 
-
-def _title(name: str, whole: Parts) -> str:
-    """The title of a variant, or its name."""
-    return whole.case.compare[name].title.strip() or name.replace("_", " ")
-
-
-def _case(name: str, parts: Parts, contents: dict[Path, bytes]) -> Case:
-    from rotordyn.case.build.bearing import bearing
-    from rotordyn.case.build.questions import conditions, questions
-    from rotordyn.case.build.spindle import references
-    from rotordyn.case.build.sweep import values
-
-    entry = parts.case
-    machine = _machine(parts)
-    return Case(
-        name=name,
-        title=entry.title,
-        speeds=values(entry.speeds),
-        analyses=questions(entry.analyses, parts.measured),
-        conditions=conditions(entry.conditions),
-        spindle=machine,
-        bearing=bearing(parts.bearing) if parts.bearing else None,
-        references=(machine.references if machine else ()) + references(entry.references),
-        files=tuple(contents),
-        digest=_digest(contents),
-    )
-
-
-def _machine(parts: Parts) -> Spindle | None:
-    from rotordyn.case.build.spindle import spindle, tool
-
-    if parts.spindle is None:
+    faults = reader.faults
+    if (other := _other_file(root.value)) and not reader.faults.variant:
+        faults.at(root, (), f"this is a {other} file, not a case: a case names it by {other}: PATH")
         return None
-    machine = spindle(parts.spindle, parts.spindle_name)
-    return machine.with_tool(tool(parts.tool, parts.tool_name)) if parts.tool else machine
+    named_once(root, faults)
+    reading = reading_of(reader)
+    override, tree = root.child("override"), root
+    spindle = bearing = None
+    usable = False
+    if (reference := root.child("spindle")) is not None:
+        found = expand.spindle(reference, override, reader)
+        tool = root.child("tool")
+        clamped = expand.tool(tool, reader) if tool is not None else None
+        usable = found is not None and (tool is None or clamped is not None)
+        if found is not None:
+            spindle, machine = read_spindle(reading, found, clamped)
+            tree = replace(root, value={**root.value, "spindle": machine})
+    if (reference := root.child("bearing")) is not None:
+        found = expand.bearing(reference, (override,), reader)
+        bearing = read_bearing(reading, found)
+        usable = usable or bearing is not None
+    values = reading.fields(Case, root, annotations={"spindle": Any, "bearing": Any})
+    given = () if spindle is None else spindle.references
+    values |= {"name": name, "spindle": spindle, "bearing": bearing}
+    values["references"] = given + values["references"]
+    with unchecked():
+        case = Case(**values)
+        both = (case.spindle is None) == (case.bearing is None)
+        rules = case.faults_alone() if both or not usable else case._faults()
+        own = len(given)
+        for path, sentence in rules:
+            _report(reading, root, tree, path, sentence, own)
+    if not faults:
+        for path, sentence in case._last_faults():
+            _report(reading, root, tree, path, sentence, own)
+    return case
+
+
+def _report(
+    reading: Any, root: Any, tree: Any, path: tuple[str | int, ...], sentence: str, own: int
+) -> None:
+    """A fault at its place: of the machine as a whole where the case names it."""
+    if path[:1] == ("references",) and len(path) > 1 and isinstance(path[1], int):
+        path = (path[0], path[1] - own, *path[2:])
+    reading.at(root if path == ("spindle",) else tree, path, sentence)
+
+
+def _other_file(held: Mapping[str, object]) -> str:
+    """What kind of file a mapping is, where it is no case."""
+    if {"speeds", "analyses", "spindle", "bearing"} & {*held}:
+        return ""
+    return next((kind for key, kind in _OTHER_FILES.items() if key in held), "")
 
 
 def _digest(contents: dict[Path, bytes]) -> str:

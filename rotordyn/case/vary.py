@@ -5,13 +5,13 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, is_dataclass, replace
-from typing import Any, TypeVar, get_args, get_origin
+from typing import Annotated, Any, TypeVar, get_args, get_origin
 
 from bearings.errors import InvalidBearing
 from rotordyn.case.case import Case
-from rotordyn.description import declared
 from rotordyn.errors import InvalidInput
-from rotordyn.field import Refused, accept, in_si, shown
+from rotordyn.field import Field, Refused, accept, bare, declared, found_in, members, shown
+from rotordyn.machine.support import Matrix
 from rotordyn.quantity import Choice, suggestion
 
 D = TypeVar("D")
@@ -32,8 +32,8 @@ class _Change:
 def vary(description: D, changes: Mapping[str, object]) -> D:
     """``description`` with other values at dotted paths; the description itself stays as it is.
 
-    A path names fields, items of a tuple by their ``name``, entries of a mapping by their key
-    (of a support's matrix as in files: ``yy``, ``y_thz``); ``*`` stands for every item or entry.
+    A path is that of ``override`` in a file: it names keys, items of a list by their ``name``,
+    entries of a mapping by their key; ``*`` stands for every item or entry.
     Values are in SI units, or text with a unit (``"8 N/um"``) where the field has a dimension, and
     replace what is there. All changes are made together: only the outcome must be possible. What
     changes a case changes its variants too, unless the path begins with ``variants``.
@@ -92,19 +92,38 @@ def _value(annotation: Any, old: Any, changes: Sequence[_Change]) -> Any:
 
 def _taken(annotation: Any, change: _Change) -> Any:
     try:
-        return accept(annotation, in_si(annotation, change.value))
+        return accept(annotation, change.value)
     except Refused as refusal:
         raise change.refused(refusal.why, refusal.place) from None
 
 
 def _fields(old: Any, changes: Sequence[_Change]) -> Any:
-    hints = declared(old.__class__)
-    groups = _grouped(changes, list(hints), "field", every=False)
-    new = {name: _value(hints[name], getattr(old, name), group) for name, group in groups.items()}
+    groups: dict[Field, list[_Change]] = {}
+    for change in changes:
+        field, rest = _field(declared(old.__class__), change)
+        groups.setdefault(field, []).append(rest)
+    new = {f.name: _value(f.annotation, getattr(old, f.name), g) for f, g in groups.items()}
     try:
         return replace(old, **new)
     except (InvalidInput, InvalidBearing) as error:
         raise InvalidInput(f"{', '.join(c.path for c in changes)}: {error}") from None
+
+
+def _field(fields: Sequence[Field], change: _Change) -> tuple[Field, _Change]:
+    """The field that the first steps of a path lead to, and what is still to go."""
+    ways = {field.keys or (field.name,): field for field in fields}
+    for way, field in ways.items():
+        if change.steps[: len(way)] == way:
+            return field, replace(change, steps=change.steps[len(way) :])
+    within = [way for way in ways if len(way) > 1 and way[0] == change.steps[0]]
+    if within:
+        change = replace(change, steps=change.steps[1:] or ("",))
+        _known(change, change.steps[0], [way[1] for way in within], "key")
+    called = {field.name: way for way, field in ways.items()}
+    if (key := called.get(change.steps[0])) is not None:
+        raise change.refused(f"'{change.steps[0]}' is called '{'.'.join(key)}' here, as in files")
+    _known(change, change.steps[0], [way[0] for way in ways], "key")
+    raise change.refused("leads nowhere")
 
 
 def _items(annotation: Any, old: tuple[Any, ...], changes: Sequence[_Change]) -> tuple[Any, ...]:
@@ -117,14 +136,20 @@ def _entries(annotation: Any, old: Mapping[Any, Any], changes: Sequence[_Change]
     key, member = _member(annotation, Mapping)
     keys = {_text(name): name for name in [*old, *_closed(key)]}
     groups = _grouped(changes, [_text(name) for name in old], "key", list(keys))
-    new = {keys[text]: _value(member, old.get(keys[text]), g) for text, g in groups.items()}
+    matrix, new = found_in(annotation, Matrix), {}
+    for text, group in groups.items():
+        name = keys[text]
+        if matrix is not None:
+            one = Annotated[float, matrix.quantity(*name)]
+            member = one | tuple[one, ...]
+        new[name] = _value(member, old.get(name), group)
     return {**old, **new}
 
 
 def _member(annotation: Any, origin: object) -> tuple[Any, ...]:
     """What a row or a mapping is declared to hold, also where it may be something else."""
-    ways = (annotation, *get_args(annotation))
-    return next(get_args(way) for way in ways if get_origin(way) is origin)
+    forms = [bare(form) for form in members(annotation)]
+    return next(get_args(form) for form in forms if get_origin(form) is origin)
 
 
 def _closed(key: Any) -> list[object]:
@@ -143,20 +168,15 @@ def _text(key: object) -> str:
 
 
 def _grouped(
-    changes: Sequence[_Change],
-    present: list[str],
-    what: str,
-    known: list[str] | None = None,
-    *,
-    every: bool = True,
+    changes: Sequence[_Change], present: list[str], what: str, known: list[str] | None = None
 ) -> dict[str, list[_Change]]:
     """Changes by the first step of their way, which is taken off them."""
     groups: dict[str, list[_Change]] = {}
     for change in changes:
-        step, rest = change.steps[0], _Change(change.value, change.path, change.steps[1:])
-        if step != "*" or not every:
+        step, rest = change.steps[0], replace(change, steps=change.steps[1:])
+        if step != "*":
             _known(change, step, known or present, what)
-        for name in present if step == "*" and every else [step]:
+        for name in present if step == "*" else [step]:
             groups.setdefault(name, []).append(rest)
     return groups
 

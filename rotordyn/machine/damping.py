@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Annotated
 
 from rotordyn.description import Description
 from rotordyn.quantity import MassDamping, StiffnessDamping
@@ -10,10 +11,10 @@ from rotordyn.quantity import MassDamping, StiffnessDamping
 
 @dataclass(frozen=True, slots=True)
 class RayleighDamping(Description):
-    """C = α M + β K of the rotor alone: ``mass`` α [1/s], ``stiffness`` β [s]."""
+    """Damping α M + β K of the rotor alone."""
 
-    mass: MassDamping = 0.0
-    stiffness: StiffnessDamping = 0.0
+    mass: Annotated[MassDamping, "α, by which the mass matrix of the rotor is multiplied"] = 0.0
+    stiffness: Annotated[StiffnessDamping, "β, by which its stiffness matrix is multiplied"] = 0.0
 
     def __bool__(self) -> bool:
         return bool(self.mass or self.stiffness)

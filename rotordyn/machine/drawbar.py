@@ -2,38 +2,41 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
-from itertools import pairwise
 from typing import Annotated
 
-from rotordyn.description import Description
-from rotordyn.quantity import Choice, Pull, Station
+from rotordyn.description import Description, Faults, ascending
+from rotordyn.quantity import Choice, Key, Pull, Station
 
 EVERYWHERE = "everywhere"
 
 
 @dataclass(frozen=True, slots=True)
 class Drawbar(Description):
-    """A bar under the tension ``force`` [N] from station ``start`` to station ``end`` [m].
+    """The bar in the bore: it pulls the shaft together between two stations.
 
-    It pulls the shaft together between these stations. ``guides``: stations between them at which
-    it touches the bore, ascending, or ``"everywhere"``; in between it runs straight. Its mass is
-    given with the masses of the shaft.
+    ``guides`` ascend; between them the bar runs straight, with ``"everywhere"`` it follows the
+    shaft. Its mass is given with the masses of the shaft.
     """
 
-    force: Pull
-    start: Station
-    end: Station
-    guides: tuple[Station, ...] | Annotated[str, Choice((EVERYWHERE,))] = ()
+    force: Annotated[Pull, "tension in the bar, which compresses the shaft between its ends"]
+    start: Annotated[Station, Key("from"), "front station where it pulls the shaft"]
+    end: Annotated[Station, Key("to"), "rear station where it pulls the shaft"]
+    guides: Annotated[
+        Annotated[str, Choice((EVERYWHERE,))] | tuple[Station, ...],
+        "stations between where it touches the bore; in between it runs straight",
+    ] = ()
 
-    def _faults(self) -> Iterator[str]:
-        for before, here in pairwise(self.stations):
-            if here <= before:
-                yield (
-                    "its start, guides and end must ascend: given "
-                    f"{here:.6g} m after {before:.6g} m"
-                )
+    def _faults(self) -> Faults:
+        if self.start >= self.end:
+            yield ("to",), "no length left: given {given:from} to {given}; allowed: to above from"
+            return
+        if isinstance(self.guides, str):
+            return
+        yield from ascending("guides", self.guides)
+        for index, x in enumerate(self.guides):
+            if x <= self.start or x >= self.end:
+                yield ("guides", index), "guide beyond the bar: given {given}; allowed: inside it"
 
     @property
     def contacts(self) -> tuple[float, ...]:

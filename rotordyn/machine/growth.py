@@ -4,51 +4,87 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from typing import Annotated
 
-from rotordyn.description import Description
-from rotordyn.quantity import Diameter, Growth, Interference, Name, Station, TopSpeed
+from rotordyn.description import Description, Faults
+from rotordyn.quantity import (
+    Choice,
+    Diameter,
+    Growth,
+    Interference,
+    Key,
+    Name,
+    Station,
+    TopSpeed,
+)
+
+COMPUTED = "computed"
+Computed = Annotated[str, Choice((COMPUTED,))]
 
 
 @dataclass(frozen=True, slots=True)
 class QuadraticInSpeed(Description):
-    """A displacement that grows with the square of speed: ``value`` [m] at ``speed`` [rad/s]."""
+    """A displacement [m] at a speed [rad/s], growing with speed²."""
 
-    value: Growth
-    speed: TopSpeed
+    value: Annotated[Growth, "at the speed `at`"]
+    speed: Annotated[TopSpeed, Key("at"), "speed; the value grows with speed squared"]
 
 
 @dataclass(frozen=True, slots=True)
 class InterferenceFit(Description):
-    """The centrifugal part is computed from shaft section and inner ring (theory: rings).
+    """The fit of inner ring and shaft [m], from which centrifugal growth is computed."""
 
-    ``bore_diameter`` [m] of the inner ring; ``interference`` [m], on the radius, at rest.
-    """
-
-    bore_diameter: Diameter
-    interference: Interference
+    bore_diameter: Annotated[
+        Diameter,
+        Key(missing="the model of this bearing gives no bore_diameter; give it here"),
+        "of the inner ring; in files by default that of the bearing model",
+    ]
+    interference: Annotated[Interference, "on the radius, at rest"]
 
 
 @dataclass(frozen=True, slots=True)
 class RingGrowth(Description):
-    """Radial growth of the inner groove centre against the outer one.
+    """Radial growth of the inner groove centre against the outer one [m].
 
-    ``static`` [m] acts at every speed; ``centrifugal`` adds to it with speed.
+    ``fit`` serves where the centrifugal growth is ``"computed"`` (theory: rings).
     """
 
-    static: Growth = 0.0
-    centrifugal: QuadraticInSpeed | InterferenceFit | None = None
+    static: Annotated[Growth, "at rest, part of every speed"] = 0.0
+    centrifugal: Annotated[QuadraticInSpeed | Computed | None, "added with speed"] = None
+    fit: Annotated[
+        InterferenceFit | None, "fit of ring and shaft, needed where growth is `computed`"
+    ] = None
+
+    def _faults(self) -> Faults:
+        if self.centrifugal == COMPUTED and self.fit is None:
+            yield (
+                ("fit",),
+                "missing key: a computed growth needs fit: {interference: …, on the radius}",
+            )
+
+    @property
+    def fitted(self) -> InterferenceFit | None:
+        """The fit from which centrifugal growth is computed; None where it is not."""
+        return self.fit if self.centrifugal == COMPUTED else None
 
 
 @dataclass(frozen=True, slots=True)
 class PrescribedShortening(Description):
-    """Axial shift of each named bearing seat [m] at ``speed`` [rad/s], growing with speed²."""
+    """Axial shift of bearing seats, given at a speed."""
 
-    speed: TopSpeed
-    shift: Mapping[Name, Growth] = field(default_factory=dict)
+    speed: Annotated[
+        TopSpeed,
+        Key("at", missing="the speed of these shifts"),
+        "speed of the given shifts, which grow with speed squared",
+    ]
+    shift: Annotated[Mapping[Name, Growth], Key(required=True), "bearing -> shift towards +x"] = (
+        field(default_factory=dict)
+    )
 
 
 @dataclass(frozen=True, slots=True)
 class ComputedShortening(Description):
-    """Axial shift of every seat from the sections (Poisson contraction), zero at ``reference``."""
+    """Axial shift of every seat computed from the sections (Poisson contraction)."""
 
-    reference: Station
+    reference: Annotated[Station, Key(missing="the station that does not shift"), "does not shift"]
+    shift: Annotated[Computed, Key(required=True), "from the sections"] = COMPUTED

@@ -3,54 +3,72 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Annotated
 
 from bearings.materials import Material
-from rotordyn.description import Description
+from rotordyn.description import Description, Faults
 from rotordyn.machine.shaft import no_wall
-from rotordyn.quantity import Bore, Diameter, Inertia, Length, Mass, OptionalName, Station
+from rotordyn.quantity import (
+    MASS,
+    Bore,
+    Diameter,
+    Inertia,
+    Key,
+    Length,
+    Mass,
+    OptionalName,
+    Station,
+)
 
 
 @dataclass(frozen=True, slots=True)
 class PointMass(Description):
-    """Mass [kg] with polar and diametral inertia [kg·m²] at station ``x`` [m]."""
+    """A rigid mass [kg] with its inertias [kg·m²] at a station."""
 
-    name: OptionalName
-    x: Station
-    mass: Mass
-    polar_inertia: Inertia = 0.0
-    diametral_inertia: Inertia = 0.0
+    name: Annotated[OptionalName, "for messages and overrides"]
+    x: Annotated[Station, "station"]
+    mass: Annotated[Mass, "of the body"]
+    polar_inertia: Annotated[Inertia, "about the axis"] = 0.0
+    diametral_inertia: Annotated[Inertia, "about a diameter through its centre"] = 0.0
 
-    def _faults(self) -> Iterator[str]:
+    def _faults(self) -> Faults:
         """A flat body has Jp = 2 Jd, a slender one less."""
         most = 2.0 * self.diametral_inertia
         if self.polar_inertia > most * (1.0 + 1e-6):
             yield (
-                f"impossible body: polar_inertia {self.polar_inertia:.6g} kg m^2; "
-                f"allowed: up to twice the diametral inertia, {most:.6g} kg m^2"
+                ("polar_inertia",),
+                "impossible body: given {given}; allowed: up to twice the diametral inertia, "
+                f"{most:.6g} kg m^2",
             )
 
 
 @dataclass(frozen=True, slots=True)
 class Disc(Description):
-    """A rigid hollow cylinder centred on station ``x`` [m]."""
+    """A rigid hollow cylinder centred on a station."""
 
-    name: OptionalName
-    x: Station
-    outer_diameter: Diameter
-    inner_diameter: Bore
-    width: Length
-    material: Material
+    name: Annotated[OptionalName, "for messages and overrides"]
+    x: Annotated[Station, "station of its centre"]
+    outer_diameter: Annotated[Diameter, "above the inner one"]
+    inner_diameter: Annotated[Bore, "bore"]
+    width: Annotated[Length, "along the axis"]
+    material: Annotated[Material, Key(), "name, path or mapping"]
 
-    def _faults(self) -> Iterator[str]:
-        yield from no_wall(self.inner_diameter, self.outer_diameter)
-        if self.outer_diameter > self.inner_diameter:
-            self.as_point_mass()  # refuses a body heavier than any
+    def _faults(self) -> Faults:
+        found = [*no_wall(self.inner_diameter, self.outer_diameter)]
+        yield from found
+        mass = 0.0 if found else self._mass
+        if mass == mass and not MASS.holds(mass):
+            yield (), f"the mass of the disc: {MASS.refusal(mass)}"
+
+    @property
+    def _mass(self) -> float:
+        ro, ri = self.outer_diameter / 2.0, self.inner_diameter / 2.0
+        return self.material.density * math.pi * (ro**2 - ri**2) * self.width
 
     def as_point_mass(self) -> PointMass:
         """Mass and inertias of the hollow cylinder about its own centre."""
         ro, ri = self.outer_diameter / 2.0, self.inner_diameter / 2.0
-        mass = self.material.density * math.pi * (ro**2 - ri**2) * self.width
-        polar = mass * (ro**2 + ri**2) / 2.0
-        return PointMass(self.name, self.x, mass, polar, polar / 2.0 + mass * self.width**2 / 12.0)
+        polar = self._mass * (ro**2 + ri**2) / 2.0
+        diametral = polar / 2.0 + self._mass * self.width**2 / 12.0
+        return PointMass(self.name, self.x, self._mass, polar, diametral)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated
 
-from rotordyn.description import Description
-from rotordyn.quantity import Choice, Speed
+from rotordyn.description import Description, Faults
+from rotordyn.quantity import Choice, Items, Speed
 
 QUANTITIES = {
     "radial_stiffness": "N/m",  # subject: variant, default nonlinear
@@ -26,26 +26,28 @@ KINDS = ("published", "measured")
 
 @dataclass(frozen=True, slots=True)
 class Reference(Description):
-    """A series of known values over speed.
+    """A series of known values over speed; in files one speed serves all values.
 
-    ``quantity``: what it is, one of ``QUANTITIES``; ``subject``: the sleeve, bearing or variant it
-    belongs to (may be empty); ``kind``: ``"measured"`` or ``"published"``; ``speeds`` [rad/s] and
-    ``values`` (SI) are of one length; ``source`` cites it, ``remark`` says in one sentence why it
-    may differ from the computed value. ``conditions``: words of the model that it was found with,
-    such as ``{"rotor": "rigid"}``; it is compared only where they are in force.
+    ``speeds`` [rad/s] and ``values`` [SI] are of one length. ``conditions``: words of the model
+    that it was found with, such as ``{"rotor": "rigid"}``.
     """
 
-    quantity: Annotated[str, Choice(tuple(QUANTITIES))]
-    kind: Annotated[str, Choice(KINDS)]
-    source: str
-    speeds: tuple[Speed, ...]
-    values: tuple[float, ...]
-    subject: str = ""
-    remark: str = ""
-    conditions: Mapping[str, str | float | bool | None] = field(default_factory=dict, hash=False)
+    quantity: Annotated[str, Choice(tuple(QUANTITIES)), "what is known"]
+    kind: Annotated[str, Choice(KINDS), "computed by others, or measured"]
+    source: Annotated[str, "where it was found"]
+    speeds: Annotated[tuple[Speed, ...], Items(), "one per value, or one for all"]
+    values: Annotated[tuple[float, ...], Items(), "with units of the quantity"]
+    subject: Annotated[str, "variant, sleeve or bearing it belongs to"] = ""
+    remark: Annotated[str, "one sentence why it may differ from ours"] = ""
+    conditions: Annotated[
+        Mapping[str, str | float | bool | None],
+        "compared only where these conditions are in force",
+    ] = field(default_factory=dict, hash=False)
 
-    def _faults(self) -> Iterator[str]:
-        if not self.values:
-            yield "at least one value is needed"
-        elif len(self.speeds) != len(self.values):
-            yield f"{len(self.speeds)} speeds for {len(self.values)} values: allowed: one each"
+    def _faults(self) -> Faults:
+        if len(self.speeds) != len(self.values):
+            yield (
+                ("speeds",),
+                f"{len(self.speeds)} speeds for {len(self.values)} values: allowed: one each, or "
+                "in files one for all",
+            )

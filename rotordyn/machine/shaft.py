@@ -4,18 +4,20 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_right
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 from itertools import accumulate
 from typing import Annotated
 
 from bearings.materials import Material
-from rotordyn.description import Description, doubled
+from rotordyn.description import Description, Faults, named_twice
 from rotordyn.quantity import (
     SHEAR_COEFFICIENT,
     Bore,
     Choice,
     Diameter,
+    Items,
+    Key,
     Length,
     OptionalName,
     Station,
@@ -27,23 +29,29 @@ STEEPEST = 50.0  # ratio of outer diameters, or of walls, at the ends of one sec
 
 @dataclass(frozen=True, slots=True)
 class Section(Description):
-    """A hollow cylinder, homogeneous [m]; a cone where diameters of its rear end are given.
+    """A hollow cylinder, or a cone where diameters at its rear end are given [m].
 
     Diameters are those of the front end, and of the rear end where none are given for it; they
     change along the axis in straight lines.
     """
 
-    length: Length
-    outer_diameter: Diameter
-    inner_diameter: Bore
-    material: Material
-    name: OptionalName = ""
-    rear_outer_diameter: Diameter | None = None
-    rear_inner_diameter: Bore | None = None
+    length: Annotated[Length, "along the axis"]
+    outer_diameter: Annotated[Diameter, "above the inner one"]
+    inner_diameter: Annotated[Bore, Key(default=0.0), "bore"]
+    material: Annotated[
+        Material,
+        Key(missing="this section has no material, and none is given for all of them"),
+        "instead of that of all sections",
+    ]
+    name: Annotated[OptionalName, "for messages, overrides and the figure"] = ""
+    rear_outer_diameter: Annotated[
+        Diameter | None, "where it is another one at the rear end: a cone"
+    ] = None
+    rear_inner_diameter: Annotated[Bore | None, "likewise, of the bore"] = None
 
-    def _faults(self) -> Iterator[str]:
+    def _faults(self) -> Faults:
         found = [*no_wall(self.inner_diameter, self.outer_diameter)]
-        yield from found or taper_faults(self.outer, self.inner)
+        yield from found or _taper_faults(self.outer, self.inner)
 
     @property
     def outer(self) -> tuple[float, float]:
@@ -60,23 +68,18 @@ class Section(Description):
 
 @dataclass(frozen=True, slots=True)
 class Shaft(Description):
-    """Sections laid end to end from ``start`` towards +x.
+    """Sections laid end to end from ``start`` towards +x."""
 
-    ``shear_coefficient`` is ``"cowper"``, ``"hutchinson"``, a number, or ``"none"``: no shear
-    deformation.
-    """
+    start: Annotated[Station, "station of its front end"]
+    sections: Annotated[tuple[Section, ...], Items(), "from front to rear"]
+    shear_coefficient: Annotated[
+        Annotated[str, Choice(SHEAR_COEFFICIENTS)] | Annotated[float, SHEAR_COEFFICIENT],
+        "formula by Poisson's ratio and diameters, or the coefficient; `none`: no shear "
+        "deformation (Euler and Bernoulli's beam)",
+    ] = "cowper"
 
-    start: Station
-    sections: tuple[Section, ...]
-    shear_coefficient: (
-        Annotated[str, Choice(SHEAR_COEFFICIENTS)] | Annotated[float, SHEAR_COEFFICIENT]
-    ) = "cowper"
-
-    def _faults(self) -> Iterator[str]:
-        if not self.sections:
-            yield "a shaft needs at least one section"
-        for name in doubled(section.name for section in self.sections):
-            yield f"two sections are named '{name}'"
+    def _faults(self) -> Faults:
+        yield from named_twice("sections", self.sections)
 
     @property
     def boundaries(self) -> tuple[float, ...]:
@@ -111,28 +114,33 @@ class Shaft(Description):
         return replace(self, start=start, sections=sections + self.sections)
 
 
-def no_wall(inner_diameter: float, outer_diameter: float) -> Iterator[str]:
+def no_wall(inner_diameter: float, outer_diameter: float) -> Faults:
     """What is wrong with a hollow cylinder of these diameters [m]: nothing, or no wall left."""
     if inner_diameter >= outer_diameter:
         yield (
-            f"no wall left: inner_diameter {inner_diameter:.6g} m; "
-            f"allowed: below the outer_diameter, {outer_diameter:.6g} m"
+            ("inner_diameter",),
+            "no wall left: given inner diameter {given}; allowed: below the outer, "
+            "{given:outer_diameter}",
         )
 
 
-def taper_faults(outer: tuple[float, float], inner: tuple[float, float]) -> Iterator[str]:
+def _taper_faults(outer: tuple[float, float], inner: tuple[float, float]) -> Faults:
     """What is wrong with the diameters [m] at the front and the rear end of a section."""
-    for place, do, di in zip(("front", "rear"), outer, inner, strict=True):
+    if any(math.isnan(diameter) for diameter in (*outer, *inner)):
+        return
+    for end, do, di in zip(("front", "rear"), outer, inner, strict=True):
         if not 0.0 <= di < do:
             yield (
-                f"no wall left at the {place} end: inner_diameter {di:.6g} m; allowed: below the "
-                f"outer_diameter, {do:.6g} m"
+                (),
+                f"no wall left at the {end} end: inner_diameter {di:.6g} m; allowed: below the "
+                f"outer_diameter, {do:.6g} m",
             )
             return
     wall = (outer[0] - inner[0], outer[1] - inner[1])
     if max(abs(math.log(b / a)) for a, b in (outer, wall)) > math.log(STEEPEST):
         yield (
+            (),
             f"a cone too steep: outer diameter {outer[0]:.6g} m to {outer[1]:.6g} m, wall "
             f"{wall[0] / 2.0:.6g} m to {wall[1] / 2.0:.6g} m; allowed: a ratio up to "
-            f"{STEEPEST:g} of either; divide it"
+            f"{STEEPEST:g} of either; divide it",
         )

@@ -2,73 +2,75 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
+from typing import Annotated
 
-from rotordyn.description import Description
-from rotordyn.errors import InvalidInput
+from rotordyn.description import Description, Faults, require
+from rotordyn.machine.assembly import spindle_faults
 from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.growth import ComputedShortening, PrescribedShortening
-from rotordyn.machine.held import held_twice, housing_faults
 from rotordyn.machine.housing import Housing
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.lumped import Disc, PointMass
-from rotordyn.machine.naming import name_faults, named_twice
 from rotordyn.machine.reference import Reference
-from rotordyn.machine.rotor import (
-    Place,
-    Rotor,
-    ends_faults,
-    freedoms_held,
-    of_one_rotor,
-    rotor_faults,
-)
+from rotordyn.machine.rotor import ModalDamping, Place, Rayleigh, Rotor, TurningShare
 from rotordyn.machine.shaft import Shaft
-from rotordyn.machine.sleeved import shift_faults, sleeve_faults
 from rotordyn.machine.squeeze_film import SqueezeFilmDamper
-from rotordyn.machine.station import fit_faults, joint_faults, off_the_shaft
-from rotordyn.machine.support import GROUND, SPINDLE, BearingSeat, LinearSupport, Sleeve, acts
+from rotordyn.machine.support import GROUND, SPINDLE, BearingSeat, LinearSupport, Sleeve
 from rotordyn.machine.tool import Tool
-from rotordyn.quantity import DampingRatio, LossFactor, Name, Share, Station
+from rotordyn.quantity import HIDDEN, Key, LossFactor, Name, Station
 
 
 @dataclass(frozen=True, slots=True)
 class Spindle(Description):
-    """A rotor on bearings, linear supports or both.
+    """A rotor and what holds it: bearings, linear supports or both.
 
-    ``rotor_damping`` [-]: modal damping ratios of the flexible free-free bending modes at rest, in
-    order; the last one serves all that follow; empty = none. ``rayleigh`` is added to it.
-    ``internal_damping`` [-]: share of both, in bending, which turns with the shaft. ``points``:
-    named stations [m]. ``housings``: what bearings and supports stand on; those that none carries
-    stand on ground. ``joints``: between parts of the shaft. ``rotors``: further ones on the same
-    axis, joined to the shaft, to ground and to one another by supports. ``loss_factor`` [-]:
-    hysteretic damping, of the stiffness of shaft and joints; it turns with the shaft. ``dampers``:
-    squeeze films between the shaft and ground.
+    Stations [m]. Bearings and supports that no housing carries stand on ground.
     """
 
-    name: str
-    shaft: Shaft
-    masses: tuple[PointMass, ...] = ()
-    discs: tuple[Disc, ...] = ()
-    seats: tuple[BearingSeat, ...] = ()
-    sleeves: tuple[Sleeve, ...] = ()
-    supports: tuple[LinearSupport, ...] = ()
-    drawbar: Drawbar | None = None
-    points: Mapping[Name, Station] = field(default_factory=dict)
-    shortening: PrescribedShortening | ComputedShortening | None = None
-    rotor_damping: tuple[DampingRatio, ...] = ()
-    internal_damping: Share = 0.0
-    rayleigh: RayleighDamping = field(default_factory=RayleighDamping)
-    title: str = ""
-    note: str = ""
-    references: tuple[Reference, ...] = ()
-    housings: tuple[Housing, ...] = ()
-    joints: tuple[Joint, ...] = ()
-    rotors: tuple[Rotor, ...] = ()
-    loss_factor: LossFactor = 0.0
-    dampers: tuple[SqueezeFilmDamper, ...] = ()
+    name: Annotated[str, HIDDEN]
+    shaft: Annotated[Shaft, "the turning shaft"]
+    masses: Annotated[tuple[PointMass, ...], "rigid masses on the shaft"] = ()
+    discs: Annotated[tuple[Disc, ...], "rigid discs on the shaft"] = ()
+    seats: Annotated[tuple[BearingSeat, ...], Key("bearings"), "its bearings, of any kind"] = ()
+    sleeves: Annotated[tuple[Sleeve, ...], "sliding sleeves with their springs"] = ()
+    supports: Annotated[
+        tuple[LinearSupport, ...],
+        "linear supports to ground, to the housing that carries them, to another rotor",
+    ] = ()
+    drawbar: Annotated[Drawbar | None, "bar in the bore that pulls the tool into the nose"] = None
+    points: Annotated[Mapping[Name, Station], "named stations"] = field(default_factory=dict)
+    shortening: Annotated[
+        PrescribedShortening | ComputedShortening | None, "axial shift of the seats with speed"
+    ] = None
+    rotor_damping: ModalDamping = ()
+    internal_damping: TurningShare = 0.0
+    rayleigh: Rayleigh = field(default_factory=RayleighDamping)
+    title: Annotated[str, "one line"] = ""
+    note: Annotated[str, "what is known, assumed, estimated"] = ""
+    references: Annotated[tuple[Reference, ...], "known values shown beside the computed ones"] = ()
+    housings: Annotated[
+        tuple[Housing, ...], "what supports and bearings stand on where that gives way"
+    ] = ()
+    joints: Annotated[tuple[Joint, ...], "between parts of the shaft, as of a tool holder"] = ()
+    rotors: Annotated[
+        tuple[Rotor, ...], "further ones on the same axis, turning at their own speeds"
+    ] = ()
+    loss_factor: Annotated[
+        LossFactor,
+        Key("damping.loss_factor"),
+        "η of the stiffness of shaft and joints: hysteretic damping, which turns with the shaft, "
+        "without further rotors ([how](theory/damping.md#hysteretic-damping))",
+    ] = 0.0
+    dampers: Annotated[
+        tuple[SqueezeFilmDamper, ...], "squeeze films between the shaft and ground"
+    ] = ()
+
+    def _faults(self) -> Faults:
+        return spindle_faults(self)
 
     @property
     def damped(self) -> bool:
@@ -146,79 +148,6 @@ class Spindle(Description):
         """Something has a loss factor."""
         return self.loss_factor > 0.0 or any(self.connection_losses)
 
-    def _faults(self) -> Iterator[str]:
-        yield from named_twice("seats", self.seats)
-        yield from named_twice("sleeves", self.sleeves)
-        yield from named_twice("supports", self.supports)
-        yield from named_twice("supports and dampers", self.supports + self.dampers)
-        yield from named_twice("masses and discs", self.masses + self.discs)
-        yield from self._ends_faults()
-        yield from self._station_faults()
-        yield from sleeve_faults(self.seats, self.sleeves)
-        yield from self._shift_faults()
-        yield from fit_faults(self.shaft, self.seats)
-        yield from held_twice(self.seats, self.supports)
-        yield from joint_faults(self.shaft, self.joints)
-        for kind, place, sentence in name_faults(
-            self.housings, self.rotors, self.seats, self.supports
-        ):
-            yield f"{kind} {getattr(self, kind)[place].name}: {sentence}"
-        if self.rotors:
-            yield from self._loss_faults()
-        yield from (
-            sentence
-            for _, sentence in housing_faults(
-                self.housings, self.seats, self.sleeves, self.supports, self.rotors
-            )
-        )
-
-    def _loss_faults(self) -> Iterator[str]:
-        own = [("loss_factor", self.loss_factor)]
-        own += [(f"support {s.name}: loss_factor", s.loss_factor) for s in self.supports]
-        yield from (f"{key}: {of_one_rotor(f'{eta:g}')}" for key, eta in own if eta)
-
-    def _ends_faults(self) -> Iterator[str]:
-        names = [rotor.name for rotor in self.rotors]
-        faults = [
-            f"support {self.supports[place].name}: {key}: {sentence}"
-            for place, key, sentence in ends_faults(self.supports, names)
-        ]
-        yield from faults
-        if faults or not self.rotors:
-            return
-        held = {n: self._held([s for s in self.supports if n in s.ends]) for n in names}
-        yield from (sentence for _, sentence in rotor_faults(self.rotors, held))
-        for name in names:
-            try:
-                self.part(name)
-            except InvalidInput as refusal:
-                yield f"rotors: {refusal}"
-
-    @staticmethod
-    def _held(supports: Sequence[LinearSupport]) -> frozenset[str]:
-        stiff = (pair for s in supports for pair, value in s.stiffness.items() if acts(value))
-        return freedoms_held(stiff, (freedom for s in supports for freedom in s.rigid))
-
-    def _station_faults(self) -> Iterator[str]:
-        placed: tuple[PointMass | Disc | BearingSeat | LinearSupport | SqueezeFilmDamper, ...]
-        own = tuple(support for support in self.supports if SPINDLE in support.ends)
-        placed = (*self.masses, *self.discs, *self.seats, *own, *self.dampers)
-        yield from self.off_the_shaft(
-            *((f"{type(item).__name__} {item.name}", item.x) for item in placed),
-            *(("drawbar", x) for x in (self.drawbar.stations if self.drawbar else ())),
-        )
-
-    def _shift_faults(self) -> Iterator[str]:
-        if isinstance(self.shortening, ComputedShortening):
-            yield from self.off_the_shaft(("reference of shortening", self.shortening.reference))
-        elif self.shortening is not None:
-            yield from shift_faults(self.seats, self.shortening.shift)
-
-    def off_the_shaft(self, *placed: tuple[str, float]) -> Iterator[str]:
-        """A sentence for each of ``placed``, a name and its station [m], that does not lie on the
-        shaft."""
-        yield from off_the_shaft(self.shaft, placed)
-
     @property
     def lumped(self) -> tuple[PointMass, ...]:
         """Point masses and discs, all as point masses."""
@@ -246,7 +175,13 @@ class Spindle(Description):
         return next((s for s in self.sleeves if seat_name in s.bearings), None)
 
     def with_tool(self, tool: Tool) -> Spindle:
-        """This spindle with ``tool`` put in front of its shaft."""
+        """This spindle with ``tool`` put in front of its shaft.
+
+        Raises
+        ------
+        InvalidInput : something of the tool is not on it, or its names are taken
+        """
+        require(tool, tool.faults_in(self.shaft.start, self.points))
         return replace(
             self,
             shaft=self.shaft.preceded_by(tool.sections),

@@ -1,50 +1,46 @@
-"""Stations along the shaft: what may be where."""
+"""What sits on a shaft: stations on it, names once, joints between two parts."""
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Sequence
 
-from rotordyn.description import doubled
-from rotordyn.machine.growth import InterferenceFit
+from rotordyn.description import Faults, Path, named_twice
 from rotordyn.machine.joint import Joint
+from rotordyn.machine.lumped import Disc, PointMass
 from rotordyn.machine.shaft import Shaft
-from rotordyn.machine.support import BearingSeat
+from rotordyn.units import format_quantity
 
 SLACK = 1e-9  # [m] by which a station may lie beside the shaft
 
 
-def off_the_shaft(shaft: Shaft, placed: Iterable[tuple[str, float]]) -> Iterator[str]:
-    """A sentence for each of ``placed``, a name and its station [m], that does not lie on it."""
-    start, end = shaft.start, shaft.end
-    for what, x in placed:
-        if not start - SLACK <= x <= end + SLACK:
-            yield f"{what} off the shaft: given {x:.6g} m; allowed: {start:.6g} m to {end:.6g} m"
+def on_the_shaft(what: str, x: float, shaft: Shaft, path: Path) -> Faults:
+    """A fault where station ``x`` [m], given at ``path``, does not lie on the shaft."""
+    if x < shaft.start - SLACK or x > shaft.end + SLACK:
+        ends = " to ".join(format_quantity(end, "mm") for end in (shaft.start, shaft.end))
+        yield path, f"{what} off the shaft: given {{given}}; allowed: {ends}"
 
 
-def joint_faults(shaft: Shaft, joints: Sequence[Joint]) -> Iterator[str]:
-    """Two joints of one name or station, or one that joins no two parts."""
-    for name in doubled(joint.name for joint in joints):
-        yield f"two joints are named '{name}'"
-    start, end = shaft.start, shaft.end
-    taken: list[Joint] = []
-    for joint in joints:
-        if not start + SLACK < joint.x < end - SLACK:
-            yield (
-                f"Joint {joint.name} joins no two parts: given {joint.x:.6g} m; allowed: "
-                f"between {start:.6g} m and {end:.6g} m"
-            )
-        for other in taken:
+def turning_faults(
+    shaft: Shaft, masses: Sequence[PointMass], discs: Sequence[Disc], joints: Sequence[Joint]
+) -> Faults:
+    """Faults of what turns with a shaft: each on it, and called by a name of its own."""
+    turning: tuple[tuple[str, str, Sequence[PointMass | Disc]], ...]
+    turning = (("mass", "masses", masses), ("disc", "discs", discs))
+    for what, key, bodies in turning:
+        yield from named_twice(key, bodies)
+        for index, body in enumerate(bodies):
+            yield from on_the_shaft(what, body.x, shaft, (key, index, "x"))
+    taken = {mass.name for mass in masses}
+    for index, disc in enumerate(discs):
+        if disc.name and disc.name in taken:
+            yield ("discs", index, "name"), f"name taken by a mass: '{disc.name}'"
+    yield from named_twice("joints", joints)
+    ends = [format_quantity(x, "mm") for x in (shaft.start, shaft.end)]
+    for index, joint in enumerate(joints):
+        way = ("joints", index, "x")
+        if joint.x <= shaft.start + SLACK or joint.x >= shaft.end - SLACK:
+            between = " and ".join(ends)
+            yield way, f"joins no two parts: given {{given}}; allowed: between {between}"
+        for other in joints[:index]:
             if abs(joint.x - other.x) <= SLACK:
-                yield f"joints '{other.name}' and '{joint.name}' are at the same station"
-        taken.append(joint)
-
-
-def fit_faults(shaft: Shaft, seats: Iterable[BearingSeat]) -> Iterator[str]:
-    """A fit whose bore is no larger than that of the shaft."""
-    for seat in seats:
-        fit, hole = seat.growth.centrifugal, shaft.diameters_at(seat.x)[1]
-        if isinstance(fit, InterferenceFit) and fit.bore_diameter <= hole:
-            yield (
-                f"the bore of bearing {seat.name} leaves no shaft: given "
-                f"{fit.bore_diameter:.6g} m; allowed: above {hole:.6g} m"
-            )
+                yield way, f"joint '{other.name}' is at the same station"

@@ -4,29 +4,36 @@ from __future__ import annotations
 
 import math
 from bisect import bisect_left
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import dataclass, field, replace
-from itertools import pairwise
+from functools import cache
 from typing import Annotated
 
 from bearings.ball.law import KINEMATICS, MOMENT_SHARING, Law
 from bearings.bearing import BallBearing
-from rotordyn.description import Description, doubled
+from bearings.kinds import kind_of
+from rotordyn.description import Description, Faults, ascending, repeated
 from rotordyn.errors import InvalidInput
-from rotordyn.machine.growth import InterferenceFit, RingGrowth
+from rotordyn.machine.growth import RingGrowth
 from rotordyn.quantity import (
+    HIDDEN,
     Choice,
     Damping,
     Friction,
+    Items,
+    Key,
     LossFactor,
     Mass,
     Name,
     Preload,
+    Quantity,
     Rigidity,
     Speed,
     Station,
     StopTravel,
+    Words,
 )
+from rotordyn.units import format_quantity
 
 FREEDOMS = ("x", "y", "z", "thx", "thy", "thz")
 SPINDLE, GROUND = "spindle", "ground"  # ends of a support that are no further rotor
@@ -44,6 +51,7 @@ MOTIONS = {
 Value = float | tuple[float, ...]
 Entries = Mapping[tuple[Freedom, Freedom], Value]
 TILTS = frozenset({"thy", "thz"})
+THRUST = Words((("+x", 1), ("-x", -1)), silent=0)
 BEYOND = ("refuse", "hold")  # what becomes of a speed that a table does not reach
 TABLED = ("y", "z", "thy", "thz")  # freedoms whose entries may follow the speed
 RPM = math.pi / 30.0
@@ -51,6 +59,40 @@ SYMMETRIC = 1e-9  # of an entry: less than that is rounding
 MOST = {"stiffness": 1e20, "damping": 1e13}  # [SI] of any entry: beyond, rounding rules
 LEAST_MASS, LEAST_HOLD = 1e-12, 1.0  # [kg], [N/m] of a sleeve: less is lost in rounding
 SLACK = 1e-9  # of the highest speed of a table, by which a speed may lie beside it
+_UNITS = {"stiffness": ("N/m", "N/rad", "N m/rad"), "damping": ("N s/m", "N s/rad", "N m s/rad")}
+
+
+@dataclass(frozen=True, slots=True)
+class Matrix:
+    """Marks entries of a 6×6 ``"stiffness"`` or ``"damping"`` matrix by pair (load, displacement).
+
+    Files write them by name (``yy``, ``y_thz``), or whole, with the freedoms of rows and columns.
+    """
+
+    kind: str
+
+    def quantity(self, row: str, column: str) -> Quantity:
+        """What an entry takes, by how many of its two freedoms are rotations."""
+        return _entry(self.kind, sum(len(freedom) > 1 for freedom in (row, column)))
+
+    def refusal(self, entries: Entries) -> str:
+        """Why an entry is not taken; empty where all are."""
+        for pair, value in entries.items():
+            quantity = self.quantity(*pair)
+            for each in value if isinstance(value, tuple) else (value,):
+                if why := quantity.refusal(each):
+                    return f"{entry_name(*pair)}: {why}"
+        return ""
+
+
+@cache
+def _entry(kind: str, rotations: int) -> Quantity:
+    names, limit = (kind, f"coupling {kind}", f"tilt {kind}"), f"{MOST[kind]:g}"
+    bound = f"{limit} {_UNITS[kind][rotations]}"
+    return Quantity(names[rotations], at_least=f"-{bound}", at_most=bound)
+
+
+STIFFNESS, DAMPING = Matrix("stiffness"), Matrix("damping")
 
 
 def entry_name(row: str, column: str) -> str:
@@ -60,37 +102,48 @@ def entry_name(row: str, column: str) -> str:
 
 @dataclass(frozen=True, slots=True)
 class BearingSeat(Description):
-    """A bearing of any kind at station ``x`` [m].
+    """A bearing on the shaft.
 
-    ``thrust`` is +1 where pushing the shaft towards +x loads the balls, −1 where −x does; of a kind
-    that takes thrust both ways it says along which its axial load is positive, and which way a
-    spring of its sleeve loads it; 0 stands for +1 there. ``kinematics``, ``moment_sharing`` and
-    ``friction`` (infinite: no limit) of its balls, as in ``Law``; None: those of the conditions.
-    ``radial_damping`` and ``axial_damping`` [N·s/m] act between its rings; tilt is not damped.
+    ``thrust``: of a kind that takes thrust both ways it says along which its axial load is
+    positive, and which way a spring of its sleeve loads it; 0 stands for +1 there. What is assumed
+    of its balls is that of the conditions of the case unless given here; friction ``none`` or
+    infinite: no limit. Damping [N·s/m] acts between its rings; tilt is not damped.
     """
 
-    name: Name
-    bearing: BallBearing
-    x: Station
-    thrust: Annotated[int, Choice((1, -1))] = 0
-    growth: RingGrowth = field(default_factory=RingGrowth)
-    radial_damping: Damping = 0.0
-    axial_damping: Damping = 0.0
-    model: str = ""
-    kinematics: Annotated[str, Choice(KINEMATICS)] | None = None
-    moment_sharing: Annotated[str, Choice(MOMENT_SHARING)] | None = None
-    friction: Friction | None = None
+    name: Annotated[Name, "of this bearing"]
+    bearing: Annotated[BallBearing, Key("model"), "name or path of a bearing model, or a mapping"]
+    x: Annotated[Station, "station of the circle of inner groove centres"]
+    thrust: Annotated[
+        int,
+        THRUST,
+        "the way the shaft pushes the inner ring to load the balls; of kinds that take thrust both "
+        "ways only needed on a sleeve",
+    ] = 0
+    growth: Annotated[RingGrowth, "instead of that of the spindle"] = field(
+        default_factory=RingGrowth
+    )
+    radial_damping: Annotated[Damping, Key("damping.radial"), "between the rings"] = 0.0
+    axial_damping: Annotated[Damping, Key("damping.axial"), "between the rings"] = 0.0
+    model: Annotated[str, HIDDEN] = ""
+    kinematics: Annotated[
+        Annotated[str, Choice(KINEMATICS)] | None, "instead of that of the conditions"
+    ] = None
+    moment_sharing: Annotated[
+        Annotated[str, Choice(MOMENT_SHARING)] | None, "instead of that of the conditions"
+    ] = None
+    friction: Annotated[Friction | None, "instead of that of the conditions"] = None
 
     def __post_init__(self) -> None:
-        given: object = self.thrust
-        if given == 0 and type(given) is int and isinstance(self.bearing, BallBearing):
-            if not self.bearing.both_ways:
-                raise InvalidInput(
-                    f"BearingSeat {self.name}: thrust must be given, 1 or -1: a "
-                    f"{type(self.bearing).__name__} takes thrust one way only"
-                )
-            object.__setattr__(self, "thrust", 1)
+        given, bearing = self.thrust, self._known_bearing
+        if given == 0 and type(given) is int and bearing is not None:
+            object.__setattr__(self, "thrust", int(bearing.both_ways))
         Description.__post_init__(self)
+
+    @property
+    def _known_bearing(self) -> BallBearing | None:
+        """The bearing; None where the faults of its file are reported already."""
+        given: object = self.bearing
+        return given if isinstance(given, BallBearing) else None
 
     def law(self, common: Law) -> Law:
         """What is assumed of its balls: its own where given, the rest in ``common``."""
@@ -104,100 +157,152 @@ class BearingSeat(Description):
             friction=friction,
         )
 
-    def _faults(self) -> Iterator[str]:
-        fit, room = self.growth.centrifugal, self.bearing.largest_static_growth
+    def _faults(self) -> Faults:
+        bearing = self._known_bearing
+        if bearing is None:
+            return
+        if self.thrust == 0 and not bearing.both_ways:
+            yield (
+                ("thrust",),
+                f"missing key: kind {kind_of(bearing)} takes thrust one way only; allowed: "
+                "+x, -x, the way the shaft pushes the inner ring to load the balls",
+            )
+        room = bearing.largest_static_growth
         if self.growth.static > room:
             yield (
-                f"growth.static takes the whole contact angle: given {self.growth.static:.6g} m; "
-                f"allowed: up to {room:.6g} m"
+                ("growth", "static"),
+                "takes the whole contact angle: given {given}; allowed: up to "
+                f"{format_quantity(room, 'um')}",
             )
-        race = 2.0 * self.bearing.inner_raceway_radius
-        if isinstance(fit, InterferenceFit) and fit.bore_diameter >= race:
+        race, fit = 2.0 * bearing.inner_raceway_radius, self.growth.fitted
+        if fit is not None and fit.bore_diameter >= race:
             yield (
-                f"no ring left beside the balls: bore_diameter {fit.bore_diameter:.6g} m; "
-                f"allowed: below {race:.6g} m"
+                ("growth", "fit"),
+                f"the bore of bearing {self.name} leaves no ring beside the balls: given "
+                f"{format_quantity(fit.bore_diameter, 'mm')}; allowed: below "
+                f"{format_quantity(race, 'mm')}",
             )
 
 
 @dataclass(frozen=True, slots=True)
 class Spring(Description):
-    """Preload spring: ``preload`` [N] at rest, ``stiffness`` [N/m]; infinite = rigid preload."""
+    """Preload spring [N], [N/m]; ``rigid`` or infinite locks the sleeve in its place at rest."""
 
-    preload: Preload
-    stiffness: Rigidity = math.inf
+    preload: Annotated[Preload, "force at rest"]
+    stiffness: Annotated[
+        Rigidity, Key(required=True), "`rigid` locks the sleeve in its place at rest"
+    ] = math.inf
 
 
 @dataclass(frozen=True, slots=True)
 class Sleeve(Description):
-    """A sliding sleeve that carries the outer rings of ``bearings`` and is pushed by ``spring``.
+    """A sliding sleeve that carries the outer rings of bearings, its spring and its end stop.
 
-    The spring pushes the way that loads the bearings. ``stop_travel`` [m]: how far the sleeve can
-    move against its spring from its place at rest before it meets the end stop; infinite = no stop.
-    ``mass`` [kg] and ``radial_stiffness`` [N/m] (infinite = held rigidly by the housing bore).
+    The spring pushes the way that loads the bearings. [m], [kg], [N/m]; infinite: no stop, held
+    rigidly by the housing bore.
     """
 
-    name: Name
-    bearings: tuple[Name, ...]
-    spring: Spring
-    stop_travel: StopTravel = math.inf
-    mass: Mass = 0.0
-    radial_stiffness: Rigidity = math.inf
+    name: Annotated[Name, "of the sleeve"]
+    bearings: Annotated[tuple[Name, ...], Items(), "whose outer rings it carries"]
+    spring: Annotated[Spring, "that loads these bearings"]
+    stop_travel: Annotated[StopTravel, "way against the spring, from rest to the end stop"] = (
+        math.inf
+    )
+    mass: Annotated[Mass, "of the sleeve"] = 0.0
+    radial_stiffness: Annotated[Rigidity, "between sleeve and housing"] = math.inf
 
-    def _faults(self) -> Iterator[str]:
-        if not self.bearings:
-            yield "a sleeve carries at least one bearing"
+    def _faults(self) -> Faults:
         if 0.0 < self.mass < LEAST_MASS:
-            yield (
-                f"mass out of range: given {self.mass:g} kg; allowed: 0, or from {LEAST_MASS:g} kg"
-            )
+            yield ("mass",), f"out of range: given {{given}}; allowed: 0, or from {LEAST_MASS:g} kg"
         if self.radial_stiffness < LEAST_HOLD:
             yield (
-                f"radial_stiffness out of range: given {self.radial_stiffness:g} N/m; allowed: "
-                f"from {LEAST_HOLD:g} N/m, or infinite"
+                ("radial_stiffness",),
+                f"out of range: given {{given}}; allowed: from {LEAST_HOLD:g} N/m, or infinite",
             )
-        for name in doubled(self.bearings):
-            yield f"bearing '{name}' is named twice"
+        for index, sentence in repeated(self.bearings):
+            yield ("bearings", index), sentence
 
 
 @dataclass(frozen=True, slots=True)
 class LinearSupport(Description):
-    """Stiffness and damping to ground at station ``x``, or freedoms held ``rigid``.
+    """A linear support to ground or to another rotor, by its matrices; nothing is made symmetric.
 
-    It ``holds`` the spindle's shaft or a further rotor, ``against`` ground (a housing, where one
-    carries it) or another rotor. Matrices are of the fixed frame, whatever turns.
-
-    ``stiffness`` [N/m, N/rad …] and ``damping`` map a pair of node freedoms (load, displacement),
-    such as ``("y", "y")`` or ``("y", "thz")``, to the entry of the 6×6 matrix; freedoms are
-    x, y, z, thx, thy, thz. Entries not named are zero; nothing is symmetrised. Freedoms in
+    Matrices [N/m, N/rad …] are of the fixed frame, whatever turns, by pairs of freedoms (load,
+    displacement) such as ``("y", "thz")``; entries not named are zero. An entry among y, z, thy and
+    thz may be a list, one value at each of ``speeds``, straight lines in between. Freedoms in
     ``rigid`` do not move at all and have no stiffness.
-    An entry among y, z, thy and thz may be a tuple of values, one at each of ``speeds`` [rad/s],
-    linear in between; ``beyond`` the first and the last they are not known (``"refuse"``), or those
-    of the nearest end (``"hold"``). ``loss_factor`` [-]: hysteretic damping, of its stiffness.
     """
 
-    name: Name
-    x: Station
-    stiffness: Entries = field(default_factory=dict)
-    damping: Entries = field(default_factory=dict)
-    rigid: tuple[Freedom, ...] = ()
-    speeds: tuple[Speed, ...] = ()
-    holds: Name = SPINDLE
-    against: Name = GROUND
-    loss_factor: LossFactor = 0.0
-    beyond: Annotated[str, Choice(BEYOND)] = "refuse"
+    name: Annotated[Name, "of the support"]
+    x: Annotated[Station, "station"]
+    stiffness: Annotated[Entries, STIFFNESS, "between its two ends, 6×6, in the fixed frame"] = (
+        field(default_factory=dict)
+    )
+    damping: Annotated[Entries, DAMPING, "between its two ends, 6×6, in the fixed frame"] = field(
+        default_factory=dict
+    )
+    rigid: Annotated[tuple[Freedom, ...], "freedoms that do not move, instead of a stiffness"] = ()
+    speeds: Annotated[tuple[Speed, ...], "of the values in lists, ascending"] = ()
+    holds: Annotated[Name, "the rotor at one end; `spindle` is its shaft"] = SPINDLE
+    against: Annotated[
+        Name, "what is at the other end: `ground` (or a housing), `spindle` or another rotor"
+    ] = GROUND
+    loss_factor: Annotated[
+        LossFactor,
+        "η of its stiffness: hysteretic damping in the fixed frame, without further rotors "
+        "([how](theory/damping.md#hysteretic-damping))",
+    ] = 0.0
+    beyond: Annotated[
+        str,
+        Choice(BEYOND),
+        "at speeds outside a table: `refuse` the case, or `hold` the values of its nearest end, "
+        "with a warning",
+    ] = "refuse"
 
-    def _faults(self) -> Iterator[str]:
-        found = [*table_faults(self.stiffness, self.damping, self.speeds)]
-        yield from (sentence for _, sentence in found)
-        if not found:
-            yield from loss_faults(self.stiffness, self.loss_factor)
-        yield from _too_large(self.stiffness, self.damping)
-        yield from hold_faults(self.beyond, self.speeds)
-        if any(b <= a for a, b in pairwise(self.speeds)):
-            yield "the speeds of its table must ascend without repeats"
-        for freedom in doubled(self.rigid):
-            yield f"rigid: repeated: given '{freedom}'"
-        yield from rigid_and_elastic(self.rigid, (*self.stiffness, *self.damping))
+    def _faults(self) -> Faults:
+        if not (self.stiffness or self.damping or self.rigid):
+            yield ("stiffness",), "missing key: it must be given, or rigid"
+        found = [*self._table_faults()]
+        yield from found
+        if not found and self.loss_factor != 0.0:
+            yield from ((("loss_factor",), why) for why in _no_spring(self.stiffness))
+        if self.beyond == "hold" and not self.speeds:
+            yield ("beyond",), "hold is of a table over speed, and there is none"
+        yield from ascending("speeds", self.speeds)
+        for index, sentence in repeated(self.rigid):
+            yield ("rigid", index), sentence
+        named = {freedom for pair in (*self.stiffness, *self.damping) for freedom in pair}
+        for freedom in dict.fromkeys(self.rigid):
+            if freedom in named:
+                yield (
+                    ("rigid",),
+                    f"{freedom} is held rigidly and has entries of stiffness or damping: one of "
+                    "both",
+                )
+
+    def _table_faults(self) -> Faults:
+        rows = 0
+        for which, entries in (("stiffness", self.stiffness), ("damping", self.damping)):
+            for pair, value in entries.items():
+                if not isinstance(value, tuple):
+                    continue
+                rows, name = rows + 1, entry_name(*pair)
+                if not set(pair) <= set(TABLED):
+                    yield (
+                        (which, name),
+                        f"{which} {name} takes one value for all speeds: given {len(value)}; "
+                        f"allowed over speed: entries of {', '.join(TABLED)}",
+                    )
+                elif len(value) != len(self.speeds):
+                    yield (
+                        (which, name),
+                        f"{which} {name} needs one value for each of speeds: given {len(value)} "
+                        f"values for {len(self.speeds)} speeds",
+                    )
+        if len(self.speeds) == 1:
+            yield ("speeds",), "a table needs at least two speeds: given 1"
+        if self.speeds and not rows:
+            yield ("speeds",), "speeds without a table: no entry has a list of values"
 
     @property
     def tilts(self) -> bool:
@@ -284,55 +389,8 @@ def acts(value: Value) -> bool:
     return any(value) if isinstance(value, tuple) else value != 0.0
 
 
-def _too_large(stiffness: Entries, damping: Entries) -> Iterator[str]:
-    for which, entries in (("stiffness", stiffness), ("damping", damping)):
-        for pair, value in entries.items():
-            worst = max(value if isinstance(value, tuple) else (value,), key=abs, default=0.0)
-            if abs(worst) > MOST[which]:
-                yield (
-                    f"{which} {entry_name(*pair)} out of range: given {worst:.6g}; allowed: "
-                    f"from {-MOST[which]:.0e} to {MOST[which]:.0e}"
-                )
-
-
-def table_faults(
-    stiffness: Entries, damping: Entries, speeds: Sequence[float]
-) -> Iterator[tuple[tuple[str, ...], str]]:
-    """What is wrong with entries over speed: the way to the key, and a sentence."""
-    rows = 0
-    for which, entries in (("stiffness", stiffness), ("damping", damping)):
-        for pair, value in entries.items():
-            if not isinstance(value, tuple):
-                continue
-            rows, name = rows + 1, entry_name(*pair)
-            if not set(pair) <= set(TABLED):
-                yield (
-                    (which, name),
-                    f"{which} {name} takes one value for all speeds: given {len(value)}; allowed "
-                    f"over speed: entries of {', '.join(TABLED)}",
-                )
-            elif len(value) != len(speeds):
-                yield (
-                    (which, name),
-                    f"{which} {name} needs one value for each of speeds: given {len(value)} values "
-                    f"for {len(speeds)} speeds",
-                )
-    if len(speeds) == 1:
-        yield ("speeds",), "a table needs at least two speeds: given 1"
-    if speeds and not rows:
-        yield ("speeds",), "speeds without a table: no entry has a list of values"
-
-
-def hold_faults(beyond: str, speeds: Sequence[float]) -> Iterator[str]:
-    """A sentence where there is no table whose ends could be held."""
-    if beyond == "hold" and not speeds:
-        yield "beyond: hold is of a table over speed, and there is none"
-
-
-def loss_faults(stiffness: Entries, loss_factor: float) -> Iterator[str]:
+def _no_spring(stiffness: Entries) -> Iterator[str]:
     """A sentence where a loss factor has no spring whose energy it could be a share of."""
-    if loss_factor == 0.0:
-        return
     if not any(acts(value) for value in stiffness.values()):
         yield "loss_factor is of a stiffness, and there is none"
         return
@@ -383,14 +441,6 @@ def _between(speeds: tuple[float, ...], value: Value, speed: float) -> float:
     k = min(max(bisect_left(speeds, speed), 1), len(speeds) - 1)
     share = min(max((speed - speeds[k - 1]) / (speeds[k] - speeds[k - 1]), 0.0), 1.0)
     return (1.0 - share) * value[k - 1] + share * value[k]
-
-
-def rigid_and_elastic(rigid: Iterable[str], entries: Iterable[tuple[str, str]]) -> Iterator[str]:
-    """A sentence for every freedom that is held rigidly and has ``entries`` of a matrix as well."""
-    named = {freedom for pair in entries for freedom in pair}
-    for freedom in dict.fromkeys(rigid):
-        if freedom in named:
-            yield f"{freedom} is held rigidly and has entries of stiffness or damping: one of both"
 
 
 def coupled_motions(supports: Iterable[LinearSupport]) -> frozenset[str]:

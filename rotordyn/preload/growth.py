@@ -22,8 +22,8 @@ def ring_growth(spindle: Spindle, seat: BearingSeat, speed: Array) -> Array:
     rule = seat.growth.centrifugal
     if isinstance(rule, QuadraticInSpeed):
         return seat.growth.static + rule.value * (speed / rule.speed) ** 2
-    if isinstance(rule, InterferenceFit):
-        return seat.growth.static + fit_growth(spindle, seat, rule, speed)
+    if (fit := seat.growth.fitted) is not None:
+        return seat.growth.static + fit_growth(spindle, seat, fit, speed)
     return np.full_like(speed, seat.growth.static)
 
 
@@ -43,8 +43,8 @@ def released_fits(spindle: Spindle, speed: float) -> list[tuple[str, float]]:
     """Bearings whose inner ring lets go of the shaft up to ``speed``, and where [rad/s]."""
     found = []
     for seat in spindle.seats:
-        fit = seat.growth.centrifugal
-        if isinstance(fit, InterferenceFit):
+        fit = seat.growth.fitted
+        if fit is not None:
             from bearings.fit.compound import release_speed
 
             limit = float(release_speed(_fitted(spindle, seat, fit), [fit.interference])[0])

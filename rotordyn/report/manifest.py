@@ -18,7 +18,6 @@ FORMAT = 1
 _LIBRARIES = (
     "numpy",
     "scipy",
-    "pydantic",
     "xarray",
     "h5py",
     "h5netcdf",

@@ -20,34 +20,61 @@ Tangent = Annotated[str, Choice(TANGENTS)]
 
 @dataclass(frozen=True, slots=True)
 class Conditions(Description):
-    """How the machine is modelled.
+    """How the machine is modelled; all optional.
 
-    ``kinematics``, ``moment_sharing``, ``friction`` (infinite: no limit): as in
-    ``bearings.ball.law``, together ``law``. ``tangent``: of ``TANGENTS``, the
-    stiffness of the bearings of a spindle wherever they act as linear springs. ``bearings``:
-    ``"dynamic"`` (speed acts on the bearings) or ``"static"`` (their state at rest serves every
-    speed). ``rotor``: ``"flexible"`` or ``"rigid"``. ``axial_force`` [N] on the front end of the
-    shaft (of the tool) towards +x; ``tension`` [N] pulls at both of its ends; ``gravity``: of
-    ``GRAVITY``, the way the weight of a vertical spindle points. ``accuracy``: relative error
-    allowed of every frequency up to the highest asked for; the elements follow.
-    ``element_length`` [m]: standard elements no longer than that instead, whatever their error.
-    ``formulation``: of ``formulation.FORMULATIONS``, how bending is written.
-    ``axial_stiffening``: the axial force in the shaft acts on its bending.
+    What is assumed of the balls: ``law``. An infinite friction is no limit.
     """
 
-    kinematics: Annotated[str, Choice(KINEMATICS)] = "hybrid"
-    moment_sharing: Annotated[str, Choice(MOMENT_SHARING)] = "equal"
-    friction: Friction = math.inf
-    tangent: Tangent = "complete"
-    bearings: Annotated[str, Choice(BEARINGS)] = "dynamic"
-    rotor: Annotated[str, Choice(ROTOR)] = "flexible"
-    axial_force: Force = 0.0
-    tension: Force = 0.0
-    gravity: Annotated[str, Choice(GRAVITY)] = "none"
-    accuracy: Accuracy = 1e-4
-    element_length: Length | None = None
-    formulation: Annotated[str, Choice(FORMULATIONS)] = INERTIAL
-    axial_stiffening: bool = True
+    kinematics: Annotated[
+        str,
+        Choice(KINEMATICS),
+        "how a ball's rotation axis is found ([theory](theory/ball.md))",
+    ] = "hybrid"
+    moment_sharing: Annotated[
+        str, Choice(MOMENT_SHARING), "which race carries the gyroscopic moment"
+    ] = "equal"
+    friction: Annotated[
+        Friction,
+        "coefficient that limits the gyroscopic moment a race holds "
+        "([theory](theory/ball.md#friction)); `none`: no limit",
+    ] = math.inf
+    tangent: Annotated[
+        Tangent,
+        "stiffness of a spindle's bearings where they act as springs "
+        "([theory](theory/ball.md#the-tangent))",
+    ] = "complete"
+    bearings: Annotated[str, Choice(BEARINGS), "`static`: the state at rest serves every speed"] = (
+        "dynamic"
+    )
+    rotor: Annotated[str, Choice(ROTOR), "`rigid`: the shaft does not bend, stretch or twist"] = (
+        "flexible"
+    )
+    axial_force: Annotated[
+        Force, "external force on the front end of the shaft (of the tool), towards +x"
+    ] = 0.0
+    tension: Annotated[
+        Force,
+        "force that pulls at both ends of the shaft and needs no support; below 0 it presses",
+    ] = 0.0
+    gravity: Annotated[
+        str,
+        Choice(GRAVITY),
+        "direction of the rotor's weight (vertical spindle); sleeves are not weighed",
+    ] = "none"
+    accuracy: Annotated[
+        Accuracy, "relative error allowed of every frequency asked for; the elements follow"
+    ] = 1e-4
+    element_length: Annotated[
+        Length | None, "standard elements no longer than that instead, whatever their error"
+    ] = None
+    formulation: Annotated[
+        str,
+        Choice(FORMULATIONS),
+        "frame in which bending is written ([the three](formulations.md))",
+    ] = INERTIAL
+    axial_stiffening: Annotated[
+        bool, "the axial force in the shaft stiffens or softens its bending"
+    ] = True
 
     @property
     def law(self) -> Law:

@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Annotated
 
-from rotordyn.description import Description
+from rotordyn.description import Description, Faults
 from rotordyn.machine.spindle import Spindle
 from rotordyn.quantity import (
     Angle,
@@ -15,9 +14,10 @@ from rotordyn.quantity import (
     Choice,
     Eccentricity,
     Force,
+    Items,
+    Key,
     LineForce,
     Moment,
-    Name,
     OptionalName,
     PointName,
     Station,
@@ -27,25 +27,26 @@ from rotordyn.quantity import (
 )
 
 PHASES = ("static", "couple")
+At = PointName | Station
+From = Annotated[PointName | Station, Key("from"), "where it begins"]
+To = Annotated[PointName | Station, "where it ends"]
+CalledInMessages = Annotated[OptionalName, "for messages"]
 
 
 @dataclass(frozen=True, slots=True)
 class PointLoad(Description):
-    """Forces [N] and moments [N·m] on the shaft at a point's name or a station ``at`` [m].
+    """A load on the shaft [N], [N·m]; its forces act at (`y`, `z`) off the axis, as on a gear."""
 
-    The forces act at (``y``, ``z``) [m] off the axis, as on a gear; there they make moments.
-    """
-
-    at: Name | Station
-    name: OptionalName = ""
-    Fx: Force = 0.0
-    Fy: Force = 0.0
-    Fz: Force = 0.0
-    Mx: Moment = 0.0
-    My: Moment = 0.0
-    Mz: Moment = 0.0
-    y: Station = 0.0
-    z: Station = 0.0
+    at: Annotated[At, "where it acts: a point or station"]
+    name: CalledInMessages = ""
+    Fx: Annotated[Force, "force towards +x"] = 0.0
+    Fy: Annotated[Force, "force towards +y"] = 0.0
+    Fz: Annotated[Force, "force towards +z"] = 0.0
+    Mx: Annotated[Moment, "moment about x: a torque"] = 0.0
+    My: Annotated[Moment, "moment about y"] = 0.0
+    Mz: Annotated[Moment, "moment about z"] = 0.0
+    y: Annotated[Station, "distance from the axis at which the forces act, along y"] = 0.0
+    z: Annotated[Station, "the same along z"] = 0.0
 
     @property
     def on_axis(self) -> tuple[float, ...]:
@@ -63,78 +64,75 @@ class PointLoad(Description):
 
 @dataclass(frozen=True, slots=True)
 class LineLoad(Description):
-    """Force per length [N/m], uniform from ``start`` to ``to`` (points or stations [m])."""
+    """A uniform force per length [N/m] between two points or stations [m]."""
 
-    start: Name | Station
-    to: Name | Station
-    name: OptionalName = ""
-    qx: LineForce = 0.0
-    qy: LineForce = 0.0
-    qz: LineForce = 0.0
+    start: From
+    to: To
+    name: CalledInMessages = ""
+    qx: Annotated[LineForce, "force per length towards +x"] = 0.0
+    qy: Annotated[LineForce, "force per length towards +y"] = 0.0
+    qz: Annotated[LineForce, "force per length towards +z"] = 0.0
 
 
 @dataclass(frozen=True, slots=True)
 class Unbalance(Description):
-    """Mass times distance from the axis ``unbalance`` [kg·m], at ``angle`` [rad] from y to z.
+    """A mass off the axis [kg·m]; its force is U Ω².
 
-    Its force is U Ω²: turning with the shaft, or in a static question as it stands at this angle.
+    It turns with the shaft, or in a static analysis stands at its angle.
     """
 
-    at: PointName | Station
-    unbalance: UnbalanceSize
-    angle: Angle = 0.0
-    name: OptionalName = ""
+    at: Annotated[At, "where it turns: a point or station"]
+    unbalance: Annotated[UnbalanceSize, "mass times distance from the axis"]
+    angle: Annotated[Angle, "of its force, from y towards z"] = 0.0
+    name: CalledInMessages = ""
 
 
 @dataclass(frozen=True, slots=True)
 class EccentricSpan(Description):
-    """A length of shaft, ``start`` to ``to``, whose mass lies ``eccentricity`` [m] off the axis.
+    """A length of shaft whose mass lies off the axis, without point masses and discs on it."""
 
-    At ``angle`` [rad] from y to z. Point masses and discs on it are not meant.
-    """
-
-    start: PointName | Station
-    to: PointName | Station
-    eccentricity: Eccentricity
-    angle: Angle = 0.0
-    name: OptionalName = ""
+    start: From
+    to: To
+    eccentricity: Annotated[Eccentricity, "distance of its centre of mass from the axis"]
+    angle: Annotated[Angle, "of that distance, from y towards z"] = 0.0
+    name: Annotated[OptionalName, "in results and messages"] = ""
 
 
 @dataclass(frozen=True, slots=True)
 class BalanceGrade(Description):
-    """Residual unbalance that ISO 21940-11 permits: U = G m / Ω, m the mass of the rotor.
+    """Residual unbalance that a grade of ISO 21940-11 permits: U = G m / Ω, m of the rotor."""
 
-    ``quality`` G [m/s] at the highest ``speed`` of service of the spindle [rad/s]; Ω of a further
-    rotor is that times its ratio, without sign. All of it is in one of ``planes``, or in two by the
-    levers of the centre of gravity between them, neither share below 0.3; at ``angle`` [rad] both
-    (``phase`` ``"static"``), or the second opposite (``"couple"``).
-    """
+    quality: Annotated[BalanceQuality, "G"]
+    speed: Annotated[
+        TopSpeed,
+        "highest speed of service of the spindle; the grade belongs to that of the rotor itself, "
+        "which is this times its `speed_ratio`",
+    ]
+    planes: Annotated[
+        tuple[At, ...],
+        Items(1, 2),
+        "one or two points or stations that hold it; two share it by the levers of the centre of "
+        "gravity between them, neither below 0.3",
+    ]
+    phase: Annotated[
+        str, Choice(PHASES), "of the second plane: `static` like the first, `couple` opposite"
+    ] = "static"
+    angle: Annotated[Angle, "in the first plane, from y towards z"] = 0.0
 
-    quality: BalanceQuality
-    speed: TopSpeed
-    planes: tuple[PointName | Station, ...]
-    phase: Annotated[str, Choice(PHASES)] = "static"
-    angle: Angle = 0.0
-
-    def _faults(self) -> Iterator[str]:
-        if not 1 <= len(self.planes) <= 2:
-            yield f"planes: one or two are needed: given {len(self.planes)}"
-        elif len(self.planes) == 1 and self.phase == "couple":
-            yield "phase: a couple needs two planes: given one"
+    def _faults(self) -> Faults:
+        if len(self.planes) == 1 and self.phase == "couple":
+            yield ("phase",), "a couple needs two planes: given one"
 
 
 @dataclass(frozen=True, slots=True)
 class TwistLimit(Description):
-    """Angle ``limit`` [rad] by which the shaft may twist between two points or stations [m].
+    """How far the shaft may twist [rad], and which uniform outer diameter just keeps to it."""
 
-    Asks for the outer diameter of a uniform shaft with the given ``bore`` [m] that just keeps it.
-    """
-
-    start: Name | Station
-    to: Name | Station
-    limit: TwistAngle
-    bore: Bore = 0.0
-    name: OptionalName = ""
+    start: Annotated[At, Key("from"), "one end"]
+    to: Annotated[At, "the other end"]
+    limit: Annotated[TwistAngle, "angle between the two sections"]
+    bore: Annotated[Bore, "of the uniform shaft whose outer diameter is sought"] = 0.0
+    name: Annotated[OptionalName, "in summary and tables; by default its two ends"] = ""
 
     @property
     def called(self) -> str:

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from rotordyn.case.agreement import ANALYSES
 
 import rotordyn
 from bearings import STEEL, AngularContactBallBearing, InvalidBearing, Material
@@ -33,7 +34,6 @@ from rotordyn.analyses import (
 )
 from rotordyn.analyses.frf.spec import MeasuredResponse
 from rotordyn.analyses.registry import BEARING_ANALYSES, SPINDLE_ANALYSES
-from rotordyn.case.agreement import ANALYSES
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import (
     BearingSeat,

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Annotated
 
 from bearings.ball.law import DYNAMICS
-from rotordyn.description import Description, ascending, doubled
-from rotordyn.quantity import Choice, Force, Growth, Load, Moment
+from rotordyn.description import Faults, ascending, repeated
+from rotordyn.quantity import Choice, Force, Growth, Items, Load, Moment
 from rotordyn.scene.conditions import TANGENTS, Tangent
+from rotordyn.scene.spec import Spec
 
 TILTS = ("free", "blocked")
 AXIAL, RADIAL, MOMENT = SWEPT = ("axial", "radial", "moment")
@@ -18,36 +18,56 @@ FIXED = dict(zip(SWEPT, ("axial_load", "radial_load", "moment"), strict=True))
 
 
 @dataclass(frozen=True, slots=True)
-class BearingMapSpec(Description):
-    """A single bearing under a list of loads at every speed of the case.
+class BearingMapSpec(Spec):
+    """A single bearing under one list of loads [N], [N·m] at every speed; others may be fixed."""
 
-    One of ``loads`` (axial) [N], ``radial_loads`` along y [N] and ``moments`` about z [N·m] is the
-    list, ascending; ``axial_load``, ``radial_load`` [N] and ``moment`` [N·m] of the other two act
-    all the time. ``tilt``: of ``TILTS``; ``"blocked"`` holds both tilts of the ring at zero.
-    ``dynamics``: of ``bearings.ball.law.DYNAMICS``. ``tangents``: of ``TANGENTS``, the stiffness
-    matrices to compute.
-    """
+    loads: Annotated[
+        tuple[Load, ...],
+        "axial loads, ascending; one of `loads`, `radial_loads`, `moments` is given",
+    ] = ()
+    static_growth: Annotated[Growth, "radial growth of the inner groove at rest"] = 0.0
+    tangents: Annotated[
+        tuple[Tangent, ...],
+        Items(),
+        "stiffness matrices to compute ([theory](theory/ball.md#the-tangent))",
+    ] = TANGENTS[:1]
+    radial_loads: Annotated[tuple[Force, ...], "radial loads along y, ascending, instead"] = ()
+    moments: Annotated[
+        tuple[Moment, ...],
+        "moments about z, ascending, instead; they tilt the ring in the plane of y",
+    ] = ()
+    axial_load: Annotated[Force, "acts all the time, where axial loads are not the list"] = 0.0
+    radial_load: Annotated[Force, "acts all the time, where radial loads are not the list"] = 0.0
+    moment: Annotated[Moment, "acts all the time, where moments are not the list"] = 0.0
+    tilt: Annotated[str, Choice(TILTS), "`blocked` holds the tilts of the ring at zero"] = TILTS[0]
+    dynamics: Annotated[
+        str,
+        Choice(DYNAMICS),
+        "`frozen`: centrifugal force at the free contact angle, no gyroscopic moment "
+        "([theory](theory/four_point.md#at-speed))",
+    ] = DYNAMICS[0]
 
-    loads: tuple[Load, ...] = ()
-    static_growth: Growth = 0.0
-    tangents: tuple[Tangent, ...] = TANGENTS[:1]
-    radial_loads: tuple[Force, ...] = ()
-    moments: tuple[Moment, ...] = ()
-    axial_load: Force = 0.0
-    radial_load: Force = 0.0
-    moment: Moment = 0.0
-    tilt: Annotated[str, Choice(TILTS)] = TILTS[0]
-    dynamics: Annotated[str, Choice(DYNAMICS)] = DYNAMICS[0]
-
-    def _faults(self) -> Iterator[str]:
-        if not self.tangents:
-            yield "no tangents: at least one is needed"
-        for name in doubled(self.tangents):
-            yield f"tangents: repeated: given '{name}'"
+    def _faults(self) -> Faults:
+        for index, sentence in repeated(self.tangents):
+            yield ("tangents", index), sentence
         for name in LISTS.values():
             yield from ascending(name, getattr(self, name))
-        for _, fault in contradictions(self):
-            yield fault
+        given = [name for name in LISTS.values() if getattr(self, name)]
+        if len(given) != 1:
+            yield (
+                tuple(given[-1:]),
+                f"give exactly one list of {', '.join(LISTS.values())}: got "
+                f"{' and '.join(given) or 'none'}",
+            )
+            return
+        fixed = FIXED[self.swept]
+        if abs(getattr(self, fixed)) > 0.0:
+            yield (fixed,), f"{fixed} is given by the list {given[0]} already"
+        if (self.moments or abs(self.moment) > 0.0) and self.tilt == "blocked":
+            yield (
+                ("tilt",),
+                "tilt blocked takes no moment: the ring's guide carries it; allowed: free",
+            )
 
     @property
     def swept(self) -> str:
@@ -64,21 +84,3 @@ class BearingMapSpec(Description):
     def combined(self) -> bool:
         """Whether balls differ: more than a thrust acts."""
         return self.swept != AXIAL or self.radial_load != 0.0 or self.moment != 0.0
-
-
-def contradictions(asked: object) -> Iterator[tuple[str, str]]:
-    """Key and sentence for each fault between the keys of a ``BearingMapSpec`` or of its entry."""
-    given = [name for name in LISTS.values() if getattr(asked, name)]
-    if len(given) != 1:
-        yield (
-            (given or [""])[-1],
-            f"give exactly one list of {', '.join(LISTS.values())}: got "
-            f"{' and '.join(given) or 'none'}",
-        )
-        return
-    component = next(name for name, each in LISTS.items() if each == given[0])
-    if abs(getattr(asked, FIXED[component])) > 0.0:  # not NaN, whose fault is known
-        yield FIXED[component], f"{FIXED[component]} is given by the list {given[0]} already"
-    turned = bool(getattr(asked, "moments", ())) or abs(getattr(asked, "moment", 0.0)) > 0.0
-    if turned and getattr(asked, "tilt", "") == "blocked":
-        yield "tilt", "tilt blocked takes no moment: the ring's guide carries it; allowed: free"

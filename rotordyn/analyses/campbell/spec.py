@@ -1,13 +1,13 @@
-"""What a case asks of damped modes over speed (SI)."""
+"""What a case asks of the modes over speed (SI)."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Annotated
 
-from rotordyn.description import Description, ascending, doubled
+from rotordyn.description import Description, Faults, ascending, repeated
 from rotordyn.quantity import Amplitude, Choice, EngineOrder, Frequency, Whole
+from rotordyn.scene.spec import Spec
 
 MESH_FILES = ("vtu", "vtk", "xdmf", "glb", "stl", "ply", "obj", "off")
 MOST_TEETH = 1000
@@ -15,38 +15,43 @@ MOST_TEETH = 1000
 
 @dataclass(frozen=True, slots=True)
 class ShapesInSpaceSpec(Description):
-    """Mode shapes in space: how they are drawn, and the files of meshes that other programs read.
+    """Mode shapes in space, at the first and the last speed."""
 
-    ``amplitude``: largest displacement drawn, over the length of the shaft; ``animation``: one
-    period of each mode as a GIF; ``files``: of ``MESH_FILES``.
-    """
+    amplitude: Annotated[Amplitude, "largest displacement drawn, over the length of the shaft"] = (
+        0.06
+    )
+    animation: Annotated[bool, "one period of each mode as a GIF"] = False
+    files: Annotated[
+        tuple[Annotated[str, Choice(MESH_FILES)], ...],
+        "formats of the meshes that other programs read",
+    ] = ()
 
-    amplitude: Amplitude = 0.06
-    animation: bool = False
-    files: tuple[Annotated[str, Choice(MESH_FILES)], ...] = ()
-
-    def _faults(self) -> Iterator[str]:
-        for name in doubled(self.files):
-            yield f"files: repeated: given '{name}'"
+    def _faults(self) -> Faults:
+        for index, sentence in repeated(self.files):
+            yield ("files", index), sentence
 
 
 @dataclass(frozen=True, slots=True)
-class CampbellSpec(Description):
-    """Damped eigenfrequencies up to ``max_frequency`` [Hz] over speed.
+class CampbellSpec(Spec):
+    """Damped modes over speed."""
 
-    ``teeth``: numbers of cutter teeth whose tooth-passing line is of interest; ``shapes``: keep the
-    mode shapes at the first and the last speed; ``shapes_3d``: see them in space;
-    ``engine_orders``: multiples of the speed, whole or not, whose critical speeds are solved for.
-    """
+    max_frequency: Annotated[Frequency, "modes that come below it are followed"] = 4000.0
+    teeth: Annotated[
+        tuple[Annotated[int, Whole(1, MOST_TEETH)], ...],
+        "numbers of cutter teeth whose passing frequency is drawn",
+    ] = ()
+    shapes: Annotated[bool, "keep the mode shapes at the first and last speed"] = True
+    shapes_3d: Annotated[
+        ShapesInSpaceSpec | None,
+        "draw them in space too, and write them as meshes ([how](theory/shapes.md))",
+    ] = None
+    engine_orders: Annotated[
+        tuple[EngineOrder, ...],
+        "multiples of the speed, whole or not, whose critical speeds are sought",
+    ] = (1.0,)
 
-    max_frequency: Frequency = 4000.0
-    teeth: tuple[Annotated[int, Whole(1, MOST_TEETH)], ...] = ()
-    shapes: bool = True
-    shapes_3d: ShapesInSpaceSpec | None = None
-    engine_orders: tuple[EngineOrder, ...] = (1.0,)
-
-    def _faults(self) -> Iterator[str]:
+    def _faults(self) -> Faults:
         yield from ascending("teeth", self.teeth)
         yield from ascending("engine_orders", self.engine_orders)
         if self.shapes_3d is not None and not self.shapes:
-            yield "shapes_3d needs the shapes: given shapes False; allowed: True"
+            yield ("shapes_3d",), "needs the shapes: given shapes: false"

@@ -1,29 +1,24 @@
-"""What a case asks of race control of a single bearing (SI)."""
+"""What a case asks of the race that controls the balls of a single bearing (SI)."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Annotated
 
-from rotordyn.description import Description
+from rotordyn.description import Faults
 from rotordyn.quantity import Growth, LightLoad, Load, RadialShare
+from rotordyn.scene.spec import Spec
 
 
 @dataclass(frozen=True, slots=True)
-class ControlSpec(Description):
-    """Which race controls the balls of a single bearing, at every speed of the case.
+class ControlSpec(Spec):
+    """Which race controls the balls of a single bearing, over axial load [N]."""
 
-    Axial loads from ``min_load`` to ``max_load`` [N]; ``radial``: radial over axial load.
-    """
+    max_load: Annotated[Load, "highest axial load to look at"]
+    min_load: Annotated[LightLoad, "lowest axial load to look at"] = 10.0
+    radial: Annotated[RadialShare, "radial load over the axial one"] = 0.0
+    static_growth: Annotated[Growth, "radial growth of the inner groove at rest"] = 0.0
 
-    max_load: Load
-    min_load: LightLoad = 10.0
-    radial: RadialShare = 0.0
-    static_growth: Growth = 0.0
-
-    def _faults(self) -> Iterator[str]:
+    def _faults(self) -> Faults:
         if self.max_load <= self.min_load:
-            yield (
-                f"max_load: not above min_load: given {self.max_load:.6g} N after "
-                f"{self.min_load:.6g} N"
-            )
+            yield ("max_load",), f"not above min_load, {self.min_load:g} N: given {{given}}"

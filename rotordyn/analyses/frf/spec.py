@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated
 
-from rotordyn.description import Description, ascending, doubled
-from rotordyn.machine.support import Freedom
-from rotordyn.quantity import Choice, Frequency, Name, PointName, Speed
+from rotordyn.description import Description, Faults, ascending, repeated
+from rotordyn.machine.assembly import misnamed, unknown
+from rotordyn.machine.housing import housed_motions
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import MOTIONS, Freedom, coupled_motions
+from rotordyn.quantity import HIDDEN, Choice, Frequency, Items, Key, Name, PointName, Speed, Sweep
+from rotordyn.scene.formulation import ROTATING, turned
+from rotordyn.scene.spec import Setting, Spec
 
 QUANTITIES = ("receptance", "mobility", "inertance")
 NO_RESPONSE = "no response: given zero at every frequency; allowed: at least one other value"
+_SPOKEN: Mapping[str, str] = {"axial": "axial motion"}
 
 
 @dataclass(frozen=True, slots=True)
@@ -26,64 +32,131 @@ class Port(Description):
 
 
 @dataclass(frozen=True, slots=True)
+class Pair:
+    """Marks a response and an excitation, which files write under these keys."""
+
+    response = "a point and one of x, y, z, thx, thy, thz"
+    excitation = "a point and the direction of its force or moment"
+
+
+@dataclass(frozen=True, slots=True)
 class MeasuredResponse(Description):
-    """A measured frequency response in SI: ``quantity`` over ``frequency`` [Hz], in two parts.
+    """A measured response to lay over the computed one, from UFF type 58 or a CSV table."""
 
-    ``speed`` [rad/s] at which it was measured.
-    """
-
-    name: Name
-    response: Port
-    excitation: Port
-    frequency: tuple[Frequency, ...]
-    real: tuple[float, ...]
-    imaginary: tuple[float, ...]
-    speed: Speed = 0.0
-    quantity: Annotated[str, Choice(QUANTITIES)] = QUANTITIES[0]
+    name: Annotated[Name, Key(default=""), "in figures and summary; by default its number"]
+    response: Annotated[Port, "of a pair of the case, over which it is laid"]
+    excitation: Annotated[Port, "of a pair of the case, over which it is laid"]
+    frequency: Annotated[tuple[Frequency, ...], HIDDEN]
+    real: Annotated[tuple[float, ...], HIDDEN]
+    imaginary: Annotated[tuple[float, ...], HIDDEN]
+    speed: Annotated[Speed, "at which it was measured"] = 0.0
+    quantity: Annotated[str, Choice(QUANTITIES), HIDDEN] = QUANTITIES[0]
 
     @property
     def pair(self) -> str:
         """As in results."""
         return f"{self.response} / {self.excitation}"
 
-    def _faults(self) -> Iterator[str]:
+    def _faults(self) -> Faults:
         counts = [len(self.frequency), len(self.real), len(self.imaginary)]
         if len(set(counts)) > 1 or counts[0] < 2:
             yield (
+                ("file",),
                 "frequency, real and imaginary: at least two values, as many in each: given "
-                f"{', '.join(map(str, counts))}"
+                f"{', '.join(map(str, counts))}",
             )
-        yield from ascending("frequency", self.frequency)
+        for _, sentence in ascending("frequency", self.frequency):
+            yield ("file",), f"frequency: {sentence}"
         if not any((*self.real, *self.imaginary)):
-            yield NO_RESPONSE
+            yield ("file",), NO_RESPONSE
 
 
 @dataclass(frozen=True, slots=True)
-class FrfSpec(Description):
-    """Responses between ``pairs`` (response, excitation) at every speed and frequency [Hz].
+class FrfSpec(Spec):
+    """Frequency responses between pairs of points over speed and frequency."""
 
-    ``quantity``: of ``QUANTITIES``: displacement, velocity or acceleration over force. ``measured``
-    is laid over what is computed.
-    ``slices``: speeds [rad/s] at which curves are drawn and UFF58 records written (nearest speed
-    of the case); none given = the lowest and the highest.
-    """
+    frequencies: Annotated[
+        tuple[Frequency, ...], Items(), Sweep(), "of the excitation, independent of speed"
+    ]
+    pairs: Annotated[
+        tuple[Annotated[tuple[Port, Port], Pair()], ...],
+        Items(),
+        Key(missing="it must be given, or matrix"),
+        "which responses to which forces; these or `matrix`, or both",
+    ]
+    slices: Annotated[
+        tuple[Speed, ...],
+        "speeds drawn as curves and written as UFF58 (nearest speed of the case); by default the "
+        "lowest and the highest",
+    ] = ()
+    quantity: Annotated[
+        str, Choice(QUANTITIES), "displacement, velocity or acceleration over force"
+    ] = QUANTITIES[0]
+    measured: Annotated[
+        tuple[MeasuredResponse, ...],
+        "measured ones laid over ([how](theory/receptances.md#measured-responses))",
+    ] = ()
 
-    frequencies: tuple[Frequency, ...]
-    pairs: tuple[tuple[Port, Port], ...]
-    slices: tuple[Speed, ...] = ()
-    quantity: Annotated[str, Choice(QUANTITIES)] = QUANTITIES[0]
-    measured: tuple[MeasuredResponse, ...] = ()
-
-    def _faults(self) -> Iterator[str]:
-        if not self.frequencies or not self.pairs:
-            yield f"no {'pairs' if self.frequencies else 'frequencies'}: at least one is needed"
+    def _faults(self) -> Faults:
         yield from ascending("frequencies", self.frequencies)
         yield from ascending("slices", self.slices)
-        for name in doubled(f"{response} / {excitation}" for response, excitation in self.pairs):
-            yield f"pairs: repeated: given '{name}'"
-        known = {f"{response} / {excitation}" for response, excitation in self.pairs}
-        for one in self.measured:
-            if one.pair not in known:
-                yield f"measured {one.name}: not a pair of the case: given '{one.pair}'"
-        for name in doubled(one.name for one in self.measured):
-            yield f"measured: name given twice: '{name}'"
+        known = [f"{response} / {excitation}" for response, excitation in self.pairs]
+        for index, sentence in repeated("" if "." in pair[:1] else pair for pair in known):
+            yield ("pairs", index), sentence
+        for index, one in enumerate(self.measured):
+            if one.name and one.pair not in known:
+                listed = ", ".join(known)
+                yield (
+                    ("measured", index),
+                    f"not a pair of the case: given '{one.pair}'; allowed: {listed}",
+                )
+            yield from self._in_band(one, index)
+        for index, _ in repeated(one.name for one in self.measured):
+            yield ("measured", index, "name"), f"name given twice: '{self.measured[index].name}'"
+
+    def _in_band(self, one: MeasuredResponse, index: int) -> Faults:
+        low, high = self.frequencies[0], self.frequencies[-1]
+        inside = [f for f in one.frequency if not (f < low or f > high)]
+        if one.frequency and len(inside) < 2 and one.frequency[0] == one.frequency[0]:
+            yield (
+                ("measured", index, "file"),
+                "fewer than two frequencies in the band of the case: given "
+                f"{one.frequency[0]:g} to {one.frequency[-1]:g} Hz; allowed: {low:g} to {high:g} "
+                "Hz",
+            )
+
+    def faults_on(self, setting: Setting) -> Faults:
+        for index, speed in enumerate(self.slices):
+            if not setting.within(speed):
+                yield ("slices", index), "not within the speeds of the case: given {given}"
+        for index, one in enumerate(self.measured):
+            if not setting.within(one.speed):
+                yield ("measured", index), "its speed is not within the speeds of the case"
+        turning = setting.conditions.formulation == ROTATING
+        if turning and self.quantity not in ("", QUANTITIES[0]):
+            yield ("quantity",), f"{turned(self.quantity)}: given '{self.quantity}'"
+        if turning and self.measured:
+            yield (
+                ("measured",),
+                "measured in the fixed frame: given beside rotating; allowed: inertial",
+            )
+        if not misnamed(setting.spindle):
+            yield from self._pairs(setting.spindle)
+
+    def _pairs(self, spindle: Spindle) -> Faults:
+        """Points exist; the ends of a pair are in one motion, or in motions that are coupled."""
+        coupled = coupled_motions(spindle.supports) | housed_motions(spindle.housings)
+        points = [*spindle.places]
+        for index, pair in enumerate(self.pairs):
+            for key, port in zip(("response", "excitation"), pair, strict=True):
+                for sentence in unknown("point", port.point, points):
+                    yield ("pairs", index, key), sentence
+            motions = [MOTIONS.get(port.direction, "") for port in pair]
+            if "" in motions or motions[0] == motions[1] or coupled.issuperset(motions):
+                continue
+            one, other = (_SPOKEN.get(motion, motion) for motion in motions)
+            yield (
+                ("pairs", index),
+                f"nothing couples {one} and {other}: given '{pair[0]} / {pair[1]}'; allowed: both "
+                "ends in one of x; thx; y, z, thy, thz, or a support that couples them",
+            )

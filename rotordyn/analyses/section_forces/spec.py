@@ -2,34 +2,79 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Annotated
 
-from rotordyn.description import Description, doubled
+from rotordyn.description import Faults, repeated
+from rotordyn.errors import InvalidInput
 from rotordyn.quantity import Choice
 from rotordyn.scene.loads import LineLoad, PointLoad, TwistLimit, Unbalance
+from rotordyn.scene.spec import Setting, Spec, placed, spanned
 
 WEIGHT = ("none", "+x", "-x", "+y", "-y", "+z", "-z")
 
 
 @dataclass(frozen=True, slots=True)
-class SectionForcesSpec(Description):
-    """Section forces, deflection and stress of the shaft at rest under static loads.
+class SectionForcesSpec(Spec):
+    """N, Ty, Tz, Mt, My, Mz, deflection and stress along the shaft under static loads.
 
-    ``gravity``: of ``WEIGHT``, the way the weight of the rotor points. Loads add to what the
-    preload state puts on the shaft along its axis.
+    Loads add to what the preload state puts on the shaft along its axis.
     """
 
-    loads: tuple[PointLoad, ...] = ()
-    line_loads: tuple[LineLoad, ...] = ()
-    unbalances: tuple[Unbalance, ...] = ()
-    gravity: Annotated[str, Choice(WEIGHT)] = "none"
-    twist_limits: tuple[TwistLimit, ...] = ()
+    loads: Annotated[tuple[PointLoad, ...], "forces and moments at points or stations"] = ()
+    line_loads: Annotated[tuple[LineLoad, ...], "forces per length"] = ()
+    unbalances: Annotated[tuple[Unbalance, ...], "rotating forces as they stand at one angle"] = ()
+    gravity: Annotated[
+        str, Choice(WEIGHT), "direction of the rotor's weight, in any of the axes"
+    ] = "none"
+    twist_limits: Annotated[
+        tuple[TwistLimit, ...], "angles by which it may twist, and the diameters that keep to them"
+    ] = ()
 
-    def _faults(self) -> Iterator[str]:
-        for name in doubled(each.called for each in self.twist_limits):
-            yield f"twist_limits: repeated: given '{name}'"
+    def _faults(self) -> Faults:
+        for index, sentence in repeated(each.called for each in self.twist_limits):
+            yield ("twist_limits", index), sentence
+
+    def faults_on(self, setting: Setting) -> Faults:
+        spindle, conditions = setting.spindle, setting.conditions
+        if spindle.rotors:
+            yield (), "section forces take no further rotors: leave out the rotors"
+        if spindle.joints:
+            yield (
+                (),
+                "section forces take no joints, whose give the elastic line leaves out: leave out "
+                "the joints",
+            )
+        weighed = any(word not in ("", "none") for word in (self.gravity, conditions.gravity))
+        besides = spindle.seats or spindle.drawbar or conditions.axial_force or conditions.tension
+        if not (self.loads or self.line_loads or self.unbalances or weighed or besides):
+            yield (
+                (),
+                "nothing acts: allowed: at least one of loads, line_loads, unbalances, gravity",
+            )
+        for index, load in enumerate(self.loads):
+            yield from placed(load.at, spindle, ("loads", index, "at"))
+        for index, unbalance in enumerate(self.unbalances):
+            yield from placed(unbalance.at, spindle, ("unbalances", index, "at"))
+        for index, line in enumerate(self.line_loads):
+            yield from spanned(line.start, line.to, spindle, ("line_loads", index))
+        for index, limit in enumerate(self.twist_limits):
+            yield from spanned(limit.start, limit.to, spindle, ("twist_limits", index))
+        if not {self.gravity, conditions.gravity} & {"", "none"}:
+            yield (
+                ("gravity",),
+                f"the weight is given twice: given '{self.gravity}' beside '{conditions.gravity}' "
+                "of the conditions; allowed: one of both",
+            )
+
+    def last_faults_on(self, setting: Setting) -> Faults:
+        """The shaft is no free body under its loads."""
+        from rotordyn.analyses.section_forces.static_loads import require_balance
+
+        try:
+            require_balance(setting.spindle, self, setting.conditions)
+        except InvalidInput as fault:
+            yield ("loads",), str(fault)
 
     @property
     def places(self) -> tuple[str | float, ...]:

@@ -2,33 +2,63 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Annotated
 
-from rotordyn.description import Description, doubled
+from rotordyn.description import Faults, repeated
+from rotordyn.machine.assembly import unknown
+from rotordyn.machine.support import entry_name
 from rotordyn.quantity import Choice, LightLoad, Name, Travel, Whole
+from rotordyn.scene.spec import Setting, Spec
 
 VARIANTS = ("nonlinear", "full", "diagonal", "constant_preload")
 MOST_STEPS = 1000
 
 
 @dataclass(frozen=True, slots=True)
-class StiffnessSpec(Description):
-    """Quasi-static radial stiffness at ``point``: deflection under 0 … ``max_force`` [N].
+class StiffnessSpec(Spec):
+    """Quasi-static radial stiffness of a point under forces from 0 to ``max_force`` [N]."""
 
-    ``steps``: load steps; ``variants``: of ``VARIANTS``; ``second_stop``: other stop travels [m] by
-    sleeve, computed as one more (nonlinear) variant when given.
-    """
+    point: Annotated[Name, "where the force acts and the deflection is taken"]
+    max_force: Annotated[LightLoad, "highest radial force"] = 500.0
+    steps: Annotated[int, Whole(1, MOST_STEPS), "load steps up to it"] = 10
+    variants: Annotated[
+        tuple[Annotated[str, Choice(VARIANTS)], ...],
+        "ways of modelling the bearings ([theory](theory/radial_stiffness.md))",
+    ] = VARIANTS
+    second_stop: Annotated[
+        Mapping[Name, Travel],
+        "other stop travels by sleeve, computed as one more (nonlinear) variant",
+    ] = field(default_factory=dict)
 
-    point: Name
-    max_force: LightLoad = 500.0
-    steps: Annotated[int, Whole(1, MOST_STEPS)] = 10
-    variants: tuple[Annotated[str, Choice(VARIANTS)], ...] = VARIANTS
-    second_stop: Mapping[Name, Travel] = field(default_factory=dict)
-
-    def _faults(self) -> Iterator[str]:
+    def _faults(self) -> Faults:
         if not self.variants and not self.second_stop:
-            yield "no variants: at least one is needed"
-        for name in doubled(self.variants):
-            yield f"variants: repeated: given '{name}'"
+            yield ("variants",), "no variants: at least one is needed"
+        for index, sentence in repeated(self.variants):
+            yield ("variants", index), sentence
+
+    def faults_on(self, setting: Setting) -> Faults:
+        spindle = setting.spindle
+        if not spindle.seats:
+            yield (), "needs bearings: this spindle has none"
+        for what, there in (("housings", spindle.housings), ("further rotors", spindle.rotors)):
+            if there:
+                yield (
+                    (),
+                    f"the radial stiffness takes no {what}: ask frf at a low frequency instead",
+                )
+        for sentence in unknown("point", self.point, spindle.points):
+            yield ("point",), sentence
+        for name in self.second_stop:
+            for sentence in unknown("sleeve", name, [sleeve.name for sleeve in spindle.sleeves]):
+                yield ("second_stop", name), sentence
+        for support in spindle.supports:
+            if support.out_of_plane:
+                across = ", ".join(entry_name(*pair) for pair in support.out_of_plane)
+                yield (
+                    (),
+                    f"support '{support.name}' couples plane y or the axis to other motions "
+                    f"({across}): the radial stiffness is solved in plane y alone; ask frf at a "
+                    "low frequency instead",
+                )

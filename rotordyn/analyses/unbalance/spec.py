@@ -4,31 +4,77 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Annotated
 
-from rotordyn.description import Description, doubled
-from rotordyn.quantity import PointName
+from rotordyn.description import Faults, Path, repeated
+from rotordyn.machine.assembly import misnamed, unknown
+from rotordyn.machine.spindle import Spindle
+from rotordyn.quantity import Items, PointName
 from rotordyn.scene.loads import BalanceGrade, EccentricSpan, Unbalance
+from rotordyn.scene.spec import Setting, Spec, placed, spanned
+from rotordyn.units import format_quantity
 
 
 @dataclass(frozen=True, slots=True)
-class UnbalanceSpec(Description):
-    """Steady response to unbalance at every speed of the case.
+class UnbalanceSpec(Spec):
+    """Steady response to unbalance at every speed: amplitudes are zero to peak.
 
-    All of ``unbalances``, ``spans`` and ``grade`` act together; motion is given at ``points``.
+    All of ``unbalances``, ``spans`` and ``grade`` act together.
     """
 
-    points: tuple[PointName, ...]
-    unbalances: tuple[Unbalance, ...] = ()
-    spans: tuple[EccentricSpan, ...] = ()
-    grade: BalanceGrade | None = None
+    points: Annotated[tuple[PointName, ...], Items(), "where motion is given"]
+    unbalances: Annotated[tuple[Unbalance, ...], "at points or stations"] = ()
+    spans: Annotated[tuple[EccentricSpan, ...], "lengths of shaft off their axis"] = ()
+    grade: Annotated[
+        BalanceGrade | None,
+        "residual unbalance by balance quality grade, added to the others",
+    ] = None
 
-    def _faults(self) -> Iterator[str]:
-        if not self.points:
-            yield "no points: at least one is needed"
-        for name in doubled(self.points):
-            yield f"points: repeated: given '{name}'"
+    def _faults(self) -> Faults:
+        for index, sentence in repeated(self.points):
+            yield ("points", index), sentence
         if not (self.unbalances or self.spans or self.grade):
-            yield "no unbalance: give unbalances, spans or grade"
+            yield (), "nothing is out of balance: allowed: at least one of unbalances, spans, grade"
+
+    def faults_on(self, setting: Setting) -> Faults:
+        spindle = setting.spindle
+        if misnamed(spindle):
+            return
+        for index, name in enumerate(self.points):
+            for sentence in unknown("point", name, spindle.places):
+                yield ("points", index), sentence
+        for index, each in enumerate(self.unbalances):
+            yield from placed(each.at, spindle, ("unbalances", index, "at"), rotors=True)
+        for index, span in enumerate(self.spans):
+            yield from spanned(span.start, span.to, spindle, ("spans", index), rotors=True)
+        if self.grade is not None:
+            yield from _planes(self.grade, spindle)
+        yield from self._one_speed(spindle)
+
+    def _one_speed(self, spindle: Spindle) -> Faults:
+        """All that is out of balance turns, and at one speed."""
+        first: dict[float, str] = {}
+        for path, at in self._acting():
+            if isinstance(at, str) and at not in spindle.places:
+                continue
+            rotor = spindle.place(at).rotor
+            ratio = spindle.ratios[rotor]
+            if ratio == 0.0:
+                yield path, f"rotor '{rotor}' stands still, and no unbalance acts there"
+            elif ratio == ratio and ratio not in first:
+                first[ratio] = rotor
+                if len(first) > 1:
+                    others = " and ".join(f"'{name}'" for name in first.values())
+                    yield path, f"rotors {others} turn at different speeds: ask of one at a time"
+
+    def _acting(self) -> Iterator[tuple[Path, str | float]]:
+        """Where unbalance acts: path of keys, and point or station."""
+        for index, each in enumerate(self.unbalances):
+            yield ("unbalances", index, "at"), each.at
+        for index, span in enumerate(self.spans):
+            yield ("spans", index, "from"), span.start
+        for index, at in enumerate(self.grade.planes if self.grade else ()):
+            yield ("grade", "planes", index), at
 
     @property
     def places(self) -> tuple[str | float, ...]:
@@ -41,3 +87,32 @@ class UnbalanceSpec(Description):
         own = [each.at for each in self.unbalances]
         own += [at for span in self.spans for at in (span.start, span.to)]
         return (*own, *(self.grade.planes if self.grade else ()))
+
+
+def _planes(grade: BalanceGrade, spindle: Spindle) -> Faults:
+    """Planes on one rotor; of two, one on either side of its centre of gravity."""
+    path = ("grade", "planes")
+    found = [
+        fault
+        for index, at in enumerate(grade.planes)
+        for fault in placed(at, spindle, (*path, index), rotors=True)
+    ]
+    yield from found
+    if found or len(grade.planes) != 2 or "" in grade.planes:
+        return
+    places = [spindle.place(at) for at in grade.planes]
+    if places[0].rotor != places[1].rotor:
+        given = " and ".join(place.rotor for place in places)
+        yield path, f"both must be on one rotor: given {given}"
+        return
+    from rotordyn.machine.inertia import rotor_inertia  # numpy, which a check seldom needs
+
+    ends = sorted(place.x for place in places)
+    centre = rotor_inertia(spindle.part(places[0].rotor)).centre
+    if ends[0] >= centre or ends[1] <= centre:
+        yield (
+            path,
+            "the centre of gravity must lie between the two planes: it is at "
+            f"{format_quantity(centre, 'mm')}; allowed: one plane on either side, or unbalances "
+            "given one by one",
+        )

@@ -16,7 +16,7 @@ from jsonschema import Draft202012Validator
 from rotordyn import units
 from rotordyn.case.document import read_document
 from rotordyn.case.faults import Faults
-from rotordyn.case.schema.editor import FILES, json_schema
+from rotordyn.case.schema import FILES, json_schema
 from rotordyn.errors import InvalidInput
 from tests.oracles.spindles import CASES, ROOT
 

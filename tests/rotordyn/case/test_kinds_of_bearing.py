@@ -9,6 +9,9 @@ from typing import Any
 
 import pytest
 import yaml
+from rotordyn.case.schema.bearing import BearingEntry, entry_of
+from rotordyn.case.schema.editor import json_schema
+from rotordyn.case.schema.meanings import meanings
 
 import rotordyn
 from bearings import AngularContactBallBearing, DeepGrooveBallBearing, FourPointBallBearing
@@ -16,9 +19,6 @@ from bearings.bearing import Measure
 from bearings.errors import InvalidBearing
 from bearings.kinds import KINDS, kind_class
 from rotordyn import units
-from rotordyn.case.schema.bearing import BearingEntry, entry_of
-from rotordyn.case.schema.editor import json_schema
-from rotordyn.case.schema.meanings import meanings
 from rotordyn.machine.spindle import Spindle
 from rotordyn.measures import limits
 from rotordyn.quantity import Quantity, Whole

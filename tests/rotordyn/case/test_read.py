@@ -8,6 +8,9 @@ import sys
 from pathlib import Path
 
 import pytest
+from rotordyn.case.build.questions import conditions, questions
+from rotordyn.case.schema.analyses import AnalysesEntry
+from rotordyn.case.schema.conditions import ConditionsEntry
 
 import rotordyn
 from rotordyn.analyses.bearing.spec import BearingMapSpec
@@ -16,9 +19,6 @@ from rotordyn.analyses.control.spec import ControlSpec
 from rotordyn.analyses.frf.spec import FrfSpec, Port
 from rotordyn.analyses.preload.spec import PreloadSpec
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
-from rotordyn.case.build.questions import conditions, questions
-from rotordyn.case.schema.analyses import AnalysesEntry
-from rotordyn.case.schema.conditions import ConditionsEntry
 from rotordyn.machine.growth import (
     ComputedShortening,
     InterferenceFit,

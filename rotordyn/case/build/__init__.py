@@ -1,1 +1,0 @@
-"""From checked entries to the frozen descriptions of ``machine`` and ``analysis``."""

@@ -1,0 +1,311 @@
+"""Keys that only files have, beside those of the descriptions they hold.
+
+``EXTRA``: what is read and kept nowhere, or used up before a description is read. ``COMMON``: a
+value given once for several items of a list, which get it where they have none of their own.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, fields
+from functools import cache
+from typing import Annotated, Any
+
+from bearings.bearing import BallBearing
+from bearings.kinds import DEFAULT, KINDS, kind_class
+from bearings.materials import Material
+from rotordyn.analyses.frf.spec import FrfSpec, MeasuredResponse, Port
+from rotordyn.case.case import Case
+from rotordyn.description import Description, Faults, repeated
+from rotordyn.field import Field, declared
+from rotordyn.machine.growth import (
+    ComputedShortening,
+    InterferenceFit,
+    PrescribedShortening,
+)
+from rotordyn.machine.housing import ReducedHousing
+from rotordyn.machine.reference import Reference
+from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import BearingSeat, LinearSupport
+from rotordyn.machine.tool import Tool
+from rotordyn.quantity import (
+    Choice,
+    Diameter,
+    Items,
+    Key,
+    Length,
+    Name,
+    Quantity,
+    Station,
+    TopSpeed,
+    Whole,
+)
+from rotordyn.scene.conditions import Conditions
+
+NOTE = Field("", ("note",), str, "anything worth keeping", "")
+SOURCE = Field("", ("source",), str, "where it comes from", "")
+SOURCES = Field("", ("sources",), tuple[str, ...], "where it comes from", ())
+Overrides = Mapping[str, Any]
+MOST_STEPS = 100_000
+
+
+@dataclass(frozen=True, slots=True)
+class ModelFiles:
+    """A reduced model as Matrix Market files, SI units, rows and columns by their places."""
+
+    mass: Annotated[str, "Matrix Market file (.mtx), n × n, kg"]
+    stiffness: Annotated[str, "likewise, N/m"]
+    places: Annotated[
+        tuple[str, ...],
+        Items(),
+        'of every coordinate, `front.y` under the support or bearing front; an inner one is `""`',
+    ]
+    damping: Annotated[str, "likewise, N·s/m; none by default"] = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Range:
+    """Evenly spaced values, both ends included, by ``step`` or by ``count``."""
+
+    start: Annotated[float, Key("from"), "first value"]
+    to: Annotated[float, "last value, included"]
+    step: Annotated[float | None, "distance; must come out at `to`; either this or `count`"] = None
+    count: Annotated[
+        Annotated[int, Whole(2, MOST_STEPS)] | None, "number of values, both ends included"
+    ] = None
+
+
+@dataclass(frozen=True, slots=True)
+class PortMatrix(Description):
+    """Every response to every excitation."""
+
+    responses: Annotated[
+        tuple[Port, ...], Items(), "points, each with one of x, y, z, thx, thy, thz"
+    ]
+    excitations: Annotated[
+        tuple[Port, ...], Items(), "points, each with the direction of its force or moment"
+    ]
+
+    def _faults(self) -> Faults:
+        for key in ("responses", "excitations"):
+            for index, sentence in repeated(map(str, getattr(self, key))):
+                yield (key, index), sentence
+
+
+@dataclass(frozen=True, slots=True)
+class Variant:
+    """What one variant replaces (machine, title) or adds (overrides, conditions, references)."""
+
+    title: Annotated[str, "what figures and summary call it; by default its name"] = ""
+    spindle: Annotated[Any, "another spindle"] = None
+    tool: Annotated[Any, "another tool"] = None
+    bearing: Annotated[Any, "another single bearing"] = None
+    override: Annotated[Overrides, "added to the overrides of the case"] = field(
+        default_factory=dict
+    )
+    conditions: Annotated[Conditions, "added to the conditions of the case"] = field(
+        default_factory=Conditions
+    )
+    references: Annotated[tuple[Reference, ...], "added to the references of the case"] = ()
+
+
+EXTRA: dict[type, tuple[Field, ...]] = {
+    Case: (
+        NOTE,
+        Field("", ("tool",), Any, "name or path of what is clamped into the nose", None),
+        Field(
+            "",
+            ("override",),
+            Overrides,
+            "dotted path into the machine, items of a list by their name -> new value",
+            {},
+        ),
+        Field(
+            "",
+            ("compare",),
+            Mapping[Name, Variant],
+            "name of a variant -> what it changes; the variants are answered side by side",
+            {},
+        ),
+    ),
+    FrfSpec: (
+        Field(
+            "",
+            ("matrix",),
+            PortMatrix | None,
+            "lists instead: every response to every excitation",
+            None,
+        ),
+    ),
+    MeasuredResponse: (
+        Field(
+            "",
+            ("file",),
+            str,
+            "beside the case: UFF with records of type 58, or a table that ends in .csv",
+        ),
+        Field(
+            "",
+            ("record",),
+            Annotated[int, Whole(1, 1_000_000)] | None,
+            "of type 58, counted from 1; needed where there are several",
+            None,
+        ),
+    ),
+    Spindle: (
+        SOURCES,
+        Field(
+            "",
+            ("bearing_override",),
+            Overrides,
+            "keys of the bearing model -> values, for every bearing",
+            {},
+        ),
+    ),
+    Tool: (Field("", ("title",), str, "one line", ""), NOTE, SOURCES),
+    BearingSeat: (
+        Field(
+            "",
+            ("model_override",),
+            Overrides,
+            "keys of the model -> values, for this bearing",
+            {},
+        ),
+    ),
+    LinearSupport: (
+        Field(
+            "",
+            ("table",),
+            str,
+            "CSV file that holds these lists instead ([columns](conventions.md#tables-over-speed))",
+            "",
+        ),
+    ),
+    PrescribedShortening: (
+        Field("", ("reference",), Station | None, "serves where the shift is `computed`", None),
+    ),
+    ComputedShortening: (
+        Field("", ("at",), TopSpeed | None, "serves where the shift is given", None),
+    ),
+    ReducedHousing: (
+        Field(
+            "",
+            ("model",),
+            str | ModelFiles,
+            "path of a .npz file, or a mapping of model files, instead of a rigid body on springs "
+            "([how](conventions.md#housings))",
+        ),
+    ),
+    BallBearing: (
+        Field("", ("name",), str, "as printed"),
+        Field(
+            "",
+            ("kind",),
+            Annotated[str, Choice(tuple(KINDS))],
+            "which keys it has besides these",
+            DEFAULT,
+        ),
+        SOURCE,
+        Field("", ("note",), str, "what is estimated", ""),
+        Field("", ("bore_diameter",), Diameter | None, "of the inner ring", None),
+        Field("", ("outside_diameter",), Diameter | None, "of the outer ring", None),
+        Field("", ("width",), Length | None, "of the rings", None),
+    ),
+    Material: (SOURCE, NOTE),
+}
+
+_MATERIAL = {
+    "name": (str, "as printed"),
+    "young_modulus": (
+        Annotated[float, Quantity("pressure", at_least="1 GPa", at_most="2000 GPa")],
+        "E",
+    ),
+    "poisson_ratio": (Annotated[float, Quantity("number", above="-1", below="0.5")], "ν"),
+    "density": (
+        Annotated[float, Quantity("density", at_least="100 kg/m^3", at_most="30000 kg/m^3")],
+        "ρ",
+    ),
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Common:
+    """What stands at ``keys`` serves every item at ``fills`` (``*``: of a list) without its own.
+
+    ``kind``: that of the items; ``meaning``: empty where ``keys`` are keys anyway.
+    """
+
+    keys: tuple[str, ...]
+    fills: tuple[str, ...]
+    kind: type
+    meaning: str = ""
+
+
+COMMON: dict[type, tuple[Common, ...]] = {
+    Shaft: (
+        Common(
+            ("material",),
+            ("sections", "*", "material"),
+            Section,
+            "of sections that name none; name, path or mapping",
+        ),
+    ),
+    Tool: (
+        Common(("material",), ("sections", "*", "material"), Section, "of sections that name none"),
+    ),
+    Spindle: (
+        Common(
+            ("growth",),
+            ("bearings", "*", "growth"),
+            BearingSeat,
+            "ring growth of every bearing that gives none itself",
+        ),
+        Common(
+            ("damping", "bearings"),
+            ("bearings", "*", "damping"),
+            BearingSeat,
+            "between the rings of bearings that give no damping themselves",
+        ),
+    ),
+    BearingSeat: (
+        Common(("model", "bore_diameter"), ("growth", "fit", "bore_diameter"), InterferenceFit),
+    ),
+}
+
+
+@cache
+def keys_of(kind: Any) -> tuple[Field, ...]:
+    """Every key of a file, or of a mapping in one, that is read as this kind of description."""
+    own = _of_material() if kind is Material else declared(kind)
+    extra = next((EXTRA[base] for base in kind.__mro__ if base in EXTRA), ())
+    common = tuple(f for each in COMMON.get(kind, ()) if each.meaning for f in _common(each))
+    if issubclass(kind, BallBearing):
+        return (*extra, *own)
+    return (*own, *extra, *common)
+
+
+def _of_material() -> tuple[Field, ...]:
+    assert {own.name for own in fields(Material)} == {*_MATERIAL}
+    return tuple(
+        Field(name, (name,), annotation, meaning)
+        for name, (annotation, meaning) in _MATERIAL.items()
+    )
+
+
+def _common(each: Common) -> Iterator[Field]:
+    tail = each.fills[each.fills.index("*") + 1 :]
+    for own in declared(each.kind):
+        if own.keys[: len(tail)] == tail:
+            keys = (*each.keys, *own.keys[len(tail) :])
+            yield Field("", keys, own.annotation, each.meaning, None)
+
+
+def bearing_class(word: object) -> Any:
+    """The class of a kind of bearing by its word; the usual one for any other."""
+    return kind_class(word if isinstance(word, str) and word in KINDS else DEFAULT)
+
+
+def kinds_with(key: str) -> list[str]:
+    """The kinds of bearing that have this key."""
+    return [kind for kind in KINDS if key in kind_class(kind).measures()]

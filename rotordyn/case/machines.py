@@ -1,0 +1,99 @@
+"""Machines from files: a spindle with the tool in its nose, a single bearing."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from bearings.bearing import BallBearing
+from rotordyn.case.faults import Faults
+from rotordyn.case.node import Node
+from rotordyn.case.reading import Reading, exact
+from rotordyn.description import unchecked
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.tool import Tool
+
+_ADDED = ("masses", "references", "joints")
+
+
+def named_once(root: Node, faults: Faults) -> None:
+    """Exactly one of spindle and bearing is named, and a tool only with a spindle."""
+    spindle, bearing = (root.child(key) for key in ("spindle", "bearing"))
+    if spindle is None and bearing is None:
+        faults.missing(root, ("spindle",), "missing key: a case needs a spindle, or a bearing")
+    if spindle is not None and bearing is not None:
+        key = "spindle" if spindle.path.startswith("compare.") else "bearing"
+        faults.at_key(root, (key,), "a case has either a spindle or a bearing: given both")
+    if root.child("tool") is not None and spindle is None:
+        faults.at_key(root, ("tool",), "a tool needs a spindle: given none")
+
+
+def read_spindle(reading: Reading, tree: Node, tool: Node | None) -> tuple[Spindle, Node]:
+    """The spindle in ``tree`` with the tool in its nose, and the tree of both, checked as one."""
+    with unchecked():
+        values = reading.fields(Spindle, tree) | {"name": Path(tree.file).stem}
+        made = reading.made(Spindle, values, tree)
+        _pushed(reading, tree, made)
+        if tool is None:
+            return made, tree
+        clamped = read_tool(reading, tool)
+        for path, sentence in clamped.faults_in(made.shaft.start, made.points):
+            reading.at(tool, path, sentence)
+        made, tree = made.with_tool(clamped), _clamped(tree, tool)
+        if not reading.faults:
+            for path, sentence in made._faults():
+                reading.at(tree, path, sentence)
+    return made, tree
+
+
+def read_tool(reading: Reading, tree: Node) -> Tool:
+    """The tool in ``tree``."""
+    made: Tool = reading.description(Tool, tree, name=Path(tree.file).stem)
+    return made
+
+
+def read_bearing(reading: Reading, tree: Node | None) -> BallBearing | None:
+    """The bearing in ``tree``; None where it has faults."""
+    made: BallBearing | None = None if tree is None else reading.value(BallBearing, tree)
+    return made
+
+
+def _clamped(spindle: Node, tool: Node) -> Node:
+    """The tree of a spindle with the tool's sections, masses, points and joints in it."""
+    held: dict[str, Any] = dict(spindle.value)
+    shaft = held.get("shaft")
+    if shaft is not None and isinstance(shaft.value, dict):
+        sections = _joined(tool.child("sections"), shaft.child("sections"))
+        held["shaft"] = replace(shaft, value={**shaft.value, "sections": sections})
+    for key in _ADDED:
+        held[key] = _joined(spindle.child(key), tool.child(key))
+    points = [node.value for node in (spindle.child("points"), tool.child("points")) if node]
+    entries = {k: v for each in points if isinstance(each, dict) for k, v in each.items()}
+    held["points"] = replace(spindle.child("points") or tool, value=entries)
+    return replace(spindle, value={key: node for key, node in held.items() if node is not None})
+
+
+def _joined(first: Node | None, second: Node | None) -> Node | None:
+    """Two lists as one."""
+    lists = [node for node in (first, second) if node is not None and isinstance(node.value, list)]
+    if not lists:
+        return first or second
+    return replace(lists[0], value=[item for node in lists for item in node.value])
+
+
+def _pushed(reading: Reading, tree: Node, made: Spindle) -> None:
+    """A bearing on a sleeve says which way the spring pushes it, even if it takes thrust both
+    ways."""
+    on_sleeves = {name for sleeve in made.sleeves for name in sleeve.bearings}
+    for index, seat in enumerate(made.seats):
+        bearing: object = seat.bearing
+        both = isinstance(bearing, BallBearing) and bearing.both_ways
+        node = exact(tree, ("bearings", index))
+        if both and seat.name in on_sleeves and node is not None and node.child("thrust") is None:
+            reading.faults.missing(
+                node,
+                ("thrust",),
+                "missing key: the spring of its sleeve pushes one way; allowed: +x, -x, the way "
+                "the shaft pushes the inner ring against the spring",
+            )

@@ -1,0 +1,451 @@
+"""Reads what a file holds as the descriptions of the machine and of the analyses.
+
+The annotations of a description say what each of its keys takes; nothing else does. Every fault is
+reported at its place. A value found faulty becomes NaN, an empty word or None, on which no
+comparison takes hold, so that the rules between the other values are still checked: a description
+read from a file with faults is good for that and for nothing else.
+"""
+
+from __future__ import annotations
+
+import math
+import types
+from collections.abc import Callable, Iterator, Mapping
+from dataclasses import dataclass, is_dataclass, replace
+from functools import cache
+from itertools import product
+from typing import Any, get_args, get_origin
+
+from bearings.bearing import BallBearing
+from bearings.materials import Material
+from rotordyn import units
+from rotordyn.case.faults import Faults
+from rotordyn.case.keys import COMMON, keys_of, kinds_with
+from rotordyn.case.node import UNKNOWN, Node
+from rotordyn.case.retired import RETIRED
+from rotordyn.description import Description, Path, filled, unchecked
+from rotordyn.errors import InvalidInput
+from rotordyn.field import REQUIRED, Field, Refused, bare, members, metadata, optional
+from rotordyn.machine.support import FREEDOMS, Matrix
+from rotordyn.quantity import Choice, Items, Named, Quantity, Whole, Words, suggestion
+
+LIMITS = (Quantity, Choice, Whole, Named, Words)
+_LISTED = 24
+Form = Callable[["Reading", Any, Node, tuple[type, ...]], Any]
+
+
+@dataclass(frozen=True, slots=True)
+class Reading:
+    """What reads nodes: ``faults`` collects, ``forms`` reads what files write in forms of its own.
+
+    A form is found by the type of a value or of what stands beside it in its annotation.
+    """
+
+    faults: Faults
+    forms: Mapping[type, Form]
+
+    def value(self, annotation: Any, node: Node) -> Any:
+        """What ``node`` holds, as a field of this annotation keeps it."""
+        if node.value is UNKNOWN:
+            return unknown(annotation)
+        if node.value is None and optional(annotation):
+            return None
+        if form := self._form(annotation):
+            return form(self, annotation, node, ())
+        forms = members(annotation)
+        if len(forms) > 1:
+            return self._one_of(annotation, forms, node)
+        return self._one(forms[0], node)
+
+    def _one(self, annotation: Any, node: Node) -> Any:
+        """What is of one form only."""
+        inner = bare(annotation)
+        if isinstance(inner, type) and is_dataclass(inner):
+            return self.description(inner, node)
+        if get_origin(inner) is tuple:
+            return self.items(annotation, node)
+        if get_origin(inner) is Mapping:
+            return self._entries(inner, node)
+        try:
+            return leaf(annotation, node.value)
+        except Refused as refusal:
+            self.faults.at(node, (), refusal.why)
+            return unknown(annotation)
+
+    def _form(self, annotation: Any) -> Form | None:
+        inner = bare(annotation)
+        kinds = [type(beside) for beside in metadata(annotation)]
+        kinds += list(inner.__mro__) if isinstance(inner, type) else []
+        return next((self.forms[kind] for kind in kinds if kind in self.forms), None)
+
+    def wrong_shape(self, annotation: Any, node: Node, allowed: str) -> Any:
+        """Reports a value of another shape than is needed."""
+        message = f"wrong shape: given {units.shown(node.plain())}; allowed: {allowed}"
+        self.faults.at(node, (), message)
+        return unknown(annotation)
+
+    def _one_of(self, annotation: Any, forms: tuple[Any, ...], node: Node) -> Any:
+        """One of several forms, told apart by what is written."""
+        if isinstance(node.value, dict):
+            kinds = [bare(form) for form in forms if _is_kind(bare(form))]
+            if len(kinds) > 1:
+                chosen = max(kinds, key=lambda kind: _likeness(kind, node))
+                others = tuple(kind for kind in kinds if kind is not chosen)
+                if form := self._form(chosen):
+                    return form(self, chosen, node, others)
+                return self.description(chosen, node, others)
+            fitting = [f for f in forms if _is_kind(bare(f)) or get_origin(bare(f)) is Mapping]
+        elif isinstance(node.value, list):
+            fitting = [form for form in forms if get_origin(bare(form)) is tuple]
+        else:
+            single = [form for form in forms if _is_leaf(bare(form))]
+            if single:
+                return self._one_leaf(annotation, single, node)
+            fitting = []
+        if fitting:
+            return self.value(fitting[0], node)
+        return self.wrong_shape(annotation, node, ", or ".join(map(_wanted, forms)))
+
+    def _one_leaf(self, annotation: Any, forms: list[Any], node: Node) -> Any:
+        refusals = {}
+        for form in forms:
+            try:
+                return leaf(form, node.value)
+            except Refused as refusal:
+                refusals[_limit(form)] = refusal.why
+        number = isinstance(node.value, str) and node.value[:1] in "+-.0123456789" and node.value
+        for wanted in (Quantity,) if number else (Choice, Words):
+            for limit, why in refusals.items():
+                if isinstance(limit, wanted):
+                    self.faults.at(node, (), why)
+                    return unknown(annotation)
+        wanted_words = ", or ".join(map(_wanted, forms))
+        given = units.shown(node.value)
+        self.faults.at(node, (), f"wrong kind of value: given {given}; allowed: {wanted_words}")
+        return unknown(annotation)
+
+    def items(self, annotation: Any, node: Node) -> Any:
+        """A list as a tuple."""
+        if not isinstance(node.value, list):
+            return self.wrong_shape(annotation, node, "a list")
+        inner = get_args(bare(annotation))
+        items = tuple(self.value(inner[0], item) for item in node.value)
+        for limit in metadata(annotation):
+            if isinstance(limit, Items) and (why := limit.refusal(items, _count(items))):
+                self.faults.at(node, (), why)
+                return unknown(annotation)
+        return items
+
+    def _entries(self, annotation: Any, node: Node) -> Any:
+        if not isinstance(node.value, dict):
+            return self.wrong_shape(annotation, node, "a mapping (key: value)")
+        key, entry = get_args(annotation)
+        found = {}
+        for name, child in node.value.items():
+            try:
+                found[leaf(key, name)] = self.value(entry, child)
+            except Refused as refusal:
+                self.faults.at_key(child, (), refusal.why)
+        return found
+
+    def description(
+        self, kind: type, node: Node, others: tuple[type, ...] = (), **given: Any
+    ) -> Any:
+        """A description from a mapping; ``others``: those that it might have been instead.
+
+        ``given``: values of fields that are no keys.
+        """
+        if not isinstance(node.value, dict):
+            return self.wrong_shape(kind, node, "a mapping (key: value)")
+        return self.made(kind, self.fields(kind, node, others) | given, node)
+
+    def made(self, kind: type, values: Mapping[str, Any], node: Node) -> Any:
+        """A description of these values, held against its own rules."""
+        with unchecked():
+            made: Any = kind(**values)
+            for path, sentence in made._faults() if isinstance(made, Description) else ():
+                self.at(node, path, sentence)
+        return made
+
+    def fields(
+        self,
+        kind: type,
+        node: Node,
+        others: tuple[type, ...] = (),
+        annotations: Mapping[str, Any] = {},
+    ) -> dict[str, Any]:
+        """Values of the fields of a description, by name.
+
+        ``annotations``: what some of them take here, where that hangs on other values.
+        """
+        keys = keys_of(kind)
+        self._unknown_keys(kind, keys, node, others)
+        spread(kind, node)
+        found = {}
+        for field in keys:
+            if _is_common(kind, field):
+                continue
+            own = annotations.get(field.name, field.annotation)
+            found[field.name] = self._field(replace(field, annotation=own), node, others)
+        found.pop("", None)
+        return found
+
+    def given(self, kind: type, node: Node) -> dict[str, Any]:
+        """Values of those fields of a description that a mapping gives."""
+        if not isinstance(node.value, dict):
+            self.wrong_shape(kind, node, "a mapping (key: value)")
+            return {}
+        keys = keys_of(kind)
+        self._unknown_keys(kind, keys, node, ())
+        held = [(field, exact(node, field.keys)) for field in keys]
+        return {f.name: self.value(f.annotation, child) for f, child in held if child is not None}
+
+    def _field(self, field: Field, node: Node, others: tuple[type, ...]) -> Any:
+        child = exact(node, field.keys)
+        if not field.keys:
+            return unknown(field.annotation) if field.default is REQUIRED else field.default
+        if child is not None:
+            return self.value(field.annotation, child)
+        if field.default is not REQUIRED:
+            return field.default
+        said = field.missing
+        if others and said == "it must be given":
+            instead = [f.keys[0] for kind in others for f in keys_of(kind) if _distinct(f, node)]
+            said += "".join(f", or {key}" for key in instead[:1])
+        self.faults.missing(node, field.keys, f"missing key: {said}")
+        return unknown(field.annotation)
+
+    def at(self, node: Node, path: Path, sentence: str) -> None:
+        """A fault of what is at ``path``, or should be."""
+        message = filled(sentence, path, lambda way: _written(node, way))
+        found = exact(node, path)
+        if found is None and message.startswith("missing key"):
+            self.faults.missing(node, path, message)
+        elif found is not None and found.key and isinstance(found.value, dict | list):
+            self.faults.at_key(found, (), message)
+        else:
+            self.faults.at(node, path, message)
+
+    def _unknown_keys(
+        self, kind: type, keys: tuple[Field, ...], node: Node, others: tuple[type, ...]
+    ) -> None:
+        ways = [field.keys for field in keys if field.keys]
+        for place, name, child in [*_within(node, ways)]:
+            known = list(
+                dict.fromkeys(way[len(place)] for way in ways if way[: len(place)] == place)
+            )
+            held = [f for other in others for f in keys_of(other) if f.keys[:1] == (name,)]
+            if issubclass(kind, BallBearing):
+                self._key_of_bearing(node, name, known)
+            elif held and not place:
+                own = next(f.keys[0] for f in keys if _distinct(f, node, others))
+                noun = node_noun(node)
+                self.faults.at_key(child, (), f"given beside {own}: {noun} is one of both")
+            else:
+                holder = place[-1] if place else last_key(node)
+                self.faults.at_key(child, (), unknown_key(name, known, holder))
+
+    def _key_of_bearing(self, node: Node, name: str, known: list[str]) -> None:
+        """A key of another kind of bearing than is written, or than an override has made it."""
+        sentence, kinds, kind = unknown_key(name, known), kinds_with(name), node.child("kind")
+        key = node.at(name)
+        if kinds and kind is None:
+            sentence += f"; is 'kind: {kinds[0]}' missing?"
+        elif kinds and kind is not None and key.file == node.file != kind.file:
+            sentence += f"; the model gives it: add {name}: null to the override"
+            self.faults.at(kind, (), sentence)
+            return
+        self.faults.at_key(key, (), sentence)
+
+
+def unknown_key(given: str, allowed: list[str], holder: str = "") -> str:
+    """A sentence for a key that is not there; of one that was there earlier, why it is gone."""
+    if sentence := RETIRED.get((holder, given)):
+        return sentence
+    listed = ", ".join(allowed[:_LISTED]) + (", …" if len(allowed) > _LISTED else "")
+    hint = suggestion(given, allowed)
+    return f"unknown key: given {units.shown(given)}; allowed: {listed or 'no keys'}{hint}"
+
+
+def last_key(node: Node) -> str:
+    """The key under which a mapping stands; empty for that of a file."""
+    return node.path.rpartition(".")[2]
+
+
+def node_noun(node: Node) -> str:
+    """What an item of a list is called, by the list."""
+    return "a " + (node.path.split(".")[-2] if "." in node.path else node.path).rstrip("s")
+
+
+def _within(
+    node: Node, ways: list[tuple[str, ...]], place: tuple[str, ...] = ()
+) -> Iterator[tuple[tuple[str, ...], str, Node]]:
+    """Keys that lead to no field: the mapping they stand in, the key, its node."""
+    if not isinstance(node.value, dict):
+        return
+    for name, child in node.value.items():
+        way = (*place, name)
+        if way in ways:
+            continue
+        if any(each[: len(way)] == way for each in ways):
+            yield from _within(child, ways, way)
+        else:
+            yield place, name, child
+
+
+def spread(kind: type, node: Node) -> None:
+    """Gives items of a list, where they have none of their own, what stands beside it for all."""
+    for common in COMMON.get(kind, ()):
+        source = exact(node, common.keys)
+        if source is None and _reported(node, common.keys):
+            source = replace(node, value=UNKNOWN)
+        if source is None:
+            continue
+        for holder in _matching(node, common.fills[:-1]):
+            if common.fills[-1] not in holder.value:
+                holder.value[common.fills[-1]] = source.copy()
+
+
+def _reported(node: Node, path: Path) -> bool:
+    """On the way along ``path`` stands a value whose fault is reported already."""
+    return any(
+        found is not None and found.value is UNKNOWN
+        for found in (exact(node, path[:end]) for end in range(1, len(path)))
+    )
+
+
+def _is_common(kind: type, field: Field) -> bool:
+    """A key whose value is read where the items are that it serves."""
+    keys = [common.keys for common in COMMON.get(kind, ())]
+    return not field.name and any(field.keys[: len(way)] == way for way in keys)
+
+
+def _matching(node: Node, way: tuple[str, ...]) -> Iterator[Node]:
+    """Mappings reached by ``way``, where ``*`` stands for every item of a list."""
+    if not way:
+        if isinstance(node.value, dict):
+            yield node
+        return
+    for key, child in node.items():
+        if way[0] == key or (way[0] == "*" and isinstance(key, int)):
+            yield from _matching(child, way[1:])
+
+
+def exact(node: Node, path: Path) -> Node | None:
+    """The node at the end of ``path``; None where there is none."""
+    found: Node | None = node
+    for key in path:
+        found = found.child(key) if found is not None else None
+    return found
+
+
+def _written(node: Node, path: Path) -> str:
+    found = exact(node, path)
+    return "nothing" if found is None else units.shown(found.raw or found.plain())
+
+
+def _distinct(field: Field, node: Node, others: tuple[type, ...] = ()) -> bool:
+    """A key that must be given, and by which a form is told from others."""
+    if not field.keys or field.default is not REQUIRED:
+        return False
+    held = {f.keys for other in others for f in keys_of(other)}
+    return field.keys not in held and (bool(others) == (exact(node, field.keys) is not None))
+
+
+def _is_kind(inner: Any) -> bool:
+    return isinstance(inner, type) and is_dataclass(inner)
+
+
+def _is_leaf(inner: Any) -> bool:
+    return inner in (float, int, str, bool)
+
+
+def _likeness(kind: type, node: Node) -> tuple[int, int, int]:
+    """How well the keys of a mapping are those of a description."""
+    keys = {field.keys[0]: field for field in keys_of(kind) if field.keys}
+    known = [keys[name] for name in node.value if name in keys]
+    fitting = [f for f in known if _fits(f.annotation, node.value[f.keys[0]])]
+    return len(fitting), sum(not field.name for field in known), len(known)
+
+
+def _fits(annotation: Any, node: Node) -> bool:
+    single = not isinstance(node.value, dict | list)
+    return any(_is_leaf(bare(form)) == single for form in members(annotation))
+
+
+def _count(items: tuple[Any, ...]) -> str:
+    return str(len(items)) if items else "an empty list"
+
+
+def _limit(annotation: Any) -> Any:
+    return next((m for m in metadata(annotation) if isinstance(m, LIMITS)), bare(annotation))
+
+
+def _wanted(annotation: Any) -> str:
+    """What a form takes, in a few words."""
+    limit, inner = _limit(annotation), bare(annotation)
+    if isinstance(limit, Quantity):
+        return f"a {limit.kind} such as 1 {units.KINDS[limit.kind][0]}".rstrip()
+    if isinstance(limit, Choice):
+        return ", ".join(map(str, limit.allowed))
+    if isinstance(limit, Named):
+        return "a name"
+    if get_origin(inner) is tuple:
+        return "a list"
+    return "text" if inner is str else "a mapping (key: value)"
+
+
+def leaf(annotation: Any, value: object) -> Any:
+    """A single value as written in a file; raises Refused."""
+    limit = _limit(annotation)
+    if not isinstance(limit, LIMITS):
+        return _plain(bare(annotation), value, units.shown(value))
+    try:
+        return limit.read(value)
+    except InvalidInput as refusal:
+        raise Refused(str(refusal)) from None
+
+
+def _plain(inner: Any, value: object, given: str) -> Any:
+    if inner is str and not isinstance(value, str):
+        raise Refused(f"not text: given {given}; allowed: text, in quotes where it is a number")
+    if inner is bool and not isinstance(value, bool):
+        raise Refused(f"not a yes or no: given {given}; allowed: true, false")
+    if inner is float:
+        if isinstance(value, bool) or not isinstance(value, int | float) or value != value:
+            raise Refused(f"not a number: given {given}; allowed: a plain number")
+        return float(value)
+    return value
+
+
+_UNKNOWN = {float: math.nan, str: "", int: 0, bool: False, Mapping: types.MappingProxyType({})}
+
+
+def unknown(annotation: Any) -> Any:
+    """What stands for a value whose fault is reported already."""
+    if optional(annotation):
+        return None
+    inner = bare(members(annotation)[0])
+    if any(isinstance(beside, Matrix) for beside in metadata(annotation)):
+        return dict.fromkeys(product(FREEDOMS, FREEDOMS), math.nan)
+    if isinstance(inner, type) and is_dataclass(inner):
+        return _nothing_known(inner)
+    if get_origin(inner) is tuple:
+        item = get_args(inner)[0]
+        return (unknown(item),) if _is_kind(bare(item)) or bare(item) is float else ()
+    return _UNKNOWN.get(get_origin(inner) or inner)
+
+
+@cache
+def _nothing_known(kind: Any) -> Any:
+    if issubclass(kind, BallBearing):
+        return None
+    with unchecked():
+        if issubclass(kind, Material):
+            made = object.__new__(kind)
+            for name in ("young_modulus", "poisson_ratio", "density"):
+                object.__setattr__(made, name, math.nan)
+            object.__setattr__(made, "name", "")
+            return made
+        fields = keys_of(kind)
+        return kind(**{field.name: unknown(field.annotation) for field in fields if field.name})

@@ -1,0 +1,368 @@
+"""The shape of each kind of file as JSON Schema (draft 2020-12), for editors.
+
+Read off the same annotations as the files themselves (``rotordyn.case.reading``).
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Callable, Mapping
+from dataclasses import is_dataclass
+from typing import Any, get_args, get_origin
+
+from bearings.bearing import BallBearing
+from bearings.kinds import DEFAULT, KINDS, kind_class
+from bearings.materials import Material
+from rotordyn import units
+from rotordyn.analyses.frf.spec import FrfSpec, Pair, Port
+from rotordyn.case.case import ANALYSES, ByName, Case
+from rotordyn.case.forms import ENTRIES
+from rotordyn.case.keys import COMMON, Range, Variant, keys_of
+from rotordyn.case.library import known
+from rotordyn.errors import InvalidInput
+from rotordyn.field import REQUIRED, Field, bare, members, metadata
+from rotordyn.machine.reference import Reference
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import FREEDOMS, Matrix
+from rotordyn.machine.tool import Tool
+from rotordyn.quantity import Choice, Items, Named, Quantity, Sweep, Whole, Words, suggestion
+
+Shape = dict[str, Any]
+FILES: dict[str, type] = {
+    "case": Case,
+    "spindle": Spindle,
+    "tool": Tool,
+    "bearing": BallBearing,
+    "material": Material,
+}
+# Descriptions that stand in files of their own, and the folder of the library that holds these.
+_MODELS = {Spindle: "spindles", Tool: "tools", BallBearing: "bearings", Material: "materials"}
+_MACHINES = {"spindle": Spindle, "tool": Tool, "bearing": BallBearing}
+# What a mapping needs besides the keys that each must be given.
+_RULES: dict[type, Shape] = {
+    Case: {
+        "oneOf": [{"required": ["spindle"]}, {"required": ["bearing"]}],
+        "dependentRequired": {"tool": ["spindle"]},
+    },
+    FrfSpec: {"anyOf": [{"required": ["pairs"]}, {"required": ["matrix"]}]},
+    Range: {"oneOf": [{"required": ["step"]}, {"required": ["count"]}]},
+}
+_LETTER = r"A-Za-z_\u00a1-\uffff"
+_NAME = rf"[{_LETTER}][{_LETTER}0-9 -]*"
+_PLACE: Shape = {
+    "type": "string",
+    "pattern": rf"^.+\.({'|'.join(FREEDOMS)})$",
+    "description": f"POINT.DIRECTION; directions: {', '.join(FREEDOMS)}",
+}
+
+
+def json_schema(file: str) -> Shape:
+    """The JSON Schema of one kind of file, a key of ``FILES``.
+
+    Raises
+    ------
+    InvalidInput : there is no such kind of file
+    """
+    if file not in FILES:
+        allowed = f"allowed: {', '.join(FILES)}{suggestion(file, FILES)}"
+        raise InvalidInput(f"unknown kind of file: {file!r}; {allowed}")
+    shapes: dict[str, Shape] = {}
+    root = shapes[_defined(FILES[file], shapes)]
+    return {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        **root,
+        "title": f"rotordyn {file}",
+        "$defs": {name: shapes[name] for name in sorted(shapes)},
+    }
+
+
+def title(kind: type) -> str:
+    """``SqueezeFilmDamper`` -> ``squeeze film damper``."""
+    words = re.sub(r"(?<!^)(?=[A-Z])", " ", kind.__name__.removesuffix("Spec"))
+    return words.lower()
+
+
+def default_of(field: Field) -> Any:
+    """The default as written in a file; None where there is nothing to write."""
+    value, limits = field.default, metadata(field.annotation)
+    for member in members(field.annotation):
+        limits += metadata(member)
+    if value is REQUIRED or is_dataclass(value) or value in (None, "", (), {}):
+        return None
+    for limit in limits:
+        if isinstance(limit, Quantity) and isinstance(value, float):
+            return limit.written(value)
+        if isinstance(limit, Words):
+            return None if value == limit.silent else limit.word(value)
+    return list(value) if isinstance(value, tuple) else value
+
+
+def plain(text: str) -> str:
+    """A phrase of the documents without their links and marks."""
+    return re.sub(r" ?\(\[[^]]*\]\([^)]*\)\)", "", " ".join(text.split())).replace("`", "")
+
+
+def _about(kind: type) -> str:
+    """The first sentence about a description, without units."""
+    return re.sub(r",? \[[^]]*\]", "", plain((kind.__doc__ or "").partition("\n\n")[0]))
+
+
+def _defined(kind: type, shapes: dict[str, Shape]) -> str:
+    """Name of the shape of a description, which is put among ``shapes``."""
+    name = kind.__name__
+    if name in shapes:
+        return name
+    shapes[name] = {}
+    if kind is BallBearing:
+        forms = [{"$ref": f"#/$defs/{_defined(kind_class(word), shapes)}"} for word in KINDS]
+        about = {"title": "bearing", "description": "A ball bearing, its keys by its kind."}
+        shapes[name] = {**about, "oneOf": forms}
+        return name
+    about = {"title": title(kind), "description": _about(kind)}
+    shapes[name] = {**_mapping(keys_of(kind), shapes, kind), **about, **_RULES.get(kind, {})}
+    if issubclass(kind, BallBearing):
+        _one_kind(shapes[name], kind)
+    return name
+
+
+def _one_kind(shape: Shape, kind: type) -> None:
+    word = next(word for word in KINDS if kind_class(word) is kind)
+    shape["properties"]["kind"]["enum"] = [word]
+    if word != DEFAULT:
+        del shape["properties"]["kind"]["default"]
+        shape["required"] = ["kind", *shape["required"]]
+
+
+def _mapping(
+    keys: tuple[Field, ...], shapes: dict[str, Shape], kind: type, depth: int = 0
+) -> Shape:
+    """An object with these keys and no others; those that go on within one of them in its own."""
+    filled = {c.fills[-1] for each in COMMON.values() for c in each if c.kind is kind}
+    properties: Shape = {}
+    required = []
+    for field in keys:
+        if len(field.keys) <= depth:
+            continue
+        key = field.keys[depth]
+        if len(field.keys) > depth + 1:
+            if key not in properties:
+                inner = tuple(f for f in keys if f.keys[: depth + 1] == field.keys[: depth + 1])
+                inner = tuple(f for f in inner if len(f.keys) > depth + 1)
+                properties[key] = {**_mapping(inner, shapes, kind, depth + 1), "description": key}
+            continue
+        properties[key] = _property(key, field, shapes, kind)
+        if field.default is REQUIRED and key not in filled and kind is not FrfSpec:
+            required.append(key)
+    if kind is FrfSpec:
+        required = ["frequencies"]
+    shape = {"type": "object", "properties": properties, "additionalProperties": False}
+    return {**shape, "required": required} if required else shape
+
+
+def _property(key: str, field: Field, shapes: dict[str, Shape], kind: type) -> Shape:
+    if kind in (Case, Variant) and key in _MACHINES:
+        shape = _reference(_MACHINES[key], shapes)
+    else:
+        shape = shape_of(field.annotation, shapes)
+    said = [plain(field.meaning), shape.get("description", "")]
+    shape = {**shape, "description": "; ".join(filter(None, said))}
+    default = default_of(field)
+    return shape if default is None else {**shape, "default": default}
+
+
+def shape_of(annotation: Any, shapes: dict[str, Shape]) -> Shape:
+    """The shape of a value, whatever its form."""
+    for beside in metadata(annotation):
+        if type(beside) in _FORMS:
+            return _FORMS[type(beside)](annotation, shapes)
+    forms = members(annotation)
+    if len(forms) > 1:
+        each = [shape_of(form, shapes) for form in forms]
+        about = [
+            form["description"] for form in each if "description" in form and "$ref" not in form
+        ]
+        return {"anyOf": each, **({"description": "; or ".join(about)} if about else {})}
+    return _of_one(forms[0], shapes)
+
+
+def _of_one(annotation: Any, shapes: dict[str, Shape]) -> Shape:
+    inner = bare(annotation)
+    if inner in _FORMS:
+        return _FORMS[inner](annotation, shapes)
+    if inner in _MODELS:
+        return _reference(inner, shapes)
+    if isinstance(inner, type) and is_dataclass(inner):
+        return {"$ref": f"#/$defs/{_defined(inner, shapes)}"}
+    if get_origin(inner) is tuple:
+        return _list(annotation, shape_of(get_args(inner)[0], shapes))
+    return _entries(inner, shapes) if get_origin(inner) is Mapping else _single(annotation)
+
+
+def _list(annotation: Any, items: Shape) -> Shape:
+    shape: Shape = {"type": "array", "items": items}
+    for limit in metadata(annotation):
+        if isinstance(limit, Items):
+            shape |= {"minItems": limit.at_least, "maxItems": limit.at_most}
+    return {**shape, **({"description": items["description"]} if "description" in items else {})}
+
+
+def _entries(inner: Any, shapes: dict[str, Shape]) -> Shape:
+    key, entry = get_args(inner)
+    if entry is Any:
+        return {"type": "object"}
+    named = any(isinstance(limit, Named) for limit in metadata(key))
+    pattern = rf"^{_NAME}$" if named else ".*"
+    return {
+        "type": "object",
+        "patternProperties": {pattern: shape_of(entry, shapes)},
+        "additionalProperties": False,
+    }
+
+
+def _single(annotation: Any) -> Shape:
+    for limit in metadata(annotation):
+        if isinstance(limit, Quantity):
+            return quantity(limit)
+        if isinstance(limit, Choice):
+            return {"enum": list(limit.allowed)}
+        if isinstance(limit, Words):
+            return {"enum": [word for word, _ in limit.values]}
+        if isinstance(limit, Whole):
+            about = f"whole number, {limit.at_least} to {limit.at_most}"
+            bounds = {"minimum": limit.at_least, "maximum": limit.at_most}
+            return {"type": "integer", **bounds, "description": about}
+        if isinstance(limit, Named):
+            pattern = rf"^{_NAME}(\.{_NAME})?$" if limit.dotted else rf"^{_NAME}$"
+            return {"type": "string", "pattern": pattern}
+    kinds = {str: "string", bool: "boolean", float: "number", int: "integer"}
+    inner = bare(annotation)
+    return {"type": kinds[inner]} if inner in kinds else {}
+
+
+def quantity(limits: Quantity) -> Shape:
+    """Text with a unit; a plain number where the kind has none; or the word for infinite.
+
+    The range is in the description; of the text only the sign can be checked.
+    """
+    forms = [_text(limits)]
+    if "" in units.KINDS[limits.kind]:
+        forms.insert(0, _plain_number(limits))
+    if limits.infinite:
+        forms.append({"const": limits.infinite})
+    shape: Shape = forms[0] if len(forms) == 1 else {"anyOf": forms}
+    names = ", ".join(unit or "plain number" for unit in units.KINDS[limits.kind])
+    word = f", or {limits.infinite}" if limits.infinite else ""
+    return {**shape, "description": f"{limits.kind}, {limits.allowed}{word}; units: {names}"}
+
+
+def _text(limits: Quantity) -> Shape:
+    sign = r"\+?" if limits.low >= 0.0 else "[+-]?"
+    number = rf"{sign}([0-9]+\.?[0-9]*|\.[0-9]+)([eE][+-]?[0-9]{{1,4}})?"
+    return {
+        "type": "string",
+        "pattern": rf"^\s*{number}\s*({units.pattern(limits.kind)})\s*$",
+        "examples": [f"1 {unit}".strip() for unit in units.KINDS[limits.kind]],
+    }
+
+
+def _plain_number(limits: Quantity) -> Shape:
+    bounds = {
+        "exclusiveMinimum" if limits.above else "minimum": limits.low,
+        "exclusiveMaximum" if limits.below else "maximum": limits.high,
+    }
+    return {"type": "number", **{key: b for key, b in bounds.items() if math.isfinite(b)}}
+
+
+def _reference(kind: type, shapes: dict[str, Shape]) -> Shape:
+    """A model: a name of the library, the path of a file, or a mapping in place."""
+    path = {"type": "string", "pattern": r"[/\\]|\.ya?ml$"}
+    names: list[str | int] = [*known(_MODELS[kind])]
+    names += [int(name) for name in known(_MODELS[kind]) if name.isdecimal()]
+    return {"anyOf": [{"enum": names}, path, {"$ref": f"#/$defs/{_defined(kind, shapes)}"}]}
+
+
+def _sweep(annotation: Any, shapes: dict[str, Shape]) -> Shape:
+    """A list, or a range."""
+    item = get_args(bare(annotation))[0]
+    limits = next(m for m in metadata(item) if isinstance(m, Quantity))
+    one = quantity(limits)
+    row = _mapping(keys_of(Range), shapes, Range)
+    for key in ("from", "to", "step"):
+        row["properties"][key] = {**one, "description": row["properties"][key]["description"]}
+    return {"anyOf": [{**row, **_RULES[Range]}, _list(annotation, one)]}
+
+
+def _pair(annotation: Any, shapes: dict[str, Shape]) -> Shape:
+    ends = {
+        key: {**_PLACE, "description": getattr(Pair, key)} for key in ("response", "excitation")
+    }
+    return {
+        "type": "object",
+        "properties": ends,
+        "required": [*ends],
+        "additionalProperties": False,
+    }
+
+
+def _matrix(annotation: Any, shapes: dict[str, Shape]) -> Shape:
+    """Entries by name, or a whole matrix with its freedoms."""
+    marker = next(m for m in metadata(annotation) if isinstance(m, Matrix))
+    tabled = len(get_args(get_args(bare(annotation))[1])) > 1
+    entries: Shape = {}
+    for key, pair in ENTRIES.items():
+        one = quantity(marker.quantity(*pair))
+        row = {"anyOf": [one, {"type": "array", "items": one}], "description": one["description"]}
+        entries[key] = row if tabled else one
+    freedoms = {
+        "type": "array",
+        "items": {"enum": list(FREEDOMS)},
+        "minItems": 1,
+        "uniqueItems": True,
+        "description": "what rows (loads) and columns (displacements) belong to",
+    }
+    rows = {
+        "type": "array",
+        "items": {"type": "array", "items": {"type": ["string", "number"]}},
+        "description": "row by row, with units; a bare 0 needs none",
+    }
+    whole = {"freedoms": freedoms, "matrix": rows}
+    closed = {"type": "object", "additionalProperties": False}
+    return {
+        "anyOf": [
+            {**closed, "properties": entries},
+            {**closed, "properties": whole, "required": [*whole]},
+        ]
+    }
+
+
+def _by_name(annotation: Any, shapes: dict[str, Shape]) -> Shape:
+    each = {}
+    for name, kind in ANALYSES.items():
+        about = shapes[_defined(kind, shapes)]["description"]
+        forms = [{"$ref": f"#/$defs/{kind.__name__}"}]
+        forms += [] if "required" in shapes[kind.__name__] else [{"type": "null"}]
+        each[name] = {"anyOf": forms, "description": about}
+    return {
+        "type": "object",
+        "properties": each,
+        "additionalProperties": False,
+        "minProperties": 1,
+    }
+
+
+def _values(annotation: Any, shapes: dict[str, Shape]) -> Shape:
+    """A reference: its values have the unit of its quantity."""
+    shape = _mapping(keys_of(Reference), shapes, Reference)
+    shape["properties"]["values"]["items"] = {"type": ["string", "number"]}
+    return {**shape, "description": _about(Reference)}
+
+
+_FORMS: dict[type, Callable[[Any, dict[str, Shape]], Shape]] = {
+    Sweep: _sweep,
+    Port: lambda annotation, shapes: _PLACE,
+    Pair: _pair,
+    Matrix: _matrix,
+    ByName: _by_name,
+    Reference: _values,
+}

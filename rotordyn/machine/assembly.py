@@ -1,0 +1,266 @@
+"""Rules between the parts of a spindle: names, ends of supports, sleeves, housings."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Iterator
+from typing import TYPE_CHECKING
+
+from rotordyn.description import Faults, Path, named_twice
+from rotordyn.machine.growth import ComputedShortening
+from rotordyn.machine.station import SLACK, on_the_shaft, turning_faults
+from rotordyn.machine.support import GROUND, MOTIONS, SPINDLE, LinearSupport, acts
+from rotordyn.quantity import suggestion
+from rotordyn.units import format_quantity
+
+if TYPE_CHECKING:
+    from rotordyn.machine.spindle import Spindle
+
+
+def spindle_faults(spindle: Spindle) -> Faults:
+    """All that contradicts itself in a spindle although each of its parts is fine."""
+    yield from turning_faults(spindle.shaft, spindle.masses, spindle.discs, spindle.joints)
+    yield from _named_once(spindle)
+    yield from _stations(spindle)
+    yield from _shifts(spindle)
+    yield from _bores(spindle)
+    yield from _sleeves(spindle)
+    yield from _held_twice(spindle)
+    yield from _names_taken(spindle)
+    yield from _rotors(spindle)
+    yield from _carried(spindle)
+
+
+def unknown(what: str, name: str, allowed: Iterable[str], instead: str = "") -> Iterator[str]:
+    """A sentence where a name is none of those allowed; an empty one is not known."""
+    known = list(allowed)
+    if name and name not in known:
+        choices = ", ".join(known) or "none, there are none here"
+        choices += f", {instead}" if instead else ""
+        yield f"unknown {what}: given '{name}'; allowed: {choices}{suggestion(name, known)}"
+
+
+def _named_once(spindle: Spindle) -> Faults:
+    parts = {
+        "bearings": spindle.seats,
+        "sleeves": spindle.sleeves,
+        "supports": spindle.supports,
+        "dampers": spindle.dampers,
+        "housings": spindle.housings,
+        "rotors": spindle.rotors,
+    }
+    for key, items in parts.items():
+        yield from named_twice(key, items)
+    taken = {support.name for support in spindle.supports}
+    for index, damper in enumerate(spindle.dampers):
+        if damper.name and damper.name in taken:
+            yield ("dampers", index, "name"), f"name already taken by a support: '{damper.name}'"
+
+
+def _stations(spindle: Spindle) -> Faults:
+    shaft = spindle.shaft
+    for index, seat in enumerate(spindle.seats):
+        yield from on_the_shaft("bearing", seat.x, shaft, ("bearings", index, "x"))
+    for index, damper in enumerate(spindle.dampers):
+        yield from on_the_shaft("damper", damper.x, shaft, ("dampers", index, "x"))
+    if spindle.drawbar is not None:
+        for key, x in (("from", spindle.drawbar.start), ("to", spindle.drawbar.end)):
+            yield from on_the_shaft("drawbar", x, shaft, ("drawbar", key))
+    shafts = {SPINDLE: shaft}
+    if not misnamed(spindle):
+        shafts |= {rotor.name: rotor.shaft for rotor in spindle.rotors}
+    for index, support in enumerate(spindle.supports):
+        for end in support.ends:
+            if end in shafts:
+                what = "support" if end == SPINDLE else f"support on {end}"
+                yield from on_the_shaft(what, support.x, shafts[end], ("supports", index, "x"))
+
+
+def _shifts(spindle: Spindle) -> Faults:
+    """Where the shaft does not shift is on it, and what shifts is there."""
+    shortening, way = spindle.shortening, ("shortening",)
+    if isinstance(shortening, ComputedShortening):
+        yield from on_the_shaft(
+            "reference", shortening.reference, spindle.shaft, (*way, "reference")
+        )
+    elif shortening is not None:
+        names = [seat.name for seat in spindle.seats]
+        for name in shortening.shift:
+            for sentence in unknown("bearing", name, names):
+                yield (*way, "shift", name), sentence
+
+
+def _bores(spindle: Spindle) -> Faults:
+    """A fit has a shaft inside its bore."""
+    for index, seat in enumerate(spindle.seats):
+        fit = seat.growth.fitted
+        if fit is None or not spindle.shaft.sections or math.isnan(seat.x):
+            continue
+        hole = spindle.shaft.diameters_at(seat.x)[1]
+        if fit.bore_diameter <= hole:
+            yield (
+                ("bearings", index, "growth", "fit"),
+                f"the bore of bearing {seat.name} leaves no shaft: given "
+                f"{format_quantity(fit.bore_diameter, 'mm')}; allowed: above "
+                f"{format_quantity(hole, 'mm')}",
+            )
+
+
+def _sleeves(spindle: Spindle) -> Faults:
+    """Bearings of a sleeve exist, sit on no other, and are all pushed the same way."""
+    thrust = {seat.name: seat.thrust for seat in spindle.seats}
+    taken: dict[str, str] = {}
+    for index, sleeve in enumerate(spindle.sleeves):
+        for place, name in enumerate(sleeve.bearings):
+            way = ("sleeves", index, "bearings", place)
+            for sentence in unknown("bearing", name, thrust):
+                yield way, sentence
+            if taken.setdefault(name, sleeve.name) != sleeve.name:
+                yield way, f"bearing '{name}' is already on sleeve '{taken[name]}'"
+        if {1, -1} <= {thrust.get(name, 0) for name in sleeve.bearings}:
+            yield (
+                ("sleeves", index, "bearings"),
+                "bearings of one sleeve must all have the same thrust: given +x and -x",
+            )
+
+
+def _held_twice(spindle: Spindle) -> Faults:
+    """Two supports that hold one freedom of a station, or one that holds x beside bearings."""
+    taken: dict[str, list[LinearSupport]] = {}
+    for support in spindle.supports:
+        for freedom in support.rigid:
+            for other in taken.get(freedom, ()):
+                if abs(support.x - other.x) <= SLACK:
+                    yield (
+                        ("supports",),
+                        f"supports '{other.name}' and '{support.name}' both hold {freedom} there",
+                    )
+            taken.setdefault(freedom, []).append(support)
+    if "x" in taken and spindle.seats:
+        yield (
+            ("supports",),
+            f"support '{taken['x'][0].name}' holds x rigidly beside bearings, whose preload moves "
+            "the shaft along: give it a stiffness xx",
+        )
+
+
+def _names_taken(spindle: Spindle) -> Faults:
+    """Housings and rotors that bear the name of something else."""
+    taken = {seat.name: "a bearing" for seat in spindle.seats}
+    taken |= {support.name: "a support" for support in spindle.supports}
+    more = {rotor.name: "a rotor" for rotor in spindle.rotors}
+    more |= {GROUND: "ground", SPINDLE: "the shaft"}
+    for key, parts in (("rotors", spindle.rotors), ("housings", spindle.housings)):
+        for index, part in enumerate(parts):
+            if part.name and (what := taken.get(part.name)):
+                yield (
+                    (key, index, "name"),
+                    f"name already taken by {what}: given '{part.name}'; allowed: any other",
+                )
+        taken |= more
+
+
+def misnamed(spindle: Spindle) -> bool:
+    """Names of rotors are at fault, so that what bears them elsewhere cannot be judged."""
+    names = [rotor.name for rotor in spindle.rotors]
+    return bool({SPINDLE, GROUND, ""} & {*names}) or len({*names}) < len(names)
+
+
+def _rotors(spindle: Spindle) -> Faults:
+    """Further rotors are held, and supports join what there is."""
+    names = [rotor.name for rotor in spindle.rotors]
+    for index, name in enumerate(names):
+        if name in (SPINDLE, GROUND):
+            yield (
+                ("rotors", index, "name"),
+                f"a further rotor cannot be called that: given '{name}'; allowed: any other name "
+                f"than {SPINDLE} and {GROUND}",
+            )
+    if misnamed(spindle):
+        return
+    ends = [*_ends(spindle, (SPINDLE, *names))]
+    yield from ends
+    for index, name in enumerate(names):
+        free = [freedom for freedom in ("y", "z") if freedom not in held_by(spindle, name)]
+        if free:
+            yield (
+                ("rotors", index, "name"),
+                f"rotor '{name}' is not held: no support with it as an end has a stiffness along "
+                f"{' and '.join(free)}",
+            )
+    if names:
+        yield from _losses(spindle)
+
+
+def _ends(spindle: Spindle, known: tuple[str, ...]) -> Faults:
+    for index, support in enumerate(spindle.supports):
+        for key, allowed in (("holds", known), ("against", (GROUND, *known))):
+            for sentence in unknown("rotor", getattr(support, key), allowed):
+                yield ("supports", index, key), sentence
+        if support.holds and support.holds == support.against:
+            yield (
+                ("supports", index, "against"),
+                f"a rotor is not held against itself: given '{support.holds}'",
+            )
+
+
+def held_by(spindle: Spindle, name: str) -> frozenset[str]:
+    """Freedoms of bending in which supports hold a rotor, by their stiffness or rigidly."""
+    touching = [support for support in spindle.supports if name in support.ends]
+    held = [freedom for support in touching for freedom in support.rigid]
+    for support in touching:
+        held += [a for (a, b), value in support.stiffness.items() if a == b and acts(value)]
+    return frozenset(freedom for freedom in held if MOTIONS.get(freedom) == "bending")
+
+
+def _losses(spindle: Spindle) -> Faults:
+    factors: list[tuple[Path, float]] = [(("damping", "loss_factor"), spindle.loss_factor)]
+    for index, support in enumerate(spindle.supports):
+        factors.append((("supports", index, "loss_factor"), support.loss_factor))
+    for way, value in factors:
+        if value:
+            yield (
+                way,
+                "loss factors are known of machines with one rotor, since each sees whirl from its "
+                "own speed: given {given} beside rotors; allowed: 0, with viscous damping instead",
+            )
+
+
+def _carried(spindle: Spindle) -> Faults:
+    """What housings carry exists, stands on one of them, and gives way nowhere else."""
+    turning = (SPINDLE, *(rotor.name for rotor in spindle.rotors))
+    bearings = [seat.name for seat in spindle.seats]
+    held = {support.name: support for support in spindle.supports}
+    sprung = {
+        name: sleeve.name
+        for sleeve in spindle.sleeves
+        if sleeve.radial_stiffness < math.inf
+        for name in sleeve.bearings
+    }
+    taken: dict[str, str] = {}
+    for index, housing in enumerate(spindle.housings):
+        way = ("housings", index, "carries")
+        for name in dict.fromkeys(filter(None, housing.carries)):
+            known = [*bearings, *held]
+            if name not in known:
+                allowed = ", ".join(known) or "none, there are none"
+                yield (
+                    way,
+                    f"carries an unknown support or bearing '{name}'; allowed: {allowed}"
+                    f"{suggestion(name, known)}",
+                )
+            elif name in bearings and name in held:
+                yield way, f"'{name}' is both a support and a bearing: rename one of them"
+            elif name in held and held[name].rigid:
+                yield way, f"support '{name}' is rigid, and a housing that gives way is not"
+            elif name in held and held[name].against in turning:
+                yield way, f"support '{name}' stands between two rotors, not on ground"
+            elif name in sprung:
+                yield (
+                    way,
+                    f"bearing '{name}' is on sleeve '{sprung[name]}', whose radial_stiffness holds "
+                    "it against ground: leave that out, or the bearing off the housing",
+                )
+            if name in taken:
+                yield way, f"'{name}' stands on two housings: {taken[name]} and {housing.name}"
+            taken[name] = housing.name

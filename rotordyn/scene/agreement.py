@@ -1,0 +1,214 @@
+"""How a machine is modelled, against the machine: what holds it, what its frame allows."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+
+from rotordyn.description import Faults
+from rotordyn.machine.assembly import misnamed
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.station import on_the_shaft
+from rotordyn.machine.support import (
+    GROUND,
+    SPINDLE,
+    LinearSupport,
+    acts,
+    coupled_motions,
+    entry_name,
+)
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.formulation import INERTIAL, ROTATING
+from rotordyn.scene.spec import Setting
+from rotordyn.units import format_quantity
+
+MOST_ELEMENTS = 1000
+FORMULATION = ("conditions", "formulation")
+
+
+def setting_faults(setting: Setting) -> Faults:
+    """Faults between machine, conditions and speeds, by path in the case."""
+    spindle, conditions = setting.spindle, setting.conditions
+    yield from _on_its_shaft(spindle)
+    yield from _elements(spindle, conditions)
+    if spindle.rotors:
+        yield from _with_rotors(spindle, conditions)
+    if conditions.formulation == ROTATING:
+        for support in spindle.supports:
+            yield from _even(support)
+    yield from _held_along(spindle, conditions)
+    yield from _tables(spindle, setting.speeds)
+    yield from _on_housings(spindle, conditions)
+    if spindle.seats:
+        yield from _sideways(setting)
+
+
+def last_setting_faults(setting: Setting) -> Faults:
+    """The same, where all else must be right: a rigid rotor is not held more often than it can."""
+    from rotordyn.equation.holding import holds_twice
+
+    if setting.conditions.rotor == "rigid" and holds_twice(setting.spindle):
+        yield (
+            ("conditions", "rotor"),
+            "the reactions of a rigid rotor on these rigid supports are not determined: take "
+            "rotor: flexible, or give a support a stiffness",
+        )
+
+
+def _on_its_shaft(spindle: Spindle) -> Faults:
+    for name, x in spindle.points.items():
+        yield from on_the_shaft("point", x, spindle.shaft, ("spindle", "points", name))
+    own = [support for support in spindle.supports if SPINDLE in support.ends]
+    held = {pair for support in own for pair, value in support.stiffness.items() if acts(value)}
+    held |= {(freedom, freedom) for support in own for freedom in support.rigid}
+    free = [freedom * 2 for freedom in ("y", "z") if (freedom, freedom) not in held]
+    if free and not spindle.seats and "" not in {support.name for support in spindle.supports}:
+        yield (
+            ("spindle", "supports"),
+            "the shaft is not held: no bearings, no support with stiffness " + " and ".join(free),
+        )
+
+
+def _elements(spindle: Spindle, conditions: Conditions) -> Faults:
+    """Not more elements than a run can solve."""
+    longest = conditions.element_length
+    least = (spindle.shaft.end - spindle.shaft.start) / MOST_ELEMENTS
+    if longest is not None and longest < least:
+        yield (
+            ("conditions", "element_length"),
+            f"more than {MOST_ELEMENTS} elements: given {{given}}; allowed: from "
+            f"{format_quantity(least, 'mm')}",
+        )
+
+
+def _held_along(spindle: Spindle, conditions: Conditions) -> Faults:
+    """Something carries an axial force and the weight."""
+    if spindle.seats or any(s.along or "x" in s.rigid for s in spindle.supports):
+        return
+    weighed = conditions.gravity not in ("", "none")
+    for key, given in (("axial_force", abs(conditions.axial_force) > 0.0), ("gravity", weighed)):
+        if given:
+            yield (
+                ("conditions", key),
+                "nothing holds the shaft along its axis: given {given}; allowed: with bearings, or "
+                "with a support that has the stiffness xx or is rigid in x; tension needs none",
+            )
+
+
+def _even(support: LinearSupport) -> Faults:
+    """Bearings under axial load are even; supports are where their matrices say so."""
+    what = ""
+    uneven = [p for p in (("y", "z"), ("thy", "thz")) if len({*p} & {*support.rigid}) == 1]
+    if "bending" in coupled_motions([support]):
+        what = f"support '{support.name}' couples bending with another motion"
+    elif uneven:
+        what = f"support '{support.name}' holds only one of {' and '.join(uneven[0])} rigidly"
+    if what:
+        yield (
+            FORMULATION,
+            f"{what}, which a turning frame cannot describe: given 'rotating'; allowed: inertial",
+        )
+        return
+    import numpy as np
+
+    from rotordyn.equation.support import answers_alike, support_matrices
+
+    speeds = np.array(support.speeds or (0.0,))
+    for name in ("stiffness", "damping"):
+        entries = getattr(support, name).values()
+        known = not any(isinstance(value, float) and math.isnan(value) for value in entries)
+        if known and not answers_alike(support_matrices(support, name, speeds)):
+            yield (
+                FORMULATION,
+                f"the {name} of support '{support.name}' differs between directions about the "
+                "axis, which a turning frame cannot describe: given 'rotating'; allowed: inertial",
+            )
+
+
+def _tables(spindle: Spindle, speeds: tuple[float, ...]) -> Faults:
+    for support in spindle.supports:
+        for sentence in support.unknown_at(speeds):
+            yield ("speeds",), sentence
+
+
+def _on_housings(spindle: Spindle, conditions: Conditions) -> Faults:
+    """A turning frame takes no housings; the static state along the axis is that on ground."""
+    if spindle.housings and conditions.formulation == ROTATING:
+        yield (
+            FORMULATION,
+            "a turning frame cannot describe housings, which stand still: given 'rotating'; "
+            "allowed: inertial",
+        )
+    loaded = abs(conditions.axial_force) > 0.0 or conditions.gravity not in ("", "none")
+    along = any("x" in housing.directions for housing in spindle.housings)
+    if along and (spindle.seats or loaded):
+        what = "of bearings" if spindle.seats else "of axial force and weight"
+        yield (
+            ("spindle",),
+            f"a housing moves along x, and the static state {what} is that on ground: leave x out",
+        )
+
+
+def _with_rotors(spindle: Spindle, conditions: Conditions) -> Faults:
+    if conditions.formulation not in ("", INERTIAL):
+        yield (
+            FORMULATION,
+            "rotors of different speeds have no common turning frame: given "
+            f"'{conditions.formulation}'; allowed: {INERTIAL}",
+        )
+    if conditions.gravity not in ("", "none"):
+        yield (
+            ("conditions", "gravity"),
+            "weight along the axis takes no further rotors, on whose supports it would be shared: "
+            f"given '{conditions.gravity}'; allowed: none",
+        )
+    if abs(conditions.axial_force) > 0.0:
+        yield (
+            ("conditions", "axial_force"),
+            "an axial force takes no further rotors, on whose supports it would be shared: leave "
+            "it out",
+        )
+    if spindle.seats and not misnamed(spindle):
+        yield from _joined_along(spindle.supports)
+
+
+def _joined_along(supports: Iterable[LinearSupport]) -> Faults:
+    """Beside bearings, whose preload moves the shaft along, no other rotor ties it to ground there.
+
+    The preload state is that of the shaft by itself; what only hangs on the shaft goes along.
+    """
+    ties = [
+        support
+        for support in supports
+        if set(support.ends) != {SPINDLE, GROUND} and any("x" in pair for pair in support.stiffness)
+    ]
+    reached, further = set[str](), {SPINDLE}
+    while further:
+        reached |= further
+        ends = {end for tie in ties for end in tie.ends if reached & set(tie.ends) - {GROUND}}
+        further = ends - reached
+    if GROUND in reached:
+        names = ", ".join(f"'{tie.name}'" for tie in ties if set(tie.ends) <= reached)
+        yield (
+            ("spindle",),
+            f"supports {names} tie the shaft along the axis to ground by way of another rotor, "
+            "beside bearings whose preload state is that of the shaft alone: leave out entries of "
+            "x",
+        )
+
+
+def _sideways(setting: Setting) -> Faults:
+    """Bearings are solved under axial load alone: what moves along x must not push aside."""
+    own = setting.conditions
+    by_speed = own.bearings == "dynamic" and any(speed > 0.0 for speed in setting.speeds)
+    if not (by_speed or abs(own.axial_force) > 0.0 or own.gravity not in ("", "none")):
+        return
+    for support in setting.spindle.supports:
+        if support.sideways:
+            names = ", ".join(entry_name(*pair) for pair in support.sideways)
+            yield (
+                ("spindle",),
+                f"support '{support.name}' pushes the shaft aside as its preload state moves it "
+                f"along the axis ({names}): bearings are solved under axial load alone; leave "
+                "these entries out, or set bearings: static without axial force and weight",
+            )

@@ -1,0 +1,69 @@
+"""What every spec of an analysis has in common: rules against the machine that it is asked of."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rotordyn.description import Description, Faults, Path
+from rotordyn.machine.assembly import unknown
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.station import on_the_shaft
+from rotordyn.scene.conditions import Conditions
+
+
+@dataclass(frozen=True, slots=True)
+class Setting:
+    """The machine of a case, how it is modelled, and the speeds [rad/s]."""
+
+    spindle: Spindle
+    conditions: Conditions
+    speeds: tuple[float, ...]
+
+    def within(self, speed: float) -> bool:
+        """A speed lies within those of the case, as far as these are known."""
+        known = self.speeds and not (speed != speed or any(s != s for s in self.speeds))
+        return not known or self.speeds[0] - 1e-6 <= speed <= self.speeds[-1] + 1e-6
+
+
+class Spec(Description):
+    """What a case asks of a machine."""
+
+    __slots__ = ()
+
+    def faults_on(self, setting: Setting) -> Faults:
+        """What of the machine contradicts it: path of keys from the spec on, and a sentence."""
+        return ()
+
+    def last_faults_on(self, setting: Setting) -> Faults:
+        """The same, where it takes a computation and all else must be right."""
+        return ()
+
+
+def placed(at: str | float, spindle: Spindle, path: Path, *, rotors: bool = False) -> Faults:
+    """A fault where a point is not known or a station [m] not on the shaft.
+
+    ``rotors``: points of further rotors will do as well.
+    """
+    if not isinstance(at, str):
+        yield from on_the_shaft("load", at, spindle.shaft, path)
+        return
+    points = [*(spindle.places if rotors else spindle.points)]
+    for sentence in unknown("point", at, points, "or a station"):
+        yield path, sentence
+
+
+def spanned(
+    start: str | float, to: str | float, spindle: Spindle, path: Path, *, rotors: bool = False
+) -> Faults:
+    """Faults of a span: both ends are somewhere, the second behind the first, on one rotor."""
+    found = [*placed(start, spindle, (*path, "from"), rotors=rotors)]
+    found += placed(to, spindle, (*path, "to"), rotors=rotors)
+    yield from found
+    if found or "" in (start, to):
+        return
+    first, last = spindle.place(start), spindle.place(to)
+    if last.x <= first.x:
+        yield (*path, "to"), "no length left: allowed: a station behind that of from"
+    if first.rotor != last.rotor:
+        given = f"given {first.rotor} and {last.rotor}"
+        yield (*path, "to"), f"both must be on one rotor: {given}"
