@@ -8,34 +8,17 @@ from pathlib import Path
 from typing import Annotated
 
 from bearings.bearing import BallBearing
-from rotordyn.analyses.bearing.spec import BearingMapSpec
-from rotordyn.analyses.campbell.spec import CampbellSpec
-from rotordyn.analyses.control.spec import ControlSpec
-from rotordyn.analyses.frf.spec import FrfSpec
-from rotordyn.analyses.preload.spec import PreloadSpec
-from rotordyn.analyses.section_forces.spec import SectionForcesSpec
-from rotordyn.analyses.stiffness.spec import StiffnessSpec
-from rotordyn.analyses.unbalance.spec import UnbalanceSpec
+from rotordyn.analyses.registry import analysis
 from rotordyn.description import Description, Faults, ascending, within
+from rotordyn.errors import InvalidInput
 from rotordyn.machine.assembly import unknown
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
-from rotordyn.quantity import HIDDEN, Choice, Items, Key, Name, Speed, Sweep
-from rotordyn.scene.agreement import last_setting_faults, setting_faults
+from rotordyn.quantity import HIDDEN, Items, Key, Name, Speed, Sweep
+from rotordyn.scene.agreement import setting_faults
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.spec import Setting, Spec
 
-ANALYSES: dict[str, type[Spec]] = {
-    "preload": PreloadSpec,
-    "campbell": CampbellSpec,
-    "frf": FrfSpec,
-    "stiffness": StiffnessSpec,
-    "section_forces": SectionForcesSpec,
-    "unbalance": UnbalanceSpec,
-    "bearing": BearingMapSpec,
-    "control": ControlSpec,
-}
-OF_A_BEARING = ("bearing", "control")
 OF_BALLS = ("kinematics", "moment_sharing", "friction")
 
 
@@ -59,7 +42,7 @@ class Case(Description):
         tuple[Speed, ...], Items(), Sweep(), "every speed at which the analyses are answered"
     ]
     analyses: Annotated[
-        Mapping[Annotated[str, Choice(tuple(ANALYSES))], Spec],
+        Mapping[Name, Description],
         ByName(),
         "what is asked; what is not named is not computed",
     ]
@@ -99,17 +82,26 @@ class Case(Description):
             return None
         return Setting(self.spindle, self.conditions, self.speeds)
 
+    @property
+    def _named(self) -> dict[str, Description]:
+        """The analyses without those whose fault is reported already."""
+        return {name: spec for name, spec in self.analyses.items() if name}
+
     def _faults(self) -> Faults:
         if (self.spindle is None) == (self.bearing is None):
             given = "neither" if self.spindle is None else "both"
             yield (), f"a case has either a spindle or a bearing: given {given}"
             return
-        yield from self.faults_alone()
+        found = [*self.faults_alone()]
+        yield from found
+        if any(path == ("analyses",) for path, _ in found):
+            return
         yield from self._asked_of_machine()
         if self.setting is not None:
             yield from setting_faults(self.setting)
             for name, spec in self.analyses.items():
-                yield from within(("analyses", name), spec.faults_on(self.setting))
+                if isinstance(spec, Spec):
+                    yield from within(("analyses", name), spec.faults_on(self.setting))
         yield from self._variants()
 
     def faults_alone(self) -> Faults:
@@ -117,8 +109,12 @@ class Case(Description):
         yield from ascending("speeds", self.speeds)
         if not self.analyses:
             yield ("analyses",), "nothing is asked: name at least one analysis"
-        for name, spec in self.analyses.items():
-            wanted = ANALYSES[name]
+        for name, spec in self._named.items():
+            try:
+                wanted = analysis(name).spec
+            except InvalidInput as refusal:
+                yield ("analyses",), str(refusal)
+                continue
             if not isinstance(spec, wanted):
                 given = type(spec).__name__
                 yield ("analyses", name), f"takes a {wanted.__name__}: given a {given}"
@@ -130,10 +126,13 @@ class Case(Description):
 
     def _asked_of_machine(self) -> Faults:
         """A single bearing has no rotor and no weight; a spindle is more than one bearing."""
-        for name in self.analyses:
-            if (name in OF_A_BEARING) != (self.bearing is not None):
+        for name in self._named:
+            asked = analysis(name)
+            if (asked.machine == "bearing") != (self.bearing is not None):
                 kind = "spindle" if self.bearing is None else "single bearing"
                 yield ("analyses", name), f"this analysis does not apply to a {kind}"
+            elif asked.bearings and self.spindle is not None and not self.spindle.seats:
+                yield ("analyses", name), "needs bearings: this spindle has none"
         plain = Conditions()
         for each in fields(Conditions) if self.bearing is not None else ():
             name = each.name
@@ -154,11 +153,9 @@ class Case(Description):
     def _last_faults(self) -> Faults:
         if self.setting is None:
             return
-        asked = self.analyses.items()
-        if any(isinstance(spec, SectionForcesSpec) for _, spec in asked):
-            yield from last_setting_faults(self.setting)
-        for name, spec in asked:
-            yield from within(("analyses", name), spec.last_faults_on(self.setting))
+        for name, spec in self.analyses.items():
+            if isinstance(spec, Spec):
+                yield from within(("analyses", name), spec.last_faults_on(self.setting))
         if self.conditions.element_length is not None:
             from rotordyn.analyses.resolution import beyond_elements
 

@@ -17,7 +17,8 @@ from bearings.errors import InvalidBearing
 from bearings.materials import Material
 from rotordyn import units
 from rotordyn.analyses.frf.spec import FrfSpec, MeasuredResponse, Pair, Port
-from rotordyn.case.case import ANALYSES, ByName
+from rotordyn.analyses.registry import analysis, names
+from rotordyn.case.case import ByName
 from rotordyn.case.expand import Reader
 from rotordyn.case.faults import Faults
 from rotordyn.case.keys import MOST_STEPS, Range, bearing_class, keys_of
@@ -393,16 +394,17 @@ def by_name(reading: Reading, annotation: Any, node: Node, others: tuple[type, .
         return {"": Spec()}
     found: dict[str, Any] = {}
     for name, child in node.value.items():
-        if name not in ANALYSES:
-            reading.faults.at_key(child, (), unknown_key(name, [*ANALYSES]))
+        try:
+            spec = analysis(name).spec
+        except InvalidInput:
+            reading.faults.at_key(child, (), unknown_key(name, [*names()]))
             continue
         asked = replace(child, value={}) if child.value is None else child
         node.value[name] = asked
-        found[name] = reading.value(ANALYSES[name], asked)
-    order = list(ANALYSES)
+        found[name] = reading.value(spec, asked)
     if node.value and not found:
         return {"": Spec()}
-    return {name: found[name] for name in sorted(found, key=order.index)}
+    return found
 
 
 def measured(files: Reader) -> Any:

@@ -16,7 +16,8 @@ from bearings.kinds import DEFAULT, KINDS, kind_class
 from bearings.materials import Material
 from rotordyn import units
 from rotordyn.analyses.frf.spec import FrfSpec, Pair, Port
-from rotordyn.case.case import ANALYSES, ByName, Case
+from rotordyn.analyses.registry import analysis, names
+from rotordyn.case.case import ByName, Case
 from rotordyn.case.forms import ENTRIES
 from rotordyn.case.keys import COMMON, Range, Variant, keys_of
 from rotordyn.case.library import known
@@ -338,7 +339,8 @@ def _matrix(annotation: Any, shapes: dict[str, Shape]) -> Shape:
 
 def _by_name(annotation: Any, shapes: dict[str, Shape]) -> Shape:
     each = {}
-    for name, kind in ANALYSES.items():
+    for name in names():
+        kind = analysis(name).spec
         about = shapes[_defined(kind, shapes)]["description"]
         forms = [{"$ref": f"#/$defs/{kind.__name__}"}]
         forms += [] if "required" in shapes[kind.__name__] else [{"type": "null"}]

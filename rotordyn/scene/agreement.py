@@ -43,18 +43,6 @@ def setting_faults(setting: Setting) -> Faults:
         yield from _sideways(setting)
 
 
-def last_setting_faults(setting: Setting) -> Faults:
-    """The same, where all else must be right: a rigid rotor is not held more often than it can."""
-    from rotordyn.equation.holding import holds_twice
-
-    if setting.conditions.rotor == "rigid" and holds_twice(setting.spindle):
-        yield (
-            ("conditions", "rotor"),
-            "the reactions of a rigid rotor on these rigid supports are not determined: take "
-            "rotor: flexible, or give a support a stiffness",
-        )
-
-
 def _on_its_shaft(spindle: Spindle) -> Faults:
     for name, x in spindle.points.items():
         yield from on_the_shaft("point", x, spindle.shaft, ("spindle", "points", name))

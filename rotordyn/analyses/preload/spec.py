@@ -4,14 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rotordyn.description import Faults
-from rotordyn.scene.spec import Setting, Spec
+from rotordyn.scene.spec import Spec
 
 
 @dataclass(frozen=True, slots=True)
 class PreloadSpec(Spec):
     """The dynamic preload state at every speed of the case; it has no choices."""
-
-    def faults_on(self, setting: Setting) -> Faults:
-        if not setting.spindle.seats:
-            yield (), "needs bearings: this spindle has none"

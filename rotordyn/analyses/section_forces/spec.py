@@ -68,9 +68,17 @@ class SectionForcesSpec(Spec):
             )
 
     def last_faults_on(self, setting: Setting) -> Faults:
-        """The shaft is no free body under its loads."""
+        """The shaft is no free body under its loads, and held no more often than it can."""
         from rotordyn.analyses.section_forces.static_loads import require_balance
+        from rotordyn.equation.holding import holds_twice
 
+        if setting.conditions.rotor == "rigid" and holds_twice(setting.spindle):
+            yield (
+                (),
+                "the reactions of a rigid rotor on these rigid supports are not determined: take "
+                "rotor: flexible, or give a support a stiffness",
+            )
+            return
         try:
             require_balance(setting.spindle, self, setting.conditions)
         except InvalidInput as fault:
