@@ -49,7 +49,7 @@ class Field:
     annotation: Any
     meaning: str
     default: Any = REQUIRED
-    missing: str = ""
+    missing: str = "it must be given"
 
 
 @cache
@@ -282,6 +282,8 @@ def _noun(form: Any) -> str:
     kind = bare(form)
     if kind is type(None):
         return "None"
+    if choice := next((m for m in metadata(form) if isinstance(m, Choice)), None):
+        return " or ".join(map(repr, choice.allowed))
     return _NOUNS.get(kind) or str(getattr(kind, "__name__", kind))
 
 

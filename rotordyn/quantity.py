@@ -90,13 +90,13 @@ class Quantity:
         for unit in units.KINDS[self.kind]:
             scaled = value * units.parse_unit(unit).scale
             if scaled != value and math.isfinite(scaled) and self.holds(scaled):
-                return f" (did you mean {value:.6g} {unit} = {scaled:.6g}?)"
+                return f" (did you mean {value:.6g} {unit} = {self.written(scaled)}?)"
         return ""
 
     def written(self, value: float) -> str:
         """``value`` [SI] as one would write it into a file, in the SI unit."""
         if math.isinf(value):
-            return self.infinite or str(value)
+            return self.infinite or f"{value} {self.coherent_unit}".rstrip()
         return f"{value:.6g} {self.coherent_unit}".rstrip()
 
     def read(self, given: object) -> float:

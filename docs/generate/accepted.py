@@ -1,134 +1,98 @@
-"""What a key of a file accepts, asked from the readers of the schema themselves.
-
-Each reader is handed values it must refuse, and its own message says what is allowed: this page
-and the messages a user sees cannot disagree.
-"""
+"""What a key of a file accepts, in the words of the annotation that files are read by."""
 
 from __future__ import annotations
 
-import math
-import re
-import types
-from typing import Annotated, Any, Union, get_args, get_origin
+from collections.abc import Mapping
+from dataclasses import is_dataclass
+from typing import Any, get_args, get_origin
 
-from pydantic import PlainValidator, TypeAdapter, ValidationError
-from pydantic.fields import FieldInfo
-from rotordyn.case.schema.analyses import Place
-from rotordyn.case.schema.base import Entry, title
-from rotordyn.case.schema.bearing import BearingEntry
-
-from rotordyn import units
-
-_KIND = re.compile(r"expected (.+?): given")
+from bearings.bearing import BallBearing
+from rotordyn.analyses.frf.spec import Pair, Port
+from rotordyn.case.case import ByName
+from rotordyn.case.keys import Range
+from rotordyn.case.schema import default_of, title
+from rotordyn.field import REQUIRED, Field, bare, members, metadata
+from rotordyn.machine.support import Matrix
+from rotordyn.quantity import Choice, Named, Quantity, Sweep, Whole, Words
 
 
-def accepted(field: FieldInfo) -> str:
-    """The type, range and unit of a field in words."""
-    return _accepted(field.annotation, tuple(field.metadata))
+def accepted(annotation: Any) -> str:
+    """The type, range and unit of a value in words."""
+    marks = {type(beside): beside for beside in metadata(annotation)}
+    if Matrix in marks:
+        kind = marks[Matrix].kind
+        return f"entries by name such as `yy`, `y_thz`: {kind}; or `freedoms` with a `matrix`"
+    if ByName in marks:
+        return "an analysis by its name -> its keys"
+    if Pair in marks:
+        return "`response` and `excitation`, each `POINT.DIRECTION`"
+    forms = members(annotation)
+    if len(forms) > 1:
+        return ", or ".join(dict.fromkeys(map(accepted, forms)))
+    ranged = f"{_link(Range)}, or " if Sweep in marks else ""
+    return ranged + _of_one(forms[0])
 
 
-def default(field: FieldInfo) -> str:
-    """The default as one would write it, or ``required``."""
-    if field.is_required():
-        return "required"
-    value = field.get_default(call_default_factory=True)
-    if value is None or value in ("", [], {}):
-        return "–"
-    if isinstance(value, Entry):
-        return getattr(value, "name", "its defaults")
-    if isinstance(value, list):
-        return "all" if len(value) > 1 else f"`[{value[0]}]`"
-    return f"`{_written(field, value)}`"
-
-
-def _written(field: FieldInfo, value: Any) -> str:
-    if isinstance(value, bool | str | int):
-        return str(value).lower() if isinstance(value, bool) else str(value)
-    reader = _reader(tuple(field.metadata))
-    kind = _kind(reader) if reader else ""
-    if math.isinf(value):
-        return _message(reader, True).rpartition(", or ")[2]
-    coherent = [u for u in units.KINDS.get(kind, ("",)) if units.parse_unit(u).scale == 1.0]
-    return f"{value:g} {coherent[0]}".strip() if coherent else f"{value:g}"
-
-
-def _accepted(annotation: Any, metadata: tuple[Any, ...] = ()) -> str:
-    if get_origin(annotation) is Annotated:
-        first, *rest = get_args(annotation)
-        return _accepted(first, (*metadata, *rest))
-    reader = _reader(metadata)
-    if reader is not None:
-        return _read_by(reader, annotation)
-    if isinstance(annotation, type) and issubclass(annotation, Entry):
-        whole = BearingEntry if issubclass(annotation, BearingEntry) else annotation
-        return f"[{title(whole)}](#{anchor(whole)})"
-    return _composed(annotation)
-
-
-def _composed(annotation: Any) -> str:
-    """A list, a mapping, or one of several forms."""
-    parts = [_accepted(a) for a in get_args(annotation) if a is not type(None)]
-    origin = get_origin(annotation)
-    if origin in (types.UnionType, Union):
-        return ", or ".join(dict.fromkeys(parts))
-    if origin is list:
-        return f"list: {parts[0]}"
-    return f"mapping of names to: {parts[1]}" if origin is dict else "see meaning"
-
-
-def anchor(entry: type[Entry]) -> str:
-    """The heading's link target."""
-    return title(entry).replace(" ", "-")
-
-
-def _reader(metadata: tuple[Any, ...]) -> PlainValidator | None:
-    return next((m for m in metadata if isinstance(m, PlainValidator)), None)
-
-
-def _read_by(reader: PlainValidator, annotation: Any) -> str:
-    if annotation is Place:
+def _of_one(annotation: Any) -> str:
+    inner = bare(annotation)
+    if inner is Port:
         return "`POINT.DIRECTION`"
-    refusal = _message(reader, True)
-    allowed = refusal.partition("allowed: ")[2]
-    if annotation == list[list[float]]:
-        return "list of rows, each a list of quantities"
-    plain = {
-        "not freedoms": f"list: {allowed}",
-        "not a name": "name",
-        "not a point": "name of a point, or length",
-        "no name of a point": "name of a point",
-        "not text": "text",
-        "not a whole": f"whole number, {allowed}",
-    }
-    for start, words in plain.items():
-        if refusal.startswith(start):
-            return words
-    if refusal.startswith("not one of its choices"):
-        return _choices(allowed.split(", "))
-    return _quantity(reader, refusal) if refusal else "`true` or `false`"
+    if isinstance(inner, type) and is_dataclass(inner):
+        return _link(inner)
+    if get_origin(inner) is tuple:
+        return _several(inner)
+    if get_origin(inner) is Mapping:
+        entry = get_args(inner)[1]
+        return "mapping: new values" if entry is Any else f"mapping of names to: {accepted(entry)}"
+    return _single(annotation)
+
+
+def default(field: Field) -> str:
+    """The default as one would write it, or ``required``."""
+    if field.default is REQUIRED:
+        return "required"
+    value = default_of(field)
+    if value is None:
+        return "its defaults" if is_dataclass(field.default) else "–"
+    if isinstance(value, list):
+        one = f"{value[0]:g}" if isinstance(value[0], float) else value[0]
+        return "all" if len(value) > 1 else f"`[{one}]`"
+    return f"`{str(value).lower() if isinstance(value, bool) else value}`"
+
+
+def anchor(kind: type) -> str:
+    """The heading's link target."""
+    return title(kind).replace(" ", "-")
+
+
+def _link(kind: type) -> str:
+    whole = BallBearing if issubclass(kind, BallBearing) else kind
+    name = "bearing" if whole is BallBearing else title(whole)
+    return f"[{name}](#{name.replace(' ', '-')})"
+
+
+def _several(inner: Any) -> str:
+    return f"list: {accepted(get_args(inner)[0])}"
+
+
+def _single(annotation: Any) -> str:
+    for limit in metadata(annotation):
+        if isinstance(limit, Quantity):
+            word = f", or `{limit.infinite}`" if limit.infinite else ""
+            return ", ".join(filter(None, (limit.kind, limit.allowed))) + word
+        if isinstance(limit, Choice):
+            return _choices(list(map(str, limit.allowed)))
+        if isinstance(limit, Words):
+            return _choices([word for word, _ in limit.values])
+        if isinstance(limit, Whole):
+            return f"whole number, {limit.at_least} to {limit.at_most}"
+        if isinstance(limit, Named):
+            return "name of a point" if limit.dotted else "name"
+    return {str: "text", bool: "`true` or `false`", Any: "see meaning"}.get(
+        bare(annotation), "a value with its unit"
+    )
 
 
 def _choices(words: list[str]) -> str:
     quoted = [f"`{word}`" for word in words]
     return quoted[0] if len(quoted) == 1 else "one of " + ", ".join(quoted)
-
-
-def _quantity(reader: PlainValidator, refusal: str) -> str:
-    kind = _kind(reader)
-    far = _message(reader, f"1e290 {units.KINDS[kind][0]}".strip()).partition("allowed: ")[2]
-    words = refusal.rpartition(", or ")[2] if ", or " in refusal else ""
-    return f"{kind}, {far}" + (f", or `{words}`" if words else "")
-
-
-def _kind(reader: PlainValidator) -> str:
-    match = _KIND.search(_message(reader, True))
-    return match[1] if match else ""
-
-
-def _message(reader: PlainValidator | None, value: object) -> str:
-    """What the reader says to ``value``; empty where it takes it."""
-    try:
-        TypeAdapter(Annotated[Any, reader]).validate_python(value)
-    except ValidationError as error:
-        return error.errors()[0]["msg"]
-    return ""

@@ -1,89 +1,89 @@
-"""The reference of all keys, from the schema of the files."""
+"""The reference of all keys, read off the descriptions that files are read as."""
 
 from __future__ import annotations
 
-from importlib import import_module
+from collections.abc import Iterator
 
-from rotordyn.case.schema.base import Entry, title
-from rotordyn.case.schema.bearing import BearingEntry, entry_of
-from rotordyn.case.schema.meanings import meanings
-
-from bearings.kinds import KINDS
+from bearings.bearing import BallBearing
+from bearings.kinds import KINDS, kind_class
+from bearings.materials import Material
 from docs.generate.accepted import accepted, default
 from docs.generate.marked import table
+from rotordyn.analyses.frf.spec import Port
+from rotordyn.analyses.registry import analysis, built_in, place
+from rotordyn.case.case import Case
+from rotordyn.case.keys import EXTRA, Range, keys_of
+from rotordyn.case.schema import about, title
+from rotordyn.field import Field, descriptions
+from rotordyn.machine.reference import Reference
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.tool import Tool
 
-# Part of the page -> the entries it lists, in order of reading.
-PAGES = {
-    "case": (
-        "case.CaseEntry case.VariantEntry conditions.ConditionsEntry sweep.SpeedRange "
-        "analyses.AnalysesEntry analyses.PreloadEntry analyses.CampbellEntry "
-        "analyses.ShapesInSpaceEntry analyses.FrfEntry "
-        "sweep.FrequencyRange analyses.PairEntry analyses.ResponseMatrixEntry "
-        "analyses.MeasuredEntry "
-        "analyses.StiffnessEntry loads.SectionForcesEntry "
-        "loads.PointLoadEntry loads.LineLoadEntry loads.UnbalanceEntry loads.TwistLimitEntry "
-        "loads.UnbalanceResponseEntry loads.EccentricSpanEntry loads.BalanceGradeEntry "
-        "analyses.BearingMapEntry analyses.ControlEntry"
-    ),
-    "spindle": (
-        "spindle.SpindleEntry shaft.ShaftEntry shaft.SectionEntry shaft.MassEntry shaft.DiscEntry "
-        "support.SeatEntry growth.GrowthEntry growth.QuadraticEntry growth.FitEntry "
-        "growth.ShorteningEntry support.SleeveEntry support.SpringEntry support.SupportEntry "
-        "squeeze_film.SqueezeFilmDamperEntry "
-        "housing.HousingEntry housing.ModelFilesEntry "
-        "joint.JointEntry joint.JointDampingEntry rotor.RotorEntry rotor.RotorDampingEntry "
-        "matrix.WholeStiffnessEntry matrix.WholeDampingEntry "
-        "drawbar.DrawbarEntry spindle.DampingEntry rotor.RayleighEntry "
-        "support.BearingDampingEntry"
-    ),
-    "tool": "shaft.ToolEntry",
-    "bearing": "bearing.BearingEntry " + " ".join(f"bearing.{kind}" for kind in KINDS),
-    "material": "material.MaterialEntry",
-    "reference": "reference.ReferenceEntry",
-}
 HEAD = ("key", "takes", "default", "meaning")
+# Part of the page -> the description of its file.
+PAGES: dict[str, type] = {
+    "case": Case,
+    "spindle": Spindle,
+    "tool": Tool,
+    "bearing": BallBearing,
+    "material": Material,
+    "reference": Reference,
+}
 
 
 def key_tables() -> dict[str, str]:
     """Every part of the page, by name."""
-    return {name: _part(listed.split()) for name, listed in PAGES.items()}
+    return {name: "\n\n".join(map(_section, kinds)) for name, kinds in pages().items()}
 
 
-def entries() -> list[type[Entry]]:
-    """All entries of the page."""
-    return [_entry(place) for listed in PAGES.values() for place in listed.split()]
-
-
-def keys(entry: type[Entry]) -> list[str]:
-    """The keys of an entry as written in a file."""
-    return [field.alias or name for name, field in entry.model_fields.items()]
-
-
-def _part(places: list[str]) -> str:
-    return "\n\n".join(_section(_entry(place)) for place in places)
-
-
-def _entry(place: str) -> type[Entry]:
-    module, name = place.split(".")
-    if name in KINDS:
-        return entry_of(name)
-    found: type[Entry] = getattr(import_module(f"rotordyn.case.schema.{module}"), name)
+def pages() -> dict[str, list[type]]:
+    """The descriptions of every part of the page, each once, in order of reading."""
+    seen = {*PAGES.values(), Port, Spindle, BallBearing}
+    found: dict[str, list[type]] = {}
+    for name, kind in PAGES.items():
+        listed = [kind]
+        for each in listed:
+            for held in _held(each):
+                if held not in seen:
+                    seen.add(held)
+                    listed.append(held)
+        found[name] = listed
     return found
 
 
-def _section(entry: type[Entry]) -> str:
-    words, fields = meanings(entry), entry.model_fields.values()
-    rows = [
-        (f"`{key}`", accepted(field), default(field), words[key])
-        for key, field in zip(keys(entry), fields, strict=True)
-        if key not in _inherited(entry)
-    ]
-    about = " ".join((entry.__doc__ or "").split()).replace("``", "`")
-    head = f"### {title(entry)}\n\n{about}"
+def _held(kind: type) -> Iterator[type]:
+    """Descriptions that a mapping holds in turn."""
+    if kind is BallBearing:
+        yield from map(kind_class, KINDS)
+        return
+    if kind is Case:
+        yield Range
+        yield from (analysis(name).spec for name in sorted(built_in(), key=place))
+    for field in keys_of(kind):
+        for held in descriptions(field.annotation) if field.keys else ():
+            if not issubclass(held, BallBearing) and held.__module__ != "rotordyn.case.case":
+                yield held
+
+
+def _section(kind: type) -> str:
+    fields = EXTRA[BallBearing] if kind is BallBearing else keys_of(kind)
+    if issubclass(kind, BallBearing) and kind is not BallBearing:
+        fields = fields[len(EXTRA[BallBearing]) :]
+    rows = [_row(field) for field in fields if field.keys]
+    name = "bearing" if kind is BallBearing else title(kind)
+    words = about(kind, plainly=False)
+    if kind is BallBearing:
+        words = "A ball bearing; its kind adds further keys."
+    head = f"### {name}\n\n{words}"
     return f"{head}\n\n{table(HEAD, rows)}" if rows else head
 
 
-def _inherited(entry: type[Entry]) -> set[str]:
-    """Keys that the entry of all bearings lists for every kind."""
-    kind = issubclass(entry, BearingEntry) and entry is not BearingEntry
-    return set(BearingEntry.model_fields) if kind else set()
+def _row(field: Field) -> tuple[str, str, str, str]:
+    material = {Material} & {*descriptions(field.annotation)}
+    written = "; name, path or mapping" if material and "path" not in field.meaning else ""
+    return (
+        f"`{'.'.join(field.keys)}`",
+        accepted(field.annotation),
+        default(field),
+        f"{field.meaning}{written}",
+    )

@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping
 
-from rotordyn.analyses.contract import Spec
 from rotordyn.analyses.registry import analysis
 from rotordyn.equation.mesh import build_mesh
 from rotordyn.equation.shaft import half_wave
 from rotordyn.machine.spindle import Spindle
 from rotordyn.results.display import RPM
 from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.spec import Spec
 
 
 def beyond_elements(

@@ -11,11 +11,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from bearings.bearing import BallBearing
-from rotordyn.analyses.contract import Result, Spec
+from rotordyn.analyses.contract import Result
 from rotordyn.analyses.registry import analysis
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.spec import Spec
 
 if TYPE_CHECKING:
     from rotordyn.scene.stage import Memo

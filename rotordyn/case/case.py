@@ -42,7 +42,7 @@ class Case(Description):
         tuple[Speed, ...], Items(), Sweep(), "every speed at which the analyses are answered"
     ]
     analyses: Annotated[
-        Mapping[Name, Description],
+        Mapping[Name, Spec],
         ByName(),
         "what is asked; what is not named is not computed",
     ]
@@ -83,7 +83,7 @@ class Case(Description):
         return Setting(self.spindle, self.conditions, self.speeds)
 
     @property
-    def _named(self) -> dict[str, Description]:
+    def _named(self) -> dict[str, Spec]:
         """The analyses without those whose fault is reported already."""
         return {name: spec for name, spec in self.analyses.items() if name}
 
@@ -100,8 +100,7 @@ class Case(Description):
         if self.setting is not None:
             yield from setting_faults(self.setting)
             for name, spec in self.analyses.items():
-                if isinstance(spec, Spec):
-                    yield from within(("analyses", name), spec.faults_on(self.setting))
+                yield from within(("analyses", name), spec.faults_on(self.setting))
         yield from self._variants()
 
     def faults_alone(self) -> Faults:
@@ -154,8 +153,7 @@ class Case(Description):
         if self.setting is None:
             return
         for name, spec in self.analyses.items():
-            if isinstance(spec, Spec):
-                yield from within(("analyses", name), spec.last_faults_on(self.setting))
+            yield from within(("analyses", name), spec.last_faults_on(self.setting))
         if self.conditions.element_length is not None:
             from rotordyn.analyses.resolution import beyond_elements
 

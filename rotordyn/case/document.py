@@ -132,7 +132,7 @@ class _Composer:
         try:
             root = self._document()
         except yaml.YAMLError as error:
-            raise _not_yaml(error) from None
+            raise _not_yaml(error, text) from None
         if root is None or root.value is None:
             raise _Refused("the file is empty: a mapping (key: value) is needed")
         if not isinstance(root.value, dict):
@@ -232,8 +232,14 @@ class _Composer:
         self.faults.add(Fault(self.file, *_position(place), "", message))
 
 
-def _not_yaml(error: Exception) -> _Refused:
+def _not_yaml(error: Exception, text: str) -> _Refused:
     mark: Any = getattr(error, "problem_mark", None)
+    if (
+        mark is not None
+        and "\t" in text.splitlines()[mark.line : mark.line + 1][0][: mark.column + 1]
+    ):
+        tabbed = "a tab stands where YAML wants spaces: indent by spaces alone"
+        return _Refused(tabbed, mark.line + 1, mark.column + 1)
     if mark is None:
         return _Refused("is not YAML: " + (str(error) or "cannot be parsed").splitlines()[0], 1, 1)
     problem = getattr(error, "problem", None) or "cannot be parsed"

@@ -12,14 +12,16 @@ from bearings.kinds import KINDS
 from rotordyn import units
 from rotordyn.case.document import read_bytes, read_document
 from rotordyn.case.faults import Faults
-from rotordyn.case.keys import ModelFiles, bearing_class, keys_of, kinds_with
+from rotordyn.case.keys import COMMON, ModelFiles, bearing_class, keys_of, kinds_with
 from rotordyn.case.library import UnknownModel, find
 from rotordyn.case.node import UNKNOWN, Node
 from rotordyn.case.override import apply
-from rotordyn.case.reading import Reading
+from rotordyn.case.reading import Reading, exact
 from rotordyn.case.reduced import NoModel, ReducedModel
 from rotordyn.case.table import tabled
 from rotordyn.machine.assembly import unknown
+from rotordyn.machine.shaft import Shaft
+from rotordyn.machine.spindle import Spindle
 
 _MATERIALS_OF_BEARING = (("ball_material",), ("ring_material",))
 _MATERIALS_OF_SPINDLE = (
@@ -89,15 +91,82 @@ def spindle(reference: Node, override: Node | None, reader: Reader) -> Node | No
     root = reader.model("spindles", reference)
     if root is None:
         return None
-    apply(override, root, reader.faults)
+    whole = _override(root, override, reader)
     _fill(root, _MATERIALS_OF_SPINDLE, "materials", reader)
     for holder in _matching(root, ("bearings", "*")):
-        _bearing_of_seat(root, holder, reader)
+        if id(holder) not in whole:
+            _bearing_of_seat(root, holder, reader)
     for holder in _matching(root, ("supports", "*")):
         _table_of_support(holder, reader)
     for holder in _matching(root, ("housings", "*")):
         _model_of_housing(holder, reader)
     return root
+
+
+def _override(root: Node, override: Node | None, reader: Reader) -> set[int]:
+    """Applies the overrides of a case; those of what stands for all items before single ones.
+
+    Gives the seats (by id) whose models are filled in already, because a path leads through them.
+    """
+    whole: set[int] = set()
+    if override is None or not isinstance(override.value, dict):
+        return whole
+    shared = [*(fills for _, fills in _SHARED), ("bearings", "*", "model")]
+    single = {p for p in override.value if any(_leads(p.split("."), fills) for fills in shared)}
+    for paths in (override.value.keys() - single, single):
+        own = {path: value for path, value in override.value.items() if path in paths}
+        for path in own:
+            _share(root, path.split("."))
+            _open(root, path.split("."), reader, whole)
+        apply(replace(override, value=own), root, reader.faults)
+    return whole
+
+
+def _leads(steps: list[str], fills: tuple[str, ...]) -> bool:
+    """A path goes on within what an item shares with others."""
+    alike = all(fill in ("*", step) for fill, step in zip(fills, steps, strict=False))
+    return alike and len(steps) > len(fills)
+
+
+def _share(root: Node, steps: list[str]) -> None:
+    """Gives an item, on a path that leads into what it shares with others, a value of its own."""
+    for keys, fills in _SHARED:
+        source = exact(root, keys)
+        if source is None or not _leads(steps, fills):
+            continue
+        *way, _, key = fills
+        listed, called = exact(root, tuple(way)), steps[len(way)]
+        for holder in listed.value if listed and isinstance(listed.value, list) else ():
+            if isinstance(holder.value, dict) and called in ("*", holder.name):
+                holder.value.setdefault(key, source.copy())
+
+
+_SHARED = [
+    ((*way, *common.keys), (*way, *common.fills))
+    for way, kind in (((), Spindle), (("shaft",), Shaft))
+    for common in COMMON[kind]
+]
+
+
+def _open(root: Node, steps: list[str], reader: Reader, whole: set[int]) -> None:
+    """Fills in the models that a path leads into, as ``bearings.a.model.contact_angle``.
+
+    ``whole``: seats (by id) whose models are filled in.
+    """
+    if len(steps) > 3 and steps[0] == "bearings" and steps[2] == "model":
+        for seat in _matching(root, ("bearings", "*")):
+            if steps[1] in ("*", seat.name) and id(seat) not in whole:
+                _bearing_of_seat(root, seat, reader)
+                whole.add(id(seat))
+    elif "material" in steps[:-1]:
+        place = steps.index("material")
+        for *way, _ in _MATERIALS_OF_SPINDLE:
+            fits = len(way) == place and all(
+                a in ("*", b) for a, b in zip(way, steps, strict=False)
+            )
+            for holder in _matching(root, tuple(way)) if fits else ():
+                if steps[place - 1] in ("*", holder.name, way[-1]):
+                    _fill(holder, (("material",),), "materials", reader)
 
 
 def tool(reference: Node, reader: Reader) -> Node | None:

@@ -94,7 +94,8 @@ def _named(sentence: str, model: type[BallBearing], node: Node) -> tuple[tuple[s
 
     Keys that an override gives come first: the model of a library is not the user's to change.
     """
-    optional = {field.name for field in keys_of(model) if field.default is None}
+    kind: Any = model
+    optional = {field.name for field in keys_of(kind) if field.default is None}
     words = re.findall(r"[a-z_]+", sentence)
     given = [word for word in words if word in model.measures() and node.child(word) is not None]
     written = [word for word in given if node.at(word).file != node.file]

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from pathlib import Path
-from typing import Literal, TypeVar, overload
+from typing import Any, Literal, TypeVar, overload
 
 from bearings.bearing import BallBearing
 from bearings.materials import Material
@@ -46,7 +46,7 @@ def model(kind: str, reference: str | Path) -> Model:
     """
     root, reader = _document(known_kind(kind), reference)
     reading = reading_of(reader)
-    found: Model | None = None
+    found: Any = None
     if kind == "spindles" and (tree := expand.spindle(root, None, reader)):
         found = read_spindle(reading, tree, None)[0]
     elif kind == "tools" and (tree := expand.tool(root, reader)):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node, joined
 from rotordyn.quantity import suggestion
@@ -10,8 +12,8 @@ from rotordyn.quantity import suggestion
 def apply(changes: Node | None, target: Node, faults: Faults) -> None:
     """Writes each entry of ``changes`` (dotted path: value) into ``target``, in place.
 
-    A path names keys, and items of a list by their ``name``; mappings on the way are made where
-    they are missing. Anything else the path meets is a fault.
+    A path names keys, and items of a list by their ``name``; ``*`` stands for every item or entry.
+    Mappings on the way are made where they are missing. Anything else the path meets is a fault.
     """
     if changes is None or not isinstance(changes.value, dict):
         return
@@ -20,31 +22,29 @@ def apply(changes: Node | None, target: Node, faults: Faults) -> None:
 
 
 def _put(value: Node, steps: list[str], target: Node, faults: Faults) -> None:
-    for place, step in enumerate(steps[:-1], start=1):
-        path = value.path.removesuffix("." + ".".join(steps[place:]))
-        found = _step(value, step, path, target, faults)
-        if found is None:
-            return
-        target = found
-    if isinstance(target.value, list):
-        _replace_item(value, steps[-1], target, faults)
-    elif isinstance(target.value, dict):
-        target.value[steps[-1]] = value
-    else:
-        _no_way(value, steps[-1], target, faults)
-
-
-def _step(value: Node, step: str, path: str, target: Node, faults: Faults) -> Node | None:
-    """One step from ``target``; ``path`` is the way so far, where a mapping must be made."""
-    if isinstance(target.value, list):
-        return _item(value, step, target, faults)
-    if not isinstance(target.value, dict):
+    step, rest = steps[0], steps[1:]
+    if step == "*" and isinstance(target.value, dict | list):
+        held: Any = target.value
+        for key, child in [*target.items()]:
+            if rest:
+                _put(value, rest, child, faults)
+            else:
+                held[key] = value
+    elif isinstance(target.value, list):
+        found = _item(value, step, target, faults)
+        if found is not None and rest:
+            _put(value, rest, found, faults)
+        elif found is not None:
+            target.value[target.value.index(found)] = value
+    elif not isinstance(target.value, dict):
         _no_way(value, step, target, faults)
-        return None
-    if step not in target.value or target.value[step].value is None:
-        target.value[step] = Node({}, value.file, value.line, value.column, path, key=value.key)
-    child: Node = target.value[step]
-    return child
+    elif not rest:
+        target.value[step] = value
+    else:
+        if step not in target.value or target.value[step].value is None:
+            path = value.path.removesuffix("." + ".".join(rest))
+            target.value[step] = Node({}, value.file, value.line, value.column, path, key=value.key)
+        _put(value, rest, target.value[step], faults)
 
 
 def _item(value: Node, step: str, target: Node, faults: Faults) -> Node | None:
@@ -56,12 +56,6 @@ def _item(value: Node, step: str, target: Node, faults: Faults) -> Node | None:
         message = f"unknown name '{step}' in {where}; allowed: {allowed}{suggestion(step, names)}"
         faults.at_key(value, (), message)
     return found
-
-
-def _replace_item(value: Node, step: str, target: Node, faults: Faults) -> None:
-    found = _item(value, step, target, faults)
-    if found is not None:
-        target.value[target.value.index(found)] = value
 
 
 def _no_way(value: Node, step: str, target: Node, faults: Faults) -> None:

@@ -28,6 +28,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import FREEDOMS, Matrix
 from rotordyn.machine.tool import Tool
 from rotordyn.quantity import Choice, Items, Named, Quantity, Sweep, Whole, Words, suggestion
+from rotordyn.scene.spec import Spec
 
 Shape = dict[str, Any]
 FILES: dict[str, type] = {
@@ -80,8 +81,8 @@ def json_schema(file: str) -> Shape:
 
 def title(kind: type) -> str:
     """``SqueezeFilmDamper`` -> ``squeeze film damper``."""
-    words = re.sub(r"(?<!^)(?=[A-Z])", " ", kind.__name__.removesuffix("Spec"))
-    return words.lower()
+    words = re.sub(r"(?<!^)(?=[A-Z])", " ", kind.__name__).lower()
+    return re.sub(r" spec$", " analysis" if issubclass(kind, Spec) else "", words)
 
 
 def default_of(field: Field) -> Any:
@@ -104,9 +105,10 @@ def plain(text: str) -> str:
     return re.sub(r" ?\(\[[^]]*\]\([^)]*\)\)", "", " ".join(text.split())).replace("`", "")
 
 
-def _about(kind: type) -> str:
-    """The first sentence about a description, without units."""
-    return re.sub(r",? \[[^]]*\]", "", plain((kind.__doc__ or "").partition("\n\n")[0]))
+def about(kind: type, *, plainly: bool = True) -> str:
+    """The first paragraph about a description, without units; ``plainly``: without marks."""
+    text = " ".join((kind.__doc__ or "").partition("\n\n")[0].split()).replace("``", "`")
+    return re.sub(r",? \[[^]]*\](?!\()", "", plain(text) if plainly else text)
 
 
 def _defined(kind: type, shapes: dict[str, Shape]) -> str:
@@ -117,11 +119,11 @@ def _defined(kind: type, shapes: dict[str, Shape]) -> str:
     shapes[name] = {}
     if kind is BallBearing:
         forms = [{"$ref": f"#/$defs/{_defined(kind_class(word), shapes)}"} for word in KINDS]
-        about = {"title": "bearing", "description": "A ball bearing, its keys by its kind."}
-        shapes[name] = {**about, "oneOf": forms}
+        head = {"title": "bearing", "description": "A ball bearing, its keys by its kind."}
+        shapes[name] = {**head, "oneOf": forms}
         return name
-    about = {"title": title(kind), "description": _about(kind)}
-    shapes[name] = {**_mapping(keys_of(kind), shapes, kind), **about, **_RULES.get(kind, {})}
+    head = {"title": title(kind), "description": about(kind)}
+    shapes[name] = {**_mapping(keys_of(kind), shapes, kind), **head, **_RULES.get(kind, {})}
     if issubclass(kind, BallBearing):
         _one_kind(shapes[name], kind)
     return name
@@ -180,10 +182,10 @@ def shape_of(annotation: Any, shapes: dict[str, Shape]) -> Shape:
     forms = members(annotation)
     if len(forms) > 1:
         each = [shape_of(form, shapes) for form in forms]
-        about = [
+        said = [
             form["description"] for form in each if "description" in form and "$ref" not in form
         ]
-        return {"anyOf": each, **({"description": "; or ".join(about)} if about else {})}
+        return {"anyOf": each, **({"description": "; or ".join(said)} if said else {})}
     return _of_one(forms[0], shapes)
 
 
@@ -230,9 +232,9 @@ def _single(annotation: Any) -> Shape:
         if isinstance(limit, Words):
             return {"enum": [word for word, _ in limit.values]}
         if isinstance(limit, Whole):
-            about = f"whole number, {limit.at_least} to {limit.at_most}"
+            said = f"whole number, {limit.at_least} to {limit.at_most}"
             bounds = {"minimum": limit.at_least, "maximum": limit.at_most}
-            return {"type": "integer", **bounds, "description": about}
+            return {"type": "integer", **bounds, "description": said}
         if isinstance(limit, Named):
             pattern = rf"^{_NAME}(\.{_NAME})?$" if limit.dotted else rf"^{_NAME}$"
             return {"type": "string", "pattern": pattern}
@@ -341,10 +343,10 @@ def _by_name(annotation: Any, shapes: dict[str, Shape]) -> Shape:
     each = {}
     for name in names():
         kind = analysis(name).spec
-        about = shapes[_defined(kind, shapes)]["description"]
+        said = shapes[_defined(kind, shapes)]["description"]
         forms = [{"$ref": f"#/$defs/{kind.__name__}"}]
         forms += [] if "required" in shapes[kind.__name__] else [{"type": "null"}]
-        each[name] = {"anyOf": forms, "description": about}
+        each[name] = {"anyOf": forms, "description": said}
     return {
         "type": "object",
         "properties": each,
@@ -357,7 +359,7 @@ def _values(annotation: Any, shapes: dict[str, Shape]) -> Shape:
     """A reference: its values have the unit of its quantity."""
     shape = _mapping(keys_of(Reference), shapes, Reference)
     shape["properties"]["values"]["items"] = {"type": ["string", "number"]}
-    return {**shape, "description": _about(Reference)}
+    return {**shape, "description": about(Reference)}
 
 
 _FORMS: dict[type, Callable[[Any, dict[str, Shape]], Shape]] = {

@@ -8,7 +8,8 @@ from dataclasses import dataclass, is_dataclass, replace
 from typing import Annotated, Any, TypeVar, get_args, get_origin
 
 from bearings.errors import InvalidBearing
-from rotordyn.case.case import Case
+from rotordyn.analyses.registry import analysis, names
+from rotordyn.case.case import ByName, Case
 from rotordyn.errors import InvalidInput
 from rotordyn.field import Field, Refused, accept, bare, declared, found_in, members, shown
 from rotordyn.machine.support import Matrix
@@ -98,11 +99,15 @@ def _taken(annotation: Any, change: _Change) -> Any:
 
 
 def _fields(old: Any, changes: Sequence[_Change]) -> Any:
-    groups: dict[Field, list[_Change]] = {}
+    fields = {field.name: field for field in declared(old.__class__)}
+    groups: dict[str, list[_Change]] = {}
     for change in changes:
-        field, rest = _field(declared(old.__class__), change)
-        groups.setdefault(field, []).append(rest)
-    new = {f.name: _value(f.annotation, getattr(old, f.name), g) for f, g in groups.items()}
+        field, rest = _field([*fields.values()], change)
+        groups.setdefault(field.name, []).append(rest)
+    new = {
+        name: _value(fields[name].annotation, getattr(old, name), group)
+        for name, group in groups.items()
+    }
     try:
         return replace(old, **new)
     except (InvalidInput, InvalidBearing) as error:
@@ -111,7 +116,8 @@ def _fields(old: Any, changes: Sequence[_Change]) -> Any:
 
 def _field(fields: Sequence[Field], change: _Change) -> tuple[Field, _Change]:
     """The field that the first steps of a path lead to, and what is still to go."""
-    ways = {field.keys or (field.name,): field for field in fields}
+    ways: dict[tuple[str, ...], Field] = {(f.name,): f for f in fields if not f.keys}
+    ways |= {field.keys: field for field in fields if field.keys}
     for way, field in ways.items():
         if change.steps[: len(way)] == way:
             return field, replace(change, steps=change.steps[len(way) :])
@@ -134,7 +140,8 @@ def _items(annotation: Any, old: tuple[Any, ...], changes: Sequence[_Change]) ->
 
 def _entries(annotation: Any, old: Mapping[Any, Any], changes: Sequence[_Change]) -> dict[Any, Any]:
     key, member = _member(annotation, Mapping)
-    keys = {_text(name): name for name in [*old, *_closed(key)]}
+    closed = names() if found_in(annotation, ByName) else _closed(key)
+    keys = {_text(name): name for name in [*old, *closed]}
     groups = _grouped(changes, [_text(name) for name in old], "key", list(keys))
     matrix, new = found_in(annotation, Matrix), {}
     for text, group in groups.items():
@@ -142,6 +149,8 @@ def _entries(annotation: Any, old: Mapping[Any, Any], changes: Sequence[_Change]
         if matrix is not None:
             one = Annotated[float, matrix.quantity(*name)]
             member = one | tuple[one, ...]
+        if found_in(annotation, ByName):
+            member = analysis(name).spec
         new[name] = _value(member, old.get(name), group)
     return {**old, **new}
 
@@ -182,7 +191,7 @@ def _grouped(
 
 
 def _known(change: _Change, step: str, known: Iterable[str], what: str) -> None:
-    names = [name for name in known if name]
+    names = [*dict.fromkeys(name for name in known if name)]
     if step in names:
         return
     listed = ", ".join(names[:12]) + (", …" if len(names) > 12 else "")

@@ -24,12 +24,12 @@ def turning_faults(
     shaft: Shaft, masses: Sequence[PointMass], discs: Sequence[Disc], joints: Sequence[Joint]
 ) -> Faults:
     """Faults of what turns with a shaft: each on it, and called by a name of its own."""
-    turning: tuple[tuple[str, str, Sequence[PointMass | Disc]], ...]
-    turning = (("mass", "masses", masses), ("disc", "discs", discs))
-    for what, key, bodies in turning:
-        yield from named_twice(key, bodies)
-        for index, body in enumerate(bodies):
-            yield from on_the_shaft(what, body.x, shaft, (key, index, "x"))
+    yield from named_twice("masses", masses)
+    yield from named_twice("discs", discs)
+    for index, mass in enumerate(masses):
+        yield from on_the_shaft("mass", mass.x, shaft, ("masses", index, "x"))
+    for index, disc in enumerate(discs):
+        yield from on_the_shaft("disc", disc.x, shaft, ("discs", index, "x"))
     taken = {mass.name for mass in masses}
     for index, disc in enumerate(discs):
         if disc.name and disc.name in taken:

@@ -75,46 +75,50 @@ def case(**changes: Any) -> rotordyn.Case:
 NAN, INF = math.nan, math.inf
 IMPOSSIBLE: dict[str, Callable[[], object]] = {
     "Section: length: .* given -0.1 m; allowed: above 0 m": lambda: Section(-0.1, 1, 0, STEEL),
-    "Section neck: no wall left": lambda: Section(0.1, 0.05, 0.05, STEEL, "neck"),
+    r"Section neck: inner_diameter: no wall left": lambda: Section(0.1, 0.05, 0.05, STEEL, "neck"),
     "Section: outer_diameter: not a number": lambda: Section(0.1, NAN, 0.0, STEEL),
     "Section: length: .* given inf m": lambda: Section(INF, 0.1, 0.0, STEEL),
     "Section: material: wrong type: given 'steel'": lambda: Section(0.1, 0.1, 0.0, "steel"),
     "Section 3: name: not a name: given '3'": lambda: Section(0.1, 0.1, 0.0, STEEL, "3"),
-    "Section: length: wrong type: given '1 m'; allowed: a number in SI": lambda: Section(
-        "1 m", 0.1, 0.0, STEEL
+    "Section: length: 'N' is not a unit of length: given '1 N'": lambda: Section(
+        "1 N", 0.1, 0.0, STEEL
     ),
-    "Shaft: a shaft needs at least one": lambda: Shaft(0.0, ()),
-    "Shaft: two sections are named 'body'": lambda: Shaft(0.0, SHAFT.sections * 2),
+    r"Shaft: sections: too few items: given 0; allowed: at least one": lambda: Shaft(0.0, ()),
+    r"Shaft: sections.body.name: name given twice: 'body'": lambda: Shaft(0.0, SHAFT.sections * 2),
     "Shaft: sections: wrong type: given a Section": lambda: Shaft(0.0, SHAFT.sections[0]),
     r"Shaft: sections\[0\]: wrong type": lambda: Shaft(0.0, (1.0,)),
     "Shaft: shear_coefficient: .*did you mean cowper": lambda: replace(
         SHAFT, shear_coefficient="couper"
     ),
     "Shaft: shear_coefficient: number out of range": lambda: replace(SHAFT, shear_coefficient=2.0),
-    "PointMass m: impossible body": lambda: PointMass("m", 0.0, 1.0, 0.1, 0.01),
+    r"PointMass m: polar_inertia: impossible body: given 0.1 kg m.2": lambda: PointMass(
+        "m", 0.0, 1.0, 0.1, 0.01
+    ),
     "PointMass m: mass: mass out of range": lambda: PointMass("m", 0.0, -1.0),
-    "Disc d: no wall": lambda: Disc("d", 0.0, 0.1, 0.2, 0.01, STEEL),
-    "BearingSeat a: thrust: .*allowed: 1, -1": lambda: BearingSeat("a", BEARING, 0.0, "+x"),
-    "BearingSeat a: growth.static takes the whole contact angle": lambda: replace(
+    r"Disc d: inner_diameter: no wall left: given inner diameter 0.2 m; .* outer, 0.1 m": lambda: (
+        Disc("d", 0.0, 0.1, 0.2, 0.01, STEEL)
+    ),
+    r"BearingSeat a: thrust: .*allowed: \+x, -x": lambda: BearingSeat("a", BEARING, 0.0, "+y"),
+    r"BearingSeat a: growth.static: takes the whole contact angle: given 0.0005 m": lambda: replace(
         FRONT, growth=RingGrowth(500e-6)
     ),
-    "no ring left beside the balls": lambda: replace(
-        FRONT, growth=RingGrowth(0.0, InterferenceFit(0.06, 1e-6))
+    r"growth.fit: the bore of bearing a leaves no ring beside the balls: given 60.00 mm": lambda: (
+        replace(FRONT, growth=RingGrowth(0.0, "computed", InterferenceFit(0.06, 1e-6)))
     ),
-    "RingGrowth: centrifugal: .* QuadraticInSpeed or InterferenceFit or None": lambda: RingGrowth(
+    r"RingGrowth: centrifugal: .* QuadraticInSpeed or 'computed' or None": lambda: RingGrowth(
         0.0, 1e-6
     ),
     "QuadraticInSpeed: speed: speed out of range: given 0 rad/s": lambda: QuadraticInSpeed(0, 0.0),
     "Spring: stiffness: .* or infinite": lambda: Spring(1.0, -INF),
-    "Sleeve s: a sleeve carries": lambda: Sleeve("s", (), Spring(1.0)),
+    r"Sleeve s: bearings: too few items": lambda: Sleeve("s", (), Spring(1.0)),
     r"LinearSupport s: stiffness\[\('y', 'q'\)\]: |LinearSupport s: stiffness": lambda: (
         LinearSupport("s", 0.0, {("y", "q"): 1.0})
     ),
     r"stiffness\[\('y', 'y'\)\]: not finite": lambda: LinearSupport("s", 0, {("y", "y"): INF}),
-    "LinearSupport s: y is held rigidly and has entries": lambda: LinearSupport(
+    r"LinearSupport s: rigid: y is held rigidly and has entries": lambda: LinearSupport(
         "s", 0.0, {("y", "thz"): 1.0}, rigid=("y",)
     ),
-    "LinearSupport s: rigid: repeated: given 'y'": lambda: LinearSupport(
+    r"LinearSupport s: rigid.1.: repeated: given 'y'": lambda: LinearSupport(
         "s", 0.0, rigid=("y", "y")
     ),
     "supports 'l' and 'r' both hold y there": lambda: spindle(
@@ -123,51 +127,58 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
     "support 'l' holds x rigidly beside bearings": lambda: spindle(
         supports=(LinearSupport("l", 0.1, rigid=("x",)),)
     ),
-    "section_forces: nothing acts: allowed: at least one of loads": lambda: case(
+    r"analyses.section_forces: nothing acts: allowed: at least one of loads": lambda: case(
         spindle=spindle(seats=(), sleeves=(), supports=(SUPPORT,)),
         analyses={"section_forces": SectionForcesSpec()},
     ),
-    "section_forces: loads.0.at: unknown point: given 'tp'.*did you mean tip": lambda: case(
-        analyses={"section_forces": SectionForcesSpec((PointLoad("tp"),))}
+    r"analyses.section_forces.loads.0..at: unknown point: given 'tp'.*did you mean tip": lambda: (
+        case(analyses={"section_forces": SectionForcesSpec((PointLoad("tp"),))})
     ),
-    "section_forces: loads.0.at: load off the shaft: given '301.0 mm'": lambda: case(
+    r"section_forces.loads.0..at: load off the shaft: given 0.301 m": lambda: case(
         analyses={"section_forces": SectionForcesSpec((PointLoad(0.301),))}
     ),
-    "section_forces: loads: free body in a static case: nothing holds thx, .* 2 N m": lambda: case(
+    r"section_forces.loads: free body in a static case: nothing holds thx, .* 2 N m": lambda: case(
         analyses={"section_forces": SectionForcesSpec((PointLoad("tip", Mx=2.0),))}
     ),
-    "twist_limits: repeated: given 'a to b'": lambda: SectionForcesSpec(
+    r"twist_limits.1.: repeated: given 'a to b'": lambda: SectionForcesSpec(
         twist_limits=(TwistLimit("a", "b", 1.0), TwistLimit("a", "b", 2.0))
     ),
     "PointLoad: at: ": lambda: PointLoad(math.inf),
-    "two seats are named 'a'": lambda: spindle(seats=(FRONT, FRONT), sleeves=()),
-    "BearingSeat a off the shaft: given 0.4 m; allowed: 0 m to 0.3 m": lambda: spindle(
+    r"bearings.a.name: name given twice: 'a'": lambda: spindle(seats=(FRONT, FRONT), sleeves=()),
+    r"bearings.a.x: bearing off the shaft: given 0.4 m; allowed: 0 mm to 300.0 mm": lambda: spindle(
         seats=(replace(FRONT, x=0.4), REAR)
     ),
-    "sleeve rear: unknown bearing 'B'; allowed: a, b": lambda: spindle(
+    r"sleeves.rear.bearings.0.: unknown bearing: given 'B'; allowed: a, b": lambda: spindle(
         sleeves=(replace(SLEEVE, bearings=("B",)),)
     ),
-    "its bearings must all have the same thrust": lambda: spindle(
+    r"bearings of one sleeve must all have the same thrust": lambda: spindle(
         sleeves=(replace(SLEEVE, bearings=("a", "b")),)
     ),
-    "bearing 'b' is on more than one": lambda: spindle(
+    r"sleeves.other.bearings.0.: bearing 'b' is already on sleeve 'rear'": lambda: spindle(
         sleeves=(SLEEVE, replace(SLEEVE, name="other"))
     ),
-    "shortening.shift: unknown bearing 'c'": lambda: spindle(
+    r"shortening.shift.c: unknown bearing: given 'c'": lambda: spindle(
         shortening=PrescribedShortening(1.0, {"c": 0.0})
     ),
-    "reference of shortening off the shaft": lambda: spindle(shortening=ComputedShortening(1.0)),
-    "the bore of bearing a leaves no shaft": lambda: spindle(
-        seats=(replace(FRONT, growth=RingGrowth(0.0, InterferenceFit(0.02, 1e-6))), REAR)
+    r"shortening.reference: reference off the shaft: given 1 m": lambda: spindle(
+        shortening=ComputedShortening(1.0)
+    ),
+    r"bearings.a.growth.fit: the bore of bearing a leaves no shaft: given 20.00 mm": lambda: (
+        spindle(
+            seats=(
+                replace(FRONT, growth=RingGrowth(0.0, "computed", InterferenceFit(0.02, 1e-6))),
+                REAR,
+            )
+        )
     ),
     r"rotor_damping\[1\]: ratio out of range": lambda: spindle(rotor_damping=(0.1, 1.0)),
-    "Drawbar: its start, guides and end must ascend: given 0.1 m after 0.2 m": lambda: Drawbar(
-        1e4, 0.2, 0.1
-    ),
+    r"Drawbar: to: no length left: given 0.2 m to 0.1 m": lambda: Drawbar(1e4, 0.2, 0.1),
     "Drawbar: guides: .*everywhere": lambda: Drawbar(1e4, 0.0, 0.1, "nowhere"),
     "drawbar off the shaft: given 0.4 m": lambda: spindle(drawbar=Drawbar(1e4, 0.1, 0.4)),
-    "two masses are named": lambda: Tool("t", SHAFT.sections, (PointMass("m", 0, 1),) * 2),
-    "a tool needs": lambda: Tool("t", ()),
+    r"masses.m.name: name given twice: 'm'": lambda: Tool(
+        "t", SHAFT.sections, (PointMass("m", 0, 1),) * 2
+    ),
+    r"Tool t: sections: too few items": lambda: Tool("t", ()),
     "Reference: quantity: .*did you mean preload_sum": lambda: Reference(
         "preload_sun", "measured", "x", (0.0,), (1.0,)
     ),
@@ -175,16 +186,16 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
     "Conditions: kinematics: .*did you mean outer": lambda: Conditions(kinematics="outr"),
     "Conditions: element_length: .* given 0 m": lambda: Conditions(element_length=0.0),
     r"CampbellSpec: teeth\[0\]: wrong type: given 2.5": lambda: CampbellSpec(teeth=(2.5,)),
-    "teeth: not in ascending order": lambda: CampbellSpec(teeth=(3, 2)),
+    r"teeth.1.: not in ascending order: given 2 after 3": lambda: CampbellSpec(teeth=(3, 2)),
     r"engine_orders\[1\]: number out of range: given 1000.5; allowed: from 0.001 up to 1000": (
         lambda: CampbellSpec(engine_orders=(0.43, 1000.5))
     ),
     r"engine_orders\[0\]: number out of range: given 0": (
         lambda: CampbellSpec(engine_orders=(0.0, 1.0))
     ),
-    "frequencies: repeated: given 1 after 1": lambda: FrfSpec((1.0, 1.0), ((TIP, TIP),)),
-    "no pairs": lambda: FrfSpec((1.0,), ()),
-    "pairs: repeated": lambda: FrfSpec((1.0,), ((TIP, TIP),) * 2),
+    r"frequencies.1.: repeated: given 1 Hz after 1 Hz": lambda: FrfSpec((1.0, 1.0), ((TIP, TIP),)),
+    r"FrfSpec: pairs: too few items": lambda: FrfSpec((1.0,), ()),
+    r"pairs.1.: repeated": lambda: FrfSpec((1.0,), ((TIP, TIP),) * 2),
     r"pairs\[0\]: 2 items are needed: given 1": lambda: FrfSpec((1.0,), ((TIP,),)),
     "nothing couples axial motion and bending": lambda: case(
         analyses={"frf": FrfSpec((1.0,), ((Port("tip", "x"), TIP),))}
@@ -193,81 +204,91 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
         spindle=spindle(supports=(replace(SUPPORT, stiffness={("y", "z"): 1.0}),)),
         analyses={"stiffness": StiffnessSpec("tip")},
     ),
-    "UnbalanceSpec: no points": lambda: UnbalanceSpec((), (Unbalance("tip", 1e-6),)),
-    "UnbalanceSpec: no unbalance: give": lambda: UnbalanceSpec(("tip",)),
-    "points: repeated: given 'tip'": lambda: UnbalanceSpec(
+    r"UnbalanceSpec: points: too few items": lambda: UnbalanceSpec((), (Unbalance("tip", 1e-6),)),
+    r"UnbalanceSpec: nothing is out of balance: allowed: at least one of unbalances": lambda: (
+        UnbalanceSpec(("tip",))
+    ),
+    r"points.1.: repeated: given 'tip'": lambda: UnbalanceSpec(
         ("tip", "tip"), (Unbalance("tip", 1e-6),)
     ),
-    "BalanceGrade: planes: one or two are needed: given 3": lambda: BalanceGrade(
+    r"BalanceGrade: planes: too many items: given 3; allowed: up to 2": lambda: BalanceGrade(
         2.5e-3, 100.0, (0.0, 0.1, 0.2)
     ),
     "BalanceGrade: phase: a couple needs two planes": lambda: BalanceGrade(
         2.5e-3, 100.0, (0.0,), "couple"
     ),
-    "unbalance.unbalances.0.at: unknown point: given 'tp'.*did you mean tip": lambda: case(
+    r"unbalance.unbalances.0..at: unknown point: given 'tp'.*did you mean tip": lambda: case(
         analyses={"unbalance": UnbalanceSpec(("tip",), (Unbalance("tp", 1e-6),))}
     ),
     "unbalance.grade.planes: the centre of gravity must lie between": lambda: case(
         analyses={"unbalance": UnbalanceSpec(("tip",), grade=BalanceGrade(1e-3, 1.0, (0.0, 0.1)))}
     ),
-    "tangents: repeated": lambda: BearingMapSpec((1.0,), tangents=("frozen", "frozen")),
-    "PointMass d: mass: mass out of range": lambda: Disc("d", 0.0, 10.0, 0.0, 90.0, STEEL),
+    r"tangents.1.: repeated": lambda: BearingMapSpec((1.0,), tangents=("frozen", "frozen")),
+    r"Disc d: the mass of the disc: mass out of range": lambda: Disc(
+        "d", 0.0, 10.0, 0.0, 90.0, STEEL
+    ),
     "Port: direction: .* allowed: x, y, z, thx, thy, thz": lambda: Port("tip", "w"),
     r"variants\[0\]: not one of": lambda: StiffnessSpec("tip", variants=("all",)),
     "steps: out of range: given 0": lambda: StiffnessSpec("tip", steps=0),
     r"second_stop\[rear\]: length": lambda: StiffnessSpec("tip", second_stop={"rear": -1e-6}),
-    "ControlSpec: max_load: not above min_load: given 10 N after 10 N": lambda: ControlSpec(10.0),
+    r"ControlSpec: max_load: not above min_load, 10 N: given 10 N": lambda: ControlSpec(10.0),
     "ControlSpec: min_load: force out of range": lambda: ControlSpec(10.0, 1e-9),
     r"ControlSpec: radial: number out of range: given -0.1": lambda: ControlSpec(20.0, radial=-0.1),
-    "loads: not in ascending": lambda: BearingMapSpec((2.0, 1.0)),
+    r"loads.1.: not in ascending order: given 1 N after 2 N": lambda: BearingMapSpec((2.0, 1.0)),
     r"Case c: speeds\[0\]: speed out of range: given -1 rad/s": lambda: case(speeds=(-1.0,)),
-    "Case c: speeds: not in ascending order: given 0 after 5": lambda: case(speeds=(5.0, 0.0)),
-    "no speeds": lambda: case(speeds=()),
+    r"Case c: speeds.1.: not in ascending order: given 0 rad/s after 5 rad/s": lambda: case(
+        speeds=(5.0, 0.0)
+    ),
+    r"Case c: speeds: too few items": lambda: case(speeds=()),
     "nothing is asked": lambda: case(analyses={}),
     "unknown analysis: prelod; .*did you mean preload": lambda: case(
         analyses={"prelod": PreloadSpec()}
     ),
-    "analysis frf takes a FrfSpec: given a PreloadSpec": lambda: case(
+    r"analyses.frf: takes a FrfSpec: given a PreloadSpec": lambda: case(
         analyses={"frf": PreloadSpec()}
     ),
-    "analysis bearing does not apply to a spindle": lambda: case(
+    r"analyses.bearing: this analysis does not apply to a spindle": lambda: case(
         analyses={"bearing": BearingMapSpec((1.0,))}
     ),
-    "analysis preload does not apply to a single bearing": lambda: case(
+    r"analyses.preload: this analysis does not apply to a single bearing": lambda: case(
         spindle=None, bearing=BEARING
     ),
     "given both": lambda: case(bearing=BEARING),
-    "frf: unknown point 'tipp'; allowed: tip": lambda: case(
+    r"frf.pairs.0..response: unknown point: given 'tipp'; allowed: tip": lambda: case(
         analyses={"frf": FrfSpec((1.0,), ((Port("tipp", "y"), TIP),))}
     ),
-    "frf: slices: not within": lambda: case(
+    r"frf.slices.0.: not within the speeds of the case: given 2000 rad/s": lambda: case(
         analyses={"frf": FrfSpec((1.0,), ((TIP, TIP),), (2000.0,))}
     ),
-    "MeasuredResponse m: no response: given zero at every": lambda: MeasuredResponse(
+    r"MeasuredResponse m: file: no response: given zero at every": lambda: MeasuredResponse(
         "m", TIP, TIP, (1.0, 2.0), (0.0, 0.0), (0.0, 0.0)
     ),
-    "stiffness: unknown point": lambda: case(analyses={"stiffness": StiffnessSpec("nose")}),
-    "unknown sleeve 'front'; allowed: rear": lambda: case(
+    r"analyses.stiffness.point: unknown point": lambda: case(
+        analyses={"stiffness": StiffnessSpec("nose")}
+    ),
+    r"second_stop.front: unknown sleeve: given 'front'; allowed: rear": lambda: case(
         analyses={"stiffness": StiffnessSpec("tip", second_stop={"front": 1e-5})}
     ),
-    "point far off the shaft": lambda: case(spindle=spindle(points={"far": 9.0})),
-    "preload needs bearings": lambda: case(
+    r"spindle.points.far: point off the shaft: given 9 m": lambda: case(
+        spindle=spindle(points={"far": 9.0})
+    ),
+    r"analyses.preload: needs bearings": lambda: case(
         spindle=spindle(seats=(), sleeves=(), supports=(SUPPORT,))
     ),
-    "the shaft is not held: .* along z": lambda: case(
+    r"spindle.supports: the shaft is not held: .* zz": lambda: case(
         spindle=spindle(
             seats=(), sleeves=(), supports=(replace(SUPPORT, stiffness={("y", "y"): 1.0}),)
         ),
         analyses={"campbell": CampbellSpec()},
     ),
     "more than 1000 elements": lambda: case(conditions=Conditions(element_length=1e-6)),
-    "unknown condition 'rotr'; .*did you mean rotor": lambda: case(
+    r"unknown condition: given 'rotr'; .*did you mean rotor": lambda: case(
         references=(
             Reference("preload_sum", "measured", "", (0.0,), (1.0,), conditions={"rotr": "x"}),
         )
     ),
     r"variants: not a name: given '\.\./up'": lambda: case(variants={"../up": case()}),
-    "conditions.rotor does not apply to a single bearing": lambda: case(
+    r"conditions.rotor: does not apply to a single bearing": lambda: case(
         spindle=None,
         bearing=BEARING,
         analyses={"bearing": BearingMapSpec((100.0,))},
@@ -277,7 +298,7 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
         spindle=spindle(supports=(LinearSupport("left", 0.0, {("x", "x"): 1e6, ("y", "x"): 1e6}),)),
         conditions=Conditions(axial_force=10.0),
     ),
-    "variant v: its speeds and analyses": lambda: case(variants={"v": case(speeds=(1.0,))}),
+    r"compare.v: the speeds and analyses": lambda: case(variants={"v": case(speeds=(1.0,))}),
 }
 
 

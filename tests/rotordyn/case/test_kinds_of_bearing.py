@@ -9,16 +9,15 @@ from typing import Any
 
 import pytest
 import yaml
-from rotordyn.case.schema.bearing import BearingEntry, entry_of
-from rotordyn.case.schema.editor import json_schema
-from rotordyn.case.schema.meanings import meanings
 
 import rotordyn
 from bearings import AngularContactBallBearing, DeepGrooveBallBearing, FourPointBallBearing
-from bearings.bearing import Measure
+from bearings.bearing import BallBearing, Measure
 from bearings.errors import InvalidBearing
 from bearings.kinds import KINDS, kind_class
 from rotordyn import units
+from rotordyn.case.keys import EXTRA, keys_of
+from rotordyn.case.schema import json_schema
 from rotordyn.machine.spindle import Spindle
 from rotordyn.measures import limits
 from rotordyn.quantity import Quantity, Whole
@@ -59,11 +58,12 @@ def test_a_file_without_kind_is_an_angular_contact_bearing(tmp_path: Path) -> No
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_keys_of_a_kind_are_the_fields_of_its_class(kind: str) -> None:
-    keys = set(entry_of(kind).model_fields) - set(BearingEntry.model_fields)
-    assert keys == set(kind_class(kind).measures())
-    assert all(meanings(entry_of(kind))[key] for key in entry_of(kind).model_fields)
-    described = json_schema("bearing")["$defs"][entry_of(kind).__name__]["properties"]
-    assert set(described) == set(entry_of(kind).model_fields)
+    fields, common = keys_of(kind_class(kind)), {field.keys for field in EXTRA[BallBearing]}
+    own = {field.keys[0] for field in fields if field.keys not in common}
+    assert own == set(kind_class(kind).measures())
+    assert all(field.meaning for field in fields)
+    described = json_schema("bearing")["$defs"][KINDS[kind]]["properties"]
+    assert set(described) == {field.keys[0] for field in fields}
     assert described["kind"]["enum"] == [kind]
 
 
@@ -191,7 +191,7 @@ def test_a_seat_takes_its_law_and_the_rest_from_the_conditions() -> None:
 
 
 def test_values_of_a_bearing_vary_with_their_units() -> None:
-    path = "spindle.seats.rear.bearing.radial_clearance"
+    path = "spindle.bearings.rear.model.radial_clearance"
     varied = rotordyn.load("spindle_deep_groove_rear").vary({path: "25 um"})
     assert varied.spindle is not None
     assert varied.spindle.seats[2].bearing.radial_clearance == pytest.approx(25e-6)  # type: ignore[attr-defined]

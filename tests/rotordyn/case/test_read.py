@@ -8,15 +8,11 @@ import sys
 from pathlib import Path
 
 import pytest
-from rotordyn.case.build.questions import conditions, questions
-from rotordyn.case.schema.analyses import AnalysesEntry
-from rotordyn.case.schema.conditions import ConditionsEntry
 
 import rotordyn
 from rotordyn.analyses.bearing.spec import BearingMapSpec
 from rotordyn.analyses.campbell.spec import CampbellSpec
-from rotordyn.analyses.control.spec import ControlSpec
-from rotordyn.analyses.frf.spec import FrfSpec, Port
+from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.preload.spec import PreloadSpec
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.machine.growth import (
@@ -25,7 +21,6 @@ from rotordyn.machine.growth import (
     PrescribedShortening,
     QuadraticInSpeed,
 )
-from rotordyn.scene.conditions import Conditions
 
 ROOT = Path(__file__).parents[3]
 RPM = math.pi / 30.0
@@ -119,7 +114,7 @@ def test_computed_growth_and_shortening() -> None:
     spindle = rotordyn.load(ROOT / "cases/mfw2310_computed.yaml").spindle
     assert spindle is not None
     assert spindle.shortening == ComputedShortening(0.0386)
-    fits = [seat.growth.centrifugal for seat in spindle.seats]
+    fits = [seat.growth.fitted for seat in spindle.seats]
     assert fits == [InterferenceFit(0.07, 2e-5)] * 3 + [InterferenceFit(0.06, 2e-5)] * 2
 
 
@@ -228,26 +223,3 @@ def test_drawbar_and_formulation(tmp_path: Path, guides: str, expected: object) 
     assert bar.guides == expected
     assert case.conditions.formulation == "fixed-frame softening"
     assert not case.conditions.axial_stiffening
-
-
-def test_defaults_of_files_are_those_of_python() -> None:
-    asked = AnalysesEntry.model_validate(
-        {
-            "preload": {},
-            "campbell": {},
-            "frf": {"frequencies": ["1 Hz"], "pairs": [{"response": "a.y", "excitation": "a.y"}]},
-            "stiffness": {"point": "a"},
-            "bearing": {"loads": ["1 N"]},
-            "control": {"max_load": "2 kN", "radial": 0.5},
-        }
-    )
-    port = Port("a", "y")
-    assert conditions(ConditionsEntry()) == Conditions()
-    assert questions(asked) == {
-        "preload": PreloadSpec(),
-        "campbell": CampbellSpec(),
-        "frf": FrfSpec((1.0,), ((port, port),)),
-        "stiffness": StiffnessSpec("a"),
-        "bearing": BearingMapSpec((1.0,)),
-        "control": ControlSpec(2000.0, radial=0.5),
-    }

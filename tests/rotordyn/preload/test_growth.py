@@ -18,7 +18,9 @@ SPEED = np.array([0.0, 0.3, 1.0]) * TOP
 
 
 def grown(rule: QuadraticInSpeed | InterferenceFit | None, static: float = 5e-6) -> np.ndarray:
-    seat = replace(mfw2310().seats[0], growth=RingGrowth(static, rule))
+    fitted = isinstance(rule, InterferenceFit)
+    growth = RingGrowth(static, "computed", rule) if fitted else RingGrowth(static, rule)
+    seat = replace(mfw2310().seats[0], growth=growth)
     return ring_growth(mfw2310(), seat, SPEED)
 
 

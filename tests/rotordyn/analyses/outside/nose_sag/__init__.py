@@ -6,14 +6,14 @@ from dataclasses import dataclass
 from functools import partial
 
 from rotordyn.analyses.contract import Analysis, Code
-from rotordyn.description import Description
 from rotordyn.results.layout import Layout
+from rotordyn.scene.spec import Spec
 
 code = partial(Code, __name__)
 
 
 @dataclass(frozen=True, slots=True)
-class NoseSagSpec(Description):
+class NoseSagSpec(Spec):
     """It takes nothing."""
 
 
