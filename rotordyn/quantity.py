@@ -300,7 +300,7 @@ LOAD = Quantity("force", above="0 N", at_most="10000 kN")
 LIGHT_LOAD = Quantity("force", at_least="0.001 N", at_most="10000 kN")
 PRELOAD = Quantity("force", at_least="0 N", at_most="10000 kN")
 PULL = Quantity("force", at_least="0 N", at_most="100000 kN")
-RIGIDITY = Quantity("stiffness", above="0 N/m", at_most="1e6 MN/m", infinite="rigid")
+RIGIDITY = Quantity("stiffness", at_least="10 N/m", at_most="1e6 MN/m", infinite="rigid")
 TILT_RIGIDITY = Quantity(
     "tilt stiffness", above="0 N m/rad", at_most="1e6 MN m/rad", infinite="rigid"
 )

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Iterable
 
+from bearings.bearing import BallBearing
 from rotordyn.description import Faults
 from rotordyn.machine.assembly import misnamed
 from rotordyn.machine.spindle import Spindle
@@ -23,12 +24,15 @@ from rotordyn.scene.spec import Setting
 from rotordyn.units import format_quantity
 
 MOST_ELEMENTS = 1000
+RPM = math.pi / 30.0
+FASTEST = 1e4 * RPM  # [m rad/s] n·dm of 10 million mm/min, twice what any ball bearing has run at
 FORMULATION = ("conditions", "formulation")
 
 
 def setting_faults(setting: Setting) -> Faults:
     """Faults between machine, conditions and speeds, by path in the case."""
     spindle, conditions = setting.spindle, setting.conditions
+    yield from _surface_speed(setting)
     yield from _on_its_shaft(spindle)
     yield from _elements(spindle, conditions)
     if spindle.rotors:
@@ -41,6 +45,23 @@ def setting_faults(setting: Setting) -> Faults:
     yield from _on_housings(spindle, conditions)
     if spindle.seats:
         yield from _sideways(setting)
+
+
+def _surface_speed(setting: Setting) -> Faults:
+    """A speed that no bearing reaches: rpm given where rad/s are meant."""
+    for seat in setting.spindle.seats:
+        bearing: object = seat.bearing
+        top = max(setting.speeds, default=0.0)
+        if isinstance(bearing, BallBearing) and top * bearing.pitch_diameter > FASTEST:
+            product = top / RPM * bearing.pitch_diameter / 1e3
+            yield (
+                ("speeds", setting.speeds.index(top)),
+                f"n·dm of bearing {seat.name} is {product:.3g}·10⁶ "
+                f"mm/min: given {top / RPM:.6g} rpm; allowed: up to "
+                f"{FASTEST / RPM / 1e3:.3g}·10⁶ mm/min (did you mean {top:.6g} rpm = "
+                f"{top * RPM:.6g} rad/s?)",
+            )
+            return
 
 
 def _on_its_shaft(spindle: Spindle) -> Faults:

@@ -298,6 +298,18 @@ IMPOSSIBLE: dict[str, Callable[[], object]] = {
         spindle=spindle(supports=(LinearSupport("left", 0.0, {("x", "x"): 1e6, ("y", "x"): 1e6}),)),
         conditions=Conditions(axial_force=10.0),
     ),
+    r"young_modulus of m out of range: given 210 Pa; .*did you mean 210 GPa = 2.1e\+11 Pa": (
+        lambda: Section(0.1, 0.05, 0.0, Material("m", 210.0, 0.3, 7850.0))
+    ),
+    r"Spring: stiffness: .* given 2 N/m; .*did you mean 2 N/mm = 2000 N/m": lambda: Spring(
+        1.0, 2.0
+    ),
+    r"outer_diameter: length out of range: given 50 m; .*did you mean 50 mm = 0.05 m": (
+        lambda: Section(0.1, 50.0, 0.0, STEEL)
+    ),
+    r"speeds.1.: n·dm of bearing a is .* given 229183 rpm; .*did you mean 24000 rpm = 2513": (
+        lambda: case(speeds=(0.0, 24000.0))
+    ),
     r"compare.v: the speeds and analyses": lambda: case(variants={"v": case(speeds=(1.0,))}),
 }
 
@@ -333,6 +345,16 @@ def test_a_thing_of_another_kind_is_refused(call: Callable[[Any], object], thing
         call(thing)
 
 
+def test_text_with_a_unit_and_words_of_files_are_taken() -> None:
+    """What a file takes, Python takes; bare numbers are in SI."""
+    given: Any = ("70 mm", "2 in", 0.0, STEEL)
+    assert Section(*given) == Section(0.07, 0.0508, 0.0, STEEL)
+    given = ("574 N", "rigid")
+    assert Spring(*given) == Spring(574.0, INF)
+    given = ("a", BEARING, "50 mm", "-x")
+    assert BearingSeat(*given) == replace(FRONT, thrust=-1)
+
+
 def test_fields_are_kept_in_one_form() -> None:
     """Lists become tuples, numbers of numpy plain ones, mappings the description's own."""
     points = {"tip": np.float32(0.0)}
@@ -352,7 +374,7 @@ def test_a_length_is_taken_just_where_its_range_holds(value: float) -> None:
     """Against the range written out; the sentence is there exactly where the value is refused."""
     assert LENGTH.holds(value) == (0.0 < value <= 100.0)
     assert bool(LENGTH.refusal(value)) != LENGTH.holds(value)
-    assert RIGIDITY.holds(value) == (0.0 < value <= 1e12 or value == INF)
+    assert RIGIDITY.holds(value) == (10.0 <= value <= 1e12 or value == INF)
 
 
 @pytest.mark.parametrize("room", ["rotordyn", "rotordyn.machine", "rotordyn.analyses", "bearings"])

@@ -213,7 +213,10 @@ def test_python_says_the_same() -> None:
 
     assert BearingSeat("r", BUILT["deep_groove"], 0.1).thrust == 1
     assert BearingSeat("r", BUILT["deep_groove"], 0.1, -1).thrust == -1
-    with pytest.raises(rotordyn.InvalidInput, match="thrust must be given, 1 or -1"):
+    with pytest.raises(
+        rotordyn.InvalidInput,
+        match="thrust: missing key: kind angular_contact takes thrust one way only",
+    ):
         BearingSeat("r", BUILT["angular_contact"], 0.1)
     with pytest.raises(rotordyn.InvalidInput, match="kinematics: not one of its choices"):
         BearingSeat("r", BUILT["deep_groove"], 0.1, kinematics="outr")
