@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
-from dataclasses import dataclass, field
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field, replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -13,6 +13,7 @@ from rotordyn.analysis.registry import Answers
 from rotordyn.analysis.results import CampbellResult
 from rotordyn.analysis.specs import CampbellSpec, ShapesInSpaceSpec
 from rotordyn.case.case import Case
+from rotordyn.errors import not_installed
 from rotordyn.machine.spindle import Spindle
 from rotordyn.view.apart import NoPictures, Rendering
 from rotordyn.view.order import Order
@@ -27,6 +28,23 @@ class LeftOut:
 
     figures: dict[str, str] = field(default_factory=dict)
     sentences: tuple[str, ...] = ()
+
+    def __or__(self, other: LeftOut) -> LeftOut:
+        """What either of the two lacks."""
+        sentences = dict.fromkeys((*self.sentences, *other.sentences))
+        return LeftOut(self.figures | other.figures, tuple(sentences))
+
+
+def written(name: str, write: Callable[[], object]) -> LeftOut:
+    """Write ``name`` unless a package of others that this takes is not installed."""
+    try:
+        write()
+    except ModuleNotFoundError as error:
+        why = not_installed(error.name)
+        if why is None:
+            raise
+        return LeftOut({name: why}, (f"{name} left out: {why}",))
+    return LeftOut()
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -53,15 +71,15 @@ class Asked:
 class InSpace:
     """The pictures that ``parts`` ask for; a context, after which their files are gone.
 
-    Nothing is started where none are asked for.
+    Nothing is started where none are asked for. ``folder``: where their files are meanwhile.
     """
 
-    def __init__(self, parts: Parts) -> None:
+    def __init__(self, parts: Parts, folder: Path) -> None:
         self.left_out = LeftOut()
         found = (_asked(name, case, answers.results) for name, (case, answers) in parts.items())
         self._asked = [asked for asked in found if asked is not None and asked.order.places]
         orders = [asked.order for asked in self._asked]
-        self._rendering = Rendering(orders) if orders else None
+        self._rendering = Rendering(orders, folder) if orders else None
 
     def __enter__(self) -> InSpace:
         return self
@@ -86,13 +104,18 @@ class InSpace:
         return drawn | _animate(self._asked, self._rendering, folder)
 
 
-def write_meshes(case: Case, results: Mapping[str, Any], folder: Path) -> None:
-    """The files of meshes that ``case`` asks for."""
-    asked = _asked("", case, results)
-    if asked is not None and asked.spec.files:
-        from rotordyn.report.shapes import FOLDER, write_shapes
+def write_meshes(case: Case, results: Mapping[str, Any], folder: Path) -> LeftOut:
+    """The files of meshes that ``case`` asks for; returns the formats that lack a package."""
+    from rotordyn.report.shapes import FOLDER, write_shapes
 
-        write_shapes(folder / FOLDER, asked.spindle, asked.result, asked.spec)
+    asked, left_out = _asked("", case, results), LeftOut()
+    if asked is None:
+        return left_out
+    for extension in asked.spec.files:
+        spec = replace(asked.spec, files=(extension,))
+        write = partial(write_shapes, folder / FOLDER, asked.spindle, asked.result, spec)
+        left_out |= written(f"{FOLDER}/*.{extension}", write)
+    return left_out
 
 
 def _asked(name: str, case: Case, results: Mapping[str, Any]) -> Asked | None:

@@ -10,6 +10,7 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -117,15 +118,17 @@ def _write_series(path: Path, moving: MovingSurface) -> None:
     import h5py
     from meshio.xdmf import TimeSeriesWriter
 
+    content = BytesIO()  # HDF5 itself, on a full disk, ends the process instead of saying so
     mesh, writer = _mesh(moving, moving.surface.points), TimeSeriesWriter(path)
     writer.h5_filename = str(path.with_suffix(".h5"))  # meshio itself would write where we stand
-    with h5py.File(writer.h5_filename, "w") as writer.h5_file:
+    with h5py.File(content, "w") as writer.h5_file:
         writer.write_points_cells(mesh.points, mesh.cells)
         for number, phase in enumerate(phases(INSTANTS)):
             drawn = moving.scale * at_phase(moving.shape, float(phase))
             values = {"displacement": drawn, "share": moving.share}
             writer.write_data(number / INSTANTS, point_data=values)
         writer.__exit__()
+    path.with_suffix(".h5").write_bytes(content.getbuffer())
 
 
 def _write_deformed(path: Path, moving: MovingSurface) -> None:

@@ -19,20 +19,20 @@ def _fill(folder, word="new"):
 
 
 def _break(target):
-    with results_folder(target) as folder:
-        _fill(folder)
+    with results_folder(target) as place:
+        _fill(place.folder)
         raise ZeroDivisionError
 
 
 def _write(target, word="new"):
-    with results_folder(target) as folder:
-        _fill(folder, word)
+    with results_folder(target) as place:
+        _fill(place.folder, word)
 
 
 def test_nothing_is_there_before_the_end(tmp_path):
     target = tmp_path / "deep" / "er" / "out"
-    with results_folder(target) as folder:
-        _fill(folder)
+    with results_folder(target) as place:
+        _fill(place.folder)
         assert not target.exists()
     assert sorted(p.name for p in target.iterdir()) == ["data.txt", RECORD]
     assert [p.name for p in target.parent.iterdir()] == ["out"]
