@@ -224,9 +224,9 @@ def _write_tables(case: Case, results: Mapping[str, Any], folder: Path) -> LeftO
 
     write_tables(folder, results)
     if "frf" in results and case.spindle is not None:
-        nodes = {name: k for k, name in enumerate(case.spindle.places, start=1)}
+        places = case.spindle.places
         path, result = folder / "frf.uff", results["frf"]
-        return written("frf.uff", partial(write_uff, path, result, case=case.name, nodes=nodes))
+        return written("frf.uff", partial(write_uff, path, result, case=case.name, places=places))
     return LeftOut()
 
 

@@ -111,7 +111,8 @@ def _write_displacement(path: Path, moving: MovingSurface) -> None:
         "share": moving.share,
     }
     cells = {"body": [moving.surface.body.astype(np.int32)]}
-    _mesh(moving, moving.surface.points, point_data=points, cell_data=cells).write(path)
+    mesh = _mesh(moving, moving.surface.points, point_data=points, cell_data=cells)
+    mesh.write(path, file_format="vtk42" if path.suffix == ".vtk" else "vtu")
 
 
 def _write_series(path: Path, moving: MovingSurface) -> None:

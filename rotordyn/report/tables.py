@@ -174,7 +174,7 @@ def _column(label: str, to: Shown, values: NDArray[Any]) -> Column:
 
 
 def _write(path: Path, columns: list[Column]) -> str:
-    with path.open("w", newline="", encoding="utf-8") as file:
+    with path.open("w", newline="", encoding="utf-8-sig") as file:  # by its mark Excel sees UTF-8
         writer = csv.writer(file)
         writer.writerow([header for header, _ in columns])
         writer.writerows(zip(*(values for _, values in columns), strict=True))
@@ -182,14 +182,18 @@ def _write(path: Path, columns: list[Column]) -> str:
 
 
 def _write_slices(folder: Path, result: FrequencyResponse) -> list[str]:
-    """One table per slice with a solution: a line per frequency, both parts of every pair."""
+    """One table per slice with a solution: a line per frequency; of every pair both parts, and
+    amplitude and phase."""
     names = []
     solved = np.isfinite(result.response).all(axis=(1, 2))
     for index in np.flatnonzero(result.is_slice & solved).tolist():
         columns = [_column("frequency", shown("Hz"), result.frequency)]
         for place, pair in enumerate(result.pair):
             values = result.response[index, place]
-            columns += _parts(f"{result.kind} {pair}", shown(result.unit(place)), values)
+            label, unit = f"{result.kind} {pair}", shown(result.unit(place))
+            columns += _parts(label, unit, values)
+            columns.append(_column(f"{label} amplitude", unit, np.abs(values)))
+            columns.append(_column(f"{label} phase", shown("rad"), np.angle(values)))
         rpm = float(result.speed[index]) * RPM.factor
         names.append(_write(folder / f"frf_{rpm:.7g}rpm.csv", columns))
     return names
