@@ -107,3 +107,20 @@ def test_leaving_early_ends_the_process_and_its_files(monkeypatch: pytest.Monkey
         assert rendered.running
     assert not rendered.running
     assert not rendered.folder.exists()
+
+
+@pytest.mark.parametrize(("module", "package"), [("pyvista", "pyvista"), ("vtkmodules", "vtk")])
+def test_a_package_that_is_missing_is_named_and_not_mesa(
+    monkeypatch: pytest.MonkeyPatch, module: str, package: str
+) -> None:
+    blocked = (
+        f"import runpy, sys; sys.modules[{module!r}] = None\n"
+        "try: runpy.run_module('rotordyn.view', run_name='__main__', alter_sys=True)\n"
+        "except ModuleNotFoundError as e: raise ModuleNotFoundError("
+        f'"No module named {module!r}") from None'
+    )
+    monkeypatch.setattr(apart, "PROGRAM", ("-c", blocked))
+    with Rendering([order([0])]) as rendered, pytest.raises(NoPictures) as caught:
+        rendered.finish()
+    said = f"the package {package} is not installed: python -m pip install {package}"
+    assert str(caught.value) == said
