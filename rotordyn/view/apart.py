@@ -27,7 +27,8 @@ REMEDY = (
     "install Mesa's EGL (on Debian and Ubuntu: libegl1 libgl1-mesa-dri libx11-6), or run where "
     "there is a display"
 )
-_MISSING = re.compile(r"ModuleNotFoundError: No module named '([^']+)'.*")
+# pyvista says in words of its own that it lacks VTK, after Python has: not the last line alone
+_MISSING = re.compile(r"No module named '((?:pyvista|vtk)[^']*)'|No module named '([^']+)'\Z")
 
 
 class NoPictures(Exception):
@@ -83,8 +84,8 @@ class Rendering:
             self._process.kill()
             self._process.wait()
             raise NoPictures(f"rendering took more than {self._longest:.0f} s; {REMEDY}") from None
-        missing = _MISSING.fullmatch(self._said()) if code > 0 else None
-        why = not_installed(missing[1]) if missing else None
+        missing = _MISSING.search("\n".join(self._said())) if code > 0 else None
+        why = not_installed(missing[1] or missing[2]) if missing else None
         if why:
             raise NoPictures(why)
         if code:
@@ -113,8 +114,8 @@ class Rendering:
         """The signal that ended the process, or the last thing it said."""
         if code < 0:
             return f"OpenGL ended the process: {signal.Signals(-code).name}"
-        return self._said() or f"exit code {code}"
+        lines = self._said()
+        return lines[-1].strip() if lines else f"exit code {code}"
 
-    def _said(self) -> str:
-        lines = (self.folder / "said").read_text(errors="replace").strip().splitlines()
-        return lines[-1].strip() if lines else ""
+    def _said(self) -> list[str]:
+        return (self.folder / "said").read_text(errors="replace").strip().splitlines()

@@ -70,7 +70,8 @@ def compiled_states(
     exists = np.zeros(states, dtype=np.bool_)
     speed = problem.speed if problem.turning else 0.0 * problem.speed
     given = (problem.origin.T, speed, problem.load, problem.scale)
-    _loaded.add((len(g.inner_grooves), len(g.outer_grooves)))
+    if available():
+        _loaded.add((len(g.inner_grooves), len(g.outer_grooves)))
     shared = (
         g,
         problem.law.numbers,

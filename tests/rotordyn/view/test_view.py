@@ -113,12 +113,15 @@ def test_leaving_early_ends_the_process_and_its_files(monkeypatch: pytest.Monkey
 def test_a_package_that_is_missing_is_named_and_not_mesa(
     monkeypatch: pytest.MonkeyPatch, module: str, package: str
 ) -> None:
-    blocked = (
-        f"import runpy, sys; sys.modules[{module!r}] = None\n"
-        "try: runpy.run_module('rotordyn.view', run_name='__main__', alter_sys=True)\n"
-        "except ModuleNotFoundError as e: raise ModuleNotFoundError("
-        f'"No module named {module!r}") from None'
-    )
+    blocked = f"""
+import runpy, sys
+class Blocked:
+    def find_spec(self, name, path=None, target=None):
+        if name.partition(".")[0] == {module!r}:
+            raise ModuleNotFoundError(f"No module named {{name!r}}", name=name)
+sys.meta_path.insert(0, Blocked())
+runpy.run_module("rotordyn.view", run_name="__main__", alter_sys=True)
+"""
     monkeypatch.setattr(apart, "PROGRAM", ("-c", blocked))
     with Rendering([order([0])]) as rendered, pytest.raises(NoPictures) as caught:
         rendered.finish()
