@@ -273,93 +273,75 @@ def suggestion(given: object, allowed: Iterable[str]) -> str:
     return f" (did you mean {lower[close[0]]}?)" if close else ""
 
 
-STATION = Quantity("length", at_least="-100 m", at_most="100 m")
 LENGTH = Quantity("length", above="0 m", at_most="100 m")
 DIAMETER = Quantity("length", above="0.1 mm", at_most="10 m")
-BORE = Quantity("length", at_least="0 m", at_most="10 m")
 GROWTH = Quantity("length", at_least="-1 mm", at_most="1 mm")
-INTERFERENCE = Quantity("length", at_least="0 um", at_most="1 mm")
-TRAVEL = Quantity("length", at_least="0 um", at_most="100 mm")
-STOP_TRAVEL = Quantity("length", at_least="0 um", at_most="100 mm", infinite="none")
 SPEED = Quantity("speed", at_least="0 rpm", at_most="1000000 rpm")
-TOP_SPEED = Quantity("speed", above="0 rpm", at_most="1000000 rpm")
 FREQUENCY = Quantity("frequency", above="0 Hz", at_most="1000 kHz")
 MASS = Quantity("mass", at_least="0 kg", at_most="100000 kg")
 INERTIA = Quantity("inertia", at_least="0 kg m^2", at_most="100000 kg m^2")
 FORCE = Quantity("force", at_least="-10000 kN", at_most="10000 kN")
 MOMENT = Quantity("moment", at_least="-10000 kN m", at_most="10000 kN m")
-LINE_FORCE = Quantity("line load", at_least="-100000 kN/m", at_most="100000 kN/m")
-UNBALANCE = Quantity("unbalance", at_least="0 g mm", at_most="1000 kg m")
-BALANCE_QUALITY = Quantity("balance quality", above="0 mm/s", at_most="10000 mm/s")
-ECCENTRICITY = Quantity("length", at_least="0 um", at_most="100 mm")
 VISCOSITY = Quantity("viscosity", above="0 Pa s", at_most="1000 Pa s")
-ECCENTRICITY_RATIO = Quantity("ratio", at_least="0 %", below="100 %")
 ANGLE = Quantity("angle", at_least="-360 deg", at_most="360 deg")
-TWIST_ANGLE = Quantity("angle", above="0 deg", at_most="360 deg")
 LOAD = Quantity("force", above="0 N", at_most="10000 kN")
-LIGHT_LOAD = Quantity("force", at_least="0.001 N", at_most="10000 kN")
 PRELOAD = Quantity("force", at_least="0 N", at_most="10000 kN")
 PULL = Quantity("force", at_least="0 N", at_most="100000 kN")
 RIGIDITY = Quantity("stiffness", at_least="10 N/m", at_most="1e6 MN/m", infinite="rigid")
-TILT_RIGIDITY = Quantity(
-    "tilt stiffness", above="0 N m/rad", at_most="1e6 MN m/rad", infinite="rigid"
-)
 TILT_DAMPING = Quantity("tilt damping", at_least="0 N m s/rad", at_most="1e6 kN m s/rad")
 DAMPING = Quantity("damping", at_least="0 N s/m", at_most="1e6 kN s/m")
 DAMPING_RATIO = Quantity("ratio", at_least="0 %", below="100 %")
-LOSS_FACTOR = Quantity("ratio", at_least="0 %", at_most="100 %")
 SHARE = Quantity("ratio", at_least="0 %", at_most="100 %")
-MASS_DAMPING = Quantity("rate", at_least="0 1/s", at_most="1000000 1/s")
-STIFFNESS_DAMPING = Quantity("time", at_least="0 s", at_most="1 s")
-RADIAL_SHARE = Quantity("number", at_least="0", at_most="10")
-SPEED_RATIO = Quantity("number", at_least="-100", at_most="100")
-ENGINE_ORDER = Quantity("number", at_least="0.001", at_most="1000")
 SHEAR_COEFFICIENT = Quantity("number", above="0", at_most="1")
 FRICTION = Quantity("number", at_least="0.001", at_most="10", infinite="none")
 AMPLITUDE = Quantity("ratio", above="0 %", at_most="20 %")
 ACCURACY = Quantity("number", at_least="1e-8", at_most="0.01")
 
-Station = Annotated[float, STATION]
+Station = Annotated[float, Quantity("length", at_least="-100 m", at_most="100 m")]
 Length = Annotated[float, LENGTH]
 Amplitude = Annotated[float, AMPLITUDE]
 Accuracy = Annotated[float, ACCURACY]
 Friction = Annotated[float, FRICTION]
-MassDamping = Annotated[float, MASS_DAMPING]
-StiffnessDamping = Annotated[float, STIFFNESS_DAMPING]
-RadialShare = Annotated[float, RADIAL_SHARE]
-SpeedRatio = Annotated[float, SPEED_RATIO]
-EngineOrder = Annotated[float, ENGINE_ORDER]
+MassDamping = Annotated[float, Quantity("rate", at_least="0 1/s", at_most="1000000 1/s")]
+StiffnessDamping = Annotated[float, Quantity("time", at_least="0 s", at_most="1 s")]
+RadialShare = Annotated[float, Quantity("number", at_least="0", at_most="10")]
+SpeedRatio = Annotated[float, Quantity("number", at_least="-100", at_most="100")]
+EngineOrder = Annotated[float, Quantity("number", at_least="0.001", at_most="1000")]
 Diameter = Annotated[float, DIAMETER]
-Bore = Annotated[float, BORE]
+Bore = Annotated[float, Quantity("length", at_least="0 m", at_most="10 m")]
 Growth = Annotated[float, GROWTH]
-Interference = Annotated[float, INTERFERENCE]
-Travel = Annotated[float, TRAVEL]
-StopTravel = Annotated[float, STOP_TRAVEL]
+Interference = Annotated[float, Quantity("length", at_least="0 um", at_most="1 mm")]
+Travel = Annotated[float, Quantity("length", at_least="0 um", at_most="100 mm")]
+StopTravel = Annotated[
+    float, Quantity("length", at_least="0 um", at_most="100 mm", infinite="none")
+]
 Speed = Annotated[float, SPEED]
-TopSpeed = Annotated[float, TOP_SPEED]
+TopSpeed = Annotated[float, Quantity("speed", above="0 rpm", at_most="1000000 rpm")]
 Frequency = Annotated[float, FREQUENCY]
 Mass = Annotated[float, MASS]
 Inertia = Annotated[float, INERTIA]
 Force = Annotated[float, FORCE]
 Moment = Annotated[float, MOMENT]
-LineForce = Annotated[float, LINE_FORCE]
-UnbalanceSize = Annotated[float, UNBALANCE]
-BalanceQuality = Annotated[float, BALANCE_QUALITY]
-Eccentricity = Annotated[float, ECCENTRICITY]
+LineForce = Annotated[float, Quantity("line load", at_least="-100000 kN/m", at_most="100000 kN/m")]
+UnbalanceSize = Annotated[float, Quantity("unbalance", at_least="0 g mm", at_most="1000 kg m")]
+BalanceQuality = Annotated[float, Quantity("balance quality", above="0 mm/s", at_most="10000 mm/s")]
+Eccentricity = Annotated[float, Quantity("length", at_least="0 um", at_most="100 mm")]
 Viscosity = Annotated[float, VISCOSITY]
-EccentricityRatio = Annotated[float, ECCENTRICITY_RATIO]
+EccentricityRatio = Annotated[float, Quantity("ratio", at_least="0 %", below="100 %")]
 Angle = Annotated[float, ANGLE]
-TwistAngle = Annotated[float, TWIST_ANGLE]
+TwistAngle = Annotated[float, Quantity("angle", above="0 deg", at_most="360 deg")]
 Load = Annotated[float, LOAD]
-LightLoad = Annotated[float, LIGHT_LOAD]
+LightLoad = Annotated[float, Quantity("force", at_least="0.001 N", at_most="10000 kN")]
 Preload = Annotated[float, PRELOAD]
 Pull = Annotated[float, PULL]
 Rigidity = Annotated[float, RIGIDITY]
-TiltRigidity = Annotated[float, TILT_RIGIDITY]
+TiltRigidity = Annotated[
+    float, Quantity("tilt stiffness", above="0 N m/rad", at_most="1e6 MN m/rad", infinite="rigid")
+]
 TiltDamping = Annotated[float, TILT_DAMPING]
 Damping = Annotated[float, DAMPING]
 DampingRatio = Annotated[float, DAMPING_RATIO]
-LossFactor = Annotated[float, LOSS_FACTOR]
+LossFactor = Annotated[float, Quantity("ratio", at_least="0 %", at_most="100 %")]
 Share = Annotated[float, SHARE]
 Name = Annotated[str, Named()]
 PointName = Annotated[str, Named(dotted=True)]

@@ -12,7 +12,7 @@ from docs.generate.marked import table
 from rotordyn.analyses.frf.spec import Port
 from rotordyn.analyses.registry import analysis, built_in, place
 from rotordyn.case.case import Case
-from rotordyn.case.keys import EXTRA, Range, keys_of
+from rotordyn.case.keys import Range, extra, keys_of
 from rotordyn.case.schema import about, title
 from rotordyn.field import Field, descriptions
 from rotordyn.machine.reference import Reference
@@ -66,9 +66,9 @@ def _held(kind: type) -> Iterator[type]:
 
 
 def _section(kind: type) -> str:
-    fields = EXTRA[BallBearing] if kind is BallBearing else keys_of(kind)
+    fields = extra(BallBearing) if kind is BallBearing else keys_of(kind)
     if issubclass(kind, BallBearing) and kind is not BallBearing:
-        fields = fields[len(EXTRA[BallBearing]) :]
+        fields = fields[len(extra(BallBearing)) :]
     rows = [_row(field) for field in fields if field.keys]
     name = "bearing" if kind is BallBearing else title(kind)
     words = about(kind, plainly=False)

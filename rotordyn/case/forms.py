@@ -16,13 +16,13 @@ from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing
 from bearings.materials import Material
 from rotordyn import units
+from rotordyn.analyses.frf.records import read_record
 from rotordyn.analyses.frf.spec import FrfSpec, MeasuredResponse, Pair, Port
 from rotordyn.analyses.registry import analysis, names
 from rotordyn.case.case import ByName
 from rotordyn.case.expand import Reader
 from rotordyn.case.faults import Faults
 from rotordyn.case.keys import MOST_STEPS, Range, bearing_class, keys_of
-from rotordyn.case.measured import read_record
 from rotordyn.case.node import UNKNOWN, Node
 from rotordyn.case.reading import Reading, exact, leaf, unknown, unknown_key
 from rotordyn.case.reduced import ReducedModel
@@ -425,7 +425,8 @@ def measured(files: Reader) -> Any:
             record = read_record(path, asked, number.value if number else None)
         except InvalidInput as fault:
             reading.faults.at(name, (), f"{name.value}: {fault}")
-            return unknown(MeasuredResponse)
+            with unchecked():
+                return MeasuredResponse(**values)  # its pair is still held against the others
         files.contents[path] = path.read_bytes()
         values |= {
             "quantity": record.quantity,

@@ -1,13 +1,13 @@
 """Keys that only files have, beside those of the descriptions they hold.
 
-``EXTRA``: what is read and kept nowhere, or used up before a description is read. ``COMMON``: a
+``extra``: what is read and kept nowhere, or used up before a description is read. ``COMMON``: a
 value given once for several items of a list, which get it where they have none of their own.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, fields
+from dataclasses import dataclass, field, fields, replace
 from functools import cache
 from typing import Annotated, Any
 
@@ -43,9 +43,6 @@ from rotordyn.quantity import (
 )
 from rotordyn.scene.conditions import Conditions
 
-NOTE = Field("", ("note",), str, "anything worth keeping", "")
-SOURCE = Field("", ("source",), str, "where it comes from", "")
-SOURCES = Field("", ("sources",), tuple[str, ...], "where it comes from", ())
 Overrides = Mapping[str, Any]
 MOST_STEPS = 100_000
 
@@ -110,110 +107,129 @@ class Variant:
     references: Annotated[tuple[Reference, ...], "added to the references of the case"] = ()
 
 
-EXTRA: dict[type, tuple[Field, ...]] = {
-    Case: (
-        NOTE,
-        Field("", ("tool",), Any, "name or path of what is clamped into the nose", None),
-        Field(
-            "",
-            ("override",),
-            Overrides,
-            "dotted path into the machine, items of a list by their name -> new value",
-            {},
-        ),
-        Field(
-            "",
-            ("compare",),
-            Mapping[Name, Variant],
-            "name of a variant -> what it changes; the variants are answered side by side",
-            {},
-        ),
-    ),
-    FrfSpec: (
-        Field(
-            "",
-            ("matrix",),
-            PortMatrix | None,
-            "lists instead: every response to every excitation",
-            None,
-        ),
-    ),
-    MeasuredResponse: (
-        Field(
-            "",
-            ("file",),
-            str,
-            "beside the case: UFF with records of type 58, or a table that ends in .csv",
-        ),
-        Field(
-            "",
-            ("record",),
-            Annotated[int, Whole(1, 1_000_000)] | None,
-            "of type 58, counted from 1; needed where there are several",
-            None,
-        ),
-    ),
-    Spindle: (
-        SOURCES,
-        Field(
-            "",
-            ("bearing_override",),
-            Overrides,
-            "keys of the bearing model -> values, for every bearing",
-            {},
-        ),
-    ),
-    Tool: (Field("", ("title",), str, "one line", ""), NOTE, SOURCES),
-    BearingSeat: (
-        Field(
-            "",
-            ("model_override",),
-            Overrides,
-            "keys of the model -> values, for this bearing",
-            {},
-        ),
-    ),
-    LinearSupport: (
-        Field(
-            "",
-            ("table",),
-            str,
-            "CSV file that holds these lists instead ([columns](conventions.md#tables-over-speed))",
-            "",
-        ),
-    ),
-    PrescribedShortening: (
-        Field("", ("reference",), Station | None, "serves where the shift is `computed`", None),
-    ),
-    ComputedShortening: (
-        Field("", ("at",), TopSpeed | None, "serves where the shift is given", None),
-    ),
-    ReducedHousing: (
-        Field(
-            "",
-            ("model",),
-            str | ModelFiles,
-            "path of a .npz file, or a mapping of model files, instead of a rigid body on springs "
-            "([how](conventions.md#housings))",
-        ),
-    ),
-    BallBearing: (
-        Field("", ("name",), str, "as printed"),
-        Field(
-            "",
-            ("kind",),
-            Annotated[str, Choice(tuple(KINDS))],
-            "which keys it has besides these",
-            DEFAULT,
-        ),
-        SOURCE,
-        Field("", ("note",), str, "what is estimated", ""),
-        Field("", ("bore_diameter",), Diameter | None, "of the inner ring", None),
-        Field("", ("outside_diameter",), Diameter | None, "of the outer ring", None),
-        Field("", ("width",), Length | None, "of the rings", None),
-    ),
-    Material: (SOURCE, NOTE),
+Note = Annotated[str, "anything worth keeping"]
+Source = Annotated[str, "where it comes from"]
+Sources = Annotated[tuple[str, ...], "where it comes from"]
+
+
+@dataclass
+class _Case:
+    note: Note = ""
+    tool: Annotated[Any, "name or path of what is clamped into the nose"] = None
+    override: Annotated[
+        Overrides, "dotted path into the machine, items of a list by their name -> new value"
+    ] = field(default_factory=dict)
+    compare: Annotated[
+        Mapping[Name, Variant],
+        "name of a variant -> what it changes; the variants are answered side by side",
+    ] = field(default_factory=dict)
+
+
+@dataclass
+class _Frf:
+    matrix: Annotated[PortMatrix | None, "lists instead: every response to every excitation"] = None
+
+
+@dataclass
+class _Measured:
+    file: Annotated[
+        str, "beside the case: UFF with records of type 58, or a table that ends in .csv"
+    ]
+    record: Annotated[
+        Annotated[int, Whole(1, 1_000_000)] | None,
+        "of type 58, counted from 1; needed where there are several",
+    ] = None
+
+
+@dataclass
+class _Spindle:
+    sources: Sources = ()
+    bearing_override: Annotated[
+        Overrides, "keys of the bearing model -> values, for every bearing"
+    ] = field(default_factory=dict)
+
+
+@dataclass
+class _Tool:
+    title: Annotated[str, "one line"] = ""
+    note: Note = ""
+    sources: Sources = ()
+
+
+@dataclass
+class _Seat:
+    model_override: Annotated[Overrides, "keys of the model -> values, for this bearing"] = field(
+        default_factory=dict
+    )
+
+
+@dataclass
+class _Support:
+    table: Annotated[
+        str,
+        "CSV file that holds these lists instead ([columns](conventions.md#tables-over-speed))",
+    ] = ""
+
+
+@dataclass
+class _Prescribed:
+    reference: Annotated[Station | None, "serves where the shift is `computed`"] = None
+
+
+@dataclass
+class _Computed:
+    at: Annotated[TopSpeed | None, "serves where the shift is given"] = None
+
+
+@dataclass
+class _Reduced:
+    model: Annotated[
+        str | ModelFiles,
+        "path of a .npz file, or a mapping of model files, instead of a rigid body on springs "
+        "([how](conventions.md#housings))",
+    ]
+
+
+@dataclass
+class _Bearing:
+    name: Annotated[str, "as printed"]
+    kind: Annotated[Annotated[str, Choice(tuple(KINDS))], "which keys it has besides these"] = (
+        DEFAULT
+    )
+    source: Source = ""
+    note: Annotated[str, "what is estimated"] = ""
+    bore_diameter: Annotated[Diameter | None, "of the inner ring"] = None
+    outside_diameter: Annotated[Diameter | None, "of the outer ring"] = None
+    width: Annotated[Length | None, "of the rings"] = None
+
+
+@dataclass
+class _Material:
+    source: Source = ""
+    note: Note = ""
+
+
+_EXTRA: dict[type, Any] = {
+    Case: _Case,
+    FrfSpec: _Frf,
+    MeasuredResponse: _Measured,
+    Spindle: _Spindle,
+    Tool: _Tool,
+    BearingSeat: _Seat,
+    LinearSupport: _Support,
+    PrescribedShortening: _Prescribed,
+    ComputedShortening: _Computed,
+    ReducedHousing: _Reduced,
+    BallBearing: _Bearing,
+    Material: _Material,
 }
+
+
+def extra(kind: type) -> tuple[Field, ...]:
+    """Keys of files that are no fields of this kind of description."""
+    found = next((_EXTRA[base] for base in kind.__mro__ if base in _EXTRA), None)
+    return () if found is None else tuple(replace(own, name="") for own in declared(found))
+
 
 _MATERIAL = {
     "name": (str, "as printed"),
@@ -278,11 +294,10 @@ COMMON: dict[type, tuple[Common, ...]] = {
 def keys_of(kind: Any) -> tuple[Field, ...]:
     """Every key of a file, or of a mapping in one, that is read as this kind of description."""
     own = _of_material() if kind is Material else declared(kind)
-    extra = next((EXTRA[base] for base in kind.__mro__ if base in EXTRA), ())
     common = tuple(f for each in COMMON.get(kind, ()) if each.meaning for f in _common(each))
     if issubclass(kind, BallBearing):
-        return (*extra, *own)
-    return (*own, *extra, *common)
+        return (*extra(kind), *own)
+    return (*own, *extra(kind), *common)
 
 
 def _of_material() -> tuple[Field, ...]:

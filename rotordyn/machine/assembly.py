@@ -58,22 +58,22 @@ def _named_once(spindle: Spindle) -> Faults:
 
 
 def _stations(spindle: Spindle) -> Faults:
-    shaft = spindle.shaft
+    reach = spindle.shaft.reach
     for index, seat in enumerate(spindle.seats):
-        yield from on_the_shaft("bearing", seat.x, shaft, ("bearings", index, "x"))
+        yield from on_the_shaft("bearing", seat.x, reach, ("bearings", index, "x"))
     for index, damper in enumerate(spindle.dampers):
-        yield from on_the_shaft("damper", damper.x, shaft, ("dampers", index, "x"))
+        yield from on_the_shaft("damper", damper.x, reach, ("dampers", index, "x"))
     if spindle.drawbar is not None:
         for key, x in (("from", spindle.drawbar.start), ("to", spindle.drawbar.end)):
-            yield from on_the_shaft("drawbar", x, shaft, ("drawbar", key))
-    shafts = {SPINDLE: shaft}
+            yield from on_the_shaft("drawbar", x, reach, ("drawbar", key))
+    reaches = {SPINDLE: reach}
     if not misnamed(spindle):
-        shafts |= {rotor.name: rotor.shaft for rotor in spindle.rotors}
+        reaches |= {rotor.name: rotor.shaft.reach for rotor in spindle.rotors}
     for index, support in enumerate(spindle.supports):
         for end in support.ends:
-            if end in shafts:
+            if end in reaches:
                 what = "support" if end == SPINDLE else f"support on {end}"
-                yield from on_the_shaft(what, support.x, shafts[end], ("supports", index, "x"))
+                yield from on_the_shaft(what, support.x, reaches[end], ("supports", index, "x"))
 
 
 def _shifts(spindle: Spindle) -> Faults:
@@ -81,7 +81,7 @@ def _shifts(spindle: Spindle) -> Faults:
     shortening, way = spindle.shortening, ("shortening",)
     if isinstance(shortening, ComputedShortening):
         yield from on_the_shaft(
-            "reference", shortening.reference, spindle.shaft, (*way, "reference")
+            "reference", shortening.reference, spindle.shaft.reach, (*way, "reference")
         )
     elif shortening is not None:
         names = [seat.name for seat in spindle.seats]

@@ -66,5 +66,6 @@ class Rotor(Description):
 
     def _faults(self) -> Faults:
         yield from turning_faults(self.shaft, self.masses, self.discs, self.joints)
+        reach = self.shaft.reach
         for name, x in self.points.items():
-            yield from on_the_shaft("point", x, self.shaft, ("points", name))
+            yield from on_the_shaft("point", x, reach, ("points", name))

@@ -93,6 +93,11 @@ class Shaft(Description):
         """Last boundary [m]."""
         return self.boundaries[-1]
 
+    @property
+    def reach(self) -> tuple[float, float]:
+        """First and last station [m]."""
+        return self.start, self.end
+
     def section_at(self, x: float) -> Section:
         """The section that covers ``x``; at a step, the one after it."""
         return self.sections_at((x,))[0]

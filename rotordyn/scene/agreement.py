@@ -65,8 +65,9 @@ def _surface_speed(setting: Setting) -> Faults:
 
 
 def _on_its_shaft(spindle: Spindle) -> Faults:
+    reach = spindle.shaft.reach
     for name, x in spindle.points.items():
-        yield from on_the_shaft("point", x, spindle.shaft, ("spindle", "points", name))
+        yield from on_the_shaft("point", x, reach, ("spindle", "points", name))
     own = [support for support in spindle.supports if SPINDLE in support.ends]
     held = {pair for support in own for pair, value in support.stiffness.items() if acts(value)}
     held |= {(freedom, freedom) for support in own for freedom in support.rigid}

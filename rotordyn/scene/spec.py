@@ -45,7 +45,7 @@ def placed(at: str | float, spindle: Spindle, path: Path, *, rotors: bool = Fals
     ``rotors``: points of further rotors will do as well.
     """
     if not isinstance(at, str):
-        yield from on_the_shaft("load", at, spindle.shaft, path)
+        yield from on_the_shaft("load", at, spindle.shaft.reach, path)
         return
     points = [*(spindle.places if rotors else spindle.points)]
     for sentence in unknown("point", at, points, "or a station"):

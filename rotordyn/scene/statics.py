@@ -25,7 +25,7 @@ from rotordyn.scene.stage import Clock, Memo, Staged, stage_of
 from rotordyn.units import STANDARD_GRAVITY
 
 Array = NDArray[np.float64]
-ANY_SPRING = Spring(preload=1.0, stiffness=1.0)
+ANY_SPRING = Spring(preload=1.0, stiffness=1e6)
 
 
 class Statics(Staged):
@@ -228,7 +228,7 @@ def bodies(spindle: Spindle) -> Spindle:
 
 def _kind(sleeve: Sleeve) -> float:
     """Stiffness that stands for any: a sleeve moves along the axis, or it does not."""
-    return math.inf if math.isinf(sleeve.spring.stiffness) else 1.0
+    return math.inf if math.isinf(sleeve.spring.stiffness) else ANY_SPRING.stiffness
 
 
 def _no_seats(speed: Array, *rest: int) -> Array:

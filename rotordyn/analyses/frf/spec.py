@@ -120,7 +120,7 @@ class FrfSpec(Spec):
         if one.frequency and len(inside) < 2 and one.frequency[0] == one.frequency[0]:
             yield (
                 ("measured", index, "file"),
-                "fewer than two frequencies in the band of the case: given "
+                "{given}: fewer than two frequencies in the band of the case: given "
                 f"{one.frequency[0]:g} to {one.frequency[-1]:g} Hz; allowed: {low:g} to {high:g} "
                 "Hz",
             )

@@ -16,7 +16,7 @@ from bearings.bearing import BallBearing, Measure
 from bearings.errors import InvalidBearing
 from bearings.kinds import KINDS, kind_class
 from rotordyn import units
-from rotordyn.case.keys import EXTRA, keys_of
+from rotordyn.case.keys import extra, keys_of
 from rotordyn.case.schema import json_schema
 from rotordyn.machine.spindle import Spindle
 from rotordyn.measures import limits
@@ -58,7 +58,7 @@ def test_a_file_without_kind_is_an_angular_contact_bearing(tmp_path: Path) -> No
 
 @pytest.mark.parametrize("kind", KINDS)
 def test_keys_of_a_kind_are_the_fields_of_its_class(kind: str) -> None:
-    fields, common = keys_of(kind_class(kind)), {field.keys for field in EXTRA[BallBearing]}
+    fields, common = keys_of(kind_class(kind)), {field.keys for field in extra(BallBearing)}
     own = {field.keys[0] for field in fields if field.keys not in common}
     assert own == set(kind_class(kind).measures())
     assert all(field.meaning for field in fields)

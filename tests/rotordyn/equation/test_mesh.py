@@ -17,7 +17,7 @@ from tests.oracles.rotors import STEEL, STEPPED, uniform
 
 FULL = replace(
     STEPPED,
-    supports=(LinearSupport("s", 0.033, {}),),
+    supports=(LinearSupport("s", 0.033, {("y", "y"): 1.0}),),
     discs=(Disc("d", 0.111, 0.2, 0.1, 0.01, STEEL),),
 )
 

@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 import pyuff
 
+from rotordyn.analyses.frf.records import read_record
 from rotordyn.analyses.frf.result import InertanceResult, MobilityResult
 from rotordyn.analyses.frf.uff import write_uff
-from rotordyn.case.measured import read_record
 from rotordyn.machine.rotor import Place
 from tests.rotordyn.figures import samples
 
