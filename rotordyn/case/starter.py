@@ -26,11 +26,10 @@ def write_starter(name: str, folder: Path) -> tuple[Path, Path]:
     for path in (case, spindle):
         if path.exists():
             raise InvalidInput(f"{path} exists and is not overwritten; choose another name")
+    text = (cases_root() / f"{START}.yaml").read_text(encoding="utf-8")
     texts = {
-        spindle: _titled(models_root() / "spindles" / f"{START}.yaml", name),
-        case: _titled(cases_root() / f"{START}.yaml", name).replace(
-            f"spindle: {START} ", f"spindle: {spindle.name} "
-        ),
+        spindle: (models_root() / "spindles" / f"{START}.yaml").read_text(encoding="utf-8"),
+        case: text.replace(f"spindle: {START} ", f"spindle: {spindle.name} "),
     }
     for path, text in texts.items():
         try:
@@ -39,9 +38,3 @@ def write_starter(name: str, folder: Path) -> tuple[Path, Path]:
         except OSError as error:
             raise InvalidInput(f"{path} cannot be written: {error.strerror}") from None
     return case, spindle
-
-
-def _titled(template: Path, title: str) -> str:
-    """Text of a file with another title in its first line."""
-    _, _, rest = template.read_text(encoding="utf-8").partition("\n")
-    return f'title: "{title}"\n{rest}'
