@@ -3,6 +3,8 @@
 A free shaft has four: axial motion, torsion, bending in plane y and in plane z. Its coordinates are
 free modes up to a cut-off and static modes at ports (``reduce``), or its rigid motions alone; those
 of a sleeve or a housing are its own DOF. Mass is the identity in all of them.
+
+Theory: docs/theory/reduction.md.
 """
 
 from __future__ import annotations
