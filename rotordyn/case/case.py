@@ -9,8 +9,8 @@ from typing import Annotated
 
 from bearings.bearing import BallBearing
 from rotordyn.analyses.contract import Spec
+from rotordyn.analyses.registry import built_in
 from rotordyn.case.agreement import (
-    ANALYSES,
     housings_agree,
     questions_agree,
     references_agree,
@@ -40,7 +40,7 @@ class Case(Description):
     name: str
     title: str
     speeds: tuple[Speed, ...]
-    analyses: Mapping[Annotated[str, Choice(tuple(ANALYSES))], Spec]
+    analyses: Mapping[Annotated[str, Choice(built_in())], Spec]
     conditions: Conditions = field(default_factory=Conditions)
     spindle: Spindle | None = None
     bearing: BallBearing | None = None
