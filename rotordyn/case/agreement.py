@@ -13,6 +13,7 @@ from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.case.loads import misplaced, misplaced_unbalance, overheld, rotors_of, unheld
 from rotordyn.description import ascending
+from rotordyn.errors import InvalidInput
 from rotordyn.machine.housing import housed_motions
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
@@ -48,7 +49,11 @@ def questions_agree(
     if not analyses:
         yield "nothing is asked: name at least one analysis"
     for name, spec in analyses.items():
-        own = analysis(name)
+        try:
+            own = analysis(name)
+        except InvalidInput as error:
+            yield str(error)
+            return
         if not isinstance(spec, own.spec):
             yield f"analysis {name} takes a {own.spec.__name__}: given a {type(spec).__name__}"
         if (own.machine == "bearing") == (spindle is not None):
