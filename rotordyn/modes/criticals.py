@@ -1,8 +1,8 @@
 """Critical speeds: where a mode turns at a multiple of a rotor's speed, each solved for.
 
 Two ways lead to them. Where but the gyroscopic effect only the tables of supports depend on speed,
-those between two breakpoints are the eigenvalues of one problem (``synchronous``), for any speeds of
-the case. Where bearings change with speed, and for axial motion and torsion, the lines of the
+those between two breakpoints are the eigenvalues of one problem (``synchronous``), for any speeds
+of the case. Where bearings change with speed, and for axial motion and torsion, the lines of the
 followed modes say between which speeds they are. Either way the machine is then solved anew at the
 speed found, damping and all, until the mode turns at the multiple of it to rounding.
 
