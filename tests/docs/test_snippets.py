@@ -3,13 +3,16 @@
 from __future__ import annotations
 
 import re
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
 
+import rotordyn
 from docs.generate.marked import parts
-from docs.generate.places import FIGURES, ROOT
+from docs.generate.places import DOCS, FIGURES, ROOT
 from docs.generate.snippets import PICTURES, blocks, run_page, snippet_pages
+from rotordyn.case.starter import START
 
 NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e-?\d+)?")
 PAGES = snippet_pages()
@@ -24,6 +27,18 @@ def test_blocks_of_a_page_run_and_print_what_it_shows(page: Path, tmp_path: Path
         assert NUMBER.sub("#", shown[name]) == NUMBER.sub("#", now), name
         old, new = ([float(n) for n in NUMBER.findall(text)] for text in (shown[name], now))
         assert old == pytest.approx(new, rel=2e-3, abs=1e-4), name
+
+
+def test_the_tutorial_builds_the_spindle_that_new_writes(
+    tmp_path: Path,
+) -> None:
+    page = (DOCS / "tutorial" / "own_spindle.md").read_text(encoding="utf-8")
+    built = "".join(b.code for b in blocks(page) if b.file.lstrip("+") == "spindle.yaml")
+    (tmp_path / "spindle.yaml").write_text(built, encoding="utf-8")
+    mine = rotordyn.model("spindles", tmp_path / "spindle.yaml")
+    assert replace(mine, name="", title="", note="") == replace(
+        rotordyn.model("spindles", START), name="", title="", note=""
+    )
 
 
 def test_pages_show_what_a_run_prints() -> None:
