@@ -125,6 +125,9 @@ def _parser() -> argparse.ArgumentParser:
     check = commands.add_parser("check", help="read and validate a case, compute nothing")
     check.add_argument("case", metavar="CASE", help=CASE)
     check.set_defaults(command=_check)
+    new = commands.add_parser("new", help="write a commented case and spindle file to start from")
+    new.add_argument("name", metavar="NAME", help="writes NAME.yaml and NAME_spindle.yaml here")
+    new.set_defaults(command=_new)
     cases = commands.add_parser("cases", help="list the cases that come with rotordyn")
     cases.set_defaults(command=_cases)
     models = commands.add_parser("models", help="list the models of the library, with sources")
@@ -147,6 +150,14 @@ def _check(arguments: argparse.Namespace) -> int:
 
 def _counted(number: int, word: str) -> str:
     return f"{number} {word}{'' if number == 1 else 's'}"
+
+
+def _new(arguments: argparse.Namespace) -> int:
+    from rotordyn.case.starter import write_starter
+
+    case, spindle = write_starter(arguments.name, Path())
+    print(f"wrote {case} and {spindle}; next: rotordyn check {case}, rotordyn run {case}")
+    return 0
 
 
 def _cases(_: argparse.Namespace) -> int:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 
 from bearings.bearing import BallBearing
@@ -33,7 +34,13 @@ PAGES: dict[str, type] = {
 
 def key_tables() -> dict[str, str]:
     """Every part of the page, by name."""
-    return {name: "\n\n".join(map(_section, kinds)) for name, kinds in pages().items()}
+    tables = {name: "\n\n".join(map(_section, kinds)) for name, kinds in pages().items()}
+    return {name: _from_reference(text) for name, text in tables.items()}
+
+
+def _from_reference(text: str) -> str:
+    """Links of meanings start at ``docs``; the page is in ``docs/reference``."""
+    return re.sub(r"\]\((?=[\w/]+\.md)", "](../", text)
 
 
 def pages() -> dict[str, list[type]]:

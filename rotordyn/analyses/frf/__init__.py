@@ -27,6 +27,6 @@ ANALYSIS = Analysis(
     tables=LAYOUTS,
     summary=code("summary:summary"),
     accuracy=code("summary:accuracy"),
-    heading="likeness of measured responses, 1 at best",
+    heading="FRAC of measured responses, 1 at best",
     cells=code("summary:cells"),
 )

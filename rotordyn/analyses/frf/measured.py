@@ -29,7 +29,7 @@ def measured_fields(
     axis = np.full((count, longest), np.nan)
     response = np.full((count, longest), complex(np.nan, np.nan))
     peaks = np.full((4, count, PEAKS), np.nan)
-    likeness = np.full(count, np.nan)
+    frac = np.full(count, np.nan)
     for row, one in enumerate(spec.measured):
         own, seen = np.array(one.frequency), as_quantity(one, spec.quantity)
         axis[row, : len(own)], response[row, : len(own)] = own, seen
@@ -40,7 +40,7 @@ def measured_fields(
             there = np.interp(own[inside], frequency, computed.real) + 1j * np.interp(
                 own[inside], frequency, computed.imag
             )
-            likeness[row] = assurance(seen[inside], there)
+            frac[row] = assurance(seen[inside], there)
             peaks[:, row] = _beside(own[inside], np.abs(seen[inside]), frequency, np.abs(computed))
     names = ("measured_peak", "measured_peak_amplitude", "computed_peak", "computed_peak_amplitude")
     return {
@@ -51,7 +51,7 @@ def measured_fields(
         "measured_speed": np.array([one.speed for one in spec.measured]),
         "measured_frequency": axis,
         "measured_response": response,
-        "likeness": likeness,
+        "frac": frac,
         **dict(zip(names, peaks, strict=True)),
     }
 

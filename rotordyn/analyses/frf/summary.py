@@ -17,7 +17,7 @@ SAME = 1e-6  # of a speed
 
 
 def summary(result: FrequencyResponse) -> list[str]:
-    """A line per measured response: its highest peaks, the computed ones beside, their likeness."""
+    """A line per measured response: its highest peaks, the computed ones beside, the FRAC."""
     lines = [_line(result, row) for row in range(min(MOST, len(result.measured)))]
     rest = len(result.measured) - MOST
     return lines + ([f"           and {rest} more measured responses"] if rest > 0 else [])
@@ -45,9 +45,9 @@ def _line(result: FrequencyResponse, row: int) -> str:
     head = (
         f"measured   {result.measured[row]}, {result.kind} {pair} at {speeds_compared(result, row)}"
     )
-    if not math.isfinite(result.likeness[row]):
+    if not math.isfinite(result.frac[row]):
         return f"{head}, where there is no response"
-    return f"{head}: likeness {result.likeness[row]:.3f}{told}"
+    return f"{head}: FRAC {result.frac[row]:.3f}{told}"
 
 
 def speeds_compared(result: FrequencyResponse, row: int) -> str:
@@ -60,10 +60,10 @@ def speeds_compared(result: FrequencyResponse, row: int) -> str:
 
 
 def cells(result: FrequencyResponse, _: Described) -> dict[str, str]:
-    """The likeness of every measured response to the computed one, 1 at best."""
+    """FRAC (frequency response assurance criterion) of every measured response."""
     return {
         f"{name} at {speeds_compared(result, row)}": (
-            f"{result.likeness[row]:.3f}" if math.isfinite(result.likeness[row]) else "–"
+            f"{result.frac[row]:.3f}" if math.isfinite(result.frac[row]) else "–"
         )
         for row, name in enumerate(result.measured)
     }
