@@ -85,7 +85,7 @@ class Description:
 def require(description: Description, faults: Faults) -> None:
     """Raises the first of ``faults`` of a description as InvalidInput; nothing while unchecked."""
     for path, sentence in faults if _checked.get() else ():
-        raise InvalidInput(f"{description._called()}: {told(description, path, sentence)}")
+        raise InvalidInput(f"{description._called()}: {message_of(description, path, sentence)}")
 
 
 @cache
@@ -93,7 +93,7 @@ def _checks(kind: Any) -> tuple[tuple[str, Check], ...]:
     return tuple((field.name, check_of(field.annotation)) for field in declared(kind))
 
 
-def told(holder: object, path: Path, sentence: str) -> str:
+def message_of(holder: object, path: Path, sentence: str) -> str:
     """A fault as said of a description built in Python: path, sentence, value."""
     where = _walked(holder, path)[0]
     said = filled(sentence, path, lambda way: _written(holder, way))

@@ -19,6 +19,10 @@ READ = [
     ("5 rad/s", "speed", 5.0),
     ("4 kHz", "frequency", 4000.0),
     ("91.8 mm", "length", 0.0918),
+    ("2.5 in", "length", 0.0635),
+    ("2.5 inch", "length", 0.0635),
+    ("4 mil", "length", 101.6e-6),
+    ("100 lbf", "force", 444.82216152605),
     ("1e-3 m", "length", 0.001),
     ("-0.305 um", "length", -0.305e-6),
     ("43.2 µm", "length", 43.2e-6),  # micro sign

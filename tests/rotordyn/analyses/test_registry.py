@@ -12,6 +12,7 @@ import pytest
 import rotordyn
 from rotordyn.analyses import registry
 from rotordyn.analyses.contract import Code
+from rotordyn.case.schema import json_schema
 from rotordyn.errors import InvalidInput
 from rotordyn.job import deliver
 
@@ -60,6 +61,11 @@ def test_a_package_outside_has_an_analysis_of_its_own(outside, tmp_path: Path) -
     """Its result, its table, its figure and its line of the summary, and nothing of ours for it."""
     case = replace(rotordyn.load("lalanne_ferraris"), analyses={"nose_sag": outside.NoseSagSpec()})
     assert registry.names()[-1] == "nose_sag"
+    file = tmp_path / "case.yaml"
+    file.write_text("spindle: lalanne_ferraris\nspeeds: [0 rpm]\nanalyses: {nose_sag: }\n")
+    assert rotordyn.load(file).analyses == case.analyses
+    asked = json_schema("case")["properties"]["analyses"]["properties"]
+    assert asked["nose_sag"]["description"] == "It takes nothing."
     assert rotordyn.run(case)["nose_sag"].rotor_mass.values > 0.0
     found = deliver(case, tmp_path / "out")
     assert "nose sag   a rotor of" in found.summary

@@ -96,3 +96,33 @@ def test_an_alias_is_changed_in_one_place_only(tmp_path: Path) -> None:
     spindle = rotordyn.load(path).spindle
     assert spindle is not None
     assert [support.stiffness["y", "y"] for support in spindle.supports] == [1e6, 70e6]
+
+
+SAME_PATHS = {
+    "sleeves.*.spring.stiffness": "8 N/um",
+    "bearings.a.growth.static": "1 um",
+    "bearings.*.growth.fit.interference": "30 um",
+    "bearings.*.model.outer_conformity": "0.55",
+    "bearings.b.model.ball_material.density": "3200 kg/m^3",
+    "bearings.c.damping.axial": "9 N s/m",
+    "shaft.sections.nose.material.young_modulus": "200 GPa",
+    "shaft.sections.*.material.density": "7800 kg/m^3",
+    "damping.rotor": "[1 %, 2 %]",
+    "shortening.shift.c": "-1 um",
+    "points.O1": "50 mm",
+}
+
+
+@pytest.mark.parametrize("path", SAME_PATHS)
+def test_a_path_means_in_a_file_what_it_means_in_python(path: str, overridden: Override) -> None:
+    """What a model, or a value given for all, holds besides stays as it was."""
+    written = SAME_PATHS[path]
+    listed = [each.strip() for each in written.strip("[]").split(",")]
+    plain = overridden("title: x")
+    value: object = listed if written.startswith("[") else written
+    if path.endswith(("density", "young_modulus")):  # a material of Python has no units
+        number, unit = written.split(maxsplit=1)
+        value = float(number) * {"kg/m^3": 1.0, "GPa": 1e9}[unit]
+    varied = rotordyn.vary(plain, {path: value})
+    assert overridden("title: x", f"{path}: {written}") == varied
+    assert varied != plain
