@@ -214,11 +214,12 @@ class FreeMotions:
         """Motions of the linear system that answers those of some signs of loss."""
         return self if self.lossy is None else replace(self, modes=self.lossy.answering(signs))
 
-    def stiffness(self, signs: Signs) -> NDArray[np.inexact]:
-        """Stiffness (s, n, n) that answers motions of some signs of loss."""
-        loss = self.linear.loss
-        own = None if loss is None else Hysteresis(*loss)
-        return self.linear.stiffness + (0.0 if own is None else own.stiffness(signs))
+
+def answering_stiffness(linear: Linear, signs: Signs) -> NDArray[np.inexact]:
+    """Stiffness (s, n, n) that answers motions of some signs of loss."""
+    if linear.loss is None:
+        return linear.stiffness
+    return linear.stiffness + Hysteresis(*linear.loss).stiffness(signs)
 
 
 def free_motions(linear: Linear) -> FreeMotions:
