@@ -251,9 +251,7 @@ def subsystems(structure: Structure, state: State, *, strings: bool) -> list[tup
         size = sum(np.abs(matrix).max(axis=0) for matrix in link.matrices(state))
         size = size + np.diag(np.isin(np.arange(len(size)), link.rigid))
         joined = np.abs(link.motions).T @ size @ np.abs(link.motions) > 0.0
-        owner = structure.owner[link.dofs]
-        for row, column in np.argwhere(joined):
-            groups.join(owner[row], owner[column])
+        groups.join_where(structure.owner[link.dofs], joined)
     order = {"y": 0, "z": 1}
     return [
         tuple(
