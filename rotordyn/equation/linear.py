@@ -253,9 +253,7 @@ def subsystems(structure: Structure, state: State, *, strings: bool) -> list[tup
         size = sum(np.abs(matrix).max(axis=0) for matrix in link.matrices(state))
         size = size + np.diag(np.isin(np.arange(len(size)), link.rigid))
         joined = np.abs(link.motions).T @ size @ np.abs(link.motions) > 0.0
-        owner = structure.owner[link.dofs]
-        for row, column in np.argwhere(joined):
-            groups.join(owner[row], owner[column])
+        groups.join_where(structure.owner[link.dofs], joined)
     order = {"y": 0, "z": 1}
     return [
         tuple(
@@ -287,14 +285,14 @@ def linear(
     speed, n = state.speed, sum(c.size for c in components)
     stiffness, damping = np.zeros((2, len(speed), n, n))
     found = Linear(structure, tuple(components), speed, stiffness, damping, ())
-    spin = speed[:, None, None]
+    spin, pulled = speed[:, None, None], force if force is not None and force.any() else None
     for component, own in zip(components, found.slices, strict=True):
         stiffness[:, own, own] += component.stiffness
         damping[:, own, own] += component.damping
         if softened and component.bends:
             stiffness[:, own, own] -= spin**2 * component.projected("softening")
-        if force is not None and component.lines[0].body == SPINDLE and component.bends:
-            stiffness[:, own, own] += geometric_stiffness(structure.slopes(component), force)
+        if pulled is not None and component.lines[0].body == SPINDLE and component.bends:
+            stiffness[:, own, own] += geometric_stiffness(structure.slopes(component), pulled)
     damping += spin * found.gyroscopic
     for y, z in _planes(found):
         own, other = found.slices[y], found.slices[z]
