@@ -21,13 +21,11 @@ from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import State
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
-from rotordyn.preload.growth import released_fits
-from rotordyn.results.display import RPM
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.formulation import SOFTENED, told
-from rotordyn.scene.stability import instability
 from rotordyn.scene.stage import Clock, Memo, stage, stage_of
 from rotordyn.scene.statics import Statics, bodies
+from rotordyn.scene.warnings import machine_warnings
 
 Array = NDArray[np.float64]
 
@@ -114,16 +112,7 @@ class Scene(Statics):
     @property
     def warnings(self) -> tuple[str, ...]:
         """What a designer should know about the machine at these speeds."""
-        fits = (
-            f"bearing {name}: the fit of its inner ring lets go at "
-            f"{speed * RPM.factor:.0f} rpm; raise its interference"
-            for name, speed in released_fits(self.spindle, float(self.bearing_speed.max()))
-        )
-        held = [s for each in self.spindle.supports for s in each.held_at(self.speed)]
-        found = list(self.systems.values())
-        grown = instability(found, self.speed[self.usable]) if found else ()
-        pressed = self.preload.small_shims() if "preload" in self.solved else ()
-        return (*fits, *pressed, *held, *grown)
+        return tuple(machine_warnings(self))
 
     def node(self, at: str | float | Place) -> int:
         """The node shown of a named point, of a station on the shaft or of a place, among those of

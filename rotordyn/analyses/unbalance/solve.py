@@ -23,7 +23,7 @@ from rotordyn.modes.band import Band
 from rotordyn.modes.branches import branches_of
 from rotordyn.modes.criticals import critical_speeds
 from rotordyn.modes.names import named
-from rotordyn.scene.refinement import Rows, changes, settled
+from rotordyn.scene.refinement import Rows, changes, response_accuracy, settled
 from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]
@@ -92,6 +92,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         critical_speed=np.array([speed for _, speed, _ in critical]),
         critical_damping=np.array([damping for *_, damping in critical]),
         error=error,
+        error_asked=response_accuracy(scene),
     )
 
 
