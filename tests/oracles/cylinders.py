@@ -57,20 +57,20 @@ def of_cylinders(spindle: Spindle, count: int) -> Spindle:
 
 
 def cone_frequencies(
-    spindle: Spindle, spin: float, number: int, direction: int, first: int = 8
+    spindle: Spindle, spin: float, near: Array, direction: int, first: int = 8
 ) -> tuple[Array, Array]:
-    """The ``number`` lowest frequencies of whirl [rad/s] of a rotor with cones, and how well each
-    is known (relative), by the last step of the extrapolation; each proven to be the n-th."""
+    """The lowest frequencies of whirl [rad/s] of a rotor with cones, and how well each is known
+    (relative), by the last step of the extrapolation; each proven to be the n-th.
+
+    ``near`` (n,): where they are looked for, ascending; it only saves time.
+    """
     found: list[Array] = []
     for count in (first, 2 * first, 4 * first, 8 * first):
         rotor = exact_rotor(of_cylinders(spindle, count), spin, NO_SEATS)
-        if found:
-            found.append(_followed(rotor, _starts(found), direction))
-        else:
-            found.append(whirl_frequencies(rotor, number, direction))
+        found.append(_followed(rotor, _starts(found) if found else near, direction))
     row, last = found, found[-1]
     for power in (4.0, 16.0, 64.0):
-        row = [(power * b - a) / (power - 1.0) for a, b in zip(row, row[1:], strict=False)]
+        row = [(power * b - a) / (power - 1.0) for a, b in pairwise(row)]
         before, last = last, row[-1]
     return last, np.abs(last / before - 1.0)
 

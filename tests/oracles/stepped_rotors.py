@@ -86,7 +86,7 @@ def jointed(rng: np.random.Generator, spindle: Spindle) -> Spindle:
         loss = 10.0 ** rng.uniform(-7.0, -5.0) if rng.random() < 0.5 else 0.0
         ways = [("radial", float(radial)), ("tilt", float(tilt))]
         chosen = [ways, ways[:1], ways[1:]][rng.integers(0, 3)]
-        values = {name: value for name, value in chosen}
+        values = dict(chosen)
         values |= {f"{name}_damping": value * loss for name, value in chosen if loss}
         joints.append(Joint(f"j{k}", float(rng.uniform(0.05, 0.95) * shaft.end), **values))
     return replace(spindle, joints=tuple(joints))

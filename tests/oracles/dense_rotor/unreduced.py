@@ -77,7 +77,7 @@ def unreduced(structure: Structure, state: State, motion: str | None = None) -> 
 
 
 def _turning(structure: Structure, dampers: Array) -> Array:
-    """Of dampers that turn (n, n), the same in both planes: what couples these per unit of speed."""
+    """Of dampers that turn (n, n), alike in both planes: what couples these per unit of speed."""
     across = np.zeros_like(dampers)
     for shaft in structure.shafts.values():
         for (node, name), y in shaft.jump.items():
