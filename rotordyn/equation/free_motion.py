@@ -17,10 +17,12 @@ from numpy.typing import NDArray
 from rotordyn.equation.hysteresis import Hysteresis, Hysteretic, Signs
 from rotordyn.equation.linear import Linear
 from rotordyn.equation.term import Matrices
-from rotordyn.numerics.modes import Modes, modes, residual
+from rotordyn.errors import InvalidInput
+from rotordyn.numerics.modes import Modes, grows, modes, residual
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+LOST = 0.1  # of a pole: rounding that moves it by more leaves nothing of it
 FORWARD = np.array([1.0, -1.0j])  # planes y and z of whirl r e^(iωt)
 
 
@@ -58,6 +60,14 @@ class FreeMotions:
         pole = np.take_along_axis(self.modes.pole, columns, axis=-1)
         pole[none] = complex(np.nan, np.nan)
         return pole
+
+    @cached_property
+    def rounding(self) -> Array:
+        """Change of each pole by rounding of the stiffness, over its size (s, k): what supports far
+        stiffer than the shaft leave of its digits."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            own = self.modes.rounding / np.abs(self.modes.pole)
+        return own if self.whirling else np.take_along_axis(own, self._chosen[0], axis=-1)
 
     @cached_property
     def vector(self) -> Complex:
@@ -108,19 +118,38 @@ class FreeMotions:
 
     @cached_property
     def at_rest(self) -> NDArray[np.bool_]:
-        """Motions that nothing holds: poles at zero (s, k)."""
-        free = self.modes.at_rest()
+        """Motions that nothing holds: poles at zero (s, k).
+
+        Raises
+        ------
+        InvalidInput : a support so stiff that motions on other supports are lost in rounding
+        """
+        free = self._free
         return free if self.whirling else np.take_along_axis(free, self._chosen[0], axis=-1)
+
+    @cached_property
+    def _free(self) -> NDArray[np.bool_]:
+        """The same of all ``modes``: no more than what joins the parts leaves free, for beside very
+        stiff supports slow motions look like free ones."""
+        free = self.modes.at_rest()
+        order = np.abs(self.modes.pole).argsort(axis=-1).argsort(axis=-1)
+        for row in np.flatnonzero(free.any(axis=-1)):
+            most = self.linear.free_directions(int(row)) * (1 if self.whirling else 2)
+            held = free[row] & (order[row] >= most)
+            if (self.modes.rounding[row] > LOST * np.abs(self.modes.pole[row]))[held].any():
+                raise InvalidInput(self.linear.too_stiff())
+            free[row] &= ~held
+        return free
 
     @cached_property
     def free_count(self) -> Array:
         """How many poles at zero (s,), both of a pair."""
-        return self.modes.at_rest().sum(axis=-1) * (2.0 if self.whirling else 1.0)
+        return self._free.sum(axis=-1) * (2.0 if self.whirling else 1.0)
 
     @cached_property
     def growing(self) -> NDArray[np.bool_]:
         """Motions that grow by themselves (s, k)."""
-        own = self.modes.growing
+        own = grows(self.modes.pole, self.modes.largest) & ~self._free
         return own if self.whirling else np.take_along_axis(own, self._chosen[0], axis=-1)
 
     def receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:

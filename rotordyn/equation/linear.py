@@ -191,6 +191,39 @@ class Linear:
             rows[mine, own] = sign[dofs[mine], None] * vectors
         return rows
 
+    def free_directions(self, row: int) -> int:
+        """How many motions nothing holds at one speed: those that strain no body and that no link
+        answers, whatever its stiffness; axial force is left out."""
+        still = np.zeros((self.size, 0))
+        for component, own in zip(self.components, self.slices, strict=True):
+            values, vectors = np.linalg.eigh(component.stiffness)
+            unstrained = vectors[:, values <= DEPENDENT**2 * np.abs(values).max(initial=0.0)]
+            block = np.zeros((self.size, unstrained.shape[1]))
+            block[own] = unstrained
+            still = np.hstack([still, block])
+        answers = [np.zeros((1, still.shape[1]))]
+        for each in self.connections:
+            stiffness = each.matrices.stiffness
+            moved, size = each.motions @ still, np.linalg.norm(each.motions, axis=1)
+            moved[np.linalg.norm(moved, axis=1) <= DEPENDENT * size] = 0.0
+            held = _of_unit(stiffness[row if len(stiffness) > 1 else 0]) + np.diag(each.rigid)
+            answers.append(held @ _of_unit_rows(moved))
+        rank = int(np.linalg.matrix_rank(np.concatenate(answers), DEPENDENT))
+        return still.shape[1] - rank
+
+    def too_stiff(self) -> str:
+        """A sentence about the stiffest link."""
+
+        def largest(each: Connection) -> float:
+            return float(np.abs(_between(each.motions, each.matrices.stiffness)).max())
+
+        stiffest = max(self.connections, key=largest)
+        return (
+            f"'{stiffest.link.name}' is so stiff, {np.abs(stiffest.matrices.stiffness).max():.0e} "
+            "N/m, that slow motions beside it are lost in rounding: hold it rigid, or lower its "
+            "stiffness"
+        )
+
     def rigid_force(self, unbalanced: Complex) -> dict[str, Complex]:
         """Forces of rigid supports on what they hold (s, 6), by name, where others leave
         ``unbalanced`` (s, n) to them; of motions without give only.
@@ -355,6 +388,20 @@ def _motions(linear: Linear, link: Link) -> Array | None:
             vectors = component.vectors[component.local(link.dofs[mine])]
             rows[:, own] = link.motions[:, mine] @ vectors
     return rows if touched else None
+
+
+def _of_unit(matrix: Array) -> Array:
+    """A matrix (n, n) with rows and columns in their own measure."""
+    size = np.abs(matrix)
+    scale = np.sqrt(np.maximum(size.max(axis=0), size.max(axis=1)))
+    scale = np.where(scale > 0.0, scale, 1.0)
+    return np.asarray(matrix / scale[:, None] / scale)
+
+
+def _of_unit_rows(rows: Array) -> Array:
+    """Rows (k, n) of length 1, or 0."""
+    size = np.linalg.norm(rows, axis=1, keepdims=True)
+    return np.asarray(rows / np.where(size > 0.0, size, 1.0))
 
 
 def _between(rows: Array, blocks: Array) -> Array:
