@@ -10,13 +10,13 @@ from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from rotordyn.analysis.registry import BEARING_ANALYSES, SPINDLE_ANALYSES, Answers, Progress
+from rotordyn.analyses.registry import BEARING_ANALYSES, SPINDLE_ANALYSES, Answers, Progress
 from rotordyn.case.case import Case
+from rotordyn.figures.draw import Job
+from rotordyn.job.comparison_figures import comparison_figures
+from rotordyn.job.figures import figures as figures_of
 from rotordyn.job.solving import solve, solve_variants, unsolved
 from rotordyn.job.space import InSpace, LeftOut, write_meshes
-from rotordyn.plots.catalogue import figures as figures_of
-from rotordyn.plots.compared.catalogue import comparison_figures
-from rotordyn.plots.draw import Job
 
 
 @dataclass(frozen=True, slots=True)
@@ -114,7 +114,7 @@ def deliver(
 
 def _drawn(parcel: Parcel, folder: Path) -> tuple[dict[str, float], LeftOut]:
     """Numbers and figures, made side by side; seconds by figure, and which are missing."""
-    from rotordyn.plots.draw import Drawing
+    from rotordyn.figures.draw import Drawing
 
     with InSpace(parcel.parts) as space:
         drawing = Drawing(_figures(parcel), folder)
@@ -208,8 +208,8 @@ def _write_summary(parcel: Parcel, folder: Path) -> str:
 
 
 def _write_tables(case: Case, results: Mapping[str, Any], folder: Path) -> None:
+    from rotordyn.analyses.frf.uff import write_uff
     from rotordyn.report.tables import write_tables
-    from rotordyn.report.uff import write_uff
 
     write_tables(folder, results)
     if "frf" in results and case.spindle is not None:

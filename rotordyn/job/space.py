@@ -9,9 +9,9 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from rotordyn.analysis.registry import Answers
-from rotordyn.analysis.results import CampbellResult
-from rotordyn.analysis.specs import CampbellSpec, ShapesInSpaceSpec
+from rotordyn.analyses.campbell.result import CampbellResult
+from rotordyn.analyses.campbell.spec import CampbellSpec, ShapesInSpaceSpec
+from rotordyn.analyses.registry import Answers
 from rotordyn.case.case import Case
 from rotordyn.machine.spindle import Spindle
 from rotordyn.view.apart import NoPictures, Rendering
@@ -90,7 +90,7 @@ def write_meshes(case: Case, results: Mapping[str, Any], folder: Path) -> None:
     """The files of meshes that ``case`` asks for."""
     asked = _asked("", case, results)
     if asked is not None and asked.spec.files:
-        from rotordyn.report.shapes import FOLDER, write_shapes
+        from rotordyn.analyses.campbell.meshes import FOLDER, write_shapes
 
         write_shapes(folder / FOLDER, asked.spindle, asked.result, asked.spec)
 
@@ -105,8 +105,8 @@ def _asked(name: str, case: Case, results: Mapping[str, Any]) -> Asked | None:
 
 
 def _draw_sheets(parts: list[Asked], rendering: Rendering, folder: Path) -> dict[str, float]:
-    from rotordyn.plots.draw import Drawing, Job
-    from rotordyn.plots.shapes_3d import sheet_figure, sheets
+    from rotordyn.analyses.campbell.figures.shapes_3d import sheet_figure, sheets
+    from rotordyn.figures.draw import Drawing, Job
 
     jobs: list[Job] = []
     for number, asked in enumerate(parts):
@@ -118,8 +118,8 @@ def _draw_sheets(parts: list[Asked], rendering: Rendering, folder: Path) -> dict
 
 
 def _animate(parts: list[Asked], rendering: Rendering, folder: Path) -> dict[str, float]:
-    from rotordyn.plots.shapes_3d import save_animation
-    from rotordyn.report.shapes import FOLDER, shape_name
+    from rotordyn.analyses.campbell.figures.shapes_3d import save_animation
+    from rotordyn.analyses.campbell.meshes import FOLDER, shape_name
 
     seconds = {}
     for number, asked in enumerate(parts):
@@ -135,7 +135,7 @@ def _animate(parts: list[Asked], rendering: Rendering, folder: Path) -> dict[str
 
 def _left_out(parts: list[Asked], why: str) -> LeftOut:
     """Every figure that is missing, and one sentence for all."""
-    from rotordyn.plots.shapes_3d import sheets
+    from rotordyn.analyses.campbell.figures.shapes_3d import sheets
 
     names = [asked.inside(name) for asked in parts for name, *_ in sheets(asked.result)]
     animated = any(asked.spec.animation for asked in parts)

@@ -10,13 +10,14 @@ import numpy as np
 import pytest
 
 from bearings.materials import Material
-from rotordyn.analysis import campbell
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, Conditions
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.scene import Scene
 from tests.oracles.spinning_beam import PinnedBeam
 
 STEEL = Material("steel", 2.1e11, 0.3, 7800.0)
