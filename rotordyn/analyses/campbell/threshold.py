@@ -1,8 +1,8 @@
 """The speed from which some motion grows by itself, solved for.
 
 What is led to zero is the largest growth of all modes of a system: where two modes meet and part
-into one that grows and one that decays, no single one could be followed there. A motion that grows without swinging,
-a divergence, is none of the followed modes and counts as well.
+into one that grows and one that decays, no single one could be followed there. A motion that grows
+without swinging, a divergence, is none of the followed modes and counts as well.
 """
 
 from __future__ import annotations
