@@ -50,6 +50,7 @@ SWINGING = 1e-3  # of |pole|: slower ones hardly swing and are not compared
 MATCHED = 1e-3  # relative: a pole farther from all of ours is missing
 EXACT = ("stepped", "conical")
 DENSE = ("dense", "tapered", "jointed", "coaxial")
+KEPT = {sort: f"{sort}_rotors" for sort in (*EXACT, *DENSE)} | {"stepped": "random_rotors"}
 Array = NDArray[np.float64]
 Rng = np.random.Generator
 Pairs = list[tuple[float, float]]  # true and reported errors
@@ -249,10 +250,8 @@ def main() -> None:
     asked = parser.parse_args()
     seeds = range(asked.first, asked.first + asked.count)
     for sort in asked.only:
-        if sort in EXACT:
-            keep("random_rotors", **{sort: survey(sort, seeds)})
-        else:
-            keep("dense_rotors", **{sort: dense_survey(sort, seeds)})
+        found = survey(sort, seeds) if sort in EXACT else dense_survey(sort, seeds)
+        keep(**{KEPT[sort]: found})
 
 
 if __name__ == "__main__":

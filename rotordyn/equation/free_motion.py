@@ -133,9 +133,9 @@ class FreeMotions:
         stiff supports slow motions look like free ones."""
         free = self.modes.at_rest()
         order = np.abs(self.modes.pole).argsort(axis=-1).argsort(axis=-1)
-        for row in np.flatnonzero(free.any(axis=-1)):
-            most = self.linear.free_directions(int(row)) * (1 if self.whirling else 2)
-            held = free[row] & (order[row] >= most)
+        rows = np.flatnonzero(free.any(axis=-1)).tolist()
+        for row, many in zip(rows, self.linear.free_directions(rows), strict=True):
+            held = free[row] & (order[row] >= many * (1 if self.whirling else 2))
             if (self.modes.rounding[row] > LOST * np.abs(self.modes.pole[row]))[held].any():
                 raise InvalidInput(self.linear.too_stiff())
             free[row] &= ~held

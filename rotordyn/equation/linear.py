@@ -9,7 +9,7 @@ Subsystems are components that links or the gyroscopic effect join.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import accumulate, pairwise
@@ -191,25 +191,38 @@ class Linear:
             rows[mine, own] = sign[dofs[mine], None] * vectors
         return rows
 
-    def free_directions(self, row: int) -> int:
-        """How many motions nothing holds at one speed: those that strain no body and that no link
-        answers, whatever its stiffness; axial force is left out."""
-        still = np.zeros((self.size, 0))
+    def free_directions(self, rows: Iterable[int]) -> list[int]:
+        """How many motions nothing holds at some of the speeds: those that strain no body and that
+        no link answers, whatever its stiffness; axial force is left out."""
+        still, moved = self._unstrained, []
+        for each in self.connections:
+            own, size = each.motions @ still, np.linalg.norm(each.motions, axis=1)
+            own[np.linalg.norm(own, axis=1) <= DEPENDENT * size] = 0.0
+            moved.append(_of_unit_rows(own))
+        known: dict[bytes, int] = {}  # which entries are zero is the same at most speeds
+        found = []
+        for row in rows:
+            held = [_some(c.matrices.stiffness, np.array([row]))[0] for c in self.connections]
+            key = b"".join((matrix != 0.0).tobytes() for matrix in held)
+            if key not in known:
+                answers = [np.zeros((1, still.shape[1]))]
+                for each, matrix, own in zip(self.connections, held, moved, strict=True):
+                    answers.append((_of_unit(matrix) + np.diag(each.rigid)) @ own)
+                rank = int(np.linalg.matrix_rank(np.concatenate(answers), DEPENDENT))
+                known[key] = still.shape[1] - rank
+            found.append(known[key])
+        return found
+
+    @property
+    def _unstrained(self) -> Array:
+        """Motions that strain no body (n, k)."""
+        found = [np.zeros((self.size, 0))]
         for component, own in zip(self.components, self.slices, strict=True):
             values, vectors = np.linalg.eigh(component.stiffness)
-            unstrained = vectors[:, values <= DEPENDENT**2 * np.abs(values).max(initial=0.0)]
-            block = np.zeros((self.size, unstrained.shape[1]))
-            block[own] = unstrained
-            still = np.hstack([still, block])
-        answers = [np.zeros((1, still.shape[1]))]
-        for each in self.connections:
-            stiffness = each.matrices.stiffness
-            moved, size = each.motions @ still, np.linalg.norm(each.motions, axis=1)
-            moved[np.linalg.norm(moved, axis=1) <= DEPENDENT * size] = 0.0
-            held = _of_unit(stiffness[row if len(stiffness) > 1 else 0]) + np.diag(each.rigid)
-            answers.append(held @ _of_unit_rows(moved))
-        rank = int(np.linalg.matrix_rank(np.concatenate(answers), DEPENDENT))
-        return still.shape[1] - rank
+            free = vectors[:, values <= DEPENDENT**2 * np.abs(values).max(initial=0.0)]
+            found.append(np.zeros((self.size, free.shape[1])))
+            found[-1][own] = free
+        return np.hstack(found)
 
     def too_stiff(self) -> str:
         """A sentence about the stiffest link."""
