@@ -7,15 +7,33 @@ import os
 import time
 import warnings
 from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 Job = tuple[str, "Callable[[], Figure]"]
 _MOST = 255
+
+
+@dataclass(frozen=True, slots=True)
+class LeftOut:
+    """``figures`` that were not drawn -> why, and what the user is told of it."""
+
+    figures: dict[str, str] = field(default_factory=dict)
+    sentences: tuple[str, ...] = ()
+
+
+class Pictures(Protocol):
+    """Pictures that another process makes while figures are drawn; ``left_out`` after ``draw``."""
+
+    left_out: LeftOut
+
+    def draw(self, folder: Path) -> dict[str, float]:
+        """Wait for them and write them; seconds by figure."""
 
 
 class Drawing:

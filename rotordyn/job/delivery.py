@@ -5,18 +5,18 @@ from __future__ import annotations
 import time
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, ExitStack, contextmanager
 from dataclasses import asdict, dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
-from rotordyn.analyses.registry import BEARING_ANALYSES, SPINDLE_ANALYSES, Answers, Progress
+from rotordyn.analyses.registry import analysis, names
+from rotordyn.analyses.solving import Answers, Progress
 from rotordyn.case.case import Case
-from rotordyn.figures.draw import Job
-from rotordyn.job.comparison_figures import comparison_figures
+from rotordyn.figures.draw import Job, LeftOut, Pictures
+from rotordyn.job.figures import comparison_figures
 from rotordyn.job.figures import figures as figures_of
 from rotordyn.job.solving import solve, solve_variants, unsolved
-from rotordyn.job.space import InSpace, LeftOut, write_meshes
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,12 +116,31 @@ def _drawn(parcel: Parcel, folder: Path) -> tuple[dict[str, float], LeftOut]:
     """Numbers and figures, made side by side; seconds by figure, and which are missing."""
     from rotordyn.figures.draw import Drawing
 
-    with InSpace(parcel.parts) as space:
+    with ExitStack() as stack:
+        pictures = [stack.enter_context(each) for each in _pictures(parcel)]
         drawing = Drawing(_figures(parcel), folder)
         _written(parcel, folder)
         with _timed(parcel.seconds, "draw"):
-            drawn = drawing.finish() | space.draw(folder)
-        return drawn, space.left_out
+            drawn = drawing.finish()
+            for each in pictures:
+                drawn |= each.draw(folder)
+        figures = {name: why for each in pictures for name, why in each.left_out.figures.items()}
+        sentences = tuple(s for each in pictures for s in each.left_out.sentences)
+        return drawn, LeftOut(figures, sentences)
+
+
+def _pictures(parcel: Parcel) -> Iterator[AbstractContextManager[Pictures]]:
+    """What another process draws meanwhile."""
+    for name in {name: None for _, own in parcel.parts.values() for name in own.results}:
+        made = analysis(name).pictures
+        if made is not None:
+            yield made(
+                {
+                    part: (case, own.results[name])
+                    for part, (case, own) in parcel.parts.items()
+                    if name in own.results
+                }
+            )
 
 
 def _written(parcel: Parcel, folder: Path) -> tuple[dict[str, float], LeftOut]:
@@ -182,14 +201,15 @@ def _timed(seconds: dict[str, float], name: str) -> Iterator[None]:
 def _write_numbers(parcel: Parcel, folder: Path) -> None:
     """Numbers, tables, meshes."""
     from rotordyn.report.netcdf import write_results
+    from rotordyn.report.tables import write_tables
 
     case = parcel.case
     attributes = {"case": case.name, "title": case.title, "digest": case.digest}
     write_results(folder / "results.nc", parcel.results, attributes)
     for name, (part, answers) in parcel.parts.items():
         (folder / name).mkdir(exist_ok=True)
-        _write_tables(part, answers.results, folder / name)
-        write_meshes(part, answers.results, folder / name)
+        write_tables(folder / name, answers.results)
+        _write_files(part, answers.results, folder / name)
 
 
 def _write_summary(parcel: Parcel, folder: Path) -> str:
@@ -207,22 +227,19 @@ def _write_summary(parcel: Parcel, folder: Path) -> str:
     return text
 
 
-def _write_tables(case: Case, results: Mapping[str, Any], folder: Path) -> None:
-    from rotordyn.analyses.frf.uff import write_uff
-    from rotordyn.report.tables import write_tables
-
-    write_tables(folder, results)
-    if "frf" in results and case.spindle is not None:
-        nodes = {name: k for k, name in enumerate(case.spindle.places, start=1)}
-        write_uff(folder / "frf.uff", results["frf"], case=case.name, nodes=nodes)
+def _write_files(case: Case, results: Mapping[str, Any], folder: Path) -> None:
+    """Further files of the analyses."""
+    for name, result in results.items():
+        analysis(name).files(folder, case, result)
 
 
 def _write_record(parcel: Parcel, drawn: Mapping[str, float], folder: Path) -> None:
     from rotordyn.report.manifest import RunRecord, outcomes, write_record
 
     case = parcel.case
-    known = SPINDLE_ANALYSES if case.bearing is None else BEARING_ANALYSES
-    unasked = {name: "the case does not ask for it" for name in known if name not in case.analyses}
+    machine = "spindle" if case.bearing is None else "bearing"
+    others = [n for n in names() if analysis(n).machine == machine and n not in case.analyses]
+    unasked = dict.fromkeys(others, "the case does not ask for it")
     record = RunRecord(
         case=case.name,
         title=case.title,

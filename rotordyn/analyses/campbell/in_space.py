@@ -4,29 +4,20 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any
 
 from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.analyses.campbell.spec import CampbellSpec, ShapesInSpaceSpec
-from rotordyn.analyses.registry import Answers
-from rotordyn.case.case import Case
+from rotordyn.figures.draw import LeftOut
 from rotordyn.machine.spindle import Spindle
+from rotordyn.results.described import Described
 from rotordyn.view.apart import NoPictures, Rendering
 from rotordyn.view.order import Order
 
 FRAMES = 20  # of one period
-Parts = Mapping[str, tuple[Case, Answers]]
-
-
-@dataclass(frozen=True, slots=True)
-class LeftOut:
-    """``figures`` that were not drawn -> why, and what the user is told of it."""
-
-    figures: dict[str, str] = field(default_factory=dict)
-    sentences: tuple[str, ...] = ()
+Parts = Mapping[str, tuple[Described, CampbellResult]]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -58,7 +49,7 @@ class InSpace:
 
     def __init__(self, parts: Parts) -> None:
         self.left_out = LeftOut()
-        found = (_asked(name, case, answers.results) for name, (case, answers) in parts.items())
+        found = (_asked(name, case, result) for name, (case, result) in parts.items())
         self._asked = [asked for asked in found if asked is not None and asked.order.places]
         orders = [asked.order for asked in self._asked]
         self._rendering = Rendering(orders) if orders else None
@@ -86,22 +77,11 @@ class InSpace:
         return drawn | _animate(self._asked, self._rendering, folder)
 
 
-def write_meshes(case: Case, results: Mapping[str, Any], folder: Path) -> None:
-    """The files of meshes that ``case`` asks for."""
-    asked = _asked("", case, results)
-    if asked is not None and asked.spec.files:
-        from rotordyn.analyses.campbell.meshes import FOLDER, write_shapes
-
-        write_shapes(folder / FOLDER, asked.spindle, asked.result, asked.spec)
-
-
-def _asked(name: str, case: Case, results: Mapping[str, Any]) -> Asked | None:
-    spec, result = case.analyses.get("campbell"), results.get("campbell")
+def _asked(name: str, case: Described, result: CampbellResult) -> Asked | None:
+    spec = case.analyses.get("campbell")
     if not isinstance(spec, CampbellSpec) or spec.shapes_3d is None or case.spindle is None:
         return None
-    if not isinstance(result, CampbellResult) or not result.shape.size:
-        return None
-    return Asked(name, case.spindle, result, spec.shapes_3d)
+    return Asked(name, case.spindle, result, spec.shapes_3d) if result.shape.size else None
 
 
 def _draw_sheets(parts: list[Asked], rendering: Rendering, folder: Path) -> dict[str, float]:
