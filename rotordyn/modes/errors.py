@@ -47,8 +47,8 @@ def mode_errors(
     def solve(one: Scene) -> tuple[Modes, ModeErrors]:
         found = modes(one)
         if one.rigid:
-            shape = (len(one.usable), len(found[0]))
-            return found, ModeErrors(*np.zeros((3, *shape)), "")
+            none = np.zeros((len(one.usable), len(found[0])))
+            return found, ModeErrors(none, none, none, "")
         return found, _compared(one, band, found[0])
 
     def worst(found: tuple[Modes, ModeErrors]) -> float:
@@ -147,7 +147,8 @@ def _compared(scene: Scene, band: Band, branches: list[Branch]) -> ModeErrors:
                 np.interp(at, known_at, errors[kind, known, k]) if known.any() else 0
             )
         whole[:, branch.column < 0, k] = np.nan
-    return ModeErrors(*whole, unsettled)
+    frequency, damping, rounding = whole
+    return ModeErrors(frequency, damping, rounding, unsettled)
 
 
 def _change(here: Complex, there: Complex) -> Array:
