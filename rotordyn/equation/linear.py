@@ -26,6 +26,7 @@ from rotordyn.equation.structure import Structure, _Union
 from rotordyn.equation.support import answers_alike
 from rotordyn.equation.term import Array, Link, LinkMatrices, Matrices, State
 from rotordyn.machine.support import SPINDLE
+from rotordyn.numerics.modes import NOTHING
 
 T = TypeVar("T", bound=Matrices)
 
@@ -193,16 +194,23 @@ class Linear:
 
     def free_directions(self, rows: Iterable[int]) -> list[int]:
         """How many motions nothing holds at some of the speeds: those that strain no body and that
-        no link answers, whatever its stiffness; axial force is left out."""
-        still, moved = self._unstrained, []
+        no link answers, whatever its stiffness, unless that is ``NOTHING`` beside the largest;
+        axial force is left out."""
+        still, moved, sizes = self._unstrained, [], []
         for each in self.connections:
             own, size = each.motions @ still, np.linalg.norm(each.motions, axis=1)
+            sizes.append(np.outer(size, size))
             own[np.linalg.norm(own, axis=1) <= DEPENDENT * size] = 0.0
             moved.append(_of_unit_rows(own))
         known: dict[bytes, int] = {}  # which entries are zero is the same at most speeds
         found = []
         for row in rows:
             held = [_some(c.matrices.stiffness, np.array([row]))[0] for c in self.connections]
+            least = NOTHING * np.abs(self.stiffness[row]).max(initial=0.0)
+            held = [
+                np.where(np.abs(matrix) * size < least, 0.0, matrix)
+                for matrix, size in zip(held, sizes, strict=True)
+            ]
             key = b"".join((matrix != 0.0).tobytes() for matrix in held)
             if key not in known:
                 answers = [np.zeros((1, still.shape[1]))]
