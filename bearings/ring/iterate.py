@@ -33,8 +33,8 @@ class Iterate:
     ``load`` (…, 5) and ``stiffness`` (…, 5, 5) of the rings with the balls settled to first order;
     ``error`` (…): largest imbalance of a ball over the largest ball load, NaN where there is no
     state; ``pressure`` (…): largest of both races [Pa]; ``lightest`` (…): smallest inner load
-    of a ball [N]; ``sound`` (…): every ball on the physical branch. A turning ball moves by ``still``, and by ``follow`` times what its groove centre does;
-    at rest balls have no place of their own.
+    of a ball [N]; ``sound`` (…): every ball on the physical branch. A turning ball moves
+    by ``still``, and by ``follow`` times what its groove centre does; at rest balls have none.
     """
 
     parts: Parts

@@ -18,11 +18,13 @@ from numpy.typing import NDArray
 from rotordyn.equation.hysteresis import Hysteresis, Hysteretic, Signs
 from rotordyn.equation.linear import Linear
 from rotordyn.equation.term import Matrices
-from rotordyn.numerics.modes import Modes, modes, residual
+from rotordyn.errors import InvalidInput
+from rotordyn.numerics.modes import Modes, grows, modes, residual
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 S = TypeVar("S", bound=np.generic)
+LOST = 0.1  # of a pole: rounding that moves it by more leaves nothing of it
 FORWARD = np.array([1.0, -1.0j])  # planes y and z of whirl r e^(iωt)
 
 
@@ -69,6 +71,14 @@ class FreeMotions:
         pole = np.take_along_axis(self.modes.pole, columns, axis=-1)
         pole[none] = complex(np.nan, np.nan)
         return self._each(pole)
+
+    @cached_property
+    def rounding(self) -> Array:
+        """Change of each pole by rounding of the stiffness, over its size (s, k): what supports far
+        stiffer than the shaft leave of its digits."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            own = self.modes.rounding / np.abs(self.modes.pole)
+        return self._each(self._shown(own))
 
     @cached_property
     def vector(self) -> Complex:
@@ -119,14 +129,27 @@ class FreeMotions:
 
     @cached_property
     def at_rest(self) -> NDArray[np.bool_]:
-        """Motions that nothing holds: poles at zero (s, k)."""
-        free = self._free
-        own = free if self.whirling else np.take_along_axis(free, self._chosen[0], axis=-1)
-        return self._each(own)
+        """Motions that nothing holds: poles at zero (s, k).
+
+        Raises
+        ------
+        InvalidInput : a support so stiff that motions on other supports are lost in rounding
+        """
+        return self._each(self._shown(self._free))
 
     @cached_property
     def _free(self) -> NDArray[np.bool_]:
-        return self.modes.at_rest()
+        """The same of all ``modes``: no more than what joins the parts leaves free, for beside very
+        stiff supports slow motions look like free ones."""
+        free = self.modes.at_rest()
+        order = np.abs(self.modes.pole).argsort(axis=-1).argsort(axis=-1)
+        rows = np.flatnonzero(free.any(axis=-1)).tolist()
+        for row, many in zip(rows, self.linear.free_directions(rows), strict=True):
+            held = free[row] & (order[row] >= many * (1 if self.whirling else 2))
+            if (self.modes.rounding[row] > LOST * np.abs(self.modes.pole[row]))[held].any():
+                raise InvalidInput(self.linear.too_stiff())
+            free[row] &= ~held
+        return free
 
     @cached_property
     def free_count(self) -> Array:
@@ -136,10 +159,11 @@ class FreeMotions:
     @cached_property
     def growing(self) -> NDArray[np.bool_]:
         """Motions that grow by themselves (s, k)."""
-        own = self.modes.growing
-        return self._each(
-            own if self.whirling else np.take_along_axis(own, self._chosen[0], axis=-1)
-        )
+        return self._each(self._shown(grows(self.modes.pole, self.modes.largest) & ~self._free))
+
+    def _shown(self, values: NDArray[S]) -> NDArray[S]:
+        """Values of all ``modes`` (s, 2n), of those that are given (s, k)."""
+        return values if self.whirling else np.take_along_axis(values, self._chosen[0], axis=-1)
 
     def receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
         """At ``omega`` (f,) > 0 of paired rows (pairs, n): (s, pairs, f)."""

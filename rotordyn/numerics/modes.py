@@ -20,6 +20,7 @@ HELD = 1e-13  # of a coordinate's own stiffness: a motion with less than that is
 NEUTRAL = 1e-6  # of |pole|: less growth or decay than that is rounding
 SMALL = 1e-3  # of a pole: more is no rounding
 NOTHING = 1e-23  # of the largest stiffness: too little to tell its motion from a free one
+EPSILON = 1.1e-16  # half the spacing of numbers of double precision around 1
 UNSEEN = 1e-15  # of the largest |pole|: growth below that is rounding as well
 LEAST = 4  # systems to a thread
 WELL_CONDITIONED = 1e7  # of unit vectors: the sum over poles then keeps nine digits
@@ -80,9 +81,13 @@ class Modes:
         return np.abs(self.pole).max(axis=-1, keepdims=True, initial=0.0)
 
     @property
-    def growing(self) -> NDArray[np.bool_]:
-        """Poles of motions that grow by themselves (…, 2n)."""
-        return np.asarray(grows(self.pole, self.largest) & ~self.at_rest())
+    def rounding(self) -> Array:
+        """Change of each pole (…, 2n) [rad/s] by rounding of the stiffness, to be expected: of
+        independent errors of all entries, by first-order perturbation."""
+        with np.errstate(invalid="ignore", over="ignore"):
+            left, right = (np.abs(part) ** 2 for part in (self.participation, self.vector))
+            moved = np.abs(self.stiffness) ** 2 @ right
+            return EPSILON * np.sqrt(np.einsum("...kn,...nk->...k", left, moved))
 
     def receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
         """Receptance at i·``omega`` (f,) of paired rows: (…, pairs, f).

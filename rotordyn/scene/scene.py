@@ -6,6 +6,7 @@ depends on; nothing else writes into it.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from functools import cached_property, partial
 from typing import Any
@@ -22,7 +23,7 @@ from rotordyn.equation.term import State
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.conditions import Conditions
-from rotordyn.scene.formulation import SOFTENED, told
+from rotordyn.scene.formulation import ROTATING, SOFTENED, told
 from rotordyn.scene.stage import Clock, Memo, stage, stage_of
 from rotordyn.scene.statics import Statics, bodies
 from rotordyn.scene.warnings import machine_warnings
@@ -84,10 +85,15 @@ class Scene(Statics):
 
     @property
     def fineness(self) -> Fineness:
-        """What is asked of elements and reduction; standard ones where their length is given."""
+        """What is asked of elements and reduction; standard ones where their length is given.
+
+        A frame that turns with the shaft sees whirl at ω + Ω at the frequency ω.
+        """
         given = self.conditions.element_length is not None
         accuracy = None if given else self.conditions.accuracy
-        return Fineness(self.max_frequency, self.top_speed, accuracy, self.finer)
+        turning = self.top_speed if self.conditions.formulation == ROTATING else 0.0
+        highest = self.max_frequency + turning / (2.0 * math.pi)
+        return Fineness(highest, self.top_speed, accuracy, self.finer)
 
     @property
     def tolerances(self) -> dict[str, float]:
