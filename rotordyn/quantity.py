@@ -24,6 +24,7 @@ class Quantity:
     """A range of values of one ``kind`` of unit (a key of ``units.KINDS``), open or closed.
 
     ``infinite``: the word by which a file may say that the value is infinite; empty = it may not.
+    ``instead``: what may be given instead, said where a value is out of range.
     """
 
     kind: str
@@ -32,6 +33,7 @@ class Quantity:
     below: str = ""
     at_most: str = ""
     infinite: str = ""
+    instead: str = ""
 
     @cached_property
     def low(self) -> float:
@@ -76,7 +78,7 @@ class Quantity:
         """
         if self.holds(value):
             return ""
-        allowed = self.allowed or "a finite number"
+        allowed = (self.allowed or "a finite number") + self.instead
         if given:
             return f"{self.kind} out of range: given {given}; allowed: {allowed}"
         words = f"{allowed}, or infinite" if self.infinite else allowed

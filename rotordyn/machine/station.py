@@ -12,6 +12,7 @@ from rotordyn.units import format_quantity
 
 Reach = tuple[float, float]
 SLACK = 1e-9  # [m] by which a station may lie beside the shaft
+PART = 1e-6  # of a shaft: its shortest part between joints
 
 
 def on_the_shaft(what: str, x: float, reach: Reach, path: Path) -> Faults:
@@ -21,11 +22,17 @@ def on_the_shaft(what: str, x: float, reach: Reach, path: Path) -> Faults:
         yield path, f"{what} off the shaft: given {{given}}; allowed: {ends}"
 
 
+def least_part(start: float, end: float) -> float:
+    """The shortest part of a shaft [m] between two joints, or a joint and its end: what is lighter
+    than that gives its motions no digits."""
+    return max(SLACK, PART * (end - start))
+
+
 def turning_faults(
     shaft: Shaft, masses: Sequence[PointMass], discs: Sequence[Disc], joints: Sequence[Joint]
 ) -> Faults:
     """Faults of what turns with a shaft: each on it, and called by a name of its own."""
-    reach = start, end = shaft.reach
+    reach = shaft.reach
     yield from named_twice("masses", masses)
     yield from named_twice("discs", discs)
     for index, mass in enumerate(masses):
@@ -36,13 +43,25 @@ def turning_faults(
     for index, disc in enumerate(discs):
         if disc.name and disc.name in taken:
             yield ("discs", index, "name"), f"name taken by a mass: '{disc.name}'"
+    yield from _parts(reach, joints)
+
+
+def _parts(reach: Reach, joints: Sequence[Joint]) -> Faults:
+    """Joints that bear one name, or join no two parts of some length."""
     yield from named_twice("joints", joints)
-    ends = [format_quantity(x, "mm") for x in reach]
+    (start, end), least = reach, least_part(*reach)
     for index, joint in enumerate(joints):
         way = ("joints", index, "x")
-        if joint.x <= start + SLACK or joint.x >= end - SLACK:
-            between = " and ".join(ends)
+        if joint.x <= start + least or joint.x >= end - least:
+            between = " and ".join(format_quantity(x, "mm") for x in reach)
             yield way, f"joins no two parts: given {{given}}; allowed: between {between}"
         for other in joints[:index]:
-            if abs(joint.x - other.x) <= SLACK:
+            apart = abs(joint.x - other.x)
+            if apart <= SLACK:
                 yield way, f"joint '{other.name}' is at the same station"
+            elif apart < least:
+                yield (
+                    way,
+                    f"too short a part of the shaft to joint '{other.name}': given {apart:.3g} m; "
+                    f"allowed: from {least:.3g} m, {PART:g} of the shaft; make them one",
+                )

@@ -89,7 +89,8 @@ class Matrix:
 def _entry(kind: str, rotations: int) -> Quantity:
     names, limit = (kind, f"coupling {kind}", f"tilt {kind}"), f"{MOST[kind]:g}"
     bound = f"{limit} {_UNITS[kind][rotations]}"
-    return Quantity(names[rotations], at_least=f"-{bound}", at_most=bound)
+    instead = ", or rigid: no give at all" if kind == "stiffness" else ""
+    return Quantity(names[rotations], at_least=f"-{bound}", at_most=bound, instead=instead)
 
 
 STIFFNESS, DAMPING = Matrix("stiffness"), Matrix("damping")

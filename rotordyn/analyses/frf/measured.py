@@ -14,6 +14,7 @@ from rotordyn.analyses.frf.spec import QUANTITIES, FrfSpec, MeasuredResponse
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 PEAKS = 3
+LEAST_POINTS = 8  # in the band: of fewer, any two smooth curves look alike
 PROMINENT = math.sqrt(2.0)  # how far an amplitude falls on both sides of a peak: 3 dB
 
 
@@ -36,7 +37,7 @@ def measured_fields(
         near = int(np.abs(speed - one.speed).argmin())
         computed = values[near, pairs.index(one.pair)]
         inside = (own >= frequency[0]) & (own <= frequency[-1])
-        if np.isfinite(computed).all():
+        if np.isfinite(computed).all() and inside.sum() >= LEAST_POINTS:
             there = np.interp(own[inside], frequency, computed.real) + 1j * np.interp(
                 own[inside], frequency, computed.imag
             )

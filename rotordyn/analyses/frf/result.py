@@ -34,6 +34,7 @@ class FrequencyResponse:
     unstable: Flags = quantity("speed", unit="", label="not reached: the machine is unstable")
     is_slice: Flags = quantity("speed", unit="", label="drawn as slice")
     error: Array = quantity("pair", unit="1", label="estimated error over the largest value")
+    error_asked: float = quantity(unit="1", label="largest error asked for, over that value")
     measured: Words = coordinate("measured", unit="", label="measured response")
     sample: NDArray[np.int_] = coordinate("sample", unit="", label="sample")
     peak: NDArray[np.int_] = coordinate("peak", unit="", label="peak")

@@ -23,7 +23,7 @@ from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.errors import InvalidInput
 from rotordyn.results.display import RPM
 from rotordyn.scene.formulation import ROTATING, require_isotropic, turned
-from rotordyn.scene.refinement import Rows, changes, few_rows, settled
+from rotordyn.scene.refinement import Rows, changes, few_rows, response_accuracy, settled
 from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]
@@ -94,6 +94,7 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
         unstable=scene.flagged(growing),
         is_slice=np.isin(np.arange(len(scene.speed)), sorted(slices)),
         error=error,
+        error_asked=response_accuracy(scene),
         **rest,
     )
 

@@ -56,3 +56,4 @@ class UnbalanceResult:
     critical_speed: Array = quantity("critical", unit="rad/s", label="critical speed, 1× rotation")
     critical_damping: Array = quantity("critical", unit="1", label="damping ratio there")
     error: Array = quantity("point", unit="1", label="estimated error over the largest value")
+    error_asked: float = quantity(unit="1", label="largest error asked for, over that value")

@@ -299,6 +299,7 @@ def frf(count: int = 49, points: int = 2000) -> FrfResult:
         unstable=np.zeros(count, dtype=bool),
         is_slice=is_slice,
         error=np.full(4, 3e-5),
+        error_asked=1e-3,
         **measured_fields(FrfSpec((1.0,), ((Port("a", "y"),) * 2,)), speed, frequency, (), total),
     )
 
@@ -329,6 +330,8 @@ def stiffness(count: int = 49) -> StiffnessResult:
         deflection=deflection,
         tangent=tangent,
         secant=tangent / 1.1,
+        bearing=("B1", "B2"),
+        unloading_force=np.full((count, 2), np.nan),
     )
 
 
@@ -414,6 +417,7 @@ def unbalance(count: int = 49) -> UnbalanceResult:
         critical_speed=own,
         critical_damping=np.full(2, 0.02),
         error=np.array([1e-5, 2e-5]),
+        error_asked=1e-3,
     )
 
 
