@@ -11,12 +11,14 @@ from itertools import pairwise
 
 from rotordyn.machine.joint import WAYS
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import BearingSeat
+from rotordyn.machine.support import BearingSeat, entry_name
 
 RPM = 30.0 / math.pi
 FASTEST = 3.0e6  # [mm/min] n·dm; oil–air spindles of hybrid bearings reach 2 to 2.8 million
 GROWING = 1.0e6  # [mm/min] n·dm from which a missing ring growth is worth a word
 SLENDER = 100.0  # length over outer diameter of one section
+SOFT = 1e3  # [N/m], [N·m/rad]; preload springs have 1e5 to 1e8
+STRAIGHT = {("x", "x"), ("y", "y"), ("z", "z")}
 LONG = 10.0  # [m] of a shaft
 LOOSE = 1.5  # bore of a disc over the diameter of the shaft below it
 TWICE = 0.1  # of a disc's mass that the shaft has as well
@@ -29,6 +31,7 @@ def implausible(spindle: Spindle, top: float) -> Iterator[str]:
     yield from _overlapping(spindle)
     yield from _arrangement(spindle)
     yield from _speed_factors(spindle, top)
+    yield from _soft(spindle)
 
 
 def unopposed(spindle: Spindle) -> str:
@@ -67,6 +70,26 @@ def _values(entries: object) -> Iterator[float]:
             yield from _values(entry)
     elif isinstance(entries, int | float):
         yield float(entries)
+
+
+def _soft(spindle: Spindle) -> Iterator[str]:
+    """Stiffness far below that of any part of a machine, as of a number given in N/µm."""
+    given = {f"spring of sleeve {s.name}": s.spring.stiffness for s in spindle.sleeves}
+    given |= {f"sleeve {s.name}, radially": s.radial_stiffness for s in spindle.sleeves}
+    given |= {f"joint {j.name}, {way}": getattr(j, way) for j in spindle.joints for way in WAYS}
+    for support in spindle.supports:
+        for pair, value in support.stiffness.items():
+            if pair in STRAIGHT:
+                largest = max(value) if isinstance(value, tuple) else value
+                given[f"support {support.name}, {entry_name(*pair)}"] = largest
+    for what, value in given.items():
+        if 0.0 < value < SOFT:
+            turning = what.endswith(("tilt", "torsion"))
+            unit, likely = ("N m/rad", "kN m/rad") if turning else ("N/m", "N/um")
+            yield (
+                f"{what}: a stiffness of {value:.4g} {unit} is far below that of machine parts: "
+                f"check its unit (did you mean {value:.4g} {likely}?)"
+            )
 
 
 def _lengths(spindle: Spindle) -> Iterator[str]:

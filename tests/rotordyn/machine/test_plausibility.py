@@ -50,6 +50,15 @@ def test_a_section_of_metres() -> None:
     assert "check the units" in said
 
 
+def test_stiffness_given_in_newton_per_micrometre() -> None:
+    machine = mfw2310()
+    front, rear = machine.sleeves
+    soft = replace(front, spring=replace(front.spring, stiffness=6.2))
+    said = _said(replace(machine, sleeves=(soft, rear)))
+    assert "spring of sleeve front: a stiffness of 6.2 N/m" in said
+    assert "did you mean 6.2 N/um?" in said
+
+
 def test_discs_that_float_or_count_mass_twice() -> None:
     assert "does not touch the shaft" in _said(_disc(bore=2.0))
     assert "mass is counted twice" in _said(_disc(bore=0.0))
