@@ -286,10 +286,10 @@ def test_joints_ever_nearer_to_one_another(length: float, way: str) -> None:
     for apart in (1.1e-9 / length, 1e-8, 9e-7):
         joints = (Joint(n, x * length, **{way: 1e7}) for n, x in (("a", 0.6), ("b", 0.6 + apart)))
         with pytest.raises(
-            InvalidInput, match="joints.b.x: too short a part of the shaft to joint 'a'"
+            InvalidInput, match=r"joints\.b\.x: too short a part of the shaft to joint 'a'"
         ):
             lowest(*joints)
-    with pytest.raises(InvalidInput, match="joints.late.x: joins no two parts"):
+    with pytest.raises(InvalidInput, match=r"joints\.late\.x: joins no two parts"):
         lowest(Joint("late", (1.0 - 1e-8) * length, **{way: 1e7}))
 
 
