@@ -17,7 +17,8 @@ RPM = 30.0 / math.pi
 FASTEST = 3.0e6  # [mm/min] n·dm; oil–air spindles of hybrid bearings reach 2 to 2.8 million
 GROWING = 1.0e6  # [mm/min] n·dm from which a missing ring growth is worth a word
 SLENDER = 100.0  # length over outer diameter of one section
-SOFT = 1e3  # [N/m], [N·m/rad]; preload springs have 1e5 to 1e8
+SOFT = (0.01, 1e3)  # [N/m], [N·m/rad]; springs have 1e5 to 1e8, less than these is meant as none
+SOFTEST = 1e5  # [Pa] of a solid: a tenth of soft rubber
 STRAIGHT = {("x", "x"), ("y", "y"), ("z", "z")}
 LONG = 10.0  # [m] of a shaft
 LOOSE = 1.5  # bore of a disc over the diameter of the shaft below it
@@ -32,6 +33,7 @@ def implausible(spindle: Spindle, top: float) -> Iterator[str]:
     yield from _arrangement(spindle)
     yield from _speed_factors(spindle, top)
     yield from _soft(spindle)
+    yield from _materials(spindle)
 
 
 def unopposed(spindle: Spindle) -> str:
@@ -83,12 +85,23 @@ def _soft(spindle: Spindle) -> Iterator[str]:
                 largest = max(value) if isinstance(value, tuple) else value
                 given[f"support {support.name}, {entry_name(*pair)}"] = largest
     for what, value in given.items():
-        if 0.0 < value < SOFT:
+        if SOFT[0] < value < SOFT[1]:
             turning = what.endswith(("tilt", "torsion"))
             unit, likely = ("N m/rad", "kN m/rad") if turning else ("N/m", "N/um")
             yield (
                 f"{what}: a stiffness of {value:.4g} {unit} is far below that of machine parts: "
                 f"check its unit (did you mean {value:.4g} {likely}?)"
+            )
+
+
+def _materials(spindle: Spindle) -> Iterator[str]:
+    """Young's moduli far below that of any solid, as of a number given in GPa."""
+    parts = (*spindle.shaft.sections, *spindle.discs)
+    for name, modulus in {(p.material.name, p.material.young_modulus): None for p in parts}:
+        if modulus < SOFTEST:
+            yield (
+                f"young_modulus of {name} is {modulus:.6g} Pa: check its unit (did you mean "
+                f"{modulus:.6g} GPa = {modulus * 1e9:.6g} Pa?)"
             )
 
 

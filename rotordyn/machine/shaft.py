@@ -24,7 +24,6 @@ from rotordyn.quantity import (
 )
 
 SHEAR_COEFFICIENTS = ("cowper", "hutchinson", "none")
-SOFTEST = 1e5  # [Pa] of a solid that carries load: a tenth of soft rubber
 STEEPEST = 50.0  # ratio of outer diameters, or of walls, at the ends of one section
 
 
@@ -51,7 +50,6 @@ class Section(Description):
     rear_inner_diameter: Annotated[Bore | None, "likewise, of the bore"] = None
 
     def _faults(self) -> Faults:
-        yield from stiff_enough(self.material)
         found = [*no_wall(self.inner_diameter, self.outer_diameter)]
         yield from found or _taper_faults(self.outer, self.inner)
 
@@ -119,17 +117,6 @@ class Shaft(Description):
         """This shaft with ``sections`` put in front of its start (a tool in the nose)."""
         start = self.start - sum(s.length for s in sections)
         return replace(self, start=start, sections=sections + self.sections)
-
-
-def stiff_enough(material: Material) -> Faults:
-    """Young's modulus of a solid; a number given in GPa is far below it."""
-    modulus = material.young_modulus
-    if modulus < SOFTEST:
-        yield (
-            ("material",),
-            f"young_modulus of {material.name} out of range: given {modulus:.6g} Pa; allowed: from "
-            f"{SOFTEST:.0e} Pa (did you mean {modulus:.6g} GPa = {modulus * 1e9:.6g} Pa?)",
-        )
 
 
 def no_wall(inner_diameter: float, outer_diameter: float) -> Faults:

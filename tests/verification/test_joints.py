@@ -260,7 +260,7 @@ def test_joints_that_are_none(given: dict[str, float], words: str) -> None:
 def test_joints_lie_within_the_shaft() -> None:
     with pytest.raises(InvalidInput, match=r"joins no two parts: given 0.27 m"):
         replace(STEPPED, joints=(replace(PARTED, x=0.27),))
-    with pytest.raises(InvalidInput, match="are at the same station"):
+    with pytest.raises(InvalidInput, match="is at the same station"):
         replace(STEPPED, joints=(PARTED, replace(PARTED, name="other")))
 
 

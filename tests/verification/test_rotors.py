@@ -558,7 +558,7 @@ def test_a_span_and_a_grade_of_the_outer_rotor(ratio: float) -> None:
         ({"supports": COAXIAL.supports[:1]}, "rotor 'outer' is not held"),
         (
             {"supports": (replace(COAXIAL.supports[0], against="outr"), *COAXIAL.supports[1:])},
-            r"support b1: against: unknown rotor: given 'outr'; allowed: ground, spindle, outer "
+            r"supports.b1.against: unknown rotor: given 'outr'; allowed: ground, spindle, outer "
             r"\(did you mean outer\?\)",
         ),
         (
@@ -566,19 +566,19 @@ def test_a_span_and_a_grade_of_the_outer_rotor(ratio: float) -> None:
             "not held against itself",
         ),
         ({"rotors": (replace(OUTER, name="ground"),)}, "cannot be called that: given"),
-        ({"rotors": (OUTER, OUTER)}, "two rotors are named 'outer'"),
+        ({"rotors": (OUTER, OUTER)}, "rotors.outer.name: name given twice: 'outer'"),
         (
             {"supports": (*COAXIAL.supports, replace(COAXIAL.supports[1], name="outer"))},
-            "rotors outer: name already taken by a support: given 'outer'; allowed: any other",
+            "rotors.outer.name: name already taken by a support: given 'outer'; allowed: any other",
         ),
         (
             {"housings": (RigidHousing("b1", ("b1",), 0.0, 5.0, {("y", "y"): 1e8}),)},
-            "housings b1: name already taken by a support: given 'b1'; allowed: any other",
+            "housings.b1.name: name already taken by a support: given 'b1'; allowed: any other",
         ),
-        ({"loss_factor": 0.01}, ": loss_factor: .* one rotor, .*: given '0.01' beside rotors"),
+        ({"loss_factor": 0.01}, "damping.loss_factor: .* one rotor, .*: given 0.01 beside rotors"),
         (
             {"supports": (replace(COAXIAL.supports[0], loss_factor=0.1), *COAXIAL.supports[1:])},
-            "support b1: loss_factor: .* one rotor, .*: given '0.1' beside rotors",
+            "supports.b1.loss_factor: .* one rotor, .*: given 0.1 beside rotors",
         ),
         (
             {"housings": (RigidHousing("casing", ("b2", "b3"), 0.4, 5.0, {("y", "y"): 1e8}),)},

@@ -146,7 +146,10 @@ def test_a_film_carries_no_standing_load(film: str) -> None:
         ({"viscosity": 0.0}, "viscosity"),
         ({"eccentricity_ratio": 1.0}, "eccentricity_ratio"),
         ({"film": "half"}, "film: not one of its choices"),
-        ({"clearance": 0.05}, "clearance must be below the radius"),
+        (
+            {"clearance": 0.05},
+            "clearance: not thin: given 0.05 m; allowed: below the radius, 0.05 m",
+        ),
     ],
 )
 def test_faults_of_a_film(changes: dict[str, Any], sentence: str) -> None:

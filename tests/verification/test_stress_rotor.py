@@ -277,7 +277,7 @@ def test_a_damper_that_holds_is_a_pin(damping: float) -> None:
 
 @pytest.mark.parametrize(("stiffness", "damping"), [(1e300, 0.0), (-1e300, 0.0), (1e8, 1e300)])
 def test_supports_beyond_sense_are_refused(stiffness: float, damping: float) -> None:
-    with pytest.raises(InvalidInput, match=r"out of range: given -?1e\+300; allowed: from"):
+    with pytest.raises(InvalidInput, match=r"out of range: given -?1e\+300 .*; allowed: from"):
         on_two(stiffness, damping)
 
 

@@ -133,8 +133,8 @@ def test_a_spring_of_next_to_no_stiffness_keeps_its_force(stiffness: float) -> N
 @pytest.mark.parametrize(
     ("changes", "said"),
     [
-        ({"mass": 1e-300}, "mass out of range: given 1e-300 kg; allowed: 0, or from 1e-12 kg"),
-        ({"radial_stiffness": 1e-300}, "radial_stiffness out of range: given 1e-300 N/m"),
+        ({"mass": 1e-300}, "mass: out of range: given 1e-300 kg; allowed: 0, or from 1e-12 kg"),
+        ({"radial_stiffness": 1e-300}, "radial_stiffness: out of range: given 1e-300 N/m"),
     ],
 )
 def test_sleeves_beyond_sense_are_refused(changes: dict[str, float], said: str) -> None:
