@@ -16,7 +16,8 @@ EPS = 2.0**-52  # rounding of a number of size 1
 
 Pair = tuple[Any, Any]
 Block = tuple[Pair, Pair]
-Row = Motion = tuple[Any, ...]
+Row = tuple[Any, ...]
+Motion = tuple[Any, ...]
 Triple = tuple[Any, Any, Any]
 
 
@@ -49,7 +50,9 @@ def combined(a: Any, row: Row, b: Any, other: Row) -> Any:
     if len(row) == 2:
         return x, y
     z = a * row[2] + b * other[2]
-    return (x, y, z) if len(row) == 3 else (x, y, z, a * row[3] + b * other[3])
+    if len(row) == 3:
+        return x, y, z
+    return x, y, z, a * row[3] + b * other[3]
 
 
 def plus(a: Row, b: Row) -> Any:
@@ -57,7 +60,9 @@ def plus(a: Row, b: Row) -> Any:
     x, y = a[0] + b[0], a[1] + b[1]
     if len(a) == 2:
         return x, y
-    return (x, y, a[2] + b[2]) if len(a) == 3 else (x, y, a[2] + b[2], a[3] + b[3])
+    if len(a) == 3:
+        return x, y, a[2] + b[2]
+    return x, y, a[2] + b[2], a[3] + b[3]
 
 
 def minus(a: Row, b: Row) -> Any:
@@ -65,7 +70,9 @@ def minus(a: Row, b: Row) -> Any:
     x, y = a[0] - b[0], a[1] - b[1]
     if len(a) == 2:
         return x, y
-    return (x, y, a[2] - b[2]) if len(a) == 3 else (x, y, a[2] - b[2], a[3] - b[3])
+    if len(a) == 3:
+        return x, y, a[2] - b[2]
+    return x, y, a[2] - b[2], a[3] - b[3]
 
 
 def determinant(m: Block) -> Any:
