@@ -74,9 +74,9 @@ def rows(tangent: tuple[Motion, ...]) -> Array:
 
 
 @lru_cache(maxsize=256)
-def full_assembly(geometry: Geometry) -> Assembly:
-    """Every ball on its own."""
-    spread, gather = _maps(geometry)
+def full_assembly(geometry: Geometry, *, outer: bool = False) -> Assembly:
+    """Every ball on its own, against the inner or the ``outer`` ring."""
+    spread, gather = _maps(geometry, geometry.outer_centre_radius if outer else None)
     return Assembly(*_azimuth(geometry), spread, gather, _pairs(spread, gather))
 
 
@@ -117,13 +117,6 @@ def half_assembly(geometry: Geometry) -> Assembly:
     gather = plane[:, None, None] * gather
     azimuth, products = (part[:count] for part in _azimuth(geometry))
     return Assembly(azimuth, products, spread, gather, pairs.reshape(-1, 25))
-
-
-@lru_cache(maxsize=256)
-def outer_assembly(geometry: Geometry) -> Assembly:
-    """Every ball against the outer ring."""
-    spread, gather = _maps(geometry, geometry.outer_centre_radius)
-    return Assembly(*_azimuth(geometry), spread, gather, _pairs(spread, gather))
 
 
 def _maps(geometry: Geometry, radius: float | None = None) -> tuple[Array, Array]:

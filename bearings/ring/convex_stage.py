@@ -26,7 +26,7 @@ from bearings.ball.potential import (
 )
 from bearings.geometry import Geometry
 from bearings.ring.assembly import rows
-from bearings.ring.linearised import followed_by
+from bearings.ring.linearised import followed_by, reduced
 from bearings.ring.problem import Index, Problem
 from bearings.ring.tolerances import (
     CONVEX_STEPS,
@@ -95,7 +95,7 @@ def _ring_balance(problem: Problem, balls: Reaction) -> tuple[Array, Array, NDAr
     """Load still missing and tangent, freedoms as lengths; and where nothing is missing."""
     g, free, scale = problem.geometry, problem.free, problem.scale[problem.free]
     gap = (problem.load - problem.assembly.load(balls.action))[:, free] / scale
-    k = problem.assembly.stiffness(balls.slope)[:, free][:, :, free] / scale / scale[:, None]
+    k = reduced(problem, problem.assembly.stiffness(balls.slope))
     carried = g.balls * np.hypot(*balls.action[:2]).max(axis=-1)
     size = np.abs(problem.load / problem.scale).max(axis=-1) + 1e-3 * carried
     noise = ROUNDING * EPS * (g.inner_reach + g.outer_reach) * np.abs(k).max(axis=(1, 2))
