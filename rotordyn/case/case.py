@@ -5,12 +5,10 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Annotated
 
 from bearings.bearing import BallBearing
-from rotordyn.analysis.specs import Conditions, Spec
+from rotordyn.analyses.contract import Spec
 from rotordyn.case.agreement import (
-    ANALYSES,
     housings_agree,
     questions_agree,
     references_agree,
@@ -21,7 +19,8 @@ from rotordyn.case.agreement import (
 from rotordyn.description import Description
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
-from rotordyn.quantity import Choice, Name, Speed
+from rotordyn.quantity import Name, Speed
+from rotordyn.scene.conditions import Conditions
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,7 +38,7 @@ class Case(Description):
     name: str
     title: str
     speeds: tuple[Speed, ...]
-    analyses: Mapping[Annotated[str, Choice(tuple(ANALYSES))], Spec]
+    analyses: Mapping[Name, Spec]
     conditions: Conditions = field(default_factory=Conditions)
     spindle: Spindle | None = None
     bearing: BallBearing | None = None

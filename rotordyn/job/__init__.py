@@ -1,6 +1,6 @@
 """From a case to its results folder."""
 
-from rotordyn.analysis.registry import Progress
+from rotordyn.analyses.solving import Progress
 from rotordyn.job.delivery import Delivery, deliver
 from rotordyn.job.solving import (
     one_variant,

@@ -5,29 +5,32 @@ from __future__ import annotations
 import time
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import AbstractContextManager, ExitStack, contextmanager
 from dataclasses import asdict, dataclass, field, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
-from rotordyn.analysis.registry import BEARING_ANALYSES, SPINDLE_ANALYSES, Answers, Progress
+from rotordyn.analyses.registry import analysis, names
+from rotordyn.analyses.solving import Answers, Progress
 from rotordyn.case.case import Case
+from rotordyn.errors import not_installed
+from rotordyn.figures.draw import Job, LeftOut, Pictures
+from rotordyn.job.figures import comparison_figures
+from rotordyn.job.figures import figures as figures_of
 from rotordyn.job.solving import solve, solve_variants, unsolved
-from rotordyn.job.space import InSpace, LeftOut, write_meshes
-from rotordyn.plots.catalogue import figures as figures_of
-from rotordyn.plots.compared.catalogue import comparison_figures
-from rotordyn.plots.draw import Job
 
 
 @dataclass(frozen=True, slots=True)
 class Delivery:
     """What a run left behind: the folder, its one-screen summary, how it was solved, speeds without
-    a solution."""
+    a solution. ``moved``: the folder is not the one asked for, which is in use."""
 
     folder: Path
     summary: str
     plan: str
     unsolved: tuple[str, ...]
+    moved: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,32 +106,69 @@ def deliver(
     seconds: dict[str, float] = {}
     with _timed(seconds, "solve, all stages"):
         parcel = _solved(case, progress, seconds)
-    with results_folder(target) as folder:
+    with results_folder(target) as place:
         progress("figures" if figures else "files")
-        drawn, left_out = (_drawn if figures else _written)(parcel, folder)
+        drawn, left_out = (_drawn if figures else _written)(parcel, place.folder)
         parcel = replace(parcel, left_out=left_out)
-        text = _write_summary(parcel, folder)
-        _write_record(parcel, drawn, folder)
-    return Delivery(target, text, _plan(parcel), parcel.unsolved)
+        text = _write_summary(parcel, place.folder)
+        _write_record(parcel, drawn, place.folder)
+    folder = place.target if place.moved else target
+    return Delivery(folder, text, _plan(parcel), parcel.unsolved, moved=place.moved)
 
 
 def _drawn(parcel: Parcel, folder: Path) -> tuple[dict[str, float], LeftOut]:
     """Numbers and figures, made side by side; seconds by figure, and which are missing."""
-    from rotordyn.plots.draw import Drawing
+    from rotordyn.figures.draw import Drawing, load
 
-    with InSpace(parcel.parts) as space:
+    lacking = _attempted("figures", load)
+    if lacking.figures:
+        return {}, _numbers(parcel, folder) | lacking
+    with ExitStack() as stack:
+        pictures = [stack.enter_context(each) for each in _pictures(parcel, folder.parent)]
         drawing = Drawing(_figures(parcel), folder)
-        _written(parcel, folder)
+        files = _numbers(parcel, folder)
         with _timed(parcel.seconds, "draw"):
-            drawn = drawing.finish() | space.draw(folder)
-        return drawn, space.left_out
+            drawn = drawing.finish()
+            for each in pictures:
+                drawn |= each.draw(folder)
+        for each in pictures:
+            files |= each.left_out
+        return drawn, files
+
+
+def _attempted(name: str, write: Callable[[], object]) -> LeftOut:
+    """Write ``name`` unless a package of others that this takes is not installed."""
+    try:
+        write()
+    except ModuleNotFoundError as error:
+        why = not_installed(error.name)
+        if why is None:
+            raise
+        return LeftOut({name: why}, (f"{name} left out: {why}",))
+    return LeftOut()
+
+
+def _pictures(parcel: Parcel, beside: Path) -> Iterator[AbstractContextManager[Pictures]]:
+    """What another process draws meanwhile, its files in ``beside``."""
+    for name in {name: None for _, own in parcel.parts.values() for name in own.results}:
+        made = analysis(name).pictures
+        if made is not None:
+            parts = {
+                part: (case, own.results[name])
+                for part, (case, own) in parcel.parts.items()
+                if name in own.results
+            }
+            yield made(parts, beside)
 
 
 def _written(parcel: Parcel, folder: Path) -> tuple[dict[str, float], LeftOut]:
     """Numbers alone."""
+    return {}, _numbers(parcel, folder) | LeftOut({"figures": "none are asked for"})
+
+
+def _numbers(parcel: Parcel, folder: Path) -> LeftOut:
     with _timed(parcel.seconds, "write"):
-        _write_numbers(parcel, folder)
-    return {}, LeftOut({"figures": "none are asked for"})
+        return _write_numbers(parcel, folder)
 
 
 def _plan(parcel: Parcel) -> str:
@@ -179,17 +219,20 @@ def _timed(seconds: dict[str, float], name: str) -> Iterator[None]:
     seconds[name] = time.perf_counter() - begin
 
 
-def _write_numbers(parcel: Parcel, folder: Path) -> None:
-    """Numbers, tables, meshes."""
+def _write_numbers(parcel: Parcel, folder: Path) -> LeftOut:
+    """Numbers, tables, meshes; returns what lacks a package."""
     from rotordyn.report.netcdf import write_results
+    from rotordyn.report.tables import write_tables
 
     case = parcel.case
     attributes = {"case": case.name, "title": case.title, "digest": case.digest}
-    write_results(folder / "results.nc", parcel.results, attributes)
+    store = partial(write_results, folder / "results.nc", parcel.results, attributes)
+    left_out = _attempted("results.nc", store)
     for name, (part, answers) in parcel.parts.items():
         (folder / name).mkdir(exist_ok=True)
-        _write_tables(part, answers.results, folder / name)
-        write_meshes(part, answers.results, folder / name)
+        write_tables(folder / name, answers.results)
+        left_out |= _write_files(part, answers.results, folder / name)
+    return left_out
 
 
 def _write_summary(parcel: Parcel, folder: Path) -> str:
@@ -207,22 +250,22 @@ def _write_summary(parcel: Parcel, folder: Path) -> str:
     return text
 
 
-def _write_tables(case: Case, results: Mapping[str, Any], folder: Path) -> None:
-    from rotordyn.report.tables import write_tables
-    from rotordyn.report.uff import write_uff
-
-    write_tables(folder, results)
-    if "frf" in results and case.spindle is not None:
-        nodes = {name: k for k, name in enumerate(case.spindle.places, start=1)}
-        write_uff(folder / "frf.uff", results["frf"], case=case.name, nodes=nodes)
+def _write_files(case: Case, results: Mapping[str, Any], folder: Path) -> LeftOut:
+    """Further files of the analyses; returns what lacks a package."""
+    left_out = LeftOut()
+    for name, result in results.items():
+        for file, write in analysis(name).files(folder, case, result):
+            left_out |= _attempted(file, write)
+    return left_out
 
 
 def _write_record(parcel: Parcel, drawn: Mapping[str, float], folder: Path) -> None:
     from rotordyn.report.manifest import RunRecord, outcomes, write_record
 
     case = parcel.case
-    known = SPINDLE_ANALYSES if case.bearing is None else BEARING_ANALYSES
-    unasked = {name: "the case does not ask for it" for name in known if name not in case.analyses}
+    machine = "spindle" if case.bearing is None else "bearing"
+    others = [n for n in names() if analysis(n).machine == machine and n not in case.analyses]
+    unasked = dict.fromkeys(others, "the case does not ask for it")
     record = RunRecord(
         case=case.name,
         title=case.title,

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.result import declared
+from rotordyn.results.declaration import declared
 
 
 class Variable(NamedTuple):

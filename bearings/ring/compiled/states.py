@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ring.compiled.follow import find
-from bearings.ring.compiled.jit import compiled, is_kept
+from bearings.ring.compiled.jit import available, compiled, is_kept
 from bearings.ring.compiled.one_state import One, room
 from bearings.ring.problem import Problem
 
@@ -44,7 +44,8 @@ def pays(balls: int, grooves: tuple[int, int]) -> bool:
     if grooves in _loaded:
         return True
     seconds = BALL * balls
-    return seconds > COMPILING or (seconds > FROM_DISK and grooves == (1, 1) and is_kept())
+    quick = seconds > FROM_DISK and grooves == (1, 1) and is_kept()
+    return (seconds > COMPILING or quick) and available()
 
 
 @lru_cache(maxsize=1)
@@ -65,7 +66,8 @@ def compiled_states(
     if guess is not None:
         x[: guess.shape[1]] = guess.transpose(1, 2, 0)
     found = (d, x, np.zeros((states, 5)), np.zeros((states, 5, 5)), np.zeros(states, dtype=bool))
-    _loaded.add((len(g.inner_grooves), len(g.outer_grooves)))
+    if available():
+        _loaded.add((len(g.inner_grooves), len(g.outer_grooves)))
     shared = (
         g,
         problem.law.numbers,

@@ -9,8 +9,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rotordyn.report.tables import LAYOUTS, write_tables
-from tests.rotordyn.plots import samples
+from rotordyn.analyses.registry import analysis, names
+from rotordyn.report.tables import write_tables
+from tests.rotordyn.figures import samples
 
 
 @pytest.fixture(scope="module")
@@ -21,12 +22,12 @@ def folder(tmp_path_factory, results):
 
 
 def _rows(path):
-    with path.open(encoding="utf-8", newline="") as file:
+    with path.open(encoding="utf-8-sig", newline="") as file:
         return list(csv.DictReader(file))
 
 
 def test_every_layout_and_slice_has_its_file(folder):
-    every = (layout for layouts in LAYOUTS.values() for layout in layouts)
+    every = (layout for name in names() for layout in analysis(name).tables)
     planned = {f"{layout.name}.csv" for layout in every if not layout.several}  # one rotor
     slices = {f"frf_{n}rpm.csv" for n in (0, 12000, 24000)}
     measured = {"frf_measured.csv", "frf_measured_peaks.csv"}  # nothing was
@@ -99,3 +100,21 @@ def test_section_forces_have_units_of_their_own(folder):
     assert (last["reaction Fy [N]"], last["reaction Mz [N·m]"]) == ("500", "0")
     (*_, twist) = _rows(folder / "section_forces_twist.csv")
     assert twist["outer diameter that just keeps to it [mm]"] == "39.55"
+
+
+def test_slices_hold_amplitude_and_phase_too(folder, results):
+    rows = _rows(folder / "frf_24000rpm.csv")
+    pair = "receptance O3.y / Oc2.y"
+    size, angle = (
+        np.array([float(r[f"{pair} {what}"]) for r in rows])
+        for what in ("amplitude [µm/N]", "phase [deg]")
+    )
+    wanted = results["frf"].receptance[-1, 3] * 1e6
+    turned = size * np.exp(1j * np.radians(angle))
+    np.testing.assert_allclose(turned, wanted, rtol=1e-5)
+
+
+def test_tables_open_in_excel_with_their_units(folder):
+    """Excel takes a file for UTF-8 by its mark alone; without it µ becomes two letters."""
+    for path in folder.iterdir():
+        assert path.read_bytes().startswith(b"\xef\xbb\xbf")

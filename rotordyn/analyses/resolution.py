@@ -1,0 +1,50 @@
+"""Frequencies that elements of a given length cannot carry at all."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping
+
+from rotordyn.analyses.contract import Spec
+from rotordyn.analyses.registry import analysis
+from rotordyn.equation.mesh import build_mesh
+from rotordyn.equation.shaft import half_wave
+from rotordyn.machine.spindle import Spindle
+from rotordyn.results.display import RPM
+from rotordyn.scene.conditions import Conditions
+
+
+def beyond_elements(
+    spindle: Spindle, conditions: Conditions, analyses: Mapping[str, Spec], top: float
+) -> Iterator[str]:
+    """A sentence for every response asked for where an element spans more than half a wave.
+
+    ``top``: highest speed [rad/s]. Elements that follow the accuracy carry whatever is asked.
+    """
+    longest = conditions.element_length
+    fastest = top * max(abs(ratio) for ratio in spindle.ratios.values())
+    asked = {name: _highest(name, spec, fastest) for name, spec in analyses.items()}
+    if longest is None or conditions.rotor == "rigid" or not any(asked.values()):
+        return
+    meshes = build_mesh(spindle, longest).of_rotors
+    limits = {
+        name: half_wave(spindle.part(name), meshes[name], abs(ratio) * top) / (2.0 * math.pi)
+        for name, ratio in spindle.ratios.items()
+    }
+    weakest = min(limits, key=lambda name: limits[name])
+    limit, mesh = limits[weakest], meshes[weakest]
+    for name, highest in asked.items():
+        if highest > limit:
+            turns = math.isclose(2.0 * math.pi * highest, fastest)  # a force of the rotation
+            turned = f" ({fastest * RPM.factor:.0f} rpm)" if turns else ""
+            yield (
+                f"{name} goes up to {highest:.6g} Hz{turned}, and an element of "
+                f"{mesh.length.max() * 1e3:.4g} mm carries bending up to {limit:.4g} Hz, half a "
+                "wave: allowed: shorter elements, or accuracy instead"
+            )
+
+
+def _highest(name: str, spec: Spec, top: float) -> float:
+    """Highest frequency at which a force swings [Hz], 0 where none does; ``top``: of all rotors."""
+    own = analysis(name)
+    return own.highest(spec, top) if own.forced else 0.0

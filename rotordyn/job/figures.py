@@ -1,0 +1,47 @@
+"""Which figures a case gets: those of its machine and of its analyses, drawn on demand."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from functools import partial
+from typing import Any
+
+from rotordyn.analyses.contract import Code
+from rotordyn.analyses.registry import analysis, place
+from rotordyn.figures.draw import Job
+from rotordyn.figures.panels import Shown
+from rotordyn.results.described import Described
+from rotordyn.results.frames import turning
+
+MACHINE = Code("rotordyn.figures", "machine:machine_figure")
+Variant = tuple[Described, Mapping[str, Any]]
+
+
+def figures(case: Described, results: Mapping[str, Any]) -> list[Job]:
+    """Name and drawing function of every figure that the results allow, the costly ones first.
+
+    Nothing is drawn and matplotlib is not imported before a function is called.
+    """
+    jobs: list[Job] = []
+    if case.spindle is not None:
+        jobs.append(("machine", partial(MACHINE, case.spindle)))
+    costs: dict[str, int] = {}
+    for name, result in results.items():
+        jobs += analysis(name).figures(case, result, results)
+        costs |= analysis(name).costs
+    return sorted(jobs, key=lambda job: -costs.get(job[0], 0))
+
+
+def comparison_figures(variants: Sequence[Variant]) -> list[Job]:
+    """Name and drawing function of every figure that the results of the variants allow."""
+    jobs: list[Job] = []
+    costs: dict[str, int] = {}
+    for name in sorted({name for _, found in variants for name in found}, key=place):
+        shown = [
+            Shown(case.title, found[name], () if turning(found[name]) else case.known, case.spindle)
+            for case, found in variants
+            if name in found
+        ]
+        jobs += analysis(name).compared(variants[0][0].analyses.get(name), shown)
+        costs |= analysis(name).costs
+    return sorted(jobs, key=lambda job: -costs.get(job[0], 0))
