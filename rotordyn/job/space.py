@@ -7,18 +7,21 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from rotordyn.analysis.registry import Answers
 from rotordyn.analysis.results import CampbellResult
 from rotordyn.analysis.specs import CampbellSpec, ShapesInSpaceSpec
 from rotordyn.case.case import Case
+from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.view.apart import NoPictures, Rendering
 from rotordyn.view.order import Order
 
+if TYPE_CHECKING:
+    from rotordyn.plots.draw import Figure, Job
+
 FRAMES = 20  # of one period
-Parts = Mapping[str, tuple[Case, Answers]]
+Parts = Mapping[str, tuple[Case, Mapping[str, Any]]]
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,8 +61,7 @@ class InSpace:
 
     def __init__(self, parts: Parts) -> None:
         self.left_out = LeftOut()
-        found = (_asked(name, case, answers.results) for name, (case, answers) in parts.items())
-        self._asked = [asked for asked in found if asked is not None and asked.order.places]
+        self._asked = [asked for asked in _every(parts) if asked.order.places]
         orders = [asked.order for asked in self._asked]
         self._rendering = Rendering(orders) if orders else None
 
@@ -82,8 +84,44 @@ class InSpace:
         except NoPictures as none:
             self.left_out = _left_out(self._asked, str(none))
             return {}
-        drawn = _draw_sheets(self._asked, self._rendering, folder)
+        from rotordyn.plots.draw import Drawing
+
+        drawn = Drawing(_sheets(self._asked, self._rendering), folder).finish()
         return drawn | _animate(self._asked, self._rendering, folder)
+
+    def sheet(self, name: str) -> Figure:
+        """Wait for the pictures and draw one sheet.
+
+        Raises
+        ------
+        NoPictures : nothing can be rendered
+        """
+        from rotordyn.plots.draw import drawn
+
+        assert self._rendering is not None, "a sheet has a name where one is asked for"
+        self._rendering.finish()
+        return drawn(dict(_sheets(self._asked, self._rendering))[name])
+
+
+def sheet_names(parts: Parts) -> tuple[str, ...]:
+    """Names of the sheets that ``parts`` ask for."""
+    from rotordyn.plots.shapes_3d import sheets
+
+    return tuple(a.inside(name) for a in _every(parts) for name, *_ in sheets(a.result))
+
+
+def sheet(parts: Parts, name: str) -> Figure:
+    """Render and draw one sheet of ``sheet_names``.
+
+    Raises
+    ------
+    InvalidInput : nothing can be rendered on this computer
+    """
+    with InSpace(parts) as space:
+        try:
+            return space.sheet(name)
+        except NoPictures as none:
+            raise InvalidInput(f"figure {name} cannot be drawn: {none}") from None
 
 
 def write_meshes(case: Case, results: Mapping[str, Any], folder: Path) -> None:
@@ -95,6 +133,11 @@ def write_meshes(case: Case, results: Mapping[str, Any], folder: Path) -> None:
         write_shapes(folder / FOLDER, asked.spindle, asked.result, asked.spec)
 
 
+def _every(parts: Parts) -> list[Asked]:
+    found = (_asked(name, case, results) for name, (case, results) in parts.items())
+    return [asked for asked in found if asked is not None]
+
+
 def _asked(name: str, case: Case, results: Mapping[str, Any]) -> Asked | None:
     spec, result = case.analyses.get("campbell"), results.get("campbell")
     if not isinstance(spec, CampbellSpec) or spec.shapes_3d is None or case.spindle is None:
@@ -104,8 +147,8 @@ def _asked(name: str, case: Case, results: Mapping[str, Any]) -> Asked | None:
     return Asked(name, case.spindle, result, spec.shapes_3d)
 
 
-def _draw_sheets(parts: list[Asked], rendering: Rendering, folder: Path) -> dict[str, float]:
-    from rotordyn.plots.draw import Drawing, Job
+def _sheets(parts: list[Asked], rendering: Rendering) -> list[Job]:
+    """Name and drawing function of every sheet, once the pictures are rendered."""
     from rotordyn.plots.shapes_3d import sheet_figure, sheets
 
     jobs: list[Job] = []
@@ -114,7 +157,7 @@ def _draw_sheets(parts: list[Asked], rendering: Rendering, folder: Path) -> dict
         for name, speed, modes in sheets(asked.result):
             draw = partial(sheet_figure, asked.result, speed, modes, picture, asked.order)
             jobs.append((asked.inside(name), draw))
-    return Drawing(jobs, folder).finish()
+    return jobs
 
 
 def _animate(parts: list[Asked], rendering: Rendering, folder: Path) -> dict[str, float]:

@@ -7,12 +7,13 @@ import os
 import time
 import warnings
 from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    from matplotlib.figure import Figure as Figure  # noqa: PLC0414 - job names what it gives
 
 Job = tuple[str, "Callable[[], Figure]"]
 _MOST = 255
@@ -76,17 +77,30 @@ class Drawing:
             os._exit(status)
 
 
+def drawn(draw: Callable[[], Figure]) -> Figure:
+    """A figure as files show it; neither the caller's rcParams nor the backend matter or change."""
+    from rotordyn.plots.style import finish
+
+    with _own_style():
+        return finish(draw())
+
+
 def draw_one(name: str, draw: Callable[[], Figure], folder: Path) -> float:
     """Draw and save one figure; returns the seconds it took."""
-    from matplotlib import rc_context
-
     from rotordyn.plots.style import save
 
     start = time.perf_counter()
-    with rc_context({"text.parse_math": False}), warnings.catch_warnings():
+    with _own_style(), warnings.catch_warnings():
         warnings.filterwarnings("ignore", "Glyph")  # a title may hold letters that fonts lack, or $
         save(draw(), folder, name)
     return time.perf_counter() - start
+
+
+def _own_style() -> AbstractContextManager[None]:
+    """The defaults of matplotlib, with titles taken letter by letter, for a while."""
+    from matplotlib import style
+
+    return style.context(["default", {"text.parse_math": False}])
 
 
 def _load_once() -> None:

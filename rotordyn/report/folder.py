@@ -15,6 +15,7 @@ from pathlib import Path
 from rotordyn.errors import InvalidInput, OutputRefused
 
 RECORD = "run.json"
+CASE = "case.json"
 MARKER = "rotordyn_results"
 
 

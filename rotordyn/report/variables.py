@@ -3,20 +3,23 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analysis.result import declared
+from rotordyn.analysis.results import FrequencyResponse
+from rotordyn.report.cf import SIGN_CONVENTION, units
 
 
 class Variable(NamedTuple):
     """An array over named dimensions.
 
     ``role``: ``"coordinate"`` (the values of a dimension), ``"auxiliary"`` (the same values in
-    another unit) or ``"quantity"``. ``attrs``: ``units`` and ``long_name``.
+    another unit) or ``"quantity"``. ``attrs``: ``long_name``, ``units`` (or ``units_of_entries``,
+    where they differ) and, of complex values, ``sign_convention``.
     """
 
     name: str
@@ -38,9 +41,10 @@ def as_array(value: Any) -> NDArray[Any]:
 
 def _variables(result: Any, name: str) -> Iterator[Variable]:
     info = declared(result)[name].metadata
-    values, attrs = as_array(getattr(result, name)), {"long_name": info["label"]}
-    if info["unit"]:
-        attrs["units"] = info["unit"]
+    values = as_array(getattr(result, name))
+    attrs = {"long_name": info["label"], **units(_unit(result, info))}
+    if values.dtype.kind == "c":
+        attrs["sign_convention"] = SIGN_CONVENTION
     dims = info["dims"]
     if info["role"] == "quantity":
         yield Variable(name, "quantity", dims, values, attrs)
@@ -49,3 +53,13 @@ def _variables(result: Any, name: str) -> Iterator[Variable]:
     if info["unit"] == "rad/s":
         rpm = {"long_name": info["label"], "units": "rpm"}
         yield Variable(f"{dims[0]}_rpm", "auxiliary", dims, values * (30.0 / math.pi), rpm)
+
+
+def _unit(result: Any, info: Mapping[str, Any]) -> str:
+    """SI unit of a field; of frequency responses that of their pairs, listed where they differ."""
+    unit: str = info["unit"]
+    if not isinstance(result, FrequencyResponse) or "," not in unit:
+        return unit
+    pairs = result.pair if "pair" in info["dims"] else result.measured_pair
+    each = [result.unit(result.pair.index(pair)) for pair in pairs]
+    return ", ".join(each if len(set(each)) > 1 else each[:1])
