@@ -16,11 +16,12 @@ from numpy.typing import NDArray
 
 import rotordyn
 from benchmarks.processes import ROOT
-from rotordyn.analysis import campbell
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, Conditions
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.machine.spindle import Spindle
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.scene import Scene
 from tests.oracles.exact_shaft.bending import exact_poles
 
 Array = NDArray[np.float64]

@@ -19,11 +19,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from benchmarks.kept import keep
-from rotordyn.analysis import campbell
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, Conditions
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.support import LinearSupport
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.scene import Scene
 from tests.oracles.dense_rotor.unreduced import dense_poles
 from tests.oracles.exact_shaft.count import modes_below, whirl_frequencies
 from tests.oracles.exact_shaft.rotor import exact_rotor

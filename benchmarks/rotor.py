@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 
 import rotordyn
 from benchmarks.processes import ROOT
-from rotordyn.analysis import frf
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import FrfSpec
+from rotordyn.analyses.frf import solve as frf
+from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.case.case import Case
 from rotordyn.preload.state import PreloadState
+from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]
 FEW = 24  # accuracy is judged at every 24th speed: rest, half and top speed

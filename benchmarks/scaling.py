@@ -26,11 +26,15 @@ from bearings.kinds.angular_contact import AngularContactBallBearing
 from bearings.materials import Material
 from benchmarks.kept import keep
 from benchmarks.processes import MEGABYTE, ROOT, python
-from rotordyn.analysis.registry import answer_spindle
-from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec, PreloadSpec, Spec
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.contract import Spec
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.preload.spec import PreloadSpec
+from rotordyn.analyses.registry import answer_spindle
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import BearingSeat, LinearSupport, Sleeve, Spring
+from rotordyn.scene.conditions import Conditions
 
 RPM = math.pi / 30.0
 STEEL = Material("steel", 2.1e11, 0.3, 7800.0)

@@ -17,9 +17,9 @@ from numpy.typing import NDArray
 import rotordyn
 from benchmarks.precision import Machine
 from benchmarks.processes import ROOT
-from rotordyn.analysis import frf
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import FrfSpec, Port
+from rotordyn.analyses.frf import solve as frf
+from rotordyn.analyses.frf.spec import FrfSpec, Port
+from rotordyn.scene.scene import Scene
 from tests.oracles.exact_shaft.bending import exact_receptance
 
 TOLERANCES = (1e-2, 1e-4, 1e-6, 1e-8, 1e-11)  # of the forces on rings; of those on balls the root

@@ -30,7 +30,7 @@ from docs.generate.places import DOCS, FIGURES, README, ROOT, THEORY
 from docs.generate.rotor_rows import rotor_rows
 from docs.generate.rows import Row
 from docs.generate.times import benchmark_parts, measured, short_table
-from rotordyn.analysis.specs import FrfSpec
+from rotordyn.analyses.frf.spec import FrfSpec
 
 PAGES = sorted(
     [

@@ -6,17 +6,14 @@ from collections.abc import Mapping
 
 from bearings.materials import Material
 from benchmarks.peer import machine
-from rotordyn.analysis.specs import (
-    CampbellSpec,
-    Conditions,
-    FrfSpec,
-    Port,
-    Spec,
-)
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.contract import Spec
+from rotordyn.analyses.frf.spec import FrfSpec, Port
 from rotordyn.case.case import Case
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
+from rotordyn.scene.conditions import Conditions
 
 CAMPBELL, RESPONSE, ALL, MAP = "campbell", "one response", "all responses", "map of one response"
 WORKS = (CAMPBELL, RESPONSE, ALL, MAP)

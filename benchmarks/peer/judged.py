@@ -22,8 +22,8 @@ from benchmarks.peer.cases import (
     spindle,
 )
 from benchmarks.peer.dense import Dense, of_ours, of_theirs
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import Conditions
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.scene import Scene
 from tests.oracles.exact_shaft.bending import exact_poles, exact_receptance
 
 Array = NDArray[np.float64]

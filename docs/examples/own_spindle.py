@@ -13,7 +13,7 @@ import numpy as np
 
 import rotordyn
 from bearings import SILICON_NITRIDE, STEEL, AngularContactBallBearing
-from rotordyn.analysis import CampbellSpec, Conditions, StiffnessSpec
+from rotordyn.analyses import CampbellSpec, Conditions, StiffnessSpec
 from rotordyn.machine import BearingSeat, Section, Shaft, Sleeve, Spindle, Spring, Tool
 
 SPEEDS = np.linspace(0.0, 30000.0, 16) * math.pi / 30.0  # rad/s

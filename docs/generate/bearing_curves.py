@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 from docs.generate.places import FIGURES
 from docs.generate.precision import plain_ticks
 from docs.generate.times import measured
-from rotordyn.plots.legends import legend
-from rotordyn.plots.style import (
+from rotordyn.figures.legends import legend
+from rotordyn.figures.style import (
     BLACK,
     BLUE,
     GREEN,

@@ -13,11 +13,11 @@ from numpy.typing import NDArray
 from docs.generate.flagship import TOP, flagship
 from docs.generate.marked import table
 from docs.generate.rows import number
-from rotordyn.analysis.formulation import FORMULATIONS
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec
+from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.job import solve
 from rotordyn.machine.spindle import Spindle
+from rotordyn.scene.formulation import FORMULATIONS
+from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]
 SHOWN = 6  # modes

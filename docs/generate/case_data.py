@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 import rotordyn
 from docs.generate.places import ROOT
-from rotordyn.analysis import FrfSpec, Port
+from rotordyn.analyses import FrfSpec, Port
 
 Array = NDArray[np.float64]
 DATA = ROOT / "cases" / "data"

@@ -15,8 +15,10 @@ from docs.generate.flagship import TOP
 from docs.generate.marked import table
 from docs.generate.places import ROOT
 from docs.generate.rows import number
-from rotordyn.analysis.known import preload_sum
-from rotordyn.analysis.specs import CampbellSpec, PreloadSpec, StiffnessSpec
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.preload.known import preload_sum
+from rotordyn.analyses.preload.spec import PreloadSpec
+from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.case.case import Case
 from rotordyn.job import solve
 

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from bearings.debongnie import LIFE, distribution, equivalent_factors, peak, power_law, race_weights
 from docs.generate.debongnie_errors import RATIOS, SHARES, Errors, errors
 from docs.generate.places import FIGURES
-from rotordyn.plots.style import (
+from rotordyn.figures.style import (
     BLACK,
     BLUE,
     GREEN,

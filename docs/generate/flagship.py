@@ -13,13 +13,13 @@ import numpy as np
 import rotordyn
 from docs.generate.places import ROOT
 from docs.generate.rows import Row
-from rotordyn.analysis.known import bending_frequencies
-from rotordyn.analysis.specs import Conditions
+from rotordyn.analyses.campbell.known import bending_frequencies
 from rotordyn.case.case import Case
 from rotordyn.job import solve
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.shortening import strain_integral
+from rotordyn.scene.conditions import Conditions
 
 RPM = math.pi / 30.0
 TOP = 24000.0 * RPM

@@ -9,10 +9,11 @@ import numpy as np
 from docs.generate.flagship import Flagship, under
 from docs.generate.marked import table
 from docs.generate.rows import number
-from rotordyn.analysis.display import shown
-from rotordyn.analysis.known import Match, matches
-from rotordyn.analysis.specs import Conditions
+from rotordyn.analyses.known import matches
 from rotordyn.machine.reference import QUANTITIES, Reference
+from rotordyn.results.display import shown
+from rotordyn.results.known import Match
+from rotordyn.scene.conditions import Conditions
 
 HEAD = ("quantity", "kind", "speed [rpm]:", "known:", "ours:", "why they may differ")
 

@@ -11,14 +11,17 @@ from docs.generate.marked import table
 from docs.generate.places import ROOT, THEORY
 
 ROOMS = ("bearings", "rotordyn/equation", "rotordyn/equation/elements")
-ROOMS += tuple(f"rotordyn/{r}" for r in ("preload", "numerics", "analysis", "surface"))
+ROOMS += tuple(f"rotordyn/{r}" for r in ("preload", "numerics", "surface"))
+ROOMS += tuple(f"rotordyn/{r}" for r in ("results", "scene", "modes", "analyses", "analyses/*"))
+# What a case asks of an analysis and how its result is told need no theory.
+PLAIN = {"spec", "result", "known", "summary", "tables", "meshes", "gltf", "uff"}
 _LINK = re.compile(r"\]\(((?:\.\./)+[\w/]+\.py)\)")
 
 
 def modules() -> list[Path]:
     """Every public module of the rooms that compute."""
-    found = (path for room in ROOMS for path in sorted((ROOT / room).glob("*.py")))
-    return [path for path in found if not path.name.startswith("_")]
+    found = (path for room in ROOMS for path in sorted(ROOT.glob(f"{room}/*.py")))
+    return [path for path in found if not path.name.startswith("_") and path.stem not in PLAIN]
 
 
 def explained() -> dict[Path, list[Path]]:

@@ -6,8 +6,8 @@ from typing import TYPE_CHECKING, Any
 
 from docs.generate.places import FIGURES
 from docs.generate.times import measured
-from rotordyn.plots.legends import legend
-from rotordyn.plots.style import BLUE, RED, add_axes, grid_boxes, log_ticks, new_figure, save
+from rotordyn.figures.legends import legend
+from rotordyn.figures.style import BLUE, RED, add_axes, grid_boxes, log_ticks, new_figure, save
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

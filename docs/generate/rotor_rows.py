@@ -10,7 +10,7 @@ import rotordyn
 from bearings import Material
 from docs.generate.places import ROOT
 from docs.generate.rows import Row
-from rotordyn.analysis.results import CampbellResult
+from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.equation.mesh import build_mesh
 from rotordyn.job import solve
 from rotordyn.machine.shaft import Section, Shaft

@@ -10,8 +10,8 @@ from docs.generate.places import FIGURES
 from docs.generate.precision import plain_ticks
 from docs.generate.scaling import MOST_MEGABYTES, MOST_SECONDS, SECTIONS, Lines
 from docs.generate.times import measured
-from rotordyn.plots.legends import legend
-from rotordyn.plots.style import (
+from rotordyn.figures.legends import legend
+from rotordyn.figures.style import (
     BLUE,
     GREEN,
     GREY,

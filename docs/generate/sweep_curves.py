@@ -8,8 +8,8 @@ from docs.generate.places import FIGURES
 from docs.generate.precision import plain_ticks
 from docs.generate.sweeps import Lines
 from docs.generate.times import measured
-from rotordyn.plots.legends import legend
-from rotordyn.plots.style import BLUE, RED, add_axes, grid_boxes, new_figure, save
+from rotordyn.figures.legends import legend
+from rotordyn.figures.style import BLUE, RED, add_axes, grid_boxes, new_figure, save
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

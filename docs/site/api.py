@@ -14,7 +14,7 @@ from types import ModuleType
 from typing import Any
 
 from docs.site.docstrings import plain
-from rotordyn.analysis.result import declared
+from rotordyn.results.declaration import declared
 
 # Page -> (title, modules in the order in which they are searched). A name is shown where it is
 # found first; ``package.*`` stands for the modules of a package that does not say what it offers.
@@ -31,8 +31,8 @@ PAGES = {
         ),
     ),
     "machine": ("Machines", ("rotordyn.machine", "rotordyn.machine.*")),
-    "analyses": ("Analyses", ("rotordyn.analysis", "rotordyn.analysis.specs")),
-    "results": ("Results", ("rotordyn.analysis.results",)),
+    "analyses": ("Analyses", ("rotordyn.analyses",)),
+    "results": ("Results", ("rotordyn.analyses.*.result",)),
 }
 INTRODUCTION = """Python interface
 ================

@@ -5,22 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import fields
 
-from rotordyn.analysis.bearing_specs import BearingMapSpec, ControlSpec
-from rotordyn.analysis.formulation import ROTATING, turned
-from rotordyn.analysis.on_housings import directions_on_housings, obstacles_on_housings
-from rotordyn.analysis.on_joints import obstacles_of_joints
-from rotordyn.analysis.on_rotors import joined_along, obstacles_of_rotors
-from rotordyn.analysis.specs import (
-    QUANTITIES,
-    CampbellSpec,
-    Conditions,
-    FrfSpec,
-    PreloadSpec,
-    SectionForcesSpec,
-    Spec,
-    StiffnessSpec,
-    UnbalanceSpec,
-)
+from rotordyn.analyses.bearing.spec import BearingMapSpec
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.contract import Spec
+from rotordyn.analyses.control.spec import ControlSpec
+from rotordyn.analyses.frf.spec import QUANTITIES, FrfSpec
+from rotordyn.analyses.preload.spec import PreloadSpec
+from rotordyn.analyses.section_forces.spec import SectionForcesSpec
+from rotordyn.analyses.stiffness.spec import StiffnessSpec
+from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.case.loads import misplaced, misplaced_unbalance, overheld, rotors_of, unheld
 from rotordyn.description import ascending
 from rotordyn.machine.housing import housed_motions
@@ -28,6 +21,11 @@ from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import MOTIONS, SPINDLE, acts, coupled_motions, entry_name
 from rotordyn.quantity import suggestion
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.formulation import ROTATING, turned
+from rotordyn.scene.on_housings import directions_on_housings, obstacles_on_housings
+from rotordyn.scene.on_joints import obstacles_of_joints
+from rotordyn.scene.on_rotors import joined_along, obstacles_of_rotors
 
 ANALYSES: dict[str, type[Spec]] = {
     "preload": PreloadSpec,
@@ -90,7 +88,7 @@ def resolved_agree(
     """Elements of a given length carry what is asked of them."""
     if conditions.element_length is None:
         return
-    from rotordyn.analysis.resolution import beyond_elements
+    from rotordyn.analyses.resolution import beyond_elements
 
     for sentence in beyond_elements(spindle, conditions, analyses, max(speeds, default=0.0)):
         yield f"conditions.element_length: {sentence}"

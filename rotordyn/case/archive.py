@@ -17,7 +17,7 @@ from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
 
 KIND = "is"  # the key that names a class
-_ROOMS = ("rotordyn.machine", "rotordyn.analysis", "bearings")
+_ROOMS = ("rotordyn.machine", "rotordyn.analyses", "bearings")
 
 
 def archived(value: Any) -> Any:

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Annotated
 
 from bearings.bearing import BallBearing
-from rotordyn.analysis.specs import Conditions, Spec
+from rotordyn.analyses.contract import Spec
 from rotordyn.case.agreement import (
     ANALYSES,
     housings_agree,
@@ -23,6 +23,7 @@ from rotordyn.description import Description
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
 from rotordyn.quantity import Choice, Name, Speed
+from rotordyn.scene.conditions import Conditions
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,13 +10,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
-from rotordyn.analysis.specs import Conditions, SectionForcesSpec
+from rotordyn.analyses.section_forces.spec import SectionForcesSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.station import SLACK
 from rotordyn.machine.support import SPINDLE
 from rotordyn.quantity import suggestion
+from rotordyn.scene.conditions import Conditions
 from rotordyn.units import format_quantity
 
 Way = tuple[str | int, ...]
@@ -231,7 +232,7 @@ def overheld(spindle: Spindle, conditions: Conditions) -> Iterator[str]:
 
 def unheld(spec: SectionForcesSpec, spindle: Spindle, conditions: Conditions) -> Iterator[Fault]:
     """Loads along motions that nothing holds; the question must have its places on the shaft."""
-    from rotordyn.analysis.static_loads import require_balance
+    from rotordyn.analyses.section_forces.static_loads import require_balance
 
     try:
         require_balance(spindle, spec, conditions)

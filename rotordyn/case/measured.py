@@ -11,11 +11,11 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from rotordyn.analysis.display import response_unit
-from rotordyn.analysis.specs import NO_RESPONSE, QUANTITIES
+from rotordyn.analyses.frf.spec import NO_RESPONSE, QUANTITIES
 from rotordyn.description import ascending
 from rotordyn.errors import InvalidInput
 from rotordyn.quantity import FREQUENCY
+from rotordyn.results.display import response_unit
 from rotordyn.units import STANDARD_GRAVITY, parse_unit, shown
 
 _MOTIONS = {8: "receptance", 11: "mobility", 12: "inertance"}

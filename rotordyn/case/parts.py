@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TypeVar
 
-from rotordyn.analysis.specs import MeasuredResponse
+from rotordyn.analyses.frf.spec import MeasuredResponse
 from rotordyn.case import expand
 from rotordyn.case.checks import bearing as check_bearing
 from rotordyn.case.checks import case as check_case

@@ -10,7 +10,7 @@ from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from rotordyn.analysis.registry import BEARING_ANALYSES, SPINDLE_ANALYSES, Progress
+from rotordyn.analyses.registry import BEARING_ANALYSES, SPINDLE_ANALYSES, Progress
 from rotordyn.case.case import Case
 from rotordyn.job.results import Part, Solution, SolvedResults, run
 from rotordyn.job.space import InSpace, LeftOut, write_meshes
@@ -76,7 +76,7 @@ def _drawn(
     results: SolvedResults, folder: Path, seconds: dict[str, float]
 ) -> tuple[dict[str, float], LeftOut]:
     """Numbers and figures, made side by side; seconds by figure, and which are missing."""
-    from rotordyn.plots.draw import Drawing
+    from rotordyn.figures.draw import Drawing
 
     with InSpace(results.parts) as space:
         drawing = Drawing(list(results.drawings().items()), folder)
@@ -132,8 +132,8 @@ def _write_numbers(results: SolvedResults, folder: Path) -> None:
 
 
 def _write_tables(part: Part, folder: Path) -> None:
+    from rotordyn.analyses.frf.uff import write_uff
     from rotordyn.report.tables import write_tables
-    from rotordyn.report.uff import write_uff
 
     case, results = part
     write_tables(folder, results)

@@ -11,7 +11,7 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from rotordyn.analysis.registry import Answers, Progress
+from rotordyn.analyses.registry import Answers, Progress
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
 from rotordyn.job.solving import solve, solve_variants, unsolved
@@ -21,7 +21,7 @@ from rotordyn.markup import preformatted, table
 if TYPE_CHECKING:
     import xarray as xr
 
-    from rotordyn.plots.draw import Figure
+    from rotordyn.figures.draw import Figure
 
 
 class Part(NamedTuple):
@@ -129,7 +129,7 @@ class Results(Mapping[str, "xr.Dataset"]):
         InvalidInput : there is no figure of that name (the message lists all), the case of an
             opened folder cannot be read, or nothing can be drawn in space on this computer
         """
-        from rotordyn.plots.draw import drawn
+        from rotordyn.figures.draw import drawn
 
         drawings = self.drawings()
         if name in drawings:
@@ -141,8 +141,8 @@ class Results(Mapping[str, "xr.Dataset"]):
 
     def drawings(self) -> dict[str, Callable[[], Figure]]:
         """Functions that draw, by the name of the figure; nothing is drawn yet."""
-        from rotordyn.plots.catalogue import figures
-        from rotordyn.plots.compared.catalogue import comparison_figures
+        from rotordyn.job.comparison_figures import comparison_figures
+        from rotordyn.job.figures import figures
 
         parts = self.parts
         jobs = figures(*parts[""]) if "" in parts else comparison_figures(list(parts.values()))

@@ -7,12 +7,12 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from rotordyn.analysis.registry import Answers, Progress, answer_bearing, answer_spindle
+from rotordyn.analyses.registry import Answers, Progress, answer_bearing, answer_spindle
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput, NoSolution
 
 if TYPE_CHECKING:
-    from rotordyn.analysis.stage import Memo
+    from rotordyn.scene.stage import Memo
 
 
 @dataclass(frozen=True, slots=True)
@@ -42,7 +42,7 @@ def solve_variants(case: Case, progress: Progress = lambda name: None) -> Varian
     ------
     NoSolution : no variant has a physical solution at any speed
     """
-    from rotordyn.analysis.stage import Memo
+    from rotordyn.scene.stage import Memo
 
     found = VariantAnswers({})
     memo = Memo()

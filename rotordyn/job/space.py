@@ -9,8 +9,8 @@ from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from rotordyn.analysis.results import CampbellResult
-from rotordyn.analysis.specs import CampbellSpec, ShapesInSpaceSpec
+from rotordyn.analyses.campbell.result import CampbellResult
+from rotordyn.analyses.campbell.spec import CampbellSpec, ShapesInSpaceSpec
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
@@ -18,7 +18,7 @@ from rotordyn.view.apart import NoPictures, Rendering
 from rotordyn.view.order import Order
 
 if TYPE_CHECKING:
-    from rotordyn.plots.draw import Figure, Job
+    from rotordyn.figures.draw import Figure, Job
 
 FRAMES = 20  # of one period
 Parts = Mapping[str, tuple[Case, Mapping[str, Any]]]
@@ -84,7 +84,7 @@ class InSpace:
         except NoPictures as none:
             self.left_out = _left_out(self._asked, str(none))
             return {}
-        from rotordyn.plots.draw import Drawing
+        from rotordyn.figures.draw import Drawing
 
         drawn = Drawing(_sheets(self._asked, self._rendering), folder).finish()
         return drawn | _animate(self._asked, self._rendering, folder)
@@ -96,7 +96,7 @@ class InSpace:
         ------
         NoPictures : nothing can be rendered
         """
-        from rotordyn.plots.draw import drawn
+        from rotordyn.figures.draw import drawn
 
         assert self._rendering is not None, "a sheet has a name where one is asked for"
         self._rendering.finish()
@@ -105,7 +105,7 @@ class InSpace:
 
 def sheet_names(parts: Parts) -> tuple[str, ...]:
     """Names of the sheets that ``parts`` ask for."""
-    from rotordyn.plots.shapes_3d import sheets
+    from rotordyn.analyses.campbell.figures.shapes_3d import sheets
 
     return tuple(a.inside(name) for a in _every(parts) for name, *_ in sheets(a.result))
 
@@ -128,7 +128,7 @@ def write_meshes(case: Case, results: Mapping[str, Any], folder: Path) -> None:
     """The files of meshes that ``case`` asks for."""
     asked = _asked("", case, results)
     if asked is not None and asked.spec.files:
-        from rotordyn.report.shapes import FOLDER, write_shapes
+        from rotordyn.analyses.campbell.meshes import FOLDER, write_shapes
 
         write_shapes(folder / FOLDER, asked.spindle, asked.result, asked.spec)
 
@@ -149,7 +149,7 @@ def _asked(name: str, case: Case, results: Mapping[str, Any]) -> Asked | None:
 
 def _sheets(parts: list[Asked], rendering: Rendering) -> list[Job]:
     """Name and drawing function of every sheet, once the pictures are rendered."""
-    from rotordyn.plots.shapes_3d import sheet_figure, sheets
+    from rotordyn.analyses.campbell.figures.shapes_3d import sheet_figure, sheets
 
     jobs: list[Job] = []
     for number, asked in enumerate(parts):
@@ -161,8 +161,8 @@ def _sheets(parts: list[Asked], rendering: Rendering) -> list[Job]:
 
 
 def _animate(parts: list[Asked], rendering: Rendering, folder: Path) -> dict[str, float]:
-    from rotordyn.plots.shapes_3d import save_animation
-    from rotordyn.report.shapes import FOLDER, shape_name
+    from rotordyn.analyses.campbell.figures.shapes_3d import save_animation
+    from rotordyn.analyses.campbell.meshes import FOLDER, shape_name
 
     seconds = {}
     for number, asked in enumerate(parts):
@@ -178,7 +178,7 @@ def _animate(parts: list[Asked], rendering: Rendering, folder: Path) -> dict[str
 
 def _left_out(parts: list[Asked], why: str) -> LeftOut:
     """Every figure that is missing, and one sentence for all."""
-    from rotordyn.plots.shapes_3d import sheets
+    from rotordyn.analyses.campbell.figures.shapes_3d import sheets
 
     names = [asked.inside(name) for asked in parts for name, *_ in sheets(asked.result)]
     animated = any(asked.spec.animation for asked in parts)

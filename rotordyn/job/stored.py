@@ -140,7 +140,7 @@ class _Read(Mapping[str, Any]):
 
         if name not in self._known:
             try:
-                self._known[name] = result_of(self._results[f"{self._prefix}{name}"])
+                self._known[name] = result_of(name, self._results[f"{self._prefix}{name}"])
             except ValueError as error:
                 raise InvalidInput(
                     f"{name} was written by another version of rotordyn ({error}): "

@@ -5,8 +5,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any
 
-from rotordyn.analysis.display import rounded_up
-from rotordyn.analysis.results import CampbellResult, FrequencyResponse, UnbalanceResult
+from rotordyn.analyses.campbell.result import CampbellResult
+from rotordyn.analyses.frf.result import FrequencyResponse
+from rotordyn.analyses.unbalance.result import UnbalanceResult
+from rotordyn.results.display import rounded_up
 
 _PLURAL = {"receptance": "receptances", "mobility": "mobilities", "inertance": "inertances"}
 

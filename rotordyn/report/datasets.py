@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import TYPE_CHECKING, Any, get_type_hints
 
 import numpy as np
 
-from rotordyn.analysis import results
-from rotordyn.analysis.result import declared
+from rotordyn.analyses.registry import BEARING_ANALYSES, SPINDLE_ANALYSES
 from rotordyn.report.variables import variables
+from rotordyn.results.declaration import declared
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -27,16 +28,18 @@ def dataset(result: Any) -> xr.Dataset:
     return xr.Dataset(arrays, coords, {"result": type(result).__name__})
 
 
-def result_of(data: xr.Dataset) -> Any:
-    """The frozen result that ``data`` was made from.
+def result_of(analysis: str, data: xr.Dataset) -> Any:
+    """The frozen result of ``analysis`` that ``data`` was made from.
 
     Raises
     ------
     ValueError : this version has no such result, or its fields are others
     """
     name = data.attrs["result"]
-    kind = getattr(results, name, None) if name in results.__all__ else None
-    if kind is None:
+    if analysis not in SPINDLE_ANALYSES | BEARING_ANALYSES:
+        raise ValueError(f"no analysis {analysis}")
+    kind = getattr(import_module(f"rotordyn.analyses.{analysis}.result"), name, None)
+    if kind is None or not declared(kind):
         raise ValueError(f"no result {name}")
     hints = get_type_hints(kind)
     values = {}

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rotordyn.analysis.display import MILLIMETRE, RPM, Shown, shown
-from rotordyn.analysis.known import Match
 from rotordyn.machine.reference import QUANTITIES, Reference
-from rotordyn.report.text import INDENT, unbroken, wrapped
+from rotordyn.results.display import MILLIMETRE, RPM, Shown, shown
+from rotordyn.results.known import Match
+from rotordyn.results.text import INDENT, unbroken, wrapped
 
 _IN_MILLIMETRES = ("required_diameter",)
 

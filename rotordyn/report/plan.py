@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from rotordyn.report.text import wrapped
+from rotordyn.results.text import wrapped
 
 COLUMN = 48  # of the times
 

@@ -8,26 +8,25 @@ from typing import Any
 
 import numpy as np
 
-from rotordyn.analysis.bearing_map import under
-from rotordyn.analysis.display import RPM, STIFFNESS, number
-from rotordyn.analysis.known import matches, preload_sum
-from rotordyn.analysis.results import (
-    BearingMapResult,
-    CampbellResult,
-    ControlResult,
-    FrequencyResponse,
-    PreloadResult,
-    SectionForcesResult,
-    StiffnessResult,
-    UnbalanceResult,
-)
+from rotordyn.analyses.bearing.result import BearingMapResult
+from rotordyn.analyses.bearing.solve import under
+from rotordyn.analyses.campbell.result import CampbellResult
+from rotordyn.analyses.control.result import ControlResult
+from rotordyn.analyses.frf.result import FrequencyResponse
+from rotordyn.analyses.frf.summary import speeds_compared
+from rotordyn.analyses.known import matches
+from rotordyn.analyses.preload.known import preload_sum
+from rotordyn.analyses.preload.result import PreloadResult
+from rotordyn.analyses.section_forces.result import SectionForcesResult
+from rotordyn.analyses.section_forces.summary import extremes
+from rotordyn.analyses.stiffness.result import StiffnessResult
+from rotordyn.analyses.unbalance.result import UnbalanceResult
+from rotordyn.analyses.unbalance.summary import largest_amplitudes
 from rotordyn.machine.reference import Reference
 from rotordyn.report.known import computed_values, known_values
-from rotordyn.report.measured import speeds_compared
-from rotordyn.report.section_forces import extremes
 from rotordyn.report.summary import Described, called
-from rotordyn.report.text import from_to, opening, wrapped
-from rotordyn.report.unbalance import largest_amplitudes
+from rotordyn.results.display import RPM, STIFFNESS, number
+from rotordyn.results.text import from_to, opening, wrapped
 
 MODES = 5  # of the lowest bending modes
 Cells = dict[str, str]

@@ -10,30 +10,28 @@ from typing import Any, Protocol
 import numpy as np
 
 from bearings.kinds import DEFAULT, kind_of
-from rotordyn.analysis.display import RPM, STIFFNESS, number
-from rotordyn.analysis.excitation import Line, exciting
-from rotordyn.analysis.known import matches
-from rotordyn.analysis.race_control import BOUNDARY_WORDS, fit_words
-from rotordyn.analysis.results import (
-    OVERDAMPED,
-    CampbellResult,
-    ControlResult,
-    PreloadResult,
-    StiffnessResult,
-    turning,
-)
+from rotordyn.analyses.bearing.summary import bearing_lines
+from rotordyn.analyses.campbell.result import CampbellResult
+from rotordyn.analyses.control.result import ControlResult
+from rotordyn.analyses.control.solve import BOUNDARY_WORDS, fit_words
+from rotordyn.analyses.frf.summary import measured_lines
+from rotordyn.analyses.known import matches
+from rotordyn.analyses.preload.result import PreloadResult
+from rotordyn.analyses.section_forces.summary import section_force_lines
+from rotordyn.analyses.stiffness.result import StiffnessResult
+from rotordyn.analyses.unbalance.summary import unbalance_lines
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import SPINDLE, BearingSeat, Sleeve
+from rotordyn.modes.excitation import Line, exciting
+from rotordyn.modes.overdamped import OVERDAMPED
 from rotordyn.report.accuracy import accuracy_words
-from rotordyn.report.bearing_map import bearing_lines
 from rotordyn.report.known import known_lines
-from rotordyn.report.measured import measured_lines
-from rotordyn.report.section_forces import section_force_lines
-from rotordyn.report.text import from_to, opening, unbroken, wrapped
-from rotordyn.report.unbalance import unbalance_lines
+from rotordyn.results.display import RPM, STIFFNESS, number
+from rotordyn.results.frames import turning
+from rotordyn.results.text import from_to, opening, unbroken, wrapped
 
 HEIGHT = 40
 _WHIRL = {1: " fw", -1: " bw", 0: ""}

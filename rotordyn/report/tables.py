@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from itertools import product
 from math import prod
 from pathlib import Path
@@ -13,32 +12,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.display import (
-    RPM,
-    Shown,
-    load_unit,
-    shown,
-    stiffness_unit,
-)
-from rotordyn.analysis.result import declared
-from rotordyn.analysis.results import FrequencyResponse
+from rotordyn.analyses.frf.result import FrequencyResponse
 from rotordyn.report.variables import as_array
-
-
-@dataclass(frozen=True, slots=True)
-class Layout:
-    """One file: a line per combination of ``rows``, the dimensions ``across`` side by side.
-
-    ``repeating``: quantities over some of the rows only are repeated along the others; ``several``:
-    written only where there is more than one of this dimension.
-    """
-
-    name: str
-    rows: tuple[str, ...]
-    across: tuple[str, ...] = ()
-    repeating: bool = False
-    several: str = ""
-
+from rotordyn.results.declaration import declared
+from rotordyn.results.display import RPM, Shown, load_unit, shown, stiffness_unit
+from rotordyn.results.layout import Layout
 
 LAYOUTS = {
     "preload": (

@@ -3,15 +3,14 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.result import declared
-from rotordyn.analysis.results import FrequencyResponse
 from rotordyn.report.cf import SIGN_CONVENTION, units
+from rotordyn.results.declaration import declared
 
 
 class Variable(NamedTuple):
@@ -42,7 +41,7 @@ def as_array(value: Any) -> NDArray[Any]:
 def _variables(result: Any, name: str) -> Iterator[Variable]:
     info = declared(result)[name].metadata
     values = as_array(getattr(result, name))
-    attrs = {"long_name": info["label"], **units(_unit(result, info))}
+    attrs = {"long_name": info["label"], **units(_unit(result, name, info["unit"]))}
     if values.dtype.kind == "c":
         attrs["sign_convention"] = SIGN_CONVENTION
     dims = info["dims"]
@@ -55,11 +54,7 @@ def _variables(result: Any, name: str) -> Iterator[Variable]:
         yield Variable(f"{dims[0]}_rpm", "auxiliary", dims, values * (30.0 / math.pi), rpm)
 
 
-def _unit(result: Any, info: Mapping[str, Any]) -> str:
-    """SI unit of a field; of frequency responses that of their pairs, listed where they differ."""
-    unit: str = info["unit"]
-    if not isinstance(result, FrequencyResponse) or "," not in unit:
-        return unit
-    pairs = result.pair if "pair" in info["dims"] else result.measured_pair
-    each = [result.unit(result.pair.index(pair)) for pair in pairs]
-    return ", ".join(each if len(set(each)) > 1 else each[:1])
+def _unit(result: Any, name: str, declared_unit: str) -> str:
+    """SI unit of a field; listed entry by entry where a result says so of its ``entry_units``."""
+    each = result.entry_units(name) if hasattr(result, "entry_units") else ()
+    return ", ".join(each if len(set(each)) > 1 else each[:1]) or declared_unit

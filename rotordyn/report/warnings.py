@@ -8,16 +8,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.bearing_map import under
-from rotordyn.analysis.display import RPM
-from rotordyn.analysis.results import (
-    BearingMapResult,
-    CampbellResult,
-    PreloadResult,
-    SectionForcesResult,
-)
+from rotordyn.analyses.bearing.result import BearingMapResult
+from rotordyn.analyses.bearing.solve import under
+from rotordyn.analyses.bearing.summary import cut_off
+from rotordyn.analyses.campbell.result import CampbellResult
+from rotordyn.analyses.preload.result import PreloadResult
+from rotordyn.analyses.section_forces.result import SectionForcesResult
 from rotordyn.machine.limits import WARNING_PRESSURE
-from rotordyn.report.bearing_map import cut_off
+from rotordyn.results.display import RPM
 
 
 def result_warnings(results: Mapping[str, Any]) -> list[str]:

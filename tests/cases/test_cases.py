@@ -12,7 +12,7 @@ import pytest
 
 import rotordyn
 from docs.site.runs import case_run
-from rotordyn.analysis.results import is_overdamped
+from rotordyn.modes.overdamped import is_overdamped
 from rotordyn.report.netcdf import read_results
 from tests.oracles.spindles import CASES
 

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 import rotordyn
-from rotordyn.analysis.results import SectionForcesResult
+from rotordyn.analyses.section_forces.result import SectionForcesResult
 from rotordyn.job import solve
 from tests.oracles.spindles import CASES
 

@@ -14,7 +14,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rotordyn.analysis.specs import CampbellSpec, PreloadSpec, StiffnessSpec
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.preload.spec import PreloadSpec
+from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.machine.growth import ComputedShortening
 from rotordyn.preload.shortening import seat_shifts, strain_integral
 from tests.oracles.spindles import RPM, TOP, answers, case, mfw2310, undamped

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from scipy.optimize import brentq
 
 from bearings.ball.law import Law
-from rotordyn.analysis.control_map import control_map
+from rotordyn.analyses.control.control_map import control_map
 from tests.oracles.ball_bearing import BallBearingOracle
 from tests.oracles.known_bearings import HYPOTHESES, RPM, VEX70
 

@@ -16,9 +16,9 @@ from scipy.linalg import eigh
 
 import rotordyn
 from bearings.materials import Material
-from rotordyn.analysis import Conditions, Unbalance, UnbalanceSpec
-from rotordyn.analysis.registry import answer_spindle
-from rotordyn.analysis.results import UnbalanceResult
+from rotordyn.analyses import Conditions, Unbalance, UnbalanceSpec
+from rotordyn.analyses.registry import answer_spindle
+from rotordyn.analyses.unbalance.result import UnbalanceResult
 from rotordyn.equation.mesh import build_mesh
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.support import LinearSupport

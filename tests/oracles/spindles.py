@@ -12,14 +12,16 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.registry import answer_spindle
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import Conditions, Port, Spec
+from rotordyn.analyses.contract import Spec
+from rotordyn.analyses.frf.spec import Port
+from rotordyn.analyses.registry import answer_spindle
 from rotordyn.case.case import Case
 from rotordyn.case.read import load
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.equation.mesh import ELEMENTS_OVER_LENGTH
 from rotordyn.machine.spindle import Spindle
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.scene import Scene
 
 ROOT = Path(__file__).resolve().parents[2]
 CASES = ROOT / "cases"

@@ -10,13 +10,17 @@ import numpy as np
 import pytest
 
 import rotordyn
-from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec, PreloadSpec, StiffnessSpec
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.preload.spec import PreloadSpec
+from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.job import deliver, one_variant, restricted, solve, solve_variants
 from rotordyn.machine.growth import PrescribedShortening
 from rotordyn.report.netcdf import read_results
 from rotordyn.report.side_by_side import comparison_summary
+from rotordyn.scene.conditions import Conditions
 from tests.oracles.spindles import RPM, case, mfw2310, pairs
 
 TURNING = {"speeds": (2000 * RPM, 24000 * RPM), "analyses.frf.slices": ()}

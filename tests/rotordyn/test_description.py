@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 
 import rotordyn
 from bearings import STEEL, AngularContactBallBearing, InvalidBearing, Material
-from rotordyn.analysis import (
+from rotordyn.analyses import (
     BalanceGrade,
     BearingMapSpec,
     CampbellSpec,
@@ -31,8 +31,8 @@ from rotordyn.analysis import (
     Unbalance,
     UnbalanceSpec,
 )
-from rotordyn.analysis.registry import BEARING_ANALYSES, SPINDLE_ANALYSES
-from rotordyn.analysis.specs import MeasuredResponse
+from rotordyn.analyses.frf.spec import MeasuredResponse
+from rotordyn.analyses.registry import BEARING_ANALYSES, SPINDLE_ANALYSES
 from rotordyn.case.agreement import ANALYSES
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import (
@@ -338,7 +338,7 @@ def test_analyses_are_those_of_the_registry() -> None:
     assert set(ANALYSES) == {*SPINDLE_ANALYSES, *BEARING_ANALYSES}
 
 
-@pytest.mark.parametrize("room", ["rotordyn", "rotordyn.machine", "rotordyn.analysis", "bearings"])
+@pytest.mark.parametrize("room", ["rotordyn", "rotordyn.machine", "rotordyn.analyses", "bearings"])
 def test_every_name_of_a_face_can_be_had(room: str) -> None:
     face = importlib.import_module(room)
     assert dir(face) == sorted(face.__all__)

@@ -11,7 +11,10 @@ import pytest
 import xarray as xr
 
 import rotordyn
-from rotordyn.analysis.specs import CampbellSpec, FrfSpec, PreloadSpec, StiffnessSpec
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.preload.spec import PreloadSpec
+from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput, NoSolution, OutputRefused
 from rotordyn.job import deliver, restricted, run, solve, unsolved

@@ -1,4 +1,4 @@
-"""The object that a run gives back: datasets, words, figures, a folder, and the folder read back."""
+"""What a run gives back: datasets, words, figures, a folder, and the folder read back."""
 
 from __future__ import annotations
 
@@ -13,12 +13,12 @@ import pytest
 import xarray as xr
 
 import rotordyn
-from rotordyn.analysis.result import declared
-from rotordyn.analysis.specs import CampbellSpec, FrfSpec, PreloadSpec, ShapesInSpaceSpec
+from rotordyn.analyses import CampbellSpec, FrfSpec, PreloadSpec, ShapesInSpaceSpec
 from rotordyn.case.case import Case
 from rotordyn.cli import main
 from rotordyn.errors import InvalidInput, OutputRefused
 from rotordyn.report.manifest import FORMAT
+from rotordyn.results.declaration import declared
 from rotordyn.view import apart
 from tests.oracles.spindles import RPM, case, pairs
 
@@ -189,7 +189,7 @@ def test_shapes_in_space_are_figures_too(monkeypatch: pytest.MonkeyPatch) -> Non
     rotor = replace(rotordyn.load("lalanne_ferraris"), speeds=(0.0,), analyses={"campbell": spec})
     results = rotordyn.run(rotor)
     assert "shapes_3d_0rpm" in results.figures
-    with pytest.raises(InvalidInput, match="shapes_3d_0rpm cannot be drawn: .*draws nothing in 3D"):
+    with pytest.raises(InvalidInput, match=r"shapes_3d_0rpm cannot be drawn: .*draws nothing in 3D"):
         results.plot("shapes_3d_0rpm")
 
 

@@ -12,7 +12,7 @@ import pytest
 
 import rotordyn
 from docs.generate.places import THEORY
-from rotordyn.analysis.specs import CampbellSpec, ShapesInSpaceSpec
+from rotordyn.analyses.campbell.spec import CampbellSpec, ShapesInSpaceSpec
 from rotordyn.case.case import Case
 from rotordyn.cli import main
 from rotordyn.job import deliver, space

@@ -8,16 +8,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rotordyn.analysis import campbell
-from rotordyn.analysis.refinement import RESPONSES
-from rotordyn.analysis.results import CampbellResult
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.result import CampbellResult
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.equation.mesh import build_mesh
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.refinement import RESPONSES
+from rotordyn.scene.scene import Scene
 from tests.oracles.exact_shaft.bending import exact_poles, exact_receptance
 from tests.oracles.exact_shaft.count import modes_below, whirl_frequencies
 from tests.oracles.exact_shaft.rotor import exact_rotor

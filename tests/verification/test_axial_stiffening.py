@@ -14,14 +14,20 @@ from hypothesis import strategies as st
 from scipy.linalg import eigh
 
 from bearings.materials import Material
-from rotordyn.analysis import campbell, frf, stiffness
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec, PreloadSpec, StiffnessSpec
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.frf import solve as frf
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.preload.spec import PreloadSpec
+from rotordyn.analyses.stiffness import solve as stiffness
+from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.errors import NoSolution
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.lumped import Disc
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.scene import Scene
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.rotors import support, uniform
 from tests.oracles.spindles import answers, mfw2310, pairs, scene, standard

@@ -11,7 +11,13 @@ from scipy.special import ellipe
 
 from bearings import AngularContactBallBearing, InvalidBearing
 from bearings.ball.law import Law
-from rotordyn.analysis.control_map import LEVELS, ControlMap, control_map, quadratic, resting_weight
+from rotordyn.analyses.control.control_map import (
+    LEVELS,
+    ControlMap,
+    control_map,
+    quadratic,
+    resting_weight,
+)
 from tests.oracles.ball_bearing import BallBearingOracle
 from tests.oracles.known_bearings import HARRIS_218, HYPOTHESES, RPM, VEX70, VEX70_IDENTIFIED
 

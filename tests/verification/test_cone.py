@@ -13,12 +13,9 @@ from scipy.optimize import brentq
 from scipy.special import iv, jv, kv, yv
 
 import rotordyn
-from rotordyn.analysis import EccentricSpan, SectionForcesSpec, UnbalanceSpec
-from rotordyn.analysis.loads import PointLoad
-from rotordyn.analysis.registry import answer_spindle
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import Conditions
-from rotordyn.analysis.unbalance_loads import acting, node_loads
+from rotordyn.analyses import EccentricSpan, SectionForcesSpec, UnbalanceSpec
+from rotordyn.analyses.registry import answer_spindle
+from rotordyn.analyses.unbalance.loads import acting, node_loads
 from rotordyn.equation.elements.beam import tapered_bending, tapered_points
 from rotordyn.equation.elements.standard_beam import shear_parameter
 from rotordyn.equation.mesh import build_mesh, divided, station_mesh
@@ -29,6 +26,9 @@ from rotordyn.machine.shaft import STEEPEST, Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from rotordyn.preload.shortening import strain_integral
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.loads import PointLoad
+from rotordyn.scene.scene import Scene
 from rotordyn.surface.rotor import rotor_surface
 from tests.oracles.exact_shaft.count import whirl_frequencies
 from tests.oracles.exact_shaft.rotor import exact_rotor

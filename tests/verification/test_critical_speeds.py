@@ -11,13 +11,15 @@ import pytest
 from scipy.interpolate import PchipInterpolator
 from scipy.linalg import eigvals
 
-from rotordyn.analysis import campbell, roots
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, Conditions
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.equation.mesh import build_mesh
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
+from rotordyn.modes import roots
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.scene import Scene
 from tests.literature.test_rotor_friswell import base, overhung
 from tests.oracles.exact_shaft.poles import exact_mode
 from tests.oracles.exact_shaft.rotor import exact_rotor

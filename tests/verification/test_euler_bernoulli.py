@@ -9,15 +9,15 @@ import numpy as np
 import pytest
 
 import rotordyn
-from rotordyn.analysis import SectionForcesSpec
-from rotordyn.analysis.loads import PointLoad
-from rotordyn.analysis.registry import answer_spindle
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import Conditions
+from rotordyn.analyses import SectionForcesSpec
+from rotordyn.analyses.registry import answer_spindle
 from rotordyn.equation.elements.beam import inner_freedoms
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.loads import PointLoad
+from rotordyn.scene.scene import Scene
 from tests.oracles.rotors import STEEL
 from tests.oracles.spindles import RPM
 

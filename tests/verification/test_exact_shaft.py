@@ -11,14 +11,17 @@ import numpy as np
 import pytest
 from scipy.optimize import linear_sum_assignment
 
-from rotordyn.analysis import campbell, frf
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.frf import solve as frf
+from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.equation.mesh import Mesh, station_mesh
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.scene import Scene
 from tests.oracles.exact_shaft.bending import (
     exact_modes,
     exact_poles,

@@ -13,15 +13,20 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import rotordyn
-from rotordyn.analysis import campbell, frf
-from rotordyn.analysis.results import TurningCampbellResult, TurningFrfResult
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec, StiffnessSpec
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.result import TurningCampbellResult
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.frf import solve as frf
+from rotordyn.analyses.frf.result import TurningFrfResult
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.job import solve
+from rotordyn.job.comparison_figures import comparison_figures
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.spindle import Spindle
-from rotordyn.plots.compared.catalogue import comparison_figures
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.scene import Scene
 from tests.oracles.dense_rotor.assemble import add_at_nodes, bending_plane
 from tests.oracles.rotors import STEEL, support, uniform
 from tests.oracles.spindles import RPM, answers, case, mfw2310, pairs, scene, system_of

@@ -11,15 +11,12 @@ import scipy.io
 import scipy.linalg
 
 import rotordyn
-from rotordyn.analysis import campbell, frf, section_forces
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import (
-    CampbellSpec,
-    Conditions,
-    FrfSpec,
-    PointLoad,
-    SectionForcesSpec,
-)
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.frf import solve as frf
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.section_forces import solve as section_forces
+from rotordyn.analyses.section_forces.spec import SectionForcesSpec
 from rotordyn.equation.seat import turn
 from rotordyn.equation.support import node_matrix
 from rotordyn.errors import InvalidInput
@@ -27,6 +24,9 @@ from rotordyn.machine.housing import ReducedHousing, RigidHousing
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.loads import PointLoad
+from rotordyn.scene.scene import Scene
 from tests.oracles.dense_rotor.selection import ALL
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.rotors import STEPPED, support

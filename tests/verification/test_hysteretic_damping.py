@@ -15,17 +15,13 @@ from numpy.typing import NDArray
 
 import rotordyn
 from bearings import Material
-from rotordyn.analysis import campbell, frf, unbalance
-from rotordyn.analysis.results import CampbellResult
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import (
-    CampbellSpec,
-    Conditions,
-    FrfSpec,
-    Port,
-    Unbalance,
-    UnbalanceSpec,
-)
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.result import CampbellResult
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.frf import solve as frf
+from rotordyn.analyses.frf.spec import FrfSpec, Port
+from rotordyn.analyses.unbalance import solve as unbalance
+from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.equation.hysteresis import Signs
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.damping import RayleighDamping
@@ -33,6 +29,9 @@ from rotordyn.machine.housing import RigidHousing
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.loads import Unbalance
+from rotordyn.scene.scene import Scene
 from tests.oracles.dense_rotor.assemble import rotor_matrices
 from tests.oracles.dense_rotor.selection import LATERAL
 from tests.oracles.full_rotor import FullRotor

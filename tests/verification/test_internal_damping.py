@@ -11,15 +11,16 @@ import pytest
 
 import rotordyn
 from bearings import Material
-from rotordyn.analysis import campbell
-from rotordyn.analysis.results import OVERDAMPED
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, Conditions
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
+from rotordyn.modes.overdamped import OVERDAMPED
 from rotordyn.report.warnings import result_warnings
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.scene import Scene
 from tests.oracles.rotors import support, uniform
 
 LIGHT = Material("light", 2.1e11, 0.3, 1.0)

@@ -13,15 +13,20 @@ from scipy.linalg import block_diag
 from scipy.optimize import brentq
 
 import rotordyn
-from rotordyn.analysis import campbell, frf, stiffness
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec, StiffnessSpec
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.frf import solve as frf
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.stiffness import solve as stiffness
+from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.equation.mesh import build_mesh
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.modes import modes
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.scene import Scene
 from tests.oracles.dense_rotor.assemble import rotor_matrices
 from tests.oracles.dense_rotor.selection import ALL
 from tests.oracles.rotors import STEEL, STEPPED, support, uniform

@@ -11,15 +11,18 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rotordyn.analysis import campbell, frf
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.frf import solve as frf
+from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.equation import reduce
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.scene import Scene
 from tests.oracles.rotors import STEEL, support
 from tests.oracles.spindles import pairs
 from tests.oracles.spinning_beam import PinnedBeam

@@ -8,14 +8,15 @@ import numpy as np
 import pytest
 
 from bearings.materials import Material
-from rotordyn.analysis import campbell
-from rotordyn.analysis.results import CampbellResult
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, Conditions
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.result import CampbellResult
+from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.machine.lumped import Disc
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.scene import Scene
 from tests.oracles.stepped_rotors import STEEL
 
 TOP = 1000.0

@@ -10,9 +10,9 @@ from scipy.linalg import eig
 from scipy.optimize import brentq
 
 from bearings.materials import Material
-from rotordyn.analysis import CampbellSpec, Conditions
-from rotordyn.analysis.registry import answer_spindle
-from rotordyn.analysis.results import CampbellResult
+from rotordyn.analyses import CampbellSpec, Conditions
+from rotordyn.analyses.campbell.result import CampbellResult
+from rotordyn.analyses.registry import answer_spindle
 from rotordyn.equation.elements.standard_beam import plane_bending
 from rotordyn.machine import Disc, LinearSupport, Section, Shaft, Spindle
 from rotordyn.machine.damping import RayleighDamping

@@ -8,12 +8,13 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rotordyn.analysis import campbell
-from rotordyn.analysis.results import CampbellResult
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, Conditions
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.result import CampbellResult
+from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.equation.mesh import build_mesh
 from rotordyn.machine.spindle import Spindle
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.scene import Scene
 from tests.oracles.dense_rotor.unreduced import dense_poles
 from tests.oracles.exact_shaft.count import modes_below, whirl_frequencies
 from tests.oracles.exact_shaft.rotor import exact_rotor

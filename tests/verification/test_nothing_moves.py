@@ -7,13 +7,18 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rotordyn.analysis import campbell, frf, unbalance
-from rotordyn.analysis.loads import Unbalance
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec, Port, UnbalanceSpec
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.frf import solve as frf
+from rotordyn.analyses.frf.spec import FrfSpec, Port
+from rotordyn.analyses.unbalance import solve as unbalance
+from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.machine.rotor import Rotor
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.loads import Unbalance
+from rotordyn.scene.scene import Scene
 from tests.oracles.rotors import support, uniform
 
 SPEEDS = np.array([0.0, 300.0])

@@ -8,15 +8,16 @@ import numpy as np
 import pytest
 
 from bearings.materials import Material
-from rotordyn.analysis import campbell
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, Conditions
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from rotordyn.report.datasets import dataset
 from rotordyn.report.tables import LAYOUTS, tidy_columns
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.scene import Scene
 
 STEEL = Material("steel", 2.1e11, 0.3, 7800.0)
 SPEEDS, RATIOS = (0.0, 50.0, 100.0, 150.0), (0.2, 0.5, 0.8, 0.995)

@@ -9,15 +9,16 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rotordyn.analysis.frf import answer
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import Conditions, FrfSpec, Port
+from rotordyn.analyses.frf.solve import answer
+from rotordyn.analyses.frf.spec import FrfSpec, Port
 from rotordyn.equation.mesh import build_mesh
 from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.scene import Scene
 from tests.oracles.coaxial import COAXIAL, STEEL
 from tests.oracles.dense_rotor.selection import LATERAL
 from tests.oracles.exact_shaft.bending import exact_receptance

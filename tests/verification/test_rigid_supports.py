@@ -10,22 +10,22 @@ import numpy as np
 import pytest
 
 from bearings.materials import Material
-from rotordyn.analysis import campbell, frf, section_forces, unbalance
-from rotordyn.analysis.loads import PointLoad, Unbalance
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import (
-    CampbellSpec,
-    Conditions,
-    FrfSpec,
-    Port,
-    SectionForcesSpec,
-    UnbalanceSpec,
-)
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.frf import solve as frf
+from rotordyn.analyses.frf.spec import FrfSpec, Port
+from rotordyn.analyses.section_forces import solve as section_forces
+from rotordyn.analyses.section_forces.spec import SectionForcesSpec
+from rotordyn.analyses.unbalance import solve as unbalance
+from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.equation.constraint import allowed_motions
 from rotordyn.machine.rotor import Rotor
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.loads import PointLoad, Unbalance
+from rotordyn.scene.scene import Scene
 from tests.oracles.spinning_beam import PinnedBeam
 
 STEEL = Material("steel", 2.1e11, 0.3, 7800.0)

@@ -10,13 +10,16 @@ import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from rotordyn.analysis import campbell, frf
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.frf import solve as frf
+from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.equation.dofs import DIRECTIONS
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import coupled_motions
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.scene import Scene
 from tests.oracles.dense_rotor.selection import ALL
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.matrices import definite, definites, held, turn_about_axis

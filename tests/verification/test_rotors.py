@@ -10,10 +10,12 @@ import pytest
 from scipy.linalg import eig
 
 from bearings.materials import Material
-from rotordyn.analysis import campbell, frf, unbalance
-from rotordyn.analysis.loads import BalanceGrade, EccentricSpan, Unbalance
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec, Port, UnbalanceSpec
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.frf import solve as frf
+from rotordyn.analyses.frf.spec import FrfSpec, Port
+from rotordyn.analyses.unbalance import solve as unbalance
+from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.housing import RigidHousing
@@ -24,6 +26,9 @@ from rotordyn.machine.rotor import Rotor
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.loads import BalanceGrade, EccentricSpan, Unbalance
+from rotordyn.scene.scene import Scene
 from tests.oracles.coaxial import COAXIAL, INNER, OUTER, Together, bearing
 from tests.oracles.rotors import STEEL
 from tests.oracles.spindles import RPM, all_poles, case, mfw2310, system_of

@@ -13,7 +13,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from bearings import Material
-from rotordyn.analysis import (
+from rotordyn.analyses import (
     Conditions,
     LineLoad,
     PointLoad,
@@ -23,8 +23,8 @@ from rotordyn.analysis import (
     TwistLimit,
     Unbalance,
 )
-from rotordyn.analysis.registry import answer_spindle
-from rotordyn.analysis.results import SectionForcesResult
+from rotordyn.analyses.registry import answer_spindle
+from rotordyn.analyses.section_forces.result import SectionForcesResult
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import Disc, Drawbar, LinearSupport, PointMass, Section, Shaft, Spindle
 from rotordyn.machine.inertia import rotor_inertia

@@ -7,12 +7,13 @@ import math
 import numpy as np
 import pytest
 
-from rotordyn.analysis import campbell
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, Conditions
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.scene import Scene
 from tests.oracles.exact_shaft.count import modes_below, whirl_frequencies
 from tests.oracles.exact_shaft.rotor import ExactRotor, exact_rotor
 from tests.oracles.many_digits import determinant

@@ -9,11 +9,13 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
-from rotordyn.analysis import campbell, frf
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, FrfSpec
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.frf import solve as frf
+from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
+from rotordyn.scene.scene import Scene
 from tests.oracles.dense_rotor.assemble import axial_rod, torsion_rod
 from tests.oracles.spindles import mfw2310, pairs, scene, system_of, undamped, with_sleeve
 

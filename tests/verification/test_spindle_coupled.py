@@ -7,8 +7,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rotordyn.analysis import campbell, frf
-from rotordyn.analysis.specs import CampbellSpec, FrfSpec, StiffnessSpec
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.frf import solve as frf
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport

@@ -9,11 +9,15 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from bearings.ball.law import Law
-from rotordyn.analysis.registry import answer_spindle
-from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec, PreloadSpec, StiffnessSpec
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.preload.spec import PreloadSpec
+from rotordyn.analyses.registry import answer_spindle
+from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.errors import NoSolution
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.state import PreloadState, dynamic_preload
+from rotordyn.scene.conditions import Conditions
 from tests.oracles.known_bearings import HYPOTHESES
 from tests.oracles.random_spindles import spindles
 from tests.oracles.spindles import RPM, pairs

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rotordyn.analysis import frf
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import FrfSpec
+from rotordyn.analyses.frf import solve as frf
+from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.machine.spindle import Spindle
+from rotordyn.scene.scene import Scene
 from tests.oracles.full_rotor import FullRotor
 from tests.oracles.spindles import case, mfw2310, pairs, scene, system_of, with_sleeve
 

@@ -14,9 +14,10 @@ from scipy.optimize import root
 from bearings import AngularContactBallBearing
 from bearings.materials import Material
 from bearings.ring.iterate import Iterate
-from rotordyn.analysis.radial import RadialProblem
-from rotordyn.analysis.specs import PreloadSpec, StiffnessSpec
-from rotordyn.analysis.stiffness import answer as stiffness_answer
+from rotordyn.analyses.preload.spec import PreloadSpec
+from rotordyn.analyses.stiffness.radial import RadialProblem
+from rotordyn.analyses.stiffness.solve import answer as stiffness_answer
+from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.equation.mesh import build_mesh
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle

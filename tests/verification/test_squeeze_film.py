@@ -10,21 +10,20 @@ import numpy as np
 import pytest
 from scipy.integrate import dblquad
 
-from rotordyn.analysis import frf, section_forces, unbalance
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import (
-    Conditions,
-    FrfSpec,
-    PointLoad,
-    SectionForcesSpec,
-    Unbalance,
-    UnbalanceSpec,
-)
+from rotordyn.analyses.frf import solve as frf
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.section_forces import solve as section_forces
+from rotordyn.analyses.section_forces.spec import SectionForcesSpec
+from rotordyn.analyses.unbalance import solve as unbalance
+from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.equation.squeeze_film import film_coefficients
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.squeeze_film import FILMS, SqueezeFilmDamper
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.loads import PointLoad, Unbalance
+from rotordyn.scene.scene import Scene
 from tests.oracles.rotors import support, uniform
 from tests.oracles.spindles import pairs, poles
 

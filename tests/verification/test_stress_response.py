@@ -10,12 +10,17 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rotordyn.analysis import campbell, frf, unbalance
-from rotordyn.analysis.loads import Unbalance
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, Conditions, FrfSpec, UnbalanceSpec
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.frf import solve as frf
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.unbalance import solve as unbalance
+from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.loads import Unbalance
+from rotordyn.scene.scene import Scene
 from tests.oracles.rotors import STEEL, support, uniform
 from tests.oracles.spindles import pairs, system_of
 

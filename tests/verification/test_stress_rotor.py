@@ -12,23 +12,23 @@ import pytest
 
 from bearings.errors import InvalidBearing
 from bearings.materials import Material
-from rotordyn.analysis import campbell, frf, unbalance
-from rotordyn.analysis.loads import PointLoad, Unbalance
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.section_forces import answer as section_forces
-from rotordyn.analysis.specs import (
-    CampbellSpec,
-    Conditions,
-    FrfSpec,
-    SectionForcesSpec,
-    UnbalanceSpec,
-)
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.frf import solve as frf
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.section_forces.solve import answer as section_forces
+from rotordyn.analyses.section_forces.spec import SectionForcesSpec
+from rotordyn.analyses.unbalance import solve as unbalance
+from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.equation import mesh
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.housing import RigidHousing
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.loads import PointLoad, Unbalance
+from rotordyn.scene.scene import Scene
 from tests.oracles.dense_rotor.unreduced import dense_poles
 from tests.oracles.exact_shaft.count import whirl_frequencies
 from tests.oracles.exact_shaft.rotor import exact_rotor

@@ -9,11 +9,13 @@ import numpy as np
 import pytest
 
 from bearings.ball.law import Law
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, FrfSpec, PreloadSpec
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.preload.spec import PreloadSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.preload.state import PreloadState, dynamic_preload
+from rotordyn.scene.scene import Scene
 from tests.oracles.spindles import (
     RPM,
     TOP,

@@ -10,25 +10,27 @@ import numpy as np
 import pytest
 
 import rotordyn
-from rotordyn.analysis import campbell, frf, section_forces, stiffness
-from rotordyn.analysis.branches import branches_of
-from rotordyn.analysis.excitation import Line
-from rotordyn.analysis.roots import Start, solved
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import (
-    CampbellSpec,
-    Conditions,
-    FrfSpec,
-    PointLoad,
-    SectionForcesSpec,
-    StiffnessSpec,
-)
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.frf import solve as frf
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.section_forces import solve as section_forces
+from rotordyn.analyses.section_forces.spec import SectionForcesSpec
+from rotordyn.analyses.stiffness import solve as stiffness
+from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.job import solve
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
+from rotordyn.modes.band import Band
+from rotordyn.modes.branches import branches_of
+from rotordyn.modes.excitation import Line
+from rotordyn.modes.roots import Start, solved
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.loads import PointLoad
+from rotordyn.scene.scene import Scene
 from tests.oracles.rotors import STEPPED, support
 from tests.oracles.spindles import RPM, all_poles, case, mfw2310, pairs, system_of
 
@@ -404,8 +406,8 @@ def test_no_critical_speed_by_the_supports_of_one_speed() -> None:
 
 def test_no_critical_speed_where_a_search_ends_at_the_range() -> None:
     """Without a root the secants stay at an end of the range; that is none."""
-    whole, spec = rising(), CampbellSpec(1500.0)
-    branches, top = branches_of(whole, spec), SPEEDS[-1]
+    whole, band = rising(), Band(1500.0)
+    branches, top = branches_of(whole, band), SPEEDS[-1]
     above = [
         Start(
             k,

@@ -10,16 +10,19 @@ import numpy as np
 import pytest
 
 from bearings.materials import Material
-from rotordyn.analysis import campbell, section_forces
-from rotordyn.analysis.loads import PointLoad
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, Conditions, SectionForcesSpec
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.section_forces import solve as section_forces
+from rotordyn.analyses.section_forces.spec import SectionForcesSpec
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.machine.joint import Joint
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from rotordyn.preload.axial_force import axial_force
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.loads import PointLoad
+from rotordyn.scene.scene import Scene
 from tests.oracles.spinning_beam import PinnedBeam
 
 STEEL = Material("steel", 2.1e11, 0.3, 7800.0)

@@ -8,12 +8,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from rotordyn.analysis import branches, campbell
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, Conditions
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.spindle import Spindle
+from rotordyn.modes import branches
 from rotordyn.numerics.follow import doubts, follow
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.scene import Scene
 from tests.oracles.rotors import STEEL, support, uniform
 from tests.oracles.spindles import RPM
 

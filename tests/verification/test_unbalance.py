@@ -12,7 +12,7 @@ import pytest
 
 import rotordyn
 from bearings import Material
-from rotordyn.analysis import (
+from rotordyn.analyses import (
     BalanceGrade,
     CampbellSpec,
     Conditions,
@@ -21,17 +21,18 @@ from rotordyn.analysis import (
     Port,
     Unbalance,
     UnbalanceSpec,
-    campbell,
-    unbalance,
 )
-from rotordyn.analysis.orbit import orbit
-from rotordyn.analysis.registry import answer_spindle
-from rotordyn.analysis.results import FrfResult, UnbalanceResult
-from rotordyn.analysis.scene import Scene
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.frf.result import FrfResult
+from rotordyn.analyses.registry import answer_spindle
+from rotordyn.analyses.unbalance import solve as unbalance
+from rotordyn.analyses.unbalance.orbit import orbit
+from rotordyn.analyses.unbalance.result import UnbalanceResult
+from rotordyn.analyses.unbalance.summary import unbalance_lines
 from rotordyn.errors import NoSolution
 from rotordyn.machine import LinearSupport, PointMass, RigidHousing, Section, Shaft, Spindle
 from rotordyn.machine.inertia import rotor_inertia
-from rotordyn.report.unbalance import unbalance_lines
+from rotordyn.scene.scene import Scene
 from tests.oracles.spindles import RPM, mfw2310, undamped
 
 STEEL = Material("steel", 210e9, 0.3, 7850.0)

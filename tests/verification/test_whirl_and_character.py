@@ -8,11 +8,12 @@ import numpy as np
 import pytest
 
 from bearings import Material
-from rotordyn.analysis import campbell
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import CampbellSpec, Conditions
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.support import LinearSupport
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.scene import Scene
 from tests.oracles.rotors import STEEL, support, uniform
 
 LIGHT = Material("light", 2.1e14, 0.3, 1e-3)

@@ -6,28 +6,15 @@ from collections.abc import Callable
 from dataclasses import replace
 from typing import Any
 
-from rotordyn.analysis.bearing_specs import BearingMapSpec, ControlSpec
-from rotordyn.analysis.loads import (
-    BalanceGrade,
-    EccentricSpan,
-    LineLoad,
-    PointLoad,
-    TwistLimit,
-    Unbalance,
-)
-from rotordyn.analysis.specs import (
-    CampbellSpec,
-    Conditions,
-    FrfSpec,
-    MeasuredResponse,
-    Port,
-    PreloadSpec,
-    SectionForcesSpec,
-    ShapesInSpaceSpec,
-    Spec,
-    StiffnessSpec,
-    UnbalanceSpec,
-)
+from rotordyn.analyses.bearing.spec import BearingMapSpec
+from rotordyn.analyses.campbell.spec import CampbellSpec, ShapesInSpaceSpec
+from rotordyn.analyses.contract import Spec
+from rotordyn.analyses.control.spec import ControlSpec
+from rotordyn.analyses.frf.spec import FrfSpec, MeasuredResponse, Port
+from rotordyn.analyses.preload.spec import PreloadSpec
+from rotordyn.analyses.section_forces.spec import SectionForcesSpec
+from rotordyn.analyses.stiffness.spec import StiffnessSpec
+from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.case.build.sweep import values
 from rotordyn.case.schema.analyses import (
     AnalysesEntry,
@@ -40,6 +27,15 @@ from rotordyn.case.schema.analyses import (
 )
 from rotordyn.case.schema.conditions import ConditionsEntry
 from rotordyn.case.schema.loads import BalanceGradeEntry, SectionForcesEntry, UnbalanceResponseEntry
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.loads import (
+    BalanceGrade,
+    EccentricSpan,
+    LineLoad,
+    PointLoad,
+    TwistLimit,
+    Unbalance,
+)
 
 
 def conditions(entry: ConditionsEntry) -> Conditions:

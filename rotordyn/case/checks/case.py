@@ -6,7 +6,7 @@ import math
 from collections.abc import Sequence
 from contextlib import suppress
 
-from rotordyn.analysis.bearing_specs import LISTS, contradictions
+from rotordyn.analyses.bearing.spec import LISTS, contradictions
 from rotordyn.case.agreement import (
     MOST_ELEMENTS,
     NEEDS_BEARINGS,

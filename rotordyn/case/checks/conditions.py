@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rotordyn.analysis.formulation import ROTATING
 from rotordyn.case.agreement import moved_along
 from rotordyn.case.build.sweep import values
 from rotordyn.case.faults import Faults
@@ -13,6 +12,7 @@ from rotordyn.case.schema.case import CaseEntry
 from rotordyn.case.schema.conditions import ConditionsEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.machine.support import LinearSupport, coupled_motions, entry_name
+from rotordyn.scene.formulation import ROTATING
 
 
 def conditions(

@@ -5,8 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from contextlib import suppress
 
-from rotordyn.analysis.formulation import ROTATING, turned
-from rotordyn.analysis.specs import QUANTITIES
+from rotordyn.analyses.frf.spec import QUANTITIES
 from rotordyn.case.agreement import uncoupled
 from rotordyn.case.build.spindle import housing
 from rotordyn.case.build.sweep import values
@@ -19,6 +18,7 @@ from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.housing import housed_motions
 from rotordyn.machine.support import MOTIONS, LinearSupport, coupled_motions
+from rotordyn.scene.formulation import ROTATING, turned
 
 WAY = ("analyses", "frf")
 _ALL_MOTIONS = frozenset(MOTIONS.values())

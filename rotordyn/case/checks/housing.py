@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from rotordyn.analysis.on_housings import directions_on_housings, obstacles_on_housings
 from rotordyn.case.checks.names import unique
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
@@ -15,6 +14,7 @@ from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.machine.held import housing_faults
 from rotordyn.machine.housing import carried_faults, place_faults, rigid_faults
 from rotordyn.machine.support import TABLED
+from rotordyn.scene.on_housings import directions_on_housings, obstacles_on_housings
 
 _OF_RIGID = ("x", "mass", "stiffness")
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from rotordyn.analysis.on_joints import obstacles_of_joints
 from rotordyn.case.build.joint import springs
 from rotordyn.case.checks.names import unique
 from rotordyn.case.faults import Faults
@@ -15,6 +14,7 @@ from rotordyn.case.schema.shaft import ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.machine.joint import joint_faults
 from rotordyn.machine.station import SLACK
+from rotordyn.scene.on_joints import obstacles_of_joints
 from rotordyn.units import format_quantity
 
 

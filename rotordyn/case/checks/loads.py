@@ -68,7 +68,7 @@ def elements(
     """Elements of a given length carry what is asked; nothing else may be wrong."""
     if entry.conditions.element_length is None:
         return
-    from rotordyn.analysis.resolution import beyond_elements
+    from rotordyn.analyses.resolution import beyond_elements
 
     own, asked = conditions(entry.conditions), questions(entry.analyses)
     top = max(values(entry.speeds), default=0.0)

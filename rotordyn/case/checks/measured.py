@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from rotordyn.analysis.formulation import ROTATING
-from rotordyn.analysis.specs import MeasuredResponse, Port
+from rotordyn.analyses.frf.spec import MeasuredResponse, Port
 from rotordyn.case.build.sweep import values
 from rotordyn.case.expand import Reader
 from rotordyn.case.measured import Record, read_record
@@ -13,6 +12,7 @@ from rotordyn.case.node import Node
 from rotordyn.case.schema.analyses import FrfEntry, MeasuredEntry
 from rotordyn.case.schema.case import CaseEntry
 from rotordyn.errors import InvalidInput
+from rotordyn.scene.formulation import ROTATING
 
 WAY = ("analyses", "frf", "measured")
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from rotordyn.analysis.on_rotors import joined_along, obstacles_of_rotors
 from rotordyn.case.checks.joint import joints
 from rotordyn.case.checks.names import unique
 from rotordyn.case.checks.shaft import (
@@ -23,6 +22,7 @@ from rotordyn.case.schema.rotor import RotorEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.machine.rotor import ends_faults, freedoms_held, misnamed, of_one_rotor, rotor_faults
 from rotordyn.machine.support import SPINDLE, LinearSupport, acts
+from rotordyn.scene.on_rotors import joined_along, obstacles_of_rotors
 
 
 def rotors(entry: SpindleEntry, root: Node, faults: Faults) -> None:

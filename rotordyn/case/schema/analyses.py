@@ -7,14 +7,10 @@ from typing import Annotated, Any, NamedTuple
 from pydantic import BeforeValidator, ConfigDict, Field, PlainValidator, WithJsonSchema
 
 from bearings.ball.law import DYNAMICS
-from rotordyn.analysis.bearing_specs import TANGENTS, TILTS
-from rotordyn.analysis.specs import (
-    MESH_FILES,
-    MOST_STEPS,
-    MOST_TEETH,
-    QUANTITIES,
-    VARIANTS,
-)
+from rotordyn.analyses.bearing.spec import TILTS
+from rotordyn.analyses.campbell.spec import MESH_FILES, MOST_TEETH
+from rotordyn.analyses.frf.spec import QUANTITIES
+from rotordyn.analyses.stiffness.spec import MOST_STEPS, VARIANTS
 from rotordyn.case.node import UNKNOWN
 from rotordyn.case.schema.base import Entry
 from rotordyn.case.schema.conditions import Tangent
@@ -43,6 +39,7 @@ from rotordyn.case.schema.values import (
 )
 from rotordyn.machine.support import FREEDOMS
 from rotordyn.quantity import suggestion
+from rotordyn.scene.conditions import TANGENTS
 
 
 class PreloadEntry(Entry):

@@ -6,11 +6,10 @@ import math
 from typing import Annotated
 
 from bearings.ball.law import KINEMATICS, MOMENT_SHARING
-from rotordyn.analysis.bearing_specs import TANGENTS
-from rotordyn.analysis.formulation import FORMULATIONS, INERTIAL
-from rotordyn.analysis.specs import BEARINGS, GRAVITY, ROTOR
 from rotordyn.case.schema.base import Entry
 from rotordyn.case.schema.values import Accuracy, Flag, Force, Friction, Length, choice
+from rotordyn.scene.conditions import BEARINGS, GRAVITY, ROTOR, TANGENTS
+from rotordyn.scene.formulation import FORMULATIONS, INERTIAL
 
 Kinematics = Annotated[str, choice(*KINEMATICS)]
 Tangent = Annotated[str, choice(*TANGENTS)]

@@ -6,8 +6,7 @@ from typing import Annotated, Any
 
 from pydantic import Field, PlainValidator, WithJsonSchema
 
-from rotordyn.analysis.loads import PHASES
-from rotordyn.analysis.specs import WEIGHT
+from rotordyn.analyses.section_forces.spec import WEIGHT
 from rotordyn.case.node import UNKNOWN
 from rotordyn.case.schema import shapes
 from rotordyn.case.schema.base import Entry
@@ -31,6 +30,7 @@ from rotordyn.case.schema.values import (
     wrong,
 )
 from rotordyn.quantity import STATION, Named
+from rotordyn.scene.loads import PHASES
 
 _station = QuantityReader(STATION)
 

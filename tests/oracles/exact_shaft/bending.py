@@ -14,11 +14,11 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import Port
+from rotordyn.analyses.frf.spec import Port
 from rotordyn.equation.mesh import station_mesh
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.support import coupled_motions
+from rotordyn.scene.scene import Scene
 from tests.oracles.exact_shaft.box import Box
 from tests.oracles.exact_shaft.circular import load, response
 from tests.oracles.exact_shaft.poles import ExactMode

@@ -11,10 +11,10 @@ import pytest
 import pyuff
 
 import rotordyn
+from rotordyn.analyses.frf.summary import measured_lines
 from rotordyn.case.measured import read_record
 from rotordyn.errors import InvalidInput
 from rotordyn.job import deliver, solve
-from rotordyn.report.measured import measured_lines
 
 pytestmark = pytest.mark.filterwarnings("ignore:unclosed file:ResourceWarning")
 PAIR = "left_disc.y / right_disc.y"

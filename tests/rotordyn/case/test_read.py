@@ -10,16 +10,12 @@ from pathlib import Path
 import pytest
 
 import rotordyn
-from rotordyn.analysis.specs import (
-    BearingMapSpec,
-    CampbellSpec,
-    Conditions,
-    ControlSpec,
-    FrfSpec,
-    Port,
-    PreloadSpec,
-    StiffnessSpec,
-)
+from rotordyn.analyses.bearing.spec import BearingMapSpec
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.control.spec import ControlSpec
+from rotordyn.analyses.frf.spec import FrfSpec, Port
+from rotordyn.analyses.preload.spec import PreloadSpec
+from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.case.build.questions import conditions, questions
 from rotordyn.case.schema.analyses import AnalysesEntry
 from rotordyn.case.schema.conditions import ConditionsEntry
@@ -29,6 +25,7 @@ from rotordyn.machine.growth import (
     PrescribedShortening,
     QuadraticInSpeed,
 )
+from rotordyn.scene.conditions import Conditions
 
 ROOT = Path(__file__).parents[3]
 RPM = math.pi / 30.0

@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 
 import rotordyn
 from bearings import STEEL
-from rotordyn.analysis import CampbellSpec, PreloadSpec
+from rotordyn.analyses import CampbellSpec, PreloadSpec
 from rotordyn.machine import RingGrowth, Spring
 from tests.oracles.spindles import case, mfw2310, with_sleeve
 

@@ -7,12 +7,13 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rotordyn.analysis.frf import answer
-from rotordyn.analysis.scene import Scene
-from rotordyn.analysis.specs import Conditions, FrfSpec
+from rotordyn.analyses.frf.solve import answer
+from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.equation.free_motion import free_motions
 from rotordyn.equation.linear import Linear
 from rotordyn.numerics.modes import modes
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.scene import Scene
 from tests.oracles.rotors import STEPPED, support
 from tests.oracles.spindles import RPM, pairs
 

@@ -11,7 +11,7 @@ import numpy as np
 import rotordyn
 from rotordyn.report.folder import is_ours
 from rotordyn.report.manifest import RunRecord, outcomes, write_record
-from tests.rotordyn.plots import samples
+from tests.rotordyn.figures import samples
 
 
 def _record(**changes):

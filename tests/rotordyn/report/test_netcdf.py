@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from rotordyn.analysis.result import declared
 from rotordyn.report.datasets import dataset
 from rotordyn.report.netcdf import read_results, write_results
 from rotordyn.report.variables import as_array
-from tests.rotordyn.plots import samples
+from rotordyn.results.declaration import declared
+from tests.rotordyn.figures import samples
 
 NAMES = ("preload", "campbell", "frf", "stiffness", "unbalance", "bearing")
 

@@ -12,10 +12,10 @@ from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.reference import Reference
 from rotordyn.report.side_by_side import comparison_summary
 from rotordyn.report.summary import HEIGHT, summary
-from rotordyn.report.text import WIDTH
 from rotordyn.report.warnings import result_warnings
+from rotordyn.results.text import WIDTH
 from tests.oracles.spindles import CASES
-from tests.rotordyn.plots import samples
+from tests.rotordyn.figures import samples
 
 APART = ("control", "unbalance")  # more than one screen with all else
 

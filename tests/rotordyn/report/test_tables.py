@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from rotordyn.report.tables import LAYOUTS, write_tables
-from tests.rotordyn.plots import samples
+from tests.rotordyn.figures import samples
 
 
 @pytest.fixture(scope="module")

@@ -7,8 +7,8 @@ from functools import cache
 import numpy as np
 import pytest
 
-from rotordyn.analysis.results import CampbellResult
-from rotordyn.analysis.specs import CampbellSpec
+from rotordyn.analyses.campbell.result import CampbellResult
+from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.job import solve
 from rotordyn.surface.motion import (
     STEEPEST,

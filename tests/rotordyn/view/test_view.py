@@ -10,7 +10,7 @@ import pytest
 from rotordyn.view import apart
 from rotordyn.view.apart import NoPictures, Rendering
 from rotordyn.view.order import Order
-from tests.rotordyn.plots import samples
+from tests.rotordyn.figures import samples
 
 FRAMES = 3
 COLOURS = {"forward": (0x00, 0x72, 0xB2), "backward": (0xD5, 0x5E, 0x00)}

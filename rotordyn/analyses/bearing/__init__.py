@@ -1,0 +1,1 @@
+"""A single bearing over load and speed."""

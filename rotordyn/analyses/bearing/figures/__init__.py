@@ -1,0 +1,1 @@
+"""Figures: a single bearing over load and speed."""

@@ -1,0 +1,85 @@
+"""Contacts of a single bearing around the ring, where balls differ."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rotordyn.analyses.bearing.figures.groove_ends import COLOURS, groove_ends, loaded_contacts
+from rotordyn.analyses.bearing.result import BearingMapResult
+from rotordyn.analyses.bearing.solve import under
+from rotordyn.figures.legends import top_legend
+from rotordyn.figures.style import FONT_SIZE, add_axes, grid_boxes, new_figure
+from rotordyn.results.display import DEGREE, RPM
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+MOST_COLUMNS = 3
+MARKS = dict(zip(COLOURS, ("o", "s", "o", "^", "v", "s"), strict=True))
+
+
+def azimuth_figure(result: BearingMapResult) -> Figure:
+    """Load and angle of every contact over the azimuth of its ball, at the last speed.
+
+    Columns: first, middle and last load that have a state; bars are the extents of the contact
+    ellipses, lines the ends of grooves.
+    """
+    figure = new_figure(168.0, 122.0)
+    solved = np.flatnonzero(result.outcome[-1] == "")
+    picks = solved[np.linspace(0, solved.size - 1, MOST_COLUMNS).round().astype(int)]
+    columns = list(dict.fromkeys(picks.tolist())) if solved.size else [0]
+    boxes = grid_boxes(figure, 2, len(columns), margins=(15.0, 4.0, 12.0, 10.0), gaps=(5.0, 6.0))
+    top = np.nanmax(result.contact_load[-1], initial=0.0) / 1e3
+    panels = []
+    for place, load in enumerate(columns):
+        first = place == 0
+        upper = add_axes(figure, boxes[place], "", "contact load [kN]" if first else "")
+        lower = add_axes(
+            figure,
+            boxes[len(columns) + place],
+            "azimuth of the ball, from y to z [deg]" if len(columns) < 3 else "azimuth [deg]",
+            "contact angle [deg]" if first else "",
+        )
+        _loads(upper, result, load)
+        _angles(lower, result, load)
+        upper.set_ylim(0.0, max(top, 1e-9) * 1.06)
+        words = f"{under(result, load, ' axial')}, {result.speed[-1] * RPM.factor:.0f} rpm"
+        upper.set_title(words, fontsize=FONT_SIZE, pad=3.0)
+        for axes in (upper, lower):
+            axes.set_xlim(-8.0, 368.0)
+            axes.set_xticks([0.0, 90.0, 180.0, 270.0, 360.0])
+        upper.tick_params(labelbottom=False, labelleft=first)
+        lower.tick_params(labelleft=first)
+        panels += [upper, lower]
+    top_legend(figure, *panels)
+    return figure
+
+
+def _loads(axes: Axes, result: BearingMapResult, load: int) -> None:
+    for place, name in loaded_contacts(result):
+        values = result.contact_load[-1, load, :, place]
+        axes.plot(
+            result.ball * DEGREE.factor,
+            np.where(values > 0.0, values, np.nan) / 1e3,
+            color=COLOURS[name],
+            marker=MARKS[name],
+            ms=2.6,
+            lw=0.9,
+            label=f"contact {name}",
+        )
+
+
+def _angles(axes: Axes, result: BearingMapResult, load: int) -> None:
+    for place, name in loaded_contacts(result):
+        low, middle, high = (
+            values[-1, load, :, place] * DEGREE.factor
+            for values in (result.ellipse_lower, result.contact_angle, result.ellipse_upper)
+        )
+        azimuth, colour = result.ball * DEGREE.factor, COLOURS[name]
+        axes.plot(azimuth, middle, color=colour, marker=MARKS[name], ms=2.6, lw=0.9)
+        axes.vlines(azimuth, low, high, color=colour, lw=2.2, alpha=0.28)
+    axes.vlines([], [], [], color="#888888", lw=2.2, alpha=0.5, label="extent of the ellipse")
+    groove_ends(axes, result)

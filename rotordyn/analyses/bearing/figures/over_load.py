@@ -1,0 +1,99 @@
+"""A single bearing over load and speed."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.bearing.result import BearingMapResult
+from rotordyn.analyses.bearing.solve import under
+from rotordyn.figures.curves import draw_runs
+from rotordyn.figures.labels import axis_label
+from rotordyn.figures.legends import legend, top_legend
+from rotordyn.figures.style import CYCLE, DASHES, add_axes, grid_boxes, new_figure, speed_ticks
+from rotordyn.results.display import DEGREE, GIGAPASCAL, RPM, STIFFNESS
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+FEW_SPEEDS = 3  # which are curves over load, not points of one over speed
+
+
+def over_load(result: BearingMapResult) -> bool:
+    """Whether curves run over the load, one per speed, as there are few speeds only."""
+    return result.load.size > result.speed.size and result.speed.size <= FEW_SPEEDS
+
+
+def bearing_figure(result: BearingMapResult) -> Figure:
+    """Axial and radial stiffness, contact angles and peak pressures, a colour per load.
+
+    Of few speeds over load, a colour per speed. Angles and pressures are those of the most loaded
+    ball where balls differ; with several contacts a race, the angle is that of their resultant.
+    """
+    figure = new_figure(168.0, 118.0)
+    own = "" if result.tangent[0] == "complete" else f", {result.tangent[0]}"
+    of = ", most loaded ball" if result.ball.size > 1 else ""
+    names = [f"stiffness Kxx{own} [N/µm]", f"stiffness Kyy{own} [N/µm]"]
+    angle = "contact angle" if len(result.contact) == 2 else "resultant angle"
+    names += [f"{angle}{of} [deg]", f"peak pressure{of} [GPa]"]
+    boxes = grid_boxes(figure, 2, 2, margins=(15.0, 6.0, 12.0, 8.0), gaps=(18.0, 5.0))
+    below = axis_label(result, "load") if over_load(result) else "speed [rpm]"
+    axes = [
+        add_axes(figure, box, below if place > 1 else "", name)
+        for place, (box, name) in enumerate(zip(boxes, names, strict=True))
+    ]
+    stiffness = result.stiffness * STIFFNESS.factor
+    _curves(axes[0], result, _entry(result, stiffness, "x"), label=True)
+    _curves(axes[1], result, _entry(result, stiffness, "y"))
+    for place, (inner, outer), factor in (
+        (2, (result.inner_angle, result.outer_angle), DEGREE.factor),
+        (3, (result.inner_pressure, result.outer_pressure), GIGAPASCAL.factor),
+    ):
+        _curves(axes[place], result, inner * factor, of_ball=True)
+        _curves(axes[place], result, outer * factor, dash=1, of_ball=True)
+    for place, each in enumerate(axes):
+        if not over_load(result):
+            speed_ticks(each, float(result.speed[-1] * RPM.factor))
+        each.tick_params(labelbottom=place > 1)
+        low, high = each.get_ylim()
+        each.set_ylim(min(0.0, low), high * 1.05)
+    for dash, race in enumerate(("inner race", "outer race")):
+        axes[2].plot([], [], color="#444444", ls=DASHES[dash], label=race)
+    top_legend(figure, axes[0])
+    legend(axes[2], loc="lower left")
+    return figure
+
+
+def _entry(
+    result: BearingMapResult, stiffness: NDArray[np.float64], freedom: str
+) -> NDArray[np.float64]:
+    at = result.dof.index(freedom)
+    return np.asarray(stiffness[:, :, 0, at, result.dof_other.index(freedom)])
+
+
+def _curves(
+    axes: Axes,
+    result: BearingMapResult,
+    values: NDArray[np.float64],
+    *,
+    of_ball: bool = False,
+    dash: int = 0,
+    label: bool = False,
+) -> None:
+    """A curve per load over speed, or per speed over load; ``of_ball``: the most loaded one."""
+    rpm, style = result.speed * RPM.factor, DASHES[dash]
+    ball = result.loaded_ball if of_ball else np.zeros_like(result.loaded_ball)
+    if over_load(result):
+        for row, speed in enumerate(rpm):
+            name = f"{speed:.0f} rpm" if label else None
+            colour = CYCLE[row % len(CYCLE)]
+            draw_runs(axes, result.load, values[row], ball[row], color=colour, ls=style, label=name)
+        return
+    for place in range(result.load.size):
+        name = under(result, place, " axial") if label else None
+        colour = CYCLE[place % len(CYCLE)]
+        own = ball[:, place]
+        draw_runs(axes, rpm, values[:, place], own, color=colour, ls=style, label=name)

@@ -1,0 +1,131 @@
+"""How far other tangents of a single bearing are from the complete one."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.bearing.result import BearingMapResult
+from rotordyn.analyses.bearing.solve import tangent_error, under
+from rotordyn.figures.labels import axis_label
+from rotordyn.figures.legends import legend, top_legend
+from rotordyn.figures.style import (
+    BLACK,
+    CYCLE,
+    FONT_SIZE,
+    GREY,
+    add_axes,
+    grid_boxes,
+    new_figure,
+    round_ticks,
+    speed_ticks,
+)
+from rotordyn.machine.reference import Reference
+from rotordyn.results.display import RPM
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+PERCENT = 100.0
+FREEDOMS = {"x": "Kxx", "y": "Kyy"}
+LEAST_LOADS = 5  # for a map
+COLOURS = "RdBu_r"
+
+
+def tangents_figure(result: BearingMapResult, references: Sequence[Reference] = ()) -> Figure:
+    """Relative difference of Kxx and Kyy over speed, a curve per load; maps where loads are many.
+
+    The first tangent besides the complete one is drawn in full, further ones by their largest
+    difference at each speed. ``references``: sizes of the frozen tangent's error of Kxx.
+    """
+    first, *further = [name for name in result.tangent if name != "complete"]
+    mapped = result.load.size >= LEAST_LOADS and result.speed.size > 1
+    figure = new_figure(168.0, 128.0 if mapped else 74.0)
+    boxes = grid_boxes(figure, 1 + mapped, 2, margins=(15.0, 6.0, 12.0, 8.0), gaps=(18.0, 15.0))
+    for place, (freedom, name) in enumerate(FREEDOMS.items()):
+        axes = add_axes(figure, boxes[place], "speed [rpm]", f"{name}, {first}: error [%]")
+        error = tangent_error(result, first, freedom) * PERCENT
+        _curves(axes, result, error)
+        if place == 0:
+            top_legend(figure, axes)
+            _unnamed(axes)
+        for other in further:
+            _largest(axes, result, other, freedom)
+        if first == "frozen" and freedom == "x":
+            _known(axes, references, error)
+        if place == 0:
+            legend(axes, loc="lower left")
+        if mapped:
+            _map(
+                add_axes(figure, boxes[2 + place], "speed [rpm]", axis_label(result, "load")),
+                result,
+                error,
+            )
+    return figure
+
+
+def _curves(axes: Axes, result: BearingMapResult, error: Array) -> None:
+    rpm = result.speed * RPM.factor
+    for column in range(result.load.size):
+        colour = CYCLE[column % len(CYCLE)]
+        axes.plot(rpm, error[:, column], color=colour, label=under(result, column))
+    speed_ticks(axes, float(rpm[-1]))
+
+
+def _unnamed(axes: Axes) -> None:
+    """The lines drawn so far stay out of further legends."""
+    for line in axes.lines:
+        line.set_label("_")
+
+
+def _largest(axes: Axes, result: BearingMapResult, tangent: str, freedom: str) -> None:
+    """The largest difference of a tangent over all loads."""
+    error = np.fmax.reduce(np.abs(tangent_error(result, tangent, freedom)), axis=1) * PERCENT
+    rpm = result.speed * RPM.factor
+    axes.plot(rpm, error, color=GREY, ls="--", label=f"{tangent}: largest of all loads")
+
+
+def _known(axes: Axes, references: Sequence[Reference], error: Array) -> None:
+    """Sizes known from elsewhere, on the side of our own largest error."""
+    known = np.nan_to_num(error).ravel()
+    side = -1.0 if known[np.abs(known).argmax()] < 0.0 else 1.0
+    for reference in dict.fromkeys(references):
+        if reference.quantity == "frozen_error":
+            axes.plot(
+                np.asarray(reference.speeds) * RPM.factor,
+                side * PERCENT * np.asarray(reference.values),
+                marker="D",
+                mfc="none",
+                mec=BLACK,
+                ls="none",
+                clip_on=False,
+                label=f"{reference.kind}: size",
+            )
+
+
+def _map(axes: Axes, result: BearingMapResult, error: Array) -> None:
+    """Labelled lines of equal error over speed and load, and where it is largest."""
+    size = float(np.nanmax(np.abs(error)))
+    rpm = result.speed * RPM.factor
+    axes.grid(visible=False)
+    speed_ticks(axes, float(rpm[-1]))
+    axes.set_ylim(float(result.load[0]), float(result.load[-1]))
+    if size < 1e-6:
+        axes.text(0.5, 0.5, "no difference", ha="center", transform=axes.transAxes)
+        return
+    levels = [v for v in round_ticks(float(np.nanmin(error)), float(np.nanmax(error)), 9) if v]
+    shown = np.ma.masked_invalid(error.T)
+    axes.contourf(rpm, result.load, shown, 40, cmap=COLOURS, vmin=-size, vmax=size)
+    lines = axes.contour(rpm, result.load, shown, levels, colors=BLACK, linewidths=0.6)
+    axes.clabel(lines, fmt="%g", fontsize=FONT_SIZE - 1.5)
+    row, column = np.unravel_index(np.nanargmax(np.abs(error)), error.shape)
+    peak = f"lines: error [%]; largest {error[row, column]:+.1f} % at {rpm[row]:.0f} rpm, "
+    axes.set_title(peak + under(result, int(column)), fontsize=FONT_SIZE - 1.0, pad=3.0)
+    axes.plot(
+        rpm[row], result.load[column], marker="x", color=BLACK, mew=1.4, clip_on=False, zorder=6
+    )

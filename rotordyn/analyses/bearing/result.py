@@ -1,0 +1,111 @@
+"""What is answered of a single bearing over load and speed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.results.declaration import coordinate, quantity
+from rotordyn.results.display import MILLIMETRE
+from rotordyn.results.kinds import Array, Flags, Words
+
+BY_LOAD = ("speed", "load")
+BY_CONTACT = (*BY_LOAD, "ball", "contact")
+
+
+@dataclass(frozen=True)
+class BearingMapResult:
+    """A single bearing over axial load and speed; stiffness with tilts blocked.
+
+    What belongs to a ball (``inner_angle`` … ``control_agrees``) is that of ``loaded_ball``, the
+    one with the largest contact load, counted from 0. ``ball``: azimuth, from y towards z, of the
+    balls that results by contact have: all of them where balls differ, else one. Without load a
+    contact has no angle and no ellipse ends (NaN). ``truncated``: share of the major axis of the
+    contact ellipse outside its groove; ``shoulder_angle`` and ``middle_angle``: where grooves end,
+    NaN where no diameter of the shoulder is known, or where the groove has one arc.
+    """
+
+    speed: Array = coordinate("speed", unit="rad/s", label="speed")
+    load: Array = coordinate("load", unit="N", label="axial load")
+    tangent: Words = coordinate("tangent", unit="", label="tangent")
+    dof: Words = coordinate("dof", unit="", label="freedom")
+    dof_other: Words = coordinate("dof_other", unit="", label="freedom")
+    ball: Array = coordinate("ball", unit="rad", label="azimuth of the ball")
+    contact: Words = coordinate("contact", unit="", label="contact")
+    outcome: NDArray[np.str_] = quantity(*BY_LOAD, unit="", label="outcome")
+    deflection: Array = quantity(*BY_LOAD, unit="m", label="axial deflection")
+    radial_deflection: Array = quantity(*BY_LOAD, unit="m", label="radial deflection")
+    tilt: Array = quantity(*BY_LOAD, unit="rad", label="tilt about z")
+    stiffness: Array = quantity(
+        *("speed", "load", "tangent", "dof", "dof_other"),
+        unit="N/m, N/rad, N·m/rad",
+        label="stiffness",
+    )
+    loaded_ball: NDArray[np.int_] = quantity(
+        *BY_LOAD, unit="", label="ball of largest contact load"
+    )
+    inner_angle: Array = quantity(*BY_LOAD, unit="rad", label="inner contact angle")
+    outer_angle: Array = quantity(*BY_LOAD, unit="rad", label="outer contact angle")
+    inner_load: Array = quantity(*BY_LOAD, unit="N", label="inner ball load")
+    outer_load: Array = quantity(*BY_LOAD, unit="N", label="outer ball load")
+    inner_pressure: Array = quantity(*BY_LOAD, unit="Pa", label="inner peak pressure")
+    outer_pressure: Array = quantity(*BY_LOAD, unit="Pa", label="outer peak pressure")
+    centrifugal_force: Array = quantity(*BY_LOAD, unit="N", label="centrifugal force")
+    gyroscopic_moment: Array = quantity(*BY_LOAD, unit="N·m", label="gyroscopic moment")
+    inner_grip: Array = quantity(*BY_LOAD, unit="1", label="grip needed, inner race")
+    outer_grip: Array = quantity(*BY_LOAD, unit="1", label="grip needed, outer race")
+    slipping: NDArray[np.str_] = quantity(*BY_LOAD, unit="", label="race that slips")
+    inner_spin_to_roll: Array = quantity(*BY_LOAD, unit="1", label="spin-to-roll ratio, inner race")
+    outer_spin_to_roll: Array = quantity(*BY_LOAD, unit="1", label="spin-to-roll ratio, outer race")
+    control: NDArray[np.str_] = quantity(*BY_LOAD, unit="", label="controlling race")
+    control_agrees: Flags = quantity(*BY_LOAD, unit="", label="kinematics agrees")
+    contacts: NDArray[np.int_] = quantity(*BY_LOAD, "ball", unit="", label="loaded contacts")
+    contact_load: Array = quantity(*BY_CONTACT, unit="N", label="contact load")
+    contact_angle: Array = quantity(*BY_CONTACT, unit="rad", label="contact angle")
+    contact_pressure: Array = quantity(*BY_CONTACT, unit="Pa", label="peak pressure")
+    ellipse_length: Array = quantity(
+        "speed",
+        "load",
+        "ball",
+        "contact",
+        unit="m",
+        label="half-length of the ellipse",
+        printed=MILLIMETRE,
+    )
+    ellipse_width: Array = quantity(
+        "speed",
+        "load",
+        "ball",
+        "contact",
+        unit="m",
+        label="half-width of the ellipse",
+        printed=MILLIMETRE,
+    )
+    ellipse_lower: Array = quantity(*BY_CONTACT, unit="rad", label="lower end of the ellipse")
+    ellipse_upper: Array = quantity(*BY_CONTACT, unit="rad", label="upper end of the ellipse")
+    truncated: Array = quantity(
+        "speed",
+        "load",
+        "ball",
+        "contact",
+        unit="1",
+        label="share of the ellipse outside the groove",
+    )
+    shoulder_angle: Array = quantity("contact", unit="rad", label="angle of the shoulder")
+    middle_angle: Array = quantity("contact", unit="rad", label="angle of the groove's middle")
+
+
+@dataclass(frozen=True)
+class RadialMapResult(BearingMapResult):
+    """The same over radial load along y."""
+
+    load: Array = coordinate("load", unit="N", label="radial load")
+
+
+@dataclass(frozen=True)
+class MomentMapResult(BearingMapResult):
+    """The same over the moment about z."""
+
+    load: Array = coordinate("load", unit="N·m", label="moment")

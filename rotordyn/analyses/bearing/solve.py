@@ -1,0 +1,156 @@
+"""A single bearing over load and speed."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import bearings
+from bearings.bearing import BallBearing
+from bearings.ring.state import BearingState
+from rotordyn.analyses.bearing.result import BearingMapResult, MomentMapResult, RadialMapResult
+from rotordyn.analyses.bearing.spec import AXIAL, FIXED, MOMENT, RADIAL, BearingMapSpec
+from rotordyn.errors import NoSolution
+from rotordyn.machine.limits import HIGHEST_PRESSURE
+from rotordyn.results.balls import BALL_QUANTITIES, FREEDOMS
+from rotordyn.results.declaration import declared
+from rotordyn.results.display import RPM
+from rotordyn.results.kinds import Array
+from rotordyn.scene.conditions import Conditions
+
+SHOWN = (*BALL_QUANTITIES, "inner_spin_to_roll", "outer_spin_to_roll")
+RESULTS = {AXIAL: BearingMapResult, RADIAL: RadialMapResult, MOMENT: MomentMapResult}
+PLACES = {AXIAL: 0, RADIAL: 1, MOMENT: 4}  # of a component in (Fx, Fy, Fz, My, Mz)
+TILTS = [3, 4]
+
+
+def answer(
+    bearing: BallBearing, conditions: Conditions, speed: Array, spec: BearingMapSpec
+) -> BearingMapResult:
+    """State and tangent of ``bearing`` at every speed and load.
+
+    Raises
+    ------
+    NoSolution : no combination has a physical state
+    """
+    state = _solved(bearing, conditions, speed, spec)
+    outcome = _outcomes(speed, spec, state)
+    if (outcome != "").all():
+        raise NoSolution(f"no load and speed of the case has a state: {outcome.flat[0]}")
+    good = outcome == ""
+    most = np.argmax(np.nan_to_num(state.contact_load).max(axis=-1), axis=-1)
+
+    def there(values: NDArray[Any]) -> NDArray[Any]:
+        """Of the ball with the largest contact load."""
+        return np.take_along_axis(values, most[..., None], axis=-1)[..., 0]
+
+    tangents = [bearings.stiffness(state, t) for t in spec.tangents]
+    balls: dict[str, Any] = {n: _where(outcome, there(getattr(state, n))) for n in SHOWN}
+    moved = _where(outcome, state.displacement)
+    return RESULTS[spec.swept](
+        speed=speed,
+        load=np.array(spec.values),
+        tangent=spec.tangents,
+        dof=FREEDOMS,
+        dof_other=FREEDOMS,
+        outcome=outcome,
+        deflection=moved[..., 0],
+        radial_deflection=moved[..., 1],
+        tilt=moved[..., 4],
+        stiffness=_where(outcome, np.stack(tangents, axis=2)),
+        loaded_ball=most,
+        slipping=np.where(good, there(state.slipping), ""),
+        control=np.where(good, there(state.control), ""),
+        control_agrees=good & there(state.control_agrees),
+        **balls,
+        **_contacts(bearing, state, outcome, spec),
+    )
+
+
+def _solved(
+    bearing: BallBearing, conditions: Conditions, speed: Array, spec: BearingMapSpec
+) -> BearingState:
+    loads = np.zeros((len(speed), len(spec.values), 5))
+    for component, place in PLACES.items():
+        loads[..., place] = getattr(spec, FIXED[component])
+    loads[..., PLACES[spec.swept]] = spec.values
+    held = None
+    if spec.tilt == "blocked":
+        loads[..., TILTS] = np.nan
+        held = np.where(np.isnan(loads), 0.0, np.nan)
+    return bearing.equilibrium(
+        load=loads,
+        displacement=held,
+        speed=speed[:, None] if conditions.bearings == "dynamic" else 0.0,
+        static_growth=spec.static_growth,
+        kinematics=conditions.kinematics,
+        moment_sharing=conditions.moment_sharing,
+        friction=conditions.law.friction,
+        dynamics=spec.dynamics,
+    )
+
+
+def _contacts(
+    bearing: BallBearing, state: BearingState, outcome: NDArray[np.str_], spec: BearingMapSpec
+) -> dict[str, Any]:
+    """What results have by contact: of all balls where they differ, else of one."""
+    count = bearing.balls if spec.combined else 1
+    cut = bearings.truncation(state)
+    by_contact = {
+        "contact_load": state.contact_load,
+        "contact_angle": state.contact_angle,
+        "contact_pressure": state.contact_pressure,
+        "ellipse_length": cut.major,
+        "ellipse_width": cut.minor,
+        "ellipse_lower": cut.lower_end,
+        "ellipse_upper": cut.upper_end,
+        "truncated": cut.lost,
+    }
+    return {
+        "ball": 2.0 * np.pi / bearing.balls * np.arange(count),
+        "contact": bearing.contact_names,
+        "contacts": np.where((outcome == "")[..., None], state.contacts[..., :count], 0),
+        "shoulder_angle": cut.shoulder_angle,
+        "middle_angle": cut.middle_angle,
+        **{name: _where(outcome, each[..., :count, :]) for name, each in by_contact.items()},
+    }
+
+
+def under(result: BearingMapResult, place: int, axial: str = "") -> str:
+    """A load of the list in words: 250 N (with ``axial`` behind it), 2000 N radial, 300 N·m."""
+    unit = declared(result)["load"].metadata["unit"]
+    words = f"{result.load[place]:g} {unit}"
+    if isinstance(result, RadialMapResult):
+        return f"{words} radial"
+    return words if isinstance(result, MomentMapResult) else words + axial
+
+
+def tangent_error(result: BearingMapResult, tangent: str, freedom: str) -> Array:
+    """Diagonal entry of ``tangent`` over that of the complete tangent, less 1 (speeds, loads)."""
+    own, complete = (result.tangent.index(name) for name in (tangent, "complete"))
+    place = result.dof.index(freedom)
+    entry = result.stiffness[..., place, place]
+    return np.asarray(entry[..., own] / entry[..., complete] - 1.0)
+
+
+def _outcomes(speed: Array, spec: BearingMapSpec, state: BearingState) -> NDArray[np.str_]:
+    """Empty where a state counts, else a sentence with its speed and load (speeds, loads)."""
+    peak = np.fmax(state.inner_pressure, state.outer_pressure).max(axis=-1)
+    words = np.where(
+        peak > HIGHEST_PRESSURE,
+        f"overloaded (peak pressure above {HIGHEST_PRESSURE / 1e9:g} GPa)",
+        state.outcome,
+    ).astype(object)
+    unit = {AXIAL: "N", RADIAL: "N radial", MOMENT: "N·m"}[spec.swept]
+    for row, column in np.argwhere(words != ""):
+        rpm = speed[row] * RPM.factor
+        words[row, column] += f" at {rpm:.0f} rpm under {spec.values[column]:g} {unit}"
+    return words.astype(str)
+
+
+def _where(outcome: NDArray[np.str_], values: Array) -> Array:
+    """Values where the state counts, NaN where the outcome says why it does not."""
+    good = (outcome == "").reshape(outcome.shape + (1,) * (values.ndim - outcome.ndim))
+    return np.where(good, values, np.nan)

@@ -1,0 +1,100 @@
+"""A single bearing over load and speed in words: stiffness, contacts, ellipses cut off."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.bearing.result import BearingMapResult
+from rotordyn.analyses.bearing.solve import under
+from rotordyn.results.display import DEGREE, RPM, STIFFNESS
+from rotordyn.results.text import INDENT, from_to
+
+Array = NDArray[np.float64]
+RINGS = {"i": "inner", "o": "outer"}
+
+
+def bearing_lines(result: BearingMapResult) -> list[str]:
+    """Stiffness at each load at the first and last speed, then how balls touch their grooves."""
+    lines = _stiffness(result)
+    if result.ball.size > 1 or len(result.contact) > 2:
+        lines += _contacts(result)
+    return lines
+
+
+def cut_off(result: BearingMapResult) -> list[str]:
+    """A sentence for each ring whose groove ends within a contact ellipse at some load."""
+    found = []
+    for letter, ring in RINGS.items():
+        here = [k for k, name in enumerate(result.contact) if name.startswith(letter)]
+        upper, lower = result.ellipse_upper[..., here], result.ellipse_lower[..., here]
+        lost = np.nan_to_num(result.truncated[..., here])
+        for what, beyond in (
+            ("the shoulder", np.abs(_farther(upper, lower)) > result.shoulder_angle[here]),
+            ("the middle of the groove", lower < result.middle_angle[here]),
+        ):
+            share = np.where(beyond, lost, 0.0).max(axis=(2, 3))
+            if not share.any():
+                continue
+            column = int(np.flatnonzero(share.any(axis=0))[0])
+            rpm = result.speed[np.flatnonzero(share[:, column])[0]] * RPM.factor
+            found.append(
+                f"contact ellipse passes {what} of the {ring} ring, first under "
+                f"{under(result, column)} at {rpm:.0f} rpm, up to {100.0 * share.max():.2g} % of "
+                "its length lost"
+            )
+    return found
+
+
+def _farther(upper: Array, lower: Array) -> Array:
+    return np.where(np.abs(lower) > np.abs(upper), lower, upper)
+
+
+def _stiffness(result: BearingMapResult) -> list[str]:
+    speeds = from_to(result.speed * RPM.factor, 0)
+    name = "" if result.tangent[0] == "complete" else f" ({result.tangent[0]} tangent)"
+    lines = [f"stiffness  [N/µm] of the bearing, tilts blocked, at {speeds} rpm{name}"]
+    stiffness = result.stiffness[:, :, 0] * STIFFNESS.factor
+    for k in range(len(result.load)):
+        words = [word for word in result.outcome[:, k] if word]
+        if len(words) == len(result.speed):
+            lines.append(f"{INDENT}{under(result, k)}: {words[0]}")
+            continue
+        axial, radial = (from_to(stiffness[:, k, i, i]) for i in (0, 1))
+        pressure = np.nanmax(np.fmax(result.inner_pressure, result.outer_pressure)[:, k]) / 1e9
+        lines.append(
+            f"{INDENT}{under(result, k)}: axial {axial}, radial {radial}; pressure up to "
+            f"{pressure:.2f} GPa"
+        )
+    return lines
+
+
+def _contacts(result: BearingMapResult) -> list[str]:
+    """Of the most loaded ball at the first and last load, at the last speed."""
+    rpm = result.speed[-1] * RPM.factor
+    lines = [f"contacts   of the most loaded ball, at {rpm:.0f} rpm"]
+    for k in dict.fromkeys((0, len(result.load) - 1)):
+        if result.outcome[-1, k]:
+            continue
+        ball = int(result.loaded_ball[-1, k]) if result.ball.size > 1 else 0
+        place = f"ball {ball} at {result.ball[ball] * DEGREE.factor:.0f}°: "
+        parts = [
+            f"{name} {load:.0f} N at {angle * DEGREE.factor:.1f}°"
+            for name, load, angle in zip(
+                result.contact,
+                result.contact_load[-1, k, ball],
+                result.contact_angle[-1, k, ball],
+                strict=True,
+            )
+            if load > 0.0
+        ]
+        lines.append(
+            f"{INDENT}{under(result, k)}: {place if result.ball.size > 1 else ''}"
+            f"{', '.join(parts)}; {_numbers(result.contacts[-1, k])} contacts a ball"
+        )
+    return lines
+
+
+def _numbers(counts: NDArray[np.int_]) -> str:
+    low, high = int(counts.min()), int(counts.max())
+    return f"{low}" if low == high else f"{low} to {high}"

@@ -1,0 +1,1 @@
+"""Damped modes over speed and their critical speeds."""

@@ -1,0 +1,1 @@
+"""Figures: damped modes over speed and their critical speeds."""

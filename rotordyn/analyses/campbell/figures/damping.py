@@ -1,0 +1,73 @@
+"""Damping ratio of the modes over speed, where some of them grow by themselves."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rotordyn.analyses.campbell.result import CampbellResult
+from rotordyn.figures.legends import top_legend
+from rotordyn.figures.style import BLACK, CYCLE, FONT_SIZE, GREY, add_axes, new_figure, speed_ticks
+from rotordyn.results.display import RPM
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+LABEL = "damping ratio [%]"
+BACKWARD = (0, (5, 2))
+ROOM = 1.3  # times the largest damping of modes that grow somewhere: more is not drawn
+
+
+def damping_figure(result: CampbellResult) -> Figure:
+    """A line per mode, dashed for backward whirl, and the speed from which one grows."""
+    figure = new_figure(168.0, 90.0)
+    axes = add_axes(figure, (15.0, 11.0, 147.0, 66.0), "speed [rpm]", LABEL)
+    speed_ticks(axes, float(result.speed[-1]) * RPM.factor, 8)
+    axes.set_ylim(*limits([result]))
+    draw_damping(axes, result)
+    top_legend(figure, axes)
+    return figure
+
+
+def draw_damping(axes: Axes, result: CampbellResult) -> None:
+    """Curves within the limits of the axes."""
+    rpm = result.speed * RPM.factor
+    axes.axhline(0.0, color=BLACK, lw=0.8)
+    colours: dict[str, str] = {}
+    for name, ratio, whirl in zip(result.mode, result.damping_ratio.T, result.whirl.T, strict=True):
+        if not np.any(ratio * 100.0 < axes.get_ylim()[1]):
+            continue
+        family = name.removesuffix(" forward").removesuffix(" backward")
+        colour = colours.setdefault(family, CYCLE[len(colours) % len(CYCLE)])
+        back = np.nanmean(whirl) < 0.0
+        axes.plot(
+            rpm, ratio * 100.0, color=colour, ls=BACKWARD if back else "-", lw=1.2, label=name
+        )
+    threshold = result.stability_threshold * RPM.factor
+    if math.isfinite(threshold):
+        axes.axvline(threshold, color=GREY, lw=0.8, ls=":")
+        right = threshold > 0.6 * rpm[-1]
+        axes.annotate(
+            f"{threshold:.0f} rpm",
+            (threshold, 0.94),
+            xycoords=("data", "axes fraction"),
+            xytext=(-3.0 if right else 3.0, 0.0),
+            textcoords="offset points",
+            ha="right" if right else "left",
+            fontsize=FONT_SIZE - 1.0,
+        )
+
+
+def limits(results: Sequence[CampbellResult]) -> tuple[float, float]:
+    """Of the damping ratio [%], for modes that grow somewhere."""
+    growing = {name for r in results for name in np.array(r.mode)[r.unstable.any(axis=0)]}
+    seen = [
+        r.damping_ratio[:, [name in growing for name in r.mode]].ravel() * 100.0 for r in results
+    ]
+    values = np.concatenate(seen)
+    high = ROOM * max(float(np.nanmax(values)), 0.0)
+    return min(ROOM * float(np.nanmin(values)), -high / 4.0), high

@@ -1,0 +1,64 @@
+"""What may be compared of modes over speed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+
+from rotordyn.analyses.campbell.result import CampbellResult
+from rotordyn.machine.reference import Reference
+from rotordyn.results.frames import turning
+from rotordyn.results.kinds import Array
+from rotordyn.results.known import SAME_SPEED, column
+
+
+def bending_frequencies(result: CampbellResult, speed: float) -> Array:
+    """Bending frequencies [Hz] at the nearest ``speed``, ascending; equal ones count once."""
+    values = _frequencies(result, speed, "bending")
+    return values[np.diff(values, prepend=-np.inf) > 1e-4 * values]
+
+
+def mean_bending_frequencies(result: CampbellResult, speed: float) -> Array:
+    """Of each bending mode the mean of backward and forward [Hz] at the nearest ``speed``."""
+    backward, forward = (_frequencies(result, speed, "bending", whirl) for whirl in (-1.0, 1.0))
+    pairs = min(backward.size, forward.size)
+    return (backward[:pairs] + forward[:pairs]) / 2.0
+
+
+def torsion_frequencies(result: CampbellResult, speed: float) -> Array:
+    """Torsional frequencies [Hz] at the nearest ``speed``, ascending."""
+    return _frequencies(result, speed, "torsion")
+
+
+def _frequencies(
+    result: CampbellResult, speed: float, kind: str, whirl: float | None = None
+) -> Array:
+    """Frequencies [Hz] of one kind, and of one whirl if given, at the nearest speed, ascending."""
+    at = int(np.argmin(np.abs(result.speed - speed)))
+    chosen = np.array([own == kind for own in result.kind], bool)
+    if whirl is not None:
+        chosen &= result.whirl[at] == whirl
+    values = np.sort(result.frequency[at, chosen])
+    return values[np.isfinite(values)]
+
+
+def known_frequencies(result: CampbellResult, reference: Reference) -> Array | None:
+    """Of the one mode that is the subject at each speed, or of all modes at the one speed."""
+    speeds = np.asarray(reference.speeds, float)
+    if turning(result) and speeds.any():
+        return None  # known ones belong to the fixed frame
+    if reference.subject:
+        kind = reference.quantity.partition("_")[0]
+        return column(speeds, result, "frequency", "mode", f"{kind} {reference.subject}")
+    if np.abs(result.speed - speeds[0]).min() > SAME_SPEED * result.speed[-1]:
+        return np.full(speeds.size, np.nan)
+    found = MODES[reference.quantity](result, float(speeds[0]))[: speeds.size]
+    return np.concatenate([found, np.full(speeds.size - found.size, np.nan)])
+
+
+MODES: dict[str, Callable[[CampbellResult, float], Array]] = {
+    "bending_frequency": bending_frequencies,
+    "mean_bending_frequency": mean_bending_frequencies,
+    "torsion_frequency": torsion_frequencies,
+}

@@ -1,0 +1,121 @@
+"""Free motions over speed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+
+from rotordyn.modes.overdamped import ROUNDING, is_overdamped
+from rotordyn.results.declaration import coordinate, quantity
+from rotordyn.results.display import MILLIMETRE
+from rotordyn.results.kinds import Array, Complex, Flags, Words
+
+
+@dataclass(frozen=True)
+class CampbellResult:
+    """Damped modes over speed, each followed by its shape.
+
+    ``whirl``: +1 forward, −1 backward, 0 none (axial, torsion, or planar motion);
+    ``whirl_degree``: share of the kinetic energy in forward circular motion less that in backward,
+    from −1 to 1. ``decrement``: logarithmic, −2π Re λ / |Im λ|. ``kind``: ``"bending"``,
+    ``"axial"`` or ``"torsion"``; ``rigid_share``: of the kinetic energy, in motions of a rigid
+    shaft; ``character``: the kind, as a rigid-body motion where that is most of it.
+    ``shape``: displacements of the nodes at the speeds ``shape_speed``, scaled to a largest
+    translation (or rotation) of 1, complex.
+    ``pole``: λ of e^(λt) with Im λ ≥ 0. ``overdamped``: its damping ratio is above ``OVERDAMPED``,
+    so that the motion hardly swings. ``unsettled``: what still changes by more than the accuracy
+    asked for as the model is refined, a sentence, or "".
+    ``stability_threshold``: lowest speed of the range at which a mode begins to grow, infinite
+    where none does; ``first_to_grow``: that mode, or "". ``rotor``: the spindle's shaft and further
+    rotors, at ``speed_ratio`` times its speed; ``node_rotor``: the one that a node is of; whirl is
+    forward the way the spindle turns. ``engine_order``: those whose critical speeds were sought;
+    ``critical``: the mode that turns at ``critical_order`` times
+    the speed of ``critical_rotor`` where the spindle has ``critical_speed``, with its kind and
+    damping ratio there; all are told where it turns at ``max_frequency`` at most;
+    ``critical_whirl``: forward, backward, planar, or mixed where parts of the shaft whirl either
+    way; ``critical_excited``: false where a force that turns with the shaft does no work on it
+    (order 1; axial, torsion, backward whirl of an isotropic rotor); a force of another order may
+    point anywhere.
+    """
+
+    turning_frame: ClassVar[bool] = False
+
+    speed: Array = coordinate("speed", unit="rad/s", label="speed")
+    mode: Words = coordinate("mode", unit="", label="mode")
+    node: Array = coordinate("node", unit="m", label="station", printed=MILLIMETRE)
+    dof: Words = coordinate("dof", unit="", label="freedom")
+    rotor: Words = coordinate("rotor", unit="", label="rotor")
+    shape_speed: Array = coordinate("shape_speed", unit="rad/s", label="speed of the shapes")
+    critical: Words = coordinate("critical", unit="", label="critical speed")
+    engine_order: Array = coordinate("engine_order", unit="1", label="engine order")
+    outcome: Words = quantity("speed", unit="", label="outcome")
+    frequency: Array = quantity("speed", "mode", unit="Hz", label="damped frequency")
+    frequency_error: Array = quantity(
+        "speed", "mode", unit="1", label="estimated relative error of the frequency"
+    )
+    damping_error: Array = quantity(
+        "speed", "mode", unit="1", label="estimated error of the damping ratio"
+    )
+    max_frequency: float = quantity(unit="Hz", label="modes and critical speeds up to")
+    unsettled: str = quantity(unit="", label="what changes as the model is refined")
+    pole: Complex = quantity("speed", "mode", unit="rad/s", label="pole")
+    free: Array = quantity(
+        "speed", unit="1", label="eigenvalues at zero, of motions that nothing holds: no modes"
+    )
+    node_rotor: Words = quantity("node", unit="", label="rotor of the node")
+    speed_ratio: Array = quantity("rotor", unit="1", label="speed over that of the spindle")
+    damping_ratio: Array = quantity("speed", "mode", unit="1", label="damping ratio")
+    overdamped: Flags = quantity("speed", "mode", unit="", label="overdamped")
+    decrement: Array = quantity("speed", "mode", unit="1", label="logarithmic decrement")
+    whirl: Array = quantity("speed", "mode", unit="1", label="whirl direction")
+    whirl_degree: Array = quantity("speed", "mode", unit="1", label="forward less backward share")
+    rigid_share: Array = quantity("speed", "mode", unit="1", label="share of rigid-body motion")
+    kind: Words = quantity("mode", unit="", label="kind")
+    character: Words = quantity("mode", unit="", label="character")
+    shape: Complex = quantity("shape_speed", "mode", "node", "dof", unit="1", label="mode shape")
+    stability_threshold: float = quantity(unit="rad/s", label="speed from which a mode grows")
+    first_to_grow: str = quantity(unit="", label="mode that grows from there")
+    critical_speed: Array = quantity("critical", unit="rad/s", label="critical speed")
+    critical_rotor: Words = quantity("critical", unit="", label="rotor that excites")
+    critical_order: Array = quantity("critical", unit="1", label="order of its rotation")
+    critical_kind: Words = quantity("critical", unit="", label="kind of critical speed")
+    critical_whirl: Words = quantity("critical", unit="", label="whirl at the critical speed")
+    critical_damping: Array = quantity("critical", unit="1", label="damping ratio there")
+    critical_excited: Flags = quantity("critical", unit="", label="excited by what turns")
+
+    @property
+    def unstable(self) -> Flags:
+        """Where a mode grows by itself (speeds, modes)."""
+        return np.asarray(self.damping_ratio < -ROUNDING)
+
+    @property
+    def mostly_overdamped(self) -> Flags:
+        """Modes (modes,) overdamped at most speeds: counted, neither drawn nor listed."""
+        return is_overdamped(self.damping_ratio)
+
+    @property
+    def largest_error(self) -> float:
+        """Of the frequencies where modes swing; those that hardly do are left out."""
+        swinging = ~self.mostly_overdamped & ~self.overdamped
+        return float(np.nanmax(np.where(swinging, self.frequency_error, 0.0), initial=0.0))
+
+
+@dataclass(frozen=True)
+class TurningCampbellResult(CampbellResult):
+    """The same with bending seen from the frame that turns with the shaft.
+
+    A mode that whirls at ω (its sign the direction) in the fixed frame has |ω − Ω| there. Its
+    ``whirl``, ``damping_ratio`` and ``shape`` stay those of the fixed frame, and so do axial motion
+    and torsion. Synchronous forward whirl stands still: a critical speed is where it meets 0.
+    """
+
+    turning_frame: ClassVar[bool] = True
+
+    frequency: Array = quantity(
+        "speed", "mode", unit="Hz", label="damped frequency in the turning frame"
+    )
+    frequency_error: Array = quantity(
+        "speed", "mode", unit="1", label="estimated error over the frequency in the fixed frame"
+    )

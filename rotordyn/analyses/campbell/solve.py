@@ -1,0 +1,122 @@
+"""Damped eigenfrequencies over speed, each mode followed by its shape."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.campbell.result import CampbellResult, TurningCampbellResult
+from rotordyn.analyses.campbell.shapes import scaled
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.campbell.threshold import stability_threshold
+from rotordyn.equation.dofs import DIRECTIONS
+from rotordyn.modes.band import Band
+from rotordyn.modes.branches import Branch, branches_of
+from rotordyn.modes.character import character, rigid_share
+from rotordyn.modes.criticals import critical_speeds
+from rotordyn.modes.errors import mode_errors
+from rotordyn.modes.names import named
+from rotordyn.modes.overdamped import OVERDAMPED
+from rotordyn.scene.formulation import ROTATING, require_isotropic
+from rotordyn.scene.scene import Scene
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+
+def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
+    """Bending, axial and torsion modes up to ``spec.max_frequency``, of a model refined until they
+    are as accurate as asked for (``refinement``).
+
+    Raises
+    ------
+    InvalidInput : the turning frame, and supports that do not answer alike in all directions
+    """
+    turned = scene.conditions.formulation == ROTATING
+    if turned:
+        require_isotropic(scene)
+    band = Band(spec.max_frequency, spec.engine_orders)
+    scene, (branches, names), errors = mode_errors(
+        scene, band, lambda one: named(branches_of(one, band))
+    )
+    ends = sorted({0, len(scene.usable) - 1}) if spec.shapes else []
+    criticals = critical_speeds(scene, band, branches, names)
+    threshold, growing = stability_threshold(scene, band, branches, names)
+    shape = (len(scene.usable), len(branches))
+    pole = np.array([b.pole for b in branches], dtype=complex).reshape(shape[::-1]).T
+    degree = _table([b.degree for b in branches], shape)
+    rigid = [rigid_share(scene.system(b.home).linear, b) for b in branches]
+    seen = pole.imag
+    if turned:
+        bends = np.array([b.kind == "bending" for b in branches])
+        spin = scene.speed[scene.usable][:, None]
+        seen = np.where(bends, np.abs(seen - np.sign(degree) * spin), seen)
+    with np.errstate(invalid="ignore"):
+        ratio = scene.scattered(-pole.real / np.abs(pole))
+    kind = TurningCampbellResult if turned else CampbellResult
+    return kind(
+        speed=scene.speed,
+        mode=names,
+        node=scene.mesh.stations,
+        rotor=tuple(scene.spindle.ratios),
+        dof=DIRECTIONS,
+        shape_speed=scene.speed[scene.usable][ends],
+        critical=tuple(c.mode for c in criticals),
+        engine_order=np.array(spec.engine_orders, dtype=float),
+        outcome=scene.outcome,
+        frequency=scene.scattered(seen / (2.0 * math.pi)),
+        frequency_error=scene.scattered(errors.frequency),
+        damping_error=scene.scattered(errors.damping),
+        pole=scene.scattered(pole),
+        max_frequency=spec.max_frequency,
+        unsettled=errors.unsettled,
+        free=scene.scattered(_free(scene)),
+        node_rotor=scene.mesh.rotor,
+        speed_ratio=np.array(list(scene.spindle.ratios.values())),
+        damping_ratio=ratio,
+        overdamped=ratio > OVERDAMPED,
+        decrement=scene.scattered(-2.0 * math.pi * pole.real / np.abs(pole.imag)),
+        whirl=scene.scattered(_table([b.whirl for b in branches], shape)),
+        whirl_degree=scene.scattered(degree),
+        rigid_share=scene.scattered(_table(rigid, shape)),
+        kind=tuple(b.kind for b in branches),
+        character=tuple(character(b, own) for b, own in zip(branches, rigid, strict=True)),
+        shape=_shapes(scene, branches, ends),
+        stability_threshold=threshold,
+        first_to_grow=growing,
+        critical_speed=np.array([c.speed for c in criticals]),
+        critical_rotor=tuple(c.line.rotor for c in criticals),
+        critical_order=np.array([c.line.order for c in criticals]),
+        critical_kind=tuple(c.kind for c in criticals),
+        critical_whirl=tuple(c.whirl for c in criticals),
+        critical_damping=np.array([c.damping_ratio for c in criticals]),
+        critical_excited=np.array([c.excited for c in criticals], dtype=bool),
+    )
+
+
+def _table(rows: list[Array], shape: tuple[int, int]) -> Array:
+    """Values of the branches (usable, modes)."""
+    return np.array(rows, dtype=float).reshape(shape[::-1]).T
+
+
+def _free(scene: Scene) -> Array:
+    """Number of rigid-body (zero) eigenvalues (usable,)."""
+    count = np.zeros(len(scene.usable))
+    for k in scene.with_motions(("bending", "axial", "torsion")):
+        count += scene.system(k).free_count
+    return count
+
+
+def _shapes(scene: Scene, branches: list[Branch], ends: list[int]) -> Complex:
+    """Node displacements (ends, modes, nodes, 6), each scaled to a largest value of 1."""
+    shape = (len(ends), len(branches), len(scene.mesh.stations), 6)
+    shapes = np.full(shape, complex(np.nan, np.nan))
+    for place, row in enumerate(ends):
+        for k, branch in enumerate(branches):
+            if branch.column[row] >= 0:
+                vector, motion = branch.vector[row], scene.system(branch.home).linear.motion
+                moved = motion @ np.stack([vector.real, vector.imag], axis=-1)
+                shapes[place, k] = scaled(moved[..., 0] + 1j * moved[..., 1], branch.kind)
+    return shapes

@@ -1,0 +1,79 @@
+"""The speed from which some motion grows by itself, solved for.
+
+What is led to zero is the largest growth of all modes of a system: where two modes meet and part
+into one that grows and one that decays, no single one could be followed there.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.errors import NoSolution
+from rotordyn.modes.band import Band
+from rotordyn.modes.branches import MARGIN, Branch, found_in
+from rotordyn.numerics.modes import grows
+from rotordyn.scene.scene import Scene
+
+Array = NDArray[np.float64]
+CLOSE = 1e-10  # of the speed: it is known so well
+
+
+def stability_threshold(
+    scene: Scene, band: Band, branches: Sequence[Branch], names: Sequence[str]
+) -> tuple[float, str]:
+    """Lowest speed [rad/s] of the case's range at which a followed mode begins to grow, and which.
+
+    Infinite and "" where none does; the first speed where one grows from there on.
+    """
+    found = [(math.inf, "")]
+    for branch, name in zip(branches, names, strict=True):
+        track, speed = branch.track, branch.track.speed
+        growing = grows(track.pole, scene.system(branch.home).modes.largest.max())
+        if not growing.any():
+            continue
+        row = int(growing.argmax())
+        begin = float(speed[row])
+        if row and not track.lost[row - 1]:
+            begin = _begin(scene, band, branch.home, float(speed[row - 1]), begin)
+        found.append((begin, name))
+    return min(found)
+
+
+def _begin(scene: Scene, band: Band, home: int, low: float, high: float) -> float:
+    """Where the largest growth becomes positive between two speeds, by Brent's method, which finds
+    jumps too: by loss factors growth changes its sign at once. Where there is no equilibrium on the
+    way, the lowest speed known to grow."""
+    from scipy.optimize import brentq
+
+    growing = [high]
+
+    def growth(speed: float) -> float:
+        value = _growth(scene, band, home, speed)
+        if not math.isfinite(value):
+            raise NoSolution(f"no equilibrium at {speed:.6g} rad/s")
+        if value > 0.0:
+            growing.append(speed)
+        return value
+
+    try:
+        ends = growth(low), growth(high)
+        if not ends[0] < 0.0 < ends[1]:
+            return low if ends[0] >= 0.0 else high
+        return float(brentq(growth, low, high, xtol=CLOSE * high, rtol=CLOSE))
+    except NoSolution:
+        return min(growing)
+
+
+def _growth(scene: Scene, band: Band, home: int, speed: float) -> float:
+    """Largest Re λ over |λ| of what swings in the band; none where there is no equilibrium."""
+    other = scene.at(np.array([speed]))
+    if any(other.outcome):
+        return math.nan
+    found = other.system(home)
+    inside = found_in(found, MARGIN * band.highest)[0]
+    pole = found.pole[0][inside]
+    return float((pole.real / np.abs(pole)).max(initial=-1.0))

@@ -1,0 +1,1 @@
+"""Which race controls the balls of a single bearing."""

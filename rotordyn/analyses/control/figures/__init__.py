@@ -1,0 +1,1 @@
+"""Figures: which race controls the balls of a single bearing."""

@@ -1,0 +1,72 @@
+"""Which race controls the balls of a single bearing: regions, boundaries, their fits."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rotordyn.analyses.control.result import ControlResult
+from rotordyn.analyses.control.solve import BOUNDARY_WORDS, fit_words, fitted
+from rotordyn.figures.legends import top_legend
+from rotordyn.figures.style import BLACK, BLUE, DASHES, GREY, RED, add_axes, new_figure, speed_ticks
+from rotordyn.results.display import RPM
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+COLOURS = {"inner": RED, "outer": BLUE}
+SHADES = {  # neither first: the others lie on it
+    "neither": ("#E2E2E2", "neither race controls"),
+    "inner": ("#F9E0D2", "inner race controls"),
+    "outer": ("#D1E4F1", "outer race controls"),
+}
+
+
+def control_figure(result: ControlResult) -> Figure:
+    """Regions shaded, boundaries in full, their quadratic fits dashed with their coefficients."""
+    figure = new_figure(168.0, 108.0)
+    axes = add_axes(figure, (17.0, 12.0, 143.0, 74.0), "speed [rpm]", load_label(result))
+    rpm, fits = result.speed * RPM.factor, fit_words(result)
+    axes.set_ylim(0.0, float(result.load[-1]))
+    speed_ticks(axes, float(rpm[-1]))
+    if rpm.size > 1:
+        axes.set_xlim(float(rpm[0]), float(rpm[-1]))
+        _regions(axes, result)
+    for place, (race, word) in enumerate(BOUNDARY_WORDS.items()):
+        known = np.isfinite(result.boundary_load[place])
+        if known.any():
+            axes.plot(rpm, result.boundary_load[place], color=COLOURS[race], label=word)
+        if race in fits:
+            load = np.where(known, fitted(result, place), np.nan)
+            dashes, name = DASHES[1 + 2 * place], f"{race}, fit: {fits[race]}"
+            axes.plot(rpm, load, color=BLACK, lw=0.9, ls=dashes, label=name)
+    top_legend(figure, axes)
+    return figure
+
+
+def load_label(result: ControlResult) -> str:
+    """Label of the load axis."""
+    return "axial load [N]" + (f", radial {result.radial:g} of it" if result.radial else "")
+
+
+def _regions(axes: Axes, result: ControlResult) -> None:
+    """Shades from the margins; where there is no state the ground stays white."""
+    rpm = result.speed * RPM.factor
+    inner, outer = (np.ma.masked_invalid(m.T) for m in (result.inner_margin, result.outer_margin))
+    fields = {"neither": np.ma.ones(inner.shape), "inner": inner, "outer": outer}
+    fields["neither"].mask = inner.mask | (not _between(result))
+    for name, (colour, word) in SHADES.items():
+        if fields[name].count() and fields[name].max() > 0.0:
+            above = [0.0, np.inf]
+            axes.contourf(rpm, result.load, fields[name], above, colors=[colour], zorder=0.5)
+            axes.fill([], [], color=colour, label=word + (" all balls" if result.radial else ""))
+    if not np.isfinite(result.inner_margin).all():
+        axes.fill([], [], facecolor="white", edgecolor=GREY, label="no state")
+
+
+def _between(result: ControlResult) -> bool:
+    """Whether there are states in which neither race controls."""
+    neither = (result.inner_margin <= 0.0) & (result.outer_margin <= 0.0)
+    return bool(neither.any() or np.isfinite(result.boundary_load).any())

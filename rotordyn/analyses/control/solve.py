@@ -1,0 +1,114 @@
+"""Which race controls the balls of a single bearing, over load and speed."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.bearing import BallBearing
+from rotordyn.analyses.control.control_map import (
+    RACES,
+    ControlMap,
+    control_map,
+    quadratic,
+    resting_weight,
+)
+from rotordyn.analyses.control.result import ControlResult
+from rotordyn.analyses.control.spec import ControlSpec
+from rotordyn.errors import NoSolution
+from rotordyn.machine.limits import HIGHEST_PRESSURE
+from rotordyn.results.display import RPM
+from rotordyn.results.kinds import Array
+from rotordyn.scene.conditions import Conditions
+
+TERMS = ("quadratic", "linear", "constant")
+LEAST_SPEEDS = 4  # that a fit of three terms can miss
+THOUSAND_RPM = 1000.0 / RPM.factor  # [rad/s]
+BOUNDARY_WORDS = {"inner": "inner race controls above", "outer": "outer race controls up to"}
+
+
+def answer(
+    bearing: BallBearing, conditions: Conditions, speed: Array, spec: ControlSpec
+) -> ControlResult:
+    """Both boundaries of race control at every speed with their fits, and the margins between.
+
+    Raises
+    ------
+    NoSolution : no load and speed has a physical state
+    """
+    found = control_map(
+        bearing,
+        speed=speed,
+        lowest=spec.min_load,
+        highest=spec.max_load,
+        radial=spec.radial,
+        static_growth=spec.static_growth,
+        law=conditions.law,
+    )
+    lost = (found.outcome != "").all(axis=1)
+    if lost.all():
+        raise NoSolution(f"no load and speed of the case has a state: {found.outcome[0, -1]}")
+    load, absence = _physical(found)
+    fits, misfits, words = _fits(speed, load)
+    return ControlResult(
+        speed=speed,
+        load=found.load,
+        boundary=RACES,
+        term=TERMS,
+        outcome=tuple(
+            f"{word} at {omega * RPM.factor:.0f} rpm" if none else ""
+            for none, word, omega in zip(lost, found.outcome[:, -1], speed, strict=True)
+        ),
+        radial=spec.radial,
+        resting_weight=resting_weight(bearing),
+        boundary_load=load,
+        boundary_absence=absence,
+        boundary_pressure=np.where(np.isfinite(load), found.pressure, np.nan),
+        changes=found.changes,
+        fit=fits,
+        fit_misfit=misfits,
+        fit_absence=words,
+        state=found.outcome,
+        inner_margin=found.inner_margin,
+        outer_margin=found.outer_margin,
+    )
+
+
+def fit_words(result: ControlResult) -> dict[str, str]:
+    """The fits that exist, as printed, by race; n stands for thousands of rpm."""
+    scale = THOUSAND_RPM ** np.array([2.0, 1.0, 0.0])
+    return {
+        race: f"{a:.4g} n² {_signed(b)} n {_signed(c)} N, n in 1000 rpm, misfit {misfit:.2g} N"
+        for race, (a, b, c), misfit, absent in zip(
+            result.boundary, result.fit * scale, result.fit_misfit, result.fit_absence, strict=True
+        )
+        if not absent
+    }
+
+
+def fitted(result: ControlResult, place: int) -> Array:
+    """Loads [N] of a fit at the speeds of the result."""
+    return np.asarray(np.polyval(result.fit[place], result.speed))
+
+
+def _signed(value: float) -> str:
+    return f"{'−' if value < 0.0 else '+'} {abs(value):.3g}"
+
+
+def _physical(found: ControlMap) -> tuple[Array, NDArray[np.str_]]:
+    """Boundaries and absences; those beyond what contacts can bear are none."""
+    over = found.pressure > HIGHEST_PRESSURE
+    word = f"boundary overloaded (peak pressure above {HIGHEST_PRESSURE / 1e9:g} GPa)"
+    return np.where(over, np.nan, found.boundary), np.where(over, word, found.absence)
+
+
+def _fits(speed: Array, load: Array) -> tuple[Array, Array, tuple[str, ...]]:
+    """Coefficients (2, 3) over ω, misfits (2,), and why a fit does not exist."""
+    fits, misfits = np.full((len(RACES), len(TERMS)), np.nan), np.full(len(RACES), np.nan)
+    words = [f"fewer than {LEAST_SPEEDS} speeds have this boundary"] * len(RACES)
+    for place, values in enumerate(load):
+        known = np.isfinite(values)
+        if known.sum() >= LEAST_SPEEDS:
+            fits[place], misfits[place] = quadratic(speed[known], values[known])
+            words[place] = ""
+    return fits, misfits, tuple(words)

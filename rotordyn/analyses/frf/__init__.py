@@ -1,0 +1,1 @@
+"""Frequency responses between points, beside measured ones."""

@@ -1,0 +1,1 @@
+"""Figures: frequency responses between points, beside measured ones."""

@@ -1,0 +1,138 @@
+"""A frequency response over speed and frequency as a heat map."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.frf.figures.decimate import nearest, peak_bins
+from rotordyn.analyses.frf.result import FrequencyResponse
+from rotordyn.figures.labels import axis_label
+from rotordyn.figures.mode_lines import Modes, draw_modes
+from rotordyn.figures.style import (
+    FONT_SIZE,
+    add_axes,
+    grid_boxes,
+    log_ticks,
+    new_figure,
+    speed_ticks,
+)
+from rotordyn.results.display import RPM, shown
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+    from matplotlib.image import AxesImage
+
+_ROWS, _COLUMNS = 420, 240
+FLOOR_DECADES = 4.0
+COLOURS = "viridis"
+
+
+def map_figure(
+    result: FrequencyResponse, pairs: Sequence[int], campbell: Modes | None = None
+) -> Figure:
+    """|H| of one pair on a full figure, or of several on small ones; mode lines over it."""
+    columns = 1 if len(pairs) == 1 else 2
+    rows = math.ceil(len(pairs) / columns)
+    figure = new_figure(168.0, 110.0 if columns == 1 else 14.0 + 64.0 * rows)
+    boxes = grid_boxes(figure, rows, columns, margins=(15.0, 20.0, 12.0, 9.0), gaps=(32.0, 17.0))
+    name = axis_label(result, "frequency")
+    for place, (pair, box) in enumerate(zip(pairs, boxes, strict=False)):
+        axes = add_axes(figure, box, "speed [rpm]", "" if place % columns else name)
+        image = draw_map(axes, result, pair)
+        speed_ticks(axes, max(float(result.speed[-1] * RPM.factor), 1.0), 6 if columns == 1 else 3)
+        if campbell is not None:
+            draw_modes(axes, campbell, colour="white")
+        title = f"{result.kind} {result.pair[pair]}"
+        if campbell is not None:
+            title += ", lines: damped modes" if columns == 1 else ""
+        axes.set_title(title, fontsize=FONT_SIZE, pad=4.0)
+        draw_scale(figure, image, result, pair, box)
+    return figure
+
+
+def amplitude(result: FrequencyResponse, pair: int) -> NDArray[np.float64]:
+    """|H| of a pair in printed units, shape (speed, frequency)."""
+    return np.abs(result.response[:, pair]) * shown(result.unit(pair)).factor
+
+
+def amplitude_range(values: NDArray[np.float64]) -> tuple[float, float]:
+    """Colour or height limits: the largest value, and the smallest within four decades of it."""
+    known = values[np.isfinite(values) & (values > 0.0)]
+    if not known.size:
+        return 0.1, 1.0
+    high = float(known.max())
+    low = max(float(np.percentile(known, 0.5)), high / 10.0**FLOOR_DECADES)
+    return (low if low < high else high / 10.0), high
+
+
+def draw_map(
+    axes: Axes, result: FrequencyResponse, pair: int, limits: tuple[float, float] | None = None
+) -> AxesImage:
+    """An even raster: nearest speed across, largest amplitude of each row of pixels up.
+
+    ``limits`` of the amplitude [printed unit]; by default its own.
+    """
+    rpm, frequency = result.speed * RPM.factor, result.frequency
+    top = max(float(rpm[-1]), 1.0)
+    edges = np.linspace(frequency[0], frequency[-1] * (1.0 + 1e-12), _ROWS + 1)
+    values = peak_bins(amplitude(result, pair), frequency, edges)
+    values[values <= 0.0] = np.nan
+    low, high = limits or amplitude_range(values)
+    if not _even(rpm):
+        values = nearest(values, rpm, np.linspace(float(rpm[0]), top, _COLUMNS))
+    half = (top - float(rpm[0])) / max(len(values) - 1, 1) / 2.0
+    image = axes.imshow(
+        np.log10(values.T),
+        origin="lower",
+        aspect="auto",
+        cmap=COLOURS,
+        vmin=math.log10(low),
+        vmax=math.log10(high),
+        interpolation="bilinear",
+        rasterized=True,
+        extent=(float(rpm[0]) - half, top + half, float(edges[0]), float(edges[-1])),
+    )
+    axes.set_ylim(0.0, float(edges[-1]))
+    axes.grid(visible=False)
+    return image
+
+
+def _even(values: NDArray[np.float64]) -> bool:
+    steps = np.diff(values)
+    return bool(steps.size and np.allclose(steps, steps[0], rtol=1e-6))
+
+
+def draw_scale(
+    figure: Figure,
+    image: AxesImage,
+    result: FrequencyResponse,
+    pair: int,
+    box: tuple[float, float, float, float],
+) -> None:
+    """What the colours of ``image`` mean, beside its ``box`` [mm]."""
+    left, bottom, wide, tall = box
+    scale = add_axes(figure, (left + wide + 2.5, bottom, 3.0, tall))
+    low, high = image.get_clim()
+    scale.imshow(
+        np.linspace(low, high, 128)[:, None],
+        origin="lower",
+        aspect="auto",
+        cmap=COLOURS,
+        rasterized=True,
+        extent=(0.0, 1.0, low, high),
+    )
+    ticks = log_ticks(10.0**low, 10.0**high)
+    scale.set_yticks([math.log10(v) for v, _ in ticks], [name for _, name in ticks])
+    scale.set_xticks([])
+    scale.yaxis.tick_right()
+    scale.yaxis.set_label_position("right")
+    unit = shown(result.unit(pair)).unit
+    scale.set_ylabel(f"|H| [{unit}]", fontsize=FONT_SIZE)
+    scale.grid(visible=False)
+    scale.tick_params(labelsize=FONT_SIZE - 0.5)

@@ -1,0 +1,101 @@
+"""Measured frequency responses beside computed ones: peaks of both, and how alike they are."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.frf.spec import QUANTITIES, FrfSpec, MeasuredResponse
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+PEAKS = 3
+PROMINENT = math.sqrt(2.0)  # how far an amplitude falls on both sides of a peak: 3 dB
+
+
+def measured_fields(
+    spec: FrfSpec, speed: Array, frequency: Array, pairs: Sequence[str], values: Complex
+) -> dict[str, Any]:
+    """The fields of a result about ``spec.measured``; ``values`` (speeds, pairs, frequencies).
+
+    The computed response is that at the nearest speed of the case, between its frequencies
+    interpolated in both parts.
+    """
+    count, longest = len(spec.measured), max((len(m.frequency) for m in spec.measured), default=0)
+    axis = np.full((count, longest), np.nan)
+    response = np.full((count, longest), complex(np.nan, np.nan))
+    peaks = np.full((4, count, PEAKS), np.nan)
+    likeness = np.full(count, np.nan)
+    for row, one in enumerate(spec.measured):
+        own, seen = np.array(one.frequency), as_quantity(one, spec.quantity)
+        axis[row, : len(own)], response[row, : len(own)] = own, seen
+        near = int(np.abs(speed - one.speed).argmin())
+        computed = values[near, pairs.index(one.pair)]
+        inside = (own >= frequency[0]) & (own <= frequency[-1])
+        if np.isfinite(computed).all():
+            there = np.interp(own[inside], frequency, computed.real) + 1j * np.interp(
+                own[inside], frequency, computed.imag
+            )
+            likeness[row] = assurance(seen[inside], there)
+            peaks[:, row] = _beside(own[inside], np.abs(seen[inside]), frequency, np.abs(computed))
+    names = ("measured_peak", "measured_peak_amplitude", "computed_peak", "computed_peak_amplitude")
+    return {
+        "measured": tuple(one.name for one in spec.measured),
+        "peak": np.arange(1, PEAKS + 1),
+        "sample": np.arange(longest),
+        "measured_pair": tuple(one.pair for one in spec.measured),
+        "measured_speed": np.array([one.speed for one in spec.measured]),
+        "measured_frequency": axis,
+        "measured_response": response,
+        "likeness": likeness,
+        **dict(zip(names, peaks, strict=True)),
+    }
+
+
+def as_quantity(one: MeasuredResponse, quantity: str) -> Complex:
+    """A measured response as another quantity, by the powers of iω between them."""
+    power = QUANTITIES.index(quantity) - QUANTITIES.index(one.quantity)
+    turn = 2j * math.pi * np.array(one.frequency)
+    return np.asarray((np.array(one.real) + 1j * np.array(one.imaginary)) * turn**power)
+
+
+def assurance(one: Complex, other: Complex) -> float:
+    """Frequency response assurance criterion |aᴴ b|² / (aᴴ a · bᴴ b), 1 where b = c a."""
+    size = float((np.abs(one) ** 2).sum() * (np.abs(other) ** 2).sum())
+    return float(np.abs(np.vdot(one, other)) ** 2) / size if size > 0.0 else 0.0
+
+
+def peaks_of(amplitude: Array) -> NDArray[np.intp]:
+    """Places of local maxima that stand 3 dB above the way to anything higher, by height."""
+    inner = amplitude[1:-1]
+    tops = 1 + np.flatnonzero((inner > amplitude[:-2]) & (inner >= amplitude[2:]))
+    kept = [top for top in tops if _stands_out(amplitude, int(top))]
+    return np.array(sorted(kept, key=lambda top: -amplitude[top]), dtype=np.intp)
+
+
+def _stands_out(amplitude: Array, top: int) -> bool:
+    for side in (amplitude[top::-1], amplitude[top:]):
+        higher = np.flatnonzero(side > amplitude[top])
+        until = side[: higher[0]] if higher.size else side
+        if until.min() * PROMINENT > amplitude[top]:
+            return False
+    return True
+
+
+def _beside(at: Array, seen: Array, frequency: Array, computed: Array) -> Array:
+    """The highest measured peaks, ascending, each with the computed peak nearest to it (4, peaks).
+
+    Rows: measured frequency and amplitude, computed frequency and amplitude.
+    """
+    rows = np.full((4, PEAKS), np.nan)
+    tops, others = np.sort(peaks_of(seen)[:PEAKS]), peaks_of(computed)
+    for column, top in enumerate(tops):
+        rows[:2, column] = at[top], seen[top]
+        if others.size:
+            near = others[np.abs(np.log(frequency[others] / at[top])).argmin()]
+            rows[2:, column] = frequency[near], computed[near]
+    return rows

@@ -1,0 +1,130 @@
+"""Frequency responses at independent speed and frequency."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.results.declaration import coordinate, quantity
+from rotordyn.results.display import response_unit
+from rotordyn.results.kinds import Array, Complex, Flags, Words
+
+
+@dataclass(frozen=True)
+class FrequencyResponse:
+    """Complex frequency responses at independent speed and frequency; ``pair`` reads ``out / in``.
+
+    Subclasses add the values, whose name is their ``kind``. What was ``measured`` has frequencies
+    of its own, NaN beyond its last ``sample``; its highest peaks stand beside the computed ones
+    next to them, NaN where there are fewer. ``unstable``: some motion grows by itself there, so
+    that the steady solution given is not reached. ``likeness``: frequency response assurance
+    criterion.
+    """
+
+    kind: ClassVar[str]
+    turning_frame: ClassVar[bool] = False
+
+    speed: Array = coordinate("speed", unit="rad/s", label="speed")
+    frequency: Array = coordinate("frequency", unit="Hz", label="frequency")
+    pair: Words = coordinate("pair", unit="", label="response / excitation")
+    outcome: Words = quantity("speed", unit="", label="outcome")
+    unstable: Flags = quantity("speed", unit="", label="not reached: the machine is unstable")
+    is_slice: Flags = quantity("speed", unit="", label="drawn as slice")
+    error: Array = quantity("pair", unit="1", label="estimated error over the largest value")
+    measured: Words = coordinate("measured", unit="", label="measured response")
+    sample: NDArray[np.int_] = coordinate("sample", unit="", label="sample")
+    peak: NDArray[np.int_] = coordinate("peak", unit="", label="peak")
+    measured_pair: Words = quantity("measured", unit="", label="response / excitation")
+    measured_speed: Array = quantity("measured", unit="rad/s", label="speed")
+    measured_frequency: Array = quantity("measured", "sample", unit="Hz", label="frequency")
+    measured_response: Complex = quantity(
+        "measured", "sample", unit="SI, as computed", label="measured, as the computed quantity"
+    )
+    measured_peak: Array = quantity("measured", "peak", unit="Hz", label="measured peak")
+    measured_peak_amplitude: Array = quantity(
+        "measured", "peak", unit="SI, as computed", label="amplitude of the measured peak"
+    )
+    computed_peak: Array = quantity("measured", "peak", unit="Hz", label="computed peak")
+    computed_peak_amplitude: Array = quantity(
+        "measured", "peak", unit="SI, as computed", label="amplitude of the computed peak"
+    )
+    likeness: Array = quantity("measured", unit="1", label="likeness of measured and computed")
+
+    @property
+    def response(self) -> Complex:
+        """The values of its kind (speeds, pairs, frequencies)."""
+        values: Complex = getattr(self, self.kind)
+        return values
+
+    def unit(self, pair: int) -> str:
+        """SI unit of the values of a pair."""
+        return response_unit(self.pair[pair], self.kind)
+
+    def entry_units(self, name: str) -> tuple[str, ...]:
+        """SI units of a field along its pairs, or those of what was measured; empty for a field
+        that has one unit."""
+        if name == self.kind:
+            return tuple(map(self.unit, range(len(self.pair))))
+        amplitudes = ("measured_response", "measured_peak_amplitude", "computed_peak_amplitude")
+        measured = self.measured_pair if name in amplitudes else ()
+        return tuple(self.unit(self.pair.index(pair)) for pair in measured)
+
+
+@dataclass(frozen=True)
+class FrfResult(FrequencyResponse):
+    """Receptance: displacement over force."""
+
+    kind: ClassVar[str] = "receptance"
+
+    receptance: Complex = quantity(
+        "speed", "pair", "frequency", unit="m/N, rad/N, rad/(N·m)", label="receptance"
+    )
+
+
+@dataclass(frozen=True)
+class MobilityResult(FrequencyResponse):
+    """Mobility: velocity over force, iω times the receptance."""
+
+    kind: ClassVar[str] = "mobility"
+
+    mobility: Complex = quantity(
+        *("speed", "pair", "frequency"),
+        unit="(m/s)/N, (rad/s)/N, (rad/s)/(N·m)",
+        label="mobility",
+    )
+
+
+@dataclass(frozen=True)
+class InertanceResult(FrequencyResponse):
+    """Inertance: acceleration over force, −ω² times the receptance."""
+
+    kind: ClassVar[str] = "inertance"
+
+    inertance: Complex = quantity(
+        *("speed", "pair", "frequency"),
+        unit="(m/s²)/N, (rad/s²)/N, (rad/s²)/(N·m)",
+        label="inertance",
+    )
+
+
+@dataclass(frozen=True)
+class TurningFrfResult(FrfResult):
+    """The same in the frame that turns with the shaft: y, z, force and frequency belong to it.
+
+    In the complex form H there at ω is H of the fixed frame at ω + Ω. Axial motion and torsion are
+    the same in both.
+    """
+
+    turning_frame: ClassVar[bool] = True
+
+    frequency: Array = coordinate("frequency", unit="Hz", label="frequency in the turning frame")
+    receptance: Complex = quantity(
+        "speed",
+        "pair",
+        "frequency",
+        unit="m/N, rad/N, rad/(N·m)",
+        label="receptance in the turning frame",
+    )

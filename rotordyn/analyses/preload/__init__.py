@@ -1,0 +1,1 @@
+"""The dynamic preload state of every bearing, spring and stop."""

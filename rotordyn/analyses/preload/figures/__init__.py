@@ -1,0 +1,1 @@
+"""Figures: the dynamic preload state of every bearing, spring and stop."""

@@ -1,0 +1,121 @@
+"""The dynamic preload state over speed: loads, sleeves, contacts."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rotordyn.analyses.preload.known import preload_sum
+from rotordyn.analyses.preload.result import PreloadResult
+from rotordyn.figures.curves import draw_columns, draw_references, merged
+from rotordyn.figures.legends import legend, top_legend
+from rotordyn.figures.style import (
+    BLUE,
+    CYCLE,
+    DASHES,
+    GREY,
+    add_axes,
+    grid_boxes,
+    new_figure,
+    speed_ticks,
+    with_zero,
+)
+from rotordyn.machine.limits import WARNING_PRESSURE
+from rotordyn.machine.reference import Reference
+from rotordyn.machine.spindle import Spindle
+from rotordyn.results.display import DEGREE, GIGAPASCAL, MICROMETRE, RPM
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+_MARGINS = (15.0, 6.0, 12.0, 8.0)
+
+
+def preload_figure(
+    result: PreloadResult, spindle: Spindle, references: Sequence[Reference] = ()
+) -> Figure:
+    """Load per bearing, sum of preloads, axial shifts, forces of springs and stops."""
+    figure, axes = _panels(
+        ("axial load [N]", "sum of preloads [N]", "axial shift [µm]", "spring and stop force [N]"),
+        result,
+    )
+    rpm = result.speed * RPM.factor
+    draw_columns(axes[0], rpm, result.axial_load, result.bearing)
+    axes[1].plot(rpm, preload_sum(result, spindle), color=BLUE, label="computed")
+    draw_references(axes[1], references, "preload_sum", float(rpm[-1]))
+    draw_columns(axes[2], rpm, result.position * MICROMETRE.factor, result.body)
+    draw_references(axes[2], references, "sleeve_displacement", float(rpm[-1]), subject=True)
+    _forces(axes[3], result)
+    for place in (0, 1, 3):
+        with_zero(axes[place], 1.08)
+    _finish(axes, result)
+    return figure
+
+
+def contacts_figure(result: PreloadResult) -> Figure:
+    """Contact angles, peak pressures, ball loads and grip needed per bearing."""
+    figure, axes = _panels(
+        ("contact angle [deg]", "peak pressure [GPa]", "ball load [N]", "grip needed μ [-]"),
+        result,
+    )
+    degree, giga = DEGREE.factor, GIGAPASCAL.factor
+    _inner_outer(axes[0], result, result.inner_angle * degree, result.outer_angle * degree)
+    _inner_outer(axes[1], result, result.inner_pressure * giga, result.outer_pressure * giga)
+    _inner_outer(axes[2], result, result.inner_load, result.outer_load)
+    _inner_outer(axes[3], result, result.inner_grip, result.outer_grip)
+    if np.nanmax(result.outer_pressure * giga, initial=0.0) > 0.8 * WARNING_PRESSURE * giga:
+        axes[1].axhline(WARNING_PRESSURE * giga, color=GREY, lw=0.9, ls="--", label="limit 4.2 GPa")
+    for each in axes:
+        with_zero(each, 1.05)
+    top_legend(figure, axes[0])
+    return figure
+
+
+def _panels(names: Sequence[str], result: PreloadResult) -> tuple[Figure, list[Axes]]:
+    """Four panels over one speed axis."""
+    figure = new_figure(168.0, 118.0)
+    boxes = grid_boxes(figure, 2, 2, margins=_MARGINS, gaps=(18.0, 5.0))
+    panels = []
+    for place, (box, name) in enumerate(zip(boxes, names, strict=True)):
+        axes = add_axes(figure, box, "speed [rpm]" if place > 1 else "", name)
+        speed_ticks(axes, float(result.speed[-1] * RPM.factor))
+        axes.tick_params(labelbottom=place > 1)
+        panels.append(axes)
+    return figure, panels
+
+
+def _forces(axes: Axes, result: PreloadResult) -> None:
+    """Springs solid, stops dashed; the stop's speed marked."""
+    rpm = result.speed * RPM.factor
+    for place, name in enumerate(result.sleeve):
+        colour = CYCLE[place % len(CYCLE)]
+        axes.plot(rpm, result.spring_force[:, place], color=colour, label=f"{name}, spring")
+        if not np.isfinite(result.stop_speed[place]):
+            continue
+        axes.plot(rpm, result.stop_force[:, place], color=colour, ls="--", label=f"{name}, stop")
+        axes.axvline(result.stop_speed[place] * RPM.factor, color=GREY, lw=0.8, ls=":")
+
+
+def _inner_outer(
+    axes: Axes,
+    result: PreloadResult,
+    inner: np.ndarray[tuple[int, ...], np.dtype[np.float64]],
+    outer: np.ndarray[tuple[int, ...], np.dtype[np.float64]],
+) -> None:
+    """Inner race solid, outer race dashed, one colour per bearing or group alike."""
+    rpm = result.speed * RPM.factor
+    for name, column in merged(result.bearing, result.axial_load):
+        colour = CYCLE[column % len(CYCLE)]
+        axes.plot(rpm, inner[:, column], color=colour, ls=DASHES[0], label=f"{name}, inner")
+        axes.plot(rpm, outer[:, column], color=colour, ls=DASHES[1], label=f"{name}, outer")
+
+
+def _finish(axes: Sequence[Axes], result: PreloadResult) -> None:
+    for each in axes:
+        legend(each)
+    for speed in result.stop_speed[np.isfinite(result.stop_speed)]:
+        for each in axes[:3]:
+            each.axvline(speed * RPM.factor, color=GREY, lw=0.8, ls=":")

@@ -1,0 +1,47 @@
+"""Bearings at work in a machine."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.results.declaration import coordinate, quantity
+from rotordyn.results.kinds import Array, Flags, Words
+
+
+@dataclass(frozen=True)
+class PreloadResult:
+    """The dynamic preload state; bearings in their own frames (x loads the balls)."""
+
+    speed: Array = coordinate("speed", unit="rad/s", label="speed")
+    bearing: Words = coordinate("bearing", unit="", label="bearing")
+    sleeve: Words = coordinate("sleeve", unit="", label="sleeve")
+    body: Words = coordinate("body", unit="", label="body")
+    dof: Words = coordinate("dof", unit="", label="freedom")
+    dof_other: Words = coordinate("dof_other", unit="", label="freedom")
+    outcome: Words = quantity("speed", unit="", label="outcome")
+    axial_load: Array = quantity("speed", "bearing", unit="N", label="axial load")
+    deflection: Array = quantity("speed", "bearing", unit="m", label="axial deflection")
+    stiffness: Array = quantity(
+        "speed", "bearing", "dof", "dof_other", unit="N/m, N/rad, N·m/rad", label="stiffness"
+    )
+    inner_angle: Array = quantity("speed", "bearing", unit="rad", label="inner contact angle")
+    outer_angle: Array = quantity("speed", "bearing", unit="rad", label="outer contact angle")
+    inner_load: Array = quantity("speed", "bearing", unit="N", label="inner ball load")
+    outer_load: Array = quantity("speed", "bearing", unit="N", label="outer ball load")
+    inner_pressure: Array = quantity("speed", "bearing", unit="Pa", label="inner peak pressure")
+    outer_pressure: Array = quantity("speed", "bearing", unit="Pa", label="outer peak pressure")
+    centrifugal_force: Array = quantity("speed", "bearing", unit="N", label="centrifugal force")
+    gyroscopic_moment: Array = quantity("speed", "bearing", unit="N·m", label="gyroscopic moment")
+    inner_grip: Array = quantity("speed", "bearing", unit="1", label="grip needed, inner race")
+    outer_grip: Array = quantity("speed", "bearing", unit="1", label="grip needed, outer race")
+    slipping: NDArray[np.str_] = quantity("speed", "bearing", unit="", label="race that slips")
+    growth: Array = quantity("speed", "bearing", unit="m", label="ring growth")
+    speed_factor: Array = quantity("speed", "bearing", unit="mm/min", label="speed factor n·dm")
+    position: Array = quantity("speed", "body", unit="m", label="axial shift from rest")
+    spring_force: Array = quantity("speed", "sleeve", unit="N", label="spring force")
+    stop_force: Array = quantity("speed", "sleeve", unit="N", label="stop force")
+    stop_reached: Flags = quantity("speed", "sleeve", unit="", label="stop reached")
+    stop_speed: Array = quantity("sleeve", unit="rad/s", label="speed at which the stop is reached")

@@ -1,0 +1,56 @@
+"""Loads, angles, pressures and stiffness of every bearing at its dynamic preload state."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.preload.result import PreloadResult
+from rotordyn.analyses.preload.spec import PreloadSpec
+from rotordyn.results.balls import BALL_QUANTITIES, FREEDOMS
+from rotordyn.results.display import RPM
+from rotordyn.scene.scene import Scene
+
+Array = NDArray[np.float64]
+
+
+def answer(scene: Scene, spec: PreloadSpec) -> PreloadResult:
+    """The preload table: one row per speed and bearing; all balls of a bearing are alike."""
+    state, rows = scene.preload, scene.bearing_row
+    good = np.array([word == "" for word in scene.outcome])
+
+    def shown(values: Array) -> Array:
+        """Values per speed of the case, NaN where the outcome says why."""
+        taken = values[rows].astype(float)
+        taken[~good] = np.nan
+        return taken
+
+    seats = state.seat_states()
+    balls = {
+        name: shown(np.stack([getattr(s, name)[:, column, 0] for s, column in seats], axis=1))
+        for name in BALL_QUANTITIES
+    }
+    slips = np.stack([s.slipping[:, column, 0] for s, column in seats], axis=1)[rows]
+    pitch = np.array([seat.bearing.pitch_diameter for seat in scene.spindle.seats])
+    factor = np.outer(scene.speed * RPM.factor, pitch * 1e3)
+    return PreloadResult(
+        speed=scene.speed,
+        bearing=tuple(seat.name for seat in scene.spindle.seats),
+        sleeve=tuple(sleeve.name for sleeve in scene.spindle.sleeves),
+        body=state.network.arrangement.bodies,
+        dof=FREEDOMS,
+        dof_other=FREEDOMS,
+        outcome=scene.outcome,
+        axial_load=shown(state.seat_load()),
+        deflection=shown(np.stack([s.displacement[:, c, 0] for s, c in seats], axis=1)),
+        stiffness=shown(state.seat_stiffness()),
+        slipping=np.where(good[:, None], slips, ""),
+        growth=shown(state.seat_growth()),
+        speed_factor=factor,
+        position=shown(state.shift),
+        spring_force=shown(state.spring_force),
+        stop_force=shown(state.stop_force),
+        stop_reached=state.net.held[rows][:, 1:] & good[:, None],
+        stop_speed=state.stop_speeds(),
+        **balls,
+    )

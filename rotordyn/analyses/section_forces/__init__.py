@@ -1,0 +1,1 @@
+"""Section forces, deflection and stress of the shaft at rest."""

@@ -1,0 +1,1 @@
+"""Figures: section forces, deflection and stress of the shaft at rest."""

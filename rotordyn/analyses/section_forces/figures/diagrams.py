@@ -1,0 +1,212 @@
+"""Diagrams of the section forces along the shaft, and its elastic line with the stresses."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.section_forces.result import SectionForcesResult
+from rotordyn.figures.labels import axis_label, spread
+from rotordyn.figures.legends import shortened, top_legend
+from rotordyn.figures.style import (
+    BLACK,
+    CYCLE,
+    DASHES,
+    FONT_SIZE,
+    GREY,
+    add_axes,
+    grid_boxes,
+    new_figure,
+)
+from rotordyn.machine.spindle import Spindle
+from rotordyn.results.declaration import declared
+from rotordyn.results.display import MILLIMETRE, RPM
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+FORCES = (
+    "normal_force",
+    "shear_force_y",
+    "shear_force_z",
+    "torque",
+    "bending_moment_y",
+    "bending_moment_z",
+)
+LINES = (
+    ("deflection_y", "deflection_z"),
+    ("twist",),
+    ("normal_stress", "torsion_stress", "von_mises_stress"),
+)
+SPEEDS = 3
+ALIKE = 1e-9  # of the largest: nothing that could be seen
+_LETTER = 0.55 * (FONT_SIZE - 1.5) * 25.4 / 72.0  # [mm] of a name above the panels, on average
+_LONGEST = 16  # letters of a name
+_LEGEND = 6.0  # [mm] above the names
+
+Mark = tuple[float, str]
+
+
+class Curve(NamedTuple):
+    """A result at one of its speeds, and what the legend calls it."""
+
+    name: str
+    result: SectionForcesResult
+    row: int
+
+    @property
+    def x(self) -> NDArray[np.float64]:
+        """Stations [mm]; where a load jumps, twice."""
+        return self.result.cut * MILLIMETRE.factor
+
+    def values(self, quantity: str) -> NDArray[np.float64]:
+        """A quantity as printed."""
+        factor = declared(self.result)[quantity].metadata["printed"].factor
+        return np.asarray(getattr(self.result, quantity)[self.row] * factor)
+
+
+def diagrams_figure(result: SectionForcesResult, spindle: Spindle | None) -> Figure:
+    """N, Ty, Tz above Mt, My, Mz over the station, at up to three speeds where they differ."""
+    return curves_figure(speeds_shown(result), spindle)
+
+
+def curves_figure(curves: Sequence[Curve], spindle: Spindle | None) -> Figure:
+    """The six diagrams, a line per curve."""
+    marks, x = _stations(curves[0].result, spindle), curves[0].x
+    upright = _upright(marks, 39.0, float(x[0]), float(x[-1]))
+    top = _room(marks, upright) + (_LEGEND if len(curves) > 1 else 0.0)
+    figure = new_figure(168.0, 97.0 + top)
+    boxes = grid_boxes(figure, 2, 3, margins=(16.0, 4.0, 12.0, top), gaps=(15.0, 6.0))
+    panels = []
+    for place, (box, name) in enumerate(zip(boxes, FORCES, strict=True)):
+        low = place > 2
+        axes = add_axes(figure, box, "station [mm]" if low else "", "")
+        _draw(axes, curves, (name,), fill=len(curves) == 1)
+        axes.tick_params(labelbottom=low)
+        _mark(axes, marks)
+        if not low:
+            _name(axes, marks, box[2], upright)
+        axes.set_ylabel(axis_label(curves[0].result, name), fontsize=FONT_SIZE, labelpad=1.5)
+        panels.append(axes)
+    if len(curves) > 1:
+        top_legend(figure, panels[0])
+    return figure
+
+
+def elastic_line_figure(result: SectionForcesResult, spindle: Spindle | None) -> Figure:
+    """Deflections, twist and stresses over the station at the last speed with a solution."""
+    curve = speeds_shown(result)[-1]
+    marks = _stations(result, spindle)
+    upright = _upright(marks, 104.0, float(curve.x[0]), float(curve.x[-1]))
+    top = _room(marks, upright)
+    figure = new_figure(168.0, 118.0 + top)
+    boxes = grid_boxes(figure, 3, 1, margins=(18.0, 46.0, 12.0, top), gaps=(0.0, 5.0))
+    names = ("deflection [µm]", "twist θx [deg]", "stress [MPa]")
+    for place, (box, quantities, name) in enumerate(zip(boxes, LINES, names, strict=True)):
+        axes = add_axes(figure, box, "station [mm]" if place == 2 else "", name)
+        _draw(axes, [curve], quantities, fill=False)
+        axes.tick_params(labelbottom=place == 2)
+        _mark(axes, marks)
+        if place == 0:
+            _name(axes, marks, box[2], upright)
+        if len(quantities) > 1:
+            axes.legend(
+                loc="upper left",
+                bbox_to_anchor=(1.01, 1.0),
+                frameon=False,
+                fontsize=FONT_SIZE - 1.0,
+                title=curve.name if result.speed.size > 1 and place == 0 else None,
+                title_fontsize=FONT_SIZE - 1.0,
+            )
+    return figure
+
+
+def speeds_shown(result: SectionForcesResult) -> list[Curve]:
+    """First, middle and last speed with a solution; one where all are alike."""
+    rows = np.flatnonzero(np.isfinite(result.torque).all(axis=1))
+    picked = rows[np.unique(np.linspace(0, rows.size - 1, SPEEDS).round().astype(int))]
+    if all(_alike(getattr(result, name)[picked]) for name in FORCES):
+        picked = picked[-1:]
+    return [Curve(f"{result.speed[k] * RPM.factor:.0f} rpm", result, int(k)) for k in picked]
+
+
+def _alike(values: NDArray[np.float64]) -> bool:
+    return float(np.ptp(values, axis=0).max()) <= ALIKE * float(np.abs(values).max())
+
+
+def _draw(axes: Axes, curves: Sequence[Curve], quantities: Sequence[str], *, fill: bool) -> None:
+    """Broken lines through both ends of every element: jumps come out upright."""
+    axes.axhline(0.0, color=BLACK, lw=0.7)
+    largest = 0.0
+    for place, (curve, quantity) in enumerate((c, q) for c in curves for q in quantities):
+        values = curve.values(quantity)
+        label = declared(curve.result)[quantity].metadata["label"]
+        look: Mapping[str, Any] = {
+            "color": CYCLE[place % len(CYCLE)],
+            "ls": DASHES[place % len(DASHES)],
+            "label": label if len(quantities) > 1 else curve.name,
+        }
+        axes.plot(curve.x, values, **look)
+        if fill:
+            axes.fill_between(curve.x, values, color=CYCLE[0], alpha=0.12, lw=0.0)
+        largest = max(largest, float(np.abs(values).max()))
+    low, high = axes.dataLim.y0, axes.dataLim.y1
+    room = 0.08 * (high - low) if largest > 0.0 else 1.0
+    axes.set(xlim=(curves[0].x[0], curves[0].x[-1]), ylim=(low - room, high + room))
+
+
+def _stations(result: SectionForcesResult, spindle: Spindle | None) -> list[Mark]:
+    """What holds the shaft and named points [mm]; names at one station share it."""
+    named: dict[float, list[str]] = {}
+    for name, x in zip(result.support, result.support_station, strict=True):
+        named.setdefault(round(float(x) * 1e3, 6), []).append(name)
+    for name, x in (spindle.points if spindle else {}).items():
+        names = named.setdefault(round(x * 1e3, 6), [])
+        if name not in names:
+            names.append(name)
+    return [(x, shortened(", ".join(names), _LONGEST)) for x, names in sorted(named.items())]
+
+
+def _mark(axes: Axes, marks: Sequence[Mark]) -> None:
+    """A thin line at every station."""
+    for x, _ in marks:
+        axes.axvline(x, color=GREY, lw=0.6, ls=":", zorder=1)
+
+
+def _upright(marks: Sequence[Mark], wide: float, left: float, right: float) -> bool:
+    """Names that would leave their stations over a panel of ``wide`` [mm] stand upright."""
+    length = right - left
+    sizes = [(len(name) * _LETTER + 1.5) * length / wide for _, name in marks]
+    moved = spread([x for x, _ in marks], sizes, left, right) - [x for x, _ in marks]
+    return sum(sizes) > length or bool(np.abs(moved).max(initial=0.0) > 0.1 * length)
+
+
+def _room(marks: Sequence[Mark], upright: bool) -> float:
+    """Height that the names need above a panel [mm]."""
+    longest = max((len(name) for _, name in marks), default=0)
+    return 3.0 + (_LETTER * longest + 1.0 if upright else 3.0)
+
+
+def _name(axes: Axes, marks: Sequence[Mark], wide: float, upright: bool) -> None:
+    """The name of every station above a panel of ``wide`` [mm]."""
+    left, right = axes.get_xlim()
+    per_mm = (right - left) / wide
+    sizes = [((2.0 if upright else len(n)) * _LETTER + 1.5) * per_mm for _, n in marks]
+    places = spread([x for x, _ in marks], sizes, left, right)
+    for place, (_, name) in zip(places, marks, strict=True):
+        axes.annotate(
+            name,
+            (float(place), 1.0),
+            (0.0, 2.0),
+            xycoords=("data", "axes fraction"),
+            textcoords="offset points",
+            ha="center",
+            va="bottom",
+            rotation=90.0 if upright else 0.0,
+            fontsize=FONT_SIZE - 1.5,
+            color=GREY,
+        )

@@ -1,0 +1,190 @@
+"""Section forces, elastic line, stress and twist of the shaft under static loads.
+
+First-order theory: equilibrium of the undeformed shaft, bearings as linear springs about their
+preload state. What that state puts on the shaft along its axis is part of N and of the reactions.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.section_forces.outer_fibre import outer_fibre
+from rotordyn.analyses.section_forces.result import SectionForcesResult
+from rotordyn.analyses.section_forces.spec import SectionForcesSpec
+from rotordyn.analyses.section_forces.static_loads import (
+    loaded_mesh,
+    require_balance,
+    resultant,
+    static_loads,
+)
+from rotordyn.equation.elastic_line import Compliance, compliance, elastic_line
+from rotordyn.equation.holding import (
+    held_stiffness,
+    length_scale,
+    rigid_motion,
+    rigidly_held,
+)
+from rotordyn.equation.mesh import Mesh
+from rotordyn.equation.reactions import Held, reactions
+from rotordyn.equation.section_forces import SectionForces, section_forces
+from rotordyn.errors import InvalidInput
+from rotordyn.machine.inertia import mass_in_front
+from rotordyn.machine.spindle import Spindle
+from rotordyn.scene.loads import TwistLimit, station
+from rotordyn.scene.scene import Scene
+
+Array = NDArray[np.float64]
+COMPONENTS = ("Fx", "Fy", "Fz", "Mx", "My", "Mz")
+
+
+def answer(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
+    """At every speed with a solution.
+
+    Raises
+    ------
+    InvalidInput : the shaft is a free body, or its reactions are not determined
+    """
+    spindle = scene.spindle
+    if spindle.joints:
+        raise InvalidInput("section forces take no joints: leave them out")
+    mesh = loaded_mesh(spindle, spec, scene.conditions.element_length)
+    loads = static_loads(spindle, mesh, spec, scene.conditions)
+    free = require_balance(spindle, spec, scene.conditions)
+    speed = scene.speed[scene.usable]
+    point = loads.point + (speed**2)[:, None, None] * loads.turning
+    give = compliance(spindle, mesh, rigid=scene.rigid)
+    acting = np.broadcast_to(resultant(loads.on_nodes(mesh.x), mesh.x), (len(speed), 6))
+    acting = acting + np.multiply.outer(speed**2, resultant(loads.turning, mesh.x))
+    nodes = mesh.nodes_of(spindle.connections)
+    loose = elastic_line(mesh.x, give, section_forces(mesh.x, point, loads.line), loads.line)[
+        :, nodes
+    ]
+    held = Held(
+        stiffness=held_stiffness(scene.rotor, scene.state),
+        rigid=rigidly_held(spindle).ravel(),
+        motion=rigid_motion(mesh.x[nodes], float(mesh.x[0])).reshape(-1, 6),
+        flexibility=_flexibility(mesh, give, nodes),
+        free=free,
+        scale=length_scale(spindle),
+    )
+    push, front = reactions(held, loose.reshape(len(speed), -1), acting)
+    push = push.reshape(len(speed), -1, 6)
+    whole = point.copy()
+    for k, node in enumerate(nodes):
+        whole[:, node] += push[:, k]
+    forces = section_forces(mesh.x, whole, loads.line)
+    moved = elastic_line(mesh.x, give, forces, loads.line)
+    own = rigid_motion(mesh.x, float(mesh.x[0]))
+    moved += np.einsum("nij,sj->sni", own, front, optimize=True)
+    return _result(scene, spec, mesh, forces, moved, push)
+
+
+def _flexibility(mesh: Mesh, give: Compliance, nodes: list[int]) -> Array:
+    """Displacements at ``nodes`` by unit loads there, the front end held (6 k, 6 k)."""
+    count = len(nodes)
+    unit = np.zeros((6 * count, mesh.nodes, 6))
+    for k, node in enumerate(nodes):
+        unit[6 * k + np.arange(6), node, np.arange(6)] = 1.0
+    none = np.zeros((mesh.nodes - 1, 2, 3))
+    moved = elastic_line(mesh.x, give, section_forces(mesh.x, unit, none), none)
+    return np.asarray(moved[:, nodes].reshape(6 * count, 6 * count).T)
+
+
+def _result(
+    scene: Scene,
+    spec: SectionForcesSpec,
+    mesh: Mesh,
+    forces: SectionForces,
+    moved: Array,
+    push: Array,
+) -> SectionForcesResult:
+    spindle = scene.spindle
+    both = np.stack([forces.front, forces.rear], axis=-2)
+    if spindle.seats:
+        both[..., 0] += _preloaded(scene, mesh)
+        push = push + _preload_push(scene)
+    cut = scene.scattered(both.reshape(len(both), -1, 6))
+    line = scene.scattered(
+        np.stack([moved[:, :-1], moved[:, 1:]], axis=2).reshape(len(moved), -1, 6)
+    )
+    outer, inner = (np.stack(ends, axis=1).ravel() for ends in (mesh.outer, mesh.inner))
+    stress = outer_fibre(cut, outer, inner)
+    held = [(each.name, each.x) for each in spindle.connections]
+    spans = [_span(limit, spindle, mesh) for limit in spec.twist_limits]
+    turned = [moved[:, span.stop, 3] - moved[:, span.start, 3] for span in spans]
+    needed = [
+        _required_diameter(limit, mesh, both, span)
+        for limit, span in zip(spec.twist_limits, spans, strict=True)
+    ]
+    return SectionForcesResult(
+        speed=scene.speed,
+        cut=np.stack([mesh.x[:-1], mesh.x[1:]], axis=1).ravel(),
+        support=tuple(name for name, _ in held),
+        component=COMPONENTS,
+        twist_limit=tuple(limit.called for limit in spec.twist_limits),
+        outcome=scene.outcome,
+        outer_diameter=outer,
+        inner_diameter=inner,
+        normal_force=cut[..., 0],
+        shear_force_y=cut[..., 1],
+        shear_force_z=cut[..., 2],
+        torque=cut[..., 3],
+        bending_moment_y=cut[..., 4],
+        bending_moment_z=cut[..., 5],
+        axial_displacement=line[..., 0],
+        deflection_y=line[..., 1],
+        deflection_z=line[..., 2],
+        twist=line[..., 3],
+        slope_y=line[..., 4],
+        slope_z=line[..., 5],
+        normal_stress=stress.normal,
+        torsion_stress=stress.torsion,
+        von_mises_stress=stress.von_mises,
+        support_station=np.array([x for _, x in held]),
+        reaction=scene.scattered(push),
+        allowed_twist=np.array([limit.limit for limit in spec.twist_limits]),
+        bore=np.array([limit.bore for limit in spec.twist_limits]),
+        twist_between=scene.scattered(_columns(turned, len(both))),
+        required_diameter=scene.scattered(_columns(needed, len(both))),
+    )
+
+
+def _columns(values: list[Array], states: int) -> Array:
+    return np.stack(values, axis=1) if values else np.zeros((states, 0))
+
+
+def _preloaded(scene: Scene, mesh: Mesh) -> Array:
+    """Axial force of the preload state at both ends of the elements (usable, elements, 2) [N]."""
+    rows = scene.bearing_row[scene.usable]
+    middle = scene.shaft_force.at(mesh.middle)[rows]
+    edges = np.stack([mesh.x[:-1], mesh.middle, mesh.x[1:]])
+    front, half, rear = scene.gravity * mass_in_front(scene.spindle.shaft, edges)
+    return np.stack([middle + (half - front), middle - (rear - half)], axis=-1)
+
+
+def _preload_push(scene: Scene) -> Array:
+    """What bearings and supports do to the shaft in the preload state (usable, k, 6) [N, N·m]."""
+    spindle, push = scene.spindle, scene.shaft_force.push[scene.bearing_row[scene.usable]]
+    own = np.zeros((len(push), len(spindle.connections), 6))
+    elastic = len(spindle.seats) + len(spindle.supports)
+    own[:, : len(spindle.seats), 0] = push[:, : len(spindle.seats)]
+    own[:, len(spindle.seats) : elastic, 0] = push[:, push.shape[1] - len(spindle.supports) :]
+    return own
+
+
+def _span(limit: TwistLimit, spindle: Spindle, mesh: Mesh) -> slice:
+    """The elements between the ends of ``limit``; start and stop are their outermost nodes."""
+    first, last = (mesh.node_of(station(spindle, at)) for at in (limit.start, limit.to))
+    return slice(first, last)
+
+
+def _required_diameter(limit: TwistLimit, mesh: Mesh, forces: Array, span: slice) -> Array:
+    """Outer diameter of a uniform shaft that just keeps to ``limit`` (usable,) [m].
+
+    D⁴ = d⁴ + 32 |∫ Mt/G dx| / (π θ), whatever stands in the case.
+    """
+    turned = (forces[:, span, 0, 3] * (mesh.length / mesh.shear_modulus)[span]).sum(axis=1)
+    return np.asarray((limit.bore**4 + 32.0 / math.pi * np.abs(turned) / limit.limit) ** 0.25)

@@ -1,0 +1,142 @@
+"""The loads of a static question on the nodes and elements of a shaft, and whether they balance."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.section_forces.spec import SectionForcesSpec
+from rotordyn.equation.holding import free_motions, free_names, length_scale, rigid_motion
+from rotordyn.equation.mesh import Mesh, build_mesh, station_mesh
+from rotordyn.errors import InvalidInput
+from rotordyn.machine.spindle import Spindle
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.loads import station
+from rotordyn.units import STANDARD_GRAVITY
+
+Array = NDArray[np.float64]
+BALANCED = 1e-6  # of all loads along a free motion
+ROUNDING = 1e-12  # of all loads
+_WAYS = {"x": 0, "y": 1, "z": 2}
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class StaticLoads:
+    """``point`` (nodes, 6) [N, N·m] and ``line`` (elements, 2, 3) [N/m], at both ends of each
+    element and straight in between; ``turning`` (nodes, 6) per unit of Ω² [kg·m]."""
+
+    point: Array
+    turning: Array
+    line: Array
+
+    def on_nodes(self, x: Array) -> Array:
+        """Point loads with the same resultant: of each element's line load at either end."""
+        front, rear = np.moveaxis(self.line, 1, 0)
+        length, gathered = np.diff(x)[:, None], self.point.copy()
+        gathered[:-1, :3] += (2.0 * front + rear) * length / 6.0
+        gathered[1:, :3] += (front + 2.0 * rear) * length / 6.0
+        return gathered
+
+
+def loaded_mesh(
+    spindle: Spindle, spec: SectionForcesSpec, element_length: float | None = None
+) -> Mesh:
+    """Nodes as in ``build_mesh`` and wherever something acts or is asked for."""
+    return build_mesh(_marked(spindle, spec), element_length)
+
+
+def _marked(spindle: Spindle, spec: SectionForcesSpec) -> Spindle:
+    own = {f"place {k}": station(spindle, at) for k, at in enumerate(spec.places)}
+    return replace(spindle, points={**spindle.points, **own})
+
+
+def static_loads(
+    spindle: Spindle, mesh: Mesh, spec: SectionForcesSpec, conditions: Conditions
+) -> StaticLoads:
+    """All loads of the question; of the conditions those that no preload state carries."""
+    point, turning = np.zeros((2, mesh.nodes, 6))
+    for load in spec.loads:
+        _put(point, mesh, station(spindle, load.at), np.array(load.on_axis))
+    for each in spec.unbalances:
+        way = np.array([0.0, math.cos(each.angle), math.sin(each.angle), 0.0, 0.0, 0.0])
+        _put(turning, mesh, station(spindle, each.at), each.unbalance * way)
+    line = np.zeros((mesh.nodes - 1, 2, 3))
+    for span in spec.line_loads:
+        ends = [station(spindle, at) for at in (span.start, span.to)]
+        covered = (ends[0] < mesh.middle) & (mesh.middle < ends[1])
+        line[covered] += (span.qx, span.qy, span.qz)
+    for gravity in _weights(spindle, spec, conditions):
+        line += mesh.weight_line[..., None] * gravity
+        for body in spindle.lumped:
+            point[mesh.node_of(body.x), :3] += body.mass * gravity
+    if not spindle.seats:
+        for x, force in _along(spindle, conditions):
+            point[mesh.node_of(x), 0] += force
+    return StaticLoads(point, turning, line)
+
+
+def _put(point: Array, mesh: Mesh, x: float, load: Array) -> None:
+    """Add a load at ``x``, with its moment about the node where that is merged with a station."""
+    node = mesh.node_of(x)
+    point[node] += rigid_motion(np.array(x), float(mesh.x[node])).T @ load
+
+
+def _weights(spindle: Spindle, spec: SectionForcesSpec, conditions: Conditions) -> Iterator[Array]:
+    """Acceleration of gravity by the question, and by conditions without a preload state."""
+    for word in (spec.gravity, "none" if spindle.seats else conditions.gravity):
+        if word != "none":
+            gravity = np.zeros(3)
+            gravity[_WAYS[word[1]]] = STANDARD_GRAVITY * (1.0 if word[0] == "+" else -1.0)
+            yield gravity
+
+
+def _along(spindle: Spindle, conditions: Conditions) -> Iterator[tuple[float, float]]:
+    """Stations and axial forces that a preload state would carry."""
+    yield spindle.shaft.start, conditions.axial_force - conditions.tension
+    yield spindle.shaft.end, conditions.tension
+    if bar := spindle.drawbar:
+        yield bar.start, bar.force
+        yield bar.end, -bar.force
+
+
+def resultant(point: Array, x: Array) -> Array:
+    """Resultant (…, 6) about the front end of loads (…, nodes, 6) on nodes at ``x`` [m]."""
+    return np.einsum("nij,...ni->...j", rigid_motion(x, float(x[0])), point, optimize=True)
+
+
+def require_balance(spindle: Spindle, spec: SectionForcesSpec, conditions: Conditions) -> Array:
+    """Motions that nothing holds (6, k), in lengths, along which the loads balance.
+
+    Raises
+    ------
+    InvalidInput : they do not: the shaft is a free body
+    """
+    free = free_motions(spindle)
+    if not free.shape[1]:
+        return free
+    mesh = station_mesh(_marked(spindle, spec))
+    loads = static_loads(spindle, mesh, spec, conditions)
+    scale = length_scale(spindle)
+    for acting in (loads.on_nodes(mesh.x), loads.turning):
+        motion = rigid_motion(mesh.x, float(mesh.x[0])) / scale
+        each = np.einsum("nij,ni,jk->nik", motion, acting, free, optimize=True)
+        left = each.sum(axis=(0, 1))
+        size = np.abs(each).sum(axis=(0, 1))
+        over = np.abs(left) > BALANCED * size + ROUNDING * np.abs(acting / scale).sum()
+        if over.any():
+            raise InvalidInput(_free_body(free[:, over] @ left[over], scale))
+    return free
+
+
+def _free_body(left: Array, scale: Array) -> str:
+    names = free_names(left[:, None] / np.abs(left).max())
+    force, moment = np.abs(left[:3]).max(), np.abs(left * scale)[3:].max()
+    amount = f"{moment:.6g} N m" if names.startswith("th") else f"{force:.6g} N"
+    return (
+        f"free body in a static case: nothing holds {names}, and the loads leave {amount} over "
+        "there; balance them, or hold it by a support"
+    )

@@ -1,0 +1,1 @@
+"""Radial stiffness of a point by bearing model."""

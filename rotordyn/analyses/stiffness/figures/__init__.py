@@ -1,0 +1,1 @@
+"""Figures: radial stiffness of a point by bearing model."""

@@ -1,0 +1,74 @@
+"""Radial stiffness of a point in its variants."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rotordyn.analyses.stiffness.result import StiffnessResult
+from rotordyn.figures.curves import draw_columns, draw_references
+from rotordyn.figures.legends import legend
+from rotordyn.figures.style import (
+    CYCLE,
+    DASHES,
+    FONT_SIZE,
+    add_axes,
+    grid_boxes,
+    new_figure,
+    speed_ticks,
+)
+from rotordyn.machine.reference import Reference
+from rotordyn.results.display import MICROMETRE, RPM, STIFFNESS
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+
+def stiffness_figure(
+    result: StiffnessResult, references: Sequence[Reference] = (), point: str = ""
+) -> Figure:
+    """Tangent stiffness at no load over speed, a line per variant."""
+    figure = new_figure(168.0, 100.0)
+    where = f" at {point}" if point else ""
+    axes = add_axes(
+        figure, (15.0, 11.0, 147.0, 84.0), "speed [rpm]", f"radial stiffness{where} [N/µm]"
+    )
+    rpm = result.speed * RPM.factor
+    names = [name.replace("_", " ") for name in result.variant]
+    draw_columns(axes, rpm, result.tangent * STIFFNESS.factor, names)
+    colours = {name: CYCLE[k % len(CYCLE)] for k, name in enumerate(result.variant)}
+    draw_references(
+        axes, references, "radial_stiffness", float(rpm[-1]), subject=True, colours=colours
+    )
+    speed_ticks(axes, float(rpm[-1]))
+    axes.set_ylim(0.0, axes.get_ylim()[1] * 1.05)
+    legend(axes, loc="lower left")
+    return figure
+
+
+def force_figure(result: StiffnessResult, point: str = "", speeds: int = 3) -> Figure:
+    """Deflection under force at the first, the middle and the last speed, a line per variant."""
+    figure = new_figure(168.0, 80.0)
+    picked = np.unique(np.linspace(0, result.speed.size - 1, speeds).round().astype(int))
+    boxes = grid_boxes(figure, 1, len(picked), margins=(15.0, 6.0, 12.0, 9.0), gaps=(6.0, 0.0))
+    largest = float(np.nanmax(result.deflection[picked])) * MICROMETRE.factor
+    where = f" at {point}" if point else ""
+    for place, (index, box) in enumerate(zip(picked, boxes, strict=True)):
+        label = "" if place else f"radial force{where} [N]"
+        axes = add_axes(figure, box, f"deflection{where} [µm]", label)
+        for variant, name in enumerate(result.variant):
+            axes.plot(
+                result.deflection[index, variant] * MICROMETRE.factor,
+                result.force,
+                color=CYCLE[variant % len(CYCLE)],
+                ls=DASHES[variant % len(DASHES)],
+                label=name.replace("_", " "),
+            )
+        axes.set(xlim=(0.0, largest * 1.04), ylim=(0.0, float(result.force[-1])))
+        axes.tick_params(labelleft=not place)
+        axes.set_title(f"{result.speed[index] * RPM.factor:.0f} rpm", fontsize=FONT_SIZE, pad=4.0)
+        if place == len(picked) - 1:
+            legend(axes, loc="lower right")
+    return figure

@@ -1,0 +1,102 @@
+"""Deflection of a point under a radial force that grows from zero in even steps.
+
+Every load is a balance of its own (``radial``); only its start is taken from the loads before it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.stiffness.radial import Point, RadialProblem
+from rotordyn.machine.limits import HIGHEST_PRESSURE
+
+Array = NDArray[np.float64]
+Words = NDArray[np.str_]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class LoadStep:
+    """The machine in balance under one load: where everything stands, and where it is heading.
+
+    ``place``: deflections of the shaft with the positions of the sleeves (speeds, unknowns), then
+    the ball centres of each bearing model (2, speeds, seats, balls). ``slope``: how far each of
+    them would move for the next step of the load, were the machine linear.
+    """
+
+    place: list[Array]
+    slope: list[Array]
+
+    def ahead(self, before: LoadStep | None) -> list[Array]:
+        """Where the next load is likely to put everything.
+
+        On the cubic with the places and slopes of this load and of the one ``before``, an even step
+        back; on the straight line where there is none.
+        """
+        if before is None:
+            return [x + dx for x, dx in zip(self.place, self.slope, strict=True)]
+        every = zip(before.place, before.slope, self.place, self.slope, strict=True)
+        return [5.0 * x0 + 2.0 * dx0 - 4.0 * x1 + 4.0 * dx1 for x0, dx0, x1, dx1 in every]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class RadialCurve:
+    """``deflection`` of the loaded point (speeds, loads), ``tangent`` at no load (speeds,) [N/m].
+
+    ``outcome`` (speeds,): empty, or why the curve ends early (then NaN from there on). ``reach``
+    (speeds, bodies): furthest position of each body against its spring along the curve, as travel
+    from rest [m].
+    """
+
+    deflection: Array
+    tangent: Array
+    outcome: Words
+    reach: Array
+
+
+def radial_curve(problem: RadialProblem, force: Array) -> RadialCurve:
+    """Deflection under loads that ascend evenly from zero; every speed stands on its own."""
+    p, point = len(problem.rotor.point), problem.rotor.point
+    start = np.concatenate([np.zeros((len(problem.position), p)), problem.position], axis=1)
+    here = problem.evaluate(start, None)
+    every = np.ones(len(start), dtype=bool)
+    step, slope = float(force[1] - force[0]), problem.per_newton(here, every)
+    before, last = None, _load_step(problem, here, step * slope)
+    deflection, tangent = np.zeros((len(start), len(force))), 1.0 / slope[:, :p].dot(point)
+    outcome = np.full(len(start), "", dtype=object)
+    reach = problem.travel(start)
+    for k in range(1, len(force)):
+        if (outcome != "").all():
+            deflection[:, k:] = np.nan
+            break
+        guess = last.ahead(before)
+        problem, here, found = problem.solved(guess, here, float(force[k]), outcome == "")
+        lost = (outcome == "") & ~found
+        outcome[lost] = [_why(pressure, force[k]) for pressure in here.pressure[lost]]
+        slope = problem.per_newton(here, outcome == "")
+        before, last = last, _load_step(problem, here, step * slope)
+        deflection[:, k] = here.coordinates[:, :p] @ point
+        deflection[outcome != "", k] = np.nan
+        reach = np.fmax(reach, problem.travel(here.coordinates))
+    return RadialCurve(deflection, tangent, outcome.astype(str), reach)
+
+
+def _load_step(problem: RadialProblem, here: Point, slope: Array) -> LoadStep:
+    return LoadStep(
+        [here.coordinates, *(one.ball for _, one in here.bearings)],
+        [slope, *problem.balls_along(here, slope)],
+    )
+
+
+def _why(pressure: float, force: float) -> str:
+    """Why a curve ends at ``force`` [N]."""
+    if pressure > HIGHEST_PRESSURE:
+        return (
+            f"bearings are overloaded under a radial force of {force:g} N (peak pressure "
+            f"{pressure / 1e9:.1f} GPa, at most {HIGHEST_PRESSURE / 1e9:g} GPa): lower max_force"
+        )
+    return (
+        f"no equilibrium under a radial force of {force:g} N: lower max_force or raise the preload"
+    )

@@ -1,0 +1,231 @@
+"""Quasi-static radial stiffness of a point, for each way of modelling the bearings.
+
+The load lies in plane y, so shaft and bearings move in (x, y, θz) only. Tilts and the axial
+arrangement are free to follow.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.stiffness.radial import PLANE, RadialProblem
+from rotordyn.analyses.stiffness.radial_curve import RadialCurve, radial_curve
+from rotordyn.analyses.stiffness.result import StiffnessResult
+from rotordyn.analyses.stiffness.spec import StiffnessSpec
+from rotordyn.equation.statics import PlaneRotor, plane_rotor
+from rotordyn.errors import InvalidInput
+from rotordyn.preload.outcome import LEAST_LOAD
+from rotordyn.preload.state import PreloadState
+from rotordyn.results.display import RPM
+from rotordyn.scene.scene import Scene
+
+Array = NDArray[np.float64]
+REACHED = 1e-12  # m
+SHORT_STOP = "short_stop"
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Variant:
+    """One way of modelling the bearings at the usable speeds.
+
+    ``deflection`` (usable, loads), ``tangent`` at no load and ``outcome`` (usable,).
+    """
+
+    deflection: Array
+    tangent: Array
+    outcome: NDArray[np.str_]
+
+
+def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
+    """Deflection curves, tangent at no load and secant at full load (speeds, variants, …).
+
+    Raises
+    ------
+    InvalidInput : a support couples plane y or the axis to other motions
+    """
+    for support in scene.spindle.supports:
+        if support.out_of_plane:
+            raise InvalidInput(
+                f"support '{support.name}' couples plane y or the axis to other motions: the "
+                "radial stiffness is solved in plane y alone"
+            )
+    if scene.spindle.housings:
+        raise InvalidInput("the radial stiffness takes no housings: ask frf at a low frequency")
+    force = np.linspace(0.0, spec.max_force, spec.steps + 1)
+    rotor = _rotor(scene, spec)
+    found: dict[str, Variant] = {}
+    curves = partial(_nonlinear, scene.preload, rotor, scene.bearing_row[scene.usable], force)
+    usual = None
+    if "nonlinear" in spec.variants or spec.second_stop:
+        usual = scene.timed("stiffness: nonlinear", curves)
+    for name in spec.variants:
+        if name == "nonlinear" and usual is not None:
+            found[name] = _as_variant(usual)
+        else:
+            work = partial(_linear, scene, spec, rotor, name, force)
+            found[name] = scene.timed(f"stiffness: {name}", work)
+    if usual is not None and spec.second_stop:
+        short = partial(_short_stop, scene, spec, force, usual)
+        found[SHORT_STOP] = scene.timed(f"stiffness: {SHORT_STOP}", short)
+    deflection = np.stack([variant.deflection for variant in found.values()], axis=1)
+    return StiffnessResult(
+        speed=scene.speed,
+        variant=tuple(found),
+        force=force,
+        outcome=_outcome(scene, found),
+        deflection=scene.scattered(deflection),
+        tangent=scene.scattered(np.stack([v.tangent for v in found.values()], axis=1)),
+        secant=scene.scattered(force[-1] / deflection[..., -1]),
+    )
+
+
+def _rotor(
+    scene: Scene,
+    spec: StiffnessSpec,
+    seat_load: Array | None = None,
+    speed: Array | None = None,
+) -> PlaneRotor:
+    """The rotor under the axial forces at ``bearing_speed``, or under others (states, seats)."""
+    force = scene.bending_force(seat_load)
+    at = scene.state_speed if speed is None else speed
+    states = max(len(at), 0 if force is None else len(force))
+    at = np.broadcast_to(at, states)
+    if force is not None:
+        force = np.broadcast_to(force, (states, force.shape[1]))
+    return plane_rotor(scene.rotor, at, scene.spindle.place(spec.point), force)
+
+
+def _outcome(scene: Scene, found: dict[str, Variant]) -> tuple[str, ...]:
+    """Per speed: why the machine, or else the first variant that fails, has no solution."""
+    words = list(scene.outcome)
+    for place, row in enumerate(scene.usable):
+        rpm = scene.speed[row] * RPM.factor
+        for name, variant in found.items():
+            if variant.outcome[place] and not words[row]:
+                words[row] = f"{name} at {rpm:.0f} rpm: {variant.outcome[place]}"
+    return tuple(words)
+
+
+def _nonlinear(
+    state: PreloadState, rotor: PlaneRotor, rows: NDArray[np.intp], force: Array
+) -> RadialCurve:
+    """The full bearing model at every load; equal rows are solved once."""
+    distinct, place = np.unique(rows, return_inverse=True)
+    curve = radial_curve(RadialProblem.at(state, rotor, distinct), force)
+    return RadialCurve(
+        curve.deflection[place], curve.tangent[place], curve.outcome[place], curve.reach[place]
+    )
+
+
+def _as_variant(curve: RadialCurve) -> Variant:
+    return Variant(curve.deflection, curve.tangent, curve.outcome)
+
+
+def _short_stop(scene: Scene, spec: StiffnessSpec, force: Array, usual: RadialCurve) -> Variant:
+    """The nonlinear variant with other stop travels; solved anew only where they matter."""
+    rows = scene.bearing_row[scene.usable]
+    other = _as_variant(usual)
+    deflection, tangent = other.deflection.copy(), other.tangent.copy()
+    outcome = other.outcome.astype(object)
+    differs = np.zeros(len(rows), dtype=bool)
+    for push, sleeve in zip(
+        scene.preload.network.arrangement.pushes, scene.spindle.sleeves, strict=True
+    ):
+        travel = spec.second_stop.get(sleeve.name, sleeve.stop_travel)
+        if travel != sleeve.stop_travel:
+            nearer = min(travel, sleeve.stop_travel)
+            differs |= ~(usual.reach[:, push.body] < nearer - REACHED) | (other.outcome != "")
+    anew = np.flatnonzero(differs)
+    if anew.size:
+        state = scene.preload.with_travels(spec.second_stop, rows[anew])
+        speeds = scene.state_speed[rows[anew]]
+        rotor = _rotor(scene, spec, state.seat_load(), speeds)
+        curve = _nonlinear(state, rotor, np.arange(anew.size), force)
+        words = np.array(state.outcome, dtype=object)
+        buckled = scene.buckled(state.seat_load(), state.seat_stiffness(), speeds)
+        words = np.where(words == "", np.array(buckled, dtype=object), words)
+        good = words == ""
+        deflection[anew] = np.where(good[:, None], curve.deflection, np.nan)
+        tangent[anew] = np.where(good, curve.tangent, np.nan)
+        outcome[anew] = np.where(good, curve.outcome, words)
+    return Variant(deflection, tangent, outcome.astype(str))
+
+
+def _linear(
+    scene: Scene, spec: StiffnessSpec, rotor: PlaneRotor, name: str, force: Array
+) -> Variant:
+    """A variant with constant bearing tangents."""
+    rows = scene.bearing_row[scene.usable]
+    outcome = np.full(len(scene.preload.speed), "", dtype=object)
+    if name == "constant_preload":
+        rest = scene.preload.rest_loads()
+        stiffness, outcome = _constant_preload(scene, rest)
+        load = _by_seat(scene.preload, rest)
+        rotor = _rotor(scene, spec, load)
+        load = np.repeat(load, len(outcome), axis=0)
+        buckled = scene.buckled(load, stiffness, scene.state_speed)
+        outcome = np.where(outcome == "", np.array(buckled, dtype=object), outcome)
+    else:
+        stiffness = scene.tangents
+    block = _plane_blocks(scene, stiffness[rows])
+    if name == "diagonal":
+        block = block * np.eye(2)
+    flexibility = _flexibility(rotor.at(rows), block)
+    return Variant(flexibility[:, None] * force, 1.0 / flexibility, outcome[rows].astype(str))
+
+
+def _constant_preload(scene: Scene, rest: Array) -> tuple[Array, NDArray[np.object_]]:
+    """Bearing tangents under the axial load each bearing carries at ``rest``, speed effects acting.
+
+    Also an outcome per bearing speed.
+    """
+    from bearings.ring.tangents import stiffness as tangent_of
+
+    state, bearings = scene.preload, scene.preload.network.arrangement.bearings
+    blocks = np.empty((len(state.speed), len(scene.spindle.seats), 5, 5))
+    outcome = np.full(len(state.speed), "", dtype=object)
+    names = [", ".join(scene.spindle.seats[seat].name for seat in b.seats) for b in bearings]
+    carried = np.where(state.network.both_ways, np.abs(rest), rest)
+    carries = carried > LEAST_LOAD * float(np.nanmax(np.abs(rest), initial=0.0))
+    for k in np.flatnonzero(~carries):
+        blocks[:, list(bearings[k].seats)] = np.nan
+        outcome[outcome == ""] = f"bearing {names[k]} carries no load at rest"
+    carrying = [int(k) for k in np.flatnonzero(carries)]
+    load = np.zeros((len(state.speed), len(carrying), 5))
+    load[..., 0] = rest[carrying]
+    near = state.net.response.states if carries.all() else None
+    for held in state.network.solve_bearings(carrying, near, load=load).values():
+        tangents = tangent_of(held.state, scene.conditions.tangent)
+        for column, place in enumerate(held.places):
+            k = carrying[place]
+            blocks[:, list(bearings[k].seats)] = tangents[:, column, None]
+            lost = (held.state.outcome[:, column] != "") & (outcome == "")
+            outcome[lost] = f"bearing {names[k]} has no equilibrium under its load at rest"
+    return blocks, outcome
+
+
+def _by_seat(state: PreloadState, load: Array) -> Array:
+    """A load of every bearing as that of every seat (1, seats)."""
+    bearings = state.network.arrangement.bearings
+    seats = {seat: load[k] for k, bearing in enumerate(bearings) for seat in bearing.seats}
+    return np.array([[seats[seat] for seat in sorted(seats)]])
+
+
+def _plane_blocks(scene: Scene, stiffness: Array) -> Array:
+    """(…, seats, 2, 2) over (y, θz) of the spindle, from tangents in the bearings' own frames."""
+    thrust = np.array([float(seat.thrust) for seat in scene.spindle.seats])
+    sign = np.stack([np.ones_like(thrust), thrust], axis=1)
+    block = stiffness[..., PLANE[1:], :][..., PLANE[1:]]
+    return block * sign[:, :, None] * sign[:, None, :]
+
+
+def _flexibility(rotor: PlaneRotor, block: Array) -> Array:
+    """Deflection of the point per unit force (speeds,) [m/N]."""
+    bearings = np.einsum("kip,skij,kjq->spq", rotor.seats, block, rotor.seats, optimize=True)
+    load = np.broadcast_to(rotor.point[:, None], (len(block), len(rotor.point), 1))
+    answer = np.linalg.solve(rotor.stiffness + bearings, load)
+    return np.asarray((rotor.point @ answer)[:, 0])

@@ -1,0 +1,1 @@
+"""Steady response to unbalance."""

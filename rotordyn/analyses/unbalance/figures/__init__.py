@@ -1,0 +1,1 @@
+"""Figures: steady response to unbalance."""

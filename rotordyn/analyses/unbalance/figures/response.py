@@ -1,0 +1,155 @@
+"""Response to unbalance over speed: amplitude, phase, shape of the orbit, forces of supports."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.unbalance.result import UnbalanceResult
+from rotordyn.figures.amplitudes import log_axis, wrapped_phase
+from rotordyn.figures.labels import spread
+from rotordyn.figures.legends import shortened, top_legend
+from rotordyn.figures.style import (
+    CYCLE,
+    FONT_SIZE,
+    GREY,
+    add_axes,
+    grid_boxes,
+    new_figure,
+    speed_ticks,
+)
+from rotordyn.results.display import MICROMETRE, RPM
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+ROUND = 1e-6  # of an orbit: nearer to a circle than that is one
+DECADES = 6.0  # of an axis, at most
+DASH = {"y": "-", "z": "--"}
+_LETTER = 0.5 * (FONT_SIZE - 1.5) * 25.4 / 72.0  # [mm] of a name above the panels, on average
+
+
+def response_figure(result: UnbalanceResult) -> Figure:
+    """Amplitude over phase, and over the shape of the orbits where they are no circles.
+
+    A line per point; y and z apart where they differ. Critical speeds are marked.
+    """
+    ellipses = not round_orbits(result)
+    rows = 3 if ellipses else 2
+    figure = new_figure(168.0, 18.0 + 48.0 * rows)
+    boxes = grid_boxes(figure, rows, 1, margins=(17.0, 6.0, 12.0, 14.0), gaps=(0.0, 5.0))
+    names = ["amplitude, zero to peak [µm]", "phase lead [deg]", "half axes, backward < 0 [-]"]
+    panels = [
+        _panel(figure, box, name, result, last=place == rows - 1)
+        for place, (box, name) in enumerate(zip(boxes, names, strict=False))
+    ]
+    for column, point in enumerate(result.point):
+        for axis, letter in enumerate(result.axis if ellipses else result.axis[:1]):
+            label = f"{point}.{letter}" if ellipses else point
+            look: dict[str, Any] = {
+                "color": CYCLE[column % len(CYCLE)],
+                "ls": DASH[letter],
+                "label": label,
+            }
+            amplitude = result.amplitude[:, column, axis] * MICROMETRE.factor
+            panels[0].plot(*_positive(result, amplitude), **look)
+            phase = wrapped_phase(np.degrees(result.phase[:, column, axis]))
+            panels[1].plot(*_turning(result, phase), **look)
+        if ellipses:
+            with np.errstate(invalid="ignore", divide="ignore"):
+                ratio = result.minor_axis[:, column] / result.major_axis[:, column]
+            panels[2].plot(*_turning(result, ratio), color=CYCLE[column % len(CYCLE)])
+    _finish(panels[0])
+    panels[1].set_ylim(-190.0, 190.0)
+    panels[1].set_yticks([-180.0, -90.0, 0.0, 90.0, 180.0])
+    if ellipses:
+        panels[2].set_ylim(-1.08, 1.08)
+        panels[2].set_yticks([-1.0, -0.5, 0.0, 0.5, 1.0])
+    _criticals(panels, result, boxes[0][2])
+    top_legend(figure, panels[0])
+    return figure
+
+
+def forces_figure(result: UnbalanceResult) -> Figure:
+    """Amplitude of the force of every bearing and support."""
+    figure = new_figure(168.0, 88.0)
+    axes = _panel(figure, (17.0, 12.0, 145.0, 62.0), "force, zero to peak [N]", result, last=True)
+    for column, name in enumerate(result.support):
+        x, values = _positive(result, result.force_amplitude[:, column])
+        axes.plot(x, values, color=CYCLE[column % len(CYCLE)], label=name)
+    _finish(axes)
+    _criticals([axes], result, 145.0)
+    top_legend(figure, axes)
+    return figure
+
+
+def round_orbits(result: UnbalanceResult) -> bool:
+    """True where every orbit is a circle run through forward."""
+    gap = result.major_axis - result.minor_axis
+    with np.errstate(invalid="ignore"):
+        return not bool((gap > ROUND * np.nanmax(result.major_axis)).any())
+
+
+def _panel(
+    figure: Figure,
+    box: Sequence[float],
+    name: str,
+    result: UnbalanceResult,
+    *,
+    last: bool,
+) -> Axes:
+    whose = "speed [rpm]" if result.speed_ratio == 1.0 else "speed of the spindle [rpm]"
+    axes = add_axes(figure, box, whose if last else "", name)
+    axes.tick_params(labelbottom=last)
+    speed_ticks(axes, float(result.speed[-1]) * RPM.factor, 8)
+    return axes
+
+
+def _positive(result: UnbalanceResult, values: Array) -> tuple[Array, Array]:
+    """Speeds [rpm] and values, without those that have no logarithm."""
+    return result.speed * RPM.factor, np.where(values > 0.0, values, np.nan)
+
+
+def _turning(result: UnbalanceResult, values: Array) -> tuple[Array, Array]:
+    """Speeds [rpm] and values where the shaft turns."""
+    return result.speed * RPM.factor, np.where(result.speed > 0.0, values, np.nan)
+
+
+def _finish(axes: Axes) -> None:
+    """A logarithmic axis over what there is, a few decades of it."""
+    known = np.concatenate([np.asarray(line.get_ydata(), float) for line in axes.get_lines()])
+    known = known[np.isfinite(known)]
+    if known.size:
+        high = 1.6 * float(known.max())
+        axes.set_ylim(max(0.6 * float(known.min()), high / 10.0**DECADES), high)
+        log_axis(axes)
+
+
+def _criticals(panels: Sequence[Axes], result: UnbalanceResult, wide: float) -> None:
+    """A thin line at every critical speed, its name above the first panel where there is room."""
+    rpm = result.critical_speed * RPM.factor
+    for axes in panels:
+        for speed in rpm:
+            axes.axvline(speed, color=GREY, lw=0.7, ls=":", zorder=1)
+    low, high = panels[0].get_xlim()
+    words = [f"{shortened(n, 20)}: {s:.0f}" for n, s in zip(result.critical, rpm, strict=True)]
+    if sum(map(len, words)) * _LETTER > wide:
+        words = [f"{speed:.0f}" for speed in rpm]  # too many to be named
+    sizes = [(len(word) * _LETTER + 2.0) * (high - low) / wide for word in words]
+    for place, word in zip(spread(rpm.tolist(), sizes, low, high), words, strict=True):
+        panels[0].annotate(
+            word,
+            (float(place), 1.0),
+            (0.0, 2.0),
+            xycoords=("data", "axes fraction"),
+            textcoords="offset points",
+            ha="center",
+            va="bottom",
+            fontsize=FONT_SIZE - 1.5,
+            color=GREY,
+        )

@@ -1,0 +1,124 @@
+"""Unbalance of every kind as what the nodes of a shaft carry per Ω², and where it acts."""
+
+from __future__ import annotations
+
+import cmath
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import count
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.unbalance.spec import UnbalanceSpec
+from rotordyn.equation.elements.beam import shapes
+from rotordyn.equation.elements.polynomials import points
+from rotordyn.equation.mesh import Mesh
+from rotordyn.machine.balance import permissible_unbalance, plane_shares
+from rotordyn.machine.cross_section import area
+from rotordyn.machine.inertia import rotor_inertia
+from rotordyn.machine.rotor import Place
+from rotordyn.machine.spindle import Spindle
+from rotordyn.scene.loads import BalanceGrade, EccentricSpan
+
+Complex = NDArray[np.complex128]
+
+
+class Acting(NamedTuple):
+    """One unbalance [kg·m] at a ``place``; its argument is the angle from y to z."""
+
+    name: str
+    place: Place
+    size: complex
+
+
+def unbalanced(spindle: Spindle, spec: UnbalanceSpec) -> str:
+    """The rotor out of balance; of several at one speed the first."""
+    named = {spindle.place(at).rotor for at in spec.acting}
+    return next(name for name in spindle.ratios if name in named)
+
+
+def marked(spindle: Spindle, spec: UnbalanceSpec) -> Spindle:
+    """With a named point wherever unbalance acts, so that nodes and static answers are there."""
+    free = (name for k in count(1) if (name := f"station {k}") not in spindle.points)
+    known = {at for at in spec.places if not isinstance(at, str)} - set(spindle.points.values())
+    own = {next(free): x for x in sorted(known)}
+    return replace(spindle, points={**spindle.points, **own}) if own else spindle
+
+
+def acting(spindle: Spindle, mesh: Mesh, spec: UnbalanceSpec) -> list[Acting]:
+    """Every unbalance; that of a span as a whole, at its middle by mass."""
+    found = [
+        Acting(each.name, spindle.place(each.at), cmath.rect(each.unbalance, each.angle))
+        for each in spec.unbalances
+    ]
+    for span in spec.spans:
+        rotor, own = _covered(spindle, mesh, span)
+        on = mesh.of_rotors[rotor]
+        mass = np.where(own, on.mass, 0.0)
+        middle = float((mass * on.centre).sum() / mass.sum())
+        found.append(Acting(span.name, Place(rotor, middle), float(mass.sum()) * _off_axis(span)))
+    found += _permitted(spindle, spec.grade) if spec.grade else []
+    return [one._replace(name=one.name or f"unbalance {k}") for k, one in enumerate(found, start=1)]
+
+
+def node_loads(spindle: Spindle, mesh: Mesh, spec: UnbalanceSpec) -> Complex:
+    """Force and moment per Ω² (nodes of all rotors, 2) [kg·m, kg·m²] on r = y + i z and its tilt.
+
+    A span loads both ends of each of its elements by what does the work of its mass on the
+    cubics of their deflection and tilt (½ and ± 1/12 of the length for a cylinder).
+    """
+    loads = np.zeros((len(mesh.stations), 2), dtype=complex)
+    for each in spec.unbalances:
+        node = mesh.node_at(*spindle.place(each.at))
+        loads[node, 0] += cmath.rect(each.unbalance, each.angle)
+    for one in _permitted(spindle, spec.grade) if spec.grade else []:
+        loads[mesh.node_at(*one.place), 0] += one.size
+    for span in spec.spans:
+        rotor, own = _covered(spindle, mesh, span)
+        on, at = mesh.of_rotors[rotor], loads[mesh.spans[rotor]]
+        size = np.where(own, _off_axis(span), 0.0)[:, None] * _on_ends(on)
+        at[:-1] += size[:, :2]
+        at[1:] += size[:, 2:]
+    return loads
+
+
+def _permitted(spindle: Spindle, grade: BalanceGrade) -> list[Acting]:
+    places = [spindle.place(at) for at in grade.planes]
+    name = places[0].rotor
+    rotor = rotor_inertia(spindle.part(name))
+    own_speed = abs(spindle.ratios[name]) * grade.speed
+    whole = permissible_unbalance(grade.quality, rotor.mass, own_speed)
+    ends = [place.x for place in places]
+    shares = (1.0,) if len(places) == 1 else plane_shares(rotor.centre, ends[0], ends[1])
+    signs = (1.0, 1.0 if grade.phase == "static" else -1.0)
+    named = zip(_plane_names(grade), places, shares, signs, strict=False)
+    return [
+        Acting(name, place, sign * cmath.rect(share * whole, grade.angle))
+        for name, place, share, sign in named
+    ]
+
+
+def _plane_names(grade: BalanceGrade) -> Iterator[str]:
+    for number, at in enumerate(grade.planes, start=1):
+        yield f"G {grade.quality * 1e3:g} {at if isinstance(at, str) else f'plane {number}'}"
+
+
+def _off_axis(span: EccentricSpan) -> complex:
+    return cmath.rect(span.eccentricity, span.angle)
+
+
+def _on_ends(mesh: Mesh) -> NDArray[np.float64]:
+    """Mass and its moment at both ends of each element (elements, 4) [kg, kg·m]."""
+    xi, weight = points(6)
+    cubic = shapes(mesh.length, np.zeros_like(mesh.length), 1, xi).deflection
+    mass = mesh.density[:, None] * area(*mesh.diameters(xi)) * weight * mesh.length[:, None] / 2.0
+    return np.einsum("ep,epi->ei", mass, cubic)
+
+
+def _covered(spindle: Spindle, mesh: Mesh, span: EccentricSpan) -> tuple[str, NDArray[np.bool_]]:
+    """The rotor of a span and which of its elements lie within."""
+    first, last = spindle.place(span.start), spindle.place(span.to)
+    middle = mesh.of_rotors[first.rotor].middle
+    return first.rotor, np.asarray((first.x < middle) & (middle < last.x))

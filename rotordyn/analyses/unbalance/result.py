@@ -1,0 +1,58 @@
+"""Steady motion by unbalance."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rotordyn.results.declaration import coordinate, quantity
+from rotordyn.results.display import GRAM_MILLIMETRE, MILLIMETRE
+from rotordyn.results.kinds import Array, Complex, Flags, Words
+
+
+@dataclass(frozen=True)
+class UnbalanceResult:
+    """Steady motion by unbalance: y(t) = Re(``displacement`` e^(i|r|Ωt)), z likewise.
+
+    ``rotor`` is out of balance, of ``speed_ratio`` r; ``speed`` Ω is that of the spindle.
+    Amplitudes are zero to peak. At t = 0 the mark of the rotor from which angles count points to y,
+    so that ``phase`` is how far a motion leads it. Axes of the orbit: half lengths,
+    ``minor_axis`` below zero where the orbit runs against the spindle; ``inclination`` of the major
+    one from y to z. ``force``: of a bearing or support on what it holds, ``force_amplitude`` the
+    major half axis of its hodograph. ``unstable``: some motion grows by itself there, so that the
+    steady solution given is not reached. ``critical_speed``: synchronous criticals among the
+    speeds. ``grade_speed``: of the spindle, for which a balance grade is given; 0 without one.
+    """
+
+    speed: Array = coordinate("speed", unit="rad/s", label="speed")
+    point: Words = coordinate("point", unit="", label="point")
+    axis: Words = coordinate("axis", unit="", label="axis")
+    support: Words = coordinate("support", unit="", label="support")
+    unbalance: Words = coordinate("unbalance", unit="", label="unbalance")
+    critical: Words = coordinate("critical", unit="", label="critical speed")
+    outcome: Words = quantity("speed", unit="", label="outcome")
+    unstable: Flags = quantity("speed", unit="", label="not reached: the machine is unstable")
+    displacement: Complex = quantity("speed", "point", "axis", unit="m", label="displacement")
+    amplitude: Array = quantity("speed", "point", "axis", unit="m", label="amplitude, zero to peak")
+    phase: Array = quantity("speed", "point", "axis", unit="rad", label="phase lead")
+    major_axis: Array = quantity("speed", "point", unit="m", label="major half axis of the orbit")
+    minor_axis: Array = quantity(
+        "speed", "point", unit="m", label="minor half axis of the orbit, backward below 0"
+    )
+    inclination: Array = quantity(
+        "speed", "point", unit="rad", label="inclination of the major axis"
+    )
+    force: Complex = quantity("speed", "support", "axis", unit="N", label="force on the shaft")
+    force_amplitude: Array = quantity(
+        "speed", "support", unit="N", label="amplitude of the force, zero to peak"
+    )
+    rotor: str = quantity(unit="", label="rotor out of balance")
+    grade_speed: float = quantity(unit="rad/s", label="highest speed of service of the grade")
+    speed_ratio: float = quantity(unit="1", label="its speed over that of the spindle")
+    unbalance_station: Array = quantity("unbalance", unit="m", label="station", printed=MILLIMETRE)
+    unbalance_size: Array = quantity(
+        "unbalance", unit="kg·m", label="unbalance", printed=GRAM_MILLIMETRE
+    )
+    unbalance_angle: Array = quantity("unbalance", unit="rad", label="angle")
+    critical_speed: Array = quantity("critical", unit="rad/s", label="critical speed, 1× rotation")
+    critical_damping: Array = quantity("critical", unit="1", label="damping ratio there")
+    error: Array = quantity("point", unit="1", label="estimated error over the largest value")

@@ -1,0 +1,219 @@
+"""Steady response to unbalance: orbits at points, forces of bearings and supports, over speed.
+
+Bearings have the tangents of their preload state at each speed.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.unbalance.loads import acting, node_loads, unbalanced
+from rotordyn.analyses.unbalance.orbit import orbit
+from rotordyn.analyses.unbalance.result import UnbalanceResult
+from rotordyn.analyses.unbalance.spec import UnbalanceSpec
+from rotordyn.equation.dofs import position
+from rotordyn.equation.free_motion import FORWARD, FreeMotions
+from rotordyn.equation.hysteresis import SYNCHRONOUS
+from rotordyn.errors import NoSolution
+from rotordyn.modes.band import Band
+from rotordyn.modes.branches import branches_of
+from rotordyn.modes.criticals import critical_speeds
+from rotordyn.modes.names import named
+from rotordyn.scene.refinement import Rows, changes, settled
+from rotordyn.scene.scene import Scene
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+AXES = ("y", "z")
+SLOWEST = 1e-9  # [rad/s]: below, no critical speed is sought
+UNDAMPED = 1e-9  # of the speed: a pole so near to the excitation has no damping
+BEYOND = 1.2  # times the top speed: up to there criticals are looked for
+
+
+def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
+    """At every speed with a steady solution, of a model refined until it is as accurate as asked
+    for.
+
+    Raises
+    ------
+    NoSolution : no speed has one
+    """
+    scene.system(_home(scene))  # tells of instability (``Scene.warnings``)
+    spindle, rotor = scene.spindle, unbalanced(scene.spindle, spec)
+    ratio = spindle.ratios[rotor]
+    scene, error = settled(
+        scene,
+        lambda one: _errors(one, spec, ratio),
+        lambda found: float(np.nanmax(found, initial=0.0)),
+    )
+    speed = ratio * scene.speed[scene.usable]
+    found = scene.system(_home(scene))
+    absent = _absences(found, speed)
+    counts = (speed != 0.0) | (speed == 0.0).all()  # at rest nothing acts
+    why = [word for word, one in zip(absent, counts, strict=True) if one]
+    if all(why):
+        raise NoSolution(f"no speed of the case has a steady response to unbalance: {why[0]}")
+    steady = np.array([word == "" for word in absent])
+    motion = _steady(scene, found, spec, speed)
+    for each in motion:
+        each[~steady] = complex(np.nan, np.nan)
+    displacement = scene.scattered(_in_time(ratio, _displacements(scene, found, spec, motion)))
+    force = scene.scattered(_in_time(ratio, _forces(scene, found, speed, motion)))
+    ellipse = orbit(displacement[..., 0], displacement[..., 1])
+    placed = acting(spindle, scene.mesh, spec)
+    critical = _criticals(scene, ratio)
+    return UnbalanceResult(
+        speed=scene.speed,
+        point=spec.points,
+        axis=AXES,
+        support=tuple(each.name for each in spindle.connections),
+        unbalance=tuple(one.name for one in placed),
+        critical=tuple(name for name, *_ in critical),
+        outcome=_outcome(scene, absent),
+        unstable=scene.flagged(np.asarray(found.growing.any(axis=1))),
+        displacement=displacement,
+        amplitude=np.abs(displacement),
+        phase=np.angle(displacement),
+        major_axis=ellipse.major,
+        minor_axis=ellipse.minor,
+        inclination=ellipse.inclination,
+        force=force,
+        force_amplitude=orbit(force[..., 0], force[..., 1]).major,
+        rotor=rotor,
+        grade_speed=spec.grade.speed if spec.grade else 0.0,
+        speed_ratio=ratio,
+        unbalance_station=np.array([one.place.x for one in placed]),
+        unbalance_size=np.array([abs(one.size) for one in placed]),
+        unbalance_angle=np.array([np.angle(one.size) for one in placed]),
+        critical_speed=np.array([speed for _, speed, _ in critical]),
+        critical_damping=np.array([damping for *_, damping in critical]),
+        error=error,
+    )
+
+
+def _home(scene: Scene) -> int:
+    """The subsystem of bending."""
+    return scene.owner(scene.spindle.shaft.start, "y")
+
+
+class Steady(NamedTuple):
+    """Coordinates ``moved`` (speeds, n), and the forces ``left`` (speeds, n) that springs, dampers
+    and inertia leave to rigid supports."""
+
+    moved: Complex
+    left: Complex
+
+
+def _steady(scene: Scene, found: FreeMotions, spec: UnbalanceSpec, speed: Array) -> Steady:
+    """Motion under loads Ω² e^(iΩt) that turn; at rest nothing moves.
+
+    ``speed`` Ω (speeds,) [rad/s] of the rotor that is out of balance, below 0 where it turns
+    against the spindle: its motion is then that of the conjugate loads. Where the dynamic stiffness
+    is singular the answer is not finite.
+    """
+    own, loads = found.linear, node_loads(scene.spindle, scene.mesh, spec)
+    ahead = np.where(speed < 0.0, -1.0, 1.0)
+    motion = own.motion
+    planes = [
+        np.stack([motion[:, position(a)], sign * motion[:, position(b)]], axis=1)
+        for a, b, sign in (("y", "thz", 1.0), ("z", "thy", -1.0))
+    ]
+    turned = [np.einsum("nfc,nf->c", plane, loads) for plane in planes]
+    force = turned[0] * FORWARD[0] + turned[1] * FORWARD[1]
+    back = turned[0].conj() * FORWARD[0].conj() + turned[1].conj() * FORWARD[1].conj()
+    stiffness = found.stiffness(SYNCHRONOUS)
+    moved, left = np.zeros((2, len(speed), own.size), dtype=complex)
+    for row in np.flatnonzero(speed):
+        w = abs(speed[row])
+        dynamic = stiffness[row] + 1j * w * own.damping[row] - w**2 * np.eye(own.size)
+        load = w**2 * (force if ahead[row] > 0.0 else back)
+        try:
+            within = np.linalg.solve(own.within(dynamic), load @ own.basis)
+        except np.linalg.LinAlgError:
+            moved[row] = left[row] = complex(np.inf, np.inf)
+            continue
+        moved[row] = own.basis @ within
+        left[row] = load - dynamic @ moved[row]
+    return Steady(*(np.where(ahead[:, None] > 0.0, own, own.conj()) for own in (moved, left)))
+
+
+def _displacements(
+    scene: Scene, found: FreeMotions, spec: UnbalanceSpec, motion: Steady
+) -> Complex:
+    """Of the points along y and z (speeds, points, 2)."""
+    places = [scene.spindle.place(name) for name in spec.points]
+    rows = [[found.linear.row(*place, way) for way in AXES] for place in places]
+    return np.einsum("pan,sn->spa", np.array(rows), motion.moved)
+
+
+def _forces(scene: Scene, found: FreeMotions, speed: Array, motion: Steady) -> Complex:
+    """Of bearings, then supports on the shaft along y and z (speeds, connections, 2) [N]."""
+    own = {id(each.link): each for each in found.linear.connections}
+    connections = scene.rotor.connections
+    force = np.zeros((len(speed), len(connections), 2), dtype=complex)
+    axes = [position(way) for way in AXES]
+    known = np.isfinite(motion.left).all(axis=1)
+    rigid = found.linear.rigid_force(motion.left[known])
+    for k, link in enumerate(connections):
+        if id(link) in own:
+            force[:, k] = own[id(link)].force(speed, motion.moved)[:, axes]
+        if link.name in rigid:
+            force[known, k] += rigid[link.name][:, axes]
+    return force
+
+
+def _in_time(ratio: float, moved: Complex) -> Complex:
+    """From motions e^(irΩt) to motions e^(i|r|Ωt)."""
+    return moved if ratio > 0.0 else moved.conj()
+
+
+def _absences(found: FreeMotions, speed: Array) -> list[str]:
+    """Per speed: empty, or why there is no steady solution."""
+    turning = found.answering(SYNCHRONOUS)
+    own, size = speed[:, None], np.abs(speed)[:, None]
+    near = np.abs(turning.pole - 1j * size) <= UNDAMPED * size
+    lost = (near & (turning.whirl * own >= 0.0)).any(axis=1) & (speed != 0.0)
+    why = "a critical speed without damping: the response grows without bound"
+    return [why if one else "" for one in lost]
+
+
+def _outcome(scene: Scene, absent: list[str]) -> tuple[str, ...]:
+    """Why a speed has no steady solution, or no state at all."""
+    words = list(scene.outcome)
+    for row, word in zip(scene.usable, absent, strict=True):
+        words[row] = word
+    return tuple(words)
+
+
+def _criticals(scene: Scene, ratio: float) -> list[tuple[str, float, float]]:
+    """Critical speeds among those of the case and the damping ratio at each, by the name of the
+    mode, of what turns ``ratio`` times as fast."""
+    top = float(scene.speed[-1])
+    if len(scene.usable) < 2 or abs(ratio) * top < SLOWEST:
+        return []
+    highest = BEYOND * abs(ratio) * top / (2.0 * math.pi)
+    band = Band(highest)
+    branches, names = named(branches_of(scene, band, ("bending",)))
+    ratios = scene.spindle.ratios
+    return [
+        (each.mode, each.speed, each.damping_ratio)
+        for each in critical_speeds(scene, band, branches, names)
+        if each.excited and ratios[each.line.rotor] == ratio
+    ]
+
+
+def _errors(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Array:
+    """Largest change of the motion of each point by the finer model, over its peak (points,)."""
+    if scene.rigid:
+        return np.zeros(len(spec.points))
+
+    def values(one: Scene, rows: Rows) -> Complex:
+        found = one.system_at(_home(one), rows)
+        motion = _steady(one, found, spec, ratio * one.speed[one.usable[rows]])
+        return np.nan_to_num(_displacements(one, found, spec, motion))
+
+    return changes(scene, values, 1)

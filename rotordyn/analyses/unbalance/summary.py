@@ -1,0 +1,102 @@
+"""Response to unbalance in a few lines of text: what acts, largest amplitudes, forces, whirl."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.unbalance.result import UnbalanceResult
+from rotordyn.results.display import GRAM_MILLIMETRE, MICROMETRE, RPM
+from rotordyn.results.text import unbroken
+
+Array = NDArray[np.float64]
+MOST = 6  # unbalances, points or supports told
+SAME = 1e-6  # of a speed
+STRAIGHT = 1e-6  # of the major half axis: less backward than that is rounding
+
+
+def unbalance_lines(result: UnbalanceResult) -> list[str]:
+    """Amplitudes are zero to peak, the largest half axis of the orbit among the speeds."""
+    acting = [
+        unbroken(f"{name} {size * GRAM_MILLIMETRE.factor:.4g} g·mm at {x * 1e3:.1f} mm")
+        + (unbroken(f" to {np.degrees(angle):.4g}°") if abs(angle) > 0.0 else "")
+        for name, size, x, angle in zip(
+            result.unbalance,
+            result.unbalance_size,
+            result.unbalance_station,
+            result.unbalance_angle,
+            strict=True,
+        )
+    ]
+    moved = [unbroken(f"{name} {word}") for name, word in largest_amplitudes(result).items()]
+    pushed = [
+        unbroken(f"{name} {_peak(values, '.4g')} N{_at(result, values)}")
+        for name, values in zip(result.support, result.force_amplitude.T, strict=True)
+    ]
+    turns = "" if result.speed_ratio == 1.0 else f" on {result.rotor}, at its speed"
+    return [
+        f"unbalance  {_few(acting)}{turns}{_graded(result)}",
+        f"           largest half axis of the orbit, zero to peak: {_few(moved)}",
+        f"           largest force, zero to peak: {_few(pushed)}",
+        *_backward(result),
+        *_missed(result),
+    ]
+
+
+def _graded(result: UnbalanceResult) -> str:
+    """Where a balance grade is given for another speed than the highest of the case."""
+    top = float(result.speed[-1])
+    if result.grade_speed == 0.0 or abs(result.grade_speed - top) <= SAME * top:
+        return ""
+    beyond = "above all of the case" if result.grade_speed > top else "coarser than that beyond"
+    return f"; the grade is for {result.grade_speed * RPM.factor:.0f} rpm, {beyond}"
+
+
+def largest_amplitudes(result: UnbalanceResult) -> dict[str, str]:
+    """By point, with the speed at which it is."""
+    return {
+        name: f"{_peak(values * MICROMETRE.factor, '.4g')} µm{_at(result, values)}"
+        for name, values in zip(result.point, result.major_axis.T, strict=True)
+    }
+
+
+def _peak(values: Array, form: str) -> str:
+    return format(float(np.nanmax(values)), form)
+
+
+def _at(result: UnbalanceResult, values: Array) -> str:
+    return f" at {result.speed[int(np.nanargmax(values))] * RPM.factor:.0f} rpm"
+
+
+def _few(words: list[str]) -> str:
+    rest = len(words) - MOST
+    return ", ".join(words[:MOST]) + (f" and {rest} more" if rest > 0 else "")
+
+
+def _missed(result: UnbalanceResult) -> list[str]:
+    """Critical speeds whose peak is narrower than the next speed of the case is away: within half
+    its width, ζ Ω, the amplitude falls by 3 dB."""
+    known = result.speed[np.isfinite(result.major_axis).all(axis=1)]
+    words = [
+        unbroken(f"{name} {speed * RPM.factor:.0f} rpm")
+        for name, speed, damping in zip(
+            result.critical, result.critical_speed, result.critical_damping, strict=True
+        )
+        if np.abs(known - speed).min(initial=np.inf) > max(damping, 0.0) * speed
+    ]
+    if not words:
+        return []
+    return [f"           peaks between the speeds of the case, higher than these: {_few(words)}"]
+
+
+def _backward(result: UnbalanceResult) -> list[str]:
+    """Where orbits run against the speed."""
+    back = result.minor_axis < -STRAIGHT * result.major_axis
+    words = []
+    for name, own in zip(result.point, back.T, strict=True):
+        at = np.flatnonzero(own)
+        if at.size:
+            ends = [f"{result.speed[k] * RPM.factor:.0f}" for k in at[[0, -1]]]
+            many = f"{at.size} speeds from {ends[0]} to {ends[1]} rpm"
+            words.append(unbroken(f"{name} at {many if at.size > 1 else f'{ends[0]} rpm'}"))
+    return [f"           whirl backward: {_few(words)}"] if words else []

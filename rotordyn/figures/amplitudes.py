@@ -1,0 +1,34 @@
+"""Axes of amplitude and phase."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rotordyn.figures.style import log_ticks
+from rotordyn.results.kinds import Array
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+
+def wrapped_phase(phase: Array) -> Array:
+    """``phase`` [deg] without a point where it wraps, so that no line is drawn there."""
+    jumps = np.flatnonzero(np.abs(np.diff(phase)) > 270.0) + 1
+    broken = phase.copy()
+    broken[jumps] = np.nan
+    return broken
+
+
+def log_axis(axes: Axes) -> None:
+    """A logarithmic scale with few round ticks and no superscripts."""
+    from matplotlib.ticker import NullFormatter, NullLocator
+
+    axes.set_yscale("log")
+    low, high = axes.get_ylim()
+    ticks = log_ticks(low, high)
+    axes.yaxis.set_minor_locator(NullLocator())
+    axes.yaxis.set_minor_formatter(NullFormatter())
+    axes.set_yticks([v for v, _ in ticks], [name for _, name in ticks])
+    axes.set_ylim(low, high)

@@ -1,0 +1,116 @@
+"""Draw many figures at once: one more process shares the list where the machine allows it."""
+
+from __future__ import annotations
+
+import json
+import os
+import time
+import warnings
+from collections.abc import Callable, Sequence
+from contextlib import AbstractContextManager
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure as Figure  # noqa: PLC0414 - job names what it gives
+
+Job = tuple[str, "Callable[[], Figure]"]
+_MOST = 255
+
+
+class Drawing:
+    """Figures being drawn. ``finish`` helps with the rest and returns seconds per figure.
+
+    The list is shared through a pipe that holds one byte per figure: whoever is free takes one. A
+    worker that fails leaves its figure to ``finish``, where the error then surfaces.
+    """
+
+    def __init__(self, jobs: Sequence[Job], folder: Path, workers: int = 2) -> None:
+        self._jobs, self._folder = list(jobs), folder
+        self._queue, fill = os.pipe()
+        os.write(fill, bytes(range(min(len(self._jobs), _MOST))))
+        os.close(fill)
+        count = min(workers, _processors(), len(self._jobs)) - 1 if hasattr(os, "fork") else 0
+        if count > 0:
+            _load_once()
+        self._workers = [self._start() for _ in range(max(count, 0))]
+
+    def finish(self) -> dict[str, float]:
+        """Draw what nobody has begun, wait for the others; seconds by figure, in order."""
+        seconds = self._work()
+        os.close(self._queue)
+        for process, report in self._workers:
+            with os.fdopen(report, "rb") as pipe:
+                lines = pipe.read().decode().splitlines()
+            os.waitpid(process, 0)
+            seconds |= dict(json.loads(line) for line in lines)
+        for name, draw in self._jobs:
+            if name not in seconds:
+                seconds[name] = draw_one(name, draw, self._folder)
+        return {name: seconds[name] for name, _ in self._jobs}
+
+    def _work(self, report: int | None = None) -> dict[str, float]:
+        seconds = {}
+        while taken := os.read(self._queue, 1):
+            name, draw = self._jobs[taken[0]]
+            seconds[name] = draw_one(name, draw, self._folder)
+            if report is not None:
+                os.write(report, (json.dumps([name, seconds[name]]) + "\n").encode())
+        return seconds
+
+    def _start(self) -> tuple[int, int]:
+        """Fork a worker; returns its process and the pipe it reports to."""
+        out, report = os.pipe()
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore", DeprecationWarning)
+            process = os.fork()
+        if process:
+            os.close(report)
+            return process, out
+        status = 1
+        try:
+            os.close(out)
+            self._work(report)
+            status = 0
+        finally:
+            os._exit(status)
+
+
+def drawn(draw: Callable[[], Figure]) -> Figure:
+    """A figure as files show it; neither the caller's rcParams nor the backend matter or change."""
+    from rotordyn.figures.style import finish
+
+    with _own_style():
+        return finish(draw())
+
+
+def draw_one(name: str, draw: Callable[[], Figure], folder: Path) -> float:
+    """Draw and save one figure; returns the seconds it took."""
+    from rotordyn.figures.style import save
+
+    start = time.perf_counter()
+    with _own_style(), warnings.catch_warnings():
+        warnings.filterwarnings("ignore", "Glyph")  # a title may hold letters that fonts lack, or $
+        save(draw(), folder, name)
+    return time.perf_counter() - start
+
+
+def _own_style() -> AbstractContextManager[None]:
+    """The defaults of matplotlib, with titles taken letter by letter, for a while."""
+    from matplotlib import style
+
+    return style.context(["default", {"text.parse_math": False}])
+
+
+def _load_once() -> None:
+    """Import before forking what every process needs; the font list is then built only once."""
+    for name in ("figure", "backends.backend_agg", "backends.backend_svg", "collections"):
+        import_module(f"matplotlib.{name}")
+
+
+def _processors() -> int:
+    """Processors this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1

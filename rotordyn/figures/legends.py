@@ -1,0 +1,122 @@
+"""What the lines of a figure mean: beside them, or at its top where the figure makes room."""
+
+from __future__ import annotations
+
+import math
+import textwrap
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+from rotordyn.figures.style import FONT_SIZE, mark_lone_points
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+SIZE = FONT_SIZE - 1.0
+EM = SIZE * 25.4 / 72.0  # [mm]
+HANDLE, BEFORE_TEXT, BETWEEN = 2.4, 0.8, 1.4  # [em] a line, its gap to the text, between columns
+EDGE = 0.3  # [em] around the whole
+LONGEST = 100  # characters of a line
+TITLE = 4.5  # [mm] above the axes
+
+
+def legend(axes: Axes, **kwargs: Any) -> None:
+    """A legend in the report style, where the lines leave room unless ``loc`` is given."""
+    mark_lone_points(axes)
+    once = _entries([axes])
+    if once:
+        axes.legend(
+            once.values(),
+            once.keys(),
+            frameon=True,
+            framealpha=0.85,
+            edgecolor="none",
+            fontsize=SIZE,
+            **kwargs,
+        )
+
+
+def top_legend(figure: Figure, *panels: Axes) -> None:
+    """What the lines of ``panels`` mean, each once, at the top of the figure.
+
+    The figure grows where the legend needs more room than there is above the axes.
+    """
+    for axes in panels:
+        mark_lone_points(axes)
+    entries = {textwrap.fill(name, LONGEST): h for name, h in _entries(panels).items()}
+    if not entries:
+        return
+    width = figure.get_size_inches()[0] * 25.4
+    placed = figure.legend(
+        entries.values(),
+        entries.keys(),
+        loc="upper center",
+        ncols=_columns([_wide(figure, name) for name in entries], width),
+        frameon=False,
+        fontsize=SIZE,
+        borderaxespad=EDGE,
+        columnspacing=BETWEEN,
+        handlelength=HANDLE,
+        handletextpad=BEFORE_TEXT,
+        borderpad=EDGE,
+    )
+    tall = placed.get_window_extent(figure.canvas.get_renderer()).height  # type: ignore[attr-defined]
+    _make_room(figure, tall * 25.4 / figure.dpi + EDGE * EM)
+
+
+def shortened(title: str, longest: int = 48) -> str:
+    """A title cut to what fits above a panel of half the figure's width."""
+    return title if len(title) <= longest else title[: longest - 1].rstrip() + "…"
+
+
+def _entries(panels: Sequence[Axes]) -> dict[str, Any]:
+    """Handles by name; a name shared by several curves is shown once, as its first curve."""
+    found: dict[str, Any] = {}
+    for axes in panels:
+        for handle, name in zip(*axes.get_legend_handles_labels(), strict=True):
+            found.setdefault(name, handle)
+    return found
+
+
+def _wide(figure: Figure, name: str) -> float:
+    """Width of an entry, line and text [mm]."""
+    from matplotlib.font_manager import FontProperties
+
+    renderer: Any = figure.canvas.get_renderer()  # type: ignore[attr-defined]
+    font = FontProperties(size=SIZE)
+    text = max(
+        renderer.get_text_width_height_descent(line, font, ismath=False)[0]
+        for line in name.split("\n")
+    )
+    return text * 25.4 / figure.dpi + (HANDLE + BEFORE_TEXT) * EM
+
+
+def _columns(wide: Sequence[float], width: float) -> int:
+    """How many columns of entries, filled one after the other, fit into ``width`` [mm]."""
+    return next((n for n in range(len(wide), 1, -1) if _needed(wide, n) <= width), 1)
+
+
+def _needed(wide: Sequence[float], columns: int) -> float:
+    rows, longer = divmod(len(wide), columns)
+    heights = [rows + 1] * longer + [rows] * (columns - longer)
+    starts = [sum(heights[:k]) for k in range(columns)]
+    total = sum(max(wide[a : a + n]) for a, n in zip(starts, heights, strict=True))
+    return total + ((columns - 1) * BETWEEN + 4.0 * EDGE) * EM
+
+
+def _make_room(figure: Figure, needed: float) -> None:
+    """Grow ``figure`` upwards until ``needed`` [mm] are free above its axes."""
+    width, height = figure.get_size_inches() * 25.4
+    highest = max(
+        axes.get_position().y1 * height + (TITLE if axes.get_title() else 0.0)
+        for axes in figure.axes
+    )
+    more = math.ceil(needed + highest - height)
+    if more <= 0:
+        return
+    for axes in figure.axes:
+        x, y, wide, tall = axes.get_position().bounds
+        share = height / (height + more)
+        axes.set_position((x, y * share, wide, tall * share))
+    figure.set_size_inches(width / 25.4, (height + more) / 25.4)

@@ -1,0 +1,204 @@
+"""One report style for every figure: A4 width, fixed margins, colours that all eyes can tell."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from rotordyn.results.display import rounded_up
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+DPI = 110
+RASTER_DPI = 160
+BLUE, RED, GREEN, PURPLE = "#0072B2", "#D55E00", "#009E73", "#9A5B8B"
+ORANGE, SKY, BLACK, GREY = "#E69F00", "#56B4E9", "#222222", "#8A8A8A"
+CYCLE = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
+DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 1)), (0, (7, 2)))
+MARKS = {"-": "o", "--": "s", "-.": "^", ":": "v"}  # of lone points, by the dashes of their line
+FONT_SIZE = 8.0
+LEVEL = 1e-6  # of the largest value: what lies less below zero is rounding
+_RC: Any = {
+    "font.size": FONT_SIZE,
+    "axes.titlesize": FONT_SIZE,
+    "axes.linewidth": 0.6,
+    "axes.edgecolor": "#444444",
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "axes.autolimit_mode": "data",
+    "axes.xmargin": 0.0,
+    "grid.color": "#E3E3E3",
+    "grid.linewidth": 0.5,
+    "lines.linewidth": 1.2,
+    "lines.markersize": 5.0,
+    "xtick.direction": "in",
+    "ytick.direction": "in",
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+    "legend.frameon": False,
+    "legend.fontsize": FONT_SIZE - 1.0,
+    "legend.handlelength": 2.4,
+    "svg.fonttype": "none",
+    "svg.hashsalt": "rotordyn",
+    "axes.formatter.use_mathtext": False,
+    "text.parse_math": False,
+}
+
+
+def new_figure(
+    width: float = 168.0, height: float = 105.0, title: str = "", dpi: float = DPI
+) -> Figure:
+    """An empty figure of ``width`` × ``height`` [mm]; ``dpi``: of its PNG."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    from rotordyn.figures.canvas import ShownFigure
+
+    figure = ShownFigure(figsize=(width / 25.4, height / 25.4), dpi=dpi)
+    FigureCanvasAgg(figure)
+    if title:
+        high = 1.0 - 4.5 / height
+        figure.text(0.5, high, title, ha="center", va="center", fontsize=FONT_SIZE + 1.0)
+    return figure
+
+
+def add_axes(
+    figure: Figure, box: Sequence[float], x_label: str = "", y_label: str = "", **kwargs: Any
+) -> Axes:
+    """Axes in ``box`` = left, bottom, width, height [mm from the lower left corner]."""
+    from matplotlib import rc_context
+
+    width, height = figure.get_size_inches() * 25.4
+    left, bottom, wide, tall = box
+    with rc_context(_RC):
+        axes = figure.add_axes(
+            (left / width, bottom / height, wide / width, tall / height), **kwargs
+        )
+        axes.set_xlabel(x_label, fontsize=FONT_SIZE)
+        axes.set_ylabel(y_label, fontsize=FONT_SIZE)
+        axes.tick_params(labelsize=FONT_SIZE - 0.5)
+    return axes
+
+
+def grid_boxes(
+    figure: Figure,
+    rows: int,
+    columns: int,
+    *,
+    margins: Sequence[float] = (15.0, 4.0, 12.0, 9.0),
+    gaps: Sequence[float] = (17.0, 15.0),
+) -> list[tuple[float, float, float, float]]:
+    """Boxes [mm] of equal panels, row by row from the top; margins: left, right, bottom, top."""
+    width, height = figure.get_size_inches() * 25.4
+    left, right, bottom, top = margins
+    wide = (width - left - right - gaps[0] * (columns - 1)) / columns
+    tall = (height - bottom - top - gaps[1] * (rows - 1)) / rows
+    return [
+        (left + c * (wide + gaps[0]), height - top - (r + 1) * tall - r * gaps[1], wide, tall)
+        for r in range(rows)
+        for c in range(columns)
+    ]
+
+
+def mark_lone_points(axes: Axes) -> None:
+    """Marks on points of lines that no segment leads to: a single speed, one between lost ones."""
+    for line in axes.get_lines():
+        known = np.isfinite(np.column_stack([line.get_xdata(), line.get_ydata()])).all(axis=1)
+        beside = np.pad(known, 1)
+        lone = np.flatnonzero(known & ~beside[:-2] & ~beside[2:])
+        if lone.size and line.get_marker() in ("None", "", None):
+            line.set_marker(MARKS.get(str(line.get_linestyle()), "D"))
+            line.set(markersize=4.0, markevery=lone, clip_on=False)
+
+
+def note_error(axes: Axes, error: float) -> None:
+    """The estimated relative error of what is drawn, in small print below the right corner."""
+    if error > 0.0:
+        axes.text(
+            1.0,
+            -0.085,
+            f"estimated error ≤ {rounded_up(error)}",
+            transform=axes.transAxes,
+            ha="right",
+            va="top",
+            fontsize=FONT_SIZE - 2.0,
+            color=GREY,
+        )
+
+
+def speed_ticks(axes: Axes, top: float, most: int = 6) -> None:
+    """Speed axis from 0 to ``top`` [rpm] with round ticks, at most ``most`` + 1."""
+    axes.set_xlim(0.0, max(top, 1.0))
+    axes.set_xticks(round_ticks(0.0, max(top, 1.0), most))
+
+
+def log_ticks(low: float, high: float) -> list[tuple[float, str]]:
+    """Values for a logarithmic axis and how they are printed: decades, or 1-2-5 when few.
+
+    >>> log_ticks(0.005, 1.2)
+    [(0.01, '0.01'), (0.1, '0.1'), (1.0, '1')]
+    >>> [name for _, name in log_ticks(0.9e-6, 6e-6)]
+    ['1e-6', '2e-6', '5e-6']
+    """
+    decades = math.log10(high / low)
+    steps = (1.0,) if decades > 2.2 else (1.0, 2.0, 5.0)
+    first, last = math.floor(math.log10(low)), math.ceil(math.log10(high))
+    values = [s * 10.0**d for d in range(first, last + 1) for s in steps]
+    inside = [v for v in values if low * (1 - 1e-9) <= v <= high * (1 + 1e-9)]
+    return [(float(f"{v:.3g}"), _short(v)) for v in inside]
+
+
+def _short(value: float) -> str:
+    if 0.999e-3 <= value < 1e4:
+        return f"{value:.4g}"
+    mantissa, exponent = f"{value:.0e}".split("e")
+    return f"{mantissa}e{int(exponent)}"
+
+
+def round_ticks(low: float, high: float, most: int) -> list[float]:
+    """At most ``most`` + 1 round values between ``low`` and ``high``.
+
+    >>> round_ticks(0.0, 24000.0, 6)
+    [0.0, 4000.0, 8000.0, 12000.0, 16000.0, 20000.0, 24000.0]
+    """
+    span = high - low
+    decade = 10.0 ** math.floor(math.log10(span / most))
+    step = next(s * decade for s in (1, 2, 4, 5, 10, 20) if span / (s * decade) <= most + 1e-9)
+    first = math.ceil(low / step - 1e-9)
+    last = math.floor(high / step + 1e-9)
+    return [float(k * step) for k in range(first, last + 1)]
+
+
+def finish(figure: Figure) -> Figure:
+    """The figure with what is known only when all is drawn: marks on lone points."""
+    for axes in figure.axes:
+        mark_lone_points(axes)
+    return figure
+
+
+def save(figure: Figure, folder: Path, name: str) -> list[str]:
+    """Write ``name``.png and ``name``.svg into ``folder``; returns the file names."""
+    from matplotlib import rc_context
+
+    finish(figure)
+    with rc_context(_RC):
+        figure.savefig(
+            folder / f"{name}.png",
+            dpi=figure.dpi,
+            pil_kwargs={"compress_level": 1},
+            metadata={},
+        )
+        figure.savefig(folder / f"{name}.svg", dpi=RASTER_DPI, metadata={"Date": None})
+    return [f"{name}.png", f"{name}.svg"]
+
+
+def with_zero(axes: Axes, room: float) -> None:
+    """Limits of the ordinate that hold zero: at the bottom, unless values go below it."""
+    low, high = axes.get_ylim()
+    below = low if axes.dataLim.ymin < -LEVEL * abs(axes.dataLim.ymax) else 0.0
+    axes.set_ylim(below * room, max(high, 0.0) * room)

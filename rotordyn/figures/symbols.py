@@ -1,0 +1,141 @@
+"""How bearings, sleeves, springs, supports and the drawbar are drawn [mm]."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from rotordyn.figures.sketch import Sketch
+from rotordyn.figures.style import BLUE, RED
+from rotordyn.machine.drawbar import Drawbar
+from rotordyn.machine.shaft import Shaft
+from rotordyn.machine.support import BearingSeat
+
+RING, BALL, SLEEVE, GROUND, BAR = "#C9D3DC", "#FFFFFF", "#E9DFC7", "#555555", "#A8B0B8"
+Line = list[tuple[float, float]]
+FLATTEST = math.radians(60.0)  # contact lines leaning further do not reach the axis
+ON_AXIS = 1e-9  # m
+
+
+def contact_lines(seat: BearingSeat) -> list[Line]:
+    """Lines along which a ball can carry, each from the axis through the ball centre [m].
+
+    Pushing the inner ring the way of ``thrust`` presses the ball against the outer race ahead of
+    it: the line leans forward, and meets the axis ``thrust`` · r · tan α behind the bearing, the
+    pressure centre. A line flatter than ``FLATTEST`` is cut before the axis.
+    """
+    return [_contact_line(seat, angle) for angle in seat.bearing.contact_lines]
+
+
+def _contact_line(seat: BearingSeat, angle: float) -> Line:
+    ball = seat.bearing.pitch_diameter / 2.0
+    upright = max(abs(math.cos(angle)), math.cos(FLATTEST))
+    rise, lean = math.cos(angle) / upright, seat.thrust * math.sin(angle) / upright
+    past = 1.1 * seat.bearing.ball_diameter
+    return [
+        (seat.x - lean * ball, ball - rise * ball),
+        (seat.x + lean * past, ball + rise * past),
+    ]
+
+
+def draw_bearing(sketch: Sketch, seat: BearingSeat, width: float, shaft_radius: float) -> None:
+    """Upper half cut with ball and contact lines, lower half as a crossed box; [m] in, [mm] out."""
+    ball, pitch = seat.bearing.ball_diameter * 1e3, seat.bearing.pitch_diameter * 500.0
+    left, right, x = (seat.x - width / 2.0) * 1e3, (seat.x + width / 2.0) * 1e3, seat.x * 1e3
+    bore = min(shaft_radius * 1e3, pitch - 0.35 * ball)
+    outside = pitch + 1.05 * ball
+    sketch.box(left, right, bore, pitch - 0.18 * ball, RING, z=4)
+    sketch.box(left, right, pitch + 0.18 * ball, outside, RING, z=4)
+    sketch.circle(x, pitch, ball / 2.0, BALL, z=5)
+    sketch.box(left, right, -outside, -bore, RING, z=4)
+    sketch.line([(left, -outside), (right, -bore)], width=0.4, z=5)
+    sketch.line([(left, -bore), (right, -outside)], width=0.4, z=5)
+    for foot, tip in contact_lines(seat):
+        line = [(a * 1e3, r * 1e3) for a, r in (foot, tip)]
+        sketch.line(line, RED, 0.9, "dashdot", z=6)
+        if foot[1] <= ON_AXIS:
+            sketch.circle(*line[0], 0.9, RED, edge=RED, z=6)
+
+
+def spring(start: tuple[float, float], end: tuple[float, float], half: float) -> Line:
+    """A zigzag of half-height ``half`` between two points."""
+    a, b = np.array(start), np.array(end)
+    along, across = b - a, np.array([a[1] - b[1], b[0] - a[0]])
+    across = across / np.hypot(*across) * half
+    steps = [(0.0, 0.0), (0.12, 0.0)]
+    steps += [(0.12 + 0.76 * (k + 0.5) / 6.0, (-1.0) ** k) for k in range(6)]
+    steps += [(0.88, 0.0), (1.0, 0.0)]
+    places = [a + along * s + across * t for s, t in steps]
+    return [(float(p[0]), float(p[1])) for p in places]
+
+
+def draw_ground(
+    sketch: Sketch,
+    x: float,
+    y: float,
+    half: float,
+    *,
+    upright: bool,
+    side: float,
+    unit: float = 1.0,
+) -> None:
+    """A hatched wall through (x, y), its hatching, in ``unit`` mm, towards ``side`` (+1 or −1)."""
+    count, depth, step = max(round(2.0 * half / (2.2 * unit)), 2), 1.8 * unit, 1.2 * unit
+    if upright:
+        sketch.line([(x, y - half), (x, y + half)], GROUND, 1.0)
+    else:
+        sketch.line([(x - half, y), (x + half, y)], GROUND, 1.0)
+    for at in np.linspace(-half, half - step, count):
+        start = (x, y + at) if upright else (x + at, y)
+        end = (x + side * depth, y + at + step) if upright else (x + at + step, y + side * depth)
+        sketch.line([start, end], GROUND, 0.5)
+
+
+def draw_sleeve(
+    sketch: Sketch, left: float, right: float, base: float, thrust: int, *, stop: bool
+) -> tuple[float, float]:
+    """A sleeve over its bearings, its spring, and its stop; returns the middle of the spring.
+
+    The spring pushes against ``thrust``, so it stands on the ``thrust`` side; the stop waits there.
+    """
+    top = base + 9.0
+    sketch.box(left, right, base, top, SLEEVE, z=4)
+    face = right if thrust > 0 else left
+    wall = face + thrust * 13.0
+    sketch.line(spring((face, base + 2.8), (wall, base + 2.8), 1.7), BLUE, 1.0)
+    draw_ground(sketch, wall, base + 2.8, 2.8, upright=True, side=float(thrust))
+    if stop:
+        near = face + thrust * 2.4
+        sketch.line([(near, base + 7.3), (wall, base + 7.3)], GROUND, 1.0)
+        sketch.line([(near, base + 5.9), (near, base + 8.7)], GROUND, 1.8)
+        draw_ground(sketch, wall, base + 7.3, 1.7, upright=True, side=float(thrust))
+    return (face + wall) / 2.0, base + 2.8
+
+
+def draw_drawbar(sketch: Sketch, bar: Drawbar, shaft: Shaft) -> None:
+    """The bar in the cut half of the bore, as wide as it where guided everywhere; [m] in, [mm] out.
+
+    A plate at either end, where it pulls the shaft; a ring at every guide.
+    """
+    bore = _narrowest(bar, shaft) * 500.0
+    radius = 0.55 * bore if bar.contacts else bore
+    start, end = bar.start * 1e3, bar.end * 1e3
+    thick = min(0.012 * (shaft.end - shaft.start) * 1e3, 0.25 * (end - start))
+    sketch.box(start, end, 0.0, radius, BAR, z=4)
+    for left in (start, end - thick):
+        sketch.box(left, left + thick, 0.0, bore, BAR, z=4)
+    for x in bar.contacts[1:-1]:
+        sketch.box(x * 1e3 - thick / 2.0, x * 1e3 + thick / 2.0, radius, bore, BAR, z=4)
+
+
+def _narrowest(bar: Drawbar, shaft: Shaft) -> float:
+    """Narrowest bore along the bar [m]; where there is none, a third of the shaft."""
+    edges = shaft.boundaries
+    along = [
+        section
+        for section, left, right in zip(shaft.sections, edges, edges[1:], strict=False)
+        if left < bar.end and right > bar.start
+    ]
+    bores = [bore for section in along for bore in section.inner if bore > 0.0]
+    return min(bores) if bores else min(min(section.outer) for section in along) / 3.0

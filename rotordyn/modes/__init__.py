@@ -1,0 +1,1 @@
+"""Modes over speed: followed, named, their critical speeds and errors."""

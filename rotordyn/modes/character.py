@@ -1,0 +1,42 @@
+"""What a mode is: how much of it a rigid shaft could do, which way it whirls along the shaft."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.equation.dofs import position
+from rotordyn.equation.linear import Linear
+from rotordyn.modes.branches import PLANAR, Branch, circular_share
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+MOSTLY = 0.5  # of the kinetic energy
+FELT = 1e-3  # of the largest deflection squared: where less moves, no direction is seen
+
+
+def rigid_share(own: Linear, branch: Branch) -> Array:
+    """Share of the kinetic energy of a mode (speeds,) in motions of rigid rotors, NaN if lost."""
+    squares = np.abs(branch.vector) ** 2
+    share = squares[:, own.rigid].sum(axis=1) / squares.sum(axis=1)
+    return np.where(branch.column < 0, np.nan, share)
+
+
+def character(branch: Branch, share: Array) -> str:
+    """The kind of a mode, and whether it is rather a rigid-body motion, over all speeds."""
+    return f"rigid-body {branch.kind}" if np.nanmean(share) > MOSTLY else branch.kind
+
+
+def whirl_along(own: Linear, vector: Complex, degree: float) -> str:
+    """``"forward"``, ``"backward"``, ``"planar"`` or ``"mixed"`` for a bending mode ``vector``
+    (n,): mixed where some nodes go round one way and others the other."""
+    if abs(degree) < PLANAR:
+        return "planar"
+    forward = "forward" if degree > 0.0 else "backward"
+    if own.isotropic:
+        return forward
+    y, z = (own.motion[:, position(name)] @ vector for name in ("y", "z"))
+    size = np.abs(y) ** 2 + np.abs(z) ** 2
+    felt = size > FELT * size.max()
+    turn = circular_share(y[felt, None], z[felt, None])
+    return "mixed" if turn.min() < -PLANAR and turn.max() > PLANAR else forward

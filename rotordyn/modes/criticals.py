@@ -1,0 +1,226 @@
+"""Critical speeds: where a mode turns at a multiple of a rotor's speed, each solved for.
+
+Two ways lead to them. Where but the gyroscopic effect only the tables of supports depend on speed,
+all between two knots are the eigenvalues of one problem (``synchronous``), whatever the speeds of
+the case. Where bearings change with speed, and for axial motion and torsion, the lines of the
+followed modes say between which speeds they are. Either way the machine is then solved anew at the
+speed found, damping and all, until the mode turns at the multiple of it to rounding.
+
+Told are those in the band in which modes are followed, each by the followed mode that is like it
+and has its frequency there.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import partial
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.modes.band import Band
+from rotordyn.modes.branches import MARGIN, Branch, knots_between, whirl_degree
+from rotordyn.modes.character import whirl_along
+from rotordyn.modes.excitation import Line, exciting
+from rotordyn.modes.overdamped import OVERDAMPED
+from rotordyn.modes.roots import Start, State, solved
+from rotordyn.numerics.crossing import zero_crossings
+from rotordyn.numerics.follow import likeness
+from rotordyn.numerics.synchronous import synchronous
+from rotordyn.scene.formulation import SOFTENED
+from rotordyn.scene.scene import Scene
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Matrix = NDArray[np.inexact[Any]]
+NARROW = 0.01  # of the range of speeds: pieces of tables shorter than that
+APART = 1e-9  # [rad/s]: speeds closer than that are one
+SAME, ALIKE = 1e-7, 0.5  # of the speed, likeness: one root found twice
+FITS = 0.1  # of a frequency: farther from those of a mode at the speeds around, it is none of it
+ROUNDING = 1e-9  # of the highest frequency
+OF_UNBALANCE = 1.0  # the order of what turns with the shaft; forces of others point anywhere
+
+
+@dataclass(frozen=True, slots=True)
+class Critical:
+    """A mode that turns, at the ``speed`` of the spindle [rad/s], on a ``line``."""
+
+    mode: str
+    speed: float
+    line: Line
+    kind: str
+    whirl: str
+    damping_ratio: float
+    excited: bool
+
+
+def critical_speeds(
+    scene: Scene, band: Band, branches: Sequence[Branch], names: Sequence[str]
+) -> list[Critical]:
+    """Of all ``engine_orders`` of every rotor between the speeds of the case, up to
+    ``band.max_frequency``, ascending by rotor, order and speed."""
+    lines = exciting(scene.spindle.ratios, band.engine_orders)
+    starts = [
+        start
+        for line in lines
+        for start in (*_crossed(branches, line), *_direct(scene, branches, line))
+        if line.size * start.speed <= MARGIN * band.highest
+    ]
+    found: list[tuple[Start, float, State]] = []
+    for start, speed, state in solved(scene, branches, starts):
+        swings = -state.pole.real <= OVERDAMPED * abs(state.pole)  # or else nothing resonates
+        within = abs(state.pole.imag) <= (1.0 + ROUNDING) * band.highest
+        known = any(_same(start, speed, state, other) for other in found)
+        if swings and within and not known:
+            found.append((start, speed, state))
+    criticals = []
+    for start, speed, state in found:
+        kind = branches[start.branch].kind
+        home = branches[start.branch].home
+        place = _owner(branches, home, speed, state)
+        if place is not None and branches[place].overdamped:
+            continue
+        name = f"{kind}, not followed" if place is None else names[place]
+        kind = kind if place is None else branches[place].kind
+        criticals.append(_named(scene, home, kind, name, start.line, speed, state))
+    return sorted(criticals, key=lambda c: (lines.index(c.line), c.speed))
+
+
+def _crossed(branches: Sequence[Branch], line: Line) -> list[Start]:
+    """Crossings of followed modes with the line, on the local cubic."""
+    starts = []
+    for place, branch in enumerate(branches):
+        track, speed = branch.track, branch.track.speed
+        miss = np.abs(track.pole.imag) - line.size * speed
+        for zero in zero_crossings(speed, miss):
+            if zero <= 0.0:
+                continue
+            row = int(np.clip(np.searchsorted(speed, zero) - 1, 0, max(len(speed) - 2, 0)))
+            ends = [k for k in (row, row + 1) if k < len(speed) and not track.lost[k]]
+            near = min(ends, key=lambda k: abs(speed[k] - zero))
+            low, high = float(speed[ends[0]]), float(speed[ends[-1]])
+            starts.append(Start(place, line, zero, low, high, track.vector[near], branch.side))
+    return starts
+
+
+def _direct(scene: Scene, branches: Sequence[Branch], line: Line) -> list[Start]:
+    """All synchronous motions of bending between the speeds of the case, where the matrices follow
+    straight lines of speed from knot to knot."""
+    homes = {branch.home for branch in branches if branch.kind == "bending"}
+    return [start for home in homes for start in _of_system(scene, branches, home, line)]
+
+
+def _of_system(scene: Scene, branches: Sequence[Branch], home: int, line: Line) -> list[Start]:
+    """Those of one subsystem."""
+    own = scene.system(home).linear
+    if own.motions != {"bending"} or not _piecewise(scene):
+        return []
+    place = next(k for k, b in enumerate(branches) if (b.kind, b.home) == ("bending", home))
+    speed = scene.speed[scene.usable]
+    ends = np.unique(np.concatenate([speed[[0, -1]], knots_between(scene)]))
+    stiffness = own.within(_symmetric(scene.at(ends).linear(home).stiffness))
+    gyroscopic = own.within(own.gyroscopic)
+    starts = []
+    for (low, high), (slow, fast) in zip(pairwise(ends), pairwise(stiffness), strict=True):
+        if high - low < max(NARROW * (ends[-1] - ends[0]), APART):
+            continue  # two crossings of one mode hardly fit; of one the lines tell
+        slope = (fast - slow) / (high - low)
+        still = slow - low * slope
+        for side, of_side in _SIDES.items() if own.isotropic else [(0.0, _of_both)]:
+            spins, vectors = of_side(still, gyroscopic, slope, line.size)
+            for spin, vector in zip(spins, (own.basis @ vectors).T, strict=True):
+                if low <= spin <= high:
+                    at = float(speed[0]), float(speed[-1])
+                    starts.append(Start(place, line, float(spin), *at, vector, side))
+    return starts
+
+
+def _of_both(
+    stiffness: Matrix, gyroscopic: Matrix, slope: Matrix, order: float
+) -> tuple[Array, Complex]:
+    """Synchronous motions of both planes."""
+    return synchronous(stiffness, gyroscopic, order, slope)
+
+
+def _of_whirl(
+    side: float, stiffness: Matrix, gyroscopic: Matrix, slope: Matrix, order: float
+) -> tuple[Array, Complex]:
+    """Those that whirl one way, of planes that are one: such of both ways may be at one speed."""
+    h = len(stiffness) // 2
+    still, change = (m[:h, :h] - 1j * m[:h, h:] for m in (stiffness, slope))
+    spins, vectors = synchronous(still, -1j * side * gyroscopic[:h, h:], order, change)
+    return spins, np.concatenate(
+        [vectors, -1j * vectors] if side > 0.0 else [vectors.conj(), 1j * vectors.conj()]
+    )
+
+
+_SIDES = {side: partial(_of_whirl, side) for side in (1.0, -1.0)}
+
+
+def _symmetric(stiffness: Matrix) -> Matrix:
+    """Its symmetric part: what turns with the shaft or couples the planes one way only shifts roots
+    off the real axis, from where they would not be taken up."""
+    return np.asarray(0.5 * (stiffness + np.swapaxes(stiffness, -1, -2)))
+
+
+def _piecewise(scene: Scene) -> bool:
+    """True where stiffness changes with the tables of supports alone."""
+    force = scene.force
+    return (
+        not scene.spindle.seats
+        and scene.conditions.formulation != SOFTENED
+        and (force is None or bool((force == force[:1]).all()))
+    )
+
+
+def _owner(branches: Sequence[Branch], home: int, speed: float, state: State) -> int | None:
+    """The followed mode that a root is part of: like it, and of its frequency, at the speeds known
+    around; the likest and nearest of several."""
+    best, owner = -math.inf, None
+    turned = abs(state.pole.imag)
+    for place, branch in enumerate(branches):
+        if branch.home != home:
+            continue
+        track = branch.track
+        row = int(np.clip(np.searchsorted(track.speed, speed), 1, max(len(track.speed) - 1, 1)))
+        ends = [k for k in (row - 1, row) if k < len(track.speed) and not track.lost[k]]
+        if not ends:
+            continue
+        own = np.abs(track.pole[ends].imag)
+        outside = max(own.min() - turned, turned - own.max(), 0.0) / turned
+        alike = float(likeness(track.vector[ends].T, state.vector[:, None]).max())
+        apart = abs(float(np.interp(speed, track.speed[ends], own)) - turned) / turned
+        if outside <= FITS and alike >= ALIKE and alike - apart > best:
+            best, owner = alike - apart, place
+    return owner
+
+
+def _same(start: Start, speed: float, state: State, other: tuple[Start, float, State]) -> bool:
+    """True where two searches ended in one root."""
+    begun, at, known = other
+    return bool(
+        begun.line == start.line
+        and abs(speed - at) <= SAME * at
+        and len(known.vector) == len(state.vector)
+        and likeness(known.vector[:, None], state.vector[:, None])[0, 0] > ALIKE
+    )
+
+
+def _named(
+    scene: Scene, home: int, kind: str, name: str, line: Line, speed: float, state: State
+) -> Critical:
+    """What a root is called and whether something that turns with the shaft excites it."""
+    whirl, excited = "", line.order != OF_UNBALANCE
+    if kind == "bending":
+        own = scene.system(home).linear
+        vector = np.where(own.energy_of("bending"), state.vector, 0.0)
+        degree = float(whirl_degree(own, vector[None])[0])
+        whirl = whirl_along(own, vector, degree)
+        against = "backward" if line.multiple > 0.0 else "forward"
+        excited = excited or not (own.isotropic and whirl == against)
+    ratio = 0.0 - state.pole.real / abs(state.pole)
+    return Critical(name, speed, line, kind, whirl, float(ratio), excited)

@@ -1,0 +1,138 @@
+"""How far followed modes are off: poles beside the nearest ones of a finer model."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from itertools import product
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.modes.band import Band
+from rotordyn.modes.branches import Branch, swings
+from rotordyn.modes.overdamped import OVERDAMPED
+from rotordyn.results.display import RPM
+from rotordyn.results.kinds import Array, Complex
+from rotordyn.scene.refinement import RESPONSES, few_rows, settled
+from rotordyn.scene.scene import Scene
+
+Modes = tuple[list[Branch], tuple[str, ...]]
+SAME = 0.1  # of a pole: what has none so near in the finer model vanishes there
+ROUNDING = 1e-12
+
+
+class ModeErrors(NamedTuple):
+    """Change by the finer model (usable, modes): ``frequency``, relative, and ``damping`` of the
+    ratio; ``unsettled``: modes that it has more or fewer of, or errors above the accuracy, as a
+    sentence, or ""."""
+
+    frequency: Array
+    damping: Array
+    unsettled: str
+
+
+def mode_errors(
+    scene: Scene, band: Band, modes: Callable[[Scene], Modes]
+) -> tuple[Scene, Modes, ModeErrors]:
+    """Modes of a model that is fine enough, and how far they are off."""
+
+    def solve(one: Scene) -> tuple[Modes, ModeErrors]:
+        found = modes(one)
+        if one.rigid:
+            shape = (len(one.usable), len(found[0]))
+            return found, ModeErrors(np.zeros(shape), np.zeros(shape), "")
+        return found, _compared(one, band, found[0])
+
+    def worst(found: tuple[Modes, ModeErrors]) -> float:
+        (branches, _), errors = found
+        if errors.unsettled:
+            return math.inf
+        return max(
+            (
+                float(np.nanmax(each[inside, k], initial=0.0)) / share
+                for each, share in ((errors.frequency, 1.0), (errors.damping, RESPONSES))
+                for k, b in enumerate(branches)
+                if not b.overdamped and (inside := _judged(b, band)).any()
+            ),
+            default=0.0,
+        )
+
+    scene, (found, errors) = settled(scene, solve, lambda each: RESPONSES * worst(each))
+    most = worst((found, errors))
+    if scene.conditions.element_length is None and most > scene.conditions.accuracy:
+        why = errors.unsettled or f"frequencies change by up to {most:.0e} as the model is refined"
+        errors = errors._replace(unsettled=why)
+    elif scene.conditions.element_length is not None:
+        errors = errors._replace(unsettled="")
+    return scene, found, errors
+
+
+def _judged(branch: Branch, band: Band) -> NDArray[np.bool_]:
+    """Speeds (usable,) at which a mode swings within the band."""
+    with np.errstate(invalid="ignore"):
+        ratio = -branch.pole.real / np.abs(branch.pole)
+        return np.asarray((branch.frequency <= band.max_frequency) & (ratio <= OVERDAMPED))
+
+
+def _compared(scene: Scene, band: Band, branches: list[Branch]) -> ModeErrors:
+    """Poles of followed modes beside the nearest ones of the finer model."""
+    rows, finer = few_rows(scene), scene.refined()
+    errors = np.full((2, len(rows), len(branches)), np.nan)
+    unsettled, highest = "", (1.0 - SAME) * band.highest
+    for home in sorted({branch.home for branch in branches}):
+        found = finer.system_at(home, rows)
+        for (place, row), side in product(enumerate(rows), (-1.0, 0.0, 1.0)):
+            own = [k for k, b in enumerate(branches) if (b.home, b.side) == (home, side)]
+            own = [k for k in own if branches[k].column[row] >= 0]
+            pole = found.pole[place]
+            there = pole[swings(pole) & ~found.at_rest[place] & (found.whirl[place] == side)]
+            here = np.array([branches[k].pole[row] for k in own], dtype=complex)
+            partner, extra = _paired(here, there)
+            known = np.isfinite(partner)
+            errors[:, place, own] = np.where(known, _change(here, partner), np.nan)
+            for what, lost in (("vanish", here[~known]), ("appear", extra)):
+                if (
+                    judged := lost[(lost.imag < highest) & (-lost.real <= OVERDAMPED * abs(lost))]
+                ).size:
+                    unsettled = _sentence(scene, row, what, judged)
+    at = scene.speed[scene.usable]
+    whole = np.full((2, len(at), len(branches)), np.nan)
+    for k, branch in enumerate(branches):
+        known = np.isfinite(errors[0, :, k])
+        for kind in (0, 1):
+            known_at = at[rows[known]]
+            whole[kind, :, k] = (
+                np.interp(at, known_at, errors[kind, known, k]) if known.any() else 0
+            )
+        whole[:, branch.column < 0, k] = np.nan
+    frequency, damping = np.maximum(whole, ROUNDING)
+    return ModeErrors(frequency, damping, unsettled)
+
+
+def _change(here: Complex, there: Complex) -> Array:
+    """Relative change of frequencies and change of damping ratios (2, k)."""
+    size = np.abs(here)
+    return np.abs([(here.imag - there.imag) / size, here.real / size - there.real / np.abs(there)])
+
+
+def _sentence(scene: Scene, row: int, what: str, pole: Complex) -> str:
+    hertz = np.abs(pole[0].imag) / (2.0 * math.pi)
+    rpm = scene.speed[scene.usable[row]] * RPM.factor
+    return f"modes {what} as the model is refined, one of {hertz:.6g} Hz at {rpm:.6g} rpm"
+
+
+def _paired(here: Complex, there: Complex) -> tuple[Complex, Complex]:
+    """The partner of each pole of ``here``, the nearest pairs first, NaN where none is near; and
+    the poles of ``there`` that are left without one."""
+    partner = np.full(len(here), complex(np.nan, np.nan))
+    taken = np.zeros(len(there), dtype=bool)
+    distance = np.abs(here[:, None] - there) / np.abs(here)[:, None]
+    for _ in range(min(distance.shape)):
+        row, column = np.unravel_index(int(distance.argmin()), distance.shape)
+        if distance[row, column] > SAME:
+            break
+        partner[row], taken[column] = there[column], True
+        distance[row, :], distance[:, column] = np.inf, np.inf
+    return partner, there[~taken]

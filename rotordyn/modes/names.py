@@ -1,0 +1,40 @@
+"""What followed modes are called, and the order in which they are told."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+
+from rotordyn.modes.branches import Branch
+
+
+def named(branches: Iterable[Branch]) -> tuple[list[Branch], tuple[str, ...]]:
+    """Branches as they are told, and their names: numbered from below, by kind."""
+    told = sorted(branches, key=_place)
+    return told, _names(told)
+
+
+def _place(branch: Branch) -> tuple[str, bool, float, float]:
+    """Bending, axial, torsion; overdamped ones last; from below; of equal ones backward first."""
+    kind = {"bending": "0", "axial": "1", "torsion": "2"}[branch.kind]
+    first = branch.born
+    return (
+        kind,
+        branch.overdamped,
+        float(f"{branch.frequency[first]:.8g}"),
+        float(branch.whirl[first]),
+    )
+
+
+def _names(branches: list[Branch]) -> tuple[str, ...]:
+    """Number the modes of each kind (and whirl, where it is one throughout) from below."""
+    counts: dict[str, int] = {}
+    names = []
+    paired = all(np.unique(b.whirl[b.column >= 0]).size == 1 for b in branches)
+    for branch in branches:
+        whirl = {1.0: " forward", -1.0: " backward"}.get(float(branch.whirl[branch.born]), "")
+        family = branch.kind + (whirl if paired else "")
+        counts[family] = counts.get(family, 0) + 1
+        names.append(f"{branch.kind} {counts[family]}{whirl if paired else ''}")
+    return tuple(names)

@@ -1,0 +1,141 @@
+"""Speeds at which a followed mode turns at a multiple of the speed, by secants.
+
+The machine, its bearings and damping included, is solved anew at each trial, all searches at once.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.equation.free_motion import FreeMotions
+from rotordyn.equation.hysteresis import Signs, signs_of
+from rotordyn.modes.branches import Branch, swings
+from rotordyn.modes.excitation import Line
+from rotordyn.numerics.follow import likeness
+from rotordyn.scene.scene import Scene
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+ITERATIONS = 20
+CLOSE = 1e-11  # of the frequency: the condition holds
+ROUNDED = 1e-7  # likewise, where no other speed comes nearer to it; more is no root in the range
+NEARNESS = 2.0  # of likeness that a distance as large as the frequency costs
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Start:
+    """Where to look: ``speed`` [rad/s] for ``branch``, between ``low`` and ``high``.
+
+    ``line``: what excites there; ``side``: the whirl of the branch where planes are one, else 0;
+    ``before``: a speed already looked at, and what it missed by.
+    """
+
+    branch: int
+    line: Line
+    speed: float
+    low: float
+    high: float
+    vector: Complex
+    side: float
+    before: tuple[float, float] | None = None
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class State:
+    """The mode nearest to a start at some speed; ``miss`` |Im λ| − n Ω [rad/s]."""
+
+    pole: complex
+    vector: Complex
+    miss: float
+
+
+def solved(
+    scene: Scene, branches: Sequence[Branch], starts: Sequence[Start]
+) -> list[tuple[Start, float, State]]:
+    """Every start led to its root by secants, all at once; those without one are left out."""
+    if not starts:
+        return []
+    at = np.array([s.speed for s in starts])
+    starts = list(starts)
+    open_, done = list(range(len(starts))), []
+    near: dict[int, tuple[Start, float, State]] = {}
+    for _ in range(ITERATIONS):
+        states = _states(scene, branches, [starts[k] for k in open_], at[open_])
+        still = []
+        for k, state in zip(open_, states, strict=True):
+            if state is None:
+                continue
+            if abs(state.miss) <= CLOSE * abs(state.pole):
+                done.append((starts[k], float(at[k]), state))
+                continue
+            if abs(state.miss) <= ROUNDED * abs(state.pole):
+                near[k] = starts[k], float(at[k]), state
+            onward = _next(starts[k], float(at[k]), state.miss)
+            starts[k] = replace(
+                starts[k],
+                vector=state.vector,
+                before=(float(at[k]), state.miss),
+            )
+            if onward != at[k]:
+                at[k] = onward
+                still.append(k)
+            elif k in near:
+                done.append(near[k])
+        open_ = still
+        if not open_:
+            break
+    return done + [near[k] for k in open_ if k in near]  # where rounding keeps secants moving
+
+
+def _next(start: Start, at: float, miss: float) -> float:
+    """The secant through the last two speeds, at first the speed at which the frequency met would
+    be the multiple; not beyond the ends of the search."""
+    before, onward = start.before, at + miss / start.line.size
+    if before is not None and before[1] != miss:
+        onward = at - miss * (at - before[0]) / (miss - before[1])
+    return float(np.clip(onward, start.low, start.high))
+
+
+def _states(
+    scene: Scene, branches: Sequence[Branch], starts: list[Start], at: Array
+) -> list[State | None]:
+    """The mode of every start at its speed; None where there is none, or no equilibrium."""
+    speeds, row = np.unique(at, return_inverse=True)
+    other = scene.at(speeds)
+    if all(other.outcome):
+        return [None] * len(starts)
+    place = np.full(len(speeds), -1)
+    place[other.usable] = np.arange(len(other.usable))
+    ways = [(branches[start.branch].home, start.line.size, start.side) for start in starts]
+    known = {way: _known(other, *way) for way in set(ways)}
+    return [
+        None if k < 0 else _nearest(known[way], int(k), start, float(speed))
+        for way, start, k, speed in zip(ways, starts, place[row], at, strict=True)
+    ]
+
+
+def _known(scene: Scene, home: int, order: float, side: float) -> FreeMotions:
+    """Modes of a subsystem; with loss factors, of motions at ``order`` times the speed."""
+    found = scene.system(home)
+    if found.lossy is None:
+        return found
+    turning = side * order if found.whirling else order
+    signs = signs_of(np.array([turning]), np.ones(1), whirling=found.whirling)
+    return found.answering(Signs(*map(int, signs[0])))
+
+
+def _nearest(found: FreeMotions, row: int, start: Start, speed: float) -> State | None:
+    """The swinging mode of a subsystem that is most like the start and near to its line."""
+    pole, vector = found.pole[row], found.vector[row]
+    columns = np.flatnonzero(swings(pole) & (found.whirl[row] * start.side >= 0.0))
+    if not columns.size:
+        return None
+    alike = likeness(start.vector[:, None], vector[:, columns])[0]
+    line, turning = start.line.size * speed, pole.imag[columns]
+    apart = np.abs(turning - line) / np.maximum(turning, line)
+    best = columns[int((alike - NEARNESS * apart).argmax())]
+    return State(complex(pole[best]), vector[:, best], float(pole[best].imag) - line)

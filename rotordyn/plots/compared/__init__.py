@@ -1,1 +1,0 @@
-"""Variants of a case in one figure."""

@@ -1,0 +1,42 @@
+"""Lines of plain text for a screen: their width, their numbers, what stands at the head."""
+
+from __future__ import annotations
+
+import textwrap
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.results.display import number
+
+WIDTH = 100
+INDENT = " " * 11  # of what follows the first word of a line
+MOST_WARNINGS = 6
+_NO_BREAK = "\u00a0"
+
+
+def opening(warnings: Sequence[str], title: str, notes: Sequence[str]) -> list[str]:
+    """Warnings first, then the title and what the user chose that changes how results read."""
+    shown = [f"WARNING: {sentence}" for sentence in warnings[:MOST_WARNINGS]]
+    if len(warnings) > MOST_WARNINGS:
+        shown.append(f"WARNING: {len(warnings) - MOST_WARNINGS} more, listed in run.json")
+    shown += [title, *(f"note       {sentence}" for sentence in notes)]
+    return [part for line in shown for part in wrapped(line)]
+
+
+def unbroken(entry: str) -> str:
+    """An entry that is not broken over two lines."""
+    return entry.replace(" ", _NO_BREAK)
+
+
+def wrapped(line: str) -> list[str]:
+    """Lines of at most ``WIDTH`` columns, the later ones set in."""
+    lines = textwrap.wrap(line, WIDTH, subsequent_indent=INDENT, break_on_hyphens=False)
+    return [part.replace(_NO_BREAK, " ") for part in lines]
+
+
+def from_to(values: NDArray[np.float64], digits: int = 1) -> str:
+    """The first and the last value over speed; where there is but one speed, its value."""
+    ends = values[[0, -1]] if len(values) > 1 else values
+    return " → ".join(number(value, digits) for value in ends)

@@ -1,0 +1,94 @@
+"""What is said of a machine whose shaft buckles under its axial force, and what it would stand."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.equation.statics import withstands
+from rotordyn.equation.structure import Structure
+from rotordyn.equation.term import State
+from rotordyn.machine.spindle import Spindle
+from rotordyn.preload.axial_force import AxialForce, axial_force
+from rotordyn.results.display import RPM
+
+Array = NDArray[np.float64]
+HALVINGS = 30
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Loading:
+    """Axial states of a machine: bearing loads (states, seats) [N] and tangents in their frames.
+
+    ``speed`` (states,) [rad/s]: of the shaft. ``structure`` is asked for only where the shaft is
+    compressed. ``force`` [N] on the front end and ``gravity`` [m/s²] towards +x; ``tension`` [N]
+    pulls at both ends.
+    """
+
+    spindle: Spindle
+    speed: Array
+    structure: Callable[[], Structure]
+    seat_load: Array
+    seat_stiffness: Array
+    force: float
+    gravity: float
+    tension: float
+
+    def outcomes(self) -> tuple[str, ...]:
+        """Per state: empty, or that the shaft buckles at this speed and what would hold."""
+        known = np.asarray(np.isfinite(self.seat_load).all(axis=1))
+        if not known.any() or not self._along(self.spindle, 1.0).compresses:
+            return ("",) * len(self.speed)
+        held = np.full(len(known), True)
+        held[known] = self.at(np.flatnonzero(known))._withstands(1.0, 1.0)
+        return tuple(
+            "" if stands else self.at(np.array([row]))._sentence(self.speed[row] * RPM.factor)
+            for row, stands in enumerate(held)
+        )
+
+    def at(self, index: NDArray[np.intp]) -> Loading:
+        """Some of the states."""
+        load, stiffness = self.seat_load[index], self.seat_stiffness[index]
+        return replace(self, speed=self.speed[index], seat_load=load, seat_stiffness=stiffness)
+
+    def _withstands(self, forces: float, bar: float) -> NDArray[np.bool_]:
+        """States that stand with shares of all axial forces, and of the drawbar's."""
+        spindle, structure = self.spindle, self.structure()
+        if spindle.drawbar:
+            own = replace(spindle.drawbar, force=bar * spindle.drawbar.force) if bar > 0.0 else None
+            spindle = replace(spindle, drawbar=own)
+        force = self._along(spindle, forces).bending(structure.shown.middle)
+        stops = np.zeros((len(self.speed), len(structure.spindle.sleeves)), dtype=bool)
+        state = State(self.speed, self.seat_stiffness, stops)
+        return withstands(structure, state, force, bar)
+
+    def _along(self, spindle: Spindle, share: float) -> AxialForce:
+        own = (share * each for each in (self.force, self.gravity, self.tension))
+        return axial_force(spindle, share * self.seat_load, *own)
+
+    def _sentence(self, rpm: float) -> str:
+        """For a single state that buckles."""
+        bar = self.spindle.drawbar
+        if bar and bar.contacts and self._withstands(1.0, 0.0)[0]:
+            most = _largest(lambda share: bool(self._withstands(1.0, share)[0]))
+            return (
+                f"the drawbar force buckles the shaft at {rpm:.0f} rpm: given "
+                f"{bar.force / 1e3:.4g} kN, at most {most * bar.force / 1e3:.4g} kN"
+            )
+        most = _largest(lambda share: bool(self._withstands(share, share)[0]))
+        return (
+            f"the axial force buckles the shaft at {rpm:.0f} rpm, {most:.3g} of it would not: "
+            "lower it or hold the shaft better"
+        )
+
+
+def _largest(stands: Callable[[float], bool]) -> float:
+    """Largest share below 1 that stands, by bisection."""
+    low, high = 0.0, 1.0
+    for _ in range(HALVINGS):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if stands(middle) else (low, middle)
+    return low

@@ -1,0 +1,64 @@
+"""What structure and questions of a machine spare: stages never run, work done once for many."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from rotordyn.scene.scene import Scene
+
+UNASKED = "no analysis of this case needs it"
+
+
+def reasons(scene: Scene) -> dict[str, str]:
+    """Why each stage that did not run did not."""
+    return {name: _reason(scene, name) for name in scene.skipped}
+
+
+def _reason(scene: Scene, name: str) -> str:
+    known = (
+        (name in ("preload", "tangents") and not scene.spindle.seats, "supports are linear"),
+        (name == "shaft_force" and not scene.conditions.axial_stiffening, "it does not act here"),
+        (name in ("rotor", "subsystems"), "no analysis asks for vibration"),
+    )
+    return next((why for holds, why in known if holds), UNASKED)
+
+
+def spared(scene: Scene) -> tuple[str, ...]:
+    """Sentences on what was done once for many, or not at all, by the structure of the machine."""
+    return (*_taken(scene), *_bearings(scene), *_vibration(scene))
+
+
+def _taken(scene: Scene) -> Iterator[str]:
+    if scene.reused:
+        yield f"the same as of another variant, solved once: {', '.join(sorted(scene.reused))}"
+
+
+def _bearings(scene: Scene) -> Iterator[str]:
+    if "preload" not in scene.solved:
+        return
+    bearings = scene.preload.network.arrangement.bearings
+    names = [seat.name for seat in scene.spindle.seats]
+    for bearing in bearings:
+        if len(bearing.seats) > 1:
+            twins = ", ".join(names[seat] for seat in bearing.seats)
+            yield f"bearings {twins} are alike and share their load: one of them is solved"
+    balls = sorted({bearing.model.balls for bearing in bearings})
+    counts = " or ".join(map(str, balls))
+    yield f"under axial load all balls of a bearing are alike: one of {counts} is solved"
+    if len(scene.bearing_speed) < len(scene.speed):
+        yield f"bearings keep their state at rest: solved once for {len(scene.speed)} speeds"
+
+
+def _vibration(scene: Scene) -> Iterator[str]:
+    for found in scene.systems.values():
+        own, name = found.linear, " and ".join(sorted(found.linear.motions))
+        if found.whirling:
+            yield (
+                "every bearing and support answers alike in all directions: both planes of bending "
+                "are one complex plane, half the unknowns"
+            )
+        if found.solved_once and len(own.speed) > 1:
+            yield f"nothing in {name} follows the speed: solved once for all"
+        if "bending" in own.motions:
+            dofs = sum(len(component.dofs) for component in own.components)
+            yield f"{name}: {own.size} coordinates for {dofs} degrees of freedom"

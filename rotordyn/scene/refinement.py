@@ -1,0 +1,62 @@
+"""Error by refinement: the model is solved once more, finer, at a few speeds.
+
+Finer is one degree more in every element (half the length of standard ones) and a cut-off of the
+reduction ``fineness.FINER`` times as high. The change is reported as the error, of frequencies,
+receptances and orbits alike. Where it is more than the accuracy asked for, the finer model takes
+the place of the first one, ``ROUNDS`` times at most. Responses may err by ``RESPONSES`` times as
+much of their peak: an error δ of a frequency moves the flank of a peak of damping ratio ζ by δ/2ζ
+of its height.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.scene.scene import Scene
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Rows = NDArray[np.intp]
+T = TypeVar("T")
+FEW = 3  # speeds at which the finer model is solved
+ROUNDS = 2
+RESPONSES = 10.0  # error of a response over its peak, to that of frequencies: it may be as large
+
+
+def few_rows(scene: Scene) -> Rows:
+    """First, middle and last of the usable speeds."""
+    last = len(scene.usable) - 1
+    return np.unique(np.linspace(0, last, min(FEW, last + 1)).round().astype(np.intp))
+
+
+def settled(
+    scene: Scene, solve: Callable[[Scene], T], error: Callable[[T], float]
+) -> tuple[Scene, T]:
+    """The first of ever finer models whose ``error`` is below the accuracy asked for, or the last
+    one, and what ``solve`` gives of it."""
+    asked = RESPONSES * scene.conditions.accuracy
+    if scene.conditions.element_length is not None:
+        asked = math.inf
+    for _ in range(ROUNDS):
+        found = solve(scene)
+        if error(found) <= asked:
+            return scene, found
+        scene = scene.refined()
+    return scene, solve(scene)
+
+
+def changes(scene: Scene, values: Callable[[Scene, Rows], Array | Complex], axis: int) -> Array:
+    """Largest change of values (few, …, n, …) by the finer model, over their largest size; along
+    all axes but ``axis``."""
+    rows = few_rows(scene)
+    coarse, fine = values(scene, rows), values(scene.refined(), rows)
+    along = tuple(k for k in range(coarse.ndim) if k != axis)
+    size = np.abs(fine).max(axis=along, initial=0.0)
+    with np.errstate(invalid="ignore"):  # responses without limit
+        change = np.abs(fine - coarse).max(axis=along, initial=0.0)
+        return np.where(size > 0.0, change / np.where(size > 0.0, size, 1.0), 0.0)

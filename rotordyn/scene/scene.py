@@ -1,0 +1,223 @@
+"""A machine under given conditions at given speeds, with what its analyses share.
+
+Every stage is a pure function of the machine, solved on first use and kept in one memo by what it
+depends on; nothing else writes into it.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from functools import cached_property, partial
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.equation.component import Component
+from rotordyn.equation.fineness import Fineness
+from rotordyn.equation.free_motion import FreeMotions, free_motions
+from rotordyn.equation.linear import Linear, linear, subsystems
+from rotordyn.equation.structure import Structure
+from rotordyn.equation.term import State
+from rotordyn.machine.rotor import Place
+from rotordyn.machine.spindle import Spindle
+from rotordyn.preload.growth import released_fits
+from rotordyn.results.display import RPM
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.formulation import SOFTENED, told
+from rotordyn.scene.stability import instability
+from rotordyn.scene.stage import Clock, Memo, stage, stage_of
+from rotordyn.scene.statics import Statics, bodies
+
+Array = NDArray[np.float64]
+
+
+class Scene(Statics):
+    """A machine at given speeds [rad/s], ascending, with its vibrations.
+
+    ``max_frequency`` [Hz]: highest frequency any analysis asks for; ``ports``: places, or stations
+    [m] on the shaft, where forces act or responses are read besides the bearings. ``finer``: steps
+    by which elements and reduction are finer than the accuracy asks for.
+    """
+
+    def __init__(
+        self,
+        spindle: Spindle,
+        conditions: Conditions,
+        speed: Array,
+        max_frequency: float = 4000.0,
+        ports: tuple[float | Place, ...] = (),
+        finer: int = 0,
+        memo: Memo | None = None,
+        clock: Clock | None = None,
+    ) -> None:
+        super().__init__(spindle, conditions, speed, memo, clock)
+        self.max_frequency, self.ports, self.finer = max_frequency, ports, finer
+        self._nodes: dict[str | float | Place, int] = {}
+        self.systems: dict[int, FreeMotions] = {}
+
+    def at(self, speed: Array) -> Scene:
+        """The same machine and coordinates at other speeds [rad/s], ascending."""
+        return self._like(speed, self.finer)
+
+    def refined(self, steps: int = 1, speed: Array | None = None) -> Scene:
+        """The same machine with a finer model, at some speeds."""
+        return self._like(self.speed if speed is None else speed, self.finer + steps)
+
+    def _like(self, speed: Array, finer: int) -> Scene:
+        same = (self.spindle, self.conditions, speed, self.max_frequency, self.ports)
+        other = Scene(*same, finer, self.memo, self.clock)
+        # a model serves other speeds, but is as fine as the highest speed of the case asks
+        other.top_speed = self.top_speed
+        return other
+
+    @property
+    def top_speed(self) -> float:
+        """The highest speed, to which elements are fitted [rad/s]."""
+        if self._top is None:
+            self._top = float(np.abs(self.speed).max())
+        return self._top
+
+    @top_speed.setter
+    def top_speed(self, value: float) -> None:
+        self._top = value
+
+    _top: float | None = None
+
+    @property
+    def fineness(self) -> Fineness:
+        """What is asked of elements and reduction; standard ones where their length is given."""
+        given = self.conditions.element_length is not None
+        accuracy = None if given else self.conditions.accuracy
+        return Fineness(self.max_frequency, self.top_speed, accuracy, self.finer)
+
+    @property
+    def tolerances(self) -> dict[str, float]:
+        """Residuals reached: of the axial balance, and of the eigenpairs."""
+        reached = {}
+        if "preload" in self.solved:
+            state = self.preload
+            reached["preload: unbalanced axial force over largest force"] = float(
+                np.nanmax(state.net.error[state.usable], initial=0.0)
+            )
+        for k, found in self.systems.items():
+            if "bending" in found.linear.motions:
+                name = self.name_of(k)
+                reached[f"{name} modes: residual of the eigenpairs"] = found.residual
+        return reached
+
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What was chosen that changes how the results read."""
+        return told(self.conditions.formulation)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What a designer should know about the machine at these speeds."""
+        fits = (
+            f"bearing {name}: the fit of its inner ring lets go at "
+            f"{speed * RPM.factor:.0f} rpm; raise its interference"
+            for name, speed in released_fits(self.spindle, float(self.bearing_speed.max()))
+        )
+        held = [s for each in self.spindle.supports for s in each.held_at(self.speed)]
+        found = list(self.systems.values())
+        grown = instability(found, self.speed[self.usable]) if found else ()
+        pressed = self.preload.small_shims() if "preload" in self.solved else ()
+        return (*fits, *pressed, *held, *grown)
+
+    def node(self, at: str | float | Place) -> int:
+        """The node shown of a named point, of a station on the shaft or of a place, among those of
+        all rotors."""
+        if at not in self._nodes:
+            self._nodes[at] = self.mesh.node_at(*self.spindle.place(at))
+        return self._nodes[at]
+
+    @stage_of(
+        lambda self: (
+            bodies(self.spindle),
+            self.conditions.element_length,
+            self.fineness,
+            self.ports,
+            self.rigid,
+            self._pressed,
+        )
+    )
+    def rotor(self) -> Structure:
+        """Terms of the machine and its components, each reduced when it is first asked for."""
+        places = [self.spindle.place(at) for at in self.ports]
+        kind = {"rigid": self.rigid, "pressed": self._pressed}
+        return Structure(self.spindle, self.mesh, self.fineness, places, **kind)
+
+    @property
+    def _pressed(self) -> bool:
+        own = self.conditions
+        return own.axial_stiffening and bool(own.tension or own.axial_force)
+
+    def _structure(self) -> Structure:
+        return self.rotor
+
+    @cached_property
+    def state(self) -> State:
+        """Speeds, tangents and stops at the usable speeds."""
+        speed, sleeves = self.speed[self.usable], len(self.spindle.sleeves)
+        stops = np.zeros((len(speed), sleeves), dtype=bool)
+        if self.spindle.seats:
+            stops = self.preload.net.held[self.bearing_row[self.usable], 1:]
+        return State(speed, self.seat_stiffness, stops)
+
+    @cached_property
+    def force(self) -> Array | None:
+        """Axial force that acts on bending at the usable speeds (usable, elements) [N]."""
+        force = self.bending_force()
+        return None if force is None else force[self.bearing_row[self.usable]]
+
+    @stage
+    def subsystems(self) -> list[tuple[Component, ...]]:
+        """Components that move together."""
+        strings = self.conditions.axial_stiffening
+        return subsystems(self.rotor, self.state, strings=strings)
+
+    def linear(self, k: int, rows: NDArray[np.intp] | None = None) -> Linear:
+        """The equation of motion of a subsystem at the usable speeds, or at some ``rows`` of
+        them."""
+        chosen: Any = slice(None) if rows is None else rows
+        state = State(*(each[chosen] for each in self.state[:3]))
+        force = None if self.force is None else self.force[chosen]
+        softened = self.conditions.formulation == SOFTENED
+        solve = partial(linear, self.rotor, self.subsystems[k], state, force, softened=softened)
+        return self.timed(f"{self.name_of(k)} system", solve)
+
+    def system(self, k: int) -> FreeMotions:
+        """A subsystem with its free motions."""
+        if k not in self.systems:
+            self.systems[k] = self.system_at(k)
+        return self.systems[k]
+
+    def system_at(self, k: int, rows: NDArray[np.intp] | None = None) -> FreeMotions:
+        """The same at some ``rows`` of the usable speeds alone."""
+        if k in self.systems and rows is not None:
+            return self.systems[k].at(rows)
+        own = self.linear(k, rows)
+        return self.timed(f"{self.name_of(k)} modes", partial(free_motions, own))
+
+    def name_of(self, k: int) -> str:
+        """The motions of a subsystem, "bending", "bending and axial"."""
+        order = ("bending", "axial", "torsion")
+        own = {line.motion for c in self.subsystems[k] for line in c.lines}
+        return " and ".join(name for name in order if name in own) or "housing"
+
+    def with_motions(self, motions: Iterable[str]) -> list[int]:
+        """Subsystems in which some of "bending", "axial" and "torsion" take part."""
+        wanted = set(motions)
+        return [
+            k
+            for k, own in enumerate(self.subsystems)
+            if wanted & {line.motion for component in own for line in component.lines}
+        ]
+
+    def owner(self, at: str | float | Place, direction: str) -> int:
+        """The subsystem in which a point moves in a direction."""
+        rotor, x = self.spindle.place(at)
+        number = self.rotor.node(rotor, x)[("x", "y", "z", "thx", "thy", "thz").index(direction)]
+        component = self.rotor.components[self.rotor.owner[number]]
+        return next(k for k, own in enumerate(self.subsystems) if component in own)

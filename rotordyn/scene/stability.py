@@ -1,0 +1,33 @@
+"""Motions that grow by themselves, among all eigenvalues that were solved."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.equation.free_motion import FreeMotions
+from rotordyn.results.display import RPM, number
+
+
+def instability(found: Iterable[FreeMotions], speed: NDArray[np.float64]) -> list[str]:
+    """One sentence where some motion grows at some of ``speed`` [rad/s], else none."""
+    fastest = np.full(len(speed), 0j)
+    for modes in (one for one in found if one.pole.size):
+        pole = np.where(modes.growing, modes.pole, 0.0)
+        first = np.take_along_axis(pole, pole.real.argmax(axis=-1)[..., None], axis=-1)[..., 0]
+        fastest = np.where(first.real > fastest.real, first, fastest)
+    at = np.flatnonzero(fastest.real > 0.0)
+    if not at.size:
+        return []
+    worst = fastest[fastest.real.argmax()]
+    hertz = abs(worst.imag) / (2.0 * math.pi)
+    how = f"vibrates at {number(hertz)} Hz" if hertz else "moves away without vibrating"
+    return [
+        f"unstable at {at.size} of {len(speed)} speeds, first at "
+        f"{number(speed[at[0]] * RPM.factor, 0)} rpm: the machine {how}, growing e-fold in "
+        f"{1.0 / worst.real:.3g} s; forced responses there are the steady solution of the linear "
+        "equations, which the machine does not reach by itself"
+    ]

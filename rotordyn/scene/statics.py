@@ -1,0 +1,236 @@
+"""The machine as it stands at every speed: its axial state, and which speeds have a solution."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.ball.law import Law
+from rotordyn.equation.mesh import Mesh, build_mesh
+from rotordyn.equation.structure import Structure
+from rotordyn.errors import NoSolution
+from rotordyn.machine.inertia import rotor_inertia
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import Sleeve, Spring
+from rotordyn.preload.axial_force import AxialForce, axial_force
+from rotordyn.preload.state import PreloadState, dynamic_preload
+from rotordyn.scene.buckling import Loading
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.stage import Clock, Memo, Staged, stage_of
+from rotordyn.units import STANDARD_GRAVITY
+
+Array = NDArray[np.float64]
+ANY_SPRING = Spring(preload=1.0, stiffness=1.0)
+
+
+class Statics(Staged):
+    """A machine under given conditions at given speeds [rad/s], ascending, without vibration."""
+
+    def __init__(
+        self,
+        spindle: Spindle,
+        conditions: Conditions,
+        speed: Array,
+        memo: Memo | None = None,
+        clock: Clock | None = None,
+    ) -> None:
+        super().__init__(memo, clock)
+        self.spindle = spindle
+        self.conditions = conditions
+        self.speed = speed
+
+    @property
+    def grounded(self) -> Spindle:
+        """The spindle's shaft by itself: its state along the axis knows of no further rotor."""
+        return self.spindle.grounded
+
+    @property
+    def law(self) -> Law:
+        """Hypotheses of the ball model."""
+        return self.conditions.law
+
+    @property
+    def rigid(self) -> bool:
+        """True where the rotor does not bend."""
+        return self.conditions.rotor == "rigid"
+
+    @property
+    def bearing_speed(self) -> Array:
+        """Speeds at which bearings are solved: only rest where their state at rest serves all.
+
+        As many as there are speeds where supports follow the speed.
+        """
+        if self.conditions.bearings != "static":
+            return self.speed
+        return np.zeros_like(self.speed) if self._supports_follow else np.zeros(1)
+
+    @property
+    def state_speed(self) -> Array:
+        """The speed of every state at ``bearing_speed``; rest where one state serves all."""
+        return self.speed if len(self.bearing_speed) == len(self.speed) else np.zeros(1)
+
+    @property
+    def _supports_follow(self) -> bool:
+        return any(support.speeds for support in self.spindle.supports)
+
+    @property
+    def bearing_row(self) -> NDArray[np.intp]:
+        """For every speed of the case, its row among ``bearing_speed``."""
+        if self.conditions.bearings == "static" and not self._supports_follow:
+            return np.zeros(len(self.speed), dtype=np.intp)
+        return np.arange(len(self.speed))
+
+    @property
+    def gravity(self) -> float:
+        """Acceleration of gravity along the axis, towards +x [m/s²]."""
+        return {"none": 0.0, "+x": STANDARD_GRAVITY, "-x": -STANDARD_GRAVITY}[
+            self.conditions.gravity
+        ]
+
+    @property
+    def axial_force(self) -> float:
+        """External force and weight along the axis [N]."""
+        weight = self.gravity * rotor_inertia(self.grounded).mass if self.gravity else 0.0
+        return self.conditions.axial_force + weight
+
+    @cached_property
+    def outcome(self) -> tuple[str, ...]:
+        """Per speed: empty, or why it has no physical solution."""
+        words: tuple[str, ...] = ("",) * len(self.bearing_speed)
+        if self.spindle.seats:
+            words = self.preload.outcome
+        words = tuple(word or more for word, more in zip(words, self.buckling, strict=True))
+        return tuple(words[row] for row in self.bearing_row)
+
+    def require_solution(self) -> None:
+        """Go on only where some speed has a solution.
+
+        Raises
+        ------
+        NoSolution : none has
+        """
+        if all(self.outcome):
+            raise NoSolution(f"no speed of the case has a physical solution: {self.outcome[0]}")
+
+    @property
+    def usable(self) -> NDArray[np.intp]:
+        """Rows of the speeds with a solution; NoSolution where there is none."""
+        self.require_solution()
+        return np.flatnonzero([word == "" for word in self.outcome])
+
+    def scattered(self, values: NDArray[Any]) -> NDArray[Any]:
+        """Values at the usable speeds (first axis) over all speeds, NaN elsewhere."""
+        if len(values) == len(self.speed):
+            return values
+        none = complex(np.nan, np.nan) if np.iscomplexobj(values) else np.nan
+        whole = np.full((len(self.speed), *values.shape[1:]), none, dtype=values.dtype)
+        whole[self.usable] = values
+        return whole
+
+    def flagged(self, values: NDArray[np.bool_]) -> NDArray[np.bool_]:
+        """Flags at the usable speeds (usable,) over all speeds, False elsewhere."""
+        whole = np.zeros(len(self.speed), dtype=bool)
+        whole[self.usable] = values
+        return whole
+
+    @stage_of(lambda self: (bodies(self.spindle), self.conditions.element_length))
+    def mesh(self) -> Mesh:
+        """Nodes and elements of the shaft."""
+        return build_mesh(self.spindle, self.conditions.element_length)
+
+    @stage_of(lambda self: self._axial_inputs)
+    def preload(self) -> PreloadState:
+        """Dynamic preload state at ``bearing_speed``."""
+        return dynamic_preload(self.grounded, self.bearing_speed, self.law, self.axial_force)
+
+    @stage_of(lambda self: (*self._axial_inputs, self.conditions.tension))
+    def shaft_force(self) -> AxialForce:
+        """Axial force in the shaft at ``bearing_speed``."""
+        return self._along(self._seat_load)
+
+    @stage_of(lambda self: (*self._axial_inputs, self.conditions))
+    def buckling(self) -> tuple[str, ...]:
+        """Per speed of ``bearing_speed``: empty, or that the shaft buckles."""
+        seats = self.spindle.seats
+        tangents = self.preload.seat_stiffness() if seats else _no_seats(self.bearing_speed, 5, 5)
+        return self.buckled(self._seat_load, tangents, self.state_speed)
+
+    def buckled(self, seat_load: Array, seat_stiffness: Array, speed: Array) -> tuple[str, ...]:
+        """Per state with other loads (states, seats) and tangents of the bearings: as above."""
+        if not self.conditions.axial_stiffening:
+            return ("",) * len(speed)
+        loading = Loading(
+            self.grounded,
+            speed,
+            self._structure,
+            seat_load,
+            seat_stiffness,
+            self.conditions.axial_force,
+            self.gravity,
+            self.conditions.tension,
+        )
+        return loading.outcomes()
+
+    def bending_force(self, seat_load: Array | None = None) -> Array | None:
+        """Axial force that acts on bending (states, elements) [N]; None where it shall not.
+
+        At ``bearing_speed``, or under other axial loads of the bearings (states, seats).
+        """
+        if not self.conditions.axial_stiffening:
+            return None
+        along = self.shaft_force if seat_load is None else self._along(seat_load)
+        return along.bending(self.mesh.middle)
+
+    def _along(self, seat_load: Array) -> AxialForce:
+        own = self.conditions
+        return axial_force(self.grounded, seat_load, own.axial_force, self.gravity, own.tension)
+
+    def _structure(self) -> Structure:
+        """The terms of the machine."""
+        raise NotImplementedError
+
+    @property
+    def _axial_inputs(self) -> tuple[Any, ...]:
+        """What the preload state follows from."""
+        forces = self.axial_force, self.conditions.axial_force, self.gravity
+        return (self.spindle, self.law, *forces, self.bearing_speed.tobytes())
+
+    @property
+    def _seat_load(self) -> Array:
+        return self.preload.seat_load() if self.spindle.seats else _no_seats(self.bearing_speed)
+
+    @stage_of(lambda self: (*self._axial_inputs, self.conditions.tangent))
+    def tangents(self) -> Array:
+        """Bearing tangents in their own frames at ``bearing_speed`` (…, seats, 5, 5)."""
+        return self.preload.seat_stiffness(self.conditions.tangent)
+
+    @property
+    def seat_stiffness(self) -> Array:
+        """Bearing tangents in their own frames at the usable speeds (usable, seats, 5, 5)."""
+        if not self.spindle.seats:
+            return _no_seats(self.speed, 5, 5)
+        return self.tangents[self.bearing_row[self.usable]]
+
+
+def bodies(spindle: Spindle) -> Spindle:
+    """The machine without what its bodies do not depend on: springs and stops of sleeves, words."""
+    sleeves = tuple(
+        replace(each, spring=replace(ANY_SPRING, stiffness=_kind(each)), stop_travel=math.inf)
+        for each in spindle.sleeves
+    )
+    return replace(spindle, sleeves=sleeves, title="", note="", references=())
+
+
+def _kind(sleeve: Sleeve) -> float:
+    """Stiffness that stands for any: a sleeve moves along the axis, or it does not."""
+    return math.inf if math.isinf(sleeve.spring.stiffness) else 1.0
+
+
+def _no_seats(speed: Array, *rest: int) -> Array:
+    """Values of no bearing at every speed (speeds, 0, …)."""
+    return np.zeros((len(speed), 0, *rest))

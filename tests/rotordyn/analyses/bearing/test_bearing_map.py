@@ -1,0 +1,191 @@
+"""A single bearing over load and speed."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+import bearings
+from rotordyn.analyses.bearing.result import MomentMapResult, RadialMapResult
+from rotordyn.analyses.bearing.solve import answer, tangent_error
+from rotordyn.analyses.bearing.spec import BearingMapSpec
+from rotordyn.analyses.known import matches
+from rotordyn.errors import InvalidInput, NoSolution
+from rotordyn.machine.reference import Reference
+from rotordyn.scene.conditions import Conditions
+from tests.oracles.known_bearings import RPM, VEX70
+from tests.oracles.known_grooves import QJ218, R24_14, four_point
+
+SPEED = np.array([0.0, 15000.0, 30000.0]) * RPM
+
+
+def test_each_entry_is_the_bearing_alone() -> None:
+    found = answer(VEX70, Conditions(), SPEED, BearingMapSpec((250.0, 1220.0), 2e-6))
+    assert (found.outcome == "").all()
+    for row, speed in enumerate(SPEED):
+        for column, load in enumerate((250.0, 1220.0)):
+            alone = VEX70.equilibrium(load=[load, 0, 0, 0, 0], speed=speed, static_growth=2e-6)
+            assert found.deflection[row, column] == pytest.approx(alone.displacement[0], rel=1e-9)
+            assert found.inner_load[row, column] == pytest.approx(alone.inner_load[0], rel=1e-9)
+            assert found.stiffness[row, column, 0] == pytest.approx(
+                alone.stiffness("complete"), rel=1e-7, abs=1e-3
+            )
+            assert found.control[row, column] == alone.control[0]
+            assert found.inner_spin_to_roll[row, column] == pytest.approx(
+                alone.inner_spin_to_roll[0], rel=1e-9
+            )
+            assert found.outer_grip[row, column] == pytest.approx(alone.outer_grip[0], rel=1e-9)
+
+
+def test_known_stiffness_at_30000_rpm() -> None:
+    """Noël (2013), Fig. 2.21 with the physical sign: 23.9 and 32.6 N/µm at 1000 N, hybrid."""
+    found = answer(VEX70, Conditions(moment_sharing="hybrid"), SPEED[2:], BearingMapSpec((1000.0,)))
+    equal = answer(VEX70, Conditions(), SPEED[2:], BearingMapSpec((1000.0,)))
+    values = [np.diag(f.stiffness[0, 0, 0])[:2] / 1e6 for f in (found, equal)]
+    expected = np.array([23.9, 32.6])
+    assert min(np.abs(v / expected - 1).max() for v in values) < 5e-3
+
+
+def test_tangents_side_by_side() -> None:
+    names = ("frozen", "complete", "difference")
+    found = answer(VEX70, Conditions(), SPEED, BearingMapSpec((250.0, 1000.0), tangents=names))
+    assert found.tangent == names
+    for place, name in enumerate(names):
+        state = VEX70.equilibrium(load=[250.0, 0, 0, 0, 0], speed=SPEED[2])
+        alone = bearings.stiffness(state, name)
+        assert found.stiffness[2, 0, place] == pytest.approx(alone, rel=1e-6, abs=1.0)
+    frozen, exact = (tangent_error(found, name, "x") for name in ("frozen", "difference"))
+    complete = found.stiffness[..., 1, 0, 0]
+    assert frozen == pytest.approx(found.stiffness[..., 0, 0, 0] / complete - 1.0)
+    assert (frozen[0] == 0.0).all()
+    assert np.abs(exact).max() < 1e-6 < np.abs(frozen[2]).min()
+
+
+def test_a_published_error_stands_beside_the_largest_of_ours() -> None:
+    known = Reference("frozen_error", "published", "x", (SPEED[2],), (0.16,))
+    spec = BearingMapSpec((250.0, 1000.0), tangents=("complete", "frozen"))
+    found = answer(VEX70, Conditions(kinematics="outer"), SPEED, spec)
+    (match,) = matches([known], {"bearing": found}, None)
+    assert match.values == pytest.approx((0.125,), abs=6e-4)
+    alone = answer(VEX70, Conditions(), SPEED, BearingMapSpec((250.0,)))
+    assert matches([known], {"bearing": alone}, None) == []
+
+
+def test_control_that_the_kinematics_assumes_is_checked() -> None:
+    """At 30 000 rpm the outer race controls; inner control contradicts Jones' criterion there."""
+    for kinematics, agrees in (("outer", True), ("inner", False), ("hybrid", True)):
+        found = answer(
+            VEX70, Conditions(kinematics=kinematics), SPEED[2:], BearingMapSpec((1220.0,))
+        )
+        assert found.control.tolist() == [["outer"]]
+        assert found.control_agrees.tolist() == [[agrees]]
+
+
+def test_a_load_without_state_keeps_its_reason() -> None:
+    """Inner control ends with a jump at low load: NaN only beside the outcome, in every tangent."""
+    spec = BearingMapSpec((5.0, 2000.0), tangents=("complete", "frozen", "difference"))
+    found = answer(VEX70, Conditions(kinematics="inner"), SPEED[2:], spec)
+    assert "no equilibrium at 30000 rpm under 5 N" in found.outcome[0, 0]
+    assert np.isnan(found.stiffness[0, 0]).all()
+    assert np.isnan(found.inner_spin_to_roll[0, 0])
+    assert (found.control[0, 0], found.control_agrees[0, 0]) == ("", False)
+    assert found.outcome[0, 1] == ""
+    assert np.isfinite(found.stiffness[0, 1]).all()
+
+
+def test_static_bearing_does_not_know_the_speed() -> None:
+    found = answer(VEX70, Conditions(bearings="static"), SPEED, BearingMapSpec((500.0,)))
+    assert found.deflection.shape == (3, 1)
+    assert (found.deflection == found.deflection[0]).all()
+    assert (found.centrifugal_force == 0).all()
+
+
+def test_growth_that_takes_the_whole_contact_angle() -> None:
+    """arccos(cos α + Δu0/BD) without a value: nothing can be solved."""
+    limit = 0.1 * 9.525e-3 * (1 - math.cos(math.radians(25)))
+    with pytest.raises(NoSolution):
+        answer(VEX70, Conditions(), SPEED, BearingMapSpec((500.0,), 1.05 * limit))
+
+
+def test_radial_loads_over_a_fixed_thrust() -> None:
+    """Case 3 of Lacroix (2014), rigid: 20 and 12 kN, angles 22.4° and 57.7°, 228 and 136 µm."""
+    spec = BearingMapSpec(radial_loads=(0.0, 12e3), axial_load=20e3)
+    bearing = four_point(R24_14)
+    found = answer(bearing, Conditions(kinematics="outer"), np.array([1500.0]) * RPM, spec)
+    assert isinstance(found, RadialMapResult)
+    assert found.contact == ("ir", "il", "or", "ol")
+    assert found.ball == pytest.approx(np.arange(20) * math.pi / 10.0)
+    assert found.deflection[0, 1] * 1e6 == pytest.approx(228.0, abs=0.8)
+    assert found.radial_deflection[0, 1] * 1e6 == pytest.approx(136.0, abs=0.8)
+    angles = np.degrees(found.contact_angle[0, 1, [0, 10], 0])
+    assert angles == pytest.approx([22.4, 57.7], abs=0.06)
+    assert found.contacts[0].tolist() == [[2] * 20, [3] * 3 + [2] * 15 + [3] * 2]
+    assert found.loaded_ball.tolist() == [[0, 0]]
+    load = found.contact_load[0, 1]
+    for mirrored in range(1, 10):  # about the plane of the load
+        assert load[mirrored] == pytest.approx(load[20 - mirrored], rel=1e-6, abs=1e-3)
+    state = bearing.equilibrium(load=[20e3, 12e3, 0, 0, 0], speed=1500.0 * RPM, kinematics="outer")
+    assert found.inner_load[0, 1] == pytest.approx(state.inner_load[0], rel=1e-9)
+    assert found.ellipse_upper[0, 1] == pytest.approx(
+        bearings.truncation(state).upper_end, rel=1e-9, nan_ok=True
+    )
+
+
+def test_moments_turn_the_most_loaded_ball_to_the_other_side() -> None:
+    spec = BearingMapSpec(moments=(0.0, 800.0), axial_load=20e3, radial_load=5e3)
+    found = answer(four_point(R24_14), Conditions(kinematics="outer"), np.zeros(1), spec)
+    assert isinstance(found, MomentMapResult)
+    assert found.loaded_ball.tolist() == [[0, 10]]
+    assert found.contact_load[0, 1, 10].max() == found.contact_load[0, 1].max()
+    assert found.contacts[0, 1].max() == 4
+    assert found.tilt[0, 1] > found.tilt[0, 0]
+
+
+def test_a_moment_and_its_reverse_are_mirror_images() -> None:
+    """Turned half round about x, Mz and θz change sign with the place of the balls."""
+    spec = BearingMapSpec(moments=(-500.0, 500.0), axial_load=20e3)
+    found = answer(four_point(R24_14), Conditions(), np.array([3000.0]) * RPM, spec)
+    assert found.tilt[0, 0] == pytest.approx(-found.tilt[0, 1], rel=1e-6)
+    turned = np.roll(found.contact_load[0, 0], 10, axis=0)
+    assert found.contact_load[0, 1] == pytest.approx(turned, rel=1e-5, abs=0.05)
+
+
+def test_blocked_tilts() -> None:
+    """The ring does not tilt, and is displaced less than with free tilts."""
+    loads = dict(radial_loads=(6e3,), axial_load=20e3)
+    free, held = (
+        answer(four_point(R24_14), Conditions(), np.zeros(1), BearingMapSpec(**loads, tilt=tilt))
+        for tilt in ("free", "blocked")
+    )
+    assert held.tilt[0, 0] == 0.0
+    assert abs(free.tilt[0, 0]) > 1e-4
+    assert 0.0 < held.radial_deflection[0, 0] < free.radial_deflection[0, 0]
+
+
+def test_frozen_dynamics_of_a_third_contact() -> None:
+    """QJ218 at 5 kN: from 3200 rpm on by an independent code, without gyroscopic moment."""
+    spec = BearingMapSpec((5e3,), dynamics="frozen")
+    speed = np.array([3200.0 * 0.99, 3200.0 * 1.01]) * RPM
+    found = answer(four_point(QJ218), Conditions(), speed, spec)
+    assert found.contacts[:, 0, 0].tolist() == [2, 3]
+    assert (found.gyroscopic_moment == 0.0).all()
+    assert found.ball.size == 1  # all alike
+
+
+@pytest.mark.parametrize(
+    ("keys", "said"),
+    [
+        ({}, "exactly one list of loads, radial_loads, moments: got none"),
+        ({"loads": (1.0,), "moments": (1.0,)}, "got loads and moments"),
+        ({"radial_loads": (1.0,), "radial_load": 2.0}, "given by the list radial_loads already"),
+        ({"moments": (1.0,), "tilt": "blocked"}, "takes no moment"),
+        ({"moments": (2.0, 1.0)}, "moments: not in ascending order"),
+        ({"loads": (1.0,), "dynamics": "jones"}, "dynamics"),
+    ],
+)
+def test_loads_that_contradict_one_another(keys: dict[str, Any], said: str) -> None:
+    with pytest.raises(InvalidInput, match=said):
+        BearingMapSpec(**keys)

@@ -1,0 +1,69 @@
+"""A single bearing in words: contacts, and ellipses that pass the ends of their grooves."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from rotordyn.analyses.bearing.solve import answer
+from rotordyn.analyses.bearing.spec import BearingMapSpec
+from rotordyn.analyses.bearing.summary import bearing_lines, cut_off
+from rotordyn.report.tables import LAYOUTS, tidy_columns
+from rotordyn.report.warnings import result_warnings
+from rotordyn.scene.conditions import Conditions
+from tests.oracles.known_bearings import RPM
+from tests.oracles.known_grooves import QJ218, R24_14, four_point
+from tests.rotordyn.figures import samples
+
+OUTER = Conditions(kinematics="outer")
+SHOULDERS = dict(inner_shoulder_diameter=114e-3, outer_shoulder_diameter=136e-3)
+
+
+def test_ellipse_past_the_inner_shoulder() -> None:
+    """Rigid rings at rest: from 77 kN, 5.6 % at 100 kN."""
+    bearing = replace(four_point(QJ218), **SHOULDERS)
+    found = answer(bearing, OUTER, np.zeros(1), BearingMapSpec((70e3, 80e3, 100e3)))
+    (sentence,) = cut_off(found)
+    assert sentence == (
+        "contact ellipse passes the shoulder of the inner ring, first under 80000 N at 0 rpm, up "
+        "to 5.6 % of its length lost"
+    )
+    assert result_warnings({"bearing": found}) == [sentence]
+    unknown = answer(four_point(QJ218), OUTER, np.zeros(1), BearingMapSpec((100e3,)))
+    assert cut_off(unknown) == []
+
+
+def test_most_loaded_ball_in_words() -> None:
+    """Case 3 of Lacroix (2014), rigid: 22.4° at 0°, a third contact."""
+    spec = BearingMapSpec(radial_loads=(0.0, 12e3), axial_load=20e3)
+    lines = bearing_lines(answer(four_point(R24_14), OUTER, np.array([1500.0]) * RPM, spec))
+    assert lines[0].endswith("tilts blocked, at 1500 rpm")
+    assert "0 N radial: axial" in lines[1]
+    assert lines[-1].split(": ", 1)[1].startswith("ball 0 at 0°: ir 4712 N at 22.4°, or 510 N at")
+    assert lines[-1].endswith("2 to 3 contacts a ball")
+
+
+def test_two_contacts_need_no_words() -> None:
+    assert not any(line.startswith("contacts") for line in bearing_lines(samples.bearing(3)))
+
+
+@pytest.mark.parametrize(
+    ("name", "rows", "column", "value"),
+    [
+        ("bearing_balls", 40, "loaded contacts", "2"),
+        ("bearing_contacts", 160, "contact load [N]", None),
+        ("bearing_grooves", 4, "angle of the shoulder [deg]", "nan"),
+    ],
+)
+def test_tables(name: str, rows: int, column: str, value: str | None) -> None:
+    spec = BearingMapSpec(moments=(0.0, 300.0), axial_load=20e3)
+    found = answer(four_point(R24_14), OUTER, np.zeros(1), spec)
+    (layout,) = (each for each in LAYOUTS["bearing"] if each.name == name)
+    columns = dict(tidy_columns(found, layout))
+    assert len(columns[column]) == rows
+    if value is not None:
+        assert str(columns[column][0]) == value
+    if "load" in layout.rows:
+        assert columns["moment [N·m]"][-1] == "300"

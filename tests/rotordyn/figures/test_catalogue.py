@@ -1,0 +1,197 @@
+"""Every figure of a case: drawn, labelled with units, saved as valid PNG and SVG."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+import xml.etree.ElementTree as ET
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from rotordyn.analyses.bearing.solve import answer
+from rotordyn.analyses.bearing.spec import BearingMapSpec
+from rotordyn.figures.draw import Drawing
+from rotordyn.job.figures import figures
+from rotordyn.scene.conditions import Conditions
+from tests.oracles.known_bearings import RPM
+from tests.oracles.known_grooves import QJ218, R24_14, four_point
+from tests.rotordyn.figures import samples
+
+NAMES = {
+    "machine", "campbell", "mode_shapes", "frf_map", "frf_maps", "frf_surface",
+    "frf_amplitude_phase_1", "frf_amplitude_phase_2", "frf_real_imaginary_1",
+    "frf_real_imaginary_2", "stiffness", "stiffness_force", "preload", "contacts", "bearing",
+    "bearing_tangents", "section_forces", "elastic_line",
+    "unbalance", "unbalance_forces",
+}  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def drawn(case, results):
+    return {name: draw() for name, draw in figures(case, results)}
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory, case, results):
+    path = tmp_path_factory.mktemp("figures")
+    seconds = Drawing(figures(case, results), path).finish()
+    assert set(seconds) == NAMES
+    assert all(value > 0.0 for value in seconds.values())
+    return path
+
+
+def test_all_figures_of_the_case(drawn):
+    assert set(drawn) == NAMES
+
+
+@pytest.mark.parametrize("name", sorted(NAMES))
+def test_every_axis_label_has_a_unit(drawn, name):
+    labels = [label for a in drawn[name].axes for label in (a.get_xlabel(), a.get_ylabel())]
+    texts = [t.get_text() for a in drawn[name].axes for t in a.texts]
+    with_unit = [text for text in labels + texts if re.search(r"\[[^\]]+\]$", text)]
+    assert with_unit
+    assert all(re.search(r"\[[^\]]+\]$", label) for label in labels if label)
+
+
+@pytest.mark.parametrize("name", sorted(NAMES))
+def test_files_are_valid(folder, name):
+    assert (folder / f"{name}.png").read_bytes().startswith(b"\x89PNG\r\n\x1a\n")
+    root = ET.parse(folder / f"{name}.svg").getroot()
+    assert root.tag == "{http://www.w3.org/2000/svg}svg"
+    assert root.findall(".//{http://www.w3.org/2000/svg}text"), "text must stay text"
+
+
+@pytest.mark.parametrize("name", ["frf_map", "frf_surface"])
+def test_rasters_stay_rasters_in_the_svg(folder, name):
+    root = ET.parse(folder / f"{name}.svg").getroot()
+    assert root.findall(".//{http://www.w3.org/2000/svg}image")
+    assert len(root.findall(".//{http://www.w3.org/2000/svg}path")) < 300
+
+
+def test_nothing_to_draw_without_results():
+    assert figures(samples.SampleCase(), {}) == []
+
+
+def test_bearing_alone(case):
+    jobs = figures(
+        samples.SampleCase(bearing=samples.ball_bearing(0.09, 25)), {"bearing": samples.bearing(3)}
+    )
+    assert [name for name, _ in jobs] == ["bearing", "bearing_tangents"]
+
+
+@pytest.mark.parametrize("keys", [{"radial_loads": (0.0, 6e3, 12e3)}, {"moments": (0.0, 300.0)}])
+def test_a_bearing_whose_balls_differ(keys, tmp_path):
+    """Contacts by load and around the ring; labels with units; NaN of unloaded contacts drawn."""
+    bearing = four_point(R24_14)
+    spec = BearingMapSpec(axial_load=20e3, **keys)
+    speed = np.array([0.0, 3000.0]) * RPM
+    found = answer(bearing, Conditions(kinematics="outer"), speed, spec)
+    jobs = figures(samples.SampleCase(bearing=bearing), {"bearing": found})
+    assert [name for name, _ in jobs] == ["bearing", "bearing_contacts", "bearing_azimuth"]
+    assert set(Drawing(jobs, tmp_path, workers=1).finish()) == {name for name, _ in jobs}
+    for _, draw in jobs:
+        labels = [t for a in draw().axes for t in (a.get_xlabel(), a.get_ylabel()) if t]
+        assert labels
+        assert all(re.search(r"\[[^\]]+\]$", label) for label in labels)
+
+
+def test_a_four_point_bearing_under_thrust(tmp_path):
+    bearing = four_point(QJ218)
+    speed = np.array([0.0, 2000.0, 4000.0, 8000.0]) * RPM
+    found = answer(bearing, Conditions(), speed, BearingMapSpec((5e3, 20e3)))
+    jobs = figures(samples.SampleCase(bearing=bearing), {"bearing": found})
+    assert [name for name, _ in jobs] == ["bearing", "bearing_contacts"]
+    Drawing(jobs, tmp_path, workers=1).finish()
+    drawn = dict(jobs)["bearing_contacts"]()
+    (counts,) = (a for a in drawn.axes if "contacts" in a.get_title())
+    assert {t.get_text() for t in counts.texts} == {"2", "3"}
+
+
+def test_race_control_alone():
+    jobs = figures(
+        samples.SampleCase(bearing=samples.ball_bearing(0.09, 25)), {"control": samples.control(3)}
+    )
+    assert [name for name, _ in jobs] == ["control"]
+
+
+def test_one_speed_and_missing_values_can_be_drawn(case, tmp_path):
+    results = samples.results(1, 40)
+    results["campbell"].frequency[0, 2] = np.nan
+    three = samples.results(3, 40)
+    three["frf"].receptance[1] = np.nan
+    three["preload"].axial_load[1] = np.nan
+    for each in (results, three):
+        jobs = figures(case, each)
+        assert set(Drawing(jobs, tmp_path, workers=1).finish()) == {name for name, _ in jobs}
+
+
+def test_bare_rotor_on_linear_supports(tmp_path):
+    from rotordyn.machine.support import LinearSupport
+
+    spindle = samples.spindle()
+    bare = replace(
+        spindle,
+        seats=(),
+        sleeves=(),
+        references=(),
+        supports=(LinearSupport("left", 0.0, {("y", "y"): 1e7}),),
+    )
+    empty = samples.preload(2)
+    empty = replace(empty, bearing=(), axial_load=np.zeros((2, 0)))
+    jobs = figures(samples.SampleCase(spindle=bare), {"preload": empty})
+    assert [name for name, _ in jobs] == ["machine"]
+    Drawing(jobs, tmp_path).finish()
+    assert ">left<" in (tmp_path / "machine.svg").read_text()
+
+
+def test_listing_figures_does_not_import_matplotlib():
+    code = (
+        "import sys; from rotordyn.job.figures import figures; import rotordyn.figures.draw;"
+        "from tests.rotordyn.figures import samples as s;"
+        "assert figures(s.case(), s.results(3, 20));"
+        "sys.exit('matplotlib' in sys.modules)"
+    )
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_pyplot_is_never_imported(tmp_path):
+    code = (
+        "import sys; from pathlib import Path; from rotordyn.job.figures import figures;"
+        "from rotordyn.figures.draw import Drawing;"
+        "from tests.rotordyn.figures import samples as s;"
+        f"Drawing(figures(s.case(), s.results(3, 20)), Path({str(tmp_path)!r}), 1).finish();"
+        "sys.exit('matplotlib.pyplot' in sys.modules)"
+    )
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_a_failing_figure_surfaces_its_own_error(tmp_path, case, results):
+    def broken():
+        raise LookupError("no such mode")
+
+    good = figures(case, results)[-1]
+    for workers in (1, 2):
+        with pytest.raises(LookupError, match="no such mode"):
+            Drawing([good, ("broken", broken), good], tmp_path, workers).finish()
+
+
+def test_a_dying_worker_leaves_its_figures_to_us(tmp_path, case, results, monkeypatch):
+    import os
+
+    main = os.getpid()
+
+    def deadly():
+        if os.getpid() != main:
+            os._exit(9)
+        return good[1]()
+
+    good = figures(case, results)[-1]
+    monkeypatch.setattr("rotordyn.figures.draw._processors", lambda: 2)
+    jobs = [("one", deadly), ("two", deadly)]
+    drawing = Drawing(jobs, tmp_path, workers=2)
+    assert list(drawing.finish()) == ["one", "two"]
+    assert (tmp_path / "one.png").exists()
+    assert (tmp_path / "two.svg").exists()

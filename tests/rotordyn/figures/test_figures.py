@@ -1,0 +1,474 @@
+"""What the figures of results show: lines, markers and limits from the numbers given."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from matplotlib.collections import LineCollection
+
+from rotordyn.analyses.bearing.figures.tangents import tangents_figure
+from rotordyn.analyses.campbell.figures.compared import panels_figure
+from rotordyn.analyses.campbell.figures.diagram import campbell_figure
+from rotordyn.analyses.campbell.figures.shapes import plane_curve, shapes_figure
+from rotordyn.analyses.control.figures.boundaries import control_figure
+from rotordyn.analyses.control.figures.compared import control_figure as compared_control
+from rotordyn.analyses.frf.figures.compared import curves_figure
+from rotordyn.analyses.frf.figures.decimate import nearest, peak_bins
+from rotordyn.analyses.frf.figures.map import map_figure
+from rotordyn.analyses.frf.figures.slices import amplitude_phase_figure, real_imaginary_figure
+from rotordyn.analyses.frf.figures.surface import surface_figure
+from rotordyn.analyses.frf.result import InertanceResult, MobilityResult
+from rotordyn.analyses.preload.figures.over_speed import preload_figure
+from rotordyn.analyses.section_forces.figures.diagrams import (
+    FORCES,
+    diagrams_figure,
+    elastic_line_figure,
+    speeds_shown,
+)
+from rotordyn.analyses.stiffness.figures.curves import stiffness_figure
+from rotordyn.analyses.unbalance.figures.compared import amplitudes_figure
+from rotordyn.analyses.unbalance.figures.response import response_figure, round_orbits
+from rotordyn.figures.mode_lines import LOOKS, whirl_segments
+from rotordyn.figures.panels import Shown
+from rotordyn.job.comparison_figures import comparison_figures
+from rotordyn.job.figures import figures
+from rotordyn.machine.reference import Reference
+from rotordyn.modes.overdamped import OVERDAMPED
+from rotordyn.report.accuracy import accuracy_words
+from tests.rotordyn.figures import samples
+
+
+def _labels(axes):
+    return axes.get_legend_handles_labels()[1]
+
+
+def test_whirl_is_told_by_look():
+    curves = whirl_segments(samples.campbell(9))
+    assert {look: len(lines) for look, lines in curves.items()} == {
+        "backward": 4, "forward": 4, "axial": 1, "torsion": 1,
+    }  # fmt: skip
+    assert all(len(line) == 9 for lines in curves.values() for line in lines)
+    assert LOOKS["forward"][1] == "-"
+
+
+def test_a_mode_that_turns_its_whirl_is_cut_without_a_gap():
+    result = samples.campbell(9)
+    whirl = result.whirl.copy()
+    whirl[5:, 0] = 1.0
+    curves = whirl_segments(replace(result, whirl=whirl))
+    first = next(c for c in curves["backward"] if len(c) == 5)
+    second = next(c for c in curves["forward"] if len(c) == 5)
+    np.testing.assert_array_equal(first[-1], second[0])
+
+
+def test_campbell_lines_markers_and_names():
+    axes = campbell_figure(samples.campbell(9), (3, 8), samples.references(), 3500.0).axes[0]
+    words = [t.get_text() for t in axes.texts]
+    assert {"1×", "3× (teeth)", "8× (teeth)"} <= set(words)
+    assert "1 fw  713" in words
+    assert {"forward whirl", "critical speed", "published"} <= set(_labels(axes))
+    critical = next(line for line in axes.lines if line.get_label() == "critical speed")
+    np.testing.assert_allclose(critical.get_xydata(), [[20400.0, 340.0]])
+    known = next(line for line in axes.lines if line.get_label() == "published")
+    np.testing.assert_allclose(known.get_ydata(), [903.0, 1350.0, 1580.0, 2860.0])
+
+
+def test_campbell_shows_where_a_mode_is_unstable():
+    result = samples.campbell(9)
+    ratio = result.damping_ratio.copy()
+    ratio[6:, 2] = -1e-3
+    axes = campbell_figure(replace(result, damping_ratio=ratio)).axes[0]
+    assert _labels(axes).count("unstable") == 1
+    bands = [line for line in axes.lines if line.get_linewidth() == 6.0]
+    drawn = [np.isfinite(line.get_ydata()) for line in bands]
+    assert [flags.tolist() for flags in drawn if flags.any()] == [[False] * 6 + [True] * 3]
+    assert "unstable" not in _labels(campbell_figure(result).axes[0])
+
+
+def test_campbell_leaves_out_what_hardly_swings():
+    result = samples.campbell(9)
+    ratio = result.damping_ratio.copy()
+    ratio[:, 0], ratio[4, 2] = 0.9999, 0.9999  # the second does swing, but at one speed
+    overdamped = replace(result, damping_ratio=ratio)
+    lines = [len(whirl_segments(r).get("backward", [])) for r in (result, overdamped)]
+    assert lines[1] == lines[0] - 1
+    names = [
+        {t.get_text() for t in campbell_figure(r).axes[0].texts if t.get_text() != "1×"}
+        for r in (result, overdamped)
+    ]
+    (gone,) = names[0] - names[1]
+    assert gone.startswith(result.mode[0])
+
+
+def test_figure_and_summary_tell_one_error_of_what_swings():
+    """The largest of an overdamped motion is told by neither, that of a strongly damped one is."""
+    result = samples.campbell(9)
+    ratio, error = result.damping_ratio.copy(), result.frequency_error.copy()
+    ratio[:5, 0], ratio[:4, 1], ratio[:, 2] = 0.9999, 0.9999, 0.9
+    error[:, 0], error[0, 1], error[3, 2] = 0.5, 0.4, 0.021
+    strong = replace(
+        result, damping_ratio=ratio, frequency_error=error, overdamped=ratio > OVERDAMPED
+    )
+    assert strong.mostly_overdamped.tolist() == [k == 0 for k in range(len(result.mode))]
+    assert strong.largest_error == 0.021
+    assert accuracy_words({"campbell": strong})[0] == "frequencies within 3e-02"
+    said = [t.get_text() for t in campbell_figure(strong).axes[0].texts]
+    assert "estimated error ≤ 3e-02" in said
+
+
+def test_campbell_of_variants_shows_where_a_mode_is_unstable():
+    result = samples.campbell(9)
+    ratio = result.damping_ratio.copy()
+    ratio[6:, 2] = -1e-3
+    grown = replace(result, damping_ratio=ratio)
+    figure = panels_figure([Shown("a", result, (), None), Shown("b", grown, (), None)])
+    assert ["unstable" in _labels(axes) for axes in figure.axes] == [False, True]
+
+
+def test_campbell_names_do_not_overlap():
+    figure = campbell_figure(samples.campbell(9), (1, 2, 3, 4, 5, 6), (), 3500.0)
+    renderer = figure.canvas.get_renderer()
+    boxes = [text.get_window_extent(renderer) for text in figure.axes[0].texts]
+    boxes.sort(key=lambda box: box.y0)
+    assert all(low.y1 <= high.y0 + 1.0 for low, high in pairwise(boxes))
+    assert max(b.x1 for b in boxes) <= figure.bbox.x1
+
+
+def test_a_line_that_leaves_at_the_top_is_named_there():
+    axes = campbell_figure(samples.campbell(9), (20,), (), 3500.0).axes[0]
+    text = next(t for t in axes.texts if "20×" in t.get_text())
+    assert text.get_position()[0] == pytest.approx(3500.0 * 60.0 / 20.0)
+
+
+def test_plane_curve_follows_the_phase():
+    shape = np.exp(0.4j) * np.array([[0.0, 0.0], [0.5, 0.1j], [-2.0, 0.2j]])
+    np.testing.assert_allclose(plane_curve(shape), [0.0, -0.25, 1.0])
+    np.testing.assert_array_equal(plane_curve(np.zeros((3, 2), complex)), np.zeros(3))
+
+
+def test_a_panel_per_mode_with_both_speeds():
+    result = samples.campbell(3)
+    few = replace(
+        result,
+        mode=result.mode[:4],
+        kind=result.kind[:4],
+        frequency=result.frequency[:, :4],
+        whirl=result.whirl[:, :4],
+        shape=result.shape[:, :4],
+    )
+    axes = shapes_figure(few, samples.spindle()).axes
+    assert [a.get_title().split(":")[0] for a in axes] == ["1 bw", "1 fw", "2 bw", "2 fw"]
+    assert all(len(a.lines) == 2 for a in axes)
+
+
+def test_modes_left_out_are_counted():
+    """Of whirling pairs the backward ones go first, but only where names tell of pairs."""
+    result = samples.campbell(3)
+    figure = shapes_figure(result)
+    assert "1 more mode in the results file" in figure.texts[0].get_text()
+    long = {"bw": "backward", "fw": "forward"}
+    names = [" ".join(long.get(word, word) for word in name.split()) for name in result.mode]
+    figure = shapes_figure(replace(result, mode=tuple(names)))
+    assert "4 more modes in the results file" in figure.texts[0].get_text()
+    assert not any("backward" in axes.get_title() for axes in figure.axes)
+
+
+def test_map_covers_the_axes_and_carries_the_modes():
+    axes = map_figure(samples.frf(9, 100), [0], samples.campbell(9)).axes[0]
+    assert axes.get_xlim() == (0.0, pytest.approx(24000.0))
+    assert sum(isinstance(c, LineCollection) for c in axes.collections) == 4
+    assert not map_figure(samples.frf(9, 100), [0]).axes[0].collections
+
+
+def test_map_keeps_the_largest_amplitude():
+    frf = samples.frf(9, 2000)
+    image = map_figure(frf, [0]).axes[0].images[0]
+    largest = np.abs(frf.receptance[:, 0]).max() * 1e6
+    assert np.nanmax(image.get_array()) == pytest.approx(np.log10(largest))
+
+
+def test_uneven_speeds_are_put_where_they_belong():
+    frf = samples.frf(9, 50)
+    uneven = replace(frf, speed=frf.speed**2 / frf.speed[-1])
+    values = map_figure(uneven, [0]).axes[0].images[0].get_array()
+    assert values.shape[1] == 240
+    assert np.ptp(values[:, :2], axis=1).max() == 0.0
+
+
+def test_surface_keeps_peaks_and_leaves_out_missing_speeds():
+    frf = samples.frf(9, 2000)
+    values = frf.receptance.copy()
+    values[4] = np.nan
+    figure = surface_figure(replace(frf, receptance=values), 0)
+    surface = next(c for c in figure.axes[0].collections if c.get_rasterized())
+    assert len(surface.get_paths()) == 7 * 259
+
+
+def test_slices_have_a_line_per_speed():
+    frf = samples.frf(9, 100)
+    figure = amplitude_phase_figure(frf, [0, 3])
+    assert [len(a.lines) for a in figure.axes] == [3, 3, 3, 3]
+    assert [t.get_text() for t in figure.legends[0].get_texts()] == [
+        "0 rpm", "12000 rpm", "24000 rpm",
+    ]  # fmt: skip
+    real = real_imaginary_figure(frf, [1]).axes[0].lines[2].get_ydata()
+    np.testing.assert_allclose(real, frf.receptance[-1, 1].real * 1e6)
+
+
+@pytest.mark.parametrize(("part", "flat"), [(1e-15, True), (1e-6, False)])
+def test_an_imaginary_part_of_mere_rounding_is_drawn_as_zero(part, flat):
+    frf = samples.frf(3, 200)
+    values = frf.receptance.real * (1.0 + 1j * part)
+    axes = real_imaginary_figure(replace(frf, receptance=values), [0]).axes[1]
+    largest = np.abs(values[:, 0]).max() * 1e6
+    assert (axes.get_ylim()[1] == pytest.approx(largest)) == flat
+
+
+def test_phase_does_not_draw_its_jumps():
+    frf = samples.frf(3, 2000)
+    figure = amplitude_phase_figure(frf, [1])
+    phase = figure.axes[1].lines[0].get_ydata()
+    steps = np.abs(np.diff(phase))
+    assert np.isnan(phase).any()
+    assert np.nanmax(steps) < 200.0
+
+
+def test_tangents_have_a_curve_per_load_and_a_map():
+    known = Reference("frozen_error", "published", "x", (samples.TOP,), (0.16,))
+    result = samples.bearing(9)
+    figure = tangents_figure(result, (known,))
+    curves, chart, _, _ = figure.axes
+    assert [t.get_text() for t in figure.legends[0].get_texts()] == [
+        "250 N", "500 N", "1000 N", "1500 N", "2000 N",
+    ]  # fmt: skip
+    ends = [line.get_ydata()[-1] for line in curves.lines[:5]]
+    np.testing.assert_allclose(ends, [-16.0, -8.0, -4.0, -8.0 / 3.0, -2.0])
+    marker = next(line for line in curves.lines if line.get_label() == "published: size")
+    np.testing.assert_allclose(marker.get_xydata(), [[24000.0, -16.0]])
+    assert "largest -16.0 % at 24000 rpm, 250 N" in chart.get_title()
+
+
+def test_few_loads_have_no_map_and_exact_tangents_no_lines():
+    result = samples.bearing(9)
+    few = replace(result, load=result.load[:4], stiffness=result.stiffness[:, :4])
+    assert len(tangents_figure(few).axes) == 2
+    same = replace(result, stiffness=np.repeat(result.stiffness[:, :, :1], 2, axis=2))
+    chart = tangents_figure(same).axes[1]
+    assert [text.get_text() for text in chart.texts] == ["no difference"]
+
+
+def test_a_missing_state_leaves_a_gap():
+    result = samples.bearing(9)
+    values = result.stiffness.copy()
+    values[-1, 0] = np.nan
+    figure = tangents_figure(replace(result, stiffness=values))
+    assert np.isnan(figure.axes[0].lines[0].get_ydata()[-1])
+    assert "250 N" in figure.axes[1].get_title()
+
+
+def test_race_control_has_regions_boundaries_and_their_fits():
+    result = samples.control(13)
+    figure = control_figure(result)
+    axes = figure.axes[0]
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("speed [rpm]", "axial load [N]")
+    assert [t.get_text() for t in figure.legends[0].get_texts()] == [
+        "neither race controls", "inner race controls", "outer race controls",
+        "inner race controls above", "inner, fit: 4 n² + 0 n + 0 N, n in 1000 rpm, misfit 1.5 N",
+        "outer race controls up to", "outer, fit: 3 n² + 0 n + 0 N, n in 1000 rpm, misfit 0.5 N",
+    ]  # fmt: skip
+    for line, factor in zip(axes.lines, (4.0, 4.0, 3.0, 3.0), strict=True):
+        rpm, load = line.get_data()
+        np.testing.assert_allclose(load[1:], factor * (rpm[1:] / 1000.0) ** 2)
+        assert np.isnan(load[0])
+    for where, colours in (((12000.0, 900.0), 2), ((12000.0, 500.0), 1), ((12000.0, 200.0), 3)):
+        assert _top_shade(axes, where) == colours
+
+
+def _top_shade(axes, point):
+    """1, 2, 3: the shade drawn last at a point: neither, inner, outer."""
+    shades = [c for c in axes.collections if c.get_paths()]
+    inside = [any(path.contains_point(point) for path in c.get_paths()) for c in shades]
+    return max(k for k, hit in enumerate(inside, 1) if hit)
+
+
+def test_race_control_without_boundary_or_state():
+    result = samples.control(13)
+    lost = result.inner_margin.copy()
+    lost[6:, :10] = np.nan
+    bare = replace(
+        result,
+        boundary_load=np.full((2, 13), np.nan),
+        fit_absence=("none", "none"),
+        inner_margin=np.where(np.isnan(lost), lost, -0.1),
+        outer_margin=np.where(np.isnan(lost), lost, 0.1),
+        radial=0.2,
+    )
+    figure = control_figure(bare)
+    assert [t.get_text() for t in figure.legends[0].get_texts()] == [
+        "outer race controls all balls", "no state",
+    ]  # fmt: skip
+    assert figure.axes[0].get_ylabel() == "axial load [N], radial 0.2 of it"
+    assert not figure.axes[0].lines
+    alone = control_figure(samples.control(1))
+    assert len(alone.axes[0].collections) == 0
+    variants = [Shown(name, each, (), None) for name, each in (("a", result), ("b", bare))]
+    axes = compared_control(variants).axes[0]
+    assert {"a", "b: no boundary"} <= set(_labels(axes))
+
+
+def test_references_stand_beside_the_stiffness():
+    axes = stiffness_figure(samples.stiffness(9), samples.references(), "Oc2").axes[0]
+    assert axes.get_ylabel() == "radial stiffness at Oc2 [N/µm]"
+    assert _labels(axes)[0] == "nonlinear, full"
+    measured = next(line for line in axes.lines if line.get_label() == "measured")
+    np.testing.assert_allclose(measured.get_xydata(), [[4000.0, 134.0], [24000.0, 56.3]])
+
+
+def test_preload_sum_is_what_the_sleeves_carry():
+    result = samples.preload(9)
+    axes = preload_figure(result, samples.spindle(), samples.references()).axes
+    assert _labels(axes[0]) == ["a, b", "c", "d, e"]
+    computed, published = axes[1].lines[:2]
+    np.testing.assert_allclose(computed.get_ydata(), result.axial_load[:, 2:].sum(axis=1))
+    np.testing.assert_allclose(published.get_xydata(), [[24000.0, 1750.0]])
+    assert "measured rear sleeve" in _labels(axes[2])
+
+
+def test_peak_bins_keep_the_peak_and_fill_gaps():
+    coordinate, values = np.array([0.0, 1.0, 2.0, 10.0]), np.array([[1.0, 5.0, 2.0, 10.0]])
+    found = peak_bins(values, coordinate, np.array([0.0, 3.0, 5.0, 9.0, 11.0]))
+    np.testing.assert_allclose(found, [[5.0, 4.0, 7.0, 10.0]])
+
+
+def test_nearest_takes_whole_rows():
+    rows = np.arange(6.0).reshape(3, 2)
+    found = nearest(rows, np.array([0.0, 1.0, 4.0]), np.array([0.4, 0.6, 2.4, 2.6, 9.0]))
+    np.testing.assert_array_equal(found[:, 0], [0.0, 2.0, 2.0, 4.0, 4.0])
+
+
+def test_section_forces_have_a_panel_each_with_upright_jumps():
+    result = samples.section_forces(9)
+    panels = diagrams_figure(result, samples.spindle()).axes
+    assert len(panels) == len(FORCES)
+    shear = next(line for line in panels[1].lines if line.get_label() == "24000 rpm")
+    x, y = shear.get_data()
+    (jump,) = np.flatnonzero(np.abs(np.diff(y)) > 1.0)
+    assert x[jump] == x[jump + 1]
+    np.testing.assert_allclose(y[[jump, jump + 1]], [-500.0, 500.0])
+    names = {text.get_text() for text in panels[0].texts}
+    assert {"front", "rear", "nose"} <= names
+    assert not panels[3].texts
+
+
+def test_section_forces_show_a_speed_only_where_it_differs():
+    result = samples.section_forces(9)
+    assert [curve.name for curve in speeds_shown(result)] == ["0 rpm", "12000 rpm", "24000 rpm"]
+    still = {name: np.tile(getattr(result, name)[:1], (9, 1)) for name in FORCES}
+    assert [curve.row for curve in speeds_shown(replace(result, **still))] == [8]
+    lost = result.torque.copy()
+    lost[5:] = np.nan
+    assert [curve.row for curve in speeds_shown(replace(result, torque=lost))] == [0, 2, 4]
+
+
+def test_elastic_line_is_that_of_the_last_speed():
+    result = samples.section_forces(9)
+    panels = elastic_line_figure(result, None).axes
+    line = next(line for line in panels[0].lines if line.get_label() == "deflection y")
+    np.testing.assert_allclose(line.get_ydata(), result.deflection_y[-1] * 1e6)
+    assert _labels(panels[2]) == ["normal stress", "shear stress of torsion", "von Mises stress"]
+
+
+def test_section_forces_of_variants_have_a_line_each():
+    own = samples.case()
+    result = {"section_forces": samples.section_forces(3)}
+    shown = [(replace(own, title=name), result) for name in "ab"]
+    jobs = dict(comparison_figures(shown))
+    panels = jobs["section_forces"]().axes
+    assert _labels(panels[0]) == ["a", "b"]
+    assert len(panels) == len(FORCES)
+
+
+def test_response_to_unbalance_shows_planes_apart_and_criticals():
+    result = samples.unbalance(49)
+    panels = response_figure(result).axes
+    assert len(panels) == 3
+    assert _labels(panels[0]) == ["Oc2.y", "Oc2.z", "O3.y", "O3.z"]
+    assert [t.get_text() for t in panels[0].texts] == ["bending 1: 10800", "bending 2: 14400"]
+    first = panels[0].get_lines()[0]
+    np.testing.assert_allclose(first.get_ydata()[1:], result.amplitude[1:, 0, 0] * 1e6)
+    assert np.isnan(first.get_ydata()[0]), "nothing moves at rest, and zero has no logarithm"
+
+
+def test_round_orbits_need_one_line_per_point():
+    result = samples.unbalance(9)
+    even = replace(result, minor_axis=result.major_axis)
+    assert round_orbits(even)
+    panels = response_figure(even).axes
+    assert len(panels) == 2
+    assert _labels(panels[0]) == ["Oc2", "O3"]
+
+
+def test_response_of_variants_is_drawn_over_one_another():
+    shown = [Shown(name, samples.unbalance(9), (), None) for name in ("one", "two")]
+    panels = amplitudes_figure(shown).axes
+    assert [len(axes.get_lines()) for axes in panels] == [2, 2]
+
+
+@pytest.mark.parametrize(
+    ("kind", "unit"), [(MobilityResult, "(mm/s)/N"), (InertanceResult, "(m/s²)/N")]
+)
+def test_mobility_and_inertance_say_so_on_every_figure(kind, unit):
+    result = samples.frf_of(kind, 9, 300)
+    shown = [Shown(name, result, (), None) for name in ("one", "two")]
+    for figure in (
+        amplitude_phase_figure(result, [0]),
+        map_figure(result, [0]),
+        surface_figure(result, 0),
+        curves_figure(shown, 0),
+    ):
+        words = [t.get_text() for a in figure.axes for t in a.texts]
+        words += [w for a in figure.axes for w in (a.get_title(), a.get_ylabel())]
+        assert any(kind.kind in word for word in words)
+        assert any(f"[{unit}]" in word for word in words)
+        assert not any("receptance" in word for word in words)
+
+
+def growing() -> object:
+    """A mode that grows from 9000 rpm on, beside one damped far more."""
+    plain = samples.campbell(49)
+    ratio = plain.damping_ratio.copy()
+    ratio[:, 1] = 0.02 * (1.0 - plain.speed / (9000.0 * np.pi / 30.0))
+    ratio[:, 0] = 0.9
+    return replace(
+        plain,
+        damping_ratio=ratio,
+        stability_threshold=9000.0 * np.pi / 30.0,
+        first_to_grow=plain.mode[1],
+    )
+
+
+def test_damping_is_drawn_where_a_mode_grows():
+    own, result = samples.case(), growing()
+    assert "damping" not in dict(figures(own, {"campbell": samples.campbell(9)}))
+    axes = dict(figures(own, {"campbell": result}))["damping"]().axes[0]
+    line = next(one for one in axes.get_lines() if one.get_label() == result.mode[1])
+    np.testing.assert_allclose(line.get_ydata(), result.damping_ratio[:, 1] * 100.0)
+    assert result.mode[0] not in _labels(axes), "beyond the limits"
+    low, high = axes.get_ylim()
+    assert low < line.get_ydata().min() < line.get_ydata().max() < high < 90.0
+    assert [text.get_text() for text in axes.texts] == ["9000 rpm"]
+
+
+def test_damping_of_variants_has_equal_axes():
+    own, calm = samples.case(), samples.campbell(49)
+    shown = [
+        (replace(own, title="grows"), {"campbell": growing()}),
+        (replace(own, title="calm"), {"campbell": calm}),
+    ]
+    panels = dict(comparison_figures(shown))["damping"]().axes
+    assert panels[0].get_ylim() == panels[1].get_ylim()
+    assert [len(axes.texts) for axes in panels] == [1, 0]
+    assert "damping" not in dict(comparison_figures(shown[1:] * 2))

@@ -1,0 +1,165 @@
+"""Figures of odd cases: one speed, one frequency, long and strange titles, values off the axes."""
+
+from __future__ import annotations
+
+import itertools
+from dataclasses import fields, replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from rotordyn.analyses.campbell.figures.compared import overlay_figure, panels_figure
+from rotordyn.analyses.campbell.figures.diagram import campbell_figure
+from rotordyn.analyses.campbell.figures.shapes import shapes_figure
+from rotordyn.analyses.campbell.result import TurningCampbellResult
+from rotordyn.analyses.frf.figures.compared import maps_figure
+from rotordyn.analyses.frf.result import TurningFrfResult
+from rotordyn.analyses.preload.figures.over_speed import preload_figure
+from rotordyn.analyses.stiffness.figures.compared import stiffness_figure as compared_stiffness
+from rotordyn.analyses.stiffness.figures.curves import stiffness_figure
+from rotordyn.figures.draw import Drawing
+from rotordyn.figures.panels import Shown, colour, dash
+from rotordyn.figures.style import mark_lone_points
+from rotordyn.job.comparison_figures import comparison_figures
+from rotordyn.machine.reference import Reference
+from tests.rotordyn.figures import samples
+
+LONG = "spring number {} and much more to be said of what is different in this variant"
+
+
+def at_top(result):
+    """A result over speed, at its last speed only."""
+    cut = {}
+    for field in fields(result):
+        value, dims = getattr(result, field.name), field.metadata.get("dims", ())
+        if field.name == "speed" or dims[:1] == ("speed",):
+            cut[field.name] = value[-1:]
+    return replace(result, **cut)
+
+
+def drawn(axes):
+    """Points of lines that are seen: on a segment or marked."""
+    mark_lone_points(axes)
+    return sum(
+        np.isfinite(line.get_ydata()).sum() if line.get_marker() in ("None", None) else
+        len(line.get_markevery() if line.get_markevery() is not None else line.get_xdata())
+        for line in axes.get_lines()
+    )  # fmt: skip
+
+
+def test_a_single_speed_is_seen() -> None:
+    figure = preload_figure(at_top(samples.preload(5)), samples.spindle())
+    assert all(drawn(axes) for axes in figure.axes)
+    (axes,) = stiffness_figure(at_top(samples.stiffness(5))).axes
+    marked = [line for line in axes.get_lines() if line.get_marker() not in ("None", None)]
+    assert marked
+    assert all(handle.get_marker() != "None" for handle in axes.get_legend().get_lines())
+
+
+def test_a_speed_between_lost_ones_is_seen() -> None:
+    result = samples.stiffness(5)
+    tangent = result.tangent.copy()
+    tangent[[1, 3]] = np.nan
+    (axes,) = stiffness_figure(replace(result, tangent=tangent)).axes
+    assert axes.get_lines()[0].get_markevery().tolist() == [0, 2, 4]
+    campbell = samples.campbell(5)
+    frequency = campbell.frequency.copy()
+    frequency[:4] = np.nan
+    (axes,) = campbell_figure(replace(campbell, frequency=frequency), (), (), 4000.0).axes
+    shown = [line for line in axes.get_lines() if line.get_label() == "forward whirl"]
+    assert len(shown[0].get_xdata()) == 4
+    assert not any("without whirl" in t for t in axes.get_legend_handles_labels()[1])
+
+
+def test_known_values_beyond_the_speeds_are_not_drawn() -> None:
+    """24 000 rpm lies beside the axes of a case that ends at 12 000 rpm."""
+    result = samples.stiffness(5)
+    half = replace(result, speed=result.speed / 2.0)
+    far = Reference("radial_stiffness", "measured", "s", (samples.TOP,), (56e6,))
+    near = Reference("radial_stiffness", "published", "s", (0.0, samples.TOP), (56e6, 60e6))
+    (axes,) = stiffness_figure(half, [far, near]).axes
+    names = axes.get_legend_handles_labels()[1]
+    assert "measured" not in names
+    known = next(line for line in axes.get_lines() if line.get_label() == "published")
+    assert known.get_xdata().tolist() == [0.0]
+    campbell = samples.campbell(5)
+    both = Reference("bending_frequency", "published", "s", (0.0, 0.0), (900.0, 9000.0))
+    (axes,) = campbell_figure(campbell, (), [both], 4000.0).axes
+    known = next(line for line in axes.get_lines() if line.get_label() == "published")
+    assert known.get_ydata().tolist() == [900.0]
+
+
+def test_shapes_of_a_single_speed_name_it_once() -> None:
+    result = samples.campbell(5)
+    one = replace(result, shape_speed=result.shape_speed[-1:], shape=result.shape[-1:])
+    figure = shapes_figure(one, samples.spindle())
+    assert "24000 rpm, scaled" in figure.texts[0].get_text()
+    assert not any("→" in axes.get_title() for axes in figure.axes)
+
+
+@pytest.mark.parametrize("count", [2, 12])
+def test_long_titles_cover_nothing(count: int) -> None:
+    shown = [Shown(LONG.format(k), samples.stiffness(5), (), None) for k in range(count)]
+    figure = compared_stiffness(shown, "Oc2")
+    (legend,) = figure.legends
+    renderer = figure.canvas.get_renderer()
+    box, page = legend.get_window_extent(renderer), figure.bbox
+    assert page.x0 <= box.x0
+    assert box.x1 <= page.x1
+    assert box.y1 <= page.y1
+    assert box.y0 >= figure.axes[0].get_window_extent(renderer).y1
+    assert len(legend.get_texts()) == count + len(shown[0].result.variant)
+
+
+def test_many_variants_are_told_apart() -> None:
+    looks = [(colour(k), dash(k)) for k in range(14)]
+    assert len({colour for colour, _ in looks}) == len(looks)
+    assert all(a != b for a, b in itertools.pairwise(dash for _, dash in looks))
+
+
+def test_the_frame_is_on_the_axes_and_known_frequencies_stay_in_theirs() -> None:
+    campbell, frf = samples.campbell(5), samples.frf(5, 50)
+    turning = [
+        kind(**{f.name: getattr(own, f.name) for f in fields(own)})
+        for kind, own in ((TurningCampbellResult, campbell), (TurningFrfResult, frf))
+    ]
+    known = (Reference("bending_frequency", "published", "s", (0.0,), (900.0,)),)
+    pair = [Shown("fixed", campbell, (), None), Shown("turning", turning[0], (), None)]
+    first, second = panels_figure(pair).axes
+    assert first.get_ylabel() == "damped frequency [Hz]"
+    assert second.get_ylabel() == "damped frequency in the turning frame [Hz]"
+    figure = overlay_figure(pair)
+    label = figure.axes[0].yaxis.label
+    assert "turning frame" in label.get_text()
+    figure.canvas.draw()
+    box = label.get_window_extent()
+    assert box.x0 >= 0.0
+    assert box.y0 >= 0.0
+    assert box.y1 <= figure.bbox.height
+    maps = [
+        Shown(name, result, known, None)
+        for name, result in zip("ab", (frf, turning[1]), strict=True)
+    ]
+    axes = [a for a in maps_figure(maps, 0).axes if a.get_title()]
+    assert [len(a.get_lines()) for a in axes] == [1, 0]
+
+
+@pytest.mark.filterwarnings("error")
+def test_titles_of_any_letters_are_drawn_as_they_are(tmp_path: Path) -> None:
+    result = {"stiffness": samples.stiffness(5)}
+    titles = ("$\\frac$", "日本 %s {a}", "größe $x_1$ & <b>")
+    variants = [(replace(samples.case(), title=title), result) for title in titles]
+    Drawing(comparison_figures(variants), tmp_path, workers=1).finish()
+    text = (tmp_path / "stiffness.svg").read_text(encoding="utf-8")
+    assert "$\\frac$" in text
+    assert "日本 %s {a}" in text
+    assert "größe $x_1$ &amp; &lt;b&gt;" in text
+
+
+def test_one_frequency_has_no_map() -> None:
+    frf = samples.frf(5, 2)
+    one = replace(frf, frequency=frf.frequency[:1], receptance=frf.receptance[:, :, :1])
+    names = [name for name, _ in comparison_figures([(samples.case(), {"frf": one})] * 2)]
+    assert names
+    assert not any("map" in name or "surface" in name for name in names)

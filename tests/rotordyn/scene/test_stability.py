@@ -1,0 +1,99 @@
+"""Motions that grow by themselves are results, and said to be."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+import pytest
+
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.registry import Answers, answer_spindle
+from rotordyn.machine.inertia import rotor_inertia
+from rotordyn.machine.spindle import Spindle
+from rotordyn.report.warnings import result_warnings
+from rotordyn.scene.conditions import Conditions
+from tests.oracles.rotors import support, uniform
+from tests.oracles.spindles import RPM, mfw2310, pairs, scene, undamped
+
+STIFF, DAMPER = 1e6, 200.0
+
+
+def swirled(cross: float) -> Spindle:
+    """A cylinder between two seals with k yz = −k zy."""
+    swirl = {("y", "z"): cross, ("z", "y"): -cross}
+    ends = [support(n, x, (STIFF, STIFF), DAMPER) for n, x in (("a", 0.0), ("b", 0.5))]
+    held = tuple(replace(s, stiffness={**s.stiffness, **swirl}) for s in ends)
+    return replace(uniform(0.5, 0.05, supports=held), points={"mid": 0.25})
+
+
+def solved(spindle: Spindle, highest: float = 400.0) -> Answers:
+    asked: dict[str, Any] = {"campbell": CampbellSpec(highest, shapes=False)}
+    speeds = (0.0, 1000.0 * RPM)
+    return answer_spindle(spindle, Conditions(rotor="rigid"), speeds, asked, lambda name: None)
+
+
+@pytest.mark.parametrize("share", [0.9, 1.1], ids=["below", "above"])
+def test_swirl_against_damping_in_closed_form(share: float) -> None:
+    """Translation of a rigid rotor: m λ² + c λ + k ∓ iκ = 0, unstable from κ = c √(k/m) on."""
+    mass = rotor_inertia(swirled(0.0)).mass
+    cross = share * DAMPER * math.sqrt(2.0 * STIFF / mass)
+    poles = np.roots([mass, 2.0 * DAMPER, 2.0 * STIFF - 2j * cross])
+    pole = poles[np.abs(poles.imag).argmax()] if share < 1 else poles[poles.real.argmax()]
+    answers = solved(swirled(cross))
+    found = answers.results["campbell"]
+    worst = found.damping_ratio[0].min()
+    ratio = min(-p.real / abs(p) for p in poles if abs(p.imag) > 1.0)
+    assert worst == pytest.approx(ratio, rel=1e-9)
+    assert (pole.real > 0.0) == (share > 1.0)
+    named = result_warnings(answers.results)
+    if share < 1.0:
+        assert not found.unstable.any()
+        assert named == []
+        assert answers.warnings == ()
+        return
+    name = found.mode[found.damping_ratio[0].argmin()]
+    assert any(sentence.startswith(f"{name} is unstable at 0 rpm") for sentence in named)
+    (sentence,) = answers.warnings
+    assert sentence.startswith("unstable at 2 of 2 speeds, first at 0 rpm: the machine vibrates at")
+    assert np.isfinite(found.frequency).all()
+
+
+def test_divergence_is_no_mode_but_a_warning() -> None:
+    """Pushed away by its support: nothing vibrates, the warning still comes."""
+    ends = (support("a", 0.0, (STIFF, STIFF)), support("b", 0.5, (STIFF, -3.0 * STIFF)))
+    answers = solved(uniform(0.5, 0.05, supports=ends))
+    (sentence,) = answers.warnings
+    assert "moves away without vibrating" in sentence
+    assert not answers.results["campbell"].unstable.any()
+
+
+def test_receptances_of_an_unstable_machine_are_warned_of() -> None:
+    asked = {"frf": FrfSpec((10.0, 50.0), pairs("mid.y/mid.y"))}
+    answers = answer_spindle(
+        swirled(STIFF), Conditions(), (0.0, 1000.0 * RPM), asked, lambda name: None
+    )
+    assert answers.results["frf"].unstable.all()
+    assert any("does not reach by itself" in sentence for sentence in answers.warnings)
+
+
+@pytest.mark.parametrize("spindle", [mfw2310(), undamped(mfw2310())], ids=["damped", "undamped"])
+def test_rounding_is_no_instability(spindle: Spindle) -> None:
+    """The flagship with unsymmetric tangents, its spin free."""
+    found = scene(spindle, (0, 12000, 24000))
+    for k in found.with_motions(("bending", "axial", "torsion")):
+        assert not found.system(k).growing.any(), found.name_of(k)
+    assert found.warnings == ()
+
+
+def test_the_threshold_of_a_swirl_that_does_not_depend_on_speed() -> None:
+    """It grows from the first speed on; below the limit it never does."""
+    mass = rotor_inertia(swirled(0.0)).mass
+    limit = DAMPER * math.sqrt(STIFF * 2.0 / mass)
+    for share, expected in ((0.9, math.inf), (1.1, 0.0)):
+        found = solved(swirled(share * limit)).results["campbell"]
+        assert found.stability_threshold == expected
+        assert (found.first_to_grow != "") == (share > 1.0)
