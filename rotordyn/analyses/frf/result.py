@@ -64,13 +64,12 @@ class FrequencyResponse:
         return response_unit(self.pair[pair], self.kind)
 
     def entry_units(self, name: str) -> tuple[str, ...]:
-        """SI units of a field along its pairs, or those of what was measured; empty for a field
-        that has one unit."""
-        if name == self.kind:
-            return tuple(map(self.unit, range(len(self.pair))))
+        """SI units of a field along its pairs; empty for a field that has one unit."""
         amplitudes = ("measured_response", "measured_peak_amplitude", "computed_peak_amplitude")
-        measured = self.measured_pair if name in amplitudes else ()
-        return tuple(self.unit(self.pair.index(pair)) for pair in measured)
+        if name not in (self.kind, *amplitudes):
+            return ()
+        pairs = self.pair if name == self.kind else self.measured_pair or self.pair
+        return tuple(self.unit(self.pair.index(pair)) for pair in pairs)
 
 
 @dataclass(frozen=True)
