@@ -98,13 +98,25 @@ def numbers(cell: str) -> list[float]:
 
 @pytest.mark.parametrize("code", blocks("python"), ids=["bearing", "case", "vary"])
 def test_python_of_the_readme_runs(
-    code: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    code: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str], tmp_path: Path
 ) -> None:
-    monkeypatch.chdir(ROOT)
+    monkeypatch.chdir(tmp_path)
     exec(compile(code, "README.md", "exec"), {})
     printed = capsys.readouterr().out
     assert len(printed.splitlines()) >= code.count("print(")
     assert "nan" not in printed
+
+
+def test_python_of_the_page_on_results_runs(
+    monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """Its blocks one after the other, as in a notebook; both figures and the folder are there."""
+    monkeypatch.chdir(tmp_path)
+    page = (ROOT / "docs" / "results.md").read_text(encoding="utf-8")
+    shared: dict[str, object] = {}
+    for code in re.findall(r"```python\n(.*?)```", page, re.S):
+        exec(compile(code, "results.md", "exec"), shared)
+    assert {p.name for p in tmp_path.iterdir()} == {"campbell.pdf", "with_line.png", "out"}
 
 
 def test_case_of_the_readme_runs(tmp_path: Path) -> None:

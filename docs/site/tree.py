@@ -15,7 +15,15 @@ from docs.site.readme import readme_pages
 THEORY, CASES = "docs/theory/README", "cases/README"
 # The order of the pages; a document of ``docs`` that is not named goes to the last group.
 GROUPS = {
-    "Use": ("guide", "docs/choosing", CASES, "models/README", "docs/keys", "docs/conventions"),
+    "Use": (
+        "guide",
+        "docs/choosing",
+        CASES,
+        "models/README",
+        "docs/results",
+        "docs/keys",
+        "docs/conventions",
+    ),
     "Reference": (THEORY, "api/index"),
     "Evidence": ("accuracy", "docs/mfw2310", "docs/stress", "docs/benchmarks"),
     "Project": ("docs/house", "CONTRIBUTING", "CHANGELOG"),
