@@ -17,6 +17,7 @@ if TYPE_CHECKING:
 
 Job = tuple[str, "Callable[[], Figure]"]
 _MOST = 255
+_NO_STYLE = ("backend", "backend_fallback", "interactive")  # reading these may load a backend
 
 
 class Drawing:
@@ -97,10 +98,15 @@ def draw_one(name: str, draw: Callable[[], Figure], folder: Path) -> float:
 
 
 def _own_style() -> AbstractContextManager[None]:
-    """The defaults of matplotlib, with titles taken letter by letter, for a while."""
-    from matplotlib import style
+    """The defaults of matplotlib, with titles taken letter by letter, for a while.
 
-    return style.context(["default", {"text.parse_math": False}])
+    Only what the caller has changed is set: ``matplotlib.style`` would read every style there is.
+    """
+    from matplotlib import rc_context, rcParams, rcParamsDefault
+
+    usual = {key: value for key, value in rcParamsDefault.items() if key not in _NO_STYLE}
+    changed = {key: value for key, value in usual.items() if rcParams[key] != value}
+    return rc_context({**changed, "text.parse_math": False})
 
 
 def _load_once() -> None:

@@ -116,7 +116,7 @@ class Results(Mapping[str, "xr.Dataset"]):
     @property
     def figures(self) -> tuple[str, ...]:
         """Names of the figures that ``plot`` draws: those of the files in a results folder."""
-        return (*self.drawings(), *sheet_names(self.parts))
+        return tuple(sorted([*self.drawings(), *sheet_names(self.parts)]))
 
     def plot(self, name: str = "") -> Figure:
         """Draw the figure ``name`` of ``figures``, such as ``"campbell"``.

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import subprocess
 import sys
 from dataclasses import replace
@@ -14,6 +15,7 @@ import xarray as xr
 
 import rotordyn
 from rotordyn.analyses import CampbellSpec, FrfSpec, PreloadSpec, ShapesInSpaceSpec
+from rotordyn.case.archive import archived, restored
 from rotordyn.case.case import Case
 from rotordyn.cli import main
 from rotordyn.errors import InvalidInput, OutputRefused
@@ -137,6 +139,13 @@ def test_opened_knows_its_case(results: rotordyn.Results, opened: rotordyn.Resul
     assert opened.case.digest == results.case.digest
 
 
+def test_every_kind_of_value_is_kept() -> None:
+    kept = (1.0, math.inf, -math.inf, 1.5 - 2.0j, "x", None, True, 3, {("y", "z"): 0.1}, (1, (2,)))
+    assert restored(json.loads(json.dumps(archived(kept), allow_nan=False))) == kept
+    with pytest.raises(TypeError, match="no description holds set"):
+        archived({1, 2})
+
+
 def test_opened_results_are_rebuilt_bit_for_bit(
     results: rotordyn.Results, opened: rotordyn.Results
 ) -> None:
@@ -246,7 +255,9 @@ def test_a_case_of_another_version_still_gives_its_numbers(folder: Path, tmp_pat
 
 
 def test_notebooks_see_escaped_tables(results: rotordyn.Results, opened: rotordyn.Results) -> None:
-    for shown in (results, opened, results.case, replace(results.case.spindle, title="<script>")):
+    spindle = replace(results.case.spindle, title="<script>")
+    in_a_cell = replace(results.case, title="", spindle=spindle)
+    for shown in (results, opened, results.case, spindle, in_a_cell):
         html = shown._repr_html_()
         assert html.startswith("<table>")
         assert "<script" not in html
