@@ -30,7 +30,7 @@ from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.analyses.contract import Spec
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.preload.spec import PreloadSpec
-from rotordyn.analyses.registry import answer_spindle
+from rotordyn.analyses.solving import answer_spindle
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import BearingSeat, LinearSupport, Sleeve, Spring

@@ -1,16 +1,122 @@
-"""What every analysis is."""
+"""What an analysis declares, once, in the ``__init__`` of its folder: ``ANALYSIS = Analysis(…)``.
+
+To add an analysis:
+
+1. ``spec.py``: a frozen ``Description`` in SI, what a case asks. It imports nothing heavy.
+2. ``result.py``: a frozen dataclass whose fields are declared with ``coordinate`` and ``quantity``
+   (``results.declaration``); a field ``speed`` and an ``outcome`` that says why values are missing.
+   Datasets and ``results.nc`` follow from the declaration.
+3. ``solve.py``: ``answer(scene, spec)`` for a spindle, for a single bearing
+   ``answer(bearing, conditions, speed, spec)``; gives the result.
+4. ``tables.py``: a ``Layout`` for every CSV table.
+5. ``summary.py``: its lines of the summary, its cells where variants are compared, what is said of
+   its accuracy, its warnings.
+6. ``figures/``: ``__init__`` says which figures a result has, further files draw them; only
+   these import matplotlib.
+7. ``known.py``: what may be compared with published and measured values.
+8. The record in ``__init__.py``. It names code by text, ``code("solve:answer")``, which is imported
+   when it is first called: reading a case imports specs alone. Everything but the name, the
+   machine, the spec and ``solve`` may be left out.
+
+An analysis of another package is found by its entry point in the group ``rotordyn.analyses``: its
+name, and ``package.module:ANALYSIS``. An analysis never imports another one.
+"""
 
 from __future__ import annotations
 
-from typing import Any, Protocol
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass, field
+from importlib import import_module
+from pathlib import Path
+from typing import Any, Literal, Protocol
 
 from rotordyn.description import Description
+from rotordyn.results.layout import Layout, Table
 
 Spec = Description
+Cells = Mapping[str, str]
 
 
 class Result(Protocol):
-    """Declared arrays over speed; ``outcome`` says why values are missing."""
+    """Declared arrays over ``speed``; ``outcome`` says why values are missing."""
 
     @property
+    def speed(self) -> Any: ...
+    @property
     def outcome(self) -> Any: ...
+
+
+@dataclass(frozen=True, slots=True)
+class Code:
+    """A function named ``"module:function"`` in a package, imported when it is first called."""
+
+    package: str
+    path: str
+
+    def __call__(self, *arguments: Any) -> Any:
+        """Call the function."""
+        module, _, name = self.path.partition(":")
+        return getattr(import_module(f"{self.package}.{module}"), name)(*arguments)
+
+
+def _nothing(*_: Any) -> tuple[Any, ...]:
+    return ()
+
+
+def _zero(*_: Any) -> float:
+    return 0.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Analysis:
+    """An analysis; ``case`` is what ``results.described.Described`` says of a case.
+
+    ``name``: in cases and results. ``machine``: what it is asked of. ``spec``: class of what a case
+    asks. ``place``: among the others, in lists, summaries and tables. ``bearings``: it needs a
+    spindle with bearings. ``solve``: from the scene (or the bearing) and the spec to the result.
+
+    Before it is solved:
+
+    - ``highest(spec, top)``: highest frequency asked for [Hz], ``top`` the fastest rotor [rad/s];
+    - ``forced``: a force swings up to that frequency, which elements must carry;
+    - ``ports(spec)``: points and stations [m] where forces act or responses are read;
+    - ``marks(spindle, spec)``: the spindle with what the spec puts on it.
+
+    What is made of a result:
+
+    - ``figures(case, result, results)``: pairs of name and function that draws, ``results`` all of
+      the case; ``compared(spec, variants)``: the same of variants (``figures.panels.Shown``);
+      ``costs``: of figures that take long, drawn first where the number is higher;
+    - ``tables``, and ``further_tables(result)``: those that no layout gives;
+    - ``files(folder, case, result)``: further files;
+    - ``pictures(parts)``: pictures that another process makes meanwhile, a context
+      (``figures.draw.Pictures``); ``parts``: case and result by folder;
+    - ``summary(result)``: lines; ``accuracy(result)``: phrases; ``warnings(result)``: sentences;
+    - ``heading`` of its table where variants are compared, ``cells(result, case)`` of a row;
+    - ``known(reference, result, spindle)``: values (SI) to put beside a reference, NaN at speeds
+      without one, or None where the reference is about something else.
+    """
+
+    name: str
+    machine: Literal["spindle", "bearing"]
+    spec: type[Spec]
+    solve: Callable[..., Result]
+    place: int = 100
+    bearings: bool = False
+    highest: Callable[[Any, float], float] = _zero
+    forced: bool = False
+    ports: Callable[[Any], Iterable[str | float]] = _nothing
+    marks: Callable[[Any, Any], Any] | None = None
+    figures: Callable[[Any, Any, Any], Iterable[tuple[str, Callable[[], Any]]]] = _nothing
+    compared: Callable[[Any, Any], Iterable[tuple[str, Callable[[], Any]]]] = _nothing
+    costs: Mapping[str, int] = field(default_factory=dict)
+    tables: tuple[Layout, ...] = ()
+    further_tables: Callable[[Any], Iterable[Table]] = _nothing
+    files: Callable[[Path, Any, Any], Any] = _nothing
+    pictures: Callable[[Any], Any] | None = None
+    summary: Callable[[Any], Iterable[str]] = _nothing
+    accuracy: Callable[[Any], Iterable[str]] = _nothing
+    warnings: Callable[[Any], Iterable[str]] = _nothing
+    heading: str = ""
+    cells: Callable[[Any, Any], Cells] | None = None
+    known: Callable[[Any, Any, Any], Any] | None = None

@@ -8,13 +8,11 @@ from typing import Any
 
 import numpy as np
 
-from rotordyn.analyses.bearing.known import frozen_error
-from rotordyn.analyses.campbell.known import MODES, known_frequencies
-from rotordyn.analyses.preload.known import preload_sum
+from rotordyn.analyses.registry import analysis
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
 from rotordyn.results.kinds import Array
-from rotordyn.results.known import Match, at_speeds, column
+from rotordyn.results.known import Match
 
 
 def matches(
@@ -40,24 +38,9 @@ def _computed(
     reference: Reference, results: Mapping[str, Any], spindle: Spindle | None
 ) -> Array | None:
     """Our value for every value of the reference, NaN outside the speeds computed."""
-    speeds, subject = np.asarray(reference.speeds, float), reference.subject
-    preload = results.get("preload")
-    match reference.quantity:
-        case quantity if quantity in COLUMNS and COLUMNS[quantity][0] in results:
-            analysis, name, dim, usual = COLUMNS[quantity]
-            return column(speeds, results[analysis], name, dim, subject or usual)
-        case "preload_sum" if preload is not None and spindle is not None:
-            return at_speeds(speeds, preload.speed, preload_sum(preload, spindle))
-        case quantity if quantity in MODES and "campbell" in results:
-            return known_frequencies(results["campbell"], reference)
-        case "frozen_error" if "bearing" in results:
-            return frozen_error(results["bearing"], speeds)
+    for name, result in results.items():
+        known = analysis(name).known
+        values: Array | None = None if known is None else known(reference, result, spindle)
+        if values is not None:
+            return values
     return None
-
-
-# Quantities that are columns of a result: analysis, field, dimension of the subject, usual subject.
-COLUMNS = {
-    "radial_stiffness": ("stiffness", "tangent", "variant", "nonlinear"),
-    "sleeve_displacement": ("preload", "position", "body", ""),
-    "required_diameter": ("section_forces", "required_diameter", "twist_limit", ""),
-}

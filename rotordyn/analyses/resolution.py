@@ -6,8 +6,7 @@ import math
 from collections.abc import Iterator, Mapping
 
 from rotordyn.analyses.contract import Spec
-from rotordyn.analyses.frf.spec import FrfSpec
-from rotordyn.analyses.unbalance.spec import UnbalanceSpec
+from rotordyn.analyses.registry import analysis
 from rotordyn.equation.mesh import build_mesh
 from rotordyn.equation.shaft import half_wave
 from rotordyn.machine.spindle import Spindle
@@ -24,7 +23,7 @@ def beyond_elements(
     """
     longest = conditions.element_length
     fastest = top * max(abs(ratio) for ratio in spindle.ratios.values())
-    asked = {name: _highest(spec, fastest) for name, spec in analyses.items()}
+    asked = {name: _highest(name, spec, fastest) for name, spec in analyses.items()}
     if longest is None or conditions.rotor == "rigid" or not any(asked.values()):
         return
     meshes = build_mesh(spindle, longest).of_rotors
@@ -36,7 +35,8 @@ def beyond_elements(
     limit, mesh = limits[weakest], meshes[weakest]
     for name, highest in asked.items():
         if highest > limit:
-            turned = f" ({highest * 2.0 * math.pi * RPM.factor:.0f} rpm)" if name != "frf" else ""
+            turns = math.isclose(2.0 * math.pi * highest, fastest)  # a force of the rotation
+            turned = f" ({fastest * RPM.factor:.0f} rpm)" if turns else ""
             yield (
                 f"{name} goes up to {highest:.6g} Hz{turned}, and an element of "
                 f"{mesh.length.max() * 1e3:.4g} mm carries bending up to {limit:.4g} Hz, half a "
@@ -44,8 +44,7 @@ def beyond_elements(
             )
 
 
-def _highest(spec: Spec, top: float) -> float:
-    """Highest frequency of a response [Hz], 0 where there is none; ``top``: of all rotors."""
-    if isinstance(spec, FrfSpec):
-        return max(spec.frequencies, default=0.0)
-    return top / (2.0 * math.pi) if isinstance(spec, UnbalanceSpec) else 0.0
+def _highest(name: str, spec: Spec, top: float) -> float:
+    """Highest frequency at which a force swings [Hz], 0 where none does; ``top``: of all rotors."""
+    own = analysis(name)
+    return own.highest(spec, top) if own.forced else 0.0

@@ -5,17 +5,15 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import fields
 
-from rotordyn.analyses.bearing.spec import BearingMapSpec
-from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.analyses.contract import Spec
-from rotordyn.analyses.control.spec import ControlSpec
 from rotordyn.analyses.frf.spec import QUANTITIES, FrfSpec
-from rotordyn.analyses.preload.spec import PreloadSpec
+from rotordyn.analyses.registry import analysis
 from rotordyn.analyses.section_forces.spec import SectionForcesSpec
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.case.loads import misplaced, misplaced_unbalance, overheld, rotors_of, unheld
 from rotordyn.description import ascending
+from rotordyn.errors import InvalidInput
 from rotordyn.machine.housing import housed_motions
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
@@ -27,19 +25,7 @@ from rotordyn.scene.on_housings import directions_on_housings, obstacles_on_hous
 from rotordyn.scene.on_joints import obstacles_of_joints
 from rotordyn.scene.on_rotors import joined_along, obstacles_of_rotors
 
-ANALYSES: dict[str, type[Spec]] = {
-    "preload": PreloadSpec,
-    "campbell": CampbellSpec,
-    "frf": FrfSpec,
-    "stiffness": StiffnessSpec,
-    "section_forces": SectionForcesSpec,
-    "unbalance": UnbalanceSpec,
-    "bearing": BearingMapSpec,
-    "control": ControlSpec,
-}
-OF_A_BEARING = ("bearing", "control")
 OF_BALLS = ("kinematics", "moment_sharing", "friction")
-NEEDS_BEARINGS = ("preload", "stiffness")
 MOST_ELEMENTS = 1000
 _SPOKEN = {"axial": "axial motion"}
 
@@ -63,10 +49,14 @@ def questions_agree(
     if not analyses:
         yield "nothing is asked: name at least one analysis"
     for name, spec in analyses.items():
-        wanted = ANALYSES[name]
-        if not isinstance(spec, wanted):
-            yield f"analysis {name} takes a {wanted.__name__}: given a {type(spec).__name__}"
-        if (name in OF_A_BEARING) == (spindle is not None):
+        try:
+            own = analysis(name)
+        except InvalidInput as error:
+            yield str(error)
+            return
+        if not isinstance(spec, own.spec):
+            yield f"analysis {name} takes a {own.spec.__name__}: given a {type(spec).__name__}"
+        if (own.machine == "bearing") == (spindle is not None):
             kind = "single bearing" if spindle is None else "spindle"
             yield f"analysis {name} does not apply to a {kind}"
     if spindle is None:
@@ -185,7 +175,7 @@ def _machine(spindle: Spindle, conditions: Conditions) -> Iterator[str]:
 
 
 def _question(name: str, spec: Spec, spindle: Spindle, conditions: Conditions) -> Iterator[str]:
-    if name in NEEDS_BEARINGS and not spindle.seats:
+    if analysis(name).bearings and not spindle.seats:
         yield f"{name} needs bearings: this spindle has none"
     if isinstance(spec, FrfSpec):
         yield from _frf(name, spec, spindle, conditions)

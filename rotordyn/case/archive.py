@@ -8,12 +8,15 @@ from __future__ import annotations
 
 import importlib
 import math
+import sys
 from collections.abc import Callable, Mapping
 from dataclasses import fields, is_dataclass
 from pathlib import Path
 from typing import Any
 
+from rotordyn.analyses.registry import analysis, names
 from rotordyn.case.case import Case
+from rotordyn.description import Description
 from rotordyn.errors import InvalidInput
 
 KIND = "is"  # the key that names a class
@@ -75,10 +78,14 @@ def restored(plain: Any) -> Any:
 
 
 def _kind(name: object) -> Any:
-    """The class of a description, by its name."""
+    """The class of a description, by its name; of analyses outside it stands beside their spec."""
     for room in map(importlib.import_module, _ROOMS):
         if name in room.__all__:
             return getattr(room, str(name))
+    for module in {analysis(each).spec.__module__: None for each in names()}:
+        kind = getattr(sys.modules[module], str(name), None)
+        if isinstance(kind, type) and issubclass(kind, Description):
+            return kind
     raise InvalidInput(f"this version has no {name}")
 
 

@@ -6,12 +6,10 @@ import math
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, fields
 from pathlib import Path
-from typing import Annotated
 
 from bearings.bearing import BallBearing
 from rotordyn.analyses.contract import Spec
 from rotordyn.case.agreement import (
-    ANALYSES,
     housings_agree,
     questions_agree,
     references_agree,
@@ -22,7 +20,7 @@ from rotordyn.case.agreement import (
 from rotordyn.description import Description
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
-from rotordyn.quantity import Choice, Name, Speed
+from rotordyn.quantity import Name, Speed
 from rotordyn.scene.conditions import Conditions
 
 
@@ -41,7 +39,7 @@ class Case(Description):
     name: str
     title: str
     speeds: tuple[Speed, ...]
-    analyses: Mapping[Annotated[str, Choice(tuple(ANALYSES))], Spec]
+    analyses: Mapping[Name, Spec]
     conditions: Conditions = field(default_factory=Conditions)
     spindle: Spindle | None = None
     bearing: BallBearing | None = None

@@ -8,9 +8,10 @@ import time
 import warnings
 from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager
+from dataclasses import dataclass, field
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Figure  # noqa: PLC0414 - job names what it gives
@@ -18,6 +19,37 @@ if TYPE_CHECKING:
 Job = tuple[str, "Callable[[], Figure]"]
 _MOST = 255
 _NO_STYLE = ("backend", "backend_fallback", "interactive")  # reading these may load a backend
+
+
+@dataclass(frozen=True, slots=True)
+class LeftOut:
+    """``figures`` that were not drawn -> why, and what the user is told of it."""
+
+    figures: dict[str, str] = field(default_factory=dict)
+    sentences: tuple[str, ...] = ()
+
+
+class Pictures(Protocol):
+    """Pictures that another process makes while figures are drawn; ``left_out`` after ``draw``.
+
+    A context: the process runs inside it.
+    """
+
+    left_out: LeftOut
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Of the figures, known before the process runs."""
+
+    def figure(self, name: str) -> Figure:
+        """Wait for the pictures and draw one figure; InvalidInput where none can be made."""
+
+    def draw(self, folder: Path) -> dict[str, float]:
+        """Wait for them and write them; seconds by figure."""
+
+    def __enter__(self) -> Pictures: ...
+
+    def __exit__(self, *_: object) -> None: ...
 
 
 class Drawing:

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, Protocol
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,6 +31,7 @@ KNOWN = {
 Segments = dict[str, list[NDArray[np.float64]]]
 
 
+@runtime_checkable
 class Modes(Protocol):
     """Modes over speed: frequency [Hz] and whirl (speeds, modes), kind (modes,)."""
 
@@ -122,3 +123,8 @@ def look_of(kind: str, whirl: float) -> str:
     if kind != "bending":
         return kind if kind in LOOKS else "planar"
     return {1: "forward", -1: "backward"}.get(int(whirl) if whirl == whirl else 0, "planar")
+
+
+def modes_among(results: Mapping[str, Any]) -> Modes | None:
+    """The first result that has modes over speed."""
+    return next((result for result in results.values() if isinstance(result, Modes)), None)

@@ -1,6 +1,6 @@
 """From a case to its results, and to a results folder and back."""
 
-from rotordyn.analyses.registry import Progress
+from rotordyn.analyses.solving import Progress
 from rotordyn.job.delivery import Delivery, deliver
 from rotordyn.job.results import Results, run
 from rotordyn.job.solving import one_variant, restricted, solve, solve_variants, unsolved

@@ -5,15 +5,16 @@ from __future__ import annotations
 import json
 import time
 from collections.abc import Iterator, Mapping
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import asdict, dataclass
 from pathlib import Path
 from typing import Any
 
-from rotordyn.analyses.registry import BEARING_ANALYSES, SPINDLE_ANALYSES, Progress
+from rotordyn.analyses.registry import analysis, names
+from rotordyn.analyses.solving import Progress
 from rotordyn.case.case import Case
-from rotordyn.job.results import Part, Solution, SolvedResults, run
-from rotordyn.job.space import InSpace, LeftOut, write_meshes
+from rotordyn.figures.draw import LeftOut
+from rotordyn.job.results import Solution, SolvedResults, run
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,12 +79,17 @@ def _drawn(
     """Numbers and figures, made side by side; seconds by figure, and which are missing."""
     from rotordyn.figures.draw import Drawing
 
-    with InSpace(results.parts) as space:
+    with ExitStack() as stack:
+        pictures = [stack.enter_context(each) for each in results.pictures()]
         drawing = Drawing(list(results.drawings().items()), folder)
         _written(results, folder, seconds)
         with _timed(seconds, "draw"):
-            drawn = drawing.finish() | space.draw(folder)
-        return drawn, space.left_out
+            drawn = drawing.finish()
+            for each in pictures:
+                drawn |= each.draw(folder)
+        figures = {name: why for each in pictures for name, why in each.left_out.figures.items()}
+        sentences = tuple(s for each in pictures for s in each.left_out.sentences)
+        return drawn, LeftOut(figures, sentences)
 
 
 def _written(
@@ -118,28 +124,19 @@ def _timed(seconds: dict[str, float], name: str) -> Iterator[None]:
 
 
 def _write_numbers(results: SolvedResults, folder: Path) -> None:
-    """Numbers, tables, meshes."""
+    """Numbers, tables, further files of the analyses."""
     from rotordyn.report.cf import about
     from rotordyn.report.netcdf import write_results
+    from rotordyn.report.tables import write_tables
 
     case = results.case
     attributes = about(case.name, case.title, case.digest)
     write_results(folder / "results.nc", results.solution.results, attributes)
     for name, part in results.parts.items():
         (folder / name).mkdir(exist_ok=True)
-        _write_tables(part, folder / name)
-        write_meshes(*part, folder / name)
-
-
-def _write_tables(part: Part, folder: Path) -> None:
-    from rotordyn.analyses.frf.uff import write_uff
-    from rotordyn.report.tables import write_tables
-
-    case, results = part
-    write_tables(folder, results)
-    if "frf" in results and case.spindle is not None:
-        nodes = {name: k for k, name in enumerate(case.spindle.places, start=1)}
-        write_uff(folder / "frf.uff", results["frf"], case=case.name, nodes=nodes)
+        write_tables(folder / name, part.results)
+        for asked, result in part.results.items():
+            analysis(asked).files(folder / name, part.case, result)
 
 
 def _write_case(case: Case, folder: Path) -> None:
@@ -161,8 +158,9 @@ def _write_record(
     from rotordyn.report.manifest import RunRecord, outcomes, write_record
 
     case, solution = results.case, results.solution
-    known = SPINDLE_ANALYSES if case.bearing is None else BEARING_ANALYSES
-    unasked = {name: "the case does not ask for it" for name in known if name not in case.analyses}
+    machine = "spindle" if case.bearing is None else "bearing"
+    others = [n for n in names() if analysis(n).machine == machine and n not in case.analyses]
+    unasked = dict.fromkeys(others, "the case does not ask for it")
     record = RunRecord(
         case=case.name,
         title=case.title,

@@ -11,17 +11,17 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from rotordyn.analyses.registry import Answers, Progress
+from rotordyn.analyses.registry import analysis
+from rotordyn.analyses.solving import Answers, Progress
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
 from rotordyn.job.solving import solve, solve_variants, unsolved
-from rotordyn.job.space import sheet, sheet_names
 from rotordyn.markup import preformatted, table
 
 if TYPE_CHECKING:
     import xarray as xr
 
-    from rotordyn.figures.draw import Figure
+    from rotordyn.figures.draw import Figure, Pictures
 
 
 class Part(NamedTuple):
@@ -116,7 +116,8 @@ class Results(Mapping[str, "xr.Dataset"]):
     @property
     def figures(self) -> tuple[str, ...]:
         """Names of the figures that ``plot`` draws: those of the files in a results folder."""
-        return tuple(sorted([*self.drawings(), *sheet_names(self.parts)]))
+        apart = [name for each in self.pictures() for name in each.names]
+        return tuple(sorted([*self.drawings(), *apart]))
 
     def plot(self, name: str = "") -> Figure:
         """Draw the figure ``name`` of ``figures``, such as ``"campbell"``.
@@ -134,19 +135,31 @@ class Results(Mapping[str, "xr.Dataset"]):
         drawings = self.drawings()
         if name in drawings:
             return drawn(drawings[name])
-        if name in sheet_names(self.parts):
-            return sheet(self.parts, name)
+        for each in self.pictures():
+            if name in each.names:
+                with each as running:
+                    return running.figure(name)
         wanted = f"no figure {name}" if name else "plot takes the name of a figure"
         raise InvalidInput(f"{wanted}: there are {', '.join(self.figures) or 'none'}")
 
     def drawings(self) -> dict[str, Callable[[], Figure]]:
         """Functions that draw, by the name of the figure; nothing is drawn yet."""
-        from rotordyn.job.comparison_figures import comparison_figures
-        from rotordyn.job.figures import figures
+        from rotordyn.job.figures import comparison_figures, figures
 
         parts = self.parts
         jobs = figures(*parts[""]) if "" in parts else comparison_figures(list(parts.values()))
         return dict(jobs)
+
+    def pictures(self) -> list[Pictures]:
+        """Figures that another process draws; it runs once their context is entered."""
+        found = []
+        for name in dict.fromkeys(name for part in self.parts.values() for name in part.results):
+            made = analysis(name).pictures
+            if made is not None:
+                parts = self.parts.items()
+                held = {k: (case, own[name]) for k, (case, own) in parts if name in own}
+                found.append(made(held))
+        return found
 
     def __repr__(self) -> str:
         (name, title), names = self._heading(), ", ".join(self._names())

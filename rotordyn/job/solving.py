@@ -7,7 +7,7 @@ from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import TYPE_CHECKING, Any
 
-from rotordyn.analyses.registry import Answers, Progress, answer_bearing, answer_spindle
+from rotordyn.analyses.solving import Answers, Progress, answer_bearing, answer_spindle
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput, NoSolution
 

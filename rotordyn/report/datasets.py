@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import suppress
+from dataclasses import is_dataclass
 from importlib import import_module
 from typing import TYPE_CHECKING, Any, get_type_hints
 
 import numpy as np
 
-from rotordyn.analyses.registry import BEARING_ANALYSES, SPINDLE_ANALYSES
+from rotordyn.analyses.contract import Code
+from rotordyn.analyses.registry import analysis
 from rotordyn.report.variables import variables
 from rotordyn.results.declaration import declared
 
@@ -28,18 +32,17 @@ def dataset(result: Any) -> xr.Dataset:
     return xr.Dataset(arrays, coords, {"result": type(result).__name__})
 
 
-def result_of(analysis: str, data: xr.Dataset) -> Any:
-    """The frozen result of ``analysis`` that ``data`` was made from.
+def result_of(asked: str, data: xr.Dataset) -> Any:
+    """The frozen result of the analysis ``asked`` that ``data`` was made from.
 
     Raises
     ------
-    ValueError : this version has no such result, or its fields are others
+    InvalidInput : there is no such analysis
+    ValueError : it has no such result in this version, or the result has other fields
     """
     name = data.attrs["result"]
-    if analysis not in SPINDLE_ANALYSES | BEARING_ANALYSES:
-        raise ValueError(f"no analysis {analysis}")
-    kind = getattr(import_module(f"rotordyn.analyses.{analysis}.result"), name, None)
-    if kind is None or not declared(kind):
+    kind = next(_kinds(asked, name), None)
+    if kind is None:
         raise ValueError(f"no result {name}")
     hints = get_type_hints(kind)
     values = {}
@@ -49,6 +52,18 @@ def result_of(analysis: str, data: xr.Dataset) -> Any:
             raise ValueError(f"{name} without {field}")
         values[field] = _value(data[place].values, hints[field])
     return kind(**values)
+
+
+def _kinds(asked: str, name: str) -> Iterator[type]:
+    """The class of a result, in ``result.py`` or beside the solver of its analysis."""
+    solve = analysis(asked).solve
+    if not isinstance(solve, Code):
+        return
+    for module in ("result", solve.path.partition(":")[0]):
+        with suppress(ModuleNotFoundError):
+            kind = getattr(import_module(f"{solve.package}.{module}"), name, None)
+            if isinstance(kind, type) and is_dataclass(kind) and declared(kind):
+                yield kind
 
 
 def _value(values: np.ndarray[Any, Any], hint: Any) -> Any:

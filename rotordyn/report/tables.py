@@ -12,74 +12,28 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analyses.frf.result import FrequencyResponse
+from rotordyn.analyses.registry import analysis
 from rotordyn.report.variables import as_array
 from rotordyn.results.declaration import declared
-from rotordyn.results.display import RPM, Shown, load_unit, shown, stiffness_unit
+from rotordyn.results.display import Shown, load_unit, shown, stiffness_unit
 from rotordyn.results.layout import Layout
 
-LAYOUTS = {
-    "preload": (
-        Layout("preload", ("speed", "bearing"), ("dof", "dof_other")),
-        Layout("preload_bodies", ("speed", "body")),
-        Layout("preload_sleeves", ("speed", "sleeve")),
-        Layout("preload_stops", ("sleeve",)),
-    ),
-    "campbell": (
-        Layout("campbell", ("speed",), ("mode",)),
-        Layout("campbell_modes", ("mode",)),
-        Layout("campbell_critical", ("critical",)),
-        Layout("campbell_shapes", ("shape_speed", "mode", "node"), ("dof",)),
-        Layout("campbell_nodes", ("node",), several="rotor"),
-        Layout("campbell_rotors", ("rotor",), several="rotor"),
-    ),
-    "frf": (
-        Layout("frf_measured", ("measured",)),
-        Layout("frf_measured_peaks", ("measured", "peak")),
-    ),
-    "stiffness": (
-        Layout("stiffness", ("speed", "variant")),
-        Layout("stiffness_curves", ("speed", "variant", "force")),
-    ),
-    "section_forces": (
-        Layout("section_forces", ("speed", "cut"), repeating=True),
-        Layout("section_forces_reactions", ("speed", "support"), ("component",), repeating=True),
-        Layout("section_forces_twist", ("speed", "twist_limit"), repeating=True),
-    ),
-    "unbalance": (
-        Layout("unbalance", ("speed", "point"), ("axis",)),
-        Layout("unbalance_forces", ("speed", "support"), ("axis",)),
-        Layout("unbalance_acting", ("unbalance",)),
-        Layout("unbalance_critical", ("critical",)),
-    ),
-    "bearing": (
-        Layout("bearing", ("speed", "load")),
-        Layout("bearing_stiffness", ("speed", "load", "tangent"), ("dof", "dof_other")),
-        Layout("bearing_balls", ("speed", "load", "ball")),
-        Layout("bearing_contacts", ("speed", "load", "ball", "contact")),
-        Layout("bearing_grooves", ("contact",)),
-    ),
-    "control": (
-        Layout("control", ("speed", "boundary")),
-        Layout("control_margins", ("speed", "load")),
-        Layout("control_fits", ("boundary",), ("term",)),
-    ),
-}
 Column = tuple[str, list[Any]]
 
 
 def write_tables(folder: Path, results: Mapping[str, Any]) -> list[str]:
     """Write the tables of every result into ``folder``; returns the names of the files."""
     names = []
-    for analysis, result in results.items():
-        for layout in LAYOUTS.get(analysis, ()):
+    for name, result in results.items():
+        for layout in analysis(name).tables:
             if layout.several and len(getattr(result, layout.several)) < 2:
                 continue
             columns = tidy_columns(result, layout)
             if columns[0][1]:
                 names.append(_write(folder / f"{layout.name}.csv", columns))
-        if isinstance(result, FrequencyResponse):
-            names += _write_slices(folder, result)
+        for table in analysis(name).further_tables(result):
+            columns = [column for each in table.columns for column in _parts(*each)]
+            names.append(_write(folder / f"{table.name}.csv", columns))
     return names
 
 
@@ -157,17 +111,3 @@ def _write(path: Path, columns: list[Column]) -> str:
         writer.writerow([header for header, _ in columns])
         writer.writerows(zip(*(values for _, values in columns), strict=True))
     return path.name
-
-
-def _write_slices(folder: Path, result: FrequencyResponse) -> list[str]:
-    """One table per slice with a solution: a line per frequency, both parts of every pair."""
-    names = []
-    solved = np.isfinite(result.response).all(axis=(1, 2))
-    for index in np.flatnonzero(result.is_slice & solved).tolist():
-        columns = [_column("frequency", shown("Hz"), result.frequency)]
-        for place, pair in enumerate(result.pair):
-            values = result.response[index, place]
-            columns += _parts(f"{result.kind} {pair}", shown(result.unit(place)), values)
-        rpm = float(result.speed[index]) * RPM.factor
-        names.append(_write(folder / f"frf_{rpm:.7g}rpm.csv", columns))
-    return names

@@ -2,6 +2,12 @@
 
 from __future__ import annotations
 
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.machine.limits import WARNING_PRESSURE
+from rotordyn.results.display import RPM
+
 FREEDOMS = ("x", "y", "z", "thy", "thz")
 BALL_QUANTITIES = (
     "inner_angle",
@@ -15,3 +21,26 @@ BALL_QUANTITIES = (
     "inner_grip",
     "outer_grip",
 )
+
+
+def pressed(what: str, speed: NDArray[np.float64], peak: NDArray[np.float64]) -> str:
+    """A warning where the pressure passes the limit at some speed, else nothing."""
+    over = np.flatnonzero(peak > WARNING_PRESSURE)
+    if not over.size:
+        return ""
+    return (
+        f"{what}: contact pressure {np.nanmax(peak) / 1e9:.2f} GPa is above "
+        f"{WARNING_PRESSURE / 1e9:g} GPa, from {speed[over[0]] * RPM.factor:.0f} rpm on"
+    )
+
+
+def slipping(what: str, speed: NDArray[np.float64], races: NDArray[np.str_]) -> str:
+    """A warning where balls slip on a race at some speed, else nothing."""
+    at = np.flatnonzero(races != "")
+    if not at.size:
+        return ""
+    names = {"inner": "the inner race", "outer": "the outer race", "both": "both races"}
+    return (
+        f"{what}: the balls slip on {names[str(races[at[0]])]} from "
+        f"{speed[at[0]] * RPM.factor:.0f} rpm on (friction as given)"
+    )

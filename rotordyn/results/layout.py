@@ -2,7 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from rotordyn.results.display import Shown
 
 
 @dataclass(frozen=True, slots=True)
@@ -18,3 +25,11 @@ class Layout:
     across: tuple[str, ...] = ()
     repeating: bool = False
     several: str = ""
+
+
+class Table(NamedTuple):
+    """A table that no layout gives: name of the file, and label, printed unit and values of each
+    column."""
+
+    name: str
+    columns: Sequence[tuple[str, Shown, NDArray[Any]]]

@@ -17,7 +17,7 @@ from scipy.linalg import eigh
 import rotordyn
 from bearings.materials import Material
 from rotordyn.analyses import Conditions, Unbalance, UnbalanceSpec
-from rotordyn.analyses.registry import answer_spindle
+from rotordyn.analyses.solving import answer_spindle
 from rotordyn.analyses.unbalance.result import UnbalanceResult
 from rotordyn.equation.mesh import build_mesh
 from rotordyn.machine.lumped import PointMass

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analyses.contract import Spec
 from rotordyn.analyses.frf.spec import Port
-from rotordyn.analyses.registry import answer_spindle
+from rotordyn.analyses.solving import answer_spindle
 from rotordyn.case.case import Case
 from rotordyn.case.read import load
 from rotordyn.equation.free_motion import FreeMotions

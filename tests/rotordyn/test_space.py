@@ -12,10 +12,11 @@ import pytest
 
 import rotordyn
 from docs.generate.places import THEORY
+from rotordyn.analyses.campbell import in_space
 from rotordyn.analyses.campbell.spec import CampbellSpec, ShapesInSpaceSpec
 from rotordyn.case.case import Case
 from rotordyn.cli import main
-from rotordyn.job import deliver, space
+from rotordyn.job import deliver
 from rotordyn.view import apart
 from tests.oracles.spindles import RPM
 
@@ -44,7 +45,7 @@ def names(folder: Path) -> set[str]:
 def test_a_run_leaves_sheets_animations_and_meshes(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    monkeypatch.setattr(space, "FRAMES", 3)
+    monkeypatch.setattr(in_space, "FRAMES", 3)
     found = deliver(small(animation=True, files=("vtu",)), tmp_path / "out")
     made, record = names(found.folder), json.loads((found.folder / "run.json").read_text())
     assert set(record["files"]) == made

@@ -14,7 +14,7 @@ from scipy.special import iv, jv, kv, yv
 
 import rotordyn
 from rotordyn.analyses import EccentricSpan, SectionForcesSpec, UnbalanceSpec
-from rotordyn.analyses.registry import answer_spindle
+from rotordyn.analyses.solving import answer_spindle
 from rotordyn.analyses.unbalance.loads import acting, node_loads
 from rotordyn.equation.elements.beam import tapered_bending, tapered_points
 from rotordyn.equation.elements.standard_beam import shear_parameter

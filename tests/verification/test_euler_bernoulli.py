@@ -10,7 +10,7 @@ import pytest
 
 import rotordyn
 from rotordyn.analyses import SectionForcesSpec
-from rotordyn.analyses.registry import answer_spindle
+from rotordyn.analyses.solving import answer_spindle
 from rotordyn.equation.elements.beam import inner_freedoms
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle

@@ -12,7 +12,7 @@ from scipy.optimize import brentq
 from bearings.materials import Material
 from rotordyn.analyses import CampbellSpec, Conditions
 from rotordyn.analyses.campbell.result import CampbellResult
-from rotordyn.analyses.registry import answer_spindle
+from rotordyn.analyses.solving import answer_spindle
 from rotordyn.equation.elements.standard_beam import plane_bending
 from rotordyn.machine import Disc, LinearSupport, Section, Shaft, Spindle
 from rotordyn.machine.damping import RayleighDamping

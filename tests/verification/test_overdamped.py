@@ -10,12 +10,13 @@ import pytest
 from bearings.materials import Material
 from rotordyn.analyses.campbell import solve as campbell
 from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.campbell.tables import LAYOUTS
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from rotordyn.report.datasets import dataset
-from rotordyn.report.tables import LAYOUTS, tidy_columns
+from rotordyn.report.tables import tidy_columns
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene
 
@@ -51,6 +52,6 @@ def test_a_rigid_rotor_whose_damper_grows_with_speed() -> None:
         assert found.pole[:, k] == pytest.approx(np.array(pole), rel=1e-9)
     assert not found.mostly_overdamped.any()
     assert dataset(found)["overdamped"].dims == ("speed", "mode")
-    headers = [header for header, _ in tidy_columns(found, LAYOUTS["campbell"][0])]
+    headers = [header for header, _ in tidy_columns(found, LAYOUTS[0])]
     assert any(header.startswith("overdamped") for header in headers)
     assert any(header.startswith("pole") and "imaginary" in header for header in headers)

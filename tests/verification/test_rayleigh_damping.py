@@ -13,7 +13,7 @@ import rotordyn
 from bearings import Material
 from rotordyn.analyses import CampbellSpec, Conditions
 from rotordyn.analyses.campbell.result import CampbellResult
-from rotordyn.analyses.registry import answer_spindle
+from rotordyn.analyses.solving import answer_spindle
 from rotordyn.machine import LinearSupport, RayleighDamping, Section, Shaft, Spindle
 from rotordyn.machine.inertia import rotor_inertia
 from tests.oracles.spindles import RPM

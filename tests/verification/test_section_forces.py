@@ -23,8 +23,8 @@ from rotordyn.analyses import (
     TwistLimit,
     Unbalance,
 )
-from rotordyn.analyses.registry import answer_spindle
 from rotordyn.analyses.section_forces.result import SectionForcesResult
+from rotordyn.analyses.solving import answer_spindle
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import Disc, Drawbar, LinearSupport, PointMass, Section, Shaft, Spindle
 from rotordyn.machine.inertia import rotor_inertia

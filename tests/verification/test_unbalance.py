@@ -24,11 +24,11 @@ from rotordyn.analyses import (
 )
 from rotordyn.analyses.campbell import solve as campbell
 from rotordyn.analyses.frf.result import FrfResult
-from rotordyn.analyses.registry import answer_spindle
+from rotordyn.analyses.solving import answer_spindle
 from rotordyn.analyses.unbalance import solve as unbalance
 from rotordyn.analyses.unbalance.orbit import orbit
 from rotordyn.analyses.unbalance.result import UnbalanceResult
-from rotordyn.analyses.unbalance.summary import unbalance_lines
+from rotordyn.analyses.unbalance.summary import summary as unbalance_lines
 from rotordyn.errors import NoSolution
 from rotordyn.machine import LinearSupport, PointMass, RigidHousing, Section, Shaft, Spindle
 from rotordyn.machine.inertia import rotor_inertia

@@ -7,6 +7,8 @@ from numpy.typing import NDArray
 
 from rotordyn.analyses.bearing.result import BearingMapResult
 from rotordyn.analyses.bearing.solve import under
+from rotordyn.results.balls import pressed, slipping
+from rotordyn.results.described import Described
 from rotordyn.results.display import DEGREE, RPM, STIFFNESS
 from rotordyn.results.text import INDENT, from_to
 
@@ -14,7 +16,7 @@ Array = NDArray[np.float64]
 RINGS = {"i": "inner", "o": "outer"}
 
 
-def bearing_lines(result: BearingMapResult) -> list[str]:
+def summary(result: BearingMapResult) -> list[str]:
     """Stiffness at each load at the first and last speed, then how balls touch their grooves."""
     lines = _stiffness(result)
     if result.ball.size > 1 or len(result.contact) > 2:
@@ -98,3 +100,24 @@ def _contacts(result: BearingMapResult) -> list[str]:
 def _numbers(counts: NDArray[np.int_]) -> str:
     low, high = int(counts.min()), int(counts.max())
     return f"{low}" if low == high else f"{low} to {high}"
+
+
+def cells(result: BearingMapResult, _: Described) -> dict[str, str]:
+    """Axial and radial stiffness by load at the first and last speed."""
+    values = result.stiffness[:, :, 0] * STIFFNESS.factor
+    return {
+        under(result, k): ", ".join(from_to(values[:, k, i, i]) for i in (0, 1))
+        for k in range(len(result.load))
+    }
+
+
+def warnings(result: BearingMapResult) -> list[str]:
+    """Contacts pressed too hard, balls that slip, contact ellipses cut off."""
+    peak = np.fmax(result.inner_pressure, result.outer_pressure)
+    loads = [f"under {under(result, k)}" for k in range(len(result.load))]
+    found = [pressed(load, result.speed, own) for load, own in zip(loads, peak.T, strict=True)]
+    found += [
+        slipping(load, result.speed, own)
+        for load, own in zip(loads, result.slipping.T, strict=True)
+    ]
+    return [*(sentence for sentence in found if sentence), *cut_off(result)]

@@ -1,1 +1,32 @@
 """Damped modes over speed and their critical speeds."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.analyses.campbell.tables import LAYOUTS
+from rotordyn.analyses.contract import Analysis, Code
+
+code = partial(Code, __name__)
+
+ANALYSIS = Analysis(
+    name="campbell",
+    machine="spindle",
+    place=10,
+    spec=CampbellSpec,
+    solve=code("solve:answer"),
+    highest=lambda spec, top: spec.max_frequency,
+    files=code("meshes:write_meshes"),
+    pictures=code("in_space:InSpace"),
+    costs={"mode_shapes": 8},
+    figures=code("figures:figures"),
+    compared=code("figures:of_variants"),
+    tables=LAYOUTS,
+    summary=code("summary:summary"),
+    accuracy=code("summary:accuracy"),
+    warnings=code("summary:warnings"),
+    heading="bending modes, backward/forward [Hz]",
+    cells=code("summary:cells"),
+    known=code("known:known"),
+)

@@ -8,6 +8,7 @@ import numpy as np
 
 from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.machine.reference import Reference
+from rotordyn.machine.spindle import Spindle
 from rotordyn.results.frames import turning
 from rotordyn.results.kinds import Array
 from rotordyn.results.known import SAME_SPEED, column
@@ -43,8 +44,10 @@ def _frequencies(
     return values[np.isfinite(values)]
 
 
-def known_frequencies(result: CampbellResult, reference: Reference) -> Array | None:
+def known(reference: Reference, result: CampbellResult, _: Spindle | None) -> Array | None:
     """Of the one mode that is the subject at each speed, or of all modes at the one speed."""
+    if reference.quantity not in MODES:
+        return None
     speeds = np.asarray(reference.speeds, float)
     if turning(result) and speeds.any():
         return None  # known ones belong to the fixed frame

@@ -17,9 +17,10 @@ import numpy as np
 
 from rotordyn.analyses.campbell.gltf import write_glb
 from rotordyn.analyses.campbell.result import CampbellResult
-from rotordyn.analyses.campbell.spec import ShapesInSpaceSpec
+from rotordyn.analyses.campbell.spec import CampbellSpec, ShapesInSpaceSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
+from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
 from rotordyn.surface.body import Array, Surface, together
 from rotordyn.surface.motion import Complex, at_phase, drawn_scale, reach
@@ -50,6 +51,15 @@ class MovingSurface:
         """Largest displacement of each point over that of the mode [1]."""
         size = reach(self.shape)
         return size / (size.max() or 1.0)
+
+
+def write_meshes(folder: Path, case: Described, result: CampbellResult) -> list[Path]:
+    """The files of meshes that a case asks for, in a folder of their own."""
+    spec = case.analyses.get("campbell")
+    shapes = spec.shapes_3d if isinstance(spec, CampbellSpec) else None
+    if shapes is None or case.spindle is None or not result.shape.size:
+        return []
+    return write_shapes(folder / FOLDER, case.spindle, result, shapes)
 
 
 def write_shapes(

@@ -1,1 +1,32 @@
 """Frequency responses between points, beside measured ones."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from rotordyn.analyses.contract import Analysis, Code
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.analyses.frf.tables import LAYOUTS
+
+code = partial(Code, __name__)
+
+ANALYSIS = Analysis(
+    name="frf",
+    machine="spindle",
+    place=20,
+    spec=FrfSpec,
+    solve=code("solve:answer"),
+    highest=lambda spec, top: max(spec.frequencies, default=0.0),
+    forced=True,
+    ports=lambda spec: {port.point for pair in spec.pairs for port in pair},
+    further_tables=code("slices:slices"),
+    files=code("uff:write_file"),
+    costs={"frf_surface": 9, "frf_surfaces": 9, "frf_maps": 7},
+    figures=code("figures:figures"),
+    compared=code("figures:of_variants"),
+    tables=LAYOUTS,
+    summary=code("summary:summary"),
+    accuracy=code("summary:accuracy"),
+    heading="likeness of measured responses, 1 at best",
+    cells=code("summary:cells"),
+)

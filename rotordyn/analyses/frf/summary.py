@@ -7,14 +7,16 @@ import math
 import numpy as np
 
 from rotordyn.analyses.frf.result import FrequencyResponse
-from rotordyn.results.display import RPM, number, shown
+from rotordyn.results.described import Described
+from rotordyn.results.display import RPM, number, rounded_up, shown
 from rotordyn.results.text import unbroken
 
+PLURAL = {"receptance": "receptances", "mobility": "mobilities", "inertance": "inertances"}
 MOST = 4  # responses told
 SAME = 1e-6  # of a speed
 
 
-def measured_lines(result: FrequencyResponse) -> list[str]:
+def summary(result: FrequencyResponse) -> list[str]:
     """A line per measured response: its highest peaks, the computed ones beside, their likeness."""
     lines = [_line(result, row) for row in range(min(MOST, len(result.measured)))]
     rest = len(result.measured) - MOST
@@ -55,3 +57,19 @@ def speeds_compared(result: FrequencyResponse, row: int) -> str:
     rpm, other = (number(speed * RPM.factor, 0) for speed in (own, near))
     same = abs(near - own) <= SAME * max(near, own)
     return f"{rpm} rpm" if same else f"{rpm} rpm, computed at {other} rpm"
+
+
+def cells(result: FrequencyResponse, _: Described) -> dict[str, str]:
+    """The likeness of every measured response to the computed one, 1 at best."""
+    return {
+        f"{name} at {speeds_compared(result, row)}": (
+            f"{result.likeness[row]:.3f}" if math.isfinite(result.likeness[row]) else "–"
+        )
+        for row, name in enumerate(result.measured)
+    }
+
+
+def accuracy(result: FrequencyResponse) -> list[str]:
+    """The largest estimated error of the responses."""
+    worst = float(result.error.max(initial=0.0))
+    return [f"{PLURAL[result.kind]} within {rounded_up(worst)} of their peak"]

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analyses.frf.result import FrequencyResponse
 from rotordyn.results.declaration import declared
+from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, is_rotation
 
 _DIRECTION = {"x": 1, "y": 2, "z": 3, "thx": 4, "thy": 5, "thz": 6}
@@ -31,6 +32,13 @@ MOTION = {
     "mobility": Motion(11, "velocity", "/s"),
     "inertance": Motion(12, "acceleration", "/s^2"),
 }
+
+
+def write_file(folder: Path, case: Described, result: FrequencyResponse) -> int:
+    """``frf.uff`` with the named points of the machine as nodes; returns the number of records."""
+    places = () if case.spindle is None else case.spindle.places
+    nodes = {name: k for k, name in enumerate(places, start=1)}
+    return write_uff(folder / "frf.uff", result, case=case.name, nodes=nodes)
 
 
 def write_uff(

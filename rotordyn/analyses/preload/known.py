@@ -5,8 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from rotordyn.analyses.preload.result import PreloadResult
+from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
 from rotordyn.results.kinds import Array
+from rotordyn.results.known import at_speeds, column
 
 
 def preload_sum(result: PreloadResult, spindle: Spindle) -> Array:
@@ -19,3 +21,13 @@ def preload_sum(result: PreloadResult, spindle: Spindle) -> Array:
         return np.asarray(np.abs(result.axial_load).sum(axis=1) / 2.0)
     chosen = [result.bearing.index(name) for name in result.bearing if name in carried]
     return np.asarray(result.axial_load[:, chosen].sum(axis=1))
+
+
+def known(reference: Reference, result: PreloadResult, spindle: Spindle | None) -> Array | None:
+    """Values beside a reference at its speeds, NaN without one; None for other quantities."""
+    speeds = np.asarray(reference.speeds, float)
+    if reference.quantity == "preload_sum" and spindle is not None:
+        return at_speeds(speeds, result.speed, preload_sum(result, spindle))
+    if reference.quantity == "sleeve_displacement":
+        return column(speeds, result, "position", "body", reference.subject)
+    return None

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from rotordyn.analyses.section_forces.result import SectionForcesResult
+from rotordyn.results.described import Described
 from rotordyn.results.display import MEGAPASCAL, MICROMETRE, RPM
 from rotordyn.results.text import from_to, unbroken
 
@@ -20,7 +21,7 @@ MOMENTS = {"Mt": "torque", "My": "bending_moment_y", "Mz": "bending_moment_z"}
 LEAST = 1e-9  # of the largest force or moment: below that it is not there
 
 
-def section_force_lines(result: SectionForcesResult) -> list[str]:
+def summary(result: SectionForcesResult) -> list[str]:
     """At the last speed with a solution, which is named where there are several."""
     row = int(np.flatnonzero(np.isfinite(result.torque).all(axis=1))[-1])
     at = f" at {result.speed[row] * RPM.factor:.0f} rpm" if len(result.speed) > 1 else ""
@@ -36,7 +37,7 @@ def section_force_lines(result: SectionForcesResult) -> list[str]:
     ]
 
 
-def extremes(result: SectionForcesResult) -> dict[str, str]:
+def cells(result: SectionForcesResult, _: Described) -> dict[str, str]:
     """Largest amounts of each section force at the last speed with a solution."""
     row = int(np.flatnonzero(np.isfinite(result.torque).all(axis=1))[-1])
     return {
@@ -101,3 +102,15 @@ def _twists(result: SectionForcesResult) -> Iterator[str]:
             f"uniform outer diameter that just keeps to it{bore}: "
             + unbroken(f"{from_to(result.required_diameter[:, k] * 1e3, 2)} mm")
         )
+
+
+def warnings(result: SectionForcesResult) -> list[str]:
+    """Twist above what is allowed."""
+    most = np.nanmax(np.abs(result.twist_between), axis=0)
+    named = zip(result.twist_limit, most, result.allowed_twist, strict=True)
+    return [
+        f"twist {name}: {np.degrees(angle):.4g} deg is above the {np.degrees(allowed):.4g} deg "
+        "allowed"
+        for name, angle, allowed in named
+        if angle > allowed
+    ]

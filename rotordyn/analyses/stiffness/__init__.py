@@ -1,1 +1,28 @@
 """Radial stiffness of a point by bearing model."""
+
+from __future__ import annotations
+
+from functools import partial
+
+from rotordyn.analyses.contract import Analysis, Code
+from rotordyn.analyses.stiffness.spec import StiffnessSpec
+from rotordyn.analyses.stiffness.tables import LAYOUTS
+
+code = partial(Code, __name__)
+
+ANALYSIS = Analysis(
+    name="stiffness",
+    machine="spindle",
+    place=40,
+    spec=StiffnessSpec,
+    solve=code("solve:answer"),
+    bearings=True,
+    ports=lambda spec: (spec.point,),
+    figures=code("figures:figures"),
+    compared=code("figures:of_variants"),
+    tables=LAYOUTS,
+    summary=code("summary:summary"),
+    heading="radial stiffness at no load",
+    cells=code("summary:cells"),
+    known=code("known:known"),
+)

@@ -1,1 +1,31 @@
 """Steady response to unbalance."""
+
+from __future__ import annotations
+
+import math
+from functools import partial
+
+from rotordyn.analyses.contract import Analysis, Code
+from rotordyn.analyses.unbalance.spec import UnbalanceSpec
+from rotordyn.analyses.unbalance.tables import LAYOUTS
+
+code = partial(Code, __name__)
+
+ANALYSIS = Analysis(
+    name="unbalance",
+    machine="spindle",
+    place=60,
+    spec=UnbalanceSpec,
+    solve=code("solve:answer"),
+    highest=lambda spec, top: top / (2.0 * math.pi),
+    forced=True,
+    ports=lambda spec: spec.places,
+    marks=code("loads:marked"),
+    figures=code("figures:figures"),
+    compared=code("figures:of_variants"),
+    tables=LAYOUTS,
+    summary=code("summary:summary"),
+    accuracy=code("summary:accuracy"),
+    heading="largest half axis of the orbit by unbalance",
+    cells=code("summary:cells"),
+)

@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.unbalance.result import UnbalanceResult
-from rotordyn.results.display import GRAM_MILLIMETRE, MICROMETRE, RPM
+from rotordyn.results.described import Described
+from rotordyn.results.display import GRAM_MILLIMETRE, MICROMETRE, RPM, rounded_up
 from rotordyn.results.text import unbroken
 
 Array = NDArray[np.float64]
@@ -15,7 +16,7 @@ SAME = 1e-6  # of a speed
 STRAIGHT = 1e-6  # of the major half axis: less backward than that is rounding
 
 
-def unbalance_lines(result: UnbalanceResult) -> list[str]:
+def summary(result: UnbalanceResult) -> list[str]:
     """Amplitudes are zero to peak, the largest half axis of the orbit among the speeds."""
     acting = [
         unbroken(f"{name} {size * GRAM_MILLIMETRE.factor:.4g} g·mm at {x * 1e3:.1f} mm")
@@ -28,7 +29,7 @@ def unbalance_lines(result: UnbalanceResult) -> list[str]:
             strict=True,
         )
     ]
-    moved = [unbroken(f"{name} {word}") for name, word in largest_amplitudes(result).items()]
+    moved = [unbroken(f"{name} {word}") for name, word in cells(result).items()]
     pushed = [
         unbroken(f"{name} {_peak(values, '.4g')} N{_at(result, values)}")
         for name, values in zip(result.support, result.force_amplitude.T, strict=True)
@@ -52,7 +53,7 @@ def _graded(result: UnbalanceResult) -> str:
     return f"; the grade is for {result.grade_speed * RPM.factor:.0f} rpm, {beyond}"
 
 
-def largest_amplitudes(result: UnbalanceResult) -> dict[str, str]:
+def cells(result: UnbalanceResult, _: Described | None = None) -> dict[str, str]:
     """By point, with the speed at which it is."""
     return {
         name: f"{_peak(values * MICROMETRE.factor, '.4g')} µm{_at(result, values)}"
@@ -100,3 +101,9 @@ def _backward(result: UnbalanceResult) -> list[str]:
             many = f"{at.size} speeds from {ends[0]} to {ends[1]} rpm"
             words.append(unbroken(f"{name} at {many if at.size > 1 else f'{ends[0]} rpm'}"))
     return [f"           whirl backward: {_few(words)}"] if words else []
+
+
+def accuracy(result: UnbalanceResult) -> list[str]:
+    """The largest estimated error of the motion."""
+    worst = float(result.error.max(initial=0.0))
+    return [f"response to unbalance within {rounded_up(worst)} of its peak"]

@@ -7,10 +7,9 @@ from collections.abc import Sequence
 from contextlib import suppress
 
 from rotordyn.analyses.bearing.spec import LISTS, contradictions
+from rotordyn.analyses.registry import analysis, built_in
 from rotordyn.case.agreement import (
     MOST_ELEMENTS,
-    NEEDS_BEARINGS,
-    OF_A_BEARING,
     OF_BALLS,
 )
 from rotordyn.case.build.spindle import support
@@ -69,7 +68,7 @@ def _apply(asked: set[str], root: Node, faults: Faults) -> None:
     if single == spindle:
         return
     for name in sorted(asked):
-        if (name in OF_A_BEARING) != single:
+        if (analysis(name).machine == "bearing") != single:
             kind = "single bearing" if single else "spindle"
             faults.at_key(root, ("analyses", name), f"this question does not apply to a {kind}")
 
@@ -152,8 +151,9 @@ def against_machine(
         return
     points = [*spindle.points, *(tool.points if tool else {})]
     points += [f"{rotor.name}.{point}" for rotor in spindle.rotors for point in rotor.points]
-    for name in NEEDS_BEARINGS:
-        if getattr(entry.analyses, name) is not None and not spindle.bearings:
+    for name in built_in():
+        asked = getattr(entry.analyses, name) is not None
+        if asked and analysis(name).bearings and not spindle.bearings:
             faults.at_key(root, ("analyses", name), "needs bearings: this spindle has none")
     if entry.analyses.frf is not None:
         frf(entry.analyses.frf, spindle, points, supports, root, faults)

@@ -11,7 +11,7 @@ import pytest
 import pyuff
 
 import rotordyn
-from rotordyn.analyses.frf.summary import measured_lines
+from rotordyn.analyses.frf.summary import summary as measured_lines
 from rotordyn.case.measured import read_record
 from rotordyn.errors import InvalidInput
 from rotordyn.job import deliver, solve

@@ -25,7 +25,7 @@ NAMES = {
     "frf_amplitude_phase_1", "frf_amplitude_phase_2", "frf_real_imaginary_1",
     "frf_real_imaginary_2", "stiffness", "stiffness_force", "preload", "contacts", "bearing",
     "bearing_tangents", "section_forces", "elastic_line",
-    "unbalance", "unbalance_forces",
+    "control", "unbalance", "unbalance_forces",
 }  # fmt: skip
 
 

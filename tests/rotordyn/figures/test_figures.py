@@ -13,6 +13,7 @@ from rotordyn.analyses.bearing.figures.tangents import tangents_figure
 from rotordyn.analyses.campbell.figures.compared import panels_figure
 from rotordyn.analyses.campbell.figures.diagram import campbell_figure
 from rotordyn.analyses.campbell.figures.shapes import plane_curve, shapes_figure
+from rotordyn.analyses.campbell.summary import accuracy
 from rotordyn.analyses.control.figures.boundaries import control_figure
 from rotordyn.analyses.control.figures.compared import control_figure as compared_control
 from rotordyn.analyses.frf.figures.compared import curves_figure
@@ -33,11 +34,9 @@ from rotordyn.analyses.unbalance.figures.compared import amplitudes_figure
 from rotordyn.analyses.unbalance.figures.response import response_figure, round_orbits
 from rotordyn.figures.mode_lines import LOOKS, whirl_segments
 from rotordyn.figures.panels import Shown
-from rotordyn.job.comparison_figures import comparison_figures
-from rotordyn.job.figures import figures
+from rotordyn.job.figures import comparison_figures, figures
 from rotordyn.machine.reference import Reference
 from rotordyn.modes.overdamped import OVERDAMPED
-from rotordyn.report.accuracy import accuracy_words
 from tests.rotordyn.figures import samples
 
 
@@ -114,7 +113,7 @@ def test_figure_and_summary_tell_one_error_of_what_swings():
     )
     assert strong.mostly_overdamped.tolist() == [k == 0 for k in range(len(result.mode))]
     assert strong.largest_error == 0.021
-    assert accuracy_words({"campbell": strong})[0] == "frequencies within 3e-02"
+    assert accuracy(strong) == ["frequencies within 3e-02"]
     said = [t.get_text() for t in campbell_figure(strong).axes[0].texts]
     assert "estimated error ≤ 3e-02" in said
 

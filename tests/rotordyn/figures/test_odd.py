@@ -21,7 +21,7 @@ from rotordyn.analyses.stiffness.figures.curves import stiffness_figure
 from rotordyn.figures.draw import Drawing
 from rotordyn.figures.panels import Shown, colour, dash
 from rotordyn.figures.style import mark_lone_points
-from rotordyn.job.comparison_figures import comparison_figures
+from rotordyn.job.figures import comparison_figures
 from rotordyn.machine.reference import Reference
 from tests.rotordyn.figures import samples
 

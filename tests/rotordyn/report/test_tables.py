@@ -9,7 +9,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rotordyn.report.tables import LAYOUTS, write_tables
+from rotordyn.analyses.registry import analysis, names
+from rotordyn.report.tables import write_tables
 from tests.rotordyn.figures import samples
 
 
@@ -26,7 +27,7 @@ def _rows(path):
 
 
 def test_every_layout_and_slice_has_its_file(folder):
-    every = (layout for layouts in LAYOUTS.values() for layout in layouts)
+    every = (layout for name in names() for layout in analysis(name).tables)
     planned = {f"{layout.name}.csv" for layout in every if not layout.several}  # one rotor
     slices = {f"frf_{n}rpm.csv" for n in (0, 12000, 24000)}
     measured = {"frf_measured.csv", "frf_measured_peaks.csv"}  # nothing was

@@ -11,7 +11,7 @@ import pytest
 
 from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.analyses.frf.spec import FrfSpec
-from rotordyn.analyses.registry import Answers, answer_spindle
+from rotordyn.analyses.solving import Answers, answer_spindle
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
 from rotordyn.report.warnings import result_warnings

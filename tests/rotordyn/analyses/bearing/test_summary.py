@@ -9,8 +9,9 @@ import pytest
 
 from rotordyn.analyses.bearing.solve import answer
 from rotordyn.analyses.bearing.spec import BearingMapSpec
-from rotordyn.analyses.bearing.summary import bearing_lines, cut_off
-from rotordyn.report.tables import LAYOUTS, tidy_columns
+from rotordyn.analyses.bearing.summary import cut_off, summary
+from rotordyn.analyses.bearing.tables import LAYOUTS
+from rotordyn.report.tables import tidy_columns
 from rotordyn.report.warnings import result_warnings
 from rotordyn.scene.conditions import Conditions
 from tests.oracles.known_bearings import RPM
@@ -38,7 +39,7 @@ def test_ellipse_past_the_inner_shoulder() -> None:
 def test_most_loaded_ball_in_words() -> None:
     """Case 3 of Lacroix (2014), rigid: 22.4° at 0°, a third contact."""
     spec = BearingMapSpec(radial_loads=(0.0, 12e3), axial_load=20e3)
-    lines = bearing_lines(answer(four_point(R24_14), OUTER, np.array([1500.0]) * RPM, spec))
+    lines = summary(answer(four_point(R24_14), OUTER, np.array([1500.0]) * RPM, spec))
     assert lines[0].endswith("tilts blocked, at 1500 rpm")
     assert "0 N radial: axial" in lines[1]
     assert lines[-1].split(": ", 1)[1].startswith("ball 0 at 0°: ir 4712 N at 22.4°, or 510 N at")
@@ -46,7 +47,7 @@ def test_most_loaded_ball_in_words() -> None:
 
 
 def test_two_contacts_need_no_words() -> None:
-    assert not any(line.startswith("contacts") for line in bearing_lines(samples.bearing(3)))
+    assert not any(line.startswith("contacts") for line in summary(samples.bearing(3)))
 
 
 @pytest.mark.parametrize(
@@ -60,7 +61,7 @@ def test_two_contacts_need_no_words() -> None:
 def test_tables(name: str, rows: int, column: str, value: str | None) -> None:
     spec = BearingMapSpec(moments=(0.0, 300.0), axial_load=20e3)
     found = answer(four_point(R24_14), OUTER, np.zeros(1), spec)
-    (layout,) = (each for each in LAYOUTS["bearing"] if each.name == name)
+    (layout,) = (each for each in LAYOUTS if each.name == name)
     columns = dict(tidy_columns(found, layout))
     assert len(columns[column]) == rows
     if value is not None:

@@ -12,7 +12,7 @@ import rotordyn
 from bearings import Material
 from rotordyn.analyses import Conditions, FrfSpec
 from rotordyn.analyses.frf.result import FrequencyResponse
-from rotordyn.analyses.registry import answer_spindle
+from rotordyn.analyses.solving import answer_spindle
 from rotordyn.errors import InvalidInput
 from rotordyn.machine import LinearSupport, PointMass, Section, Shaft, Spindle
 from rotordyn.machine.inertia import rotor_inertia

@@ -4,16 +4,17 @@ from __future__ import annotations
 
 import time
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.analyses.campbell.spec import CampbellSpec, ShapesInSpaceSpec
-from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
+from rotordyn.figures.draw import LeftOut
 from rotordyn.machine.spindle import Spindle
+from rotordyn.results.described import Described
 from rotordyn.view.apart import NoPictures, Rendering
 from rotordyn.view.order import Order
 
@@ -21,15 +22,7 @@ if TYPE_CHECKING:
     from rotordyn.figures.draw import Figure, Job
 
 FRAMES = 20  # of one period
-Parts = Mapping[str, tuple[Case, Mapping[str, Any]]]
-
-
-@dataclass(frozen=True, slots=True)
-class LeftOut:
-    """``figures`` that were not drawn -> why, and what the user is told of it."""
-
-    figures: dict[str, str] = field(default_factory=dict)
-    sentences: tuple[str, ...] = ()
+Parts = Mapping[str, tuple[Described, CampbellResult]]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -54,18 +47,20 @@ class Asked:
 
 
 class InSpace:
-    """The pictures that ``parts`` ask for; a context, after which their files are gone.
+    """The pictures that ``parts`` ask for; rendered inside this context, then their files are gone.
 
     Nothing is started where none are asked for.
     """
 
     def __init__(self, parts: Parts) -> None:
         self.left_out = LeftOut()
-        self._asked = [asked for asked in _every(parts) if asked.order.places]
-        orders = [asked.order for asked in self._asked]
-        self._rendering = Rendering(orders) if orders else None
+        found = (_asked(name, case, result) for name, (case, result) in parts.items())
+        self._asked = [asked for asked in found if asked is not None and asked.order.places]
+        self._rendering: Rendering | None = None
 
     def __enter__(self) -> InSpace:
+        orders = [asked.order for asked in self._asked]
+        self._rendering = Rendering(orders) if orders else None
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -89,62 +84,33 @@ class InSpace:
         drawn = Drawing(_sheets(self._asked, self._rendering), folder).finish()
         return drawn | _animate(self._asked, self._rendering, folder)
 
-    def sheet(self, name: str) -> Figure:
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Of the sheets."""
+        return _names(self._asked)
+
+    def figure(self, name: str) -> Figure:
         """Wait for the pictures and draw one sheet.
 
         Raises
         ------
-        NoPictures : nothing can be rendered
+        InvalidInput : nothing can be rendered on this computer
         """
         from rotordyn.figures.draw import drawn
 
-        assert self._rendering is not None, "a sheet has a name where one is asked for"
-        self._rendering.finish()
+        assert self._rendering is not None, "drawn inside the context"
+        try:
+            self._rendering.finish()
+        except NoPictures as none:
+            raise InvalidInput(f"figure {name} cannot be drawn: {none}") from None
         return drawn(dict(_sheets(self._asked, self._rendering))[name])
 
 
-def sheet_names(parts: Parts) -> tuple[str, ...]:
-    """Names of the sheets that ``parts`` ask for."""
-    from rotordyn.analyses.campbell.figures.shapes_3d import sheets
-
-    return tuple(a.inside(name) for a in _every(parts) for name, *_ in sheets(a.result))
-
-
-def sheet(parts: Parts, name: str) -> Figure:
-    """Render and draw one sheet of ``sheet_names``.
-
-    Raises
-    ------
-    InvalidInput : nothing can be rendered on this computer
-    """
-    with InSpace(parts) as space:
-        try:
-            return space.sheet(name)
-        except NoPictures as none:
-            raise InvalidInput(f"figure {name} cannot be drawn: {none}") from None
-
-
-def write_meshes(case: Case, results: Mapping[str, Any], folder: Path) -> None:
-    """The files of meshes that ``case`` asks for."""
-    asked = _asked("", case, results)
-    if asked is not None and asked.spec.files:
-        from rotordyn.analyses.campbell.meshes import FOLDER, write_shapes
-
-        write_shapes(folder / FOLDER, asked.spindle, asked.result, asked.spec)
-
-
-def _every(parts: Parts) -> list[Asked]:
-    found = (_asked(name, case, results) for name, (case, results) in parts.items())
-    return [asked for asked in found if asked is not None]
-
-
-def _asked(name: str, case: Case, results: Mapping[str, Any]) -> Asked | None:
-    spec, result = case.analyses.get("campbell"), results.get("campbell")
+def _asked(name: str, case: Described, result: CampbellResult) -> Asked | None:
+    spec = case.analyses.get("campbell")
     if not isinstance(spec, CampbellSpec) or spec.shapes_3d is None or case.spindle is None:
         return None
-    if not isinstance(result, CampbellResult) or not result.shape.size:
-        return None
-    return Asked(name, case.spindle, result, spec.shapes_3d)
+    return Asked(name, case.spindle, result, spec.shapes_3d) if result.shape.size else None
 
 
 def _sheets(parts: list[Asked], rendering: Rendering) -> list[Job]:
@@ -158,6 +124,12 @@ def _sheets(parts: list[Asked], rendering: Rendering) -> list[Job]:
             draw = partial(sheet_figure, asked.result, speed, modes, picture, asked.order)
             jobs.append((asked.inside(name), draw))
     return jobs
+
+
+def _names(parts: list[Asked]) -> tuple[str, ...]:
+    from rotordyn.analyses.campbell.figures.shapes_3d import sheets
+
+    return tuple(asked.inside(name) for asked in parts for name, *_ in sheets(asked.result))
 
 
 def _animate(parts: list[Asked], rendering: Rendering, folder: Path) -> dict[str, float]:
@@ -178,9 +150,7 @@ def _animate(parts: list[Asked], rendering: Rendering, folder: Path) -> dict[str
 
 def _left_out(parts: list[Asked], why: str) -> LeftOut:
     """Every figure that is missing, and one sentence for all."""
-    from rotordyn.analyses.campbell.figures.shapes_3d import sheets
-
-    names = [asked.inside(name) for asked in parts for name, *_ in sheets(asked.result)]
+    names = _names(parts)
     animated = any(asked.spec.animation for asked in parts)
     also = " and the animations" if animated else ""
     said = f"figures {', '.join(names)}{also} left out: {why}"

@@ -1,0 +1,186 @@
+"""Modes and critical speeds in a few lines of text."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from rotordyn.analyses.campbell.result import CampbellResult
+from rotordyn.machine.support import SPINDLE
+from rotordyn.modes.excitation import Line, exciting
+from rotordyn.modes.overdamped import OVERDAMPED
+from rotordyn.results.described import Described
+from rotordyn.results.display import RPM, number, rounded_up
+from rotordyn.results.frames import turning
+from rotordyn.results.text import from_to, unbroken
+
+MODES = 5  # of the lowest bending modes, where variants are compared
+_WHIRL = {1: " fw", -1: " bw", 0: ""}
+_TURN = {"forward": " fw", "backward": " bw", "mixed": " mixed"}
+
+
+def summary(result: CampbellResult) -> list[str]:
+    """Modes at the first and last speed, critical speeds on every line of excitation."""
+    if not result.mode:
+        return ["modes      none in the band asked for"]
+    speeds = result.speed * RPM.factor
+    rpm = f"{from_to(speeds, 0)} rpm"
+    entries = [
+        f"{result.mode[k]} {from_to(result.frequency[:, k])}"
+        f"{_whirl(result.mode[k], result.whirl[-1, k])}"
+        for k in np.flatnonzero(~result.mostly_overdamped)
+    ]
+    if result.mostly_overdamped.any():
+        entries.append(f"{result.mostly_overdamped.sum()} more, overdamped")
+    frame = " in the turning frame" if turning(result) else ""
+    lines = [f"modes [Hz]{frame} {rpm}: " + "; ".join(map(unbroken, entries)), *_overdamped(result)]
+    if len(result.speed) == 1:
+        return lines
+    ratios = dict(zip(result.rotor, result.speed_ratio.tolist(), strict=True))
+    every = exciting(ratios, result.engine_order.tolist())
+    several = len({line.rotor for line in every}) > 1
+    for line in every:
+        known = _criticals(result, line)
+        of = f" of {line.rotor}" if several else ""
+        name, leaves = f"{line.name}{of}", 60.0 * result.max_frequency / line.size
+        beyond = (
+            f"; {name} leaves the band at {number(leaves, 0)} rpm" if leaves < speeds[-1] else ""
+        )
+        none = f"none from {rpm.replace('→', 'to')}"
+        if leaves < speeds[-1]:
+            none = "none in the band asked for"
+        elif (line.rotor, line.order) == (SPINDLE, 1.0):
+            none += _nearest(result)
+        listed = ", ".join(known) or none
+        lines.append(f"critical   {name}, margin to top speed: {listed}{beyond}")
+    return lines
+
+
+def _overdamped(result: CampbellResult) -> list[str]:
+    """Modes that hardly swing at some of the speeds."""
+    words = []
+    for k in np.flatnonzero(result.overdamped.any(axis=0) & ~result.mostly_overdamped):
+        at = np.flatnonzero(result.overdamped[:, k])
+        speeds = from_to(result.speed[at] * RPM.factor, 0)
+        words.append(unbroken(f"{result.mode[k]} {speeds} rpm"))
+    if not words:
+        return []
+    return [f"           overdamped, with a damping ratio above {OVERDAMPED:g}: {'; '.join(words)}"]
+
+
+def _criticals(result: CampbellResult, line: Line) -> list[str]:
+    """Critical speeds on a line that something which turns excites."""
+    last = result.speed[-1]
+    return [
+        unbroken(
+            f"{name}{_turn(name, whirl)} {number(speed * RPM.factor, 0)} rpm "
+            f"({(speed / last - 1.0) * 100.0:+.0f} %)"
+        )
+        for name, whirl, speed, rotor, own, excited in zip(
+            result.critical,
+            result.critical_whirl,
+            result.critical_speed,
+            result.critical_rotor,
+            result.critical_order,
+            result.critical_excited,
+            strict=True,
+        )
+        if (rotor, own) == (line.rotor, line.order) and excited and last > 0.0
+    ]
+
+
+def _turn(name: str, whirl: str) -> str:
+    """Whirl at a critical speed, where the name of the mode does not say it."""
+    return "" if "forward" in name or "backward" in name else _TURN.get(whirl, "")
+
+
+def _nearest(result: CampbellResult) -> str:
+    """The bending mode nearest to the 1× line at the top speed, and how far it is."""
+    hertz = result.speed[-1] / (2.0 * math.pi)
+    chosen = [
+        k
+        for k in np.flatnonzero(~result.mostly_overdamped)
+        if result.kind[k] == "bending" and result.whirl[-1, k] >= 0.0 and hertz > 0.0
+    ]
+    if not chosen:
+        return ""
+    if turning(result):  # the 1× line stands still there, at 0 Hz
+        near = min(chosen, key=lambda k: float(result.frequency[-1, k]))
+        return f"; {result.mode[near]} is nearest, {number(result.frequency[-1, near], 0)} Hz away"
+    near = min(chosen, key=lambda k: abs(float(result.frequency[-1, k]) - hertz))
+    ratio = float(result.frequency[-1, near]) / hertz
+    return f"; {result.mode[near]} is nearest, {ratio:.2f} × the top speed"
+
+
+def _whirl(name: str, whirl: float) -> str:
+    """Whirl at the top speed, where the name does not say it."""
+    known = "forward" in name or "backward" in name or not math.isfinite(whirl)
+    return "" if known else _WHIRL[round(whirl)]
+
+
+def accuracy(result: CampbellResult) -> list[str]:
+    """The largest estimated error of a frequency."""
+    return [f"frequencies within {rounded_up(result.largest_error)}"] if result.mode else []
+
+
+def cells(result: CampbellResult, _: Described) -> dict[str, str]:
+    """Of the lowest bending modes both whirls at rest and at top speed."""
+    at = [_bending(result, row) for row in ((0, -1) if len(result.speed) > 1 else (0,))]
+    return {
+        f"bending {k + 1}": " → ".join(modes[k] if k < len(modes) else "–" for modes in at)
+        for k in range(min(MODES, max(map(len, at))))
+    }
+
+
+def _bending(result: CampbellResult, row: int) -> list[str]:
+    """Backward/forward frequencies of the bending modes at a speed, one number where equal."""
+    chosen = [k for k in np.flatnonzero(~result.mostly_overdamped) if result.kind[k] == "bending"]
+    values = result.frequency[row, chosen]
+    known = np.flatnonzero(np.isfinite(result.whirl).any(axis=1))
+    whirl = result.whirl[known[-1], chosen]  # at rest twins need not turn either way
+    order = np.argsort(values, kind="stable")
+    backward, forward = ([values[k] for k in order if whirl[k] == w] for w in (-1.0, 1.0))
+    if abs(len(backward) - len(forward)) > 1 or len(backward) + len(forward) < len(order):
+        return [number(values[k]) for k in order]
+    return [
+        number(b) if _alike(b, f) else f"{number(b)}/{number(f)}"
+        for b, f in zip(backward, forward, strict=False)
+    ]
+
+
+def _alike(one: float, other: float) -> bool:
+    """Equal as printed, or both without a value."""
+    return math.isclose(one, other, rel_tol=1e-6) or not (math.isfinite(one + other))
+
+
+def warnings(result: CampbellResult) -> list[str]:
+    """Modes that change with the model, and modes that grow by themselves."""
+    return [*_unsettled(result), *_unstable_modes(result)]
+
+
+def _unsettled(result: CampbellResult) -> list[str]:
+    if not result.unsettled:
+        return []
+    return [f"modes are less sure than asked for: {result.unsettled}"]
+
+
+def _unstable_modes(result: CampbellResult) -> list[str]:
+    found = []
+    onward = " on" if result.unstable[-1].any() else ""  # or stable again before the top speed
+    if 0.0 < result.stability_threshold < result.speed[-1]:
+        found.append(
+            f"{result.first_to_grow} grows by itself from "
+            f"{result.stability_threshold * RPM.factor:.0f} rpm{onward}"
+        )
+    for name, ratio, growing in zip(
+        result.mode, result.damping_ratio.T, result.unstable.T, strict=True
+    ):
+        at = np.flatnonzero(growing)
+        if at.size:
+            found.append(
+                f"{name} is unstable at {result.speed[at[0]] * RPM.factor:.0f} rpm"
+                + (f" and {at.size - 1} more of the speeds" if at.size > 1 else "")
+                + f" (damping ratio down to {np.nanmin(ratio) * 100.0:.2g} %)"
+            )
+    return found

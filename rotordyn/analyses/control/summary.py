@@ -1,0 +1,50 @@
+"""Race control in a few lines of text."""
+
+from __future__ import annotations
+
+from collections import Counter
+
+import numpy as np
+
+from rotordyn.analyses.control.result import ControlResult
+from rotordyn.analyses.control.solve import BOUNDARY_WORDS, fit_words
+from rotordyn.results.described import Described
+from rotordyn.results.display import RPM
+from rotordyn.results.text import from_to
+
+
+def summary(result: ControlResult) -> list[str]:
+    """Which race controls under heavy load, both boundaries with their fits, or why none."""
+    weight = result.resting_weight
+    heavy = "inner race" if weight > 1.0 else "outer race" if weight < 1.0 else "neither race"
+    radial = f", radial {result.radial:g} of it" if result.radial else ""
+    lines = [
+        f"control    under heavy load: {heavy} (C = {weight:.3f}); boundaries, axial load{radial}"
+    ]
+    fits = fit_words(result)
+    for place, (race, word) in enumerate(BOUNDARY_WORDS.items()):
+        load, absent = result.boundary_load[place], result.boundary_absence[place]
+        known = np.flatnonzero(np.isfinite(load))
+        if known.size:
+            ends = " → ".join(_at_speed(load[k], result.speed[k]) for k in known[[0, -1]])
+            lines.append(f"           {word} {ends}")
+        if race in fits:
+            lines.append(f"           fit: {fits[race]}")
+        lines += [
+            f"           {sentence}, at {count} of {len(load)} speeds"
+            for sentence, count in Counter(absent[absent != ""].tolist()).items()
+        ]
+    several = int((result.changes > 1).any(axis=0).sum())
+    if several:
+        lines.append(f"           at {several} speeds control changes more than once; highest told")
+    return lines
+
+
+def _at_speed(load: float, speed: float) -> str:
+    return f"{load:.0f} N at {speed * RPM.factor:.0f} rpm"
+
+
+def cells(result: ControlResult, _: Described) -> dict[str, str]:
+    """Loads at both boundaries at the first and last speed."""
+    inner, outer = (from_to(load, 0) for load in result.boundary_load)
+    return {"inner from": inner, "outer up to": outer}

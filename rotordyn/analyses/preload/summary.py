@@ -1,0 +1,53 @@
+"""The preload state in a few lines of text."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+
+from rotordyn.analyses.preload.known import preload_sum
+from rotordyn.analyses.preload.result import PreloadResult
+from rotordyn.results.balls import pressed, slipping
+from rotordyn.results.described import Described
+from rotordyn.results.display import RPM, number
+from rotordyn.results.text import from_to, unbroken
+
+
+def summary(result: PreloadResult) -> list[str]:
+    """Axial loads of the bearings at the first and last speed, and when stops are reached."""
+    loads = ", ".join(
+        unbroken(f"{name} {from_to(load, 0)}")
+        for name, load in zip(result.bearing, result.axial_load.T, strict=True)
+    )
+    lines = [f"preload    [N] {loads}"]
+    for name, speed in zip(result.sleeve, result.stop_speed, strict=True):
+        when = f"reached at {speed * RPM.factor:.0f} rpm" if math.isfinite(speed) else "not reached"
+        lines.append(f"stop       {name}: {when}")
+    return lines
+
+
+def cells(result: PreloadResult, case: Described) -> dict[str, str]:
+    """Sum of the preloads at the first and last speed, and when stops are reached."""
+    if case.spindle is None:
+        return {}
+    total = preload_sum(result, case.spindle)
+    stops = {
+        f"stop {name} [rpm]": number(speed * RPM.factor, 0) if math.isfinite(speed) else "not met"
+        for name, speed in zip(result.sleeve, result.stop_speed, strict=True)
+    }
+    return {"sum [N]": from_to(total, 0), **stops}
+
+
+def warnings(result: PreloadResult) -> list[str]:
+    """Bearings pressed too hard, and balls that slip."""
+    peak = np.fmax(result.inner_pressure, result.outer_pressure)
+    names = [f"bearing {name}" for name in result.bearing]
+    found = [
+        pressed(*each) for each in zip(names, [result.speed] * len(names), peak.T, strict=True)
+    ]
+    found += [
+        slipping(name, result.speed, own)
+        for name, own in zip(names, result.slipping.T, strict=True)
+    ]
+    return [sentence for sentence in found if sentence]

@@ -1,0 +1,19 @@
+"""What may be compared of its result."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rotordyn.analyses.section_forces.result import SectionForcesResult
+from rotordyn.machine.reference import Reference
+from rotordyn.machine.spindle import Spindle
+from rotordyn.results.kinds import Array
+from rotordyn.results.known import column
+
+
+def known(reference: Reference, result: SectionForcesResult, _: Spindle | None) -> Array | None:
+    """Values beside a reference at its speeds, NaN without one; None for other quantities."""
+    if reference.quantity != "required_diameter":
+        return None
+    speeds = np.asarray(reference.speeds, float)
+    return column(speeds, result, "required_diameter", "twist_limit", reference.subject)

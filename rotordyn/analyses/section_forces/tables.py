@@ -1,0 +1,11 @@
+"""How its result is laid out in tables."""
+
+from __future__ import annotations
+
+from rotordyn.results.layout import Layout
+
+LAYOUTS = (
+    Layout("section_forces", ("speed", "cut"), repeating=True),
+    Layout("section_forces_reactions", ("speed", "support"), ("component",), repeating=True),
+    Layout("section_forces_twist", ("speed", "twist_limit"), repeating=True),
+)

@@ -1,0 +1,122 @@
+"""One call that solves the analyses a case asks for."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import partial
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from bearings.bearing import BallBearing
+from rotordyn.analyses.contract import Result, Spec
+from rotordyn.analyses.registry import analysis
+from rotordyn.machine.rotor import Place
+from rotordyn.machine.spindle import Spindle
+from rotordyn.scene.conditions import Conditions
+
+if TYPE_CHECKING:
+    from rotordyn.scene.stage import Memo
+
+UNASKED_BAND = 1000.0  # Hz, where no question names a frequency
+Progress = Callable[[str], None]
+
+
+@dataclass(frozen=True, slots=True)
+class Answers:
+    """Results by analysis name; seconds by stage, and who ``asked`` for it first; residuals.
+
+    ``skipped``: stages that did not run -> why; ``spared``: what the structure of the machine
+    saved. ``warnings``: what a designer should know about the machine; ``notes``: what was chosen
+    that changes how the results read. Sentences.
+    """
+
+    results: dict[str, Result]
+    seconds: dict[str, float] = field(default_factory=dict)
+    asked: dict[str, str] = field(default_factory=dict)
+    skipped: dict[str, str] = field(default_factory=dict)
+    spared: tuple[str, ...] = ()
+    tolerances: dict[str, float] = field(default_factory=dict)
+    warnings: tuple[str, ...] = ()
+    notes: tuple[str, ...] = ()
+
+
+def answer_spindle(
+    spindle: Spindle,
+    conditions: Conditions,
+    speeds: tuple[float, ...],
+    analyses: Mapping[str, Spec],
+    progress: Progress,
+    memo: Memo | None = None,
+) -> Answers:
+    """Answer ``analyses`` for a spindle at ``speeds`` [rad/s]; shared stages are solved once.
+
+    ``memo``: stages of like machines, of which those of the same inputs are taken over.
+
+    Raises
+    ------
+    NoSolution : no speed has a physical solution
+    """
+    from rotordyn.numerics.threads import linear_algebra_alone
+    from rotordyn.scene.plan import reasons, spared
+    from rotordyn.scene.scene import Scene
+
+    for name, spec in analyses.items():
+        marks = analysis(name).marks
+        spindle = spindle if marks is None else marks(spindle, spec)
+    scene = Scene(
+        spindle,
+        conditions,
+        np.array(speeds),
+        max_frequency=_highest(analyses, speeds[-1] * max(map(abs, spindle.ratios.values()))),
+        ports=_ports(spindle, analyses),
+        memo=memo,
+    )
+    results: dict[str, Result] = {}
+    with linear_algebra_alone():
+        scene.require_solution()
+        for name, spec in analyses.items():
+            progress(name)
+            solve = partial(analysis(name).solve, scene, spec)
+            results[name] = scene.timed(f"answer {name}", solve)
+        return Answers(
+            results,
+            seconds=scene.clock.seconds,
+            asked=scene.clock.asked,
+            skipped=reasons(scene),
+            spared=spared(scene),
+            tolerances=scene.tolerances,
+            warnings=scene.warnings,
+            notes=scene.notes,
+        )
+
+
+def answer_bearing(
+    bearing: BallBearing,
+    conditions: Conditions,
+    speeds: tuple[float, ...],
+    analyses: Mapping[str, Spec],
+    progress: Progress,
+) -> Answers:
+    """Answer ``analyses`` for a single bearing at ``speeds`` [rad/s]."""
+    results, seconds = {}, {}
+    for name, spec in analyses.items():
+        progress(name)
+        begin = time.perf_counter()
+        results[name] = analysis(name).solve(bearing, conditions, np.array(speeds), spec)
+        seconds[name] = time.perf_counter() - begin
+    return Answers(results, seconds, dict.fromkeys(seconds, ""))
+
+
+def _highest(analyses: Mapping[str, Spec], top: float) -> float:
+    """Highest frequency any analysis asks for [Hz]; ``top``: of all rotors [rad/s]."""
+    asked = (analysis(name).highest(spec, top) for name, spec in analyses.items())
+    return max(asked, default=0.0) or UNASKED_BAND
+
+
+def _ports(spindle: Spindle, analyses: Mapping[str, Spec]) -> tuple[Place, ...]:
+    """Places where forces act or responses are read."""
+    found = {at for name, spec in analyses.items() for at in analysis(name).ports(spec)}
+    return tuple(sorted({spindle.place(at) for at in found}))

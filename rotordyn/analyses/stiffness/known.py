@@ -1,0 +1,19 @@
+"""What may be compared of its result."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rotordyn.analyses.stiffness.result import StiffnessResult
+from rotordyn.machine.reference import Reference
+from rotordyn.machine.spindle import Spindle
+from rotordyn.results.kinds import Array
+from rotordyn.results.known import column
+
+
+def known(reference: Reference, result: StiffnessResult, _: Spindle | None) -> Array | None:
+    """Values beside a reference at its speeds, NaN without one; None for other quantities."""
+    if reference.quantity != "radial_stiffness":
+        return None
+    speeds = np.asarray(reference.speeds, float)
+    return column(speeds, result, "tangent", "variant", reference.subject or "nonlinear")

@@ -1,0 +1,12 @@
+"""How its result is laid out in tables."""
+
+from __future__ import annotations
+
+from rotordyn.results.layout import Layout
+
+LAYOUTS = (
+    Layout("unbalance", ("speed", "point"), ("axis",)),
+    Layout("unbalance_forces", ("speed", "support"), ("axis",)),
+    Layout("unbalance_acting", ("unbalance",)),
+    Layout("unbalance_critical", ("critical",)),
+)

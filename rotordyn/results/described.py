@@ -1,0 +1,24 @@
+"""What figures, texts and files need to know of a case."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any, Protocol
+
+from rotordyn.machine.reference import Reference
+from rotordyn.machine.spindle import Spindle
+
+
+class Described(Protocol):
+    """A case: its ``known`` values are published or measured; ``analyses``: specs by name."""
+
+    @property
+    def name(self) -> str: ...
+    @property
+    def title(self) -> str: ...
+    @property
+    def spindle(self) -> Spindle | None: ...
+    @property
+    def known(self) -> Sequence[Reference]: ...
+    @property
+    def analyses(self) -> Mapping[str, Any]: ...
