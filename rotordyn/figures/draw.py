@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+import logging
 import os
+import sys
 import time
 import warnings
-from collections.abc import Callable, Sequence
-from contextlib import AbstractContextManager
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from importlib import import_module
 from pathlib import Path
@@ -18,15 +20,19 @@ if TYPE_CHECKING:
 
 Job = tuple[str, "Callable[[], Figure]"]
 _MOST = 255
-_NO_STYLE = ("backend", "backend_fallback", "interactive")  # reading these may load a backend
 
 
 @dataclass(frozen=True, slots=True)
 class LeftOut:
-    """``figures`` that were not drawn -> why, and what the user is told of it."""
+    """``figures``, or files, that were not made -> why, and what the user is told of it."""
 
     figures: dict[str, str] = field(default_factory=dict)
     sentences: tuple[str, ...] = ()
+
+    def __or__(self, other: LeftOut) -> LeftOut:
+        """What either of the two lacks."""
+        sentences = dict.fromkeys((*self.sentences, *other.sentences))
+        return LeftOut(self.figures | other.figures, tuple(sentences))
 
 
 class Pictures(Protocol):
@@ -61,12 +67,12 @@ class Drawing:
 
     def __init__(self, jobs: Sequence[Job], folder: Path, workers: int = 2) -> None:
         self._jobs, self._folder = list(jobs), folder
+        self._owner = os.getpid()
         self._queue, fill = os.pipe()
         os.write(fill, bytes(range(min(len(self._jobs), _MOST))))
         os.close(fill)
         count = min(workers, _processors(), len(self._jobs)) - 1 if hasattr(os, "fork") else 0
-        if count > 0:
-            _load_once()
+        load()
         self._workers = [self._start() for _ in range(max(count, 0))]
 
     def finish(self) -> dict[str, float]:
@@ -86,6 +92,8 @@ class Drawing:
     def _work(self, report: int | None = None) -> dict[str, float]:
         seconds = {}
         while taken := os.read(self._queue, 1):
+            if self._owner not in (os.getpid(), os.getppid()):
+                break  # whoever asked has been killed
             name, draw = self._jobs[taken[0]]
             seconds[name] = draw_one(name, draw, self._folder)
             if report is not None:
@@ -112,39 +120,59 @@ class Drawing:
 
 def drawn(draw: Callable[[], Figure]) -> Figure:
     """A figure as files show it; neither the caller's rcParams nor the backend matter or change."""
-    from rotordyn.figures.style import finish
+    from rotordyn.figures.style import finish, own_settings
 
-    with _own_style():
+    load()
+    with own_settings():
         return finish(draw())
 
 
 def draw_one(name: str, draw: Callable[[], Figure], folder: Path) -> float:
     """Draw and save one figure; returns the seconds it took."""
-    from rotordyn.figures.style import save
+    from rotordyn.figures.style import own_settings, save
 
     start = time.perf_counter()
-    with _own_style(), warnings.catch_warnings():
+    with own_settings(), warnings.catch_warnings():
         warnings.filterwarnings("ignore", "Glyph")  # a title may hold letters that fonts lack, or $
         save(draw(), folder, name)
     return time.perf_counter() - start
 
 
-def _own_style() -> AbstractContextManager[None]:
-    """The defaults of matplotlib, with titles taken letter by letter, for a while.
+def load() -> None:
+    """Import what every process needs before forking; the font list is then built only once.
 
-    Only what the caller has changed is set: ``matplotlib.style`` would read every style there is.
+    A backend that the user names in the environment is set as matplotlib does, but a name that it
+    does not know is not ours to judge: nothing is shown. What matplotlib has to say of the user's
+    settings, which we do not use, is not heard either.
     """
-    from matplotlib import rc_context, rcParams, rcParamsDefault
+    first = "matplotlib" not in sys.modules
+    with _without("MPLBACKEND") as backend, _quiet("matplotlib"):
+        for name in ("figure", "backends.backend_agg", "backends.backend_svg", "collections"):
+            import_module(f"matplotlib.{name}")
+        if first and backend:
+            with suppress(ValueError):
+                sys.modules["matplotlib"].rcParams["backend"] = backend
 
-    usual = {key: value for key, value in rcParamsDefault.items() if key not in _NO_STYLE}
-    changed = {key: value for key, value in usual.items() if rcParams[key] != value}
-    return rc_context({**changed, "text.parse_math": False})
+
+@contextmanager
+def _without(variable: str) -> Iterator[str | None]:
+    held = os.environ.pop(variable, None)
+    try:
+        yield held
+    finally:
+        if held is not None:
+            os.environ[variable] = held
 
 
-def _load_once() -> None:
-    """Import before forking what every process needs; the font list is then built only once."""
-    for name in ("figure", "backends.backend_agg", "backends.backend_svg", "collections"):
-        import_module(f"matplotlib.{name}")
+@contextmanager
+def _quiet(name: str) -> Iterator[None]:
+    logger = logging.getLogger(name)
+    level = logger.level
+    logger.setLevel(logging.ERROR)
+    try:
+        yield
+    finally:
+        logger.setLevel(level)
 
 
 def _processors() -> int:

@@ -4,15 +4,17 @@ from __future__ import annotations
 
 import json
 import time
-from collections.abc import Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from contextlib import ExitStack, contextmanager
 from dataclasses import asdict, dataclass
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from rotordyn.analyses.registry import analysis, names
 from rotordyn.analyses.solving import Progress
 from rotordyn.case.case import Case
+from rotordyn.errors import not_installed
 from rotordyn.figures.draw import LeftOut
 from rotordyn.job.results import Solution, SolvedResults, run
 
@@ -20,12 +22,13 @@ from rotordyn.job.results import Solution, SolvedResults, run
 @dataclass(frozen=True, slots=True)
 class Delivery:
     """What a run left behind: the folder, its one-screen summary, how it was solved, speeds without
-    a solution."""
+    a solution. ``moved``: the folder is not the one asked for, which is in use."""
 
     folder: Path
     summary: str
     plan: str
     unsolved: tuple[str, ...]
+    moved: bool = False
 
 
 def deliver(
@@ -61,44 +64,57 @@ def write(
     from rotordyn.report.folder import results_folder
 
     seconds = dict(results.solution.seconds)
-    with results_folder(target) as folder:
+    with results_folder(target) as place:
         progress("figures" if figures else "files")
-        drawn, left_out = (_drawn if figures else _written)(results, folder, seconds)
+        drawn, left_out = (_drawn if figures else _written)(results, place.folder, seconds)
         notes = (*results.notes, *left_out.sentences)
         text = results.summary_with(notes)
-        (folder / "summary.txt").write_text(text + "\n", encoding="utf-8")
-        _write_case(results.case, folder)
-        _write_record(results, folder, seconds, drawn, left_out)
+        (place.folder / "summary.txt").write_text(text + "\n", encoding="utf-8")
+        _write_case(results.case, place.folder)
+        _write_record(results, place.folder, seconds, drawn, left_out)
     plan = _plan(results.solution, seconds, left_out)
-    return Delivery(target, text, plan, results.unsolved)
+    return Delivery(place.target, text, plan, results.unsolved, moved=place.moved)
 
 
 def _drawn(
     results: SolvedResults, folder: Path, seconds: dict[str, float]
 ) -> tuple[dict[str, float], LeftOut]:
-    """Numbers and figures, made side by side; seconds by figure, and which are missing."""
-    from rotordyn.figures.draw import Drawing
+    """Numbers and figures, made side by side; seconds by figure, and what is missing."""
+    from rotordyn.figures.draw import Drawing, load
 
+    lacking = _attempted("figures", load)
+    if lacking.figures:
+        return {}, _write_numbers(results, folder, seconds) | lacking
     with ExitStack() as stack:
-        pictures = [stack.enter_context(each) for each in results.pictures()]
+        pictures = [stack.enter_context(each) for each in results.pictures(folder.parent)]
         drawing = Drawing(list(results.drawings().items()), folder)
-        _written(results, folder, seconds)
+        left_out = _write_numbers(results, folder, seconds)
         with _timed(seconds, "draw"):
             drawn = drawing.finish()
             for each in pictures:
                 drawn |= each.draw(folder)
-        figures = {name: why for each in pictures for name, why in each.left_out.figures.items()}
-        sentences = tuple(s for each in pictures for s in each.left_out.sentences)
-        return drawn, LeftOut(figures, sentences)
+                left_out |= each.left_out
+        return drawn, left_out
 
 
 def _written(
     results: SolvedResults, folder: Path, seconds: dict[str, float]
 ) -> tuple[dict[str, float], LeftOut]:
     """Numbers alone."""
-    with _timed(seconds, "write"):
-        _write_numbers(results, folder)
-    return {}, LeftOut({"figures": "none are asked for"})
+    none = LeftOut({"figures": "none are asked for"})
+    return {}, _write_numbers(results, folder, seconds) | none
+
+
+def _attempted(name: str, write: Callable[[], object]) -> LeftOut:
+    """Write ``name`` unless a package of others that this takes is not installed."""
+    try:
+        write()
+    except ModuleNotFoundError as error:
+        why = not_installed(error.name)
+        if why is None:
+            raise
+        return LeftOut({name: why}, (f"{name} left out: {why}",))
+    return LeftOut()
 
 
 def _plan(solution: Solution, seconds: Mapping[str, float], left_out: LeftOut) -> str:
@@ -123,20 +139,24 @@ def _timed(seconds: dict[str, float], name: str) -> Iterator[None]:
     seconds[name] = time.perf_counter() - begin
 
 
-def _write_numbers(results: SolvedResults, folder: Path) -> None:
-    """Numbers, tables, further files of the analyses."""
+def _write_numbers(results: SolvedResults, folder: Path, seconds: dict[str, float]) -> LeftOut:
+    """Numbers, tables, further files of the analyses; returns what lacks a package."""
     from rotordyn.report.cf import about
     from rotordyn.report.netcdf import write_results
     from rotordyn.report.tables import write_tables
 
     case = results.case
     attributes = about(case.name, case.title, case.digest)
-    write_results(folder / "results.nc", results.solution.results, attributes)
-    for name, part in results.parts.items():
-        (folder / name).mkdir(exist_ok=True)
-        write_tables(folder / name, part.results)
-        for asked, result in part.results.items():
-            analysis(asked).files(folder / name, part.case, result)
+    store = partial(write_results, folder / "results.nc", results.solution.results, attributes)
+    with _timed(seconds, "write"):
+        left_out = _attempted("results.nc", store)
+        for name, part in results.parts.items():
+            (folder / name).mkdir(exist_ok=True)
+            write_tables(folder / name, part.results)
+            for asked, result in part.results.items():
+                for file, write in analysis(asked).files(folder / name, part.case, result):
+                    left_out |= _attempted(file, write)
+    return left_out
 
 
 def _write_case(case: Case, folder: Path) -> None:

@@ -70,6 +70,9 @@ class Results(Mapping[str, "xr.Dataset"]):
     def save(self, folder: str | Path) -> Path:
         """Write the folder that ``rotordyn run`` writes, whole or not at all; returns its path.
 
+        That is a sibling, ``folder_2``, where a file of ``folder`` is open in another program
+        (Windows).
+
         Raises
         ------
         OutputRefused : ``folder`` holds something that is not a results folder
@@ -150,15 +153,18 @@ class Results(Mapping[str, "xr.Dataset"]):
         jobs = figures(*parts[""]) if "" in parts else comparison_figures(list(parts.values()))
         return dict(jobs)
 
-    def pictures(self) -> list[Pictures]:
-        """Figures that another process draws; it runs once their context is entered."""
+    def pictures(self, beside: Path | None = None) -> list[Pictures]:
+        """Figures that another process draws; it runs once their context is entered.
+
+        Its files stand in ``beside``, or where the system has such files.
+        """
         found = []
         for name in dict.fromkeys(name for part in self.parts.values() for name in part.results):
             made = analysis(name).pictures
             if made is not None:
                 parts = self.parts.items()
                 held = {k: (case, own[name]) for k, (case, own) in parts if name in own}
-                found.append(made(held))
+                found.append(made(held, beside))
         return found
 
     def __repr__(self) -> str:
@@ -255,7 +261,7 @@ class SolvedResults(Results):
         return (*solution.lost, *solution.said(lambda own: unsolved(own.results)))
 
     def save(self, folder: str | Path, *, figures: bool = True) -> Path:
-        """Write the folder that ``rotordyn run`` writes, whole or not at all; returns its path.
+        """Write the folder that ``rotordyn run`` writes, whole or not at all; see ``Results.save``.
 
         Without ``figures`` nothing is drawn, and what draws is not even loaded.
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import os
 import shutil
 from collections.abc import Iterator, Mapping
 from functools import cached_property
@@ -83,21 +82,27 @@ class StoredResults(Results):
         return tuple(self._record["unsolved"])
 
     def save(self, folder: str | Path) -> Path:
-        """Copy the folder, whole or not at all; returns the path of the copy.
+        """Copy the folder, whole or not at all; see ``Results.save``.
 
         Raises
         ------
         OutputRefused : ``folder`` holds something that is not a results folder
         InvalidInput : it cannot be made there
         """
-        from rotordyn.report.folder import results_folder
+        from rotordyn.report.folder import absolute, results_folder
 
-        target = Path(os.path.abspath(folder))
-        if target.resolve() == self._folder:
+        target = Path(folder)
+        if absolute(target) == self._folder:
             return target
-        with results_folder(target) as partial:
-            shutil.copytree(self._folder, partial, dirs_exist_ok=True)
-        return target
+        held = sorted(self._folder.rglob("*"))
+        with results_folder(target) as place:
+            for path in held:
+                copy = place.folder / path.relative_to(self._folder)
+                if path.is_dir():
+                    copy.mkdir()
+                else:
+                    shutil.copy2(path, copy)
+        return place.target
 
     @cached_property
     def parts(self) -> dict[str, Part]:

@@ -49,18 +49,20 @@ class Asked:
 class InSpace:
     """The pictures that ``parts`` ask for; rendered inside this context, then their files are gone.
 
-    Nothing is started where none are asked for.
+    Nothing is started where none are asked for. ``folder``: where their files are meanwhile, None
+    for the system's.
     """
 
-    def __init__(self, parts: Parts) -> None:
+    def __init__(self, parts: Parts, folder: Path | None) -> None:
         self.left_out = LeftOut()
         found = (_asked(name, case, result) for name, (case, result) in parts.items())
         self._asked = [asked for asked in found if asked is not None and asked.order.places]
+        self._folder = folder
         self._rendering: Rendering | None = None
 
     def __enter__(self) -> InSpace:
         orders = [asked.order for asked in self._asked]
-        self._rendering = Rendering(orders) if orders else None
+        self._rendering = Rendering(orders, self._folder) if orders else None
         return self
 
     def __exit__(self, *_: object) -> None:

@@ -107,3 +107,23 @@ def test_leaving_early_ends_the_process_and_its_files(monkeypatch: pytest.Monkey
         assert rendered.running
     assert not rendered.running
     assert not rendered.folder.exists()
+
+
+@pytest.mark.parametrize(("module", "package"), [("pyvista", "pyvista"), ("vtkmodules", "vtk")])
+def test_a_package_that_is_missing_is_named_and_not_mesa(
+    monkeypatch: pytest.MonkeyPatch, module: str, package: str
+) -> None:
+    blocked = f"""
+import runpy, sys
+class Blocked:
+    def find_spec(self, name, path=None, target=None):
+        if name.partition(".")[0] == {module!r}:
+            raise ModuleNotFoundError(f"No module named {{name!r}}", name=name)
+sys.meta_path.insert(0, Blocked())
+runpy.run_module("rotordyn.view", run_name="__main__", alter_sys=True)
+"""
+    monkeypatch.setattr(apart, "PROGRAM", ("-c", blocked))
+    with Rendering([order([0])]) as rendered, pytest.raises(NoPictures) as caught:
+        rendered.finish()
+    said = f"the package {package} is not installed: python -m pip install {package}"
+    assert str(caught.value) == said
