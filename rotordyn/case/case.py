@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import math
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, fields
 from pathlib import Path
 from typing import Annotated
@@ -74,6 +75,26 @@ class Case(Description):
         from rotordyn.case.vary import vary
 
         return vary(self, changes)
+
+    def _repr_html_(self) -> str:
+        """What it asks of which machine, in a short table, which notebooks show."""
+        from rotordyn.markup import table
+
+        return table(self.title or self.name, self._rows())
+
+    def _rows(self) -> Iterator[tuple[str, str]]:
+        yield "case", self.name
+        if self.spindle is not None:
+            yield "spindle", self.spindle.title or self.spindle.name
+        else:
+            yield "bearing", type(self.bearing).__name__
+        ends = dict.fromkeys((self.speeds[0], self.speeds[-1]))
+        rpm = " to ".join(f"{speed * 30.0 / math.pi:.6g}" for speed in ends)
+        yield "speeds", f"{rpm} rpm, {len(self.speeds)} in all"
+        yield "conditions", ", ".join(_changed(self.conditions)) or "the defaults"
+        yield "analyses", ", ".join(self.analyses)
+        if self.variants:
+            yield "variants", ", ".join(self.variants)
 
     @property
     def setting(self) -> Setting | None:
@@ -148,6 +169,8 @@ class Case(Description):
                     ("compare", name),
                     "the speeds and analyses of a variant must be those of the case",
                 )
+            if variant.variants:
+                yield ("compare", name), "a variant has no variants of its own"
 
     def _last_faults(self) -> Faults:
         if self.setting is None:
@@ -161,3 +184,12 @@ class Case(Description):
             assert self.spindle is not None
             for why in beyond_elements(self.spindle, self.conditions, self.analyses, top):
                 yield ("conditions", "element_length"), f"{why}: given {{given}}"
+
+
+def _changed(conditions: Conditions) -> Iterator[str]:
+    """Conditions that are not the defaults."""
+    usual = Conditions()
+    for each in fields(conditions):
+        value = getattr(conditions, each.name)
+        if value != getattr(usual, each.name):
+            yield f"{each.name}: {value}"

@@ -96,8 +96,9 @@ def _soft(spindle: Spindle) -> Iterator[str]:
 
 def _materials(spindle: Spindle) -> Iterator[str]:
     """Young's moduli far below that of any solid, as of a number given in GPa."""
-    parts = (*spindle.shaft.sections, *spindle.discs)
-    for name, modulus in {(p.material.name, p.material.young_modulus): None for p in parts}:
+    used = [section.material for section in spindle.shaft.sections]
+    used += [disc.material for disc in spindle.discs]
+    for name, modulus in {(each.name, each.young_modulus): None for each in used}:
         if modulus < SOFTEST:
             yield (
                 f"young_modulus of {name} is {modulus:.6g} Pa: check its unit (did you mean "

@@ -64,6 +64,14 @@ class FrequencyResponse:
         """SI unit of the values of a pair."""
         return response_unit(self.pair[pair], self.kind)
 
+    def entry_units(self, name: str) -> tuple[str, ...]:
+        """SI units of a field along its pairs; empty for a field that has one unit."""
+        amplitudes = ("measured_response", "measured_peak_amplitude", "computed_peak_amplitude")
+        if name not in (self.kind, *amplitudes):
+            return ()
+        pairs = self.pair if name == self.kind else self.measured_pair or self.pair
+        return tuple(self.unit(self.pair.index(pair)) for pair in pairs)
+
 
 @dataclass(frozen=True)
 class FrfResult(FrequencyResponse):
