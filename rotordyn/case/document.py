@@ -234,10 +234,8 @@ class _Composer:
 
 def _not_yaml(error: Exception, text: str) -> _Refused:
     mark: Any = getattr(error, "problem_mark", None)
-    if (
-        mark is not None
-        and "\t" in text.splitlines()[mark.line : mark.line + 1][0][: mark.column + 1]
-    ):
+    line = "".join(text.splitlines()[mark.line : mark.line + 1]) if mark else ""
+    if mark and "\t" in line[: mark.column + 1]:
         tabbed = "a tab stands where YAML wants spaces: indent by spaces alone"
         return _Refused(tabbed, mark.line + 1, mark.column + 1)
     if mark is None:
