@@ -23,5 +23,5 @@ def draw_figures() -> None:
         deliver(rotordyn.load(ROOT / "cases" / "mfw2310.yaml"), folder)
         for name in SHOWN:
             with Image.open(folder / f"{name}.png") as full:
-                small = full.convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE)
+                small = full.convert("RGB").reduce(2).quantize(COLOURS, dither=Image.Dither.NONE)
             small.save(FIGURES / f"mfw2310_{name}.png", optimize=True)

@@ -14,6 +14,8 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
+from rotordyn.figures.style import USUAL_FORMATS
+
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
@@ -39,8 +41,8 @@ class Pictures(Protocol):
 
     left_out: LeftOut
 
-    def draw(self, folder: Path) -> dict[str, float]:
-        """Wait for them and write them; seconds by figure."""
+    def draw(self, folder: Path, formats: Sequence[str]) -> dict[str, float]:
+        """Wait for them and write them in each of ``formats``; seconds by figure."""
 
 
 class Drawing:
@@ -50,14 +52,20 @@ class Drawing:
     worker that fails leaves its figure to ``finish``, where the error then surfaces.
     """
 
-    def __init__(self, jobs: Sequence[Job], folder: Path, workers: int = 2) -> None:
-        self._jobs, self._folder = list(jobs), folder
+    def __init__(
+        self,
+        jobs: Sequence[Job],
+        folder: Path,
+        workers: int = 2,
+        formats: Sequence[str] = USUAL_FORMATS,
+    ) -> None:
+        self._jobs, self._folder, self._formats = list(jobs), folder, tuple(formats)
         self._owner = os.getpid()
         self._queue, fill = os.pipe()
         os.write(fill, bytes(range(min(len(self._jobs), _MOST))))
         os.close(fill)
         count = min(workers, _processors(), len(self._jobs)) - 1 if hasattr(os, "fork") else 0
-        load()
+        load(self._formats)
         self._workers = [self._start() for _ in range(max(count, 0))]
 
     def finish(self) -> dict[str, float]:
@@ -71,7 +79,7 @@ class Drawing:
             seconds |= dict(json.loads(line) for line in lines)
         for name, draw in self._jobs:
             if name not in seconds:
-                seconds[name] = draw_one(name, draw, self._folder)
+                seconds[name] = draw_one(name, draw, self._folder, self._formats)
         return {name: seconds[name] for name, _ in self._jobs}
 
     def _work(self, report: int | None = None) -> dict[str, float]:
@@ -80,7 +88,7 @@ class Drawing:
             if self._owner not in (os.getpid(), os.getppid()):
                 break  # whoever asked has been killed
             name, draw = self._jobs[taken[0]]
-            seconds[name] = draw_one(name, draw, self._folder)
+            seconds[name] = draw_one(name, draw, self._folder, self._formats)
             if report is not None:
                 os.write(report, (json.dumps([name, seconds[name]]) + "\n").encode())
         return seconds
@@ -103,25 +111,38 @@ class Drawing:
             os._exit(status)
 
 
-def draw_one(name: str, draw: Callable[[], Figure], folder: Path) -> float:
+def titled(draw: Callable[[], Figure], words: str) -> Figure:
+    """The figure that ``draw`` draws, with ``words`` at its top."""
+    from rotordyn.figures.style import head
+
+    return head(draw(), words)
+
+
+def draw_one(
+    name: str,
+    draw: Callable[[], Figure],
+    folder: Path,
+    formats: Sequence[str] = USUAL_FORMATS,
+) -> float:
     """Draw and save one figure; returns the seconds it took."""
     from rotordyn.figures.style import own_settings, save
 
     start = time.perf_counter()
     with own_settings(), warnings.catch_warnings():
         warnings.filterwarnings("ignore", "Glyph")  # a title may hold letters that fonts lack, or $
-        save(draw(), folder, name)
+        save(draw(), folder, name, formats)
     return time.perf_counter() - start
 
 
-def load() -> None:
+def load(formats: Sequence[str] = USUAL_FORMATS) -> None:
     """Import what every process needs before forking; the font list is then built only once.
 
     A backend that the user names in the environment is not ours to judge: nothing is shown. What
     matplotlib has to say of the user's settings, which we do not use, is not heard either.
     """
     with _without("MPLBACKEND"), _quiet("matplotlib"):
-        for name in ("figure", "backends.backend_agg", "backends.backend_svg", "collections"):
+        backends = [f"backends.backend_{ending}" for ending in formats if ending != "png"]
+        for name in ("figure", "backends.backend_agg", "collections", *backends):
             import_module(f"matplotlib.{name}")
 
 

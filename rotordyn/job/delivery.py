@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import time
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from contextlib import AbstractContextManager, ExitStack, contextmanager
 from dataclasses import asdict, dataclass, field, replace
 from functools import partial
@@ -16,6 +16,7 @@ from rotordyn.analyses.solving import Answers, Progress
 from rotordyn.case.case import Case
 from rotordyn.errors import not_installed
 from rotordyn.figures.draw import Job, LeftOut, Pictures
+from rotordyn.figures.style import USUAL_FORMATS
 from rotordyn.job.figures import comparison_figures
 from rotordyn.job.figures import figures as figures_of
 from rotordyn.job.solving import solve, solve_variants, unsolved
@@ -90,10 +91,12 @@ def deliver(
     progress: Progress = lambda name: None,
     *,
     figures: bool = True,
+    formats: Sequence[str] = USUAL_FORMATS,
 ) -> Delivery:
     """Solve ``case`` and write everything into ``target``, all or nothing.
 
-    Without ``figures`` nothing is drawn, and what draws is not even loaded.
+    Without ``figures`` nothing is drawn, and what draws is not even loaded; ``formats``: of the
+    figures, among ``figures.style.FORMATS``.
 
     Raises
     ------
@@ -108,7 +111,10 @@ def deliver(
         parcel = _solved(case, progress, seconds)
     with results_folder(target) as place:
         progress("figures" if figures else "files")
-        drawn, left_out = (_drawn if figures else _written)(parcel, place.folder)
+        if figures:
+            drawn, left_out = _drawn(parcel, place.folder, formats)
+        else:
+            drawn, left_out = _written(parcel, place.folder)
         parcel = replace(parcel, left_out=left_out)
         text = _write_summary(parcel, place.folder)
         _write_record(parcel, drawn, place.folder)
@@ -116,21 +122,23 @@ def deliver(
     return Delivery(folder, text, _plan(parcel), parcel.unsolved, moved=place.moved)
 
 
-def _drawn(parcel: Parcel, folder: Path) -> tuple[dict[str, float], LeftOut]:
+def _drawn(
+    parcel: Parcel, folder: Path, formats: Sequence[str]
+) -> tuple[dict[str, float], LeftOut]:
     """Numbers and figures, made side by side; seconds by figure, and which are missing."""
     from rotordyn.figures.draw import Drawing, load
 
-    lacking = _attempted("figures", load)
+    lacking = _attempted("figures", partial(load, formats))
     if lacking.figures:
         return {}, _numbers(parcel, folder) | lacking
     with ExitStack() as stack:
         pictures = [stack.enter_context(each) for each in _pictures(parcel, folder.parent)]
-        drawing = Drawing(_figures(parcel), folder)
+        drawing = Drawing(_figures(parcel), folder, formats=formats)
         files = _numbers(parcel, folder)
         with _timed(parcel.seconds, "draw"):
             drawn = drawing.finish()
             for each in pictures:
-                drawn |= each.draw(folder)
+                drawn |= each.draw(folder, formats)
         for each in pictures:
             files |= each.left_out
         return drawn, files
@@ -209,7 +217,7 @@ def _figures(parcel: Parcel) -> list[Job]:
     if not parcel.case.variants:
         return figures_of(parcel.case, parcel.results)
     shown = [(part, answers.results) for part, answers in parcel.parts.values()]
-    return comparison_figures(shown)
+    return comparison_figures(shown, parcel.case.title)
 
 
 @contextmanager

@@ -149,11 +149,11 @@ def test_full_disk_leaves_earlier_results(case: Path, tmp_path: Path, size: int)
 def test_figures_do_not_follow_the_users_style(case: Path, tmp_path: Path) -> None:
     style = "text.usetex: True\nlines.linewidth: 9\nfont.family: no such\naxes.titlesize: 40\n"
     (tmp_path / "matplotlibrc").write_text(style + "no.such.key: 1\n", encoding="utf-8")
-    argv = ("run", case, "--quiet", "-o")
+    argv = ("run", case, "--quiet", "--format", "png,pdf,svg", "-o")
     done = program(*argv, tmp_path / "odd", cwd=tmp_path, MPLBACKEND="nonsense")
     assert (done.returncode, done.stderr) == (0, b"")
     assert program(*argv, tmp_path / "plain").returncode == 0
-    for name in ("bearing.png", "bearing.svg"):
+    for name in ("bearing.png", "bearing.pdf", "bearing.svg"):
         odd, plain = (tmp_path / folder / name for folder in ("odd", "plain"))
         assert odd.read_bytes() == plain.read_bytes()
 

@@ -1,4 +1,4 @@
-"""Every figure of a case: drawn, labelled with units, saved as valid PNG and SVG."""
+"""Every figure of a case: drawn, labelled with units, saved as valid PNG, PDF and SVG."""
 
 from __future__ import annotations
 
@@ -14,6 +14,7 @@ import pytest
 from rotordyn.analyses.bearing.solve import answer
 from rotordyn.analyses.bearing.spec import BearingMapSpec
 from rotordyn.figures.draw import Drawing
+from rotordyn.figures.style import FORMATS
 from rotordyn.job.figures import figures
 from rotordyn.scene.conditions import Conditions
 from tests.oracles.known_bearings import RPM
@@ -37,7 +38,7 @@ def drawn(case, results):
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory, case, results):
     path = tmp_path_factory.mktemp("figures")
-    seconds = Drawing(figures(case, results), path).finish()
+    seconds = Drawing(figures(case, results), path, formats=FORMATS).finish()
     assert set(seconds) == NAMES
     assert all(value > 0.0 for value in seconds.values())
     return path
@@ -59,6 +60,7 @@ def test_every_axis_label_has_a_unit(drawn, name):
 @pytest.mark.parametrize("name", sorted(NAMES))
 def test_files_are_valid(folder, name):
     assert (folder / f"{name}.png").read_bytes().startswith(b"\x89PNG\r\n\x1a\n")
+    assert (folder / f"{name}.pdf").read_bytes().startswith(b"%PDF-")
     root = ET.parse(folder / f"{name}.svg").getroot()
     assert root.tag == "{http://www.w3.org/2000/svg}svg"
     assert root.findall(".//{http://www.w3.org/2000/svg}text"), "text must stay text"
@@ -143,7 +145,7 @@ def test_bare_rotor_on_linear_supports(tmp_path):
     empty = replace(empty, bearing=(), axial_load=np.zeros((2, 0)))
     jobs = figures(samples.SampleCase(spindle=bare), {"preload": empty})
     assert [name for name, _ in jobs] == ["machine"]
-    Drawing(jobs, tmp_path).finish()
+    Drawing(jobs, tmp_path, formats=("svg",)).finish()
     assert ">left<" in (tmp_path / "machine.svg").read_text()
 
 
@@ -194,4 +196,4 @@ def test_a_dying_worker_leaves_its_figures_to_us(tmp_path, case, results, monkey
     drawing = Drawing(jobs, tmp_path, workers=2)
     assert list(drawing.finish()) == ["one", "two"]
     assert (tmp_path / "one.png").exists()
-    assert (tmp_path / "two.svg").exists()
+    assert (tmp_path / "two.png").exists()
