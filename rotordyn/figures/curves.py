@@ -96,7 +96,9 @@ def draw_references(
             zorder=6,
             label=name,
         )
-        if min(rpm[shown_here]) <= 0.0 or max(rpm[shown_here]) >= top * (1.0 - 1e-9):
+        if top > 0.0 and (
+            min(rpm[shown_here]) <= 0.0 or max(rpm[shown_here]) >= top * (1.0 - 1e-9)
+        ):
             axes.set_xlim(-EDGE * top, (1.0 + EDGE) * top)
 
 

@@ -110,6 +110,7 @@ def draw_modes(axes: Axes, result: Modes, colour: str = "", width: float = 0.7) 
         if points:
             dots = np.concatenate(points)
             mark: dict[str, Any] = dict(ms=4.0, ls="none", clip_on=False)
+            mark["label"] = None if paths else named
             axes.plot(*dots.T, marker=LONE[look], color=colour or own, **mark)
         if paths:
             lines = LineCollection(

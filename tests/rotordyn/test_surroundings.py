@@ -158,6 +158,17 @@ def test_figures_do_not_follow_the_users_style(case: Path, tmp_path: Path) -> No
         assert odd.read_bytes() == plain.read_bytes()
 
 
+def test_formats_of_figures_are_those_asked_for(
+    case: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    argv = ["run", str(case), "-o", str(tmp_path / "out"), "--quiet", "--format"]
+    assert main([*argv, "PDF, .svg"]) == 0
+    assert {p.suffix for p in (tmp_path / "out").glob("bearing*")} >= {".pdf", ".svg"}
+    assert not list((tmp_path / "out").glob("*.png"))
+    assert main([*argv, "jpg"]) == 2
+    assert capsys.readouterr().err == "--format jpg: figures are written as png, pdf, svg\n"
+
+
 @pytest.mark.parametrize(
     ("missing", "package", "lost"),
     [

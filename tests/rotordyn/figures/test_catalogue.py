@@ -10,11 +10,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from rotordyn.analyses.bearing.solve import answer
 from rotordyn.analyses.bearing.spec import BearingMapSpec
 from rotordyn.figures.draw import Drawing
-from rotordyn.figures.style import FORMATS
+from rotordyn.figures.style import FORMATS, HEAD_COLOUR
 from rotordyn.job.figures import figures
 from rotordyn.scene.conditions import Conditions
 from tests.oracles.known_bearings import RPM
@@ -64,6 +65,42 @@ def test_files_are_valid(folder, name):
     root = ET.parse(folder / f"{name}.svg").getroot()
     assert root.tag == "{http://www.w3.org/2000/svg}svg"
     assert root.findall(".//{http://www.w3.org/2000/svg}text"), "text must stay text"
+
+
+@pytest.mark.parametrize("name", sorted(NAMES))
+def test_machine_and_case_stand_at_the_top_and_touch_nothing(drawn, case, name):
+    figure = drawn[name]
+    renderer = figure.canvas.get_renderer()
+    words = [t for t in figure.texts if t.get_va() == "top" and t.get_color() == HEAD_COLOUR]
+    said = " ".join(text.get_text() for text in words)
+    assert case.spindle.title in said
+    assert case.title in said
+    boxes = [text.get_window_extent(renderer) for text in words]
+    assert all(b.x0 >= 0.0 and b.x1 <= figure.bbox.x1 and b.y1 <= figure.bbox.y1 for b in boxes)
+    others = [legend.get_window_extent(renderer) for legend in figure.legends]
+    others += [a.get_tightbbox(renderer) for a in figure.axes if a.name != "3d"]
+    lowest = min(b.y0 for b in boxes)
+    assert all(other.y1 <= lowest + 1.0 for other in others if other is not None)
+
+
+@pytest.mark.parametrize("name", sorted(n for n in NAMES if not n.startswith("frf")))
+def test_no_line_is_told_by_its_colour_alone(drawn, name):
+    for axes in drawn[name].axes:
+        looks = {}
+        for line in axes.get_lines():
+            if not str(line.get_label()).startswith("_"):
+                look = (str(line._unscaled_dash_pattern), line.get_marker(), line.get_linewidth())
+                looks.setdefault(look, set()).add(line.get_label())
+        assert [names for names in looks.values() if len(names) > 1] == []
+
+
+def test_print_size_and_dots_per_inch(folder):
+    """168 mm are 1984 dots at 300 dpi, and 476.2 points of a PDF page."""
+    with Image.open(folder / "campbell.png") as picture:
+        assert picture.width == 1984
+        assert picture.info["dpi"] == pytest.approx((300, 300), abs=0.01)
+    page = re.search(rb"/MediaBox \[ *0 0 ([0-9.]+) ", (folder / "campbell.pdf").read_bytes())
+    assert float(page[1]) == pytest.approx(168.0 / 25.4 * 72.0, abs=0.1)
 
 
 @pytest.mark.parametrize("name", ["frf_map", "frf_surface"])

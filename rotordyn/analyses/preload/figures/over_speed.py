@@ -90,15 +90,14 @@ def _panels(names: Sequence[str], result: PreloadResult) -> tuple[Figure, list[A
 
 
 def _forces(axes: Axes, result: PreloadResult) -> None:
-    """Springs solid, stops dashed; the stop's speed marked."""
+    """Springs solid, stops dashed, marks per sleeve; the stop's speed marked."""
     rpm = result.speed * RPM.factor
     for place, name in enumerate(result.sleeve):
-        colour = CYCLE[place % len(CYCLE)]
-        axes.plot(rpm, result.spring_force[:, place], color=colour, label=f"{name}, spring")
-        if not np.isfinite(result.stop_speed[place]):
-            continue
-        axes.plot(rpm, result.stop_force[:, place], color=colour, ls="--", label=f"{name}, stop")
-        axes.axvline(result.stop_speed[place] * RPM.factor, **STOP)
+        look = {"color": CYCLE[place % len(CYCLE)], **marked(place)}
+        axes.plot(rpm, result.spring_force[:, place], label=f"{name}, spring", **look)
+        if np.isfinite(result.stop_speed[place]):
+            axes.plot(rpm, result.stop_force[:, place], ls="--", label=f"{name}, stop", **look)
+            axes.axvline(result.stop_speed[place] * RPM.factor, **STOP)
 
 
 def _inner_outer(

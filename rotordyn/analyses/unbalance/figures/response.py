@@ -143,8 +143,9 @@ def _criticals(panels: Sequence[Axes], result: UnbalanceResult, wide: float) -> 
     rpm = result.critical_speed * RPM.factor
     hertz = rpm / 60.0 * abs(result.speed_ratio)
     for axes in panels:
-        for speed in rpm:
-            axes.axvline(speed, color=GREY, lw=0.7, ls=":", zorder=1, label="critical speed")
+        for place, speed in enumerate(rpm):
+            name = None if place else "critical speed"
+            axes.axvline(speed, color=GREY, lw=0.7, ls=":", zorder=1, label=name)
     if not rpm.size:
         return 0.0
     low, high = panels[0].get_xlim()
