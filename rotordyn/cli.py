@@ -115,6 +115,9 @@ def _parser() -> argparse.ArgumentParser:
     run.add_argument("--variant", metavar="NAME", help="only this variant of a case that compares")
     run.add_argument("--no-figures", action="store_true", help="write numbers and tables alone")
     run.add_argument(
+        "--format", metavar="NAME,…", help="of figures: png (300 dpi, as without this), pdf, svg"
+    )
+    run.add_argument(
         "--explain", action="store_true", help="also print what was solved, spared and skipped, why"
     )
     run.add_argument("--quiet", action="store_true", help="print nothing but errors")
@@ -210,10 +213,13 @@ def _run(arguments: argparse.Namespace) -> int:
         case = one_variant(case, arguments.variant)
     if arguments.only is not None:
         case = restricted(case, tuple(name.strip() for name in arguments.only.split(",")))
+    formats = _formats(arguments.format)
     target = Path("out") / case.name if arguments.output is None else Path(arguments.output)
     steps = max(len(case.variants), 1) * len(case.analyses) + 1
     with _progress(steps, quiet=arguments.quiet) as progress:
-        delivery = deliver(case, target, progress, figures=not arguments.no_figures)
+        delivery = deliver(
+            case, target, progress, figures=not arguments.no_figures, formats=formats
+        )
     if not arguments.quiet:
         _say(delivery.summary)
         _say(f"results in {delivery.folder}")
@@ -228,6 +234,24 @@ def _run(arguments: argparse.Namespace) -> int:
         _complain(f"not solved: {delivery.unsolved[0]}")
         return 3 if arguments.strict else 0
     return 0
+
+
+def _formats(words: str | None) -> tuple[str, ...]:
+    """Formats of figures that the command line names.
+
+    Raises
+    ------
+    InvalidInput : one of them is none
+    """
+    from rotordyn.figures.style import FORMATS, USUAL_FORMATS
+
+    if words is None:
+        return USUAL_FORMATS
+    asked = tuple(dict.fromkeys(word.strip().lower().lstrip(".") for word in words.split(",")))
+    for word in asked:
+        if word not in FORMATS:
+            raise InvalidInput(f"--format {word}: figures are written as {', '.join(FORMATS)}")
+    return asked
 
 
 @contextmanager

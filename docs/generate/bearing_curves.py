@@ -47,7 +47,6 @@ ROOM = {NEWTON: (0.3, 1.4), PATH: (0.8, 1.25), CONTACT: (0.6, 1.6)}  # of the ti
 def draw_bearing_curves() -> None:
     """The curves of the last measurement into the folder of figures."""
     save(bearing_figure(measured()["bearing"]), FIGURES, "bearing_error")
-    (FIGURES / "bearing_error.svg").unlink()
 
 
 def bearing_figure(found: dict[str, Any]) -> Figure:

@@ -22,5 +22,5 @@ def draw_figures() -> None:
         rotordyn.run(rotordyn.load(ROOT / "cases" / "mfw2310.yaml")).save(folder)
         for name in SHOWN:
             with Image.open(folder / f"{name}.png") as full:
-                small = full.convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE)
+                small = full.convert("RGB").reduce(2).quantize(COLOURS, dither=Image.Dither.NONE)
             small.save(FIGURES / f"mfw2310_{name}.png", optimize=True)

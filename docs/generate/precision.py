@@ -19,7 +19,6 @@ LOOKS = {"any degree": (BLUE, "o-"), "standard": (RED, "s--")}
 def draw_precision() -> None:
     """The curves of the last measurement into the folder of figures."""
     save(precision_figure(measured()["precision"]), FIGURES, "precision")
-    (FIGURES / "precision.svg").unlink()
 
 
 def precision_figure(lines: list[dict[str, Any]]) -> Figure:

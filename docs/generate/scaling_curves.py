@@ -38,7 +38,6 @@ LOOKS = {
 def draw_scaling() -> None:
     """The curves of the last measurement into the folder of figures."""
     save(scaling_figure(measured()["scaling"]), FIGURES, "scaling")
-    (FIGURES / "scaling.svg").unlink()
 
 
 def scaling_figure(found: dict[str, Lines]) -> Figure:

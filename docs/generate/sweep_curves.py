@@ -20,7 +20,6 @@ LOOKS = {"any degree": (BLUE, "o-"), "standard": (RED, "s--")}
 def draw_sweeps() -> None:
     """The curves into the folder of figures."""
     save(sweeps_figure(measured()["sweeps"]), FIGURES, "sweeps")
-    (FIGURES / "sweeps.svg").unlink()
 
 
 def sweeps_figure(found: dict[str, Lines]) -> Figure:

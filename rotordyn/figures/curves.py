@@ -15,7 +15,11 @@ from rotordyn.results.display import RPM, shown
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-_MARKER = {"measured": "o", "published": "D"}
+_MARKERS = {"measured": ("o", "p", "8", "H"), "published": ("D", "s", "^", "v", "<", ">", "d", "h")}
+_OTHERS = ("P", "X", "*")
+EDGE = (
+    0.02  # of the axis: room beside marks at its ends, which else lie on the numbers of the other
+)
 
 
 def merged(names: Sequence[str], values: NDArray[np.float64]) -> list[tuple[str, int]]:
@@ -61,30 +65,41 @@ def draw_references(
     subject: bool = False,
     colours: Mapping[str, str] | None = None,
 ) -> None:
-    """Published and measured values of ``quantity`` up to ``top`` [rpm] as open markers.
+    """Published and measured values of ``quantity`` up to ``top`` [rpm] as open markers, one shape
+    for each kind and subject.
 
     ``subject``: the label says what the values belong to; ``colours`` by subject, else black.
     """
     factor = shown(QUANTITIES[quantity]).factor
     chosen = [r for r in dict.fromkeys(references) if r.quantity == quantity]
+    taken = {str(line.get_label()): line.get_marker() for line in axes.get_lines()}
     for reference in chosen:
         rpm = np.asarray(reference.speeds) * RPM.factor
         shown_here = rpm <= top * (1.0 + 1e-9)
         if not shown_here.any():
             continue
         whose = f" {reference.subject}".replace("_", " ").rstrip() if subject else ""
+        name = f"{reference.kind}{whose}"
+        if name not in taken:
+            shapes = _MARKERS.get(reference.kind, _OTHERS)
+            free = [shape for shape in shapes if shape not in taken.values()]
+            taken[name] = (free or shapes)[0]
         axes.plot(
             rpm[shown_here],
             np.asarray(reference.values)[shown_here] * factor,
-            _MARKER.get(reference.kind, "s"),
+            marker=taken[name],
             mfc="none",
             mec=(colours or {}).get(reference.subject, BLACK),
             mew=1.1,
             ls="none",
             clip_on=False,
             zorder=6,
-            label=f"{reference.kind}{whose}",
+            label=name,
         )
+        if top > 0.0 and (
+            min(rpm[shown_here]) <= 0.0 or max(rpm[shown_here]) >= top * (1.0 - 1e-9)
+        ):
+            axes.set_xlim(-EDGE * top, (1.0 + EDGE) * top)
 
 
 def draw_runs(

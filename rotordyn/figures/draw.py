@@ -15,6 +15,8 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
+from rotordyn.figures.style import USUAL_FORMATS
+
 if TYPE_CHECKING:
     from matplotlib.figure import Figure as Figure  # noqa: PLC0414 - job names what it gives
 
@@ -50,8 +52,8 @@ class Pictures(Protocol):
     def figure(self, name: str) -> Figure:
         """Wait for the pictures and draw one figure; InvalidInput where none can be made."""
 
-    def draw(self, folder: Path) -> dict[str, float]:
-        """Wait for them and write them; seconds by figure."""
+    def draw(self, folder: Path, formats: Sequence[str]) -> dict[str, float]:
+        """Wait for them and write them in each of ``formats``; seconds by figure."""
 
     def __enter__(self) -> Pictures: ...
 
@@ -65,14 +67,20 @@ class Drawing:
     worker that fails leaves its figure to ``finish``, where the error then surfaces.
     """
 
-    def __init__(self, jobs: Sequence[Job], folder: Path, workers: int = 2) -> None:
-        self._jobs, self._folder = list(jobs), folder
+    def __init__(
+        self,
+        jobs: Sequence[Job],
+        folder: Path,
+        workers: int = 2,
+        formats: Sequence[str] = USUAL_FORMATS,
+    ) -> None:
+        self._jobs, self._folder, self._formats = list(jobs), folder, tuple(formats)
         self._owner = os.getpid()
         self._queue, fill = os.pipe()
         os.write(fill, bytes(range(min(len(self._jobs), _MOST))))
         os.close(fill)
         count = min(workers, _processors(), len(self._jobs)) - 1 if hasattr(os, "fork") else 0
-        load()
+        load(self._formats)
         self._workers = [self._start() for _ in range(max(count, 0))]
 
     def finish(self) -> dict[str, float]:
@@ -86,7 +94,7 @@ class Drawing:
             seconds |= dict(json.loads(line) for line in lines)
         for name, draw in self._jobs:
             if name not in seconds:
-                seconds[name] = draw_one(name, draw, self._folder)
+                seconds[name] = draw_one(name, draw, self._folder, self._formats)
         return {name: seconds[name] for name, _ in self._jobs}
 
     def _work(self, report: int | None = None) -> dict[str, float]:
@@ -95,7 +103,7 @@ class Drawing:
             if self._owner not in (os.getpid(), os.getppid()):
                 break  # whoever asked has been killed
             name, draw = self._jobs[taken[0]]
-            seconds[name] = draw_one(name, draw, self._folder)
+            seconds[name] = draw_one(name, draw, self._folder, self._formats)
             if report is not None:
                 os.write(report, (json.dumps([name, seconds[name]]) + "\n").encode())
         return seconds
@@ -127,18 +135,30 @@ def drawn(draw: Callable[[], Figure]) -> Figure:
         return finish(draw())
 
 
-def draw_one(name: str, draw: Callable[[], Figure], folder: Path) -> float:
+def titled(draw: Callable[[], Figure], words: str) -> Figure:
+    """The figure that ``draw`` draws, with ``words`` at its top."""
+    from rotordyn.figures.style import head
+
+    return head(draw(), words)
+
+
+def draw_one(
+    name: str,
+    draw: Callable[[], Figure],
+    folder: Path,
+    formats: Sequence[str] = USUAL_FORMATS,
+) -> float:
     """Draw and save one figure; returns the seconds it took."""
     from rotordyn.figures.style import own_settings, save
 
     start = time.perf_counter()
     with own_settings(), warnings.catch_warnings():
         warnings.filterwarnings("ignore", "Glyph")  # a title may hold letters that fonts lack, or $
-        save(draw(), folder, name)
+        save(draw(), folder, name, formats)
     return time.perf_counter() - start
 
 
-def load() -> None:
+def load(formats: Sequence[str] = USUAL_FORMATS) -> None:
     """Import what every process needs before forking; the font list is then built only once.
 
     A backend that the user names in the environment is set as matplotlib does, but a name that it
@@ -147,7 +167,8 @@ def load() -> None:
     """
     first = "matplotlib" not in sys.modules
     with _without("MPLBACKEND") as backend, _quiet("matplotlib"):
-        for name in ("figure", "backends.backend_agg", "backends.backend_svg", "collections"):
+        backends = [f"backends.backend_{ending}" for ending in formats if ending != "png"]
+        for name in ("figure", "backends.backend_agg", "collections", *backends):
             import_module(f"matplotlib.{name}")
         if first and backend:
             with suppress(ValueError):

@@ -7,7 +7,7 @@ import textwrap
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
-from rotordyn.figures.style import FONT_SIZE, mark_lone_points
+from rotordyn.figures.style import FONT_SIZE, grow, mark_lone_points, text_width
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -37,10 +37,11 @@ def legend(axes: Axes, **kwargs: Any) -> None:
         )
 
 
-def top_legend(figure: Figure, *panels: Axes) -> None:
+def top_legend(figure: Figure, *panels: Axes, above: float = 0.0) -> None:
     """What the lines of ``panels`` mean, each once, at the top of the figure.
 
-    The figure grows where the legend needs more room than there is above the axes.
+    The figure grows where the legend needs more room than there is above the axes and the words,
+    ``above`` [mm] high, that stand on them.
     """
     for axes in panels:
         mark_lone_points(axes)
@@ -62,7 +63,8 @@ def top_legend(figure: Figure, *panels: Axes) -> None:
         borderpad=EDGE,
     )
     tall = placed.get_window_extent(figure.canvas.get_renderer()).height  # type: ignore[attr-defined]
-    _make_room(figure, tall * 25.4 / figure.dpi + EDGE * EM)
+    _make_room(figure, above + tall * 25.4 / figure.dpi + EDGE * EM)
+    placed.set_bbox_to_anchor((0.0, 0.0, 1.0, 1.0), transform=figure.transFigure)
 
 
 def shortened(title: str, longest: int = 48) -> str:
@@ -81,15 +83,8 @@ def _entries(panels: Sequence[Axes]) -> dict[str, Any]:
 
 def _wide(figure: Figure, name: str) -> float:
     """Width of an entry, line and text [mm]."""
-    from matplotlib.font_manager import FontProperties
-
-    renderer: Any = figure.canvas.get_renderer()  # type: ignore[attr-defined]
-    font = FontProperties(size=SIZE)
-    text = max(
-        renderer.get_text_width_height_descent(line, font, ismath=False)[0]
-        for line in name.split("\n")
-    )
-    return text * 25.4 / figure.dpi + (HANDLE + BEFORE_TEXT) * EM
+    text = max(text_width(figure, line, SIZE) for line in name.split("\n"))
+    return text + (HANDLE + BEFORE_TEXT) * EM
 
 
 def _columns(wide: Sequence[float], width: float) -> int:
@@ -107,7 +102,7 @@ def _needed(wide: Sequence[float], columns: int) -> float:
 
 def _make_room(figure: Figure, needed: float) -> None:
     """Grow ``figure`` upwards until ``needed`` [mm] are free above its axes."""
-    width, height = figure.get_size_inches() * 25.4
+    height = figure.get_size_inches()[1] * 25.4
     highest = max(
         axes.get_position().y1 * height + (TITLE if axes.get_title() else 0.0)
         for axes in figure.axes
@@ -115,8 +110,4 @@ def _make_room(figure: Figure, needed: float) -> None:
     more = math.ceil(needed + highest - height)
     if more <= 0:
         return
-    for axes in figure.axes:
-        x, y, wide, tall = axes.get_position().bounds
-        share = height / (height + more)
-        axes.set_position((x, y * share, wide, tall * share))
-    figure.set_size_inches(width / 25.4, (height + more) / 25.4)
+    grow(figure, more)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from rotordyn.figures.labels import spread
 from rotordyn.figures.sketch import Sketch
@@ -40,7 +40,7 @@ def machine_figure(spindle: Spindle) -> Figure:
     scale = (_WIDTH - 2.0 * _SIDE) / (right - left)
     above, below = reach + 13.0 / scale, reach + 21.0 / scale
     height = (above + below) * scale
-    figure = new_figure(_WIDTH, height + 22.0, spindle.title or spindle.name)
+    figure = new_figure(_WIDTH, height + 15.0)
     axes = add_axes(figure, (_SIDE, 13.0, _WIDTH - 2.0 * _SIDE, height), "axial position x [mm]")
     axes.set(xlim=(left, right), ylim=(-below, above), aspect="equal")
     axes.set_xticks(round_ticks(left, right, 12))
@@ -62,7 +62,7 @@ def machine_figure(spindle: Spindle) -> Figure:
     _supports(sketch, spindle)
     _name_below(sketch, axes, spindle, reach, scale, (left, right))
     sketch.draw(axes)
-    _material_legend(axes, spindle)
+    _legend(axes, spindle)
     return figure
 
 
@@ -353,13 +353,26 @@ def _text(words: str, scale: float) -> float:
     return (len(words) * 0.56 * (FONT_SIZE - 1.0) * 25.4 / 72.0 + 2.5) / scale
 
 
-def _material_legend(axes: Axes, spindle: Spindle) -> None:
-    shades = _shades(spindle)
-    if len(shades) < 2:
-        return
+def _legend(axes: Axes, spindle: Spindle) -> None:
+    """Materials where there are several, and the symbols that are drawn."""
+    from matplotlib.lines import Line2D
     from matplotlib.patches import Patch
 
-    handles = [Patch(facecolor=c, edgecolor="#333333", lw=0.5, label=n) for n, c in shades.items()]
+    shades = _shades(spindle)
+    some = shades.items() if len(shades) > 1 else ()
+    handles: list[Any] = [Patch(fc=c, ec="#333333", lw=0.5, label=n) for n, c in some]
+    parts = _parts(spindle).values()
+    circle: dict[str, Any] = dict(ls="none", ms=4.5, mec=BLACK, mew=0.7, mfc="white")
+    halves: dict[str, Any] = dict(fillstyle="left", mfc=BLACK, mfcalt="white")
+    symbols: list[tuple[object, str, dict[str, Any]]] = [
+        (spindle.seats, "contact line", dict(color=RED, lw=0.9, ls="dashdot")),
+        (spindle.places, "point", dict(marker="o", **circle)),
+        ([m for p in parts for m in p.masses], "mass", dict(marker="o", **{**circle, **halves})),
+        ([j for p in parts for j in p.joints], "joint", dict(color=RED, lw=1.4)),
+    ]
+    handles += [Line2D([], [], label=name, **look) for there, name, look in symbols if there]
+    if not handles:
+        return
     axes.legend(
         handles=handles,
         loc="lower right",
@@ -367,6 +380,7 @@ def _material_legend(axes: Axes, spindle: Spindle) -> None:
         frameon=False,
         fontsize=FONT_SIZE - 1.0,
         ncols=len(handles),
-        handlelength=1.2,
+        handlelength=1.6,
+        columnspacing=1.2,
         borderaxespad=0.0,
     )

@@ -16,6 +16,8 @@ from rotordyn.results.kinds import Array, Flags, Words
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+LEAST_SPEEDS = 4  # for a line; at fewer a mode is a mark at each
+JUMP = 3.0  # times the change over the steps beside it: a frequency that jumps where a stop closes
 LOOKS: dict[str, tuple[str, Any, str]] = {
     "forward": (BLUE, "-", "forward whirl"),
     "backward": (RED, (0, (5, 2)), "backward whirl"),
@@ -23,6 +25,7 @@ LOOKS: dict[str, tuple[str, Any, str]] = {
     "axial": (GREEN, (0, (6, 2, 1, 2)), "axial"),
     "torsion": (PURPLE, (0, (6, 2, 1, 2, 1, 2)), "torsion"),
 }
+LONE = {"forward": "^", "backward": "v", "planar": "o", "axial": ">", "torsion": "D"}
 KNOWN = {
     "bending_frequency": ("D", ""),
     "mean_bending_frequency": ("s", ", mean of both whirls"),
@@ -33,7 +36,8 @@ Segments = dict[str, list[NDArray[np.float64]]]
 
 @runtime_checkable
 class Modes(Protocol):
-    """Modes over speed: frequency [Hz] and whirl (speeds, modes), kind (modes,)."""
+    """Modes over speed: frequency [Hz] and whirl (speeds, modes), kind (modes,); ``stopped``:
+    number of sleeves at their stops (speeds,)."""
 
     @property
     def speed(self) -> Array: ...
@@ -44,13 +48,30 @@ class Modes(Protocol):
     @property
     def kind(self) -> Words: ...
     @property
+    def stopped(self) -> Array: ...
+    @property
     def mostly_overdamped(self) -> Flags: ...
 
 
+def jumps(result: Modes) -> Flags:
+    """Steps between speeds (speeds − 1, modes) over which a stop closes or opens and a frequency
+    jumps: it changes more than ``JUMP`` times as much as over the steps on both sides."""
+    frequency = result.frequency
+    step = np.abs(np.diff(frequency, axis=0))
+    beside = np.zeros_like(step)
+    if len(step) > 1:
+        beside[1:] = np.nan_to_num(step[:-1])
+        beside[:-1] = np.maximum(beside[:-1], np.nan_to_num(step[1:]))
+    moved = np.abs(np.diff(result.stopped)) > 0.0
+    with np.errstate(invalid="ignore"):
+        return np.asarray(moved[:, None] & (step > JUMP * beside) & (step > 1e-4 * frequency[1:]))
+
+
 def whirl_segments(result: Modes) -> Segments:
-    """Curves of (rpm, Hz) by look; a mode that changes its whirl is cut there."""
+    """Curves of (rpm, Hz) by look; a mode that changes its whirl is cut there, at a jump too."""
     rpm = result.speed * RPM.factor
     found: Segments = {}
+    jump = jumps(result)
     for column in np.flatnonzero(~result.mostly_overdamped):
         kind = result.kind[column]
         frequency, whirl = result.frequency[:, column], result.whirl[:, column]
@@ -59,8 +80,10 @@ def whirl_segments(result: Modes) -> Segments:
             looks[0] = looks[1]
         start = 0
         for end in range(1, len(looks) + 1):
-            if end == len(looks) or looks[end] != looks[start]:
-                first = max(start - 1, 0)
+            apart = end < len(looks) and jump[end - 1, column]
+            if end == len(looks) or looks[end] != looks[start] or apart:
+                joined = start > 0 and not jump[start - 1, column]
+                first = start - 1 if joined else start
                 curve = np.column_stack([rpm[first:end], frequency[first:end]])
                 curve = curve[np.isfinite(curve).all(axis=1)]
                 if curve.size:
@@ -70,17 +93,25 @@ def whirl_segments(result: Modes) -> Segments:
 
 
 def draw_modes(axes: Axes, result: Modes, colour: str = "", width: float = 0.7) -> None:
-    """One collection of curves per look; all in ``colour`` and of ``width`` when given."""
+    """One collection of curves per look; all in ``colour`` and of ``width`` when given.
+
+    Fewer than ``LEAST_SPEEDS`` speeds bear no lines: there every frequency is a mark.
+    """
     from matplotlib.collections import LineCollection
 
     curves = whirl_segments(result)
+    if len(result.speed) < LEAST_SPEEDS:
+        _mark_modes(axes, curves, colour)
+        return
     for look, (own, dashes, label) in LOOKS.items():
         paths = [curve for curve in curves.get(look, ()) if len(curve) > 1]
         points = [curve for curve in curves.get(look, ()) if len(curve) == 1]
         named = None if colour else label
         if points:
             dots = np.concatenate(points)
-            axes.plot(*dots.T, "o", color=colour or own, ms=4.0, label=named, clip_on=False)
+            mark: dict[str, Any] = dict(ms=4.0, ls="none", clip_on=False)
+            mark["label"] = None if paths else named
+            axes.plot(*dots.T, marker=LONE[look], color=colour or own, **mark)
         if paths:
             lines = LineCollection(
                 paths,
@@ -91,6 +122,36 @@ def draw_modes(axes: Axes, result: Modes, colour: str = "", width: float = 0.7) 
                 zorder=4,
             )
             axes.add_collection(lines, autolim=False)
+
+
+def _mark_modes(axes: Axes, curves: Segments, colour: str) -> None:
+    """A mark for every frequency, by look."""
+    for look, (own, _, label) in LOOKS.items():
+        if not curves.get(look):
+            continue
+        dots = np.unique(np.concatenate(curves[look]), axis=0)
+        dots = dots[dots[:, 1] <= axes.get_ylim()[1]]
+        axes.plot(
+            *dots.T,
+            marker=LONE[look],
+            color=colour or own,
+            ms=4.0,
+            ls="none",
+            label=None if colour else label,
+            clip_on=False,
+            zorder=4,
+        )
+
+
+def draw_stops(axes: Axes, result: Modes) -> None:
+    """A band between the speeds over which stops close or open where a frequency jumps."""
+    if len(result.speed) < LEAST_SPEEDS:
+        return
+    rpm = result.speed * RPM.factor
+    for step in np.flatnonzero(jumps(result).any(axis=1)):
+        axes.axvspan(
+            rpm[step], rpm[step + 1], color="#DDDDDD", lw=0.0, zorder=0.5, label="a stop closes"
+        )
 
 
 def draw_known(axes: Axes, references: Sequence[Reference], edge: str = BLACK) -> None:

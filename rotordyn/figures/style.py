@@ -1,9 +1,11 @@
-"""One report style for every figure: A4 width, fixed margins, colours that all eyes can tell."""
+"""One report style for every figure: 168 mm wide, which fits A4, fixed margins, colours that all
+eyes can tell, dashes and marks that tell lines apart without them."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+import textwrap
+from collections.abc import Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -16,14 +18,17 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-DPI = 110
-RASTER_DPI = 160
+DPI = 300  # of a PNG, and of rasters within PDF and SVG
+FORMATS = ("png", "pdf", "svg")
+USUAL_FORMATS = ("png",)
 BLUE, RED, GREEN, PURPLE = "#0072B2", "#D55E00", "#009E73", "#9A5B8B"
 ORANGE, SKY, BLACK, GREY = "#E69F00", "#56B4E9", "#222222", "#8A8A8A"
 CYCLE = (BLUE, RED, GREEN, PURPLE, ORANGE, SKY, BLACK)
 DASHES = ("-", "--", "-.", ":", (0, (5, 1, 1, 1, 1, 1)), (0, (1, 1)), (0, (7, 2)))
 MARKS = {"-": "o", "--": "s", "-.": "^", ":": "v"}  # of lone points, by the dashes of their line
+POINTS = ("o", "s", "^", "D", "v", "P", "X")
 FONT_SIZE = 8.0
+HEAD_SIDE, HEAD_LINE, HEAD_COLOUR = 4.0, 3.4, "#555555"  # of the title at the top [mm]
 LEVEL = 1e-6  # of the largest value: what lies less below zero is rounding
 _RC: Any = {
     "font.size": FONT_SIZE,
@@ -46,9 +51,15 @@ _RC: Any = {
     "legend.fontsize": FONT_SIZE - 1.0,
     "legend.handlelength": 2.4,
     "svg.fonttype": "none",
+    "pdf.fonttype": 3,
     "svg.hashsalt": "rotordyn",
     "axes.formatter.use_mathtext": False,
     "text.parse_math": False,
+}
+_SAVED: Mapping[str, Any] = {  # without dates: a figure drawn twice is the same file
+    "png": {"pil_kwargs": {"compress_level": 1}, "metadata": {}},
+    "pdf": {"metadata": {"CreationDate": None}},
+    "svg": {"metadata": {"Date": None}},
 }
 
 
@@ -120,11 +131,31 @@ def mark_lone_points(axes: Axes) -> None:
     """Marks on points of lines that no segment leads to: a single speed, one between lost ones."""
     for line in axes.get_lines():
         known = np.isfinite(np.column_stack([line.get_xdata(), line.get_ydata()])).all(axis=1)
+        if not known.any():
+            line.set_markevery(None)  # which fails on a line that is not there
         beside = np.pad(known, 1)
         lone = np.flatnonzero(known & ~beside[:-2] & ~beside[2:])
-        if lone.size and line.get_marker() in ("None", "", None):
-            line.set_marker(MARKS.get(str(line.get_linestyle()), "D"))
+        plain = line.get_marker() in ("None", "", None)
+        if lone.size and (plain or line.get_markevery() is not None):
+            line.set_marker(
+                MARKS.get(str(line.get_linestyle()), "D") if plain else line.get_marker()
+            )
             line.set(markersize=4.0, markevery=lone, clip_on=False)
+
+
+def marked(place: int) -> dict[str, Any]:
+    """Marks here and there along the line at a ``place`` among several, the first without: they
+    tell lines apart where dashes mean something else."""
+    if place == 0:
+        return {}
+    sign = POINTS[(place - 1) % len(POINTS)]
+    return {
+        "marker": sign,
+        "ms": 3.6,
+        "mfc": "white",
+        "mew": 0.8,
+        "markevery": (0.03 * place, 0.16),
+    }
 
 
 def note_error(axes: Axes, error: float) -> None:
@@ -192,20 +223,67 @@ def finish(figure: Figure) -> Figure:
     return figure
 
 
-def save(figure: Figure, folder: Path, name: str) -> list[str]:
-    """Write ``name``.png and ``name``.svg into ``folder``; returns the file names."""
+def head(figure: Figure, words: str) -> Figure:
+    """Put ``words``, what machine and case it is about, at the top of ``figure``, which grows."""
+    width = figure.get_size_inches()[0] * 25.4
+    room = (width - 2.0 * HEAD_SIDE) / max(text_width(figure, words, FONT_SIZE - 0.5), 1.0)
+    lines = [words] if room >= 1.0 else textwrap.wrap(words, int(0.94 * room * len(words)))
+    grow(figure, 2.0 + HEAD_LINE * len(lines))
+    height = figure.get_size_inches()[1] * 25.4
+    for place, line in enumerate(lines):
+        figure.text(
+            HEAD_SIDE / width,
+            1.0 - (1.6 + HEAD_LINE * place) / height,
+            line,
+            ha="left",
+            va="top",
+            fontsize=FONT_SIZE - 0.5,
+            color=HEAD_COLOUR,
+        )
+    return figure
+
+
+def text_width(figure: Figure, words: str, size: float) -> float:
+    """Width of a line of text [mm]."""
+    from matplotlib.font_manager import FontProperties
+
+    renderer: Any = figure.canvas.get_renderer()  # type: ignore[attr-defined]
+    font = FontProperties(size=size)
+    return float(
+        renderer.get_text_width_height_descent(words, font, ismath=False)[0] * 25.4 / figure.dpi
+    )
+
+
+def grow(figure: Figure, more: float) -> None:
+    """Make ``figure`` higher by ``more`` [mm] at its top; what it shows stays where it is."""
+    width, height = figure.get_size_inches() * 25.4
+    share = height / (height + more)
+    for axes in figure.axes:
+        x, y, wide, tall = axes.get_position(original=True).bounds
+        axes.set_position((x, y * share, wide, tall * share))
+    for text in figure.texts:
+        text.set_y(text.get_position()[1] * share)
+    for legend in figure.legends:
+        box = legend.get_bbox_to_anchor().transformed(figure.transFigure.inverted())
+        anchor = (box.x0, box.y0 * share, box.width, box.height * share)
+        legend.set_bbox_to_anchor(anchor, transform=figure.transFigure)
+    figure.set_size_inches(width / 25.4, (height + more) / 25.4)
+
+
+def save(
+    figure: Figure, folder: Path, name: str, formats: Sequence[str] = USUAL_FORMATS
+) -> list[str]:
+    """Write ``name`` into ``folder`` in each of ``formats``; returns the file names.
+
+    A page of PDF and SVG has the size of the figure, 168 mm wide in a report.
+    """
     from matplotlib import rc_context
 
     finish(figure)
     with rc_context(_RC):
-        figure.savefig(
-            folder / f"{name}.png",
-            dpi=figure.dpi,
-            pil_kwargs={"compress_level": 1},
-            metadata={},
-        )
-        figure.savefig(folder / f"{name}.svg", dpi=RASTER_DPI, metadata={"Date": None})
-    return [f"{name}.png", f"{name}.svg"]
+        for ending in formats:
+            figure.savefig(folder / f"{name}.{ending}", dpi=DPI, **_SAVED[ending])
+    return [f"{name}.{ending}" for ending in formats]
 
 
 def with_zero(axes: Axes, room: float) -> None:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 import time
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import ExitStack, contextmanager
 from dataclasses import asdict, dataclass
 from functools import partial
@@ -16,6 +16,7 @@ from rotordyn.analyses.solving import Progress
 from rotordyn.case.case import Case
 from rotordyn.errors import not_installed
 from rotordyn.figures.draw import LeftOut
+from rotordyn.figures.style import USUAL_FORMATS
 from rotordyn.job.results import Solution, SolvedResults, run
 
 
@@ -37,10 +38,12 @@ def deliver(
     progress: Progress = lambda name: None,
     *,
     figures: bool = True,
+    formats: Sequence[str] = USUAL_FORMATS,
 ) -> Delivery:
     """Solve ``case`` and write everything into ``target``, all or nothing.
 
-    Without ``figures`` nothing is drawn, and what draws is not even loaded.
+    Without ``figures`` nothing is drawn, and what draws is not even loaded; ``formats``: of the
+    figures, among ``figures.style.FORMATS``.
 
     Raises
     ------
@@ -50,7 +53,7 @@ def deliver(
     from rotordyn.report.folder import check_target
 
     check_target(target)
-    return write(run(case, progress), target, progress, figures=figures)
+    return write(run(case, progress), target, progress, figures=figures, formats=formats)
 
 
 def write(
@@ -59,6 +62,7 @@ def write(
     progress: Progress = lambda name: None,
     *,
     figures: bool = True,
+    formats: Sequence[str] = USUAL_FORMATS,
 ) -> Delivery:
     """Write ``results`` into ``target``, all or nothing; see ``deliver``."""
     from rotordyn.report.folder import results_folder
@@ -66,7 +70,10 @@ def write(
     seconds = dict(results.solution.seconds)
     with results_folder(target) as place:
         progress("figures" if figures else "files")
-        drawn, left_out = (_drawn if figures else _written)(results, place.folder, seconds)
+        if figures:
+            drawn, left_out = _drawn(results, place.folder, seconds, formats)
+        else:
+            drawn, left_out = _written(results, place.folder, seconds)
         notes = (*results.notes, *left_out.sentences)
         text = results.summary_with(notes)
         (place.folder / "summary.txt").write_text(text + "\n", encoding="utf-8")
@@ -77,22 +84,22 @@ def write(
 
 
 def _drawn(
-    results: SolvedResults, folder: Path, seconds: dict[str, float]
+    results: SolvedResults, folder: Path, seconds: dict[str, float], formats: Sequence[str]
 ) -> tuple[dict[str, float], LeftOut]:
     """Numbers and figures, made side by side; seconds by figure, and what is missing."""
     from rotordyn.figures.draw import Drawing, load
 
-    lacking = _attempted("figures", load)
+    lacking = _attempted("figures", partial(load, formats))
     if lacking.figures:
         return {}, _write_numbers(results, folder, seconds) | lacking
     with ExitStack() as stack:
         pictures = [stack.enter_context(each) for each in results.pictures(folder.parent)]
-        drawing = Drawing(list(results.drawings().items()), folder)
+        drawing = Drawing(list(results.drawings().items()), folder, formats=formats)
         left_out = _write_numbers(results, folder, seconds)
         with _timed(seconds, "draw"):
             drawn = drawing.finish()
             for each in pictures:
-                drawn |= each.draw(folder)
+                drawn |= each.draw(folder, formats)
                 left_out |= each.left_out
         return drawn, left_out
 

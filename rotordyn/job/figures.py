@@ -8,7 +8,7 @@ from typing import Any
 
 from rotordyn.analyses.contract import Code
 from rotordyn.analyses.registry import analysis, place
-from rotordyn.figures.draw import Job
+from rotordyn.figures.draw import Job, titled
 from rotordyn.figures.panels import Shown
 from rotordyn.results.described import Described
 from rotordyn.results.frames import turning
@@ -29,11 +29,12 @@ def figures(case: Described, results: Mapping[str, Any]) -> list[Job]:
     for name, result in results.items():
         jobs += analysis(name).figures(case, result, results)
         costs |= analysis(name).costs
-    return sorted(jobs, key=lambda job: -costs.get(job[0], 0))
+    return _titled(jobs, _heading([_machine(case)], case.title or case.name), costs)
 
 
-def comparison_figures(variants: Sequence[Variant]) -> list[Job]:
-    """Name and drawing function of every figure that the results of the variants allow."""
+def comparison_figures(variants: Sequence[Variant], title: str = "") -> list[Job]:
+    """Name and drawing function of every figure that the results of the variants allow; ``title``:
+    of the case that compares them."""
     jobs: list[Job] = []
     costs: dict[str, int] = {}
     for name in sorted({name for _, found in variants for name in found}, key=place):
@@ -44,4 +45,20 @@ def comparison_figures(variants: Sequence[Variant]) -> list[Job]:
         ]
         jobs += analysis(name).compared(variants[0][0].analyses.get(name), shown)
         costs |= analysis(name).costs
-    return sorted(jobs, key=lambda job: -costs.get(job[0], 0))
+    return _titled(jobs, _heading([_machine(case) for case, _ in variants], title), costs)
+
+
+def _titled(jobs: Sequence[Job], words: str, costs: Mapping[str, int]) -> list[Job]:
+    """The jobs with ``words`` at the top of each figure, the costly ones first."""
+    named: list[Job] = [(name, partial(titled, draw, words)) for name, draw in jobs]
+    return sorted(named, key=lambda job: -costs.get(job[0], 0))
+
+
+def _heading(machines: Sequence[str], title: str) -> str:
+    """What a figure says at its top: the machine, unless variants have several, and the case."""
+    shared = set(machines) if len(set(machines)) == 1 else set()
+    return "  |  ".join(words for words in (*shared, title) if words)
+
+
+def _machine(case: Described) -> str:
+    return (case.spindle.title or case.spindle.name) if case.spindle is not None else ""

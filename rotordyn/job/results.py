@@ -5,7 +5,7 @@ from __future__ import annotations
 import time
 from abc import abstractmethod
 from collections import Counter
-from collections.abc import Callable, Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
@@ -15,6 +15,7 @@ from rotordyn.analyses.registry import analysis
 from rotordyn.analyses.solving import Answers, Progress
 from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput
+from rotordyn.figures.style import USUAL_FORMATS
 from rotordyn.job.solving import solve, solve_variants, unsolved
 from rotordyn.markup import preformatted, table
 
@@ -150,7 +151,11 @@ class Results(Mapping[str, "xr.Dataset"]):
         from rotordyn.job.figures import comparison_figures, figures
 
         parts = self.parts
-        jobs = figures(*parts[""]) if "" in parts else comparison_figures(list(parts.values()))
+        jobs = (
+            figures(*parts[""])
+            if "" in parts
+            else comparison_figures(list(parts.values()), self.case.title)
+        )
         return dict(jobs)
 
     def pictures(self, beside: Path | None = None) -> list[Pictures]:
@@ -260,10 +265,17 @@ class SolvedResults(Results):
         solution = self.solution
         return (*solution.lost, *solution.said(lambda own: unsolved(own.results)))
 
-    def save(self, folder: str | Path, *, figures: bool = True) -> Path:
+    def save(
+        self,
+        folder: str | Path,
+        *,
+        figures: bool = True,
+        formats: Sequence[str] = USUAL_FORMATS,
+    ) -> Path:
         """Write the folder that ``rotordyn run`` writes, whole or not at all; see ``Results.save``.
 
-        Without ``figures`` nothing is drawn, and what draws is not even loaded.
+        Without ``figures`` nothing is drawn, and what draws is not even loaded; ``formats``: of the
+        figures, among ``figures.style.FORMATS``.
 
         Raises
         ------
@@ -272,7 +284,7 @@ class SolvedResults(Results):
         """
         from rotordyn.job.delivery import write
 
-        return write(self, Path(folder), figures=figures).folder
+        return write(self, Path(folder), figures=figures, formats=formats).folder
 
     @cached_property
     def parts(self) -> dict[str, Part]:

@@ -52,7 +52,7 @@ def test_a_run_leaves_sheets_animations_and_meshes(
     if "shapes_3d_0rpm" in record["skipped"]:
         pytest.skip(record["skipped"]["shapes_3d_0rpm"])
     for sheet in ("shapes_3d_0rpm", "shapes_3d_9000rpm"):
-        assert {f"{sheet}.png", f"{sheet}.svg"} <= made
+        assert f"{sheet}.png" in made
         assert record["figures"][sheet] > 0.0
     inside = {name for name in made if name.startswith("shapes_3d/")}
     modes = ("bending_1_0rpm", "bending_1_9000rpm")

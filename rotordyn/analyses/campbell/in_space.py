@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -30,6 +30,7 @@ class Asked:
     """The shapes of one part of a case, ``name`` being its folder."""
 
     name: str
+    title: str
     spindle: Spindle
     result: CampbellResult
     spec: ShapesInSpaceSpec
@@ -40,6 +41,11 @@ class Asked:
         frames = FRAMES if self.spec.animation else 0
         own = self.result
         return Order(self.spindle, own.node, own.node_rotor, own.shape, self.spec.amplitude, frames)
+
+    @property
+    def heading(self) -> str:
+        """What stands at the top of its pictures."""
+        return "  |  ".join(dict.fromkeys([self.spindle.title or self.spindle.name, self.title]))
 
     def inside(self, file: str) -> str:
         """``file`` in the folder of this part."""
@@ -69,7 +75,7 @@ class InSpace:
         if self._rendering is not None:
             self._rendering.close()
 
-    def draw(self, folder: Path) -> dict[str, float]:
+    def draw(self, folder: Path, formats: Sequence[str]) -> dict[str, float]:
         """Wait for the pictures, write figures and animations; seconds by figure.
 
         Where nothing can be rendered, ``left_out`` says so afterwards.
@@ -83,7 +89,7 @@ class InSpace:
             return {}
         from rotordyn.figures.draw import Drawing
 
-        drawn = Drawing(_sheets(self._asked, self._rendering), folder).finish()
+        drawn = Drawing(_sheets(self._asked, self._rendering), folder, formats=formats).finish()
         return drawn | _animate(self._asked, self._rendering, folder)
 
     @property
@@ -112,19 +118,22 @@ def _asked(name: str, case: Described, result: CampbellResult) -> Asked | None:
     spec = case.analyses.get("campbell")
     if not isinstance(spec, CampbellSpec) or spec.shapes_3d is None or case.spindle is None:
         return None
-    return Asked(name, case.spindle, result, spec.shapes_3d) if result.shape.size else None
+    if not result.shape.size:
+        return None
+    return Asked(name, case.title, case.spindle, result, spec.shapes_3d)
 
 
 def _sheets(parts: list[Asked], rendering: Rendering) -> list[Job]:
     """Name and drawing function of every sheet, once the pictures are rendered."""
     from rotordyn.analyses.campbell.figures.shapes_3d import sheet_figure, sheets
+    from rotordyn.figures.draw import titled
 
     jobs: list[Job] = []
     for number, asked in enumerate(parts):
         picture = partial(rendering.still, number)
         for name, speed, modes in sheets(asked.result):
             draw = partial(sheet_figure, asked.result, speed, modes, picture, asked.order)
-            jobs.append((asked.inside(name), draw))
+            jobs.append((asked.inside(name), partial(titled, draw, asked.heading)))
     return jobs
 
 
@@ -145,7 +154,9 @@ def _animate(parts: list[Asked], rendering: Rendering, folder: Path) -> dict[str
             name = asked.inside(f"{FOLDER}/{shape_name(asked.result, speed, mode)}.gif")
             (folder / name).parent.mkdir(exist_ok=True)
             frames = rendering.moving(number, speed, mode)
-            save_animation(folder / name, asked.result, speed, mode, frames, asked.order)
+            save_animation(
+                folder / name, asked.result, speed, mode, frames, asked.order, asked.heading
+            )
             seconds[name] = time.perf_counter() - begin
     return seconds
 

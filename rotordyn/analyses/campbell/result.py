@@ -62,6 +62,7 @@ class CampbellResult:
     max_frequency: float = quantity(unit="Hz", label="modes and critical speeds up to")
     unsettled: str = quantity(unit="", label="what changes as the model is refined")
     pole: Complex = quantity("speed", "mode", unit="rad/s", label="pole")
+    stopped: Array = quantity("speed", unit="1", label="number of sleeves at their stops")
     free: Array = quantity(
         "speed", unit="1", label="eigenvalues at zero, of motions that nothing holds: no modes"
     )

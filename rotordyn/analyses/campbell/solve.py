@@ -75,6 +75,7 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         pole=scene.scattered(pole),
         max_frequency=spec.max_frequency,
         unsettled=errors.unsettled,
+        stopped=scene.scattered(scene.state.stops.sum(axis=1).astype(float)),
         free=scene.scattered(_free(scene)),
         node_rotor=scene.mesh.rotor,
         speed_ratio=np.array(list(scene.spindle.ratios.values())),

@@ -257,6 +257,7 @@ def campbell(count: int = 49) -> CampbellResult:
         unsettled="",
         pole=2.0 * math.pi * (rest + change * s**2) * (1j - 0.02),
         free=np.full(count, 2.0),
+        stopped=np.zeros(count),
         overdamped=np.zeros((count, len(_MODES)), dtype=bool),
         decrement=np.full((count, len(_MODES)), 0.02 * 2.0 * math.pi),
         whirl=whirl,

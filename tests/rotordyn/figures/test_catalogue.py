@@ -1,4 +1,4 @@
-"""Every figure of a case: drawn, labelled with units, saved as valid PNG and SVG."""
+"""Every figure of a case: drawn, labelled with units, saved as valid PNG, PDF and SVG."""
 
 from __future__ import annotations
 
@@ -10,10 +10,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from PIL import Image
 
 from rotordyn.analyses.bearing.solve import answer
 from rotordyn.analyses.bearing.spec import BearingMapSpec
 from rotordyn.figures.draw import Drawing
+from rotordyn.figures.style import FORMATS, HEAD_COLOUR
 from rotordyn.job.figures import figures
 from rotordyn.scene.conditions import Conditions
 from tests.oracles.known_bearings import RPM
@@ -37,7 +39,7 @@ def drawn(case, results):
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory, case, results):
     path = tmp_path_factory.mktemp("figures")
-    seconds = Drawing(figures(case, results), path).finish()
+    seconds = Drawing(figures(case, results), path, formats=FORMATS).finish()
     assert set(seconds) == NAMES
     assert all(value > 0.0 for value in seconds.values())
     return path
@@ -59,9 +61,46 @@ def test_every_axis_label_has_a_unit(drawn, name):
 @pytest.mark.parametrize("name", sorted(NAMES))
 def test_files_are_valid(folder, name):
     assert (folder / f"{name}.png").read_bytes().startswith(b"\x89PNG\r\n\x1a\n")
+    assert (folder / f"{name}.pdf").read_bytes().startswith(b"%PDF-")
     root = ET.parse(folder / f"{name}.svg").getroot()
     assert root.tag == "{http://www.w3.org/2000/svg}svg"
     assert root.findall(".//{http://www.w3.org/2000/svg}text"), "text must stay text"
+
+
+@pytest.mark.parametrize("name", sorted(NAMES))
+def test_machine_and_case_stand_at_the_top_and_touch_nothing(drawn, case, name):
+    figure = drawn[name]
+    renderer = figure.canvas.get_renderer()
+    words = [t for t in figure.texts if t.get_va() == "top" and t.get_color() == HEAD_COLOUR]
+    said = " ".join(text.get_text() for text in words)
+    assert case.spindle.title in said
+    assert case.title in said
+    boxes = [text.get_window_extent(renderer) for text in words]
+    assert all(b.x0 >= 0.0 and b.x1 <= figure.bbox.x1 and b.y1 <= figure.bbox.y1 for b in boxes)
+    others = [legend.get_window_extent(renderer) for legend in figure.legends]
+    others += [a.get_tightbbox(renderer) for a in figure.axes if a.name != "3d"]
+    lowest = min(b.y0 for b in boxes)
+    assert all(other.y1 <= lowest + 1.0 for other in others if other is not None)
+
+
+@pytest.mark.parametrize("name", sorted(n for n in NAMES if not n.startswith("frf")))
+def test_no_line_is_told_by_its_colour_alone(drawn, name):
+    for axes in drawn[name].axes:
+        looks = {}
+        for line in axes.get_lines():
+            if not str(line.get_label()).startswith("_"):
+                look = (str(line._unscaled_dash_pattern), line.get_marker(), line.get_linewidth())
+                looks.setdefault(look, set()).add(line.get_label())
+        assert [names for names in looks.values() if len(names) > 1] == []
+
+
+def test_print_size_and_dots_per_inch(folder):
+    """168 mm are 1984 dots at 300 dpi, and 476.2 points of a PDF page."""
+    with Image.open(folder / "campbell.png") as picture:
+        assert picture.width == 1984
+        assert picture.info["dpi"] == pytest.approx((300, 300), abs=0.01)
+    page = re.search(rb"/MediaBox \[ *0 0 ([0-9.]+) ", (folder / "campbell.pdf").read_bytes())
+    assert float(page[1]) == pytest.approx(168.0 / 25.4 * 72.0, abs=0.1)
 
 
 @pytest.mark.parametrize("name", ["frf_map", "frf_surface"])
@@ -143,7 +182,7 @@ def test_bare_rotor_on_linear_supports(tmp_path):
     empty = replace(empty, bearing=(), axial_load=np.zeros((2, 0)))
     jobs = figures(samples.SampleCase(spindle=bare), {"preload": empty})
     assert [name for name, _ in jobs] == ["machine"]
-    Drawing(jobs, tmp_path).finish()
+    Drawing(jobs, tmp_path, formats=("svg",)).finish()
     assert ">left<" in (tmp_path / "machine.svg").read_text()
 
 
@@ -194,4 +233,4 @@ def test_a_dying_worker_leaves_its_figures_to_us(tmp_path, case, results, monkey
     drawing = Drawing(jobs, tmp_path, workers=2)
     assert list(drawing.finish()) == ["one", "two"]
     assert (tmp_path / "one.png").exists()
-    assert (tmp_path / "two.svg").exists()
+    assert (tmp_path / "two.png").exists()

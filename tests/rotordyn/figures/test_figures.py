@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from itertools import pairwise
 
@@ -32,9 +33,10 @@ from rotordyn.analyses.section_forces.figures.diagrams import (
 from rotordyn.analyses.stiffness.figures.curves import stiffness_figure
 from rotordyn.analyses.unbalance.figures.compared import amplitudes_figure
 from rotordyn.analyses.unbalance.figures.response import response_figure, round_orbits
-from rotordyn.figures.mode_lines import LOOKS, whirl_segments
+from rotordyn.figures.mode_lines import LOOKS, jumps, whirl_segments
 from rotordyn.figures.panels import Shown
 from rotordyn.job.figures import comparison_figures, figures
+from rotordyn.machine.lumped import Disc
 from rotordyn.machine.reference import Reference
 from rotordyn.modes.overdamped import OVERDAMPED
 from tests.rotordyn.figures import samples
@@ -67,12 +69,46 @@ def test_campbell_lines_markers_and_names():
     axes = campbell_figure(samples.campbell(9), (3, 8), samples.references(), 3500.0).axes[0]
     words = [t.get_text() for t in axes.texts]
     assert {"1×", "3× (teeth)", "8× (teeth)"} <= set(words)
-    assert "1 fw  713" in words
+    assert "1 fw  713 Hz" in words
     assert {"forward whirl", "critical speed", "published"} <= set(_labels(axes))
+    listed = [text.get_text() for text in axes.figure.texts]
+    assert "1: 20400 rpm, 340.0 Hz, axial" in listed
+    assert "1" in words
     critical = next(line for line in axes.lines if line.get_label() == "critical speed")
     np.testing.assert_allclose(critical.get_xydata(), [[20400.0, 340.0]])
     known = next(line for line in axes.lines if line.get_label() == "published")
     np.testing.assert_allclose(known.get_ydata(), [903.0, 1350.0, 1580.0, 2860.0])
+
+
+def test_two_speeds_bear_marks_and_no_lines():
+    axes = campbell_figure(samples.campbell(2)).axes[0]
+    lines = [
+        c for c in axes.collections if isinstance(c, LineCollection) and c.get_label()[0] != "_"
+    ]
+    assert not lines
+    marks = {line.get_label(): line for line in axes.lines if line.get_linestyle() == "None"}
+    assert {"forward whirl", "backward whirl", "axial", "torsion"} <= set(marks)
+    signs = [marks[name].get_marker() for name in ("forward whirl", "backward whirl", "axial")]
+    assert len(set(signs)) == 3
+    rpm, hertz = marks["torsion"].get_data()
+    result = samples.campbell(2)
+    np.testing.assert_allclose(rpm, [0.0, 24000.0])
+    np.testing.assert_allclose(hertz, result.frequency[:, result.kind.index("torsion")])
+
+
+def test_a_frequency_that_jumps_where_a_stop_closes_is_cut_there():
+    result = samples.campbell(9)
+    column = result.kind.index("axial")
+    frequency, stopped = result.frequency.copy(), np.zeros(9)
+    frequency[6:, column] += 120.0
+    moved = replace(result, frequency=frequency)
+    assert len(whirl_segments(moved)["axial"]) == 1, "no stop: a line that rises"
+    stopped[6:] = 1.0
+    jumped = replace(moved, stopped=stopped)
+    assert jumps(jumped).sum() == 1
+    assert [len(curve) for curve in whirl_segments(jumped)["axial"]] == [6, 3]
+    assert "a stop closes" in _labels(campbell_figure(jumped).axes[0])
+    assert "a stop closes" not in _labels(campbell_figure(moved).axes[0])
 
 
 def test_campbell_shows_where_a_mode_is_unstable():
@@ -130,7 +166,8 @@ def test_campbell_of_variants_shows_where_a_mode_is_unstable():
 def test_campbell_names_do_not_overlap():
     figure = campbell_figure(samples.campbell(9), (1, 2, 3, 4, 5, 6), (), 3500.0)
     renderer = figure.canvas.get_renderer()
-    boxes = [text.get_window_extent(renderer) for text in figure.axes[0].texts]
+    names = [text for text in figure.axes[0].texts if text.get_text() != "1"]  # of a ring
+    boxes = [text.get_window_extent(renderer) for text in names]
     boxes.sort(key=lambda box: box.y0)
     assert all(low.y1 <= high.y0 + 1.0 for low, high in pairwise(boxes))
     assert max(b.x1 for b in boxes) <= figure.bbox.x1
@@ -160,7 +197,47 @@ def test_a_panel_per_mode_with_both_speeds():
     )
     axes = shapes_figure(few, samples.spindle()).axes
     assert [a.get_title().split(":")[0] for a in axes] == ["1 bw", "1 fw", "2 bw", "2 fw"]
-    assert all(len(a.lines) == 2 for a in axes)
+    curves = [[line for line in a.lines if line.get_linestyle() != "None"] for a in axes]
+    assert [len(each) for each in curves] == [2] * 4
+    assert axes[0].get_ylabel() == "relative motion [-]"
+    assert {"0 rpm", "24000 rpm", "bearing or support"} <= _names(axes[0].figure)
+
+
+def _names(figure):
+    return {text.get_text() for legend in figure.legends for text in legend.get_texts()}
+
+
+def test_a_shape_is_smooth_between_its_nodes():
+    """Of a sine known at eight nodes with its slope, the line is the sine; a shear beam as long as
+    ours would leave it by the shear angle alone."""
+    result, spindle = samples.campbell(2), samples.spindle()
+    node = result.node[::10]
+    wave = math.pi / np.ptp(node)
+    shape = np.zeros((2, 1, node.size, 6), complex)
+    shape[:, 0, :, 1] = np.sin(wave * (node - node[0]))
+    shape[:, 0, :, 5] = wave * np.cos(wave * (node - node[0]))
+    few = replace(
+        result, node=node, node_rotor=("spindle",) * node.size, mode=("1",), kind=("bending",),
+        frequency=result.frequency[:, :1], whirl=result.whirl[:, :1], shape=shape,
+        damping_ratio=result.damping_ratio[:, :1],
+    )  # fmt: skip
+    axes = shapes_figure(few, spindle).axes[0]
+    x, y = (
+        axes.lines[0].get_data()
+        if axes.lines[0].get_linestyle() != "None"
+        else (axes.lines[1].get_data())
+    )
+    assert len(x) > 5 * node.size
+    np.testing.assert_allclose(y, np.sin(wave * (x / 1e3 - node[0])), atol=0.012)
+    slope = np.diff(y) / np.diff(x)
+    assert np.abs(np.diff(slope)).max() < 0.1 * np.ptp(slope)
+
+
+def test_discs_are_part_of_the_outline_of_shapes():
+    disc = Disc("flywheel", 0.2, 0.3, 0.05, 0.02, samples.spindle().shaft.sections[0].material)
+    spindle = replace(samples.spindle(), discs=(disc,))
+    figure = shapes_figure(samples.campbell(2), spindle)
+    assert "disc" in _names(figure)
 
 
 def test_modes_left_out_are_counted():
@@ -239,7 +316,8 @@ def test_tangents_have_a_curve_per_load_and_a_map():
     known = Reference("frozen_error", "published", "x", (samples.TOP,), (0.16,))
     result = samples.bearing(9)
     figure = tangents_figure(result, (known,))
-    curves, chart, _, _ = figure.axes
+    curves, chart, scale = figure.axes[:3]
+    assert scale.get_ylabel() == "error [%]"
     assert [t.get_text() for t in figure.legends[0].get_texts()] == [
         "250 N", "500 N", "1000 N", "1500 N", "2000 N",
     ]  # fmt: skip
@@ -275,8 +353,8 @@ def test_race_control_has_regions_boundaries_and_their_fits():
     assert (axes.get_xlabel(), axes.get_ylabel()) == ("speed [rpm]", "axial load [N]")
     assert [t.get_text() for t in figure.legends[0].get_texts()] == [
         "neither race controls", "inner race controls", "outer race controls",
-        "inner race controls above", "inner, fit: 4 n² + 0 n + 0 N, n in 1000 rpm, misfit 1.5 N",
-        "outer race controls up to", "outer, fit: 3 n² + 0 n + 0 N, n in 1000 rpm, misfit 0.5 N",
+        "inner race controls above", "quadratic fit, inner race",
+        "outer race controls up to", "quadratic fit, outer race",
     ]  # fmt: skip
     for line, factor in zip(axes.lines, (4.0, 4.0, 3.0, 3.0), strict=True):
         rpm, load = line.get_data()
@@ -322,6 +400,10 @@ def test_references_stand_beside_the_stiffness():
     axes = stiffness_figure(samples.stiffness(9), samples.references(), "Oc2").axes[0]
     assert axes.get_ylabel() == "radial stiffness at Oc2 [N/µm]"
     assert _labels(axes)[0] == "nonlinear, full"
+    known = {line.get_label(): line for line in axes.lines if line.get_linestyle() == "None"}
+    signs = [line.get_marker() for line in known.values()]
+    assert len(set(signs)) == len(signs)
+    assert axes.get_xlim()[1] > 24000.0, "a mark at the end stays off the frame"
     measured = next(line for line in axes.lines if line.get_label() == "measured")
     np.testing.assert_allclose(measured.get_xydata(), [[4000.0, 134.0], [24000.0, 56.3]])
 
@@ -329,7 +411,7 @@ def test_references_stand_beside_the_stiffness():
 def test_preload_sum_is_what_the_sleeves_carry():
     result = samples.preload(9)
     axes = preload_figure(result, samples.spindle(), samples.references()).axes
-    assert _labels(axes[0]) == ["a, b", "c", "d, e"]
+    assert _labels(axes[0]) == ["a, b", "c", "d, e", "a stop closes"]
     computed, published = axes[1].lines[:2]
     np.testing.assert_allclose(computed.get_ydata(), result.axial_load[:, 2:].sum(axis=1))
     np.testing.assert_allclose(published.get_xydata(), [[24000.0, 1750.0]])
@@ -394,8 +476,10 @@ def test_response_to_unbalance_shows_planes_apart_and_criticals():
     result = samples.unbalance(49)
     panels = response_figure(result).axes
     assert len(panels) == 3
-    assert _labels(panels[0]) == ["Oc2.y", "Oc2.z", "O3.y", "O3.z"]
-    assert [t.get_text() for t in panels[0].texts] == ["bending 1: 10800", "bending 2: 14400"]
+    assert _labels(panels[0]) == ["Oc2.y", "Oc2.z", "O3.y", "O3.z", "critical speed"]
+    assert [t.get_text() for t in panels[0].texts] == [
+        "bending 1\n10800 rpm\n180.0 Hz", "bending 2\n14400 rpm\n240.0 Hz",
+    ]  # fmt: skip
     first = panels[0].get_lines()[0]
     np.testing.assert_allclose(first.get_ydata()[1:], result.amplitude[1:, 0, 0] * 1e6)
     assert np.isnan(first.get_ydata()[0]), "nothing moves at rest, and zero has no logarithm"
@@ -407,7 +491,7 @@ def test_round_orbits_need_one_line_per_point():
     assert round_orbits(even)
     panels = response_figure(even).axes
     assert len(panels) == 2
-    assert _labels(panels[0]) == ["Oc2", "O3"]
+    assert _labels(panels[0]) == ["Oc2", "O3", "critical speed"]
 
 
 def test_response_of_variants_is_drawn_over_one_another():

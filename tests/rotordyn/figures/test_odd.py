@@ -150,7 +150,7 @@ def test_titles_of_any_letters_are_drawn_as_they_are(tmp_path: Path) -> None:
     result = {"stiffness": samples.stiffness(5)}
     titles = ("$\\frac$", "日本 %s {a}", "größe $x_1$ & <b>")
     variants = [(replace(samples.case(), title=title), result) for title in titles]
-    Drawing(comparison_figures(variants), tmp_path, workers=1).finish()
+    Drawing(comparison_figures(variants), tmp_path, workers=1, formats=("svg",)).finish()
     text = (tmp_path / "stiffness.svg").read_text(encoding="utf-8")
     assert "$\\frac$" in text
     assert "日本 %s {a}" in text

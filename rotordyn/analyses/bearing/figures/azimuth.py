@@ -6,7 +6,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from rotordyn.analyses.bearing.figures.groove_ends import COLOURS, groove_ends, loaded_contacts
+from rotordyn.analyses.bearing.figures.groove_ends import (
+    COLOURS,
+    MARKS,
+    groove_ends,
+    loaded_contacts,
+)
 from rotordyn.analyses.bearing.result import BearingMapResult
 from rotordyn.analyses.bearing.solve import under
 from rotordyn.figures.legends import top_legend
@@ -18,7 +23,6 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 MOST_COLUMNS = 3
-MARKS = dict(zip(COLOURS, ("o", "s", "o", "^", "v", "s"), strict=True))
 
 
 def azimuth_figure(result: BearingMapResult) -> Figure:

@@ -7,7 +7,12 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analyses.bearing.figures.groove_ends import COLOURS, groove_ends, loaded_contacts
+from rotordyn.analyses.bearing.figures.groove_ends import (
+    COLOURS,
+    MARKS,
+    groove_ends,
+    loaded_contacts,
+)
 from rotordyn.analyses.bearing.figures.over_load import over_load
 from rotordyn.analyses.bearing.result import BearingMapResult
 from rotordyn.analyses.bearing.solve import under
@@ -23,6 +28,7 @@ from rotordyn.figures.style import (
     SKY,
     add_axes,
     grid_boxes,
+    marked,
     new_figure,
     round_ticks,
     speed_ticks,
@@ -120,9 +126,22 @@ def _by_contact(
     for place, name in loaded_contacts(result):
         for dash, other in zip(DASHES, run.chosen, strict=False):
             named = f"contact {name}" if label and other == run.chosen[0] else None
-            look: dict[str, Any] = {"color": COLOURS[name], "lw": WIDTHS[name[0]], "ls": dash}
+            look: dict[str, Any] = {"ls": dash, **_look(name)}
             axes.plot(run.values, shown[:, other, place], label=named, **look)
     axes.set_ylim(0.0, axes.get_ylim()[1] * 1.05)
+
+
+def _look(name: str) -> dict[str, Any]:
+    """Colour, width and marks of a contact."""
+    start = 0.03 + 0.04 * list(COLOURS).index(name)
+    marks = {
+        "marker": MARKS[name],
+        "ms": 3.2,
+        "mfc": "white",
+        "mew": 0.8,
+        "markevery": (start, 0.2),
+    }
+    return {"color": COLOURS[name], "lw": WIDTHS[name[0]], **marks}
 
 
 def _angles(axes: Axes, result: BearingMapResult, run: Sweep) -> None:
@@ -138,7 +157,7 @@ def _angles(axes: Axes, result: BearingMapResult, run: Sweep) -> None:
             run.of(v)[:, last, place] * DEGREE.factor for v in (lower, angle, upper)
         )
         own = run.of(ball)[:, last, place]
-        draw_runs(axes, run.values, middle, own, color=colour, lw=WIDTHS[name[0]])
+        draw_runs(axes, run.values, middle, own, **_look(name))
         for end in (low, high):
             axes.plot(run.values, end, color=colour, lw=0.7, ls=":")
         if np.isfinite(low).any():
@@ -159,7 +178,8 @@ def _numbers(axes: Axes, result: BearingMapResult, run: Sweep) -> None:
         for dash, other in zip(DASHES, run.chosen, strict=False):
             words = f"{count} contact{'' if count == 1 else 's'}"
             name = words if other == run.chosen[0] else None
-            axes.plot(run.values, balls[:, other], color=COUNTED[count], ls=dash, label=name)
+            look = {"color": COUNTED[count], "ls": dash, "label": name, **marked(count)}
+            axes.plot(run.values, balls[:, other], **look)
     axes.set_ylim(0.0, result.ball.size * 1.05)
     axes.set_yticks(round_ticks(0.0, float(result.ball.size), 5))
     legend(axes)

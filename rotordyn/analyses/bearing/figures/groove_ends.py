@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 COLOURS = {"i": BLUE, "o": RED, "ir": BLUE, "il": GREEN, "or": ORANGE, "ol": RED}
+MARKS = dict(zip(COLOURS, ("o", "s", "o", "^", "v", "s"), strict=True))  # of contacts
 RINGS = {"i": ("inner", "--"), "o": ("outer", "-.")}
 
 
@@ -30,11 +31,11 @@ def groove_ends(axes: Axes, result: BearingMapResult) -> None:
         at = next(k for k, name in enumerate(result.contact) if name.startswith(letter))
         for angle, what, width in (
             (result.shoulder_angle[at], f"shoulder of the {ring} ring", 0.9),
-            (result.middle_angle[at], "", 0.6),
+            (result.middle_angle[at], f"middle of the {ring} groove", 0.6),
         ):
             if np.isfinite(angle):
                 here = angle * DEGREE.factor
-                top = max(top, here) if what else top
-                axes.axhline(here, color=BLACK, lw=width, ls=dash, label=what or None)
+                top = max(top, here)
+                axes.axhline(here, color=BLACK, lw=width, ls=dash, label=what)
     low = min(0.0, float(np.nanmin(result.ellipse_lower, initial=0.0)) * DEGREE.factor)
     axes.set_ylim(low * 1.05, top * 1.06)

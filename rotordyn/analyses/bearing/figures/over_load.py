@@ -12,7 +12,15 @@ from rotordyn.analyses.bearing.solve import under
 from rotordyn.figures.curves import draw_runs
 from rotordyn.figures.labels import axis_label
 from rotordyn.figures.legends import legend, top_legend
-from rotordyn.figures.style import CYCLE, DASHES, add_axes, grid_boxes, new_figure, speed_ticks
+from rotordyn.figures.style import (
+    CYCLE,
+    DASHES,
+    add_axes,
+    grid_boxes,
+    marked,
+    new_figure,
+    speed_ticks,
+)
 from rotordyn.results.display import DEGREE, GIGAPASCAL, RPM, STIFFNESS
 
 if TYPE_CHECKING:
@@ -28,10 +36,11 @@ def over_load(result: BearingMapResult) -> bool:
 
 
 def bearing_figure(result: BearingMapResult) -> Figure:
-    """Axial and radial stiffness, contact angles and peak pressures, a colour per load.
+    """Axial and radial stiffness, contact angles and peak pressures, colour and marks per load.
 
-    Of few speeds over load, a colour per speed. Angles and pressures are those of the most loaded
-    ball where balls differ; with several contacts a race, the angle is that of their resultant.
+    Of few speeds over load, colour and marks per speed. Angles and pressures are those of the most
+    loaded ball where balls differ; with several contacts a race, the angle is that of their
+    resultant.
     """
     figure = new_figure(168.0, 118.0)
     own = "" if result.tangent[0] == "complete" else f", {result.tangent[0]}"
@@ -89,11 +98,10 @@ def _curves(
     if over_load(result):
         for row, speed in enumerate(rpm):
             name = f"{speed:.0f} rpm" if label else None
-            colour = CYCLE[row % len(CYCLE)]
-            draw_runs(axes, result.load, values[row], ball[row], color=colour, ls=style, label=name)
+            look = {"color": CYCLE[row % len(CYCLE)], "ls": style, "label": name, **marked(row)}
+            draw_runs(axes, result.load, values[row], ball[row], **look)
         return
     for place in range(result.load.size):
         name = under(result, place, " axial") if label else None
-        colour = CYCLE[place % len(CYCLE)]
-        own = ball[:, place]
-        draw_runs(axes, rpm, values[:, place], own, color=colour, ls=style, label=name)
+        look = {"color": CYCLE[place % len(CYCLE)], "ls": style, "label": name, **marked(place)}
+        draw_runs(axes, rpm, values[:, place], ball[:, place], **look)

@@ -15,6 +15,7 @@ from rotordyn.figures.legends import legend, top_legend
 from rotordyn.figures.style import (
     BLACK,
     CYCLE,
+    DASHES,
     FONT_SIZE,
     GREY,
     add_axes,
@@ -28,12 +29,14 @@ from rotordyn.results.display import RPM
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+    from matplotlib.contour import ContourSet
     from matplotlib.figure import Figure
 
 Array = NDArray[np.float64]
 PERCENT = 100.0
 FREEDOMS = {"x": "Kxx", "y": "Kyy"}
 LEAST_LOADS = 5  # for a map
+BAR_ROOM = 14.0  # [mm] beside a map, for its colour bar
 COLOURS = "RdBu_r"
 
 
@@ -61,11 +64,17 @@ def tangents_figure(result: BearingMapResult, references: Sequence[Reference] = 
         if place == 0:
             legend(axes, loc="lower left")
         if mapped:
-            _map(
-                add_axes(figure, boxes[2 + place], "speed [rpm]", axis_label(result, "load")),
-                result,
-                error,
-            )
+            left, low, wide, tall = boxes[2 + place]
+            box = (left, low, wide - BAR_ROOM, tall)
+            chart = add_axes(figure, box, "speed [rpm]", axis_label(result, "load"))
+            colours = _map(chart, result, error)
+            if colours is not None:
+                scale = add_axes(figure, (left + wide - BAR_ROOM + 2.0, low, 2.5, tall))
+                ends = float(np.nanmin(error)), float(np.nanmax(error))
+                figure.colorbar(colours, cax=scale, ticks=round_ticks(*ends, 8))
+                scale.set_ylabel("error [%]", fontsize=FONT_SIZE, labelpad=1.0)
+                scale.tick_params(labelsize=FONT_SIZE - 1.5, length=2.0)
+                scale.grid(visible=False)
     return figure
 
 
@@ -73,7 +82,8 @@ def _curves(axes: Axes, result: BearingMapResult, error: Array) -> None:
     rpm = result.speed * RPM.factor
     for column in range(result.load.size):
         colour = CYCLE[column % len(CYCLE)]
-        axes.plot(rpm, error[:, column], color=colour, label=under(result, column))
+        dashes = DASHES[column % len(DASHES)]
+        axes.plot(rpm, error[:, column], color=colour, ls=dashes, label=under(result, column))
     speed_ticks(axes, float(rpm[-1]))
 
 
@@ -87,7 +97,7 @@ def _largest(axes: Axes, result: BearingMapResult, tangent: str, freedom: str) -
     """The largest difference of a tangent over all loads."""
     error = np.fmax.reduce(np.abs(tangent_error(result, tangent, freedom)), axis=1) * PERCENT
     rpm = result.speed * RPM.factor
-    axes.plot(rpm, error, color=GREY, ls="--", label=f"{tangent}: largest of all loads")
+    axes.plot(rpm, error, color=GREY, lw=2.2, label=f"{tangent}: largest of all loads")
 
 
 def _known(axes: Axes, references: Sequence[Reference], error: Array) -> None:
@@ -108,24 +118,27 @@ def _known(axes: Axes, references: Sequence[Reference], error: Array) -> None:
             )
 
 
-def _map(axes: Axes, result: BearingMapResult, error: Array) -> None:
+def _map(axes: Axes, result: BearingMapResult, error: Array) -> ContourSet | None:
     """Labelled lines of equal error over speed and load, and where it is largest."""
     size = float(np.nanmax(np.abs(error)))
     rpm = result.speed * RPM.factor
     axes.grid(visible=False)
-    speed_ticks(axes, float(rpm[-1]))
+    speed_ticks(axes, float(rpm[-1]), 4)
     axes.set_ylim(float(result.load[0]), float(result.load[-1]))
     if size < 1e-6:
         axes.text(0.5, 0.5, "no difference", ha="center", transform=axes.transAxes)
-        return
+        return None
     levels = [v for v in round_ticks(float(np.nanmin(error)), float(np.nanmax(error)), 9) if v]
     shown = np.ma.masked_invalid(error.T)
-    axes.contourf(rpm, result.load, shown, 40, cmap=COLOURS, vmin=-size, vmax=size)
+    fills = np.linspace(float(np.nanmin(error)), float(np.nanmax(error)), 41)
+    filled = axes.contourf(rpm, result.load, shown, fills, cmap=COLOURS, vmin=-size, vmax=size)
+    filled.set_edgecolor("face")
     lines = axes.contour(rpm, result.load, shown, levels, colors=BLACK, linewidths=0.6)
     axes.clabel(lines, fmt="%g", fontsize=FONT_SIZE - 1.5)
     row, column = np.unravel_index(np.nanargmax(np.abs(error)), error.shape)
-    peak = f"lines: error [%]; largest {error[row, column]:+.1f} % at {rpm[row]:.0f} rpm, "
+    peak = f"× largest {error[row, column]:+.1f} % at {rpm[row]:.0f} rpm, "
     axes.set_title(peak + under(result, int(column)), fontsize=FONT_SIZE - 1.0, pad=3.0)
     axes.plot(
         rpm[row], result.load[column], marker="x", color=BLACK, mew=1.4, clip_on=False, zorder=6
     )
+    return filled

@@ -4,14 +4,24 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.figures.legends import top_legend
-from rotordyn.figures.style import BLACK, CYCLE, FONT_SIZE, GREY, add_axes, new_figure, speed_ticks
+from rotordyn.figures.style import (
+    BLACK,
+    CYCLE,
+    FONT_SIZE,
+    GREY,
+    add_axes,
+    marked,
+    new_figure,
+    speed_ticks,
+)
 from rotordyn.results.display import RPM
+from rotordyn.results.kinds import Array
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -19,6 +29,7 @@ if TYPE_CHECKING:
 
 LABEL = "damping ratio [%]"
 BACKWARD = (0, (5, 2))
+JUMP = 10.0  # times the change over the steps beside it
 ROOM = 1.3  # times the largest damping of modes that grow somewhere: more is not drawn
 
 
@@ -37,19 +48,19 @@ def draw_damping(axes: Axes, result: CampbellResult) -> None:
     """Curves within the limits of the axes."""
     rpm = result.speed * RPM.factor
     axes.axhline(0.0, color=BLACK, lw=0.8)
-    colours: dict[str, str] = {}
+    families: dict[str, int] = {}
     for name, ratio, whirl in zip(result.mode, result.damping_ratio.T, result.whirl.T, strict=True):
         if not np.any(ratio * 100.0 < axes.get_ylim()[1]):
             continue
         family = name.removesuffix(" forward").removesuffix(" backward")
-        colour = colours.setdefault(family, CYCLE[len(colours) % len(CYCLE)])
+        place = families.setdefault(family, len(families))
+        look: dict[str, Any] = {"color": CYCLE[place % len(CYCLE)], "lw": 1.2, **marked(place)}
         back = np.nanmean(whirl) < 0.0
-        axes.plot(
-            rpm, ratio * 100.0, color=colour, ls=BACKWARD if back else "-", lw=1.2, label=name
-        )
+        x, curve = _at_jumps(rpm, ratio * 100.0, np.ptp(axes.get_ylim()))
+        axes.plot(x, curve, ls=BACKWARD if back else "-", label=name, **look)
     threshold = result.stability_threshold * RPM.factor
     if math.isfinite(threshold):
-        axes.axvline(threshold, color=GREY, lw=0.8, ls=":")
+        axes.axvline(threshold, color=GREY, lw=0.9, ls=":", label="stability threshold")
         right = threshold > 0.6 * rpm[-1]
         axes.annotate(
             f"{threshold:.0f} rpm",
@@ -60,6 +71,17 @@ def draw_damping(axes: Axes, result: CampbellResult) -> None:
             ha="right" if right else "left",
             fontsize=FONT_SIZE - 1.0,
         )
+
+
+def _at_jumps(rpm: Array, ratio: Array, range_: float) -> tuple[Array, Array]:
+    """The curve without the step over which it jumps, as hysteresis does where it turns about: much
+    more than over the steps beside it."""
+    step = np.abs(np.diff(ratio))
+    if step.size < 3:
+        return rpm, ratio
+    beside = np.maximum(np.append(0.0, step[:-1]), np.append(step[1:], 0.0))
+    at = np.flatnonzero((step > JUMP * beside) & (step > 0.05 * range_)) + 1
+    return np.insert(rpm, at, rpm[at]), np.insert(ratio, at, np.nan)
 
 
 def limits(results: Sequence[CampbellResult]) -> tuple[float, float]:

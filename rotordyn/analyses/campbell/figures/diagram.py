@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -9,8 +10,8 @@ import numpy as np
 
 from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.figures.labels import axis_label, spread
-from rotordyn.figures.legends import legend
-from rotordyn.figures.mode_lines import LOOKS, draw_known, draw_modes, look_of
+from rotordyn.figures.legends import top_legend
+from rotordyn.figures.mode_lines import LOOKS, draw_known, draw_modes, draw_stops, look_of
 from rotordyn.figures.style import (
     FONT_SIZE,
     GREY,
@@ -31,6 +32,9 @@ if TYPE_CHECKING:
 
 PALE = "#F6D78A"  # behind the lines
 LETTER = 0.6  # mean width over the size of the font
+RING = 8.0  # [pt] across a critical speed's mark
+LIST_LINE = 3.3  # [mm]
+_LIST_COLUMNS, _SHORT, MOST_LISTED = 3, 40, 24
 
 
 def campbell_figure(
@@ -39,10 +43,19 @@ def campbell_figure(
     references: Sequence[Reference] = (),
     max_frequency: float = 0.0,
 ) -> Figure:
-    """Modes with their whirl, 1× and tooth-passing lines, critical speeds, known frequencies."""
-    figure = new_figure(168.0, 115.0)
+    """Modes with their whirl, 1× and tooth-passing lines, critical speeds, known frequencies.
+
+    Critical speeds are numbered in the diagram and listed below it.
+    """
+    criticals = _shown_criticals(result)
+    listed = _listed(result, criticals)
+    columns = _LIST_COLUMNS if max(map(len, listed), default=0) <= _SHORT else _LIST_COLUMNS - 1
+    rows = math.ceil(len(listed) / columns)
+    below = LIST_LINE * (rows + 1) + 1.0 if rows else 0.0
+    figure = new_figure(168.0, 105.0 + below)
     whose = "speed of the spindle [rpm]" if len(result.rotor) > 1 else "speed [rpm]"
-    axes = add_axes(figure, (15.0, 11.0, 112.0, 92.0), whose, axis_label(result, "frequency"))
+    box = (15.0, 11.0 + below, 109.0, 92.0)
+    axes = add_axes(figure, box, whose, axis_label(result, "frequency"))
     rpm = result.speed * RPM.factor
     if not result.mode:
         axes.text(0.5, 0.5, "no mode in this band", transform=axes.transAxes, ha="center")
@@ -50,20 +63,15 @@ def campbell_figure(
     speed_ticks(axes, float(rpm[-1]))
     axes.set_ylim(0.0, top)
     draw_modes(axes, result)
+    draw_stops(axes, result)
     draw_unstable(axes, result)
     excitation = draw_orders(axes, orders(result, teeth), float(rpm[-1]), top)
-    _criticals(axes, result)
+    _criticals(axes, result, criticals)
+    _list(figure, listed, rows, columns)
     draw_known(axes, () if turning(result) else references)
     _name_modes(axes, result, excitation, top)
     note_error(axes, result.largest_error)
-    legend(
-        axes,
-        loc="lower left",
-        bbox_to_anchor=(-0.01, 1.0),
-        ncols=6,
-        columnspacing=1.2,
-        borderaxespad=0.2,
-    )
+    top_legend(figure, axes)
     return figure
 
 
@@ -148,25 +156,76 @@ def _row(number: int) -> float:
     return 1.0 - 0.037 * number
 
 
-def _criticals(axes: Axes, result: CampbellResult) -> None:
+def _shown_criticals(result: CampbellResult) -> list[int]:
+    """Critical speeds that are marked, the slowest first."""
     shown = result.critical_excited & (result.critical_speed <= result.speed[-1])
     if turning(result):
         shown &= result.critical_order == 1  # others meet no line there: see ``orders``
-    speeds = result.critical_speed[shown] * RPM.factor
-    turned = np.array([abs(_ratios(result)[name]) for name in result.critical_rotor])
-    multiple = (result.critical_order * turned)[shown]
-    if speeds.size:
-        axes.plot(
-            speeds,
-            0.0 * speeds if turning(result) else multiple * speeds / 60.0,
-            "o",
-            mfc="white",
-            mec=RED,
-            mew=1.2,
-            ls="none",
-            label="critical speed",
-            zorder=7,
+    return sorted(np.flatnonzero(shown).tolist(), key=lambda k: float(result.critical_speed[k]))
+
+
+def _critical_hertz(result: CampbellResult, place: int) -> float:
+    """Frequency [Hz] in the fixed frame at which what turns excites there."""
+    turned = abs(_ratios(result)[result.critical_rotor[place]])
+    rpm = float(result.critical_speed[place] * RPM.factor)
+    return float(result.critical_order[place] * turned * rpm / 60.0)
+
+
+def _criticals(axes: Axes, result: CampbellResult, shown: Sequence[int]) -> None:
+    """A ring at each, its number beside it; rings that touch share a label."""
+    if not shown:
+        return
+    rpm = np.array([result.critical_speed[k] * RPM.factor for k in shown])
+    hertz = np.array([_critical_hertz(result, k) for k in shown]) * (not turning(result))
+    look: dict[str, Any] = dict(mfc="white", mec=RED, mew=1.2, ls="none", zorder=7, clip_on=False)
+    axes.plot(rpm, hertz, "o", label="critical speed", **look)
+    places = axes.transData.transform(np.column_stack([rpm, hertz])) * 72.0 / axes.figure.dpi
+    groups: list[list[int]] = []
+    for k, place in enumerate(places):
+        near = [g for g in groups if np.abs(places[g[-1]] - place).max() < RING]
+        if near:
+            near[0].append(k)
+        else:
+            groups.append([k])
+    for group in groups:
+        axes.annotate(
+            ", ".join(str(k + 1) for k in group),
+            (rpm[group[-1]], hertz[group[-1]]),
+            (3.5, -3.0) if not turning(result) else (0.0, 4.0),
+            textcoords="offset points",
+            ha="left",
+            va="top" if not turning(result) else "bottom",
+            fontsize=FONT_SIZE - 1.5,
+            color=RED,
+            zorder=8,
         )
+
+
+def _listed(result: CampbellResult, shown: Sequence[int]) -> list[str]:
+    """A line for each critical speed: its number, rpm, Hz and mode; of many only the first."""
+    several = len(result.rotor) > 1 or len(set(result.critical_order[list(shown)].tolist())) > 1
+    lines = []
+    for number_of, k in enumerate(shown[:MOST_LISTED], start=1):
+        rotor = f" {result.critical_rotor[k]}" if len(result.rotor) > 1 else ""
+        by = f", {result.critical_order[k]:g}×{rotor}" if several else ""
+        rpm, hertz = result.critical_speed[k] * RPM.factor, _critical_hertz(result, k)
+        lines.append(f"{number_of}: {rpm:.0f} rpm, {number(hertz)} Hz, {result.critical[k]}{by}")
+    if len(shown) > MOST_LISTED:
+        lines[-1] = f"… {len(shown) - MOST_LISTED + 1} more in campbell_critical.csv"
+    return lines
+
+
+def _list(figure: Figure, lines: Sequence[str], rows: int, columns: int) -> None:
+    """``lines`` in columns at the foot of the figure."""
+    if not lines:
+        return
+    width, height = figure.get_size_inches() * 25.4
+    look: dict[str, Any] = dict(ha="left", va="bottom", fontsize=FONT_SIZE - 1.0)
+    figure.text(4.0 / width, (1.0 + LIST_LINE * rows) / height, "critical speeds", **look)
+    for place, line in enumerate(lines):
+        column, row = divmod(place, rows)
+        x = 4.0 + column * (width - 8.0) / columns
+        figure.text(x / width, (1.0 + LIST_LINE * (rows - 1 - row)) / height, line, **look)
 
 
 def _name_modes(
@@ -178,7 +237,7 @@ def _name_modes(
     last = result.frequency[-1]
     drawn = np.isfinite(last) & (last <= top) & ~result.mostly_overdamped
     shown = np.flatnonzero(drawn).tolist()
-    labels = [(float(last[k]), f"{result.mode[k]}  {number(float(last[k]), 0)}") for k in shown]
+    labels = [(float(last[k]), f"{result.mode[k]}  {number(float(last[k]), 0)} Hz") for k in shown]
     looks = [LOOKS[look_of(result.kind[k], result.whirl[-1, k])][0] for k in shown]
     labels += list(excitation)
     looks += [GREY] * len(excitation)

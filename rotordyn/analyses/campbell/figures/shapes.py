@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from itertools import pairwise
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.campbell.result import CampbellResult
+from rotordyn.figures.legends import top_legend
 from rotordyn.figures.sketch import Sketch
 from rotordyn.figures.style import (
     BLACK,
@@ -22,12 +23,14 @@ from rotordyn.figures.style import (
     RED,
     add_axes,
     grid_boxes,
+    head,
     new_figure,
     round_ticks,
 )
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.results.display import RPM, number
+from rotordyn.surface.motion import section_motion
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -37,40 +40,46 @@ MOST = 9
 MOST_PIECES = 300  # of a shaft, as wide as a line
 _COLUMNS = 3
 _COLOURS = (BLUE, GREEN, PURPLE, ORANGE)  # of the rotors
+_DASHES = (("-", "-"), (":", "--"))  # first and last speed; every second rotor
+DISC, EDGE = "#DDE1E5", "#C4C9CD"
+STATIONS = 200
+MASS: Any = dict(marker="o", ms=3.0, mfc="white", mec=BLACK, mew=0.8, ls="none")
 _MOTION = {"bending": ("y", "z"), "axial": ("x",), "torsion": ("thx",)}
 
 
 def shapes_figure(result: CampbellResult, spindle: Spindle | None = None) -> Figure:
-    """A panel per mode: the shape at the first and the last speed over the shaft's outline."""
+    """A panel per mode: the shape at the first and the last speed over the rotor's outline.
+
+    Between its nodes the shaft is drawn as its elements bend: see ``section_motion``.
+    """
     modes = _chosen(result)
     rows = max(math.ceil(len(modes) / _COLUMNS), 1)
     low, high = result.shape_speed[[0, -1]] * RPM.factor
     left_out = len(result.mode) - len(modes)
     modes_left = "mode" if left_out == 1 else "modes"
     note = f"; {left_out} more {modes_left} in the results file" if left_out else ""
-    both = f"{low:.0f} rpm (thin) and {high:.0f} rpm (thick)"
+    both = f"{low:.0f} rpm and {high:.0f} rpm"
     when = both if result.shape_speed.size > 1 else f"{low:.0f} rpm"
     title = f"mode shapes at {when}, scaled to 1{note}"
-    several = 6.0 if len(result.rotor) > 1 else 0.0  # [mm] for their names
-    height = 26.0 + several + 30.0 * rows
-    figure = new_figure(168.0, height, title)
-    margins = (9.0, 4.0, 12.0, 13.0 + several)
+    figure = new_figure(168.0, 26.0 + 30.0 * rows)
+    margins = (14.0, 4.0, 12.0, 13.0)
     boxes = grid_boxes(figure, rows, _COLUMNS, margins=margins, gaps=(6.0, 7.0))
     for place, (mode, box) in enumerate(zip(modes, boxes, strict=False)):
         last_row = place + _COLUMNS >= len(modes)
-        axes = add_axes(figure, box, "x [mm]" if last_row else "")
+        left = "relative motion [-]" if place % _COLUMNS == 0 else ""
+        axes = add_axes(figure, box, "x [mm]" if last_row else "", left)
         _panel(axes, result, mode, spindle)
         axes.tick_params(labelbottom=last_row, labelleft=place % _COLUMNS == 0)
-    if modes and several:
-        figure.legend(
-            *figure.axes[0].get_legend_handles_labels(),
-            loc="center",
-            bbox_to_anchor=(0.5, 1.0 - 10.0 / height),
-            ncols=len(result.rotor),
-            frameon=False,
-            fontsize=FONT_SIZE - 0.5,
-        )
-    return figure
+    if modes:
+        axes = figure.axes[0]
+        if spindle is not None and (spindle.seats or spindle.supports):
+            axes.plot([], [], "v", color=RED, ms=4.0, label="bearing or support")
+        if spindle is not None and spindle.masses:
+            axes.plot([], [], **MASS, label="point mass")
+        if spindle is not None and spindle.discs:
+            axes.fill([], [], facecolor=DISC, edgecolor=EDGE, label="disc")
+        top_legend(figure, axes)
+    return head(figure, title)
 
 
 def plane_curve(shape: NDArray[np.complex128]) -> NDArray[np.float64]:
@@ -108,23 +117,60 @@ def _panel(axes: Axes, result: CampbellResult, mode: int, spindle: Spindle | Non
     if spindle is not None:
         _outline(axes, spindle)
     columns = [result.dof.index(d) for d in _MOTION.get(result.kind[mode], ("y", "z"))]
-    first = plane_curve(result.shape[0, mode][:, columns])
-    last = plane_curve(result.shape[-1, mode][:, columns])
-    last = np.sign(first @ last or 1.0) * last
+    lines = [_lines(result, mode, k, columns, spindle) for k in (0, -1)]
+    first, last = (np.concatenate([curve for _, curve in own]) for own in lines)
+    side = float(np.sign(first @ last)) or 1.0
+    several = len(result.rotor) > 1
+    rpm = [f"{speed * RPM.factor:.0f} rpm" for speed in result.shape_speed[[0, -1]]]
     for place, rotor in enumerate(result.rotor):
-        own = np.array([name == rotor for name in result.node_rotor])
-        axes.plot(node[own], first[own], color=BLACK, lw=0.7)
-        axes.plot(node[own], last[own], color=_COLOURS[place % len(_COLOURS)], lw=1.5, label=rotor)
+        whose = f"{rotor}, " if several else ""
+        if result.shape_speed.size > 1:
+            x, curve = lines[0][place]
+            axes.plot(x, curve, color=BLACK, lw=0.8, ls=_DASHES[place % 2][0], label=whose + rpm[0])
+        x, curve = lines[1][place]
+        look: dict[str, Any] = dict(color=_COLOURS[place % len(_COLOURS)], ls=_DASHES[place % 2][1])
+        axes.plot(x, side * curve, lw=1.6, label=whose + rpm[1], **look)
     ends = (0, -1) if result.shape_speed.size > 1 else (-1,)
     hertz = " → ".join(number(float(result.frequency[end, mode]), 0) for end in ends)
     axes.set_title(f"{result.mode[mode]}: {hertz} Hz", fontsize=FONT_SIZE - 0.5, pad=3.0)
 
 
+def _lines(
+    result: CampbellResult, mode: int, speed: int, columns: list[int], spindle: Spindle | None
+) -> list[tuple[NDArray[np.float64], NDArray[np.float64]]]:
+    """Stations [mm] and deflected line of every rotor, all by one instant and scale."""
+    found = [_motion(result, mode, speed, rotor, spindle) for rotor in result.rotor]
+    curve = plane_curve(np.concatenate([motion for _, motion in found])[:, columns])
+    ends = np.cumsum([len(x) for x, _ in found])[:-1]
+    return [(x * 1e3, part) for (x, _), part in zip(found, np.split(curve, ends), strict=True)]
+
+
+def _motion(
+    result: CampbellResult, mode: int, speed: int, rotor: str, spindle: Spindle | None
+) -> tuple[NDArray[np.float64], NDArray[np.complex128]]:
+    """Stations [m] of a rotor and how it moves there (stations, 6): its nodes, and some between."""
+    own = np.array([name == rotor for name in result.node_rotor])
+    node, shape = result.node[own], result.shape[speed, mode][own]
+    if spindle is None or node.size < 2:
+        return node, shape
+    even = np.linspace(node[0], node[-1], STATIONS)
+    x = np.union1d(node, even)
+    return x, section_motion(spindle.part(rotor).shaft, node, shape, x)
+
+
 def _outline(axes: Axes, spindle: Spindle) -> None:
-    """The shafts to their own scale along x and a common one across; bearings as marks."""
+    """Shafts and discs to their own scale along x and a common one across; bearings as marks."""
     sketch = Sketch()
-    shafts = [spindle.part(name).shaft for name in spindle.ratios]
+    parts = [spindle.part(name) for name in spindle.ratios]
+    shafts = [part.shaft for part in parts]
+    discs = [disc for part in parts for disc in part.discs]
     widest = max(max(s.outer) for shaft in shafts for s in shaft.sections)
+    widest = max([widest, *(disc.outer_diameter for disc in discs)])
+    for disc in discs:
+        a, b = ((disc.x + side * disc.width / 2.0) * 1e3 for side in (-1.0, 1.0))
+        low, high = (0.55 * d / widest for d in (disc.inner_diameter, disc.outer_diameter))
+        for edge in (low, -high):
+            sketch.box(a, b, edge, edge + high - low, DISC, edge=EDGE, width=0.5, z=1)
     edges = sorted(x for shaft in shafts for x in shaft.boundaries)
     for shaft in shafts:
         for section, ends in _pieces(shaft):
@@ -136,7 +182,7 @@ def _outline(axes: Axes, spindle: Spindle) -> None:
             for side in (1.0,) if shaft is shafts[0] else (1.0, -1.0):
                 (low, low_end), (high, high_end) = ([side * d for d in w] for w in (inside, half))
                 wall = [(a, low), (b, low_end), (b, high_end), (a, high)]
-                sketch.polygon(wall, "#F0F1F2", edge="#D5D8DA", width=0.5, z=1)
+                sketch.polygon(wall, "#F0F1F2", edge=EDGE, width=0.5, z=1)
     sketch.line([(edges[0] * 1e3, 0.0), (edges[-1] * 1e3, 0.0)], GREY, 0.5, "dashdot", z=2)
     for x in [s.x * 1e3 for s in spindle.seats] + [s.x * 1e3 for s in spindle.supports]:
         for side in (-1.0, 1.0):
@@ -144,6 +190,8 @@ def _outline(axes: Axes, spindle: Spindle) -> None:
             size = 0.011 * (edges[-1] - edges[0]) * 1e3
             sketch.polygon([(x, tip), (x - size, foot), (x + size, foot)], RED, edge=RED, z=2)
     sketch.draw(axes)
+    places = [mass.x * 1e3 for part in parts for mass in part.masses]
+    axes.plot(places, [0.0] * len(places), **MASS)
 
 
 def _pieces(shaft: Shaft) -> list[tuple[Section, tuple[float, float]]]:

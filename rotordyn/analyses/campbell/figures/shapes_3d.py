@@ -19,6 +19,7 @@ from rotordyn.figures.style import (
     RED,
     add_axes,
     grid_boxes,
+    head,
     new_figure,
     own_settings,
 )
@@ -33,7 +34,6 @@ Pixels = NDArray[np.uint8]
 Picture = Callable[[int, int], Pixels]  # of a speed and a mode
 PANELS = 8  # on a sheet
 SECONDS = 2.0  # that one period takes in an animation
-SHEET_DPI = 200
 _WIDTH, _TITLE, _FOOT = 168.0, 8.0, 20.0
 _TURNS = ((BLUE, "forward whirl"), (RED, "backward whirl"), (BLACK, "along a line"))
 
@@ -71,7 +71,7 @@ def sheet_figure(
     rpm = result.shape_speed[speed] * RPM.factor
     most = f"{100.0 * look.amplitude:g} % of the shaft's length"
     title = f"mode shapes at {rpm:.6g} rpm, drawn up to {most}"
-    figure = new_figure(_WIDTH, _TITLE + rows * (height + 5.5) + _FOOT, title, SHEET_DPI)
+    figure = new_figure(_WIDTH, _TITLE + rows * (height + 5.5) + _FOOT, title)
     margins = (3.0, 3.0, _FOOT, _TITLE + 5.5)
     boxes = grid_boxes(figure, rows, columns, margins=margins, gaps=(4.0, 5.5))
     for mode, image, box in zip(modes, images, boxes, strict=False):
@@ -84,13 +84,19 @@ def sheet_figure(
 
 @own_settings()
 def save_animation(
-    path: Path, result: CampbellResult, speed: int, mode: int, frames: Pixels, look: Look
+    path: Path,
+    result: CampbellResult,
+    speed: int,
+    mode: int,
+    frames: Pixels,
+    look: Look,
+    heading: str = "",
 ) -> None:
     """One period of a mode as an endless GIF, with title and legend; ``frames`` (n, h, w, 3)."""
     from PIL import Image
 
     height, width = frames.shape[1:3]
-    page, corner = _page(result, speed, mode, (height, width), look.colours)
+    page, corner = _page(result, speed, mode, (height, width), look.colours, heading)
     palette = Image.fromarray(_pasted(page, frames[0], corner)).quantize(
         255, Image.Quantize.MAXCOVERAGE
     )
@@ -105,7 +111,12 @@ def save_animation(
 
 
 def _page(
-    result: CampbellResult, speed: int, mode: int, size: tuple[int, int], colours: str
+    result: CampbellResult,
+    speed: int,
+    mode: int,
+    size: tuple[int, int],
+    colours: str,
+    heading: str,
 ) -> tuple[Pixels, tuple[int, int]]:
     """The page of an animation without its picture, and the pixel where this begins."""
     height, width = size
@@ -114,10 +125,14 @@ def _page(
     rpm = result.shape_speed[speed] * RPM.factor
     figure = new_figure(_WIDTH, high, f"{_called(result, speed, mode)}, {rpm:.6g} rpm", dpi)
     _foot(figure, colours)
+    below = figure.bbox.height
+    if heading:
+        head(figure, heading)
     canvas = figure.canvas
     canvas.draw()
     page = np.asarray(canvas.buffer_rgba())[:, :, :3].copy()  # type: ignore[attr-defined]
-    return page, (round(_TITLE / 25.4 * dpi), (page.shape[1] - width) // 2)
+    top = page.shape[0] - below + _TITLE / 25.4 * dpi
+    return page, (round(top), (page.shape[1] - width) // 2)
 
 
 def _pasted(page: Pixels, frame: Pixels, corner: tuple[int, int]) -> Pixels:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from rotordyn.analyses.control.result import ControlResult
-from rotordyn.analyses.control.solve import BOUNDARY_WORDS, fit_words, fitted
+from rotordyn.analyses.control.solve import BOUNDARY_WORDS, fitted
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.style import BLACK, BLUE, DASHES, GREY, RED, add_axes, new_figure, speed_ticks
 from rotordyn.results.display import RPM
@@ -19,16 +19,16 @@ if TYPE_CHECKING:
 COLOURS = {"inner": RED, "outer": BLUE}
 SHADES = {  # neither first: the others lie on it
     "neither": ("#E2E2E2", "neither race controls"),
-    "inner": ("#F9E0D2", "inner race controls"),
-    "outer": ("#D1E4F1", "outer race controls"),
+    "inner": ("#F3C9B2", "inner race controls"),
+    "outer": ("#E1F0FA", "outer race controls"),
 }
 
 
 def control_figure(result: ControlResult) -> Figure:
-    """Regions shaded, boundaries in full, their quadratic fits dashed with their coefficients."""
+    """Regions shaded, boundaries and their quadratic fits as lines."""
     figure = new_figure(168.0, 108.0)
     axes = add_axes(figure, (17.0, 12.0, 143.0, 74.0), "speed [rpm]", load_label(result))
-    rpm, fits = result.speed * RPM.factor, fit_words(result)
+    rpm = result.speed * RPM.factor
     axes.set_ylim(0.0, float(result.load[-1]))
     speed_ticks(axes, float(rpm[-1]))
     if rpm.size > 1:
@@ -37,11 +37,12 @@ def control_figure(result: ControlResult) -> Figure:
     for place, (race, word) in enumerate(BOUNDARY_WORDS.items()):
         known = np.isfinite(result.boundary_load[place])
         if known.any():
-            axes.plot(rpm, result.boundary_load[place], color=COLOURS[race], label=word)
-        if race in fits:
+            look: dict[str, Any] = {"color": COLOURS[race], "ls": DASHES[place], "lw": 1.8}
+            axes.plot(rpm, result.boundary_load[place], label=word, **look)
+        if not result.fit_absence[place]:
             load = np.where(known, fitted(result, place), np.nan)
-            dashes, name = DASHES[1 + 2 * place], f"{race}, fit: {fits[race]}"
-            axes.plot(rpm, load, color=BLACK, lw=0.9, ls=dashes, label=name)
+            name = f"quadratic fit, {race} race"
+            axes.plot(rpm, load, color=BLACK, lw=0.9, ls=DASHES[2 + place], label=name)
     top_legend(figure, axes)
     return figure
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from rotordyn.figures.style import (
     GREY,
     add_axes,
     grid_boxes,
+    marked,
     new_figure,
     speed_ticks,
     with_zero,
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+STOP: Any = {"color": GREY, "lw": 0.9, "ls": ":", "label": "a stop closes"}
 _MARGINS = (15.0, 6.0, 12.0, 8.0)
 
 
@@ -70,7 +72,7 @@ def contacts_figure(result: PreloadResult) -> Figure:
         axes[1].axhline(WARNING_PRESSURE * giga, color=GREY, lw=0.9, ls="--", label="limit 4.2 GPa")
     for each in axes:
         with_zero(each, 1.05)
-    top_legend(figure, axes[0])
+    top_legend(figure, *axes)
     return figure
 
 
@@ -88,15 +90,14 @@ def _panels(names: Sequence[str], result: PreloadResult) -> tuple[Figure, list[A
 
 
 def _forces(axes: Axes, result: PreloadResult) -> None:
-    """Springs solid, stops dashed; the stop's speed marked."""
+    """Springs solid, stops dashed, marks per sleeve; the stop's speed marked."""
     rpm = result.speed * RPM.factor
     for place, name in enumerate(result.sleeve):
-        colour = CYCLE[place % len(CYCLE)]
-        axes.plot(rpm, result.spring_force[:, place], color=colour, label=f"{name}, spring")
-        if not np.isfinite(result.stop_speed[place]):
-            continue
-        axes.plot(rpm, result.stop_force[:, place], color=colour, ls="--", label=f"{name}, stop")
-        axes.axvline(result.stop_speed[place] * RPM.factor, color=GREY, lw=0.8, ls=":")
+        look = {"color": CYCLE[place % len(CYCLE)], **marked(place)}
+        axes.plot(rpm, result.spring_force[:, place], label=f"{name}, spring", **look)
+        if np.isfinite(result.stop_speed[place]):
+            axes.plot(rpm, result.stop_force[:, place], ls="--", label=f"{name}, stop", **look)
+            axes.axvline(result.stop_speed[place] * RPM.factor, **STOP)
 
 
 def _inner_outer(
@@ -105,17 +106,17 @@ def _inner_outer(
     inner: np.ndarray[tuple[int, ...], np.dtype[np.float64]],
     outer: np.ndarray[tuple[int, ...], np.dtype[np.float64]],
 ) -> None:
-    """Inner race solid, outer race dashed, one colour per bearing or group alike."""
+    """Inner race solid, outer race dashed, a colour and marks per bearing or group alike."""
     rpm = result.speed * RPM.factor
-    for name, column in merged(result.bearing, result.axial_load):
-        colour = CYCLE[column % len(CYCLE)]
-        axes.plot(rpm, inner[:, column], color=colour, ls=DASHES[0], label=f"{name}, inner")
-        axes.plot(rpm, outer[:, column], color=colour, ls=DASHES[1], label=f"{name}, outer")
+    for place, (name, column) in enumerate(merged(result.bearing, result.axial_load)):
+        look = {"color": CYCLE[column % len(CYCLE)], **marked(place)}
+        axes.plot(rpm, inner[:, column], ls=DASHES[0], label=f"{name}, inner", **look)
+        axes.plot(rpm, outer[:, column], ls=DASHES[1], label=f"{name}, outer", **look)
 
 
 def _finish(axes: Sequence[Axes], result: PreloadResult) -> None:
-    for each in axes:
-        legend(each)
     for speed in result.stop_speed[np.isfinite(result.stop_speed)]:
         for each in axes[:3]:
-            each.axvline(speed * RPM.factor, color=GREY, lw=0.8, ls=":")
+            each.axvline(speed * RPM.factor, **STOP)
+    for each in axes:
+        legend(each)

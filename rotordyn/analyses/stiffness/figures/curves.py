@@ -36,13 +36,13 @@ def stiffness_figure(
         figure, (15.0, 11.0, 147.0, 84.0), "speed [rpm]", f"radial stiffness{where} [N/µm]"
     )
     rpm = result.speed * RPM.factor
+    speed_ticks(axes, float(rpm[-1]))
     names = [name.replace("_", " ") for name in result.variant]
     draw_columns(axes, rpm, result.tangent * STIFFNESS.factor, names)
     colours = {name: CYCLE[k % len(CYCLE)] for k, name in enumerate(result.variant)}
     draw_references(
         axes, references, "radial_stiffness", float(rpm[-1]), subject=True, colours=colours
     )
-    speed_ticks(axes, float(rpm[-1]))
     axes.set_ylim(0.0, axes.get_ylim()[1] * 1.05)
     legend(axes, loc="lower left")
     return figure

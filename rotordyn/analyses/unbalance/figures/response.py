@@ -14,14 +14,16 @@ from rotordyn.figures.labels import spread
 from rotordyn.figures.legends import shortened, top_legend
 from rotordyn.figures.style import (
     CYCLE,
+    DASHES,
     FONT_SIZE,
     GREY,
     add_axes,
     grid_boxes,
+    marked,
     new_figure,
     speed_ticks,
 )
-from rotordyn.results.display import MICROMETRE, RPM
+from rotordyn.results.display import MICROMETRE, RPM, number
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -31,7 +33,7 @@ Array = NDArray[np.float64]
 ROUND = 1e-6  # of an orbit: nearer to a circle than that is one
 DECADES = 6.0  # of an axis, at most
 DASH = {"y": "-", "z": "--"}
-_LETTER = 0.5 * (FONT_SIZE - 1.5) * 25.4 / 72.0  # [mm] of a name above the panels, on average
+_LETTER = 0.58 * (FONT_SIZE - 1.5) * 25.4 / 72.0  # [mm] of a name above the panels, on average
 
 
 def response_figure(result: UnbalanceResult) -> Figure:
@@ -55,6 +57,7 @@ def response_figure(result: UnbalanceResult) -> Figure:
                 "color": CYCLE[column % len(CYCLE)],
                 "ls": DASH[letter],
                 "label": label,
+                **marked(column),
             }
             amplitude = result.amplitude[:, column, axis] * MICROMETRE.factor
             panels[0].plot(*_positive(result, amplitude), **look)
@@ -63,15 +66,16 @@ def response_figure(result: UnbalanceResult) -> Figure:
         if ellipses:
             with np.errstate(invalid="ignore", divide="ignore"):
                 ratio = result.minor_axis[:, column] / result.major_axis[:, column]
-            panels[2].plot(*_turning(result, ratio), color=CYCLE[column % len(CYCLE)])
+            panels[2].plot(
+                *_turning(result, ratio), color=CYCLE[column % len(CYCLE)], **marked(column)
+            )
     _finish(panels[0])
     panels[1].set_ylim(-190.0, 190.0)
     panels[1].set_yticks([-180.0, -90.0, 0.0, 90.0, 180.0])
     if ellipses:
         panels[2].set_ylim(-1.08, 1.08)
         panels[2].set_yticks([-1.0, -0.5, 0.0, 0.5, 1.0])
-    _criticals(panels, result, boxes[0][2])
-    top_legend(figure, panels[0])
+    top_legend(figure, panels[0], above=_criticals(panels, result, boxes[0][2]))
     return figure
 
 
@@ -81,10 +85,13 @@ def forces_figure(result: UnbalanceResult) -> Figure:
     axes = _panel(figure, (17.0, 12.0, 145.0, 62.0), "force, zero to peak [N]", result, last=True)
     for column, name in enumerate(result.support):
         x, values = _positive(result, result.force_amplitude[:, column])
-        axes.plot(x, values, color=CYCLE[column % len(CYCLE)], label=name)
+        look: dict[str, Any] = {
+            "color": CYCLE[column % len(CYCLE)],
+            "ls": DASHES[column % len(DASHES)],
+        }
+        axes.plot(x, values, label=name, **look)
     _finish(axes)
-    _criticals([axes], result, 145.0)
-    top_legend(figure, axes)
+    top_legend(figure, axes, above=_criticals([axes], result, 145.0))
     return figure
 
 
@@ -130,17 +137,29 @@ def _finish(axes: Axes) -> None:
         log_axis(axes)
 
 
-def _criticals(panels: Sequence[Axes], result: UnbalanceResult, wide: float) -> None:
-    """A thin line at every critical speed, its name above the first panel where there is room."""
+def _criticals(panels: Sequence[Axes], result: UnbalanceResult, wide: float) -> float:
+    """A thin line at every critical speed; above the first panel its value in rpm and Hz, and its
+    name where there is room. Returns the height of these words [mm]."""
     rpm = result.critical_speed * RPM.factor
+    hertz = rpm / 60.0 * abs(result.speed_ratio)
     for axes in panels:
-        for speed in rpm:
-            axes.axvline(speed, color=GREY, lw=0.7, ls=":", zorder=1)
+        for place, speed in enumerate(rpm):
+            name = None if place else "critical speed"
+            axes.axvline(speed, color=GREY, lw=0.7, ls=":", zorder=1, label=name)
+    if not rpm.size:
+        return 0.0
     low, high = panels[0].get_xlim()
-    words = [f"{shortened(n, 20)}: {s:.0f}" for n, s in zip(result.critical, rpm, strict=True)]
-    if sum(map(len, words)) * _LETTER > wide:
-        words = [f"{speed:.0f}" for speed in rpm]  # too many to be named
-    sizes = [(len(word) * _LETTER + 2.0) * (high - low) / wide for word in words]
+    values = list(zip(result.critical, rpm.tolist(), hertz.tolist(), strict=True))
+    long = [f"{shortened(n, 20)}\n{s:.0f} rpm\n{number(f)} Hz" for n, s, f in values]
+    short = [f"{s:.0f} rpm\n{number(f)} Hz" for _, s, f in values]
+    bare = [f"{s:.0f}\n{number(f)}" for _, s, f in values]  # too many: units stand at the left
+    words = next((each for each in (long, short) if _wide(each) <= wide), bare)
+    if words is bare:
+        look: dict[str, Any] = dict(ha="right", va="bottom", fontsize=FONT_SIZE - 1.5, color=GREY)
+        panels[0].annotate(
+            "rpm\nHz", (0.0, 1.0), (-8.0, 2.0), "axes fraction", "offset points", **look
+        )
+    sizes = [_wide([word]) * (high - low) / wide for word in words]
     for place, word in zip(spread(rpm.tolist(), sizes, low, high), words, strict=True):
         panels[0].annotate(
             word,
@@ -153,3 +172,9 @@ def _criticals(panels: Sequence[Axes], result: UnbalanceResult, wide: float) -> 
             fontsize=FONT_SIZE - 1.5,
             color=GREY,
         )
+    return 1.0 + 3.0 * (1 + max(word.count("\n") for word in words))
+
+
+def _wide(words: Sequence[str]) -> float:
+    """Room that labels in a row need [mm], by the longest line of each."""
+    return sum(max(map(len, word.split("\n"))) * _LETTER + 2.0 for word in words)

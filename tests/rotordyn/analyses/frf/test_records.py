@@ -235,7 +235,8 @@ def test_summary_and_figure_show_what_was_measured(tmp_path: Path) -> None:
     there = np.interp(f / 1.05, result.frequency, np.abs(result.response[0, 0])) / 2.0
     rows = "".join(f"{a:.6g},{h * 1e6:.9g},0\n" for a, h in zip(f, there, strict=True))
     (tmp_path / "tap.csv").write_text("frequency [Hz],amplitude [um/N],phase [deg]\n" + rows)
-    found = deliver(case(tmp_path, measured=MEASURED % ("tap.csv", ", name: tap")), tmp_path / "o")
+    one = case(tmp_path, measured=MEASURED % ("tap.csv", ", name: tap"))
+    found = deliver(one, tmp_path / "o", formats=("svg",))
     text = " ".join(found.summary.split())
     assert f"measured tap, receptance {PAIR} at 0 rpm: FRAC 0." in text
     result = solve(case(tmp_path, measured=MEASURED % ("tap.csv", ""))).results["frf"]
