@@ -6,7 +6,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from dataclasses import fields
 
 from rotordyn.analyses.contract import Spec
-from rotordyn.analyses.frf.spec import QUANTITIES, FrfSpec
+from rotordyn.analyses.frf.spec import ORDERS_TURNED, QUANTITIES, FrfSpec
 from rotordyn.analyses.registry import analysis
 from rotordyn.analyses.section_forces.spec import SectionForcesSpec
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
@@ -192,6 +192,8 @@ def _question(name: str, spec: Spec, spindle: Spindle, conditions: Conditions) -
 def _frf(name: str, spec: FrfSpec, spindle: Spindle, conditions: Conditions) -> Iterator[str]:
     if spec.quantity != QUANTITIES[0] and conditions.formulation == ROTATING:
         yield f"{name}: quantity: {turned(spec.quantity)}"
+    if spec.engine_orders and conditions.formulation == ROTATING:
+        yield f"{name}: engine_orders: {ORDERS_TURNED}"
     for point in {port.point: None for pair in spec.pairs for port in pair}:
         yield from _exists(point, spindle.places, f"{name}: unknown point")
     for pair in spec.pairs:

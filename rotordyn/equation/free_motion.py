@@ -124,11 +124,12 @@ class FreeMotions:
         return own if self.whirling else np.take_along_axis(own, self._chosen[0], axis=-1)
 
     def receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
-        """At ``omega`` (f,) > 0 of paired rows (pairs, n): (s, pairs, f)."""
+        """At ``omega`` > 0, (f,) or (s, f) of every speed's own, of paired rows (pairs, n):
+        (s, pairs, f)."""
         answer = (self.lossy or self.modes).receptance
         if not self.whirling:
             return answer(omega, self._folded(responses), self._folded(excitations))
-        both = np.concatenate([omega, -omega])
+        both = np.concatenate([omega, -omega], axis=-1)
         return self._in_planes(lambda r, e: answer(both, r, e), responses, excitations)
 
     def turning_receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
@@ -137,8 +138,9 @@ class FreeMotions:
 
         def answer(own: Array, other: Array) -> Complex:
             found = []
+            every = np.broadcast_to(omega, (len(self.linear.speed), omega.shape[-1]))
             for row, spin in enumerate(self.linear.speed):
-                both = np.concatenate([omega + spin, spin - omega])
+                both = np.concatenate([every[row] + spin, spin - every[row]])
                 found.append(self.modes.at(np.array([row])).receptance(both, own, other))
             return np.concatenate(found)
 

@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Annotated
 
 from rotordyn.description import Description, ascending, doubled
 from rotordyn.machine.support import Freedom
-from rotordyn.quantity import Choice, Frequency, Name, PointName, Speed
+from rotordyn.quantity import Choice, EngineOrder, Frequency, Name, PointName, Speed
 
 QUANTITIES = ("receptance", "mobility", "inertance")
+ORDERS_TURNED = (
+    "a multiple of the speed has another frequency in the turning frame: leave engine_orders out, "
+    "or take formulation: inertial"
+)
 NO_RESPONSE = "no response: given zero at every frequency; allowed: at least one other value"
 
 
@@ -64,6 +69,8 @@ class FrfSpec(Description):
 
     ``quantity``: of ``QUANTITIES``: displacement, velocity or acceleration over force. ``measured``
     is laid over what is computed.
+    ``engine_orders``: multiples of the speed of every rotor, along which the responses are followed
+    over speed, beside ``frequencies`` or instead of them.
     ``slices``: speeds [rad/s] at which curves are drawn and UFF58 records written (nearest speed
     of the case); none given = the lowest and the highest.
     """
@@ -73,10 +80,25 @@ class FrfSpec(Description):
     slices: tuple[Speed, ...] = ()
     quantity: Annotated[str, Choice(QUANTITIES)] = QUANTITIES[0]
     measured: tuple[MeasuredResponse, ...] = ()
+    engine_orders: tuple[EngineOrder, ...] = ()
+
+    def highest(self, top: float) -> float:
+        """Highest frequency asked for [Hz], where the fastest rotor turns at ``top`` [rad/s]."""
+        order = max(self.engine_orders, default=0.0)
+        return max(*self.frequencies[-1:], order * top / (2.0 * math.pi), 0.0)
 
     def _faults(self) -> Iterator[str]:
-        if not self.frequencies or not self.pairs:
-            yield f"no {'pairs' if self.frequencies else 'frequencies'}: at least one is needed"
+        if not self.pairs:
+            yield "no pairs: at least one is needed"
+        if not self.frequencies and not self.engine_orders:
+            yield "no frequencies: at least one is needed, or engine_orders"
+        if not self.frequencies:
+            yield from (
+                f"{name}: needs frequencies"
+                for name in ("slices", "measured")
+                if getattr(self, name)
+            )
+        yield from ascending("engine_orders", self.engine_orders)
         yield from ascending("frequencies", self.frequencies)
         yield from ascending("slices", self.slices)
         for name in doubled(f"{response} / {excitation}" for response, excitation in self.pairs):

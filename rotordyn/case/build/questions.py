@@ -58,7 +58,13 @@ def _spec(entry: Any) -> Spec:
 
 def _frf(entry: FrfEntry) -> FrfSpec:
     pairs = tuple((Port(*response), Port(*excitation)) for response, excitation in entry.asked)
-    return FrfSpec(values(entry.frequencies), pairs, tuple(entry.slices), entry.quantity)
+    return FrfSpec(
+        () if entry.frequencies is None else values(entry.frequencies),
+        pairs,
+        tuple(entry.slices),
+        entry.quantity,
+        engine_orders=tuple(entry.engine_orders),
+    )
 
 
 def section_forces(entry: SectionForcesEntry) -> SectionForcesSpec:

@@ -98,7 +98,9 @@ def _lists(entry: CaseEntry, root: Node, faults: Faults) -> None:
             ascending(getattr(analyses.campbell, name), root, (*way, "campbell", name), faults)
         _in_space(analyses.campbell, root, faults)
     if analyses.frf is not None:
-        sweep(analyses.frf.frequencies, "Hz", root, (*way, "frf", "frequencies"), faults)
+        if analyses.frf.frequencies is not None:
+            sweep(analyses.frf.frequencies, "Hz", root, (*way, "frf", "frequencies"), faults)
+        ascending(analyses.frf.engine_orders, root, (*way, "frf", "engine_orders"), faults)
         ascending(analyses.frf.slices, root, (*way, "frf", "slices"), faults)
         slices(analyses.frf, entry, root, faults)
     if analyses.stiffness is not None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from contextlib import suppress
 
-from rotordyn.analyses.frf.spec import QUANTITIES
+from rotordyn.analyses.frf.spec import ORDERS_TURNED, QUANTITIES
 from rotordyn.case.agreement import uncoupled
 from rotordyn.case.build.spindle import housing
 from rotordyn.case.build.sweep import values
@@ -33,6 +33,18 @@ def slices(entry: FrfEntry, case: CaseEntry, root: Node, faults: Faults) -> None
             faults.at(root, way, f"not within the speeds of the case: given '{root.at(*way).raw}'")
     if not any(root.at(*WAY).child(key) for key in ("pairs", "matrix")):
         faults.missing(root, (*WAY, "pairs"), "missing key: it must be given, or matrix")
+    if not root.at(*WAY).child("frequencies"):
+        if not root.at(*WAY).child("engine_orders"):
+            faults.missing(
+                root,
+                (*WAY, "frequencies"),
+                "missing key: it must be given, or engine_orders",
+            )
+        for key in ("slices", "measured"):
+            if root.at(*WAY).child(key):
+                faults.at_key(root, (*WAY, key), "needs frequencies, which are not given")
+    if case.conditions.formulation == ROTATING and entry.engine_orders:
+        faults.at_key(root, (*WAY, "engine_orders"), ORDERS_TURNED)
     if case.conditions.formulation == ROTATING and entry.quantity not in ("", QUANTITIES[0]):
         faults.at(root, (*WAY, "quantity"), f"{turned(entry.quantity)}: given '{entry.quantity}'")
 

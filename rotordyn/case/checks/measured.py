@@ -51,7 +51,7 @@ def _responses(
         if found is None:
             continue
         try:
-            yield _response(name, one, found, values(asked.frequencies), values(entry.speeds))
+            yield _response(name, one, found, values(asked.frequencies or ()), values(entry.speeds))
         except InvalidInput as fault:
             reader.faults.at(root, (*way, "file"), f"{one.file}: {fault}")
 

@@ -129,10 +129,16 @@ class FrfEntry(Entry):
     """Frequency responses over speed and frequency."""
 
     model_config = ConfigDict(
-        json_schema_extra={"anyOf": [{"required": ["pairs"]}, {"required": ["matrix"]}]}
+        json_schema_extra={
+            "allOf": [
+                {"anyOf": [{"required": ["pairs"]}, {"required": ["matrix"]}]},
+                {"anyOf": [{"required": ["frequencies"]}, {"required": ["engine_orders"]}]},
+            ]
+        }
     )
 
-    frequencies: Frequencies
+    frequencies: Frequencies | None = None
+    engine_orders: list[EngineOrder] = []
     quantity: Annotated[str, choice(*QUANTITIES)] = QUANTITIES[0]
     pairs: Annotated[list[PairEntry], Field(min_length=1)] = []
     matrix: ResponseMatrixEntry | None = None

@@ -83,7 +83,8 @@ MEANINGS: dict[str, dict[str, str]] = {
         "files": "formats of the meshes that other programs read",
     },
     "frf": {
-        "frequencies": "of the excitation, independent of speed",
+        "frequencies": "of the excitation, independent of speed; these or `engine_orders`, or both",
+        "engine_orders": "multiples of the speed of every rotor, whole or not, followed over speed",
         "quantity": "displacement, velocity or acceleration over force",
         "pairs": "which responses to which forces; these or `matrix`, or both",
         "matrix": "lists instead: every response to every excitation",
