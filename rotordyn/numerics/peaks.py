@@ -16,6 +16,7 @@ Array = NDArray[np.float64]
 GROWTH = 1.5  # of the distance from a pole, from one sample to the next
 NARROW = 1e-4  # of the frequency: about a pole without damping no closer samples
 CLOSER = 1e-3  # of an amplitude: a vertex higher than that is sampled
+ENDLESS = 1e3  # times a sample beside it: no damping limits a peak as high as that
 ROUNDS = 8
 
 
@@ -101,5 +102,6 @@ def _higher(x: Array, amplitude: Array) -> Array:
         three = top[:, None] + np.arange(-1, 2)
         at, height = vertex(x[three], curve[three])
         near = np.abs(at - x[top]) > 1e-12 * np.abs(at)
-        parts.append(at[near & (height > (1.0 + CLOSER) * curve[top])])
+        higher = (height > (1.0 + CLOSER) * curve[top]) & (height < ENDLESS * curve[top])
+        parts.append(at[near & higher])
     return np.unique(np.concatenate(parts))

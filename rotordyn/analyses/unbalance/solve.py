@@ -26,7 +26,7 @@ from rotordyn.modes.band import Band
 from rotordyn.modes.branches import branches_of
 from rotordyn.modes.criticals import critical_speeds
 from rotordyn.modes.names import named
-from rotordyn.numerics.peaks import tops
+from rotordyn.numerics.peaks import NARROW, tops
 from rotordyn.scene.refinement import Rows, changes, settled
 from rotordyn.scene.sampling import over_speed
 from rotordyn.scene.scene import Scene
@@ -70,8 +70,11 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
     placed = acting(spindle, scene.mesh, spec)
     critical = _criticals(scene, ratio)
     fine, (fine_moved, fine_pushed) = _sampled(scene, spec, ratio, critical)
+    lost = np.isin(fine, scene.speed[scene.usable][~steady])
+    fine_moved[lost] = fine_pushed[lost] = complex(np.nan, np.nan)
     fine_orbit = orbit(fine_moved[..., 0], fine_moved[..., 1])
-    peaks = _peaks(fine, fine_orbit.major)
+    endless = [speed for _, speed, damping in critical if abs(damping) <= UNDAMPED]
+    peaks = _peaks(fine, fine_orbit.major, endless)
     return UnbalanceResult(
         speed=scene.speed,
         point=spec.points,
@@ -130,13 +133,16 @@ def _sampled(
     return over_speed(scene, partial(_response, spec, ratio), amplitude, at, widths)
 
 
-def _peaks(speed: Array, amplitude: Array) -> Array:
+def _peaks(speed: Array, amplitude: Array, endless: Sequence[float]) -> Array:
     """Speed and height of every local maximum of the amplitudes (speeds, points): (2, points, n),
-    NaN where a point has fewer."""
+    NaN where a point has fewer; infinite beside a critical speed without damping (``endless``)."""
     places = [tops(each) for each in amplitude.T]
     found = np.full((2, len(places), max(map(len, places), default=0)), np.nan)
     for row, (place, each) in enumerate(zip(places, amplitude.T, strict=True)):
         found[0, row, : len(place)], found[1, row, : len(place)] = speed[place], each[place]
+        for at in endless:
+            near = np.abs(found[0, row] - at) <= 2.0 * NARROW * at
+            found[0, row, near], found[1, row, near] = at, np.inf
     return found
 
 

@@ -55,9 +55,18 @@ def _graded(result: UnbalanceResult) -> str:
 def cells(result: UnbalanceResult, _: Described | None = None) -> dict[str, str]:
     """By point, with the speed at which it is."""
     return {
-        name: f"{_peak(values * MICROMETRE.factor, '.4g')} µm{_at(result, values)}"
-        for name, values in zip(result.point, result.fine_major_axis.T, strict=True)
+        name: _unbounded(result, place)
+        or f"{_peak(values * MICROMETRE.factor, '.4g')} µm{_at(result, values)}"
+        for place, (name, values) in enumerate(
+            zip(result.point, result.fine_major_axis.T, strict=True)
+        )
     }
+
+
+def _unbounded(result: UnbalanceResult, place: int) -> str:
+    """Where nothing limits the amplitude of a point; empty where everything does."""
+    at = result.peak_speed[place, np.isinf(result.peak_amplitude[place])]
+    return f"unbounded at {at[0] * RPM.factor:.0f} rpm, nothing damps" if at.size else ""
 
 
 def _peak(values: Array, form: str) -> str:
