@@ -3,18 +3,20 @@
 from __future__ import annotations
 
 import argparse
+import io
 import os
 import signal
 import sys
 import textwrap
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import rotordyn
 from bearings.errors import BearingError
-from rotordyn.errors import RotordynError, exit_code
+from rotordyn.errors import InvalidInput, RotordynError, exit_code, not_installed
+from rotordyn.plain import HANDLER, register
 
 if TYPE_CHECKING:
     from rotordyn.case.shipped import Shipped
@@ -28,22 +30,65 @@ physical solution (with --strict: one has not); 1 a bug of rotordyn"""
 
 def main(argv: Sequence[str] | None = None) -> int:
     """Run the command line and return its exit code."""
-    arguments = _parser().parse_args(argv)
+    _speak_plainly()
     try:
+        arguments = _parsed(argv)
         code: int = arguments.command(arguments)
-        sys.stdout.flush()
     except (RotordynError, BearingError) as error:
-        print(error, file=sys.stderr)
+        _complain(error)
         return exit_code(error)
-    except BrokenPipeError:  # whoever read what is printed has closed it, such as ``| head``
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 0
+    except ModuleNotFoundError as error:
+        why = not_installed(error.name)
+        if why is None:
+            raise
+        _complain(why)
+        return 2
     except BaseException as error:
         if not _interrupted(error):
             raise
-        print("interrupted; nothing was written", file=sys.stderr)
+        _complain("interrupted; nothing was written")
         return 130
     return code
+
+
+def _parsed(argv: Sequence[str] | None) -> argparse.Namespace:
+    try:
+        return _parser().parse_args(argv)
+    except SystemExit:  # help, a version or a complaint has been printed
+        _say("", end="")
+        raise
+
+
+def _speak_plainly() -> None:
+    """Let streams that lack a symbol, such as µ in ASCII, print a plain word for it."""
+    register()
+    for stream in (sys.stdout, sys.stderr):
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors=HANDLER)
+
+
+def _say(text: object, end: str = "\n") -> None:
+    """Print ``text`` at once; a reader who has closed the pipe, such as ``| head``, is no error.
+
+    Raises
+    ------
+    InvalidInput : standard output takes nothing, such as a file on a full disk
+    """
+    if sys.stdout is None:  # closed before we began
+        return
+    try:
+        print(text, end=end, flush=True)
+    except OSError as error:
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        if not isinstance(error, BrokenPipeError):
+            raise InvalidInput(f"standard output cannot be written: {error.strerror}") from error
+
+
+def _complain(sentence: object) -> None:
+    """Print ``sentence`` as an error, if anybody can still read it."""
+    if sys.stderr is not None:
+        with suppress(OSError):
+            print(sentence, file=sys.stderr, flush=True)
 
 
 def _interrupted(error: BaseException | None) -> bool:
@@ -80,6 +125,9 @@ def _parser() -> argparse.ArgumentParser:
     check = commands.add_parser("check", help="read and validate a case, compute nothing")
     check.add_argument("case", metavar="CASE", help=CASE)
     check.set_defaults(command=_check)
+    new = commands.add_parser("new", help="write a commented case and spindle file to start from")
+    new.add_argument("name", metavar="NAME", help="writes NAME.yaml and NAME_spindle.yaml here")
+    new.set_defaults(command=_new)
     cases = commands.add_parser("cases", help="list the cases that come with rotordyn")
     cases.set_defaults(command=_cases)
     models = commands.add_parser("models", help="list the models of the library, with sources")
@@ -96,12 +144,20 @@ def _check(arguments: argparse.Namespace) -> int:
     questions = ", ".join(case.analyses)
     compared = f"; {_counted(len(case.variants), 'variant')}" if case.variants else ""
     speeds = _counted(len(case.speeds), "speed")
-    print(f"{arguments.case}: fine ({speeds}; {questions}{compared})")
+    _say(f"{arguments.case}: fine ({speeds}; {questions}{compared})")
     return 0
 
 
 def _counted(number: int, word: str) -> str:
     return f"{number} {word}{'' if number == 1 else 's'}"
+
+
+def _new(arguments: argparse.Namespace) -> int:
+    from rotordyn.case.starter import write_starter
+
+    case, spindle = write_starter(arguments.name, Path())
+    print(f"wrote {case} and {spindle}; next: rotordyn check {case}, rotordyn run {case}")
+    return 0
 
 
 def _cases(_: argparse.Namespace) -> int:
@@ -119,9 +175,9 @@ def _list(found: Sequence[Shipped]) -> None:
     columns = [max(len(part) for part in row) for row in zip(*map(_called, found), strict=True)]
     for item in found:
         kind, name = (f"{text:{n}}" for text, n in zip(_called(item), columns, strict=True))
-        print(f"{kind}  {name}  {item.title}")
+        _say(f"{kind}  {name}  {item.title}")
         for source in item.sources[:1]:
-            print(" " * (sum(columns) + 4) + textwrap.shorten(source, 96, placeholder=" …"))
+            _say(" " * (sum(columns) + 4) + textwrap.shorten(source, 96, placeholder=" …"))
 
 
 def _called(item: Shipped) -> tuple[str, str]:
@@ -133,7 +189,7 @@ def _schema(arguments: argparse.Namespace) -> int:
 
     from rotordyn.case.schema.editor import json_schema
 
-    print(json.dumps(json_schema(arguments.file), indent=2))
+    _say(json.dumps(json_schema(arguments.file), indent=2))
     return 0
 
 
@@ -145,7 +201,10 @@ def _stopped(*_: object) -> None:
 def _run(arguments: argparse.Namespace) -> int:
     from rotordyn.job import deliver, one_variant, restricted
 
-    signal.signal(signal.SIGTERM, _stopped)
+    for name in ("SIGTERM", "SIGHUP"):  # Windows has no SIGHUP; nohup ignores it
+        number = getattr(signal, name, None)
+        if number is not None and signal.getsignal(number) == signal.SIG_DFL:
+            signal.signal(number, _stopped)
     case = rotordyn.load(arguments.case)
     if arguments.variant is not None:
         case = one_variant(case, arguments.variant)
@@ -156,12 +215,17 @@ def _run(arguments: argparse.Namespace) -> int:
     with _progress(steps, quiet=arguments.quiet) as progress:
         delivery = deliver(case, target, progress, figures=not arguments.no_figures)
     if not arguments.quiet:
-        print(delivery.summary)
-        print(f"results in {delivery.folder}")
+        _say(delivery.summary)
+        _say(f"results in {delivery.folder}")
+    if delivery.moved:
+        _complain(
+            f"{target} cannot be replaced (is a file of it open in another program?): "
+            f"the results are in {delivery.folder}"
+        )
     if arguments.explain:
-        print(delivery.plan)
+        _say(delivery.plan)
     if delivery.unsolved:
-        print(f"not solved: {delivery.unsolved[0]}", file=sys.stderr)
+        _complain(f"not solved: {delivery.unsolved[0]}")
         return 3 if arguments.strict else 0
     return 0
 
@@ -169,12 +233,15 @@ def _run(arguments: argparse.Namespace) -> int:
 @contextmanager
 def _progress(steps: int, *, quiet: bool) -> Iterator[Progress]:
     """A bar on the terminal that names what is being done; silent where nobody watches."""
-    if quiet or not sys.stderr.isatty():
+    if quiet or sys.stderr is None or not sys.stderr.isatty():
         yield lambda name: None
         return
-    from rich.console import Console
-    from rich.progress import Progress as Bar
-
+    try:
+        from rich.console import Console
+        from rich.progress import Progress as Bar
+    except ModuleNotFoundError:  # a run goes on without its bar
+        yield lambda name: None
+        return
     with Bar(console=Console(stderr=True), transient=True) as bar:
         task = bar.add_task("reading", total=steps)
 

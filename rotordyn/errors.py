@@ -55,6 +55,18 @@ class NoSolution(RotordynError):
     """No speed asked for has a physical solution."""
 
 
+_PACKAGES = {"PIL": "pillow", "vtkmodules": "vtk", "yaml": "PyYAML"}  # by the name of a module
+
+
+def not_installed(module: str | None) -> str | None:
+    """The sentence for a ``module`` that cannot be imported; None if it is none of others."""
+    top = (module or "").partition(".")[0]
+    if top in ("", "rotordyn", "bearings"):
+        return None
+    package = _PACKAGES.get(top, top)
+    return f"the package {package} is not installed: python -m pip install {package}"
+
+
 def exit_code(error: BaseException) -> int:
     """Process exit code for an error (0 is never returned)."""
     if isinstance(error, InvalidInput | InvalidBearing):

@@ -3,18 +3,14 @@
 from __future__ import annotations
 
 import importlib
-import os
 import pkgutil
 import re
 import subprocess
 import sys
-from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
 import pytest
 
-import rotordyn
 from bearings.kinds import KINDS
 from docs.generate.bearing_rows import bearing_rows
 from docs.generate.bending import axial_force_spans, axial_force_table, formulation_table
@@ -26,11 +22,11 @@ from docs.generate.keys import entries, key_tables, keys
 from docs.generate.known import comparison_table
 from docs.generate.marked import parts, rewrite
 from docs.generate.modules import explained, module_table
-from docs.generate.places import DOCS, FIGURES, README, ROOT, THEORY
+from docs.generate.places import DOCS, FIGURES, ROOT, THEORY
 from docs.generate.rotor_rows import rotor_rows
 from docs.generate.rows import Row
-from docs.generate.times import benchmark_parts, measured, short_table
-from rotordyn.analyses.frf.spec import FrfSpec
+from docs.generate.snippets import PICTURES, blocks, snippet_pages
+from docs.generate.times import benchmark_parts, measured, targets
 
 PAGES = sorted(
     [
@@ -39,13 +35,18 @@ PAGES = sorted(
         *(ROOT / d / "README.md" for d in ("cases", "models")),
     ]
 )
-GENERATED = {
-    "README.md": {"accuracy", "times"},
-    "docs/keys.md": {"case", "spindle", "tool", "bearing", "material", "reference"},
+OUTPUTS = {
+    page.relative_to(ROOT).as_posix(): {block.output for block in blocks(page.read_text("utf-8"))}
+    - {""}
+    for page in snippet_pages()
+}
+GENERATED = OUTPUTS | {
+    "docs/accuracy.md": {"accuracy"},
+    "docs/reference/keys.md": {"case", "spindle", "tool", "bearing", "material", "reference"},
     "docs/formulations.md": {"formulations"},
     "docs/theory/axial_force.md": {"axial-force", "axial-stiffening"},
     "docs/theory/debongnie.md": {"power-laws", "errors"},
-    "docs/choosing.md": {"choices", "linear"},
+    "docs/howto/hypotheses.md": {"choices", "linear"},
     "docs/theory/README.md": {"modules"},
     "docs/mfw2310.md": {"comparison", "left-out", "rest", "speed"},
     "docs/benchmarks.md": {
@@ -81,11 +82,6 @@ def text(page: Path) -> str:
     return page.read_text(encoding="utf-8")
 
 
-def blocks(language: str) -> list[str]:
-    """Code blocks of the README in one language."""
-    return re.findall(rf"```{language}\n(.*?)```", text(README), re.S)
-
-
 def cells(table: str) -> list[list[str]]:
     """Body of a Markdown table."""
     lines = [line for line in table.splitlines() if line.startswith("|")][2:]
@@ -96,49 +92,23 @@ def numbers(cell: str) -> list[float]:
     return [float(n) for n in re.findall(r"-?\d+\.?\d*", cell.replace("−", "-"))]
 
 
-@pytest.mark.parametrize("code", blocks("python"), ids=["bearing", "case", "vary"])
-def test_python_of_the_readme_runs(
-    code: str, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
-) -> None:
-    monkeypatch.chdir(ROOT)
-    exec(compile(code, "README.md", "exec"), {})
-    printed = capsys.readouterr().out
-    assert len(printed.splitlines()) >= code.count("print(")
-    assert "nan" not in printed
-
-
-def test_case_of_the_readme_runs(tmp_path: Path) -> None:
-    (case_file,) = blocks("yaml")
-    path = tmp_path / "example.yaml"
-    path.write_text(case_file, encoding="utf-8")
-    case = rotordyn.load(path)
-    assert case.spindle is not None
-    assert case.spindle.sleeves[0].stop_travel == pytest.approx(45e-6)
-    map_spec = case.analyses["frf"]
-    assert isinstance(map_spec, FrfSpec)
-    thin = replace(map_spec, frequencies=map_spec.frequencies[::60])
-    results = rotordyn.run(
-        replace(case, speeds=case.speeds[::3], analyses={**case.analyses, "frf": thin})
-    )
-    assert set(results) == set(case.analyses)
-    assert (results["preload"].outcome == "").all()
-    assert np.isfinite(results["frf"].receptance).all()
-
-
-def test_readme_shows_exactly_two_commands_that_set_up() -> None:
-    (shell,) = blocks("sh")
-    commands = [line.split()[0] for line in shell.splitlines()]
-    assert commands == ["scripts/run", "scripts/test"]
-    assert all(os.access(ROOT / command, os.X_OK) for command in commands)
-
-
-def test_readme_names_the_options_that_there_are() -> None:
-    (usage,) = re.findall(r"^    (rotordyn run CASE .*)$", text(README), re.M)
+def test_reference_names_the_options_that_there_are() -> None:
+    page = text(DOCS / "reference" / "command.md")
+    (usage,) = re.findall(r"^    (rotordyn run CASE .*)$", page, re.M)
     command = [sys.executable, "-m", "rotordyn", "run", "--help"]
     done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
     option = r"(?<![\w-])--?[a-z][a-z-]*"
     options = set(re.findall(option, done.stdout)) - {"-h", "--help", "--output"}
     assert set(re.findall(option, usage)) == options
+    assert set(re.findall(r"^\| `(-[\w-]+)", page, re.M)) == options
+
+
+def test_reference_names_the_commands_that_there_are() -> None:
+    page = text(DOCS / "reference" / "command.md")
+    command = [sys.executable, "-m", "rotordyn", "--help"]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True)
+    names = set(re.findall(r"^    (\w+) +\w", done.stdout, re.M))
+    assert set(re.findall(r"^    rotordyn (\w+)", page, re.M)) == names
 
 
 @by_name
@@ -164,7 +134,7 @@ def test_generated_parts_are_there_and_filled(page: Path) -> None:
 
 
 def test_reference_of_keys_is_that_of_the_schema() -> None:
-    assert parts(text(DOCS / "keys.md")) == key_tables()
+    assert parts(text(DOCS / "reference" / "keys.md")) == key_tables()
 
 
 def test_reference_of_keys_leaves_no_entry_out() -> None:
@@ -189,17 +159,16 @@ def test_reference_of_keys_leaves_no_entry_out() -> None:
 
 
 def test_times_are_those_measured() -> None:
-    assert parts(text(README))["times"] == short_table(measured())
     assert parts(text(DOCS / "benchmarks.md")) == benchmark_parts(measured())
 
 
 def test_a_missed_target_stays_visible() -> None:
     found = measured()
     found["solve"] = 1.5
-    line = cells(short_table(found))[0]
+    line = cells(targets(found))[0]
     assert line[1:] == ["1.5 s", "0.5 s", "**missed by 200 %**"]
     found["solve"] = 0.5
-    assert cells(short_table(found))[0][-1] == "met"
+    assert cells(targets(found))[0][-1] == "met"
 
 
 @pytest.fixture(scope="module")
@@ -208,7 +177,7 @@ def rows() -> list[Row]:
 
 
 def test_accuracy_table_is_what_we_find_now(rows: list[Row]) -> None:
-    printed = cells(parts(text(README))["accuracy"])
+    printed = cells(parts(text(DOCS / "accuracy.md"))["accuracy"])
     assert [line[0] for line in printed] == [row.what for row in rows]
     for line, row in zip(printed, rows, strict=True):
         assert row.difference <= row.allowed, row.what
@@ -253,7 +222,7 @@ def test_tables_of_bending_are_what_we_find_now() -> None:
 
 
 def test_choices_change_what_the_page_says() -> None:
-    printed = parts(text(DOCS / "choosing.md"))
+    printed = parts(text(DOCS / "howto" / "hypotheses.md"))
     for old, new in ((printed["choices"], choice_table()), (printed["linear"], linear_table())):
         assert [line[0] for line in cells(old)] == [line[0] for line in cells(new)]
         for was, now in zip(cells(old), cells(new), strict=True):
@@ -275,6 +244,21 @@ def test_every_module_that_computes_has_a_page_of_theory() -> None:
     assert parts(text(THEORY / "README.md"))["modules"] == module_table()
 
 
+def test_every_term_of_the_equation_names_its_page() -> None:
+    """A file of the table of terms names, in its docstring, the page and section of its row."""
+    rows = re.findall(
+        r"^\| [^|]+ \| \[`(\w+\.py)`\][^|]*\|[^|]*\| \[[^]]+\]\(([^)]+)\) \|$",
+        text(THEORY / "rotor.md"),
+        re.M,
+    )
+    for file, page in rows:
+        code = text(ROOT / "rotordyn" / "equation" / file)
+        assert f"Theory: docs/theory/{page}.\n" in code, file
+    (layer,) = re.findall(r'"(.*\bjoint \|.*)"', text(ROOT / "pyproject.toml"))
+    terms = {f"{name.strip()}.py" for name in layer.split("|")} | {"shaft.py", "support.py"}
+    assert terms <= {file for file, _ in rows}
+
+
 def test_every_source_is_listed_once_and_cited() -> None:
     entries = text(THEORY / "sources.md").split("\n- ")[1:]
     works = {re.sub(r"\W+", " ", re.split(r"\d", entry)[0]) for entry in entries}
@@ -289,7 +273,7 @@ def test_every_source_is_listed_once_and_cited() -> None:
 
 def test_every_extreme_has_a_test_and_every_stress_test_its_row() -> None:
     page = text(DOCS / "stress.md")
-    rows = [r for r in re.findall(r"^\| .*$", page, re.M) if "shown by" not in r]
+    rows = [r for r in re.findall(r"^\| .*$", page, re.M) if "| test |" not in r]
     named = [re.findall(r"`([\w/]+\.py)::(\w+)`", row.rsplit("|", 2)[1]) for row in rows]
     assert all(named)
     for file, name in (one for row in named for one in row):
@@ -309,8 +293,9 @@ def test_figures_are_there_and_small() -> None:
         "sweeps.png",
         "scaling.png",
         *(f"mfw2310_{name}.png" for name in SHOWN),
+        *PICTURES,
     }
-    assert sum(path.stat().st_size for path in images.values()) < 400_000
+    assert sum(path.stat().st_size for path in images.values()) < 500_000
     assert all(path.read_bytes().startswith(b"\x89PNG") for path in images.values())
 
 

@@ -1,4 +1,4 @@
-"""A small spindle built from nouns alone: two bearings in O, a spring, a tool; all values in SI.
+"""A small spindle built from its parts: two bearings in O, a spring, a tool; all values in SI.
 
     python docs/examples/own_spindle.py [FIGURE]
 

@@ -1,4 +1,4 @@
-"""How stiff should the preload springs be? Five answers laid over one another.
+"""How stiff should the preload springs be? Five values compared.
 
     python docs/examples/preload_springs.py [FIGURE]
 

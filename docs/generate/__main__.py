@@ -1,4 +1,4 @@
-"""``python -m docs.generate [--measure]``: see ``scripts/document``."""
+"""``python -m docs.generate [--measure] [--only WORD]``: see ``scripts/document``."""
 
 from __future__ import annotations
 
@@ -13,7 +13,9 @@ def main() -> int:
     parser.add_argument(
         "--measure", action="store_true", help="measure times first (benchmarks/main_job.py)"
     )
-    if parser.parse_args().measure:
+    parser.add_argument("--only", metavar="WORD", default="", help="pages and figures named so")
+    asked = parser.parse_args()
+    if asked.measure:
         from benchmarks.main_job import measure
 
         _step("times measured", measure)
@@ -25,14 +27,17 @@ def main() -> int:
     from docs.generate.scaling_curves import draw_scaling
     from docs.generate.sweep_curves import draw_sweeps
 
-    for name, work in pages.PAGES.items():
-        _step(name, work)
-    _step("docs/figures", draw_figures)
-    _step("docs/figures/precision.png", draw_precision)
-    _step("docs/figures/bearing_error.png", draw_bearing_curves)
-    _step("docs/figures/debongnie_*.png", draw_debongnie)
-    _step("docs/figures/scaling.png", draw_scaling)
-    _step("docs/figures/sweeps.png", draw_sweeps)
+    steps = pages.PAGES | {
+        "docs/figures/mfw2310_*.png": draw_figures,
+        "docs/figures/precision.png": draw_precision,
+        "docs/figures/bearing_error.png": draw_bearing_curves,
+        "docs/figures/debongnie_*.png": draw_debongnie,
+        "docs/figures/scaling.png": draw_scaling,
+        "docs/figures/sweeps.png": draw_sweeps,
+    }
+    for name, work in steps.items():
+        if asked.only in name:
+            _step(name, work)
     return 0
 
 

@@ -31,7 +31,7 @@ CHOICES: tuple[tuple[str, str | float], ...] = (
     ("rotor", "rigid"),
 )
 HEAD = (
-    *("choice", "preload sum [N]:", "peak pressure [GPa]:", "grip needed:"),
+    *("choice", "preload sum [N]:", "peak pressure [GPa]:", "required friction:"),
     *("radial stiffness [N/µm]:", "bending 1 forward [Hz]:"),
 )
 RPM = (0, 12000, 24000)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from importlib import import_module
 
 from bearings.kinds import KINDS
@@ -45,7 +46,12 @@ HEAD = ("key", "takes", "default", "meaning")
 
 def key_tables() -> dict[str, str]:
     """Every part of the page, by name."""
-    return {name: _part(listed.split()) for name, listed in PAGES.items()}
+    return {name: _from_reference(_part(listed.split())) for name, listed in PAGES.items()}
+
+
+def _from_reference(text: str) -> str:
+    """Links of meanings start at ``docs``; the page is in ``docs/reference``."""
+    return re.sub(r"\]\((?=[\w/]+\.md)", "](../", text)
 
 
 def entries() -> list[type[Entry]]:

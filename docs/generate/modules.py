@@ -13,7 +13,7 @@ from docs.generate.places import ROOT, THEORY
 ROOMS = ("bearings", "rotordyn/equation", "rotordyn/equation/elements")
 ROOMS += tuple(f"rotordyn/{r}" for r in ("preload", "numerics", "surface"))
 ROOMS += tuple(f"rotordyn/{r}" for r in ("results", "scene", "modes", "analyses", "analyses/*"))
-# What a case asks of an analysis and how its result is told need no theory.
+# What a case specifies of an analysis and how its result is reported needs no theory.
 PLAIN = {"spec", "result", "known", "summary", "tables", "meshes", "gltf", "uff"}
 _LINK = re.compile(r"\]\(((?:\.\./)+[\w/]+\.py)\)")
 

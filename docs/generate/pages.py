@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import tempfile
 from collections.abc import Callable
+from pathlib import Path
 
 from docs.generate.bearing_rows import bearing_rows
 from docs.generate.bending import axial_force_spans, axial_force_table, formulation_table
@@ -13,16 +15,17 @@ from docs.generate.keys import key_tables
 from docs.generate.known import comparison_table, left_out
 from docs.generate.marked import rewrite, table
 from docs.generate.modules import module_table
-from docs.generate.places import DOCS, README, THEORY
+from docs.generate.places import DOCS, THEORY
 from docs.generate.rotor_rows import rotor_rows
 from docs.generate.rows import HEAD, Row
-from docs.generate.times import benchmark_parts, measured, short_table
+from docs.generate.snippets import write_snippets
+from docs.generate.times import benchmark_parts, measured
 
 
-def write_readme() -> None:
-    """Accuracy and times."""
+def write_accuracy() -> None:
+    """Published and independent values beside ours."""
     rows = [*bearing_rows(), *rotor_rows(), *rest_rows(), *speed_rows()]
-    rewrite(README, {"accuracy": _accuracy(rows), "times": short_table(measured())})
+    rewrite(DOCS / "accuracy.md", {"accuracy": _accuracy(rows)})
 
 
 def write_flagship() -> None:
@@ -39,7 +42,7 @@ def write_flagship() -> None:
 
 def write_keys() -> None:
     """The reference of keys."""
-    rewrite(DOCS / "keys.md", key_tables())
+    rewrite(DOCS / "reference" / "keys.md", key_tables())
 
 
 def write_bending() -> None:
@@ -51,7 +54,7 @@ def write_bending() -> None:
 
 def write_choosing() -> None:
     """What the choices of a case change."""
-    rewrite(DOCS / "choosing.md", {"choices": choice_table(), "linear": linear_table()})
+    rewrite(DOCS / "howto" / "hypotheses.md", {"choices": choice_table(), "linear": linear_table()})
 
 
 def write_theory() -> None:
@@ -69,15 +72,22 @@ def write_benchmarks() -> None:
     rewrite(DOCS / "benchmarks.md", benchmark_parts(measured()))
 
 
+def write_outputs() -> None:
+    """What commands and code of the pages print, and figures of their runs."""
+    with tempfile.TemporaryDirectory() as folder:
+        write_snippets(Path(folder))
+
+
 PAGES: dict[str, Callable[[], None]] = {
-    "docs/keys.md": write_keys,
+    "docs/reference/keys.md": write_keys,
     "docs/theory/README.md": write_theory,
     "docs/theory/debongnie.md": write_debongnie,
     "docs/benchmarks.md": write_benchmarks,
     "docs/formulations.md, docs/theory/axial_force.md": write_bending,
-    "docs/choosing.md": write_choosing,
+    "docs/howto/hypotheses.md": write_choosing,
     "docs/mfw2310.md": write_flagship,
-    "README.md": write_readme,
+    "docs/accuracy.md": write_accuracy,
+    "README.md, docs/tutorial, docs/howto, docs/reference": write_outputs,
 }
 
 

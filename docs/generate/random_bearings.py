@@ -71,12 +71,12 @@ def random_paths(found: Found) -> str:
     ends = found["endings"]
     rows += [
         (
-            "bearings refused: a state at every speed up to the one told",
+            "bearings refused: a state at every speed up to the reported one",
             str(ends["refusals"]),
             str(ends["states at all speeds below"]),
         ),
         (
-            "bearings refused with states again above it: told",
+            "bearings refused with states again above it: reported",
             str(ends["states again above"]),
             str(ends["states again above, told"]),
         ),

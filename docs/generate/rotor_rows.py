@@ -32,7 +32,7 @@ def rotor_rows() -> list[Row]:
             "first mode backward and forward",
             rate,
             0.03,
-            "derived for the element ([theory](docs/theory/shaft.md))",
+            "derived for the element ([theory](theory/shaft.md))",
             (2.0, 2.0),
         ),
         Row(

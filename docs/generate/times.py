@@ -37,7 +37,7 @@ def measured() -> Measured:
     return found
 
 
-def short_table(found: Measured) -> str:
+def targets(found: Measured) -> str:
     """What a user feels, each beside its target."""
     walls = {p["name"]: p for p in found["processes"]}
     rows = [_timed("all solve stages together", found["solve"], SOLVE_TARGET)]
@@ -50,15 +50,14 @@ def short_table(found: Measured) -> str:
         taken = found["install"]
         size = f"{taken['seconds']:.0f} s, {taken['megabytes']:.0f} MB"
         rows.append(("installing from nothing (`scripts/environment run`)", size, "–", "stated"))
-    text = table(("what", "measured:", "target:", ""), rows)
-    return f"{text}\n\nMeasured on {machine(found)}."
+    return table(("what", "measured:", "target:", ""), rows)
 
 
 def benchmark_parts(found: Measured) -> dict[str, str]:
     """The parts of the page on times."""
     return {
         "machine": f"Measured on {machine(found)}.",
-        "targets": short_table(found).rpartition("\n\n")[0],
+        "targets": targets(found),
         "processes": _processes(found),
         "stages": _stages(found),
         **bearing_parts(found["bearing"]),

@@ -17,7 +17,8 @@ from docs.site.docstrings import plain
 from rotordyn.results.declaration import declared
 
 # Page -> (title, modules in the order in which they are searched). A name is shown where it is
-# found first; ``package.*`` stands for the modules of a package that does not say what it offers.
+# found first; ``package.*`` stands for the modules of a package without ``__all__``,
+# ``package.*.name`` for the modules of that name in its subpackages.
 PAGES = {
     "rotordyn": ("rotordyn", ("rotordyn", "rotordyn.errors")),
     "bearings": (
@@ -60,12 +61,14 @@ def write_api(folder: Path) -> None:
 
 def _modules(names: tuple[str, ...]) -> Iterator[ModuleType]:
     for name in names:
-        module = importlib.import_module(name.removesuffix(".*"))
-        if not name.endswith(".*"):
+        package, star, rest = name.partition(".*")
+        module = importlib.import_module(package)
+        if not star:
             yield module
-        elif not hasattr(module, "__all__"):
-            for found in pkgutil.iter_modules(module.__path__, f"{module.__name__}."):
-                yield importlib.import_module(found.name)
+        elif rest or not hasattr(module, "__all__"):
+            for found in pkgutil.iter_modules(module.__path__, f"{package}."):
+                if found.ispkg or not rest:
+                    yield importlib.import_module(found.name + rest)
 
 
 def _found(module: ModuleType, seen: Shown) -> tuple[ModuleType, Shown]:

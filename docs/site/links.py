@@ -14,7 +14,6 @@ from sphinx.transforms.post_transforms import SphinxPostTransform
 
 from docs.generate.modules import first_line
 from docs.generate.places import ROOT
-from docs.site.readme import SECTION_PAGES
 
 LANGUAGES = {".py": "python", ".yaml": "yaml", ".cff": "yaml", ".toml": "toml", ".json": "json"}
 SHOWN = "source/"
@@ -44,18 +43,16 @@ class FileLinks(SphinxPostTransform):
         node.replace_self(link)
 
     def _uri(self, target: str, anchor: str) -> str:
-        page = self._page(target, anchor) or SHOWN + target
+        page = self._page(target) or SHOWN + target
         if page.startswith(SHOWN):
             shown_files(self.env).add(target)
         uri: str = self.app.builder.get_relative_uri(self.env.docname, page)
         return f"{uri}#{anchor}" if anchor else uri
 
-    def _page(self, target: str, anchor: str) -> str:
+    def _page(self, target: str) -> str:
         """The page that shows what ``target`` is: the README, a case, an example, a folder."""
         if target in {"README.md", "docs/README.md"}:
-            slugs = (self.env.metadata[page].get("myst_slugs", {}) for page in SECTION_PAGES)
-            pages = zip(SECTION_PAGES, slugs, strict=True)
-            return next((page for page, known in pages if anchor in known), "index")
+            return "index"
         for page in (posixpath.splitext(target)[0], f"{target}/README"):
             if page in self.env.found_docs:
                 return page

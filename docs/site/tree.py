@@ -10,14 +10,26 @@ from pathlib import Path
 from docs.generate.places import DOCS, README, ROOT
 from docs.site.api import write_api
 from docs.site.gallery import grid, show_all
-from docs.site.readme import readme_pages
 
 THEORY, CASES = "docs/theory/README", "cases/README"
-# The order of the pages; a document of ``docs`` that is not named goes to the last group.
+
+
+def _in(folder: str, names: str) -> tuple[str, ...]:
+    return tuple((Path("docs") / folder / name).as_posix() for name in names.split())
+
+
+# The order of the pages; one of ``docs`` itself that is not named goes to the last group.
 GROUPS = {
-    "Use": ("guide", "docs/choosing", CASES, "models/README", "docs/keys", "docs/conventions"),
-    "Reference": (THEORY, "api/index"),
-    "Evidence": ("accuracy", "docs/mfw2310", "docs/stress", "docs/benchmarks"),
+    "Tutorial": _in("tutorial", "first_run own_spindle campbell"),
+    "How to": _in("howto", "bearing_data preload compare measured_frf hypotheses editor"),
+    "Reference": (
+        *_in("reference", "keys command results python"),
+        *("api/index", CASES, "models/README"),
+    ),
+    "Explanation": (
+        THEORY,
+        *_in("", "conventions formulations accuracy mfw2310 limits stress benchmarks"),
+    ),
     "Project": ("docs/house", "CONTRIBUTING", "CHANGELOG"),
 }
 
@@ -25,8 +37,7 @@ GROUPS = {
 def lay_out(tree: Path, runs: Path) -> None:
     """Write all pages into ``tree``, after running what is new in the gallery."""
     copy_documents(tree)
-    for page, text in readme_pages(README.read_text(encoding="utf-8")).items():
-        (tree / f"{page}.md").write_text(text, encoding="utf-8")
+    shutil.copy(README, tree / "index.md")
     cases, examples = show_all(tree, runs)
     _append(tree, CASES, "## Gallery", grid(cases, tree), contents(e.page for e in cases))
     if examples:
@@ -38,7 +49,7 @@ def lay_out(tree: Path, runs: Path) -> None:
 
 
 def copy_documents(tree: Path) -> None:
-    """Every document and figure of the repository, except those made of the README's sections."""
+    """Every document and figure of the repository; the README is the front page."""
     for folder in (DOCS, ROOT / "cases", ROOT / "models"):
         shutil.copytree(folder, tree / folder.name, ignore=_all_but_documents)
     (tree / "docs" / "README.md").unlink()

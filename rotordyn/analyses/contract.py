@@ -36,6 +36,7 @@ from rotordyn.results.layout import Layout, Table
 
 Spec = Description
 Cells = Mapping[str, str]
+File = tuple[str, Callable[[], object]]
 
 
 class Result(Protocol):
@@ -89,9 +90,11 @@ class Analysis:
       the case; ``compared(spec, variants)``: the same of variants (``figures.panels.Shown``);
       ``costs``: of figures that take long, drawn first where the number is higher;
     - ``tables``, and ``further_tables(result)``: those that no layout gives;
-    - ``files(folder, case, result)``: further files;
-    - ``pictures(parts)``: pictures that another process makes meanwhile, a context
-      (``figures.draw.Pictures``); ``parts``: case and result by folder;
+    - ``files(folder, case, result)``: further files, pairs of name and function that writes;
+      one that lacks a package of others is left out with a note;
+    - ``pictures(parts, beside)``: pictures that another process makes meanwhile, a context
+      (``figures.draw.Pictures``); ``parts``: case and result by folder; ``beside``: where its files
+      may stand;
     - ``summary(result)``: lines; ``accuracy(result)``: phrases; ``warnings(result)``: sentences;
     - ``heading`` of its table where variants are compared, ``cells(result, case)`` of a row;
     - ``known(reference, result, spindle)``: values (SI) to put beside a reference, NaN at speeds
@@ -113,8 +116,8 @@ class Analysis:
     costs: Mapping[str, int] = field(default_factory=dict)
     tables: tuple[Layout, ...] = ()
     further_tables: Callable[[Any], Iterable[Table]] = _nothing
-    files: Callable[[Path, Any, Any], Any] = _nothing
-    pictures: Callable[[Any], AbstractContextManager[Any]] | None = None
+    files: Callable[[Path, Any, Any], Iterable[File]] = _nothing
+    pictures: Callable[[Any, Path], AbstractContextManager[Any]] | None = None
     summary: Callable[[Any], Iterable[str]] = _nothing
     accuracy: Callable[[Any], Iterable[str]] = _nothing
     warnings: Callable[[Any], Iterable[str]] = _nothing

@@ -1,4 +1,7 @@
-"""What the axial force N in a shaft does to its bending: ∫ N v′ w′ dx in each plane."""
+"""What the axial force N in a shaft does to its bending: ∫ N v′ w′ dx in each plane.
+
+Theory: docs/theory/axial_force.md.
+"""
 
 from __future__ import annotations
 

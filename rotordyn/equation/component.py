@@ -3,6 +3,8 @@
 A free shaft has four: axial motion, torsion, bending in plane y and in plane z. Its coordinates are
 free modes up to a cut-off and static modes at ports (``reduce``), or its rigid motions alone; those
 of a sleeve or a housing are its own DOF. Mass is the identity in all of them.
+
+Theory: docs/theory/reduction.md.
 """
 
 from __future__ import annotations
@@ -169,7 +171,7 @@ class Component:
             slopes = self.placed(count, rows)
             couplings.append(Coupling(slopes.T @ slopes, self.cutoff, statics=True))
         basis = reduce(mass, stiffness, rigid, ports, self.cutoff, couplings)
-        # coordinates with next to no mass are lent one, or their damping drowns slow modes
+        # nearly massless coordinates get a fictitious mass, or their damping drowns slow modes
         stiff = np.maximum(np.sqrt(basis.values) / (WEIGHTLESS * self.cutoff), 1.0)
         roots = basis.roots / stiff[:, None] / stiff
         return basis.vectors / stiff, basis.values / stiff**2, roots

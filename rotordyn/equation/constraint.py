@@ -4,6 +4,8 @@ In coordinates of unit mass and stiffness ω², rigid motions of a body (ω = 0)
 ones as far as they can, q_r = −R_r⁺ R_e q_e, which costs no energy; what then is left of R holds
 elastic motions, taken in the measure ω q_e. The basis is the left singular vectors of these
 motions: orthonormal, slow motions first, which keep their digits however stiff the rest is.
+
+Theory: docs/theory/supports.md#linear-supports.
 """
 
 from __future__ import annotations

@@ -4,6 +4,8 @@ Modal damping is Σ 2ζω (M φ)(M φ)ᵀ over all modes φ of the free rotor at
 are modes it is diagonal, on static modes it is that of the modes they are made of. Ratios are given
 in order of the flexible modes, the last one for all that follow; axial motion and torsion have the
 last one. A share of both kinds turns with the rotor (``Component.turning``).
+
+Theory: docs/theory/damping.md.
 """
 
 from __future__ import annotations

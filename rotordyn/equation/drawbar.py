@@ -1,5 +1,8 @@
 """The drawbar as a string under tension P, straight between the stations at which it touches the
-shaft: over a distance L it answers with P/L to their relative deflection."""
+shaft: over a distance L it answers with P/L to their relative deflection.
+
+Theory: docs/theory/axial_force.md#the-drawbar.
+"""
 
 from __future__ import annotations
 

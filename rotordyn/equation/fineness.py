@@ -87,8 +87,8 @@ class Fineness:
 
     @property
     def weightless(self) -> float:
-        """The frequency lent to what has no mass [rad/s], far above the band: the error by that
-        falls with its square."""
+        """Frequency [rad/s] that a fictitious mass gives to massless DOF, far above the band: the
+        error by that mass falls with its square."""
         return FINER**self.finer * WEIGHTLESS * self._finer**0.5 * self.band
 
     @property

@@ -1,4 +1,7 @@
-"""Housings under bearings and supports: rigid bodies on springs, or reduced models."""
+"""Housings under bearings and supports: rigid bodies on springs, or reduced models.
+
+Theory: docs/theory/supports.md#housings.
+"""
 
 from __future__ import annotations
 

@@ -10,6 +10,8 @@ frequency Im λ: in what does not turn, as it is without any loss factor; in the
 without that of the shaft. So every mode has one set of signs, none is missed or found twice, and
 one that turns with the shaft has no loss in it. Loss moves frequencies by the square of its factor,
 so that a sign is in doubt only that near to its change.
+
+Theory: docs/theory/damping.md#hysteretic-damping.
 """
 
 from __future__ import annotations

@@ -1,4 +1,7 @@
-"""Joints of a shaft: springs and dampers between the part in front of a node and that behind."""
+"""Joints of a shaft: springs and dampers between the part in front of a node and that behind.
+
+Theory: docs/theory/shaft.md#joints.
+"""
 
 from __future__ import annotations
 

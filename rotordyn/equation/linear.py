@@ -5,6 +5,8 @@
 C holds the gyroscopic effect, K what damping in turning parts, axial force and bearings add. Where
 supports are rigid, q = A p with the motions A that they allow (``constraint``).
 Subsystems are components that links or the gyroscopic effect join.
+
+Theory: docs/theory/rotor.md.
 """
 
 from __future__ import annotations

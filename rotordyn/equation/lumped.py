@@ -1,4 +1,7 @@
-"""Point masses and discs: rigid bodies on one node."""
+"""Point masses and discs: rigid bodies on one node.
+
+Theory: docs/theory/shaft.md#masses-and-discs.
+"""
 
 from __future__ import annotations
 

@@ -5,6 +5,8 @@ the body is statically determinate and K is positive definite on the others. The
 obey K y = λ (M − M R Rᵀ M) y with M-orthonormal R, and φ = y − R Rᵀ M y (inertia relief). Their
 inverse values 1/λ are computed: stiff DOF give small ones, which do not drown slow modes in
 rounding, and rigid motions take no part. Static modes after Craig, *Structural Dynamics* (1981).
+
+Theory: docs/theory/reduction.md.
 """
 
 from __future__ import annotations

@@ -1,4 +1,7 @@
-"""Bearings at their seats: tangents and dampers between the shaft and what the outer ring is in."""
+"""Bearings at their seats: tangents and dampers between the shaft and what the outer ring is in.
+
+Theory: docs/theory/supports.md#bearings-at-their-seats.
+"""
 
 from __future__ import annotations
 

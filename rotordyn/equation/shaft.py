@@ -4,6 +4,8 @@ Nodes stand at every station and between them so that no wave up to the highest 
 more than the accuracy allows (``fineness``). Where a joint gives way the element behind it stands
 on the node and on one more DOF, the motion of the part behind against the part in front: so the
 spring of a joint is the stiffness of one DOF, and however stiff, no digits of the shaft are lost.
+
+Theory: docs/theory/shaft.md.
 """
 
 from __future__ import annotations

@@ -3,6 +3,8 @@ the bore does.
 
 A sleeve without mass has the one that puts it far above the highest frequency asked for on its
 spring (``Fineness.weightless``).
+
+Theory: docs/theory/supports.md#sleeves.
 """
 
 from __future__ import annotations

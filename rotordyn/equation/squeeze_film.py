@@ -5,6 +5,8 @@ per unit of angle, μ R L³ (∂h/∂t) / h³, with h = c − e cos θ and ∂h/
 from the journal's displacement e = ε c. Over the whole film its radial part vanishes; of a
 cavitated one only the half under pressure acts, 0 < θ < π
 (Vance, *Rotordynamics of Turbomachinery*).
+
+Theory: docs/theory/supports.md#squeeze-film-dampers.
 """
 
 from __future__ import annotations

@@ -1,5 +1,8 @@
 """A machine without its states: DOF, parts and links of all terms, components that nothing joins
-but links."""
+but links.
+
+Theory: docs/theory/rotor.md.
+"""
 
 from __future__ import annotations
 

@@ -1,4 +1,7 @@
-"""Linear supports: 6×6 matrices, some of them tables over speed."""
+"""Linear supports: 6×6 matrices, some of them tables over speed.
+
+Theory: docs/theory/supports.md#linear-supports.
+"""
 
 from __future__ import annotations
 

@@ -13,6 +13,8 @@
 4. Matrices are of the signed DOF of ``dofs``.
 
 To add a term: a file like ``lumped`` (parts) or ``support`` (links), and one line in ``structure``.
+
+Theory: docs/theory/rotor.md#parts-and-links.
 """
 
 from __future__ import annotations

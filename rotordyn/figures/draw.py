@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import json
+import logging
 import os
 import time
 import warnings
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field
 from importlib import import_module
 from pathlib import Path
@@ -25,6 +27,11 @@ class LeftOut:
 
     figures: dict[str, str] = field(default_factory=dict)
     sentences: tuple[str, ...] = ()
+
+    def __or__(self, other: LeftOut) -> LeftOut:
+        """What either of the two lacks."""
+        sentences = dict.fromkeys((*self.sentences, *other.sentences))
+        return LeftOut(self.figures | other.figures, tuple(sentences))
 
 
 class Pictures(Protocol):
@@ -45,12 +52,12 @@ class Drawing:
 
     def __init__(self, jobs: Sequence[Job], folder: Path, workers: int = 2) -> None:
         self._jobs, self._folder = list(jobs), folder
+        self._owner = os.getpid()
         self._queue, fill = os.pipe()
         os.write(fill, bytes(range(min(len(self._jobs), _MOST))))
         os.close(fill)
         count = min(workers, _processors(), len(self._jobs)) - 1 if hasattr(os, "fork") else 0
-        if count > 0:
-            _load_once()
+        load()
         self._workers = [self._start() for _ in range(max(count, 0))]
 
     def finish(self) -> dict[str, float]:
@@ -70,6 +77,8 @@ class Drawing:
     def _work(self, report: int | None = None) -> dict[str, float]:
         seconds = {}
         while taken := os.read(self._queue, 1):
+            if self._owner not in (os.getpid(), os.getppid()):
+                break  # whoever asked has been killed
             name, draw = self._jobs[taken[0]]
             seconds[name] = draw_one(name, draw, self._folder)
             if report is not None:
@@ -96,21 +105,45 @@ class Drawing:
 
 def draw_one(name: str, draw: Callable[[], Figure], folder: Path) -> float:
     """Draw and save one figure; returns the seconds it took."""
-    from matplotlib import rc_context
-
-    from rotordyn.figures.style import save
+    from rotordyn.figures.style import own_settings, save
 
     start = time.perf_counter()
-    with rc_context({"text.parse_math": False}), warnings.catch_warnings():
+    with own_settings(), warnings.catch_warnings():
         warnings.filterwarnings("ignore", "Glyph")  # a title may hold letters that fonts lack, or $
         save(draw(), folder, name)
     return time.perf_counter() - start
 
 
-def _load_once() -> None:
-    """Import before forking what every process needs; the font list is then built only once."""
-    for name in ("figure", "backends.backend_agg", "backends.backend_svg", "collections"):
-        import_module(f"matplotlib.{name}")
+def load() -> None:
+    """Import what every process needs before forking; the font list is then built only once.
+
+    A backend that the user names in the environment is not ours to judge: nothing is shown. What
+    matplotlib has to say of the user's settings, which we do not use, is not heard either.
+    """
+    with _without("MPLBACKEND"), _quiet("matplotlib"):
+        for name in ("figure", "backends.backend_agg", "backends.backend_svg", "collections"):
+            import_module(f"matplotlib.{name}")
+
+
+@contextmanager
+def _without(variable: str) -> Iterator[None]:
+    held = os.environ.pop(variable, None)
+    try:
+        yield
+    finally:
+        if held is not None:
+            os.environ[variable] = held
+
+
+@contextmanager
+def _quiet(name: str) -> Iterator[None]:
+    logger = logging.getLogger(name)
+    level = logger.level
+    logger.setLevel(logging.ERROR)
+    try:
+        yield
+    finally:
+        logger.setLevel(level)
 
 
 def _processors() -> int:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -49,6 +50,16 @@ _RC: Any = {
     "axes.formatter.use_mathtext": False,
     "text.parse_math": False,
 }
+
+
+@contextmanager
+def own_settings() -> Iterator[None]:
+    """matplotlib as it is delivered, whatever style files the user has: figures come out alike."""
+    from matplotlib import rc_context, rcParamsDefault
+
+    delivered: Any = {name: value for name, value in rcParamsDefault.items() if name != "backend"}
+    with rc_context({**delivered, "text.parse_math": False}):
+        yield
 
 
 def new_figure(

@@ -7,12 +7,14 @@ from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import AbstractContextManager, ExitStack, contextmanager
 from dataclasses import asdict, dataclass, field, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from rotordyn.analyses.registry import analysis, names
 from rotordyn.analyses.solving import Answers, Progress
 from rotordyn.case.case import Case
+from rotordyn.errors import not_installed
 from rotordyn.figures.draw import Job, LeftOut, Pictures
 from rotordyn.job.figures import comparison_figures
 from rotordyn.job.figures import figures as figures_of
@@ -22,12 +24,13 @@ from rotordyn.job.solving import solve, solve_variants, unsolved
 @dataclass(frozen=True, slots=True)
 class Delivery:
     """What a run left behind: the folder, its one-screen summary, how it was solved, speeds without
-    a solution."""
+    a solution. ``moved``: the folder is not the one asked for, which is in use."""
 
     folder: Path
     summary: str
     plan: str
     unsolved: tuple[str, ...]
+    moved: bool = False
 
 
 @dataclass(frozen=True, slots=True)
@@ -103,51 +106,69 @@ def deliver(
     seconds: dict[str, float] = {}
     with _timed(seconds, "solve, all stages"):
         parcel = _solved(case, progress, seconds)
-    with results_folder(target) as folder:
+    with results_folder(target) as place:
         progress("figures" if figures else "files")
-        drawn, left_out = (_drawn if figures else _written)(parcel, folder)
+        drawn, left_out = (_drawn if figures else _written)(parcel, place.folder)
         parcel = replace(parcel, left_out=left_out)
-        text = _write_summary(parcel, folder)
-        _write_record(parcel, drawn, folder)
-    return Delivery(target, text, _plan(parcel), parcel.unsolved)
+        text = _write_summary(parcel, place.folder)
+        _write_record(parcel, drawn, place.folder)
+    folder = place.target if place.moved else target
+    return Delivery(folder, text, _plan(parcel), parcel.unsolved, moved=place.moved)
 
 
 def _drawn(parcel: Parcel, folder: Path) -> tuple[dict[str, float], LeftOut]:
     """Numbers and figures, made side by side; seconds by figure, and which are missing."""
-    from rotordyn.figures.draw import Drawing
+    from rotordyn.figures.draw import Drawing, load
 
+    lacking = _attempted("figures", load)
+    if lacking.figures:
+        return {}, _numbers(parcel, folder) | lacking
     with ExitStack() as stack:
-        pictures = [stack.enter_context(each) for each in _pictures(parcel)]
+        pictures = [stack.enter_context(each) for each in _pictures(parcel, folder.parent)]
         drawing = Drawing(_figures(parcel), folder)
-        _written(parcel, folder)
+        files = _numbers(parcel, folder)
         with _timed(parcel.seconds, "draw"):
             drawn = drawing.finish()
             for each in pictures:
                 drawn |= each.draw(folder)
-        figures = {name: why for each in pictures for name, why in each.left_out.figures.items()}
-        sentences = tuple(s for each in pictures for s in each.left_out.sentences)
-        return drawn, LeftOut(figures, sentences)
+        for each in pictures:
+            files |= each.left_out
+        return drawn, files
 
 
-def _pictures(parcel: Parcel) -> Iterator[AbstractContextManager[Pictures]]:
-    """What another process draws meanwhile."""
+def _attempted(name: str, write: Callable[[], object]) -> LeftOut:
+    """Write ``name`` unless a package of others that this takes is not installed."""
+    try:
+        write()
+    except ModuleNotFoundError as error:
+        why = not_installed(error.name)
+        if why is None:
+            raise
+        return LeftOut({name: why}, (f"{name} left out: {why}",))
+    return LeftOut()
+
+
+def _pictures(parcel: Parcel, beside: Path) -> Iterator[AbstractContextManager[Pictures]]:
+    """What another process draws meanwhile, its files in ``beside``."""
     for name in {name: None for _, own in parcel.parts.values() for name in own.results}:
         made = analysis(name).pictures
         if made is not None:
-            yield made(
-                {
-                    part: (case, own.results[name])
-                    for part, (case, own) in parcel.parts.items()
-                    if name in own.results
-                }
-            )
+            parts = {
+                part: (case, own.results[name])
+                for part, (case, own) in parcel.parts.items()
+                if name in own.results
+            }
+            yield made(parts, beside)
 
 
 def _written(parcel: Parcel, folder: Path) -> tuple[dict[str, float], LeftOut]:
     """Numbers alone."""
+    return {}, _numbers(parcel, folder) | LeftOut({"figures": "none are asked for"})
+
+
+def _numbers(parcel: Parcel, folder: Path) -> LeftOut:
     with _timed(parcel.seconds, "write"):
-        _write_numbers(parcel, folder)
-    return {}, LeftOut({"figures": "none are asked for"})
+        return _write_numbers(parcel, folder)
 
 
 def _plan(parcel: Parcel) -> str:
@@ -198,18 +219,20 @@ def _timed(seconds: dict[str, float], name: str) -> Iterator[None]:
     seconds[name] = time.perf_counter() - begin
 
 
-def _write_numbers(parcel: Parcel, folder: Path) -> None:
-    """Numbers, tables, meshes."""
+def _write_numbers(parcel: Parcel, folder: Path) -> LeftOut:
+    """Numbers, tables, meshes; returns what lacks a package."""
     from rotordyn.report.netcdf import write_results
     from rotordyn.report.tables import write_tables
 
     case = parcel.case
     attributes = {"case": case.name, "title": case.title, "digest": case.digest}
-    write_results(folder / "results.nc", parcel.results, attributes)
+    store = partial(write_results, folder / "results.nc", parcel.results, attributes)
+    left_out = _attempted("results.nc", store)
     for name, (part, answers) in parcel.parts.items():
         (folder / name).mkdir(exist_ok=True)
         write_tables(folder / name, answers.results)
-        _write_files(part, answers.results, folder / name)
+        left_out |= _write_files(part, answers.results, folder / name)
+    return left_out
 
 
 def _write_summary(parcel: Parcel, folder: Path) -> str:
@@ -227,10 +250,13 @@ def _write_summary(parcel: Parcel, folder: Path) -> str:
     return text
 
 
-def _write_files(case: Case, results: Mapping[str, Any], folder: Path) -> None:
-    """Further files of the analyses."""
+def _write_files(case: Case, results: Mapping[str, Any], folder: Path) -> LeftOut:
+    """Further files of the analyses; returns what lacks a package."""
+    left_out = LeftOut()
     for name, result in results.items():
-        analysis(name).files(folder, case, result)
+        for file, write in analysis(name).files(folder, case, result):
+            left_out |= _attempted(file, write)
+    return left_out
 
 
 def _write_record(parcel: Parcel, drawn: Mapping[str, float], folder: Path) -> None:

@@ -29,7 +29,7 @@ MOTIONS = ("bending", "axial", "torsion")
 MARGIN = 1.5  # modes up to this multiple of the highest frequency are followed
 WITHIN = 1.1  # doubts about modes above this multiple are left
 ROUNDS, MOST_STEPS = 12, 400  # of further speeds; of speeds in all
-MOST_KNOTS = 200  # of tables of supports, beyond which only every second (third …) is taken
+MOST_BREAKPOINTS = 200  # of tables of supports, beyond which only every second (third …) is taken
 NARROWEST = 1e-7  # of the range of speeds: no finer steps
 FARTHEST = 0.3  # of a pole: a larger change over a step is not believed
 PLANAR = 1e-6  # whirl degree below which a motion is straight
@@ -101,9 +101,9 @@ def _followed(scene: Scene, band: Band, home: int) -> list[Branch]:
     """Branches of a subsystem. Where it is not clear between two speeds who is who, the machine is
     solved at further ones."""
     sweep = _Sweep.of(scene, home)
-    knots = knots_between(scene) if "bending" in scene.name_of(home) else ()
-    if len(knots):
-        sweep = sweep.refined(scene, home, list(knots))
+    breakpoints = breakpoints_between(scene) if "bending" in scene.name_of(home) else ()
+    if len(breakpoints):
+        sweep = sweep.refined(scene, home, list(breakpoints))
     sides = (-1.0, 1.0) if sweep.steps[0].whirl.any() else (0.0,)
     constant = all(np.array_equal(s.pole, sweep.steps[0].pole, equal_nan=True) for s in sweep.steps)
     for _ in range(0 if constant else ROUNDS):
@@ -260,12 +260,12 @@ def _kind(own: Linear, vector: Complex) -> str:
     return max(energy, key=lambda motion: energy[motion])
 
 
-def knots_between(scene: Scene) -> Array:
+def breakpoints_between(scene: Scene) -> Array:
     """Speeds [rad/s] of tables of supports between those of the case, where lines bend."""
     speed = scene.speed[scene.usable]
-    knots = np.array([at for support in scene.spindle.supports for at in support.speeds])
-    inside = np.unique(knots[(knots > speed[0]) & (knots < speed[-1])] if len(knots) else knots)
-    return inside[:: 1 + len(inside) // MOST_KNOTS]
+    every = np.array([at for support in scene.spindle.supports for at in support.speeds])
+    inside = np.unique(every[(every > speed[0]) & (every < speed[-1])] if len(every) else every)
+    return inside[:: 1 + len(inside) // MOST_BREAKPOINTS]
 
 
 def whirl_degree(own: Linear, vector: Complex) -> Array:

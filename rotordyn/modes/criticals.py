@@ -1,8 +1,8 @@
 """Critical speeds: where a mode turns at a multiple of a rotor's speed, each solved for.
 
 Two ways lead to them. Where but the gyroscopic effect only the tables of supports depend on speed,
-all between two knots are the eigenvalues of one problem (``synchronous``), whatever the speeds of
-the case. Where bearings change with speed, and for axial motion and torsion, the lines of the
+those between two breakpoints are the eigenvalues of one problem (``synchronous``), for any speeds
+of the case. Where bearings change with speed, and for axial motion and torsion, the lines of the
 followed modes say between which speeds they are. Either way the machine is then solved anew at the
 speed found, damping and all, until the mode turns at the multiple of it to rounding.
 
@@ -23,13 +23,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.modes.band import Band
-from rotordyn.modes.branches import MARGIN, Branch, knots_between, whirl_degree
+from rotordyn.modes.branches import MARGIN, Branch, breakpoints_between, whirl_degree
 from rotordyn.modes.character import whirl_along
 from rotordyn.modes.excitation import Line, exciting
 from rotordyn.modes.overdamped import OVERDAMPED
 from rotordyn.modes.roots import Start, State, solved
 from rotordyn.numerics.crossing import zero_crossings
-from rotordyn.numerics.follow import likeness
+from rotordyn.numerics.follow import mac
 from rotordyn.numerics.synchronous import synchronous
 from rotordyn.scene.formulation import SOFTENED
 from rotordyn.scene.scene import Scene
@@ -39,7 +39,7 @@ Complex = NDArray[np.complex128]
 Matrix = NDArray[np.inexact[Any]]
 NARROW = 0.01  # of the range of speeds: pieces of tables shorter than that
 APART = 1e-9  # [rad/s]: speeds closer than that are one
-SAME, ALIKE = 1e-7, 0.5  # of the speed, likeness: one root found twice
+SAME, ALIKE = 1e-7, 0.5  # of the speed, MAC: one root found twice
 FITS = 0.1  # of a frequency: farther from those of a mode at the speeds around, it is none of it
 ROUNDING = 1e-9  # of the highest frequency
 OF_UNBALANCE = 1.0  # the order of what turns with the shaft; forces of others point anywhere
@@ -109,7 +109,7 @@ def _crossed(branches: Sequence[Branch], line: Line) -> list[Start]:
 
 def _direct(scene: Scene, branches: Sequence[Branch], line: Line) -> list[Start]:
     """All synchronous motions of bending between the speeds of the case, where the matrices follow
-    straight lines of speed from knot to knot."""
+    straight lines of speed from breakpoint to breakpoint."""
     homes = {branch.home for branch in branches if branch.kind == "bending"}
     return [start for home in homes for start in _of_system(scene, branches, home, line)]
 
@@ -121,7 +121,7 @@ def _of_system(scene: Scene, branches: Sequence[Branch], home: int, line: Line) 
         return []
     place = next(k for k, b in enumerate(branches) if (b.kind, b.home) == ("bending", home))
     speed = scene.speed[scene.usable]
-    ends = np.unique(np.concatenate([speed[[0, -1]], knots_between(scene)]))
+    ends = np.unique(np.concatenate([speed[[0, -1]], breakpoints_between(scene)]))
     stiffness = own.within(_symmetric(scene.at(ends).linear(home).stiffness))
     gyroscopic = own.within(own.gyroscopic)
     starts = []
@@ -192,7 +192,7 @@ def _owner(branches: Sequence[Branch], home: int, speed: float, state: State) ->
             continue
         own = np.abs(track.pole[ends].imag)
         outside = max(own.min() - turned, turned - own.max(), 0.0) / turned
-        alike = float(likeness(track.vector[ends].T, state.vector[:, None]).max())
+        alike = float(mac(track.vector[ends].T, state.vector[:, None]).max())
         apart = abs(float(np.interp(speed, track.speed[ends], own)) - turned) / turned
         if outside <= FITS and alike >= ALIKE and alike - apart > best:
             best, owner = alike - apart, place
@@ -206,7 +206,7 @@ def _same(start: Start, speed: float, state: State, other: tuple[Start, float, S
         begun.line == start.line
         and abs(speed - at) <= SAME * at
         and len(known.vector) == len(state.vector)
-        and likeness(known.vector[:, None], state.vector[:, None])[0, 0] > ALIKE
+        and mac(known.vector[:, None], state.vector[:, None])[0, 0] > ALIKE
     )
 
 

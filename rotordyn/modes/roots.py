@@ -15,7 +15,7 @@ from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.equation.hysteresis import Signs, signs_of
 from rotordyn.modes.branches import Branch, swings
 from rotordyn.modes.excitation import Line
-from rotordyn.numerics.follow import likeness
+from rotordyn.numerics.follow import mac
 from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]
@@ -23,7 +23,7 @@ Complex = NDArray[np.complex128]
 ITERATIONS = 20
 CLOSE = 1e-11  # of the frequency: the condition holds
 ROUNDED = 1e-7  # likewise, where no other speed comes nearer to it; more is no root in the range
-NEARNESS = 2.0  # of likeness that a distance as large as the frequency costs
+NEARNESS = 2.0  # of the MAC that a distance as large as the frequency costs
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -134,7 +134,7 @@ def _nearest(found: FreeMotions, row: int, start: Start, speed: float) -> State 
     columns = np.flatnonzero(swings(pole) & (found.whirl[row] * start.side >= 0.0))
     if not columns.size:
         return None
-    alike = likeness(start.vector[:, None], vector[:, columns])[0]
+    alike = mac(start.vector[:, None], vector[:, columns])[0]
     line, turning = start.line.size * speed, pole.imag[columns]
     apart = np.abs(turning - line) / np.maximum(turning, line)
     best = columns[int((alike - NEARNESS * apart).argmax())]

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.numerics.follow import likeness
+from rotordyn.numerics.follow import mac
 from rotordyn.numerics.modes import Modes
 
 Array = NDArray[np.float64]
@@ -15,14 +15,14 @@ Complex = NDArray[np.complex128]
 Flags = NDArray[np.bool_]
 Places = NDArray[np.intp]
 FARTHEST = 1.0  # of a pole: a larger change is not believed
-NEARNESS = 4.0  # of likeness that a pole as far away as it is large costs
+NEARNESS = 4.0  # of the MAC that a pole as far away as it is large costs
 
 
 def continued(before: Modes, after: Modes, rows: Iterable[int]) -> Places:
     """Column of ``after`` for every one of ``before`` (speeds, k), each taken once, at ``rows``.
 
     A pole λ with the right vector v and the left one w is expected at λ − w ΔK v; of all ways to
-    pair expected and found poles the one with the least sum of distance and unlikeness is taken.
+    pair expected and found poles the one with the least sum of distance and 1 − MAC is taken.
     Rows not asked for stay in their order.
     """
     from scipy.optimize import linear_sum_assignment
@@ -35,7 +35,7 @@ def continued(before: Modes, after: Modes, rows: Iterable[int]) -> Places:
         poles, found = expected[row], after.pole[row]
         apart = np.abs(poles[:, None] - found)
         size = np.abs(poles)[:, None] + np.abs(found)
-        alike = likeness(before.vector[row], after.vector[row])
+        alike = mac(before.vector[row], after.vector[row])
         cost = NEARNESS * apart / np.where(size > 0.0, size, 1.0) - alike
         own, other = linear_sum_assignment(cost)
         column[row, own] = other

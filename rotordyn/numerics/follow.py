@@ -9,15 +9,15 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-LEAST_LIKENESS = 0.2
-NEARNESS = 0.3  # of likeness that the farthest value costs
-CLEAR = 0.7  # likeness from which a vector is known again
+LEAST_MAC = 0.2
+NEARNESS = 0.3  # of the MAC that the farthest value costs
+CLEAR = 0.7  # MAC from which a vector is known again
 FAR = 1e3  # ratio of root gaps from which they tell nothing
-TWINS = 1e-6  # of a value: nearer ones share their vectors
+REPEATED = 1e-6  # of a value: nearer ones share their vectors
 TOUCHING = 3e-6  # of a value: a crossing met so closely is one
 
 
-def likeness(a: Complex, b: Complex) -> NDArray[np.float64]:
+def mac(a: Complex, b: Complex) -> NDArray[np.float64]:
     """|aᴴ b|² / (|a|² |b|²) of the columns of a (n, k) and b (n, l): 1 alike, 0 orthogonal."""
     inner = np.abs(a.conj().T @ b) ** 2
     return inner / (
@@ -63,7 +63,7 @@ def _partners(last: Complex, at: Array, fresh: Complex, value: Array) -> NDArray
         return np.full(last.shape[1], -1, dtype=np.intp)
     distance = np.abs(value - at[:, None])
     apart = distance / (np.abs(at[:, None]) + np.abs(value) + 1e-300)
-    return _matched(likeness(last, fresh) - NEARNESS * apart)
+    return _matched(mac(last, fresh) - NEARNESS * apart)
 
 
 def doubts(
@@ -97,8 +97,8 @@ def _may_doubt(vectors: list[Complex], values: list[Array], within: float) -> ND
     size = np.sqrt((whole.real**2 + whole.imag**2).sum(axis=1, keepdims=True))
     whole /= np.where(size > 0.0, size, 1.0)
     alike = np.abs(np.swapaxes(whole[:-1].conj(), 1, 2) @ whole[1:]) ** 2
-    twins = np.abs(value[:, :, None] - value[:, None]) <= TWINS * np.abs(value)[:, None]
-    shared = np.minimum(twins[:-1] @ alike @ twins[1:], 1.0)
+    repeated = np.abs(value[:, :, None] - value[:, None]) <= REPEATED * np.abs(value)[:, None]
+    shared = np.minimum(repeated[:-1] @ alike @ repeated[1:], 1.0)
     doubt = ((shared.max(axis=2) < CLEAR) & (value[:-1] < within)).any(axis=1)
     doubt |= ((shared.max(axis=1) < CLEAR) & (value[1:] < within)).any(axis=1)
     after = np.take_along_axis(value[1:], shared.argmax(axis=2), axis=1)
@@ -112,8 +112,8 @@ def _doubt(vectors: list[Complex], values: list[Array], within: float) -> float 
     one, other = values
     if not (one.size and other.size):
         return None
-    twins = [np.abs(v[:, None] - v) <= TWINS * np.abs(v) for v in values]
-    shared = np.minimum(twins[0] @ likeness(*vectors) @ twins[1], 1.0)
+    repeated = [np.abs(v[:, None] - v) <= REPEATED * np.abs(v) for v in values]
+    shared = np.minimum(repeated[0] @ mac(*vectors) @ repeated[1], 1.0)
     unclear = [
         np.flatnonzero((shared.max(axis=1 - side) < CLEAR) & (values[side] < within))
         for side in (0, 1)
@@ -154,13 +154,13 @@ def _crossing(one: Array, other: Array, asked: NDArray[np.bool_]) -> float | Non
 def _matched(score: NDArray[np.float64]) -> NDArray[np.intp]:
     """Greedy matching of rows to columns, best score first."""
     partner = score.argmax(axis=1)
-    if len(set(partner.tolist())) == len(partner) and score.max(axis=1).min() >= LEAST_LIKENESS:
+    if len(set(partner.tolist())) == len(partner) and score.max(axis=1).min() >= LEAST_MAC:
         return partner  # each its own best
     partner = np.full(score.shape[0], -1, dtype=np.intp)
     left = score.copy()
     for _ in range(min(score.shape)):
         row, column = np.unravel_index(int(left.argmax()), left.shape)
-        if left[row, column] < LEAST_LIKENESS:
+        if left[row, column] < LEAST_MAC:
             break
         partner[row] = column
         left[row, :] = -np.inf

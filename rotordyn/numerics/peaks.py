@@ -57,10 +57,10 @@ def spread_between(
     ``least``, evenly, besides."""
     order = np.argsort(centres)
     centres, widths = centres[order], widths[order]
-    middles = np.concatenate([[low], 0.5 * (centres[1:] + centres[:-1]), [high]])
+    middles = [low, *(0.5 * (centres[1:] + centres[:-1])).tolist(), high]
     parts = [np.linspace(low, high, least)] if least else []
-    for centre, width, begin, end in zip(centres, widths, middles[:-1], middles[1:], strict=True):
-        parts.append(spread(float(centre), float(width), float(begin), float(end)))
+    for k, (centre, width) in enumerate(zip(centres.tolist(), widths.tolist(), strict=True)):
+        parts.append(spread(centre, width, middles[k], middles[k + 1]))
     return np.unique(np.concatenate([np.zeros(0), *parts]))
 
 

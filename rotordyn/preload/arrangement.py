@@ -23,8 +23,8 @@ SHAFT = 0
 class AxialBearing:
     """One bearing, or several alike in the same state, between the shaft and a body.
 
-    ``seats``: indices of the twins it stands for; ``model``: what is mounted there; ``law``: what
-    is assumed of its balls; ``thrust`` ±1;
+    ``seats``: indices of the bearings of a tandem set; ``model``: what is mounted there; ``law``:
+    what is assumed of its balls; ``thrust`` ±1;
     ``outer``: body of the outer ring; ``static_growth`` [m]; ``growth`` and ``shortening`` of the
     shaft there (speeds,) [m].
     """
@@ -91,11 +91,11 @@ def arrangement(
             growth=ring_growth(spindle, seat, speed),
             shortening=shifts[:, k],
         )
-        twin = next((i for i, other in enumerate(bearings) if _alike(other, bearing)), None)
-        if twin is None:
+        same = next((i for i, other in enumerate(bearings) if _alike(other, bearing)), None)
+        if same is None:
             bearings.append(bearing)
         else:
-            bearings[twin] = _joined(bearings[twin], bearing)
+            bearings[same] = _joined(bearings[same], bearing)
     return Arrangement(
         bodies=("shaft", *sleeves),
         bearings=tuple(bearings),

@@ -68,13 +68,13 @@ class Network:
         return all(bearing.law.one_branch for bearing in self.arrangement.bearings)
 
     @property
-    def twins(self) -> Array:
+    def tandem(self) -> Array:
         """How many seats each bearing of the arrangement stands for (bearings,)."""
         return np.array([float(len(bearing.seats)) for bearing in self.arrangement.bearings])
 
     @property
     def incidence(self) -> Array:
-        """B (bearings, bodies): δ = B x + s·shortening; bodies are pushed by −Bᵀ (twins·F)."""
+        """B (bearings, bodies): δ = B x + s·shortening; bodies are pushed by −Bᵀ (tandem·F)."""
         b = np.zeros((len(self.arrangement.bearings), len(self.arrangement.bodies)))
         for k, bearing in enumerate(self.arrangement.bearings):
             b[k, SHAFT] = bearing.thrust
@@ -159,14 +159,14 @@ class Network:
         """Sum of forces on each body towards +x (speeds, bodies) [N]."""
         springs = self.springs
         total = springs.force - springs.stiffness * (x - springs.rest)
-        total = total - (self.twins * response.load) @ self.incidence
+        total = total - (self.tandem * response.load) @ self.incidence
         total[:, SHAFT] += self.arrangement.force
         return total
 
     def error(self, x: Array, response: Response, fixed: Flags) -> tuple[Array, Array]:
         """Unbalanced forces of the free bodies, and the largest over the largest force."""
         miss = np.where(fixed, 0.0, self.forces(x, response))
-        size = (self.twins * np.abs(response.load)).max(axis=1)
+        size = (self.tandem * np.abs(response.load)).max(axis=1)
         size = size + np.abs(self.springs.force).max() + 1e-9
         return miss, np.abs(miss).max(axis=1) / size
 
@@ -247,7 +247,7 @@ def confirmed(network: Network, net: NetworkState) -> NetworkState:
 def _newton(network: Network, response: Response, miss: Array, fixed: Flags) -> Array:
     """Step that balances the linearised forces; what nothing holds gets a soft spring."""
     b, stiffness = network.incidence, network.springs.stiffness
-    slope = network.twins * np.nan_to_num(np.maximum(response.slope, 0.0))
+    slope = network.tandem * np.nan_to_num(np.maximum(response.slope, 0.0))
     k = np.einsum("jn,sj,jm->snm", b, slope, b)
     diagonal = np.arange(k.shape[-1])
     soft = 1e-9 * np.abs(k).max(axis=(1, 2)) + 1e3

@@ -236,8 +236,8 @@ def _preloads(joined: Arrangement) -> Array:
 
 def _seated(network: Network) -> Array:
     """A start at rest (bodies,): each bearing under its likely load, fitted by positions."""
-    b, twins, force = network.incidence, network.twins, network.springs.force
-    share = np.linalg.lstsq((twins[:, None] * b).T, force, rcond=None)[0]
+    b, tandem, force = network.incidence, network.tandem, network.springs.force
+    share = np.linalg.lstsq((tandem[:, None] * b).T, force, rcond=None)[0]
     largest = np.abs(force).max()
     likely = np.maximum(np.where(network.both_ways, np.abs(share), share), 0.05 * largest + 1.0)
     likely = np.where(network.both_ways, np.copysign(likely, share), likely)

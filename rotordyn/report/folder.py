@@ -1,45 +1,101 @@
-"""The results folder appears whole or not at all, and never replaces what is not ours."""
+"""The results folder appears whole or not at all, and never replaces what is not ours.
+
+Results are made in a workshop, a hidden folder beside the target, and moved when they are complete.
+A run locks its workshop as long as it lives; the lock of a run that was killed is gone with it, and
+the next run into the same folder removes its workshop. Earlier results that it had set aside, with
+nothing in their place yet, are put back first.
+"""
 
 from __future__ import annotations
 
 import errno
 import json
 import os
+import re
 import shutil
 import stat
 import tempfile
-from collections.abc import Iterator
-from contextlib import contextmanager, suppress
+import time
+from collections.abc import Callable, Iterator
+from contextlib import ExitStack, contextmanager, suppress
+from dataclasses import dataclass
+from itertools import count
 from pathlib import Path
 
 from rotordyn.errors import InvalidInput, OutputRefused
 
 RECORD = "run.json"
 MARKER = "rotordyn_results"
+NEW, OLD = "new", "old"  # what a workshop holds: results being made, results they replace
+ABANDONED = 86400.0  # s after which a workshop is, where the system has no locks
+PATIENCE = (0.05, 0.1, 0.2, 0.4, 0.8)  # s between attempts to move a folder that is in use
+_DISK = (
+    errno.ENOSPC,
+    errno.EDQUOT,
+    errno.EFBIG,
+    errno.EIO,
+    errno.EROFS,
+    errno.EACCES,
+    errno.EPERM,
+)
+
+
+@dataclass(slots=True)
+class Place:
+    """``folder``: where to write results; ``target``: where they stand once they are complete.
+
+    ``moved``: that is a sibling of the folder asked for.
+    """
+
+    folder: Path
+    target: Path
+    moved: bool = False
 
 
 @contextmanager
-def results_folder(target: Path) -> Iterator[Path]:
-    """A temporary sibling of ``target`` that takes its place when the block ends without error.
+def results_folder(target: Path) -> Iterator[Place]:
+    """A folder that takes the place of ``target`` when the block ends without error.
+
+    Where ``target`` cannot be moved away, since a file of it is open in another program (Windows),
+    the results go to a sibling, ``target_2`` or further, which the place then names.
 
     Raises
     ------
     OutputRefused : ``target`` is a file, or a folder with something in it and no record of ours
-    InvalidInput : the folder cannot be made there
+    InvalidInput : the folder cannot be made there, or the disk takes nothing more
     """
-    target = Path(os.path.abspath(target)).resolve()
+    target = absolute(target)
     check_target(target)
-    made = _make_parents(target.parent)
-    partial = _make_partial(target)
+    with ExitStack() as stack:
+        for parent in reversed(_make_parents(target.parent)):
+            stack.callback(_remove_if_empty, parent)
+        workshop = _make_workshop(target, stack)
+        place = Place(workshop / NEW, target)
+        try:
+            yield place
+        except OSError as error:
+            if error.errno not in _DISK:
+                raise
+            raise InvalidInput(_unwritable(target.parent, error.strerror)) from error
+        place.target = _take_place(workshop, target)
+        place.moved = place.target != target
+        _recover(target)  # what a killed run still held at the beginning
+
+
+def absolute(target: Path) -> Path:
+    """``target`` from the root, links followed.
+
+    Raises
+    ------
+    InvalidInput : it is relative to a working directory that exists no more, or has no end
+    """
     try:
-        yield partial
-        _take_place(partial, target)
-    except BaseException:
-        shutil.rmtree(partial, ignore_errors=True)
-        for parent in made:
-            with suppress(OSError):
-                parent.rmdir()
-        raise
+        return Path(os.path.abspath(target)).resolve()
+    except FileNotFoundError as error:
+        reason = "the working directory has been removed"
+        raise InvalidInput(f"{target}: {reason}; give a full path with -o") from error
+    except (OSError, RuntimeError) as error:  # links that lead in a circle
+        raise InvalidInput(f"{target} cannot be read: links that lead in a circle") from error
 
 
 def check_target(target: Path) -> None:
@@ -49,6 +105,7 @@ def check_target(target: Path) -> None:
     ------
     OutputRefused, InvalidInput : as for ``results_folder``
     """
+    target = absolute(target)
     try:
         while (held := _held_by(target)) == "moved":
             pass
@@ -61,6 +118,11 @@ def check_target(target: Path) -> None:
             f"{target} is not empty and holds no {RECORD} of ours: "
             "give another folder with -o, or empty this one"
         )
+    if os.path.ismount(target):
+        raise OutputRefused(f"{target} is where a disk is mounted: give a folder in it with -o")
+    above = next(folder for folder in target.parents if folder.exists())
+    if not os.access(above, os.W_OK | os.X_OK):
+        raise InvalidInput(_unwritable(above, os.strerror(errno.EACCES)))
 
 
 def _held_by(target: Path) -> str:
@@ -96,14 +158,75 @@ def _make_parents(parent: Path) -> list[Path]:
     return missing
 
 
-def _make_partial(target: Path) -> Path:
+def _make_workshop(target: Path, stack: ExitStack) -> Path:
+    """A locked workshop for ``target``, those of runs that were killed removed."""
     try:
-        partial = Path(tempfile.mkdtemp(prefix=f".{target.name}.", dir=target.parent))
-        partial.chmod(0o777 & ~_umask())
+        _recover(target)
+        workshop = _new_workshop(target, stack)
+        new = workshop / NEW
+        new.mkdir()
+        new.chmod(0o777 & ~_umask())
     except OSError as error:
-        reason = f"{target.parent} cannot be written to: {error.strerror}"
-        raise InvalidInput(f"{reason}; give another folder with -o") from error
-    return partial
+        raise InvalidInput(_unwritable(target.parent, error.strerror)) from error
+    return workshop
+
+
+def _new_workshop(target: Path, stack: ExitStack) -> Path:
+    while True:
+        workshop = Path(tempfile.mkdtemp(prefix=_prefix(target), dir=target.parent))
+        with suppress(BlockingIOError, FileNotFoundError):
+            lock = _locked(workshop)
+            if lock is not None:
+                stack.callback(os.close, lock)
+            if (
+                workshop.exists()
+            ):  # another run may have taken it for one left over, before the lock
+                stack.callback(shutil.rmtree, workshop, ignore_errors=True)
+                return workshop
+
+
+def _unwritable(folder: Path, reason: str | None) -> str:
+    return f"{folder} cannot be written to: {reason}; give another folder with -o"
+
+
+def _prefix(target: Path) -> str:
+    return f".{target.name}.rotordyn."
+
+
+def _recover(target: Path) -> None:
+    """Remove what runs that were killed have left beside ``target``."""
+    ours = re.compile(re.escape(_prefix(target)) + "[a-z0-9_]{8}")
+    for path in [p for p in target.parent.iterdir() if ours.fullmatch(p.name)]:
+        lock = None
+        with suppress(OSError):
+            lock = _locked(path)
+            if lock is None and time.time() - path.stat().st_mtime < ABANDONED:
+                continue
+            with suppress(OSError):  # results that stand there already stay
+                os.rename(path / OLD, target)
+            shutil.rmtree(path, ignore_errors=True)
+        if lock is not None:
+            os.close(lock)
+
+
+def _locked(workshop: Path) -> int | None:
+    """A lock that ends with this process and its forks, None where the system has none.
+
+    Raises
+    ------
+    OSError : another process holds it
+    """
+    try:
+        import fcntl
+    except ImportError:  # Windows
+        return None
+    descriptor = os.open(workshop, os.O_RDONLY)
+    try:
+        fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except OSError:
+        os.close(descriptor)
+        raise
+    return descriptor
 
 
 def _umask() -> int:
@@ -112,32 +235,56 @@ def _umask() -> int:
     return value
 
 
-def _take_place(partial: Path, target: Path) -> None:
-    """Move ``partial`` to ``target``; another run may do the same at the same moment."""
+def _take_place(workshop: Path, target: Path) -> Path:
+    """Move new results to ``target``, or to a sibling where that is in use; returns where.
+
+    Another run may do the same at the same moment.
+    """
     for _ in range(20):
         check_target(target)
-        aside = _set_aside(target)
         try:
-            os.rename(partial, target)
+            _moved(_set_aside, workshop, target)
+        except PermissionError:
+            target = _sibling(target)
+            continue
+        try:
+            _moved(os.rename, workshop / NEW, target)
         except OSError as error:
             if error.errno not in (errno.ENOTEMPTY, errno.EEXIST):
-                if aside:
-                    os.rename(aside, target)
+                with suppress(OSError):
+                    os.rename(workshop / OLD, target)
                 raise InvalidInput(f"{target} cannot be made: {error.strerror}") from error
+            shutil.rmtree(workshop / OLD, ignore_errors=True)  # another run has replaced them
         else:
-            return
-        finally:
-            if aside:
-                shutil.rmtree(aside, ignore_errors=True)
+            return target
     raise InvalidInput(f"{target} is being written by other runs: give each its own folder")
 
 
-def _set_aside(target: Path) -> Path | None:
-    """Move earlier results to a sibling, so that they never stand there half removed."""
+def _moved(move: Callable[[Path, Path], None], source: Path, target: Path) -> None:
+    """``move(source, target)``, tried again where Windows holds a file for a moment."""
+    for pause in PATIENCE:
+        try:
+            return move(source, target)
+        except PermissionError:
+            time.sleep(pause)
+    return move(source, target)
+
+
+def _set_aside(workshop: Path, target: Path) -> None:
+    """Move earlier results to the workshop, so that they never stand there half removed."""
     with suppress(FileNotFoundError):
-        if not target.is_dir() or not any(target.iterdir()):
-            return None
-    aside = Path(tempfile.mkdtemp(prefix=f".{target.name}.old.", dir=target.parent))
-    with suppress(FileNotFoundError):
-        os.rename(target, aside)
-    return aside
+        os.rename(target, workshop / OLD)  # an empty folder too: Windows replaces none
+
+
+def _sibling(target: Path) -> Path:
+    """The first of ``target_2``, ``target_3`` … that holds nothing."""
+    for number in count(2):
+        path = target.with_name(f"{target.name}_{number}")
+        if _held_by(path) == "nothing":
+            return path
+    raise AssertionError
+
+
+def _remove_if_empty(folder: Path) -> None:
+    with suppress(OSError):
+        folder.rmdir()

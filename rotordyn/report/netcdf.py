@@ -8,6 +8,7 @@ attribute ``dtype = "bool"``, as xarray writes them. ``read_results`` undoes bot
 from __future__ import annotations
 
 from collections.abc import Mapping
+from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -24,11 +25,14 @@ def write_results(
 ) -> None:
     """Write ``results`` (analysis name -> result) to ``path``; ``attributes`` describe the run."""
     import h5netcdf
+    import h5py  # noqa: F401, which h5netcdf misses without naming it
 
-    with h5netcdf.File(path, "w") as file:
+    content = BytesIO()  # HDF5 itself, on a full disk, ends the process instead of saying so
+    with h5netcdf.File(content, "w") as file:
         file.attrs.update(attributes or {})
         for name, result in results.items():
             _write_group(file.create_group(name), result)
+    path.write_bytes(content.getbuffer())
 
 
 def read_results(path: Path) -> dict[str, xr.Dataset]:

@@ -106,7 +106,7 @@ def _column(label: str, to: Shown, values: NDArray[Any]) -> Column:
 
 
 def _write(path: Path, columns: list[Column]) -> str:
-    with path.open("w", newline="", encoding="utf-8") as file:
+    with path.open("w", newline="", encoding="utf-8-sig") as file:  # by its mark Excel sees UTF-8
         writer = csv.writer(file)
         writer.writerow([header for header, _ in columns])
         writer.writerows(zip(*(values for _, values in columns), strict=True))

@@ -40,8 +40,8 @@ def _bearings(scene: Scene) -> Iterator[str]:
     names = [seat.name for seat in scene.spindle.seats]
     for bearing in bearings:
         if len(bearing.seats) > 1:
-            twins = ", ".join(names[seat] for seat in bearing.seats)
-            yield f"bearings {twins} are alike and share their load: one of them is solved"
+            tandem = ", ".join(names[seat] for seat in bearing.seats)
+            yield f"bearings {tandem} are alike and share their load: one of them is solved"
     balls = sorted({bearing.model.balls for bearing in bearings})
     counts = " or ".join(map(str, balls))
     yield f"under axial load all balls of a bearing are alike: one of {counts} is solved"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import pickle
+import re
 import signal
 import subprocess
 import sys
@@ -15,6 +16,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.errors import not_installed
 from rotordyn.view.order import Order, moving_name, still_name
 
 Pixels = NDArray[np.uint8]
@@ -25,6 +27,8 @@ REMEDY = (
     "install Mesa's EGL (on Debian and Ubuntu: libegl1 libgl1-mesa-dri libx11-6), or run where "
     "there is a display"
 )
+# pyvista says in words of its own that it lacks VTK, after Python has: not the last line alone
+_MISSING = re.compile(r"No module named '((?:pyvista|vtk)[^']*)'|No module named '([^']+)'\Z")
 
 
 class NoPictures(Exception):
@@ -34,11 +38,12 @@ class NoPictures(Exception):
 class Rendering:
     """Pictures being rendered beside us. ``finish`` waits for them; ``close`` ends it anyway.
 
-    Use it as a context: its temporary files are gone afterwards.
+    Use it as a context: its temporary files are gone afterwards. They stand in ``folder``, or where
+    the system has such files.
     """
 
-    def __init__(self, orders: Sequence[Order]) -> None:
-        self._held = tempfile.TemporaryDirectory(prefix="rotordyn.")
+    def __init__(self, orders: Sequence[Order], folder: Path | None = None) -> None:
+        self._held = tempfile.TemporaryDirectory(prefix="pictures.", dir=folder)
         self.folder = Path(self._held.name)
         (self.folder / "orders").write_bytes(pickle.dumps(list(orders)))
         frames = sum(len(order.places) * (1 + order.frames) for order in orders)
@@ -79,6 +84,10 @@ class Rendering:
             self._process.kill()
             self._process.wait()
             raise NoPictures(f"rendering took more than {self._longest:.0f} s; {REMEDY}") from None
+        missing = _MISSING.search("\n".join(self._said())) if code > 0 else None
+        why = not_installed(missing[1] or missing[2]) if missing else None
+        if why:
+            raise NoPictures(why)
         if code:
             raise NoPictures(f"this machine draws nothing in 3D ({self._why(code)}): {REMEDY}")
 
@@ -105,5 +114,8 @@ class Rendering:
         """The signal that ended the process, or the last thing it said."""
         if code < 0:
             return f"OpenGL ended the process: {signal.Signals(-code).name}"
-        lines = (self.folder / "said").read_text(errors="replace").strip().splitlines()
+        lines = self._said()
         return lines[-1].strip() if lines else f"exit code {code}"
+
+    def _said(self) -> list[str]:
+        return (self.folder / "said").read_text(errors="replace").strip().splitlines()

@@ -85,7 +85,7 @@ def test_rotor_on_oil_films() -> None:
 
 
 def test_half_speed_whirl_of_the_rotor_on_oil_films() -> None:
-    """At each critical speed of order ½, with films on the straight line between two knots of
+    """At each critical speed of order ½, with films on the straight line between two breakpoints of
     their table, those matrices have a pole with |Im λ| = Ω/2 and that damping. Forward whirl hardly
     grows there: the threshold is near."""
     found = rotordyn.run(rotordyn.load("friswell_oil_films"))["campbell"]
@@ -95,8 +95,8 @@ def test_half_speed_whirl_of_the_rotor_on_oil_films() -> None:
         spin = float(found.critical_speed.values[k])
         below = 100.0 * math.floor(spin / (100.0 * RPM))
         share = spin / (100.0 * RPM) - below / 100.0
-        knots = [case_data.film((below + ahead) * RPM)[1:] for ahead in (0.0, 100.0)]
-        held = [(1.0 - share) * low + share * high for low, high in zip(*knots, strict=True)]
+        breakpoints = [case_data.film((below + ahead) * RPM)[1:] for ahead in (0.0, 100.0)]
+        held = [(1.0 - share) * low + share * high for low, high in zip(*breakpoints, strict=True)]
         every = poles(spin, *held)
         near = every[np.abs(every.imag - 0.5 * spin).argmin()]
         assert near.imag == pytest.approx(0.5 * spin, rel=1e-5)

@@ -100,7 +100,7 @@ def test_every_document_is_a_page(site: Path, pages: dict[Path, Page]) -> None:
     documents = {p.relative_to(ROOT).with_suffix(".html") for p in (ROOT / "docs").rglob("*.md")}
     there = {path.relative_to(site) for path in pages}
     assert documents - there == {Path("docs/README.html")}
-    assert {Path(f"{name}.html") for name in ("index", "guide", "accuracy")} <= there
+    assert Path("index.html") in there
 
 
 def test_interface_shows_every_public_name(site: Path, pages: dict[Path, Page]) -> None:

@@ -149,7 +149,7 @@ def test_whirls_of_twins_are_paired_as_they_turn_at_speed() -> None:
     assert any(f"{pairs_at[0][2]:.1f} → {third:.1f}/{fourth:.1f}" in row for row in rows)
 
 
-def test_likeness_of_measured_responses_is_told_of_every_variant() -> None:
+def test_frac_of_measured_responses_is_reported_of_every_variant() -> None:
     whole = rotordyn.load("tool_holder_joint")
     frf = whole.analyses["frf"]
     assert isinstance(frf, FrfSpec)
@@ -162,9 +162,9 @@ def test_likeness_of_measured_responses_is_told_of_every_variant() -> None:
     rows = comparison_summary(alone, [(own[v], found[v].results) for v in own]).splitlines()
     head = next(k for k, row in enumerate(rows) if "made-up tap test at 0 rpm" in row)
     told = [float(row.split()[-1]) for row in rows[head + 1 : head + 3]]
-    likeness = [float(found[name].results["frf"].likeness[0]) for name in own]
-    assert told == pytest.approx(likeness, abs=6e-4)
-    assert likeness[1] > 0.8 > 0.5 > likeness[0]
+    frac = [float(found[name].results["frf"].frac[0]) for name in own]
+    assert told == pytest.approx(frac, abs=6e-4)
+    assert frac[1] > 0.8 > 0.5 > frac[0]
 
 
 def test_variants_of_one_title_are_all_shown(tmp_path: Path) -> None:

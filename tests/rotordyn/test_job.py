@@ -200,7 +200,7 @@ def test_pairs_across_motions_are_delivered(tmp_path: Path) -> None:
     found = read_results(delivery.folder / "results.nc")
     assert set(found["campbell"]["kind"].values.tolist()) == {"bending", "axial", "torsion"}
     assert (np.abs(found["frf"]["receptance"].values).max(axis=-1) > 0.0).all()
-    header = (delivery.folder / "frf_2000rpm.csv").read_text(encoding="utf-8").splitlines()[0]
+    header = (delivery.folder / "frf_2000rpm.csv").read_text(encoding="utf-8-sig").splitlines()[0]
     for unit in ("left_disc.x / right_disc.y real [µm/N]", "[rad/N]", "[rad/(N·m)]"):
         assert unit in header
     assert (delivery.folder / "frf.uff").stat().st_size > 0

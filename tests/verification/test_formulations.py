@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
+from rotordyn.job.comparison_figures import comparison_figures
 
 import rotordyn
 from rotordyn.analyses.campbell import solve as campbell
@@ -22,7 +23,6 @@ from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.errors import InvalidInput
 from rotordyn.job import solve
-from rotordyn.job.comparison_figures import comparison_figures
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.conditions import Conditions

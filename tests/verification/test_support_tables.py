@@ -299,18 +299,18 @@ def steep(seed: int) -> Spindle:
     """A table whose values leap by up to three decades from knot to knot."""
     rng = np.random.default_rng(seed)
     inner = np.sort(rng.uniform(0.0, 1.0, rng.integers(0, 6)))
-    knots = (0.0, *(inner * SPEEDS[-1]).tolist(), SPEEDS[-1])
+    breakpoints = (0.0, *(inner * SPEEDS[-1]).tolist(), SPEEDS[-1])
 
     def leaping() -> tuple[float, ...]:
-        return tuple((10.0 ** rng.uniform(5.5, 8.5, len(knots))).tolist())
+        return tuple((10.0 ** rng.uniform(5.5, 8.5, len(breakpoints))).tolist())
 
     own = leaping()
     stiffness = {("y", "y"): own, ("z", "z"): own if seed % 2 else leaping()}
     if seed % 3 == 0:
-        across = tuple((1e6 * rng.uniform(-1.0, 1.0, len(knots))).tolist())
+        across = tuple((1e6 * rng.uniform(-1.0, 1.0, len(breakpoints))).tolist())
         stiffness |= {("y", "z"): across, ("z", "y"): tuple(-value for value in across)}
     damping = {("y", "y"): 50.0, ("z", "z"): 50.0}
-    film = LinearSupport("film", 0.03, stiffness, damping, speeds=knots)
+    film = LinearSupport("film", 0.03, stiffness, damping, speeds=breakpoints)
     return on(film, support("other", 0.2, (4e7, 4e7), 50.0))
 
 
@@ -321,7 +321,7 @@ def test_no_critical_speed_is_missed_between_few_speeds(seed: int, coupled: bool
     """Three speeds of the case; at two hundred, modes slower than the line of rotation are counted
     without following them, and change by as many as are found between."""
     rotor, spec = steep(seed), CampbellSpec(1500.0, shapes=False, engine_orders=(1, 2))
-    if coupled:  # with axial motion, hardly: no eigenproblem then, knots alone
+    if coupled:  # with axial motion, hardly: no eigenproblem then, breakpoints alone
         along = {("x", "x"): 1e3, ("x", "y"): 1e-3, ("y", "x"): 1e-3}
         rotor = replace(rotor, supports=(*rotor.supports, LinearSupport("link", 0.1, along)))
     few = Scene(rotor, Conditions(), np.linspace(0.0, SPEEDS[-1], 3), 1500.0)
@@ -340,7 +340,7 @@ def test_no_critical_speed_is_missed_between_few_speeds(seed: int, coupled: bool
 @pytest.mark.parametrize(
     ("order", "roots"), [(0.43, 1), (0.5, 1), (1.5, 2), (2, 2), (2.04, 2), (2.05, 0), (2.37, 0)]
 )
-def test_two_critical_speeds_between_two_knots(order: float, roots: int) -> None:
+def test_two_critical_speeds_between_two_breakpoints(order: float, roots: int) -> None:
     """ω² = ω₁² (5 x − 3/2) with x = Ω/ω₁ of a rigid rotor that moves in parallel: n² x² = 5 x − 3/2
     has none, one or two roots in the table (at 2× ½ and ¾, at both ends 2 Ω is faster)."""
     rotor = replace(STEPPED, masses=(), supports=())
@@ -399,7 +399,7 @@ def rising() -> Scene:
 
 
 def test_no_critical_speed_by_the_supports_of_one_speed() -> None:
-    """The stiffness asked for is that of the knots on either side."""
+    """The stiffness asked for is that of the breakpoints on either side."""
     found = campbell.answer(rising(), CampbellSpec(1500.0, engine_orders=(1,)))
     assert len([name for name in found.critical if name.startswith("bending")]) == 2
 

@@ -1,13 +1,15 @@
 """Plain functions of this package compiled as they stand, together with all they call.
 
-numba is imported here alone, when it is first needed. Its cache notices no change in a function
-that is called from another file: it is kept in a folder named after the sources of this package.
+numba is imported here alone, when it is first needed; without it the functions run as they are,
+some hundred times slower. Its cache notices no change in a function that is called from another
+file: it is kept in a folder named after the sources of this package.
 """
 
 from __future__ import annotations
 
 import hashlib
 import os
+import shutil
 import tempfile
 from collections.abc import Callable, Iterator
 from functools import cache
@@ -18,6 +20,7 @@ from typing import Any
 from bearings.ball.plane import where
 
 PACKAGE = "bearings"
+ROOM = 50e6  # bytes a disk must have free to keep compiled functions
 
 
 @cache
@@ -26,21 +29,35 @@ def compiled(function: Callable[..., Any], *, keep: bool = False) -> Any:
 
     ``keep``: on disk too, for the next process; meant for entries, whose callees come with them.
     """
+    if not available():
+        return function
     import numba
 
-    if not keep:
+    folder = _folder() if keep else None
+    if folder is None:
         return numba.njit(_bound(function), error_model="numpy")
     usual: str = numba.config.CACHE_DIR  # type: ignore[attr-defined]
     try:
-        numba.config.CACHE_DIR = str(_folder())  # type: ignore[attr-defined]
+        numba.config.CACHE_DIR = str(folder)  # type: ignore[attr-defined]
         return numba.njit(_bound(function), cache=True, error_model="numpy")
     finally:
         numba.config.CACHE_DIR = usual  # type: ignore[attr-defined]
 
 
+@cache
+def available() -> bool:
+    """Whether numba is installed and can be imported; that takes a while."""
+    try:
+        import numba  # noqa: F401
+    except ImportError:  # also where it does not fit the numpy that is installed
+        return False
+    return True
+
+
 def is_kept() -> bool:
     """Whether an earlier process has left compiled functions on disk."""
-    return any(_folder().rglob("*.nbi"))
+    folder = _folder()
+    return folder is not None and any(folder.rglob("*.nbi"))
 
 
 def _chosen(condition: Any, yes: Any, no: Any) -> Any:
@@ -64,8 +81,8 @@ def _bound(function: Callable[..., Any]) -> FunctionType:
 
 
 @cache
-def _folder() -> Path:
-    """A writable folder of this user, named by a hash of the sources."""
+def _folder() -> Path | None:
+    """A writable folder of this user, named by a hash of the sources; None where there is none."""
     digest = hashlib.sha256()
     for source in sorted(Path(__file__).parents[2].rglob("*.py")):
         digest.update(source.read_bytes())
@@ -76,9 +93,12 @@ def _folder() -> Path:
             (root / name).mkdir(mode=0o700, exist_ok=True)
         except OSError:
             continue
-        if os.access(root / name, os.W_OK):
+        if os.access(root / name, os.W_OK) and shutil.disk_usage(root).free > ROOM:
             return root / name
-    return Path(tempfile.mkdtemp(prefix=PACKAGE))
+    try:
+        return Path(tempfile.mkdtemp(prefix=PACKAGE))
+    except OSError:
+        return None
 
 
 def _roots() -> Iterator[Path]:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ring.compiled.follow import find
-from bearings.ring.compiled.jit import compiled, is_kept
+from bearings.ring.compiled.jit import available, compiled, is_kept
 from bearings.ring.compiled.one_state import One, room
 from bearings.ring.problem import Problem
 
@@ -44,7 +44,8 @@ def pays(balls: int, grooves: tuple[int, int]) -> bool:
     if grooves in _loaded:
         return True
     seconds = BALL * balls
-    return seconds > COMPILING or (seconds > FROM_DISK and grooves == (1, 1) and is_kept())
+    quick = seconds > FROM_DISK and grooves == (1, 1) and is_kept()
+    return (seconds > COMPILING or quick) and available()
 
 
 @lru_cache(maxsize=1)
@@ -69,7 +70,8 @@ def compiled_states(
     exists = np.zeros(states, dtype=np.bool_)
     speed = problem.speed if problem.turning else 0.0 * problem.speed
     given = (problem.origin.T, speed, problem.load, problem.scale)
-    _loaded.add((len(g.inner_grooves), len(g.outer_grooves)))
+    if available():
+        _loaded.add((len(g.inner_grooves), len(g.outer_grooves)))
     shared = (
         g,
         problem.law.numbers,

@@ -44,15 +44,15 @@ class Asked:
 class InSpace:
     """The pictures that ``parts`` ask for; a context, after which their files are gone.
 
-    Nothing is started where none are asked for.
+    Nothing is started where none are asked for. ``folder``: where their files are meanwhile.
     """
 
-    def __init__(self, parts: Parts) -> None:
+    def __init__(self, parts: Parts, folder: Path) -> None:
         self.left_out = LeftOut()
         found = (_asked(name, case, result) for name, (case, result) in parts.items())
         self._asked = [asked for asked in found if asked is not None and asked.order.places]
         orders = [asked.order for asked in self._asked]
-        self._rendering = Rendering(orders) if orders else None
+        self._rendering = Rendering(orders, folder) if orders else None
 
     def __enter__(self) -> InSpace:
         return self

@@ -9,7 +9,9 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from functools import partial
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +20,7 @@ import numpy as np
 from rotordyn.analyses.campbell.gltf import write_glb
 from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.analyses.campbell.spec import CampbellSpec, ShapesInSpaceSpec
+from rotordyn.analyses.contract import File
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.results.described import Described
@@ -53,13 +56,16 @@ class MovingSurface:
         return size / (size.max() or 1.0)
 
 
-def write_meshes(folder: Path, case: Described, result: CampbellResult) -> list[Path]:
-    """The files of meshes that a case asks for, in a folder of their own."""
+def files(folder: Path, case: Described, result: CampbellResult) -> Iterator[File]:
+    """The meshes that a case asks for, in a folder of their own; a format may lack its package."""
     spec = case.analyses.get("campbell")
     shapes = spec.shapes_3d if isinstance(spec, CampbellSpec) else None
     if shapes is None or case.spindle is None or not result.shape.size:
-        return []
-    return write_shapes(folder / FOLDER, case.spindle, result, shapes)
+        return
+    for extension in shapes.files:
+        one = replace(shapes, files=(extension,))
+        write = partial(write_shapes, folder / FOLDER, case.spindle, result, one)
+        yield f"{FOLDER}/*.{extension}", write
 
 
 def write_shapes(
@@ -120,22 +126,25 @@ def _write_displacement(path: Path, moving: MovingSurface) -> None:
         "share": moving.share,
     }
     cells = {"body": [moving.surface.body.astype(np.int32)]}
-    _mesh(moving, moving.surface.points, point_data=points, cell_data=cells).write(path)
+    mesh = _mesh(moving, moving.surface.points, point_data=points, cell_data=cells)
+    mesh.write(path, file_format="vtk42" if path.suffix == ".vtk" else "vtu")
 
 
 def _write_series(path: Path, moving: MovingSurface) -> None:
     import h5py
     from meshio.xdmf import TimeSeriesWriter
 
+    content = BytesIO()  # HDF5 itself, on a full disk, ends the process instead of saying so
     mesh, writer = _mesh(moving, moving.surface.points), TimeSeriesWriter(path)
     writer.h5_filename = str(path.with_suffix(".h5"))  # meshio itself would write where we stand
-    with h5py.File(writer.h5_filename, "w") as writer.h5_file:
+    with h5py.File(content, "w") as writer.h5_file:
         writer.write_points_cells(mesh.points, mesh.cells)
         for number, phase in enumerate(phases(INSTANTS)):
             drawn = moving.scale * at_phase(moving.shape, float(phase))
             values = {"displacement": drawn, "share": moving.share}
             writer.write_data(number / INSTANTS, point_data=values)
         writer.__exit__()
+    path.with_suffix(".h5").write_bytes(content.getbuffer())
 
 
 def _write_deformed(path: Path, moving: MovingSurface) -> None:

@@ -35,7 +35,7 @@ def measured_fields(
     axis = np.full((count, longest), np.nan)
     response = np.full((count, longest), complex(np.nan, np.nan))
     beside = np.full((4, count, PEAKS), np.nan)
-    likeness = np.full(count, np.nan)
+    frac = np.full(count, np.nan)
     for row, one in enumerate(spec.measured):
         own, seen = np.array(one.frequency), as_quantity(one, spec.quantity)
         axis[row, : len(own)], response[row, : len(own)] = own, seen
@@ -44,7 +44,7 @@ def measured_fields(
         inside = (own >= frequency[0]) & (own <= frequency[-1])
         there = computed(near, own[inside])[pair]
         if np.isfinite(there).all():
-            likeness[row] = assurance(seen[inside], there)
+            frac[row] = assurance(seen[inside], there)
             at, high = (each[near, pair] for each in peaks)
             known = np.isfinite(at)
             grid = np.unique(np.concatenate([frequency, at[known]]))
@@ -60,7 +60,7 @@ def measured_fields(
         "measured_speed": np.array([one.speed for one in spec.measured]),
         "measured_frequency": axis,
         "measured_response": response,
-        "likeness": likeness,
+        "frac": frac,
         **dict(zip(names, beside, strict=True)),
     }
 

@@ -26,7 +26,7 @@ class FrequencyResponse:
     What was ``measured`` has frequencies
     of its own, NaN beyond its last ``sample``; its highest peaks stand beside the computed ones
     next to them, NaN where there are fewer. ``unstable``: some motion grows by itself there, so
-    that the steady solution given is not reached. ``likeness``: frequency response assurance
+    that the steady solution given is not reached. ``frac``: frequency response assurance
     criterion.
     """
 
@@ -87,7 +87,7 @@ class FrequencyResponse:
     computed_peak_amplitude: Array = quantity(
         "measured", "peak", unit="SI, as computed", label="amplitude of the computed peak"
     )
-    likeness: Array = quantity("measured", unit="1", label="likeness of measured and computed")
+    frac: Array = quantity("measured", unit="1", label="FRAC of measured and computed response")
 
     @property
     def response(self) -> Complex:

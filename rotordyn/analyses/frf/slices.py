@@ -12,18 +12,20 @@ from rotordyn.results.layout import Table
 
 
 def slices(result: FrequencyResponse) -> Iterator[Table]:
-    """One table per slice with a solution, a line per frequency, every pair; then the peaks."""
+    """One table per slice with a solution: a line per frequency; of every pair both parts, and
+    amplitude and phase. Then one of the peaks."""
     for row, speed in enumerate(result.slice_speed):
         known = np.isfinite(result.slice_frequency[row])
         values = result.slice_value[row][:, known]
         if not np.isfinite(values).all():
             continue
-        pairs = [
-            (f"{result.kind} {pair}", shown(result.unit(place)), values[place])
-            for place, pair in enumerate(result.pair)
-        ]
-        frequency = ("frequency", shown("Hz"), result.slice_frequency[row, known])
-        yield Table(f"frf_{float(speed) * RPM.factor:.7g}rpm", [frequency, *pairs])
+        columns = [("frequency", shown("Hz"), result.slice_frequency[row, known])]
+        for place, pair in enumerate(result.pair):
+            label, unit = f"{result.kind} {pair}", shown(result.unit(place))
+            columns.append((label, unit, values[place]))
+            columns.append((f"{label} amplitude", unit, np.abs(values[place])))
+            columns.append((f"{label} phase", shown("rad"), np.angle(values[place])))
+        yield Table(f"frf_{float(speed) * RPM.factor:.7g}rpm", columns)
     if result.resonance.size:
         yield _peaks(result)
 

@@ -18,7 +18,7 @@ SAME = 1e-6  # of a speed
 
 def summary(result: FrequencyResponse) -> list[str]:
     """The highest peak of every pair, of all frequencies and along every engine order; then a line
-    per measured response: its highest peaks, the computed ones beside, their likeness."""
+    per measured response: its highest peaks, the computed ones beside, the FRAC."""
     words = [_highest(result, pair) for pair in range(min(MOST, len(result.pair)))]
     words += [
         _along(result, row, pair)
@@ -92,9 +92,9 @@ def _line(result: FrequencyResponse, row: int) -> str:
     head = (
         f"measured   {result.measured[row]}, {result.kind} {pair} at {speeds_compared(result, row)}"
     )
-    if not math.isfinite(result.likeness[row]):
+    if not math.isfinite(result.frac[row]):
         return f"{head}, where there is no response"
-    return f"{head}: likeness {result.likeness[row]:.3f}{told}"
+    return f"{head}: FRAC {result.frac[row]:.3f}{told}"
 
 
 def speeds_compared(result: FrequencyResponse, row: int) -> str:
@@ -107,10 +107,10 @@ def speeds_compared(result: FrequencyResponse, row: int) -> str:
 
 
 def cells(result: FrequencyResponse, _: Described) -> dict[str, str]:
-    """The likeness of every measured response to the computed one, 1 at best."""
+    """FRAC (frequency response assurance criterion) of every measured response."""
     return {
         f"{name} at {speeds_compared(result, row)}": (
-            f"{result.likeness[row]:.3f}" if math.isfinite(result.likeness[row]) else "–"
+            f"{result.frac[row]:.3f}" if math.isfinite(result.frac[row]) else "–"
         )
         for row, name in enumerate(result.measured)
     }

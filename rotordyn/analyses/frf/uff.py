@@ -1,20 +1,40 @@
-"""Frequency responses as Universal File Format data sets of type 58, through ``pyuff``."""
+"""Frequency responses in the Universal File Format, through ``pyuff``.
+
+A record of units (type 164: SI), the points as nodes on the axis of the rotor (type 2411), then one
+function (type 58) per slice speed and pair. The format knows ASCII alone.
+"""
 
 from __future__ import annotations
 
 import warnings
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from functools import partial
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.analyses.contract import File
 from rotordyn.analyses.frf.result import FrequencyResponse
+from rotordyn.plain import plain
 from rotordyn.results.declaration import declared
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, is_rotation
 
+if TYPE_CHECKING:
+    from rotordyn.machine.rotor import Place
+
+_UNITS = {
+    "type": 164,
+    "units_code": 1,
+    "units_description": "SI: Meter (newton)",
+    "temp_mode": 2,
+    "length": 1.0,
+    "force": 1.0,
+    "temp": 1.0,
+    "temp_offset": 273.15,
+}
 _DIRECTION = {"x": 1, "y": 2, "z": 3, "thx": 4, "thy": 5, "thz": 6}
 _FREQUENCY, _FORCE, _RPM = 18, 13, 19
 
@@ -34,11 +54,11 @@ MOTION = {
 }
 
 
-def write_file(folder: Path, case: Described, result: FrequencyResponse) -> int:
-    """``frf.uff`` with the named points of the machine as nodes; returns the number of records."""
-    places = () if case.spindle is None else case.spindle.places
-    nodes = {name: k for k, name in enumerate(places, start=1)}
-    return write_uff(folder / "frf.uff", result, case=case.name, nodes=nodes)
+def files(folder: Path, case: Described, result: FrequencyResponse) -> Iterator[File]:
+    """``frf.uff`` with the named points of the machine as nodes."""
+    places = {} if case.spindle is None else case.spindle.places
+    path = folder / "frf.uff"
+    yield path.name, partial(write_uff, path, result, case=case.name, places=places)
 
 
 def write_uff(
@@ -46,16 +66,17 @@ def write_uff(
     result: FrequencyResponse,
     *,
     case: str,
-    nodes: Mapping[str, int],
+    places: Mapping[str, Place],
     binary: bool = True,
 ) -> int:
-    """Write one record per slice speed and pair; returns how many there are.
+    """Write one function per slice speed and pair; returns how many there are.
 
-    ``nodes``: number of each named point, as it will stand in the file. ``binary``: type 58b,
-    exact; otherwise text of twelve digits.
+    ``places``: of each named point, which become the nodes 1, 2 … in this order. ``binary``: type
+    58b, exact; otherwise text of twelve digits. Without any function there is no file.
     """
     import pyuff
 
+    nodes = {name: number for number, name in enumerate(places, start=1)}
     sets = [
         _record(result, index, place, case=case, nodes=nodes, binary=binary)
         for index in np.flatnonzero(result.is_slice).tolist()
@@ -66,8 +87,15 @@ def write_uff(
         warnings.simplefilter("ignore", ResourceWarning)  # pyuff leaves closing to the interpreter
         path.unlink(missing_ok=True)  # its mode "overwrite" loses the head of a binary record
         if sets:
-            pyuff.UFF(str(path)).write_sets(sets, "add")
+            pyuff.UFF(str(path)).write_sets([_UNITS, _nodes(places), *sets], "add")
     return len(sets)
+
+
+def _nodes(places: Mapping[str, Place]) -> dict[str, Any]:
+    station = [float(place.x) for place in places.values()]
+    numbers, zeros = list(range(1, len(station) + 1)), [0] * len(station)
+    systems = {"def_cs": zeros, "disp_cs": zeros, "color": zeros}
+    return {"type": 2411, "node_nums": numbers, "x": station, "y": zeros, "z": zeros, **systems}
 
 
 def _record(
@@ -92,17 +120,17 @@ def _record(
         "type": 58,
         "binary": int(binary),
         "func_type": 4,
-        "id1": f"{result.kind} {pair} [{result.unit(place)}]"[:80],
-        "id2": f"case {case}"[:80],
+        "id1": plain(f"{result.kind} {pair} [{result.unit(place)}]")[:80],
+        "id2": plain(f"case {case}")[:80],
         "id3": f"speed {rpm:.6g} rpm ({float(result.speed[index]):.9g} rad/s)",
-        "id4": f"computed by rotordyn, SI units; {labels[result.kind]}",
+        "id4": plain(f"computed by rotordyn, SI units; {labels[result.kind]}")[:80],
         "id5": "NONE",
         "load_case_id": 0,
         "ver_num": index + 1,
-        "rsp_ent_name": out[:10],
+        "rsp_ent_name": plain(out)[:10],
         "rsp_node": nodes[out],
         "rsp_dir": _DIRECTION[out_dof],
-        "ref_ent_name": inp[:10],
+        "ref_ent_name": plain(inp)[:10],
         "ref_node": nodes[inp],
         "ref_dir": _DIRECTION[in_dof],
         "ord_data_type": 6,

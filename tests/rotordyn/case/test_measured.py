@@ -61,7 +61,7 @@ def test_own_uff_comes_back_whatever_it_is_laid_over(
     np.testing.assert_allclose(result.measured_response[0], result.response[1, 0], rtol=1e-9)
     assert result.measured == ("tap",)
     assert result.measured_pair == (PAIR,)
-    assert result.likeness[0] == pytest.approx(1.0, abs=1e-9)
+    assert result.frac[0] == pytest.approx(1.0, abs=1e-9)
     known = np.isfinite(result.measured_peak[0])
     assert known.sum() >= 2
     np.testing.assert_allclose(result.computed_peak, result.measured_peak)
@@ -237,15 +237,15 @@ def test_summary_and_figure_show_what_was_measured(tmp_path: Path) -> None:
     (tmp_path / "tap.csv").write_text("frequency [Hz],amplitude [um/N],phase [deg]\n" + rows)
     found = deliver(case(tmp_path, measured=MEASURED % ("tap.csv", ", name: tap")), tmp_path / "o")
     text = " ".join(found.summary.split())
-    assert f"measured tap, receptance {PAIR} at 0 rpm: likeness 0." in text
+    assert f"measured tap, receptance {PAIR} at 0 rpm: FRAC 0." in text
     result = solve(case(tmp_path, measured=MEASURED % ("tap.csv", ""))).results["frf"]
     assert result.measured_peak[0, 0] / result.computed_peak[0, 0] == pytest.approx(1.05, rel=0.01)
     ratio = result.measured_peak_amplitude[0, 0] / result.computed_peak_amplitude[0, 0]
     assert ratio == pytest.approx(0.5, rel=0.05)
     assert "tap, measured at 0 rpm" in (tmp_path / "o" / "frf_amplitude_phase.svg").read_text()
     assert (tmp_path / "o" / "frf_measured_peaks.csv").exists()
-    assert math.isfinite(result.likeness[0])
-    assert result.likeness[0] < 0.9
+    assert math.isfinite(result.frac[0])
+    assert result.frac[0] < 0.9
 
 
 def test_a_response_compared_at_another_speed_than_its_own_is_told(tmp_path: Path) -> None:
@@ -255,7 +255,7 @@ def test_a_response_compared_at_another_speed_than_its_own_is_told(tmp_path: Pat
         asked = MEASURED % ("tap.csv", f", name: tap, speed: {rpm} rpm")
         found = deliver(case(tmp_path, measured=asked), tmp_path / "o")
         text = " ".join(found.summary.split())
-        assert f"measured tap, receptance {PAIR} at {words}: likeness 0." in text
+        assert f"measured tap, receptance {PAIR} at {words}: FRAC 0." in text
 
 
 def test_a_response_where_none_is_computed_is_told(tmp_path: Path) -> None:
@@ -263,5 +263,5 @@ def test_a_response_where_none_is_computed_is_told(tmp_path: Path) -> None:
         "frequency [Hz],amplitude [um/N],phase [deg]\n10,1,0\n20,2,0\n30,1,0\n"
     )
     result = solve(case(tmp_path, measured=MEASURED % ("tap.csv", ""))).results["frf"]
-    (line,) = measured_lines(replace(result, likeness=np.array([np.nan])))
+    (line,) = measured_lines(replace(result, frac=np.array([np.nan])))
     assert line == f"measured   measured 1, receptance {PAIR} at 0 rpm, where there is no response"

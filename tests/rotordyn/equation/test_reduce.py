@@ -133,8 +133,8 @@ def test_lanczos_gives_what_lapack_gives(monkeypatch: pytest.MonkeyPatch) -> Non
     few = reduce(*arguments)
     assert few.modes.tolist() == dense.modes.tolist()
     assert few.values == pytest.approx(dense.values, rel=1e-10, abs=1e-14)
-    likeness = np.abs(np.diagonal(few.vectors.T @ mass @ dense.vectors))
-    assert likeness == pytest.approx(np.ones(len(likeness)), abs=1e-9)
+    alike = np.abs(np.diagonal(few.vectors.T @ mass @ dense.vectors))
+    assert alike == pytest.approx(np.ones(len(alike)), abs=1e-9)
 
 
 def test_a_mode_that_lanczos_misses_is_noticed(monkeypatch: pytest.MonkeyPatch) -> None:

@@ -153,6 +153,6 @@ def test_text_and_tables_name_the_rotors(modes: CampbellResult, scene: Scene, tm
     assert response_figure(moved).axes[-1].get_xlabel() == "speed of the spindle [rpm]"
     names = write_tables(tmp_path, {"campbell": modes})
     assert {"campbell_rotors.csv", "campbell_nodes.csv"} <= set(names)
-    lines = (tmp_path / "campbell_nodes.csv").read_text(encoding="utf-8").splitlines()
+    lines = (tmp_path / "campbell_nodes.csv").read_text(encoding="utf-8-sig").splitlines()
     assert lines[0] == "station [mm],rotor of the node"
     assert [line.rpartition(",")[2] for line in lines[1:]] == list(modes.node_rotor)

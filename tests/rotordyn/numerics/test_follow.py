@@ -8,17 +8,17 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from rotordyn.numerics import follow as module
-from rotordyn.numerics.follow import LEAST_LIKENESS, follow, likeness
+from rotordyn.numerics.follow import LEAST_MAC, follow, mac
 
 
 def unit(size: int, *columns: int) -> np.ndarray:
     return np.eye(size, dtype=complex)[:, columns]
 
 
-def test_likeness() -> None:
+def test_modal_assurance_criterion() -> None:
     a = np.array([[1.0, 0.0], [0.0, 1.0]], dtype=complex)
     b = np.array([[2j, 1.0], [0.0, 1.0]], dtype=complex)
-    assert likeness(a, b) == pytest.approx(np.array([[1.0, 0.5], [0.0, 0.5]]))
+    assert mac(a, b) == pytest.approx(np.array([[1.0, 0.5], [0.0, 0.5]]))
 
 
 def test_crossing_values_do_not_swap_shapes() -> None:
@@ -70,7 +70,7 @@ def test_nothing_at_a_step_loses_all_for_that_step() -> None:
 
 
 def test_unlike_vectors_begin_a_path_of_their_own() -> None:
-    assert LEAST_LIKENESS > 0.0
+    assert LEAST_MAC > 0.0
     path = follow([unit(3, 0), unit(3, 1)], [np.array([1.0]), np.array([1.0])])
     assert path.tolist() == [[0, -1], [-1, 0]]
 

@@ -119,10 +119,10 @@ def test_soft_springs_keep_their_force() -> None:
 def test_force_on_the_shaft_is_shared_by_stiffness() -> None:
     """A small force towards +x loads position 1 and unloads 2 and 3, as their tangents say."""
     base, pushed = state(mfw2310(), 6000), state(mfw2310(), 6000, 1.0)
-    k1, k2, k3 = base.net.response.slope[0] * base.network.twins
+    k1, k2, k3 = base.net.response.slope[0] * base.network.tandem
     series = [1 / (1 / k2 + 1 / 6.20e6), 1 / (1 / k3 + 1 / 5.49e6)]
     total = k1 + sum(series)
-    change = (loads(pushed) - loads(base))[0] * base.network.twins
+    change = (loads(pushed) - loads(base))[0] * base.network.tandem
     expected = [k1 / total, -series[0] / total, -series[1] / total]
     assert change == pytest.approx(expected, rel=1e-3)
     assert (pushed.shift - base.shift)[0, 0] == pytest.approx(1.0 / total, rel=1e-3)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import stat
@@ -10,29 +11,31 @@ from concurrent.futures import ThreadPoolExecutor
 import pytest
 
 from rotordyn.errors import InvalidInput, OutputRefused
+from rotordyn.report import folder
 from rotordyn.report.folder import MARKER, RECORD, results_folder
 
 
-def _fill(folder, word="new"):
-    (folder / "data.txt").write_text(word)
-    (folder / RECORD).write_text(json.dumps({MARKER: 1}))
+def _fill(into, word="new"):
+    (into / "data.txt").write_text(word)
+    (into / RECORD).write_text(json.dumps({MARKER: 1}))
 
 
 def _break(target):
-    with results_folder(target) as folder:
-        _fill(folder)
+    with results_folder(target) as place:
+        _fill(place.folder)
         raise ZeroDivisionError
 
 
-def _write(target, word="new"):
-    with results_folder(target) as folder:
-        _fill(folder, word)
+def _write(target, word="new", error=lambda: None):
+    with results_folder(target) as place:
+        _fill(place.folder, word)
+        error()
 
 
 def test_nothing_is_there_before_the_end(tmp_path):
     target = tmp_path / "deep" / "er" / "out"
-    with results_folder(target) as folder:
-        _fill(folder)
+    with results_folder(target) as place:
+        _fill(place.folder)
         assert not target.exists()
     assert sorted(p.name for p in target.iterdir()) == ["data.txt", RECORD]
     assert [p.name for p in target.parent.iterdir()] == ["out"]
@@ -120,3 +123,99 @@ def test_runs_at_the_same_moment_leave_one_whole_result(tmp_path):
         list(pool.map(lambda word: _write(target, word), words))
     assert (target / "data.txt").read_text() in words
     assert os.listdir(tmp_path) == ["out"]
+
+
+def _refusing(times, where):
+    """``os.rename`` that Windows refuses so many times for paths that ``where`` chooses."""
+    left, rename = [times], os.rename
+
+    def refused(source, target):
+        if where(str(source), str(target)) and left[0] > 0:
+            left[0] -= 1
+            raise PermissionError(13, "Access is denied")
+        rename(source, target)
+
+    return refused
+
+
+def test_a_file_in_use_for_a_moment_is_waited_for(tmp_path, monkeypatch):
+    target = tmp_path / "out"
+    _write(target, "old")
+    monkeypatch.setattr(folder, "PATIENCE", (0.0, 0.0))
+    monkeypatch.setattr(os, "rename", _refusing(2, lambda source, _: source == str(target)))
+    _write(target)
+    assert (target / "data.txt").read_text() == "new"
+    assert os.listdir(tmp_path) == ["out"]
+
+
+def test_results_go_beside_a_folder_in_use(tmp_path, monkeypatch):
+    target = tmp_path / "out"
+    _write(target, "old")
+    (tmp_path / "out_2").mkdir()
+    (tmp_path / "out_2" / "thesis.tex").write_text("years of work")
+    monkeypatch.setattr(folder, "PATIENCE", ())
+    monkeypatch.setattr(os, "rename", _refusing(99, lambda source, _: source == str(target)))
+    with results_folder(target) as place:
+        _fill(place.folder)
+    assert (place.moved, place.target) == (True, tmp_path / "out_3")
+    assert (place.target / "data.txt").read_text() == "new"
+    assert (target / "data.txt").read_text() == "old"
+    assert sorted(os.listdir(tmp_path)) == ["out", "out_2", "out_3"]
+
+
+def test_no_new_results_no_old_ones_lost(tmp_path, monkeypatch):
+    target = tmp_path / "out"
+    _write(target, "old")
+    monkeypatch.setattr(folder, "PATIENCE", ())
+    refused = _refusing(99, lambda source, _: source.endswith(folder.NEW))
+    monkeypatch.setattr(os, "rename", refused)
+    with pytest.raises(InvalidInput, match="cannot be made: Access is denied"):
+        _write(target)
+    assert (target / "data.txt").read_text() == "old"
+    assert os.listdir(tmp_path) == ["out"]
+
+
+def test_results_that_a_killed_run_had_set_aside_come_back(tmp_path):
+    target = tmp_path / "out"
+    workshop = tmp_path / ".out.rotordyn.abcd1234"
+    for name, word in ((folder.OLD, "old"), (folder.NEW, "new")):
+        (workshop / name).mkdir(parents=True)
+        _fill(workshop / name, word)
+    os.utime(workshop, (0, 0))  # long ago, for systems without locks
+    (tmp_path / ".out.backup").mkdir()
+    with pytest.raises(ZeroDivisionError):
+        _break(target)
+    assert (target / "data.txt").read_text() == "old"
+    assert sorted(os.listdir(tmp_path)) == [".out.backup", "out"]
+
+
+def test_the_workshop_of_a_living_run_is_left_alone(tmp_path):
+    with results_folder(tmp_path / "out") as first:
+        _fill(first.folder, "first")
+        _write(tmp_path / "out", "second")
+        assert first.folder.exists()
+    assert (tmp_path / "out" / "data.txt").read_text() == "first"
+
+
+@pytest.mark.parametrize("number", [errno.ENOSPC, errno.EFBIG, errno.EROFS])
+def test_a_full_disk_is_a_sentence(tmp_path, number):
+    def refuse(*_):
+        raise OSError(number, os.strerror(number))
+
+    _write(tmp_path / "out", "old")
+    with pytest.raises(InvalidInput, match=r"cannot be written to: .*; give another folder"):
+        _write(tmp_path / "out", error=refuse)
+    assert (tmp_path / "out" / "data.txt").read_text() == "old"
+    assert os.listdir(tmp_path) == ["out"]
+
+
+def test_a_place_without_permission_is_refused_before_anything_is_solved(tmp_path, monkeypatch):
+    monkeypatch.setattr(os, "access", lambda *_: False)
+    with pytest.raises(InvalidInput, match="cannot be written to: Permission denied"):
+        folder.check_target(tmp_path / "deep" / "out")
+
+
+def test_a_mount_is_refused_before_anything_is_solved(tmp_path, monkeypatch):
+    monkeypatch.setattr(os.path, "ismount", lambda path: path == tmp_path)
+    with pytest.raises(OutputRefused, match="give a folder in it"):
+        folder.check_target(tmp_path)

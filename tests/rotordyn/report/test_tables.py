@@ -22,7 +22,7 @@ def folder(tmp_path_factory, results):
 
 
 def _rows(path):
-    with path.open(encoding="utf-8", newline="") as file:
+    with path.open(encoding="utf-8-sig", newline="") as file:
         return list(csv.DictReader(file))
 
 
@@ -100,3 +100,21 @@ def test_section_forces_have_units_of_their_own(folder):
     assert (last["reaction Fy [N]"], last["reaction Mz [N·m]"]) == ("500", "0")
     (*_, twist) = _rows(folder / "section_forces_twist.csv")
     assert twist["outer diameter that just keeps to it [mm]"] == "39.55"
+
+
+def test_slices_hold_amplitude_and_phase_too(folder, results):
+    rows = _rows(folder / "frf_24000rpm.csv")
+    pair = "receptance O3.y / Oc2.y"
+    size, angle = (
+        np.array([float(r[f"{pair} {what}"]) for r in rows])
+        for what in ("amplitude [µm/N]", "phase [deg]")
+    )
+    wanted = results["frf"].receptance[-1, 3] * 1e6
+    turned = size * np.exp(1j * np.radians(angle))
+    np.testing.assert_allclose(turned, wanted, rtol=1e-5)
+
+
+def test_tables_open_in_excel_with_their_units(folder):
+    """Excel takes a file for UTF-8 by its mark alone; without it µ becomes two letters."""
+    for path in folder.iterdir():
+        assert path.read_bytes().startswith(b"\xef\xbb\xbf")

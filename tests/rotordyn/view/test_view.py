@@ -6,11 +6,11 @@ from collections.abc import Iterator
 
 import numpy as np
 import pytest
-from tests.rotordyn.figures import samples
 
 from rotordyn.view import apart
 from rotordyn.view.apart import NoPictures, Rendering
 from rotordyn.view.order import Order
+from tests.rotordyn.figures import samples
 
 FRAMES = 3
 COLOURS = {"forward": (0x00, 0x72, 0xB2), "backward": (0xD5, 0x5E, 0x00)}
@@ -107,3 +107,23 @@ def test_leaving_early_ends_the_process_and_its_files(monkeypatch: pytest.Monkey
         assert rendered.running
     assert not rendered.running
     assert not rendered.folder.exists()
+
+
+@pytest.mark.parametrize(("module", "package"), [("pyvista", "pyvista"), ("vtkmodules", "vtk")])
+def test_a_package_that_is_missing_is_named_and_not_mesa(
+    monkeypatch: pytest.MonkeyPatch, module: str, package: str
+) -> None:
+    blocked = f"""
+import runpy, sys
+class Blocked:
+    def find_spec(self, name, path=None, target=None):
+        if name.partition(".")[0] == {module!r}:
+            raise ModuleNotFoundError(f"No module named {{name!r}}", name=name)
+sys.meta_path.insert(0, Blocked())
+runpy.run_module("rotordyn.view", run_name="__main__", alter_sys=True)
+"""
+    monkeypatch.setattr(apart, "PROGRAM", ("-c", blocked))
+    with Rendering([order([0])]) as rendered, pytest.raises(NoPictures) as caught:
+        rendered.finish()
+    said = f"the package {package} is not installed: python -m pip install {package}"
+    assert str(caught.value) == said

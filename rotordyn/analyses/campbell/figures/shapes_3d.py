@@ -20,6 +20,7 @@ from rotordyn.figures.style import (
     add_axes,
     grid_boxes,
     new_figure,
+    own_settings,
 )
 from rotordyn.results.display import RPM, number
 from rotordyn.surface.projection import projected
@@ -81,6 +82,7 @@ def sheet_figure(
     return figure
 
 
+@own_settings()
 def save_animation(
     path: Path, result: CampbellResult, speed: int, mode: int, frames: Pixels, look: Look
 ) -> None:

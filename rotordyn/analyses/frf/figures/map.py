@@ -86,6 +86,7 @@ def draw_map(
     values[values <= 0.0] = np.nan
     low, high = limits or amplitude_range(values)
     first = float(rpm[0])
+    values = np.minimum(values, high)  # without damping a peak has no limit
     values = nearest(values, rpm, first + (top - first) * (np.arange(_COLUMNS) + 0.5) / _COLUMNS)
     image = axes.imshow(
         np.log10(values.T),

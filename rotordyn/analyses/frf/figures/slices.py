@@ -115,7 +115,7 @@ def _scale(axes: Axes, largest: float) -> None:
     least = 10.0 ** math.floor(math.log10(usual))
     axes.set_yscale("symlog", linthresh=least, linscale=0.5)
     decades = [10.0**k for k in range(round(math.log10(least)), math.ceil(math.log10(high)) + 1)]
-    shown_ones = decades[:: 1 + len(decades) // 4]
+    shown_ones = decades[1 :: 1 + len(decades) // 4]
     axes.set_yticks([-each for each in shown_ones[::-1]] + [0.0, *shown_ones])
     axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}".replace("-", "\u2212"))
     axes.minorticks_off()

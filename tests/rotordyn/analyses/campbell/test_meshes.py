@@ -54,6 +54,7 @@ def test_complex_displacement_comes_back_exactly(
 
     path = folder / f"mode.{extension}"
     mesh, seen = meshio.read(path), pyvista.read(path)
+    assert np.array_equal(seen.cell_data["body"], moving.surface.body)
     assert np.array_equal(mesh.points, moving.surface.points)
     assert np.array_equal(mesh.cells[0].data, moving.surface.triangles)
     assert np.array_equal(mesh.cell_data["body"][0], moving.surface.body)

@@ -1,0 +1,40 @@
+"""A case and a spindle file to start from: copies of the shipped grinding spindle."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+from rotordyn.case.library import cases_root, models_root
+from rotordyn.errors import InvalidInput
+
+START = "grinding_spindle"
+_NAME = re.compile(r"\w[\w-]*")
+
+
+def write_starter(name: str, folder: Path) -> tuple[Path, Path]:
+    """Write ``NAME.yaml``, a case, and ``NAME_spindle.yaml``, its spindle, into ``folder``.
+
+    Raises
+    ------
+    InvalidInput : the name is no plain word, one of the files exists, or it cannot be written
+    """
+    name = name.removesuffix(".yaml")
+    if not _NAME.fullmatch(name):
+        raise InvalidInput(f"not a name: {name!r}; allowed: letters, digits, _ and -")
+    case, spindle = folder / f"{name}.yaml", folder / f"{name}_spindle.yaml"
+    for path in (case, spindle):
+        if path.exists():
+            raise InvalidInput(f"{path} exists and is not overwritten; choose another name")
+    text = (cases_root() / f"{START}.yaml").read_text(encoding="utf-8")
+    texts = {
+        spindle: (models_root() / "spindles" / f"{START}.yaml").read_text(encoding="utf-8"),
+        case: text.replace(f"spindle: {START} ", f"spindle: {spindle.name} "),
+    }
+    for path, text in texts.items():
+        try:
+            with path.open("x", encoding="utf-8", newline="\n") as file:
+                file.write(text)
+        except OSError as error:
+            raise InvalidInput(f"{path} cannot be written: {error.strerror}") from None
+    return case, spindle

@@ -1,0 +1,69 @@
+"""Every command and every block of code of the pages runs, and prints what the page shows."""
+
+from __future__ import annotations
+
+import re
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+import rotordyn
+from docs.generate.marked import parts
+from docs.generate.places import DOCS, FIGURES, ROOT
+from docs.generate.snippets import PICTURES, blocks, run_page, snippet_pages
+from rotordyn.case.starter import START
+
+NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e-?\d+)?")
+PAGES = snippet_pages()
+by_name = pytest.mark.parametrize("page", PAGES, ids=lambda p: p.relative_to(ROOT).as_posix())
+
+
+@by_name
+def test_blocks_of_a_page_run_and_print_what_it_shows(page: Path, tmp_path: Path) -> None:
+    printed = run_page(page, tmp_path, draw=False)
+    shown = parts(page.read_text(encoding="utf-8"))
+    for name, now in printed.items():
+        assert NUMBER.sub("#", shown[name]) == NUMBER.sub("#", now), name
+        old, new = ([float(n) for n in NUMBER.findall(text)] for text in (shown[name], now))
+        assert old == pytest.approx(new, rel=2e-3, abs=1e-4), name
+
+
+def test_the_tutorial_builds_the_spindle_that_new_writes(
+    tmp_path: Path,
+) -> None:
+    page = (DOCS / "tutorial" / "own_spindle.md").read_text(encoding="utf-8")
+    built = "".join(b.code for b in blocks(page) if b.file.lstrip("+") == "spindle.yaml")
+    (tmp_path / "spindle.yaml").write_text(built, encoding="utf-8")
+    mine = rotordyn.model("spindles", tmp_path / "spindle.yaml")
+    assert replace(mine, name="", title="", note="") == replace(
+        rotordyn.model("spindles", START), name="", title="", note=""
+    )
+
+
+def test_pages_show_what_a_run_prints() -> None:
+    """The engine reads the pages: there are blocks, files and outputs in all of the tutorial."""
+    for page in PAGES:
+        if page.parent.name == "tutorial":
+            found = list(blocks(page.read_text(encoding="utf-8")))
+            assert any(block.output for block in found), page.name
+
+
+@pytest.mark.parametrize(
+    ("code", "words"),
+    [
+        ("```sh\nrotordyn check nothing_there.yaml\n```\n", "exit code 2"),
+        ("```sh\nscripts/nothing_there\n```\n", "no such script"),
+        ("```sh\nmake all\n```\n", "no command of rotordyn"),
+        ("```yaml\na: 1\n```\n", "a block that nothing runs"),
+    ],
+)
+def test_a_page_that_is_wrong_is_named(code: str, words: str, tmp_path: Path) -> None:
+    page = tmp_path / "page.md"
+    page.write_text(code, encoding="utf-8")
+    with pytest.raises(RuntimeError, match=words):
+        run_page(page, tmp_path)
+
+
+def test_figures_of_the_pages_are_kept() -> None:
+    assert all((FIGURES / name).is_file() for name in PICTURES)
