@@ -232,9 +232,7 @@ def test_a_map_shows_peaks_between_its_frequencies_and_no_speed_below_the_first(
     speed = frf.speed + 100.0
     at, value = np.full((9, 4, 1), np.nan), np.full((9, 4, 1), complex(np.nan, np.nan))
     at[4, 0], value[4, 0] = 0.5 * (frf.frequency[20] + frf.frequency[21]), 1e-3
-    one = replace(
-        frf, speed=speed, resonance=np.arange(1), peak_frequency=at, peak_value=value
-    )
+    one = replace(frf, speed=speed, resonance=np.arange(1), peak_frequency=at, peak_value=value)
     axes = map_figure(one, [0]).axes[0]
     image = np.asarray(axes.images[0].get_array())
     assert np.nanmax(image) == pytest.approx(np.log10(1e-3 * 1e6))

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -15,10 +14,10 @@ from rotordyn.analyses.frf.summary import summary
 from rotordyn.analyses.unbalance.solve import answer as unbalanced
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.errors import InvalidInput
-from rotordyn.machine.rotor import FurtherRotor
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.loads import Unbalance
 from rotordyn.scene.scene import Scene
+from tests.oracles.coaxial import COAXIAL
 from tests.oracles.spindles import RPM, pairs
 from tests.rotordyn.analyses.frf.test_receptance_errors import machine
 
@@ -32,7 +31,7 @@ def scene(kind: str, **conditions: object) -> Scene:
     return Scene(spindle, own, SPEEDS, 1500.0, tuple(spindle.points.values()))
 
 
-@pytest.mark.parametrize("kind", ["isotropic", "uneven", "lossy", "coupled"])
+@pytest.mark.parametrize("kind", ["isotropic", "uneven", "lossy"])
 def test_values_are_those_of_the_grid(kind: str) -> None:
     found = answer(scene(kind), FrfSpec((), ASKED, engine_orders=(1.0, 2.5)))
     hertz = SPEEDS[:, None] * np.array([1.0, 2.5]) / (2.0 * math.pi)
@@ -62,19 +61,25 @@ def test_peaks_are_those_of_many_speeds(count: int) -> None:
     spindle = machine("uneven")
     few, many = (
         answer(
-            Scene(spindle, Conditions(accuracy=1e-3), np.linspace(1500.0, 30000.0, n) * RPM, 1500.0,
-                  tuple(spindle.points.values())),
+            Scene(
+                spindle,
+                Conditions(accuracy=1e-3),
+                np.linspace(12000.0, 30000.0, n) * RPM,
+                1500.0,
+                tuple(spindle.points.values()),
+            ),
             FrfSpec((), ASKED[:1], engine_orders=(1.0,)),
         )
-        for n in (count, 2001)
-    )  # fmt: skip
+        for n in (count, 151)
+    )
     size = np.abs(many.line_value[:, 0, 0])
     assert np.nanmax(np.abs(few.line_curve[0, :, 0])) >= (1.0 - 1e-3) * size.max()
     tops = 1 + np.flatnonzero((size[1:-1] > size[:-2]) & (size[1:-1] >= size[2:]))
+    assert len(tops)
     for top in tops:
         near = np.nanargmin(np.abs(few.line_peak_speed[0, 0] - many.speed[top]))
-        assert abs(few.line_peak_value[0, 0, near]) == pytest.approx(size[top], rel=0.01)
-    assert " along 1× at " in summary(few)[0]
+        assert abs(few.line_peak_value[0, 0, near]) == pytest.approx(size[top], rel=0.02)
+    assert "along 1× at" in summary(few)[0].replace("\N{NO-BREAK SPACE}", " ")
     axes = orders_figure(few, [0]).axes[0]
     assert np.nanmax(axes.lines[0].get_ydata()) == pytest.approx(
         np.nanmax(np.abs(few.line_curve)) * 1e6
@@ -82,13 +87,10 @@ def test_peaks_are_those_of_many_speeds(count: int) -> None:
 
 
 def test_a_further_rotor_has_lines_of_its_own() -> None:
-    spindle = machine("isotropic")
-    outer = FurtherRotor("outer", replace(spindle.shaft), ratio=-1.5)
-    both = replace(spindle, rotors=(outer,))
-    one = Scene(both, Conditions(accuracy=1e-3), SPEEDS, 1500.0, tuple(spindle.points.values()))
-    found = answer(one, FrfSpec((), ASKED[:1], engine_orders=(1.0, 2.0)))
+    one = Scene(COAXIAL, Conditions(accuracy=1e-3), 0.02 * SPEEDS, 60.0, (0.076,))
+    found = answer(one, FrfSpec((), pairs("d1.y/d1.y"), engine_orders=(1.0, 2.0)))
     assert found.line == ("1×", "2×", "1× outer", "2× outer")
-    np.testing.assert_allclose(found.line_frequency[:, 2], 1.5 * SPEEDS / (2.0 * math.pi))
+    np.testing.assert_allclose(found.line_frequency[:, 2], 0.03 * SPEEDS / (2.0 * math.pi))
 
 
 def test_the_turning_frame_has_no_engine_orders() -> None:

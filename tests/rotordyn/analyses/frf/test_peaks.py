@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -28,16 +29,11 @@ GRID = tuple(np.linspace(20.0, 1500.0, 10))
 
 
 def single(ratio: float) -> Spindle:
-    """A rigid rotor on one spring and one damper at its centre of gravity: a single mass along y."""
+    """A rigid rotor on one spring and one damper at its centre of gravity."""
     body = rotor_inertia(STEPPED)
     damper = 2.0 * ratio * math.sqrt(K * body.mass)
-    return STEPPED.__class__(
-        **{name: getattr(STEPPED, name) for name in STEPPED.__dataclass_fields__}
-        | {
-            "supports": (support("middle", body.centre, (K, K), damper),),
-            "points": {"middle": body.centre},
-        }
-    )
+    held = (support("middle", body.centre, (K, K), damper),)
+    return replace(STEPPED, supports=held, points={"middle": body.centre})
 
 
 def solved(spindle: Spindle, speeds: list[float], spec: FrfSpec, rotor: str) -> FrequencyResponse:
@@ -70,9 +66,7 @@ def test_a_single_mass_on_a_coarse_grid(ratio: float, quantity: str) -> None:
     frequency, values = found.curve(0, 0)
     assert np.abs(values).max() == pytest.approx(largest, rel=1e-6)
     assert set(GRID) <= set(frequency.tolist())
-    text = summary(found)[0]
-    assert f"{at:.1f}" in text
-    assert "at" in text
+    assert f"at {at:.1f} Hz" in summary(found)[0].replace("\N{NO-BREAK SPACE}", " ")
 
 
 def test_without_damping_a_peak_has_no_limit() -> None:
@@ -84,7 +78,7 @@ def test_without_damping_a_peak_has_no_limit() -> None:
     assert "unbounded" in summary(found)[0]
 
 
-@settings(max_examples=6)
+@settings(max_examples=4)
 @given(
     kind=st.sampled_from(["isotropic", "uneven", "coupled"]),
     rpm=st.floats(0.0, 30000.0),
@@ -100,7 +94,6 @@ def test_random_grids_against_a_dense_one(kind: str, rpm: float, count: int, end
     for low in np.linspace(20.0, 1450.0, 30):
         inside = (frequency >= low) & (frequency <= low + 50.0)
         at, curve = coarse.curve(0, 0)
-        # a chord between samples of a curve is as far off as the eye sees it on a log axis
         drawn = np.exp(np.interp(frequency[inside], at, np.log(np.abs(curve) + 1e-300)))
         top = size[inside].argmax()
         if 0 < top < inside.sum() - 1:
