@@ -11,53 +11,37 @@ from typing import TYPE_CHECKING, Any
 from bearings.kinds import KINDS
 
 if TYPE_CHECKING:
-    from bearings.ball.law import Law
-    from bearings.bearing import BallBearing
-    from bearings.errors import BearingError, InvalidBearing, NoEquilibrium
-    from bearings.follower import Followed, Follower
+    from bearings.ball.law import Law as Law
+    from bearings.bearing import BallBearing as BallBearing
+    from bearings.errors import BearingError as BearingError
+    from bearings.errors import InvalidBearing as InvalidBearing
+    from bearings.errors import NoEquilibrium as NoEquilibrium
+    from bearings.follower import Followed as Followed
+    from bearings.follower import Follower as Follower
     from bearings.kinds import *  # noqa: F403 - adding a kind touches that folder alone
-    from bearings.materials import SILICON_NITRIDE, STEEL, Material
-    from bearings.ring.condition import condition
-    from bearings.ring.state import BearingState
-    from bearings.ring.tangents import stiffness
-    from bearings.ring.truncation import Truncation, truncation
+    from bearings.materials import SILICON_NITRIDE as SILICON_NITRIDE
+    from bearings.materials import STEEL as STEEL
+    from bearings.materials import Material as Material
+    from bearings.ring.condition import condition as condition
+    from bearings.ring.state import BearingState as BearingState
+    from bearings.ring.tangents import stiffness as stiffness
+    from bearings.ring.truncation import Truncation as Truncation
+    from bearings.ring.truncation import truncation as truncation
 
-_HOME = {
-    "BallBearing": "bearings.bearing",
-    "BearingError": "bearings.errors",
-    "BearingState": "bearings.ring.state",
-    "condition": "bearings.ring.condition",
-    "stiffness": "bearings.ring.tangents",
-    "Followed": "bearings.follower",
-    "Follower": "bearings.follower",
-    "InvalidBearing": "bearings.errors",
-    "Law": "bearings.ball.law",
-    "Material": "bearings.materials",
-    "NoEquilibrium": "bearings.errors",
-    "SILICON_NITRIDE": "bearings.materials",
-    "STEEL": "bearings.materials",
-    "Truncation": "bearings.ring.truncation",
-    "truncation": "bearings.ring.truncation",
-    **{name: f"bearings.kinds.{kind}" for kind, name in KINDS.items()},
+_NAMES = {
+    "ball.law": ("Law",),
+    "bearing": ("BallBearing",),
+    "errors": ("BearingError", "InvalidBearing", "NoEquilibrium"),
+    "follower": ("Followed", "Follower"),
+    "materials": ("SILICON_NITRIDE", "STEEL", "Material"),
+    "ring.condition": ("condition",),
+    "ring.state": ("BearingState",),
+    "ring.tangents": ("stiffness",),
+    "ring.truncation": ("Truncation", "truncation"),
+    **{f"kinds.{kind}": (name,) for kind, name in KINDS.items()},
 }
-__all__ = [  # noqa: PLE0604 - the kinds are listed once, in their folder
-    "SILICON_NITRIDE",
-    "STEEL",
-    "BallBearing",
-    "BearingError",
-    "BearingState",
-    "Followed",
-    "Follower",
-    "InvalidBearing",
-    "Law",
-    "Material",
-    "NoEquilibrium",
-    "Truncation",
-    "condition",
-    "stiffness",
-    "truncation",
-    *KINDS.values(),
-]
+_HOME = {name: f"bearings.{module}" for module, names in _NAMES.items() for name in names}
+__all__ = sorted(_HOME)  # noqa: PLE0605 - the kinds are listed once, in their folder
 
 
 def __getattr__(name: str) -> Any:
@@ -67,4 +51,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted(__all__)
+    return __all__

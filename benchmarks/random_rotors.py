@@ -1,10 +1,15 @@
-"""Random stepped rotors:  python -m benchmarks.random_rotors [--count N] [--only exact|dense]
+"""Random rotors:  python -m benchmarks.random_rotors [--count N] [--only SORT …] [--first SEED]
 
-One to eight sections of 0.2 to 500 diameters, discs, masses, two to four springs, up to five times
-the first critical speed; the lowest six frequencies of both whirls, against the exact shaft.
+*stepped*: one to eight sections of 0.2 to 500 diameters, discs, masses, two to four springs, up to
+five times the first critical speed; the lowest six frequencies of both whirls, against the exact
+shaft. *conical*: the same with cones, against the exact shaft of ever more cylinders, extrapolated.
 Missing or spurious modes, errors beyond the accuracy asked for, and the reported error beside the
-true one are counted. Then one to sixty sections on damped supports that tell directions apart,
-against all eigenvalues of the assembled matrices. Both are kept in ``benchmarks/results.json``.
+true one are counted.
+
+On damped supports that tell directions apart, against all eigenvalues of the assembled matrices:
+*dense*, one to sixty sections, of elements as fine as ours; *tapered*, *jointed* and *coaxial*
+(cones, joints, a further rotor at another speed), of much finer ones. All are kept in
+``benchmarks/results.json``.
 """
 
 from __future__ import annotations
@@ -12,7 +17,9 @@ from __future__ import annotations
 import argparse
 import math
 import warnings
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -22,104 +29,162 @@ from benchmarks.kept import keep
 from rotordyn.analyses.campbell import solve as campbell
 from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.errors import InvalidInput
+from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
 from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.refinement import RESPONSES
 from rotordyn.scene.scene import Scene
+from tests.oracles.cylinders import NO_SEATS, cone_frequencies, of_cylinders
 from tests.oracles.dense_rotor.unreduced import dense_poles
 from tests.oracles.exact_shaft.count import modes_below, whirl_frequencies
 from tests.oracles.exact_shaft.rotor import exact_rotor
-from tests.oracles.stepped_rotors import stepped_rotor
+from tests.oracles.stepped_rotors import coaxial, conical, jointed, stepped_rotor
 
-NO_SEATS = np.zeros((0, 5, 5))
-KNOWN = 1e-8  # relative: errors below that are not compared with what is told
+KNOWN = 1e-8  # relative: errors below that are not compared with what is reported
+DIGITS = 1e-7  # relative: what dense matrices of shafts of 500 diameters leave, or less
 ACCURACIES = (1e-4, 1e-6)
-SECTIONS = 60
-FINE = 1e-5  # accuracy of both, of the same elements
+SECTIONS = {"dense": 60, "tapered": 12, "jointed": 12, "coaxial": 5}
+FINE = 1e-5  # accuracy asked for beside dense matrices
+FINER = 1e-8  # accuracy of the elements of dense matrices that judge ours
 SWINGING = 1e-3  # of |pole|: slower ones hardly swing and are not compared
 MATCHED = 1e-3  # relative: a pole farther from all of ours is missing
+EXACT = ("stepped", "conical")
+DENSE = ("dense", "tapered", "jointed", "coaxial")
+KEPT = {sort: f"{sort}_rotors" for sort in (*EXACT, *DENSE)} | {"stepped": "random_rotors"}
 Array = NDArray[np.float64]
+Rng = np.random.Generator
+Pairs = list[tuple[float, float, float]]  # errors, as reported, and from where on comparable
 
 
-def survey(count: int, accuracy: float) -> dict[str, Any]:
-    """What ``count`` rotors at an ``accuracy`` come to."""
-    missing, errors, ratios = 0, [], []
-    for seed in range(count):
-        lost, pairs = _rotor(seed, accuracy)
-        missing += lost
-        errors += [error for error, _ in pairs]
-        ratios += [told / error for error, told in pairs if error > KNOWN]
+def survey(sort: str, seeds: Sequence[int]) -> list[dict[str, Any]]:
+    """What rotors of a sort come to at every accuracy."""
+    found = [against_exact(seed, sort) for seed in seeds]
+    every = []
+    for k, accuracy in enumerate(ACCURACIES):
+        pairs = [pair for own in found for pair in own[k][1]]
+        every.append(
+            {
+                "accuracy": accuracy,
+                "rotors": len(seeds),
+                "frequencies": len(pairs),
+                "missing": sum(own[k][0] for own in found),
+                "seeds": [seed for seed, own in zip(seeds, found, strict=True) if own[k][0]],
+                **_judged(pairs, accuracy),
+            }
+        )
+    return every
+
+
+def _judged(pairs: Pairs, accuracy: float) -> dict[str, Any]:
+    """True and reported errors beside one another."""
+    ratios = np.array([told / error for error, told, known in pairs if error > known])
     apart = np.abs(np.log(np.maximum(ratios, 1e-300)))
     return {
-        "accuracy": accuracy,
-        "rotors": count,
-        "frequencies": len(errors),
-        "missing": missing,
-        "beyond": int((np.array(errors) > accuracy).sum()),
-        "worst": float(max(errors)),
+        "beyond": sum(error > accuracy for error, _, _ in pairs),
+        "worst": max((error for error, _, _ in pairs), default=0.0),
         "judged": len(ratios),
         "within_3": int((apart < math.log(3.0)).sum()),
-        "too_small": int((np.array(ratios) < 0.1).sum()),
-        "half": float(np.median(ratios)),
+        "too_small": int((ratios < 0.1).sum()),
+        "half": float(np.median(ratios)) if len(ratios) else 1.0,
     }
 
 
-def _rotor(seed: int, accuracy: float) -> tuple[int, list[tuple[float, float]]]:
-    """Modes missing or spurious, and (true, told) error of every frequency."""
+def against_exact(seed: int, sort: str = "stepped") -> list[tuple[int, Pairs]]:
+    """Of one rotor at every accuracy the modes missing or spurious, and (true, reported) error of
+    every frequency."""
     rng = np.random.default_rng(seed)
     spindle = stepped_rotor(rng)
-    still = whirl_frequencies(exact_rotor(spindle, 0.0, NO_SEATS), 6)
+    if sort == "conical":
+        spindle = conical(rng, spindle)
+    still = whirl_frequencies(exact_rotor(of_cylinders(spindle, 4), 0.0, NO_SEATS), 6)
     spin = rng.uniform(0.0, 5.0) * still[0]
     highest = min(1.02 * still[5] / (2.0 * math.pi), 9.9e5)
-    scene = Scene(spindle, Conditions(accuracy=accuracy), np.array([spin]), highest)
-    found = campbell.answer(scene, CampbellSpec(highest, shapes=False))
-    exact = exact_rotor(spindle, spin, NO_SEATS)
-    missing, pairs = 0, []
+    results = []
+    for accuracy in ACCURACIES:
+        scene = Scene(spindle, Conditions(accuracy=accuracy), np.array([spin]), highest)
+        results.append(campbell.answer(scene, CampbellSpec(highest, shapes=False)))
+    exact = exact_rotor(of_cylinders(spindle, 64), spin, NO_SEATS)
+    missing = [0 for _ in results]
+    pairs: list[Pairs] = [[] for _ in results]
     for direction in (-1, 1):
-        own = [k for k, whirl in enumerate(found.whirl[0]) if whirl == direction]
-        order = sorted(own, key=lambda k: float(found.frequency[0, k]))
-        ours = 2.0 * math.pi * found.frequency[0, order]
-        inside = ours <= 2.0 * math.pi * highest
         count = modes_below(exact, direction * 2.0 * math.pi * highest)
-        missing += abs(int(inside.sum()) - count)
-        if count and inside.sum() == count:
-            truth = whirl_frequencies(exact, count, direction)
-            error = np.abs(ours[inside] / truth - 1.0)
-            told = found.frequency_error[0, order][inside]
-            pairs += list(zip(error.tolist(), told.tolist(), strict=True))
-    return missing, pairs
+        truth: Array | None = None
+        for k, found in enumerate(results):
+            own = [n for n, whirl in enumerate(found.whirl[0]) if whirl == direction]
+            own = [n for n in own if found.frequency[0, n] <= highest]
+            own.sort(key=lambda n: float(found.frequency[0, n]))
+            missing[k] += abs(len(own) - count)
+            if not count or len(own) != count:
+                continue
+            ours = 2.0 * math.pi * found.frequency[0, own]
+            truth = _truth(sort, spindle, spin, ours, direction) if truth is None else truth
+            error = np.abs(ours / truth - 1.0)
+            told = found.frequency_error[0, own]
+            pairs[k] += zip(error.tolist(), told.tolist(), [KNOWN] * count, strict=True)
+    return list(zip(missing, pairs, strict=True))
 
 
-def dense_survey(count: int) -> dict[str, Any]:
-    """What ``count`` anisotropic damped rotors of up to ``SECTIONS`` sections come to."""
-    found = [against_dense(seed) for seed in range(count)]
-    errors = [error for one in found for error in one["errors"]]
+def _truth(sort: str, spindle: Spindle, spin: float, near: Array, direction: int) -> Array:
+    """Frequencies [rad/s] of the exact shaft; of cones NaN where they are not known well enough."""
+    if sort == "stepped":
+        return whirl_frequencies(exact_rotor(spindle, spin, NO_SEATS), len(near), direction)
+    found, known = cone_frequencies(spindle, spin, near, direction)
+    if known.max() > KNOWN / 3.0:
+        found, known = cone_frequencies(spindle, spin, found, direction, 32)
+    return np.where(known < KNOWN, found, np.nan)
+
+
+def dense_survey(sort: str, seeds: Sequence[int]) -> dict[str, Any]:
+    """What anisotropic damped rotors of a sort come to."""
+    found = [against_dense(seed, sort) for seed in seeds]
+    pairs = [pair for one in found for pair in one["pairs"]]
     return {
-        "rotors": count,
+        "rotors": len(seeds),
         "most_sections": max(one["sections"] for one in found),
         "modes": sum(one["modes"] for one in found),
         "missing": sum(one["missing"] for one in found),
         "spurious": sum(one["spurious"] for one in found),
         "unsettled": sum(one["unsettled"] for one in found),
         "unstable": sum(one["unstable"] for one in found),
-        "worst": max(errors),
         "warnings": sum(one["warnings"] for one in found),
-        "seeds": [k for k, one in enumerate(found) if one["missing"] or one["spurious"]],
+        "seeds": [k for k, one in zip(seeds, found, strict=True) if _astray(one)],
+        **_judged(pairs, FINE),
+        "damping": _judged(
+            [pair for one in found for pair in one["ratios"]], RESPONSES * FINE, DIGITS
+        ),
     }
 
 
-def against_dense(seed: int) -> dict[str, Any]:
+def _astray(one: dict[str, Any]) -> bool:
+    """Modes of a rotor that miss, or that there are none of."""
+    return bool(one["missing"] or one["spurious"])
+
+
+def _of_sort(rng: Rng, sort: str) -> Spindle:
+    few = {"isotropic": False, "damped": True, "sections": SECTIONS[sort]}
+    spindle = stepped_rotor(rng, **few)  # type: ignore[arg-type]
+    more: dict[str, Callable[[Rng, Spindle], Spindle]] = {
+        "tapered": conical,
+        "jointed": jointed,
+        "coaxial": partial(coaxial, damped=True),
+    }
+    return more[sort](rng, spindle) if sort in more else spindle
+
+
+def against_dense(seed: int, sort: str = "dense") -> dict[str, Any]:
     """One rotor against all eigenvalues of its assembled matrices."""
     rng = np.random.default_rng(seed)
     spindle = None
     while spindle is None:  # none longer than a station may be
         try:
-            spindle = stepped_rotor(rng, isotropic=False, damped=True, sections=SECTIONS)
+            spindle = _of_sort(rng, sort)
         except InvalidInput:
             continue
-    own = exact_rotor(replace(spindle, supports=_plain(spindle.supports)), 0.0, NO_SEATS)
-    still = whirl_frequencies(own, 6)
+    band = _plain(spindle)
+    still = whirl_frequencies(exact_rotor(band, 0.0, NO_SEATS), 6)
     spin = rng.uniform(0.0, 5.0) * still[0]
-    every = dense_poles(spindle, spin, 2.0 * still[5] / (2.0 * math.pi), FINE)
+    fine = FINE if sort == "dense" else FINER
+    every = dense_poles(spindle, spin, 2.0 * still[5] / (2.0 * math.pi), fine)
     edge = _edge(np.abs(every), still[5])
     poles = every[(np.abs(every) < edge) & (every.imag > SWINGING * np.abs(every))]
     highest = edge / (2.0 * math.pi)
@@ -128,33 +193,54 @@ def against_dense(seed: int) -> dict[str, Any]:
         scene = Scene(spindle, Conditions(accuracy=FINE), np.array([spin]), highest)
         result = campbell.answer(scene, CampbellSpec(highest, shapes=False))
     bending = np.array([kind == "bending" for kind in result.kind])
-    ours = result.pole[0]
-    size = np.abs(ours)
-    ours = ours[bending & (size < edge) & (ours.imag > SWINGING * size)]
-    errors, left = [], list(ours)
-    for pole in poles:
-        error = [abs(own - pole) / abs(pole) for own in left]
-        if error and min(error) < MATCHED:
-            errors.append(float(min(error)))
-            left.pop(int(np.argmin(error)))
+    size = np.abs(result.pole[0])
+    inside = bending & (size < edge) & (result.pole[0].imag > SWINGING * size)
+    left = np.flatnonzero(inside).tolist()
+    digits = _digits(spindle, spin, 2.0 * still[5] / (2.0 * math.pi), poles, fine)
+    pairs, ratios = [], []
+    for pole, known in zip(poles, digits, strict=True):
+        apart = [abs(result.pole[0, k] / pole - 1.0) for k in left]
+        if not apart or min(apart) > MATCHED:
+            continue
+        column = left.pop(int(np.argmin(apart)))
+        own = complex(result.pole[0, column])
+        frequency = abs(own.imag - pole.imag) / abs(pole)
+        ratio = abs(own.real / abs(own) - pole.real / abs(pole))
+        pairs.append((float(frequency), float(result.frequency_error[0, column]), known))
+        ratios.append((float(ratio), float(result.damping_error[0, column]), known))
     return {
         "sections": len(spindle.shaft.sections),
         "modes": len(poles),
-        "missing": len(poles) - len(errors),
+        "missing": len(poles) - len(pairs),
         "spurious": len(left),
-        "errors": errors or [0.0],
+        "pairs": pairs,
+        "ratios": ratios,
         "unsettled": bool(result.unsettled),
         "unstable": int((poles.real > 1e-9 * np.abs(poles)).sum()),
         "warnings": len(heard),
     }
 
 
-def _plain(supports: tuple[LinearSupport, ...]) -> tuple[LinearSupport, ...]:
-    """The same, as stiff in z as in y and without damping."""
-    return tuple(
+def _digits(
+    spindle: Spindle, spin: float, highest: float, poles: NDArray[np.complex128], fine: float
+) -> list[float]:
+    """Errors from which on poles of dense matrices can be compared with: ten times as much as
+    those of other elements differ, which are rounded otherwise."""
+    other = dense_poles(spindle, spin, highest, 0.1 * fine)
+    apart = [float(np.abs(other / pole - 1.0).min()) for pole in poles]
+    return [max(DIGITS, 10.0 * each) for each in apart]
+
+
+def _plain(spindle: Spindle) -> Spindle:
+    """Of the same rotor the shaft alone, of cylinders, on supports as stiff in z as in y and
+    without damping: its lowest modes set the band."""
+    own = [s for s in spindle.supports if s.holds == "spindle"]
+    supports: list[LinearSupport] = [
         replace(s, stiffness=dict.fromkeys(s.stiffness, s.stiffness["y", "y"]), damping={})
-        for s in supports
-    )
+        for s in own
+    ]
+    plain = replace(spindle, supports=tuple(supports), rotors=(), joints=())
+    return of_cylinders(plain, 4)
 
 
 def _edge(size: Array, near: float) -> float:
@@ -166,15 +252,16 @@ def _edge(size: Array, near: float) -> float:
 
 
 def main() -> None:
-    """Survey at both accuracies and keep the outcome."""
+    """Survey all sorts, or some, and keep the outcome."""
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--count", type=int, default=1000)
-    parser.add_argument("--only", choices=("exact", "dense"))
+    parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--only", nargs="+", choices=(*EXACT, *DENSE), default=(*EXACT, *DENSE))
     asked = parser.parse_args()
-    if asked.only != "dense":
-        keep(random_rotors=[survey(asked.count, accuracy) for accuracy in ACCURACIES])
-    if asked.only != "exact":
-        keep(dense_rotors=dense_survey(asked.count))
+    seeds = range(asked.first, asked.first + asked.count)
+    for sort in asked.only:
+        found = survey(sort, seeds) if sort in EXACT else dense_survey(sort, seeds)
+        keep(**{KEPT[sort]: found})
 
 
 if __name__ == "__main__":

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from rotordyn.case.shipped import cases, models
     from rotordyn.case.vary import vary
     from rotordyn.errors import InvalidInput, NoSolution, RotordynError
-    from rotordyn.job import run
+    from rotordyn.job import Results, open, run
 
 __version__ = "0.1.0"
 _ROOMS = ("analyses", "errors", "machine")
@@ -21,11 +21,13 @@ _HOME = {
     "Case": "rotordyn.case.case",
     "InvalidInput": "rotordyn.errors",
     "NoSolution": "rotordyn.errors",
+    "Results": "rotordyn.job",
     "RotordynError": "rotordyn.errors",
     "cases": "rotordyn.case.shipped",
     "load": "rotordyn.case.read",
     "model": "rotordyn.case.model",
     "models": "rotordyn.case.shipped",
+    "open": "rotordyn.job",
     "run": "rotordyn.job",
     "vary": "rotordyn.case.vary",
 }
@@ -33,6 +35,7 @@ __all__ = [
     "Case",
     "InvalidInput",
     "NoSolution",
+    "Results",
     "RotordynError",
     "__version__",
     "analyses",
@@ -42,6 +45,7 @@ __all__ = [
     "machine",
     "model",
     "models",
+    "open",
     "run",
     "vary",
 ]

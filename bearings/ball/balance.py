@@ -119,12 +119,11 @@ def turning_balance(
     level, rise = less_by(fa, ga), more_by(less_by(fr, gr), fc)
     level_i, rise_i = _by_inner(level, inner), _by_inner(rise, inner)
     fa_i, fr_i, turning_i = _by_inner(fa, inner), _by_inner(fr, inner), _by_inner(turning, inner)
-    fr_o = _by_outer(fr, outer)
     action = (fa.value, fr.value, turning.value)
     action_by_ball = (
-        _by_ball(_by_outer(fa, outer), fa_i),
-        _by_ball(fr_o, fr_i),
-        _by_ball(_by_outer(turning, outer), turning_i),
+        _by_ball(fa, fa_i, outer),
+        _by_ball(fr, fr_i, outer),
+        _by_ball(turning, turning_i, outer),
     )
     action_by_centre = (fa_i, fr_i, turning_i)
     action, action_by_ball, action_by_centre = _about_the_middle(
@@ -132,10 +131,7 @@ def turning_balance(
     )
     return Balance(
         residual=(level.value, rise.value),
-        residual_by_ball=(
-            _by_ball(_by_outer(level, outer), level_i),
-            _by_ball(_by_outer(rise, outer), rise_i),
-        ),
+        residual_by_ball=(_by_ball(level, level_i, outer), _by_ball(rise, rise_i, outer)),
         residual_by_centre=(level_i, rise_i),
         action=action,
         action_by_ball=action_by_ball,
@@ -217,57 +213,38 @@ def _weight(ratio: float, di: Any, do: Any) -> Polar:
     """C of the races, c (δi/δo)²; without meaning where the outer race is free."""
     deep = where(do > 0.0, do, 1.0)
     slope = ratio * di / (deep * deep)
-    return Polar(slope * di, 0.0, 2.0 * slope, 0.0, -2.0 * slope * di / deep)
+    return Polar(slope * di, (0.0, 2.0 * slope, 0.0, -2.0 * slope * di / deep))
 
 
 def _share(share: tuple[Any, Any], weight: Polar) -> Polar:
     """λi, from its value and its slope by the weight alone."""
-    by_inner = share[1] * weight.by_inner_approach
-    return Polar(share[0], 0.0, by_inner, 0.0, share[1] * weight.by_outer_approach)
+    return Polar(share[0], (0.0, share[1] * weight.by[1], 0.0, share[1] * weight.by[3]))
 
 
 def _attitude(beta: Partial, weight: Polar, rolls: Any) -> Polar:
     """tan β of the axis the ball turns about; 0 of a ball that rides the outer race alone."""
-    return Polar(
-        beta.value * rolls,
-        beta.by_inner * rolls,
-        beta.by_weight * weight.by_inner_approach * rolls,
-        beta.by_outer * rolls,
-        beta.by_weight * weight.by_outer_approach * rolls,
-    )
+    by_weight = beta.by_weight * rolls
+    by_inner, by_outer = by_weight * weight.by[1], by_weight * weight.by[3]
+    by = (beta.by_inner * rolls, by_inner, beta.by_outer * rolls, by_outer)
+    return Polar(beta.value * rolls, by)
 
 
 def _chained(value: Any, factor: Any, rolling: Rolling, attitude: Polar) -> Polar:
     """A value that changes by ``factor`` times a rolling ratio."""
-    by_attitude = factor * rolling.by_attitude
-    return Polar(
-        value,
-        factor * rolling.by_inner + by_attitude * attitude.by_inner_angle,
-        by_attitude * attitude.by_inner_approach,
-        factor * rolling.by_outer + by_attitude * attitude.by_outer_angle,
-        by_attitude * attitude.by_outer_approach,
-    )
+    by_attitude, by = factor * rolling.by_attitude, attitude.by
+    by_inner = factor * rolling.by_inner + by_attitude * by[0]
+    by_outer = factor * rolling.by_outer + by_attitude * by[2]
+    return Polar(value, (by_inner, by_attitude * by[1], by_outer, by_attitude * by[3]))
 
 
 def _inner_force(contact: Contact, friction: Polar, sin: Any, cos: Any) -> tuple[Polar, Polar]:
     """Axial and radial force of ball and inner ring on each other."""
     axial = contact.load * sin + friction.value * cos
     radial = contact.load * cos - friction.value * sin
+    k, (a, b, c, d) = contact.slope, friction.by
     return (
-        Polar(
-            axial,
-            radial + friction.by_inner_angle * cos,
-            contact.slope * sin + friction.by_inner_approach * cos,
-            friction.by_outer_angle * cos,
-            friction.by_outer_approach * cos,
-        ),
-        Polar(
-            radial,
-            -axial - friction.by_inner_angle * sin,
-            contact.slope * cos - friction.by_inner_approach * sin,
-            -friction.by_outer_angle * sin,
-            -friction.by_outer_approach * sin,
-        ),
+        Polar(axial, (radial + a * cos, k * sin + b * cos, c * cos, d * cos)),
+        Polar(radial, (-axial - a * sin, k * cos - b * sin, -c * sin, -d * sin)),
     )
 
 
@@ -279,16 +256,13 @@ def _outer_force(contact: Contact, friction: Polar, sin: Any, cos: Any) -> tuple
 
 def _by_inner(p: Polar, inner: Race) -> Motion:
     """Derivatives by A."""
-    return combined(p.by_inner_angle, inner.angle_by, p.by_inner_approach, inner.approach_by)
+    return combined(p.by[0], inner.angle_by, p.by[1], inner.approach_by)
 
 
-def _by_outer(p: Polar, outer: Race) -> Pair:
-    """Derivatives by X through the outer race alone."""
-    a, b = outer.angle_by, outer.approach_by
-    turn, along = p.by_outer_angle, p.by_outer_approach
-    return turn * a[0] + along * b[0], turn * a[1] + along * b[1]
-
-
-def _by_ball(outer: Pair, inner: Motion) -> Pair:
+def _by_ball(p: Polar, inner: Motion, outer: Race) -> Pair:
     """Derivatives by X through both races."""
-    return outer[0] - inner[0], outer[1] - inner[1]
+    a, b = outer.angle_by, outer.approach_by
+    return (
+        p.by[2] * a[0] + p.by[3] * b[0] - inner[0],
+        p.by[2] * a[1] + p.by[3] * b[1] - inner[1],
+    )

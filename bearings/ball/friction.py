@@ -9,7 +9,7 @@ stand.
 
 from __future__ import annotations
 
-from bearings.ball.plane import where
+from bearings.ball.plane import combined, where
 from bearings.ball.polar import Polar, times
 from bearings.ball.race import Contact
 
@@ -28,13 +28,8 @@ def limited(
     slips = side * moment.value > hold.value
     wanted = where(slips, side * moment.value, 1.0)
     part = where(slips, hold.value / wanted, 1.0)
-    by_inner_angle = where(slips, -part * side * moment.by_inner_angle / wanted, 0.0)
-    by_outer_angle = where(slips, -part * side * moment.by_outer_angle / wanted, 0.0)
-    inner_change = hold.by_inner_approach - part * side * moment.by_inner_approach
-    outer_change = hold.by_outer_approach - part * side * moment.by_outer_approach
-    by_inner_approach = where(slips, inner_change / wanted, 0.0)
-    by_outer_approach = where(slips, outer_change / wanted, 0.0)
-    held = Polar(part, by_inner_angle, by_inner_approach, by_outer_angle, by_outer_approach)
+    one = where(slips, 1.0, 0.0) / wanted
+    held = Polar(part, combined(one, hold.by, -one * part * side, moment.by))
     return times(held, moment), times(held, attitude)
 
 
@@ -46,10 +41,6 @@ def _held(share: Polar, inner: Contact, outer: Contact, limit: float) -> Polar:
     first = where(li > 0.0, can_i, FAR) < where(lo > 0.0, can_o, FAR)
     can = where(first, can_i, can_o)
     change = where(first, -1.0 / one_i, 1.0 / one_o) * can
-    return Polar(
-        can,
-        0.0,
-        where(first, limit * inner.slope / one_i, 0.0) + change * share.by_inner_approach,
-        0.0,
-        where(first, 0.0, limit * outer.slope / one_o) + change * share.by_outer_approach,
-    )
+    by_inner = where(first, limit * inner.slope / one_i, 0.0) + change * share.by[1]
+    by_outer = where(first, 0.0, limit * outer.slope / one_o) + change * share.by[3]
+    return Polar(can, (0.0, by_inner, 0.0, by_outer))

@@ -16,6 +16,7 @@ EPS = 2.0**-52  # rounding of a number of size 1
 
 Pair = tuple[Any, Any]
 Block = tuple[Pair, Pair]
+Row = tuple[Any, ...]
 Motion = tuple[Any, ...]
 Triple = tuple[Any, Any, Any]
 
@@ -43,29 +44,35 @@ def dot(a: Pair, b: Pair) -> Any:
     return a[0] * b[0] + a[1] * b[1]
 
 
-def combined(a: Any, row: Motion, b: Any, other: Motion) -> Motion:
-    """a times one row plus b times another."""
+def combined(a: Any, row: Row, b: Any, other: Row) -> Any:
+    """a times one row of 2 to 4 numbers plus b times another."""
+    x, y = a * row[0] + b * other[0], a * row[1] + b * other[1]
     if len(row) == 2:
-        return a * row[0] + b * other[0], a * row[1] + b * other[1]
-    return (
-        a * row[0] + b * other[0],
-        a * row[1] + b * other[1],
-        a * row[2] + b * other[2],
-    )
+        return x, y
+    z = a * row[2] + b * other[2]
+    if len(row) == 3:
+        return x, y, z
+    return x, y, z, a * row[3] + b * other[3]
 
 
-def plus(a: Motion, b: Motion) -> Motion:
-    """Sum of two rows."""
+def plus(a: Row, b: Row) -> Any:
+    """Sum of two rows of 2 to 4 numbers."""
+    x, y = a[0] + b[0], a[1] + b[1]
     if len(a) == 2:
-        return a[0] + b[0], a[1] + b[1]
-    return a[0] + b[0], a[1] + b[1], a[2] + b[2]
+        return x, y
+    if len(a) == 3:
+        return x, y, a[2] + b[2]
+    return x, y, a[2] + b[2], a[3] + b[3]
 
 
-def minus(a: Motion, b: Motion) -> Motion:
-    """Difference of two rows."""
+def minus(a: Row, b: Row) -> Any:
+    """Difference of two rows of 2 to 4 numbers."""
+    x, y = a[0] - b[0], a[1] - b[1]
     if len(a) == 2:
-        return a[0] - b[0], a[1] - b[1]
-    return a[0] - b[0], a[1] - b[1], a[2] - b[2]
+        return x, y
+    if len(a) == 3:
+        return x, y, a[2] - b[2]
+    return x, y, a[2] - b[2], a[3] - b[3]
 
 
 def determinant(m: Block) -> Any:

@@ -17,7 +17,6 @@ from bearings.ball.plane import (
     Block,
     Motion,
     Pair,
-    Triple,
     combined,
     direction,
     dot,
@@ -34,14 +33,14 @@ SETTLED = 1e-8  # of the ball's own loads
 class Reaction(NamedTuple):
     """What a settled ball does to the inner ring.
 
-    Its potential; (axial, radial, tilting) action on the ring, its slope by the motion of the inner
-    groove, and how X follows that motion.
+    Its potential; (axial, radial, tilting) action on the ring, its slope (three rows) by the motion
+    of the inner groove, and how X follows that motion (two rows).
     """
 
     energy: Any
-    action: Triple
-    slope: tuple[Motion, Motion, Motion]
-    follow: tuple[Motion, Motion]
+    action: Any
+    slope: Any
+    follow: Any
 
 
 def both_races(c: Geometry, centre: Motion, ball: Pair) -> tuple[Springs, Springs]:
@@ -120,10 +119,19 @@ def riding_radius(c: Geometry, push: Any) -> Any:
 
 
 def first_seat(c: Geometry, centre: Motion, push: Any) -> Pair:
-    """Where to start the search for a seat: the best of the places that pairs of contacts give."""
+    """Where to start the search for a seat: the best of the places that pairs of contacts give.
+
+    The seat itself of a ball that rides the bottom of its outer groove, free of the inner race.
+    """
     if len(c.inner_grooves) == 1 and len(c.outer_grooves) == 1:
-        return _between(c, (centre[0], centre[1]), push)
-    return _best(c, centre, push)
+        x = _between(c, (centre[0], centre[1]), push)
+    else:
+        x = _best(c, centre, push)
+    if len(c.outer_grooves) == 2:
+        return x
+    riding = riding_radius(c, push)
+    free = both_races(c, centre, (0.0 * riding, riding))[0].energy == 0.0
+    return where(free, 0.0, x[0]), where(free, riding, x[1])
 
 
 def _best(c: Geometry, centre: Motion, push: Any) -> Pair:

@@ -1,1 +1,1 @@
-"""One contact of a ball: Hertz' solution, the ellipse and where its edge lies."""
+"""One contact of a ball: Hertz' solution."""

@@ -23,14 +23,16 @@ Array = NDArray[np.float64]
 class Assembly:
     """The balls that need solving and how they map to the five freedoms.
 
-    ``azimuth`` (n, 6): 1, cos ψ, sin ψ, cos² ψ, cos ψ sin ψ, sin² ψ. ``spread`` (m, 5, n):
-    A = A₀ + spread·d, m = 3 where the inner ring has two grooves, else 2. ``gather`` (5, 3, n):
-    f = Σ gather·action. ``pairs`` (3·m·n, 25): K = Σ action-by-A (3·m·n) · pairs. Balls that
+    ``spread`` (m, 5, n): A = A₀ + spread·d, m = 3 where the inner ring has two grooves, else 2.
+    ``gather`` (5, 3, n): f = Σ gather·action. ``pairs`` (3·m·n, 25): K = Σ action-by-A (3·m·n) ·
+    pairs. ``azimuth`` (n, 5): the row c = (1, cos ψ, sin ψ, −sin ψ, cos ψ) that turns d into axial,
+    radial and tilting motion of the ring at a ball, and ``products`` (n, 5, 5): cᵀ c. Balls that
     symmetry makes alike are solved once: with ``balls`` = 1 the one ball stands for all of an
     axially loaded bearing.
     """
 
     azimuth: Array
+    products: Array
     spread: Array
     gather: Array
     pairs: Array
@@ -72,10 +74,10 @@ def rows(tangent: tuple[Motion, ...]) -> Array:
 
 
 @lru_cache(maxsize=256)
-def full_assembly(geometry: Geometry) -> Assembly:
-    """Every ball on its own."""
-    spread, gather = _maps(geometry)
-    return Assembly(_azimuth(geometry), spread, gather, _pairs(spread, gather))
+def full_assembly(geometry: Geometry, *, outer: bool = False) -> Assembly:
+    """Every ball on its own, against the inner or the ``outer`` ring."""
+    spread, gather = _maps(geometry, geometry.outer_centre_radius if outer else None)
+    return Assembly(*_azimuth(geometry), spread, gather, _pairs(spread, gather))
 
 
 @lru_cache(maxsize=256)
@@ -85,12 +87,14 @@ def axial_assembly(geometry: Geometry) -> Assembly:
     Sums over the ball angles that vanish for three balls or more are set to exactly zero.
     """
     spread, gather = _maps(geometry)
-    rows = _pairs(spread, gather).reshape(-1, geometry.balls, 25)
-    total = gather.sum(axis=2, keepdims=True)
+    rows = _pairs(spread, gather).reshape(-1, geometry.balls, 25).sum(axis=1)
     one = np.zeros((len(spread), 5, 1))
     one[0, 0] = 1.0
-    azimuth = _without_noise(_azimuth(geometry).sum(axis=0, keepdims=True))
-    return Assembly(azimuth, one, _without_noise(total), _without_noise(rows.sum(axis=1)))
+    sums = (*(part.sum(axis=0)[None] for part in _azimuth(geometry)),)
+    azimuth, products, total, pairs = map(
+        _without_noise, (*sums, gather.sum(axis=2)[..., None], rows)
+    )
+    return Assembly(azimuth, products, one, total, pairs)
 
 
 @lru_cache(maxsize=256)
@@ -111,18 +115,12 @@ def half_assembly(geometry: Geometry) -> Assembly:
     plane = np.array([True, True, False, False, True])
     pairs = _pairs(spread, gather).reshape(-1, 5, 5) * (plane[:, None] == plane)
     gather = plane[:, None, None] * gather
-    return Assembly(_azimuth(geometry)[:count], spread, gather, pairs.reshape(-1, 25))
-
-
-@lru_cache(maxsize=256)
-def outer_assembly(geometry: Geometry) -> Assembly:
-    """Every ball against the outer ring."""
-    spread, gather = _maps(geometry, geometry.outer_centre_radius)
-    return Assembly(_azimuth(geometry), spread, gather, _pairs(spread, gather))
+    azimuth, products = (part[:count] for part in _azimuth(geometry))
+    return Assembly(azimuth, products, spread, gather, pairs.reshape(-1, 25))
 
 
 def _maps(geometry: Geometry, radius: float | None = None) -> tuple[Array, Array]:
-    one, cos, sin = _azimuth(geometry).T[:3]
+    one, cos, sin = _azimuth(geometry)[0].T[:3]
     zero, radius = np.zeros_like(one), geometry.centre_radius if radius is None else radius
     spread = np.array(
         [
@@ -135,10 +133,11 @@ def _maps(geometry: Geometry, radius: float | None = None) -> tuple[Array, Array
     return spread[:seen], spread.swapaxes(0, 1).copy()  # virtual work
 
 
-def _azimuth(geometry: Geometry) -> Array:
+def _azimuth(geometry: Geometry) -> tuple[Array, Array]:
     angle = 2.0 * np.pi * np.arange(geometry.balls) / geometry.balls
     sin, cos = np.sin(angle), np.cos(angle)
-    return np.stack([np.ones_like(angle), cos, sin, cos * cos, cos * sin, sin * sin], axis=1)
+    row = np.stack([np.ones_like(angle), cos, sin, -sin, cos], axis=1)
+    return row, row[:, :, None] * row[:, None]
 
 
 def _pairs(spread: Array, gather: Array) -> Array:

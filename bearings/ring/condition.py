@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -63,29 +63,18 @@ def condition(state: BearingState) -> NDArray[np.str_]:
     from … to … rpm)"`` where some exist above it.
     Balls count from 0.
     """
-    balls = state.inner_load.shape[-1]
-    pressure = np.maximum(state.inner_pressure, state.outer_pressure).reshape(-1, balls)
-    angle = np.maximum(np.abs(state.inner_angle), np.abs(state.outer_angle)).reshape(-1, balls)
-    angle = np.where(state.inner_load.reshape(-1, balls) > 0.0, angle, 0.0)
-    status = state.status.reshape(-1, balls)
-    slipping = state.slipping.reshape(-1, balls)
-    cut, middle = _cut_off(state)
-    grip = np.maximum(state.inner_grip, state.outer_grip).reshape(-1, balls)
-    grip = np.where(state.operation.law.friction is None, grip, 0.0)
-    steep = state.operation.grooves.free_angle > STEEP  # a groove of a thrust bearing ends later
-    beyond = angle > (0.75 if steep else 0.5) * math.pi
-    edges = zip(beyond, cut, middle, strict=True)
-    remarks = zip(pressure, edges, grip, status, slipping, strict=True)
     refused = np.flatnonzero(state.outcome.reshape(-1) == "no equilibrium")
     ends = iter(endings(state.operation, refused) if refused.size else [])
-    words = []
-    for outcome, each in zip(state.outcome.reshape(-1), remarks, strict=True):
-        if outcome == "no equilibrium":
-            words.append(f"{outcome}: {next(ends)}")
-        elif outcome:
-            words.append(str(outcome))
-        else:
-            words.append("; ".join(_remarks(*each)))
+    remarks, words = _remarks(state), []
+    for k, outcome in enumerate(state.outcome.reshape(-1)):
+        said = [
+            sentence.format(balls=_ranges(balls[k]), most=value[k].max())
+            for balls, sentence, value in remarks
+            if balls[k].any()
+        ]
+        if outcome:
+            said = [f"{outcome}: {next(ends)}" if outcome == "no equilibrium" else outcome]
+        words.append("; ".join(said))
     return np.array(words, dtype=str).reshape(state.outcome.shape)
 
 
@@ -104,19 +93,18 @@ def first_gaps(operation: Operation, index: NDArray[np.intp]) -> list[Gap]:
     jumps = not operation.law.one_branch
     searches = [spin_up(float(operation.speed[k]), jumps=jumps) for k in index]
     speeds, gaps = [next(search) for search in searches], [Gap(0.0)] * len(searches)
-    going = list(range(len(searches)))
-    while going:
+    while going := [k for k, asked in enumerate(speeds) if asked.size]:
         row = np.repeat(index[going], [len(speeds[k]) for k in going])
         found = solved(operation.repeated(row, np.concatenate([speeds[k] for k in going])))
-        there, touch = found.outcome == "", found.inner_load > 0.0
         borders = np.cumsum([len(speeds[k]) for k in going])[:-1]
-        parts = zip(going, np.split(there, borders), np.split(touch, borders), strict=True)
-        for k, some, contacts in list(parts):
+        answers = (
+            np.split(part, borders) for part in (found.outcome == "", found.inner_load > 0.0)
+        )
+        for k, *answer in zip(going, *answers, strict=True):
             try:
-                speeds[k] = searches[k].send((some, contacts))
+                speeds[k] = searches[k].send(tuple(answer))
             except StopIteration as end:
-                gaps[k] = end.value
-                going.remove(k)
+                speeds[k], gaps[k] = np.empty(0), end.value
     return gaps
 
 
@@ -135,64 +123,56 @@ def _ending(operation: Operation, gap: Gap, thrown: NDArray[np.bool_]) -> str:
     return f"stiffness vanishes {where}"
 
 
-def _cut_off(state: BearingState) -> tuple[Array, NDArray[np.bool_]]:
-    """Largest share that the shoulder of each ring cuts off an ellipse (states, balls, 2).
+def _remarks(state: BearingState) -> list[tuple[NDArray[np.bool_], str, Array]]:
+    """Sentences about states that exist: of which balls (states, balls), and values they quote."""
+    cuts, grooves = truncation(state), state.operation.grooves
 
-    Also where a contact stands beyond the middle of its groove (states, balls).
-    """
-    cuts, split = truncation(state), len(state.operation.grooves.inner_offsets)
-    cut, balls = cuts.beyond_shoulder, state.inner_load.shape[-1]
-    rings = [cut[..., :split].max(axis=-1), cut[..., split:].max(axis=-1)]
-    across = cuts.across_middle.any(axis=-1)
-    return np.stack(rings, axis=-1).reshape(-1, balls, 2), across.reshape(-1, balls)
+    def listed(values: NDArray[Any]) -> NDArray[Any]:
+        return values.reshape(-1, state.inner_load.shape[-1])
 
-
-def _remarks(
-    pressure: Array,
-    edges: tuple[NDArray[np.bool_], Array, NDArray[np.bool_]],
-    grip: Array,
-    status: NDArray[np.str_],
-    slipping: NDArray[np.str_],
-) -> list[str]:
-    """About a state that exists."""
-    remarks = []
-    if pressure.max() > PERMANENT:
-        remarks.append(f"overloaded (pressure {pressure.max() / 1e9:.1f} GPa)")
-    remarks += _at_the_edge(*edges)
-    if (aside := status == "open side").any():
-        remarks.append(f"loaded on the open side (balls {_ranges(aside)})")
-    if (gross := grip > GROSS).any():
-        remarks.append(
-            f"gross gyroscopic slip (balls {_ranges(gross)} need a friction of {grip.max():.2g}): "
-            "raise the load, lower the speed or give a limit of friction"
-        )
+    pressure = listed(np.maximum(state.inner_pressure, state.outer_pressure)) / 1e9
+    angle = listed(np.maximum(np.abs(state.inner_angle), np.abs(state.outer_angle)))
+    edge = math.pi * (0.75 if grooves.free_angle > STEEP else 0.5)
+    lost = np.split(100.0 * cuts.beyond_shoulder, [len(grooves.inner_offsets)], axis=-1)
+    inner, outer = (listed(part.max(axis=-1)) for part in lost)
+    grip = listed(np.maximum(state.inner_grip, state.outer_grip))
+    status, slipping = listed(state.status), listed(state.slipping)
     idle = (status == "lost contact") | (status == "unloaded")
-    if idle.all():
-        remarks.append("unloaded")
-    elif idle.any():
-        remarks.append(f"lost contact (balls {_ranges(idle)})")
-    for race in ("inner", "outer", "both"):
-        if (slipping == race).any():
-            name = "both races" if race == "both" else f"{race} race"
-            remarks.append(f"slips on the {name} (balls {_ranges(slipping == race)})")
-    return remarks
-
-
-def _at_the_edge(beyond: NDArray[np.bool_], cut: Array, middle: NDArray[np.bool_]) -> Iterator[str]:
-    """About contacts that leave their groove."""
-    if beyond.any():
-        yield f"beyond the groove (balls {_ranges(beyond)})"
-    for ring, share in zip(("inner", "outer"), cut.T, strict=True):
-        if (some := share > 0.0).any():
-            yield (
-                f"contact ellipse passes the shoulder of the {ring} ring (balls {_ranges(some)}), "
-                f"{100.0 * share.max():.2g} % of its length lost"
-            )
-    if middle.any():
-        yield (
-            f"an arc presses beyond the middle of its groove (balls {_ranges(middle)}): the shim "
-            "is too small for two arcs, give none or a larger one"
-        )
+    all_idle = idle.all(axis=1, keepdims=True)
+    passes = (
+        "contact ellipse passes the shoulder of the {} ring (balls {{balls}}), "
+        "{{most:.2g}} % of its length lost"
+    )
+    sentences = [
+        (pressure > PERMANENT / 1e9, "overloaded (pressure {most:.1f} GPa)", pressure),
+        (
+            (angle > edge) & (listed(state.inner_load) > 0.0),
+            "beyond the groove (balls {balls})",
+            angle,
+        ),
+        (inner > 0.0, passes.format("inner"), inner),
+        (outer > 0.0, passes.format("outer"), outer),
+        (
+            listed(np.asarray(cuts.across_middle.any(axis=-1))),
+            "an arc presses beyond the middle of its groove (balls {balls}): the shim is too small "
+            "for two arcs, give none or a larger one",
+            angle,
+        ),
+        (status == "open side", "loaded on the open side (balls {balls})", angle),
+        (
+            (grip > GROSS) & (state.operation.law.friction is None),
+            "gross gyroscopic slip (balls {balls} need a friction of {most:.2g}): raise the load, "
+            "lower the speed or give a limit of friction",
+            grip,
+        ),
+        (idle & all_idle, "unloaded", grip),
+        (idle & ~all_idle, "lost contact (balls {balls})", grip),
+    ]
+    races = {"inner": "inner race", "outer": "outer race", "both": "both races"}
+    return sentences + [
+        (slipping == race, f"slips on the {name} (balls {{balls}})", grip)
+        for race, name in races.items()
+    ]
 
 
 def _ranges(chosen: NDArray[np.bool_]) -> str:

@@ -8,28 +8,25 @@ ring the balls settle, each in the least of its own potential.
 from __future__ import annotations
 
 import math
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.plane import EPS, Motion
 from bearings.ball.potential import (
+    Reaction,
     SeatStep,
-    both_races,
-    depth,
     first_seat,
     improves,
-    potential,
     reaction,
     resting_reaction,
     resting_seat,
-    riding_radius,
     seat_step,
 )
 from bearings.geometry import Geometry
 from bearings.ring.assembly import rows
-from bearings.ring.linearised import followed_by
+from bearings.ring.linearised import followed_by, reduced
 from bearings.ring.problem import Index, Problem
 from bearings.ring.tolerances import (
     CONVEX_STEPS,
@@ -44,19 +41,6 @@ from bearings.ring.tolerances import (
 )
 
 Array = NDArray[np.float64]
-
-
-class Reactions(NamedTuple):
-    """What settled balls do to the ring.
-
-    ``energy`` (s, n), ``action`` (3, s, n), ``slope`` (s, 3, m, n); ``follow`` (2, m, s, n): how
-    the balls go with it.
-    """
-
-    energy: Array
-    action: Array
-    slope: Array
-    follow: Array
 
 
 def convex_state(problem: Problem, start: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
@@ -80,7 +64,7 @@ def convex_state(problem: Problem, start: Array) -> tuple[Array, Array, NDArray[
     return d, x, done
 
 
-def _seated(problem: Problem, d: Array, near: Array | None) -> tuple[Array, Reactions]:
+def _seated(problem: Problem, d: Array, near: Array | None) -> tuple[Array, Reaction]:
     """Ball centres at displacement d under a fixed push, and what the balls do to the ring."""
     c, a = problem.geometry, problem.centres(d)
     centre = tuple(a)
@@ -91,13 +75,12 @@ def _seated(problem: Problem, d: Array, near: Array | None) -> tuple[Array, Reac
     else:
         x, each = np.stack(resting_seat(c, (a[0], a[1]))), resting_reaction(c, centre)
     follow = np.stack([_filled(row, a[0]) for row in each.follow])
-    return x, Reactions(each.energy, _filled(each.action, a[0]), rows(each.slope), follow)
+    return x, Reaction(each.energy, _filled(each.action, a[0]), rows(each.slope), follow)
 
 
-def _some(balls: Reactions, index: Index) -> Reactions:
-    """Of some states."""
+def _some(balls: Reaction, states: Index) -> Reaction:
     energy, action, slope, follow = balls
-    return Reactions(energy[index], action[:, index], slope[index], follow[:, :, index])
+    return Reaction(energy[states], action[:, states], slope[states], follow[:, :, states])
 
 
 def _filled(parts: Motion, like: Array) -> Array:
@@ -108,11 +91,11 @@ def _filled(parts: Motion, like: Array) -> Array:
     return whole
 
 
-def _ring_balance(problem: Problem, balls: Reactions) -> tuple[Array, Array, NDArray[np.bool_]]:
+def _ring_balance(problem: Problem, balls: Reaction) -> tuple[Array, Array, NDArray[np.bool_]]:
     """Load still missing and tangent, freedoms as lengths; and where nothing is missing."""
     g, free, scale = problem.geometry, problem.free, problem.scale[problem.free]
     gap = (problem.load - problem.assembly.load(balls.action))[:, free] / scale
-    k = problem.assembly.stiffness(balls.slope)[:, free][:, :, free] / scale / scale[:, None]
+    k = reduced(problem, problem.assembly.stiffness(balls.slope))
     carried = g.balls * np.hypot(*balls.action[:2]).max(axis=-1)
     size = np.abs(problem.load / problem.scale).max(axis=-1) + 1e-3 * carried
     noise = ROUNDING * EPS * (g.inner_reach + g.outer_reach) * np.abs(k).max(axis=(1, 2))
@@ -131,20 +114,18 @@ def _downhill(problem: Problem, k: Array, gap: Array) -> Array:
 
 
 def _searched(
-    problem: Problem, d: Array, x: Array, balls: Reactions, step: Array
-) -> tuple[Array, Array, Reactions]:
+    problem: Problem, d: Array, x: Array, balls: Reaction, step: Array
+) -> tuple[Array, Array, Reaction]:
     """A step along ``step``, halved until the potential falls; balls settle at every try."""
-    count = problem.geometry.balls / problem.assembly.balls
+    g, count = problem.geometry, problem.geometry.balls / problem.assembly.balls
 
     def total(energy: Array, d: Array) -> Array:
-        work = (problem.load * d)[:, problem.free].sum(axis=-1)
-        return np.asarray(count * energy.sum(axis=-1) - work)
+        return np.asarray(count * energy.sum(axis=-1) - (problem.load * d).sum(axis=-1))
 
-    g, before = problem.geometry, total(balls.energy, d)
+    before = total(balls.energy, d)
     largest = np.abs(problem.load / problem.scale).max(axis=-1)
     slack = 64.0 * EPS * (np.abs(before) + largest * (g.inner_reach + g.outer_reach))
-    length, along = np.ones((len(d), 1)), problem.assembly.moved(step)
-    along = followed_by(balls.follow, along)
+    length, along = np.ones((len(d), 1)), followed_by(balls.follow, problem.assembly.moved(step))
     for _ in range(HALVINGS):
         trial = d + length * step
         seats, moved = _seated(problem, trial, x + length * along)
@@ -158,61 +139,38 @@ def _searched(
 def seat(c: Geometry, centre: Array, push: Array, start: Array | None = None) -> Array:
     """Ball centre X (2, …) of least potential under ``push`` Fc ≥ 0 (…) [N], at A (m, …).
 
-    ``start``: a ball centre for a nearby A. A ball that the inner race does not reach rides the
-    outer race. Every ball takes Newton steps of its own length, halved where the potential rises.
+    ``start``: a ball centre for a nearby A. Every ball takes Newton steps of its own length, halved
+    where the potential rises.
     """
-    shape = centre.shape[1:]
-    a, fc = centre.reshape(len(centre), -1), np.broadcast_to(push, shape).reshape(-1)
-    x, free = _first_places(c, a, fc, start), np.zeros(a.shape[1], dtype=bool)
-    if len(c.outer_grooves) == 1:
-        riding = riding_radius(c, fc)
-        free = both_races(c, tuple(a), (0.0 * riding, riding))[0].energy == 0.0
-        x[:, free] = 0.0
-        x[1, free] = riding[free]
-    now = _step(c, a, fc, x)
-    todo = np.flatnonzero(now.moving & ~free)
-    now, length = _some_steps(now, todo), np.ones(todo.size)
+    a, fc = centre.reshape(len(centre), -1), np.broadcast_to(push, centre.shape[1:]).reshape(-1)
+
+    def at(todo: Index | slice, x: Array) -> SeatStep:
+        return seat_step(c, tuple(a[:, todo]), (x[0], x[1]), fc[todo])
+
+    x = np.stack(first_seat(c, tuple(a), fc))
+    now = at(slice(None), x)
+    if start is not None:
+        given = start.reshape(2, -1)
+        then = at(slice(None), given)
+        better = (then.energy < now.energy) & (then.room > 0.0)
+        x, now = np.where(better, given, x), _chosen(better, then, now)
+    todo, length = np.arange(a.shape[1]), np.ones(a.shape[1])
     for _ in range(SEAT_STEPS):
-        if not todo.size:
+        going = np.flatnonzero(now.moving)
+        if not going.size:
             break
+        parts: Any = (np.asarray(part)[..., going] for part in now)
+        todo, length, now = todo[going], length[going], SeatStep(*parts)
         trial = x[:, todo] + length * np.stack(now.step)
-        then = _step(c, a[:, todo], fc[todo], trial)
+        then = at(todo, trial)
         good = improves(now, then)
         x[:, todo[good]] = trial[:, good]
         length = np.where(good, 1.0, 0.5 * length)
-        if not good.all():
-            then = _either(good, then, now)
-        going = np.flatnonzero(then.moving)
-        todo, now, length = todo[going], _some_steps(then, going), length[going]
-    return x.reshape(2, *shape)
+        now = then if good.all() else _chosen(good, then, now)
+    return x.reshape(2, *centre.shape[1:])
 
 
-def _first_places(c: Geometry, a: Array, fc: Array, start: Array | None) -> Array:
-    """Ball centres to start from, pressed into the outer race."""
-    first = np.stack(first_seat(c, tuple(a), fc))
-    if start is None:
-        return first
-    given = start.reshape(2, -1)
-    better = _energy(c, a, fc, given) < _energy(c, a, fc, first)
-    return np.where(better & (depth(c.outer_grooves, (given[0], given[1])) > 0.0), given, first)
-
-
-def _step(c: Geometry, a: Array, fc: Array, x: Array) -> SeatStep:
-    return seat_step(c, tuple(a), (x[0], x[1]), fc)
-
-
-def _energy(c: Geometry, a: Array, fc: Array, x: Array) -> Array:
-    ball = (x[0], x[1])
-    return np.asarray(potential(c, *both_races(c, tuple(a), ball), ball, fc))
-
-
-def _some_steps(steps: SeatStep, index: Index) -> SeatStep:
-    """The steps of some balls."""
-    parts: Any = (np.asarray(part)[..., index] for part in steps)
-    return SeatStep(*parts)
-
-
-def _either(choice: NDArray[np.bool_], yes: SeatStep, no: SeatStep) -> SeatStep:
-    """The steps of some balls from one set, of the others from another."""
+def _chosen(choice: NDArray[np.bool_], yes: SeatStep, no: SeatStep) -> SeatStep:
+    """Of each ball the one or the other."""
     parts: Any = (np.where(choice, *pair) for pair in zip(yes, no, strict=True))
     return SeatStep(*parts)

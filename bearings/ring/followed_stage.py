@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from bearings.ball.balance import Balance
 from bearings.ball.plane import turned_far
 from bearings.geometry import Geometry
-from bearings.ring.linearised import Linear, linearise, newton_step, segments, tangent
+from bearings.ring.linearised import Linear, linearise, newton_step, reduced, segments, tangent
 from bearings.ring.problem import Index, Problem
 from bearings.ring.tolerances import (
     FADING,
@@ -115,19 +115,21 @@ def corrected(
     good &= (linear.balance.outer_load > 0.0).all(axis=-1)
     if not problem.law.one_branch:
         good &= ~_jumped(problem.geometry.ball_diameter, first, linear.balance).any(axis=-1)
-    free = problem.free
-    if free.any():
-        k = tangent(problem, linear.balls)[:, free][:, :, free]
-        k = _relative(k, problem.scale[free])
-        good &= (np.linalg.det(k) > 0.0) | (_neutral(k) if problem.loose else False)
+    if problem.free.any():
+        good &= _held(problem, linear)
     return d, x, good, linear, used
 
 
-def _neutral(k: Array) -> NDArray[np.bool_]:
-    """Whether nothing holds one of the motions of a ring."""
-    known = np.isfinite(k.sum(axis=(1, 2)))
-    sizes: Array = np.linalg.svd(np.where(known[:, None, None], k, 0.0), compute_uv=False)
-    return np.asarray(known & (sizes[:, -1] < NEUTRAL))
+def _held(problem: Problem, linear: Linear) -> NDArray[np.bool_]:
+    """Whether no motion of the ring has passed a fold; it may be neutral where ``loose``."""
+    k = reduced(problem, tangent(problem, linear.balls))
+    k = k / (np.abs(k).max(axis=(1, 2), keepdims=True) + 1e-300)
+    held = np.linalg.det(k) > 0.0
+    if problem.loose:
+        known = np.isfinite(k.sum(axis=(1, 2)))
+        sizes = np.linalg.svd(np.where(known[:, None, None], k, 0.0), compute_uv=False)
+        held |= known & (sizes[:, -1] < NEUTRAL)
+    return np.asarray(held)
 
 
 def _jumped(diameter: float, before: Balance, now: Balance) -> NDArray[np.bool_]:
@@ -136,12 +138,6 @@ def _jumped(diameter: float, before: Balance, now: Balance) -> NDArray[np.bool_]
     moment = np.maximum(np.abs(before.gyroscopic_moment), np.abs(now.gyroscopic_moment))
     largest = np.maximum(now.outer_load, now.inner_load).max(axis=-1, keepdims=True)
     return changed & (2.0 * moment > JUMP * diameter * largest)
-
-
-def _relative(k: Array, scale: Array) -> Array:
-    """K with all freedoms as lengths, divided by its largest entry."""
-    k = k / scale / scale[:, None]
-    return k / (np.abs(k).max(axis=(1, 2), keepdims=True) + 1e-300)
 
 
 def _beyond(problem: Problem, d: Array, x: Array, balance: Balance) -> Array | None:

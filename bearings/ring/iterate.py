@@ -32,9 +32,9 @@ class Iterate:
     ``displacement`` (…, 5); ``ball`` (2, …, n): centres of the balls that are solved.
     ``load`` (…, 5) and ``stiffness`` (…, 5, 5) of the rings with the balls settled to first order;
     ``error`` (…): largest imbalance of a ball over the largest ball load, NaN where there is no
-    state; ``pressure`` (…): largest of both races [Pa]; ``sound`` (…): every ball on the physical
-    branch. A turning ball moves by ``still``, and by ``follow`` times what its groove centre does;
-    at rest balls have no place of their own.
+    state; ``pressure`` (…): largest of both races [Pa]; ``lightest`` (…): smallest inner load
+    of a ball [N]; ``sound`` (…): every ball on the physical branch. A turning ball moves
+    by ``still``, and by ``follow`` times what its groove centre does; at rest balls have none.
     """
 
     parts: Parts
@@ -45,6 +45,7 @@ class Iterate:
     stiffness: Array
     error: Array
     pressure: Array
+    lightest: Array
     sound: Flags
     still: Array
     follow: Array
@@ -97,7 +98,7 @@ def _linearised(parts: Parts, shape: tuple[int, ...], displacement: Array, ball:
     count, balls = sum(len(k) for k, _ in parts), ball.shape[-1]
     d, x = displacement.reshape(count, 5), ball.reshape(2, count, balls)
     load, stiffness = np.empty((count, 5)), np.empty((count, 5, 5))
-    error, pressure = np.empty(count), np.empty(count)
+    error, pressure, lightest = np.empty((3, count))
     sound = np.empty(count, dtype=bool)
     parts_of = len(parts[0][1].assembly.spread)
     still, follow = np.zeros((2, count, balls)), np.zeros((2, parts_of, count, balls))
@@ -106,6 +107,7 @@ def _linearised(parts: Parts, shape: tuple[int, ...], displacement: Array, ball:
         load[k] = problem.assembly.load(np.stack(found.balls.action))
         stiffness[k] = tangent(problem, found.balls)
         error[k], pressure[k] = found.error, _pressure(problem, found)
+        lightest[k] = found.balance.inner_load.min(axis=-1)
         sound[k] = np.isfinite(found.error)
         if problem.turning:
             sound[k] = (found.fold > 0.0) & (found.balance.outer_load > 0.0).all(axis=-1)
@@ -121,6 +123,7 @@ def _linearised(parts: Parts, shape: tuple[int, ...], displacement: Array, ball:
         stiffness=stiffness.reshape(*shape, 5, 5),
         error=error.reshape(shape),
         pressure=pressure.reshape(shape),
+        lightest=lightest.reshape(shape),
         sound=sound.reshape(shape),
         still=still.reshape(2, *shape, balls),
         follow=follow.reshape(2, parts_of, *shape, balls),

@@ -63,6 +63,12 @@ def tangent(problem: Problem, balls: Settled) -> Array:
     return problem.assembly.stiffness(rows(balls.tangent))
 
 
+def reduced(problem: Problem, k: Array) -> Array:
+    """K (s, 5, 5) of the freedoms whose load is given, as lengths."""
+    scale = problem.scale[problem.free]
+    return np.asarray(k[:, problem.free][:, :, problem.free] / scale / scale[:, None])
+
+
 def scaled_error(
     problem: Problem, balance: Balance, ring_load: Array, rounding: float = ROUNDING
 ) -> Array:
@@ -91,7 +97,7 @@ def newton_step(problem: Problem, linear: Linear) -> tuple[Array, Array]:
     if free.any():
         scale = problem.scale[free]
         gap = (problem.load - problem.assembly.load(np.stack(balls.action)))[:, free] / scale
-        k = tangent(problem, balls)[:, free][:, :, free] / scale / scale[:, None]
+        k = reduced(problem, tangent(problem, balls))
         dd[:, free] = _solve(k, gap, loose=problem.loose) / scale
     return dd, np.stack(balls.still) + followed_by(
         np.stack(balls.follow), problem.assembly.moved(dd)

@@ -7,7 +7,7 @@ touch there, so that the searches of many questions are solved together.
 from __future__ import annotations
 
 from collections.abc import Generator
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -34,6 +34,9 @@ class Gap(NamedTuple):
     broken: bool = False
 
 
+Search = Generator[Array, tuple[Flags, Flags], Gap]
+
+
 class Seen(NamedTuple):
     """Speeds (k,) in ascending order, whether there is a state, and which balls (k, n) touch."""
 
@@ -41,8 +44,28 @@ class Seen(NamedTuple):
     there: Flags
     touch: Flags
 
+    @property
+    def last(self) -> int:
+        """Place of the last speed before the first one without a state."""
+        return (len(self.there) if self.there.all() else int(np.argmin(self.there))) - 1
 
-Search = Generator[Array, tuple[Flags, Flags], Gap]
+    @property
+    def again(self) -> Index:
+        """Places above the first speed without a state that have one."""
+        there = np.flatnonzero(self.there)
+        return there[there > self.last]
+
+    def joined(self, *more: NDArray[Any]) -> Seen:
+        """With more speeds, whether there is a state at each and which balls touch."""
+        parts = [np.concatenate(pair) for pair in zip(self, more, strict=True)]
+        order = np.argsort(parts[0], kind="stable")
+        return Seen(*(part[order] for part in parts))
+
+    def between(self, places: Index, speed: float) -> Array:
+        """Speeds that split the intervals from ``places`` up; the last one ends at ``speed``."""
+        ends = np.append(self.speed, speed)
+        split = [np.linspace(ends[k], ends[k + 1], SPLIT + 1)[1:-1] for k in np.unique(places)]
+        return np.concatenate(split) if split else np.empty(0)
 
 
 def spin_up(speed: float, *, jumps: bool) -> Search:
@@ -52,74 +75,25 @@ def spin_up(speed: float, *, jumps: bool) -> Search:
     from a speed to the next, and these intervals are split like the one where the states end.
     """
     grid = speed * np.arange(PARTS) / PARTS
-    seen: Seen | None = None
-    for first in range(0, PARTS, CHUNK):
-        chunk = grid[first : first + CHUNK]
-        seen = _joined(seen, Seen(chunk, *(yield chunk)))
-        if not seen.there.all():
-            break
-    assert seen is not None
+    seen = Seen(grid[:CHUNK], *(yield grid[:CHUNK]))
+    if seen.there.all():
+        seen = seen.joined(grid[CHUNK:], *(yield grid[CHUNK:]))
     if not seen.there[0]:
         return Gap(0.0)
-    above = np.linspace(_ends(seen, _last(seen), speed)[1], speed, ABOVE + 2)[1:-1]
+    first = np.append(seen.speed, speed)[seen.last + 1]
+    above = np.linspace(first, speed, ABOVE + 2)[1:-1]
     for _ in range(ROUNDS):
-        doubtful = _between(seen, speed, _doubtful(seen, jumps=jumps))
+        last = seen.last
+        changed = (seen.touch[1 : last + 1] != seen.touch[:last]).any(axis=1) & jumps
+        doubtful = seen.between(np.append(np.flatnonzero(changed), last), speed)
         asked = np.unique(np.concatenate([doubtful, above[above < speed]]))
-        seen = _joined(seen, Seen(asked, *(yield asked)))
-        above = _between(seen, speed, _edges(seen))
-    last = _last(seen)
-    again = _again(seen)
+        seen = seen.joined(asked, *(yield asked))
+        again = seen.again  # where states begin again and end again
+        edges = np.array([again[0] - 1, again[-1]]) if again.size else again
+        above = seen.between(edges, speed)
+    low, again = float(seen.speed[seen.last]), seen.again
     if not again.size:
-        return Gap(float(seen.speed[last]))
-    first, final = again[[0, -1]]
-    return Gap(
-        float(seen.speed[last]),
-        (float(seen.speed[first]), float(seen.speed[final])),
-        broken=not seen.there[first : final + 1].all(),
-    )
-
-
-def _again(seen: Seen) -> Index:
-    """Places above the first speed without a state that have one."""
-    there = np.flatnonzero(seen.there)
-    return there[there > _last(seen)]
-
-
-def _edges(seen: Seen) -> Index:
-    """Intervals, by their lower ends, in which states begin again and end again."""
-    again = _again(seen)
-    return np.array([again[0] - 1, again[-1]]) if again.size else again
-
-
-def _last(seen: Seen) -> int:
-    """Place of the last speed before the first one without a state."""
-    return (len(seen.there) if seen.there.all() else int(np.argmin(seen.there))) - 1
-
-
-def _doubtful(seen: Seen, *, jumps: bool) -> Index:
-    """Intervals, by their lower ends, in which the first gap may begin."""
-    last = _last(seen)
-    changed = (seen.touch[1 : last + 1] != seen.touch[:last]).any(axis=1) & jumps
-    return np.append(np.flatnonzero(changed), last)
-
-
-def _ends(seen: Seen, place: int, speed: float) -> tuple[float, float]:
-    """Of the interval that begins there; the last one ends at the speed asked for."""
-    ends = np.append(seen.speed, speed)
-    return float(ends[place]), float(ends[place + 1])
-
-
-def _between(seen: Seen, speed: float, places: Index) -> Array:
-    """Speeds that split intervals."""
-    ends = [_ends(seen, int(place), speed) for place in np.unique(places)]
-    inner = [np.linspace(*pair, SPLIT + 1)[1:-1] for pair in ends]
-    return np.concatenate(inner) if inner else np.empty(0)
-
-
-def _joined(a: Seen | None, b: Seen) -> Seen:
-    """All speeds in order."""
-    if a is None:
-        return b
-    speed, there, touch = (np.concatenate(pair) for pair in zip(a, b, strict=True))
-    order = np.argsort(speed, kind="stable")
-    return Seen(speed[order], there[order], touch[order])
+        return Gap(low)
+    begin, end = again[[0, -1]]
+    broken = not seen.there[begin : end + 1].all()
+    return Gap(low, (float(seen.speed[begin]), float(seen.speed[end])), broken=broken)

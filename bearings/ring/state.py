@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from bearings.ball.kinematics import Angles, inner_share, orbit_and_spin, tan_beta
 from bearings.ball.law import check_name
 from bearings.errors import InvalidBearing
-from bearings.ring.assembly import outer_assembly
+from bearings.ring.assembly import full_assembly
 from bearings.ring.operation import Operation
 
 Array = NDArray[np.float64]
@@ -201,7 +201,7 @@ class BearingState:
         axial, radial = along * sin + across * cos, along * cos - across * sin
         tilting = -g.outer_conformity * moment + self._outer_middle() * radial
         action = np.stack([axial, radial, tilting]).reshape(3, -1, g.balls)
-        return outer_assembly(g).load(action).reshape(*self.outcome.shape, 5)
+        return full_assembly(g, outer=True).load(action).reshape(*self.outcome.shape, 5)
 
     def _outer_middle(self) -> Array | float:
         """x̄ = Σ x Q cos α / Σ Q cos α of the outer contacts (…, balls) [m]."""

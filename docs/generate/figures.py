@@ -7,7 +7,6 @@ from pathlib import Path
 
 import rotordyn
 from docs.generate.places import FIGURES, ROOT
-from rotordyn.job import deliver
 
 SHOWN = ("machine", "campbell", "frf_map", "stiffness", "preload")
 COLOURS = 192
@@ -20,7 +19,7 @@ def draw_figures() -> None:
     FIGURES.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as made:
         folder = Path(made) / "out"
-        deliver(rotordyn.load(ROOT / "cases" / "mfw2310.yaml"), folder)
+        rotordyn.run(rotordyn.load(ROOT / "cases" / "mfw2310.yaml")).save(folder)
         for name in SHOWN:
             with Image.open(folder / f"{name}.png") as full:
                 small = full.convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE)

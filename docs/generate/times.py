@@ -158,6 +158,7 @@ def _precision(found: Measured) -> str:
 def _random(found: Measured) -> str:
     """What random rotors came to."""
     head = (
+        "sections",
         "accuracy asked:",
         "rotors:",
         "frequencies:",
@@ -168,6 +169,7 @@ def _random(found: Measured) -> str:
     )
     lines = [
         (
+            sort,
             f"{r['accuracy']:.0e}",
             str(r["rotors"]),
             str(r["frequencies"]),
@@ -176,7 +178,8 @@ def _random(found: Measured) -> str:
             f"{r['worst']:.1e}",
             f"{r['within_3']} of {r['judged']}",
         )
-        for r in found["random_rotors"]
+        for sort, key in (("cylinders", "random_rotors"), ("cones", "conical_rotors"))
+        for r in found[key]
     ]
     return table(head, lines)
 
@@ -195,15 +198,27 @@ def _study(found: Measured) -> str:
 def _random_dense(found: Measured) -> str:
     """What random rotors on damped uneven supports came to."""
     head = (
+        "rotors with",
         "rotors:",
         "most sections:",
         "modes:",
         "missing:",
         "spurious:",
         "largest difference:",
+        "reported within a factor of 3:",
         "warnings of libraries:",
     )
     names = ("rotors", "most_sections", "modes", "missing", "spurious")
-    r = found["dense_rotors"]
-    cells = [str(r[name]) for name in names]
-    return table(head, [(*cells, f"{r['worst']:.1e}", str(r["warnings"]))])
+    sorts = {
+        "the same elements": "dense_rotors",
+        "cones": "tapered_rotors",
+        "joints": "jointed_rotors",
+        "a further rotor": "coaxial_rotors",
+    }
+    lines = []
+    for sort, key in sorts.items():
+        r = found[key]
+        judged = f"{r['within_3']} of {r['judged']}" if sort != "the same elements" else "–"
+        cells = [str(r[name]) for name in names]
+        lines.append((sort, *cells, f"{r['worst']:.1e}", judged, str(r["warnings"])))
+    return table(head, lines)

@@ -23,7 +23,7 @@ GROUPS = {
     "Tutorial": _in("tutorial", "first_run own_spindle campbell"),
     "How to": _in("howto", "bearing_data preload compare measured_frf hypotheses editor"),
     "Reference": (
-        *_in("reference", "keys command results python"),
+        *_in("reference", "keys command results results_object python"),
         *("api/index", CASES, "models/README"),
     ),
     "Explanation": (

@@ -25,14 +25,16 @@ name, and ``package.module:ANALYSIS``. An analysis never imports another one.
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping
-from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from importlib import import_module
 from pathlib import Path
-from typing import Any, Literal, Protocol
+from typing import TYPE_CHECKING, Any, Literal, Protocol
 
 from rotordyn.description import Description
 from rotordyn.results.layout import Layout, Table
+
+if TYPE_CHECKING:
+    from rotordyn.figures.draw import Pictures
 
 Spec = Description
 Cells = Mapping[str, str]
@@ -94,7 +96,7 @@ class Analysis:
       one that lacks a package of others is left out with a note;
     - ``pictures(parts, beside)``: pictures that another process makes meanwhile, a context
       (``figures.draw.Pictures``); ``parts``: case and result by folder; ``beside``: where its files
-      may stand;
+      may stand, None for the system's place of such files;
     - ``summary(result)``: lines; ``accuracy(result)``: phrases; ``warnings(result)``: sentences;
     - ``heading`` of its table where variants are compared, ``cells(result, case)`` of a row;
     - ``known(reference, result, spindle)``: values (SI) to put beside a reference, NaN at speeds
@@ -117,7 +119,7 @@ class Analysis:
     tables: tuple[Layout, ...] = ()
     further_tables: Callable[[Any], Iterable[Table]] = _nothing
     files: Callable[[Path, Any, Any], Iterable[File]] = _nothing
-    pictures: Callable[[Any, Path], AbstractContextManager[Any]] | None = None
+    pictures: Callable[[Any, Path | None], Pictures] | None = None
     summary: Callable[[Any], Iterable[str]] = _nothing
     accuracy: Callable[[Any], Iterable[str]] = _nothing
     warnings: Callable[[Any], Iterable[str]] = _nothing

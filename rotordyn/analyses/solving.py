@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterator, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 from typing import TYPE_CHECKING
@@ -13,6 +13,7 @@ import numpy as np
 from bearings.bearing import BallBearing
 from rotordyn.analyses.contract import Result, Spec
 from rotordyn.analyses.registry import analysis
+from rotordyn.machine.plausibility import undamped
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.conditions import Conditions
@@ -88,7 +89,7 @@ def answer_spindle(
             skipped=reasons(scene),
             spared=spared(scene),
             tolerances=scene.tolerances,
-            warnings=scene.warnings,
+            warnings=(*scene.warnings, *_unlimited(spindle, analyses)),
             notes=scene.notes,
         )
 
@@ -108,6 +109,17 @@ def answer_bearing(
         results[name] = analysis(name).solve(bearing, conditions, np.array(speeds), spec)
         seconds[name] = time.perf_counter() - begin
     return Answers(results, seconds, dict.fromkeys(seconds, ""))
+
+
+def _unlimited(spindle: Spindle, analyses: Mapping[str, Spec]) -> Iterator[str]:
+    """A sentence where forced responses are asked for of a machine without any damping."""
+    asked = [name for name in analyses if analysis(name).forced]
+    if asked and undamped(spindle):
+        yield (
+            f"{' and '.join(asked)}: nothing in the machine is damped, so that responses have no "
+            "limit at its modes and their peaks mean nothing: give rotor_damping, damping of "
+            "bearings or of supports"
+        )
 
 
 def _highest(analyses: Mapping[str, Spec], top: float) -> float:

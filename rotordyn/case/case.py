@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 from pathlib import Path
 
 from bearings.bearing import BallBearing
@@ -62,6 +63,26 @@ class Case(Description):
 
         return vary(self, changes)
 
+    def _repr_html_(self) -> str:
+        """What it asks of which machine, in a short table, which notebooks show."""
+        from rotordyn.markup import table
+
+        return table(self.title or self.name, self._rows())
+
+    def _rows(self) -> Iterator[tuple[str, str]]:
+        yield "case", self.name
+        if self.spindle is not None:
+            yield "spindle", self.spindle.title or self.spindle.name
+        else:
+            yield "bearing", type(self.bearing).__name__
+        ends = dict.fromkeys((self.speeds[0], self.speeds[-1]))
+        rpm = " to ".join(f"{speed * 30.0 / math.pi:.6g}" for speed in ends)
+        yield "speeds", f"{rpm} rpm, {len(self.speeds)} in all"
+        yield "conditions", ", ".join(_changed(self.conditions)) or "the defaults"
+        yield "analyses", ", ".join(self.analyses)
+        if self.variants:
+            yield "variants", ", ".join(self.variants)
+
     def _faults(self) -> Iterator[str]:
         if (self.spindle is None) == (self.bearing is None):
             given = "neither" if self.spindle is None else "both"
@@ -79,3 +100,12 @@ class Case(Description):
                 yield f"variant {name}: its speeds and analyses must be those of the case"
             if variant.variants:
                 yield f"variant {name}: a variant has no variants of its own"
+
+
+def _changed(conditions: Conditions) -> Iterator[str]:
+    """Conditions that are not the defaults."""
+    usual = Conditions()
+    for each in fields(conditions):
+        value = getattr(conditions, each.name)
+        if value != getattr(usual, each.name):
+            yield f"{each.name}: {value}"

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,16 +18,20 @@ from numpy.typing import NDArray
 from rotordyn.equation.hysteresis import Hysteresis, Hysteretic, Signs
 from rotordyn.equation.linear import Linear
 from rotordyn.equation.term import Matrices
-from rotordyn.numerics.modes import Modes, modes, residual
+from rotordyn.errors import InvalidInput
+from rotordyn.numerics.modes import Modes, grows, modes, residual
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+S = TypeVar("S", bound=np.generic)
+LOST = 0.1  # of a pole: rounding that moves it by more leaves nothing of it
 FORWARD = np.array([1.0, -1.0j])  # planes y and z of whirl r e^(iωt)
 
 
 @dataclass(frozen=True, eq=False)
 class FreeMotions:
-    """Of ``linear``, solved as ``modes`` of one complex plane or of all coordinates.
+    """Of ``linear``, solved as ``modes`` of one complex plane or of all coordinates; those of one
+    system serve all speeds where nothing changes with speed.
 
     ``pole`` (s, k) [rad/s], Im ≥ 0, NaN where a speed has fewer; ``vector`` (s, n, k); ``left``
     (s, k, n): the receptance at iω is Σ vector left / (iω − pole) and, of Im > 0, the conjugate.
@@ -35,7 +40,15 @@ class FreeMotions:
     linear: Linear
     modes: Modes
     lossy: Hysteretic | None = None
-    solved_once: bool = False
+
+    @property
+    def solved_once(self) -> bool:
+        """One system serves all speeds."""
+        return len(self.modes.pole) == 1
+
+    def _each(self, values: NDArray[S]) -> NDArray[S]:
+        """Values (s or 1, …) at every speed."""
+        return np.broadcast_to(values, (len(self.linear.speed), *values.shape[1:]))
 
     @property
     def whirling(self) -> bool:
@@ -53,11 +66,19 @@ class FreeMotions:
         """(s, k)"""
         if self.whirling:
             pole = self.modes.pole
-            return np.where(pole.imag < 0.0, pole.conj(), pole)
+            return self._each(np.where(pole.imag < 0.0, pole.conj(), pole))
         columns, none = self._chosen
         pole = np.take_along_axis(self.modes.pole, columns, axis=-1)
         pole[none] = complex(np.nan, np.nan)
-        return pole
+        return self._each(pole)
+
+    @cached_property
+    def rounding(self) -> Array:
+        """Change of each pole by rounding of the stiffness, over its size (s, k): what supports far
+        stiffer than the shaft leave of its digits."""
+        with np.errstate(divide="ignore", invalid="ignore"):
+            own = self.modes.rounding / np.abs(self.modes.pole)
+        return self._each(self._shown(own))
 
     @cached_property
     def vector(self) -> Complex:
@@ -65,9 +86,9 @@ class FreeMotions:
         if self.whirling:
             own, back = self._expanded(self.modes.vector), self._backward[:, None, :]
             y = 0.5 * np.where(back, own.conj(), own)
-            return np.concatenate([y, np.where(back, 1j, -1j) * y], axis=1)
+            return self._each(np.concatenate([y, np.where(back, 1j, -1j) * y], axis=1))
         own = np.take_along_axis(self.modes.vector, self._chosen[0][:, None, :], axis=2)
-        return self._expanded(own)
+        return self._each(self._expanded(own))
 
     @cached_property
     def _allowed(self) -> Array | None:
@@ -92,9 +113,9 @@ class FreeMotions:
             left, back = self.modes.participation, self._backward[:, :, None]
             own = np.swapaxes(self._expanded(np.swapaxes(left, 1, 2)), 1, 2)
             y = np.where(back, own.conj(), own)
-            return np.concatenate([y, np.where(back, -1j, 1j) * y], axis=2)
+            return self._each(np.concatenate([y, np.where(back, -1j, 1j) * y], axis=2))
         left = np.take_along_axis(self.modes.participation, self._chosen[0][:, :, None], axis=1)
-        return np.swapaxes(self._expanded(np.swapaxes(left, 1, 2)), 1, 2)
+        return self._each(np.swapaxes(self._expanded(np.swapaxes(left, 1, 2)), 1, 2))
 
     @property
     def _backward(self) -> NDArray[np.bool_]:
@@ -104,33 +125,59 @@ class FreeMotions:
     def whirl(self) -> Array:
         """+1 of forward and −1 of backward whirl where planes are one, else 0 (s, k)."""
         sign = np.where(self.modes.pole.imag < 0.0, -1.0, 1.0)
-        return sign if self.whirling else np.zeros(self.pole.shape)
+        return self._each(sign) if self.whirling else np.zeros(self.pole.shape)
 
     @cached_property
     def at_rest(self) -> NDArray[np.bool_]:
-        """Motions that nothing holds: poles at zero (s, k)."""
+        """Motions that nothing holds: poles at zero (s, k).
+
+        Raises
+        ------
+        InvalidInput : a support so stiff that motions on other supports are lost in rounding
+        """
+        return self._each(self._shown(self._free))
+
+    @cached_property
+    def _free(self) -> NDArray[np.bool_]:
+        """The same of all ``modes``: no more than what joins the parts leaves free, for beside very
+        stiff supports slow motions look like free ones."""
         free = self.modes.at_rest()
-        return free if self.whirling else np.take_along_axis(free, self._chosen[0], axis=-1)
+        order = np.abs(self.modes.pole).argsort(axis=-1).argsort(axis=-1)
+        rows = np.flatnonzero(free.any(axis=-1)).tolist()
+        for row, many in zip(rows, self.linear.free_directions(rows), strict=True):
+            held = free[row] & (order[row] >= many * (1 if self.whirling else 2))
+            if (self.modes.rounding[row] > LOST * np.abs(self.modes.pole[row]))[held].any():
+                raise InvalidInput(self.linear.too_stiff())
+            free[row] &= ~held
+        return free
 
     @cached_property
     def free_count(self) -> Array:
         """How many poles at zero (s,), both of a pair."""
-        return self.modes.at_rest().sum(axis=-1) * (2.0 if self.whirling else 1.0)
+        return self._each(self._free.sum(axis=-1) * (2.0 if self.whirling else 1.0))
 
     @cached_property
     def growing(self) -> NDArray[np.bool_]:
         """Motions that grow by themselves (s, k)."""
-        own = self.modes.growing
-        return own if self.whirling else np.take_along_axis(own, self._chosen[0], axis=-1)
+        return self._each(self._shown(grows(self.modes.pole, self.modes.largest) & ~self._free))
+
+    def _shown(self, values: NDArray[S]) -> NDArray[S]:
+        """Values of all ``modes`` (s, 2n), of those that are given (s, k)."""
+        return values if self.whirling else np.take_along_axis(values, self._chosen[0], axis=-1)
 
     def receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
         """At ``omega`` > 0, (f,) or (s, f) of every speed's own, of paired rows (pairs, n):
         (s, pairs, f)."""
+        if self.solved_once and omega.ndim > 1:
+            once = self.receptance(omega.ravel(), responses, excitations)[0]
+            return np.swapaxes(once.reshape(len(responses), *omega.shape), 0, 1)
         answer = (self.lossy or self.modes).receptance
         if not self.whirling:
-            return answer(omega, self._folded(responses), self._folded(excitations))
+            folded = self._folded(responses), self._folded(excitations)
+            return self._each(answer(omega, *folded))
         both = np.concatenate([omega, -omega], axis=-1)
-        return self._in_planes(lambda r, e: answer(both, r, e), responses, excitations)
+        own = self._in_planes(lambda r, e: answer(both, r, e), responses, excitations)
+        return self._each(own)
 
     def turning_receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
         """The same seen from a frame that turns with the shaft: whirl at ω there is whirl at
@@ -141,7 +188,8 @@ class FreeMotions:
             every = np.broadcast_to(omega, (len(self.linear.speed), omega.shape[-1]))
             for row, spin in enumerate(self.linear.speed):
                 both = np.concatenate([every[row] + spin, spin - every[row]])
-                found.append(self.modes.at(np.array([row])).receptance(both, own, other))
+                one = self.modes.at(np.array([0 if self.solved_once else row]))
+                found.append(one.receptance(both, own, other))
             return np.concatenate(found)
 
         return self._in_planes(answer, responses, excitations)
@@ -160,15 +208,15 @@ class FreeMotions:
         turn = (place[0] - place[1])[:, None]
         same, across = 0.5 * (ahead + back), -0.5j * (ahead - back)
         if not self._coupled.all():
-            across[~self._coupled] = 0.0
+            across = np.where(self._coupled[:, None, None], across, 0.0)
         return np.where(turn == 0, same, turn * across)
 
     @cached_property
     def _coupled(self) -> NDArray[np.bool_]:
-        """Speeds (s,) at which something couples the planes."""
-        coupled = np.zeros(len(self.linear.speed), dtype=bool)
+        """Speeds (s or 1,) at which something couples the planes."""
+        coupled = np.zeros(len(self.modes.pole), dtype=bool)
         if self.lossy is not None and self.lossy.loss.turns:
-            coupled |= self.linear.speed != 0.0
+            coupled |= self.lossy.spin != 0.0
         for matrix in (self.modes.stiffness, self.modes.damping):
             coupled |= (
                 matrix.imag.reshape(len(matrix), -1).any(axis=1)
@@ -189,17 +237,18 @@ class FreeMotions:
         own = self.linear.at(rows)
         if self.lossy is not None:
             return free_motions(own)
-        return FreeMotions(own, self.modes.at(rows))
+        return FreeMotions(own, self.modes if self.solved_once else self.modes.at(rows))
 
     def answering(self, signs: Signs) -> FreeMotions:
         """Motions of the linear system that answers those of some signs of loss."""
         return self if self.lossy is None else replace(self, modes=self.lossy.answering(signs))
 
-    def stiffness(self, signs: Signs) -> NDArray[np.inexact]:
-        """Stiffness (s, n, n) that answers motions of some signs of loss."""
-        loss = self.linear.loss
-        own = None if loss is None else Hysteresis(*loss)
-        return self.linear.stiffness + (0.0 if own is None else own.stiffness(signs))
+
+def answering_stiffness(linear: Linear, signs: Signs) -> NDArray[np.inexact]:
+    """Stiffness (s, n, n) that answers motions of some signs of loss."""
+    if linear.loss is None:
+        return linear.stiffness
+    return linear.stiffness + Hysteresis(*linear.loss).stiffness(signs)
 
 
 def free_motions(linear: Linear) -> FreeMotions:
@@ -208,11 +257,10 @@ def free_motions(linear: Linear) -> FreeMotions:
     stiffness: Matrices = linear.within(linear.stiffness)
     damping: Matrices = linear.within(linear.damping)
     loss = None if linear.loss is None else Hysteresis(*map(linear.within, linear.loss))
-    speeds = len(linear.speed)
-    same = all((own == own[:1]).all() for own in (stiffness, damping))
-    if same and loss is None and speeds > 1:
-        one = free_motions(linear.at(np.zeros(1, dtype=np.intp)))
-        return FreeMotions(linear, one.modes.at(np.zeros(speeds, dtype=np.intp)), None, True)
+    parts = [stiffness, damping] if loss is None else [stiffness, damping, loss.fixed]
+    turns = loss is not None and loss.turns
+    if len(linear.speed) > 1 and not turns and all((own == own[:1]).all() for own in parts):
+        return replace(free_motions(linear.at(np.zeros(1, dtype=np.intp))), linear=linear)
     if linear.isotropic:
         half = stiffness.shape[-1] // 2
         stiffness, damping = (_circular(own, half) for own in (stiffness, damping))

@@ -11,7 +11,7 @@ Theory: docs/theory/rotor.md.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import accumulate, pairwise
@@ -28,6 +28,7 @@ from rotordyn.equation.structure import Structure, _Union
 from rotordyn.equation.support import answers_alike
 from rotordyn.equation.term import Array, Link, LinkMatrices, Matrices, State
 from rotordyn.machine.support import SPINDLE
+from rotordyn.numerics.modes import NOTHING
 
 T = TypeVar("T", bound=Matrices)
 
@@ -193,6 +194,59 @@ class Linear:
             rows[mine, own] = sign[dofs[mine], None] * vectors
         return rows
 
+    def free_directions(self, rows: Iterable[int]) -> list[int]:
+        """How many motions nothing holds at some of the speeds: those that strain no body and that
+        no link answers, whatever its stiffness, unless that is ``NOTHING`` beside the largest;
+        axial force is left out."""
+        still, moved, sizes = self._unstrained, [], []
+        for each in self.connections:
+            own, size = each.motions @ still, np.linalg.norm(each.motions, axis=1)
+            sizes.append(np.outer(size, size))
+            own[np.linalg.norm(own, axis=1) <= DEPENDENT * size] = 0.0
+            moved.append(_of_unit_rows(own))
+        known: dict[bytes, int] = {}  # which entries are zero is the same at most speeds
+        found = []
+        for row in rows:
+            held = [_some(c.matrices.stiffness, np.array([row]))[0] for c in self.connections]
+            least = NOTHING * np.abs(self.stiffness[row]).max(initial=0.0)
+            held = [
+                np.where(np.abs(matrix) * size < least, 0.0, matrix)
+                for matrix, size in zip(held, sizes, strict=True)
+            ]
+            key = b"".join((matrix != 0.0).tobytes() for matrix in held)
+            if key not in known:
+                answers = [np.zeros((1, still.shape[1]))]
+                for each, matrix, own in zip(self.connections, held, moved, strict=True):
+                    answers.append((_of_unit(matrix) + np.diag(each.rigid)) @ own)
+                rank = int(np.linalg.matrix_rank(np.concatenate(answers), DEPENDENT))
+                known[key] = still.shape[1] - rank
+            found.append(known[key])
+        return found
+
+    @property
+    def _unstrained(self) -> Array:
+        """Motions that strain no body (n, k)."""
+        found = [np.zeros((self.size, 0))]
+        for component, own in zip(self.components, self.slices, strict=True):
+            values, vectors = np.linalg.eigh(component.stiffness)
+            free = vectors[:, values <= DEPENDENT**2 * np.abs(values).max(initial=0.0)]
+            found.append(np.zeros((self.size, free.shape[1])))
+            found[-1][own] = free
+        return np.hstack(found)
+
+    def too_stiff(self) -> str:
+        """A sentence about the stiffest link."""
+
+        def largest(each: Connection) -> float:
+            return float(np.abs(_between(each.motions, each.matrices.stiffness)).max())
+
+        stiffest = max(self.connections, key=largest)
+        return (
+            f"'{stiffest.link.name}' is so stiff, {np.abs(stiffest.matrices.stiffness).max():.0e} "
+            "N/m, that slow motions beside it are lost in rounding: hold it rigid, or lower its "
+            "stiffness"
+        )
+
     def rigid_force(self, unbalanced: Complex) -> dict[str, Complex]:
         """Forces of rigid supports on what they hold (s, 6), by name, where others leave
         ``unbalanced`` (s, n) to them; of motions without give only.
@@ -253,9 +307,7 @@ def subsystems(structure: Structure, state: State, *, strings: bool) -> list[tup
         size = sum(np.abs(matrix).max(axis=0) for matrix in link.matrices(state))
         size = size + np.diag(np.isin(np.arange(len(size)), link.rigid))
         joined = np.abs(link.motions).T @ size @ np.abs(link.motions) > 0.0
-        owner = structure.owner[link.dofs]
-        for row, column in np.argwhere(joined):
-            groups.join(owner[row], owner[column])
+        groups.join_where(structure.owner[link.dofs], joined)
     order = {"y": 0, "z": 1}
     return [
         tuple(
@@ -287,14 +339,14 @@ def linear(
     speed, n = state.speed, sum(c.size for c in components)
     stiffness, damping = np.zeros((2, len(speed), n, n))
     found = Linear(structure, tuple(components), speed, stiffness, damping, ())
-    spin = speed[:, None, None]
+    spin, pulled = speed[:, None, None], force if force is not None and force.any() else None
     for component, own in zip(components, found.slices, strict=True):
         stiffness[:, own, own] += component.stiffness
         damping[:, own, own] += component.damping
         if softened and component.bends:
             stiffness[:, own, own] -= spin**2 * component.projected("softening")
-        if force is not None and component.lines[0].body == SPINDLE and component.bends:
-            stiffness[:, own, own] += geometric_stiffness(structure.slopes(component), force)
+        if pulled is not None and component.lines[0].body == SPINDLE and component.bends:
+            stiffness[:, own, own] += geometric_stiffness(structure.slopes(component), pulled)
     damping += spin * found.gyroscopic
     for y, z in _planes(found):
         own, other = found.slices[y], found.slices[z]
@@ -357,6 +409,20 @@ def _motions(linear: Linear, link: Link) -> Array | None:
             vectors = component.vectors[component.local(link.dofs[mine])]
             rows[:, own] = link.motions[:, mine] @ vectors
     return rows if touched else None
+
+
+def _of_unit(matrix: Array) -> Array:
+    """A matrix (n, n) with rows and columns in their own measure."""
+    size = np.abs(matrix)
+    scale = np.sqrt(np.maximum(size.max(axis=0), size.max(axis=1)))
+    scale = np.where(scale > 0.0, scale, 1.0)
+    return np.asarray(matrix / scale[:, None] / scale)
+
+
+def _of_unit_rows(rows: Array) -> Array:
+    """Rows (k, n) of length 1, or 0."""
+    size = np.linalg.norm(rows, axis=1, keepdims=True)
+    return np.asarray(rows / np.where(size > 0.0, size, 1.0))
 
 
 def _between(rows: Array, blocks: Array) -> Array:

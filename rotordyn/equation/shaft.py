@@ -261,11 +261,6 @@ def _alike(mesh: Mesh, degree: Indices) -> Iterator[tuple[Indices, int, bool]]:
                 yield chosen, int(n), conical
 
 
-def _waves(spindle: Spindle, mesh: Mesh, omega: float, spin: float) -> Array:
-    """Largest wave number in bending of each element, at its ends and in its middle [1/m]."""
-    return bending_wave(omega, spin, *sections_at(spindle, mesh, ENDS)).max(axis=1)
-
-
 def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indices, Indices]:
     """Nodes, degrees in bending and of rods."""
     if fine.accuracy is None:
@@ -273,7 +268,7 @@ def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indi
         return mesh, *np.ones((2, mesh.nodes - 1), dtype=np.intp)
     coarse = station_mesh(spindle)
     ratio = coarse.steepness
-    wave = _waves(spindle, coarse, fine.band, fine.spin)
+    wave = bending_wave(fine.band, fine.spin, *sections_at(spindle, coarse, ENDS)).max(axis=1)
     parts, degree = parts_and_degree(wave * coarse.length, fine.accuracy, ratio)
     along = np.maximum(
         *(rod_wave(fine.band, *own(coarse, MIDDLE))[:, 0] for own in (axial, torsion))
@@ -296,8 +291,9 @@ def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indi
 
 def half_wave(spindle: Spindle, mesh: Mesh, spin: float) -> float:
     """Highest whirl [rad/s] that crosses no element of ``mesh`` by more than half a wave."""
+    own, length = sections_at(spindle, mesh, ENDS), mesh.length[:, None]
 
     def phase(omega: float) -> float:
-        return float((_waves(spindle, mesh, omega, spin) * mesh.length).max())
+        return float((bending_wave(omega, spin, *own) * length).max())
 
     return resolved(phase, math.pi, 1.0)

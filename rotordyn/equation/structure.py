@@ -167,10 +167,9 @@ class Structure:
         groups = _Union(len(lines))
         square = [part for part in self.parts if part.matrix != "gyroscopic" and part.rows.size]
         for part in square:
-            if part.matrix in JOINING:
-                coupled = np.abs(part.blocks).max(axis=0) > 0.0
-                for row, column in np.argwhere(coupled):
-                    groups.join(of_dof[part.rows[0, row]], of_dof[part.columns[0, column]])
+            own = of_dof[part.rows[0]]
+            if part.matrix in JOINING and (own != own[0]).any():
+                groups.join_where(own, np.abs(part.blocks).max(axis=0) > 0.0)
         solved: dict[tuple[bytes, ...], tuple[Array, Array, Array]] = {}
         found = []
         for root in groups.roots():
@@ -314,6 +313,12 @@ class _Union:
     def join(self, a: int, b: int) -> None:
         low, high = sorted((self.find(int(a)), self.find(int(b))))
         self._parent[high] = low
+
+    def join_where(self, owner: Indices, coupled: np.ndarray) -> None:
+        """The owners (n,) of what is ``coupled`` (n, n)."""
+        rows, columns = np.nonzero(coupled)
+        for a, b in set(zip(owner[rows].tolist(), owner[columns].tolist(), strict=True)):
+            self.join(a, b)
 
     def roots(self) -> list[int]:
         return sorted({self.find(k) for k in range(len(self._parent))})

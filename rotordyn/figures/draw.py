@@ -5,17 +5,18 @@ from __future__ import annotations
 import json
 import logging
 import os
+import sys
 import time
 import warnings
 from collections.abc import Callable, Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Protocol
 
 if TYPE_CHECKING:
-    from matplotlib.figure import Figure
+    from matplotlib.figure import Figure as Figure  # noqa: PLC0414 - job names what it gives
 
 Job = tuple[str, "Callable[[], Figure]"]
 _MOST = 255
@@ -23,7 +24,7 @@ _MOST = 255
 
 @dataclass(frozen=True, slots=True)
 class LeftOut:
-    """``figures`` that were not drawn -> why, and what the user is told of it."""
+    """``figures``, or files, that were not made -> why, and what the user is told of it."""
 
     figures: dict[str, str] = field(default_factory=dict)
     sentences: tuple[str, ...] = ()
@@ -35,12 +36,26 @@ class LeftOut:
 
 
 class Pictures(Protocol):
-    """Pictures that another process makes while figures are drawn; ``left_out`` after ``draw``."""
+    """Pictures that another process makes while figures are drawn; ``left_out`` after ``draw``.
+
+    A context: the process runs inside it.
+    """
 
     left_out: LeftOut
 
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Of the figures, known before the process runs."""
+
+    def figure(self, name: str) -> Figure:
+        """Wait for the pictures and draw one figure; InvalidInput where none can be made."""
+
     def draw(self, folder: Path) -> dict[str, float]:
         """Wait for them and write them; seconds by figure."""
+
+    def __enter__(self) -> Pictures: ...
+
+    def __exit__(self, *_: object) -> None: ...
 
 
 class Drawing:
@@ -103,6 +118,15 @@ class Drawing:
             os._exit(status)
 
 
+def drawn(draw: Callable[[], Figure]) -> Figure:
+    """A figure as files show it; neither the caller's rcParams nor the backend matter or change."""
+    from rotordyn.figures.style import finish, own_settings
+
+    load()
+    with own_settings():
+        return finish(draw())
+
+
 def draw_one(name: str, draw: Callable[[], Figure], folder: Path) -> float:
     """Draw and save one figure; returns the seconds it took."""
     from rotordyn.figures.style import own_settings, save
@@ -117,19 +141,24 @@ def draw_one(name: str, draw: Callable[[], Figure], folder: Path) -> float:
 def load() -> None:
     """Import what every process needs before forking; the font list is then built only once.
 
-    A backend that the user names in the environment is not ours to judge: nothing is shown. What
-    matplotlib has to say of the user's settings, which we do not use, is not heard either.
+    A backend that the user names in the environment is set as matplotlib does, but a name that it
+    does not know is not ours to judge: nothing is shown. What matplotlib has to say of the user's
+    settings, which we do not use, is not heard either.
     """
-    with _without("MPLBACKEND"), _quiet("matplotlib"):
+    first = "matplotlib" not in sys.modules
+    with _without("MPLBACKEND") as backend, _quiet("matplotlib"):
         for name in ("figure", "backends.backend_agg", "backends.backend_svg", "collections"):
             import_module(f"matplotlib.{name}")
+        if first and backend:
+            with suppress(ValueError):
+                sys.modules["matplotlib"].rcParams["backend"] = backend
 
 
 @contextmanager
-def _without(variable: str) -> Iterator[None]:
+def _without(variable: str) -> Iterator[str | None]:
     held = os.environ.pop(variable, None)
     try:
-        yield
+        yield held
     finally:
         if held is not None:
             os.environ[variable] = held

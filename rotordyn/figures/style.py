@@ -67,9 +67,10 @@ def new_figure(
 ) -> Figure:
     """An empty figure of ``width`` × ``height`` [mm]; ``dpi``: of its PNG."""
     from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(width / 25.4, height / 25.4), dpi=dpi)
+    from rotordyn.figures.canvas import ShownFigure
+
+    figure = ShownFigure(figsize=(width / 25.4, height / 25.4), dpi=dpi)
     FigureCanvasAgg(figure)
     if title:
         high = 1.0 - 4.5 / height
@@ -184,12 +185,18 @@ def round_ticks(low: float, high: float, most: int) -> list[float]:
     return [float(k * step) for k in range(first, last + 1)]
 
 
+def finish(figure: Figure) -> Figure:
+    """The figure with what is known only when all is drawn: marks on lone points."""
+    for axes in figure.axes:
+        mark_lone_points(axes)
+    return figure
+
+
 def save(figure: Figure, folder: Path, name: str) -> list[str]:
     """Write ``name``.png and ``name``.svg into ``folder``; returns the file names."""
     from matplotlib import rc_context
 
-    for axes in figure.axes:
-        mark_lone_points(axes)
+    finish(figure)
     with rc_context(_RC):
         figure.savefig(
             folder / f"{name}.png",

@@ -12,8 +12,6 @@ from rotordyn.case.case import Case
 from rotordyn.errors import InvalidInput, NoSolution
 
 if TYPE_CHECKING:
-    import xarray as xr
-
     from rotordyn.scene.stage import Memo
 
 
@@ -23,31 +21,6 @@ class VariantAnswers:
 
     answers: dict[str, Answers]
     failed: dict[str, str] = field(default_factory=dict)
-
-
-def run(case: Case) -> Mapping[str, xr.Dataset]:
-    """Answer every question of ``case``: an xarray Dataset by analysis name, complex in memory.
-
-    For a case with variants the names are ``variant/analysis``.
-
-    Raises
-    ------
-    NoSolution : no speed of the case, or of one of its variants, has a physical solution
-    """
-    from rotordyn.report.datasets import dataset
-
-    if not isinstance(case, Case):
-        raise InvalidInput(f"run takes a case, as rotordyn.load gives it; got {case!r}")
-    if not case.variants:
-        return {name: dataset(result) for name, result in solve(case).results.items()}
-    found = solve_variants(case)
-    for sentence in found.failed.values():
-        raise NoSolution(sentence)
-    return {
-        f"{variant}/{name}": dataset(result)
-        for variant, answers in found.answers.items()
-        for name, result in answers.results.items()
-    }
 
 
 def solve(case: Case, progress: Progress = lambda name: None, memo: Memo | None = None) -> Answers:

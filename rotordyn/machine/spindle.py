@@ -146,6 +146,13 @@ class Spindle(Description):
         """Something has a loss factor."""
         return self.loss_factor > 0.0 or any(self.connection_losses)
 
+    def _repr_html_(self) -> str:
+        """Its parts in a table, which notebooks show."""
+        from rotordyn.machine.parts import HEAD, part_rows
+        from rotordyn.markup import table
+
+        return table(self.title or self.name, part_rows(self), HEAD)
+
     def _faults(self) -> Iterator[str]:
         yield from named_twice("seats", self.seats)
         yield from named_twice("sleeves", self.sleeves)

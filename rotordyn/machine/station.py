@@ -11,6 +11,7 @@ from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.support import BearingSeat
 
 SLACK = 1e-9  # [m] by which a station may lie beside the shaft
+PART = 1e-6  # of a shaft: its shortest part between joints
 
 
 def off_the_shaft(shaft: Shaft, placed: Iterable[tuple[str, float]]) -> Iterator[str]:
@@ -21,21 +22,35 @@ def off_the_shaft(shaft: Shaft, placed: Iterable[tuple[str, float]]) -> Iterator
             yield f"{what} off the shaft: given {x:.6g} m; allowed: {start:.6g} m to {end:.6g} m"
 
 
+def least_part(start: float, end: float) -> float:
+    """The shortest part of a shaft [m] between two joints, or a joint and its end: what is lighter
+    than that gives its motions no digits."""
+    return max(SLACK, PART * (end - start))
+
+
 def joint_faults(shaft: Shaft, joints: Sequence[Joint]) -> Iterator[str]:
     """Two joints of one name or station, or one that joins no two parts."""
     for name in doubled(joint.name for joint in joints):
         yield f"two joints are named '{name}'"
     start, end = shaft.start, shaft.end
+    least = least_part(start, end)
     taken: list[Joint] = []
     for joint in joints:
-        if not start + SLACK < joint.x < end - SLACK:
+        if not start + least < joint.x < end - least:
             yield (
                 f"Joint {joint.name} joins no two parts: given {joint.x:.6g} m; allowed: "
                 f"between {start:.6g} m and {end:.6g} m"
             )
         for other in taken:
-            if abs(joint.x - other.x) <= SLACK:
+            apart = abs(joint.x - other.x)
+            if apart <= SLACK:
                 yield f"joints '{other.name}' and '{joint.name}' are at the same station"
+            elif apart < least:
+                yield (
+                    f"joints '{other.name}' and '{joint.name}' leave too short a part of the shaft "
+                    f"between them: given {apart:.3g} m; allowed: from {least:.3g} m, {PART:g} of "
+                    "the shaft; make them one"
+                )
         taken.append(joint)
 
 

@@ -289,9 +289,10 @@ def _too_large(stiffness: Entries, damping: Entries) -> Iterator[str]:
         for pair, value in entries.items():
             worst = max(value if isinstance(value, tuple) else (value,), key=abs, default=0.0)
             if abs(worst) > MOST[which]:
+                instead = ", or rigid: no give at all" if which == "stiffness" else ""
                 yield (
                     f"{which} {entry_name(*pair)} out of range: given {worst:.6g}; allowed: "
-                    f"from {-MOST[which]:.0e} to {MOST[which]:.0e}"
+                    f"from {-MOST[which]:.0e} to {MOST[which]:.0e}{instead}"
                 )
 
 

@@ -100,48 +100,44 @@ def branches_of(scene: Scene, band: Band, motions: Sequence[str] = MOTIONS) -> l
 def _followed(scene: Scene, band: Band, home: int) -> list[Branch]:
     """Branches of a subsystem. Where it is not clear between two speeds who is who, the machine is
     solved at further ones."""
-    sweep = _Sweep.of(scene, home)
+    sweep = _Sweep.of(scene, home, band)
     breakpoints = breakpoints_between(scene) if "bending" in scene.name_of(home) else ()
     if len(breakpoints):
-        sweep = sweep.refined(scene, home, list(breakpoints))
+        sweep = sweep.refined(scene, home, band, list(breakpoints))
     sides = (-1.0, 1.0) if sweep.steps[0].whirl.any() else (0.0,)
-    constant = all(np.array_equal(s.pole, sweep.steps[0].pole, equal_nan=True) for s in sweep.steps)
-    for _ in range(0 if constant else ROUNDS):
+    for _ in range(0 if sweep.constant else ROUNDS):
         wanted = [x for side in sides for x in sweep.doubts(band, side)]
         if not wanted or len(sweep.steps) > MOST_STEPS:
             break
-        finer = sweep.refined(scene, home, wanted)
+        finer = sweep.refined(scene, home, band, wanted)
         if len(finer.steps) == len(sweep.steps):
             break
         sweep = finer
-    expected = _ahead(sweep.steps, MARGIN * band.highest)
+    expected = [] if sweep.constant else _ahead(sweep.steps, MARGIN * band.highest)
     own = scene.system(home).linear
-    return [b for side in sides for b in sweep.branches(own, home, band, side, expected)]
+    return [b for side in sides for b in sweep.branches(own, home, side, expected)]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Step:
     """All modes of a subsystem at one ``speed``: ``pole`` (k,), ``vector`` (n, k), ``left`` (k, n),
-    which are ``free`` (k,), and ``whirl`` (k,) where planes are one; ``stiffness`` and ``damping``
-    (n, n); ``given``: the case names the speed."""
+    which are ``followed`` (k,), and ``whirl`` (k,) where planes are one; ``stiffness`` and
+    ``damping`` (n, n); ``given``: the case names the speed."""
 
     speed: float
     pole: Complex
     vector: Complex
     left: Complex
-    free: Flags
+    followed: Flags
     whirl: Array
     stiffness: Array
     damping: Array
     given: bool
 
-    def chosen(self, side: float, ceiling: float) -> NDArray[np.intp]:
-        """Columns that whirl to ``side``, ascending, up to ``ceiling`` [rad/s]."""
-        turning = self.pole.imag
-        columns = np.flatnonzero(
-            swings(self.pole) & (turning < ceiling) & ~self.free & (self.whirl == side)
-        )
-        return columns[np.argsort(turning[columns])]
+    def chosen(self, side: float) -> NDArray[np.intp]:
+        """Columns of followed modes that whirl to ``side``, ascending."""
+        columns = np.flatnonzero(self.followed & (self.whirl == side))
+        return columns[np.argsort(self.pole.imag[columns])]
 
 
 def swings(pole: Complex) -> Flags:
@@ -167,15 +163,16 @@ def _ahead(steps: Sequence[_Step], ceiling: float) -> list[Complex]:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class _Sweep:
-    """The steps of one subsystem, ascending in speed."""
+    """The steps of one subsystem, ascending in speed; ``constant``: all are the same."""
 
     steps: tuple[_Step, ...]
+    constant: bool
 
     @classmethod
-    def of(cls, scene: Scene, home: int, *, given: bool = True) -> _Sweep:
+    def of(cls, scene: Scene, home: int, band: Band, *, given: bool = True) -> _Sweep:
         """At the usable speeds of a scene."""
         found = scene.system(home)
-        own = found.linear
+        own, followed = found.linear, found_in(found, MARGIN * band.highest)
         return cls(
             tuple(
                 _Step(
@@ -183,40 +180,45 @@ class _Sweep:
                     found.pole[row],
                     found.vector[row],
                     found.left[row],
-                    found.at_rest[row],
+                    followed[row],
                     found.whirl[row],
                     own.stiffness[row],
                     own.damping[row],
                     given,
                 )
                 for row, speed in enumerate(scene.speed[scene.usable])
-            )
+            ),
+            found.solved_once,
         )
 
-    def refined(self, scene: Scene, home: int, speed: list[float]) -> _Sweep:
+    def refined(self, scene: Scene, home: int, band: Band, speed: list[float]) -> _Sweep:
         """With more speeds, where they have a solution."""
         other = scene.at(np.setdiff1d(speed, [step.speed for step in self.steps]))
         if not len(other.speed) or all(other.outcome):
             return self
-        more = _Sweep.of(other, home, given=False)
-        return _Sweep(tuple(sorted((*self.steps, *more.steps), key=lambda step: step.speed)))
+        more = _Sweep.of(other, home, band, given=False)
+        steps = sorted((*self.steps, *more.steps), key=lambda step: step.speed)
+        return _Sweep(tuple(steps), constant=False)
 
     def doubts(self, band: Band, side: float) -> list[float]:
         """Speeds that would tell who is who."""
         speed = np.array([step.speed for step in self.steps])
-        columns = [step.chosen(side, MARGIN * band.highest) for step in self.steps]
+        columns = [step.chosen(side) for step in self.steps]
         narrowest = NARROWEST * float(np.ptp(speed))
         return doubts(speed, *self._followable(columns), WITHIN * band.highest, narrowest)
 
     def branches(
-        self, own: Linear, home: int, band: Band, side: float, expected: list[Complex]
+        self, own: Linear, home: int, side: float, expected: list[Complex]
     ) -> list[Branch]:
         """Those that whirl to ``side``, at the speeds of the case; poles ``expected`` at the next
         step."""
-        ceiling = MARGIN * band.highest
-        columns = [step.chosen(side, ceiling) for step in self.steps]
-        ahead = [pole.imag[chosen] for pole, chosen in zip(expected, columns, strict=True)]
-        path = follow(*self._followable(columns), ahead)
+        if self.constant:
+            columns = [self.steps[0].chosen(side)] * len(self.steps)
+            path = np.tile(np.arange(len(columns[0])), (len(columns), 1))
+        else:
+            columns = [step.chosen(side) for step in self.steps]
+            ahead = [pole.imag[chosen] for pole, chosen in zip(expected, columns, strict=True)]
+            path = follow(*self._followable(columns), ahead)
         given = [k for k, step in enumerate(self.steps) if step.given]
         return [
             self._branch(own, home, side, given, columns, path[:, k])

@@ -1,4 +1,8 @@
-"""How far followed modes are off: poles beside the nearest ones of a finer model."""
+"""How far followed modes are off: poles beside the nearest ones of a finer model.
+
+What rounding may do to a frequency, beside supports far stiffer than the shaft, is no less of an
+error: the sum of both is reported. No finer model helps against it.
+"""
 
 from __future__ import annotations
 
@@ -21,15 +25,17 @@ from rotordyn.scene.scene import Scene
 Modes = tuple[list[Branch], tuple[str, ...]]
 SAME = 0.1  # of a pole: what has none so near in the finer model vanishes there
 ROUNDING = 1e-12
+CHANCE = 3.0  # changes by rounding that are that much larger than expected are none
 
 
 class ModeErrors(NamedTuple):
     """Change by the finer model (usable, modes): ``frequency``, relative, and ``damping`` of the
-    ratio; ``unsettled``: modes that it has more or fewer of, or errors above the accuracy, as a
-    sentence, or ""."""
+    ratio; ``rounding`` (usable, modes): of both by rounding; ``unsettled``: modes that it has more
+    or fewer of, or errors above the accuracy, as a sentence, or ""."""
 
     frequency: Array
     damping: Array
+    rounding: Array
     unsettled: str
 
 
@@ -41,45 +47,77 @@ def mode_errors(
     def solve(one: Scene) -> tuple[Modes, ModeErrors]:
         found = modes(one)
         if one.rigid:
-            shape = (len(one.usable), len(found[0]))
-            return found, ModeErrors(np.zeros(shape), np.zeros(shape), "")
+            none = np.zeros((len(one.usable), len(found[0])))
+            return found, ModeErrors(none, none, none, "")
         return found, _compared(one, band, found[0])
 
     def worst(found: tuple[Modes, ModeErrors]) -> float:
         (branches, _), errors = found
         if errors.unsettled:
             return math.inf
-        return max(
-            (
-                float(np.nanmax(each[inside, k], initial=0.0)) / share
-                for each, share in ((errors.frequency, 1.0), (errors.damping, RESPONSES))
-                for k, b in enumerate(branches)
-                if not b.overdamped and (inside := _judged(b, band)).any()
-            ),
-            default=0.0,
-        )
+        damping = errors.damping / RESPONSES
+        return max(_largest(each, branches, band) for each in (errors.frequency, damping))
 
     scene, (found, errors) = settled(scene, solve, lambda each: RESPONSES * worst(each))
-    most = worst((found, errors))
-    if scene.conditions.element_length is None and most > scene.conditions.accuracy:
-        why = errors.unsettled or f"frequencies change by up to {most:.0e} as the model is refined"
-        errors = errors._replace(unsettled=why)
-    elif scene.conditions.element_length is not None:
-        errors = errors._replace(unsettled="")
-    return scene, found, errors
+    given = scene.conditions.element_length is not None
+    unsettled = "" if given else _unsettled(scene, band, found[0], errors)
+    frequency, damping = (
+        np.maximum(each + errors.rounding, ROUNDING) if not scene.rigid else each
+        for each in (errors.frequency, errors.damping)
+    )
+    return scene, found, ModeErrors(frequency, damping, errors.rounding, unsettled)
 
 
-def _judged(branch: Branch, band: Band) -> NDArray[np.bool_]:
-    """Speeds (usable,) at which a mode swings within the band."""
+def _unsettled(scene: Scene, band: Band, branches: list[Branch], errors: ModeErrors) -> str:
+    """What of the accuracy asked for is not reached, as a sentence, or ""."""
+    asked = scene.conditions.accuracy
+    damping = errors.damping / RESPONSES
+    most = max(_largest(each, branches, band) for each in (errors.frequency, damping))
+    rounded = _largest(errors.rounding, branches, band)
+    found = [errors.unsettled] if errors.unsettled else []
+    if not found and most > asked and most > CHANCE * rounded:
+        found.append(f"frequencies change by up to {most:.0e} as the model is refined")
+    if rounded > asked:
+        found.append(
+            f"rounding moves frequencies by up to {rounded:.0e}, beside supports that are far "
+            "stiffer than the shaft: hold them rigid"
+        )
+    slow = _largest(errors.frequency, branches, band, overdamped=True)
+    if slow > asked:
+        much = f"up to {slow:.0e}" if slow < SAME else f"more than {SAME:.0e}"
+        found.append(
+            f"poles of overdamped modes change by {much} of their size as the model is refined"
+        )
+    return "; ".join(found)
+
+
+def _largest(
+    errors: Array, branches: list[Branch], band: Band, *, overdamped: bool = False
+) -> float:
+    """The largest of errors (usable, modes) within the band, of modes that swing or of those that
+    hardly do."""
+    judged = [_judged(b, band, overdamped=overdamped) for b in branches]
+    return max(
+        (float(np.nanmax(errors[own, k], initial=0.0)) for k, own in enumerate(judged)), default=0.0
+    )
+
+
+def _judged(branch: Branch, band: Band, *, overdamped: bool) -> NDArray[np.bool_]:
+    """Speeds (usable,) at which a mode swings within the band; or at which it is there and hardly
+    swings."""
     with np.errstate(invalid="ignore"):
         ratio = -branch.pole.real / np.abs(branch.pole)
-        return np.asarray((branch.frequency <= band.max_frequency) & (ratio <= OVERDAMPED))
+        if overdamped:
+            chosen = (ratio > OVERDAMPED) | branch.overdamped
+        else:
+            chosen = (ratio <= OVERDAMPED) & (not branch.overdamped)
+        return np.asarray((branch.frequency <= band.max_frequency) & chosen)
 
 
 def _compared(scene: Scene, band: Band, branches: list[Branch]) -> ModeErrors:
     """Poles of followed modes beside the nearest ones of the finer model."""
     rows, finer = few_rows(scene), scene.refined()
-    errors = np.full((2, len(rows), len(branches)), np.nan)
+    errors = np.full((3, len(rows), len(branches)), np.nan)
     unsettled, highest = "", (1.0 - SAME) * band.highest
     for home in sorted({branch.home for branch in branches}):
         found = finer.system_at(home, rows)
@@ -91,24 +129,26 @@ def _compared(scene: Scene, band: Band, branches: list[Branch]) -> ModeErrors:
             here = np.array([branches[k].pole[row] for k in own], dtype=complex)
             partner, extra = _paired(here, there)
             known = np.isfinite(partner)
-            errors[:, place, own] = np.where(known, _change(here, partner), np.nan)
+            errors[:2, place, own] = np.where(known, _change(here, partner), SAME)
+            column = [branches[k].column[row] for k in own]
+            errors[2, place, own] = scene.system(home).rounding[row, column]
             for what, lost in (("vanish", here[~known]), ("appear", extra)):
                 if (
                     judged := lost[(lost.imag < highest) & (-lost.real <= OVERDAMPED * abs(lost))]
                 ).size:
                     unsettled = _sentence(scene, row, what, judged)
     at = scene.speed[scene.usable]
-    whole = np.full((2, len(at), len(branches)), np.nan)
+    whole = np.full((3, len(at), len(branches)), np.nan)
     for k, branch in enumerate(branches):
         known = np.isfinite(errors[0, :, k])
-        for kind in (0, 1):
+        for kind in range(3):
             known_at = at[rows[known]]
             whole[kind, :, k] = (
                 np.interp(at, known_at, errors[kind, known, k]) if known.any() else 0
             )
         whole[:, branch.column < 0, k] = np.nan
-    frequency, damping = np.maximum(whole, ROUNDING)
-    return ModeErrors(frequency, damping, unsettled)
+    frequency, damping, rounding = whole
+    return ModeErrors(frequency, damping, rounding, unsettled)
 
 
 def _change(here: Complex, there: Complex) -> Array:

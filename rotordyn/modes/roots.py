@@ -1,6 +1,8 @@
 """Speeds at which a followed mode turns at a multiple of the speed, by secants.
 
-The machine, its bearings and damping included, is solved anew at each trial, all searches at once.
+The machine, its bearings and damping included, is set up anew at each trial, all searches at once.
+Of it the one mode is corrected that the search is after; all are solved for where that leads to a
+mode unlike it.
 """
 
 from __future__ import annotations
@@ -11,10 +13,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.equation.free_motion import FreeMotions
+from rotordyn.equation.free_motion import FreeMotions, answering_stiffness
 from rotordyn.equation.hysteresis import Signs, signs_of
 from rotordyn.modes.branches import Branch, swings
 from rotordyn.modes.excitation import Line
+from rotordyn.numerics.correct import corrected
 from rotordyn.numerics.follow import mac
 from rotordyn.scene.scene import Scene
 
@@ -24,6 +27,7 @@ ITERATIONS = 20
 CLOSE = 1e-11  # of the frequency: the condition holds
 ROUNDED = 1e-7  # likewise, where no other speed comes nearer to it; more is no root in the range
 NEARNESS = 2.0  # of the MAC that a distance as large as the frequency costs
+CLEAR = 0.7  # MAC, less that, from which no other mode can be meant
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -106,16 +110,40 @@ def _states(
     """The mode of every start at its speed; None where there is none, or no equilibrium."""
     speeds, row = np.unique(at, return_inverse=True)
     other = scene.at(speeds)
+    states: list[State | None] = [None] * len(starts)
     if all(other.outcome):
-        return [None] * len(starts)
+        return states
     place = np.full(len(speeds), -1)
     place[other.usable] = np.arange(len(other.usable))
-    ways = [(branches[start.branch].home, start.line.size, start.side) for start in starts]
-    known = {way: _known(other, *way) for way in set(ways)}
-    return [
-        None if k < 0 else _nearest(known[way], int(k), start, float(speed))
-        for way, start, k, speed in zip(ways, starts, place[row], at, strict=True)
-    ]
+    ways: dict[tuple[int, float, float], list[int]] = {}
+    for k in np.flatnonzero(place[row] >= 0).tolist():
+        way = branches[starts[k].branch].home, starts[k].line.size, starts[k].side
+        ways.setdefault(way, []).append(k)
+    for way, own in ways.items():
+        rows, mine = place[row[own]], [starts[k] for k in own]
+        near = _corrected(other, way[0], rows, mine, at[own])
+        for k, at_row, state in zip(own, rows.tolist(), near, strict=True):
+            states[k] = state or _nearest(_known(other, *way), at_row, starts[k], float(at[k]))
+    return states
+
+
+def _corrected(
+    scene: Scene, home: int, rows: NDArray[np.intp], starts: list[Start], at: Array
+) -> list[State | None]:
+    """The mode of every start by itself; None where that is not clearly the one looked for."""
+    own, line = scene.linear(home), starts[0].line.size
+    signs = Signs(*map(int, signs_of(np.array([line]), np.ones(1), whirling=False)[0]))
+    stiffness = own.within(answering_stiffness(own, signs)[rows])
+    begun = np.asarray(np.array([s.vector for s in starts]) @ own.basis, dtype=complex)
+    damping = own.within(own.damping[rows])
+    turning = np.asarray(1j * line * at, dtype=complex)
+    pole, vector, met = corrected(stiffness, damping, turning, begun)
+    states: list[State | None] = [None] * len(starts)
+    for k in np.flatnonzero(met & swings(pole) & (pole.imag > 0.0)).tolist():
+        moved = own.basis @ vector[k]
+        if _fitness(starts[k], at[k], pole[k : k + 1], moved[:, None])[0] > CLEAR:
+            states[k] = State(complex(pole[k]), moved, float(pole[k].imag - line * at[k]))
+    return states
 
 
 def _known(scene: Scene, home: int, order: float, side: float) -> FreeMotions:
@@ -134,8 +162,13 @@ def _nearest(found: FreeMotions, row: int, start: Start, speed: float) -> State 
     columns = np.flatnonzero(swings(pole) & (found.whirl[row] * start.side >= 0.0))
     if not columns.size:
         return None
-    alike = mac(start.vector[:, None], vector[:, columns])[0]
-    line, turning = start.line.size * speed, pole.imag[columns]
+    best = columns[int(_fitness(start, speed, pole[columns], vector[:, columns]).argmax())]
+    miss = float(pole[best].imag) - start.line.size * speed
+    return State(complex(pole[best]), vector[:, best], miss)
+
+
+def _fitness(start: Start, speed: float, pole: Complex, vector: Complex) -> Array:
+    """How like the start modes (k,) with ``vector`` (n, k) are, and how near to its line."""
+    line, turning = start.line.size * speed, pole.imag
     apart = np.abs(turning - line) / np.maximum(turning, line)
-    best = columns[int((alike - NEARNESS * apart).argmax())]
-    return State(complex(pole[best]), vector[:, best], float(pole[best].imag) - line)
+    return np.asarray(mac(start.vector[:, None], vector)[0] - NEARNESS * apart)

@@ -20,6 +20,7 @@ HELD = 1e-13  # of a coordinate's own stiffness: a motion with less than that is
 NEUTRAL = 1e-6  # of |pole|: less growth or decay than that is rounding
 SMALL = 1e-3  # of a pole: more is no rounding
 NOTHING = 1e-23  # of the largest stiffness: too little to tell its motion from a free one
+EPSILON = 1.1e-16  # half the spacing of numbers of double precision around 1
 UNSEEN = 1e-15  # of the largest |pole|: growth below that is rounding as well
 LEAST = 4  # systems to a thread
 WELL_CONDITIONED = 1e7  # of unit vectors: the sum over poles then keeps nine digits
@@ -43,27 +44,21 @@ class Modes:
     participation: Complex
     condition: Array
 
-    def at_rest(self, frame: Array | None = None) -> NDArray[np.bool_]:
-        """Poles at zero in the fixed frame, of motions that nothing holds (…, 2n).
+    def at_rest(self) -> NDArray[np.bool_]:
+        """Poles at zero, of motions that nothing holds (…, 2n).
 
-        ``frame`` (…,) [rad/s]: the speed at which the coordinates turn, none if left out. There are
-        as many such motions as the stiffness has directions without any, each coordinate in its own
-        measure, and up to two poles to each; so slow motions on soft springs are none of them,
-        however stiff the rest is.
+        There are as many such motions as the stiffness has directions without any, each coordinate
+        in its own measure, and up to two poles to each; so slow motions on soft springs are none of
+        them, however stiff the rest is.
         """
-        if not self.pole.size:
-            return np.zeros(self.pole.shape, dtype=bool)
-        turned = np.zeros(self.pole.shape[:-1]) if frame is None else frame
-        size = np.abs(self.pole + 1j * turned[..., None])
+        size = np.abs(self.pole)
         largest = np.abs(self.stiffness).max(axis=(-2, -1), initial=0.0)
-        small = size <= NOISE * np.sqrt(largest)[..., None]
-        if not small.any():
-            return np.asarray(small)
-        rank = size.argsort(axis=-1).argsort(axis=-1)
-        for place in map(tuple, np.argwhere(small.any(axis=-1))):
-            still = -1j * turned[place]
-            held = _held(self.stiffness[place], self.damping[place], still)
-            small[place] &= rank[place] < 2 * (len(self.stiffness[place]) - held)
+        small = np.asarray(size <= NOISE * np.sqrt(largest)[..., None])
+        some = small.any(axis=-1)
+        if some.any():
+            rank = size[some].argsort(axis=-1).argsort(axis=-1)
+            free = self.stiffness.shape[-1] - _held(self.stiffness[some])
+            small[some] &= rank < 2 * free[:, None]
         return small
 
     def one_of_each_pair(self) -> tuple[NDArray[np.intp], Array]:
@@ -86,9 +81,13 @@ class Modes:
         return np.abs(self.pole).max(axis=-1, keepdims=True, initial=0.0)
 
     @property
-    def growing(self) -> NDArray[np.bool_]:
-        """Poles of motions that grow by themselves (…, 2n)."""
-        return np.asarray(grows(self.pole, self.largest) & ~self.at_rest())
+    def rounding(self) -> Array:
+        """Change of each pole (…, 2n) [rad/s] by rounding of the stiffness, to be expected: of
+        independent errors of all entries, by first-order perturbation."""
+        with np.errstate(invalid="ignore", over="ignore"):
+            left, right = (np.abs(part) ** 2 for part in (self.participation, self.vector))
+            moved = np.abs(self.stiffness) ** 2 @ right
+            return EPSILON * np.sqrt(np.einsum("...kn,...nk->...k", left, moved))
 
     def receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
         """Receptance at i·``omega`` (f,), or (…, f) of each system's own, of paired rows:
@@ -143,14 +142,14 @@ def grows(pole: Complex, largest: Array | float) -> NDArray[np.bool_]:
     return np.asarray(pole.real > np.maximum(NEUTRAL * np.abs(pole), UNSEEN * largest))
 
 
-def _held(stiffness: Matrix, damping: Matrix, s: complex) -> int:
-    """How many directions K + s D + s² holds (n, n), rows and columns in their own measure."""
-    parts = stiffness, s * damping, s * s * np.eye(len(stiffness))
-    size = sum(np.abs(np.diagonal(part)) for part in parts)
-    size = np.where(size > 0.0, size, np.abs(stiffness).max(axis=1))
+def _held(stiffness: Matrix) -> NDArray[np.intp]:
+    """How many directions K (s, n, n) holds (s,), rows and columns in their own measure."""
+    size = np.abs(np.diagonal(stiffness, axis1=-2, axis2=-1))
+    size = np.where(size > 0.0, size, np.abs(stiffness).max(axis=-1))
     scale = np.sqrt(np.where(size > 0.0, size, 1.0))
-    values = np.linalg.svd(sum(parts) / scale / scale[:, None], compute_uv=False)
-    return int((values > HELD * values[0]).sum()) if values[0] > 0.0 else 0
+    scaled = stiffness / scale[:, None, :] / scale[:, :, None]
+    values = np.linalg.svd(scaled, compute_uv=False)
+    return np.asarray((values > HELD * values[:, :1]).sum(axis=-1))
 
 
 def modes(stiffness: Matrix, damping: Matrix) -> Modes:

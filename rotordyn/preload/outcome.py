@@ -7,6 +7,7 @@ import math
 import numpy as np
 
 from rotordyn.machine.limits import HIGHEST_PRESSURE
+from rotordyn.machine.plausibility import unopposed
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import entry_name
 from rotordyn.preload.arrangement import SHAFT
@@ -26,14 +27,17 @@ def outcomes(
     """
     if not rest.found[0] and np.abs(network.springs.force).max() >= NOTHING:
         sentence = (
-            "the stated preloads are not in balance at rest: the springs must push against "
+            unopposed(spindle)
+            or "the stated preloads are not in balance at rest: the springs must push against "
             "bearings that sit in the housing"
         )
         return (sentence,) * len(net.found)
-    return tuple(
+    words = tuple(
         _outcome(spindle, network, net, row) or _sideways(spindle, network, rest, net, row)
         for row in range(len(net.found))
     )
+    alone = unopposed(spindle)
+    return (alone,) * len(words) if alone and all(words) else words
 
 
 def _sideways(

@@ -25,6 +25,7 @@ from pathlib import Path
 from rotordyn.errors import InvalidInput, OutputRefused
 
 RECORD = "run.json"
+CASE = "case.json"
 MARKER = "rotordyn_results"
 NEW, OLD = "new", "old"  # what a workshop holds: results being made, results they replace
 ABANDONED = 86400.0  # s after which a workshop is, where the system has no locks
@@ -44,7 +45,7 @@ _DISK = (
 class Place:
     """``folder``: where to write results; ``target``: where they stand once they are complete.
 
-    ``moved``: that is a sibling of the folder asked for.
+    ``moved``: that is not the folder asked for, but a sibling.
     """
 
     folder: Path
@@ -64,21 +65,22 @@ def results_folder(target: Path) -> Iterator[Place]:
     OutputRefused : ``target`` is a file, or a folder with something in it and no record of ours
     InvalidInput : the folder cannot be made there, or the disk takes nothing more
     """
-    target = absolute(target)
+    asked, target = target, absolute(target)
     check_target(target)
     with ExitStack() as stack:
         for parent in reversed(_make_parents(target.parent)):
             stack.callback(_remove_if_empty, parent)
         workshop = _make_workshop(target, stack)
-        place = Place(workshop / NEW, target)
+        place = Place(workshop / NEW, asked)
         try:
             yield place
         except OSError as error:
             if error.errno not in _DISK:
                 raise
             raise InvalidInput(_unwritable(target.parent, error.strerror)) from error
-        place.target = _take_place(workshop, target)
-        place.moved = place.target != target
+        found = _take_place(workshop, target)
+        if found != target:
+            place.target, place.moved = found, True
         _recover(target)  # what a killed run still held at the beginning
 
 

@@ -12,9 +12,10 @@ from pathlib import Path
 from typing import Any
 
 import rotordyn
+from rotordyn.errors import InvalidInput
 from rotordyn.report.folder import MARKER, RECORD
 
-FORMAT = 1
+FORMAT = 2
 _LIBRARIES = (
     "numpy",
     "scipy",
@@ -34,7 +35,7 @@ class RunRecord:
 
     ``digest``: hash of all ``inputs`` read. ``outcomes``: analysis -> outcome word -> speeds [rpm]
     with it. ``tolerances``: name -> the residual reached. ``stages`` and ``figures``: seconds.
-    ``skipped``: what was not made -> why. ``warnings``, ``notes``: sentences.
+    ``skipped``: what was not made -> why. ``warnings``, ``notes``, ``unsolved``: sentences.
     """
 
     case: str
@@ -49,6 +50,7 @@ class RunRecord:
     skipped: Mapping[str, str] = field(default_factory=dict)
     warnings: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
+    unsolved: tuple[str, ...] = ()
 
 
 def versions() -> dict[str, str]:
@@ -86,6 +88,28 @@ def write_record(folder: Path, record: RunRecord) -> None:
     files = [p.relative_to(folder).as_posix() for p in folder.rglob("*") if p.is_file()]
     text = json.dumps(content(record, files), indent=1, ensure_ascii=False, allow_nan=False)
     (folder / RECORD).write_text(text + "\n", encoding="utf-8")
+
+
+def read_record(folder: Path) -> dict[str, Any]:
+    """The record in ``folder`` as plain values.
+
+    Raises
+    ------
+    InvalidInput : there is none, or another version wrote it in another form
+    """
+    try:
+        record = json.loads((folder / RECORD).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        record = None
+    if not isinstance(record, dict) or MARKER not in record:
+        raise InvalidInput(f"{folder} is no results folder: it holds no {RECORD} of ours")
+    if record[MARKER] != FORMAT:
+        written = record.get("versions", {}).get("rotordyn", "another version")
+        raise InvalidInput(
+            f"{folder} was written by rotordyn {written} in a form that rotordyn "
+            f"{rotordyn.__version__} does not read: run the case again"
+        )
+    return record
 
 
 def _plain(value: Any) -> Any:

@@ -1,19 +1,22 @@
 """All results of a run in one NetCDF-4 file, a group per analysis (``variant/analysis`` of many).
 
-NetCDF has no complex numbers that every reader agrees on: a complex ``x`` is stored as ``x_re``
-and ``x_im``, each naming the variable it is part of. Truth values are bytes 0 and 1 with the
-attribute ``dtype = "bool"``, as xarray writes them. ``read_results`` undoes both.
+Attributes follow the CF conventions (``report.cf``). NetCDF has no complex numbers that every
+reader agrees on: a complex ``x`` is stored as ``x_re`` and ``x_im``, each naming the variable it is
+part of. Truth values are bytes 0 and 1, flags in the sense of CF, with the attribute
+``dtype = "bool"``, as xarray writes them. ``read_results`` undoes both. Words are strings; those of
+a dimension stand in a variable of its name, where xarray looks for labels.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from io import BytesIO
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from rotordyn.errors import InvalidInput
 from rotordyn.report.variables import Variable, variables
 
 if TYPE_CHECKING:
@@ -35,18 +38,55 @@ def write_results(
     path.write_bytes(content.getbuffer())
 
 
-def read_results(path: Path) -> dict[str, xr.Dataset]:
-    """The groups of a results file by analysis name, complex variables put together again."""
-    import h5netcdf
-    import xarray as xr
+def read_results(path: Path) -> Mapping[str, xr.Dataset]:
+    """The groups of a results file by analysis name, complex variables put together again.
 
-    with h5netcdf.File(path, "r") as file:
-        names = _held(file)
-    found = {}
-    for name in names:
-        with xr.open_dataset(path, group=name, engine="h5netcdf") as opened:
-            found[name] = _restored(opened.load())
-    return found
+    A group is read each time that it is asked for; the mapping itself holds no data.
+
+    Raises
+    ------
+    OSError : there is no such file, or it is no NetCDF-4 file
+    """
+    return _Groups(path)
+
+
+class _Groups(Mapping[str, "xr.Dataset"]):
+    """Datasets of a file that must not change while it is read."""
+
+    def __init__(self, path: Path) -> None:
+        import h5netcdf
+
+        self._path, self._state = path, _state(path)
+        with h5netcdf.File(path, "r") as file:
+            self._names = _held(file)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._names)
+
+    def __len__(self) -> int:
+        return len(self._names)
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._names
+
+    def __getitem__(self, name: str) -> xr.Dataset:
+        import xarray as xr
+
+        if name not in self._names:
+            raise KeyError(name)
+        if _state(self._path) != self._state:
+            raise InvalidInput(f"{self._path} has been replaced since it was opened: open it again")
+        with xr.open_dataset(self._path, group=name, engine="h5netcdf") as opened:
+            return _restored(opened.load())
+
+
+def _state(path: Path) -> tuple[int, int] | None:
+    """What tells a file from another that took its place; None where there is none."""
+    try:
+        found = path.stat()
+    except FileNotFoundError:
+        return None
+    return found.st_ino, found.st_mtime_ns
 
 
 def _held(group: Any, above: str = "") -> list[str]:
@@ -68,7 +108,10 @@ def _write_group(group: Any, result: Any) -> None:
     for v in parts:
         words = v.values.dtype.kind == "U"
         kind = h5py.string_dtype() if words else v.values.dtype
-        stored = group.create_variable(v.name, v.dims, dtype=kind)
+        # CF: a missing value is declared, and coordinates have none.
+        has_gaps = v.role == "quantity" and v.values.dtype.kind == "f"
+        missing = {"fillvalue": np.nan} if has_gaps else {}
+        stored = group.create_variable(v.name, v.dims, dtype=kind, **missing)
         if v.values.size:
             stored[...] = v.values.astype(object) if words else v.values
         stored.attrs.update(v.attrs)
@@ -87,7 +130,7 @@ def _storable(variable: Variable) -> list[Variable]:
     """The variable in the types NetCDF has: complex in two halves, truth values as bytes."""
     values, attrs = variable.values, variable.attrs
     if values.dtype.kind == "b":
-        return [variable._replace(values=values.astype(np.int8), attrs=attrs | {"dtype": "bool"})]
+        return [variable._replace(values=values.astype(np.int8), attrs=attrs | _flags())]
     if values.dtype.kind != "c":
         return [variable]
     halves = (("re", "real", values.real), ("im", "imaginary", values.imag))
@@ -101,6 +144,14 @@ def _storable(variable: Variable) -> list[Variable]:
     ]
 
 
+def _flags() -> dict[str, Any]:
+    return {
+        "dtype": "bool",
+        "flag_values": np.array([0, 1], np.int8),
+        "flag_meanings": "false true",
+    }
+
+
 def _restored(stored: xr.Dataset) -> xr.Dataset:
     """A dataset as it was in memory: complex joined, words as strings, no file encodings."""
     halves = [v.attrs for v in stored.data_vars.values()]
@@ -108,6 +159,9 @@ def _restored(stored: xr.Dataset) -> xr.Dataset:
         stored = _joined(stored, name)
     words = [n for n, v in stored.variables.items() if v.dtype.kind == "O"]
     stored = stored.assign({n: stored[n].astype(str) for n in words})
+    for variable in stored.variables.values():
+        for name in ("flag_values", "flag_meanings"):
+            variable.attrs.pop(name, None)
     auxiliary = [str(n) for n in stored.data_vars if str(n).endswith("speed_rpm")]
     return stored.set_coords(auxiliary).drop_encoding()
 

@@ -9,6 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.report.cf import SIGN_CONVENTION, units
 from rotordyn.results.declaration import declared
 
 
@@ -16,7 +17,8 @@ class Variable(NamedTuple):
     """An array over named dimensions.
 
     ``role``: ``"coordinate"`` (the values of a dimension), ``"auxiliary"`` (the same values in
-    another unit) or ``"quantity"``. ``attrs``: ``units`` and ``long_name``.
+    another unit) or ``"quantity"``. ``attrs``: ``long_name``, ``units`` (or ``units_of_entries``,
+    where they differ) and, of complex values, ``sign_convention``.
     """
 
     name: str
@@ -38,9 +40,10 @@ def as_array(value: Any) -> NDArray[Any]:
 
 def _variables(result: Any, name: str) -> Iterator[Variable]:
     info = declared(result)[name].metadata
-    values, attrs = as_array(getattr(result, name)), {"long_name": info["label"]}
-    if info["unit"]:
-        attrs["units"] = info["unit"]
+    values = as_array(getattr(result, name))
+    attrs = {"long_name": info["label"], **units(_unit(result, name, info["unit"]))}
+    if values.dtype.kind == "c":
+        attrs["sign_convention"] = SIGN_CONVENTION
     dims = info["dims"]
     if info["role"] == "quantity":
         yield Variable(name, "quantity", dims, values, attrs)
@@ -49,3 +52,9 @@ def _variables(result: Any, name: str) -> Iterator[Variable]:
     if info["unit"] == "rad/s":
         rpm = {"long_name": info["label"], "units": "rpm"}
         yield Variable(f"{dims[0]}_rpm", "auxiliary", dims, values * (30.0 / math.pi), rpm)
+
+
+def _unit(result: Any, name: str, declared_unit: str) -> str:
+    """SI unit of a field; listed entry by entry where a result says so of its ``entry_units``."""
+    each = result.entry_units(name) if hasattr(result, "entry_units") else ()
+    return ", ".join(each if len(set(each)) > 1 else each[:1]) or declared_unit

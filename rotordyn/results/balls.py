@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from rotordyn.machine.limits import WARNING_PRESSURE
 from rotordyn.results.display import RPM
 
+GRIP = 0.1  # friction coefficient
 FREEDOMS = ("x", "y", "z", "thy", "thz")
 BALL_QUANTITIES = (
     "inner_angle",
@@ -43,4 +44,20 @@ def slipping(what: str, speed: NDArray[np.float64], races: NDArray[np.str_]) -> 
     return (
         f"{what}: the balls slip on {names[str(races[at[0]])]} from "
         f"{speed[at[0]] * RPM.factor:.0f} rpm on (friction as given)"
+    )
+
+
+def gripping(what: str, speed: NDArray[np.float64], grip: NDArray[np.float64]) -> str:
+    """A warning where balls keep from slipping only by much friction at some speed, else nothing.
+
+    0.1 is about what oil-lubricated steel on steel has at most (Harris and Kotzalas, Rolling
+    Bearing Analysis, 5th ed., on gyroscopic motion: 0.02 to 0.1).
+    """
+    at = np.flatnonzero(grip > GRIP)
+    if not at.size:
+        return ""
+    return (
+        f"{what}: its balls roll without gyroscopic slip only if friction is above "
+        f"{np.nanmax(grip):.2g}, more than the {GRIP:g} of oiled contacts from "
+        f"{speed[at[0]] * RPM.factor:.0f} rpm on; raise its preload, or set friction to see it slip"
     )

@@ -34,14 +34,19 @@ def few_rows(scene: Scene) -> Rows:
     return np.unique(np.linspace(0, last, min(FEW, last + 1)).round().astype(np.intp))
 
 
+def response_accuracy(scene: Scene) -> float:
+    """Error over its peak that a response may have; infinite where elements are given."""
+    if scene.conditions.element_length is not None:
+        return math.inf
+    return RESPONSES * scene.conditions.accuracy
+
+
 def settled(
     scene: Scene, solve: Callable[[Scene], T], error: Callable[[T], float]
 ) -> tuple[Scene, T]:
     """The first of ever finer models whose ``error`` is below the accuracy asked for, or the last
     one, and what ``solve`` gives of it."""
-    asked = RESPONSES * scene.conditions.accuracy
-    if scene.conditions.element_length is not None:
-        asked = math.inf
+    asked = response_accuracy(scene)
     for _ in range(ROUNDS):
         found = solve(scene)
         if error(found) <= asked:

@@ -6,6 +6,7 @@ depends on; nothing else writes into it.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable
 from functools import cached_property, partial
 from typing import Any
@@ -21,13 +22,11 @@ from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import State
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
-from rotordyn.preload.growth import released_fits
-from rotordyn.results.display import RPM
 from rotordyn.scene.conditions import Conditions
-from rotordyn.scene.formulation import SOFTENED, told
-from rotordyn.scene.stability import instability
+from rotordyn.scene.formulation import ROTATING, SOFTENED, told
 from rotordyn.scene.stage import Clock, Memo, stage, stage_of
 from rotordyn.scene.statics import Statics, bodies
+from rotordyn.scene.warnings import machine_warnings
 
 Array = NDArray[np.float64]
 
@@ -86,10 +85,15 @@ class Scene(Statics):
 
     @property
     def fineness(self) -> Fineness:
-        """What is asked of elements and reduction; standard ones where their length is given."""
+        """What is asked of elements and reduction; standard ones where their length is given.
+
+        A frame that turns with the shaft sees whirl at ω + Ω at the frequency ω.
+        """
         given = self.conditions.element_length is not None
         accuracy = None if given else self.conditions.accuracy
-        return Fineness(self.max_frequency, self.top_speed, accuracy, self.finer)
+        turning = self.top_speed if self.conditions.formulation == ROTATING else 0.0
+        highest = self.max_frequency + turning / (2.0 * math.pi)
+        return Fineness(highest, self.top_speed, accuracy, self.finer)
 
     @property
     def tolerances(self) -> dict[str, float]:
@@ -114,16 +118,7 @@ class Scene(Statics):
     @property
     def warnings(self) -> tuple[str, ...]:
         """What a designer should know about the machine at these speeds."""
-        fits = (
-            f"bearing {name}: the fit of its inner ring lets go at "
-            f"{speed * RPM.factor:.0f} rpm; raise its interference"
-            for name, speed in released_fits(self.spindle, float(self.bearing_speed.max()))
-        )
-        held = [s for each in self.spindle.supports for s in each.held_at(self.speed)]
-        found = list(self.systems.values())
-        grown = instability(found, self.speed[self.usable]) if found else ()
-        pressed = self.preload.small_shims() if "preload" in self.solved else ()
-        return (*fits, *pressed, *held, *grown)
+        return tuple(machine_warnings(self))
 
     def node(self, at: str | float | Place) -> int:
         """The node shown of a named point, of a station on the shaft or of a place, among those of

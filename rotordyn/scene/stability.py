@@ -11,6 +11,8 @@ from numpy.typing import NDArray
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.results.display import RPM, number
 
+STRAIGHT = 1e-2  # of the growth: a motion that turns less while it grows e-fold does not swing
+
 
 def instability(found: Iterable[FreeMotions], speed: NDArray[np.float64]) -> list[str]:
     """One sentence where some motion grows at some of ``speed`` [rad/s], else none."""
@@ -24,7 +26,9 @@ def instability(found: Iterable[FreeMotions], speed: NDArray[np.float64]) -> lis
         return []
     worst = fastest[fastest.real.argmax()]
     hertz = abs(worst.imag) / (2.0 * math.pi)
-    how = f"vibrates at {number(hertz)} Hz" if hertz else "moves away without vibrating"
+    how = f"vibrates at {hertz:.4g} Hz"
+    if abs(worst.imag) <= STRAIGHT * worst.real:
+        how = "moves away without vibrating (divergence, a static instability like buckling)"
     return [
         f"unstable at {at.size} of {len(speed)} speeds, first at "
         f"{number(speed[at[0]] * RPM.factor, 0)} rpm: the machine {how}, growing e-fold in "

@@ -11,8 +11,8 @@ from scipy.optimize import brentq
 
 import bearings
 from bearings import DeepGrooveBallBearing, InvalidBearing
-from bearings.contact.ellipse import half_axes, share_outside
 from bearings.geometry import geometry
+from bearings.ring.truncation import half_axes, share_outside
 from tests.oracles.known_bearings import DEGREE, RPM, VEX70
 from tests.oracles.known_grooves import (
     QJ218,

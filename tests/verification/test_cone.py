@@ -30,6 +30,7 @@ from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.loads import PointLoad
 from rotordyn.scene.scene import Scene
 from rotordyn.surface.rotor import rotor_surface
+from tests.oracles.cylinders import cylinders
 from tests.oracles.exact_shaft.count import whirl_frequencies
 from tests.oracles.exact_shaft.rotor import exact_rotor
 from tests.oracles.rotors import STEEL
@@ -40,19 +41,6 @@ SPRING = {("y", "y"): 2e8, ("z", "z"): 2e8}
 STRONG = Section(0.4, 0.08, 0.02, STEEL, "cone", 0.02, 0.01)
 GENTLE = Section(0.4, 0.05, 0.0, STEEL, "cone", 0.0496)
 RPM = math.pi / 30.0
-
-
-def cylinders(section: Section, count: int) -> tuple[Section, ...]:
-    """A cone as equally long cylinders, each as heavy as its part."""
-    edge = np.linspace(0.0, 1.0, count + 1)
-    mean = []
-    for a, b in (section.outer, section.inner):
-        d = a + edge * (b - a)
-        mean.append(np.sqrt((d[1:] ** 2 + d[1:] * d[:-1] + d[:-1] ** 2) / 3.0))
-    return tuple(
-        Section(section.length / count, do, di, section.material)
-        for do, di in zip(*mean, strict=True)
-    )
 
 
 def on_springs(*parts: Section) -> Spindle:

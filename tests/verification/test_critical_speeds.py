@@ -246,7 +246,7 @@ def test_the_frames_and_the_exact_shaft_agree() -> None:
         for f in ("inertial", "rotating")
     )
     assert set(inertial.critical_order) == {0.43, 1.0, 2.0}
-    assert turning.critical_speed == pytest.approx(inertial.critical_speed, rel=1e-9)
+    assert turning.critical_speed == pytest.approx(inertial.critical_speed, rel=1e-7)
     assert turning.critical == inertial.critical
     for order, spin, whirl in zip(
         inertial.critical_order, inertial.critical_speed, inertial.critical_whirl, strict=True

@@ -264,6 +264,33 @@ def test_joints_lie_within_the_shaft() -> None:
         replace(STEPPED, joints=(PARTED, replace(PARTED, name="other")))
 
 
+@pytest.mark.parametrize("length", [0.1, 0.5, 5.0])
+@pytest.mark.parametrize("way", ["radial", "tilt"])
+def test_joints_ever_nearer_to_one_another(length: float, way: str) -> None:
+    """As if both were one of half the stiffness, by the distance; nearer ones are refused by
+    name."""
+    shaft = Shaft(0.0, (Section(length, 0.05, 0.0, STEEL),))
+    ends = (support("a", 0.0, (1e7, 1e7)), support("b", 0.7 * length, (5e7, 5e7)))
+    spindle = Spindle("near", shaft, supports=ends)
+
+    def lowest(*joints: Joint) -> float:
+        held = replace(spindle, joints=joints)
+        found = Scene(held, Conditions(accuracy=1e-8), np.zeros(1), 4000.0)
+        pole = found.system(found.with_motions(["bending"])[0]).pole[0].imag
+        return float(pole[pole > 1.0].min())
+
+    one = lowest(Joint("one", 0.6 * length, **{way: 5e6}))
+    for apart in (1e-3, 1e-4, 1e-5, 1.1e-6):
+        joints = (Joint(n, x * length, **{way: 1e7}) for n, x in (("a", 0.6), ("b", 0.6 + apart)))
+        assert lowest(*joints) == pytest.approx(one, rel=30.0 * apart + 1e-6)
+    for apart in (1.1e-9 / length, 1e-8, 9e-7):
+        joints = (Joint(n, x * length, **{way: 1e7}) for n, x in (("a", 0.6), ("b", 0.6 + apart)))
+        with pytest.raises(InvalidInput, match="joints 'a' and 'b' leave too short a part"):
+            lowest(*joints)
+    with pytest.raises(InvalidInput, match="Joint late joins no two parts"):
+        lowest(Joint("late", (1.0 - 1e-8) * length, **{way: 1e7}))
+
+
 CASE = """
 title: stepped shaft with a joint
 spindle:

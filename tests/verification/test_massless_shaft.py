@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -107,6 +108,29 @@ def test_poles(machine: str, density: float, conditions: dict[str, float]) -> No
         swings = (-exact.real < 0.7 * np.abs(exact)) & (exact.imag > 1.0)
         inside = known & (omega < 2.0 * math.pi * TOP)
         assert inside.sum() == (swings & (exact.imag < 2.0 * math.pi * TOP)).sum()
+
+
+@pytest.mark.parametrize("machine", ["between", "damped", "overhung", "two"])
+def test_over_twelve_decades_of_density(machine: str) -> None:
+    """The distance to the massless shaft falls in proportion to its mass, down to what accuracy
+    and fictitious masses leave; no mode comes or goes."""
+    apart = []
+    for density in 10.0 ** np.arange(2.0, -11.0, -2.0):
+        found, worst = solved(rotor(float(density), *MACHINES[machine])), 0.0
+        bends = np.array([kind == "bending" for kind in found.kind])
+        for row, speed in enumerate(SPEEDS):
+            exact = truth(speed, *MACHINES[machine])
+            exact = exact[(-exact.real < 0.7 * np.abs(exact)) & (np.abs(exact.imag) > 1.0)]
+            exact = exact.real + 1j * np.abs(exact.imag)
+            pole = found.pole[row, bends & (found.damping_ratio[row] < 0.7)]
+            inside = pole[pole.imag < 2.0 * math.pi * TOP]
+            assert len(inside) == (exact.imag < 2.0 * math.pi * TOP).sum()
+            worst = max(worst, np.abs(inside[:, None] / exact - 1.0).min(axis=1).max())
+        apart.append(float(worst))
+    assert apart[0] < 1e-2
+    for before, after in pairwise(apart[:4]):
+        assert after < max(0.012 * before, 1e-6)
+    assert max(apart[3:]) < 1e-6
 
 
 @pytest.mark.parametrize("density", [1e-3, 1e-5, 1e-7, 1e-9])

@@ -19,9 +19,35 @@ from rotordyn.report.datasets import dataset
 from rotordyn.report.tables import tidy_columns
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene
+from tests.oracles.dense_rotor.unreduced import dense_poles
 
 STEEL = Material("steel", 2.1e11, 0.3, 7800.0)
 SPEEDS, RATIOS = (0.0, 50.0, 100.0, 150.0), (0.2, 0.5, 0.8, 0.995)
+
+
+@pytest.mark.parametrize("damping", [2e4, 5e4])
+def test_the_error_of_an_overdamped_mode_is_said(damping: float) -> None:
+    """Against all eigenvalues of fine elements; a pole that the finer model has nowhere near is
+    not taken for a good one."""
+    ends = (("a", 0.0, 2e7), ("b", 0.35, 5e7))
+    supports = tuple(
+        LinearSupport(
+            name, x, {("y", "y"): k, ("z", "z"): k}, {("y", "y"): damping, ("z", "z"): damping}
+        )
+        for name, x, k in ends
+    )
+    shaft = Shaft(0.0, (Section(0.5, 0.05, 0.0, STEEL),))
+    spindle = Spindle("damped", shaft, supports=supports)
+    truth = dense_poles(spindle, 2000.0, 6000.0, 1e-8)
+    scene = Scene(spindle, Conditions(accuracy=1e-5), np.array([2000.0]), 3000.0)
+    found = campbell.answer(scene, CampbellSpec(3000.0, shapes=False))
+    slow = found.overdamped[0]
+    pole, told = found.pole[0, slow], found.frequency_error[0, slow]
+    nearest = truth[np.abs(truth[:, None] - pole).argmin(axis=0)]
+    error = np.abs(pole.imag - nearest.imag) / np.abs(nearest)
+    assert slow.sum() >= 2
+    assert (told > 0.3 * error).all()
+    assert "overdamped" in found.unsettled
 
 
 def test_a_rigid_rotor_whose_damper_grows_with_speed() -> None:

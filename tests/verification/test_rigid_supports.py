@@ -14,8 +14,10 @@ from rotordyn.analyses.campbell import solve as campbell
 from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.analyses.frf import solve as frf
 from rotordyn.analyses.frf.spec import FrfSpec, Port
+from rotordyn.analyses.preload.spec import PreloadSpec
 from rotordyn.analyses.section_forces import solve as section_forces
 from rotordyn.analyses.section_forces.spec import SectionForcesSpec
+from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.analyses.unbalance import solve as unbalance
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.equation.constraint import allowed_motions
@@ -26,6 +28,7 @@ from rotordyn.machine.support import LinearSupport
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.loads import PointLoad, Unbalance
 from rotordyn.scene.scene import Scene
+from tests.oracles.spindles import answers, mfw2310
 from tests.oracles.spinning_beam import PinnedBeam
 
 STEEL = Material("steel", 2.1e11, 0.3, 7800.0)
@@ -175,3 +178,38 @@ def test_a_constraint_that_follows_from_others_holds_nothing_more() -> None:
     assert found.shape == (12, 9)
     assert found.T @ found == pytest.approx(np.eye(9), abs=1e-13)
     assert np.abs(rows @ found).max() < 1e-12
+
+
+def test_beside_bearings_the_limit_of_ever_stiffer_springs() -> None:
+    """A spindle on its bearings and a steady rest: radial stiffness under load and in its
+    linear variants tends to that of the rigid one with 1/k, and preload does not feel it."""
+    base = mfw2310()
+
+    def solved(*rest: LinearSupport) -> Any:
+        asked = {
+            "preload": PreloadSpec(),
+            "stiffness": StiffnessSpec("Oc2", 500.0, 2, ("nonlinear", "full", "diagonal")),
+        }
+        return answers(replace(base, supports=rest), (0, 24000), asked)
+
+    without, held = solved(), solved(pin("rest", 0.25))
+    names = ("axial_load", "inner_pressure")
+    for name in names:
+        assert getattr(held["preload"], name) == pytest.approx(
+            getattr(without["preload"], name), rel=1e-12
+        )
+    gain = held["stiffness"].tangent / without["stiffness"].tangent
+    assert (gain > 1.02).all()
+    apart = []
+    for stiffness in (1e10, 1e11, 1e12):
+        found = solved(spring("rest", 0.25, stiffness))
+        for name in names:
+            assert (getattr(found["preload"], name) == getattr(without["preload"], name)).all()
+        both = [
+            np.abs(getattr(found["stiffness"], name) / getattr(held["stiffness"], name) - 1.0).max()
+            for name in ("tangent", "secant")
+        ]
+        apart.append(max(both))
+    assert apart[0] / apart[1] == pytest.approx(10.0, rel=0.1)
+    assert apart[1] / apart[2] == pytest.approx(10.0, rel=0.02)
+    assert apart[2] < 3e-5

@@ -60,6 +60,29 @@ def test_pinned_beam_in_closed_form(tension: float, ways: tuple[str, ...]) -> No
         assert found[row] == pytest.approx(exact, rel=2e-8)
 
 
+@pytest.mark.parametrize("accuracy", [1e-3, 1e-4])
+def test_near_buckling_the_reported_error_is_the_true_one(accuracy: float) -> None:
+    """f² is all but linear in the force: what is left of it at 1 − 1e-6 of the buckling load has
+    an error a million times that of the unloaded beam, and it is reported."""
+    for share in (1e-1, 1e-3, 1e-5, 1e-6):
+        own = PinnedBeam(LENGTH, DIAMETER, tension=-(1.0 - share) * BUCKLING)
+        given = Conditions(accuracy=accuracy, tension=-(1.0 - share) * BUCKLING)
+        scene = Scene(beam(), given, np.zeros(1), 500.0)
+        found = campbell.answer(scene, CampbellSpec(500.0, shapes=False))
+        exact = np.sort(np.concatenate([own.frequencies(k, 0.0)[2:3] for k in (1, 2, 3)]))
+        for omega in exact / (2.0 * math.pi):
+            near = int(np.nanargmin(np.abs(found.frequency[0] - omega)))
+            error = abs(found.frequency[0, near] / omega - 1.0)
+            assert error < accuracy
+            if error > 1e-8:
+                assert found.frequency_error[0, near] == pytest.approx(error, rel=0.5)
+    slow = [
+        PinnedBeam(LENGTH, DIAMETER, tension=-s * BUCKLING).frequencies(1, 0.0)[2]
+        for s in (0.5, 0.9)
+    ]
+    assert (slow[0] / slow[1]) ** 2 == pytest.approx(5.0, rel=1e-3)
+
+
 def test_a_column_buckles_at_the_load_of_euler_and_engesser() -> None:
     def scene(share: float) -> Scene:
         return Scene(beam(), replace(FINE, tension=-share * BUCKLING), SPEEDS, 200.0)

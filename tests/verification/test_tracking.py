@@ -13,6 +13,7 @@ from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.machine.lumped import PointMass
 from rotordyn.machine.spindle import Spindle
 from rotordyn.modes import branches
+from rotordyn.modes.band import Band
 from rotordyn.numerics.follow import doubts, follow
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene
@@ -97,7 +98,7 @@ def test_a_disc_a_little_aside_veers(rpm: Any, away: float) -> None:
 def test_the_expected_pole_is_that_of_the_derivative() -> None:
     """Against a fine difference of the poles: the error of λ − w (λ ΔD + ΔK) v is of 2nd order."""
     scene = Scene(disc_at(0.32), Conditions(), np.array([900.0, 902.0, 904.0]), 400.0)
-    sweep = branches._Sweep.of(scene, scene.with_motions(("bending",))[0])
+    sweep = branches._Sweep.of(scene, scene.with_motions(("bending",))[0], Band(400.0))
     first, second, third = sweep.steps
     errors = []
     for other in (second, third):

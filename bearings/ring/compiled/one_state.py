@@ -2,23 +2,21 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball.balance import Rows, settled, turning_balance
+from bearings.ball.balance import settled, turning_balance
 from bearings.ball.law import LawNumbers
 from bearings.ball.plane import Motion, Pair, Triple, plus
 from bearings.ball.potential import (
-    both_races,
     depth,
     first_seat,
     improves,
     reaction,
     resting_reaction,
     resting_seat,
-    riding_radius,
     seat_step,
 )
 from bearings.geometry import Geometry, Groove
@@ -31,10 +29,10 @@ class One(NamedTuple):
     """A state to find.
 
     ``origin`` (2,), ``load`` (5,), ``scale`` (5,), ``placed`` and ``full`` as in
-    ``bearings.ring.problem.Problem``; ``azimuth`` (n, 6) as in
-    ``bearings.ring.assembly.Assembly``; ``free``: places of the freedoms whose load
-    is given; ``one_branch`` as in ``bearings.ball.law``; ``squared`` ω²; ``load_size``: largest
-    load, as a force.
+    ``bearings.ring.problem.Problem``; ``azimuth`` (n, 5) and ``products`` (n, 5, 5) as in
+    ``bearings.ring.assembly.Assembly``; ``free``: places of the freedoms whose load is given;
+    ``one_branch`` as in ``bearings.ball.law``; ``squared`` ω²; ``load_size``: largest load, as a
+    force.
     """
 
     origin: Array
@@ -45,6 +43,7 @@ class One(NamedTuple):
     geometry: Geometry
     law: LawNumbers
     azimuth: Array
+    products: Array
     free: NDArray[np.intp]
     turning: bool
     one_branch: bool
@@ -57,8 +56,8 @@ class Work(NamedTuple):
 
     ``still`` (n, 2), ``follow`` (n, 6): how each ball moves with the ring. ``grip`` (n, 2): inner
     load and gyroscopic moment of each ball, ``first_grip`` where a stride began. ``action``,
-    ``settled`` (5,): load on the ring, as it is and with the balls settled. ``stiffness`` (5, 5).
-    ``d``, ``x``: where the last stride began.
+    ``settled`` (5,): load on the ring, as it is and with the balls settled. ``stiffness`` (5, 5);
+    ``local`` (3, 3): share of one ball. ``d``, ``x``: where the last stride began.
     """
 
     still: Array
@@ -68,6 +67,7 @@ class Work(NamedTuple):
     action: Array
     settled: Array
     stiffness: Array
+    local: Array
     d: Array
     x: Array
 
@@ -86,18 +86,17 @@ class Evaluation(NamedTuple):
     energy: float
 
 
-def room(balls: int) -> Work:
-    """Empty room for a ring of so many balls."""
-    five, x = np.zeros(5), np.zeros((balls, 2))
-    follow, stiffness = np.zeros((balls, 6)), np.zeros((5, 5))
-    grip, first = x.copy(), x.copy()
-    return Work(x, follow, grip, first, five, five.copy(), stiffness, five.copy(), x.copy())
+def room(n: int) -> Work:
+    """Empty room for a ring of ``n`` balls."""
+    x, five = np.zeros((n, 2)), np.zeros(5)
+    k, local, follow = np.zeros((5, 5)), np.zeros((3, 3)), np.zeros((n, 6))
+    return Work(x.copy(), follow, x.copy(), x.copy(), five, five.copy(), k, local, five.copy(), x)
 
 
 def centre_of(p: One, d: Array, ball: int) -> Motion:
     """A of one ball."""
-    motion = moved(p, d, ball)
-    return plus(motion, noticed(p.geometry.inner_grooves, (p.origin[0], p.origin[1], 0.0)))
+    start = noticed(p.geometry.inner_grooves, (p.origin[0], p.origin[1], 0.0))
+    return plus(moved(p, d, ball), start)
 
 
 def noticed(grooves: tuple[Groove, ...], motion: Triple) -> Motion:
@@ -109,9 +108,9 @@ def noticed(grooves: tuple[Groove, ...], motion: Triple) -> Motion:
 
 def moved(p: One, d: Array, ball: int) -> Motion:
     """What a displacement adds to A of one ball."""
-    cos, sin, radius = p.azimuth[ball, 1], p.azimuth[ball, 2], p.geometry.centre_radius
-    tilt = d[4] * cos - d[3] * sin
-    motion = (d[0] - radius * tilt, d[1] * cos + d[2] * sin, tilt)
+    c = p.azimuth[ball]
+    tilt = d[4] * c[4] + d[3] * c[3]
+    motion = (d[0] - p.geometry.centre_radius * tilt, d[1] * c[1] + d[2] * c[2], tilt)
     return noticed(p.geometry.inner_grooves, motion)
 
 
@@ -121,12 +120,6 @@ def followed(f: Array, step: Motion) -> Pair:
     if len(step) == 2:
         return axial, radial
     return axial + f[2] * step[2], radial + f[5] * step[2]
-
-
-def _keep_follow(f: Array, first: Motion, second: Motion) -> None:
-    f[0], f[1], f[3], f[4] = first[0], first[1], second[0], second[1]
-    if len(first) == 3:
-        f[2], f[5] = first[2], second[2]
 
 
 def evaluate(p: One, d: Array, x: Array, blend: float, w: Work) -> Evaluation:
@@ -149,7 +142,7 @@ def evaluate(p: One, d: Array, x: Array, blend: float, w: Work) -> Evaluation:
         fold, pressed = min(fold, s.fold), pressed and b.outer_load > 0.0
         w.grip[ball, 0], w.grip[ball, 1] = b.inner_load, b.gyroscopic_moment
         w.still[ball, 0], w.still[ball, 1] = s.still
-        _keep_follow(w.follow[ball], s.follow[0], s.follow[1])
+        _keep(s.follow[0], s.follow[1], w.follow[ball])
         _add(p, ball, b.action, s.action, s.tangent, w)
     return Evaluation(largest, imbalance, fold, pressed, 0.0)
 
@@ -164,7 +157,7 @@ def evaluate_convex(p: One, d: Array, x: Array, w: Work) -> Evaluation:
         if p.placed:
             here = seat(c, centre, push, (x[ball, 0], x[ball, 1]))
             each = reaction(c, centre, here, push)
-            _keep_follow(w.follow[ball], each.follow[0], each.follow[1])
+            _keep(each.follow[0], each.follow[1], w.follow[ball])
         else:
             here = resting_seat(c, (centre[0], centre[1]))
             each = resting_reaction(c, centre)
@@ -175,82 +168,50 @@ def evaluate_convex(p: One, d: Array, x: Array, w: Work) -> Evaluation:
     return Evaluation(largest, 0.0, 1.0, True, energy * p.geometry.balls / len(x))
 
 
+def _keep(first: Motion, second: Motion, f: Array) -> None:
+    f[0], f[1], f[3], f[4] = first[0], first[1], second[0], second[1]
+    if len(first) == 3:
+        f[2], f[5] = first[2], second[2]
+
+
 def _clear(w: Work) -> None:
     w.action[:] = 0.0
     w.settled[:] = 0.0
     w.stiffness[:] = 0.0
 
 
-def _add(
-    p: One,
-    ball: int,
-    action: Triple,
-    settled_action: Triple,
-    tangent: Rows,
-    w: Work,
-) -> None:
-    """What one ball adds to load and stiffness of the ring.
+def _add(p: One, ball: int, action: Triple, after: Triple, tangent: Any, w: Work) -> None:
+    """Add one ball to load and stiffness of the ring.
 
-    A tilt of the ring moves its groove axially by the lever, and turns it.
+    ``action`` as it is, ``after``: once the ball has settled. A tilt of the ring moves its groove
+    axially by the lever −Ri, and turns it.
     """
-    az, radius = p.azimuth[ball], p.geometry.centre_radius
-    _add_load(az, radius, action, w.action)
-    _add_load(az, radius, settled_action, w.settled)
-    one, cos, sin, cos2, both, sin2 = az[0], az[1], az[2], az[3], az[4], az[5]
-    k, (axial, across, couple) = w.stiffness, tangent
-    a1, a2, at = _lever(axial, radius)
-    r1, r2, rt = _lever(across, radius)
-    c1, c2, ct = _lever(couple, radius)
-    m1, m2, mt = radius * a1 - c1, radius * a2 - c2, radius * at - ct
-    k[0, 0] += a1 * one
-    k[0, 1] += a2 * cos
-    k[0, 2] += a2 * sin
-    k[0, 3] += at * sin
-    k[0, 4] -= at * cos
-    k[1, 0] += r1 * cos
-    k[1, 1] += r2 * cos2
-    k[1, 2] += r2 * both
-    k[1, 3] += rt * both
-    k[1, 4] -= rt * cos2
-    k[2, 0] += r1 * sin
-    k[2, 1] += r2 * both
-    k[2, 2] += r2 * sin2
-    k[2, 3] += rt * sin2
-    k[2, 4] -= rt * both
-    k[3, 0] += m1 * sin
-    k[3, 1] += m2 * both
-    k[3, 2] += m2 * sin2
-    k[3, 3] += mt * sin2
-    k[3, 4] -= mt * both
-    k[4, 0] -= m1 * cos
-    k[4, 1] -= m2 * cos2
-    k[4, 2] -= m2 * both
-    k[4, 3] -= mt * both
-    k[4, 4] += mt * cos2
+    c, products, radius = p.azimuth[ball], p.products[ball], p.geometry.centre_radius
+    local, (axial, across, couple) = w.local, tangent
+    _by_motion(axial, radius, local[0])
+    _by_motion(across, radius, local[1])
+    _by_motion(couple, radius, local[2])
+    for j in range(3):
+        local[2, j] -= radius * local[0, j]
+    here = (action[0], action[1], action[2] - radius * action[0])
+    there = (after[0], after[1], after[2] - radius * after[0])
+    for i in range(5):
+        row = (i + 1) // 2  # axial, radial twice, tilting twice
+        w.action[i] += c[i] * here[row]
+        w.settled[i] += c[i] * there[row]
+        for j in range(5):
+            w.stiffness[i, j] += products[i, j] * local[row, (j + 1) // 2]
 
 
-def _lever(row: Motion, radius: float) -> Triple:
-    """A row of slopes by axial and radial motion of the ring and by its tilt."""
-    if len(row) == 2:
-        return row[0], row[1], radius * row[0]
-    return row[0], row[1], radius * row[0] - row[2]
-
-
-def _add_load(az: Array, radius: float, action: Triple, load: Array) -> None:
-    axial, radial, couple = action
-    lever = radius * axial - couple
-    load[0] += az[0] * axial
-    load[1] += az[1] * radial
-    load[2] += az[2] * radial
-    load[3] += az[2] * lever
-    load[4] -= az[1] * lever
+def _by_motion(slopes: Motion, radius: float, row: Array) -> None:
+    """Slopes by axial, radial and tilting motion of the ring."""
+    row[0], row[1], row[2] = slopes[0], slopes[1], -radius * slopes[0]
+    if len(slopes) == 3:
+        row[2] += slopes[2]
 
 
 def seat(c: Geometry, centre: Motion, push: float, start: Pair) -> Pair:
     """X of least potential, see ``seat`` in ``bearings.ring.convex_stage``."""
-    riding = riding_radius(c, push)
-    if len(c.outer_grooves) == 1 and both_races(c, centre, (0.0, riding))[0].energy == 0.0:
-        return 0.0, riding
     first = first_seat(c, centre, push)
     x = (first[0] + 0.0, first[1] + 0.0)
     now, length = seat_step(c, centre, x, push), 1.0

@@ -61,35 +61,33 @@ def compiled_states(
     ``displacement`` (s, 5), ``guess`` (2, s or fewer, n): starts; ``chained``: where there is no
     guess, a state starts from the one before if that is near.
     """
-    g, balls = problem.geometry, problem.assembly.balls
-    states = len(problem.speed)
-    d, x = displacement.copy(), np.zeros((states, balls, 2))
+    g, states = problem.geometry, len(problem.speed)
+    d, x = displacement.copy(), np.zeros((states, problem.assembly.balls, 2))
     if guess is not None:
         x[: guess.shape[1]] = guess.transpose(1, 2, 0)
-    load, stiffness = np.zeros((states, 5)), np.zeros((states, 5, 5))
-    exists = np.zeros(states, dtype=np.bool_)
-    speed = problem.speed if problem.turning else 0.0 * problem.speed
-    given = (problem.origin.T, speed, problem.load, problem.scale)
+    found = (d, x, np.zeros((states, 5)), np.zeros((states, 5, 5)), np.zeros(states, dtype=bool))
     if available():
         _loaded.add((len(g.inner_grooves), len(g.outer_grooves)))
     shared = (
         g,
         problem.law.numbers,
         problem.assembly.azimuth,
+        problem.assembly.products,
         problem.free.nonzero()[0],
         problem.turning,
         problem.law.one_branch,
         problem.placed,
         problem.full,
     )
+    given = (problem.origin.T, problem.squared, problem.load, problem.scale)
     _entry()(
         shared,
         tuple(np.array(part, order="C") for part in given),  # one type of array: one compilation
-        (d, x, load, stiffness, exists),
+        found,
         np.arange(states) < (0 if guess is None else guess.shape[1]),
         chained,
     )
-    return Found(d, x.transpose(2, 0, 1), load, stiffness, exists)
+    return Found(d, x.transpose(2, 0, 1), *found[2:])
 
 
 def find_all(
@@ -99,46 +97,37 @@ def find_all(
     near: NDArray[np.bool_],
     chained: bool,
 ) -> None:
-    """States of ``given`` = (A₀ (s, 2), speed, load (s, 5), scale (5,)); called for all at once.
+    """States of ``given`` = (A₀ (s, 2), ω² (s,), load (s, 5), scale (5,)); called for all at once.
 
     ``shared``: what they have in common, ``One`` from ``geometry`` on. Written into ``states`` =
     (d (s, 5), X (s, n, 2), load (s, 5), K (s, 5, 5), exists (s,)), where d and, if ``near`` (s,), X
     are the starts. ``chained``: a state starts from the one before where load, displacement and
     speed are close; otherwise every state is found on its own.
     """
-    origin, speed, load, scale = given
+    origin, squared, load, scale = given
     d, x, carried, stiffness, exists = states
     w = room(x.shape[1])
-    for k in range(len(speed)):
+    for k in range(len(squared)):
         size = np.abs(load[k] / scale).max()
-        p = One(origin[k], speed[k] ** 2, load[k], scale, size, *shared)
+        p = One(origin[k], squared[k], load[k], scale, size, *shared)
         start = near[k]
-        if chained and not start and k and exists[k - 1] and _near(p, speed, load, d, k):
+        if chained and not start and k and exists[k - 1] and _near(p, squared, load, d, k):
             start = True
-            _begin(d, x, p.free, k)
+            for j in p.free:
+                d[k, j] = d[k - 1, j]
+            x[k] = x[k - 1]
         exists[k] = find(p, d[k], x[k], start, w)
         carried[k], stiffness[k] = w.action, w.stiffness
 
 
-def _near(p: One, speed: Array, load: Array, d: Array, k: int) -> bool:
+def _near(p: One, squared: Array, load: Array, d: Array, k: int) -> bool:
     """Whether the last state is close enough to start from."""
-    if abs(speed[k] - speed[k - 1]) > NEAR * speed[k]:
+    speed, last = np.sqrt(squared[k]), np.sqrt(squared[k - 1])
+    if abs(speed - last) > NEAR * speed:
         return False
-    change = 0.0
-    for j in range(5):
-        change = max(change, abs(load[k, j] - load[k - 1, j]) / p.scale[j])
+    moved = np.abs(d[k] - d[k - 1]) * p.scale
+    for j in p.free:
+        moved[j] = 0.0
     reach = p.geometry.inner_reach + p.geometry.outer_reach
-    for j in range(5):
-        given = True
-        for place in p.free:
-            given = given and place != j
-        if given and abs(d[k, j] - d[k - 1, j]) * p.scale[j] > 0.01 * NEAR * reach:
-            return False
-    return change <= NEAR * p.load_size
-
-
-def _begin(d: Array, x: Array, free: NDArray[np.intp], k: int) -> None:
-    """The last state as a start."""
-    for j in free:
-        d[k, j] = d[k - 1, j]
-    x[k] = x[k - 1]
+    near = np.abs((load[k] - load[k - 1]) / p.scale).max() <= NEAR * p.load_size
+    return near and moved.max() <= 0.01 * NEAR * reach

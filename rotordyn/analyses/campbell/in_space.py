@@ -7,14 +7,19 @@ from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.analyses.campbell.spec import CampbellSpec, ShapesInSpaceSpec
+from rotordyn.errors import InvalidInput
 from rotordyn.figures.draw import LeftOut
 from rotordyn.machine.spindle import Spindle
 from rotordyn.results.described import Described
 from rotordyn.view.apart import NoPictures, Rendering
 from rotordyn.view.order import Order
+
+if TYPE_CHECKING:
+    from rotordyn.figures.draw import Figure, Job
 
 FRAMES = 20  # of one period
 Parts = Mapping[str, tuple[Described, CampbellResult]]
@@ -42,19 +47,22 @@ class Asked:
 
 
 class InSpace:
-    """The pictures that ``parts`` ask for; a context, after which their files are gone.
+    """The pictures that ``parts`` ask for; rendered inside this context, then their files are gone.
 
-    Nothing is started where none are asked for. ``folder``: where their files are meanwhile.
+    Nothing is started where none are asked for. ``folder``: where their files are meanwhile, None
+    for the system's.
     """
 
-    def __init__(self, parts: Parts, folder: Path) -> None:
+    def __init__(self, parts: Parts, folder: Path | None) -> None:
         self.left_out = LeftOut()
         found = (_asked(name, case, result) for name, (case, result) in parts.items())
         self._asked = [asked for asked in found if asked is not None and asked.order.places]
-        orders = [asked.order for asked in self._asked]
-        self._rendering = Rendering(orders, folder) if orders else None
+        self._folder = folder
+        self._rendering: Rendering | None = None
 
     def __enter__(self) -> InSpace:
+        orders = [asked.order for asked in self._asked]
+        self._rendering = Rendering(orders, self._folder) if orders else None
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -73,8 +81,31 @@ class InSpace:
         except NoPictures as none:
             self.left_out = _left_out(self._asked, str(none))
             return {}
-        drawn = _draw_sheets(self._asked, self._rendering, folder)
+        from rotordyn.figures.draw import Drawing
+
+        drawn = Drawing(_sheets(self._asked, self._rendering), folder).finish()
         return drawn | _animate(self._asked, self._rendering, folder)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Of the sheets."""
+        return _names(self._asked)
+
+    def figure(self, name: str) -> Figure:
+        """Wait for the pictures and draw one sheet.
+
+        Raises
+        ------
+        InvalidInput : nothing can be rendered on this computer
+        """
+        from rotordyn.figures.draw import drawn
+
+        assert self._rendering is not None, "drawn inside the context"
+        try:
+            self._rendering.finish()
+        except NoPictures as none:
+            raise InvalidInput(f"figure {name} cannot be drawn: {none}") from None
+        return drawn(dict(_sheets(self._asked, self._rendering))[name])
 
 
 def _asked(name: str, case: Described, result: CampbellResult) -> Asked | None:
@@ -84,9 +115,9 @@ def _asked(name: str, case: Described, result: CampbellResult) -> Asked | None:
     return Asked(name, case.spindle, result, spec.shapes_3d) if result.shape.size else None
 
 
-def _draw_sheets(parts: list[Asked], rendering: Rendering, folder: Path) -> dict[str, float]:
+def _sheets(parts: list[Asked], rendering: Rendering) -> list[Job]:
+    """Name and drawing function of every sheet, once the pictures are rendered."""
     from rotordyn.analyses.campbell.figures.shapes_3d import sheet_figure, sheets
-    from rotordyn.figures.draw import Drawing, Job
 
     jobs: list[Job] = []
     for number, asked in enumerate(parts):
@@ -94,7 +125,13 @@ def _draw_sheets(parts: list[Asked], rendering: Rendering, folder: Path) -> dict
         for name, speed, modes in sheets(asked.result):
             draw = partial(sheet_figure, asked.result, speed, modes, picture, asked.order)
             jobs.append((asked.inside(name), draw))
-    return Drawing(jobs, folder).finish()
+    return jobs
+
+
+def _names(parts: list[Asked]) -> tuple[str, ...]:
+    from rotordyn.analyses.campbell.figures.shapes_3d import sheets
+
+    return tuple(asked.inside(name) for asked in parts for name, *_ in sheets(asked.result))
 
 
 def _animate(parts: list[Asked], rendering: Rendering, folder: Path) -> dict[str, float]:
@@ -115,9 +152,7 @@ def _animate(parts: list[Asked], rendering: Rendering, folder: Path) -> dict[str
 
 def _left_out(parts: list[Asked], why: str) -> LeftOut:
     """Every figure that is missing, and one sentence for all."""
-    from rotordyn.analyses.campbell.figures.shapes_3d import sheets
-
-    names = [asked.inside(name) for asked in parts for name, *_ in sheets(asked.result)]
+    names = _names(parts)
     animated = any(asked.spec.animation for asked in parts)
     also = " and the animations" if animated else ""
     said = f"figures {', '.join(names)}{also} left out: {why}"

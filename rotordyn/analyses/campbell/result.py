@@ -28,8 +28,9 @@ class CampbellResult:
     so that the motion hardly swings. ``unsettled``: what still changes by more than the accuracy
     asked for as the model is refined, a sentence, or "".
     ``stability_threshold``: lowest speed of the range at which a mode begins to grow, infinite
-    where none does; ``first_to_grow``: that mode, or "". ``rotor``: the spindle's shaft and further
-    rotors, at ``speed_ratio`` times its speed; ``node_rotor``: the one that a node is of; whirl is
+    where none does; ``first_to_grow``: that mode, "a divergence" of a motion that does not
+    vibrate, or "". ``rotor``: the spindle's shaft and further rotors, at ``speed_ratio`` times its
+    speed; ``node_rotor``: the one that a node is of; whirl is
     forward the way the spindle turns. ``engine_order``: those whose critical speeds were sought;
     ``critical``: the mode that turns at ``critical_order`` times
     the speed of ``critical_rotor`` where the spindle has ``critical_speed``, with its kind and

@@ -38,9 +38,13 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     if turned:
         require_isotropic(scene)
     band = Band(spec.max_frequency, spec.engine_orders)
-    scene, (branches, names), errors = mode_errors(
-        scene, band, lambda one: named(branches_of(one, band))
-    )
+    wide = band._replace(max_frequency=scene.fineness.frequency) if turned else band
+
+    def modes(one: Scene) -> tuple[list[Branch], tuple[str, ...]]:
+        every = branches_of(one, wide)
+        return named([b for b in every if not turned or _within(one, b, band)])
+
+    scene, (branches, names), errors = mode_errors(scene, wide, modes)
     ends = sorted({0, len(scene.usable) - 1}) if spec.shapes else []
     criticals = critical_speeds(scene, band, branches, names)
     threshold, growing = stability_threshold(scene, band, branches, names)
@@ -50,11 +54,10 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     rigid = [rigid_share(scene.system(b.home).linear, b) for b in branches]
     seen = pole.imag
     if turned:
-        bends = np.array([b.kind == "bending" for b in branches])
-        spin = scene.speed[scene.usable][:, None]
-        seen = np.where(bends, np.abs(seen - np.sign(degree) * spin), seen)
-    with np.errstate(invalid="ignore"):
+        seen = _table([_seen(scene, b) for b in branches], shape)
+    with np.errstate(invalid="ignore", divide="ignore"):
         ratio = scene.scattered(-pole.real / np.abs(pole))
+        off = errors.frequency * np.where(seen == pole.imag, 1.0, np.abs(pole) / seen)
     kind = TurningCampbellResult if turned else CampbellResult
     return kind(
         speed=scene.speed,
@@ -67,7 +70,7 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         engine_order=np.array(spec.engine_orders, dtype=float),
         outcome=scene.outcome,
         frequency=scene.scattered(seen / (2.0 * math.pi)),
-        frequency_error=scene.scattered(errors.frequency),
+        frequency_error=scene.scattered(off),
         damping_error=scene.scattered(errors.damping),
         pole=scene.scattered(pole),
         max_frequency=spec.max_frequency,
@@ -94,6 +97,20 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         critical_damping=np.array([c.damping_ratio for c in criticals]),
         critical_excited=np.array([c.excited for c in criticals], dtype=bool),
     )
+
+
+def _seen(scene: Scene, branch: Branch) -> Array:
+    """Frequency (usable,) [rad/s] that a frame which turns with the shaft sees of a mode."""
+    turning = branch.pole.imag
+    if branch.kind != "bending":
+        return np.asarray(turning)
+    return np.abs(turning - np.sign(branch.degree) * scene.speed[scene.usable])
+
+
+def _within(scene: Scene, branch: Branch, band: Band) -> bool:
+    """A mode comes into the band in some frame, at some speed."""
+    both = np.concatenate([_seen(scene, branch), np.abs(branch.track.pole.imag)])
+    return bool(np.nanmin(both) <= band.highest)
 
 
 def _table(rows: list[Array], shape: tuple[int, int]) -> Array:

@@ -156,13 +156,33 @@ def _alike(one: float, other: float) -> bool:
 
 def warnings(result: CampbellResult) -> list[str]:
     """Modes that change with the model, and modes that grow by themselves."""
-    return [*_unsettled(result), *_unstable_modes(result)]
+    return [*_unsettled(result), *_unstable_modes(result), *_dropped(result)]
 
 
 def _unsettled(result: CampbellResult) -> list[str]:
     if not result.unsettled:
         return []
     return [f"modes are less sure than asked for: {result.unsettled}"]
+
+
+def _dropped(result: CampbellResult) -> list[str]:
+    """Modes that are counted but neither drawn nor listed, at all speeds or at some."""
+    found = []
+    if count := int(result.mostly_overdamped.sum()):
+        found.append(
+            f"{count} of {len(result.mode)} modes are overdamped (damping ratio above "
+            f"{OVERDAMPED:g}) at most speeds and left out of figures and lists; results.nc has them"
+        )
+    solved = np.isfinite(result.frequency).any(axis=1)
+    for k in np.flatnonzero(~result.mostly_overdamped):
+        missing = np.flatnonzero(solved & ~np.isfinite(result.frequency[:, k]))
+        if result.kind[k] in ("axial", "torsion") and missing.size:
+            speeds = from_to(result.speed[missing] * RPM.factor, 0)
+            found.append(
+                f"{result.mode[k]} lies above the band asked for at {speeds} rpm: raise "
+                "max_frequency to see it there"
+            )
+    return found
 
 
 def _unstable_modes(result: CampbellResult) -> list[str]:

@@ -1,7 +1,8 @@
 """The speed from which some motion grows by itself, solved for.
 
 What is led to zero is the largest growth of all modes of a system: where two modes meet and part
-into one that grows and one that decays, no single one could be followed there.
+into one that grows and one that decays, no single one could be followed there. A motion that grows
+without swinging, a divergence, is none of the followed modes and counts as well.
 """
 
 from __future__ import annotations
@@ -12,20 +13,23 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.errors import NoSolution
 from rotordyn.modes.band import Band
-from rotordyn.modes.branches import MARGIN, Branch, found_in
+from rotordyn.modes.branches import MARGIN, MOTIONS, Branch, found_in, swings
 from rotordyn.numerics.modes import grows
 from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]
+DIVERGENCE = "a divergence"  # in place of a mode
 CLOSE = 1e-10  # of the speed: it is known so well
 
 
 def stability_threshold(
     scene: Scene, band: Band, branches: Sequence[Branch], names: Sequence[str]
 ) -> tuple[float, str]:
-    """Lowest speed [rad/s] of the case's range at which a followed mode begins to grow, and which.
+    """Lowest speed [rad/s] of the case's range at which a followed mode begins to grow, and which,
+    or ``DIVERGENCE``.
 
     Infinite and "" where none does; the first speed where one grows from there on.
     """
@@ -40,7 +44,20 @@ def stability_threshold(
         if row and not track.lost[row - 1]:
             begin = _begin(scene, band, branch.home, float(speed[row - 1]), begin)
         found.append((begin, name))
+    for home in scene.with_motions(MOTIONS):
+        diverging = _diverging(scene.system(home)).any(axis=1)
+        if diverging.any():
+            row, speed = int(diverging.argmax()), scene.speed[scene.usable]
+            begin = float(speed[row])
+            if row:
+                begin = _begin(scene, band, home, float(speed[row - 1]), begin)
+            found.append((begin, DIVERGENCE))
     return min(found)
+
+
+def _diverging(found: FreeMotions) -> NDArray[np.bool_]:
+    """Motions (s, k) that grow without swinging."""
+    return np.asarray(found.growing & ~swings(found.pole))
 
 
 def _begin(scene: Scene, band: Band, home: int, low: float, high: float) -> float:
@@ -69,11 +86,12 @@ def _begin(scene: Scene, band: Band, home: int, low: float, high: float) -> floa
 
 
 def _growth(scene: Scene, band: Band, home: int, speed: float) -> float:
-    """Largest Re λ over |λ| of what swings in the band; none where there is no equilibrium."""
+    """Largest Re λ over |λ| of what swings in the band or diverges; none where there is no
+    equilibrium."""
     other = scene.at(np.array([speed]))
     if any(other.outcome):
         return math.nan
     found = other.system(home)
-    inside = found_in(found, MARGIN * band.highest)[0]
+    inside = (found_in(found, MARGIN * band.highest) | _diverging(found))[0]
     pole = found.pole[0][inside]
     return float((pole.real / np.abs(pole)).max(initial=-1.0))

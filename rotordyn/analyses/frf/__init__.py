@@ -27,6 +27,7 @@ ANALYSIS = Analysis(
     tables=LAYOUTS,
     summary=code("summary:summary"),
     accuracy=code("summary:accuracy"),
+    warnings=code("summary:warnings"),
     heading="FRAC of measured responses, 1 at best",
     cells=code("summary:cells"),
 )

@@ -14,6 +14,7 @@ from rotordyn.analyses.frf.spec import QUANTITIES, FrfSpec, MeasuredResponse
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 PEAKS = 3
+LEAST_POINTS = 8  # in the band: of fewer, any two smooth curves look alike
 PROMINENT = math.sqrt(2.0)  # how far an amplitude falls on both sides of a peak: 3 dB
 
 
@@ -43,7 +44,7 @@ def measured_fields(
         pair = pairs.index(one.pair)
         inside = (own >= frequency[0]) & (own <= frequency[-1])
         there = computed(near, own[inside])[pair]
-        if np.isfinite(there).all():
+        if np.isfinite(there).all() and inside.sum() >= LEAST_POINTS:
             frac[row] = assurance(seen[inside], there)
             at, high = (each[near, pair] for each in peaks)
             known = np.isfinite(at)

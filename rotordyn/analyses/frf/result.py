@@ -40,6 +40,7 @@ class FrequencyResponse:
     unstable: Flags = quantity("speed", unit="", label="not reached: the machine is unstable")
     is_slice: Flags = quantity("speed", unit="", label="drawn as slice")
     error: Array = quantity("pair", unit="1", label="estimated error over the largest value")
+    error_asked: float = quantity(unit="1", label="largest error asked for, over that value")
     resonance: NDArray[np.int_] = coordinate("resonance", unit="", label="resonance")
     peak_frequency: Array = quantity(
         "speed", "pair", "resonance", unit="Hz", label="frequency of the peak"
@@ -105,6 +106,14 @@ class FrequencyResponse:
     def unit(self, pair: int) -> str:
         """SI unit of the values of a pair."""
         return response_unit(self.pair[pair], self.kind)
+
+    def entry_units(self, name: str) -> tuple[str, ...]:
+        """SI units of a field along its pairs; empty for a field that has one unit."""
+        amplitudes = ("measured_response", "measured_peak_amplitude", "computed_peak_amplitude")
+        if name not in (self.kind, *amplitudes):
+            return ()
+        pairs = self.pair if name == self.kind else self.measured_pair or self.pair
+        return tuple(self.unit(self.pair.index(pair)) for pair in pairs)
 
 
 @dataclass(frozen=True)

@@ -25,7 +25,7 @@ from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.errors import InvalidInput
 from rotordyn.results.display import RPM
 from rotordyn.scene.formulation import ROTATING, require_isotropic, turned
-from rotordyn.scene.refinement import Rows, changes, few_rows, settled
+from rotordyn.scene.refinement import Rows, changes, few_rows, response_accuracy, settled
 from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]
@@ -93,6 +93,7 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
         outcome=scene.outcome,
         unstable=scene.flagged(growing),
         error=error,
+        error_asked=response_accuracy(scene),
         **{spec.quantity: values},
         **rest,
     )

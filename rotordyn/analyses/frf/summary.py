@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from rotordyn.analyses.frf.measured import LEAST_POINTS
 from rotordyn.analyses.frf.result import FrequencyResponse
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, number, rounded_up, shown
@@ -93,8 +94,33 @@ def _line(result: FrequencyResponse, row: int) -> str:
         f"measured   {result.measured[row]}, {result.kind} {pair} at {speeds_compared(result, row)}"
     )
     if not math.isfinite(result.frac[row]):
-        return f"{head}, where there is no response"
+        return f"{head}: not compared, {_why_not(result, row)}"
     return f"{head}: FRAC {result.frac[row]:.3f}{told}"
+
+
+def _why_not(result: FrequencyResponse, row: int) -> str:
+    own = result.measured_frequency[row]
+    inside = ((own >= result.frequency[0]) & (own <= result.frequency[-1])).sum()
+    if inside < LEAST_POINTS:
+        return f"{inside} of its points lie in the band, and {LEAST_POINTS} are needed"
+    return "there is no computed response"
+
+
+def warnings(result: FrequencyResponse) -> list[str]:
+    """Responses less accurate than asked for, measured ones that cannot be compared."""
+    found = [
+        f"measured response {name} is not compared: {_why_not(result, row)}"
+        for row, name in enumerate(result.measured)
+        if not math.isfinite(result.frac[row])
+    ]
+    worst = float(result.error.max(initial=0.0))
+    if worst > result.error_asked:
+        pair = result.pair[int(result.error.argmax())]
+        found.append(
+            f"frf: {pair} is less accurate than asked for: an estimated error of "
+            f"{rounded_up(worst)} of its peak remains after refinement"
+        )
+    return found
 
 
 def speeds_compared(result: FrequencyResponse, row: int) -> str:

@@ -22,7 +22,6 @@ ANALYSIS = Analysis(
     compared=code("figures:of_variants"),
     tables=LAYOUTS,
     summary=code("summary:summary"),
-    warnings=code("summary:warnings"),
     heading="preload",
     cells=code("summary:cells"),
     known=code("known:known"),

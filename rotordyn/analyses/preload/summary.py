@@ -4,11 +4,8 @@ from __future__ import annotations
 
 import math
 
-import numpy as np
-
 from rotordyn.analyses.preload.known import preload_sum
 from rotordyn.analyses.preload.result import PreloadResult
-from rotordyn.results.balls import pressed, slipping
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, number
 from rotordyn.results.text import from_to, unbroken
@@ -37,17 +34,3 @@ def cells(result: PreloadResult, case: Described) -> dict[str, str]:
         for name, speed in zip(result.sleeve, result.stop_speed, strict=True)
     }
     return {"sum [N]": from_to(total, 0), **stops}
-
-
-def warnings(result: PreloadResult) -> list[str]:
-    """Bearings pressed too hard, and balls that slip."""
-    peak = np.fmax(result.inner_pressure, result.outer_pressure)
-    names = [f"bearing {name}" for name in result.bearing]
-    found = [
-        pressed(*each) for each in zip(names, [result.speed] * len(names), peak.T, strict=True)
-    ]
-    found += [
-        slipping(name, result.speed, own)
-        for name, own in zip(names, result.slipping.T, strict=True)
-    ]
-    return [sentence for sentence in found if sentence]

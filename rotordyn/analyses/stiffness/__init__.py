@@ -22,6 +22,7 @@ ANALYSIS = Analysis(
     compared=code("figures:of_variants"),
     tables=LAYOUTS,
     summary=code("summary:summary"),
+    warnings=code("summary:warnings"),
     heading="radial stiffness at no load",
     cells=code("summary:cells"),
     known=code("known:known"),

@@ -35,7 +35,7 @@ class Point:
     ``bearings``: by model, at the seats it stands on; ``states``: where each bearing was solved by
     itself. ``load`` (speeds, seats, 3), ``tangent`` (speeds, seats, 3, 3): (x, y, θz) of the
     spindle; ``imbalance`` (speeds,) of the balls; ``pressure`` (speeds,): largest contact pressure
-    [Pa].
+    [Pa]; ``lightest`` (speeds, seats): smallest load of a ball on its inner race [N].
     """
 
     coordinates: Array
@@ -45,6 +45,7 @@ class Point:
     tangent: Array
     imbalance: Array
     pressure: Array
+    lightest: Array
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -110,13 +111,15 @@ class RadialProblem:
     ) -> Point:
         load = np.empty((len(coordinates), len(self.bearings), len(PLANE)))
         tangent = np.empty((*load.shape, len(PLANE)))
+        lightest = np.empty(load.shape[:2])
         for places, found in bearings:
             own = self._sign[places]
             k = found.stiffness[..., PLANE, :][..., PLANE]
             load[:, places] = found.load[..., PLANE] * own
             tangent[:, places] = k * own[:, :, None] * own[:, None, :]
+            lightest[:, places] = found.lightest
         imbalance, pressure = bearings.imbalance, bearings.pressure
-        return Point(coordinates, bearings, states, load, tangent, imbalance, pressure)
+        return Point(coordinates, bearings, states, load, tangent, imbalance, pressure, lightest)
 
     @property
     def _seats(self) -> list[AxialBearing]:

@@ -5,7 +5,7 @@ Every load is a balance of its own (``radial``); only its start is taken from th
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,6 +15,7 @@ from rotordyn.machine.limits import HIGHEST_PRESSURE
 
 Array = NDArray[np.float64]
 Words = NDArray[np.str_]
+NOTHING = 1e-3  # of its lightest ball without radial force: a ball with less carries nothing
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -47,13 +48,19 @@ class RadialCurve:
 
     ``outcome`` (speeds,): empty, or why the curve ends early (then NaN from there on). ``reach``
     (speeds, bodies): furthest position of each body against its spring along the curve, as travel
-    from rest [m].
+    from rest [m]. ``unloading`` (speeds, seats): first force under which a ball of a bearing
+    carries nothing, where all of them were pressed [N]; NaN: none.
     """
 
     deflection: Array
     tangent: Array
     outcome: Words
     reach: Array
+    unloading: Array
+
+    def at(self, rows: NDArray[np.intp]) -> RadialCurve:
+        """The curve at some of its speeds, also repeated."""
+        return RadialCurve(*(getattr(self, each.name)[rows] for each in fields(self)))
 
 
 def radial_curve(problem: RadialProblem, force: Array) -> RadialCurve:
@@ -67,6 +74,8 @@ def radial_curve(problem: RadialProblem, force: Array) -> RadialCurve:
     deflection, tangent = np.zeros((len(start), len(force))), 1.0 / slope[:, :p].dot(point)
     outcome = np.full(len(start), "", dtype=object)
     reach = problem.travel(start)
+    unloading = np.full_like(here.lightest, np.nan)
+    least = NOTHING * here.lightest
     for k in range(1, len(force)):
         if (outcome != "").all():
             deflection[:, k:] = np.nan
@@ -80,7 +89,9 @@ def radial_curve(problem: RadialProblem, force: Array) -> RadialCurve:
         deflection[:, k] = here.coordinates[:, :p] @ point
         deflection[outcome != "", k] = np.nan
         reach = np.fmax(reach, problem.travel(here.coordinates))
-    return RadialCurve(deflection, tangent, outcome.astype(str), reach)
+        light = (here.lightest < least) & (outcome == "")[:, None]
+        unloading[light & np.isnan(unloading)] = force[k]
+    return RadialCurve(deflection, tangent, outcome.astype(str), reach, unloading)
 
 
 def _load_step(problem: RadialProblem, here: Point, slope: Array) -> LoadStep:

@@ -72,14 +72,18 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
         short = partial(_short_stop, scene, spec, force, usual)
         found[SHORT_STOP] = scene.timed(f"stiffness: {SHORT_STOP}", short)
     deflection = np.stack([variant.deflection for variant in found.values()], axis=1)
+    seats = scene.spindle.seats
+    unloading = np.full((len(scene.usable), len(seats)), np.nan)
     return StiffnessResult(
         speed=scene.speed,
         variant=tuple(found),
         force=force,
+        bearing=tuple(seat.name for seat in seats),
         outcome=_outcome(scene, found),
         deflection=scene.scattered(deflection),
         tangent=scene.scattered(np.stack([v.tangent for v in found.values()], axis=1)),
         secant=scene.scattered(force[-1] / deflection[..., -1]),
+        unloading_force=scene.scattered(unloading if usual is None else usual.unloading),
     )
 
 
@@ -115,10 +119,7 @@ def _nonlinear(
 ) -> RadialCurve:
     """The full bearing model at every load; equal rows are solved once."""
     distinct, place = np.unique(rows, return_inverse=True)
-    curve = radial_curve(RadialProblem.at(state, rotor, distinct), force)
-    return RadialCurve(
-        curve.deflection[place], curve.tangent[place], curve.outcome[place], curve.reach[place]
-    )
+    return radial_curve(RadialProblem.at(state, rotor, distinct), force).at(place)
 
 
 def _as_variant(curve: RadialCurve) -> Variant:

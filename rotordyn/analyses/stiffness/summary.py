@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from rotordyn.analyses.stiffness.result import StiffnessResult
 from rotordyn.results.described import Described
-from rotordyn.results.display import STIFFNESS
+from rotordyn.results.display import RPM, STIFFNESS
 from rotordyn.results.text import from_to, unbroken
 
 
@@ -23,3 +25,18 @@ def cells(result: StiffnessResult, _: Described) -> dict[str, str]:
         f"{name.replace('_', ' ')} [N/µm]": from_to(values)
         for name, values in zip(result.variant, result.tangent.T * STIFFNESS.factor, strict=True)
     }
+
+
+def warnings(result: StiffnessResult) -> list[str]:
+    """Bearings that the radial force unloads."""
+    found = []
+    for name, force in zip(result.bearing, result.unloading_force.T, strict=True):
+        if not np.isfinite(force).any():
+            continue
+        row = int(np.nanargmin(force))
+        found.append(
+            f"bearing {name} has balls without load from a radial force of {force[row]:.4g} N at "
+            f"{result.speed[row] * RPM.factor:.0f} rpm, and gives way more from there: raise its "
+            "preload, or keep the force below"
+        )
+    return found

@@ -26,6 +26,7 @@ ANALYSIS = Analysis(
     tables=LAYOUTS,
     summary=code("summary:summary"),
     accuracy=code("summary:accuracy"),
+    warnings=code("summary:warnings"),
     heading="largest half axis of the orbit by unbalance",
     cells=code("summary:cells"),
 )

@@ -80,3 +80,4 @@ class UnbalanceResult:
         "point", "resonance", unit="m", label="major half axis at the peak"
     )
     error: Array = quantity("point", unit="1", label="estimated error over the largest value")
+    error_asked: float = quantity(unit="1", label="largest error asked for, over that value")

@@ -18,8 +18,8 @@ from rotordyn.analyses.unbalance.orbit import orbit
 from rotordyn.analyses.unbalance.result import UnbalanceResult
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.equation.dofs import position
-from rotordyn.equation.free_motion import FORWARD, FreeMotions
-from rotordyn.equation.hysteresis import SYNCHRONOUS, Hysteresis
+from rotordyn.equation.free_motion import FORWARD, FreeMotions, answering_stiffness
+from rotordyn.equation.hysteresis import SYNCHRONOUS
 from rotordyn.equation.linear import Linear
 from rotordyn.errors import NoSolution
 from rotordyn.modes.band import Band
@@ -27,7 +27,7 @@ from rotordyn.modes.branches import branches_of
 from rotordyn.modes.criticals import critical_speeds
 from rotordyn.modes.names import named
 from rotordyn.numerics.peaks import NARROW, tops
-from rotordyn.scene.refinement import Rows, changes, settled
+from rotordyn.scene.refinement import Rows, changes, response_accuracy, settled
 from rotordyn.scene.sampling import over_speed
 from rotordyn.scene.scene import Scene
 
@@ -101,6 +101,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         critical_speed=np.array([speed for _, speed, _ in critical]),
         critical_damping=np.array([damping for *_, damping in critical]),
         error=error,
+        error_asked=response_accuracy(scene),
         fine_speed=fine,
         fine_displacement=fine_moved,
         fine_major_axis=fine_orbit.major,
@@ -176,9 +177,7 @@ def _steady(scene: Scene, own: Linear, spec: UnbalanceSpec, speed: Array) -> Ste
     turned = [np.einsum("nfc,nf->c", plane, loads) for plane in planes]
     force = turned[0] * FORWARD[0] + turned[1] * FORWARD[1]
     back = turned[0].conj() * FORWARD[0].conj() + turned[1].conj() * FORWARD[1].conj()
-    stiffness = own.stiffness + (
-        0.0 if own.loss is None else Hysteresis(*own.loss).stiffness(SYNCHRONOUS)
-    )
+    stiffness = answering_stiffness(own, SYNCHRONOUS)
     moved, left = np.zeros((2, len(speed), own.size), dtype=complex)
     for row in np.flatnonzero(speed):
         w = abs(speed[row])

@@ -99,3 +99,15 @@ def accuracy(result: UnbalanceResult) -> list[str]:
     """The largest estimated error of the motion."""
     worst = float(result.error.max(initial=0.0))
     return [f"response to unbalance within {rounded_up(worst)} of its peak"]
+
+
+def warnings(result: UnbalanceResult) -> list[str]:
+    """Motion less accurate than asked for."""
+    worst = float(result.error.max(initial=0.0))
+    if worst <= result.error_asked:
+        return []
+    point = result.point[int(result.error.argmax())]
+    return [
+        f"unbalance: the motion of {point} is less accurate than asked for: an estimated error of "
+        f"{rounded_up(worst)} of its peak remains after refinement"
+    ]

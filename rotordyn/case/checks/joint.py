@@ -13,7 +13,7 @@ from rotordyn.case.schema.joint import JointEntry
 from rotordyn.case.schema.shaft import ToolEntry
 from rotordyn.case.schema.spindle import SpindleEntry
 from rotordyn.machine.joint import joint_faults
-from rotordyn.machine.station import SLACK
+from rotordyn.machine.station import SLACK, least_part
 from rotordyn.scene.on_joints import obstacles_of_joints
 from rotordyn.units import format_quantity
 
@@ -28,11 +28,12 @@ def joints(
     """All checks of the joints of a file; those ``taken`` are of the other file."""
     unique([joint.name for joint in entries], root, ("joints",), faults)
     low, high = reach
+    least = least_part(low, high)
     for index, joint in enumerate(entries):
         way = ("joints", index)
         for sentence in joint_faults(springs(joint)):
             faults.at(root, way, sentence)
-        if not low + SLACK < joint.x < high - SLACK and joint.x == joint.x:
+        if not low + least < joint.x < high - least and joint.x == joint.x:
             given = root.at(*way, "x").raw
             ends = [format_quantity(x, "mm") for x in reach]
             message = f"joins no two parts: given '{given}'; allowed: between {' and '.join(ends)}"
@@ -40,6 +41,9 @@ def joints(
         for other in (*entries[:index], *taken):
             if abs(other.x - joint.x) <= SLACK:
                 faults.at(root, (*way, "x"), f"joint '{other.name}' is at the same station")
+            elif abs(other.x - joint.x) < least:
+                message = f"joint '{other.name}' is nearer than {least:.3g} m: make them one"
+                faults.at(root, (*way, "x"), message)
             elif other.name == joint.name and other in taken:
                 faults.at(root, (*way, "name"), f"name already taken: '{joint.name}'")
 

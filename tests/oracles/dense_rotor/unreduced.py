@@ -27,9 +27,10 @@ Complex = NDArray[np.complex128]
 
 @dataclass(frozen=True, eq=False)
 class Unreduced:
-    """M q̈ + (C + Ω G) q̇ + K q = f over chosen ``dofs`` (n,) of a structure, each (n, n).
+    """M q̈ + (C + Ω G) q̇ + (K + Ω T) q = f over chosen ``dofs`` (n,) of a structure, each (n, n).
 
-    ``held``: the share of K that links add, apart from the elastic rest ``stiffness``.
+    ``held``: the share of K that links add, apart from the elastic rest ``stiffness``. ``turning``
+    T: of dampers that turn with their rotor, those of joints.
     """
 
     dofs: Indices
@@ -38,6 +39,7 @@ class Unreduced:
     damping: Array
     stiffness: Array
     held: Array
+    turning: Array
 
     def row(self, dof: int) -> int:
         """Place of a DOF."""
@@ -69,8 +71,20 @@ def unreduced(structure: Structure, state: State, motion: str | None = None) -> 
         assembled("damping") + dampers,
         assembled("stiffness"),
         held,
+        _turning(structure, assembled("turning")),
     )
     return Unreduced(chosen, *(matrix[np.ix_(chosen, chosen)] for matrix in every))
+
+
+def _turning(structure: Structure, dampers: Array) -> Array:
+    """Of dampers that turn (n, n), alike in both planes: what couples these per unit of speed."""
+    across = np.zeros_like(dampers)
+    for shaft in structure.shafts.values():
+        for (node, name), y in shaft.jump.items():
+            if name in ("y", "thz"):
+                z = shaft.jump[node, {"y": "z", "thz": "thy"}[name]]
+                across[y, z], across[z, y] = dampers[y, y], -dampers[z, z]
+    return across
 
 
 def dense_poles(spindle: Spindle, spin: float, highest: float, accuracy: float | None) -> Complex:
@@ -84,9 +98,10 @@ def dense_poles(spindle: Spindle, spin: float, highest: float, accuracy: float |
     state = State(np.array([spin]), np.zeros((1, 0, 5, 5)), np.zeros((1, 0), dtype=bool))
     whole = unreduced(structure, state, "bending")
     turn, rigid = _from_first_node(structure, whole)
+    links = whole.held + spin * whole.turning
     mass, gyroscopic, damping, elastic, held = (
         turn.T @ matrix @ turn
-        for matrix in (whole.mass, whole.gyroscopic, whole.damping, whole.stiffness, whole.held)
+        for matrix in (whole.mass, whole.gyroscopic, whole.damping, whole.stiffness, links)
     )
     elastic[rigid], elastic[:, rigid] = 0.0, 0.0
     return poles_by_inverse(mass, damping + spin * gyroscopic, elastic + held)

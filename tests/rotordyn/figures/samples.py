@@ -302,6 +302,7 @@ def frf(count: int = 49, points: int = 2000) -> FrfResult:
         unstable=np.zeros(count, dtype=bool),
         is_slice=is_slice,
         error=np.full(4, 3e-5),
+        error_asked=1e-3,
         resonance=np.arange(0),
         peak_frequency=none,
         peak_value=none + 0j,
@@ -352,6 +353,8 @@ def stiffness(count: int = 49) -> StiffnessResult:
         deflection=deflection,
         tangent=tangent,
         secant=tangent / 1.1,
+        bearing=("B1", "B2"),
+        unloading_force=np.full((count, 2), np.nan),
     )
 
 
@@ -445,6 +448,7 @@ def unbalance(count: int = 49) -> UnbalanceResult:
         peak_speed=np.zeros((2, 0)),
         peak_amplitude=np.zeros((2, 0)),
         error=np.array([1e-5, 2e-5]),
+        error_asked=1e-3,
     )
 
 

@@ -14,6 +14,7 @@ from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.solving import Answers, answer_spindle
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import LinearSupport
 from rotordyn.report.warnings import result_warnings
 from rotordyn.scene.conditions import Conditions
 from tests.oracles.rotors import support, uniform
@@ -67,8 +68,44 @@ def test_divergence_is_no_mode_but_a_warning() -> None:
     ends = (support("a", 0.0, (STIFF, STIFF)), support("b", 0.5, (STIFF, -3.0 * STIFF)))
     answers = solved(uniform(0.5, 0.05, supports=ends))
     (sentence,) = answers.warnings
-    assert "moves away without vibrating" in sentence
-    assert not answers.results["campbell"].unstable.any()
+    assert "moves away without vibrating (divergence, a static instability" in sentence
+    found = answers.results["campbell"]
+    assert not found.unstable.any()
+    assert (found.stability_threshold, found.first_to_grow) == (0.0, "a divergence")
+
+
+@pytest.mark.parametrize("rotor", ["rigid", "flexible"])
+def test_divergence_of_a_whirl_is_no_vibration(rotor: str) -> None:
+    """Isotropic: pushed away in a slow spiral at speed, straight on at rest."""
+    ends = (support("a", 0.0, (STIFF, STIFF)), support("b", 0.5, (-3.0 * STIFF, -3.0 * STIFF)))
+    asked: dict[str, Any] = {"campbell": CampbellSpec(400.0, shapes=False)}
+    spindle = uniform(0.5, 0.05, supports=ends)
+    speeds = (0.0, 1000.0 * RPM)
+    answers = answer_spindle(spindle, Conditions(rotor=rotor), speeds, asked, lambda name: None)
+    (sentence,) = answers.warnings
+    assert "vibrates at" not in sentence
+    assert "moves away without vibrating (divergence" in sentence
+    found = answers.results["campbell"]
+    assert (found.stability_threshold, found.first_to_grow) == (0.0, "a divergence")
+
+
+def test_the_speed_at_which_a_divergence_begins() -> None:
+    """The support's table goes through zero at 500 rad/s: k = 1 − Ω/500 of the other plane's."""
+    table = tuple(STIFF * (1.0 - speed / 500.0) for speed in (0.0, 1000.0))
+    ends = tuple(
+        LinearSupport(
+            name, x, {("y", "y"): STIFF, ("z", "z"): table}, {("z", "z"): 1e3}, speeds=(0.0, 1000.0)
+        )
+        for name, x in (("a", 0.0), ("b", 0.5))
+    )
+    asked: dict[str, Any] = {"campbell": CampbellSpec(400.0, shapes=False)}
+    given, speeds = Conditions(rotor="rigid"), (0.0, 300.0, 1000.0)
+    answers = answer_spindle(
+        uniform(0.5, 0.05, supports=ends), given, speeds, asked, lambda name: None
+    )
+    found = answers.results["campbell"]
+    assert found.stability_threshold == pytest.approx(500.0, rel=1e-6)
+    assert found.first_to_grow == "a divergence"
 
 
 def test_receptances_of_an_unstable_machine_are_warned_of() -> None:

@@ -1,0 +1,324 @@
+"""The results of a case: datasets by name, what is said about them, figures, a folder of files."""
+
+from __future__ import annotations
+
+import time
+from abc import abstractmethod
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+from rotordyn.analyses.registry import analysis
+from rotordyn.analyses.solving import Answers, Progress
+from rotordyn.case.case import Case
+from rotordyn.errors import InvalidInput
+from rotordyn.job.solving import solve, solve_variants, unsolved
+from rotordyn.markup import preformatted, table
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+    from rotordyn.figures.draw import Figure, Pictures
+
+
+class Part(NamedTuple):
+    """One machine of a case: what was asked of it, and the results by the name of the analysis."""
+
+    case: Case
+    results: Mapping[str, Any]
+
+
+class Results(Mapping[str, "xr.Dataset"]):
+    """Results of a case: a mapping from the name of an analysis to its xarray Dataset.
+
+    The names are those of the case, such as ``"campbell"``; where the case has variants,
+    ``"variant/campbell"``. Datasets are in SI units with the unit of every variable in its
+    attributes, complex where a quantity is. Each is made when it is first asked for.
+
+    ``rotordyn.run`` solves a case and returns this; ``rotordyn.open`` reads it from a folder.
+    """
+
+    @property
+    @abstractmethod
+    def case(self) -> Case:
+        """The case that was solved, or InvalidInput where a folder holds none that can be read."""
+
+    @property
+    @abstractmethod
+    def summary(self) -> str:
+        """One screen of plain text, as in ``summary.txt``."""
+
+    @property
+    @abstractmethod
+    def warnings(self) -> tuple[str, ...]:
+        """What a designer should know, a sentence each; led by the variant where there are any."""
+
+    @property
+    @abstractmethod
+    def notes(self) -> tuple[str, ...]:
+        """What was chosen that changes how results read, a sentence each."""
+
+    @property
+    @abstractmethod
+    def unsolved(self) -> tuple[str, ...]:
+        """Why speeds, or whole variants, have no solution; empty where everything was solved."""
+
+    @abstractmethod
+    def save(self, folder: str | Path) -> Path:
+        """Write the folder that ``rotordyn run`` writes, whole or not at all; returns its path.
+
+        That is a sibling, ``folder_2``, where a file of ``folder`` is open in another program
+        (Windows).
+
+        Raises
+        ------
+        OutputRefused : ``folder`` holds something that is not a results folder
+        InvalidInput : it cannot be made there
+        """
+
+    @property
+    @abstractmethod
+    def parts(self) -> dict[str, Part]:
+        """Each machine by the name of its folder: "" where the case has no variants."""
+
+    @abstractmethod
+    def _dataset(self, name: str) -> xr.Dataset:
+        """The dataset of a name among ``_names``, made anew."""
+
+    @abstractmethod
+    def _names(self) -> tuple[str, ...]:
+        """Names of the datasets, in order."""
+
+    @abstractmethod
+    def _heading(self) -> tuple[str, str]:
+        """Name and title of the case."""
+
+    @cached_property
+    def _made(self) -> dict[str, xr.Dataset]:
+        return {}
+
+    def __getitem__(self, name: str) -> xr.Dataset:
+        if name not in self._names():
+            raise KeyError(f"no results {name}: there are {', '.join(self._names())}")
+        if name not in self._made:
+            self._made[name] = self._dataset(name)
+        return self._made[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._names())
+
+    def __len__(self) -> int:
+        return len(self._names())
+
+    def __contains__(self, name: object) -> bool:
+        return name in self._names()
+
+    @property
+    def figures(self) -> tuple[str, ...]:
+        """Names of the figures that ``plot`` draws: those of the files in a results folder."""
+        apart = [name for each in self.pictures() for name in each.names]
+        return tuple(sorted([*self.drawings(), *apart]))
+
+    def plot(self, name: str = "") -> Figure:
+        """Draw the figure ``name`` of ``figures``, such as ``"campbell"``.
+
+        The matplotlib Figure belongs to the caller: notebooks show it, ``savefig`` writes it.
+        pyplot, its backend and rcParams are neither used nor changed.
+
+        Raises
+        ------
+        InvalidInput : there is no figure of that name (the message lists all), the case of an
+            opened folder cannot be read, or nothing can be drawn in space on this computer
+        """
+        from rotordyn.figures.draw import drawn
+
+        drawings = self.drawings()
+        if name in drawings:
+            return drawn(drawings[name])
+        for each in self.pictures():
+            if name in each.names:
+                with each as running:
+                    return running.figure(name)
+        wanted = f"no figure {name}" if name else "plot takes the name of a figure"
+        raise InvalidInput(f"{wanted}: there are {', '.join(self.figures) or 'none'}")
+
+    def drawings(self) -> dict[str, Callable[[], Figure]]:
+        """Functions that draw, by the name of the figure; nothing is drawn yet."""
+        from rotordyn.job.figures import comparison_figures, figures
+
+        parts = self.parts
+        jobs = figures(*parts[""]) if "" in parts else comparison_figures(list(parts.values()))
+        return dict(jobs)
+
+    def pictures(self, beside: Path | None = None) -> list[Pictures]:
+        """Figures that another process draws; it runs once their context is entered.
+
+        Its files stand in ``beside``, or where the system has such files.
+        """
+        found = []
+        for name in dict.fromkeys(name for part in self.parts.values() for name in part.results):
+            made = analysis(name).pictures
+            if made is not None:
+                parts = self.parts.items()
+                held = {k: (case, own[name]) for k, (case, own) in parts if name in own}
+                found.append(made(held, beside))
+        return found
+
+    def __repr__(self) -> str:
+        (name, title), names = self._heading(), ", ".join(self._names())
+        words = [f"<Results of {name}" + (f" ({title})" if title else ""), f"{names}"]
+        counted = (("warning", self.warnings), ("reason for no solution", self.unsolved))
+        ends = [f"{len(each)} {word}{'s' * (len(each) > 1)}" for word, each in counted if each]
+        return "; ".join([": ".join(words), *ends]) + ">"
+
+    def _repr_html_(self) -> str:
+        """A short table that notebooks show, the summary folded below it."""
+        name, title = self._heading()
+        rows = [("case", name), ("results", ", ".join(self._names()))]
+        said = (("warning", self.warnings), ("not solved", self.unsolved), ("note", self.notes))
+        rows += [(word, sentence) for word, sentences in said for sentence in sentences]
+        return table(title or name, rows) + preformatted("summary", self.summary)
+
+
+@dataclass(frozen=True, slots=True)
+class Solution:
+    """A case solved: its parts by the name of their folder, each with the case it was solved for.
+
+    A case without variants is one part, named "". ``lost``: why variants have no solution;
+    ``seconds`` by what took them.
+    """
+
+    case: Case
+    parts: dict[str, tuple[Case, Answers]]
+    lost: tuple[str, ...] = ()
+    seconds: dict[str, float] = field(default_factory=dict)
+
+    @property
+    def results(self) -> dict[str, Any]:
+        """Every result by its place in the files: ``analysis`` or ``variant/analysis``."""
+        return self.by_part(lambda answers: answers.results)
+
+    def by_part(self, held: Callable[[Answers], Mapping[str, Any]]) -> dict[str, Any]:
+        """A mapping that every part's answers have, the keys led by the name of the variant."""
+        return {
+            f"{part}/{key}" if part else key: value
+            for part, (_, answers) in self.parts.items()
+            for key, value in held(answers).items()
+        }
+
+    def said(self, said: Callable[[Answers], Iterable[str]]) -> tuple[str, ...]:
+        """What is ``said`` of every part, each sentence once, led by the name of the variant."""
+        sentences = {
+            f"{part}: {sentence}" if part else sentence: None
+            for part, (_, answers) in self.parts.items()
+            for sentence in said(answers)
+        }
+        return tuple(sentences)
+
+
+class SolvedResults(Results):
+    """Results in memory, as solving leaves them."""
+
+    def __init__(self, solution: Solution) -> None:
+        self.solution = solution
+
+    @property
+    def case(self) -> Case:
+        return self.solution.case
+
+    @cached_property
+    def summary(self) -> str:
+        return self.summary_with(self.notes)
+
+    def summary_with(self, notes: tuple[str, ...]) -> str:
+        """The summary with these ``notes``."""
+        from rotordyn.report.side_by_side import comparison_summary
+        from rotordyn.report.summary import summary
+
+        if self.case.variants:
+            shown = list(self.parts.values())
+            return comparison_summary(self.case, shown, self.warnings, notes)
+        return summary(self.case, self.solution.results, self.warnings, notes)
+
+    @cached_property
+    def warnings(self) -> tuple[str, ...]:
+        from rotordyn.report.warnings import result_warnings
+
+        solution = self.solution
+        said = solution.said(lambda own: (*own.warnings, *result_warnings(own.results)))
+        return (*solution.lost, *said)
+
+    @cached_property
+    def notes(self) -> tuple[str, ...]:
+        return self.solution.said(lambda own: own.notes)
+
+    @cached_property
+    def unsolved(self) -> tuple[str, ...]:
+        solution = self.solution
+        return (*solution.lost, *solution.said(lambda own: unsolved(own.results)))
+
+    def save(self, folder: str | Path, *, figures: bool = True) -> Path:
+        """Write the folder that ``rotordyn run`` writes, whole or not at all; see ``Results.save``.
+
+        Without ``figures`` nothing is drawn, and what draws is not even loaded.
+
+        Raises
+        ------
+        OutputRefused : ``folder`` holds something that is not a results folder
+        InvalidInput : it cannot be made there
+        """
+        from rotordyn.job.delivery import write
+
+        return write(self, Path(folder), figures=figures).folder
+
+    @cached_property
+    def parts(self) -> dict[str, Part]:
+        parts = self.solution.parts.items()
+        return {name: Part(case, answers.results) for name, (case, answers) in parts}
+
+    def _names(self) -> tuple[str, ...]:
+        return tuple(self.solution.results)
+
+    def _heading(self) -> tuple[str, str]:
+        return self.case.name, self.case.title
+
+    def _dataset(self, name: str) -> xr.Dataset:
+        from rotordyn.report.datasets import dataset
+
+        return dataset(self.solution.results[name])
+
+
+def run(case: Case, progress: Progress = lambda name: None) -> SolvedResults:
+    """Solve a case: every analysis that it asks for, of every variant that it compares.
+
+    ``progress`` is called with the name of each analysis as it begins.
+
+    Raises
+    ------
+    NoSolution : no speed of the case, or of any of its variants, has a physical solution
+    """
+    if not isinstance(case, Case):
+        raise InvalidInput(f"run takes a case, as rotordyn.load gives it; got {case!r}")
+    begin = time.perf_counter()
+    lost: tuple[str, ...] = ()
+    if case.variants:
+        found, own = solve_variants(case, progress), labelled(case)
+        parts = {name: (own[name], answers) for name, answers in found.answers.items()}
+        lost = tuple(found.failed.values())
+    else:
+        parts = {"": (case, solve(case, progress))}
+    seconds = {"solve, all stages": time.perf_counter() - begin}
+    return SolvedResults(Solution(case, parts, lost, seconds))
+
+
+def labelled(case: Case) -> dict[str, Case]:
+    """The variants of ``case`` with titles that tell them apart."""
+    titles = {name: variant.title.strip() or name for name, variant in case.variants.items()}
+    count = Counter(titles.values())
+    return {
+        name: replace(variant, title=title if count[title] == 1 else f"{title} ({name})")
+        for (name, variant), title in zip(case.variants.items(), titles.values(), strict=True)
+    }

@@ -1,0 +1,163 @@
+"""What is possible in a machine and yet rarely meant: a sentence each, with the likely remedy.
+
+Nothing here is refused. Every check reads the description alone.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from itertools import pairwise
+
+from rotordyn.machine.joint import WAYS
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import BearingSeat
+
+RPM = 30.0 / math.pi
+FASTEST = 3.0e6  # [mm/min] n·dm; oil–air spindles of hybrid bearings reach 2 to 2.8 million
+GROWING = 1.0e6  # [mm/min] n·dm from which a missing ring growth is worth a word
+SLENDER = 100.0  # length over outer diameter of one section
+LONG = 10.0  # [m] of a shaft
+LOOSE = 1.5  # bore of a disc over the diameter of the shaft below it
+TWICE = 0.1  # of a disc's mass that the shaft has as well
+
+
+def implausible(spindle: Spindle, top: float) -> Iterator[str]:
+    """Sentences about a machine whose spindle turns at up to ``top`` [rad/s]."""
+    yield from _lengths(spindle)
+    yield from _discs(spindle)
+    yield from _overlapping(spindle)
+    yield from _arrangement(spindle)
+    yield from _speed_factors(spindle, top)
+
+
+def unopposed(spindle: Spindle) -> str:
+    """A sentence where all bearings take thrust the same one way, else nothing."""
+    ways = {seat.thrust for seat in spindle.seats}
+    if len(ways) != 1 or any(seat.bearing.both_ways for seat in spindle.seats):
+        return ""
+    way, other = ("+x", "-x") if ways == {1} else ("-x", "+x")
+    return (
+        f"all bearings carry thrust towards {way} only, and none opposes them: turn one round "
+        f"(thrust: {other})"
+    )
+
+
+def undamped(spindle: Spindle) -> bool:
+    """Nothing in the machine dissipates energy."""
+    joints = [*spindle.joints, *(joint for rotor in spindle.rotors for joint in rotor.joints)]
+    damped = (
+        spindle.damped
+        or spindle.hysteretic
+        or bool(spindle.dampers)
+        or any(any(rotor.rotor_damping) or bool(rotor.rayleigh) for rotor in spindle.rotors)
+        or any(seat.radial_damping or seat.axial_damping for seat in spindle.seats)
+        or any(any(_values(each.damping)) for each in (*spindle.supports, *spindle.housings))
+        or any(getattr(joint, f"{way}_damping") for joint in joints for way in WAYS)
+    )
+    return not damped
+
+
+def _values(entries: object) -> Iterator[float]:
+    """Numbers of a matrix, however it is kept."""
+    if isinstance(entries, dict):
+        entries = tuple(entries.values())
+    if isinstance(entries, tuple | list):
+        for entry in entries:
+            yield from _values(entry)
+    elif isinstance(entries, int | float):
+        yield float(entries)
+
+
+def _lengths(spindle: Spindle) -> Iterator[str]:
+    for place, section in enumerate(spindle.shaft.sections, start=1):
+        slender = section.length / section.outer_diameter
+        if slender > SLENDER:
+            named = f" ({section.name})" if section.name else ""
+            yield (
+                f"section {place}{named} of the shaft is {section.length:.4g} m long, "
+                f"{slender:.0f} times its diameter: check the unit of its length"
+            )
+    if spindle.shaft.end - spindle.shaft.start > LONG:
+        yield (
+            f"the shaft is {spindle.shaft.end - spindle.shaft.start:.4g} m long: check the units "
+            "of its sections"
+        )
+
+
+def _discs(spindle: Spindle) -> Iterator[str]:
+    shaft = spindle.shaft
+    for disc in spindle.discs:
+        ends = disc.x - disc.width / 2.0, disc.x + disc.width / 2.0
+        if ends[0] < shaft.start - disc.width or ends[1] > shaft.end + disc.width:
+            continue  # refused elsewhere: its station lies off the shaft
+        under = shaft.diameters_at(disc.x)[0]
+        if disc.inner_diameter > LOOSE * under:
+            yield (
+                f"disc {disc.name} does not touch the shaft: its bore is "
+                f"{disc.inner_diameter * 1e3:.4g} mm, the shaft below it "
+                f"{under * 1e3:.4g} mm"
+            )
+            continue
+        shared = max(min(under, disc.outer_diameter) ** 2 - disc.inner_diameter**2, 0.0)
+        if shared > TWICE * (disc.outer_diameter**2 - disc.inner_diameter**2):
+            yield (
+                f"disc {disc.name} and the shaft fill the same space: its bore is "
+                f"{disc.inner_diameter * 1e3:.4g} mm, the shaft there {under * 1e3:.4g} mm, "
+                "so that mass is counted twice; let the bore be the shaft's diameter"
+            )
+
+
+def _overlapping(spindle: Spindle) -> Iterator[str]:
+    row = sorted(spindle.seats, key=lambda seat: seat.x)
+    for front, rear in pairwise(row):
+        least = (front.bearing.ball_diameter + rear.bearing.ball_diameter) / 2.0
+        if rear.x - front.x < least:
+            yield (
+                f"bearings {front.name} and {rear.name} overlap: their stations are "
+                f"{(rear.x - front.x) * 1e3:.4g} mm apart, their balls alone need "
+                f"{least * 1e3:.4g} mm"
+            )
+
+
+def _arrangement(spindle: Spindle) -> Iterator[str]:
+    facing = [(front, rear) for front, rear, word in spindle.pairings if word == "X"]
+    if facing and not any(word == "O" for *_, word in spindle.pairings):
+        names = ", ".join(f"{front} and {rear}" for front, rear in facing)
+        yield (
+            f"bearings {names} stand face to face (X): their contact lines meet between them, "
+            "which holds tilt with a short base; back to back (O) is usual in spindles, by the "
+            "opposite thrust of both"
+        )
+
+
+def _speed_factors(spindle: Spindle, top: float) -> Iterator[str]:
+    for seat in spindle.seats:
+        factor = top * RPM * seat.bearing.pitch_diameter * 1e3
+        if factor > FASTEST:
+            yield (
+                f"bearing {seat.name}: n·dm {factor / 1e6:.2g} million mm/min at "
+                f"{top * RPM:.0f} rpm is beyond {FASTEST / 1e6:.2g} million, which no grease or "
+                "oil-air lubricated spindle bearing reaches: check speed and diameters"
+            )
+    grown = [seat for seat in spindle.seats if _grows_unsaid(seat, top)]
+    if grown:
+        names = ", ".join(seat.name for seat in grown)
+        most = max(_free_growth(seat, top) for seat in grown)
+        yield (
+            f"bearings {names}: no centrifugal ring growth is given above n·dm "
+            f"{GROWING / 1e6:g} million mm/min, where a steel ring by itself grows by up to "
+            f"{most * 1e6:.2g} µm on the radius at {top * RPM:.0f} rpm, and contact angles and "
+            "preload follow: give growth.centrifugal or a fit"
+        )
+
+
+def _grows_unsaid(seat: BearingSeat, top: float) -> bool:
+    fast = top * RPM * seat.bearing.pitch_diameter * 1e3 > GROWING
+    return fast and seat.growth.centrifugal is None
+
+
+def _free_growth(seat: BearingSeat, top: float) -> float:
+    """ρ Ω² r³ / E of a thin ring with the radius of the inner raceway [m]."""
+    material = seat.bearing.ring_material
+    return material.density * top**2 * seat.bearing.inner_raceway_radius**3 / material.young_modulus

@@ -1,0 +1,42 @@
+"""Single eigenpairs of q̈ + D q̇ + K q = 0 from near ones, by Newton's method."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+Complex = NDArray[np.complex128]
+Matrix = NDArray[np.inexact[Any]]
+STEPS = 10
+MET = 1e-12  # of a pole: the step is rounding
+ASIDE = 1e-14  # of a pole: at itself P may have no inverse, and stop those that share its batch
+
+
+def corrected(
+    stiffness: Matrix, damping: Matrix, pole: Complex, vector: Complex
+) -> tuple[Complex, Complex, NDArray[np.bool_]]:
+    """Poles (k,), vectors (k, n) of unit length, and which of them converged (k,).
+
+    ``stiffness`` and ``damping`` (k, n, n), ``pole`` (k,), ``vector`` (k, n): a start for each.
+    With P(λ) = λ² + λ D + K, x = P⁻¹ P′ v gives the next vector and λ − vᴴv/vᴴx the next pole
+    (Ruhe, SIAM J. Numer. Anal. 10 (1973) 674); both converge quadratically.
+    """
+    pole, one = pole.copy(), np.eye(stiffness.shape[-1])
+    vector = vector / np.linalg.norm(vector, axis=-1, keepdims=True)
+    met = np.zeros(len(pole), dtype=bool)
+    with np.errstate(all="ignore"):
+        for _ in range(STEPS):
+            at = (1.0 + ASIDE) * pole[:, None, None]
+            turned = damping @ vector[..., None] + 2.0 * at * vector[..., None]
+            try:
+                after = np.linalg.solve(stiffness + at * damping + at**2 * one, turned)[..., 0]
+            except np.linalg.LinAlgError:
+                return pole, vector, np.zeros_like(met)
+            step = 1.0 / (vector.conj() * after).sum(axis=-1)
+            pole, vector = at[:, 0, 0] - step, after / np.linalg.norm(after, axis=-1, keepdims=True)
+            met = np.abs(step) <= MET * np.abs(pole)
+            if met.all():
+                break
+    return pole, vector, met

@@ -1,0 +1,109 @@
+"""Machines that are possible and rarely meant: each is questioned, in one sentence."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from bearings.materials import Material
+from rotordyn.errors import NoSolution
+from rotordyn.machine.growth import RingGrowth
+from rotordyn.machine.lumped import Disc
+from rotordyn.machine.plausibility import implausible, undamped, unopposed
+from rotordyn.machine.shaft import Section
+from rotordyn.machine.spindle import Spindle
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.scene import Scene
+from tests.oracles import spindles
+from tests.oracles.spindles import RPM, mfw2310
+
+STEEL = Material("steel", 2.1e11, 0.3, 7800.0)
+TOP = 20000.0 * RPM
+
+
+def _said(spindle: Spindle, top: float = TOP) -> str:
+    return "\n".join(implausible(spindle, top))
+
+
+def _disc(bore: float) -> Spindle:
+    machine = mfw2310()
+    x = machine.seats[0].x + 0.05
+    outer = machine.shaft.diameters_at(x)[0]
+    disc = Disc("rim", x, 3.0 * outer, bore * outer, 0.02, STEEL)
+    return replace(machine, discs=(disc,))
+
+
+def test_the_flagship_has_nothing_to_question() -> None:
+    """Every sentence below is the fault of the change made there."""
+    assert not _said(mfw2310())
+    assert not _said(_disc(bore=1.0))
+
+
+def test_a_section_of_metres() -> None:
+    machine = mfw2310()
+    long = Section(25.0, 0.05, 0.0, STEEL, "rear end")
+    shaft = replace(machine.shaft, sections=(*machine.shaft.sections, long))
+    said = _said(replace(machine, shaft=shaft))
+    assert "(rear end) of the shaft is 25 m long, 500 times its diameter" in said
+    assert "check the units" in said
+
+
+def test_discs_that_float_or_count_mass_twice() -> None:
+    assert "does not touch the shaft" in _said(_disc(bore=2.0))
+    assert "mass is counted twice" in _said(_disc(bore=0.0))
+
+
+def test_bearings_that_overlap() -> None:
+    machine = mfw2310()
+    first, second, *others = machine.seats
+    near = replace(second, x=first.x + 0.5 * first.bearing.ball_diameter)
+    assert "overlap" in _said(replace(machine, seats=(first, near, *others)))
+
+
+def test_face_to_face_is_named_only_where_no_pair_is_back_to_back() -> None:
+    machine = mfw2310()
+    assert any(word == "O" for *_, word in machine.pairings)
+    turned = tuple(replace(seat, thrust=-seat.thrust) for seat in machine.seats)
+    faced = replace(machine, seats=turned)
+    assert "face to face (X)" in _said(faced)
+
+
+def test_speed_beyond_any_lubrication() -> None:
+    pitch = mfw2310().seats[0].bearing.pitch_diameter * 1e3
+    limit = 3.0e6 / pitch * RPM
+    assert "beyond 3 million" in _said(mfw2310(), 1.01 * limit)
+    assert "beyond 3 million" not in _said(mfw2310(), 0.99 * limit)
+
+
+def test_growth_not_given_at_speed_is_said_with_its_size() -> None:
+    """ρ Ω² r³ / E, the growth of a thin ring that turns."""
+    machine = mfw2310()
+    bare = tuple(replace(seat, growth=RingGrowth()) for seat in machine.seats)
+    machine = replace(machine, seats=bare)
+    ring = max(seat.bearing.inner_raceway_radius for seat in bare)
+    pitch = max(seat.bearing.pitch_diameter for seat in bare) * 1e3
+    top = 1.5e6 / pitch * RPM
+    material = bare[0].bearing.ring_material
+    growth = material.density * top**2 * ring**3 / material.young_modulus
+    assert f"grows by up to {growth * 1e6:.2g} µm" in _said(machine, top)
+    assert "growth" not in _said(machine, 0.5e6 / pitch * RPM)
+
+
+def test_thrust_that_nothing_opposes_is_named_instead_of_the_preload() -> None:
+    machine = mfw2310()
+    alike = tuple(replace(seat, thrust=1) for seat in machine.seats)
+    machine = replace(machine, seats=alike)
+    assert "towards +x only" in unopposed(machine)
+    with pytest.raises(NoSolution, match=r"all bearings carry thrust towards \+x only"):
+        Scene(machine, Conditions(), np.array([0.0, TOP])).require_solution()
+    assert not unopposed(mfw2310())
+
+
+def test_a_machine_without_any_damping() -> None:
+    machine = spindles.undamped(mfw2310())
+    assert undamped(machine)
+    assert not undamped(replace(machine, rotor_damping=(0.01,)))
+    seat = replace(machine.seats[0], radial_damping=100.0)
+    assert not undamped(replace(machine, seats=(seat, *machine.seats[1:])))

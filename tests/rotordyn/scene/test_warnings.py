@@ -1,0 +1,80 @@
+"""What is said of bearings at work, whatever the case asks for, and of results that fall short."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from rotordyn.analyses.frf import summary as frf
+from rotordyn.analyses.stiffness import solve as stiffness
+from rotordyn.analyses.stiffness import summary as stiffness_summary
+from rotordyn.analyses.stiffness.spec import StiffnessSpec
+from rotordyn.analyses.unbalance import summary as unbalance
+from rotordyn.results.balls import gripping, pressed, slipping
+from rotordyn.scene.scene import Scene
+from rotordyn.scene.warnings import bearing_warnings
+from tests.oracles.spindles import RPM, conditions, mfw2310
+from tests.rotordyn.figures import samples
+
+SPEEDS = np.array([0.0, 12000.0, 24000.0]) * RPM
+POINT = next(iter(mfw2310().points))
+
+
+def test_pressure_slip_and_grip_are_named_from_their_first_speed() -> None:
+    peak = np.array([1e9, 4.5e9, 4.4e9])
+    assert pressed("bearing a", SPEEDS, peak).startswith("bearing a: contact pressure 4.50 GPa")
+    assert "from 12000 rpm on" in pressed("bearing a", SPEEDS, peak)
+    assert "the inner race from 24000 rpm" in slipping("a", SPEEDS, np.array(["", "", "inner"]))
+    assert "above 0.3, more than the 0.1" in gripping("a", SPEEDS, np.array([0.0, 0.05, 0.3]))
+    assert not pressed("a", SPEEDS, np.full(3, np.nan))
+    assert not slipping("a", SPEEDS, np.full(3, ""))
+    assert not gripping("a", SPEEDS, np.array([0.0, np.nan, 0.0999]))
+
+
+def test_bearings_are_judged_wherever_they_were_solved(monkeypatch: pytest.MonkeyPatch) -> None:
+    """No analysis of the preload state is asked for."""
+    little = Scene(mfw2310(), conditions(friction=0.01), SPEEDS)
+    assert little.preload.usable.all()
+    assert any("the balls slip" in sentence for sentence in bearing_warnings(little))
+    held = Scene(mfw2310(), conditions(), SPEEDS)
+    assert held.preload.usable.all()
+    assert not list(bearing_warnings(held))
+    monkeypatch.setattr("rotordyn.results.balls.GRIP", 0.03)  # the first bearing needs 0.037
+    assert any("friction is above 0.037" in sentence for sentence in bearing_warnings(held))
+
+
+def test_a_bearing_that_a_radial_force_unloads_is_named() -> None:
+    """The same force is far from unloading the machine as it is built."""
+    built = Scene(mfw2310(), conditions(), np.array([0.0]))
+    found = stiffness.answer(built, StiffnessSpec(POINT, 100.0, variants=("nonlinear",)))
+    assert not stiffness_summary.warnings(found)
+    assert np.isnan(found.unloading_force).all()
+    force = np.full_like(found.unloading_force, np.nan)
+    force[0, 1] = 50.0
+    (said,) = stiffness_summary.warnings(replace(found, unloading_force=force))
+    assert f"bearing {found.bearing[1]} has balls without load from a radial force of 50 N" in said
+
+
+def test_half_the_preload_unloads_at_less_force() -> None:
+    """Balls are pressed by the preload alone, so less of it is taken away by less force."""
+    machine, first = mfw2310(), []
+    for share in (0.5, 0.25):
+        sleeves = tuple(
+            replace(each, spring=replace(each.spring, preload=share * each.spring.preload))
+            for each in machine.sleeves
+        )
+        scene = Scene(replace(machine, sleeves=sleeves), conditions(), np.array([0.0]))
+        found = stiffness.answer(scene, StiffnessSpec(POINT, 3e3, 60, variants=("nonlinear",)))
+        assert stiffness_summary.warnings(found)
+        first.append(np.nanmin(found.unloading_force))
+    assert first[1] < 0.75 * first[0]
+
+
+def test_accuracy_not_reached_is_a_warning() -> None:
+    for module, result in ((frf, samples.frf()), (unbalance, samples.unbalance())):
+        assert not [one for one in module.warnings(result) if "less accurate" in one]
+        worse = replace(result, error_asked=1e-9)
+        (said,) = (one for one in module.warnings(worse) if "less accurate" in one)
+        assert "remains after refinement" in said

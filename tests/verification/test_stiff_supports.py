@@ -1,0 +1,96 @@
+"""Springs far stiffer than the shaft: what rounding does to slow motions is part of the error, and
+none of them is taken for a free one."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+from bearings.materials import Material
+from rotordyn.analyses.campbell import solve as campbell
+from rotordyn.analyses.campbell.spec import CampbellSpec
+from rotordyn.errors import InvalidInput
+from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import LinearSupport
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.scene import Scene
+from tests.oracles.spinning_beam import PinnedBeam
+
+STEEL = Material("steel", 2.1e11, 0.3, 7800.0)
+LENGTH, DIAMETER = 0.5, 0.05
+SPEEDS, TOP = np.array([0.0, 500.0, 2000.0]), 6000.0
+
+
+def spring(name: str, x: float, stiffness: float, **more: float) -> LinearSupport:
+    ways = {("y", "y"): stiffness, ("z", "z"): stiffness}
+    return LinearSupport(name, x, ways | {(way, way): value for way, value in more.items()})
+
+
+def beam(*supports: LinearSupport) -> Spindle:
+    shaft = Shaft(0.0, (Section(LENGTH, DIAMETER, 0.0, STEEL),))
+    return Spindle("beam", shaft, supports=supports)
+
+
+def solved(spindle: Spindle, accuracy: float, top: float = TOP) -> Any:
+    scene = Scene(spindle, Conditions(accuracy=accuracy), SPEEDS, top)
+    return campbell.answer(scene, CampbellSpec(top, shapes=False))
+
+
+def exact() -> np.ndarray:
+    """Of the beam between pins [Hz], (speeds, modes)."""
+    own = PinnedBeam(LENGTH, DIAMETER)
+    rows = [np.concatenate([own.frequencies(k, s) for k in (1, 2, 3, 4)]) for s in SPEEDS]
+    return np.array([np.sort(np.abs(row))[:8] for row in rows]) / (2.0 * math.pi)
+
+
+@pytest.mark.parametrize("stiffness", [1e15, 1e16, 1e17, 1e18, 1e19, 1e20])
+def test_rounding_is_part_of_the_error(stiffness: float) -> None:
+    """Up to the stiffest spring that is allowed; its give is 1e20/stiffness · 1e-12."""
+    found = solved(beam(spring("a", 0.0, stiffness), spring("b", LENGTH, stiffness)), 1e-8)
+    bends = [kind == "bending" for kind in found.kind]
+    assert sum(bends) == 8
+    order = np.argsort(found.frequency[:, bends], axis=1)
+    frequency = np.take_along_axis(found.frequency[:, bends], order, axis=1)
+    told = np.take_along_axis(found.frequency_error[:, bends], order, axis=1)
+    error = np.abs(frequency / exact() - 1.0)
+    assert (told > 0.1 * (error - 2e8 / stiffness - 1e-8)).all()
+    assert told.max() < 30.0 * error.max()
+    assert ("rounding" in found.unsettled) == (stiffness >= 1e16)
+    assert not found.unsettled or "hold them rigid" in found.unsettled
+
+
+def test_a_slow_motion_beside_a_stiff_spring_keeps_its_error() -> None:
+    """A pin at one end, a soft spring at the other: the pendulum about the pin, 3.146 Hz."""
+    inertia = PinnedBeam(LENGTH, DIAMETER).line_mass * LENGTH**3 / 3.0
+    pendulum = math.sqrt(1e3 * LENGTH**2 / inertia) / (2.0 * math.pi)
+    for stiffness in (1e12, 1e14, 1e16):
+        found = solved(beam(spring("a", 0.0, stiffness), spring("b", LENGTH, 1e3)), 1e-6, 2000.0)
+        lowest = int(np.nanargmin(found.frequency[0]))
+        error = abs(found.frequency[0, lowest] / pendulum - 1.0)
+        assert found.frequency_error[0, lowest] > 0.1 * (error - 1e-3)
+        assert found.frequency_error[0, lowest] < 0.05
+
+
+@pytest.mark.parametrize("other", [spring("b", LENGTH, 1e3), spring("b", 0.0, 1.0, thz=1.0)])
+def test_a_motion_that_is_lost_is_refused(other: LinearSupport) -> None:
+    """Neither counted as free nor given some frequency."""
+    with pytest.raises(InvalidInput, match=r"'a' is so stiff, 1e\+20 N/m, .* hold it rigid"):
+        solved(beam(spring("a", 0.0, 1e20), other), 1e-6, 2000.0)
+
+
+def test_free_motions_stay_free_beside_stiff_springs() -> None:
+    """A pendulum that nothing holds; and what no spring touches."""
+    for stiffness, number in ((1e20, 2), (1e6, 2)):
+        scene = Scene(beam(spring("a", 0.0, stiffness)), Conditions(), SPEEDS, TOP)
+        for k in scene.with_motions(["bending"]):
+            assert scene.linear(k).free_directions([0, 2]) == [number, number]
+            assert scene.system(k).free_count[0] == 2 * number
+
+
+def test_stiffer_than_allowed_says_rigid() -> None:
+    with pytest.raises(InvalidInput, match="or rigid: no give at all"):
+        spring("a", 0.0, 2e20)
