@@ -47,7 +47,12 @@ _RULES: dict[type, Shape] = {
         "oneOf": [{"required": ["spindle"]}, {"required": ["bearing"]}],
         "dependentRequired": {"tool": ["spindle"]},
     },
-    FrfSpec: {"anyOf": [{"required": ["pairs"]}, {"required": ["matrix"]}]},
+    FrfSpec: {
+        "allOf": [
+            {"anyOf": [{"required": ["pairs"]}, {"required": ["matrix"]}]},
+            {"anyOf": [{"required": ["frequencies"]}, {"required": ["engine_orders"]}]},
+        ]
+    },
     Range: {"oneOf": [{"required": ["step"]}, {"required": ["count"]}]},
 }
 _LETTER = r"A-Za-z_\u00a1-\uffff"

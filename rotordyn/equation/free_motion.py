@@ -166,12 +166,16 @@ class FreeMotions:
         return values if self.whirling else np.take_along_axis(values, self._chosen[0], axis=-1)
 
     def receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
-        """At ``omega`` (f,) > 0 of paired rows (pairs, n): (s, pairs, f)."""
+        """At ``omega`` > 0, (f,) or (s, f) of every speed's own, of paired rows (pairs, n):
+        (s, pairs, f)."""
+        if self.solved_once and omega.ndim > 1:
+            once = self.receptance(omega.ravel(), responses, excitations)[0]
+            return np.swapaxes(once.reshape(len(responses), *omega.shape), 0, 1)
         answer = (self.lossy or self.modes).receptance
         if not self.whirling:
             folded = self._folded(responses), self._folded(excitations)
             return self._each(answer(omega, *folded))
-        both = np.concatenate([omega, -omega])
+        both = np.concatenate([omega, -omega], axis=-1)
         own = self._in_planes(lambda r, e: answer(both, r, e), responses, excitations)
         return self._each(own)
 
@@ -181,8 +185,9 @@ class FreeMotions:
 
         def answer(own: Array, other: Array) -> Complex:
             found = []
+            every = np.broadcast_to(omega, (len(self.linear.speed), omega.shape[-1]))
             for row, spin in enumerate(self.linear.speed):
-                both = np.concatenate([omega + spin, spin - omega])
+                both = np.concatenate([every[row] + spin, spin - every[row]])
                 one = self.modes.at(np.array([0 if self.solved_once else row]))
                 found.append(one.receptance(both, own, other))
             return np.concatenate(found)

@@ -106,15 +106,16 @@ class Hysteretic:
         return self._continued([signs, onward])
 
     def receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
-        """Receptance at i·``omega`` (f,) of paired rows (pairs, n), every frequency with its own
-        signs: (s, pairs, f)."""
-        signs = signs_of(omega[None], self.spin[:, None], whirling=self.whirling)
-        total = np.empty((len(self.spin), len(responses), len(omega)), dtype=complex)
+        """Receptance at i·``omega`` (f,) or (s, f) of paired rows (pairs, n), every frequency with
+        its own signs: (s, pairs, f)."""
+        omega = np.broadcast_to(omega, (len(self.spin), omega.shape[-1]))
+        signs = signs_of(omega, self.spin[:, None], whirling=self.whirling)
+        total = np.empty((len(self.spin), len(responses), omega.shape[-1]), dtype=complex)
         for each, at in gathered(signs):
             found = self.answering(each)
             for row in np.flatnonzero(at.any(axis=1)).tolist():
                 own, one = at[row], found.at(np.array([row]))
-                total[row][:, own] = one.receptance(omega[own], responses, excitations)[0]
+                total[row][:, own] = one.receptance(omega[row, own], responses, excitations)[0]
         return total
 
     @property

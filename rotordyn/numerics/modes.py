@@ -90,18 +90,20 @@ class Modes:
             return EPSILON * np.sqrt(np.einsum("...kn,...nk->...k", left, moved))
 
     def receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
-        """Receptance at i·``omega`` (f,) of paired rows: (…, pairs, f).
+        """Receptance at i·``omega`` (f,), or (…, f) of each system's own, of paired rows:
+        (…, pairs, f).
 
         ``responses`` and ``excitations`` (pairs, n).
         """
         batch = self.pole.shape[:-1]
-        total = np.empty((*batch, len(responses), len(omega)), dtype=complex)
+        each = np.broadcast_to(omega, (*batch, omega.shape[-1]))
+        total = np.empty((*batch, len(responses), omega.shape[-1]), dtype=complex)
         places = list(np.ndindex(*batch))
 
         def fill(part: slice) -> None:
             for place in places[part]:
                 answer = self._summed if self.condition[place] < WELL_CONDITIONED else self._solved
-                total[place] = answer(place, omega, responses, excitations)
+                total[place] = answer(place, each[place], responses, excitations)
 
         in_threads(fill, len(places), LEAST)
         return total

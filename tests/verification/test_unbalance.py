@@ -303,16 +303,26 @@ def test_an_unstable_machine_is_given_its_steady_solution() -> None:
         assert set(found.outcome) == {""}
 
 
-@pytest.mark.parametrize(("beside", "told"), [(0.4, False), (3.0, True)])
-def test_a_peak_between_the_speeds_of_the_case_is_told(beside: float, told: bool) -> None:
-    """Speeds ``beside`` half the width of the peak on either side of the critical speed."""
-    spindle = on_two(block(K, K), block(C, C))
-    critical = math.sqrt(K / rotor_inertia(spindle).mass)
-    half = C / (2.0 * math.sqrt(K * rotor_inertia(spindle).mass))
-    speeds = [0.2 * critical, *(critical * (1.0 + k * beside * half) for k in (-1, 1))]
-    result = solved(spindle, [*speeds, 2.0 * critical], Unbalance("disc", U), conditions=RIGID)
-    assert result.critical_damping == pytest.approx(half, rel=1e-3)
-    assert any("peaks between the speeds" in line for line in unbalance_lines(result)) == told
+@pytest.mark.parametrize("damped", [1.0, 1e-2])
+@pytest.mark.parametrize("count", [2, 5])
+def test_no_peak_between_the_speeds_of_the_case_is_missed(damped: float, count: int) -> None:
+    """A mass on springs: |r| = U Ω² / |K − M Ω² + i C Ω|, highest at Ω² = ω² / (1 − 2 ζ²)."""
+    spindle = on_two(block(K, K), block(damped * C, damped * C))
+    mass = rotor_inertia(spindle).mass
+    critical, half = math.sqrt(K / mass), damped * C / (2.0 * math.sqrt(K * mass))
+    speeds = np.linspace(0.21, 2.3, count) * critical
+    result = solved(spindle, speeds.tolist(), Unbalance("disc", U), conditions=RIGID)
+    top = critical / math.sqrt(1.0 - 2.0 * half**2)
+    largest = U / (2.0 * mass * half * math.sqrt(1.0 - half**2))
+    assert np.nanmax(result.fine_major_axis) == pytest.approx(largest, rel=1e-3)
+    assert result.peak_amplitude[0] == pytest.approx([largest], rel=1e-3)
+    assert result.peak_speed[0] == pytest.approx([top], rel=1e-3 + half)
+    np.testing.assert_array_equal(result.speed, speeds)
+    spin = result.fine_speed
+    exact = spin**2 * U / np.abs(K - mass * spin**2 + 1j * damped * C * spin)
+    np.testing.assert_allclose(result.fine_major_axis[:, 0], exact, rtol=1e-6)
+    text = " ".join(unbalance_lines(result))
+    assert f"{largest * 1e6:.3g}"[:3] in text
 
 
 def test_rest_is_no_steady_response() -> None:

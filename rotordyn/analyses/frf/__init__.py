@@ -16,7 +16,7 @@ ANALYSIS = Analysis(
     place=20,
     spec=FrfSpec,
     solve=code("solve:answer"),
-    highest=lambda spec, top: max(spec.frequencies, default=0.0),
+    highest=lambda spec, top: spec.highest(top),
     forced=True,
     ports=lambda spec: {port.point for pair in spec.pairs for port in pair},
     further_tables=code("slices:slices"),

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
@@ -19,30 +19,39 @@ PROMINENT = math.sqrt(2.0)  # how far an amplitude falls on both sides of a peak
 
 
 def measured_fields(
-    spec: FrfSpec, speed: Array, frequency: Array, pairs: Sequence[str], values: Complex
+    spec: FrfSpec,
+    speed: Array,
+    frequency: Array,
+    pairs: Sequence[str],
+    computed: Callable[[int, Array], Complex],
+    peaks: tuple[Array, Complex],
 ) -> dict[str, Any]:
-    """The fields of a result about ``spec.measured``; ``values`` (speeds, pairs, frequencies).
+    """The fields of a result about ``spec.measured``.
 
-    The computed response is that at the nearest speed of the case, between its frequencies
-    interpolated in both parts.
+    ``computed``: responses (pairs, n) at one of the speeds and at frequencies (n,) [Hz]; of
+    ``peaks``, frequency and value (speeds, pairs, resonances). The computed response is that at the
+    nearest speed of the case.
     """
     count, longest = len(spec.measured), max((len(m.frequency) for m in spec.measured), default=0)
     axis = np.full((count, longest), np.nan)
     response = np.full((count, longest), complex(np.nan, np.nan))
-    peaks = np.full((4, count, PEAKS), np.nan)
+    beside = np.full((4, count, PEAKS), np.nan)
     frac = np.full(count, np.nan)
     for row, one in enumerate(spec.measured):
         own, seen = np.array(one.frequency), as_quantity(one, spec.quantity)
         axis[row, : len(own)], response[row, : len(own)] = own, seen
         near = int(np.abs(speed - one.speed).argmin())
-        computed = values[near, pairs.index(one.pair)]
+        pair = pairs.index(one.pair)
         inside = (own >= frequency[0]) & (own <= frequency[-1])
-        if np.isfinite(computed).all() and inside.sum() >= LEAST_POINTS:
-            there = np.interp(own[inside], frequency, computed.real) + 1j * np.interp(
-                own[inside], frequency, computed.imag
-            )
+        there = computed(near, own[inside])[pair]
+        if np.isfinite(there).all() and inside.sum() >= LEAST_POINTS:
             frac[row] = assurance(seen[inside], there)
-            peaks[:, row] = _beside(own[inside], np.abs(seen[inside]), frequency, np.abs(computed))
+            at, high = (each[near, pair] for each in peaks)
+            known = np.isfinite(at)
+            grid = np.unique(np.concatenate([frequency, at[known]]))
+            curve = np.abs(computed(near, grid)[pair])
+            curve[np.searchsorted(grid, at[known])] = np.abs(high[known])
+            beside[:, row] = _beside(own[inside], np.abs(seen[inside]), grid, curve)
     names = ("measured_peak", "measured_peak_amplitude", "computed_peak", "computed_peak_amplitude")
     return {
         "measured": tuple(one.name for one in spec.measured),
@@ -53,7 +62,7 @@ def measured_fields(
         "measured_frequency": axis,
         "measured_response": response,
         "frac": frac,
-        **dict(zip(names, peaks, strict=True)),
+        **dict(zip(names, beside, strict=True)),
     }
 
 

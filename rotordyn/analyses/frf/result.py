@@ -17,7 +17,13 @@ from rotordyn.results.kinds import Array, Complex, Flags, Words
 class FrequencyResponse:
     """Complex frequency responses at independent speed and frequency; ``pair`` reads ``out / in``.
 
-    Subclasses add the values, whose name is their ``kind``. What was ``measured`` has frequencies
+    Subclasses add the values at the frequencies of the case, whose name is their ``kind``. Every
+    peak between and at them is solved for: ``peak_frequency`` and ``peak_value``, ascending, NaN
+    where there are fewer, infinite of a mode without damping. ``slice_value`` is the response at
+    the speeds that are drawn, at the frequencies of the case and more of them about every mode,
+    NaN beyond the last. ``line_value``: along the lines of engine orders, at the speeds of the
+    case, ``line_curve`` at more of them about the critical speeds; a stop that closes leaves a NaN.
+    What was ``measured`` has frequencies
     of its own, NaN beyond its last ``sample``; its highest peaks stand beside the computed ones
     next to them, NaN where there are fewer. ``unstable``: some motion grows by itself there, so
     that the steady solution given is not reached. ``frac``: frequency response assurance
@@ -35,6 +41,36 @@ class FrequencyResponse:
     is_slice: Flags = quantity("speed", unit="", label="drawn as slice")
     error: Array = quantity("pair", unit="1", label="estimated error over the largest value")
     error_asked: float = quantity(unit="1", label="largest error asked for, over that value")
+    resonance: NDArray[np.int_] = coordinate("resonance", unit="", label="resonance")
+    peak_frequency: Array = quantity(
+        "speed", "pair", "resonance", unit="Hz", label="frequency of the peak"
+    )
+    peak_value: Complex = quantity(
+        "speed", "pair", "resonance", unit="SI, as computed", label="response at the peak"
+    )
+    slice_speed: Array = coordinate("slice_speed", unit="rad/s", label="speed")
+    place: NDArray[np.int_] = coordinate("place", unit="", label="place")
+    slice_frequency: Array = quantity("slice_speed", "place", unit="Hz", label="frequency")
+    slice_value: Complex = quantity(
+        "slice_speed", "pair", "place", unit="SI, as computed", label="response of the slice"
+    )
+    line: Words = coordinate("line", unit="", label="engine order")
+    line_rotor: Words = quantity("line", unit="", label="rotor")
+    line_order: Array = quantity("line", unit="1", label="multiple of its speed")
+    line_frequency: Array = quantity("speed", "line", unit="Hz", label="frequency")
+    line_value: Complex = quantity(
+        "speed", "line", "pair", unit="SI, as computed", label="response"
+    )
+    step: NDArray[np.int_] = coordinate("step", unit="", label="step")
+    line_speed: Array = quantity("line", "step", unit="rad/s", label="speed")
+    line_curve: Complex = quantity("line", "step", "pair", unit="SI, as computed", label="response")
+    crossing: NDArray[np.int_] = coordinate("crossing", unit="", label="peak of the line")
+    line_peak_speed: Array = quantity(
+        "line", "pair", "crossing", unit="rad/s", label="speed of the peak"
+    )
+    line_peak_value: Complex = quantity(
+        "line", "pair", "crossing", unit="SI, as computed", label="response at the peak"
+    )
     measured: Words = coordinate("measured", unit="", label="measured response")
     sample: NDArray[np.int_] = coordinate("sample", unit="", label="sample")
     peak: NDArray[np.int_] = coordinate("peak", unit="", label="peak")
@@ -59,6 +95,13 @@ class FrequencyResponse:
         """The values of its kind (speeds, pairs, frequencies)."""
         values: Complex = getattr(self, self.kind)
         return values
+
+    def curve(self, index: int, pair: int) -> tuple[Array, Complex]:
+        """Frequencies [Hz] and values of a pair at a speed that is drawn, by its place among all
+        speeds."""
+        row = int(np.flatnonzero(np.flatnonzero(self.is_slice) == index)[0])
+        known = np.isfinite(self.slice_frequency[row])
+        return self.slice_frequency[row, known], self.slice_value[row, pair, known]
 
     def unit(self, pair: int) -> str:
         """SI unit of the values of a pair."""

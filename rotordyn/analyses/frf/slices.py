@@ -1,4 +1,4 @@
-"""One table per speed at which curves are drawn."""
+"""Tables of curves: one per speed at which they are drawn, and one of all peaks."""
 
 from __future__ import annotations
 
@@ -7,21 +7,44 @@ from collections.abc import Iterator
 import numpy as np
 
 from rotordyn.analyses.frf.result import FrequencyResponse
-from rotordyn.results.display import RPM, shown
+from rotordyn.results.display import DEGREE, RPM, Shown, shown
 from rotordyn.results.layout import Table
 
 
 def slices(result: FrequencyResponse) -> Iterator[Table]:
     """One table per slice with a solution: a line per frequency; of every pair both parts, and
-    amplitude and phase."""
-    solved = np.isfinite(result.response).all(axis=(1, 2))
-    for index in np.flatnonzero(result.is_slice & solved).tolist():
-        rpm = float(result.speed[index]) * RPM.factor
-        columns = [("frequency", shown("Hz"), result.frequency)]
+    amplitude and phase. Then one of the peaks."""
+    for row, speed in enumerate(result.slice_speed):
+        known = np.isfinite(result.slice_frequency[row])
+        values = result.slice_value[row][:, known]
+        if not np.isfinite(values).all():
+            continue
+        columns = [("frequency", shown("Hz"), result.slice_frequency[row, known])]
         for place, pair in enumerate(result.pair):
             label, unit = f"{result.kind} {pair}", shown(result.unit(place))
-            values = result.response[index, place]
-            columns.append((label, unit, values))
-            columns.append((f"{label} amplitude", unit, np.abs(values)))
-            columns.append((f"{label} phase", shown("rad"), np.angle(values)))
-        yield Table(f"frf_{rpm:.7g}rpm", columns)
+            columns.append((label, unit, values[place]))
+            columns.append((f"{label} amplitude", unit, np.abs(values[place])))
+            columns.append((f"{label} phase", shown("rad"), np.angle(values[place])))
+        yield Table(f"frf_{float(speed) * RPM.factor:.7g}rpm", columns)
+    if result.resonance.size:
+        yield _peaks(result)
+
+
+def _peaks(result: FrequencyResponse) -> Table:
+    """A line per peak of every speed and pair."""
+    speed, pair, place = np.nonzero(np.isfinite(result.peak_frequency))
+    value = result.peak_value[speed, pair, place]
+    units = [shown(result.unit(k)) for k in range(len(result.pair))]
+    factor = np.array([unit.factor for unit in units])
+    plain = Shown("")
+    return Table(
+        "frf_peaks",
+        [
+            ("speed", RPM, result.speed[speed]),
+            ("response / excitation", plain, np.array(result.pair)[pair]),
+            ("frequency", shown("Hz"), result.peak_frequency[speed, pair, place]),
+            (f"amplitude of the {result.kind}", plain, np.abs(value) * factor[pair]),
+            ("unit", plain, np.array([unit.unit for unit in units])[pair]),
+            ("phase", DEGREE, np.angle(value)),
+        ],
+    )

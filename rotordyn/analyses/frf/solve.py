@@ -11,6 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.frf.measured import measured_fields
+from rotordyn.analyses.frf.orders import line_fields, lines_of
+from rotordyn.analyses.frf.peaks import Peaks, Poles, curve_at, joined, peaks_of, poles_of
 from rotordyn.analyses.frf.result import (
     FrequencyResponse,
     FrfResult,
@@ -18,7 +20,7 @@ from rotordyn.analyses.frf.result import (
     MobilityResult,
     TurningFrfResult,
 )
-from rotordyn.analyses.frf.spec import QUANTITIES, FrfSpec, Port
+from rotordyn.analyses.frf.spec import ORDERS_TURNED, QUANTITIES, FrfSpec, Port
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.errors import InvalidInput
 from rotordyn.results.display import RPM
@@ -58,7 +60,9 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
         require_isotropic(scene)
         if spec.quantity != QUANTITIES[0]:
             raise InvalidInput(turned(spec.quantity))
-    frequency = np.array(spec.frequencies)
+    if turning and spec.engine_orders:
+        raise InvalidInput(f"frf: engine_orders: {ORDERS_TURNED}")
+    frequency = np.array(spec.frequencies, dtype=float)
     count = len(scene.usable) * len(spec.pairs) * len(frequency)
     if count > MOST_VALUES:
         raise InvalidInput(
@@ -67,36 +71,150 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
             f"{MOST_VALUES:.0e}"
         )
     power = QUANTITIES.index(spec.quantity)
+    judged = _asked(scene, spec)
     scene, error = settled(
-        scene, lambda one: _errors(one, spec, frequency, power), lambda found: float(found.max())
+        scene, lambda one: _errors(one, spec, judged, power), lambda found: float(found.max())
     )
-    values = np.zeros((len(scene.usable), len(spec.pairs), len(frequency)), dtype=complex)
+    responses = partial(_responses, spec.pairs, power)
     growing = np.zeros(len(scene.usable), dtype=bool)
-    for k, own in _by_system(scene, spec.pairs).items():
-        found = scene.system(k)
-        growing |= found.growing.any(axis=1)
-        within = _receptance(scene, found, [spec.pairs[place] for place in own])
-        with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
-            values[:, own] = within(frequency)
-        _refuse_unlimited(scene, within, found, frequency, values[:, own])
-    ends = scene.speed[scene.usable[[0, -1]]]
-    slices = {int(np.abs(scene.speed - wanted).argmin()) for wanted in spec.slices or ends}
-    values = scene.scattered(values * (2j * math.pi * frequency) ** power)
-    kind = TurningFrfResult if turning else _KINDS[spec.quantity]
-    rest: dict[str, Any] = {spec.quantity: values}
+    for k in _by_system(scene, spec.pairs):
+        growing |= scene.system(k).growing.any(axis=1)
     names = tuple(f"{response} / {excitation}" for response, excitation in spec.pairs)
-    rest |= measured_fields(spec, scene.speed, frequency, names, values)
+    kind = TurningFrfResult if turning else _KINDS[spec.quantity]
+    rest: dict[str, Any] = _on_grid(scene, spec, frequency, power)
+    values, peaks = rest.pop("values"), (rest["peak_frequency"], rest["peak_value"])
+    rest |= line_fields(scene, spec, responses)
+    computed = partial(_at_speed, scene, spec.pairs, power)
+    rest |= measured_fields(spec, scene.speed, frequency, names, computed, peaks)
     return kind(
         speed=scene.speed,
         frequency=frequency,
         pair=names,
         outcome=scene.outcome,
         unstable=scene.flagged(growing),
-        is_slice=np.isin(np.arange(len(scene.speed)), sorted(slices)),
         error=error,
         error_asked=response_accuracy(scene),
+        **{spec.quantity: values},
         **rest,
     )
+
+
+def _on_grid(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> dict[str, Any]:
+    """The fields of a result about ``spec.frequencies``; ``values`` (speeds, pairs, f) as well."""
+    shape = (len(scene.usable), len(spec.pairs))
+    values = np.zeros((*shape, len(frequency)), dtype=complex)
+    found: list[tuple[list[int], Peaks]] = []
+    poles: list[Poles] = []
+    for k, own in _by_system(scene, spec.pairs).items() if len(frequency) else ():
+        motions = scene.system(k)
+        within = _receptance(scene, motions, [spec.pairs[place] for place in own])
+        with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
+            values[:, own] = within(frequency)
+        _refuse_unlimited(scene, within, motions, frequency, values[:, own])
+        turning = scene.conditions.formulation == ROTATING and _bends(spec.pairs[own[0]])
+        spin = scene.speed[scene.usable] if turning else None
+        poles.append(poles_of(motions, spin, float(frequency[0]), float(frequency[-1])))
+        values[:, own] *= (2j * math.pi * frequency) ** power
+        reach = [_reach(scene, motions, spec.pairs[place]) for place in own]
+        reach_of = np.array(reach) * (2.0 * math.pi) ** power
+        ask = partial(_of_pairs, scene, motions, [spec.pairs[place] for place in own], power)
+        found.append((own, peaks_of(ask, poles[-1], frequency, values[:, own], reach_of, power)))
+    at, high = joined(found, shape)
+    slices = _slices(scene, spec) if len(frequency) else np.zeros(0, dtype=np.intp)
+    rows = {index: row for row, index in enumerate(scene.usable.tolist())}
+    curves = [frequency] * len(slices)
+    for place, index in enumerate(slices.tolist()):
+        if (row := rows.get(index)) is not None and poles:
+            tops = _finite(at, high, row)
+            curves[place] = curve_at([own.at(row) for own in poles], frequency, tops)
+    longest = max(map(len, curves), default=0)
+    axis = np.full((len(slices), longest), np.nan)
+    shown = np.full((len(slices), len(spec.pairs), longest), complex(np.nan, np.nan))
+    for row, (index, own_axis) in enumerate(zip(slices.tolist(), curves, strict=True)):
+        axis[row, : len(own_axis)] = own_axis
+        shown[row, :, : len(own_axis)] = _at_speed(scene, spec.pairs, power, index, own_axis)
+    return {
+        "values": scene.scattered(values),
+        "is_slice": np.isin(np.arange(len(scene.speed)), slices),
+        "resonance": np.arange(1, at.shape[-1] + 1),
+        "peak_frequency": scene.scattered(at),
+        "peak_value": scene.scattered(high),
+        "slice_speed": scene.speed[slices],
+        "place": np.arange(longest),
+        "slice_frequency": axis,
+        "slice_value": shown,
+    }
+
+
+def _finite(at: Array, high: Complex, row: int) -> Array:
+    """Frequencies of the peaks at a speed that are no undamped ones."""
+    return np.unique(at[row][np.isfinite(at[row]) & np.isfinite(high[row])])
+
+
+def _slices(scene: Scene, spec: FrfSpec) -> NDArray[np.intp]:
+    """Places of the speeds that are drawn, among those of the case."""
+    ends = scene.speed[scene.usable[[0, -1]]]
+    wanted = spec.slices or tuple(ends)
+    return np.unique([int(np.abs(scene.speed - each).argmin()) for each in wanted])
+
+
+def _asked(scene: Scene, spec: FrfSpec) -> Array:
+    """All frequencies [Hz] at which responses are asked for."""
+    hertz = [line.size * scene.speed[scene.usable] for line in lines_of(scene, spec)]
+    orders = np.concatenate([np.zeros(0), *hertz]) / (2.0 * math.pi)
+    return np.unique(np.concatenate([spec.frequencies, orders[orders > 0.0]]))
+
+
+def _at_speed(
+    scene: Scene, pairs: Sequence[tuple[Port, Port]], power: int, index: int, frequency: Array
+) -> Complex:
+    """Responses (pairs, f) at one of the speeds; NaN where it has no solution."""
+    row = np.flatnonzero(scene.usable == index)
+    if not len(row):
+        return np.full((len(pairs), len(frequency)), complex(np.nan, np.nan))
+    return _responses(pairs, power, scene, frequency[None], row)[0]
+
+
+def _responses(
+    pairs: Sequence[tuple[Port, Port]],
+    power: int,
+    scene: Scene,
+    frequency: Array,
+    rows: Rows | None = None,
+) -> Complex:
+    """Of all pairs at frequencies (usable, f) [Hz], or at some ``rows`` of the usable speeds:
+    (usable, pairs, f)."""
+    values = np.zeros((len(frequency), len(pairs), frequency.shape[1]), dtype=complex)
+    for k, own in _by_system(scene, pairs).items():
+        found = scene.system(k) if rows is None else scene.system_at(k, rows)
+        chosen = [pairs[place] for place in own]
+        values[:, own] = _of_pairs(scene, found, chosen, power, frequency)
+    return values
+
+
+def _of_pairs(
+    scene: Scene,
+    found: FreeMotions,
+    pairs: Sequence[tuple[Port, Port]],
+    power: int,
+    frequency: Array,
+    own: slice = slice(None),
+) -> Complex:
+    """Of some pairs of a subsystem at frequencies (usable, f) [Hz]; NaN is taken for 1 Hz."""
+    at = np.nan_to_num(frequency, nan=1.0)
+    with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
+        values = _receptance(scene, found, pairs[own])(at)
+        return np.asarray(values * (2j * math.pi * at[:, None]) ** power)
+
+
+def _reach(scene: Scene, found: FreeMotions, pair: tuple[Port, Port]) -> float:
+    """Product of the sizes of the rows of both ends."""
+    rows = [found.linear.row(*scene.spindle.place(port.point), port.direction) for port in pair]
+    return float(np.linalg.norm(rows[0]) * np.linalg.norm(rows[1]))
+
+
+def _bends(pair: tuple[Port, Port]) -> bool:
+    return pair[0].direction not in ("x", "thx")
 
 
 def _by_system(scene: Scene, pairs: Sequence[tuple[Port, Port]]) -> dict[int, list[int]]:
@@ -110,14 +228,13 @@ def _by_system(scene: Scene, pairs: Sequence[tuple[Port, Port]]) -> dict[int, li
 
 
 def _receptance(scene: Scene, found: FreeMotions, pairs: Sequence[tuple[Port, Port]]) -> Answered:
-    """Receptances (speeds, pairs, f) of a subsystem by frequency (f,) [Hz]."""
+    """Receptances (speeds, pairs, f) of a subsystem by frequency (f,) or (speeds, f) [Hz]."""
     rows = [
         [found.linear.row(*scene.spindle.place(port.point), port.direction) for port in pair]
         for pair in pairs
     ]
     response, excitation = np.array(rows).swapaxes(0, 1)
-    bends = pairs[0][0].direction not in ("x", "thx")
-    turning = scene.conditions.formulation == ROTATING and bends
+    turning = scene.conditions.formulation == ROTATING and _bends(pairs[0])
     answer = found.turning_receptance if turning else found.receptance
     return lambda frequency: answer(2.0 * math.pi * frequency, response, excitation)
 
@@ -126,7 +243,7 @@ def _errors(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> Array:
     """Largest change of each pair by the finer model over its peak (pairs,), at a few speeds and
     frequencies."""
     error = np.zeros(len(spec.pairs))
-    if scene.rigid:
+    if scene.rigid or not len(frequency):
         return error
     for k, own in _by_system(scene, spec.pairs).items():
         pairs, at = [spec.pairs[place] for place in own], _judged(scene, k, frequency)

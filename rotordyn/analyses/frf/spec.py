@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated
@@ -11,11 +12,26 @@ from rotordyn.machine.assembly import misnamed, unknown
 from rotordyn.machine.housing import housed_motions
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import MOTIONS, Freedom, coupled_motions
-from rotordyn.quantity import HIDDEN, Choice, Frequency, Items, Key, Name, PointName, Speed, Sweep
+from rotordyn.quantity import (
+    HIDDEN,
+    Choice,
+    EngineOrder,
+    Frequency,
+    Items,
+    Key,
+    Name,
+    PointName,
+    Speed,
+    Sweep,
+)
 from rotordyn.scene.formulation import ROTATING, turned
 from rotordyn.scene.spec import Setting, Spec
 
 QUANTITIES = ("receptance", "mobility", "inertance")
+ORDERS_TURNED = (
+    "a multiple of the speed has another frequency in the turning frame: leave engine_orders out, "
+    "or take formulation: inertial"
+)
 NO_RESPONSE = "no response: given zero at every frequency; allowed: at least one other value"
 _SPOKEN: Mapping[str, str] = {"axial": "axial motion"}
 
@@ -76,7 +92,10 @@ class FrfSpec(Spec):
     """Frequency responses between pairs of points over speed and frequency."""
 
     frequencies: Annotated[
-        tuple[Frequency, ...], Items(), Sweep(), "of the excitation, independent of speed"
+        tuple[Frequency, ...],
+        Sweep(),
+        Key(default=()),
+        "of the excitation, independent of speed; these or `engine_orders`, or both",
     ]
     pairs: Annotated[
         tuple[Annotated[tuple[Port, Port], Pair()], ...],
@@ -96,8 +115,27 @@ class FrfSpec(Spec):
         tuple[MeasuredResponse, ...],
         "measured ones laid over ([how](theory/receptances.md#measured-responses))",
     ] = ()
+    engine_orders: Annotated[
+        tuple[EngineOrder, ...],
+        "multiples of the speed of every rotor, whole or not, followed over speed",
+    ] = ()
+
+    def highest(self, top: float) -> float:
+        """Highest frequency asked for [Hz], where the fastest rotor turns at ``top`` [rad/s]."""
+        order = max(self.engine_orders, default=0.0)
+        return max(*self.frequencies[-1:], order * top / (2.0 * math.pi), 0.0)
 
     def _faults(self) -> Faults:
+        if not self.frequencies:
+            if not self.engine_orders:
+                yield (
+                    ("frequencies",),
+                    "no frequencies: at least one is needed, or engine_orders",
+                )
+            for key in ("slices", "measured"):
+                if getattr(self, key):
+                    yield (key,), "needs frequencies, which are not given"
+        yield from ascending("engine_orders", self.engine_orders)
         yield from ascending("frequencies", self.frequencies)
         yield from ascending("slices", self.slices)
         known = [f"{response} / {excitation}" for response, excitation in self.pairs]
@@ -115,6 +153,8 @@ class FrfSpec(Spec):
             yield ("measured", index, "name"), f"name given twice: '{self.measured[index].name}'"
 
     def _in_band(self, one: MeasuredResponse, index: int) -> Faults:
+        if not self.frequencies:
+            return
         low, high = self.frequencies[0], self.frequencies[-1]
         inside = [f for f in one.frequency if not (f < low or f > high)]
         if one.frequency and len(inside) < 2 and one.frequency[0] == one.frequency[0]:
@@ -135,6 +175,8 @@ class FrfSpec(Spec):
         turning = setting.conditions.formulation == ROTATING
         if turning and self.quantity not in ("", QUANTITIES[0]):
             yield ("quantity",), f"{turned(self.quantity)}: given '{self.quantity}'"
+        if turning and self.engine_orders:
+            yield ("engine_orders",), ORDERS_TURNED
         if turning and self.measured:
             yield (
                 ("measured",),

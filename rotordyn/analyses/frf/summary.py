@@ -1,4 +1,4 @@
-"""Measured frequency responses beside the computed ones in a few lines of text."""
+"""Frequency responses in a few lines of text: their peaks, measured ones beside them."""
 
 from __future__ import annotations
 
@@ -18,7 +18,54 @@ SAME = 1e-6  # of a speed
 
 
 def summary(result: FrequencyResponse) -> list[str]:
-    """A line per measured response: its highest peaks, the computed ones beside, the FRAC."""
+    """The highest peak of every pair, of all frequencies and along every engine order; then a line
+    per measured response: its highest peaks, the computed ones beside, the FRAC."""
+    words = [_highest(result, pair) for pair in range(min(MOST, len(result.pair)))]
+    words += [
+        _along(result, row, pair)
+        for row in range(min(MOST, len(result.line)))
+        for pair in range(min(MOST, len(result.pair)))
+    ]
+    known = [unbroken(word) for word in words if word]
+    peaks = [f"peaks      {result.kind}, the highest of each pair: {'; '.join(known)}"]
+    return [*(peaks if known else []), *_measured(result)]
+
+
+def _highest(result: FrequencyResponse, pair: int) -> str:
+    """The highest peak of a pair at all speeds; empty where there is none."""
+    size = np.abs(result.peak_value[:, pair])
+    if not np.isfinite(result.peak_frequency[:, pair]).any():
+        return ""
+    row, place = np.unravel_index(np.nanargmax(size), size.shape)
+    hertz, rpm = result.peak_frequency[row, pair, place], result.speed[row] * RPM.factor
+    at = f"at {number(float(hertz))} Hz and {number(float(rpm), 0)} rpm"
+    return f"{result.pair[pair]} {_size(result, pair, float(size[row, place]))} {at}"
+
+
+def _along(result: FrequencyResponse, row: int, pair: int) -> str:
+    """The highest peak of a pair along an engine order; its highest value where there is none."""
+    size, at = np.abs(result.line_peak_value[row, pair]), result.line_peak_speed[row, pair]
+    if not np.isfinite(size).any():
+        size, at = np.abs(result.line_curve[row, :, pair]), result.line_speed[row]
+    if not np.isfinite(size).any() or not np.nanmax(size) > 0.0:
+        return ""
+    place = int(np.nanargmax(size))
+    rpm = number(float(at[place]) * RPM.factor, 0)
+    whole = f"{result.pair[pair]} {_size(result, pair, float(size[place]))}"
+    return f"{whole} along {result.line[row]} at {rpm} rpm"
+
+
+def _size(result: FrequencyResponse, pair: int, size: float) -> str:
+    """A value in its printed unit; of displacement over force its inverse as well."""
+    to = shown(result.unit(pair))
+    if not math.isfinite(size):
+        return "unbounded (no damping)"
+    stiff = f" ({1e-6 / size:.3g} N/µm)" if result.unit(pair) == "m/N" else ""
+    return f"{size * to.factor:.3g} {to.unit}{stiff}"
+
+
+def _measured(result: FrequencyResponse) -> list[str]:
+    """A line per measured response."""
     lines = [_line(result, row) for row in range(min(MOST, len(result.measured)))]
     rest = len(result.measured) - MOST
     return lines + ([f"           and {rest} more measured responses"] if rest > 0 else [])

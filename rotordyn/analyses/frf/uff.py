@@ -81,7 +81,7 @@ def write_uff(
         _record(result, index, place, case=case, nodes=nodes, binary=binary)
         for index in np.flatnonzero(result.is_slice).tolist()
         for place in range(len(result.pair))
-        if len(result.frequency) > 1 and np.isfinite(result.response[index, place]).all()
+        if len(result.frequency) > 1 and np.isfinite(result.curve(index, place)[1]).all()
     ]
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", ResourceWarning)  # pyuff leaves closing to the interpreter
@@ -113,7 +113,7 @@ def _record(
     motion = MOTION[result.kind]
     response = f"[{'rad' if is_rotation(out_dof) else 'm'}{motion.per_time}]"
     load = "[N m]" if is_rotation(in_dof) else "[N]"
-    frequency = np.asarray(result.frequency, float)
+    frequency, values = result.curve(index, place)
     labels = {name: field.metadata["label"] for name, field in declared(result).items()}
     step = _even_step(frequency)
     return {
@@ -151,7 +151,7 @@ def _record(
         "z_axis_spec_data_type": _RPM,
         "z_axis_axis_lab": "speed",
         "z_axis_axis_units_lab": "rpm",
-        "data": result.response[index, place],
+        "data": values,
         "x": frequency,
     }
 

@@ -4,6 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+from numpy.typing import NDArray
+
 from rotordyn.results.declaration import coordinate, quantity
 from rotordyn.results.display import GRAM_MILLIMETRE, MILLIMETRE
 from rotordyn.results.kinds import Array, Complex, Flags, Words
@@ -19,8 +22,11 @@ class UnbalanceResult:
     ``minor_axis`` below zero where the orbit runs against the spindle; ``inclination`` of the major
     one from y to z. ``force``: of a bearing or support on what it holds, ``force_amplitude`` the
     major half axis of its hodograph. ``unstable``: some motion grows by itself there, so that the
-    steady solution given is not reached. ``critical_speed``: synchronous criticals among the
-    speeds. ``grade_speed``: of the spindle, for which a balance grade is given; 0 without one.
+    steady solution given is not reached. ``fine_…``: at the speeds of the case and at more of them
+    about every peak, so that the highest values are the true ones; NaN at a speed at which a stop
+    closes, where lines break. ``peak_…``: every peak of a point, ascending, NaN where it has fewer,
+    infinite at a critical speed without damping. ``critical_speed``: synchronous criticals among
+    the speeds. ``grade_speed``: of the spindle, for which a balance grade is given; 0 without one.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -55,5 +61,23 @@ class UnbalanceResult:
     unbalance_angle: Array = quantity("unbalance", unit="rad", label="angle")
     critical_speed: Array = quantity("critical", unit="rad/s", label="critical speed, 1× rotation")
     critical_damping: Array = quantity("critical", unit="1", label="damping ratio there")
+    fine_speed: Array = coordinate("fine_speed", unit="rad/s", label="speed")
+    fine_displacement: Complex = quantity(
+        "fine_speed", "point", "axis", unit="m", label="displacement"
+    )
+    fine_major_axis: Array = quantity(
+        "fine_speed", "point", unit="m", label="major half axis of the orbit"
+    )
+    fine_minor_axis: Array = quantity(
+        "fine_speed", "point", unit="m", label="minor half axis of the orbit, backward below 0"
+    )
+    fine_force_amplitude: Array = quantity(
+        "fine_speed", "support", unit="N", label="amplitude of the force, zero to peak"
+    )
+    resonance: NDArray[np.int_] = coordinate("resonance", unit="", label="resonance")
+    peak_speed: Array = quantity("point", "resonance", unit="rad/s", label="speed of the peak")
+    peak_amplitude: Array = quantity(
+        "point", "resonance", unit="m", label="major half axis at the peak"
+    )
     error: Array = quantity("point", unit="1", label="estimated error over the largest value")
     error_asked: float = quantity(unit="1", label="largest error asked for, over that value")

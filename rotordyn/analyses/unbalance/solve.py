@@ -6,7 +6,9 @@ Bearings have the tangents of their preload state at each speed.
 from __future__ import annotations
 
 import math
-from typing import NamedTuple
+from collections.abc import Sequence
+from functools import partial
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,12 +20,15 @@ from rotordyn.analyses.unbalance.spec import UnbalanceSpec
 from rotordyn.equation.dofs import position
 from rotordyn.equation.free_motion import FORWARD, FreeMotions, answering_stiffness
 from rotordyn.equation.hysteresis import SYNCHRONOUS
+from rotordyn.equation.linear import Linear
 from rotordyn.errors import NoSolution
 from rotordyn.modes.band import Band
 from rotordyn.modes.branches import branches_of
 from rotordyn.modes.criticals import critical_speeds
 from rotordyn.modes.names import named
+from rotordyn.numerics.peaks import NARROW, tops
 from rotordyn.scene.refinement import Rows, changes, response_accuracy, settled
+from rotordyn.scene.sampling import over_speed
 from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]
@@ -58,14 +63,18 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
     if all(why):
         raise NoSolution(f"no speed of the case has a steady response to unbalance: {why[0]}")
     steady = np.array([word == "" for word in absent])
-    motion = _steady(scene, found, spec, speed)
-    for each in motion:
-        each[~steady] = complex(np.nan, np.nan)
-    displacement = scene.scattered(_in_time(ratio, _displacements(scene, found, spec, motion)))
-    force = scene.scattered(_in_time(ratio, _forces(scene, found, speed, motion)))
+    moved, pushed = _response(spec, ratio, scene)
+    moved[~steady] = pushed[~steady] = complex(np.nan, np.nan)
+    displacement, force = scene.scattered(moved), scene.scattered(pushed)
     ellipse = orbit(displacement[..., 0], displacement[..., 1])
     placed = acting(spindle, scene.mesh, spec)
     critical = _criticals(scene, ratio)
+    fine, (fine_moved, fine_pushed) = _sampled(scene, spec, ratio, critical)
+    lost = np.isin(fine, scene.speed[scene.usable][~steady])
+    fine_moved[lost] = fine_pushed[lost] = complex(np.nan, np.nan)
+    fine_orbit = orbit(fine_moved[..., 0], fine_moved[..., 1])
+    endless = [speed for _, speed, damping in critical if abs(damping) <= UNDAMPED]
+    peaks = _peaks(fine, fine_orbit.major, endless)
     return UnbalanceResult(
         speed=scene.speed,
         point=spec.points,
@@ -93,7 +102,49 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         critical_damping=np.array([damping for *_, damping in critical]),
         error=error,
         error_asked=response_accuracy(scene),
+        fine_speed=fine,
+        fine_displacement=fine_moved,
+        fine_major_axis=fine_orbit.major,
+        fine_minor_axis=fine_orbit.minor,
+        fine_force_amplitude=orbit(fine_pushed[..., 0], fine_pushed[..., 1]).major,
+        resonance=np.arange(1, peaks.shape[-1] + 1),
+        peak_speed=peaks[0],
+        peak_amplitude=peaks[1],
     )
+
+
+def _response(spec: UnbalanceSpec, ratio: float, scene: Scene) -> list[Complex]:
+    """Displacements (usable, points, 2) [m] and forces (usable, connections, 2) [N]."""
+    own, speed = scene.linear(_home(scene)), ratio * scene.speed[scene.usable]
+    motion = _steady(scene, own, spec, speed)
+    found = (_displacements(scene, own, spec, motion), _forces(scene, own, speed, motion))
+    return [_in_time(ratio, each) for each in found]
+
+
+def _sampled(
+    scene: Scene, spec: UnbalanceSpec, ratio: float, critical: list[tuple[str, float, float]]
+) -> tuple[Array, list[Complex]]:
+    """Speeds, those of the case and more about every peak, and the response there."""
+
+    def amplitude(found: Sequence[NDArray[Any]]) -> Array:
+        return orbit(found[0][..., 0], found[0][..., 1]).major
+
+    at = np.array([speed for _, speed, _ in critical])
+    widths = at * np.abs([damping for *_, damping in critical])
+    return over_speed(scene, partial(_response, spec, ratio), amplitude, at, widths)
+
+
+def _peaks(speed: Array, amplitude: Array, endless: Sequence[float]) -> Array:
+    """Speed and height of every local maximum of the amplitudes (speeds, points): (2, points, n),
+    NaN where a point has fewer; infinite beside a critical speed without damping (``endless``)."""
+    places = [tops(each) for each in amplitude.T]
+    found = np.full((2, len(places), max(map(len, places), default=0)), np.nan)
+    for row, (place, each) in enumerate(zip(places, amplitude.T, strict=True)):
+        found[0, row, : len(place)], found[1, row, : len(place)] = speed[place], each[place]
+        for at in endless:
+            near = np.abs(found[0, row] - at) <= 2.0 * NARROW * at
+            found[0, row, near], found[1, row, near] = at, np.inf
+    return found
 
 
 def _home(scene: Scene) -> int:
@@ -109,14 +160,14 @@ class Steady(NamedTuple):
     left: Complex
 
 
-def _steady(scene: Scene, found: FreeMotions, spec: UnbalanceSpec, speed: Array) -> Steady:
+def _steady(scene: Scene, own: Linear, spec: UnbalanceSpec, speed: Array) -> Steady:
     """Motion under loads Ω² e^(iΩt) that turn; at rest nothing moves.
 
     ``speed`` Ω (speeds,) [rad/s] of the rotor that is out of balance, below 0 where it turns
     against the spindle: its motion is then that of the conjugate loads. Where the dynamic stiffness
     is singular the answer is not finite.
     """
-    own, loads = found.linear, node_loads(scene.spindle, scene.mesh, spec)
+    loads = node_loads(scene.spindle, scene.mesh, spec)
     ahead = np.where(speed < 0.0, -1.0, 1.0)
     motion = own.motion
     planes = [
@@ -142,23 +193,21 @@ def _steady(scene: Scene, found: FreeMotions, spec: UnbalanceSpec, speed: Array)
     return Steady(*(np.where(ahead[:, None] > 0.0, own, own.conj()) for own in (moved, left)))
 
 
-def _displacements(
-    scene: Scene, found: FreeMotions, spec: UnbalanceSpec, motion: Steady
-) -> Complex:
+def _displacements(scene: Scene, own: Linear, spec: UnbalanceSpec, motion: Steady) -> Complex:
     """Of the points along y and z (speeds, points, 2)."""
     places = [scene.spindle.place(name) for name in spec.points]
-    rows = [[found.linear.row(*place, way) for way in AXES] for place in places]
+    rows = [[own.row(*place, way) for way in AXES] for place in places]
     return np.einsum("pan,sn->spa", np.array(rows), motion.moved)
 
 
-def _forces(scene: Scene, found: FreeMotions, speed: Array, motion: Steady) -> Complex:
+def _forces(scene: Scene, linear: Linear, speed: Array, motion: Steady) -> Complex:
     """Of bearings, then supports on the shaft along y and z (speeds, connections, 2) [N]."""
-    own = {id(each.link): each for each in found.linear.connections}
+    own = {id(each.link): each for each in linear.connections}
     connections = scene.rotor.connections
     force = np.zeros((len(speed), len(connections), 2), dtype=complex)
     axes = [position(way) for way in AXES]
     known = np.isfinite(motion.left).all(axis=1)
-    rigid = found.linear.rigid_force(motion.left[known])
+    rigid = linear.rigid_force(motion.left[known])
     for k, link in enumerate(connections):
         if id(link) in own:
             force[:, k] = own[id(link)].force(speed, motion.moved)[:, axes]
@@ -213,8 +262,8 @@ def _errors(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Array:
         return np.zeros(len(spec.points))
 
     def values(one: Scene, rows: Rows) -> Complex:
-        found = one.system_at(_home(one), rows)
-        motion = _steady(one, found, spec, ratio * one.speed[one.usable[rows]])
-        return np.nan_to_num(_displacements(one, found, spec, motion))
+        own = one.linear(_home(one), rows)
+        motion = _steady(one, own, spec, ratio * one.speed[one.usable[rows]])
+        return np.nan_to_num(_displacements(one, own, spec, motion))
 
     return changes(scene, values, 1)

@@ -17,7 +17,7 @@ STRAIGHT = 1e-6  # of the major half axis: less backward than that is rounding
 
 
 def summary(result: UnbalanceResult) -> list[str]:
-    """Amplitudes are zero to peak, the largest half axis of the orbit among the speeds."""
+    """Amplitudes are zero to peak, the largest half axis of the orbit between the speeds."""
     acting = [
         unbroken(f"{name} {size * GRAM_MILLIMETRE.factor:.4g} g·mm at {x * 1e3:.1f} mm")
         + (unbroken(f" to {np.degrees(angle):.4g}°") if abs(angle) > 0.0 else "")
@@ -32,7 +32,7 @@ def summary(result: UnbalanceResult) -> list[str]:
     moved = [unbroken(f"{name} {word}") for name, word in cells(result).items()]
     pushed = [
         unbroken(f"{name} {_peak(values, '.4g')} N{_at(result, values)}")
-        for name, values in zip(result.support, result.force_amplitude.T, strict=True)
+        for name, values in zip(result.support, result.fine_force_amplitude.T, strict=True)
     ]
     turns = "" if result.speed_ratio == 1.0 else f" on {result.rotor}, at its speed"
     return [
@@ -40,7 +40,6 @@ def summary(result: UnbalanceResult) -> list[str]:
         f"           largest half axis of the orbit, zero to peak: {_few(moved)}",
         f"           largest force, zero to peak: {_few(pushed)}",
         *_backward(result),
-        *_missed(result),
     ]
 
 
@@ -56,9 +55,18 @@ def _graded(result: UnbalanceResult) -> str:
 def cells(result: UnbalanceResult, _: Described | None = None) -> dict[str, str]:
     """By point, with the speed at which it is."""
     return {
-        name: f"{_peak(values * MICROMETRE.factor, '.4g')} µm{_at(result, values)}"
-        for name, values in zip(result.point, result.major_axis.T, strict=True)
+        name: _unbounded(result, place)
+        or f"{_peak(values * MICROMETRE.factor, '.4g')} µm{_at(result, values)}"
+        for place, (name, values) in enumerate(
+            zip(result.point, result.fine_major_axis.T, strict=True)
+        )
     }
+
+
+def _unbounded(result: UnbalanceResult, place: int) -> str:
+    """Where nothing limits the amplitude of a point; empty where everything does."""
+    at = result.peak_speed[place, np.isinf(result.peak_amplitude[place])]
+    return f"unbounded at {at[0] * RPM.factor:.0f} rpm, nothing damps" if at.size else ""
 
 
 def _peak(values: Array, form: str) -> str:
@@ -66,28 +74,12 @@ def _peak(values: Array, form: str) -> str:
 
 
 def _at(result: UnbalanceResult, values: Array) -> str:
-    return f" at {result.speed[int(np.nanargmax(values))] * RPM.factor:.0f} rpm"
+    return f" at {result.fine_speed[int(np.nanargmax(values))] * RPM.factor:.0f} rpm"
 
 
 def _few(words: list[str]) -> str:
     rest = len(words) - MOST
     return ", ".join(words[:MOST]) + (f" and {rest} more" if rest > 0 else "")
-
-
-def _missed(result: UnbalanceResult) -> list[str]:
-    """Critical speeds whose peak is narrower than the next speed of the case is away: within half
-    its width, ζ Ω, the amplitude falls by 3 dB."""
-    known = result.speed[np.isfinite(result.major_axis).all(axis=1)]
-    words = [
-        unbroken(f"{name} {speed * RPM.factor:.0f} rpm")
-        for name, speed, damping in zip(
-            result.critical, result.critical_speed, result.critical_damping, strict=True
-        )
-        if np.abs(known - speed).min(initial=np.inf) > max(damping, 0.0) * speed
-    ]
-    if not words:
-        return []
-    return [f"           peaks between the speeds of the case, higher than these: {_few(words)}"]
 
 
 def _backward(result: UnbalanceResult) -> list[str]:

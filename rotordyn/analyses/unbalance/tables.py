@@ -7,6 +7,8 @@ from rotordyn.results.layout import Layout
 LAYOUTS = (
     Layout("unbalance", ("speed", "point"), ("axis",)),
     Layout("unbalance_forces", ("speed", "support"), ("axis",)),
+    Layout("unbalance_curve", ("fine_speed", "point"), ("axis",)),
+    Layout("unbalance_peaks", ("point", "resonance")),
     Layout("unbalance_acting", ("unbalance",)),
     Layout("unbalance_critical", ("critical",)),
 )

@@ -291,6 +291,9 @@ def frf(count: int = 49, points: int = 2000) -> FrfResult:
         weights = np.array([1.0, 0.6 * (-1.0) ** (k // 2), 0.3, 0.2 * (-1.0) ** (k // 2)])
         total += 8e-10 * weights[:, None] * part[:, None, :]
     is_slice = np.isin(np.arange(count), [0, count // 2, count - 1])
+    none = np.full((count, 4, 0), np.nan)
+    rows = np.flatnonzero(is_slice)
+    spec = FrfSpec((1.0,), ((Port("a", "y"),) * 2,))
     return FrfResult(
         speed=speed,
         frequency=frequency,
@@ -301,7 +304,25 @@ def frf(count: int = 49, points: int = 2000) -> FrfResult:
         is_slice=is_slice,
         error=np.full(4, 3e-5),
         error_asked=1e-3,
-        **measured_fields(FrfSpec((1.0,), ((Port("a", "y"),) * 2,)), speed, frequency, (), total),
+        resonance=np.arange(0),
+        peak_frequency=none,
+        peak_value=none + 0j,
+        slice_speed=speed[rows],
+        place=np.arange(points),
+        slice_frequency=np.broadcast_to(frequency, (len(rows), points)),
+        slice_value=total[rows],
+        line=(),
+        line_rotor=(),
+        line_order=np.zeros(0),
+        line_frequency=np.zeros((count, 0)),
+        line_value=np.zeros((count, 0, 4), complex),
+        step=np.arange(0),
+        line_speed=np.zeros((0, 0)),
+        line_curve=np.zeros((0, 0, 4), complex),
+        crossing=np.arange(0),
+        line_peak_speed=np.zeros((0, 4, 0)),
+        line_peak_value=np.zeros((0, 4, 0), complex),
+        **measured_fields(spec, speed, frequency, (), lambda *_: total, (none, none)),
     )
 
 
@@ -311,8 +332,10 @@ def frf_of(
     """The same as velocity or acceleration over force."""
     own = frf(count, points)
     power = 1 if kind is MobilityResult else 2
-    values: Any = {kind.kind: own.receptance * (2j * math.pi * own.frequency) ** power}
-    shared = {name: getattr(own, name) for name in declared(own) if name != "receptance"}
+    turned = (2j * math.pi * own.frequency) ** power
+    values: Any = {kind.kind: own.receptance * turned, "slice_value": own.slice_value * turned}
+    shared = {name: getattr(own, name) for name in declared(own)}
+    shared = {name: value for name, value in shared.items() if name not in {"receptance", *values}}
     return kind(**shared, **values)
 
 
@@ -417,6 +440,14 @@ def unbalance(count: int = 49) -> UnbalanceResult:
         unbalance_angle=np.array([0.5]),
         critical_speed=own,
         critical_damping=np.full(2, 0.02),
+        fine_speed=speed,
+        fine_displacement=moved,
+        fine_major_axis=ahead + behind,
+        fine_minor_axis=ahead - behind,
+        fine_force_amplitude=(ahead + behind) * 1e8,
+        resonance=np.arange(0),
+        peak_speed=np.zeros((2, 0)),
+        peak_amplitude=np.zeros((2, 0)),
         error=np.array([1e-5, 2e-5]),
         error_asked=1e-3,
     )

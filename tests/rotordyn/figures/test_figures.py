@@ -270,7 +270,7 @@ def test_uneven_speeds_are_put_where_they_belong():
     frf = samples.frf(9, 50)
     uneven = replace(frf, speed=frf.speed**2 / frf.speed[-1])
     values = map_figure(uneven, [0]).axes[0].images[0].get_array()
-    assert values.shape[1] == 240
+    assert values.shape[1] == 480
     assert np.ptp(values[:, :2], axis=1).max() == 0.0
 
 
@@ -297,10 +297,33 @@ def test_slices_have_a_line_per_speed():
 @pytest.mark.parametrize(("part", "flat"), [(1e-15, True), (1e-6, False)])
 def test_an_imaginary_part_of_mere_rounding_is_drawn_as_zero(part, flat):
     frf = samples.frf(3, 200)
-    values = frf.receptance.real * (1.0 + 1j * part)
-    axes = real_imaginary_figure(replace(frf, receptance=values), [0]).axes[1]
-    largest = np.abs(values[:, 0]).max() * 1e6
-    assert (axes.get_ylim()[1] == pytest.approx(largest)) == flat
+    values = frf.slice_value.real * (1.0 + 1j * part)
+    axes = real_imaginary_figure(replace(frf, slice_value=values), [0]).axes[1]
+    words = [text.get_text() for text in axes.texts]
+    assert words == (["zero: nothing damps"] if flat else [])
+    assert (axes.get_ylim() == (-1.0, 1.0)) == flat
+
+
+def test_a_map_shows_peaks_between_its_frequencies_and_no_speed_below_the_first():
+    frf = samples.frf(9, 40)
+    speed = frf.speed + 100.0
+    at, value = np.full((9, 4, 1), np.nan), np.full((9, 4, 1), complex(np.nan, np.nan))
+    at[4, 0], value[4, 0] = 0.5 * (frf.frequency[20] + frf.frequency[21]), 1e-3
+    one = replace(frf, speed=speed, resonance=np.arange(1), peak_frequency=at, peak_value=value)
+    axes = map_figure(one, [0]).axes[0]
+    image = np.asarray(axes.images[0].get_array())
+    assert np.nanmax(image) == pytest.approx(np.log10(1e-3 * 1e6))
+    assert axes.get_xlim()[0] == pytest.approx(speed[0] * 30.0 / np.pi)
+    assert axes.images[0].get_extent()[0] == axes.get_xlim()[0]
+
+
+def test_real_parts_of_sharp_peaks_stay_readable():
+    frf = samples.frf(3, 2000)
+    sharp = frf.slice_value.copy()
+    sharp[:, 0, 500] *= 1e6
+    axes = real_imaginary_figure(replace(frf, slice_value=sharp), [0]).axes[0]
+    assert axes.get_yscale() == "symlog"
+    assert real_imaginary_figure(frf, [0]).axes[0].get_yscale() == "linear"
 
 
 def test_phase_does_not_draw_its_jumps():

@@ -26,6 +26,10 @@ def figures(_: Described, result: Any, results: Mapping[str, Any]) -> Iterator[J
         if count > 1:
             others = list(range(1, count))
             yield "frf_maps", partial(code("map:map_figure"), result, others, modes)
+    for first in range(0, count if len(result.line) else 0, 2):
+        pairs = list(range(first, min(first + 2, count)))
+        number = f"_{first // 2 + 1}" if count > 2 else ""
+        yield f"frf_engine_orders{number}", partial(code("orders:orders_figure"), result, pairs)
     if not np.any(result.is_slice):
         return
     for first in range(0, count, 2):

@@ -8,7 +8,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analyses.frf.figures.map import amplitude, amplitude_range, draw_map, draw_scale
+from rotordyn.analyses.frf.figures.map import (
+    amplitude,
+    amplitude_range,
+    draw_map,
+    draw_scale,
+    speeds_shown,
+)
 from rotordyn.analyses.frf.figures.slices import draw_measured
 from rotordyn.analyses.frf.figures.surface import draw_pins, draw_surface
 from rotordyn.analyses.frf.result import FrequencyResponse, TurningFrfResult
@@ -17,7 +23,7 @@ from rotordyn.figures.labels import axis_label
 from rotordyn.figures.legends import shortened, top_legend
 from rotordyn.figures.mode_lines import draw_known
 from rotordyn.figures.panels import Shown, beside, colour, dash, panels
-from rotordyn.figures.style import FONT_SIZE, add_axes, new_figure, round_ticks, speed_ticks
+from rotordyn.figures.style import FONT_SIZE, add_axes, new_figure, round_ticks
 from rotordyn.machine.reference import Reference
 from rotordyn.results.display import RPM, shown
 
@@ -40,10 +46,9 @@ def curves_figure(variants: Sequence[Shown], pair: int) -> Figure:
         box = (17.0, 12.0 + (len(slices) - 1 - place) * (tall + gap), 145.0, tall)
         axes = add_axes(figure, box, below if last else "", f"amplitude [{unit}]")
         for k, variant in enumerate(variants):
-            values = amplitude(variant.result, pair)[index]
-            axes.plot(
-                first.frequency, values, color=colour(k), ls=dash(k), lw=1.0, label=variant.title
-            )
+            frequency, values = variant.result.curve(index, pair)
+            size = np.abs(values) * shown(first.unit(pair)).factor
+            axes.plot(frequency, size, color=colour(k), ls=dash(k), lw=1.0, label=variant.title)
         draw_measured(axes, first, pair, "amplitude", index)
         top = float(first.frequency[-1])
         axes.set_xlim(0.0, top)
@@ -68,7 +73,7 @@ def maps_figure(variants: Sequence[Shown], pair: int) -> Figure:
     for place, (variant, box) in enumerate(zip(variants, boxes, strict=True)):
         axes = add_axes(figure, box, "speed [rpm]", beside(labels, place))
         image = draw_map(axes, variant.result, pair, limits)
-        speed_ticks(axes, max(float(variant.result.speed[-1] * RPM.factor), 1.0), 4)
+        speeds_shown(axes, variant.result, 4)
         draw_known(axes, _fixed(variant), edge="white")
         axes.tick_params(labelleft=not place % 2)
         axes.set_title(shortened(variant.title), fontsize=FONT_SIZE, pad=4.0)

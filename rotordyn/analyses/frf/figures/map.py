@@ -28,7 +28,7 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from matplotlib.image import AxesImage
 
-_ROWS, _COLUMNS = 420, 240
+_ROWS, _COLUMNS = 420, 480
 FLOOR_DECADES = 4.0
 COLOURS = "viridis"
 
@@ -45,12 +45,12 @@ def map_figure(
     for place, (pair, box) in enumerate(zip(pairs, boxes, strict=False)):
         axes = add_axes(figure, box, "speed [rpm]", "" if place % columns else name)
         image = draw_map(axes, result, pair)
-        speed_ticks(axes, max(float(result.speed[-1] * RPM.factor), 1.0), 6 if columns == 1 else 3)
+        speeds_shown(axes, result, 6 if columns == 1 else 3)
         if campbell is not None:
-            draw_modes(axes, campbell, colour="white")
+            draw_modes(axes, campbell, colour="white", width=0.3)
         title = f"{result.kind} {result.pair[pair]}"
         if campbell is not None:
-            title += ", lines: damped modes" if columns == 1 else ""
+            title += ", thin lines: damped modes" if columns == 1 else ""
         axes.set_title(title, fontsize=FONT_SIZE, pad=4.0)
         draw_scale(figure, image, result, pair, box)
     return figure
@@ -74,19 +74,20 @@ def amplitude_range(values: NDArray[np.float64]) -> tuple[float, float]:
 def draw_map(
     axes: Axes, result: FrequencyResponse, pair: int, limits: tuple[float, float] | None = None
 ) -> AxesImage:
-    """An even raster: nearest speed across, largest amplitude of each row of pixels up.
+    """An even raster: nearest speed across, largest amplitude of each row of pixels up, peaks
+    between the frequencies of the case included.
 
     ``limits`` of the amplitude [printed unit]; by default its own.
     """
     rpm, frequency = result.speed * RPM.factor, result.frequency
     top = max(float(rpm[-1]), 1.0)
     edges = np.linspace(frequency[0], frequency[-1] * (1.0 + 1e-12), _ROWS + 1)
-    values = peak_bins(amplitude(result, pair), frequency, edges)
+    values = with_peaks(peak_bins(amplitude(result, pair), frequency, edges), result, pair, edges)
     values[values <= 0.0] = np.nan
     low, high = limits or amplitude_range(values)
-    if not _even(rpm):
-        values = nearest(values, rpm, np.linspace(float(rpm[0]), top, _COLUMNS))
-    half = (top - float(rpm[0])) / max(len(values) - 1, 1) / 2.0
+    first = float(rpm[0])
+    values = np.minimum(values, high)  # without damping a peak has no limit
+    values = nearest(values, rpm, first + (top - first) * (np.arange(_COLUMNS) + 0.5) / _COLUMNS)
     image = axes.imshow(
         np.log10(values.T),
         origin="lower",
@@ -94,18 +95,35 @@ def draw_map(
         cmap=COLOURS,
         vmin=math.log10(low),
         vmax=math.log10(high),
-        interpolation="bilinear",
+        interpolation="nearest",
         rasterized=True,
-        extent=(float(rpm[0]) - half, top + half, float(edges[0]), float(edges[-1])),
+        extent=(first, top, float(edges[0]), float(edges[-1])),
     )
     axes.set_ylim(0.0, float(edges[-1]))
     axes.grid(visible=False)
     return image
 
 
-def _even(values: NDArray[np.float64]) -> bool:
-    steps = np.diff(values)
-    return bool(steps.size and np.allclose(steps, steps[0], rtol=1e-6))
+def with_peaks(
+    values: NDArray[np.float64],
+    result: FrequencyResponse,
+    pair: int,
+    edges: NDArray[np.float64],
+) -> NDArray[np.float64]:
+    """Amplitudes (speeds, bins) between ``edges`` [Hz] with every peak in its bin."""
+    speed, place = np.nonzero(np.isfinite(result.peak_frequency[:, pair]))
+    at = np.searchsorted(edges, result.peak_frequency[speed, pair, place], side="right") - 1
+    size = np.abs(result.peak_value[speed, pair, place]) * shown(result.unit(pair)).factor
+    raised = values.copy()
+    np.maximum.at(raised, (speed, np.clip(at, 0, values.shape[1] - 1)), size)
+    return raised
+
+
+def speeds_shown(axes: Axes, result: FrequencyResponse, most: int) -> None:
+    """The speeds of the case [rpm], with round ticks."""
+    rpm = result.speed * RPM.factor
+    speed_ticks(axes, max(float(rpm[-1]), 1.0), most)
+    axes.set_xlim(float(rpm[0]), max(float(rpm[-1]), 1.0))
 
 
 def draw_scale(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 ROUNDING = 1e-12  # of the largest amplitude
+SHARP = 300.0  # times the median: peaks so high leave nothing else to be seen
 
 
 def amplitude_phase_figure(result: FrequencyResponse, pairs: Sequence[int]) -> Figure:
@@ -63,37 +65,61 @@ def _label(part: str, unit: str) -> str:
 
 
 def _lines(axes: Axes, result: FrequencyResponse, pair: int, part: str) -> None:
-    frequency = result.frequency
-    factor = shown(result.unit(pair)).factor
+    top, factor = float(result.frequency[-1]), shown(result.unit(pair)).factor
+    largest = 0.0
     for place, index in enumerate(np.flatnonzero(result.is_slice).tolist()):
         if not np.any(result.response[index, pair]):
             continue  # planes that nothing couples have no phase and no place on a log axis
-        values = _part(result.response[index, pair] * factor, part)
+        frequency, curve = result.curve(index, pair)
+        largest = max(largest, float(np.abs(curve).max()) * factor)
         axes.plot(
             frequency,
-            values,
+            _part(curve * factor, part),
             color=CYCLE[place % len(CYCLE)],
+            ls=DASHES[place % len(DASHES)],
             lw=1.1,
             label=f"{result.speed[index] * RPM.factor:.0f} rpm",
         )
     draw_measured(axes, result, pair, part)
-    axes.set_xlim(0.0, float(frequency[-1]))
-    axes.set_xticks(round_ticks(0.0, float(frequency[-1]), 4))
+    axes.set_xlim(0.0, top)
+    axes.set_xticks(round_ticks(0.0, top, 4))
     if part == "phase":
         axes.set_ylim(-190.0, 190.0)
         axes.set_yticks([-180.0, -90.0, 0.0, 90.0, 180.0])
     elif part == "amplitude":
         log_axis(axes)
     else:
-        _keep_rounding_flat(
-            axes, float(np.abs(result.response[result.is_slice, pair]).max()) * factor
+        _scale(axes, largest)
+
+
+def _scale(axes: Axes, largest: float) -> None:
+    """The axis of a real or imaginary part: linear; logarithmic to both sides of zero where peaks
+    are so much higher than the rest that nothing else would be seen; said where it is zero."""
+    drawn = [np.abs(np.asarray(line.get_ydata(), float)) for line in axes.get_lines()]
+    values = np.concatenate([np.zeros(1), *drawn])
+    high = float(values.max())
+    if high <= ROUNDING * largest:
+        axes.set_ylim(-1.0, 1.0)
+        axes.set_yticks([0.0])
+        axes.annotate(
+            "zero: nothing damps",
+            (0.5, 0.6),
+            xycoords="axes fraction",
+            ha="center",
+            fontsize=FONT_SIZE,
         )
-
-
-def _keep_rounding_flat(axes: Axes, largest: float) -> None:
-    """A part that is nothing but rounding (imaginary, without damping) is drawn as a zero."""
-    if max(map(abs, axes.get_ylim())) < ROUNDING * largest:
-        axes.set_ylim(-largest, largest)
+        return
+    usual = float(np.median(values[values > 0.0]))
+    if high < SHARP * usual:
+        return
+    least = 10.0 ** math.floor(math.log10(usual))
+    axes.set_yscale("symlog", linthresh=least, linscale=0.5)
+    decades = [10.0**k for k in range(round(math.log10(least)), math.ceil(math.log10(high)) + 1)]
+    shown_ones = decades[1 :: 1 + len(decades) // 4]
+    axes.set_yticks([-each for each in shown_ones[::-1]] + [0.0, *shown_ones])
+    axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}".replace("-", "\u2212"))
+    axes.minorticks_off()
+    axes.set_ylim(-2.0 * high, 2.0 * high)
 
 
 def draw_measured(

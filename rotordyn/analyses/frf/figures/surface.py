@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.frf.figures.decimate import peak_bins
-from rotordyn.analyses.frf.figures.map import COLOURS, amplitude, amplitude_range
+from rotordyn.analyses.frf.figures.map import COLOURS, amplitude, amplitude_range, with_peaks
 from rotordyn.analyses.frf.result import FrequencyResponse
 from rotordyn.figures.labels import axis_label
 from rotordyn.figures.mode_lines import KNOWN
@@ -96,7 +96,8 @@ def _grid(
     keep = keep[np.unique(np.linspace(0, keep.size - 1, min(STRIPS, keep.size)).astype(int))]
     frequency, rpm = result.frequency, result.speed[keep] * RPM.factor
     edges = np.linspace(frequency[0], frequency[-1] * (1.0 + 1e-12), STEPS + 1)
-    values = peak_bins(amplitude(result, pair)[keep], frequency, edges)
+    values = peak_bins(amplitude(result, pair), frequency, edges)
+    values = with_peaks(values, result, pair, edges)[keep]
     low, high = limits or amplitude_range(values)
     height = np.log(np.clip(values, low, high) / low) / math.log(high / low)
     across = (edges[:-1] + edges[1:]) / 2.0 / frequency[-1]

@@ -29,9 +29,9 @@ def amplitudes_figure(variants: Sequence[Shown]) -> Figure:
         box = (17.0, 12.0 + (len(points) - 1 - place) * (tall + gap), 145.0, tall)
         axes = add_axes(figure, box, "speed [rpm]" if last else "", "half axis of the orbit [µm]")
         for k, variant in enumerate(variants):
-            values = variant.result.major_axis[:, place] * MICROMETRE.factor
+            values = variant.result.fine_major_axis[:, place] * MICROMETRE.factor
             shown = np.where(values > 0.0, values, np.nan)
-            rpm = variant.result.speed * RPM.factor
+            rpm = variant.result.fine_speed * RPM.factor
             axes.plot(rpm, shown, color=colour(k), ls=dash(k), lw=1.0, label=variant.title)
         speed_ticks(axes, float(variants[0].result.speed[-1]) * RPM.factor, 8)
         axes.tick_params(labelbottom=last)

@@ -50,6 +50,7 @@ def response_figure(result: UnbalanceResult) -> Figure:
         _panel(figure, box, name, result, last=place == rows - 1)
         for place, (box, name) in enumerate(zip(boxes, names, strict=False))
     ]
+    moved = result.fine_displacement
     for column, point in enumerate(result.point):
         for axis, letter in enumerate(result.axis if ellipses else result.axis[:1]):
             label = f"{point}.{letter}" if ellipses else point
@@ -59,13 +60,13 @@ def response_figure(result: UnbalanceResult) -> Figure:
                 "label": label,
                 **marked(column),
             }
-            amplitude = result.amplitude[:, column, axis] * MICROMETRE.factor
+            amplitude = np.abs(moved[:, column, axis]) * MICROMETRE.factor
             panels[0].plot(*_positive(result, amplitude), **look)
-            phase = wrapped_phase(np.degrees(result.phase[:, column, axis]))
+            phase = wrapped_phase(np.degrees(np.angle(moved[:, column, axis])))
             panels[1].plot(*_turning(result, phase), **look)
         if ellipses:
             with np.errstate(invalid="ignore", divide="ignore"):
-                ratio = result.minor_axis[:, column] / result.major_axis[:, column]
+                ratio = result.fine_minor_axis[:, column] / result.fine_major_axis[:, column]
             panels[2].plot(
                 *_turning(result, ratio), color=CYCLE[column % len(CYCLE)], **marked(column)
             )
@@ -84,7 +85,7 @@ def forces_figure(result: UnbalanceResult) -> Figure:
     figure = new_figure(168.0, 88.0)
     axes = _panel(figure, (17.0, 12.0, 145.0, 62.0), "force, zero to peak [N]", result, last=True)
     for column, name in enumerate(result.support):
-        x, values = _positive(result, result.force_amplitude[:, column])
+        x, values = _positive(result, result.fine_force_amplitude[:, column])
         look: dict[str, Any] = {
             "color": CYCLE[column % len(CYCLE)],
             "ls": DASHES[column % len(DASHES)],
@@ -119,12 +120,12 @@ def _panel(
 
 def _positive(result: UnbalanceResult, values: Array) -> tuple[Array, Array]:
     """Speeds [rpm] and values, without those that have no logarithm."""
-    return result.speed * RPM.factor, np.where(values > 0.0, values, np.nan)
+    return result.fine_speed * RPM.factor, np.where(values > 0.0, values, np.nan)
 
 
 def _turning(result: UnbalanceResult, values: Array) -> tuple[Array, Array]:
     """Speeds [rpm] and values where the shaft turns."""
-    return result.speed * RPM.factor, np.where(result.speed > 0.0, values, np.nan)
+    return result.fine_speed * RPM.factor, np.where(result.fine_speed > 0.0, values, np.nan)
 
 
 def _finish(axes: Axes) -> None:

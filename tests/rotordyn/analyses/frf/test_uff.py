@@ -71,7 +71,9 @@ def test_text_form_keeps_twelve_digits(tmp_path, results):
 
 
 def test_even_axis_is_stored_as_even(tmp_path, results):
-    frf = replace(results["frf"], frequency=np.arange(300) * 2.0 + 10.0)
+    even = np.arange(300) * 2.0 + 10.0
+    slices = np.broadcast_to(even, (len(results["frf"].slice_speed), 300))
+    frf = replace(results["frf"], frequency=even, slice_frequency=slices)
     write_uff(tmp_path / "frf.uff", frf, case="sample", places=PLACES)
     record = _read(tmp_path / "frf.uff")[0]
     assert record["abscissa_spacing"] == 1
@@ -79,9 +81,9 @@ def test_even_axis_is_stored_as_even(tmp_path, results):
 
 
 def test_a_speed_without_solution_has_no_record(tmp_path, results):
-    values = results["frf"].receptance.copy()
+    values = results["frf"].slice_value.copy()
     values[-1] = np.nan
-    broken = replace(results["frf"], receptance=values)
+    broken = replace(results["frf"], slice_value=values)
     assert write_uff(tmp_path / "frf.uff", broken, case="sample", places=PLACES) == 8
 
 

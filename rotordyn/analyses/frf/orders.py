@@ -1,0 +1,108 @@
+"""Responses along the lines of engine orders: at n times the speed of a rotor, over speed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.frf.spec import FrfSpec
+from rotordyn.machine.support import SPINDLE
+from rotordyn.modes.band import Band
+from rotordyn.modes.branches import branches_of
+from rotordyn.modes.criticals import critical_speeds
+from rotordyn.modes.excitation import Line, exciting
+from rotordyn.modes.names import named
+from rotordyn.numerics.peaks import tops
+from rotordyn.scene.sampling import over_speed
+from rotordyn.scene.scene import Scene
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Responses = Callable[[Scene, Array], Complex]
+BEYOND = 1.2  # times the highest frequency of the lines: up to there criticals are looked for
+
+
+def lines_of(scene: Scene, spec: FrfSpec) -> list[Line]:
+    """The lines of the engine orders of every rotor that turns."""
+    return exciting(scene.spindle.ratios, spec.engine_orders)
+
+
+def line_fields(scene: Scene, spec: FrfSpec, responses: Responses) -> dict[str, Any]:
+    """The fields of a result about ``spec.engine_orders``.
+
+    ``responses`` of a scene at frequencies (usable, n) [Hz] of every speed's own: (usable, pairs,
+    n).
+    """
+    lines, pairs = lines_of(scene, spec), len(spec.pairs)
+    hertz = [line.size * scene.speed / (2.0 * math.pi) for line in lines]
+    frequency = np.array(hertz).reshape(len(lines), len(scene.speed)).T
+    value = np.zeros((len(scene.usable), pairs, len(lines)), dtype=complex)
+    curves: list[tuple[Array, Complex]] = []
+    if lines:
+        value = responses(scene, frequency[scene.usable])
+        curves = [_curve(scene, line, responses, *own) for line, *own in _expected(scene, lines)]
+    longest = max((len(speed) for speed, _ in curves), default=0)
+    highest = [[tops(np.abs(each)) for each in curve.T] for _, curve in curves]
+    most = max((len(top) for each in highest for top in each), default=0)
+    speed = np.full((len(lines), longest), np.nan)
+    curve = np.full((len(lines), longest, pairs), complex(np.nan, np.nan))
+    at = np.full((len(lines), pairs, most), np.nan)
+    peak = np.full((len(lines), pairs, most), complex(np.nan, np.nan))
+    for row, (own, found) in enumerate(curves):
+        speed[row, : len(own)], curve[row, : len(own)] = own, found
+        for pair, top in enumerate(highest[row]):
+            at[row, pair, : len(top)], peak[row, pair, : len(top)] = own[top], found[top, pair]
+    return {
+        "line": tuple(_called(line) for line in lines),
+        "line_rotor": tuple(line.rotor for line in lines),
+        "line_order": np.array([line.order for line in lines]),
+        "line_frequency": frequency,
+        "line_value": scene.scattered(np.swapaxes(value, 1, 2)),
+        "step": np.arange(longest),
+        "line_speed": speed,
+        "line_curve": curve,
+        "crossing": np.arange(1, most + 1),
+        "line_peak_speed": at,
+        "line_peak_value": peak,
+    }
+
+
+def _called(line: Line) -> str:
+    """
+    >>> _called(Line("spindle", 2.0, 2.0)), _called(Line("outer", 1.0, 1.5))
+    ('2×', '1× outer')
+    """
+    return line.name if line.rotor == SPINDLE else f"{line.name} {line.rotor}"
+
+
+def _expected(scene: Scene, lines: list[Line]) -> list[tuple[Line, Array, Array]]:
+    """Lines with the speeds and half widths [rad/s] of the peaks expected on each."""
+    top = max(line.size for line in lines) * float(scene.speed[-1]) / (2.0 * math.pi)
+    if len(scene.usable) < 2 or top <= 0.0:
+        return [(line, np.zeros(0), np.zeros(0)) for line in lines]
+    band = Band(BEYOND * top, tuple(dict.fromkeys(line.order for line in lines)))
+    branches, names = named(branches_of(scene, band))
+    critical = critical_speeds(scene, band, branches, names)
+    found = []
+    for line in lines:
+        own = [each for each in critical if each.line == line]
+        speed = np.array([each.speed for each in own])
+        found.append((line, speed, speed * np.abs([each.damping_ratio for each in own])))
+    return found
+
+
+def _curve(
+    scene: Scene, line: Line, responses: Responses, centres: Array, widths: Array
+) -> tuple[Array, Complex]:
+    """Speeds (n,) and responses (n, pairs) along a line."""
+
+    def values(other: Scene) -> list[Complex]:
+        hertz = line.size * other.speed[other.usable] / (2.0 * math.pi)
+        return [responses(other, hertz[:, None])[..., 0]]
+
+    speed, found = over_speed(scene, values, lambda arrays: np.abs(arrays[0]), centres, widths)
+    return speed, np.asarray(found[0])

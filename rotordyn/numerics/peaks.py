@@ -1,0 +1,107 @@
+"""Peaks of resonance curves: where they are, and samples that do not miss them.
+
+Near a pole the inverse square of an amplitude is a parabola of the frequency, exactly so for one
+mode. Three samples give its vertex; samples spread geometrically about a pole give a curve that
+looks the same at every width.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+GROWTH = 1.5  # of the distance from a pole, from one sample to the next
+NARROW = 1e-4  # of the frequency: about a pole without damping no closer samples
+CLOSER = 1e-3  # of an amplitude: a vertex higher than that is sampled
+ENDLESS = 1e3  # times a sample beside it: no damping limits a peak as high as that
+ROUNDS = 8
+
+
+def vertex(x: Array, amplitude: Array) -> tuple[Array, Array]:
+    """Abscissa and height (…) of the parabola of 1/``amplitude``² through three samples (…, 3).
+
+    ``x`` ascends and the middle sample is the highest. The height is infinite where the parabola
+    dips below zero: no damping is told from these samples.
+    """
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        y = 1.0 / (amplitude / amplitude[..., 1:2]) ** 2
+        left, right = x[..., 1] - x[..., 0], x[..., 2] - x[..., 1]
+        down, up = (y[..., 1] - y[..., 0]) / left, (y[..., 2] - y[..., 1]) / right
+        bend = (up - down) / (left + right)
+        slope = (down * right + up * left) / (left + right)
+        shift = np.where(bend > 0.0, -0.5 * slope / np.where(bend > 0.0, bend, 1.0), 0.0)
+        shift = np.nan_to_num(np.clip(shift, -left, right))
+        least = y[..., 1] + shift * (slope + shift * bend)
+        height = np.where(least > 0.0, amplitude[..., 1] / np.sqrt(np.abs(least)), np.inf)
+    return x[..., 1] + shift, height
+
+
+def spread(centre: float, width: float, low: float, high: float) -> Array:
+    """Samples from ``low`` to ``high`` about a peak of half ``width``, ever farther apart; none on
+    its centre, where a response without damping has no limit."""
+    width = max(width, NARROW * abs(centre))
+    reach = max(centre - low, high - centre, width)
+    steps = np.arange(max(int(np.log(reach / width) / np.log(GROWTH)) + 2, 1))
+    out = width * np.concatenate([[0.25, 0.5, 0.75], GROWTH**steps])
+    found = np.concatenate([centre - out[::-1], centre + out])
+    return np.asarray(found[(found >= low) & (found <= high)])
+
+
+def spread_between(
+    centres: Array, widths: Array, low: float, high: float, *, least: int = 0
+) -> Array:
+    """Samples about several peaks, each up to half the way to the next one; at least as many as
+    ``least``, evenly, besides."""
+    order = np.argsort(centres)
+    centres, widths = centres[order], widths[order]
+    middles = [low, *(0.5 * (centres[1:] + centres[:-1])).tolist(), high]
+    parts = [np.linspace(low, high, least)] if least else []
+    for k, (centre, width) in enumerate(zip(centres.tolist(), widths.tolist(), strict=True)):
+        parts.append(spread(centre, width, middles[k], middles[k + 1]))
+    return np.unique(np.concatenate([np.zeros(0), *parts]))
+
+
+def tops(amplitude: Array) -> NDArray[np.intp]:
+    """Places of local maxima of a curve (n,), its ends left out."""
+    with np.errstate(invalid="ignore"):
+        inner = amplitude[1:-1]
+        return 1 + np.flatnonzero((inner > amplitude[:-2]) & (inner >= amplitude[2:]))
+
+
+def sampled(
+    x: Array,
+    solve: Callable[[Array], Sequence[NDArray[np.generic]]],
+    amplitude: Callable[[Sequence[NDArray[np.generic]]], Array],
+) -> tuple[Array, list[NDArray[np.generic]]]:
+    """Samples ``x`` (n,) and what ``solve`` gives of them (n, …), with more at every peak.
+
+    ``amplitude`` of that (n, curves): the vertex of each of their peaks is sampled until it is no
+    higher than the highest sample.
+    """
+    found = list(solve(x))
+    for _ in range(ROUNDS):
+        wanted = np.setdiff1d(_higher(x, amplitude(found)), x)
+        if not wanted.size:
+            break
+        more = solve(wanted)
+        x = np.concatenate([x, wanted])
+        order = np.argsort(x)
+        x = x[order]
+        found = [np.concatenate([a, b])[order] for a, b in zip(found, more, strict=True)]
+    return x, found
+
+
+def _higher(x: Array, amplitude: Array) -> Array:
+    """Vertices that are higher than their highest sample."""
+    parts = [np.zeros(0)]
+    for curve in amplitude.T:
+        top = tops(curve)
+        three = top[:, None] + np.arange(-1, 2)
+        at, height = vertex(x[three], curve[three])
+        near = np.abs(at - x[top]) > 1e-12 * np.abs(at)
+        higher = (height > (1.0 + CLOSER) * curve[top]) & (height < ENDLESS * curve[top])
+        parts.append(at[near & higher])
+    return np.unique(np.concatenate(parts))
