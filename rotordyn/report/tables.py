@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 from collections.abc import Iterator, Mapping
-from itertools import product
+from itertools import pairwise, product
 from math import prod
 from pathlib import Path
 from typing import Any
@@ -102,7 +102,15 @@ def _column(label: str, to: Shown, values: NDArray[Any]) -> Column:
     header = f"{label} [{to.unit}]" if to.unit else label
     if values.dtype.kind != "f":
         return header, values.ravel().tolist()
-    return header, [f"{v:.7g}" for v in (values.ravel() * to.factor).tolist()]
+    return header, _printed((values.ravel() * to.factor).tolist())
+
+
+def _printed(values: list[float]) -> list[str]:
+    """Numbers with 7 digits, or 12 where ascending ones would not be told apart."""
+    words = [f"{v:.7g}" for v in values]
+    pairs = zip(pairwise(words), pairwise(values), strict=True)
+    alike = any(a == b and x < y for (a, b), (x, y) in pairs)
+    return [f"{v:.12g}" for v in values] if alike else words
 
 
 def _write(path: Path, columns: list[Column]) -> str:

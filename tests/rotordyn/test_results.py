@@ -161,7 +161,7 @@ def test_opened_results_are_rebuilt_bit_for_bit(
 def test_same_figures_from_memory_from_a_folder_and_in_the_files(
     results: rotordyn.Results, opened: rotordyn.Results, folder: Path, tmp_path: Path
 ) -> None:
-    files = {path.stem for path in folder.glob("*.svg")}
+    files = {path.stem for path in folder.glob("*.png")}
     assert set(results.figures) == set(opened.figures) == files
     for source in (results, opened):
         source.plot("campbell").savefig(tmp_path / "one.png")

@@ -8,9 +8,11 @@ from typing import ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.results.declaration import coordinate, quantity
+from rotordyn.results.declaration import coordinate, declared, quantity
 from rotordyn.results.display import response_unit
 from rotordyn.results.kinds import Array, Complex, Flags, Words
+
+AS_COMPUTED = "SI, as computed"  # unit of fields whose entries have those of their pairs
 
 
 @dataclass(frozen=True)
@@ -46,30 +48,28 @@ class FrequencyResponse:
         "speed", "pair", "resonance", unit="Hz", label="frequency of the peak"
     )
     peak_value: Complex = quantity(
-        "speed", "pair", "resonance", unit="SI, as computed", label="response at the peak"
+        "speed", "pair", "resonance", unit=AS_COMPUTED, label="response at the peak"
     )
     slice_speed: Array = coordinate("slice_speed", unit="rad/s", label="speed")
     place: NDArray[np.int_] = coordinate("place", unit="", label="place")
     slice_frequency: Array = quantity("slice_speed", "place", unit="Hz", label="frequency")
     slice_value: Complex = quantity(
-        "slice_speed", "pair", "place", unit="SI, as computed", label="response of the slice"
+        "slice_speed", "pair", "place", unit=AS_COMPUTED, label="response of the slice"
     )
     line: Words = coordinate("line", unit="", label="engine order")
     line_rotor: Words = quantity("line", unit="", label="rotor")
     line_order: Array = quantity("line", unit="1", label="multiple of its speed")
     line_frequency: Array = quantity("speed", "line", unit="Hz", label="frequency")
-    line_value: Complex = quantity(
-        "speed", "line", "pair", unit="SI, as computed", label="response"
-    )
+    line_value: Complex = quantity("speed", "line", "pair", unit=AS_COMPUTED, label="response")
     step: NDArray[np.int_] = coordinate("step", unit="", label="step")
     line_speed: Array = quantity("line", "step", unit="rad/s", label="speed")
-    line_curve: Complex = quantity("line", "step", "pair", unit="SI, as computed", label="response")
+    line_curve: Complex = quantity("line", "step", "pair", unit=AS_COMPUTED, label="response")
     crossing: NDArray[np.int_] = coordinate("crossing", unit="", label="peak of the line")
     line_peak_speed: Array = quantity(
         "line", "pair", "crossing", unit="rad/s", label="speed of the peak"
     )
     line_peak_value: Complex = quantity(
-        "line", "pair", "crossing", unit="SI, as computed", label="response at the peak"
+        "line", "pair", "crossing", unit=AS_COMPUTED, label="response at the peak"
     )
     measured: Words = coordinate("measured", unit="", label="measured response")
     sample: NDArray[np.int_] = coordinate("sample", unit="", label="sample")
@@ -78,15 +78,15 @@ class FrequencyResponse:
     measured_speed: Array = quantity("measured", unit="rad/s", label="speed")
     measured_frequency: Array = quantity("measured", "sample", unit="Hz", label="frequency")
     measured_response: Complex = quantity(
-        "measured", "sample", unit="SI, as computed", label="measured, as the computed quantity"
+        "measured", "sample", unit=AS_COMPUTED, label="measured, as the computed quantity"
     )
     measured_peak: Array = quantity("measured", "peak", unit="Hz", label="measured peak")
     measured_peak_amplitude: Array = quantity(
-        "measured", "peak", unit="SI, as computed", label="amplitude of the measured peak"
+        "measured", "peak", unit=AS_COMPUTED, label="amplitude of the measured peak"
     )
     computed_peak: Array = quantity("measured", "peak", unit="Hz", label="computed peak")
     computed_peak_amplitude: Array = quantity(
-        "measured", "peak", unit="SI, as computed", label="amplitude of the computed peak"
+        "measured", "peak", unit=AS_COMPUTED, label="amplitude of the computed peak"
     )
     frac: Array = quantity("measured", unit="1", label="FRAC of measured and computed response")
 
@@ -109,10 +109,11 @@ class FrequencyResponse:
 
     def entry_units(self, name: str) -> tuple[str, ...]:
         """SI units of a field along its pairs; empty for a field that has one unit."""
-        amplitudes = ("measured_response", "measured_peak_amplitude", "computed_peak_amplitude")
-        if name not in (self.kind, *amplitudes):
+        declaration = declared(self)[name].metadata
+        if name != self.kind and declaration["unit"] != AS_COMPUTED:
             return ()
-        pairs = self.pair if name == self.kind else self.measured_pair or self.pair
+        measured = "measured" in declaration["dims"] and self.measured_pair
+        pairs = self.measured_pair if measured else self.pair
         return tuple(self.unit(self.pair.index(pair)) for pair in pairs)
 
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -12,7 +11,9 @@ import pyuff
 
 import rotordyn
 from rotordyn.analyses.frf.records import read_record
+from rotordyn.analyses.frf.result import FrequencyResponse
 from rotordyn.analyses.frf.summary import summary as measured_lines
+from rotordyn.analyses.frf.summary import warnings as measured_warnings
 from rotordyn.errors import InvalidInput
 from rotordyn.job import deliver, solve
 
@@ -58,7 +59,7 @@ def test_own_uff_comes_back_whatever_it_is_laid_over(
     file = written[seen] / "frf.uff"
     asked = MEASURED % (file, ", record: 3, speed: 1000 rpm, name: tap")
     result = solve(case(tmp_path, quantity, asked)).results["frf"]
-    np.testing.assert_allclose(result.measured_response[0], result.response[1, 0], rtol=1e-9)
+    np.testing.assert_allclose(result.measured_response[0], _slice(result, 1000.0), rtol=1e-9)
     assert result.measured == ("tap",)
     assert result.measured_pair == (PAIR,)
     assert result.frac[0] == pytest.approx(1.0, abs=1e-9)
@@ -74,7 +75,13 @@ def test_own_table_comes_back(tmp_path: Path, written: dict[str, Path], quantity
     result = solve(case(tmp_path, quantity)).results["frf"]
     record = read_record(written[quantity] / "frf_1000rpm.csv", PAIR, None)
     assert record.quantity == quantity
-    np.testing.assert_allclose(record.values, result.response[1, 0], rtol=2e-6)
+    np.testing.assert_allclose(record.values, _slice(result, 1000.0), rtol=2e-6)
+
+
+def _slice(result: FrequencyResponse, rpm: float) -> np.ndarray:
+    """The first pair at a speed, at the frequencies of the case and about the modes."""
+    row = int(np.abs(result.slice_speed - rpm * math.pi / 30.0).argmin())
+    return result.slice_value[row, 0, np.isfinite(result.slice_frequency[row])]
 
 
 @pytest.mark.parametrize(
@@ -232,7 +239,9 @@ def test_summary_and_figure_show_what_was_measured(tmp_path: Path) -> None:
     """A resonance 5 % higher and half as sharp as computed."""
     result = solve(case(tmp_path)).results["frf"]
     f = np.linspace(5.0, 40.0, 300)
-    there = np.interp(f / 1.05, result.frequency, np.abs(result.response[0, 0])) / 2.0
+    known = np.isfinite(result.slice_frequency[0])
+    curve = result.slice_frequency[0, known], np.abs(result.slice_value[0, 0, known])
+    there = np.interp(f / 1.05, *curve) / 2.0
     rows = "".join(f"{a:.6g},{h * 1e6:.9g},0\n" for a, h in zip(f, there, strict=True))
     (tmp_path / "tap.csv").write_text("frequency [Hz],amplitude [um/N],phase [deg]\n" + rows)
     one = case(tmp_path, measured=MEASURED % ("tap.csv", ", name: tap"))
@@ -259,10 +268,12 @@ def test_a_response_compared_at_another_speed_than_its_own_is_told(tmp_path: Pat
         assert f"measured tap, receptance {PAIR} at {words}: FRAC 0." in text
 
 
-def test_a_response_where_none_is_computed_is_told(tmp_path: Path) -> None:
+def test_a_response_of_too_few_points_is_not_compared(tmp_path: Path) -> None:
     (tmp_path / "tap.csv").write_text(
         "frequency [Hz],amplitude [um/N],phase [deg]\n10,1,0\n20,2,0\n30,1,0\n"
     )
     result = solve(case(tmp_path, measured=MEASURED % ("tap.csv", ""))).results["frf"]
-    (line,) = measured_lines(replace(result, frac=np.array([np.nan])))
-    assert line == f"measured   measured 1, receptance {PAIR} at 0 rpm, where there is no response"
+    line = measured_lines(result)[-1]
+    why = "not compared, 3 of its points lie in the band, and 8 are needed"
+    assert line == f"measured   measured 1, receptance {PAIR} at 0 rpm: {why}"
+    assert [one for one in measured_warnings(result) if why.split(", ")[1] in one]
