@@ -48,7 +48,8 @@ def measured_fields(
             frac[row] = assurance(seen[inside], there)
             at, high = (each[near, pair] for each in peaks)
             known = np.isfinite(at)
-            grid = np.unique(np.concatenate([frequency, at[known]]))
+            valleys = np.sqrt(at[known][1:] * at[known][:-1])  # between peaks nearer than the grid
+            grid = np.unique(np.concatenate([frequency, at[known], valleys]))
             curve = np.abs(computed(near, grid)[pair])
             curve[np.searchsorted(grid, at[known])] = np.abs(high[known])
             beside[:, row] = _beside(own[inside], np.abs(seen[inside]), grid, curve)

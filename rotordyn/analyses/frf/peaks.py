@@ -27,6 +27,7 @@ UNDAMPED = 1e-9  # of the frequency: a pole so near to the axis has no damping
 SAME = 1e-10  # of a frequency: samples nearer to one another are one
 TOGETHER = 6  # pairs
 ROUNDS = 5  # of parabolas
+ROUNDING = 1e-7  # of a response: differences below that mean nothing
 NOTHING = 1e-10  # of what a mode would give at its own places: less is rounding
 
 
@@ -91,7 +92,7 @@ def peaks_of(
         about[(about <= frequency[0]) | (about >= frequency[-1])] = np.nan
     asked = about.copy()
     asked[..., MIDDLE][poles.undamped] = np.nan
-    near = np.abs(within(asked.reshape(speeds, -1), slice(None)))
+    near = within(asked.reshape(speeds, -1), slice(None))
     near = near.reshape(speeds, pairs, *about.shape[1:])
     x = np.concatenate(
         [np.broadcast_to(frequency, (speeds, len(frequency))), about.reshape(speeds, -1)], axis=1
@@ -130,15 +131,20 @@ def curve_at(poles: list[tuple[Array, Array]], frequency: Array, peaks: Array) -
     return np.unique(np.concatenate([frequency, about, peaks]))
 
 
-def _without_poles(near: Array, poles: Poles) -> Array:
-    """Samples about poles (s, pairs, k, about): on an undamped one infinite where the response
-    grows towards it, else no higher than beside it."""
-    own = near.copy()
+def _without_poles(near: Complex, poles: Poles) -> Array:
+    """Amplitudes about poles (s, pairs, k, about): on an undamped one infinite where it is in the
+    response, else the mean of both sides.
+
+    What r / (f − f0) of the pole differs by on its two sides grows towards it, and the rest, which
+    is smooth there, differs ever less.
+    """
+    own = np.abs(near)
     with np.errstate(invalid="ignore"):
-        close = np.minimum(near[..., MIDDLE - 1], near[..., MIDDLE + 1])
-        far = np.maximum(near[..., 0], near[..., -1])
+        close, far = (np.abs(near[..., MIDDLE + k] - near[..., MIDDLE - k]) for k in (1, 2))
+        beside = np.abs(near[..., MIDDLE - 1] + near[..., MIDDLE + 1]) / 2.0
+        endless = (close > far) & (close > ROUNDING * beside)
         own[..., MIDDLE] = np.where(
-            poles.undamped[:, None], np.where(close > far, np.inf, close), near[..., MIDDLE]
+            poles.undamped[:, None], np.where(endless, np.inf, beside), own[..., MIDDLE]
         )
     return own
 

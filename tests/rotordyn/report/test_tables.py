@@ -11,6 +11,7 @@ import pytest
 
 from rotordyn.analyses.registry import analysis, names
 from rotordyn.report.tables import write_tables
+from rotordyn.results.declaration import declared
 from tests.rotordyn.figures import samples
 
 
@@ -77,11 +78,12 @@ def test_slices_less_than_a_turn_apart_have_a_file_each_and_lost_ones_none(tmp_p
     speed = np.array([13000.0, 13000.4, 24000.0]) * np.pi / 30
     cut = {
         name: getattr(frf, name)[:3].copy()
-        for name in ("receptance", "is_slice", "slice_value", "slice_frequency")
+        for name, field in declared(frf).items()
+        if field.metadata["dims"][:1] in (("speed",), ("slice_speed",)) and name != "outcome"
     }
     cut["slice_value"][2] = complex(np.nan, np.nan)
-    cut |= {"slice_speed": speed, "peak_frequency": frf.peak_frequency[:3]}
-    write_tables(tmp_path, {"frf": replace(frf, speed=speed, outcome=("", "", "lost"), **cut)})
+    cut |= {"speed": speed, "slice_speed": speed, "outcome": ("", "", "lost")}
+    write_tables(tmp_path, {"frf": replace(frf, **cut)})
     assert {p.name for p in tmp_path.iterdir()} == {"frf_13000rpm.csv", "frf_13000.4rpm.csv"}
 
 

@@ -59,14 +59,19 @@ def test_own_uff_comes_back_whatever_it_is_laid_over(
     file = written[seen] / "frf.uff"
     asked = MEASURED % (file, ", record: 3, speed: 1000 rpm, name: tap")
     result = solve(case(tmp_path, quantity, asked)).results["frf"]
-    np.testing.assert_allclose(result.measured_response[0], _slice(result, 1000.0), rtol=1e-9)
+    at, values = _slice(result, 1000.0)
+    same = np.isclose(result.measured_frequency[0], at, rtol=1e-12)  # peaks differ by quantity
+    assert same.sum() > 200
+    np.testing.assert_allclose(result.measured_response[0, same], values[same], rtol=1e-9)
     assert result.measured == ("tap",)
     assert result.measured_pair == (PAIR,)
     assert result.frac[0] == pytest.approx(1.0, abs=1e-9)
     known = np.isfinite(result.measured_peak[0])
     assert known.sum() >= 2
-    np.testing.assert_allclose(result.computed_peak, result.measured_peak)
-    np.testing.assert_allclose(result.computed_peak_amplitude, result.measured_peak_amplitude)
+    alike = 1e-6 if seen == quantity else 1e-4  # samples about peaks of another quantity
+    np.testing.assert_allclose(result.computed_peak, result.measured_peak, rtol=alike)
+    amplitudes = result.computed_peak_amplitude, result.measured_peak_amplitude
+    np.testing.assert_allclose(*amplitudes, rtol=10.0 * alike)
 
 
 @pytest.mark.parametrize("quantity", ["receptance", "mobility", "inertance"])
@@ -75,13 +80,14 @@ def test_own_table_comes_back(tmp_path: Path, written: dict[str, Path], quantity
     result = solve(case(tmp_path, quantity)).results["frf"]
     record = read_record(written[quantity] / "frf_1000rpm.csv", PAIR, None)
     assert record.quantity == quantity
-    np.testing.assert_allclose(record.values, _slice(result, 1000.0), rtol=2e-6)
+    np.testing.assert_allclose(record.values, _slice(result, 1000.0)[1], rtol=2e-6)
 
 
-def _slice(result: FrequencyResponse, rpm: float) -> np.ndarray:
+def _slice(result: FrequencyResponse, rpm: float) -> tuple[np.ndarray, np.ndarray]:
     """The first pair at a speed, at the frequencies of the case and about the modes."""
     row = int(np.abs(result.slice_speed - rpm * math.pi / 30.0).argmin())
-    return result.slice_value[row, 0, np.isfinite(result.slice_frequency[row])]
+    known = np.isfinite(result.slice_frequency[row])
+    return result.slice_frequency[row, known], result.slice_value[row, 0, known]
 
 
 @pytest.mark.parametrize(
