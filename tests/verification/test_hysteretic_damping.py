@@ -559,7 +559,7 @@ def test_refused_by_a_description() -> None:
         LinearSupport("s", 0.0, skew, loss_factor=0.1)
     with pytest.raises(InvalidInput, match="a motion that its stiffness drives"):
         LinearSupport("s", 0.0, {("y", "y"): -1.0}, loss_factor=0.1)
-    with pytest.raises(InvalidInput, match="there is none"):
+    with pytest.raises(InvalidInput, match="stiffness: missing key"):
         LinearSupport("s", 0.0, loss_factor=0.1)
     with pytest.raises(InvalidInput, match=r"ratio out of range: given 1\.5"):
         replace(STEPPED, loss_factor=1.5)

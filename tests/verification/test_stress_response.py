@@ -142,8 +142,8 @@ def test_rest_itself_is_no_frequency(quantity: str) -> None:
 @pytest.mark.parametrize(
     ("frequencies", "said"),
     [
-        ((10.0, 5.0), "not in ascending order: given 5 after 10"),
-        ((5.0, 5.0), "repeated: given 5 after 5"),
+        ((10.0, 5.0), "not in ascending order: given 5 Hz after 10 Hz"),
+        ((5.0, 5.0), "repeated: given 5 Hz after 5 Hz"),
         ((), "no frequencies"),
     ],
 )
