@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from docs.generate.places import FIGURES
+from docs.generate.pictures import keep_figure
 from docs.generate.precision import plain_ticks
 from docs.generate.times import measured
 from rotordyn.figures.legends import legend
@@ -19,7 +19,6 @@ from rotordyn.figures.style import (
     add_axes,
     grid_boxes,
     new_figure,
-    save,
 )
 
 if TYPE_CHECKING:
@@ -46,7 +45,7 @@ ROOM = {NEWTON: (0.3, 1.4), PATH: (0.8, 1.25), CONTACT: (0.6, 1.6)}  # of the ti
 
 def draw_bearing_curves() -> None:
     """The curves of the last measurement into the folder of figures."""
-    save(bearing_figure(measured()["bearing"]), FIGURES, "bearing_error")
+    keep_figure(bearing_figure(measured()["bearing"]), "bearing_error")
 
 
 def bearing_figure(found: dict[str, Any]) -> Figure:

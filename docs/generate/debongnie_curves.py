@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 import math
-import tempfile
-from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -12,7 +10,7 @@ from numpy.typing import NDArray
 
 from bearings.debongnie import LIFE, distribution, equivalent_factors, peak, power_law, race_weights
 from docs.generate.debongnie_errors import RATIOS, SHARES, Errors, errors
-from docs.generate.places import FIGURES
+from docs.generate.pictures import keep_figure
 from rotordyn.figures.style import (
     BLACK,
     BLUE,
@@ -25,7 +23,6 @@ from rotordyn.figures.style import (
     grid_boxes,
     log_ticks,
     new_figure,
-    save,
 )
 
 if TYPE_CHECKING:
@@ -44,13 +41,12 @@ LOADS = {  # colour, and how far the label is moved [pt]
 }
 LEVELS = (0.0, 0.5, 1.0, 2.0, 4.0, 8.0, 16.0, 32.0, 75.0)  # of the error map [%]
 SHOWN = (16, 10, 7)
-COLOURS = 96
 
 
 def draw_debongnie() -> None:
     """The chart and the error map into the folder of figures."""
-    _save(chart(), "debongnie_chart")
-    _save(error_map(), "debongnie_errors")
+    keep_figure(chart(), "debongnie_chart")
+    keep_figure(error_map(), "debongnie_errors")
 
 
 def chart() -> Figure:
@@ -155,14 +151,3 @@ def _label(axes: Axes, name: str, height: float, colour: str, shift: float = 0.0
         fontsize=7.0,
         color=colour,
     )
-
-
-def _save(figure: Figure, name: str) -> None:
-    """PNG alone, with fewer colours so that it stays small."""
-    from PIL import Image
-
-    with tempfile.TemporaryDirectory() as made:
-        save(figure, Path(made), name)
-        with Image.open(Path(made) / f"{name}.png") as full:
-            small = full.convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE)
-    small.save(FIGURES / f"{name}.png", optimize=True)

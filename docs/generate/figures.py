@@ -6,21 +6,17 @@ import tempfile
 from pathlib import Path
 
 import rotordyn
+from docs.generate.pictures import keep_file
 from docs.generate.places import FIGURES, ROOT
 
 SHOWN = ("machine", "campbell", "frf_map", "stiffness", "preload")
-COLOURS = 192
 
 
 def draw_figures() -> None:
     """Run the flagship and keep its figures ``SHOWN`` under ``docs/figures``."""
-    from PIL import Image
-
     FIGURES.mkdir(exist_ok=True)
     with tempfile.TemporaryDirectory() as made:
         folder = Path(made) / "out"
         rotordyn.run(rotordyn.load(ROOT / "cases" / "mfw2310.yaml")).save(folder)
         for name in SHOWN:
-            with Image.open(folder / f"{name}.png") as full:
-                small = full.convert("RGB").reduce(2).quantize(COLOURS, dither=Image.Dither.NONE)
-            small.save(FIGURES / f"mfw2310_{name}.png", optimize=True)
+            keep_file(folder / f"{name}.png", f"mfw2310_{name}")

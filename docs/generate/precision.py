@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from docs.generate.places import FIGURES
+from docs.generate.pictures import keep_figure
 from docs.generate.times import measured
 from rotordyn.figures.legends import legend
-from rotordyn.figures.style import BLUE, RED, add_axes, grid_boxes, log_ticks, new_figure, save
+from rotordyn.figures.style import BLUE, RED, add_axes, grid_boxes, log_ticks, new_figure
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -18,7 +18,7 @@ LOOKS = {"any degree": (BLUE, "o-"), "standard": (RED, "s--")}
 
 def draw_precision() -> None:
     """The curves of the last measurement into the folder of figures."""
-    save(precision_figure(measured()["precision"]), FIGURES, "precision")
+    keep_figure(precision_figure(measured()["precision"]), "precision")
 
 
 def precision_figure(lines: list[dict[str, Any]]) -> Figure:

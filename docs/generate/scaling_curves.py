@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from docs.generate.places import FIGURES
+from docs.generate.pictures import keep_figure
 from docs.generate.precision import plain_ticks
 from docs.generate.scaling import MOST_MEGABYTES, MOST_SECONDS, SECTIONS, Lines
 from docs.generate.times import measured
@@ -20,7 +20,6 @@ from rotordyn.figures.style import (
     add_axes,
     grid_boxes,
     new_figure,
-    save,
 )
 
 if TYPE_CHECKING:
@@ -37,7 +36,7 @@ LOOKS = {
 
 def draw_scaling() -> None:
     """The curves of the last measurement into the folder of figures."""
-    save(scaling_figure(measured()["scaling"]), FIGURES, "scaling")
+    keep_figure(scaling_figure(measured()["scaling"]), "scaling")
 
 
 def scaling_figure(found: dict[str, Lines]) -> Figure:

@@ -20,7 +20,8 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from docs.generate.marked import rewrite
-from docs.generate.places import DOCS, FIGURES, README, ROOT
+from docs.generate.pictures import keep_file
+from docs.generate.places import DOCS, README, ROOT
 
 _PARTS = re.compile(
     r"^```(?P<language>\w+)(?: (?P<file>\S+))?\n(?P<code>.*?)^```$"
@@ -32,7 +33,6 @@ PICTURES = {
     f"grinder_{name}.png": ("tutorial/first_run.md", f"out/grinder/{name}.png")
     for name in ("machine", "campbell", "preload")
 }
-COLOURS = 64
 
 
 class Block(NamedTuple):
@@ -131,14 +131,4 @@ def write_snippets(folder: Path) -> None:
         shown = {n: path for n, (own, path) in PICTURES.items() if DOCS / own == page}
         rewrite(page, run_page(page, place, draw=bool(shown)))
         for name, path in shown.items():
-            _keep(place / path, FIGURES / name)
-
-
-def _keep(drawn: Path, target: Path) -> None:
-    """A figure with few colours, so that it stays small."""
-    from PIL import Image
-
-    with Image.open(drawn) as full:
-        full.thumbnail((1000, 1000))
-        small = full.convert("RGB").quantize(COLOURS, dither=Image.Dither.NONE)
-    small.save(target, optimize=True)
+            keep_file(place / path, Path(name).stem)

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from docs.generate.places import FIGURES
+from docs.generate.pictures import keep_figure
 from docs.generate.precision import plain_ticks
 from docs.generate.sweeps import Lines
 from docs.generate.times import measured
 from rotordyn.figures.legends import legend
-from rotordyn.figures.style import BLUE, RED, add_axes, grid_boxes, new_figure, save
+from rotordyn.figures.style import BLUE, RED, add_axes, grid_boxes, new_figure
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -19,7 +19,7 @@ LOOKS = {"any degree": (BLUE, "o-"), "standard": (RED, "s--")}
 
 def draw_sweeps() -> None:
     """The curves into the folder of figures."""
-    save(sweeps_figure(measured()["sweeps"]), FIGURES, "sweeps")
+    keep_figure(sweeps_figure(measured()["sweeps"]), "sweeps")
 
 
 def sweeps_figure(found: dict[str, Lines]) -> Figure:
