@@ -117,9 +117,16 @@ def _scale(axes: Axes, largest: float) -> None:
     decades = [10.0**k for k in range(round(math.log10(least)), math.ceil(math.log10(high)) + 1)]
     shown_ones = decades[1 :: 1 + len(decades) // 4]
     axes.set_yticks([-each for each in shown_ones[::-1]] + [0.0, *shown_ones])
-    axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}".replace("-", "\u2212"))
+    axes.yaxis.set_major_formatter(lambda value, _: _power_of_ten(value))
     axes.minorticks_off()
     axes.set_ylim(-2.0 * high, 2.0 * high)
+
+
+def _power_of_ten(value: float) -> str:
+    """Short enough to stay clear of the axis' name: 0.01, 1, 1e-4."""
+    sign, size = "\u2212" if value < 0.0 else "", abs(value)
+    plain = size == 0.0 or 0.01 <= size < 1e4
+    return sign + (f"{size:g}" if plain else f"{size:.0e}".replace("e-0", "e-"))
 
 
 def draw_measured(
