@@ -11,6 +11,8 @@ from typing import TYPE_CHECKING, Any
 from bearings.kinds import KINDS
 
 if TYPE_CHECKING:
+    from bearings import fits as fits
+    from bearings import life as life
     from bearings.ball.law import Law as Law
     from bearings.bearing import BallBearing as BallBearing
     from bearings.errors import BearingError as BearingError
@@ -40,11 +42,14 @@ _NAMES = {
     "ring.truncation": ("Truncation", "truncation"),
     **{f"kinds.{kind}": (name,) for kind, name in KINDS.items()},
 }
+_MODULES = ("fits", "life")  # whole
 _HOME = {name: f"bearings.{module}" for module, names in _NAMES.items() for name in names}
-__all__ = sorted(_HOME)  # noqa: PLE0605 - the kinds are listed once, in their folder
+__all__ = sorted((*_HOME, *_MODULES))  # noqa: PLE0605 - the kinds are listed once, in their folder
 
 
 def __getattr__(name: str) -> Any:
+    if name in _MODULES:
+        return importlib.import_module(f"bearings.{name}")
     if name not in _HOME:
         raise AttributeError(f"module 'bearings' has no attribute {name!r}")
     return getattr(importlib.import_module(_HOME[name]), name)
