@@ -10,6 +10,7 @@ if TYPE_CHECKING:
     from rotordyn.analyses.campbell.spec import CampbellSpec, ShapesInSpaceSpec
     from rotordyn.analyses.control.spec import ControlSpec
     from rotordyn.analyses.frf.spec import FrfSpec, MeasuredResponse, Port
+    from rotordyn.analyses.life.spec import LifeSpec, LoadStep, Lubrication
     from rotordyn.analyses.preload.spec import PreloadSpec
     from rotordyn.analyses.section_forces.spec import SectionForcesSpec
     from rotordyn.analyses.stiffness.spec import StiffnessSpec
@@ -32,7 +33,10 @@ _HOME = {
     "ControlSpec": "rotordyn.analyses.control.spec",
     "EccentricSpan": "rotordyn.scene.loads",
     "FrfSpec": "rotordyn.analyses.frf.spec",
+    "LifeSpec": "rotordyn.analyses.life.spec",
     "LineLoad": "rotordyn.scene.loads",
+    "LoadStep": "rotordyn.analyses.life.spec",
+    "Lubrication": "rotordyn.analyses.life.spec",
     "MeasuredResponse": "rotordyn.analyses.frf.spec",
     "PointLoad": "rotordyn.scene.loads",
     "Port": "rotordyn.analyses.frf.spec",
@@ -52,7 +56,10 @@ __all__ = [
     "ControlSpec",
     "EccentricSpan",
     "FrfSpec",
+    "LifeSpec",
     "LineLoad",
+    "LoadStep",
+    "Lubrication",
     "MeasuredResponse",
     "PointLoad",
     "Port",
