@@ -10,7 +10,7 @@ if TYPE_CHECKING:
     from rotordyn.analyses.campbell.spec import CampbellSpec, ShapesInSpaceSpec
     from rotordyn.analyses.control.spec import ControlSpec
     from rotordyn.analyses.frf.spec import FrfSpec, MeasuredResponse, Port
-    from rotordyn.analyses.life.spec import LifeSpec, LoadStep, Lubrication
+    from rotordyn.analyses.life.spec import LifeSpec, LoadStep
     from rotordyn.analyses.preload.spec import PreloadSpec
     from rotordyn.analyses.section_forces.spec import SectionForcesSpec
     from rotordyn.analyses.stiffness.spec import StiffnessSpec
@@ -24,6 +24,7 @@ if TYPE_CHECKING:
         TwistLimit,
         Unbalance,
     )
+    from rotordyn.scene.lubrication import Lubrication
 
 _HOME = {
     "BalanceGrade": "rotordyn.scene.loads",
@@ -36,7 +37,7 @@ _HOME = {
     "LifeSpec": "rotordyn.analyses.life.spec",
     "LineLoad": "rotordyn.scene.loads",
     "LoadStep": "rotordyn.analyses.life.spec",
-    "Lubrication": "rotordyn.analyses.life.spec",
+    "Lubrication": "rotordyn.scene.lubrication",
     "MeasuredResponse": "rotordyn.analyses.frf.spec",
     "PointLoad": "rotordyn.scene.loads",
     "Port": "rotordyn.analyses.frf.spec",

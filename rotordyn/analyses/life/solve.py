@@ -59,7 +59,7 @@ def answer(scene: Scene, spec: LifeSpec) -> LifeResult:
         set_life=lives,
         spectrum_life=spectrum,
         spectrum_set_life=float(bearings.life.set_life(spectrum)),
-        viscosity=math.nan if oil is None else float(_oil(spec).kinematic(oil.temperature)),
+        viscosity=math.nan if oil is None else float(oil.oil.kinematic(oil.temperature)),
         reliability=spec.reliability,
         target=math.nan if spec.target is None else spec.target,
         **fields,
@@ -77,11 +77,6 @@ def _ratings(spindle: Spindle, spec: LifeSpec) -> tuple[Array, Array, Array]:
     )
     static = np.array([bearings.life.static_rating(seat.bearing) for seat in spindle.seats])
     return used, grooves, static
-
-
-def _oil(spec: LifeSpec) -> bearings.Lubricant:
-    assert spec.lubricant is not None
-    return bearings.Lubricant(spec.lubricant.viscosity_40, spec.lubricant.viscosity_100)
 
 
 def _of_bearings(state: BearingState, rating: float, spec: LifeSpec) -> Values:
@@ -122,7 +117,7 @@ def _oiled(
     asked = spec.lubricant
     if asked is None:
         return {name: np.full_like(life, np.nan) for name in NO_OIL}
-    oil, at = _oil(spec), asked.temperature
+    oil, at = asked.oil, asked.temperature
     factor = bearings.heat.OIL_FACTORS[asked.supply]
     lost = bearings.heat.losses(
         state, oil, at, friction=asked.friction, oil_factor=factor, model=spec.heat

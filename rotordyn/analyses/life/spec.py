@@ -9,50 +9,19 @@ from typing import Annotated
 from rotordyn.description import Description, Faults, known
 from rotordyn.quantity import (
     Choice,
-    Cleanness,
     Duration,
     Force,
     Load,
     Name,
-    OilViscosity,
     Preload,
-    Roughness,
     Share,
-    SlidingFriction,
     Speed,
-    Temperature,
 )
+from rotordyn.scene.lubrication import LOSS_MODELS, Lubrication
 from rotordyn.scene.spec import Setting, Spec
 
 RELIABILITIES = (0.90, 0.95, 0.96, 0.97, 0.98, 0.99)
-SUPPLIES = ("oil-air", "mist", "grease", "bath", "jet")  # f0 in bearings.heat.OIL_FACTORS
-MODELS = ("ellipse", "palmgren")
 _SUM = 1e-6  # by which shares may miss 1
-
-
-@dataclass(frozen=True, slots=True)
-class Lubrication(Description):
-    """The oil of the bearings, or the base oil of their grease."""
-
-    viscosity_40: Annotated[OilViscosity, "kinematic, at 40 °C"]
-    viscosity_100: Annotated[OilViscosity, "kinematic, at 100 °C"]
-    temperature: Annotated[Temperature, "of the oil in the bearings"]
-    supply: Annotated[str, Choice(SUPPLIES), "how the oil comes, for the viscous loss"] = "oil-air"
-    contamination: Annotated[
-        Cleanness, "factor eC of ISO 281: 1 extreme cleanness, 0.5 slight contamination, 0 severe"
-    ] = 0.5
-    friction: Annotated[
-        SlidingFriction, "coefficient μ of the lubricated contacts, 0.03 to 0.07 in traction"
-    ] = 0.05
-    ball_roughness: Annotated[Roughness, "Rq of the balls"] = 0.02e-6
-    race_roughness: Annotated[Roughness, "Rq of the raceways"] = 0.06e-6
-
-    def _faults(self) -> Faults:
-        if self.viscosity_100 >= self.viscosity_40:
-            yield (
-                ("viscosity_100",),
-                "not below viscosity_40: given {given}; allowed: below {given:viscosity_40}",
-            )
 
 
 @dataclass(frozen=True, slots=True)
@@ -90,10 +59,10 @@ class LifeSpec(Spec):
     ] = ()
     heat: Annotated[
         str,
-        Choice(MODELS),
+        Choice(LOSS_MODELS),
         "`ellipse`: sliding in the contact ellipses; `palmgren`: his load-dependent moment; the "
         "viscous part is Palmgren's in both ([theory](theory/life.md#friction-and-heat))",
-    ] = MODELS[0]
+    ] = LOSS_MODELS[0]
 
     def _faults(self) -> Faults:
         total = sum(step.share for step in self.spectrum)

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from rotordyn.figures.amplitudes import log_axis
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.panels import Shown, colour, dash
 from rotordyn.figures.style import add_axes, grid_boxes, new_figure, speed_ticks, with_zero
@@ -36,7 +37,7 @@ def life_figure(variants: Sequence[Shown]) -> Figure:
         axes[2].plot(rpm, result.pressure.max(axis=1) * GIGAPASCAL.factor, **look)
         if oiled:
             axes[3].plot(rpm, result.heat.sum(axis=1), **look)
-    axes[0].set_yscale("log")
+    log_axis(axes[0])
     for panel in axes[1:]:
         with_zero(panel, 1.05)
     for panel in axes:

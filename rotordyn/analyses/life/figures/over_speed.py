@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.life.result import LifeResult
+from rotordyn.figures.amplitudes import log_axis
 from rotordyn.figures.curves import merged
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.style import (
@@ -37,9 +38,9 @@ def life_figure(result: LifeResult) -> Figure:
     names = ("life L10r [h]", "static safety S0 [-]", "peak pressure [GPa]", "cage over speed [-]")
     figure, axes = _panels(names, result)
     _lines(axes[0], result, result.life / HOUR)
-    axes[0].set_yscale("log")
     if np.isfinite(result.target):
         axes[0].axhline(result.target / HOUR, color=GREY, lw=0.9, ls="--", label="target")
+    log_axis(axes[0])
     _lines(axes[1], result, result.static_safety)
     _lines(axes[2], result, result.pressure * GIGAPASCAL.factor)
     _lines(axes[3], result, result.cage)
@@ -57,7 +58,7 @@ def heat_figure(result: LifeResult) -> Figure:
     _lines(axes[1], result, result.inner_heat + result.outer_heat)
     _lines(axes[2], result, result.film * 1e9)
     _lines(axes[3], result, result.modified_life / HOUR)
-    axes[3].set_yscale("log")
+    log_axis(axes[3])
     for each in axes[:3]:
         with_zero(each, 1.05)
     top_legend(figure, *axes)
