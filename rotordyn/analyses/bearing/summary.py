@@ -17,8 +17,8 @@ RINGS = {"i": "inner", "o": "outer"}
 
 
 def summary(result: BearingMapResult) -> list[str]:
-    """Stiffness at each load at the first and last speed, then how balls touch their grooves."""
-    lines = _stiffness(result)
+    """Stiffness at each load at the first and last speed, life, how balls touch their grooves."""
+    lines = [*_stiffness(result), *_life(result)]
     if result.ball.size > 1 or len(result.contact) > 2:
         lines += _contacts(result)
     return lines
@@ -94,6 +94,21 @@ def _contacts(result: BearingMapResult) -> list[str]:
             f"{INDENT}{under(result, k)}: {place if result.ball.size > 1 else ''}"
             f"{', '.join(parts)}; {_numbers(result.contacts[-1, k])} contacts a ball"
         )
+    return lines
+
+
+def _life(result: BearingMapResult) -> list[str]:
+    """Life and heat at the first and last load, at the first and last speed."""
+    lines: list[str] = []
+    for k in dict.fromkeys((0, len(result.load) - 1)):
+        if not (result.outcome[[0, -1], k] == "").all():
+            continue
+        life = f"{from_to(result.revolutions[:, k] * 1e-6, 0)} million revolutions"
+        said = f"{under(result, k)}: L10r {life}, S0 {from_to(result.static_safety[:, k])}"
+        if np.isfinite(result.viscous_heat[-1, k]):
+            heat = result.contact_heat[:, k] + result.viscous_heat[:, k]
+            said += f", heat {from_to(heat, 0)} W (order of magnitude)"
+        lines.append(f"{'life       ' if not lines else INDENT}{said}")
     return lines
 
 

@@ -159,6 +159,11 @@ def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
             f"{_up_to(result, result.viscosity_ratio[:, k] < LEAST_KAPPA)}, where ISO 281 knows no "
             "modified life; take a thicker oil"
         )
+    if where := _first(result, result.slips[:, k]):
+        yield (
+            f"its balls need more friction than that of the lubricant from {where} on: they slip, "
+            "and the heat of its contacts is a guess there; raise its preload"
+        )
     if np.nanmax(result.ring_stress[:, k], initial=0.0) > YIELD:
         yield (
             f"its inner ring yields under its fit: {np.nanmax(result.ring_stress[:, k]) / 1e6:.0f} "

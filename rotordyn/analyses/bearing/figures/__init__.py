@@ -17,6 +17,7 @@ code = partial(Code, __name__)
 def figures(case: Described, result: Any, _: Mapping[str, Any]) -> Iterator[Job]:
     """The figures of a result."""
     yield "bearing", partial(code("over_load:bearing_figure"), result)
+    yield "bearing_life", partial(code("over_load:life_figure"), result)
     if result.ball.size > 1 or len(result.contact) > 2:
         yield "bearing_contacts", partial(code("contacts:contacts_figure"), result)
     if result.ball.size > 1:
