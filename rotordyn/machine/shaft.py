@@ -54,6 +54,11 @@ class Section(Description):
         yield from found or _taper_faults(self.outer, self.inner)
 
     @property
+    def density(self) -> float:
+        """Mass per volume [kg/m³]."""
+        return self.material.density
+
+    @property
     def outer(self) -> tuple[float, float]:
         """Outer diameters at both ends [m]."""
         rear = self.rear_outer_diameter
