@@ -139,25 +139,24 @@ def test_runout_of_two_rings_by_their_levers(kind: str) -> None:
 
 
 def test_three_supports_that_tilt_against_loads_by_their_stiffness() -> None:
-    """An eccentricity e at a spring k is a force −k e there, in each plane its own."""
+    """An eccentricity e at a stiffness K is a force −K e there, one plane not like the other."""
     supports = [
         sprung("a", 0.25, 3e7, 1e7, 4e4),
         sprung("b", 0.7, 1e8, 2e7),
         sprung("c", 1.1, 2e7, 5e7, 1e5),
     ]
+    crossed = {("y", "z"): 2e7, ("z", "y"): 2e7}
+    supports[1] = replace(supports[1], stiffness={**supports[1].stiffness, **crossed})
     spindle, e = beam(*supports), 2e-6
     rings = (RingRunout("b", 2 * e, 0.0), RingRunout("c", 2 * e, math.pi / 2))
     found = solved(spindle, ring_runouts=rings)
     swing = np.zeros((2, 2))
     for turn, (b, c) in enumerate((((1, 0), (0, 1)), ((0, 1), (-1, 0)))):  # ψ of 0 and a quarter
-        loads = [
-            PointLoad(
-                s.x,
-                Fy=-s.stiffness["y", "y"] * e * way[0],
-                Fz=-s.stiffness["z", "z"] * e * way[1],
-            )
-            for s, way in ((supports[1], b), (supports[2], c))
-        ]
+        loads = []
+        for support, way in ((supports[1], b), (supports[2], c)):
+            stiff = [[support.stiffness.get((i, j), 0.0) for j in "yz"] for i in "yz"]
+            y, z = -np.array(stiff) @ way * e
+            loads.append(PointLoad(support.x, Fy=y, Fz=z))
         spec = {"section_forces": SectionForcesSpec(tuple(loads))}
         moved: Any = answer_spindle(spindle, Conditions(), (0.0,), spec, lambda name: None)
         line = moved.results["section_forces"]
