@@ -47,7 +47,7 @@ def test_the_curve_breaks_where_the_stop_closes(results: Any) -> None:
 
 
 def test_each_side_has_its_own_response(machine: Any, results: Any) -> None:
-    """Open in front of the break and closed behind: the response is that of a case at this speed."""
+    """Open in front of the break and closed behind: the response is that of a case there."""
     found = results["unbalance"]
     speed, force = found.fine_speed.values, found.fine_force_amplitude.values
     (gap,) = np.flatnonzero(~np.isfinite(force).any(axis=1))
