@@ -71,7 +71,7 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> list[str]:
-    return sorted({*__all__, *_specs()})
+    return sorted(__all__)
 
 
 def _specs() -> dict[str, type[Spec]]:

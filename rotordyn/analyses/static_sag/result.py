@@ -21,7 +21,7 @@ class StaticSagResult:
     whatever angles, their sum. The sag turns with nothing and is no part of the runout.
     """
 
-    point: str
+    point: str = quantity(unit="", label="point")
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
     station: Array = coordinate("station", unit="m", label="station", printed=MILLIMETRE)
     gauge: Array = coordinate("gauge", unit="m", label="gauge in front", printed=MILLIMETRE)
