@@ -17,10 +17,10 @@ ANALYSIS = Analysis(
     spec=StaticSagSpec,
     solve=code("solve:answer"),
     figures=code("figures:figures"),
-    compared=code("figures:of_variants"),
+    curves=code("figures:headline_curves"),
     tables=LAYOUTS,
     summary=code("summary:summary"),
     warnings=code("summary:warnings"),
     heading="sag and runout of the nose",
-    cells=code("summary:cells"),
+    numbers=code("summary:numbers"),
 )

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from rotordyn.analyses.static_sag.result import MICRORADIAN, StaticSagResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import MICROMETRE, RPM, number
+from rotordyn.results.headline import Number
 from rotordyn.results.text import unbroken
 
 Array = NDArray[np.float64]
@@ -32,16 +33,17 @@ def summary(result: StaticSagResult) -> list[str]:
     return lines
 
 
-def cells(result: StaticSagResult, _: Described) -> dict[str, str]:
+def numbers(result: StaticSagResult, _: Described) -> Iterator[Number]:
     """The amount of sag and runout at the first gauge, and of the slope."""
     row = _slowest(result)
-    found = {
-        "sag [µm]": _amount(result.sag[row, 0] * MICROMETRE.factor),
-        "slope [µrad]": _amount(result.slope[row] * MICRORADIAN.factor),
-    }
+    for name, values, printed in (
+        ("sag", result.sag[row, 0], MICROMETRE),
+        ("slope", result.slope[row], MICRORADIAN),
+    ):
+        yield Number(name, printed.unit, float(np.hypot(*values)) * printed.factor, digits=2)
     if result.ring:
-        found["runout [µm]"] = number(float(result.runout[row, 0].max()) * MICROMETRE.factor, 2)
-    return found
+        runout = float(result.runout[row, 0].max()) * MICROMETRE.factor
+        yield Number("runout", MICROMETRE.unit, runout, digits=2)
 
 
 def warnings(result: StaticSagResult) -> list[str]:
@@ -76,10 +78,6 @@ def _at_gauges(result: StaticSagResult, row: int, values: Array) -> Iterator[str
 def _both(result: StaticSagResult, values: Array) -> str:
     named = zip(result.direction, values, strict=True)
     return unbroken(" ".join(f"{name} {_number(float(value))}" for name, value in named))
-
-
-def _amount(values: Array) -> str:
-    return _number(float(np.hypot(*values)))
 
 
 def _number(value: float) -> str:
