@@ -19,10 +19,10 @@ ANALYSIS = Analysis(
     bearings=True,
     costs={"life": 6, "heat": 6},
     figures=code("figures:figures"),
-    compared=code("figures:of_variants"),
+    curves=code("figures:headline_curves"),
     tables=LAYOUTS,
     summary=code("summary:summary"),
     warnings=code("summary:warnings"),
     heading="life and heat",
-    cells=code("summary:cells"),
+    numbers=code("summary:numbers"),
 )

@@ -41,7 +41,7 @@ def answer(scene: Scene, spec: LifeSpec) -> LifeResult:
 
     def joined(name: str) -> NDArray[Any]:
         values = np.stack([each[name] for each in columns], axis=1)[rows]
-        blank = {"U": "", "b": False}.get(values.dtype.kind, np.nan)
+        blank: Any = {"U": "", "b": False}.get(values.dtype.kind, np.nan)
         return np.where(good[:, None], values, blank)
 
     fields = {name: joined(name) for name in columns[0]}

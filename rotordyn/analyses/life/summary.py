@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from rotordyn.analyses.life.result import LifeResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import DEGREE, RPM, number
+from rotordyn.results.headline import Number, ends
 from rotordyn.results.text import from_to, unbroken
 
 Array = NDArray[np.float64]
@@ -99,20 +100,16 @@ def _range(values: Array, digits: int) -> str:
     return ends[0] if ends[0] == ends[1] else f"{ends[0]} to {ends[1]}"
 
 
-def cells(result: LifeResult, _: Described) -> dict[str, str]:
-    """Life of the set, static safety, heat and required friction at the last speed."""
-    last = _last(result)
-    found = {
-        "set L10r [h]": hours(float(result.set_life[last]) / HOUR),
-        "S0": number(float(np.nanmin(result.static_safety))),
-        "pressure [GPa]": number(float(np.nanmax(result.pressure)) / 1e9, 2),
-    }
+def numbers(result: LifeResult, _: Described) -> Iterator[Number]:
+    """Life of the set, static safety, pressure and heat."""
+    lives = np.where(np.isfinite(result.set_life), result.set_life / HOUR, np.nan)
+    yield from ends(result, "set L10r", "h", lives, digits=0)
     if np.isfinite(result.spectrum_set_life):
-        found["set, spectrum [h]"] = hours(result.spectrum_set_life / HOUR)
+        yield Number("set L10r, spectrum", "h", result.spectrum_set_life / HOUR, digits=0)
+    yield from ends(result, "S0", "", result.static_safety.min(axis=1))
+    yield from ends(result, "pressure", "GPa", result.pressure.max(axis=1) / 1e9, digits=2)
     if math.isfinite(result.viscosity):
-        found["heat [W]"] = number(float(result.heat[last].sum()), 0)
-        found["κ from"] = number(float(np.nanmin(result.viscosity_ratio[last])), 2)
-    return found
+        yield from ends(result, "heat", "W", result.heat.sum(axis=1), digits=0)
 
 
 def warnings(result: LifeResult) -> list[str]:
