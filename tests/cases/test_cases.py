@@ -32,7 +32,7 @@ def test_every_case_is_in_the_table_of_the_folder() -> None:
     assert [name for name in NAMES if f"`{name}.yaml`" not in table] == []
 
 
-SLIPS = ("its balls need more friction than that of the lubricant",)
+SLIPS = ("the balls need more friction than that of the lubricant",)
 WARNED = {  # what the case is there to show
     "mfw2310_life": SLIPS,
     "grinding_spindle_life": SLIPS,

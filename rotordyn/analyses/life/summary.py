@@ -114,40 +114,44 @@ def numbers(result: LifeResult, _: Described) -> Iterator[Number]:
 
 def warnings(result: LifeResult) -> list[str]:
     """A sentence with its remedy for whatever leaves the range of a formula or a limit."""
-    found: list[str] = []
+    found: dict[str, list[str]] = {}
     for k, name in enumerate(result.bearing):
-        found += [f"bearing {name}: {sentence}" for sentence in _of_bearing(result, k)]
-    return found
+        for sentence in _of_bearing(result, k):
+            found.setdefault(sentence, []).append(name)
+    return [
+        f"bearing{'s' if len(names) > 1 else ''} {', '.join(names)}: {sentence}"
+        for sentence, names in found.items()
+    ]
 
 
 def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
     ratio = result.dynamic_rating[k] / result.groove_rating[k]
     if ratio > PAIR:
         yield (
-            f"its dynamic rating {result.dynamic_rating[k]:.0f} N is {ratio:.2f} times that of its "
+            f"dynamic rating {result.dynamic_rating[k]:.0f} N is {ratio:.2f} times that of the "
             "grooves; give that of one bearing: a pair has 1.62 times as much"
         )
     if where := _first(result, result.static_safety[:, k] < LEAST_SAFETY):
         yield (
             f"static safety {np.nanmin(result.static_safety[:, k]):.2g} is below {LEAST_SAFETY:g} "
-            f"from {where} on; lower its load or take a larger bearing"
+            f"from {where} on; lower the load or take a larger bearing"
         )
     elif where := _first(result, result.pressure[:, k] > HIGHEST):
         yield (
-            f"contact pressure above {HIGHEST / 1e9:g} GPa from {where} on: its life is shorter "
-            "than computed; lower its load"
+            f"contact pressure above {HIGHEST / 1e9:g} GPa from {where} on: life is shorter "
+            "than computed; lower the load"
         )
     if where := _first(result, 2.0 * result.equivalent_load[:, k] > result.dynamic_rating[k]):
         yield (
-            f"equivalent load above half its dynamic rating from {where} on: its life is shorter "
-            "than computed; lower its load"
+            f"equivalent load above half the dynamic rating from {where} on: life is shorter "
+            "than computed; lower the load"
         )
     if where := _first(result, result.shoulder_margin[:, k] < 0.0):
         margin = -np.nanmin(result.shoulder_margin[:, k]) * DEGREE.factor
         lost = 100.0 * np.nanmax(result.lost_load[:, k])
         yield (
             f"a contact ellipse passes the shoulder by {margin:.2g}° from {where} on, with "
-            f"{lost:.2g} % of its load; lower its load or raise the shoulder"
+            f"{lost:.2g} % of its load; lower the load or raise the shoulder"
         )
     turning = result.speed > 0.0
     if where := _first(result, turning & (result.viscosity_ratio[:, k] < LEAST_KAPPA)):
@@ -158,12 +162,12 @@ def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
         )
     if where := _first(result, result.slips[:, k]):
         yield (
-            f"its balls need more friction than that of the lubricant from {where} on: they slip, "
-            "and the heat of its contacts is a guess there; raise its preload"
+            f"the balls need more friction than that of the lubricant from {where} on: they slip, "
+            "and the heat of its contacts is a guess there; raise the preload"
         )
     if np.nanmax(result.ring_stress[:, k], initial=0.0) > YIELD:
         yield (
-            f"its inner ring yields under its fit: {np.nanmax(result.ring_stress[:, k]) / 1e6:.0f} "
+            f"the inner ring yields under its fit: {np.nanmax(result.ring_stress[:, k]) / 1e6:.0f} "
             f"MPa after Tresca, allowed {YIELD / 1e6:g}; lower the interference"
         )
     life = result.spectrum_life[k]
