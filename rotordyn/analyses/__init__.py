@@ -13,6 +13,7 @@ if TYPE_CHECKING:
     from rotordyn.analyses.campbell.spec import CampbellSpec, ShapesInSpaceSpec
     from rotordyn.analyses.control.spec import ControlSpec
     from rotordyn.analyses.frf.spec import FrfSpec, MeasuredResponse, Port
+    from rotordyn.analyses.life.spec import LifeSpec, LoadStep
     from rotordyn.analyses.preload.spec import PreloadSpec
     from rotordyn.analyses.section_forces.spec import SectionForcesSpec
     from rotordyn.analyses.stiffness.spec import StiffnessSpec
@@ -26,6 +27,7 @@ if TYPE_CHECKING:
         TwistLimit,
         Unbalance,
     )
+    from rotordyn.scene.lubrication import Lubrication
     from rotordyn.scene.spec import Spec
 
 _HOME = {
@@ -33,6 +35,8 @@ _HOME = {
     "Conditions": "rotordyn.scene.conditions",
     "EccentricSpan": "rotordyn.scene.loads",
     "LineLoad": "rotordyn.scene.loads",
+    "LoadStep": "rotordyn.analyses.life.spec",
+    "Lubrication": "rotordyn.scene.lubrication",
     "MeasuredResponse": "rotordyn.analyses.frf.spec",
     "PointLoad": "rotordyn.scene.loads",
     "Port": "rotordyn.analyses.frf.spec",
@@ -48,7 +52,10 @@ __all__ = [
     "ControlSpec",
     "EccentricSpan",
     "FrfSpec",
+    "LifeSpec",
     "LineLoad",
+    "LoadStep",
+    "Lubrication",
     "MeasuredResponse",
     "PointLoad",
     "Port",
