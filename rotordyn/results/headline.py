@@ -24,7 +24,8 @@ class Number(NamedTuple):
     """A headline number as printed.
 
     ``speed`` [rpm] where it is one of several over speed; ``part``: which of those of one
-    ``name``, such as a direction of whirl, that summaries write side by side. ``absent``: said where there is none (NaN).
+    ``name``, such as a direction of whirl, that summaries write side by side;
+    ``absent``: said where there is none (NaN).
     """
 
     name: str
