@@ -13,6 +13,8 @@ from bearings.kinds import KINDS
 if TYPE_CHECKING:
     from bearings.ball.law import Law as Law
     from bearings.bearing import BallBearing as BallBearing
+    from bearings.catalogue.estimate import EstimatedBearing as EstimatedBearing
+    from bearings.catalogue.estimate import estimate as estimate
     from bearings.errors import BearingError as BearingError
     from bearings.errors import InvalidBearing as InvalidBearing
     from bearings.errors import NoEquilibrium as NoEquilibrium
@@ -31,6 +33,7 @@ if TYPE_CHECKING:
 _NAMES = {
     "ball.law": ("Law",),
     "bearing": ("BallBearing",),
+    "catalogue.estimate": ("EstimatedBearing", "estimate"),
     "errors": ("BearingError", "InvalidBearing", "NoEquilibrium"),
     "follower": ("Followed", "Follower"),
     "materials": ("SILICON_NITRIDE", "STEEL", "Material"),
