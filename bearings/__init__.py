@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from bearings.bearing import BallBearing as BallBearing
     from bearings.catalogue.estimate import EstimatedBearing as EstimatedBearing
     from bearings.catalogue.estimate import estimate as estimate
+    from bearings.catalogue.printed import Catalogue as Catalogue
     from bearings.errors import BearingError as BearingError
     from bearings.errors import InvalidBearing as InvalidBearing
     from bearings.errors import NoEquilibrium as NoEquilibrium
@@ -34,6 +35,7 @@ _NAMES = {
     "ball.law": ("Law",),
     "bearing": ("BallBearing",),
     "catalogue.estimate": ("EstimatedBearing", "estimate"),
+    "catalogue.printed": ("Catalogue",),
     "errors": ("BearingError", "InvalidBearing", "NoEquilibrium"),
     "follower": ("Followed", "Follower"),
     "materials": ("SILICON_NITRIDE", "STEEL", "Material"),

@@ -16,7 +16,7 @@ from bearings.catalogue.plausible import TIGHTEST, plausible, usual
 from bearings.catalogue.printed import Catalogue, Value
 from bearings.catalogue.races import Insides, contact_stiffness, dynamic_rating, static_rating
 from bearings.kinds.angular_contact import AngularContactBallBearing
-from bearings.materials import STEEL
+from bearings.materials import SILICON_NITRIDE, STEEL
 
 Array = NDArray[np.float64]
 
@@ -147,7 +147,7 @@ def estimate(  # noqa: PLR0913 - a catalogue prints that many columns
         outside_diameter=outside_diameter,
         width=width,
         contact_angle=contact_angle,
-        hybrid=hybrid,
+        ball_material=SILICON_NITRIDE if hybrid else STEEL,
         preloads=tuple(preloads),
         rigidities=tuple(rigidities),
         unloading=tuple(unloading),
@@ -191,7 +191,7 @@ def _apart(computed: Array, given: Catalogue) -> Array:
 def _scale(x: Insides, given: Catalogue) -> tuple[Array, Array]:
     """P and BD of ``bearings.catalogue.pair``."""
     distance = x.free_distance
-    stiffness = contact_stiffness(x, given.ball_material, STEEL)
+    stiffness = contact_stiffness(x, given.ball_material, given.ring_material)
     return x.balls * stiffness * distance**1.5, distance
 
 
@@ -207,7 +207,7 @@ def _computed(x: Insides, given: Catalogue) -> Array:
         if value.kind == "dynamic":
             rows.append(dynamic_rating(x))
         elif value.kind == "static":
-            rows.append(static_rating(x, given.ball_material, STEEL))
+            rows.append(static_rating(x, given.ball_material, given.ring_material))
         else:
             rows.append(at[value.preload][0 if value.kind == "rigidity" else 1])
     return np.array(rows).reshape(len(rows), np.size(x.balls))
@@ -271,5 +271,5 @@ def _fields(x: Insides, given: Catalogue) -> dict[str, Any]:
         "balls": round(values["balls"]),
         "contact_angle": x.contact_angle,
         "ball_material": given.ball_material,
-        "ring_material": STEEL,
+        "ring_material": given.ring_material,
     }

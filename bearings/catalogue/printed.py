@@ -11,6 +11,7 @@ from bearings.bearing import (
     BALL_DIAMETER,
     BALLS,
     CONFORMITY,
+    MATERIAL,
     PITCH_DIAMETER,
     Measure,
     measured,
@@ -66,7 +67,8 @@ class Catalogue:
     outside_diameter: float = measured(OUTSIDE)
     width: float | None = measured(WIDTH, None)
     contact_angle: float = measured(CONTACT_ANGLE)
-    hybrid: bool = True
+    ball_material: Material = measured(MATERIAL, SILICON_NITRIDE)
+    ring_material: Material = measured(MATERIAL, STEEL)
     preloads: tuple[float, ...] = ()
     rigidities: tuple[float | None, ...] = ()
     unloading: tuple[float | None, ...] = ()
@@ -127,11 +129,6 @@ class Catalogue:
         ball, section = self.ball_diameter, 0.5 * (self.outside_diameter - self.bore)
         if ball is not None and ball >= section:
             yield f"ball_diameter {ball * 1e3:g} mm does not fit a section of {section * 1e3:g} mm"
-
-    @property
-    def ball_material(self) -> Material:
-        """Silicon nitride in a hybrid bearing, else steel."""
-        return SILICON_NITRIDE if self.hybrid else STEEL
 
     @property
     def values(self) -> tuple[Value, ...]:

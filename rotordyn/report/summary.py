@@ -74,6 +74,7 @@ def _which(seat: BearingSeat) -> str:
     """The way it takes thrust, where that is one; its kind, where that is not the usual one."""
     kind = kind_of(seat.bearing)
     named = "" if kind == DEFAULT else f" {kind.replace('_', ' ')}"
+    named += " (estimate)" if seat.bearing.estimated else ""
     if seat.bearing.both_ways:
         return named
     return f"{named} {'+' if seat.thrust > 0 else '−'}"
