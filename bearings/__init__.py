@@ -12,6 +12,7 @@ from bearings.kinds import KINDS
 
 if TYPE_CHECKING:
     from bearings.ball.law import Law as Law
+    from bearings.ball_guide import LinearBallGuide as LinearBallGuide
     from bearings.bearing import BallBearing as BallBearing
     from bearings.catalogue.estimate import EstimatedBearing as EstimatedBearing
     from bearings.catalogue.estimate import estimate as estimate
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
 
 _NAMES = {
     "ball.law": ("Law",),
+    "ball_guide": ("LinearBallGuide",),
     "bearing": ("BallBearing",),
     "catalogue.estimate": ("EstimatedBearing", "estimate"),
     "catalogue.printed": ("Catalogue",),

@@ -93,7 +93,7 @@ def _values(entries: object) -> Iterator[float]:
 def _soft(spindle: Spindle) -> Iterator[str]:
     """Stiffness far below that of any part of a machine, as of a number given in N/µm."""
     given = {f"spring of sleeve {s.name}": s.spring.stiffness for s in spindle.sleeves}
-    given |= {f"sleeve {s.name}, radially": s.radial_stiffness for s in spindle.sleeves}
+    given |= {f"sleeve {s.name}, radially": s.radially for s in spindle.sleeves}
     given |= {f"joint {j.name}, {way}": getattr(j, way) for j in spindle.joints for way in WAYS}
     for support in spindle.supports:
         for pair, value in support.stiffness.items():
