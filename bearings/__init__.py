@@ -16,7 +16,11 @@ if TYPE_CHECKING:
     from bearings import heat as heat
     from bearings import life as life
     from bearings.ball.law import Law as Law
+    from bearings.ball_guide import LinearBallGuide as LinearBallGuide
     from bearings.bearing import BallBearing as BallBearing
+    from bearings.catalogue.estimate import EstimatedBearing as EstimatedBearing
+    from bearings.catalogue.estimate import estimate as estimate
+    from bearings.catalogue.printed import Catalogue as Catalogue
     from bearings.errors import BearingError as BearingError
     from bearings.errors import InvalidBearing as InvalidBearing
     from bearings.errors import NoEquilibrium as NoEquilibrium
@@ -35,7 +39,10 @@ if TYPE_CHECKING:
 
 _NAMES = {
     "ball.law": ("Law",),
+    "ball_guide": ("LinearBallGuide",),
     "bearing": ("BallBearing",),
+    "catalogue.estimate": ("EstimatedBearing", "estimate"),
+    "catalogue.printed": ("Catalogue",),
     "errors": ("BearingError", "InvalidBearing", "NoEquilibrium"),
     "follower": ("Followed", "Follower"),
     "lubricant": ("Lubricant",),

@@ -24,7 +24,8 @@ class Number(NamedTuple):
     """A headline number as printed.
 
     ``speed`` [rpm] where it is one of several over speed; ``part``: which of those of one
-    ``name``, such as a direction of whirl, that summaries write side by side. NaN: there is none.
+    ``name``, such as a direction of whirl, that summaries write side by side;
+    ``absent``: said where there is none (NaN).
     """
 
     name: str
@@ -33,6 +34,7 @@ class Number(NamedTuple):
     part: str = ""
     speed: float | None = None
     digits: int = 1
+    absent: str = "none"
 
     @property
     def heading(self) -> str:
@@ -117,10 +119,16 @@ def cells(numbers: Iterable[Number]) -> dict[str, str]:
 
 def _side_by_side(parts: Sequence[Number]) -> str:
     """Parts of a number, once where they are alike."""
-    words = ["unbounded" if np.isinf(n.value) else number(n.value, n.digits) for n in parts]
+    words = [_word(each) for each in parts]
     values = np.array([each.value for each in parts])
     alike = np.allclose(values, values[0], rtol=1e-6, atol=0.0, equal_nan=True)
     return words[0] if alike else "/".join(words)
+
+
+def _word(own: Number) -> str:
+    if np.isnan(own.value):
+        return own.absent
+    return "unbounded" if np.isinf(own.value) else number(own.value, own.digits)
 
 
 def changes(numbers: Mapping[str, float], first: Mapping[str, float]) -> dict[str, float]:

@@ -46,6 +46,7 @@ WARNED = {  # what the case is there to show
     "friswell_oil_films": ("unstable", "grows by itself"),
     "friswell_tapered_shaft": ("unstable", "grows by itself", "modes are overdamped"),
     "friswell_cross_coupled": ("frf: nothing in the machine is damped",),
+    "grinding_spindle_catalogue": ("estimate from catalogue values",),
     "squeeze_film_damper": ("modes are overdamped",),
 }
 

@@ -138,7 +138,7 @@ def numbers(result: FrequencyResponse, _: Described) -> Iterator[Number]:
     """FRAC (frequency response assurance criterion) of every measured response."""
     for row, name in enumerate(result.measured):
         named = f"{name} at {speeds_compared(result, row)}"
-        yield Number(named, "", float(result.frac[row]), digits=3)
+        yield Number(named, "", float(result.frac[row]), digits=3, absent="–")
 
 
 def accuracy(result: FrequencyResponse) -> list[str]:

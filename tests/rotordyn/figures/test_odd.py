@@ -16,7 +16,7 @@ from rotordyn.analyses.frf.result import TurningFrfResult
 from rotordyn.analyses.preload.figures.over_speed import preload_figure
 from rotordyn.analyses.stiffness.figures.curves import stiffness_figure
 from rotordyn.figures.draw import Drawing
-from rotordyn.figures.overlays import colour, dash
+from rotordyn.figures.overlays import Scale, colour, dash
 from rotordyn.figures.style import mark_lone_points
 from rotordyn.job.figures import comparison_figures
 from rotordyn.machine.reference import Reference
@@ -166,3 +166,37 @@ def test_one_frequency_has_no_map() -> None:
     names = [name for name, _ in comparison_figures([(samples.case(), {"frf": one})] * 2)]
     assert names
     assert not any("map" in name or "surface" in name for name in names)
+
+
+def test_a_hundred_variants_are_coloured_by_what_was_varied():
+    own, base = samples.case(), samples.campbell(5)
+    variants = [
+        (
+            replace(own, title=f"v{k}"),
+            {"campbell": replace(base, frequency=base.frequency * (1.0 + k / 200.0))},
+        )
+        for k in range(100)
+    ]
+    jobs = dict(comparison_figures(variants, "", Scale("stiffness [N/um]", range(100))))
+    assert list(jobs) == ["campbell_overlay"], "panels of a hundred would not be read"
+    axes, differences, bar = jobs["campbell_overlay"]().axes
+    assert bar.get_ylabel() == "stiffness [N/um]"
+    assert bar.get_ylim() == (0.0, 99.0)
+    (legend,) = axes.figure.legends
+    assert "v1" not in [text.get_text() for text in legend.get_texts()]
+    curves = [line for line in axes.get_lines() if len(line.get_xdata()) == 5]
+    assert len({tuple(line.get_color()) for line in curves}) == 100
+    last = differences.get_lines()[-1].get_ydata()
+    assert np.isclose(last, base.frequency.T * 99.0 / 200.0).all(axis=1).any()
+
+
+def test_variants_are_told_apart_by_marks_and_none_hides_another():
+    own = samples.case()
+    variants = [(replace(own, title=name), {"campbell": samples.campbell(9)}) for name in "abc"]
+    axes = dict(comparison_figures(variants))["campbell_overlay"]().axes[0]
+    curves = [line for line in axes.get_lines() if len(line.get_xdata()) == 9]
+    looks = {line.get_color(): (line.get_marker(), line.get_linewidth()) for line in curves}
+    assert len({mark for mark, _ in looks.values()}) == 3
+    widths = [width for _, width in looks.values()]
+    assert widths == sorted(widths, reverse=True)
+    assert len(set(widths)) == 3

@@ -20,6 +20,7 @@ from rotordyn.figures.style import (
     FONT_SIZE,
     add_axes,
     grid_boxes,
+    marked,
     new_figure,
     round_ticks,
 )
@@ -78,6 +79,7 @@ def _lines(axes: Axes, result: FrequencyResponse, pair: int, part: str) -> None:
             color=CYCLE[place % len(CYCLE)],
             ls=DASHES[place % len(DASHES)],
             lw=1.1,
+            **marked(place),
             label=f"{result.speed[index] * RPM.factor:.0f} rpm",
         )
     draw_measured(axes, result, pair, part)
