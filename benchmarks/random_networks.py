@@ -65,9 +65,7 @@ def main() -> None:
     parser.add_argument("--count", type=int, default=10_000, help="of networks")
     parser.add_argument("--first", type=int, default=0, metavar="SEED")
     asked = parser.parse_args()
-    result = survey(range(asked.first, asked.first + asked.count))
-    keep("random_networks", result)
-    print(result)
+    keep(random_networks=survey(range(asked.first, asked.first + asked.count)))
 
 
 if __name__ == "__main__":

@@ -24,6 +24,7 @@ from rotordyn.state.settle import settle
 
 Array = NDArray[np.float64]
 SHORTEST = 1e-9  # of a step: what changes within is a snap
+EXACT = 1e-12  # of a step: where an event is
 SMOOTH = 1e-3  # of the way of a part: the cubic between its ends meets its middle
 STILL = 1e-11  # m
 AFTER = 1e-10  # of what a condition is measured by: violated
@@ -183,8 +184,7 @@ def _root(
     known = {start[0]: start[1]}
 
     def value(share: float) -> float:
-        near = known[min(known, key=lambda other: abs(other - share))]
-        at = hold(step, start[1], share, near.x)
+        at = hold(step, start[1], share, _near(known, share))
         if at is None:
             return -1.0
         known[share] = at
@@ -192,8 +192,17 @@ def _root(
 
     if value(between[0]) <= 0.0:
         return between[0], known.get(between[0], start[1])
-    root = cast(float, brentq(value, *between, xtol=1e-14, rtol=1e-14))
+    root = cast(float, brentq(value, *between, xtol=EXACT, rtol=EXACT))
     return root, known[min(known, key=lambda other: abs(other - root))]
+
+
+def _near(known: dict[float, State], share: float) -> Array:
+    """Positions on the straight line through the two nearest known ones."""
+    one, *more = sorted(known, key=lambda other: abs(other - share))
+    if not more:
+        return known[one].x
+    way = known[more[0]].x - known[one].x
+    return known[one].x + (share - one) / (more[0] - one) * way
 
 
 def _continuous(step: Step, start: tuple[float, State], part: Part) -> Part | None:
