@@ -211,6 +211,9 @@ class Sleeve(Description):
     )
     mass: Annotated[Mass, "of the sleeve"] = 0.0
     radial_stiffness: Annotated[Rigidity, "between sleeve and housing"] = math.inf
+    friction: Annotated[
+        Preload, "limit of the dry friction in its bore ([which analyses](theory/network.md))"
+    ] = 0.0
 
     def _faults(self) -> Faults:
         if 0.0 < self.mass < LEAST_MASS:

@@ -124,3 +124,10 @@ def _decided(network: Network, state: State, may: Open, acts: Flags) -> State:
             way = slip[rub] or -int(np.sign(friction[rub]))
             slip[rub], friction[rub] = way, -way * network.frictions.limit[rub]
     return replace(state, closed=closed, press=press, slip=slip, friction=friction, anchor=anchor)
+
+
+def compliance(step: Step, state: State) -> Array:
+    """dx (bodies,) over the change of force of the step, contacts as they are and laws that stay."""
+    force = step.end.force - step.start.force
+    joints = held(step.network, state, np.zeros(len(step.network.springs.force)))
+    return solve(state.at.stiffness, force, joints.row, np.zeros(len(joints.row)))[0]
