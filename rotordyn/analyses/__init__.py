@@ -6,6 +6,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from rotordyn.analyses.axial_cycle.spec import AxialCycleSpec
     from rotordyn.analyses.bearing.spec import BearingMapSpec
     from rotordyn.analyses.campbell.spec import CampbellSpec, ShapesInSpaceSpec
     from rotordyn.analyses.control.spec import ControlSpec
@@ -25,6 +26,7 @@ if TYPE_CHECKING:
     )
 
 _HOME = {
+    "AxialCycleSpec": "rotordyn.analyses.axial_cycle.spec",
     "BalanceGrade": "rotordyn.scene.loads",
     "BearingMapSpec": "rotordyn.analyses.bearing.spec",
     "CampbellSpec": "rotordyn.analyses.campbell.spec",
@@ -45,6 +47,7 @@ _HOME = {
     "UnbalanceSpec": "rotordyn.analyses.unbalance.spec",
 }
 __all__ = [
+    "AxialCycleSpec",
     "BalanceGrade",
     "BearingMapSpec",
     "CampbellSpec",

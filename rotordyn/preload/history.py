@@ -53,14 +53,18 @@ class History:
             before = load
             yield reason or state
 
-    def loaded(self, row: int, state: State, force: Sequence[float]) -> list[State]:
+    def loaded(
+        self, row: int, state: State, force: Sequence[float], start: Load | None = None
+    ) -> list[State]:
         """States under axial forces [N] one after the other, at speed ``row`` from ``state``.
+
+        ``start``: what acts in that state; None: no force besides.
 
         Raises
         ------
         NoEquilibrium : nothing balances a body
         """
-        found, at = [], self.loads[row]
+        found, at = [], self.loads[row] if start is None else start
         for value in force:
             after = self.under(row, value)
             state = along(Step(self.network, at, after), state)[0]

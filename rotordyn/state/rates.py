@@ -127,7 +127,7 @@ def _decided(network: Network, state: State, may: Open, acts: Flags) -> State:
 
 
 def compliance(step: Step, state: State) -> Array:
-    """dx (bodies,) over the change of force of the step, contacts as they are and laws that stay."""
+    """dx (bodies,) over the change of force of the step, contacts as they are."""
     force = step.end.force - step.start.force
     joints = held(step.network, state, np.zeros(len(step.network.springs.force)))
     return solve(state.at.stiffness, force, joints.row, np.zeros(len(joints.row)))[0]
