@@ -26,7 +26,7 @@ from numpy.typing import NDArray
 
 from rotordyn.numerics.continued import collected, conjugate, continued
 from rotordyn.numerics.correct import corrected, participation
-from rotordyn.numerics.follow import CLEAR, mac
+from rotordyn.numerics.follow import mac
 from rotordyn.numerics.modes import Modes, modes, residual
 
 Array = NDArray[np.float64]
@@ -37,6 +37,7 @@ MET = 1e-9  # of the larger: frequencies so near are the same
 WIDE = (
     0.3  # of a frequency, which a loss factor of 1 moves by 0.1: farther from Ω its sign is clear
 )
+ALIKE, FARTHEST = 0.3, 0.5  # MAC and share of a pole: what is less like it or farther is another
 REAL = 1e-9  # of a pole: less imaginary part is rounding
 STRAIGHT = 1e-6  # of |pole|: less imaginary part than that is no vibration
 
@@ -85,7 +86,7 @@ class Hysteretic:
 
     Free motions below ``ceiling`` [rad/s] are corrected one by one from those without loss.
     Whole systems are solved, for every set of signs once, where that does not lead to one mode
-    each, and for receptances.
+    each, and for receptances. ``plain``: modes without loss, where they are known.
     """
 
     def __init__(
@@ -95,10 +96,11 @@ class Hysteretic:
         loss: Hysteresis,
         spin: Array,
         ceiling: float = math.inf,
+        plain: Modes | None = None,
     ) -> None:
         self.stiffness, self.damping, self.loss, self.spin = stiffness, damping, loss, spin
         self.ceiling, self.whirling = ceiling, loss.across is None
-        self._plain = modes(stiffness, damping)
+        self._plain = plain or modes(stiffness, damping)
         self._solved: dict[Signs, Modes] = {}
 
     def answering(self, signs: Signs) -> Modes:
@@ -157,7 +159,8 @@ class Hysteretic:
             return False
         straight = (before.imag == 0.0) & (not self.whirling)
         at = np.where(straight & (np.abs(at.imag) <= REAL * np.abs(at)), at.real, at)
-        known = (mac(plain, vector.T).diagonal() > CLEAR) & ((at.imag == 0.0) | ~straight)
+        known = mac(plain, vector.T).diagonal() > ALIKE
+        known &= (np.abs(at - before) < FARTHEST * np.abs(before)) & ((at.imag == 0.0) | ~straight)
         twice = np.abs(at[:, None] - at) <= MET * np.abs(at)
         if not known.all() or twice.sum() > len(at):
             return False
@@ -188,10 +191,11 @@ class Hysteretic:
 
     def _part(self, rows: Integers) -> Hysteretic:
         """At some of the speeds."""
-        loss = self.loss
+        loss, plain = self.loss, self._plain.at(rows)
         if len(loss.fixed) > 1:
             loss = replace(loss, fixed=loss.fixed[rows])
-        return Hysteretic(self.stiffness[rows], self.damping[rows], loss, self.spin[rows])
+        system = self.stiffness[rows], self.damping[rows]
+        return Hysteretic(*system, loss, self.spin[rows], plain=plain)
 
     def _of_whole_systems(self) -> Modes:
         """The same by all modes of every set of signs."""
