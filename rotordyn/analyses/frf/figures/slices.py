@@ -138,7 +138,7 @@ def draw_measured(
         if result.measured_pair[row] != result.pair[pair]:
             continue
         speed = float(result.measured_speed[row])
-        if index is not None and _nearest_slice(result, speed) != index:
+        if index is not None and nearest_slice(result, speed) != index:
             continue
         frequency = result.measured_frequency[row]
         inside = (frequency >= result.frequency[0]) & (frequency <= result.frequency[-1])
@@ -152,7 +152,8 @@ def draw_measured(
         )
 
 
-def _nearest_slice(result: FrequencyResponse, speed: float) -> int:
+def nearest_slice(result: FrequencyResponse, speed: float) -> int:
+    """The place, among all speeds, of the drawn speed nearest to ``speed``."""
     slices = np.flatnonzero(result.is_slice)
     return int(slices[np.abs(result.speed[slices] - speed).argmin()])
 
