@@ -97,9 +97,14 @@ SOME = (  # as many as there are: NaN beyond the last, infinite without damping
     *("peak_frequency", "peak_value", "slice_frequency", "slice_value", "error_asked"),
     *("line_value", "line_curve", "line_peak_speed", "line_peak_value", "line_speed"),
     *("unloading_force", "peak_speed", "peak_amplitude", "fine_displacement"),
+    *("spectrum_life", "spectrum_set_life", "target", "ring_stress"),  # where asked for
     *("fine_major_axis", "fine_minor_axis", "fine_force_amplitude"),  # apart where a stop closes
 )
-OF_SOME_GROOVES = ("shoulder_angle", "middle_angle")  # with known shoulders, of two arcs
+OF_SOME_GROOVES = (
+    "shoulder_angle",
+    "middle_angle",
+    "shoulder_margin",
+)  # with known shoulders, of two arcs
 
 
 def _look_at_numbers(found: Mapping[str, Any], analyses: set[str], speeds: int) -> None:

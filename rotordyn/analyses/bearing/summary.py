@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -10,6 +12,7 @@ from rotordyn.analyses.bearing.solve import under
 from rotordyn.results.balls import pressed, slipping
 from rotordyn.results.described import Described
 from rotordyn.results.display import DEGREE, RPM, STIFFNESS
+from rotordyn.results.headline import Number, ends
 from rotordyn.results.text import INDENT, from_to
 
 Array = NDArray[np.float64]
@@ -102,13 +105,13 @@ def _numbers(counts: NDArray[np.int_]) -> str:
     return f"{low}" if low == high else f"{low} to {high}"
 
 
-def cells(result: BearingMapResult, _: Described) -> dict[str, str]:
-    """Axial and radial stiffness by load at the first and last speed."""
+def numbers(result: BearingMapResult, _: Described) -> Iterator[Number]:
+    """Axial and radial stiffness by load."""
     values = result.stiffness[:, :, 0] * STIFFNESS.factor
-    return {
-        under(result, k): ", ".join(from_to(values[:, k, i, i]) for i in (0, 1))
-        for k in range(len(result.load))
-    }
+    for k in range(len(result.load)):
+        for i, way in enumerate(("axial", "radial")):
+            name = under(result, k)
+            yield from ends(result, name, STIFFNESS.unit, values[:, k, i, i], part=way)
 
 
 def warnings(result: BearingMapResult) -> list[str]:

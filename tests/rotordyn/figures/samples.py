@@ -274,6 +274,8 @@ def campbell(count: int = 49) -> CampbellResult:
         critical_whirl=("",),
         critical_damping=np.array([0.02]),
         critical_excited=np.array([True]),
+        passing=(),
+        passing_frequency=np.zeros((len(speed), 0)),
     )
 
 
