@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from rotordyn.analyses.frf.spec import FrfSpec, MeasuredResponse, Port
     from rotordyn.analyses.preload.spec import PreloadSpec
     from rotordyn.analyses.section_forces.spec import SectionForcesSpec
+    from rotordyn.analyses.stability_lobes.spec import StabilityLobesSpec
     from rotordyn.analyses.stiffness.spec import StiffnessSpec
     from rotordyn.analyses.unbalance.spec import UnbalanceSpec
     from rotordyn.scene.conditions import Conditions
@@ -39,6 +40,7 @@ _HOME = {
     "PreloadSpec": "rotordyn.analyses.preload.spec",
     "SectionForcesSpec": "rotordyn.analyses.section_forces.spec",
     "ShapesInSpaceSpec": "rotordyn.analyses.campbell.spec",
+    "StabilityLobesSpec": "rotordyn.analyses.stability_lobes.spec",
     "StiffnessSpec": "rotordyn.analyses.stiffness.spec",
     "TwistLimit": "rotordyn.scene.loads",
     "Unbalance": "rotordyn.scene.loads",
@@ -59,6 +61,7 @@ __all__ = [
     "PreloadSpec",
     "SectionForcesSpec",
     "ShapesInSpaceSpec",
+    "StabilityLobesSpec",
     "StiffnessSpec",
     "TwistLimit",
     "Unbalance",
