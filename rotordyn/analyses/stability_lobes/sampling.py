@@ -8,6 +8,8 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.errors import InvalidInput
+
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Receptance = Callable[[Array], Complex]
@@ -22,16 +24,21 @@ def resolving(
     receptance: Receptance, band: tuple[float, float] = (LOWEST, HIGHEST)
 ) -> tuple[Array, float]:
     """Angular frequencies between which a receptance is straight, and the highest one at which it
-    matters."""
+    matters.
+
+    Raises
+    ------
+    InvalidInput : a receptance that is not known over the band, or does not fall at its end
+    """
     low, high = band
     count = math.ceil(math.log(high / low) / math.log(FIRST)) + 1
     omega = np.geomspace(low, high, count)
-    value = receptance(omega)
+    value = _known(receptance, omega)
     largest = _size(value).max()
     new = np.arange(len(omega) - 1)
     for _ in range(14):
         middle = 0.5 * (omega[new] + omega[new + 1])
-        found = receptance(middle)
+        found = _known(receptance, middle)
         ends = value[new], value[new + 1]
         bend = _size(found - 0.5 * (ends[0] + ends[1]))
         size = np.maximum(_size(ends[0]), _size(ends[1])) + SMALL * largest
@@ -43,7 +50,23 @@ def resolving(
         if not len(new):
             break
     matters = np.flatnonzero(_size(value) > SMALL * _size(value).max())
+    if matters[-1] == len(omega) - 1:
+        raise InvalidInput(
+            f"receptance: it does not fall up to {high / 2.0 / math.pi:.6g} Hz: give one that "
+            "does, such as a modal fit"
+        )
     return omega, float(omega[matters[-1]])
+
+
+def _known(receptance: Receptance, omega: Array) -> Complex:
+    value = receptance(omega)
+    lost = ~np.isfinite(value).all(axis=(1, 2))
+    if lost.any():
+        raise InvalidInput(
+            f"receptance: not a finite number at {omega[lost][0] / 2.0 / math.pi:.6g} Hz: it must "
+            "reach over the chatter band and beyond; extrapolate it by a modal fit"
+        )
+    return value
 
 
 def _size(value: Complex) -> Array:

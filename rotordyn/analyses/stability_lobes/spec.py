@@ -88,5 +88,11 @@ class StabilityLobesSpec(Spec):
         if setting.conditions.formulation == ROTATING:
             yield (), "the cut stands still: given beside rotating; allowed: formulation inertial"
         known = [speed for speed in setting.speeds if speed == speed]
+        for index, speed in enumerate(self.speeds):
+            if known and speed > max(known) * (1.0 + 1e-9):
+                yield (
+                    ("speeds", index),
+                    "above the highest speed of the case, to which the machine is modelled",
+                )
         if known and not self.speeds and not max(known) > 0.0:
             yield ("speeds",), "no speed above 0: give speeds of the limits here"
