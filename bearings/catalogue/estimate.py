@@ -14,8 +14,9 @@ from bearings.catalogue.consistency import refuse_contradictions
 from bearings.catalogue.pair import axial_law, pair_values
 from bearings.catalogue.plausible import TIGHTEST, plausible, usual
 from bearings.catalogue.printed import Catalogue, Value
-from bearings.catalogue.races import Insides, contact_stiffness, dynamic_rating, static_rating
+from bearings.catalogue.races import Insides, contact_stiffness, static_rating
 from bearings.kinds.angular_contact import AngularContactBallBearing
+from bearings.life.rating import radial_rating
 from bearings.materials import SILICON_NITRIDE, STEEL
 
 Array = NDArray[np.float64]
@@ -205,7 +206,7 @@ def _computed(x: Insides, given: Catalogue) -> Array:
     rows: list[Any] = []
     for value in given.values:
         if value.kind == "dynamic":
-            rows.append(dynamic_rating(x))
+            rows.append(radial_rating(x))
         elif value.kind == "static":
             rows.append(static_rating(x, given.ball_material, given.ring_material))
         else:

@@ -1,4 +1,4 @@
-"""Hertz contacts and load ratings of many insides of a bearing at once.
+"""Hertz contacts and static load ratings of many insides of a bearing at once.
 
 The contact of each is that of ``bearings.contact.hertz``, interpolated over the curvature
 difference, since an estimate compares some ten thousand insides.
@@ -14,16 +14,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.contact.hertz import curvature_difference, dimensionless
+from bearings.life.rating import STATIC_PRESSURE
 from bearings.materials import Material
 
 if TYPE_CHECKING:
     from scipy.interpolate import CubicSpline
 
 Array = NDArray[np.float64]
-
-PERMISSIBLE_PRESSURE = 4200e6  # [Pa] ISO 76, ball bearings
-_RATING = 0.41 * 0.95 * 98.0665 * 1.3  # [M] ISO 281: constants of fc, and bm of radial ball contact
-_LARGE_BALL = 25.4  # [mm] the exponent of D changes here (ISO 281)
 
 
 class Insides(NamedTuple):
@@ -79,21 +76,8 @@ def static_rating(x: Insides, ball: Material, ring: Material) -> Array:
     for side in (1.0, -1.0):
         total, _, area = _race(x, side)
         unit = 1.5 / (math.pi * area * (1.5 * compliance / total) ** (2.0 / 3.0))
-        loads.append((PERMISSIBLE_PRESSURE / unit) ** 3)
+        loads.append((STATIC_PRESSURE / unit) ** 3)
     return np.minimum(*loads) * x.balls * math.cos(x.contact_angle) / 5.0
-
-
-def dynamic_rating(x: Insides) -> Array:
-    """C of one row [N] from the grooves, ISO 281 [M]: its table of fc has fi = fo = 0.52."""
-    gamma, fi, fo = x.gamma, x.inner_conformity, x.outer_conformity
-    grooves = fi / fo * (2.0 * fo - 1.0) / (2.0 * fi - 1.0)
-    ratio = 1.04 * ((1.0 - gamma) / (1.0 + gamma)) ** 1.72 * grooves**0.41
-    fc = _RATING * (1.0 + ratio ** (10.0 / 3.0)) ** -0.3
-    fc = fc * gamma**0.3 * (1.0 - gamma) ** 1.39 / (1.0 + gamma) ** (1.0 / 3.0)
-    fc = fc * (2.0 * fi / (2.0 * fi - 1.0)) ** 0.41
-    ball = x.ball_diameter * 1e3
-    size = np.where(ball <= _LARGE_BALL, ball**1.8, 3.647 * ball**1.4)
-    return fc * math.cos(x.contact_angle) ** 0.7 * x.balls ** (2.0 / 3.0) * size
 
 
 def _race(x: Insides, side: float) -> tuple[Array, Array, Array]:

@@ -9,7 +9,7 @@ checked against.
 from __future__ import annotations
 
 import math
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from bearings.errors import InvalidBearing
 from bearings.geometry import geometry
@@ -41,24 +41,58 @@ def is_thrust(grooves: Grooves) -> bool:
 def race_ratio(grooves: Grooves, share: float = RADIAL_SHARE) -> float:
     """ρ: strength of the inner race over that of the outer one under equal ball loads, where
     radial bearings have ``share`` in front and thrust bearings 1."""
-    gamma = _gamma(grooves)
-    inner, outer = grooves.inner_conformity, grooves.outer_conformity
-    osculation = (inner / outer * (2.0 * outer - 1.0) / (2.0 * inner - 1.0)) ** 0.41
     front = 1.0 if is_thrust(grooves) else share
-    return front * ((1.0 - gamma) / (1.0 + gamma)) ** 1.72 * osculation
+    return front * _ratio(_gamma(grooves), grooves.inner_conformity, grooves.outer_conformity)
 
 
 def rating_factor(bearing: BallBearing | Grooves) -> float:
     """fc of ISO 281 [N, mm] from the bearing's grooves, without the 1.3 of modern steel."""
     grooves = bearing if isinstance(bearing, Grooves) else bearing.grooves
-    gamma, alpha, f = _gamma(grooves), nominal_angle(grooves), grooves.inner_conformity
-    inner = _LUNDBERG * (2.0 * f / (2.0 * f - 1.0)) ** 0.41
-    inner *= (1.0 - gamma) ** 1.39 / (1.0 + gamma) ** (1.0 / 3.0)
-    both = (1.0 + race_ratio(grooves) ** EXPONENT) ** -0.3
+    gamma, alpha = _gamma(grooves), nominal_angle(grooves)
+    conformities = grooves.inner_conformity, grooves.outer_conformity
     if not is_thrust(grooves):
-        return 0.41 * _RADIAL * inner * gamma**0.3 * both
+        factor: float = _radial_factor(gamma, *conformities)
+        return factor
+    both: float = _inner(gamma, conformities[0]) * (1.0 + race_ratio(grooves) ** EXPONENT) ** -0.3
     size = (grooves.ball_diameter / grooves.pitch_diameter) ** 0.3
-    return _THRUST * (1.0 - math.sin(alpha) / 3.0) * inner * size * both
+    return _THRUST * (1.0 - math.sin(alpha) / 3.0) * size * both
+
+
+def radial_rating(x: Any) -> Any:
+    """C of radial bearings [N], numbers or arrays that broadcast; up to 45°.
+
+    ``x`` has ``gamma`` = D cos α/dm, ``inner_conformity``, ``outer_conformity``, ``balls``,
+    ``ball_diameter`` [m] and ``contact_angle`` α [rad].
+    """
+    factor = _radial_factor(x.gamma, x.inner_conformity, x.outer_conformity)
+    angle = math.cos(x.contact_angle) ** 0.7
+    return _MATERIAL * factor * angle * x.balls ** (2.0 / 3.0) * _grown(x.ball_diameter)
+
+
+def _radial_factor(gamma: Any, inner: Any, outer: Any) -> Any:
+    """fc up to 45°."""
+    both = (1.0 + (RADIAL_SHARE * _ratio(gamma, inner, outer)) ** EXPONENT) ** -0.3
+    return 0.41 * _RADIAL * _inner(gamma, inner) * gamma**0.3 * both
+
+
+def _ratio(gamma: Any, inner: Any, outer: Any) -> Any:
+    """ρ without the number in front."""
+    osculation = (inner / outer * (2.0 * outer - 1.0) / (2.0 * inner - 1.0)) ** 0.41
+    return ((1.0 - gamma) / (1.0 + gamma)) ** 1.72 * osculation
+
+
+def _inner(gamma: Any, f: Any) -> Any:
+    """Of the inner race: its groove and its curvature."""
+    groove = _LUNDBERG * (2.0 * f / (2.0 * f - 1.0)) ** 0.41
+    return groove * (1.0 - gamma) ** 1.39 / (1.0 + gamma) ** (1.0 / 3.0)
+
+
+def _grown(ball_diameter: Any) -> Any:
+    """D^1.8 of small balls, 3.647 D^1.4 of large ones, D in mm."""
+    import numpy as np
+
+    size = ball_diameter * 1e3
+    return np.where(ball_diameter > LARGE_BALL, 3.647 * size**1.4, size**1.8)
 
 
 def dynamic_rating(bearing: BallBearing | Grooves) -> float:
@@ -68,9 +102,7 @@ def dynamic_rating(bearing: BallBearing | Grooves) -> float:
     materials: hybrid bearings keep it (ISO 20056-1).
     """
     grooves = bearing if isinstance(bearing, Grooves) else bearing.grooves
-    alpha, size = nominal_angle(grooves), grooves.ball_diameter * 1e3
-    large = grooves.ball_diameter > LARGE_BALL
-    grown = 3.647 * size**1.4 if large else size**1.8
+    alpha, grown = nominal_angle(grooves), float(_grown(grooves.ball_diameter))
     whole = _MATERIAL * rating_factor(grooves) * grooves.balls ** (2.0 / 3.0) * grown
     if is_thrust(grooves):  # (D/dm)^0.3 stands for (γ/cos α)^0.3
         return whole * math.sin(alpha)

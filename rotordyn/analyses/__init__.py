@@ -9,6 +9,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from rotordyn.analyses.axial_cycle.spec import AxialCycleSpec
     from rotordyn.analyses.bearing.spec import BearingMapSpec
     from rotordyn.analyses.campbell.spec import CampbellSpec, ShapesInSpaceSpec
     from rotordyn.analyses.control.spec import ControlSpec
@@ -16,6 +17,7 @@ if TYPE_CHECKING:
     from rotordyn.analyses.life.spec import LifeSpec, LoadStep
     from rotordyn.analyses.preload.spec import PreloadSpec
     from rotordyn.analyses.section_forces.spec import SectionForcesSpec
+    from rotordyn.analyses.stability_lobes.spec import StabilityLobesSpec
     from rotordyn.analyses.stiffness.spec import StiffnessSpec
     from rotordyn.analyses.unbalance.spec import UnbalanceSpec
     from rotordyn.scene.conditions import Conditions
@@ -31,6 +33,7 @@ if TYPE_CHECKING:
     from rotordyn.scene.spec import Spec
 
 _HOME = {
+    "AxialCycleSpec": "rotordyn.analyses.axial_cycle.spec",
     "BalanceGrade": "rotordyn.scene.loads",
     "Conditions": "rotordyn.scene.conditions",
     "EccentricSpan": "rotordyn.scene.loads",
@@ -45,6 +48,7 @@ _HOME = {
     "Unbalance": "rotordyn.scene.loads",
 }
 __all__ = [
+    "AxialCycleSpec",
     "BalanceGrade",
     "BearingMapSpec",
     "CampbellSpec",
@@ -62,6 +66,7 @@ __all__ = [
     "PreloadSpec",
     "SectionForcesSpec",
     "ShapesInSpaceSpec",
+    "StabilityLobesSpec",
     "StiffnessSpec",
     "TwistLimit",
     "Unbalance",

@@ -57,7 +57,7 @@ def test_case_runs(path: Path, runs: Path) -> None:
     case = rotordyn.load(path)
     assert case.name == path.stem
     assert case.title
-    folder = case_run(path, case.digest, runs)
+    folder = case_run(case, runs)
     record = json.loads((folder / "run.json").read_text(encoding="utf-8"))
     answered = {f"{v}/{a}" for v in case.variants for a in case.analyses} or set(case.analyses)
     assert set(record["outcomes"]) == answered

@@ -26,7 +26,7 @@ NAMES = {
     "machine", "campbell", "mode_shapes", "frf_map", "frf_maps", "frf_surface",
     "frf_amplitude_phase_1", "frf_amplitude_phase_2", "frf_real_imaginary_1",
     "frf_real_imaginary_2", "stiffness", "stiffness_force", "preload", "contacts", "bearing",
-    "bearing_tangents", "section_forces", "elastic_line",
+    "bearing_life", "bearing_tangents", "section_forces", "elastic_line",
     "control", "unbalance", "unbalance_forces",
 }  # fmt: skip
 

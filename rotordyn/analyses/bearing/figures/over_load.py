@@ -82,7 +82,7 @@ def life_figure(result: BearingMapResult) -> Figure:
     """Life, inclination of the ball's rotation, required friction, and heat or static safety."""
     oiled = np.isfinite(result.viscous_heat).any()
     names = ["life L10r [1e6 revolutions]", "inclination β [deg]", "required friction μ [-]"]
-    names += ["heat [W], an order of magnitude" if oiled else "static safety S0 [-]"]
+    names += ["heat, order of magnitude [W]" if oiled else "static safety S0 [-]"]
     figure = new_figure(168.0, 118.0)
     boxes = grid_boxes(figure, 2, 2, margins=(15.0, 6.0, 12.0, 8.0), gaps=(18.0, 5.0))
     below = axis_label(result, "load") if over_load(result) else "speed [rpm]"
