@@ -118,7 +118,7 @@ def test_bearing_alone(case):
     jobs = figures(
         samples.SampleCase(bearing=samples.ball_bearing(0.09, 25)), {"bearing": samples.bearing(3)}
     )
-    assert [name for name, _ in jobs] == ["bearing", "bearing_tangents"]
+    assert [name for name, _ in jobs] == ["bearing", "bearing_life", "bearing_tangents"]
 
 
 @pytest.mark.parametrize("keys", [{"radial_loads": (0.0, 6e3, 12e3)}, {"moments": (0.0, 300.0)}])
