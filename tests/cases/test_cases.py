@@ -34,7 +34,6 @@ def test_every_case_is_in_the_table_of_the_folder() -> None:
 
 SLIPS = ("the balls need more friction than that of the lubricant",)
 WARNED = {  # what the case is there to show
-    "mfw2310_life": SLIPS,
     "grinding_spindle_life": SLIPS,
     "friswell_internal_damping": (
         "viscous: bending 1 forward grows by itself",
