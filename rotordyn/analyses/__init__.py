@@ -9,6 +9,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from rotordyn.analyses.axial_cycle.spec import AxialCycleSpec
     from rotordyn.analyses.bearing.spec import BearingMapSpec
     from rotordyn.analyses.campbell.spec import CampbellSpec, ShapesInSpaceSpec
     from rotordyn.analyses.control.spec import ControlSpec
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
     from rotordyn.scene.spec import Spec
 
 _HOME = {
+    "AxialCycleSpec": "rotordyn.analyses.axial_cycle.spec",
     "BalanceGrade": "rotordyn.scene.loads",
     "Conditions": "rotordyn.scene.conditions",
     "EccentricSpan": "rotordyn.scene.loads",
@@ -45,6 +47,7 @@ _HOME = {
     "Unbalance": "rotordyn.scene.loads",
 }
 __all__ = [
+    "AxialCycleSpec",
     "BalanceGrade",
     "BearingMapSpec",
     "CampbellSpec",

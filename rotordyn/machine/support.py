@@ -217,6 +217,9 @@ class Sleeve(Description):
         "balls between sleeve and housing, which give that stiffness instead "
         "([theory](theory/supports.md#ball-guides))",
     ] = None
+    friction: Annotated[
+        Preload, "limit of the dry friction in its bore ([which analyses](theory/network.md))"
+    ] = 0.0
 
     @property
     def radially(self) -> float:

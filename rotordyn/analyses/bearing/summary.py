@@ -20,8 +20,8 @@ RINGS = {"i": "inner", "o": "outer"}
 
 
 def summary(result: BearingMapResult) -> list[str]:
-    """Stiffness at each load at the first and last speed, then how balls touch their grooves."""
-    lines = _stiffness(result)
+    """Stiffness at each load at the first and last speed, life, how balls touch their grooves."""
+    lines = [*_stiffness(result), *_life(result)]
     if result.ball.size > 1 or len(result.contact) > 2:
         lines += _contacts(result)
     return lines
@@ -100,6 +100,21 @@ def _contacts(result: BearingMapResult) -> list[str]:
     return lines
 
 
+def _life(result: BearingMapResult) -> list[str]:
+    """Life and heat at the first and last load, at the first and last speed."""
+    lines: list[str] = []
+    for k in dict.fromkeys((0, len(result.load) - 1)):
+        if not (result.outcome[[0, -1], k] == "").all():
+            continue
+        life = f"{from_to(result.revolutions[:, k] * 1e-6, 0)} million revolutions"
+        said = f"{under(result, k)}: L10r {life}, S0 {from_to(result.static_safety[:, k])}"
+        if np.isfinite(result.viscous_heat[-1, k]):
+            heat = result.contact_heat[:, k] + result.viscous_heat[:, k]
+            said += f", heat {from_to(heat, 0)} W (order of magnitude)"
+        lines.append(f"{'life       ' if not lines else INDENT}{said}")
+    return lines
+
+
 def _numbers(counts: NDArray[np.int_]) -> str:
     low, high = int(counts.min()), int(counts.max())
     return f"{low}" if low == high else f"{low} to {high}"
@@ -112,6 +127,11 @@ def numbers(result: BearingMapResult, _: Described) -> Iterator[Number]:
         for i, way in enumerate(("axial", "radial")):
             name = under(result, k)
             yield from ends(result, name, STIFFNESS.unit, values[:, k, i, i], part=way)
+        lives = result.revolutions[:, k] * 1e-6
+        yield from ends(result, f"L10r {name}", "1e6", lives, digits=0)
+        if np.isfinite(result.viscous_heat[:, k]).any():
+            heat = result.contact_heat[:, k] + result.viscous_heat[:, k]
+            yield from ends(result, f"heat {name}", "W", heat, digits=0)
 
 
 def warnings(result: BearingMapResult) -> list[str]:

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from rotordyn.results.declaration import coordinate, quantity
 from rotordyn.results.display import Shown
-from rotordyn.results.kinds import Array, Words
+from rotordyn.results.kinds import Array, Flags, Words
 
 BY = ("speed", "bearing")
 HOURS = Shown("h", 1.0 / 3600.0)
@@ -57,6 +57,7 @@ class LifeResult:
     spin_heat: Array = quantity(*BY, unit="W", label="heat of spin, within the contacts")
     viscous_heat: Array = quantity(*BY, unit="W", label="heat of the oil")
     moment: Array = quantity(*BY, unit="N·m", label="friction moment", printed=Shown("N·mm", 1e3))
+    slips: Flags = quantity(*BY, unit="", label="balls need more friction than the lubricant has")
     viscosity: float = quantity(unit="m²/s", label="viscosity at work", printed=TEMPERATURE)
     viscosity_ratio: Array = quantity(*BY, unit="1", label="viscosity ratio κ")
     film: Array = quantity(*BY, unit="m", label="least film thickness", printed=NANOMETRE)

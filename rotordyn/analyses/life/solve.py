@@ -41,7 +41,7 @@ def answer(scene: Scene, spec: LifeSpec) -> LifeResult:
 
     def joined(name: str) -> NDArray[Any]:
         values = np.stack([each[name] for each in columns], axis=1)[rows]
-        blank = "" if values.dtype.kind == "U" else np.nan
+        blank: Any = {"U": "", "b": False}.get(values.dtype.kind, np.nan)
         return np.where(good[:, None], values, blank)
 
     fields = {name: joined(name) for name in columns[0]}
@@ -116,7 +116,8 @@ def _oiled(
     """What depends on the lubricant; NaN without one."""
     asked = spec.lubricant
     if asked is None:
-        return {name: np.full_like(life, np.nan) for name in NO_OIL}
+        nothing = {name: np.full_like(life, np.nan) for name in NO_OIL}
+        return {**nothing, "slips": np.zeros(life.shape, dtype=bool)}
     oil, at = asked.oil, asked.temperature
     factor = bearings.heat.OIL_FACTORS[asked.supply]
     lost = bearings.heat.losses(
@@ -138,6 +139,7 @@ def _oiled(
         "spin_heat": lost.spin,
         "viscous_heat": lost.viscous,
         "moment": lost.moment,
+        "slips": lost.slips,
         "viscosity_ratio": kappa,
         "film": np.where(np.isfinite(film), film, 0.0),
         "film_ratio": np.where(loaded.any(axis=(-2, -1)), ratio.min(axis=(-2, -1)), 0.0),

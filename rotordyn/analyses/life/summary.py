@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from rotordyn.analyses.life.result import LifeResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import DEGREE, RPM, number
-from rotordyn.results.headline import Number
+from rotordyn.results.headline import Number, ends
 from rotordyn.results.text import from_to, unbroken
 
 Array = NDArray[np.float64]
@@ -101,56 +101,57 @@ def _range(values: Array, digits: int) -> str:
 
 
 def numbers(result: LifeResult, _: Described) -> Iterator[Number]:
-    """Life of the set, static safety, heat and viscosity ratio at the last speed."""
-    if all(result.outcome):
-        return
-    last = _last(result)
-    yield Number("set L10r", "h", float(result.set_life[last]) / HOUR, digits=0)
-    yield Number("S0", "", float(np.nanmin(result.static_safety)))
-    yield Number("pressure", "GPa", float(np.nanmax(result.pressure)) / 1e9, digits=2)
+    """Life of the set, static safety, pressure and heat."""
+    lives = np.where(np.isfinite(result.set_life), result.set_life / HOUR, np.nan)
+    yield from ends(result, "set L10r", "h", lives, digits=0)
     if np.isfinite(result.spectrum_set_life):
-        yield Number("set, spectrum", "h", result.spectrum_set_life / HOUR, digits=0)
+        yield Number("set L10r, spectrum", "h", result.spectrum_set_life / HOUR, digits=0)
+    yield from ends(result, "S0", "", result.static_safety.min(axis=1))
+    yield from ends(result, "pressure", "GPa", result.pressure.max(axis=1) / 1e9, digits=2)
     if math.isfinite(result.viscosity):
-        yield Number("heat", "W", float(result.heat[last].sum()), digits=0)
-        yield Number("κ from", "", float(np.nanmin(result.viscosity_ratio[last])), digits=2)
+        yield from ends(result, "heat", "W", result.heat.sum(axis=1), digits=0)
 
 
 def warnings(result: LifeResult) -> list[str]:
     """A sentence with its remedy for whatever leaves the range of a formula or a limit."""
-    found: list[str] = []
+    found: dict[str, list[str]] = {}
     for k, name in enumerate(result.bearing):
-        found += [f"bearing {name}: {sentence}" for sentence in _of_bearing(result, k)]
-    return found
+        for sentence in _of_bearing(result, k):
+            found.setdefault(sentence, []).append(name)
+    return [
+        f"bearing{'s' if len(names) > 1 else ''} {', '.join(names)}: {sentence}"
+        for sentence, names in found.items()
+    ]
 
 
 def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
     ratio = result.dynamic_rating[k] / result.groove_rating[k]
     if ratio > PAIR:
         yield (
-            f"its dynamic rating {result.dynamic_rating[k]:.0f} N is {ratio:.2f} times that of its "
+            f"dynamic rating {result.dynamic_rating[k]:.0f} N is {ratio:.2f} times that of the "
             "grooves; give that of one bearing: a pair has 1.62 times as much"
         )
     if where := _first(result, result.static_safety[:, k] < LEAST_SAFETY):
         yield (
             f"static safety {np.nanmin(result.static_safety[:, k]):.2g} is below {LEAST_SAFETY:g} "
-            f"from {where} on; lower its load or take a larger bearing"
+            f"from {where} on; lower the load or take a larger bearing"
         )
     elif where := _first(result, result.pressure[:, k] > HIGHEST):
         yield (
-            f"contact pressure above {HIGHEST / 1e9:g} GPa from {where} on: its life is shorter "
-            "than computed; lower its load"
+            f"contact pressure above {HIGHEST / 1e9:g} GPa from {where} on: life is shorter "
+            "than computed; lower the load"
         )
     if where := _first(result, 2.0 * result.equivalent_load[:, k] > result.dynamic_rating[k]):
         yield (
-            f"equivalent load above half its dynamic rating from {where} on: its life is shorter "
-            "than computed; lower its load"
+            f"equivalent load above half the dynamic rating from {where} on: life is shorter "
+            "than computed; lower the load"
         )
     if where := _first(result, result.shoulder_margin[:, k] < 0.0):
         margin = -np.nanmin(result.shoulder_margin[:, k]) * DEGREE.factor
         lost = 100.0 * np.nanmax(result.lost_load[:, k])
         yield (
             f"a contact ellipse passes the shoulder by {margin:.2g}° from {where} on, with "
-            f"{lost:.2g} % of its load; lower its load or raise the shoulder"
+            f"{lost:.2g} % of its load; lower the load or raise the shoulder"
         )
     turning = result.speed > 0.0
     if where := _first(result, turning & (result.viscosity_ratio[:, k] < LEAST_KAPPA)):
@@ -159,9 +160,14 @@ def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
             f"{_up_to(result, result.viscosity_ratio[:, k] < LEAST_KAPPA)}, where ISO 281 knows no "
             "modified life; take a thicker oil"
         )
+    if where := _first(result, result.slips[:, k]):
+        yield (
+            f"the balls need more friction than that of the lubricant from {where} on: they slip, "
+            "and the heat of its contacts is a guess there; raise the preload"
+        )
     if np.nanmax(result.ring_stress[:, k], initial=0.0) > YIELD:
         yield (
-            f"its inner ring yields under its fit: {np.nanmax(result.ring_stress[:, k]) / 1e6:.0f} "
+            f"the inner ring yields under its fit: {np.nanmax(result.ring_stress[:, k]) / 1e6:.0f} "
             f"MPa after Tresca, allowed {YIELD / 1e6:g}; lower the interference"
         )
     life = result.spectrum_life[k]

@@ -16,8 +16,6 @@ from rotordyn.results.described import Described
 from rotordyn.results.display import GIGAPASCAL, RPM
 from rotordyn.results.headline import Curve
 
-HOUR = 3600.0
-
 code = partial(Code, __name__)
 
 
@@ -31,15 +29,15 @@ def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
-    """Life of the set, static safety of the worst bearing, its pressure, heat of all bearings."""
+    """Life of the set, least static safety, largest pressure, heat of all bearings."""
     result, rpm = variant.result, variant.result.speed * RPM.factor
     if not result.bearing:
         return
-    life = np.where(np.isfinite(result.set_life), result.set_life / HOUR, np.nan)
-    yield Curve("life", "life of the set L10r", "h", rpm, life, panel="life", log=True)
-    safety, pressure = result.static_safety.min(axis=1), result.pressure.max(axis=1)
-    yield Curve("life", "least static safety S0", "-", rpm, safety, panel="safety")
-    pressure = pressure * GIGAPASCAL.factor
-    yield Curve("life", "peak pressure", "GPa", rpm, pressure, panel="pressure")
+    hours = np.where(np.isfinite(result.set_life), result.set_life / 3600.0, np.nan)
+    yield Curve("life", "life of the set L10r", "h", rpm, hours, log=True)
+    low: Any = {"limits": (0.0, None)}
+    yield Curve("life", "least static safety S0", "-", rpm, result.static_safety.min(axis=1), **low)
+    pressure = result.pressure.max(axis=1) * GIGAPASCAL.factor
+    yield Curve("life", "peak pressure", GIGAPASCAL.unit, rpm, pressure, **low)
     if math.isfinite(result.viscosity):
-        yield Curve("life", "heat of all bearings", "W", rpm, result.heat.sum(axis=1), panel="heat")
+        yield Curve("life", "heat of all bearings", "W", rpm, result.heat.sum(axis=1), **low)
