@@ -23,6 +23,7 @@ SOFTEST = 1e-12  # of the stiffest body: a spring to a body that nothing holds
 STIFF = 1e6  # N/m
 LONGEST = 50e-6  # m
 PLACED = 1e-17  # m: a held joint is where it belongs
+OVERRUN = 1e-12  # m
 HALVINGS = 40
 TINY = 1e-300
 
@@ -139,7 +140,8 @@ def hold(step: Step, state: State, share: float, near: Array | None = None) -> S
         placed = np.abs(miss).max(initial=0.0) <= PLACED
         left = float(np.abs(force + mu @ joints.row).max()) / (at.size + np.abs(fixed).sum() + TINY)
         if placed and (left < EXACT or (best < ENOUGH and left >= 0.5 * best)):
-            return joined(step.network, loose, joints, x, at, mu)
+            there = joined(step.network, loose, joints, x, at, mu)
+            return None if _driven_through(step.network, there) else there
         best = min(best, left) if placed else best
         x, at = advance(step, load, fixed, x, dx, at) if placed else _moved(step, load, x, dx)
     return None
@@ -185,6 +187,12 @@ def joined(network: Network, loose: State, joints: Held, x: Array, at: Balance, 
     loose.press[joints.closed] = network.stops.side[joints.closed] * press
     loose.friction[joints.sticks] = friction
     return replace(loose, x=x, at=at)
+
+
+def _driven_through(network: Network, state: State) -> bool:
+    """A rigid spring takes a closed stop along."""
+    past = np.abs(network.stops.row @ state.x - network.stops.limit)[state.closed]
+    return bool((past > OVERRUN).any())
 
 
 def _places(network: Network, joints: Held) -> list[int]:

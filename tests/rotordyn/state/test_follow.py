@@ -147,6 +147,14 @@ def test_a_constant_force_that_is_overcome_without_a_stop_has_no_equilibrium() -
     assert none.value.share == pytest.approx(1.0 / 101.0, abs=1e-6)
 
 
+def test_a_rigid_spring_that_is_driven_through_a_stop_has_no_equilibrium() -> None:
+    stops = [{"body": "sleeve", "low": -5e-6}]
+    path = [{"shift": {"spring 0": -10e-6}}]
+    with pytest.raises(NoEquilibrium, match="body sleeve has no equilibrium") as none:
+        follow(pair(stops=stops, path=path))
+    assert none.value.share == pytest.approx(0.5, abs=1e-6)
+
+
 def test_mirrored_networks_have_mirrored_answers() -> None:
     rubs, stops = [{"body": "sleeve", "limit": LIMIT}], [{"body": "sleeve", "low": -5e-6}]
     path = forces(900.0, -1500.0, 400.0)
