@@ -12,7 +12,7 @@ import rotordyn
 from bearings import BallBearing, Material
 from rotordyn.case import library
 from rotordyn.machine import Spindle, Tool
-from tests.oracles.spindles import CASES, ROOT, case
+from tests.oracles.spindles import CASES, ROOT
 
 KIND_OF = {
     "bearings": BallBearing,
