@@ -24,6 +24,7 @@ from docs.generate.rotor_rows import rotor_rows
 from docs.generate.rows import Row
 from docs.generate.snippets import PICTURES, blocks, snippet_pages
 from docs.generate.times import benchmark_parts, measured, targets
+from rotordyn.analyses.campbell.known import bending_frequencies
 from rotordyn.case.schema import FILES, json_schema
 
 PAGES = sorted(
@@ -46,7 +47,7 @@ GENERATED = OUTPUTS | {
     "docs/theory/debongnie.md": {"power-laws", "errors"},
     "docs/howto/hypotheses.md": {"choices", "linear"},
     "docs/theory/README.md": {"modules"},
-    "docs/mfw2310.md": {"comparison", "left-out", "rest", "speed"},
+    "docs/mfw2310.md": {"bearings", "comparison", "left-out", "rest", "speed"},
     "docs/benchmarks.md": {
         *(
             "machine",
@@ -180,12 +181,19 @@ def test_comparison_of_the_flagship_is_what_we_find_now() -> None:
 
 
 def test_known_values_meet_ours_under_their_own_conditions() -> None:
-    """The rigid rotor's stiffness and modes, to which the rotor was fitted, are met within 2 %."""
+    """The rigid rotor's stiffness and modes, to which the rotor was fitted, are met within 2 %.
+
+    With the VEX 60 of that fit; within 3 % with the maker's, which the case has.
+    """
+    fitted = flagship(fitted=True).rigid["campbell"]
+    modes = bending_frequencies(fitted, 0.0)
+    assert flagship(fitted=True).tangent(0, rigid=True) == pytest.approx(465.0, rel=0.02)
+    assert [*modes[:2]] == pytest.approx([1096.0, 1512.0], rel=0.02)
     printed = cells(parts(text(DOCS / "mfw2310.md"))["comparison"])
     rigid = [numbers(line[3]) + numbers(line[4]) for line in printed if line[2] == "0"]
     for known in (465.0, 1096.0, 1512.0):
         (ours,) = [pair[1] for pair in rigid if pair[0] == known]
-        assert ours == pytest.approx(known, rel=0.02)
+        assert ours == pytest.approx(known, rel=0.03)
 
 
 def test_tables_of_bending_are_what_we_find_now() -> None:

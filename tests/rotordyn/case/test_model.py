@@ -12,7 +12,7 @@ import rotordyn
 from bearings import BallBearing, Material
 from rotordyn.case import library
 from rotordyn.machine import Spindle, Tool
-from tests.oracles.spindles import CASES, ROOT, case
+from tests.oracles.spindles import CASES, ROOT
 
 KIND_OF = {
     "bearings": BallBearing,
@@ -41,7 +41,10 @@ def test_lists_are_those_of_the_folders() -> None:
 
 def test_spindle_and_tool_make_the_machine_of_the_case() -> None:
     spindle = rotordyn.model("spindles", "mfw2310")
-    assert spindle.with_tool(rotordyn.model("tools", "mfw2310_exciter")) == case().spindle
+    assert (
+        spindle.with_tool(rotordyn.model("tools", "mfw2310_exciter"))
+        == rotordyn.load(CASES / "mfw2310.yaml").spindle
+    )
 
 
 def test_model_from_a_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -73,9 +76,9 @@ def test_case_by_name_unless_there_is_such_a_file(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     monkeypatch.chdir(tmp_path)
-    assert rotordyn.load("mfw2310") == case()
+    assert rotordyn.load("mfw2310") == rotordyn.load(CASES / "mfw2310.yaml")
     (tmp_path / "mfw2310").mkdir()
-    assert rotordyn.load("mfw2310") == case()
+    assert rotordyn.load("mfw2310") == rotordyn.load(CASES / "mfw2310.yaml")
     shutil.copy(CASES / "vex70.yaml", tmp_path / "lalanne_ferraris")
     assert rotordyn.load("lalanne_ferraris").bearing is not None
 
