@@ -6,7 +6,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from rotordyn import analyses, errors, machine
+    from rotordyn import analyses, errors, machine, state
     from rotordyn.case.case import Case
     from rotordyn.case.model import model
     from rotordyn.case.read import load
@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from rotordyn.job import Results, open, run
 
 __version__ = "0.1.0"
-_ROOMS = ("analyses", "errors", "machine")
+_ROOMS = ("analyses", "errors", "machine", "state")
 _HOME = {
     "Case": "rotordyn.case.case",
     "InvalidInput": "rotordyn.errors",
@@ -47,6 +47,7 @@ __all__ = [
     "models",
     "open",
     "run",
+    "state",
     "vary",
 ]
 

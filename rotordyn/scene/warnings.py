@@ -29,6 +29,12 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
             f"bearing {name}: the fit of its inner ring lets go at "
             f"{speed * RPM.factor:.0f} rpm; raise its interference"
         )
+    for sleeve in scene.spindle.sleeves:
+        if sleeve.friction > 0.0:
+            yield (
+                f"sleeve {sleeve.name}: its friction acts in axial_cycle alone; all other analyses "
+                "take the state without friction"
+            )
     if "preload" in scene.solved:
         yield from bearing_warnings(scene)
     for support in scene.spindle.supports:

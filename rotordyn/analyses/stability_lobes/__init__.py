@@ -27,12 +27,12 @@ ANALYSIS = Analysis(
     forced=True,
     ports=lambda spec: (spec.point,),
     figures=code("figures:figures"),
-    compared=code("figures:of_variants"),
+    curves=code("figures:headline_curves"),
     tables=LAYOUTS,
     summary=code("summary:summary"),
     warnings=code("summary:warnings"),
     heading="stable depth of cut, least and largest",
-    cells=code("summary:cells"),
+    numbers=code("summary:numbers"),
 )
 
 _HOME = {"Limit": "limit", "limit_depth": "limit", "turning_limit": "turning"}

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from rotordyn.analyses.stability_lobes.result import REMOVAL, StabilityLobesResult
 from rotordyn.analyses.stability_lobes.spec import FLIP
 from rotordyn.results.described import Described
 from rotordyn.results.display import MILLIMETRE, RPM, number
+from rotordyn.results.headline import Number
 from rotordyn.results.text import unbroken
 
 MOST = 4
@@ -39,15 +42,15 @@ def summary(result: StabilityLobesResult) -> list[str]:
     return [least, *([f"pockets    {'; '.join(pockets)}"] if pockets else [])]
 
 
-def cells(result: StabilityLobesResult, _: Described) -> dict[str, str]:
+def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
     """Least limit, and the deepest pocket with its speed."""
     known = result.depth[np.isfinite(result.depth)]
-    found = {"least [mm]": number(float(known.min()) * 1e3, 2) if known.size else "none"}
+    least = float(known.min()) if known.size else np.nan
+    yield Number("least", "mm", least * MILLIMETRE.factor, digits=2)
     if result.pocket_depth.size:
-        rpm = number(float(result.pocket_speed[0]) * RPM.factor, 0)
-        depth = number(float(result.pocket_depth[0]) * 1e3, 2)
-        found["pocket [mm]"] = f"{depth} at {rpm} rpm"
-    return found
+        depth, speed = float(result.pocket_depth[0]), float(result.pocket_speed[0])
+        yield Number("pocket", "mm", depth * MILLIMETRE.factor, digits=2)
+        yield Number("pocket at", "rpm", speed * RPM.factor, digits=0)
 
 
 def warnings(result: StabilityLobesResult) -> list[str]:

@@ -10,8 +10,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analyses.stability_lobes.result import REMOVAL, StabilityLobesResult
 from rotordyn.analyses.stability_lobes.spec import FLIP
-from rotordyn.figures.legends import legend, top_legend
-from rotordyn.figures.panels import Shown, colour, dash
+from rotordyn.figures.legends import legend
 from rotordyn.figures.style import BLUE, FONT_SIZE, GREY, RED, add_axes, new_figure, speed_ticks
 from rotordyn.results.display import MILLIMETRE, RPM
 
@@ -52,22 +51,6 @@ def lobes_figure(result: StabilityLobesResult) -> Figure:
     legend(lower, loc="lower left")
     for axes in (upper, lower):
         speed_ticks(axes, float(rpm[-1]))
-    return figure
-
-
-def variants_figure(variants: Sequence[Shown]) -> Figure:
-    """Limits of variants over speed."""
-    figure = new_figure(168.0, 90.0)
-    axes = add_axes(figure, (15.0, 11.0, 147.0, 70.0), "speed [rpm]", "depth of cut [mm]")
-    every = [each.result.depth * MILLIMETRE.factor for each in variants]
-    top = _height(every)
-    for place, (variant, depth) in enumerate(zip(variants, every, strict=True)):
-        drawn = np.clip(np.nan_to_num(depth, posinf=2.0 * top), 0.0, 2.0 * top)
-        rpm = variant.result.cutting_speed * RPM.factor
-        axes.plot(rpm, drawn, color=colour(place), ls=dash(place), label=variant.title)
-    axes.set_ylim(0.0, top)
-    speed_ticks(axes, float(max(each.result.cutting_speed[-1] for each in variants)) * RPM.factor)
-    top_legend(figure, axes)
     return figure
 
 

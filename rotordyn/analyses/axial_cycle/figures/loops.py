@@ -1,0 +1,76 @@
+"""Hysteresis loops, loads of the bearings, and the axial stiffness over speed."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from rotordyn.analyses.axial_cycle.result import AxialCycleResult
+from rotordyn.figures.curves import draw_columns, merged
+from rotordyn.figures.legends import legend
+from rotordyn.figures.style import (
+    CYCLE,
+    DASHES,
+    FONT_SIZE,
+    add_axes,
+    grid_boxes,
+    new_figure,
+    speed_ticks,
+)
+from rotordyn.results.display import MICROMETRE, RPM, STIFFNESS
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+SHAFT = 0
+
+
+def cycle_figure(result: AxialCycleResult, speeds: int = 3) -> Figure:
+    """Displacement under force, and loads over displacement: first, middle and last speed."""
+    picked = np.unique(np.linspace(0, result.speed.size - 1, speeds).round().astype(int))
+    figure = new_figure(168.0, 130.0)
+    boxes = grid_boxes(figure, 2, len(picked), margins=(16.0, 6.0, 12.0, 9.0), gaps=(9.0, 17.0))
+    for place, index in enumerate(picked):
+        first = not place
+        shift = result.position[index, ..., SHAFT] * MICROMETRE.factor
+        upper = add_axes(
+            figure, boxes[place], "axial force [N]", "axial shift of the shaft [µm]" * first
+        )
+        lower = add_axes(
+            figure,
+            boxes[len(picked) + place],
+            "axial shift of the shaft [µm]",
+            "axial load [N]" * first,
+        )
+        for k, name in enumerate(result.branch):
+            upper.plot(result.force, shift[k], color=CYCLE[0], ls=DASHES[k], label=f"force {name}")
+            for bearing, column in merged(result.bearing, result.axial_load[index, k]):
+                lower.plot(
+                    shift[k],
+                    result.axial_load[index, k, :, column],
+                    color=CYCLE[column % len(CYCLE)],
+                    ls=DASHES[k],
+                    label=bearing if k == 0 else None,
+                )
+        rpm = result.speed[index] * RPM.factor
+        upper.set_title(f"{rpm:.0f} rpm", fontsize=FONT_SIZE, pad=4.0)
+        if first:
+            legend(upper)
+            legend(lower)
+    return figure
+
+
+def stiffness_figure(result: AxialCycleResult) -> Figure:
+    """Axial stiffness at no load over speed, a line per branch."""
+    figure = new_figure(168.0, 90.0)
+    axes = add_axes(
+        figure, (15.0, 11.0, 147.0, 74.0), "speed [rpm]", "axial stiffness at no load [N/µm]"
+    )
+    rpm = result.speed * RPM.factor
+    speed_ticks(axes, float(rpm[-1]))
+    names = [f"force {name}" for name in result.branch]
+    draw_columns(axes, rpm, result.no_load_stiffness * STIFFNESS.factor, names)
+    axes.set_ylim(0.0, axes.get_ylim()[1] * 1.05)
+    legend(axes)
+    return figure

@@ -1,0 +1,33 @@
+"""A closed cycle of axial force."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from rotordyn.results.declaration import coordinate, quantity
+from rotordyn.results.kinds import Array, Words
+
+BRANCHES = ("falling", "rising")
+CYCLE = ("speed", "branch", "force")
+
+
+@dataclass(frozen=True)
+class AxialCycleResult:
+    """Positions, loads and axial stiffness while the force falls and rises again."""
+
+    speed: Array = coordinate("speed", unit="rad/s", label="speed")
+    branch: Words = coordinate("branch", unit="", label="branch")
+    force: Array = coordinate("force", unit="N", label="axial force")
+    body: Words = coordinate("body", unit="", label="body")
+    bearing: Words = coordinate("bearing", unit="", label="bearing")
+    sleeve: Words = coordinate("sleeve", unit="", label="sleeve")
+    outcome: Words = quantity("speed", unit="", label="outcome")
+    position: Array = quantity(*CYCLE, "body", unit="m", label="axial shift from rest")
+    axial_load: Array = quantity(*CYCLE, "bearing", unit="N", label="axial load")
+    friction: Array = quantity(*CYCLE, "sleeve", unit="N", label="friction force")
+    stop_force: Array = quantity(*CYCLE, "sleeve", unit="N", label="stop force")
+    stiffness: Array = quantity(*CYCLE, unit="N/m", label="axial stiffness")
+    no_load_stiffness: Array = quantity(
+        "speed", "branch", unit="N/m", label="axial stiffness at no load"
+    )
+    loss: Array = quantity("speed", unit="J", label="energy lost per cycle")

@@ -1,0 +1,111 @@
+"""A cycle of axial force at every speed, after a run-up from rest.
+
+The force goes to its highest and lowest value once, so that friction stands as it does in every
+later cycle; then the falling and the rising branch are taken. Energy lost per cycle: the area
+between the branches, ∮ F du, by the trapezoidal rule.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.axial_cycle.result import BRANCHES, AxialCycleResult
+from rotordyn.analyses.axial_cycle.spec import AxialCycleSpec
+from rotordyn.preload.arrangement import SHAFT
+from rotordyn.preload.history import History, history
+from rotordyn.scene.scene import Scene
+from rotordyn.state import NoEquilibrium
+from rotordyn.state.contacts import State
+
+Array = NDArray[np.float64]
+
+
+def answer(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
+    """Positions, loads, friction and stiffness over the cycle."""
+    preload, rows = scene.preload, scene.bearing_row
+    force = np.linspace(spec.lowest, spec.highest, spec.steps + 1)
+    path = history(preload, max(abs(spec.lowest), abs(spec.highest)))
+    seats, sleeves = scene.spindle.seats, scene.spindle.sleeves
+    shape = (len(preload.speed), len(BRANCHES), len(force))
+    position = np.full((*shape, len(preload.network.arrangement.bodies)), np.nan)
+    load = np.full((*shape, len(seats)), np.nan)
+    friction, stop = np.full((2, *shape, len(sleeves)), np.nan)
+    stiffness = np.full(shape, np.nan)
+    outcome = list(preload.outcome)
+    for row, start in enumerate(path.run_up()):
+        outcome[row] = outcome[row] or (start if isinstance(start, str) else "")
+        if isinstance(start, str) or outcome[row]:
+            continue
+        try:
+            branches = _branches(path, row, start, force)
+        except NoEquilibrium as none:
+            outcome[row] = f"no cycle: {none}"
+            continue
+        for k, states in enumerate(branches):
+            position[row, k] = [state.x for state in states]
+            load[row, k] = [_seat_load(scene, state) for state in states]
+            friction[row, k], stop[row, k] = _sleeves(scene, path, states)
+            stiffness[row, k] = _stiffness(path, row, states, force, way=(-1.0, 1.0)[k])
+    return AxialCycleResult(
+        speed=scene.speed,
+        branch=BRANCHES,
+        force=force,
+        body=preload.network.arrangement.bodies,
+        bearing=tuple(seat.name for seat in seats),
+        sleeve=tuple(sleeve.name for sleeve in sleeves),
+        outcome=tuple(outcome[row] for row in rows),
+        position=position[rows],
+        axial_load=load[rows],
+        friction=friction[rows],
+        stop_force=stop[rows],
+        stiffness=stiffness[rows],
+        no_load_stiffness=_at_no_load(force, stiffness)[rows],
+        loss=_loss(force, position[..., SHAFT])[rows],
+    )
+
+
+def _branches(path: History, row: int, start: State, force: Array) -> list[list[State]]:
+    """States at every force, ascending, on the falling and on the rising branch."""
+    *_, top = path.loaded(row, start, [force[-1], force[0], force[-1]])
+    there = path.under(row, float(force[-1]))
+    falling = path.loaded(row, top, force[-2::-1].tolist(), there)
+    here = path.under(row, float(force[0]))
+    rising = path.loaded(row, falling[-1], force[1:].tolist(), here)
+    return [[*falling[::-1], top], [falling[-1], *rising]]
+
+
+def _seat_load(scene: Scene, state: State) -> Array:
+    load = np.zeros(len(scene.spindle.seats))
+    for bearing, one in zip(
+        scene.preload.network.arrangement.bearings, state.at.load.tolist(), strict=True
+    ):
+        load[list(bearing.seats)] = one
+    return load
+
+
+def _sleeves(scene: Scene, path: History, states: list[State]) -> tuple[Array, Array]:
+    """Friction and stop forces on every sleeve (states, sleeves)."""
+    network = path.network
+    friction = np.array([state.friction @ network.frictions.row for state in states])
+    press = np.array([(network.stops.side * s.press) @ network.stops.row for s in states])
+    return friction[:, SHAFT + 1 :], press[:, SHAFT + 1 :]
+
+
+def _stiffness(path: History, row: int, states: list[State], force: Array, way: float) -> Array:
+    """Slope of the force over the displacement of the shaft, going on ``way`` [N/m]."""
+    soft = [path.softness(row, s, f, way) for s, f in zip(states, force.tolist(), strict=True)]
+    return 1.0 / np.array(soft)
+
+
+def _at_no_load(force: Array, stiffness: Array) -> Array:
+    """Stiffness where the force is zero; NaN where the cycle does not come there."""
+    if not force[0] <= 0.0 <= force[-1]:
+        return np.full(stiffness.shape[:-1], np.nan)
+    return np.array([[np.interp(0.0, force, branch) for branch in row] for row in stiffness])
+
+
+def _loss(force: Array, position: Array) -> Array:
+    """∮ F du over the cycle (speeds,) [J]."""
+    rising, falling = (np.asarray(np.trapezoid(force, position[:, k], axis=-1)) for k in (1, 0))
+    return rising - falling

@@ -1,0 +1,51 @@
+"""The cycle in a few lines of text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from rotordyn.analyses.axial_cycle.result import AxialCycleResult
+from rotordyn.results.described import Described
+from rotordyn.results.display import STIFFNESS
+from rotordyn.results.headline import Number, ends
+from rotordyn.results.text import from_to, unbroken
+
+
+def summary(result: AxialCycleResult) -> list[str]:
+    """Axial stiffness at no load at the first and last speed, and the energy lost."""
+    values = ", ".join(
+        unbroken(f"{name} {from_to(one)}")
+        for name, one in zip(
+            result.branch, result.no_load_stiffness.T * STIFFNESS.factor, strict=True
+        )
+    )
+    lines = [f"axial      stiffness at no load [N/µm] force {values}"]
+    if np.nanmax(result.loss, initial=0.0) > 0.0:
+        lines.append(f"hysteresis energy lost per cycle [mJ] {from_to(result.loss * 1e3)}")
+    return lines
+
+
+def numbers(result: AxialCycleResult, _: Described) -> Iterator[Number]:
+    """Stiffness at no load at the first and last speed, for each branch."""
+    for name, values in zip(
+        result.branch, result.no_load_stiffness.T * STIFFNESS.factor, strict=True
+    ):
+        yield from ends(result, "force", "N/µm", values, part=name)
+
+
+def warnings(result: AxialCycleResult) -> list[str]:
+    """Bearings that the force unloads."""
+    found = []
+    load = result.axial_load.min(axis=1)  # of both branches
+    for k, name in enumerate(result.bearing):
+        rows, at = np.nonzero(load[..., k] == 0.0)
+        if len(at):
+            place = int(np.abs(result.force[at]).argmin())
+            rpm = result.speed[rows[place]] * 30.0 / np.pi
+            found.append(
+                f"bearing {name} is unloaded under an axial force of {result.force[at[place]]:.4g} "
+                f"N at {rpm:.0f} rpm: raise its preload, or keep the force away from there"
+            )
+    return found

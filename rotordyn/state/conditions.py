@@ -1,0 +1,102 @@
+"""What ends a smooth part of a path: a contact that may not stay what it is any longer."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.state.contacts import TINY, State
+from rotordyn.state.network import Load, Network, Step
+from rotordyn.state.rates import velocity
+
+Array = NDArray[np.float64]
+SLIPS = {"slip+": 1, "slip-": -1, "halt": 0}
+LENGTH = 1e-3  # m: what gaps and deflections are measured by
+
+
+@dataclass(frozen=True, slots=True)
+class Condition:
+    """``kind``: slip+ and slip- (friction at its limit), halt (sliding comes to rest), close, open
+    (stops), unload, load (bearings); ``index`` among those."""
+
+    kind: str
+    index: int
+
+
+@dataclass(frozen=True, slots=True)
+class Event:
+    """``share`` of the step done; ``kind``: slip+, slip-, stick, close, open, snap, unload or load;
+    ``index`` of the friction, stop (limits in their order), body or bearing."""
+
+    share: float
+    kind: str
+    index: int
+
+
+def conditions(network: Network, state: State) -> list[Condition]:
+    """All that may end the part that begins with ``state``."""
+    rubs = network.frictions.limit > 0.0
+    return [
+        *(Condition("slip+", k) for k in np.flatnonzero(state.sticks & rubs).tolist()),
+        *(Condition("slip-", k) for k in np.flatnonzero(state.sticks & rubs).tolist()),
+        *(Condition("halt", k) for k in np.flatnonzero(~state.sticks & rubs).tolist()),
+        *(Condition("open" if shut else "close", k) for k, shut in enumerate(state.closed)),
+        *(Condition("unload" if full else "load", k) for k, full in enumerate(state.loaded)),
+    ]
+
+
+def measures(step: Step, state: State, load: Load, of: list[Condition]) -> Array:
+    """How far every condition is from being violated, positive before (conditions,)."""
+    stops, frictions = step.network.stops, step.network.frictions
+    gap = stops.side * (stops.row @ state.x - stops.limit) / LENGTH
+    pressed = state.at.deflection - np.array([law.free for law in load.laws])
+    pressed = np.where(state.loaded, pressed, -pressed) / LENGTH
+    slides = ~state.sticks & (frictions.limit > 0.0)
+    v = velocity(step, state) if slides.any() else np.zeros(len(state.x))
+    values = {
+        "slip+": 1.0 + state.friction / np.maximum(frictions.limit, TINY),
+        "slip-": 1.0 - state.friction / np.maximum(frictions.limit, TINY),
+        "halt": state.slip * (frictions.row @ v) / (np.abs(v).max(initial=0.0) + TINY),
+        "close": gap,
+        "open": state.press / (state.at.size + TINY),
+        "unload": pressed,
+        "load": pressed,
+    }
+    return np.array([values[one.kind][one.index] for one in of])
+
+
+def changed(network: Network, state: State, ended: Condition) -> State:
+    """The state in which the contact that ended a part is something else."""
+    k = ended.index
+    if ended.kind in SLIPS:
+        slip, friction, anchor = state.slip.copy(), state.friction.copy(), state.anchor.copy()
+        slip[k] = SLIPS[ended.kind]
+        friction[k] = np.copysign(network.frictions.limit[k], friction[k])
+        anchor[k] = network.frictions.row[k] @ state.x
+        return replace(state, slip=slip, friction=friction, anchor=anchor)
+    if ended.kind in ("close", "open"):
+        closed, press = state.closed.copy(), state.press.copy()
+        closed[k], press[k] = ended.kind == "close", 0.0
+        return replace(state, closed=closed, press=press)
+    loaded = state.loaded.copy()
+    loaded[k] = ended.kind == "load"
+    return replace(state, loaded=loaded)
+
+
+def events(before: State, after: State, share: float, ended: Condition | None) -> list[Event]:
+    """What changed at an event; friction that sticks counts where it came to rest by itself."""
+    found = []
+    for k, (was, now) in enumerate(zip(before.slip.tolist(), after.slip.tolist(), strict=True)):
+        halts = ended is not None and ended.kind == "halt"
+        if was != now and (now or halts):
+            found.append(Event(share, {1: "slip+", -1: "slip-", 0: "stick"}[now], k))
+    pairs = (
+        (before.closed, after.closed, "close", "open"),
+        (before.loaded, after.loaded, "load", "unload"),
+    )
+    for was_so, is_so, begins, ends in pairs:
+        for k in np.flatnonzero(was_so != is_so).tolist():
+            found.append(Event(share, begins if is_so[k] else ends, k))
+    return found

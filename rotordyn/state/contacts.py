@@ -1,0 +1,201 @@
+"""State of a network between two events: every contact keeps its kind, Newton finds the positions.
+
+Held joints (rigid springs, closed stops, friction that sticks) are equations C x = c with forces
+Cᵀ μ on the bodies. A joint that others hold already keeps its force: only the sum is determined.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.state.network import Balance, Load, Network, Step
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+Slips = NDArray[np.int_]
+ITERATIONS = 80
+EXACT = 1e-13  # of the sum of magnitudes: what rounding leaves of a balance
+ENOUGH = 1e-12  # of the same: a balance at all
+SOFTEST = 1e-12  # of the stiffest body: a spring to a body that nothing holds
+STIFF = 1e6  # N/m
+LONGEST = 50e-6  # m
+PLACED = 1e-17  # m: a held joint is where it belongs
+OVERRUN = 1e-12  # m
+HALVINGS = 40
+TINY = 1e-300
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class State:
+    """Positions ``x`` (bodies,) and the kind of every contact, with the forces on the bodies.
+
+    ``slip``: 0 where friction sticks, ±1 the way it slides; ``friction`` [N]; ``anchor``: where it
+    sticks [m]; ``closed`` stops and what they ``press`` with, at least 0 [N]; ``rigid``: forces of
+    rigid springs [N]; ``loaded``: bearings pressed beyond their free deflection; ``at``: the forces
+    of all else.
+    """
+
+    x: Array
+    slip: Slips
+    friction: Array
+    anchor: Array
+    closed: Flags
+    press: Array
+    rigid: Array
+    loaded: Flags
+    at: Balance
+
+    @property
+    def sticks(self) -> Flags:
+        """Friction that sticks (frictions,)."""
+        return np.asarray(self.slip == 0)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Held:
+    """Equations row·x = target of the held joints, those that others do not hold already."""
+
+    row: Array
+    target: Array
+    rigid: list[int]
+    closed: list[int]
+    sticks: list[int]
+
+    def forces(self, mu: Array) -> tuple[Array, Array, Array]:
+        """Those of ``mu`` that belong to rigid springs, closed stops and sticking friction."""
+        first, second = len(self.rigid), len(self.rigid) + len(self.closed)
+        return mu[:first], mu[first:second], mu[second:]
+
+
+def held(network: Network, state: State, gap: Array) -> Held:
+    """The held joints of a state; ``gap`` of the springs [m]."""
+    springs, stops, frictions = network.springs, network.stops, network.frictions
+    rigid = np.flatnonzero(springs.rigid)
+    closed = np.flatnonzero(state.closed)
+    sticks = np.flatnonzero(state.sticks & (frictions.limit > 0.0))
+    row = np.concatenate([springs.row[rigid], stops.row[closed], frictions.row[sticks]])
+    target = np.concatenate([gap[rigid], stops.limit[closed], state.anchor[sticks]])
+    needed = independent(row)
+    marks = np.split(needed, [len(rigid), len(rigid) + len(closed)])
+    chosen = [
+        part[mark].tolist() for part, mark in zip((rigid, closed, sticks), marks, strict=True)
+    ]
+    return Held(row[needed], target[needed], *chosen)
+
+
+def independent(row: Array) -> Flags:
+    """Rows of ±1 whose two ends no earlier ones join already (rows,)."""
+    cluster = list(range(row.shape[1] + 1))  # the ground last
+    needed = np.zeros(len(row), dtype=bool)
+    for k, ends in enumerate(row):
+        bodies = np.flatnonzero(ends).tolist()
+        one, other = (cluster[body] for body in (*bodies, row.shape[1])[:2])
+        needed[k] = one != other
+        if one != other:
+            cluster = [one if member == other else member for member in cluster]
+    return needed
+
+
+def solve(stiffness: Array, force: Array, row: Array, miss: Array) -> tuple[Array, Array]:
+    """dx and μ of K dx − Cᵀ μ = force, C dx = miss; bodies that nothing holds get a soft spring."""
+    n, m = len(force), len(row)
+    scale = max(float(np.abs(stiffness.diagonal()).max(initial=0.0)), STIFF)
+    matrix = np.zeros((n + m, n + m))
+    matrix[:n, :n] = stiffness
+    matrix[range(n), range(n)] += SOFTEST * scale
+    matrix[:n, n:] = -scale * row.T
+    matrix[n:, :n] = scale * row
+    both = np.linalg.solve(matrix, np.concatenate([force, scale * miss]))
+    return both[:n], scale * both[n:]
+
+
+def contact_forces(network: Network, state: State) -> Array:
+    """Forces of friction, stops and rigid springs on the bodies (bodies,) [N]."""
+    springs, stops = network.springs, network.stops
+    return np.asarray(
+        state.friction @ network.frictions.row
+        + (stops.side * state.press) @ stops.row
+        + state.rigid @ springs.row[springs.rigid]
+    )
+
+
+def hold(step: Step, state: State, share: float, near: Array | None = None) -> State | None:
+    """The state when ``share`` of the step is done and no contact changes; None without one.
+
+    ``near``: positions to start from.
+    """
+    load = step.load(share)
+    joints = held(step.network, state, load.gap)
+    loose = released(step.network, state, joints)
+    fixed = contact_forces(step.network, loose)
+    x = state.x if near is None else near
+    at = step.balance(x, load)
+    best = np.inf
+    for _ in range(ITERATIONS):
+        force, miss = at.force + fixed, joints.target - joints.row @ x
+        dx, mu = solve(at.stiffness, force, joints.row, miss)
+        placed = np.abs(miss).max(initial=0.0) <= PLACED
+        left = float(np.abs(force + mu @ joints.row).max()) / (at.size + np.abs(fixed).sum() + TINY)
+        if placed and (left < EXACT or (best < ENOUGH and left >= 0.5 * best)):
+            there = joined(step.network, loose, joints, x, at, mu)
+            return None if _driven_through(step.network, there) else there
+        best = min(best, left) if placed else best
+        x, at = advance(step, load, fixed, x, dx, at) if placed else _moved(step, load, x, dx)
+    return None
+
+
+def advance(
+    step: Step, load: Load, fixed: Array, x: Array, dx: Array, at: Balance
+) -> tuple[Array, Balance]:
+    """Go along ``dx`` until the forces along it have lost at least half of what they were.
+
+    ``fixed``: forces of the contacts. The forces fall along the way, as the energy is convex; where
+    they change their sign it is shortened.
+    """
+    dx = dx * min(1.0, LONGEST / max(float(np.abs(dx).max(initial=0.0)), TINY))
+    before = float((at.force + fixed) @ dx)
+    share = 1.0
+    for _ in range(HALVINGS):
+        trial, there = _moved(step, load, x, share * dx)
+        after = float((there.force + fixed) @ dx)
+        if after >= -0.5 * before or before <= 0.0:  # at the end of rounding it may be negative
+            break
+        share *= min(max(before / (before - after), 0.1), 0.6)
+    return trial, there
+
+
+def _moved(step: Step, load: Load, x: Array, dx: Array) -> tuple[Array, Balance]:
+    return x + dx, step.balance(x + dx, load)
+
+
+def released(network: Network, state: State, joints: Held) -> State:
+    """The state without the forces of the held joints."""
+    rigid, press, friction = state.rigid.copy(), state.press.copy(), state.friction.copy()
+    rigid[_places(network, joints)] = 0.0
+    press[joints.closed] = 0.0
+    friction[joints.sticks] = 0.0
+    return replace(state, rigid=rigid, press=press, friction=friction)
+
+
+def joined(network: Network, loose: State, joints: Held, x: Array, at: Balance, mu: Array) -> State:
+    """The state at ``x`` with the forces ``mu`` of the held joints."""
+    rigid, press, friction = joints.forces(mu)
+    loose.rigid[_places(network, joints)] = rigid
+    loose.press[joints.closed] = network.stops.side[joints.closed] * press
+    loose.friction[joints.sticks] = friction
+    return replace(loose, x=x, at=at)
+
+
+def _driven_through(network: Network, state: State) -> bool:
+    """A rigid spring takes a closed stop along."""
+    past = np.abs(network.stops.row @ state.x - network.stops.limit)[state.closed]
+    return bool((past > OVERRUN).any())
+
+
+def _places(network: Network, joints: Held) -> list[int]:
+    """Where the held rigid springs stand among the rigid ones."""
+    rigid = np.flatnonzero(network.springs.rigid).tolist()
+    return [rigid.index(k) for k in joints.rigid]

@@ -1,0 +1,161 @@
+"""Axial laws of a bearing: load F(d) [N] of a deflection d [m], and its slope [N/m].
+
+Every law is unilateral and does not fall: F = 0 up to the deflection ``free``, from there it rises.
+"""
+
+from __future__ import annotations
+
+import math
+from bisect import bisect_right
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol, cast
+
+FURTHEST = 1.0  # m: no bearing is pressed so far
+
+
+class Law(Protocol):
+    """F and dF/dd at a deflection; ``free``: up to there nothing is pressed [m]."""
+
+    @property
+    def free(self) -> float: ...
+    def __call__(self, d: float) -> tuple[float, float]: ...
+
+
+@dataclass(frozen=True, slots=True)
+class Power:
+    """F = k d^p; p = 1 is the linear bearing."""
+
+    k: float
+    p: float
+    free: float = 0.0
+
+    def __call__(self, d: float) -> tuple[float, float]:
+        """F [N] and its slope [N/m]."""
+        if d <= 0.0:
+            return 0.0, 0.0
+        force = self.k * d**self.p
+        return force, self.p * force / d
+
+
+@dataclass(frozen=True, slots=True)
+class RestBall:
+    """Angular-contact bearing at rest: ``balls`` of stiffness ``k`` [N/m^1.5] over both contacts.
+
+    ``distance``: of the groove centres, unloaded [m]; ``angle``: free contact angle [rad];
+    ``growth``: radial, of the inner groove centre at rest [m].
+    """
+
+    balls: int
+    k: float
+    distance: float
+    angle: float
+    growth: float = 0.0
+    free: float = 0.0
+
+    def __call__(self, d: float) -> tuple[float, float]:
+        """F [N] and its slope [N/m]."""
+        bd = self.distance
+        radial = bd * math.cos(self.angle) + self.growth
+        axial = math.sqrt(bd * bd - radial * radial) + d
+        if d <= 0.0:
+            return 0.0, 0.0
+        length = math.hypot(radial, axial)
+        pressed = length - bd
+        share, load = axial / length, self.k * pressed**1.5
+        steep = 1.5 * self.k * math.sqrt(pressed) * share**2
+        return self.balls * load * share, self.balls * (steep + load * (1.0 - share**2) / length)
+
+
+@dataclass(frozen=True, slots=True)
+class Table:
+    """Cubic pieces between ``knots`` [m], each (d³, d², d, 1) from its left knot.
+
+    Beyond the last knot the last slope goes on; before the first one the first, down to no load.
+    """
+
+    knots: Sequence[float]
+    pieces: Sequence[tuple[float, float, float, float]]
+    free: float = -math.inf
+
+    def __call__(self, d: float) -> tuple[float, float]:
+        """F [N] and its slope [N/m]."""
+        first, last = self.knots[0], self.knots[-1]
+        if d < first:
+            _, _, slope, force = self.pieces[0]
+            force += slope * (d - first)
+            return (force, slope) if force > 0.0 else (0.0, 0.0)
+        if d >= last:
+            force, slope = self._piece(len(self.pieces) - 1, last)
+            return force + slope * (d - last), slope
+        return self._piece(bisect_right(self.knots, d) - 1, d)
+
+    def _piece(self, k: int, d: float) -> tuple[float, float]:
+        a, b, c, e = self.pieces[k]
+        h = d - self.knots[k]
+        return ((a * h + b) * h + c) * h + e, (3.0 * a * h + 2.0 * b) * h + c
+
+
+def table(d: Sequence[float], force: Sequence[float], *, cubic: bool = False) -> Table:
+    """A law through points: straight lines, or a cubic spline (not-a-knot)."""
+    from scipy.interpolate import CubicSpline
+
+    if cubic:
+        pieces = CubicSpline(d, force).c.T.tolist()
+    else:
+        ends = zip(d[:-1], d[1:], force[:-1], force[1:], strict=True)
+        pieces = [(0.0, 0.0, (after - f) / (right - left), f) for left, right, f, after in ends]
+    return Table(tuple(d), tuple(map(tuple, pieces)), _free(d, force, pieces[0][2]))
+
+
+def sloped_table(d: Sequence[float], force: Sequence[float], slope: Sequence[float]) -> Table:
+    """A law through points whose slopes are known too."""
+    from scipy.interpolate import CubicHermiteSpline
+
+    pieces = CubicHermiteSpline(d, force, slope).c.T.tolist()
+    return Table(tuple(d), tuple(map(tuple, pieces)), _free(d, force, slope[0]))
+
+
+def _free(d: Sequence[float], force: Sequence[float], slope: float) -> float:
+    """Where the law begins: the last point without load, or where its first slope comes to it."""
+    nothing = [at for at, load in zip(d, force, strict=True) if load <= 0.0]
+    if nothing:
+        return nothing[-1]
+    return d[0] - force[0] / slope if slope > 0.0 else -math.inf
+
+
+@dataclass(frozen=True, slots=True)
+class Blend:
+    """(1 − share) of one law and ``share`` of another."""
+
+    old: Law
+    new: Law
+    share: float
+
+    @property
+    def free(self) -> float:
+        """Where the first of both begins [m]."""
+        return min(self.old.free, self.new.free)
+
+    def __call__(self, d: float) -> tuple[float, float]:
+        """F [N] and its slope [N/m]."""
+        (force, slope), (other, steep) = self.old(d), self.new(d)
+        share = self.share
+        return (1.0 - share) * force + share * other, (1.0 - share) * slope + share * steep
+
+
+def deflection(law: Law, load: float) -> float:
+    """Deflection [m] under ``load`` [N]; NaN where the law has no such load."""
+    from scipy.optimize import brentq
+
+    if isinstance(law, Power):
+        return cast(float, (load / law.k) ** (1.0 / law.p))
+    low = law.free if math.isfinite(law.free) else -FURTHEST
+    if load == 0.0:
+        return low
+    high = low + 1e-6
+    while law(high)[0] < load:
+        high = low + 2.0 * (high - low)
+        if high - low > FURTHEST:
+            return math.nan
+    return cast(float, brentq(lambda d: law(d)[0] - load, low, high, xtol=1e-20, rtol=1e-15))

@@ -1,0 +1,166 @@
+"""A network on one axis: who is joined to whom by bearings, springs, stops and friction.
+
+Bodies are rigid and have one position each [m], from the mounted state at rest; the ground is at 0.
+A joint of two bodies is a row of ±1 over the bodies: row · x is the position of one against the
+other.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.state.laws import Blend, Law
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+SMALL = 1.0  # N: rounding is measured by at least that
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Bearings:
+    """``row`` (bearings, bodies): inner against outer ring; ``side`` ±1; ``count`` in tandem;
+    ``rest``: deflection of each at rest [m]."""
+
+    row: Array
+    side: Array
+    count: Array
+    rest: Array
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Springs:
+    """``force`` on the body at rest, towards +x [N]; ``stiffness`` [N/m], infinite where rigid."""
+
+    row: Array
+    force: Array
+    stiffness: Array
+
+    @property
+    def rigid(self) -> Flags:
+        """Springs whose gap keeps its size (springs,)."""
+        return np.isinf(self.stiffness)
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Stops:
+    """One-sided: side·(row·x − limit) ≥ 0 [m], ``side`` +1 of a lower, −1 of an upper limit."""
+
+    row: Array
+    side: Array
+    limit: Array
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Frictions:
+    """Coulomb: forces on the body within ±``limit`` [N]; ``start``: those at rest."""
+
+    row: Array
+    limit: Array
+    start: Array
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Network:
+    """Everything between ``bodies``."""
+
+    bodies: tuple[str, ...]
+    bearings: Bearings
+    springs: Springs
+    stops: Stops
+    frictions: Frictions
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Load:
+    """What acts on a network: ``force`` on the bodies [N], ``shift`` of inner seats of bearings,
+    ``gap`` of springs [m], the law of every bearing."""
+
+    force: Array
+    shift: Array
+    gap: Array
+    laws: tuple[Law, ...]
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Balance:
+    """Forces without those of stops, friction and rigid springs.
+
+    ``force`` on the bodies (bodies,) [N]; ``stiffness`` (bodies, bodies) [N/m]; ``size``: the sum
+    of the magnitudes that are added, and of 1 N [N]; of every bearing its ``deflection`` [m] and
+    ``load`` [N]; ``slope`` of the law, of all in tandem [N/m].
+    """
+
+    force: Array
+    stiffness: Array
+    size: float
+    deflection: Array
+    load: Array
+    slope: Array
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Step:
+    """The way from one load to the next; every quantity goes linearly with the share done."""
+
+    network: Network
+    start: Load
+    end: Load
+
+    @property
+    def single(self) -> bool:
+        """Only one force changes: every body then moves one way (K is an M-matrix)."""
+        start, end = self.start, self.end
+        same = np.array_equal(start.shift, end.shift) and np.array_equal(start.gap, end.gap)
+        forces = np.count_nonzero(end.force - start.force)
+        return same and start.laws == end.laws and bool(forces <= 1)
+
+    def load(self, share: float) -> Load:
+        """What acts when ``share`` of the step is done."""
+        a, b = self.start, self.end
+        laws = tuple(
+            old if old is new else Blend(old, new, share)
+            for old, new in zip(a.laws, b.laws, strict=True)
+        )
+        return Load(
+            (1.0 - share) * a.force + share * b.force,
+            (1.0 - share) * a.shift + share * b.shift,
+            (1.0 - share) * a.gap + share * b.gap,
+            laws,
+        )
+
+    def balance(self, x: Array, load: Load) -> Balance:
+        """Forces and stiffness at positions ``x`` (bodies,)."""
+        bearings, springs = self.network.bearings, self.network.springs
+        deflection = bearings.side * (bearings.row @ x + load.shift) + bearings.rest
+        pairs = [law(d) for law, d in zip(load.laws, deflection.tolist(), strict=True)]
+        each, slope = np.array(pairs).reshape(-1, 2).T
+        push = bearings.count * bearings.side * each
+        soft = np.where(springs.rigid, 0.0, springs.stiffness)
+        pull = np.where(springs.rigid, 0.0, springs.force - soft * (springs.row @ x - load.gap))
+        return Balance(
+            force=load.force + pull @ springs.row - push @ bearings.row,
+            stiffness=(springs.row.T * soft) @ springs.row
+            + (bearings.row.T * (bearings.count * slope)) @ bearings.row,
+            size=SMALL + float(np.abs(load.force).sum() + np.abs(pull).sum() + np.abs(push).sum()),
+            deflection=deflection,
+            load=each,
+            slope=bearings.count * slope,
+        )
+
+    def rate(self, at: Balance) -> tuple[Array, Array]:
+        """Change of the forces (bodies,) [N] at rest of all bodies, and of the gaps of springs [m],
+        over the whole step."""
+        a, b = self.start, self.end
+        bearings, springs = self.network.bearings, self.network.springs
+        blended = [
+            0.0 if old is new else new(d)[0] - old(d)[0]
+            for old, new, d in zip(a.laws, b.laws, at.deflection.tolist(), strict=True)
+        ]
+        push = bearings.count * bearings.side * np.array(blended) + at.slope * (b.shift - a.shift)
+        soft = np.where(springs.rigid, 0.0, springs.stiffness)
+        gap = b.gap - a.gap
+        force = b.force - a.force - push @ bearings.row + (soft * gap) @ springs.row
+        return force, gap

@@ -1,0 +1,280 @@
+"""Networks and paths in plain form (dicts, lists, numbers), read and refused.
+
+A plain network is a dict (SI; positions from the mounted state at rest, where all are 0):
+
+``bodies``: names; None is the ground wherever a body is named.
+``laws``: name -> ``{kind: power, k, p}``, ``{kind: linear, k}``, ``{kind: table, d, F,
+interpolation: linear | cubic}`` or ``{kind: rest_ball, z, kn, BD, alpha_deg, growth}``; none of
+them pulls.
+``bearings``: ``inner``, ``outer``, ``s`` ±1, ``n`` in tandem, ``law`` (of several the first holds
+at rest), ``preload`` of one bearing at rest [N] or its deflection ``d0`` [m].
+``springs``: ``body``, ``other``, ``P`` [N], ``e`` ±1, ``K`` [N/m] (0: constant force) or ``rigid``.
+``stops``: ``body``, ``other``, ``low`` and ``high`` [m], one of which may be left out.
+``frictions``: ``body``, ``other``, ``limit`` [N], ``start``: its force at rest [N].
+``path``: steps of ``force`` {body: N}, ``shift`` {"bearing 0" or "spring 0": m} and ``law``
+{"0": name}; what a step does not name stays.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.errors import InvalidInput
+from rotordyn.quantity import suggestion
+from rotordyn.state.laws import Law, Power, RestBall, deflection, table
+from rotordyn.state.network import Bearings, Frictions, Load, Network, Springs, Step, Stops
+
+Array = NDArray[np.float64]
+Plain = Mapping[str, Any]
+KEYS = {
+    "network": "bodies laws bearings springs stops frictions path name why real answers events",
+    "bearings": "inner outer s n law preload d0 name",
+    "springs": "body other P K e rigid name",
+    "stops": "body other low high name",
+    "frictions": "body other limit start name",
+    "path": "force shift law",
+}
+LAWS = {
+    "power": "kind k p",
+    "linear": "kind k",
+    "table": "kind d F interpolation",
+    "rest_ball": "kind z kn BD alpha_deg growth",
+}
+
+
+def network(plain: Plain) -> tuple[Network, Load, dict[str, Law]]:
+    """The network, what acts on it at rest, and its laws by name.
+
+    Raises
+    ------
+    InvalidInput : one sentence that names the place and a remedy
+    """
+    _keys(plain, KEYS["network"], "network")
+    bodies = tuple(_list(plain, "bodies"))
+    if not bodies or len(set(bodies)) < len(bodies) or not all(isinstance(b, str) for b in bodies):
+        _refuse("bodies", f"given {list(bodies)}; allowed: names, each once, at least one")
+    laws = {name: _law(one, f"laws {name}") for name, one in dict(plain.get("laws", {})).items()}
+    bearings, first = _bearings(_list(plain, "bearings"), bodies, laws)
+    springs = _springs(_list(plain, "springs"), bodies)
+    parts = Network(
+        bodies,
+        bearings,
+        springs,
+        _stops(_list(plain, "stops"), bodies),
+        _frictions(_list(plain, "frictions"), bodies),
+    )
+    rest = Load(np.zeros(len(bodies)), np.zeros(len(first)), np.zeros(len(springs.force)), first)
+    return parts, rest, laws
+
+
+def steps(plain: Plain, parts: Network, rest: Load, laws: Mapping[str, Law]) -> Iterator[Step]:
+    """The steps of the path, each from where the one before ended."""
+    for k, way in enumerate(_list(plain, "path"), start=1):
+        end = _load(way, f"step {k} of the path", parts, rest, laws)
+        yield Step(parts, rest, end)
+        rest = end
+
+
+def _load(way: Plain, at: str, parts: Network, before: Load, laws: Mapping[str, Law]) -> Load:
+    _keys(way, KEYS["path"], at)
+    force, shift, gap, chosen = (
+        before.force.copy(),
+        before.shift.copy(),
+        before.gap.copy(),
+        list(before.laws),
+    )
+    for body, value in dict(way.get("force", {})).items():
+        k = parts.bodies.index(_known(body, parts.bodies, f"{at}, force", "body"))
+        force[k] = _number(value, f"{at}, force on {body}")
+    places = {f"bearing {k}": (shift, k) for k in range(len(shift))}
+    places |= {f"spring {k}": (gap, k) for k in range(len(gap))}
+    for place, value in dict(way.get("shift", {})).items():
+        of, k = places[_known(place, places, f"{at}, shift", "place")]
+        of[k] = _number(value, f"{at}, shift of {place}")
+    numbers = {str(k): k for k in range(len(chosen))}
+    for bearing, name in dict(way.get("law", {})).items():
+        k = numbers[_known(str(bearing), numbers, f"{at}, law", "bearing")]
+        chosen[k] = laws[_known(name, laws, f"{at}, law of bearing {bearing}", "law")]
+    return Load(force, shift, gap, tuple(chosen))
+
+
+def _law(given: Plain, at: str) -> Law:
+    kind = _known(given.get("kind"), LAWS, at, "kind of law")
+    _keys(given, LAWS[kind], at)
+    if kind == "table":
+        return _table(given, at)
+    if kind != "rest_ball":
+        p = _number(given.get("p"), f"{at}, p", least=1.0) if kind == "power" else 1.0
+        return Power(_number(given.get("k"), f"{at}, k", above=0.0), p)
+    distance = _number(given.get("BD"), f"{at}, BD", above=0.0)
+    angle = math.radians(_number(given.get("alpha_deg"), f"{at}, alpha_deg", least=0.0, most=89.0))
+    growth = _number(given.get("growth", 0.0), f"{at}, growth")
+    if abs(math.cos(angle) + growth / distance) >= 1.0:
+        _refuse(f"{at}, growth", f"{growth:g} m takes the whole contact angle; allowed: less")
+    balls = int(_number(given.get("z"), f"{at}, z", least=1.0))
+    return RestBall(
+        balls, _number(given.get("kn"), f"{at}, kn", above=0.0), distance, angle, growth
+    )
+
+
+def _table(given: Plain, at: str) -> Law:
+    d = [_number(value, f"{at}, d") for value in _list(given, "d")]
+    force = [_number(value, f"{at}, F", least=0.0) for value in _list(given, "F")]
+    cubic = _known(given.get("interpolation", "linear"), ("linear", "cubic"), at, "interpolation")
+    least = 4 if cubic == "cubic" else 2
+    if len(d) != len(force) or len(d) < least or any(np.diff(d) <= 0.0):
+        _refuse(at, f"allowed: at least {least} deflections d that rise, and as many loads F")
+    return table(d, force, cubic=cubic == "cubic")
+
+
+def _bearings(
+    given: Sequence[Plain], bodies: Sequence[str], laws: Mapping[str, Law]
+) -> tuple[Bearings, tuple[Law, ...]]:
+    row, side, count, rest, first = [], [], [], [], []
+    for k, one in enumerate(given):
+        at = f"bearing {k}"
+        _keys(one, KEYS["bearings"], at)
+        row.append(_row(one, ("inner", "outer"), bodies, at))
+        side.append(_sign(one, "s", at))
+        count.append(_number(one.get("n", 1), f"{at}, n", least=1.0))
+        named = one.get("law")
+        named = named[0] if isinstance(named, list) and named else named
+        first.append(laws[_known(named, laws, at, "law")])
+        rest.append(_rest(one, first[-1], at))
+    found = Bearings(_rows(row, bodies), np.array(side), np.array(count), np.array(rest))
+    return found, tuple(first)
+
+
+def _rest(one: Plain, law: Law, at: str) -> float:
+    if one.get("d0") is not None:
+        return _number(one["d0"], f"{at}, d0")
+    if one.get("preload") is None:
+        _refuse(at, "missing key: its preload or its deflection d0 at rest")
+    preload = _number(one["preload"], f"{at}, preload", least=0.0)
+    d0 = deflection(law, preload)
+    if not math.isfinite(d0):
+        _refuse(f"{at}, preload", f"its law does not come to {preload:g} N; give another preload")
+    return d0
+
+
+def _springs(given: Sequence[Plain], bodies: Sequence[str]) -> Springs:
+    row, force, stiffness = [], [], []
+    for k, one in enumerate(given):
+        at = f"spring {k}"
+        _keys(one, KEYS["springs"], at)
+        row.append(_row(one, ("body", "other"), bodies, at))
+        force.append(_sign(one, "e", at) * _number(one.get("P", 0.0), f"{at}, P"))
+        rigid = bool(one.get("rigid", False)) or one.get("K") == math.inf
+        if rigid and one.get("K") not in (None, math.inf):
+            _refuse(at, f"rigid beside K {one['K']:g} N/m; leave one of them out")
+        stiffness.append(math.inf if rigid else _number(one.get("K"), f"{at}, K", least=0.0))
+    return Springs(_rows(row, bodies), np.array(force), np.array(stiffness))
+
+
+def _stops(given: Sequence[Plain], bodies: Sequence[str]) -> Stops:
+    row, side, limit = [], [], []
+    for k, one in enumerate(given):
+        at = f"stop {k}"
+        _keys(one, KEYS["stops"], at)
+        ends = _row(one, ("body", "other"), bodies, at)
+        if one.get("low") is None and one.get("high") is None:
+            _refuse(at, "missing key: low, high or both")
+        for key, way in (("low", 1.0), ("high", -1.0)):
+            if one.get(key) is not None:
+                value = _number(one[key], f"{at}, {key}")
+                if way * value > 0.0:
+                    _refuse(
+                        f"{at}, {key}",
+                        f"violated at rest, where the position is 0: given {value:g} m; allowed: "
+                        f"0 or {'below' if way > 0.0 else 'above'}",
+                    )
+                row.append(ends)
+                side.append(way)
+                limit.append(value)
+    return Stops(_rows(row, bodies), np.array(side), np.array(limit))
+
+
+def _frictions(given: Sequence[Plain], bodies: Sequence[str]) -> Frictions:
+    row, limit, start = [], [], []
+    for k, one in enumerate(given):
+        at = f"friction {k}"
+        _keys(one, KEYS["frictions"], at)
+        row.append(_row(one, ("body", "other"), bodies, at))
+        limit.append(_number(one.get("limit"), f"{at}, limit", least=0.0))
+        start.append(
+            _number(one.get("start", 0.0), f"{at}, start", least=-limit[-1], most=limit[-1])
+        )
+    return Frictions(_rows(row, bodies), np.array(limit), np.array(start))
+
+
+def _row(one: Plain, ends: tuple[str, str], bodies: Sequence[str], at: str) -> Array:
+    row = np.zeros(len(bodies))
+    names = [one.get(end) for end in ends]
+    if names[0] == names[1]:
+        _refuse(at, f"both its ends are {names[0]}; allowed: two bodies, or one and the ground")
+    for name, way in zip(names, (1.0, -1.0), strict=True):
+        if name is not None:
+            row[list(bodies).index(_known(name, bodies, at, "body"))] = way
+    return row
+
+
+def _rows(row: Sequence[Array], bodies: Sequence[str]) -> Array:
+    return np.array(row).reshape(-1, len(bodies))
+
+
+def _sign(one: Plain, key: str, at: str) -> float:
+    value = _number(one.get(key, 1), f"{at}, {key}")
+    if abs(value) != 1.0:
+        _refuse(f"{at}, {key}", f"given {value:g}; allowed: 1 and -1")
+    return value
+
+
+def _number(
+    value: object,
+    at: str,
+    *,
+    least: float = -math.inf,
+    above: float = -math.inf,
+    most: float = math.inf,
+) -> float:
+    number = float(value) if isinstance(value, int | float) else math.nan
+    if math.isfinite(number) and least <= number <= most and number > above:
+        return number
+    limits = [f"at least {least:g}"] if least > -math.inf else []
+    limits += [f"above {above:g}"] if above > -math.inf else []
+    limits += [f"at most {most:g}"] if most < math.inf else []
+    _refuse(at, f"given {value!r}; allowed: a finite number {' and '.join(limits)}".rstrip())
+    return math.nan
+
+
+def _known(value: object, allowed: Mapping[str, Any] | Sequence[str], at: str, what: str) -> str:
+    if not isinstance(value, str) or value not in allowed:
+        known = list(allowed)
+        listed = ", ".join(known) or "none, there are none"
+        hint = suggestion(value, known) if isinstance(value, str) else ""
+        _refuse(at, f"unknown {what}: given {value!r}; allowed: {listed}{hint}")
+    return str(value)
+
+
+def _keys(given: object, allowed: str, at: str) -> None:
+    if not isinstance(given, Mapping):
+        _refuse(at, f"given {given!r}; allowed: a mapping with the keys {allowed}")
+    else:
+        for key in given:
+            _known(key, allowed.split(), at, "key")
+
+
+def _list(given: Plain, key: str) -> list[Any]:
+    value = given.get(key) or []
+    if not isinstance(value, list | tuple):
+        _refuse(key, f"given {value!r}; allowed: a list")
+    return list(value)
+
+
+def _refuse(at: str, sentence: str) -> None:
+    raise InvalidInput(f"{at}: {sentence}")

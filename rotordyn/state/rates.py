@@ -1,0 +1,133 @@
+"""Which contacts change where the path goes on, from the rates of positions and contact forces.
+
+A contact that may change has a rate of its way w ≥ 0 and one of its force λ ≥ 0, of which one is
+zero: a closed stop without force opens or presses, sliding friction slides on or sticks. With K
+positive this is a linear complementarity problem; the least-index method of Murty solves it.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.state.contacts import State, held, independent, solve
+from rotordyn.state.network import Network, Step
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+AT_LIMIT = 1e-9  # of the friction limit, of the sum of forces
+TOUCHING = 1e-13  # m
+ROUNDING = 1e-9  # of the largest rate
+FLIPS = 400
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Open:
+    """Contacts that may change: ``row`` points the way they move, with forces along it; ``acts``:
+    they hold; ``stop``: index of the stop, or −1; ``friction`` likewise."""
+
+    row: Array
+    acts: Flags
+    stop: NDArray[np.int_]
+    friction: NDArray[np.int_]
+
+
+def velocity(step: Step, state: State) -> Array:
+    """dx over the share of the step (bodies,), contacts as they are."""
+    force, gap = step.rate(state.at)
+    joints = held(step.network, state, gap)
+    return solve(state.at.stiffness, force, joints.row, _driven(joints.row, joints.rigid, gap))[0]
+
+
+def turned(step: Step, state: State, sticks: int | None = None) -> State:
+    """The state with the contacts the path goes on with; friction ``sticks`` is known to stick."""
+    may = _undecided(step.network, state, sticks)
+    if not len(may.row):
+        return state
+    fixed = replace(
+        state,
+        slip=np.where(np.isin(np.arange(len(state.slip)), may.friction), 1, state.slip),
+        closed=state.closed & ~np.isin(np.arange(len(state.closed)), may.stop),
+    )
+    return _decided(step.network, state, may, _complementary(step, state, fixed, may))
+
+
+def _undecided(network: Network, state: State, sticks: int | None) -> Open:
+    stops, frictions = network.stops, network.frictions
+    gap = stops.side * (stops.row @ state.x - stops.limit)
+    stop = np.flatnonzero(
+        np.where(state.closed, state.press <= AT_LIMIT * state.at.size, gap <= TOUCHING)
+    )
+    full = np.abs(state.friction) >= (1.0 - AT_LIMIT) * frictions.limit
+    full &= frictions.limit > 0.0
+    full[[] if sticks is None else [sticks]] = False
+    friction = np.flatnonzero(full)
+    way = np.where(state.slip == 0, -np.sign(state.friction), state.slip)
+    return Open(
+        row=np.concatenate(
+            [
+                stops.side[stop, None] * stops.row[stop],
+                way[friction, None] * frictions.row[friction],
+            ]
+        ),
+        acts=np.concatenate([state.closed[stop], state.sticks[friction]]),
+        stop=np.concatenate([stop, np.full(len(friction), -1)]),
+        friction=np.concatenate([np.full(len(stop), -1), friction]),
+    )
+
+
+def _complementary(step: Step, state: State, fixed: State, may: Open) -> Flags:
+    """Which of the contacts hold; ``fixed``: the state with all of them free."""
+    force, gap = step.rate(state.at)
+    joints = held(step.network, fixed, gap)
+    way = _driven(joints.row, joints.rigid, gap)
+    acts = may.acts.copy()
+    for _ in range(FLIPS):
+        chosen = np.flatnonzero(acts)
+        row = np.concatenate([joints.row, may.row[chosen]])
+        needed = independent(row)
+        target = np.concatenate([way, np.zeros(len(chosen))])
+        v, mu = solve(state.at.stiffness, force, row[needed], target[needed])
+        rate = np.zeros(len(row))
+        rate[needed] = mu
+        push = np.zeros(len(acts))
+        push[chosen] = rate[len(way) :]
+        opening = np.where(acts, 0.0, may.row @ v)
+        wrong = (opening < -ROUNDING * np.abs(v).max()) | (push < -ROUNDING * np.abs(force).max())
+        if not wrong.any():
+            break
+        first = int(np.flatnonzero(wrong)[0])
+        acts[first] = not acts[first]
+    return acts
+
+
+def _driven(row: Array, rigid: list[int], gap: Array) -> Array:
+    """Rates of the held joints: rigid springs follow their gaps, all others stand."""
+    way = np.zeros(len(row))
+    way[: len(rigid)] = gap[rigid]
+    return way
+
+
+def _decided(network: Network, state: State, may: Open, acts: Flags) -> State:
+    closed, press = state.closed.copy(), state.press.copy()
+    slip, friction, anchor = state.slip.copy(), state.friction.copy(), state.anchor.copy()
+    for k, (stop, rub) in enumerate(zip(may.stop.tolist(), may.friction.tolist(), strict=True)):
+        if stop >= 0:
+            closed[stop] = acts[k]
+            press[stop] = max(press[stop], 0.0) if acts[k] else 0.0
+        elif acts[k]:
+            anchor[rub] = network.frictions.row[rub] @ state.x if slip[rub] else anchor[rub]
+            slip[rub] = 0
+        else:
+            way = slip[rub] or -int(np.sign(friction[rub]))
+            slip[rub], friction[rub] = way, -way * network.frictions.limit[rub]
+    return replace(state, closed=closed, press=press, slip=slip, friction=friction, anchor=anchor)
+
+
+def compliance(step: Step, state: State) -> Array:
+    """dx (bodies,) over the change of force of the step, contacts as they are."""
+    force = step.end.force - step.start.force
+    joints = held(step.network, state, np.zeros(len(step.network.springs.force)))
+    return solve(state.at.stiffness, force, joints.row, np.zeros(len(joints.row)))[0]

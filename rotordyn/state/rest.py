@@ -1,0 +1,81 @@
+"""The mounted state: held bodies whose preloads are in balance, from which a path starts."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.errors import InvalidInput
+from rotordyn.state.contacts import State, contact_forces
+from rotordyn.state.network import Load, Network, Step
+
+Array = NDArray[np.float64]
+BALANCED = 1e-6  # of the sum of forces
+
+
+def at_rest(parts: Network, load: Load) -> State:
+    """The state at rest, every position 0.
+
+    Raises
+    ------
+    InvalidInput : a body is held by nothing or by friction alone, or not in balance
+    """
+    from scipy.optimize import lsq_linear
+
+    _held(parts)
+    step = Step(parts, load, load)
+    springs, stops, frictions = parts.springs, parts.stops, parts.frictions
+    x = np.zeros(len(parts.bodies))
+    at = step.balance(x, load)
+    closed = stops.limit == 0.0
+    rigid = springs.rigid
+    rows = np.concatenate([springs.row[rigid], (stops.side[:, None] * stops.row)[closed]])
+    free = at.force + frictions.start @ frictions.row
+    lows = np.concatenate([np.full(rigid.sum(), -np.inf), np.zeros(closed.sum())])
+    carried = lsq_linear(rows.T, -free, (lows, np.inf)).x if len(rows) else np.zeros(0)
+    press = np.zeros(len(closed))
+    press[closed] = carried[rigid.sum() :]
+    state = State(
+        x=x,
+        slip=np.zeros(len(frictions.limit), dtype=int),
+        friction=frictions.start.copy(),
+        anchor=np.zeros(len(frictions.limit)),
+        closed=closed & (press > 0.0),
+        press=press,
+        rigid=carried[: rigid.sum()],
+        loaded=at.deflection > np.array([law.free for law in load.laws]),
+        at=at,
+    )
+    left = at.force + contact_forces(parts, state)
+    if np.abs(left).max() > BALANCED * at.size:
+        worst = int(np.abs(left).argmax())
+        raise InvalidInput(
+            f"body {parts.bodies[worst]}: not in balance at rest, {left[worst]:+.4g} N are left: "
+            "make the preloads of its bearings and springs equal and opposite"
+        )
+    return state
+
+
+def _held(parts: Network) -> None:
+    springs = parts.springs
+    holding = np.concatenate([parts.bearings.row, springs.row[springs.stiffness > 0.0]])
+    held = _reached(holding, len(parts.bodies))
+    rubbing = _reached(np.concatenate([holding, parts.frictions.row]), len(parts.bodies))
+    for name, is_held, rubs in zip(parts.bodies, held, rubbing, strict=True):
+        if not is_held:
+            what = "held by friction alone" if rubs else "held by nothing"
+            raise InvalidInput(
+                f"body {name}: {what}: join it to the ground by bearings or springs, or to a body "
+                "that they hold"
+            )
+
+
+def _reached(rows: Array, count: int) -> Iterable[bool]:
+    """Bodies that rows of ±1 join to the ground."""
+    cluster = list(range(count + 1))  # the ground last
+    for row in rows:
+        one, other = (cluster[body] for body in [*np.flatnonzero(row).tolist(), count][:2])
+        cluster = [one if member == other else member for member in cluster]
+    return [member == cluster[count] for member in cluster[:count]]

@@ -1,0 +1,155 @@
+"""A spindle with friction under a cycle of axial force, against networks that another code solved,
+the state without memory, and the energy that friction takes."""
+
+from __future__ import annotations
+
+import json
+import re
+from functools import cache
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from bearings.ball.law import Law
+from rotordyn.analyses import AxialCycleSpec
+from rotordyn.analyses.axial_cycle.figures import figures, of_variants
+from rotordyn.analyses.axial_cycle.result import AxialCycleResult
+from rotordyn.analyses.axial_cycle.solve import answer
+from rotordyn.analyses.axial_cycle.summary import cells, summary, warnings
+from rotordyn.errors import InvalidInput
+from rotordyn.figures.panels import Shown
+from rotordyn.machine.spindle import Spindle
+from rotordyn.preload.history import history
+from rotordyn.preload.state import dynamic_preload
+from tests.oracles.spindles import RPM, mfw2310, scene, with_sleeve
+
+LAW = Law("outer", "equal")
+FRICTION = 80.9  # N, Noël 2013, Tab. 3.7
+FILE = Path(__file__).parents[1] / "rotordyn" / "state" / "network_cases.json"
+KNOWN = {case["name"]: case for case in json.loads(FILE.read_text(encoding="utf-8"))["cases"]}
+POSITION, LOAD = 0.02e-6, 1e-3  # m, relative
+
+
+def rubbing(limit: float = FRICTION) -> Spindle:
+    return with_sleeve(mfw2310(), "front", friction=limit)
+
+
+@cache
+def cycle(limit: float = FRICTION, steps: int = 35) -> AxialCycleResult:
+    """At rest and 16 000 rpm, over the forces of the published measurements."""
+    spec = AxialCycleSpec(lowest=-1900.0, highest=1600.0, steps=steps)
+    return answer(scene(rubbing(limit), [0.0, 16000.0]), spec)
+
+
+def met(state: Any, known: dict[str, Any]) -> None:
+    assert state.x == pytest.approx(list(known["x"].values()), abs=POSITION, rel=0.0)
+    assert state.at.load == pytest.approx(known["load"], rel=LOAD)
+    assert state.friction == pytest.approx(known["friction"], rel=LOAD)
+    assert np.sum(state.press) == pytest.approx(sum(known["stop"]), rel=LOAD)
+
+
+def test_friction_at_rest_with_real_bearings() -> None:
+    case = KNOWN["mfw2310_rest_friction"]
+    path = history(dynamic_preload(rubbing(), np.zeros(1), LAW), 1900.0)
+    (start,) = path.run_up()
+    force = [step["force"]["shaft"] for step in case["path"]]
+    for state, known in zip(path.loaded(0, start, force), case["answers"], strict=True):
+        met(state, known)
+
+
+def test_speeds_and_loads_with_real_bearings() -> None:
+    case = KNOWN["mfw2310_speeds_no_friction"]
+    preload = dynamic_preload(mfw2310(), np.array([16000.0, 24000.0]) * RPM, LAW)
+    path = history(preload, 1900.0)
+    states = list(path.run_up())
+    force = [step["force"]["shaft"] for step in case["path"][2:]]
+    states += path.loaded(1, states[-1], force)
+    for state, known in zip(states, case["answers"], strict=True):
+        met(state, known)
+
+
+@pytest.mark.parametrize("force", [-1500.0, 0.0, 1200.0])
+def test_without_friction_the_path_ends_where_no_memory_is_needed(force: float) -> None:
+    found = cycle(0.0)
+    (at,) = np.flatnonzero(np.isclose(found.force, force))
+    plain = dynamic_preload(mfw2310(), found.speed, LAW, force)
+    for branch in range(2):
+        assert found.position[:, branch, at] == pytest.approx(plain.shift, abs=1e-10)
+        loads = found.axial_load[:, branch, at]
+        assert loads == pytest.approx(plain.seat_load(), rel=1e-5, abs=1e-3)
+    assert found.loss == pytest.approx(0.0, abs=1e-12)
+
+
+def test_the_cycle_takes_twice_the_limit_times_the_way_of_the_sleeve() -> None:
+    found = cycle(steps=140)
+    front = found.position[..., 1]
+    way = front.max(axis=(1, 2)) - front.min(axis=(1, 2))
+    assert found.loss == pytest.approx(2.0 * FRICTION * way, rel=2e-3)
+
+
+def test_the_stiffness_is_the_slope_of_each_branch() -> None:
+    fine = cycle(steps=140)
+    slope = np.diff(fine.force) / np.diff(fine.position[..., 0], axis=-1)
+    between = 0.5 * (fine.stiffness[..., 1:] + fine.stiffness[..., :-1])
+    same = np.all(  # within one part of a branch, where nothing sticks, stops or unloads
+        np.abs(np.diff(fine.stiffness, axis=-1)) < 0.02 * between[..., :], axis=(0, 1)
+    )
+    assert same.sum() > 60
+    assert slope[..., same] == pytest.approx(between[..., same], rel=2e-3)
+
+
+def test_the_falling_branch_is_stiffer_at_no_load() -> None:
+    """As measured: 153 N/µm while unloading, 139 while loading at 4000 rpm (Noël, Fig. 3.23)."""
+    found = cycle()
+    assert (found.no_load_stiffness[:, 0] > 1.02 * found.no_load_stiffness[:, 1]).all()
+    smooth = cycle(0.0).no_load_stiffness
+    assert smooth[:, 0] == pytest.approx(smooth[:, 1], rel=1e-9)
+
+
+def test_past_the_unloading_of_the_front_the_slope_is_that_of_both_springs() -> None:
+    """11.69 N/µm of springs, in series with bearings behind them (Noël, point A)."""
+    found = cycle(0.0, steps=35)
+    unloaded = (found.axial_load[0, 0, :, 0] == 0.0) & (found.stop_force[0, 0, :, 0] == 0.0)
+    slope = found.stiffness[0, 0, unloaded]
+    assert ((slope > 0.93 * 11.69e6) & (slope < 11.69e6)).all()
+
+
+def test_lines_cells_and_warnings() -> None:
+    found = cycle()
+    first, second = summary(found)
+    assert re.match(r"axial +stiffness at no load \[N/µm\] force falling", first)
+    assert re.match(r"hysteresis energy lost per cycle \[mJ\] 9\.\d →", second)
+    assert list(cells(found, None)) == ["force falling [N/µm]", "force rising [N/µm]"]  # type: ignore[arg-type]
+    said = warnings(found)
+    assert [sentence.split(" is ")[0] for sentence in said] == ["bearing a", "bearing b"]
+    assert "at 0 rpm" in said[0]
+
+
+def test_its_figures_show_both_branches() -> None:
+    drawn = {name: draw() for name, draw in figures(None, cycle(), {})}  # type: ignore[arg-type]
+    assert set(drawn) == {"axial_cycle", "axial_stiffness"}
+    upper = drawn["axial_cycle"].axes[0]
+    loops = [line.get_ydata() for line in upper.lines]
+    assert [np.asarray(loop)[0] for loop in loops] == pytest.approx([-57.95, -57.95], abs=0.01)
+    for panel in drawn["axial_cycle"].axes:
+        assert re.search(r"\[.+\]$", panel.get_xlabel())
+    variants = [
+        Shown(title=title, result=cycle(limit), spindle=None, known=())
+        for title, limit in (("rubbing", FRICTION), ("smooth", 0.0))
+    ]
+    compared = {name: draw() for name, draw in of_variants(None, variants)}
+    assert [len(panel.lines) for panel in compared["axial_cycle"].axes] == [4, 4]
+    assert len(compared["axial_stiffness"].axes[0].lines) == 4
+
+
+def test_every_branch_moves_one_way() -> None:
+    for branch in cycle().position[..., 0].reshape(4, -1):
+        assert all(after > before for before, after in pairwise(branch))
+
+
+def test_a_cycle_without_a_range_is_refused() -> None:
+    with pytest.raises(InvalidInput, match="highest: no cycle: given"):
+        AxialCycleSpec(lowest=100.0, highest=-100.0)
