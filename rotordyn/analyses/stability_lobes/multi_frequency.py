@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Receptance = Callable[[Array], Complex]
 SPARE = 6  # polynomials more than a wave at the highest frequency needs
-TAIL = 20.0  # at least so far above zero harmonics are summed, as phase over half a span
+TAIL = 60.0  # at least so far above zero harmonics are summed, as phase over half a span
 
 
 @dataclass(frozen=True)
