@@ -147,7 +147,7 @@ class BallBearing:
     @classmethod
     def measures(cls) -> dict[str, Measure]:
         """What every field takes, by name."""
-        return {f.name: f.metadata["measure"] for f in fields(cls)}
+        return {f.name: f.metadata["measure"] for f in fields(cls) if "measure" in f.metadata}
 
     def _overlaps(self) -> Iterator[str]:
         circle = self.pitch_diameter * math.sin(math.pi / self.balls)
@@ -200,6 +200,14 @@ class BallBearing:
 
     def refusal(self, load: Sequence[float], free: Sequence[bool]) -> str:
         """Contract 4: ``load`` (5,) and where it is ``free`` to act (5,)."""
+        return ""
+
+    @property
+    def estimated(self) -> str:
+        """Which data of its inside are estimates, with their spread; empty of data that are given.
+
+        See ``bearings.estimate``.
+        """
         return ""
 
     @property

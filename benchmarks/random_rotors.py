@@ -46,6 +46,7 @@ ACCURACIES = (1e-4, 1e-6)
 SECTIONS = {"dense": 60, "tapered": 12, "jointed": 12, "coaxial": 5}
 FINE = 1e-5  # accuracy asked for beside dense matrices
 FINER = 1e-8  # accuracy of the elements of dense matrices that judge ours
+OTHERS = (0.1 * FINER, 10.0 * FINER)  # of others, which tell how many digits those have
 SWINGING = 1e-3  # of |pole|: slower ones hardly swing and are not compared
 MATCHED = 1e-3  # relative: a pole farther from all of ours is missing
 EXACT = ("stepped", "conical")
@@ -196,7 +197,9 @@ def against_dense(seed: int, sort: str = "dense") -> dict[str, Any]:
     size = np.abs(result.pole[0])
     inside = bending & (size < edge) & (result.pole[0].imag > SWINGING * size)
     left = np.flatnonzero(inside).tolist()
-    digits = _digits(spindle, spin, 2.0 * still[5] / (2.0 * math.pi), poles, fine)
+    digits = [math.inf] * len(poles)  # of the same elements: their share of the error is not there
+    if sort != "dense":
+        digits = _digits(spindle, spin, 2.0 * still[5] / (2.0 * math.pi), poles)
     pairs, ratios = [], []
     for pole, known in zip(poles, digits, strict=True):
         apart = [abs(result.pole[0, k] / pole - 1.0) for k in left]
@@ -222,12 +225,13 @@ def against_dense(seed: int, sort: str = "dense") -> dict[str, Any]:
 
 
 def _digits(
-    spindle: Spindle, spin: float, highest: float, poles: NDArray[np.complex128], fine: float
+    spindle: Spindle, spin: float, highest: float, poles: NDArray[np.complex128]
 ) -> list[float]:
     """Errors from which on poles of dense matrices can be compared with: ten times as much as
-    those of other elements differ, which are rounded otherwise."""
-    other = dense_poles(spindle, spin, highest, 0.1 * fine)
-    apart = [float(np.abs(other / pole - 1.0).min()) for pole in poles]
+    those of finer and of coarser elements differ. They are rounded otherwise, each by chance: one
+    of them alone may agree in more digits than it has."""
+    others = [dense_poles(spindle, spin, highest, accuracy) for accuracy in OTHERS]
+    apart = [max(float(np.abs(each / pole - 1.0).min()) for each in others) for pole in poles]
     return [max(DIGITS, 10.0 * each) for each in apart]
 
 

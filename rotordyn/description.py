@@ -138,13 +138,14 @@ def _walked(holder: Any, path: Path) -> tuple[str, Any, Quantity | None]:
             within = step if field is None else ""
             if field is not None:
                 value, annotation = getattr(value, field.name), field.annotation
-    return ".".join(words), value, _quantity(annotation)
+    return ".".join(words), value, quantity_of(annotation)
 
 
-def _quantity(annotation: Any) -> Quantity | None:
+def quantity_of(annotation: Any) -> Quantity | None:
+    """The quantity that the values of a field are, also where they stand in a row or mapping."""
     found = found_in(annotation, Quantity) if annotation is not None else None
     if found is None and hasattr(bare(annotation), "__args__"):
-        return next((q for q in map(_quantity, bare(annotation).__args__) if q), None)
+        return next((q for q in map(quantity_of, bare(annotation).__args__) if q), None)
     return found if isinstance(found, Quantity) else None
 
 

@@ -284,6 +284,9 @@ MASS = Quantity("mass", at_least="0 kg", at_most="100000 kg")
 INERTIA = Quantity("inertia", at_least="0 kg m^2", at_most="100000 kg m^2")
 FORCE = Quantity("force", at_least="-10000 kN", at_most="10000 kN")
 MOMENT = Quantity("moment", at_least="-10000 kN m", at_most="10000 kN m")
+OIL_VISCOSITY = Quantity("kinematic viscosity", above="0.5 mm^2/s", at_most="100000 mm^2/s")
+TEMPERATURE = Quantity("temperature", at_least="-60 degC", at_most="300 degC")
+DURATION = Quantity("duration", above="0 h", at_most="1e9 h")
 VISCOSITY = Quantity("viscosity", above="0 Pa s", at_most="1000 Pa s")
 ANGLE = Quantity("angle", at_least="-360 deg", at_most="360 deg")
 LOAD = Quantity("force", above="0 N", at_most="10000 kN")
@@ -329,6 +332,12 @@ UnbalanceSize = Annotated[float, Quantity("unbalance", at_least="0 g mm", at_mos
 BalanceQuality = Annotated[float, Quantity("balance quality", above="0 mm/s", at_most="10000 mm/s")]
 Eccentricity = Annotated[float, Quantity("length", at_least="0 um", at_most="100 mm")]
 Viscosity = Annotated[float, VISCOSITY]
+OilViscosity = Annotated[float, OIL_VISCOSITY]
+Temperature = Annotated[float, TEMPERATURE]
+Duration = Annotated[float, DURATION]
+SlidingFriction = Annotated[float, Quantity("number", at_least="0.001", at_most="1")]
+Cleanness = Annotated[float, Quantity("number", at_least="0", at_most="1")]
+Roughness = Annotated[float, Quantity("length", above="0 um", at_most="10 um")]
 EccentricityRatio = Annotated[float, Quantity("ratio", at_least="0 %", below="100 %")]
 Angle = Annotated[float, ANGLE]
 TwistAngle = Annotated[float, Quantity("angle", above="0 deg", at_most="360 deg")]

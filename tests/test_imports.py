@@ -77,14 +77,6 @@ def test_nouns_are_built_without_files_or_numerical_libraries(tmp_path: Path) ->
     assert not loaded & (SCIENCE | {"yaml", "pydantic"})
 
 
-def test_run_needs_neither_compiled_kernels_nor_3d_nor_pyplot(tmp_path: Path) -> None:
-    argv = ("run", "cases/mfw2310.yaml", "--only", "preload", "-o", str(tmp_path / "out"))
-    loaded = modules_after(COMMAND_LINE, tmp_path, *argv)
-    assert "rotordyn.preload" in loaded
-    assert not packages(loaded) & {"numba", "pyvista", "vtkmodules", "meshio"}
-    assert "matplotlib.pyplot" not in loaded
-
-
 def test_bearings_stands_alone(tmp_path: Path) -> None:
     loaded = modules_after(EVERY_MODULE_OF_BEARINGS, tmp_path)
     assert "bearings.kinds.angular_contact" in loaded

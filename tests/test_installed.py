@@ -95,8 +95,8 @@ def test_models_and_cases_are_found_from_a_foreign_folder(place: Place, tmp_path
     assert (tmp_path / "out" / "small" / "results.nc").exists()
 
 
-def test_editable_install_reads_the_models_of_its_tree(tmp_path: Path) -> None:
-    place = installed("editable", tmp_path)
+@pytest.mark.parametrize("place", ["editable"], indirect=True, scope="module")
+def test_editable_install_reads_the_models_of_its_tree(place: Place, tmp_path: Path) -> None:
     steel = place.models / "materials" / "steel_rotor.yaml"
     shutil.copy(steel, steel.with_name("steel_of_mine.yaml"))
     assert "steel_of_mine" in place.run(tmp_path, "-m", "rotordyn", "models", "materials")

@@ -38,5 +38,5 @@ def kind_class(kind: str) -> type[BallBearing]:
 
 def kind_of(bearing: BallBearing) -> str:
     """The word for the kind of a bearing."""
-    name = type(bearing).__name__
-    return next(kind for kind, called in KINDS.items() if called == name)
+    names = [each.__name__ for each in type(bearing).__mro__]
+    return next(kind for kind, called in KINDS.items() if called in names)

@@ -159,17 +159,23 @@ class BearingState:
         (1 − γ cos αi) tan(αi − β) + γ sin αi and (1 + γ cos αo) tan(αo − β) − γ sin αo (Harris). It
         does not depend on speed: at rest it is what the first slow turn would show.
         """
-        g = self.operation.geometry.size_ratio
-        si, ci = np.sin(self.inner_angle), np.cos(self.inner_angle)
-        so, co = np.sin(self.outer_angle), np.cos(self.outer_angle)
-        t = self._tan_beta(Angles(si, ci, so, co, g, self.race_weight))
+        (si, ci, so, co, g, _), t = self.angles, self.tan_beta
         inner = (1.0 - g * ci) * (si - ci * t) / (ci + si * t) + g * si
         outer = (1.0 + g * co) * (so - co * t) / (co + so * t) - g * so
         return self._held(inner), self._held(outer)
 
-    def _tan_beta(self, angles: Angles) -> Array:
-        """tan β as the hypothesis has it, less where a race slips."""
-        law, g = self.operation.law, self.operation.geometry
+    @property
+    def angles(self) -> Angles:
+        """Sines and cosines of the angles of the resultants, γ and the race weight."""
+        si, ci = np.sin(self.inner_angle), np.cos(self.inner_angle)
+        so, co = np.sin(self.outer_angle), np.cos(self.outer_angle)
+        return Angles(si, ci, so, co, self.operation.geometry.size_ratio, self.race_weight)
+
+    @cached_property
+    def tan_beta(self) -> Array:
+        """tan β of each ball's axis of rotation (…, balls) as the hypothesis has it, less where a
+        race slips."""
+        law, g, angles = self.operation.law, self.operation.geometry, self.angles
         wanted = np.asarray(tan_beta(law.numbers.kinematics, angles).value)
         if law.friction is None:
             return wanted

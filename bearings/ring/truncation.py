@@ -63,6 +63,13 @@ class Truncation:
         """Share of the length of the major axis outside its groove (…, balls, contacts)."""
         return np.minimum(self.beyond_shoulder + self.beyond_middle, 1.0)
 
+    @property
+    def lost_load(self) -> Array:
+        """Share of the load of an uncut ellipse that would lie outside its groove (…, balls,
+        contacts): s² (3 − 2 s) of Hertz' pressure beyond a share s of the length at either end."""
+        ends = (self.beyond_shoulder, self.beyond_middle)
+        return np.minimum(sum(s**2 * (3.0 - 2.0 * s) for s in ends), 1.0)
+
 
 def truncation(state: BearingState) -> Truncation:
     """How contact ellipses lie on their grooves, and how much of them grooves cut off.

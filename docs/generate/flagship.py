@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from functools import cache
 from typing import Any
@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 import rotordyn
+from docs.generate.marked import table
 from docs.generate.places import ROOT
 from docs.generate.rows import Row
 from rotordyn.analyses.campbell.known import bending_frequencies
@@ -59,12 +60,14 @@ class Flagship:
 
 
 @cache
-def flagship() -> Flagship:
-    """Solve the case as it stands, and with a rigid rotor at rest and at top speed."""
-    case = _case()
-    return Flagship(
-        case, solve(case).results, _at_both_ends(replace(case.conditions, rotor="rigid"))
-    )
+def flagship(*, fitted: bool = False) -> Flagship:
+    """Solve the case as it stands, and with a rigid rotor at rest and at top speed.
+
+    ``fitted``: with the VEX 60 that the rotor was fitted with, of which independent values are.
+    """
+    case = _case(fitted=fitted)
+    rigid = _at_both_ends(replace(case.conditions, rotor="rigid"), fitted=fitted)
+    return Flagship(case, solve(case).results, rigid)
 
 
 def under(reference: Reference) -> Mapping[str, Any]:
@@ -75,21 +78,54 @@ def under(reference: Reference) -> Mapping[str, Any]:
 
 
 @cache
-def _at_both_ends(conditions: Conditions) -> Mapping[str, Any]:
+def _at_both_ends(conditions: Conditions, *, fitted: bool = False) -> Mapping[str, Any]:
     """The case at rest and at top speed under other conditions, receptances aside."""
-    case = _case()
+    case = _case(fitted=fitted)
     asked = {name: spec for name, spec in case.analyses.items() if name != "frf"}
     return solve(replace(case, speeds=(0.0, TOP), conditions=conditions, analyses=asked)).results
 
 
 @cache
-def _case() -> Case:
-    return rotordyn.load(ROOT / "cases" / "mfw2310.yaml")
+def _case(*, fitted: bool = False) -> Case:
+    case = rotordyn.load(ROOT / "cases" / "mfw2310.yaml")
+    if not fitted:
+        return case
+    old = rotordyn.model("bearings", "vex60_fitted")
+    balls = {key: getattr(old, key) for key in ("ball_diameter", "balls")}
+    where = "spindle.bearings.{}.model.{}"
+    return case.vary({where.format(n, key): v for n in "de" for key, v in balls.items()})
+
+
+def bearing_table() -> str:
+    """The flagship with the VEX 60 its rotor was fitted with, and with the maker's."""
+    old, new = flagship(fitted=True), flagship()
+
+    def each(what: str, value: Callable[[Flagship], str]) -> tuple[str, str, str]:
+        return what, value(old), value(new)
+
+    def modes(known: Flagship, speed: float) -> str:
+        return ", ".join(f"{f:.0f}" for f in _modes(known.results, speed)[:4])
+
+    def stiffness(known: Flagship) -> str:
+        return ", ".join(f"{known.tangent(rpm):.1f}" for rpm in (0, 12000, 18000, 24000))
+
+    def preloads(known: Flagship) -> str:
+        found = known.results["preload"]
+        sleeves = [found.bearing.index(b) for s in known.spindle.sleeves for b in s.bearings]
+        return f"{found.axial_load[-1, sleeves].sum():.0f}"
+
+    rows = [
+        each("bending modes at rest [Hz]", lambda known: modes(known, 0.0)),
+        each("bending modes at 24 000 rpm, mean of both whirls [Hz]", lambda k: modes(k, TOP)),
+        each("radial stiffness at Oc2 at 0, 12, 18, 24 krpm [N/µm]", stiffness),
+        each("sum of preloads, 24 000 rpm [N]", preloads),
+    ]
+    return table(("", "21 balls of 9.525 mm (fitted)", "25 balls of 7.938 mm (maker)"), rows)
 
 
 def rest_rows() -> list[Row]:
     """At rest, where the bearing model leaves no room."""
-    known = flagship()
+    known = flagship(fitted=True)
     return [
         _row("rigid rotor, radial modes [Hz]", _modes(known.rigid, 0.0), (1083.0, 1523.0)),
         _row("rigid rotor, stiffness at Oc2 [N/µm]", (known.tangent(0, rigid=True),), (458.0,)),
@@ -102,7 +138,8 @@ def rest_rows() -> list[Row]:
 
 def speed_rows() -> list[Row]:
     """At speed, with the physical sign of the gyroscopic moment."""
-    known, preload = flagship(), flagship().results["preload"]
+    known = flagship(fitted=True)
+    preload = known.results["preload"]
     sleeves = [preload.bearing.index(b) for s in known.spindle.sleeves for b in s.bearings]
     total = float(preload.axial_load[-1, sleeves].sum())
     rear = 1e6 * float(preload.position[-1, preload.body.index("rear")])
@@ -151,7 +188,7 @@ def _modes(results: Mapping[str, Any], speed: float) -> tuple[float, ...]:
     at = int(np.argmin(np.abs(found.speed - speed)))
     bending = np.array([kind == "bending" for kind in found.kind])
     both = [np.sort(found.frequency[at, bending & (found.whirl[at] == w)]) for w in (-1.0, 1.0)]
-    return tuple(float(f) for f in (both[0] + both[1]) / 2.0)
+    return tuple((float(low) + float(high)) / 2.0 for low, high in zip(*both, strict=False))
 
 
 def _torsion(results: Mapping[str, Any]) -> float:

@@ -10,7 +10,7 @@ from pathlib import Path
 from docs.generate.marked import table
 from docs.generate.places import ROOT, THEORY
 
-ROOMS = ("bearings", "rotordyn/equation", "rotordyn/equation/elements")
+ROOMS = ("bearings", "bearings/catalogue", "rotordyn/equation", "rotordyn/equation/elements")
 ROOMS += tuple(f"rotordyn/{r}" for r in ("preload", "numerics", "surface"))
 ROOMS += tuple(f"rotordyn/{r}" for r in ("results", "scene", "modes", "analyses", "analyses/*"))
 # What a case specifies of an analysis and how its result is reported needs no theory.

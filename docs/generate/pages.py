@@ -10,7 +10,7 @@ from docs.generate.bearing_rows import bearing_rows
 from docs.generate.bending import axial_force_spans, axial_force_table, formulation_table
 from docs.generate.choices import choice_table, linear_table
 from docs.generate.debongnie_rows import error_table, law_table
-from docs.generate.flagship import flagship, rest_rows, speed_rows
+from docs.generate.flagship import bearing_table, flagship, rest_rows, speed_rows
 from docs.generate.keys import key_tables
 from docs.generate.known import comparison_table, left_out
 from docs.generate.marked import rewrite, table
@@ -33,6 +33,7 @@ def write_flagship() -> None:
     known = flagship()
     fresh = {
         "comparison": comparison_table(known),
+        "bearings": bearing_table(),
         "left-out": left_out(known),
         "rest": _accuracy(rest_rows()),
         "speed": _accuracy(speed_rows()),

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import os
 import shutil
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 import yaml
@@ -49,9 +50,9 @@ class Exhibit:
 def show_all(tree: Path, runs: Path) -> tuple[list[Exhibit], list[Exhibit]]:
     """Run, or find, all cases and examples and write their pages into ``tree``."""
     cases, scripts = sorted(CASES.glob("*.yaml")), sorted(EXAMPLES.glob("*.py"))
-    with ThreadPoolExecutor(os.cpu_count()) as pool:
-        shown = pool.map(lambda path: _case(path, tree, runs), cases)
-        tried = pool.map(lambda path: _example(path, tree, runs), scripts)
+    with ProcessPoolExecutor(os.cpu_count()) as pool:
+        shown = pool.map(partial(_case, tree=tree, runs=runs), cases)
+        tried = pool.map(partial(_example, tree=tree, runs=runs), scripts)
         return list(shown), list(tried)
 
 
@@ -74,7 +75,7 @@ def _thumbnail(exhibit: Exhibit, tree: Path) -> str:
 
 def _case(path: Path, tree: Path, runs: Path) -> Exhibit:
     case = rotordyn.load(path)
-    folder = case_run(path, case.digest, runs)
+    folder = case_run(case, runs)
     note = yaml.safe_load(path.read_text(encoding="utf-8")).get("note", "")
     page = f"cases/{path.stem}"
     pictures = _copied(folder, tree / page)

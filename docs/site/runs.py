@@ -11,6 +11,7 @@ import os
 import shutil
 import subprocess
 import sys
+import warnings
 from collections.abc import Callable, Iterable, Iterator
 from contextlib import contextmanager
 from functools import cache
@@ -18,49 +19,40 @@ from importlib.metadata import version
 from pathlib import Path
 
 from docs.generate.places import ROOT
+from rotordyn.case.case import Case
+from rotordyn.job import deliver
 
 COMPUTES = ("rotordyn", "bearings")
 LIBRARIES = ("numpy", "scipy", "matplotlib")
-# Runs an example without a screen, then keeps the figures that it has left open.
-EXAMPLE = """
-import runpy, sys, warnings
-import matplotlib
-matplotlib.use("Agg")
-warnings.filterwarnings("ignore", "FigureCanvasAgg is non-interactive")
-del sys.argv[0]  # as if the example were called by its name alone
-runpy.run_path(sys.argv[0], run_name="__main__")
-import matplotlib.pyplot as plt
-for number in plt.get_fignums():
-    plt.figure(number).savefig(f"figure_{number}.png", dpi=150)
-"""
 
 
-def case_run(case: Path, digest: str, runs: Path) -> Path:
-    """Results folder of a case file whose content, models included, has ``digest``.
+def case_run(case: Case, runs: Path) -> Path:
+    """Results folder of a case; what it read, models included, is in its digest.
 
     Any warning fails the run.
     """
-    folder = runs / case.stem
+    folder = runs / case.name
 
     def run() -> None:
-        _python("-W", "error", "-m", "rotordyn", "run", str(case), "-o", str(folder), "--quiet")
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            deliver(case, folder)
 
-    return _kept(folder, _hash([digest.encode()]), run)
+    return _kept(folder, _hash([case.digest.encode()]), run)
 
 
 def example_run(script: Path, runs: Path) -> Path:
-    """Folder in which a script of ``docs/examples`` has run; what it printed is ``printed.txt``.
+    """Folder in which a script of ``docs/examples`` has run as its reader runs it.
 
-    ``cases`` and ``models`` stand in that folder as they do at the root of the repository.
+    It holds ``figure.png`` and what was printed, ``printed.txt``. Any warning fails the run, and so
+    does a word on standard error.
     """
     folder = runs / "examples" / script.stem
 
     def run() -> None:
         shutil.rmtree(folder, ignore_errors=True)
         folder.mkdir(parents=True)
-        for name in ("cases", "models"):
-            (folder / name).symlink_to(ROOT / name)
-        printed = _python("-c", EXAMPLE, str(script), cwd=folder)
+        printed = _python("-W", "error", str(script), "figure.png", cwd=folder)
         (folder / "printed.txt").write_text(printed, encoding="utf-8")
 
     inputs = [p.read_bytes() for name in ("cases", "models") for p in _files(ROOT / name, "*.yaml")]
@@ -109,12 +101,12 @@ def _files(folder: Path, pattern: str) -> list[Path]:
     return sorted(folder.rglob(pattern))
 
 
-def _python(*argv: str, cwd: Path = ROOT) -> str:
+def _python(*argv: str, cwd: Path) -> str:
     """What an interpreter prints that finds the packages of the repository; it must succeed."""
-    env = os.environ | {"PYTHONPATH": str(ROOT)}
+    env = os.environ | {"PYTHONPATH": str(ROOT), "MPLBACKEND": "Agg"}
     done = subprocess.run(
         [sys.executable, *argv], cwd=cwd, env=env, capture_output=True, text=True, check=False
     )
-    if done.returncode:
+    if done.returncode or done.stderr:
         raise RuntimeError(f"{' '.join(argv)}\n{done.stdout}{done.stderr}")
     return done.stdout

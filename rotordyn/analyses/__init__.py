@@ -1,4 +1,7 @@
-"""The analyses, one folder each, and what a case asks of them: the door to all specs."""
+"""The analyses, one folder each, and what a case asks of them: the door to all specs.
+
+A spec is found by the record of its analysis; ``_HOME`` has what is not.
+"""
 
 from __future__ import annotations
 
@@ -11,6 +14,7 @@ if TYPE_CHECKING:
     from rotordyn.analyses.campbell.spec import CampbellSpec, ShapesInSpaceSpec
     from rotordyn.analyses.control.spec import ControlSpec
     from rotordyn.analyses.frf.spec import FrfSpec, MeasuredResponse, Port
+    from rotordyn.analyses.life.spec import LifeSpec, LoadStep
     from rotordyn.analyses.preload.spec import PreloadSpec
     from rotordyn.analyses.section_forces.spec import SectionForcesSpec
     from rotordyn.analyses.stiffness.spec import StiffnessSpec
@@ -24,27 +28,23 @@ if TYPE_CHECKING:
         TwistLimit,
         Unbalance,
     )
+    from rotordyn.scene.lubrication import Lubrication
+    from rotordyn.scene.spec import Spec
 
 _HOME = {
     "AxialCycleSpec": "rotordyn.analyses.axial_cycle.spec",
     "BalanceGrade": "rotordyn.scene.loads",
-    "BearingMapSpec": "rotordyn.analyses.bearing.spec",
-    "CampbellSpec": "rotordyn.analyses.campbell.spec",
     "Conditions": "rotordyn.scene.conditions",
-    "ControlSpec": "rotordyn.analyses.control.spec",
     "EccentricSpan": "rotordyn.scene.loads",
-    "FrfSpec": "rotordyn.analyses.frf.spec",
     "LineLoad": "rotordyn.scene.loads",
+    "LoadStep": "rotordyn.analyses.life.spec",
+    "Lubrication": "rotordyn.scene.lubrication",
     "MeasuredResponse": "rotordyn.analyses.frf.spec",
     "PointLoad": "rotordyn.scene.loads",
     "Port": "rotordyn.analyses.frf.spec",
-    "PreloadSpec": "rotordyn.analyses.preload.spec",
-    "SectionForcesSpec": "rotordyn.analyses.section_forces.spec",
     "ShapesInSpaceSpec": "rotordyn.analyses.campbell.spec",
-    "StiffnessSpec": "rotordyn.analyses.stiffness.spec",
     "TwistLimit": "rotordyn.scene.loads",
     "Unbalance": "rotordyn.scene.loads",
-    "UnbalanceSpec": "rotordyn.analyses.unbalance.spec",
 }
 __all__ = [
     "AxialCycleSpec",
@@ -55,7 +55,10 @@ __all__ = [
     "ControlSpec",
     "EccentricSpan",
     "FrfSpec",
+    "LifeSpec",
     "LineLoad",
+    "LoadStep",
+    "Lubrication",
     "MeasuredResponse",
     "PointLoad",
     "Port",
@@ -70,10 +73,19 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    if name not in _HOME:
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(importlib.import_module(_HOME[name]), name)
+    if name in _HOME:
+        return getattr(importlib.import_module(_HOME[name]), name)
+    if name.endswith("Spec") and name in (specs := _specs()):
+        return specs[name]
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
 
 
 def __dir__() -> list[str]:
     return sorted(__all__)
+
+
+def _specs() -> dict[str, type[Spec]]:
+    """The spec of every analysis that is a folder here."""
+    from rotordyn.analyses.registry import analysis, built_in
+
+    return {(spec := analysis(name).spec).__name__: spec for name in built_in()}

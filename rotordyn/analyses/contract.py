@@ -10,10 +10,10 @@ To add an analysis:
 3. ``solve.py``: ``answer(scene, spec)`` for a spindle, for a single bearing
    ``answer(bearing, conditions, speed, spec)``; gives the result.
 4. ``tables.py``: a ``Layout`` for every CSV table.
-5. ``summary.py``: its lines of the summary, its cells where variants are compared, what is said of
-   its accuracy, its warnings.
+5. ``summary.py``: its lines of the summary, its headline numbers, what is said of its accuracy, its
+   warnings.
 6. ``figures/``: ``__init__`` says which figures a result has, further files draw them; only
-   these import matplotlib.
+   these import matplotlib. What draws the main figure does so onto axes that it is given.
 7. ``known.py``: what may be compared with published and measured values.
 8. The record in ``__init__.py``. It names code by text, ``code("solve:answer")``, which is imported
    when it is first called: reading a case imports specs alone. Everything but the name, the
@@ -36,8 +36,8 @@ from rotordyn.scene.spec import Spec
 
 if TYPE_CHECKING:
     from rotordyn.figures.draw import Pictures
+    from rotordyn.results.headline import Curve, Number
 
-Cells = Mapping[str, str]
 File = tuple[str, Callable[[], object]]
 
 
@@ -89,16 +89,25 @@ class Analysis:
     What is made of a result:
 
     - ``figures(case, result, results)``: pairs of name and function that draws, ``results`` all of
-      the case; ``compared(spec, variants)``: the same of variants (``figures.panels.Shown``);
-      ``costs``: of figures that take long, drawn first where the number is higher;
+      the case; ``costs``: of figures that take long, drawn first where the number is higher;
     - ``tables``, and ``further_tables(result)``: those that no layout gives;
     - ``files(folder, case, result)``: further files, pairs of name and function that writes;
       one that lacks a package of others is left out with a note;
     - ``pictures(parts, beside)``: pictures that another process makes meanwhile, a context
       (``figures.draw.Pictures``); ``parts``: case and result by folder; ``beside``: where its files
       may stand, None for the system's place of such files;
-    - ``summary(result)``: lines; ``accuracy(result)``: phrases; ``warnings(result)``: sentences;
-    - ``heading`` of its table where variants are compared, ``cells(result, case)`` of a row;
+    - ``summary(result)``: lines; ``accuracy(result)``: phrases; ``warnings(result)``: sentences.
+
+    Variants are compared by what these declare, without further code:
+
+    - ``panels(spec, variants)``: figures drawn small, once for each variant (``figures.panels``);
+    - ``curves(spec, variant)``: headline curves (``results.headline.Curve``) of one variant
+      (``figures.panels.Shown``), laid over those of the others;
+    - ``numbers(result, case)``: headline numbers (``results.headline.Number``), a row of the table
+      under ``heading``.
+
+    Beside what is published or measured:
+
     - ``known(reference, result, spindle)``: values (SI) to put beside a reference, NaN at speeds
       without one, or None where the reference is about something else.
     """
@@ -114,7 +123,8 @@ class Analysis:
     ports: Callable[[Any], Iterable[str | float]] = _nothing
     marks: Callable[[Any, Any], Any] | None = None
     figures: Callable[[Any, Any, Any], Iterable[tuple[str, Callable[[], Any]]]] = _nothing
-    compared: Callable[[Any, Any], Iterable[tuple[str, Callable[[], Any]]]] = _nothing
+    panels: Callable[[Any, Any], Iterable[Any]] = _nothing
+    curves: Callable[[Any, Any], Iterable[Curve]] = _nothing
     costs: Mapping[str, int] = field(default_factory=dict)
     tables: tuple[Layout, ...] = ()
     further_tables: Callable[[Any], Iterable[Table]] = _nothing
@@ -124,5 +134,5 @@ class Analysis:
     accuracy: Callable[[Any], Iterable[str]] = _nothing
     warnings: Callable[[Any], Iterable[str]] = _nothing
     heading: str = ""
-    cells: Callable[[Any, Any], Cells] | None = None
+    numbers: Callable[[Any, Any], Iterable[Number]] = _nothing
     known: Callable[[Any, Any, Any], Any] | None = None

@@ -13,7 +13,7 @@ import numpy as np
 from bearings.bearing import BallBearing
 from rotordyn.analyses.contract import Result
 from rotordyn.analyses.registry import analysis
-from rotordyn.machine.plausibility import undamped
+from rotordyn.machine.plausibility import estimates, undamped
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.conditions import Conditions
@@ -109,7 +109,8 @@ def answer_bearing(
         begin = time.perf_counter()
         results[name] = analysis(name).solve(bearing, conditions, np.array(speeds), spec)
         seconds[name] = time.perf_counter() - begin
-    return Answers(results, seconds, dict.fromkeys(seconds, ""))
+    said = tuple(estimates({"": bearing}))
+    return Answers(results, seconds, dict.fromkeys(seconds, ""), warnings=said)
 
 
 def _unlimited(spindle: Spindle, analyses: Mapping[str, Spec]) -> Iterator[str]:

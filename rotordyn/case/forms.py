@@ -20,6 +20,7 @@ from rotordyn.analyses.frf.records import read_record
 from rotordyn.analyses.frf.spec import FrfSpec, MeasuredResponse, Pair, Port
 from rotordyn.analyses.registry import analysis, names
 from rotordyn.case.case import ByName
+from rotordyn.case.estimated import estimated
 from rotordyn.case.expand import Reader
 from rotordyn.case.faults import Faults
 from rotordyn.case.keys import MOST_STEPS, Range, bearing_class, keys_of
@@ -62,6 +63,8 @@ def seat(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]
     """A bearing on the shaft, called by the name that its model has."""
     named = exact(node, ("model", "name"))
     model = named.value if named is not None and isinstance(named.value, str) else ""
+    if exact(node, ("model", "estimate")) is not None:
+        model += " (estimate)"
     return reading.description(BearingSeat, node, model=model)
 
 
@@ -69,6 +72,11 @@ def bearing(reading: Reading, annotation: Any, node: Node, others: tuple[type, .
     """A bearing of any kind; None where its faults are reported."""
     if not isinstance(node.value, dict):
         return reading.wrong_shape(annotation, node, "a name, a path or a mapping")
+    if node.child("estimate") is not None:
+        found = estimated(reading, node)
+        if found is not None:
+            _rings(reading.faults, node, found)
+        return found
     kind = node.child("kind")
     model = bearing_class(kind.value if kind else None)
     values = reading.fields(model, node)

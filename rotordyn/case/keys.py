@@ -35,6 +35,7 @@ from rotordyn.quantity import (
     Items,
     Key,
     Length,
+    LightLoad,
     Name,
     Quantity,
     Station,
@@ -44,6 +45,7 @@ from rotordyn.quantity import (
 from rotordyn.scene.conditions import Conditions
 
 Overrides = Mapping[str, Any]
+Stiff = Annotated[float, Quantity("stiffness", at_least="0.1 N/um", at_most="100000 N/um")]
 MOST_STEPS = 100_000
 
 
@@ -190,6 +192,22 @@ class _Reduced:
     ]
 
 
+@dataclass(frozen=True, slots=True)
+class Printed:
+    """What a catalogue prints of a bearing beside its size, from which missing data are estimated.
+
+    Lists have one value for each preload class of a pair back to back.
+    """
+
+    preloads: Annotated[tuple[LightLoad, ...], "of the pair"] = ()
+    rigidities: Annotated[tuple[Stiff, ...], "axial, of the pair at each preload"] = ()
+    unloading: Annotated[
+        tuple[LightLoad, ...], "axial force that unloads one of the pair at each preload"
+    ] = ()
+    dynamic_rating: Annotated[LightLoad | None, "C of one bearing"] = None
+    static_rating: Annotated[LightLoad | None, "C0 of one bearing"] = None
+
+
 @dataclass
 class _Bearing:
     name: Annotated[str, "as printed"]
@@ -201,6 +219,11 @@ class _Bearing:
     bore_diameter: Annotated[Diameter | None, "of the inner ring"] = None
     outside_diameter: Annotated[Diameter | None, "of the outer ring"] = None
     width: Annotated[Length | None, "of the rings"] = None
+    estimate: Annotated[
+        Printed | None,
+        "printed values by which balls and grooves that are not given are estimated, of kind "
+        "`angular_contact` ([how](theory/catalogue.md))",
+    ] = None
 
 
 @dataclass

@@ -9,6 +9,7 @@ from rotordyn.errors import Fault, InvalidInput
 from rotordyn.quantity import suggestion
 
 KINDS = ("bearings", "materials", "spindles", "tools")
+_LISTED = 24  # models that a message lists
 _PACKAGE = Path(__file__).resolve().parents[1]
 
 
@@ -77,6 +78,11 @@ def find(kind: str, reference: str, beside: Path) -> Path:
     if reference in names:
         return models_root() / kind / f"{reference}.yaml"
     raise UnknownModel(
-        f"unknown model: given '{reference}'; allowed: {', '.join(names)}, or the path of a file"
+        f"unknown model: given '{reference}'; allowed: {_few(names)}, or the path of a file"
         + suggestion(reference, names)
     )
+
+
+def _few(names: list[str]) -> str:
+    """Names for a sentence; of many the first ones."""
+    return ", ".join(names[:_LISTED]) + (", …" if len(names) > _LISTED else "")

@@ -18,6 +18,7 @@ from rotordyn import units
 from rotordyn.analyses.frf.spec import FrfSpec, Pair, Port
 from rotordyn.analyses.registry import analysis, names
 from rotordyn.case.case import ByName, Case
+from rotordyn.case.estimated import NEEDED as ESTIMATED
 from rotordyn.case.forms import ENTRIES
 from rotordyn.case.keys import COMMON, Range, Variant, keys_of
 from rotordyn.case.library import known
@@ -137,7 +138,9 @@ def _defined(kind: type, shapes: dict[str, Shape]) -> str:
 def _one_kind(shape: Shape, kind: type) -> None:
     word = next(word for word in KINDS if kind_class(word) is kind)
     shape["properties"]["kind"]["enum"] = [word]
-    if word != DEFAULT:
+    if word == DEFAULT:
+        shape["anyOf"] = [{"required": shape.pop("required")}, {"required": [*ESTIMATED]}]
+    else:
         del shape["properties"]["kind"]["default"]
         shape["required"] = ["kind", *shape["required"]]
 

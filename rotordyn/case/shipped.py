@@ -61,5 +61,7 @@ def _shipped(kind: str, path: Path) -> Shipped:
         raise InvalidInput(faults.found)
     held = root.plain()
     title = str(held.get("title") or held.get("name") or "")
+    if "estimate" in held:
+        title += " (estimate)"
     sources = held.get("sources") or [held[key] for key in ("source",) if key in held]
     return Shipped(kind, path.stem, title, tuple(" ".join(str(s).split()) for s in sources))

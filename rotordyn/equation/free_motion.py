@@ -7,6 +7,7 @@ in, motions are given over all coordinates of the subsystem, one of every pair o
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import cached_property
@@ -236,7 +237,7 @@ class FreeMotions:
         """At some of the speeds."""
         own = self.linear.at(rows)
         if self.lossy is not None:
-            return free_motions(own)
+            return free_motions(own, self.lossy.ceiling)
         return FreeMotions(own, self.modes if self.solved_once else self.modes.at(rows))
 
     def answering(self, signs: Signs) -> FreeMotions:
@@ -251,16 +252,16 @@ def answering_stiffness(linear: Linear, signs: Signs) -> NDArray[np.inexact]:
     return linear.stiffness + Hysteresis(*linear.loss).stiffness(signs)
 
 
-def free_motions(linear: Linear) -> FreeMotions:
-    """All free motions; with loss factors, each with those of its own frequency. What is the same
-    at all speeds is solved once."""
+def free_motions(linear: Linear, ceiling: float = math.inf) -> FreeMotions:
+    """All free motions; with loss factors, each of |λ| below ``ceiling`` [rad/s] with those of its
+    own frequency. What is the same at all speeds is solved once."""
     stiffness: Matrices = linear.within(linear.stiffness)
     damping: Matrices = linear.within(linear.damping)
     loss = None if linear.loss is None else Hysteresis(*map(linear.within, linear.loss))
     parts = [stiffness, damping] if loss is None else [stiffness, damping, loss.fixed]
     turns = loss is not None and loss.turns
     if len(linear.speed) > 1 and not turns and all((own == own[:1]).all() for own in parts):
-        return replace(free_motions(linear.at(np.zeros(1, dtype=np.intp))), linear=linear)
+        return replace(free_motions(linear.at(np.zeros(1, dtype=np.intp)), ceiling), linear=linear)
     if linear.isotropic:
         half = stiffness.shape[-1] // 2
         stiffness, damping = (_circular(own, half) for own in (stiffness, damping))
@@ -269,7 +270,7 @@ def free_motions(linear: Linear) -> FreeMotions:
             loss = Hysteresis(fixed, loss.turning[:half, :half], None)
     if loss is None:
         return FreeMotions(linear, modes(stiffness, damping), None)
-    lossy = Hysteretic(stiffness, damping, loss, linear.speed)
+    lossy = Hysteretic(stiffness, damping, loss, linear.speed, ceiling)
     return FreeMotions(linear, lossy.free_motions(), lossy)
 
 

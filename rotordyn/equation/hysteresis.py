@@ -16,14 +16,17 @@ Theory: docs/theory/damping.md#hysteretic-damping.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.numerics.continued import collected, conjugate, continued
+from rotordyn.numerics.correct import corrected, participation
+from rotordyn.numerics.follow import mac
 from rotordyn.numerics.modes import Modes, modes, residual
 
 Array = NDArray[np.float64]
@@ -31,6 +34,11 @@ Complex = NDArray[np.complex128]
 Matrix = NDArray[np.inexact[Any]]
 Integers = NDArray[np.intp]
 MET = 1e-9  # of the larger: frequencies so near are the same
+WIDE = (
+    0.3  # of a frequency, which a loss factor of 1 moves by 0.1: farther from Ω its sign is clear
+)
+ALIKE, FARTHEST = 0.3, 0.5  # MAC and share of a pole: what is less like it or farther is another
+REAL = 1e-9  # of a pole: less imaginary part is rounding
 STRAIGHT = 1e-6  # of |pole|: less imaginary part than that is no vibration
 
 
@@ -74,12 +82,25 @@ class Hysteresis:
 
 
 class Hysteretic:
-    """A system with loss factors at ``spin`` (s,) [rad/s], solved for every set of signs once."""
+    """A system with loss factors at ``spin`` (s,) [rad/s].
 
-    def __init__(self, stiffness: Matrix, damping: Matrix, loss: Hysteresis, spin: Array) -> None:
+    Free motions below ``ceiling`` [rad/s] are corrected one by one from those without loss.
+    Whole systems are solved, for every set of signs once, where that does not lead to one mode
+    each, and for receptances. ``plain``: modes without loss, where they are known.
+    """
+
+    def __init__(
+        self,
+        stiffness: Matrix,
+        damping: Matrix,
+        loss: Hysteresis,
+        spin: Array,
+        ceiling: float = math.inf,
+        plain: Modes | None = None,
+    ) -> None:
         self.stiffness, self.damping, self.loss, self.spin = stiffness, damping, loss, spin
-        self.whirling = loss.across is None
-        self._plain = modes(stiffness, damping)
+        self.ceiling, self.whirling = ceiling, loss.across is None
+        self._plain = plain or modes(stiffness, damping)
         self._solved: dict[Signs, Modes] = {}
 
     def answering(self, signs: Signs) -> Modes:
@@ -92,10 +113,92 @@ class Hysteretic:
         return self._solved[signs]
 
     def free_motions(self) -> Modes:
-        """Modes of free motion, in the order of those without loss factors.
+        """Modes of free motion, in the order of those without loss factors, which those beyond the
+        ceiling remain.
 
         Their stiffness is without loss, so that sums over these modes are no receptances.
         """
+        plain = self._plain
+        found = replace(
+            plain,
+            pole=plain.pole.copy(),
+            vector=plain.vector.copy(),
+            participation=plain.participation.copy(),
+        )
+        size = np.abs(plain.pole)
+        turning = np.where(_swings(plain.pole), np.abs(plain.pole.imag), size)
+        near = (turning < self.ceiling) & ~plain.at_rest()
+        near &= (plain.pole.imag >= 0.0) | self.whirling
+        rows = range(len(self.spin))
+        doubtful = [row for row in rows if not self._correct(found, row, near[row])]
+        if not doubtful:
+            return found
+        whole = self._part(np.array(doubtful))._of_whole_systems()
+        for name in ("pole", "vector", "participation"):
+            getattr(found, name)[doubtful] = getattr(whole, name)
+        return found
+
+    def _correct(self, found: Modes, row: int, near: NDArray[np.bool_]) -> bool:
+        """Put modes ``near`` with their loss in place of those without at one speed; False, and
+        nothing done, where one of them is not clearly what it was."""
+        column, spin = np.flatnonzero(near), self.spin[row]
+        if not column.size:
+            return True
+        before, plain = found.pole[row, column], found.vector[row][:, column]
+        signs, at, vector = self._signs(before[None], spin)[0], before.copy(), plain.T.copy()
+        if self.loss.turns:
+            turning = before.imag if self.whirling else np.abs(before.imag)
+            close = np.abs(turning - spin) <= WIDE * np.abs(turning)
+            still = signs[close] * (0, 1, 1)
+            at[close], vector[close], met = self._led(row, still, at[close], vector[close])
+            if not met.all():
+                return False
+            signs[close, 0] = self._signs(at[None, close], spin)[0][:, 0]
+        at, vector, met = self._led(row, signs, at, vector)
+        if not met.all():
+            return False
+        straight = (before.imag == 0.0) & (not self.whirling)
+        at = np.where(straight & (np.abs(at.imag) <= REAL * np.abs(at)), at.real, at)
+        known = mac(plain, vector.T).diagonal() > ALIKE
+        known &= (np.abs(at - before) < FARTHEST * np.abs(before)) & ((at.imag == 0.0) | ~straight)
+        twice = np.abs(at[:, None] - at) <= MET * np.abs(at)
+        if not known.all() or twice.sum() > len(at):
+            return False
+        left = participation(self._answering(row, signs), self.damping[row], at, vector)
+        pairs = np.flatnonzero(~(straight | self.whirling))
+        other = np.abs(found.pole[row] - before[pairs, None].conj()).argmin(axis=1)
+        every = np.append(column, other)
+        found.pole[row, every] = np.append(at, at[pairs].conj())
+        found.vector[row][:, every] = np.concatenate([vector, vector[pairs].conj()]).T
+        found.participation[row, every] = np.concatenate([left, left[pairs].conj()])
+        return True
+
+    def _led(
+        self, row: int, signs: Integers, pole: Complex, vector: Complex
+    ) -> tuple[Complex, Complex, NDArray[np.bool_]]:
+        """Poles (k,) and vectors (k, n) to those of the systems that answer ``signs`` (k, 3), and
+        which are met (k,)."""
+        if not len(pole):
+            return pole, vector, np.ones(0, dtype=bool)
+        return corrected(self._answering(row, signs), self.damping[row], pole, vector)
+
+    def _answering(self, row: int, signs: Integers) -> Complex:
+        """Stiffness (k, n, n) that answers each of ``signs`` (k, 3) at one speed."""
+        every, place = np.unique(signs, axis=0, return_inverse=True)
+        added = [self.loss.stiffness(Signs(*map(int, one))) for one in every]
+        own = [self.stiffness[row] + one[row if len(one) > 1 else 0] for one in added]
+        return np.array(own)[place.ravel()]
+
+    def _part(self, rows: Integers) -> Hysteretic:
+        """At some of the speeds."""
+        loss, plain = self.loss, self._plain.at(rows)
+        if len(loss.fixed) > 1:
+            loss = replace(loss, fixed=loss.fixed[rows])
+        system = self.stiffness[rows], self.damping[rows]
+        return Hysteretic(*system, loss, self.spin[rows], plain=plain)
+
+    def _of_whole_systems(self) -> Modes:
+        """The same by all modes of every set of signs."""
         signs = self._signs(self._plain.pole)
         signs[..., 0] = 0
         found = self._continued([signs])
@@ -120,14 +223,17 @@ class Hysteretic:
 
     @property
     def residual(self) -> float:
-        """Largest relative residual of all eigenpairs solved."""
-        return max(residual(m, m.stiffness, m.damping) for m in self._solved.values())
+        """Largest relative residual of all eigenpairs of whole systems; modes corrected one by one
+        have converged to rounding."""
+        every = [self._plain, *self._solved.values()]
+        return max(residual(m, m.stiffness, m.damping) for m in every)
 
-    def _signs(self, pole: Complex) -> Integers:
+    def _signs(self, pole: Complex, spin: Array | None = None) -> Integers:
         """Of free motions (s, k, 3); over both planes those of |Im λ|."""
-        omega = np.where(np.abs(pole.imag) > STRAIGHT * np.abs(pole), pole.imag, 0.0)
+        omega = np.where(_swings(pole), pole.imag, 0.0)
         one_way = omega if self.whirling else np.abs(omega)
-        return signs_of(one_way, self.spin[:, None], whirling=self.whirling)
+        turning = self.spin[:, None] if spin is None else spin
+        return signs_of(one_way, turning, whirling=self.whirling)
 
     def _continued(self, ways: Sequence[Integers]) -> Modes:
         """Every mode led through the systems of its signs, one after another: each of ``ways``
@@ -147,6 +253,10 @@ class Hysteretic:
                 before = after
             parts.append((before, column, taken))
         return collected(plain, parts)
+
+
+def _swings(pole: Complex) -> NDArray[np.bool_]:
+    return np.asarray(np.abs(pole.imag) > STRAIGHT * np.abs(pole))
 
 
 def signs_of(omega: Array, spin: Array, *, whirling: bool) -> Integers:

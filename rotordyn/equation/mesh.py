@@ -213,7 +213,7 @@ def _mesh(spindle: Spindle, longest: float) -> Mesh:
         rear_inner_diameter=_along(inner, rear),
         young_modulus=np.array([s.material.young_modulus for s in sections]),
         poisson_ratio=np.array([s.material.poisson_ratio for s in sections]),
-        density=np.array([s.material.density for s in sections]),
+        density=np.array([s.density for s in sections]),
     )
 
 

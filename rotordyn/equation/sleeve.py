@@ -69,7 +69,7 @@ class Sleeves:
 
 def springs(sleeve: Sleeve) -> tuple[tuple[str, float], ...]:
     """Directions and their stiffness [N/m], infinite where it cannot move."""
-    radial = sleeve.radial_stiffness
+    radial = sleeve.radially
     return ("x", sleeve.spring.stiffness), ("y", radial), ("z", radial)
 
 

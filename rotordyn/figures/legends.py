@@ -67,6 +67,26 @@ def top_legend(figure: Figure, *panels: Axes, above: float = 0.0) -> None:
     placed.set_bbox_to_anchor((0.0, 0.0, 1.0, 1.0), transform=figure.transFigure)
 
 
+def legend_in(figure: Figure, box: Sequence[float], *panels: Axes) -> None:
+    """What the lines of ``panels`` mean, each once, in the middle of an empty ``box`` [mm]."""
+    for axes in panels:
+        mark_lone_points(axes)
+    entries = _entries(panels)
+    if not entries:
+        return
+    width, height = figure.get_size_inches() * 25.4
+    left, bottom, wide, tall = box
+    figure.legend(
+        entries.values(),
+        entries.keys(),
+        loc="center",
+        bbox_to_anchor=(left / width, bottom / height, wide / width, tall / height),
+        frameon=False,
+        fontsize=SIZE,
+        handlelength=HANDLE,
+    )
+
+
 def shortened(title: str, longest: int = 48) -> str:
     """A title cut to what fits above a panel of half the figure's width."""
     return title if len(title) <= longest else title[: longest - 1].rstrip() + "…"

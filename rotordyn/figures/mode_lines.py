@@ -154,8 +154,9 @@ def draw_stops(axes: Axes, result: Modes) -> None:
         )
 
 
-def draw_known(axes: Axes, references: Sequence[Reference], edge: str = BLACK) -> None:
-    """Published and measured frequencies within the axes: of one whirl, of both, of torsion."""
+def draw_known(axes: Axes, references: Sequence[Reference], face: str = "none") -> None:
+    """Published and measured frequencies within the axes: of one whirl, of both, of torsion;
+    ``face``: colour of the marks, which over an image are filled."""
     right, top = axes.get_xlim()[1], axes.get_ylim()[1]
     for reference in references:
         if reference.quantity not in KNOWN:
@@ -169,8 +170,8 @@ def draw_known(axes: Axes, references: Sequence[Reference], edge: str = BLACK) -
             rpm[inside],
             hertz[inside],
             marker,
-            mfc="none",
-            mec=edge,
+            mfc=face,
+            mec=BLACK,
             ms=5.0,
             mew=0.9,
             ls="none",

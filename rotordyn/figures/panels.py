@@ -1,20 +1,22 @@
-"""What every figure of variants shares: who they are, and panels that can be compared."""
+"""Variants side by side: the main figure of an analysis, small, once for each of them."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, NamedTuple
 
-from rotordyn.figures.style import CYCLE, DASHES, grid_boxes, new_figure
+from rotordyn.figures.legends import legend_in, shortened, top_legend
+from rotordyn.figures.style import FONT_SIZE, add_axes, grid_boxes, new_figure
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
 
 if TYPE_CHECKING:
+    from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-MOST_PANELS = 6
-COLOURS = (*CYCLE, "#882255", "#DDCC77", "#6699CC", "#999933", "#CC6677", "#117733", "#AA4499")
+ON_A_PAGE, MOST_PAGES = 6, 2
+FAR = 20.0  # [mm] between panels: each has numbers of its own
 Box = tuple[float, float, float, float]
 
 
@@ -27,28 +29,66 @@ class Shown(NamedTuple):
     spindle: Spindle | None
 
 
-def colour(place: int) -> str:
-    """Colour of the variant at a place."""
-    return COLOURS[place % len(COLOURS)]
+def _none(*_: Any) -> None:
+    return None
 
 
-def dash(place: int) -> Any:
-    """Dashes of the variant at a place: told apart without colour, too."""
-    return DASHES[(place + place // len(DASHES)) % len(DASHES)]
+class Panel(NamedTuple):
+    """How the main figure of an analysis is drawn onto axes that it is given.
+
+    ``draw(axes, variant, shared)``, with labels of the axes; ``shared(variants)``: what all panels
+    have in common, such as limits. ``scale(figure, axes, variant, box)``: what its colours mean,
+    drawn once, beside the ``box`` [mm]. ``margins``: left, right, bottom, top of the figure and
+    ``gaps`` across and down between panels ``tall`` high [mm].
+    """
+
+    name: str
+    draw: Callable[[Axes, Shown, Any], None]
+    shared: Callable[[Sequence[Shown]], Any] = _none
+    scale: Callable[[Figure, Axes, Shown, Box], None] = _none
+    tall: float = 66.0
+    margins: tuple[float, float, float, float] = (15.0, 9.0, 12.0, 8.0)
+    gaps: tuple[float, float] = (14.0, 13.0)
 
 
-def beside(labels: Sequence[str], place: int) -> str:
-    """Label of the vertical axis of a panel: that of the panel to its left is not repeated."""
-    left = labels[place - 1] if place % 2 else ""
-    return "" if labels[place] == left else labels[place]
+def pages(variants: Sequence[Shown]) -> list[Sequence[Shown]]:
+    """Variants by page; none of so many that they would not be read."""
+    if len(variants) > ON_A_PAGE * MOST_PAGES:
+        return []
+    return [variants[k : k + ON_A_PAGE] for k in range(0, len(variants), ON_A_PAGE)]
 
 
-def panels(
-    count: int, *, tall: float, margins: Sequence[float], gaps: Sequence[float]
-) -> tuple[Figure, list[Box]]:
-    """A figure with a box [mm] per variant, two beside each other."""
-    columns = min(count, 2)
-    rows = math.ceil(count / columns)
-    height = margins[2] + margins[3] + rows * tall + (rows - 1) * gaps[1]
+def panels_figure(panel: Panel, variants: Sequence[Shown], page: Sequence[Shown]) -> Figure:
+    """A panel per variant of the ``page`` on equal axes, two beside each other.
+
+    Labels of axes are not repeated; the legend stands in the cell that is left over, or above.
+    """
+    shared, columns = panel.shared(variants), min(len(page), 2)
+    figure, boxes = _cells(panel, math.ceil(len(page) / columns), columns)
+    drawn = []
+    for place, (variant, box) in enumerate(zip(page, boxes, strict=False)):
+        axes = add_axes(figure, box)
+        panel.draw(axes, variant, shared)
+        if not axes.get_title():
+            axes.set_title(shortened(variant.title), fontsize=FONT_SIZE, pad=4.0)
+        if place == columns - 1:
+            panel.scale(figure, axes, variant, box)
+        drawn.append(axes)
+    for place, axes in enumerate(drawn):
+        if place + columns < len(drawn):
+            axes.xaxis.label.set_visible(False)
+        if place % columns and axes.get_ylabel() == drawn[place - 1].get_ylabel():
+            axes.yaxis.label.set_visible(False)
+            axes.tick_params(labelleft=panel.gaps[0] > FAR)
+    if len(boxes) > len(page):
+        legend_in(figure, boxes[-1], *drawn)
+    else:
+        top_legend(figure, *drawn)
+    return figure
+
+
+def _cells(panel: Panel, rows: int, columns: int) -> tuple[Figure, list[Box]]:
+    """A figure with boxes [mm] for panels."""
+    height = panel.margins[2] + panel.margins[3] + rows * panel.tall + (rows - 1) * panel.gaps[1]
     figure = new_figure(168.0, height)
-    return figure, grid_boxes(figure, rows, columns, margins=margins, gaps=gaps)[:count]
+    return figure, grid_boxes(figure, rows, columns, margins=panel.margins, gaps=panel.gaps)

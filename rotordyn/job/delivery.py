@@ -148,6 +148,7 @@ def _timed(seconds: dict[str, float], name: str) -> Iterator[None]:
 
 def _write_numbers(results: SolvedResults, folder: Path, seconds: dict[str, float]) -> LeftOut:
     """Numbers, tables, further files of the analyses; returns what lacks a package."""
+    from rotordyn.job.side_by_side import write_comparison
     from rotordyn.report.cf import about
     from rotordyn.report.netcdf import write_results
     from rotordyn.report.tables import write_tables
@@ -163,6 +164,8 @@ def _write_numbers(results: SolvedResults, folder: Path, seconds: dict[str, floa
             for asked, result in part.results.items():
                 for file, write in analysis(asked).files(folder / name, part.case, result):
                     left_out |= _attempted(file, write)
+        if case.variants:
+            write_comparison(folder, results.parts)
     return left_out
 
 

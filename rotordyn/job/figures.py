@@ -2,18 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any
 
 from rotordyn.analyses.contract import Code
 from rotordyn.analyses.registry import analysis, place
 from rotordyn.figures.draw import Job, titled
-from rotordyn.figures.panels import Shown
+from rotordyn.figures.overlays import Scale
+from rotordyn.figures.panels import Shown, pages
 from rotordyn.results.described import Described
 from rotordyn.results.frames import turning
 
 MACHINE = Code("rotordyn.figures", "machine:machine_figure")
+PANELS = Code("rotordyn.figures", "panels:panels_figure")
+OVERLAY = Code("rotordyn.figures", "overlays:overlay_figure")
 Variant = tuple[Described, Mapping[str, Any]]
 
 
@@ -32,9 +35,11 @@ def figures(case: Described, results: Mapping[str, Any]) -> list[Job]:
     return _titled(jobs, _heading([_machine(case)], case.title or case.name), costs)
 
 
-def comparison_figures(variants: Sequence[Variant], title: str = "") -> list[Job]:
+def comparison_figures(
+    variants: Sequence[Variant], title: str = "", scale: Scale | None = None
+) -> list[Job]:
     """Name and drawing function of every figure that the results of the variants allow; ``title``:
-    of the case that compares them."""
+    of the case that compares them; ``scale``: what was varied, where that is one number."""
     jobs: list[Job] = []
     costs: dict[str, int] = {}
     for name in sorted({name for _, found in variants for name in found}, key=place):
@@ -43,9 +48,26 @@ def comparison_figures(variants: Sequence[Variant], title: str = "") -> list[Job
             for case, found in variants
             if name in found
         ]
-        jobs += analysis(name).compared(variants[0][0].analyses.get(name), shown)
+        spec = variants[0][0].analyses.get(name)
+        jobs += [*_side_by_side(name, spec, shown), *_laid_over(name, spec, shown, scale)]
         costs |= analysis(name).costs
     return _titled(jobs, _heading([_machine(case) for case, _ in variants], title), costs)
+
+
+def _side_by_side(name: str, spec: Any, shown: Sequence[Shown]) -> Iterator[Job]:
+    """Small figures of the variants, some on a page."""
+    for panel in analysis(name).panels(spec, shown):
+        for number, page in enumerate(pages(shown), start=1):
+            file = panel.name if number == 1 else f"{panel.name}_{number}"
+            yield file, partial(PANELS, panel, shown, page)
+
+
+def _laid_over(name: str, spec: Any, shown: Sequence[Shown], scale: Scale | None) -> Iterator[Job]:
+    """Curves of the variants over one another; values of a scale belong to all variants."""
+    curves = partial(analysis(name).curves, spec)
+    own = scale if scale is not None and len(scale.values) == len(shown) else None
+    for figure in dict.fromkeys(curve.figure for curve in curves(shown[0])):
+        yield figure, partial(OVERLAY, figure, curves, shown, own)
 
 
 def _titled(jobs: Sequence[Job], words: str, costs: Mapping[str, int]) -> list[Job]:

@@ -149,14 +149,13 @@ class Results(Mapping[str, "xr.Dataset"]):
     def drawings(self) -> dict[str, Callable[[], Figure]]:
         """Functions that draw, by the name of the figure; nothing is drawn yet."""
         from rotordyn.job.figures import comparison_figures, figures
+        from rotordyn.job.side_by_side import scale_of
 
         parts = self.parts
-        jobs = (
-            figures(*parts[""])
-            if "" in parts
-            else comparison_figures(list(parts.values()), self.case.title)
-        )
-        return dict(jobs)
+        if "" in parts:
+            return dict(figures(*parts[""]))
+        scale = scale_of([part.case for part in parts.values()])
+        return dict(comparison_figures(list(parts.values()), self.case.title, scale))
 
     def pictures(self, beside: Path | None = None) -> list[Pictures]:
         """Figures that another process draws; it runs once their context is entered.

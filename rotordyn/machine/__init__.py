@@ -6,6 +6,7 @@ import importlib
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from rotordyn.machine.ball_guide import BallGuide
     from rotordyn.machine.damping import RayleighDamping
     from rotordyn.machine.drawbar import Drawbar
     from rotordyn.machine.growth import (
@@ -27,6 +28,7 @@ if TYPE_CHECKING:
     from rotordyn.machine.tool import Tool
 
 _HOME = {
+    "BallGuide": "ball_guide",
     "BearingSeat": "support",
     "ComputedShortening": "growth",
     "Disc": "lumped",
@@ -52,6 +54,7 @@ _HOME = {
     "Tool": "tool",
 }
 __all__ = [
+    "BallGuide",
     "BearingSeat",
     "ComputedShortening",
     "Disc",

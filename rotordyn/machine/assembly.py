@@ -234,7 +234,7 @@ def _carried(spindle: Spindle) -> Faults:
     sprung = {
         name: sleeve.name
         for sleeve in spindle.sleeves
-        if sleeve.radial_stiffness < math.inf
+        if sleeve.radially < math.inf
         for name in sleeve.bearings
     }
     taken: dict[str, str] = {}
@@ -258,7 +258,7 @@ def _carried(spindle: Spindle) -> Faults:
             elif name in sprung:
                 yield (
                     way,
-                    f"bearing '{name}' is on sleeve '{sprung[name]}', whose radial_stiffness holds "
+                    f"bearing '{name}' is on sleeve '{sprung[name]}', whose radial stiffness holds "
                     "it against ground: leave that out, or the bearing off the housing",
                 )
             if name in taken:

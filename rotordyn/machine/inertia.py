@@ -37,7 +37,7 @@ def rotor_inertia(spindle: Spindle) -> RotorInertia:
 
 def section_inertia(section: Section, front: float) -> RotorInertia:
     """A hollow cylinder or cone whose ``front`` end is at that station [m], as a rigid body."""
-    line, length = section.material.density * section.length, section.length
+    line, length = section.density * section.length, section.length
     mass = line * mean_area(section.outer, section.inner)
     first, second = (line * each for each in area_moments(section.outer, section.inner))
     transverse = line * mean_second_moment(section.outer, section.inner)
@@ -48,7 +48,7 @@ def section_inertia(section: Section, front: float) -> RotorInertia:
 
 def mass_in_front(shaft: Shaft, x: NDArray[np.float64]) -> NDArray[np.float64]:
     """Mass of the shaft in front of stations ``x`` [m], without bodies on it [kg]."""
-    columns: Any = [(*s.outer, *s.inner, s.material.density, s.length) for s in shaft.sections]
+    columns: Any = [(*s.outer, *s.inner, s.density, s.length) for s in shaft.sections]
     front_outer, rear_outer, front_inner, rear_inner, density, length = np.array(columns).T
     edges = np.array(shaft.boundaries)
     outer, inner = (front_outer, rear_outer), (front_inner, rear_inner)

@@ -6,9 +6,10 @@ Nothing here is refused. Every check reads the description alone.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from itertools import pairwise
 
+from bearings.bearing import BallBearing
 from rotordyn.machine.joint import WAYS
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import BearingSeat, entry_name
@@ -34,6 +35,21 @@ def implausible(spindle: Spindle, top: float) -> Iterator[str]:
     yield from _speed_factors(spindle, top)
     yield from _soft(spindle)
     yield from _materials(spindle)
+    yield from estimates({seat.name: seat.bearing for seat in spindle.seats})
+
+
+def estimates(bearings: Mapping[str, BallBearing]) -> Iterator[str]:
+    """Sentences on bearings, by name, whose inside is estimated from a catalogue."""
+    named: dict[str, list[str]] = {}
+    for name, bearing in bearings.items():
+        if bearing.estimated:
+            named.setdefault(bearing.estimated, []).append(name)
+    for words, names in named.items():
+        which = f"bearing{'s' * (len(names) > 1)} {', '.join(names)}".strip()
+        yield (
+            f"{which}: estimate from catalogue values (nine in ten plausible insides): {words}; "
+            "what hangs on balls and grooves spreads with them"
+        )
 
 
 def unopposed(spindle: Spindle) -> str:
@@ -77,7 +93,7 @@ def _values(entries: object) -> Iterator[float]:
 def _soft(spindle: Spindle) -> Iterator[str]:
     """Stiffness far below that of any part of a machine, as of a number given in N/µm."""
     given = {f"spring of sleeve {s.name}": s.spring.stiffness for s in spindle.sleeves}
-    given |= {f"sleeve {s.name}, radially": s.radial_stiffness for s in spindle.sleeves}
+    given |= {f"sleeve {s.name}, radially": s.radially for s in spindle.sleeves}
     given |= {f"joint {j.name}, {way}": getattr(j, way) for j in spindle.joints for way in WAYS}
     for support in spindle.supports:
         for pair, value in support.stiffness.items():

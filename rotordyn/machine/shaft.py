@@ -20,10 +20,12 @@ from rotordyn.quantity import (
     Key,
     Length,
     OptionalName,
+    Quantity,
     Station,
 )
 
 SHEAR_COEFFICIENTS = ("cowper", "hutchinson", "none")
+MeanDensity = Annotated[float, Quantity("density", at_least="1 kg/m^3", at_most="50000 kg/m^3")]
 STEEPEST = 50.0  # ratio of outer diameters, or of walls, at the ends of one section
 
 
@@ -48,10 +50,20 @@ class Section(Description):
         Diameter | None, "where it is another one at the rear end: a cone"
     ] = None
     rear_inner_diameter: Annotated[Bore | None, "likewise, of the bore"] = None
+    mean_density: Annotated[
+        MeanDensity | None,
+        "mass over volume, for inertia and weight, where slots, windings or a filled bore make it "
+        "another than the material's; centrifugal growth and shortening keep that",
+    ] = None
 
     def _faults(self) -> Faults:
         found = [*no_wall(self.inner_diameter, self.outer_diameter)]
         yield from found or _taper_faults(self.outer, self.inner)
+
+    @property
+    def density(self) -> float:
+        """Mass over volume [kg/m³]: ``mean_density``, or that of the material."""
+        return self.material.density if self.mean_density is None else self.mean_density
 
     @property
     def outer(self) -> tuple[float, float]:

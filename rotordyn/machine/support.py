@@ -14,6 +14,7 @@ from bearings.bearing import BallBearing
 from bearings.kinds import kind_of
 from rotordyn.description import Description, Faults, ascending, repeated
 from rotordyn.errors import InvalidInput
+from rotordyn.machine.ball_guide import BallGuide
 from rotordyn.machine.growth import RingGrowth
 from rotordyn.quantity import (
     HIDDEN,
@@ -211,11 +212,23 @@ class Sleeve(Description):
     )
     mass: Annotated[Mass, "of the sleeve"] = 0.0
     radial_stiffness: Annotated[Rigidity, "between sleeve and housing"] = math.inf
+    ball_guide: Annotated[
+        BallGuide | None,
+        "balls between sleeve and housing, which give that stiffness instead "
+        "([theory](theory/supports.md#ball-guides))",
+    ] = None
     friction: Annotated[
         Preload, "limit of the dry friction in its bore ([which analyses](theory/network.md))"
     ] = 0.0
 
+    @property
+    def radially(self) -> float:
+        """Stiffness between sleeve and housing, infinite where the bore is rigid [N/m]."""
+        return self.radial_stiffness if self.ball_guide is None else self.ball_guide.law.stiffness
+
     def _faults(self) -> Faults:
+        if self.ball_guide is not None and self.radial_stiffness < math.inf:
+            yield ("radial_stiffness",), "given beside ball_guide, which gives it: one of both"
         if 0.0 < self.mass < LEAST_MASS:
             yield ("mass",), f"out of range: given {{given}}; allowed: 0, or from {LEAST_MASS:g} kg"
         if self.radial_stiffness < LEAST_HOLD:

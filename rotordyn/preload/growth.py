@@ -35,7 +35,7 @@ def fit_growth(spindle: Spindle, seat: BearingSeat, fit: InterferenceFit, speed:
     """
     from bearings.fit.compound import centrifugal_growth
 
-    bodies = _fitted(spindle, seat, fit)
+    bodies = fitted_bodies(spindle, seat, fit)
     return centrifugal_growth(bodies, [fit.interference], bodies[-1].outer_radius, speed)
 
 
@@ -47,13 +47,15 @@ def released_fits(spindle: Spindle, speed: float) -> list[tuple[str, float]]:
         if fit is not None:
             from bearings.fit.compound import release_speed
 
-            limit = float(release_speed(_fitted(spindle, seat, fit), [fit.interference])[0])
+            limit = float(release_speed(fitted_bodies(spindle, seat, fit), [fit.interference])[0])
             if limit <= speed:
                 found.append((seat.name, limit))
     return found
 
 
-def _fitted(spindle: Spindle, seat: BearingSeat, fit: InterferenceFit) -> tuple[Cylinder, Cylinder]:
+def fitted_bodies(
+    spindle: Spindle, seat: BearingSeat, fit: InterferenceFit
+) -> tuple[Cylinder, Cylinder]:
     """Shaft and inner ring as cylinders."""
     from bearings.fit.cylinder import Cylinder
 

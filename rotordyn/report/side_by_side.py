@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-from rotordyn.analyses.contract import Cells
 from rotordyn.analyses.known import matches
 from rotordyn.analyses.registry import analysis, place
 from rotordyn.machine.reference import Reference
@@ -13,6 +12,7 @@ from rotordyn.report.known import computed_values, known_values
 from rotordyn.report.summary import called
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
+from rotordyn.results.headline import cells
 from rotordyn.results.text import from_to, opening, wrapped
 
 Variant = tuple[Described, Mapping[str, Any]]
@@ -28,10 +28,10 @@ def comparison_summary(
     lines = opening(warnings, called(case), notes)
     for name in sorted({name for _, found in variants for name in found}, key=place):
         own = analysis(name)
-        if own.cells is None:
-            continue
         rows = [
-            (case.title, own.cells(found[name], case)) for case, found in variants if name in found
+            (case.title, cells(own.numbers(found[name], case)))
+            for case, found in variants
+            if name in found
         ]
         if any(entries for _, entries in rows):
             lines += ["", f"{own.heading}, {_ends(variants, name)}", *_aligned(rows)]
@@ -44,9 +44,9 @@ def _ends(variants: Sequence[Variant], name: str) -> str:
     return f"{from_to(speed * RPM.factor, 0)} rpm"
 
 
-def _aligned(rows: Sequence[tuple[str, Cells]]) -> list[str]:
+def _aligned(rows: Sequence[tuple[str, Mapping[str, str]]]) -> list[str]:
     """A head and a line per row; columns as wide as their widest entry."""
-    heads = list(dict.fromkeys(head for _, cells in rows for head in cells))
+    heads = list(dict.fromkeys(head for _, own in rows for head in own))
     table = [["", *heads], *([name, *(c.get(h, "–") for h in heads)] for name, c in rows)]
     widths = [max(len(line[k]) for line in table) for k in range(len(heads) + 1)]
     return ["  ".join(map(str.ljust, line, widths)).rstrip() for line in table]

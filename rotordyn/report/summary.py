@@ -74,6 +74,7 @@ def _which(seat: BearingSeat) -> str:
     """The way it takes thrust, where that is one; its kind, where that is not the usual one."""
     kind = kind_of(seat.bearing)
     named = "" if kind == DEFAULT else f" {kind.replace('_', ' ')}"
+    named += " (estimate)" if seat.bearing.estimated else ""
     if seat.bearing.both_ways:
         return named
     return f"{named} {'+' if seat.thrust > 0 else '−'}"
@@ -93,7 +94,19 @@ def _sleeve(sleeve: Sleeve) -> str:
     stop = f", stop after {sleeve.stop_travel * 1e6:g} µm"
     return (
         f"sleeve     {sleeve.name} with {', '.join(sleeve.bearings)}: {spring.preload:g} N, "
-        f"{stiff}{stop if math.isfinite(sleeve.stop_travel) else ''}"
+        f"{stiff}{stop if math.isfinite(sleeve.stop_travel) else ''}{_guide(sleeve)}"
+    )
+
+
+def _guide(sleeve: Sleeve) -> str:
+    """What holds it across the axis, where that is a ball guide."""
+    if sleeve.ball_guide is None:
+        return ""
+    law = sleeve.ball_guide.law
+    reach = law.linear_range()
+    return (
+        f"; ball guide {law.stiffness / 1e6:.4g} N/µm, within 1 % up to {reach * 1e6:.2g} µm or "
+        f"{float(law.force(reach)):.3g} N"
     )
 
 

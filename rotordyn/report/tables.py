@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from itertools import pairwise, product
 from math import prod
 from pathlib import Path
@@ -30,10 +30,10 @@ def write_tables(folder: Path, results: Mapping[str, Any]) -> list[str]:
                 continue
             columns = tidy_columns(result, layout)
             if columns[0][1]:
-                names.append(_write(folder / f"{layout.name}.csv", columns))
+                names.append(write_table(folder / f"{layout.name}.csv", columns))
         for table in analysis(name).further_tables(result):
             columns = [column for each in table.columns for column in _parts(*each)]
-            names.append(_write(folder / f"{table.name}.csv", columns))
+            names.append(write_table(folder / f"{table.name}.csv", columns))
     return names
 
 
@@ -113,7 +113,9 @@ def _printed(values: list[float]) -> list[str]:
     return [f"{v:.12g}" for v in values] if alike else words
 
 
-def _write(path: Path, columns: list[Column]) -> str:
+def write_table(path: Path, columns: Iterable[Column]) -> str:
+    """Write a CSV file of columns; returns its name."""
+    columns = list(columns)
     with path.open("w", newline="", encoding="utf-8-sig") as file:  # by its mark Excel sees UTF-8
         writer = csv.writer(file)
         writer.writerow([header for header, _ in columns])

@@ -29,6 +29,7 @@ from rotordyn.scene.statics import Statics, bodies
 from rotordyn.scene.warnings import machine_warnings
 
 Array = NDArray[np.float64]
+BEYOND = 2.0  # of the highest frequency: modes above it are followed a little farther
 
 
 class Scene(Statics):
@@ -193,7 +194,13 @@ class Scene(Statics):
         if k in self.systems and rows is not None:
             return self.systems[k].at(rows)
         own = self.linear(k, rows)
-        return self.timed(f"{self.name_of(k)} modes", partial(free_motions, own))
+        return self.timed(f"{self.name_of(k)} modes", partial(free_motions, own, self._ceiling))
+
+    @property
+    def _ceiling(self) -> float:
+        """|λ| [rad/s] up to which modes have their loss: all that are shown, and all whirl that the
+        loss of a shaft which turns faster drives."""
+        return BEYOND * max(self.fineness.band, float(np.abs(self.speed).max(initial=0.0)))
 
     def name_of(self, k: int) -> str:
         """The motions of a subsystem, "bending", "bending and axial"."""

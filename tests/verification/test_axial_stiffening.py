@@ -5,11 +5,12 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import cache
 from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.linalg import eigh
 
@@ -55,6 +56,12 @@ def first(spindle: Spindle, highest: float = 400.0, count: int = 1, **changes: A
     result = campbell.answer(found, CampbellSpec(highest))
     bending = [k == "bending" for k in result.kind]
     return np.sort(result.frequency[0, bending])[::2][:count]
+
+
+@cache
+def unstrung() -> float:
+    """Lowest frequency of the beam without a bar."""
+    return float(first(beam())[0])
 
 
 # --- a published rotor, and the slender beam in closed form ------------------------------------
@@ -320,6 +327,7 @@ def test_buckling_between_two_supports() -> None:
 # --- rules that hold for any bar ---------------------------------------------------------------
 
 
+@settings(max_examples=40)
 @given(
     st.floats(0.0, 0.45),
     st.floats(0.55, 1.0),
@@ -330,7 +338,7 @@ def test_any_bar_softens_and_none_does_more_than_its_force(
     start: float, end: float, guides: list[float], share: float
 ) -> None:
     bar = Drawbar(share * EULER, start, end, tuple(sorted(guides)))
-    plain, found = first(beam())[0], first(beam(bar))[0]
+    plain, found = unstrung(), first(beam(bar))[0]
     assert plain * math.sqrt(1.0 - share) * (1.0 - 1e-3) <= found <= plain * (1.0 + 1e-9)
 
 

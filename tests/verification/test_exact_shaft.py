@@ -105,12 +105,15 @@ def in_elements(parts: int) -> list[tuple[np.ndarray, np.ndarray]]:
     return answers
 
 
-@pytest.mark.parametrize("row", range(len(SPEEDS)), ids=["rest", "24000 rpm"])
-def test_elements_converge_to_it_with_order_two(row: int) -> None:
+def test_elements_converge_to_it_with_order_two() -> None:
     """Halving every element leaves a quarter of the error, in every pole and receptance."""
     found = scene(MACHINES["plain"], SPEEDS)
-    exact_h = exact_receptance(found, pairs(*PAIRS), FREQUENCY)[row]
-    pole = exact_poles(found, 3600.0)[row]
+    receptance = exact_receptance(found, pairs(*PAIRS), FREQUENCY)
+    for row, pole in enumerate(exact_poles(found, 3600.0)):
+        check_order_two(row, receptance[row], pole)
+
+
+def check_order_two(row: int, exact_h: np.ndarray, pole: np.ndarray) -> None:
     exact = pole[np.isfinite(pole)]
     exact = np.where(exact.imag < 0.0, exact.conj(), exact)
     errors, errors_h = [], []
@@ -251,8 +254,7 @@ def test_random_rotors(seed: int, isotropic: bool, damped: bool) -> None:
     assert (np.abs(np.diff(distinct)) > 0.0).all()
 
 
-@pytest.mark.parametrize("seed", range(3))
-@pytest.mark.parametrize("damped", [False, True])
+@pytest.mark.parametrize(("seed", "damped"), [(0, True), (1, False), (1, True)])
 def test_starts_only_save_time(seed: int, damped: bool) -> None:
     """Without any, and with all of them at one place, the same modes are found."""
     rng = np.random.default_rng(100 + seed)

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import rotordyn
@@ -87,6 +87,7 @@ def isotropic(draw: Any) -> tuple[Spindle, float]:
     return replace(rotor, points={"disc": disc.x}), draw(st.floats(0.0, 6000.0))
 
 
+@settings(max_examples=40)
 @given(isotropic())
 def test_random_rotors(drawn: tuple[Spindle, float]) -> None:
     """Poles and receptances of the equation in turning axes, with all its terms, unreduced."""
@@ -201,16 +202,16 @@ def test_user_is_told(formulation: str) -> None:
     assert solve(replace(asked, conditions=Conditions())).notes == ()
 
 
-@pytest.mark.parametrize("formulation", ["inertial", TURNED, "fixed-frame softening"])
+@pytest.mark.parametrize("formulation", ["inertial", TURNED])
 def test_whole_run(formulation: str, tmp_path: Any) -> None:
-    """Files, figures and summary in every formulation; labels name the turning frame."""
+    """Files, figures and summary; labels name the turning frame where it is chosen."""
     asked = {
         "campbell": CampbellSpec(2000.0, (2, 3)),
         "frf": FrfSpec((100.0, 200.0, 300.0), pairs("Oc2.y/Oc2.y")),
     }
     whole = replace(case(), speeds=(0.0, 1000.0, 2000.0), analyses=asked)
     whole = replace(whole, conditions=replace(whole.conditions, formulation=formulation))
-    delivery = rotordyn.job.deliver(whole, tmp_path / "out")
+    delivery = rotordyn.job.deliver(whole, tmp_path / "out", figures=formulation == TURNED)
     turning = formulation == TURNED
     header = (tmp_path / "out" / "campbell.csv").read_text().splitlines()[0]
     assert ("damped frequency in the turning frame" in header) == turning

@@ -22,7 +22,7 @@ from rotordyn.analyses.frf import solve as frf
 from rotordyn.analyses.frf.spec import FrfSpec, Port
 from rotordyn.analyses.unbalance import solve as unbalance
 from rotordyn.analyses.unbalance.spec import UnbalanceSpec
-from rotordyn.equation.hysteresis import Signs
+from rotordyn.equation.hysteresis import Signs, signs_of
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.housing import RigidHousing
@@ -578,3 +578,30 @@ def test_read_from_a_case(tmp_path: Path) -> None:
     assert spindle is not None
     assert spindle.loss_factor == 0.01
     assert [s.loss_factor for s in spindle.supports] == [0.2, 0.0]
+
+
+@pytest.mark.parametrize("stiff", [(2e7, 2e7), (2e7, 3e7)], ids=["alike", "apart"])
+def test_every_mode_is_one_of_the_system_that_answers_it(stiff: tuple[float, float]) -> None:
+    """Modes are corrected one by one from those without loss; all modes of the whole system with
+    the signs of each are the reference. None is found twice."""
+    held = tuple(
+        replace(support(name, x, stiff), loss_factor=0.1) for name, x in (("a", 0.0), ("b", 0.25))
+    )
+    spindle = replace(STEPPED, supports=held, loss_factor=0.05)
+    own = scene(spindle, [0.0, 700.0, 6000.0], 3000.0)
+    (bending,) = own.with_motions(("bending",))
+    lossy, found = own.system(bending).lossy, own.system(bending).modes.pole
+    assert lossy is not None
+    compared = 0
+    for row, spin in enumerate(own.speed):
+        swinging = (np.abs(found[row].imag) > 1.0) & (np.abs(found[row].imag) < HZ * 3000.0)
+        for pole in found[row][swinging]:
+            turning = pole.imag if lossy.whirling else abs(pole.imag)
+            signs = signs_of(np.array([turning]), np.array([spin]), whirling=lossy.whirling)
+            every = lossy.answering(Signs(*map(int, signs[0]))).pole[row]
+            every = every.conj() if pole.imag < 0.0 and not lossy.whirling else every
+            assert np.abs(every - pole).min() < 1e-9 * abs(pole)
+            assert (np.abs(found[row] - pole) < 1e-9 * abs(pole)).sum() == 1
+            assert abs(pole.real) > 1e-4 * abs(pole)
+            compared += 1
+    assert compared >= 12

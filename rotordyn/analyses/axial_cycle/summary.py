@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from rotordyn.analyses.axial_cycle.result import AxialCycleResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import STIFFNESS
+from rotordyn.results.headline import Number, ends
 from rotordyn.results.text import from_to, unbroken
 
 
@@ -24,14 +27,12 @@ def summary(result: AxialCycleResult) -> list[str]:
     return lines
 
 
-def cells(result: AxialCycleResult, _: Described) -> dict[str, str]:
-    """The same, a cell per branch."""
-    return {
-        f"force {name} [N/µm]": from_to(values)
-        for name, values in zip(
-            result.branch, result.no_load_stiffness.T * STIFFNESS.factor, strict=True
-        )
-    }
+def numbers(result: AxialCycleResult, _: Described) -> Iterator[Number]:
+    """Stiffness at no load at the first and last speed, for each branch."""
+    for name, values in zip(
+        result.branch, result.no_load_stiffness.T * STIFFNESS.factor, strict=True
+    ):
+        yield from ends(result, "force", "N/µm", values, part=name)
 
 
 def warnings(result: AxialCycleResult) -> list[str]:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.results.declaration import coordinate, quantity
-from rotordyn.results.display import MILLIMETRE
+from rotordyn.results.display import MILLIMETRE, Shown
 from rotordyn.results.kinds import Array, Flags, Words
 
 BY_LOAD = ("speed", "load")
@@ -25,6 +25,7 @@ class BearingMapResult:
     contact has no angle and no ellipse ends (NaN). ``truncated``: share of the major axis of the
     contact ellipse outside its groove; ``shoulder_angle`` and ``middle_angle``: where grooves end,
     NaN where no diameter of the shoulder is known, or where the groove has one arc.
+    ``revolutions``: L10r of ISO/TS 16281; heat and film are NaN without a lubricant.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -59,6 +60,19 @@ class BearingMapResult:
     slipping: NDArray[np.str_] = quantity(*BY_LOAD, unit="", label="race that slips")
     inner_spin_to_roll: Array = quantity(*BY_LOAD, unit="1", label="spin-to-roll ratio, inner race")
     outer_spin_to_roll: Array = quantity(*BY_LOAD, unit="1", label="spin-to-roll ratio, outer race")
+    attitude: Array = quantity(*BY_LOAD, unit="rad", label="inclination β of the ball's rotation")
+    revolutions: Array = quantity(
+        *BY_LOAD, unit="1", label="reference life L10r", printed=Shown("1e6", 1e-6)
+    )
+    limiting: NDArray[np.str_] = quantity(*BY_LOAD, unit="", label="limiting contact")
+    equivalent_load: Array = quantity(*BY_LOAD, unit="N", label="equivalent load")
+    static_safety: Array = quantity(*BY_LOAD, unit="1", label="static safety S0")
+    contact_heat: Array = quantity(*BY_LOAD, unit="W", label="heat of the contacts")
+    spin_heat: Array = quantity(*BY_LOAD, unit="W", label="heat of spin, within the contacts")
+    viscous_heat: Array = quantity(*BY_LOAD, unit="W", label="heat of the oil")
+    film: Array = quantity(
+        *BY_LOAD, unit="m", label="least film thickness", printed=Shown("nm", 1e9)
+    )
     control: NDArray[np.str_] = quantity(*BY_LOAD, unit="", label="controlling race")
     control_agrees: Flags = quantity(*BY_LOAD, unit="", label="kinematics agrees")
     contacts: NDArray[np.int_] = quantity(*BY_LOAD, "ball", unit="", label="loaded contacts")

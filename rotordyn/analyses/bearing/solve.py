@@ -64,7 +64,9 @@ def answer(
         slipping=np.where(good, there(state.slipping), ""),
         control=np.where(good, there(state.control), ""),
         control_agrees=good & there(state.control_agrees),
+        attitude=_where(outcome, np.arctan(there(state.tan_beta))),
         **balls,
+        **_life(state, outcome, spec),
         **_contacts(bearing, state, outcome, spec),
     )
 
@@ -90,6 +92,40 @@ def _solved(
         friction=conditions.law.friction,
         dynamics=spec.dynamics,
     )
+
+
+def _life(state: BearingState, outcome: NDArray[np.str_], spec: BearingMapSpec) -> dict[str, Any]:
+    """Life and safety; heat and film where there is oil."""
+    lived = bearings.life.life_of(state, spec.dynamic_rating)
+    found: dict[str, Array] = {
+        "revolutions": lived.revolutions,
+        "equivalent_load": lived.equivalent_load,
+        "static_safety": bearings.life.static_safety(state),
+        **dict.fromkeys(("contact_heat", "spin_heat", "viscous_heat", "film"), np.asarray(np.nan)),
+    }
+    if (oiled := spec.lubricant) is not None:
+        factor = bearings.heat.OIL_FACTORS[oiled.supply]
+        lost = bearings.heat.losses(
+            state,
+            oiled.oil,
+            oiled.temperature,
+            friction=oiled.friction,
+            oil_factor=factor,
+            model=spec.heat,
+        )
+        films = bearings.film.film(state, oiled.oil, oiled.temperature).least
+        least = np.where(np.asarray(state.contact_load) > 0.0, films, np.inf).min(axis=(-2, -1))
+        found |= {
+            "contact_heat": lost.inner + lost.outer,
+            "spin_heat": lost.spin,
+            "viscous_heat": lost.viscous,
+            "film": np.where(np.isfinite(least), least, 0.0),
+        }
+    shown = {
+        name: _where(outcome, np.broadcast_to(values, outcome.shape))
+        for name, values in found.items()
+    }
+    return {**shown, "limiting": np.where(outcome == "", lived.limiting, "")}
 
 
 def _contacts(

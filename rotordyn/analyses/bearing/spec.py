@@ -9,6 +9,7 @@ from bearings.ball.law import DYNAMICS
 from rotordyn.description import Faults, ascending, repeated
 from rotordyn.quantity import Choice, Force, Growth, Items, Load, Moment
 from rotordyn.scene.conditions import TANGENTS, Tangent
+from rotordyn.scene.lubrication import LOSS_MODELS, Lubrication
 from rotordyn.scene.spec import Spec
 
 TILTS = ("free", "blocked")
@@ -46,6 +47,16 @@ class BearingMapSpec(Spec):
         "`frozen`: centrifugal force at the free contact angle, no gyroscopic moment "
         "([theory](theory/four_point.md#at-speed))",
     ] = DYNAMICS[0]
+
+    lubricant: Annotated[Lubrication | None, "oil; without it neither heat nor films"] = None
+    dynamic_rating: Annotated[
+        Load | None, "C of a catalogue, of one bearing; by default from the grooves"
+    ] = None
+    heat: Annotated[
+        str,
+        Choice(LOSS_MODELS),
+        "`ellipse` or `palmgren` ([theory](theory/life.md#friction-and-heat))",
+    ] = LOSS_MODELS[0]
 
     def _faults(self) -> Faults:
         for index, sentence in repeated(self.tangents):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -10,6 +12,7 @@ from rotordyn.analyses.bearing.solve import under
 from rotordyn.results.balls import pressed, slipping
 from rotordyn.results.described import Described
 from rotordyn.results.display import DEGREE, RPM, STIFFNESS
+from rotordyn.results.headline import Number, ends
 from rotordyn.results.text import INDENT, from_to
 
 Array = NDArray[np.float64]
@@ -17,8 +20,8 @@ RINGS = {"i": "inner", "o": "outer"}
 
 
 def summary(result: BearingMapResult) -> list[str]:
-    """Stiffness at each load at the first and last speed, then how balls touch their grooves."""
-    lines = _stiffness(result)
+    """Stiffness at each load at the first and last speed, life, how balls touch their grooves."""
+    lines = [*_stiffness(result), *_life(result)]
     if result.ball.size > 1 or len(result.contact) > 2:
         lines += _contacts(result)
     return lines
@@ -97,18 +100,38 @@ def _contacts(result: BearingMapResult) -> list[str]:
     return lines
 
 
+def _life(result: BearingMapResult) -> list[str]:
+    """Life and heat at the first and last load, at the first and last speed."""
+    lines: list[str] = []
+    for k in dict.fromkeys((0, len(result.load) - 1)):
+        if not (result.outcome[[0, -1], k] == "").all():
+            continue
+        life = f"{from_to(result.revolutions[:, k] * 1e-6, 0)} million revolutions"
+        said = f"{under(result, k)}: L10r {life}, S0 {from_to(result.static_safety[:, k])}"
+        if np.isfinite(result.viscous_heat[-1, k]):
+            heat = result.contact_heat[:, k] + result.viscous_heat[:, k]
+            said += f", heat {from_to(heat, 0)} W (order of magnitude)"
+        lines.append(f"{'life       ' if not lines else INDENT}{said}")
+    return lines
+
+
 def _numbers(counts: NDArray[np.int_]) -> str:
     low, high = int(counts.min()), int(counts.max())
     return f"{low}" if low == high else f"{low} to {high}"
 
 
-def cells(result: BearingMapResult, _: Described) -> dict[str, str]:
-    """Axial and radial stiffness by load at the first and last speed."""
+def numbers(result: BearingMapResult, _: Described) -> Iterator[Number]:
+    """Axial and radial stiffness by load."""
     values = result.stiffness[:, :, 0] * STIFFNESS.factor
-    return {
-        under(result, k): ", ".join(from_to(values[:, k, i, i]) for i in (0, 1))
-        for k in range(len(result.load))
-    }
+    for k in range(len(result.load)):
+        for i, way in enumerate(("axial", "radial")):
+            name = under(result, k)
+            yield from ends(result, name, STIFFNESS.unit, values[:, k, i, i], part=way)
+        lives = result.revolutions[:, k] * 1e-6
+        yield from ends(result, f"L10r {name}", "1e6", lives, digits=0)
+        if np.isfinite(result.viscous_heat[:, k]).any():
+            heat = result.contact_heat[:, k] + result.viscous_heat[:, k]
+            yield from ends(result, f"heat {name}", "W", heat, digits=0)
 
 
 def warnings(result: BearingMapResult) -> list[str]:

@@ -38,7 +38,7 @@ class CampbellResult:
     ``critical_whirl``: forward, backward, planar, or mixed where parts of the shaft whirl either
     way; ``critical_excited``: false where a force that turns with the shaft does no work on it
     (order 1; axial, torsion, backward whirl of an isotropic rotor); a force of another order may
-    point anywhere.
+    point anywhere. ``passing``: defects of bearings, those of bearings alike once.
     """
 
     turning_frame: ClassVar[bool] = False
@@ -51,6 +51,7 @@ class CampbellResult:
     shape_speed: Array = coordinate("shape_speed", unit="rad/s", label="speed of the shapes")
     critical: Words = coordinate("critical", unit="", label="critical speed")
     engine_order: Array = coordinate("engine_order", unit="1", label="engine order")
+    passing: Words = coordinate("passing", unit="", label="defect of a bearing")
     outcome: Words = quantity("speed", unit="", label="outcome")
     frequency: Array = quantity("speed", "mode", unit="Hz", label="damped frequency")
     frequency_error: Array = quantity(
@@ -86,6 +87,7 @@ class CampbellResult:
     critical_whirl: Words = quantity("critical", unit="", label="whirl at the critical speed")
     critical_damping: Array = quantity("critical", unit="1", label="damping ratio there")
     critical_excited: Flags = quantity("critical", unit="", label="excited by what turns")
+    passing_frequency: Array = quantity("speed", "passing", unit="Hz", label="defect frequency")
 
     @property
     def unstable(self) -> Flags:

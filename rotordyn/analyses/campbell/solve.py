@@ -7,6 +7,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.analyses.campbell.passing import passing
 from rotordyn.analyses.campbell.result import CampbellResult, TurningCampbellResult
 from rotordyn.analyses.campbell.shapes import scaled
 from rotordyn.analyses.campbell.spec import CampbellSpec
@@ -58,6 +59,7 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     with np.errstate(invalid="ignore", divide="ignore"):
         ratio = scene.scattered(-pole.real / np.abs(pole))
         off = errors.frequency * np.where(seen == pole.imag, 1.0, np.abs(pole) / seen)
+    defects, defect_frequency = passing(scene, spec.bearing_frequencies)
     kind = TurningCampbellResult if turned else CampbellResult
     return kind(
         speed=scene.speed,
@@ -97,6 +99,8 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         critical_whirl=tuple(c.whirl for c in criticals),
         critical_damping=np.array([c.damping_ratio for c in criticals]),
         critical_excited=np.array([c.excited for c in criticals], dtype=bool),
+        passing=defects,
+        passing_frequency=defect_frequency,
     )
 
 

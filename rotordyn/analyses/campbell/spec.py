@@ -7,10 +7,11 @@ from typing import Annotated
 
 from rotordyn.description import Description, Faults, ascending, repeated
 from rotordyn.quantity import Amplitude, Choice, EngineOrder, Frequency, Whole
-from rotordyn.scene.spec import Spec
+from rotordyn.scene.spec import Setting, Spec
 
 MESH_FILES = ("vtu", "vtk", "xdmf", "glb", "stl", "ply", "obj", "off")
 MOST_TEETH = 1000
+PASSING = ("cage", "outer", "inner", "ball")  # fields of bearings.life.Frequencies
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,8 +51,20 @@ class CampbellSpec(Spec):
         "multiples of the speed, whole or not, whose critical speeds are sought",
     ] = (1.0,)
 
+    bearing_frequencies: Annotated[
+        tuple[Annotated[str, Choice(PASSING)], ...],
+        "defect frequencies of every bearing that are drawn: `cage`, `outer` and `inner` race, "
+        "`ball` ([theory](theory/life.md#defect-frequencies))",
+    ] = ()
+
     def _faults(self) -> Faults:
         yield from ascending("teeth", self.teeth)
         yield from ascending("engine_orders", self.engine_orders)
+        for index, sentence in repeated(self.bearing_frequencies):
+            yield ("bearing_frequencies", index), sentence
         if self.shapes_3d is not None and not self.shapes:
             yield ("shapes_3d",), "needs the shapes: given shapes: false"
+
+    def faults_on(self, setting: Setting) -> Faults:
+        if self.bearing_frequencies and not setting.spindle.seats:
+            yield ("bearing_frequencies",), "needs bearings: this spindle has none"

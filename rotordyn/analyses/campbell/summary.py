@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -13,6 +14,7 @@ from rotordyn.modes.overdamped import OVERDAMPED
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, number, rounded_up
 from rotordyn.results.frames import turning
+from rotordyn.results.headline import Number
 from rotordyn.results.text import from_to, unbroken
 
 MODES = 5  # of the lowest bending modes, where variants are compared
@@ -124,34 +126,28 @@ def accuracy(result: CampbellResult) -> list[str]:
     return [f"frequencies within {rounded_up(result.largest_error)}"] if result.mode else []
 
 
-def cells(result: CampbellResult, _: Described) -> dict[str, str]:
-    """Of the lowest bending modes both whirls at rest and at top speed."""
+def numbers(result: CampbellResult, _: Described) -> Iterator[Number]:
+    """Of the lowest bending modes both whirls."""
     at = [_bending(result, row) for row in ((0, -1) if len(result.speed) > 1 else (0,))]
-    return {
-        f"bending {k + 1}": " → ".join(modes[k] if k < len(modes) else "–" for modes in at)
-        for k in range(min(MODES, max(map(len, at))))
-    }
+    speeds = (result.speed[[0, -1]] * RPM.factor).tolist()
+    for k in range(min(MODES, max(map(len, at)))):
+        for modes, rpm in zip(at, speeds, strict=False):
+            for part, value in modes[k] if k < len(modes) else [("", math.nan)]:
+                yield Number(f"bending {k + 1}", "Hz", value, part, rpm)
 
 
-def _bending(result: CampbellResult, row: int) -> list[str]:
-    """Backward/forward frequencies of the bending modes at a speed, one number where equal."""
+def _bending(result: CampbellResult, row: int) -> list[list[tuple[str, float]]]:
+    """Frequencies of the bending modes at a speed: of each pair backward and forward, or one that
+    has no partner."""
     chosen = [k for k in np.flatnonzero(~result.mostly_overdamped) if result.kind[k] == "bending"]
-    values = result.frequency[row, chosen]
+    values = result.frequency[row, chosen].tolist()
     known = np.flatnonzero(np.isfinite(result.whirl).any(axis=1))
     whirl = result.whirl[known[-1], chosen]  # at rest twins need not turn either way
-    order = np.argsort(values, kind="stable")
+    order = np.argsort(values, kind="stable").tolist()
     backward, forward = ([values[k] for k in order if whirl[k] == w] for w in (-1.0, 1.0))
     if abs(len(backward) - len(forward)) > 1 or len(backward) + len(forward) < len(order):
-        return [number(values[k]) for k in order]
-    return [
-        number(b) if _alike(b, f) else f"{number(b)}/{number(f)}"
-        for b, f in zip(backward, forward, strict=False)
-    ]
-
-
-def _alike(one: float, other: float) -> bool:
-    """Equal as printed, or both without a value."""
-    return math.isclose(one, other, rel_tol=1e-6) or not (math.isfinite(one + other))
+        return [[("", values[k])] for k in order]
+    return [[("backward", b), ("forward", f)] for b, f in zip(backward, forward, strict=False)]
 
 
 def warnings(result: CampbellResult) -> list[str]:

@@ -10,5 +10,6 @@ LAYOUTS = (
     Layout("campbell_critical", ("critical",)),
     Layout("campbell_shapes", ("shape_speed", "mode", "node"), ("dof",)),
     Layout("campbell_nodes", ("node",), several="rotor"),
+    Layout("campbell_bearings", ("speed",), ("passing",)),
     Layout("campbell_rotors", ("rotor",), several="rotor"),
 )

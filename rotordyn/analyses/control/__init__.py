@@ -17,9 +17,10 @@ ANALYSIS = Analysis(
     spec=ControlSpec,
     solve=code("solve:answer"),
     figures=code("figures:figures"),
-    compared=code("figures:of_variants"),
+    panels=code("figures:panels"),
+    curves=code("figures:headline_curves"),
     tables=LAYOUTS,
     summary=code("summary:summary"),
-    heading="axial load [N] at which race control changes",
-    cells=code("summary:cells"),
+    heading="axial load at which race control changes",
+    numbers=code("summary:numbers"),
 )

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -10,7 +11,7 @@ from rotordyn.analyses.control.result import ControlResult
 from rotordyn.analyses.control.solve import BOUNDARY_WORDS, fit_words
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
-from rotordyn.results.text import from_to
+from rotordyn.results.headline import Number, ends
 
 
 def summary(result: ControlResult) -> list[str]:
@@ -44,7 +45,7 @@ def _at_speed(load: float, speed: float) -> str:
     return f"{load:.0f} N at {speed * RPM.factor:.0f} rpm"
 
 
-def cells(result: ControlResult, _: Described) -> dict[str, str]:
-    """Loads at both boundaries at the first and last speed."""
-    inner, outer = (from_to(load, 0) for load in result.boundary_load)
-    return {"inner from": inner, "outer up to": outer}
+def numbers(result: ControlResult, _: Described) -> Iterator[Number]:
+    """Loads at both boundaries."""
+    for name, load in zip(("inner from", "outer up to"), result.boundary_load, strict=True):
+        yield from ends(result, name, "N", load, digits=0)

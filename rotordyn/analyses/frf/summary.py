@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 import numpy as np
 
@@ -10,6 +11,7 @@ from rotordyn.analyses.frf.measured import LEAST_POINTS
 from rotordyn.analyses.frf.result import FrequencyResponse
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, number, rounded_up, shown
+from rotordyn.results.headline import Number
 from rotordyn.results.text import unbroken
 
 PLURAL = {"receptance": "receptances", "mobility": "mobilities", "inertance": "inertances"}
@@ -132,14 +134,11 @@ def speeds_compared(result: FrequencyResponse, row: int) -> str:
     return f"{rpm} rpm" if same else f"{rpm} rpm, computed at {other} rpm"
 
 
-def cells(result: FrequencyResponse, _: Described) -> dict[str, str]:
+def numbers(result: FrequencyResponse, _: Described) -> Iterator[Number]:
     """FRAC (frequency response assurance criterion) of every measured response."""
-    return {
-        f"{name} at {speeds_compared(result, row)}": (
-            f"{result.frac[row]:.3f}" if math.isfinite(result.frac[row]) else "–"
-        )
-        for row, name in enumerate(result.measured)
-    }
+    for row, name in enumerate(result.measured):
+        named = f"{name} at {speeds_compared(result, row)}"
+        yield Number(named, "", float(result.frac[row]), digits=3, absent="–")
 
 
 def accuracy(result: FrequencyResponse) -> list[str]:

@@ -19,10 +19,10 @@ ANALYSIS = Analysis(
     bearings=True,
     costs={"preload": 6, "contacts": 6},
     figures=code("figures:figures"),
-    compared=code("figures:of_variants"),
+    curves=code("figures:headline_curves"),
     tables=LAYOUTS,
     summary=code("summary:summary"),
     heading="preload",
-    cells=code("summary:cells"),
+    numbers=code("summary:numbers"),
     known=code("known:known"),
 )

@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 
 from rotordyn.analyses.preload.known import preload_sum
 from rotordyn.analyses.preload.result import PreloadResult
 from rotordyn.results.described import Described
-from rotordyn.results.display import RPM, number
+from rotordyn.results.display import RPM
+from rotordyn.results.headline import Number, ends
 from rotordyn.results.text import from_to, unbroken
 
 
@@ -24,13 +26,11 @@ def summary(result: PreloadResult) -> list[str]:
     return lines
 
 
-def cells(result: PreloadResult, case: Described) -> dict[str, str]:
-    """Sum of the preloads at the first and last speed, and when stops are reached."""
+def numbers(result: PreloadResult, case: Described) -> Iterator[Number]:
+    """Sum of the preloads, and when stops are reached."""
     if case.spindle is None:
-        return {}
-    total = preload_sum(result, case.spindle)
-    stops = {
-        f"stop {name} [rpm]": number(speed * RPM.factor, 0) if math.isfinite(speed) else "not met"
-        for name, speed in zip(result.sleeve, result.stop_speed, strict=True)
-    }
-    return {"sum [N]": from_to(total, 0), **stops}
+        return
+    yield from ends(result, "sum", "N", preload_sum(result, case.spindle), digits=0)
+    for name, speed in zip(result.sleeve, result.stop_speed, strict=True):
+        at = float(speed * RPM.factor) if math.isfinite(speed) else math.nan
+        yield Number(f"stop {name}", "rpm", at, digits=0, absent="not met")

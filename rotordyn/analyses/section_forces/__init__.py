@@ -17,11 +17,11 @@ ANALYSIS = Analysis(
     spec=SectionForcesSpec,
     solve=code("solve:answer"),
     figures=code("figures:figures"),
-    compared=code("figures:of_variants"),
+    curves=code("figures:headline_curves"),
     tables=LAYOUTS,
     summary=code("summary:summary"),
     warnings=code("summary:warnings"),
     heading="section forces of largest amount",
-    cells=code("summary:cells"),
+    numbers=code("summary:numbers"),
     known=code("known:known"),
 )

@@ -16,23 +16,13 @@ from rotordyn.analyses.section_forces.result import SectionForcesResult
 from rotordyn.analyses.section_forces.spec import SectionForcesSpec
 from rotordyn.analyses.section_forces.static_loads import (
     loaded_mesh,
-    require_balance,
-    resultant,
     static_loads,
 )
-from rotordyn.equation.elastic_line import Compliance, compliance, elastic_line
-from rotordyn.equation.holding import (
-    held_stiffness,
-    length_scale,
-    rigid_motion,
-    rigidly_held,
-)
 from rotordyn.equation.mesh import Mesh
-from rotordyn.equation.reactions import Held, reactions
-from rotordyn.equation.section_forces import SectionForces, section_forces
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.inertia import mass_in_front
 from rotordyn.machine.spindle import Spindle
+from rotordyn.scene.at_rest import AtRest, at_rest
 from rotordyn.scene.loads import TwistLimit, station
 from rotordyn.scene.scene import Scene
 
@@ -52,56 +42,19 @@ def answer(scene: Scene, spec: SectionForcesSpec) -> SectionForcesResult:
         raise InvalidInput("section forces take no joints: leave them out")
     mesh = loaded_mesh(spindle, spec, scene.conditions.element_length)
     loads = static_loads(spindle, mesh, spec, scene.conditions)
-    free = require_balance(spindle, spec, scene.conditions)
     speed = scene.speed[scene.usable]
     point = loads.point + (speed**2)[:, None, None] * loads.turning
-    give = compliance(spindle, mesh, rigid=scene.rigid)
-    acting = np.broadcast_to(resultant(loads.on_nodes(mesh.x), mesh.x), (len(speed), 6))
-    acting = acting + np.multiply.outer(speed**2, resultant(loads.turning, mesh.x))
-    nodes = mesh.nodes_of(spindle.connections)
-    loose = elastic_line(mesh.x, give, section_forces(mesh.x, point, loads.line), loads.line)[
-        :, nodes
-    ]
-    held = Held(
-        stiffness=held_stiffness(scene.rotor, scene.state),
-        rigid=rigidly_held(spindle).ravel(),
-        motion=rigid_motion(mesh.x[nodes], float(mesh.x[0])).reshape(-1, 6),
-        flexibility=_flexibility(mesh, give, nodes),
-        free=free,
-        scale=length_scale(spindle),
-    )
-    push, front = reactions(held, loose.reshape(len(speed), -1), acting)
-    push = push.reshape(len(speed), -1, 6)
-    whole = point.copy()
-    for k, node in enumerate(nodes):
-        whole[:, node] += push[:, k]
-    forces = section_forces(mesh.x, whole, loads.line)
-    moved = elastic_line(mesh.x, give, forces, loads.line)
-    own = rigid_motion(mesh.x, float(mesh.x[0]))
-    moved += np.einsum("nij,sj->sni", own, front, optimize=True)
-    return _result(scene, spec, mesh, forces, moved, push)
-
-
-def _flexibility(mesh: Mesh, give: Compliance, nodes: list[int]) -> Array:
-    """Displacements at ``nodes`` by unit loads there, the front end held (6 k, 6 k)."""
-    count = len(nodes)
-    unit = np.zeros((6 * count, mesh.nodes, 6))
-    for k, node in enumerate(nodes):
-        unit[6 * k + np.arange(6), node, np.arange(6)] = 1.0
-    none = np.zeros((mesh.nodes - 1, 2, 3))
-    moved = elastic_line(mesh.x, give, section_forces(mesh.x, unit, none), none)
-    return np.asarray(moved[:, nodes].reshape(6 * count, 6 * count).T)
+    rest = at_rest(scene, mesh, point, loads.line)
+    return _result(scene, spec, mesh, rest)
 
 
 def _result(
     scene: Scene,
     spec: SectionForcesSpec,
     mesh: Mesh,
-    forces: SectionForces,
-    moved: Array,
-    push: Array,
+    rest: AtRest,
 ) -> SectionForcesResult:
-    spindle = scene.spindle
+    spindle, forces, moved, push = scene.spindle, rest.forces, rest.moved, rest.push
     both = np.stack([forces.front, forces.rear], axis=-2)
     if spindle.seats:
         both[..., 0] += _preloaded(scene, mesh)

@@ -69,7 +69,7 @@ class SectionForcesSpec(Spec):
 
     def last_faults_on(self, setting: Setting) -> Faults:
         """The shaft is no free body under its loads, and held no more often than it can."""
-        from rotordyn.analyses.section_forces.static_loads import require_balance
+        from rotordyn.analyses.section_forces.static_loads import require_held
         from rotordyn.equation.holding import holds_twice
 
         if setting.conditions.rotor == "rigid" and holds_twice(setting.spindle):
@@ -80,7 +80,7 @@ class SectionForcesSpec(Spec):
             )
             return
         try:
-            require_balance(setting.spindle, self, setting.conditions)
+            require_held(setting.spindle, self, setting.conditions)
         except InvalidInput as fault:
             yield ("loads",), str(fault)
 

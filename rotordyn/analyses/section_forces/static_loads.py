@@ -10,17 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.section_forces.spec import SectionForcesSpec
-from rotordyn.equation.holding import free_motions, free_names, length_scale, rigid_motion
+from rotordyn.equation.holding import free_motions, rigid_motion
 from rotordyn.equation.mesh import Mesh, build_mesh, station_mesh
-from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
+from rotordyn.scene.at_rest import on_nodes, require_balance
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.loads import station
 from rotordyn.units import STANDARD_GRAVITY
 
 Array = NDArray[np.float64]
-BALANCED = 1e-6  # of all loads along a free motion
-ROUNDING = 1e-12  # of all loads
 _WAYS = {"x": 0, "y": 1, "z": 2}
 
 
@@ -32,14 +30,6 @@ class StaticLoads:
     point: Array
     turning: Array
     line: Array
-
-    def on_nodes(self, x: Array) -> Array:
-        """Point loads with the same resultant: of each element's line load at either end."""
-        front, rear = np.moveaxis(self.line, 1, 0)
-        length, gathered = np.diff(x)[:, None], self.point.copy()
-        gathered[:-1, :3] += (2.0 * front + rear) * length / 6.0
-        gathered[1:, :3] += (front + 2.0 * rear) * length / 6.0
-        return gathered
 
 
 def loaded_mesh(
@@ -103,40 +93,15 @@ def _along(spindle: Spindle, conditions: Conditions) -> Iterator[tuple[float, fl
         yield bar.end, -bar.force
 
 
-def resultant(point: Array, x: Array) -> Array:
-    """Resultant (…, 6) about the front end of loads (…, nodes, 6) on nodes at ``x`` [m]."""
-    return np.einsum("nij,...ni->...j", rigid_motion(x, float(x[0])), point, optimize=True)
-
-
-def require_balance(spindle: Spindle, spec: SectionForcesSpec, conditions: Conditions) -> Array:
-    """Motions that nothing holds (6, k), in lengths, along which the loads balance.
+def require_held(spindle: Spindle, spec: SectionForcesSpec, conditions: Conditions) -> None:
+    """Go on only where the loads balance along motions that nothing holds.
 
     Raises
     ------
     InvalidInput : they do not: the shaft is a free body
     """
-    free = free_motions(spindle)
-    if not free.shape[1]:
-        return free
+    if not free_motions(spindle).shape[1]:
+        return
     mesh = station_mesh(_marked(spindle, spec))
     loads = static_loads(spindle, mesh, spec, conditions)
-    scale = length_scale(spindle)
-    for acting in (loads.on_nodes(mesh.x), loads.turning):
-        motion = rigid_motion(mesh.x, float(mesh.x[0])) / scale
-        each = np.einsum("nij,ni,jk->nik", motion, acting, free, optimize=True)
-        left = each.sum(axis=(0, 1))
-        size = np.abs(each).sum(axis=(0, 1))
-        over = np.abs(left) > BALANCED * size + ROUNDING * np.abs(acting / scale).sum()
-        if over.any():
-            raise InvalidInput(_free_body(free[:, over] @ left[over], scale))
-    return free
-
-
-def _free_body(left: Array, scale: Array) -> str:
-    names = free_names(left[:, None] / np.abs(left).max())
-    force, moment = np.abs(left[:3]).max(), np.abs(left * scale)[3:].max()
-    amount = f"{moment:.6g} N m" if names.startswith("th") else f"{force:.6g} N"
-    return (
-        f"free body in a static case: nothing holds {names}, and the loads leave {amount} over "
-        "there; balance them, or hold it by a support"
-    )
+    require_balance(spindle, mesh.x, (on_nodes(loads.point, loads.line, mesh.x), loads.turning))

@@ -10,6 +10,7 @@ import numpy as np
 from rotordyn.analyses.section_forces.result import SectionForcesResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import MEGAPASCAL, MICROMETRE, RPM
+from rotordyn.results.headline import Number
 from rotordyn.results.text import from_to, unbroken
 
 FORCES = {
@@ -37,14 +38,12 @@ def summary(result: SectionForcesResult) -> list[str]:
     ]
 
 
-def cells(result: SectionForcesResult, _: Described) -> dict[str, str]:
+def numbers(result: SectionForcesResult, _: Described) -> Iterator[Number]:
     """Largest amounts of each section force at the last speed with a solution."""
     row = int(np.flatnonzero(np.isfinite(result.torque).all(axis=1))[-1])
-    return {
-        f"{name} [{unit}]": f"{_peak(result, row, field)[0]:.4g}"
-        for unit, fields in (("N", FORCES), ("N m", MOMENTS))
-        for name, field in fields.items()
-    }
+    for unit, fields in (("N", FORCES), ("N m", MOMENTS)):
+        for name, field in fields.items():
+            yield Number(name, unit, _peak(result, row, field)[0])
 
 
 def _extremes(result: SectionForcesResult, row: int, fields: dict[str, str]) -> str:

@@ -19,11 +19,11 @@ ANALYSIS = Analysis(
     bearings=True,
     ports=lambda spec: (spec.point,),
     figures=code("figures:figures"),
-    compared=code("figures:of_variants"),
+    curves=code("figures:headline_curves"),
     tables=LAYOUTS,
     summary=code("summary:summary"),
     warnings=code("summary:warnings"),
     heading="radial stiffness at no load",
-    cells=code("summary:cells"),
+    numbers=code("summary:numbers"),
     known=code("known:known"),
 )

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from rotordyn.analyses.stiffness.result import StiffnessResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, STIFFNESS
+from rotordyn.results.headline import Number, ends
 from rotordyn.results.text import from_to, unbroken
 
 
@@ -19,12 +22,10 @@ def summary(result: StiffnessResult) -> list[str]:
     return [f"stiffness  radial, tangent [N/µm] {values}"]
 
 
-def cells(result: StiffnessResult, _: Described) -> dict[str, str]:
-    """The same, a cell per bearing model."""
-    return {
-        f"{name.replace('_', ' ')} [N/µm]": from_to(values)
-        for name, values in zip(result.variant, result.tangent.T * STIFFNESS.factor, strict=True)
-    }
+def numbers(result: StiffnessResult, _: Described) -> Iterator[Number]:
+    """Tangent stiffness by bearing model."""
+    for name, values in zip(result.variant, result.tangent.T * STIFFNESS.factor, strict=True):
+        yield from ends(result, name.replace("_", " "), STIFFNESS.unit, values)
 
 
 def warnings(result: StiffnessResult) -> list[str]:

@@ -22,11 +22,11 @@ ANALYSIS = Analysis(
     ports=lambda spec: spec.places,
     marks=code("loads:marked"),
     figures=code("figures:figures"),
-    compared=code("figures:of_variants"),
+    curves=code("figures:headline_curves"),
     tables=LAYOUTS,
     summary=code("summary:summary"),
     accuracy=code("summary:accuracy"),
     warnings=code("summary:warnings"),
     heading="largest half axis of the orbit by unbalance",
-    cells=code("summary:cells"),
+    numbers=code("summary:numbers"),
 )

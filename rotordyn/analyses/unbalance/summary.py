@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.unbalance.result import UnbalanceResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import GRAM_MILLIMETRE, MICROMETRE, RPM, rounded_up
+from rotordyn.results.headline import Number
 from rotordyn.results.text import unbroken
 
 Array = NDArray[np.float64]
@@ -29,7 +32,7 @@ def summary(result: UnbalanceResult) -> list[str]:
             strict=True,
         )
     ]
-    moved = [unbroken(f"{name} {word}") for name, word in cells(result).items()]
+    moved = [unbroken(f"{name} {word}") for name, word in _moved(result).items()]
     pushed = [
         unbroken(f"{name} {_peak(values, '.4g')} N{_at(result, values)}")
         for name, values in zip(result.support, result.fine_force_amplitude.T, strict=True)
@@ -52,7 +55,19 @@ def _graded(result: UnbalanceResult) -> str:
     return f"; the grade is for {result.grade_speed * RPM.factor:.0f} rpm, {beyond}"
 
 
-def cells(result: UnbalanceResult, _: Described | None = None) -> dict[str, str]:
+def numbers(result: UnbalanceResult, _: Described) -> Iterator[Number]:
+    """By point the largest half axis of the orbit, and the speed at which it is."""
+    for place, (name, values) in enumerate(
+        zip(result.point, result.fine_major_axis.T, strict=True)
+    ):
+        endless = result.peak_speed[place, np.isinf(result.peak_amplitude[place])]
+        at = endless[0] if endless.size else result.fine_speed[int(np.nanargmax(values))]
+        size = np.inf if endless.size else float(np.nanmax(values)) * MICROMETRE.factor
+        yield Number(name, MICROMETRE.unit, size, digits=2)
+        yield Number(f"{name} at", RPM.unit, float(at) * RPM.factor, digits=0)
+
+
+def _moved(result: UnbalanceResult) -> dict[str, str]:
     """By point, with the speed at which it is."""
     return {
         name: _unbounded(result, place)

@@ -274,6 +274,8 @@ def campbell(count: int = 49) -> CampbellResult:
         critical_whirl=("",),
         critical_damping=np.array([0.02]),
         critical_excited=np.array([True]),
+        passing=(),
+        passing_frequency=np.zeros((len(speed), 0)),
     )
 
 
@@ -487,6 +489,15 @@ def bearing(count: int = 13) -> BearingMapResult:
         slipping=np.full(np.broadcast_shapes(np.shape(s), np.shape(ones)), ""),
         inner_spin_to_roll=0.08 + 0.2 * s * ones,
         outer_spin_to_roll=0.01 * s * ones,
+        attitude=0.3 * ones + 0.0 * s,
+        revolutions=1e9 / (1.0 + s) * ones,
+        limiting=np.full(k.shape, "o"),
+        equivalent_load=load * ones + 0.0 * s,
+        static_safety=30.0 * ones - 5.0 * s,
+        contact_heat=10.0 * s * ones,
+        spin_heat=5.0 * s * ones,
+        viscous_heat=50.0 * s * ones,
+        film=3e-7 * ones + 0.0 * s,
         control=np.full(k.shape, "outer"),
         control_agrees=np.full(k.shape, True),
     )

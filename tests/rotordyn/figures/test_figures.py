@@ -11,13 +11,10 @@ import pytest
 from matplotlib.collections import LineCollection
 
 from rotordyn.analyses.bearing.figures.tangents import tangents_figure
-from rotordyn.analyses.campbell.figures.compared import panels_figure
 from rotordyn.analyses.campbell.figures.diagram import campbell_figure
 from rotordyn.analyses.campbell.figures.shapes import plane_curve, shapes_figure
 from rotordyn.analyses.campbell.summary import accuracy
 from rotordyn.analyses.control.figures.boundaries import control_figure
-from rotordyn.analyses.control.figures.compared import control_figure as compared_control
-from rotordyn.analyses.frf.figures.compared import curves_figure
 from rotordyn.analyses.frf.figures.decimate import nearest, peak_bins
 from rotordyn.analyses.frf.figures.map import map_figure
 from rotordyn.analyses.frf.figures.slices import amplitude_phase_figure, real_imaginary_figure
@@ -31,15 +28,23 @@ from rotordyn.analyses.section_forces.figures.diagrams import (
     speeds_shown,
 )
 from rotordyn.analyses.stiffness.figures.curves import stiffness_figure
-from rotordyn.analyses.unbalance.figures.compared import amplitudes_figure
 from rotordyn.analyses.unbalance.figures.response import response_figure, round_orbits
 from rotordyn.figures.mode_lines import LOOKS, jumps, whirl_segments
-from rotordyn.figures.panels import Shown
 from rotordyn.job.figures import comparison_figures, figures
 from rotordyn.machine.lumped import Disc
 from rotordyn.machine.reference import Reference
 from rotordyn.modes.overdamped import OVERDAMPED
 from tests.rotordyn.figures import samples
+
+
+def compared(analysis, name, *results):
+    """A figure of variants "a", "b" …"""
+    own = samples.case()
+    shown = [
+        (replace(own, title=title), {analysis: result})
+        for title, result in zip("abcdef", results, strict=False)
+    ]
+    return dict(comparison_figures(shown))[name]()
 
 
 def _labels(axes):
@@ -159,7 +164,7 @@ def test_campbell_of_variants_shows_where_a_mode_is_unstable():
     ratio = result.damping_ratio.copy()
     ratio[6:, 2] = -1e-3
     grown = replace(result, damping_ratio=ratio)
-    figure = panels_figure([Shown("a", result, (), None), Shown("b", grown, (), None)])
+    figure = compared("campbell", "campbell", result, grown)
     assert ["unstable" in _labels(axes) for axes in figure.axes] == [False, True]
 
 
@@ -410,13 +415,12 @@ def test_race_control_without_boundary_or_state():
     assert [t.get_text() for t in figure.legends[0].get_texts()] == [
         "outer race controls all balls", "no state",
     ]  # fmt: skip
-    assert figure.axes[0].get_ylabel() == "axial load [N], radial 0.2 of it"
+    assert figure.axes[0].get_ylabel() == "axial load, radial 0.2 of it [N]"
     assert not figure.axes[0].lines
     alone = control_figure(samples.control(1))
     assert len(alone.axes[0].collections) == 0
-    variants = [Shown(name, each, (), None) for name, each in (("a", result), ("b", bare))]
-    axes = compared_control(variants).axes[0]
-    assert {"a", "b: no boundary"} <= set(_labels(axes))
+    axes = compared("control", "control", result, bare).axes[0]
+    assert {"a", "b: none"} <= set(_labels(axes))
 
 
 def test_references_stand_beside_the_stiffness():
@@ -493,6 +497,7 @@ def test_section_forces_of_variants_have_a_line_each():
     panels = jobs["section_forces"]().axes
     assert _labels(panels[0]) == ["a", "b"]
     assert len(panels) == len(FORCES)
+    assert {text.get_text() for text in panels[0].texts}, "supports are named above"
 
 
 def test_response_to_unbalance_shows_planes_apart_and_criticals():
@@ -518,9 +523,10 @@ def test_round_orbits_need_one_line_per_point():
 
 
 def test_response_of_variants_is_drawn_over_one_another():
-    shown = [Shown(name, samples.unbalance(9), (), None) for name in ("one", "two")]
-    panels = amplitudes_figure(shown).axes
-    assert [len(axes.get_lines()) for axes in panels] == [2, 2]
+    result = samples.unbalance(9)
+    panels = compared("unbalance", "unbalance", result, result).axes
+    drawn = [[line for line in axes.get_lines() if len(line.get_xdata())] for axes in panels]
+    assert [len(lines) for lines in drawn] == [2, 2]
 
 
 @pytest.mark.parametrize(
@@ -528,12 +534,11 @@ def test_response_of_variants_is_drawn_over_one_another():
 )
 def test_mobility_and_inertance_say_so_on_every_figure(kind, unit):
     result = samples.frf_of(kind, 9, 300)
-    shown = [Shown(name, result, (), None) for name in ("one", "two")]
     for figure in (
         amplitude_phase_figure(result, [0]),
         map_figure(result, [0]),
         surface_figure(result, 0),
-        curves_figure(shown, 0),
+        compared("frf", "frf_curves_1", result, result),
     ):
         words = [t.get_text() for a in figure.axes for t in a.texts]
         words += [w for a in figure.axes for w in (a.get_title(), a.get_ylabel())]

@@ -9,17 +9,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from rotordyn.analyses.campbell.figures.compared import overlay_figure, panels_figure
 from rotordyn.analyses.campbell.figures.diagram import campbell_figure
 from rotordyn.analyses.campbell.figures.shapes import shapes_figure
 from rotordyn.analyses.campbell.result import TurningCampbellResult
-from rotordyn.analyses.frf.figures.compared import maps_figure
 from rotordyn.analyses.frf.result import TurningFrfResult
 from rotordyn.analyses.preload.figures.over_speed import preload_figure
-from rotordyn.analyses.stiffness.figures.compared import stiffness_figure as compared_stiffness
 from rotordyn.analyses.stiffness.figures.curves import stiffness_figure
 from rotordyn.figures.draw import Drawing
-from rotordyn.figures.panels import Shown, colour, dash
+from rotordyn.figures.overlays import Scale, colour, dash
 from rotordyn.figures.style import mark_lone_points
 from rotordyn.job.figures import comparison_figures
 from rotordyn.machine.reference import Reference
@@ -100,8 +97,9 @@ def test_shapes_of_a_single_speed_name_it_once() -> None:
 
 @pytest.mark.parametrize("count", [2, 12])
 def test_long_titles_cover_nothing(count: int) -> None:
-    shown = [Shown(LONG.format(k), samples.stiffness(5), (), None) for k in range(count)]
-    figure = compared_stiffness(shown, "Oc2")
+    result = {"stiffness": samples.stiffness(5)}
+    shown = [(replace(samples.case(), title=LONG.format(k)), result) for k in range(count)]
+    figure = dict(comparison_figures(shown))["stiffness"]()
     (legend,) = figure.legends
     renderer = figure.canvas.get_renderer()
     box, page = legend.get_window_extent(renderer), figure.bbox
@@ -109,7 +107,7 @@ def test_long_titles_cover_nothing(count: int) -> None:
     assert box.x1 <= page.x1
     assert box.y1 <= page.y1
     assert box.y0 >= figure.axes[0].get_window_extent(renderer).y1
-    assert len(legend.get_texts()) == count + len(shown[0].result.variant)
+    assert len(legend.get_texts()) >= count + len(result["stiffness"].variant)
 
 
 def test_many_variants_are_told_apart() -> None:
@@ -125,23 +123,28 @@ def test_the_frame_is_on_the_axes_and_known_frequencies_stay_in_theirs() -> None
         for kind, own in ((TurningCampbellResult, campbell), (TurningFrfResult, frf))
     ]
     known = (Reference("bending_frequency", "published", "s", (0.0,), (900.0,)),)
-    pair = [Shown("fixed", campbell, (), None), Shown("turning", turning[0], (), None)]
-    first, second = panels_figure(pair).axes
-    assert first.get_ylabel() == "damped frequency [Hz]"
-    assert second.get_ylabel() == "damped frequency in the turning frame [Hz]"
-    figure = overlay_figure(pair)
-    label = figure.axes[0].yaxis.label
-    assert "turning frame" in label.get_text()
-    figure.canvas.draw()
-    box = label.get_window_extent()
-    assert box.x0 >= 0.0
-    assert box.y0 >= 0.0
-    assert box.y1 <= figure.bbox.height
-    maps = [
-        Shown(name, result, known, None)
-        for name, result in zip("ab", (frf, turning[1]), strict=True)
+    own = replace(samples.case(), references=known)
+    pair = [
+        (replace(own, title=name), {"campbell": modes, "frf": response})
+        for name, modes, response in zip(
+            ("fixed", "turning"), (campbell, turning[0]), (frf, turning[1]), strict=True
+        )
     ]
-    axes = [a for a in maps_figure(maps, 0).axes if a.get_title()]
+    jobs = dict(comparison_figures(pair))
+    for name in ("campbell", "campbell_overlay"):
+        figure = jobs[name]()
+        labels = [axes.yaxis.label for axes in figure.axes if "damped" in axes.get_ylabel()]
+        assert [label.get_text() for label in labels] == [
+            "damped frequency [Hz]", "damped frequency in the turning frame [Hz]",
+        ]  # fmt: skip
+        figure.canvas.draw()
+        for label in labels:
+            box = label.get_window_extent()
+            assert label.get_visible()
+            assert box.x0 >= 0.0
+            assert box.y0 >= 0.0
+            assert box.y1 <= figure.bbox.height
+    axes = [a for a in jobs["frf_maps"]().axes if a.get_title()]
     assert [len(a.get_lines()) for a in axes] == [1, 0]
 
 
@@ -163,3 +166,37 @@ def test_one_frequency_has_no_map() -> None:
     names = [name for name, _ in comparison_figures([(samples.case(), {"frf": one})] * 2)]
     assert names
     assert not any("map" in name or "surface" in name for name in names)
+
+
+def test_a_hundred_variants_are_coloured_by_what_was_varied():
+    own, base = samples.case(), samples.campbell(5)
+    variants = [
+        (
+            replace(own, title=f"v{k}"),
+            {"campbell": replace(base, frequency=base.frequency * (1.0 + k / 200.0))},
+        )
+        for k in range(100)
+    ]
+    jobs = dict(comparison_figures(variants, "", Scale("stiffness [N/um]", range(100))))
+    assert list(jobs) == ["campbell_overlay"], "panels of a hundred would not be read"
+    axes, differences, bar = jobs["campbell_overlay"]().axes
+    assert bar.get_ylabel() == "stiffness [N/um]"
+    assert bar.get_ylim() == (0.0, 99.0)
+    (legend,) = axes.figure.legends
+    assert "v1" not in [text.get_text() for text in legend.get_texts()]
+    curves = [line for line in axes.get_lines() if len(line.get_xdata()) == 5]
+    assert len({tuple(line.get_color()) for line in curves}) == 100
+    last = differences.get_lines()[-1].get_ydata()
+    assert np.isclose(last, base.frequency.T * 99.0 / 200.0).all(axis=1).any()
+
+
+def test_variants_are_told_apart_by_marks_and_none_hides_another():
+    own = samples.case()
+    variants = [(replace(own, title=name), {"campbell": samples.campbell(9)}) for name in "abc"]
+    axes = dict(comparison_figures(variants))["campbell_overlay"]().axes[0]
+    curves = [line for line in axes.get_lines() if len(line.get_xdata()) == 9]
+    looks = {line.get_color(): (line.get_marker(), line.get_linewidth()) for line in curves}
+    assert len({mark for mark, _ in looks.values()}) == 3
+    widths = [width for _, width in looks.values()]
+    assert widths == sorted(widths, reverse=True)
+    assert len(set(widths)) == 3

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from functools import partial
 from typing import Any
 
@@ -10,6 +10,10 @@ from rotordyn.analyses.contract import Code
 from rotordyn.figures.draw import Job
 from rotordyn.figures.panels import Shown
 from rotordyn.results.described import Described
+from rotordyn.results.display import MICROMETRE, RPM, STIFFNESS
+from rotordyn.results.headline import Curve
+
+SHAFT = 0  # place among the bodies
 
 code = partial(Code, __name__)
 
@@ -20,7 +24,25 @@ def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
     yield "axial_stiffness", partial(code("loops:stiffness_figure"), result)
 
 
-def of_variants(_: Any, shown: Sequence[Shown]) -> Iterator[Job]:
-    """The figures of variants."""
-    yield "axial_cycle", partial(code("compared:cycle_figure"), shown)
-    yield "axial_stiffness", partial(code("compared:stiffness_figure"), shown)
+def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
+    """Displacement of the shaft at the first and last speed, stiffness at no load over speed."""
+    result, rpm = variant.result, variant.result.speed * RPM.factor
+    for index in sorted({0, len(rpm) - 1}):
+        for k, name in enumerate(result.branch):
+            shift = result.position[index, k, :, SHAFT] * MICROMETRE.factor
+            at = f"{rpm[index]:.0f} rpm"
+            yield Curve(
+                "axial_cycle",
+                "axial shift of the shaft",
+                "µm",
+                result.force,
+                shift,
+                series=f"force {name}",
+                panel=at,
+                along="axial force [N]",
+                title=at,
+            )
+    for k, name in enumerate(result.branch):
+        stiffness = result.no_load_stiffness[:, k] * STIFFNESS.factor
+        label = "axial stiffness at no load"
+        yield Curve("axial_stiffness", label, "N/µm", rpm, stiffness, series=f"force {name}")

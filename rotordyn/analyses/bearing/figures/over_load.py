@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analyses.bearing.result import BearingMapResult
 from rotordyn.analyses.bearing.solve import under
+from rotordyn.figures.amplitudes import log_axis
 from rotordyn.figures.curves import draw_runs
 from rotordyn.figures.labels import axis_label
 from rotordyn.figures.legends import legend, top_legend
@@ -20,6 +21,7 @@ from rotordyn.figures.style import (
     marked,
     new_figure,
     speed_ticks,
+    with_zero,
 )
 from rotordyn.results.display import DEGREE, GIGAPASCAL, RPM, STIFFNESS
 
@@ -73,6 +75,34 @@ def bearing_figure(result: BearingMapResult) -> Figure:
         axes[2].plot([], [], color="#444444", ls=DASHES[dash], label=race)
     top_legend(figure, axes[0])
     legend(axes[2], loc="lower left")
+    return figure
+
+
+def life_figure(result: BearingMapResult) -> Figure:
+    """Life, inclination of the ball's rotation, required friction, and heat or static safety."""
+    oiled = np.isfinite(result.viscous_heat).any()
+    names = ["life L10r [1e6 revolutions]", "inclination β [deg]", "required friction μ [-]"]
+    names += ["heat [W], an order of magnitude" if oiled else "static safety S0 [-]"]
+    figure = new_figure(168.0, 118.0)
+    boxes = grid_boxes(figure, 2, 2, margins=(15.0, 6.0, 12.0, 8.0), gaps=(18.0, 5.0))
+    below = axis_label(result, "load") if over_load(result) else "speed [rpm]"
+    axes = [
+        add_axes(figure, box, below if place > 1 else "", name)
+        for place, (box, name) in enumerate(zip(boxes, names, strict=True))
+    ]
+    last = result.contact_heat + result.viscous_heat if oiled else result.static_safety
+    _curves(axes[0], result, result.revolutions * 1e-6, label=True)
+    _curves(axes[1], result, result.attitude * DEGREE.factor, of_ball=True)
+    _curves(axes[2], result, np.fmax(result.inner_grip, result.outer_grip), of_ball=True)
+    _curves(axes[3], result, last)
+    log_axis(axes[0])
+    for place, each in enumerate(axes):
+        if not over_load(result):
+            speed_ticks(each, float(result.speed[-1] * RPM.factor))
+        each.tick_params(labelbottom=place > 1)
+    for each in axes[2:]:
+        with_zero(each, 1.05)
+    top_legend(figure, axes[0])
     return figure
 
 

@@ -6,10 +6,16 @@ from collections.abc import Iterator, Mapping, Sequence
 from functools import partial
 from typing import Any
 
+import numpy as np
+
+from rotordyn.analyses.campbell.figures.diagram import highest_of, orders
 from rotordyn.analyses.contract import Code
 from rotordyn.figures.draw import Job
-from rotordyn.figures.panels import MOST_PANELS, Shown
+from rotordyn.figures.mode_lines import LOOKS, jumps, look_of
+from rotordyn.figures.panels import Panel, Shown
 from rotordyn.results.described import Described
+from rotordyn.results.display import RPM
+from rotordyn.results.headline import Curve, curves_of
 
 code = partial(Code, __name__)
 
@@ -26,12 +32,30 @@ def figures(case: Described, result: Any, _: Mapping[str, Any]) -> Iterator[Job]
         yield "mode_shapes", partial(code("shapes:shapes_figure"), result, case.spindle)
 
 
-def of_variants(spec: Any, shown: Sequence[Shown]) -> Iterator[Job]:
-    """The figures of variants."""
-    teeth, highest = getattr(spec, "teeth", ()), getattr(spec, "max_frequency", 0.0)
-    if len(shown) <= MOST_PANELS:
-        yield "campbell", partial(code("compared:panels_figure"), shown, teeth, highest)
-    yield "campbell_overlay", partial(code("compared:overlay_figure"), shown, teeth, highest)
-    growing = any(variant.result.unstable.any() for variant in shown)
-    if growing and len(shown) <= MOST_PANELS and shown[0].result.speed.size > 1:
-        yield "damping", partial(code("compared_damping:damping_figure"), shown)
+def panels(spec: Any, variants: Sequence[Shown]) -> Iterator[Panel]:
+    """The diagram of every variant, and its damping where modes of some grow by themselves."""
+    draw = partial(code("diagram:draw_variant"), getattr(spec, "teeth", ()))
+    top = partial(code("diagram:highest_of"), getattr(spec, "max_frequency", 0.0))
+    named: dict[str, Any] = {"margins": (15.0, 22.0, 12.0, 8.0), "gaps": (38.0, 13.0)}
+    yield Panel("campbell", draw, top, **named)
+    growing = any(variant.result.unstable.any() for variant in variants)
+    if growing and variants[0].result.speed.size > 1:
+        limits = code("damping:limits_of")
+        yield Panel("damping", code("damping:draw_variant"), limits, tall=52.0)
+
+
+def headline_curves(spec: Any, variant: Shown) -> Iterator[Curve]:
+    """Every mode, dashes by whirl, and the lines of excitation."""
+    result: Any = variant.result
+    top = getattr(spec, "max_frequency", 0.0) or highest_of(0.0, [variant])
+    how: dict[str, Any] = {"figure": "campbell_overlay", "limits": (0.0, top)}
+    breaks = jumps(result)
+    modes = [*curves_of(result, "frequency", series="mode", **how)]
+    looks = [look_of(*each) for each in zip(result.kind, result.whirl[-1], strict=True)]
+    for k in sorted(
+        np.flatnonzero(~result.mostly_overdamped), key=lambda k: [*LOOKS].index(looks[k])
+    ):
+        yield modes[k]._replace(series=LOOKS[looks[k]][2], breaks=breaks[:, k])
+    rpm = np.array([0.0, result.speed[-1] * RPM.factor])
+    for order, name in orders(result, getattr(spec, "teeth", ())).items() if modes else ():
+        yield modes[0]._replace(x=rpm, y=order * rpm / 60.0, series=name, backdrop=True)

@@ -10,6 +10,7 @@ import numpy as np
 
 from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.figures.legends import top_legend
+from rotordyn.figures.panels import Shown
 from rotordyn.figures.style import (
     BLACK,
     CYCLE,
@@ -36,16 +37,27 @@ ROOM = 1.3  # times the largest damping of modes that grow somewhere: more is no
 def damping_figure(result: CampbellResult) -> Figure:
     """A line per mode, dashed for backward whirl, and the speed from which one grows."""
     figure = new_figure(168.0, 90.0)
-    axes = add_axes(figure, (15.0, 11.0, 147.0, 66.0), "speed [rpm]", LABEL)
-    speed_ticks(axes, float(result.speed[-1]) * RPM.factor, 8)
-    axes.set_ylim(*limits([result]))
-    draw_damping(axes, result)
+    axes = add_axes(figure, (15.0, 11.0, 147.0, 66.0))
+    _draw(axes, result, limits([result]), 8)
     top_legend(figure, axes)
     return figure
 
 
-def draw_damping(axes: Axes, result: CampbellResult) -> None:
-    """Curves within the limits of the axes."""
+def draw_variant(axes: Axes, variant: Shown, between: tuple[float, float]) -> None:
+    """The curves of a variant within limits [%] onto axes."""
+    _draw(axes, variant.result, between, 4)
+
+
+def limits_of(variants: Sequence[Shown]) -> tuple[float, float]:
+    """Limits for all variants [%]."""
+    return limits([variant.result for variant in variants])
+
+
+def _draw(axes: Axes, result: CampbellResult, between: tuple[float, float], most: int) -> None:
+    axes.set_xlabel("speed [rpm]", fontsize=FONT_SIZE)
+    axes.set_ylabel(LABEL, fontsize=FONT_SIZE)
+    speed_ticks(axes, float(result.speed[-1]) * RPM.factor, most)
+    axes.set_ylim(*between)
     rpm = result.speed * RPM.factor
     axes.axhline(0.0, color=BLACK, lw=0.8)
     families: dict[str, int] = {}

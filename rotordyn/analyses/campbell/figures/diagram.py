@@ -12,6 +12,7 @@ from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.figures.labels import axis_label, spread
 from rotordyn.figures.legends import top_legend
 from rotordyn.figures.mode_lines import LOOKS, draw_known, draw_modes, draw_stops, look_of
+from rotordyn.figures.panels import Shown
 from rotordyn.figures.style import (
     FONT_SIZE,
     GREY,
@@ -54,25 +55,57 @@ def campbell_figure(
     below = LIST_LINE * (rows + 1) + 1.0 if rows else 0.0
     figure = new_figure(168.0, 105.0 + below)
     whose = "speed of the spindle [rpm]" if len(result.rotor) > 1 else "speed [rpm]"
-    box = (15.0, 11.0 + below, 109.0, 92.0)
-    axes = add_axes(figure, box, whose, axis_label(result, "frequency"))
-    rpm = result.speed * RPM.factor
+    axes = add_axes(figure, (15.0, 11.0 + below, 109.0, 92.0), whose)
+    top = max_frequency or highest([result])
+    _diagram(axes, result, teeth, references, top, 6)
+    _criticals(axes, result, criticals)
+    _list(figure, listed, rows, columns)
+    note_error(axes, result.largest_error)
+    top_legend(figure, axes)
+    return figure
+
+
+def draw_variant(teeth: Sequence[int], axes: Axes, variant: Shown, top: float) -> None:
+    """The diagram of a variant up to ``top`` [Hz] onto axes, modes with short names."""
+    axes.set_xlabel("speed [rpm]", fontsize=FONT_SIZE)
+    _diagram(axes, variant.result, teeth, variant.known, top, 3, short=True)
+
+
+def highest_of(max_frequency: float, variants: Sequence[Shown]) -> float:
+    """Up to where all variants are drawn [Hz]."""
+    return max_frequency or highest([variant.result for variant in variants])
+
+
+def highest(results: Sequence[CampbellResult]) -> float:
+    """A little above the highest frequency of all [Hz]."""
+    known = [float(np.nanmax(r.frequency)) for r in results if r.frequency.size]
+    return 1.04 * max(known, default=1.0)
+
+
+def _diagram(
+    axes: Axes,
+    result: CampbellResult,
+    teeth: Sequence[int],
+    references: Sequence[Reference],
+    top: float,
+    most: int,
+    *,
+    short: bool = False,
+) -> None:
+    """Lines, their names, and what is known; ``most`` ticks of speed."""
+    rpm = float(result.speed[-1] * RPM.factor)
+    axes.set_ylabel(axis_label(result, "frequency"), fontsize=FONT_SIZE)
     if not result.mode:
         axes.text(0.5, 0.5, "no mode in this band", transform=axes.transAxes, ha="center")
-    top = max_frequency or float(np.nanmax(result.frequency)) * 1.04
-    speed_ticks(axes, float(rpm[-1]))
+    speed_ticks(axes, rpm, most)
     axes.set_ylim(0.0, top)
     draw_modes(axes, result)
     draw_stops(axes, result)
     draw_unstable(axes, result)
-    excitation = draw_orders(axes, orders(result, teeth), float(rpm[-1]), top)
-    _criticals(axes, result, criticals)
-    _list(figure, listed, rows, columns)
+    defects = draw_passing(axes, result)
+    excitation = draw_orders(axes, orders(result, teeth), rpm, top, defects)
     draw_known(axes, () if turning(result) else references)
-    _name_modes(axes, result, excitation, top)
-    note_error(axes, result.largest_error)
-    top_legend(figure, axes)
-    return figure
+    _name_modes(axes, result, excitation, top, short=short)
 
 
 def draw_unstable(axes: Axes, result: CampbellResult) -> None:
@@ -117,14 +150,35 @@ def _ratios(result: CampbellResult) -> dict[str, float]:
     return dict(zip(result.rotor, result.speed_ratio.tolist(), strict=True))
 
 
+def draw_passing(axes: Axes, result: CampbellResult) -> dict[float, str]:
+    """Defect frequencies of bearings as dotted curves; their orders at the last speed, and names.
+
+    In the turning frame nothing is drawn: what they excite depends on where it acts.
+    """
+    if turning(result) or not result.passing:
+        return {}
+    rpm = result.speed * RPM.factor
+    axes.plot(rpm, result.passing_frequency, color=GREY, lw=0.8, ls=":", zorder=2)
+    last = result.passing_frequency[-1] * 60.0 / rpm[-1] if rpm[-1] > 0.0 else np.full(1, np.nan)
+    return {k: name for k, name in zip(last.tolist(), result.passing, strict=False) if k == k}
+
+
 def draw_orders(
-    axes: Axes, orders: Mapping[float, str], rpm: float, top: float
+    axes: Axes,
+    orders: Mapping[float, str],
+    rpm: float,
+    top: float,
+    defects: Mapping[float, str] | None = None,
 ) -> list[tuple[float, str]]:
-    """Lines f = k n; returns height [Hz] and name of those that leave on the right."""
+    """Lines f = k n; returns height [Hz] and name of those that leave on the right.
+
+    ``defects``: orders that are named with them, and drawn elsewhere.
+    """
     from matplotlib.collections import LineCollection
 
+    lines = [[(0.0, 0.0), (rpm, order * rpm / 60.0)] for order in orders]
+    orders = {**(defects or {}), **orders}
     end = {order: order * rpm / 60.0 for order in orders}
-    lines = [[(0.0, 0.0), (rpm, height)] for height in end.values()]
     axes.add_collection(LineCollection(lines, colors=GREY, linewidths=0.8, zorder=2), autolim=False)
     _name_at_the_top(axes, {k: name for k, name in orders.items() if end[k] > top}, rpm, top)
     return [(end[k], name) for k, name in orders.items() if end[k] <= top]
@@ -229,20 +283,28 @@ def _list(figure: Figure, lines: Sequence[str], rows: int, columns: int) -> None
 
 
 def _name_modes(
-    axes: Axes, result: CampbellResult, excitation: Sequence[tuple[float, str]], top: float
+    axes: Axes,
+    result: CampbellResult,
+    excitation: Sequence[tuple[float, str]],
+    top: float,
+    *,
+    short: bool,
 ) -> None:
-    """Names at the right edge, moved apart where modes are close, joined to their curves."""
+    """Names at the right edge, moved apart where modes are close, joined to their curves; ``short``
+    without their frequencies."""
     from matplotlib.collections import LineCollection
 
     last = result.frequency[-1]
     drawn = np.isfinite(last) & (last <= top) & ~result.mostly_overdamped
     shown = np.flatnonzero(drawn).tolist()
-    labels = [(float(last[k]), f"{result.mode[k]}  {number(float(last[k]), 0)} Hz") for k in shown]
+    labels = [(float(last[k]), _called(result.mode[k], float(last[k]), short)) for k in shown]
     looks = [LOOKS[look_of(result.kind[k], result.whirl[-1, k])][0] for k in shown]
     labels += list(excitation)
     looks += [GREY] * len(excitation)
     heights = [y for y, _ in labels]
-    placed = spread(heights, [top * 0.037] * len(labels), 0.0, top)
+    size = FONT_SIZE - (1.5 if short else 1.0)
+    line = 1.35 * size / 72.0 * axes.figure.dpi / axes.bbox.height
+    placed = spread(heights, [top * line] * len(labels), 0.0, top)
     edge, frame = float(axes.get_xlim()[1]), axes.get_xlim()[1]
     leaders = [
         [(edge, y), (edge + 0.012 * frame, y), (edge + 0.03 * frame, at), (edge + 0.04 * frame, at)]
@@ -252,6 +314,10 @@ def _name_modes(
         LineCollection(leaders, colors=looks, linewidths=0.5, clip_on=False), autolim=False
     )
     for at, (_, name), colour in zip(placed, labels, looks, strict=True):
-        axes.text(
-            edge + 0.046 * frame, at, name, va="center", color=colour, fontsize=FONT_SIZE - 1.0
-        )
+        axes.text(edge + 0.046 * frame, at, name, va="center", color=colour, fontsize=size)
+
+
+def _called(mode: str, hertz: float, short: bool) -> str:
+    if short:
+        return mode.replace("backward", "bw").replace("forward", "fw")
+    return f"{mode}  {number(hertz, 0)} Hz"

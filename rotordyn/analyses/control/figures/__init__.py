@@ -7,9 +7,12 @@ from functools import partial
 from typing import Any
 
 from rotordyn.analyses.contract import Code
+from rotordyn.analyses.control.figures.boundaries import load_name
+from rotordyn.analyses.control.solve import BOUNDARY_WORDS
 from rotordyn.figures.draw import Job
-from rotordyn.figures.panels import Shown
+from rotordyn.figures.panels import Panel, Shown
 from rotordyn.results.described import Described
+from rotordyn.results.headline import Curve, curves_of
 
 code = partial(Code, __name__)
 
@@ -19,6 +22,16 @@ def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
     yield "control", partial(code("boundaries:control_figure"), result)
 
 
-def of_variants(_: Any, shown: Sequence[Shown]) -> Iterator[Job]:
-    """The figures of variants."""
-    yield "control", partial(code("compared:control_figure"), shown)
+def panels(_: Any, shown: Sequence[Shown]) -> Iterator[Panel]:
+    """The regions of every variant."""
+    if shown[0].result.speed.size > 1:
+        yield Panel("control_regions", code("boundaries:draw_variant"), tall=60.0)
+
+
+def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
+    """Both boundaries."""
+    result = variant.result
+    found = curves_of(result, "boundary_load", series="boundary", figure="control")
+    for curve, word in zip(found, BOUNDARY_WORDS.values(), strict=True):
+        limits = (0.0, float(result.load[-1]))
+        yield curve._replace(label=load_name(result), series=word, limits=limits)

@@ -9,7 +9,18 @@ import numpy as np
 from rotordyn.analyses.control.result import ControlResult
 from rotordyn.analyses.control.solve import BOUNDARY_WORDS, fitted
 from rotordyn.figures.legends import top_legend
-from rotordyn.figures.style import BLACK, BLUE, DASHES, GREY, RED, add_axes, new_figure, speed_ticks
+from rotordyn.figures.panels import Shown
+from rotordyn.figures.style import (
+    BLACK,
+    BLUE,
+    DASHES,
+    FONT_SIZE,
+    GREY,
+    RED,
+    add_axes,
+    new_figure,
+    speed_ticks,
+)
 from rotordyn.results.display import RPM
 
 if TYPE_CHECKING:
@@ -27,10 +38,19 @@ SHADES = {  # neither first: the others lie on it
 def control_figure(result: ControlResult) -> Figure:
     """Regions shaded, boundaries and their quadratic fits as lines."""
     figure = new_figure(168.0, 108.0)
-    axes = add_axes(figure, (17.0, 12.0, 143.0, 74.0), "speed [rpm]", load_label(result))
+    axes = add_axes(figure, (17.0, 12.0, 143.0, 74.0))
+    draw_control(axes, result)
+    top_legend(figure, axes)
+    return figure
+
+
+def draw_control(axes: Axes, result: ControlResult, most: int = 6) -> None:
+    """The same onto axes; ``most`` ticks of speed."""
     rpm = result.speed * RPM.factor
+    axes.set_xlabel("speed [rpm]", fontsize=FONT_SIZE)
+    axes.set_ylabel(f"{load_name(result)} [N]", fontsize=FONT_SIZE)
     axes.set_ylim(0.0, float(result.load[-1]))
-    speed_ticks(axes, float(rpm[-1]))
+    speed_ticks(axes, float(rpm[-1]), most)
     if rpm.size > 1:
         axes.set_xlim(float(rpm[0]), float(rpm[-1]))
         _regions(axes, result)
@@ -43,13 +63,16 @@ def control_figure(result: ControlResult) -> Figure:
             load = np.where(known, fitted(result, place), np.nan)
             name = f"quadratic fit, {race} race"
             axes.plot(rpm, load, color=BLACK, lw=0.9, ls=DASHES[2 + place], label=name)
-    top_legend(figure, axes)
-    return figure
 
 
-def load_label(result: ControlResult) -> str:
-    """Label of the load axis."""
-    return "axial load [N]" + (f", radial {result.radial:g} of it" if result.radial else "")
+def draw_variant(axes: Axes, variant: Shown, _: object) -> None:
+    """The same of a variant beside others."""
+    draw_control(axes, variant.result, 4)
+
+
+def load_name(result: ControlResult) -> str:
+    """What the load is."""
+    return "axial load" + (f", radial {result.radial:g} of it" if result.radial else "")
 
 
 def _regions(axes: Axes, result: ControlResult) -> None:

@@ -9,12 +9,18 @@ from typing import Any
 import numpy as np
 
 from rotordyn.analyses.contract import Code
+from rotordyn.analyses.frf.figures.slices import nearest_slice
 from rotordyn.figures.draw import Job
+from rotordyn.figures.labels import axis_label
 from rotordyn.figures.mode_lines import modes_among
-from rotordyn.figures.panels import MOST_PANELS, Shown
+from rotordyn.figures.panels import Panel, Shown
 from rotordyn.results.described import Described
+from rotordyn.results.display import RPM, shown
+from rotordyn.results.headline import Curve
 
 code = partial(Code, __name__)
+
+MOST_SLICES = 3
 
 
 def figures(_: Described, result: Any, results: Mapping[str, Any]) -> Iterator[Job]:
@@ -40,14 +46,44 @@ def figures(_: Described, result: Any, results: Mapping[str, Any]) -> Iterator[J
             yield f"frf_{kind}{number}", draw
 
 
-def of_variants(_: Any, shown: Sequence[Shown]) -> Iterator[Job]:
-    """The figures of variants."""
-    first = shown[0].result
-    few, swept = len(shown) <= MOST_PANELS, first.speed.size > 1 and first.frequency.size > 1
-    if few and swept:
-        yield "frf_surfaces", partial(code("compared:surfaces_figure"), shown, 0)
-        yield "frf_maps", partial(code("compared:maps_figure"), shown, 0)
-    if np.any(first.is_slice):
-        for pair in range(len(first.pair)):
-            number = f"_{pair + 1}" if len(first.pair) > 1 else ""
-            yield f"frf_curves{number}", partial(code("compared:curves_figure"), shown, pair)
+def panels(_: Any, variants: Sequence[Shown]) -> Iterator[Panel]:
+    """Surfaces and maps of the first pair, each on one scale."""
+    first = variants[0].result
+    if first.speed.size == 1 or first.frequency.size == 1:
+        return
+    limits = code("map:common_range")
+    edges: dict[str, Any] = {"tall": 72.0, "margins": (1.0, 1.0, 2.0, 2.0), "gaps": (3.0, 2.0)}
+    yield Panel("frf_surfaces", code("surface:draw_variant"), limits, **edges)
+    scaled: dict[str, Any] = {"margins": (15.0, 20.0, 12.0, 9.0), "gaps": (14.0, 16.0)}
+    yield Panel(
+        "frf_maps", code("map:draw_variant"), limits, code("map:scale_of_variants"), **scaled
+    )
+
+
+def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
+    """Amplitude over frequency of every pair at the first slice speeds."""
+    result = variant.result
+    below = axis_label(result, "frequency")
+    for pair, name in enumerate(result.pair):
+        number = f"_{pair + 1}" if len(result.pair) > 1 else ""
+        unit = shown(result.unit(pair))
+        for index in np.flatnonzero(result.is_slice)[:MOST_SLICES].tolist():
+            frequency, values = result.curve(index, pair)
+            title = f"{result.kind} {name} at {result.speed[index] * RPM.factor:.0f} rpm"
+            look: dict[str, Any] = {"along": below, "title": title, "log": True}
+            size = np.abs(values) * unit.factor
+            own = Curve(f"frf_curves{number}", "amplitude", unit.unit, frequency, size, **look)
+            yield own
+            yield from _measured(own, result, pair, index)
+
+
+def _measured(own: Curve, result: Any, pair: int, index: int) -> Iterator[Curve]:
+    """What was measured of a pair nearest to a slice speed, beside its computed curve."""
+    for row, name in enumerate(result.measured):
+        speed, x = float(result.measured_speed[row]), result.measured_frequency[row]
+        if (result.measured_pair[row], nearest_slice(result, speed)) != (result.pair[pair], index):
+            continue
+        inside = (x >= result.frequency[0]) & (x <= result.frequency[-1])
+        size = np.abs(result.measured_response[row, inside]) * shown(result.unit(pair)).factor
+        words = f"{name}, measured at {speed * RPM.factor:.0f} rpm"
+        yield own._replace(x=x[inside], y=size, series=words, backdrop=True)

@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 from rotordyn.analyses.frf.figures.decimate import nearest, peak_bins
 from rotordyn.analyses.frf.result import FrequencyResponse
 from rotordyn.figures.labels import axis_label
-from rotordyn.figures.mode_lines import Modes, draw_modes
+from rotordyn.figures.mode_lines import Modes, draw_known, draw_modes
+from rotordyn.figures.panels import Shown
 from rotordyn.figures.style import (
     FONT_SIZE,
     add_axes,
@@ -69,6 +70,28 @@ def amplitude_range(values: NDArray[np.float64]) -> tuple[float, float]:
     high = float(known.max())
     low = max(float(np.percentile(known, 0.5)), high / 10.0**FLOOR_DECADES)
     return (low if low < high else high / 10.0), high
+
+
+def common_range(variants: Sequence[Shown]) -> tuple[float, float]:
+    """Limits of the amplitude of the first pair over all variants."""
+    return amplitude_range(np.concatenate([amplitude(v.result, 0).ravel() for v in variants]))
+
+
+def draw_variant(axes: Axes, variant: Shown, limits: tuple[float, float]) -> None:
+    """The map of the first pair of a variant, with the frequencies known of it."""
+    result = variant.result
+    draw_map(axes, result, 0, limits)
+    speeds_shown(axes, result, 4)
+    axes.set_xlabel("speed [rpm]", fontsize=FONT_SIZE)
+    axes.set_ylabel(axis_label(result, "frequency"), fontsize=FONT_SIZE)
+    draw_known(axes, variant.known, face="white")
+
+
+def scale_of_variants(
+    figure: Figure, axes: Axes, variant: Shown, box: tuple[float, float, float, float]
+) -> None:
+    """What the colours of all maps mean, beside one of them."""
+    draw_scale(figure, axes.images[0], variant.result, 0, box)
 
 
 def draw_map(

@@ -20,6 +20,7 @@ from rotordyn.figures.style import (
     FONT_SIZE,
     add_axes,
     grid_boxes,
+    marked,
     new_figure,
     round_ticks,
 )
@@ -78,6 +79,7 @@ def _lines(axes: Axes, result: FrequencyResponse, pair: int, part: str) -> None:
             color=CYCLE[place % len(CYCLE)],
             ls=DASHES[place % len(DASHES)],
             lw=1.1,
+            **marked(place),
             label=f"{result.speed[index] * RPM.factor:.0f} rpm",
         )
     draw_measured(axes, result, pair, part)
@@ -138,7 +140,7 @@ def draw_measured(
         if result.measured_pair[row] != result.pair[pair]:
             continue
         speed = float(result.measured_speed[row])
-        if index is not None and _nearest_slice(result, speed) != index:
+        if index is not None and nearest_slice(result, speed) != index:
             continue
         frequency = result.measured_frequency[row]
         inside = (frequency >= result.frequency[0]) & (frequency <= result.frequency[-1])
@@ -152,7 +154,8 @@ def draw_measured(
         )
 
 
-def _nearest_slice(result: FrequencyResponse, speed: float) -> int:
+def nearest_slice(result: FrequencyResponse, speed: float) -> int:
+    """The place, among all speeds, of the drawn speed nearest to ``speed``."""
     slices = np.flatnonzero(result.is_slice)
     return int(slices[np.abs(result.speed[slices] - speed).argmin()])
 

@@ -17,7 +17,9 @@ from rotordyn.analyses.frf.figures.decimate import peak_bins
 from rotordyn.analyses.frf.figures.map import COLOURS, amplitude, amplitude_range, with_peaks
 from rotordyn.analyses.frf.result import FrequencyResponse
 from rotordyn.figures.labels import axis_label
+from rotordyn.figures.legends import shortened
 from rotordyn.figures.mode_lines import KNOWN
+from rotordyn.figures.panels import Shown
 from rotordyn.figures.style import BLACK, FONT_SIZE, add_axes, log_ticks, new_figure, round_ticks
 from rotordyn.machine.reference import Reference
 from rotordyn.results.display import RPM, shown
@@ -67,10 +69,18 @@ def draw_surface(
     )
 
 
+def draw_variant(axes: Axes, variant: Shown, limits: Limits) -> None:
+    """The surface of the first pair of a variant, with the frequencies known of it."""
+    draw_surface(axes, variant.result, 0, shortened(variant.title), limits, shrink=1.6)
+    draw_pins(axes, variant.result, variant.known)
+
+
 def draw_pins(axes: Axes, result: FrequencyResponse, known: Sequence[Reference]) -> None:
     """Published and measured frequencies as pins through the surface."""
     rpm, high = max(float(result.speed[-1]), 1.0), float(result.frequency[-1])
     for reference in (r for r in known if r.quantity in KNOWN):
+        mark, what = KNOWN[reference.quantity]
+        look: dict[str, Any] = {"mfc": "white", "mec": BLACK, "ms": 4.0, "ls": "none", "zorder": 5}
         for speed, value in zip(reference.speeds, reference.values, strict=True):
             if speed > rpm * (1.0 + 1e-9) or value > high:
                 continue
@@ -78,7 +88,7 @@ def draw_pins(axes: Axes, result: FrequencyResponse, known: Sequence[Reference])
                 np.array(value / high) * _RIGHT + speed / rpm * _BACK + h * _UP for h in (0, 1.05)
             )
             axes.plot(*np.array([foot, head]).T, color=BLACK, lw=0.5, ls=(0, (2, 1)), zorder=4)
-            axes.plot(*head, KNOWN[reference.quantity][0], mfc="white", mec=BLACK, ms=4.0, zorder=5)
+            axes.plot(*head, mark, label=f"{reference.kind}{what}", **look)
 
 
 def project(right: Array, back: Array, up: Array) -> Array:

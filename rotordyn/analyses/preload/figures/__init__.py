@@ -2,14 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from functools import partial
 from typing import Any
 
 from rotordyn.analyses.contract import Code
+from rotordyn.analyses.preload.known import preload_sum
 from rotordyn.figures.draw import Job
 from rotordyn.figures.panels import Shown
 from rotordyn.results.described import Described
+from rotordyn.results.display import MICROMETRE, RPM
+from rotordyn.results.headline import Curve
 
 code = partial(Code, __name__)
 
@@ -23,7 +26,14 @@ def figures(case: Described, result: Any, _: Mapping[str, Any]) -> Iterator[Job]
     yield "contacts", partial(code("over_speed:contacts_figure"), result)
 
 
-def of_variants(_: Any, shown: Sequence[Shown]) -> Iterator[Job]:
-    """The figures of variants."""
-    if shown[0].result.bearing:
-        yield "preload", partial(code("compared:preload_figure"), shown)
+def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
+    """Sum of the preloads, and the way of every sleeve."""
+    result, rpm = variant.result, variant.result.speed * RPM.factor
+    if not result.bearing or variant.spindle is None:
+        return
+    total = preload_sum(result, variant.spindle)
+    yield Curve("preload", "sum of preloads", "N", rpm, total, known=("preload_sum", ""))
+    for name in result.sleeve:
+        shift = result.position[:, result.body.index(name)] * MICROMETRE.factor
+        known = ("sleeve_displacement", name)
+        yield Curve("preload", f"sleeve {name}, shift", "µm", rpm, shift, known=known)

@@ -2,14 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from functools import partial
 from typing import Any
 
 from rotordyn.analyses.contract import Code
+from rotordyn.analyses.section_forces.figures.diagrams import FORCES, speeds_shown, stations_of
 from rotordyn.figures.draw import Job
 from rotordyn.figures.panels import Shown
 from rotordyn.results.described import Described
+from rotordyn.results.headline import Curve, curves_of
 
 code = partial(Code, __name__)
 
@@ -20,6 +22,10 @@ def figures(case: Described, result: Any, _: Mapping[str, Any]) -> Iterator[Job]
         yield (name, partial(code(f"diagrams:{draw}_figure"), result, case.spindle))
 
 
-def of_variants(_: Any, shown: Sequence[Shown]) -> Iterator[Job]:
-    """The figures of variants."""
-    yield "section_forces", partial(code("compared:diagrams_figure"), shown)
+def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
+    """The six diagrams at the last speed with a solution."""
+    result = variant.result
+    row, places = speeds_shown(result)[-1].row, stations_of(result, variant.spindle)
+    for name in FORCES:
+        at_speeds = [*curves_of(result, name, along="cut", figure="section_forces")]
+        yield at_speeds[row]._replace(places=places)

@@ -9,14 +9,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.section_forces.result import SectionForcesResult
-from rotordyn.figures.labels import axis_label, spread
+from rotordyn.figures import stations
+from rotordyn.figures.labels import axis_label
 from rotordyn.figures.legends import shortened, top_legend
 from rotordyn.figures.style import (
     BLACK,
     CYCLE,
     DASHES,
     FONT_SIZE,
-    GREY,
     add_axes,
     grid_boxes,
     new_figure,
@@ -44,11 +44,8 @@ LINES = (
 )
 SPEEDS = 3
 ALIKE = 1e-9  # of the largest: nothing that could be seen
-_LETTER = 0.55 * (FONT_SIZE - 1.5) * 25.4 / 72.0  # [mm] of a name above the panels, on average
 _LONGEST = 16  # letters of a name
 _LEGEND = 6.0  # [mm] above the names
-
-Mark = tuple[float, str]
 
 
 class Curve(NamedTuple):
@@ -76,9 +73,9 @@ def diagrams_figure(result: SectionForcesResult, spindle: Spindle | None) -> Fig
 
 def curves_figure(curves: Sequence[Curve], spindle: Spindle | None) -> Figure:
     """The six diagrams, a line per curve."""
-    marks, x = _stations(curves[0].result, spindle), curves[0].x
-    upright = _upright(marks, 39.0, float(x[0]), float(x[-1]))
-    top = _room(marks, upright) + (_LEGEND if len(curves) > 1 else 0.0)
+    marks, x = stations_of(curves[0].result, spindle), curves[0].x
+    upright = stations.upright(marks, 39.0, float(x[0]), float(x[-1]))
+    top = stations.room(marks, upright) + (_LEGEND if len(curves) > 1 else 0.0)
     figure = new_figure(168.0, 97.0 + top)
     boxes = grid_boxes(figure, 2, 3, margins=(16.0, 4.0, 12.0, top), gaps=(15.0, 6.0))
     panels = []
@@ -87,9 +84,9 @@ def curves_figure(curves: Sequence[Curve], spindle: Spindle | None) -> Figure:
         axes = add_axes(figure, box, "station [mm]" if low else "", "")
         _draw(axes, curves, (name,), fill=len(curves) == 1)
         axes.tick_params(labelbottom=low)
-        _mark(axes, marks)
+        stations.mark(axes, marks)
         if not low:
-            _name(axes, marks, box[2], upright)
+            stations.name(axes, marks, box[2], upright)
         axes.set_ylabel(axis_label(curves[0].result, name), fontsize=FONT_SIZE, labelpad=1.5)
         panels.append(axes)
     if len(curves) > 1:
@@ -100,9 +97,9 @@ def curves_figure(curves: Sequence[Curve], spindle: Spindle | None) -> Figure:
 def elastic_line_figure(result: SectionForcesResult, spindle: Spindle | None) -> Figure:
     """Deflections, twist and stresses over the station at the last speed with a solution."""
     curve = speeds_shown(result)[-1]
-    marks = _stations(result, spindle)
-    upright = _upright(marks, 104.0, float(curve.x[0]), float(curve.x[-1]))
-    top = _room(marks, upright)
+    marks = stations_of(result, spindle)
+    upright = stations.upright(marks, 104.0, float(curve.x[0]), float(curve.x[-1]))
+    top = stations.room(marks, upright)
     figure = new_figure(168.0, 118.0 + top)
     boxes = grid_boxes(figure, 3, 1, margins=(18.0, 46.0, 12.0, top), gaps=(0.0, 5.0))
     names = ("deflection [µm]", "twist θx [deg]", "stress [MPa]")
@@ -110,9 +107,9 @@ def elastic_line_figure(result: SectionForcesResult, spindle: Spindle | None) ->
         axes = add_axes(figure, box, "station [mm]" if place == 2 else "", name)
         _draw(axes, [curve], quantities, fill=False)
         axes.tick_params(labelbottom=place == 2)
-        _mark(axes, marks)
+        stations.mark(axes, marks)
         if place == 0:
-            _name(axes, marks, box[2], upright)
+            stations.name(axes, marks, box[2], upright)
         if len(quantities) > 1:
             axes.legend(
                 loc="upper left",
@@ -159,7 +156,7 @@ def _draw(axes: Axes, curves: Sequence[Curve], quantities: Sequence[str], *, fil
     axes.set(xlim=(curves[0].x[0], curves[0].x[-1]), ylim=(low - room, high + room))
 
 
-def _stations(result: SectionForcesResult, spindle: Spindle | None) -> list[Mark]:
+def stations_of(result: SectionForcesResult, spindle: Spindle | None) -> list[stations.Mark]:
     """What holds the shaft and named points [mm]; names at one station share it."""
     named: dict[float, list[str]] = {}
     for name, x in zip(result.support, result.support_station, strict=True):
@@ -169,44 +166,3 @@ def _stations(result: SectionForcesResult, spindle: Spindle | None) -> list[Mark
         if name not in names:
             names.append(name)
     return [(x, shortened(", ".join(names), _LONGEST)) for x, names in sorted(named.items())]
-
-
-def _mark(axes: Axes, marks: Sequence[Mark]) -> None:
-    """A thin line at every station."""
-    for x, _ in marks:
-        axes.axvline(x, color=GREY, lw=0.6, ls=":", zorder=1)
-
-
-def _upright(marks: Sequence[Mark], wide: float, left: float, right: float) -> bool:
-    """Names that would leave their stations over a panel of ``wide`` [mm] stand upright."""
-    length = right - left
-    sizes = [(len(name) * _LETTER + 1.5) * length / wide for _, name in marks]
-    moved = spread([x for x, _ in marks], sizes, left, right) - [x for x, _ in marks]
-    return sum(sizes) > length or bool(np.abs(moved).max(initial=0.0) > 0.1 * length)
-
-
-def _room(marks: Sequence[Mark], upright: bool) -> float:
-    """Height that the names need above a panel [mm]."""
-    longest = max((len(name) for _, name in marks), default=0)
-    return 3.0 + (_LETTER * longest + 1.0 if upright else 3.0)
-
-
-def _name(axes: Axes, marks: Sequence[Mark], wide: float, upright: bool) -> None:
-    """The name of every station above a panel of ``wide`` [mm]."""
-    left, right = axes.get_xlim()
-    per_mm = (right - left) / wide
-    sizes = [((2.0 if upright else len(n)) * _LETTER + 1.5) * per_mm for _, n in marks]
-    places = spread([x for x, _ in marks], sizes, left, right)
-    for place, (_, name) in zip(places, marks, strict=True):
-        axes.annotate(
-            name,
-            (float(place), 1.0),
-            (0.0, 2.0),
-            xycoords=("data", "axes fraction"),
-            textcoords="offset points",
-            ha="center",
-            va="bottom",
-            rotation=90.0 if upright else 0.0,
-            fontsize=FONT_SIZE - 1.5,
-            color=GREY,
-        )

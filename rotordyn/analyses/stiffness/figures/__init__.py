@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from functools import partial
 from typing import Any
 
@@ -10,6 +10,7 @@ from rotordyn.analyses.contract import Code
 from rotordyn.figures.draw import Job
 from rotordyn.figures.panels import Shown
 from rotordyn.results.described import Described
+from rotordyn.results.headline import Curve, curves_of
 
 code = partial(Code, __name__)
 
@@ -22,7 +23,11 @@ def figures(case: Described, result: Any, _: Mapping[str, Any]) -> Iterator[Job]
     yield "stiffness_force", partial(code("curves:force_figure"), result, point)
 
 
-def of_variants(spec: Any, shown: Sequence[Shown]) -> Iterator[Job]:
-    """The figures of variants."""
+def headline_curves(spec: Any, variant: Shown) -> Iterator[Curve]:
+    """Tangent at no load by bearing model."""
     point = getattr(spec, "point", "")
-    yield "stiffness", partial(code("compared:stiffness_figure"), shown, point)
+    label = f"radial stiffness at {point}" if point else "radial stiffness"
+    for curve in curves_of(variant.result, "tangent", series="variant", figure="stiffness"):
+        known = ("radial_stiffness", curve.key)
+        series = curve.series.replace("_", " ")
+        yield curve._replace(label=label, series=series, known=known, limits=(0.0, None))

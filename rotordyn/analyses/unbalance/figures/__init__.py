@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from functools import partial
+from itertools import islice
 from typing import Any
 
 from rotordyn.analyses.contract import Code
 from rotordyn.figures.draw import Job
 from rotordyn.figures.panels import Shown
 from rotordyn.results.described import Described
+from rotordyn.results.headline import Curve, curves_of
 
 code = partial(Code, __name__)
+
+MOST_POINTS = 3
 
 
 def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
@@ -21,7 +25,11 @@ def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
         yield "unbalance_forces", partial(code("response:forces_figure"), result)
 
 
-def of_variants(_: Any, shown: Sequence[Shown]) -> Iterator[Job]:
-    """The figures of variants."""
-    if shown[0].result.speed[-1] > 0.0:
-        yield "unbalance", partial(code("compared:amplitudes_figure"), shown)
+def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
+    """Major half axis of the orbit of the first points."""
+    if variant.result.speed[-1] <= 0.0:
+        return
+    field, how = "fine_major_axis", {"figure": "unbalance", "along": "fine_speed"}
+    for curve in islice(curves_of(variant.result, field, panels="point", **how), MOST_POINTS):
+        title = f"{curve.panel}, major half axis, zero to peak"
+        yield curve._replace(label="half axis of the orbit", title=title, log=True)

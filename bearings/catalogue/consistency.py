@@ -1,0 +1,71 @@
+"""Printed values that no inside explains together, and the most that one does."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.catalogue.printed import Catalogue, Value
+from bearings.errors import InvalidBearing
+
+Array = NDArray[np.float64]
+
+LIMIT = {
+    "rigidity": 0.12,
+    "unloading": 0.12,
+    "dynamic": 0.3,
+    "static": 0.3,
+}  # of ln(computed/printed)
+_ROW_FACTOR = 2.0**0.7  # C of two like bearings over that of one (ISO 281)
+# What a factor between printed and expected means
+_SLIPS = {
+    ("rigidity", 0.5): "of one bearing: give that of the pair back to back",
+    ("rigidity", 2.0): "of two pairs: give that of one pair back to back",
+    ("dynamic", _ROW_FACTOR): "of a pair: give that of one bearing",
+    ("static", 2.0): "of a pair: give that of one bearing",
+}
+_NEAR = 0.25  # of ln(factor)
+
+
+def refuse_contradictions(given: Catalogue, apart: Array, computed: Array, weight: Array) -> None:
+    """Raise InvalidBearing where no inside is within the limits of all values.
+
+    ``computed`` (values, insides); ``weight`` (insides,): how usual each is.
+    """
+    values = given.values
+    if not values:
+        return
+    ratio = np.log(computed / np.array([v.number for v in values])[:, None])
+    met = np.abs(ratio) <= np.array([LIMIT[v.kind] for v in values])[:, None]
+    count = met.sum(axis=0)
+    if count.max() == len(values):
+        return
+    quality = weight - 0.5 * (np.where(met, apart, 0.0) ** 2).sum(axis=0)
+    k = int(np.argmax(np.where(count == count.max(), quality, -np.inf)))
+    odd = [
+        (v, float(c)) for v, c, m in zip(values, computed[:, k], met[:, k], strict=True) if not m
+    ]
+    agree = [v for v, m in zip(values, met[:, k], strict=True) if m]
+    others = f"the largest set that agrees: {', '.join(v.words for v in agree)}"
+    raise InvalidBearing(
+        "catalogue values contradict one another or the size of the rings: "
+        f"{'; '.join(_odd(odd))}; {others if agree else 'none agrees with the size of the rings'}"
+    )
+
+
+def _odd(values: list[tuple[Value, float]]) -> Iterator[str]:
+    """A phrase for every kind of value."""
+    for kind in dict.fromkeys(value.kind for value, _ in values):
+        own = [(value, computed) for value, computed in values if value.kind == kind]
+        words = ", ".join(f"{v.words} ({v.shown(c)} expected)" for v, c in own)
+        yield words + _slip(kind, [v.number / c for v, c in own])
+
+
+def _slip(kind: str, ratios: list[float]) -> str:
+    for (of, factor), slip in _SLIPS.items():
+        if of == kind and all(abs(math.log(ratio / factor)) < _NEAR for ratio in ratios):
+            return f", which looks like that {slip}"
+    return ""

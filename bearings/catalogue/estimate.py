@@ -1,0 +1,276 @@
+"""An angular-contact bearing from what a catalogue prints: an inside that explains it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.catalogue.consistency import refuse_contradictions
+from bearings.catalogue.pair import axial_law, pair_values
+from bearings.catalogue.plausible import TIGHTEST, plausible, usual
+from bearings.catalogue.printed import Catalogue, Value
+from bearings.catalogue.races import Insides, contact_stiffness, static_rating
+from bearings.kinds.angular_contact import AngularContactBallBearing
+from bearings.life.rating import radial_rating
+from bearings.materials import SILICON_NITRIDE, STEEL
+
+Array = NDArray[np.float64]
+
+FIELDS = ("ball_diameter", "balls", "pitch_diameter", "inner_conformity", "outer_conformity")
+# Standard deviations, as shares: how well one and the same inside meets what makers print
+DEVIATION = {"rigidity": 0.015, "unloading": 0.01, "dynamic": 0.05, "static": 0.05}
+_WHOLE_NEWTON = 0.29  # [N] of a number rounded to one
+_REFINED = 4  # combinations of ball diameter and number whose grooves are refined
+_STEP = 0.005  # of a conformity, that refining may move it
+_PHRASES = (
+    ("balls", "{:.0f} balls ({:.0f}–{:.0f})", 1.0),
+    ("ball_diameter", "D {:.4g} mm ({:.4g}–{:.4g})", 1e3),
+    ("inner_conformity", "fi {:.3f} ({:.3f}–{:.3f})", 1.0),
+    ("outer_conformity", "fo {:.3f} ({:.3f}–{:.3f})", 1.0),
+)
+
+
+class Explained(NamedTuple):
+    """A printed value beside that of the estimated bearing [SI]."""
+
+    value: Value
+    computed: float
+
+    @property
+    def deviation(self) -> float:
+        """Computed over printed, less 1."""
+        return self.computed / self.value.number - 1.0
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class EstimatedBearing(AngularContactBallBearing):
+    """An angular-contact bearing whose inside is an estimate, from what a catalogue prints.
+
+    It is the likeliest of the plausible insides and serves wherever a bearing does.
+
+    Parameters
+    ----------
+    catalogue : the printed values
+    spread : field -> (low, high), between which nine in ten of the plausible insides lie; both
+        are the value itself where the catalogue gives it
+
+    Raises
+    ------
+    InvalidBearing : as of its kind
+    """
+
+    catalogue: Catalogue = field(compare=False, repr=False)
+    spread: Mapping[str, tuple[float, float]] = field(compare=False, repr=False)
+
+    @property
+    def estimated(self) -> str:
+        """What is estimated, with its spread; see ``BallBearing``."""
+        words = []
+        for name, phrase, scale in _PHRASES:
+            low, high = (bound * scale for bound in self.spread[name])
+            if getattr(self.catalogue, name) is None:
+                words.append(phrase.format(getattr(self, name) * scale, low, high))
+        return ", ".join(words)
+
+    @property
+    def explained(self) -> tuple[Explained, ...]:
+        """Every printed value beside that of this bearing."""
+        values = self.catalogue.values
+        found = _computed(self._inside, self.catalogue)[:, 0]
+        return tuple(Explained(v, float(c)) for v, c in zip(values, found, strict=True))
+
+    def pair(self, preload: float) -> tuple[float, float]:
+        """Axial rigidity [N/m] and unloading force [N] of two, back to back, at a preload [N]."""
+        scale, distance = _scale(self._inside, self.catalogue)
+        law = axial_law(float(self.contact_angle))
+        rigidity, unloading = pair_values(law, scale, distance, preload)
+        return float(rigidity), float(unloading)
+
+    def members(self, count: int = 24) -> tuple[AngularContactBallBearing, ...]:
+        """Plausible insides as bearings, equally likely: the spread of any result is theirs."""
+        x, _, share = _weighed(self.catalogue)
+        middles = (np.arange(count) + 0.5) / count
+        places = np.searchsorted(np.cumsum(share), middles).clip(0, len(share) - 1)
+        return tuple(AngularContactBallBearing(**_fields(x.at(k), self.catalogue)) for k in places)
+
+    @property
+    def _inside(self) -> Insides:
+        values: dict[str, Any] = {name: np.array(float(getattr(self, name))) for name in FIELDS}
+        return Insides(**values, contact_angle=float(self.contact_angle))
+
+
+def estimate(  # noqa: PLR0913 - a catalogue prints that many columns
+    *,
+    bore: float,
+    outside_diameter: float,
+    width: float | None = None,
+    contact_angle: float,
+    hybrid: bool = True,
+    preloads: Sequence[float] = (),
+    rigidities: Sequence[float | None] = (),
+    unloading: Sequence[float | None] = (),
+    dynamic_rating: float | None = None,
+    static_rating: float | None = None,
+    ball_diameter: float | None = None,
+    balls: int | None = None,
+    pitch_diameter: float | None = None,
+    inner_conformity: float | None = None,
+    outer_conformity: float | None = None,
+) -> EstimatedBearing:
+    """The likeliest inside of an angular-contact bearing from what its catalogue prints.
+
+    Every inside that rings of this size can hold is weighed by how usual it is and by how well
+    it gives the printed values (``docs/theory/catalogue.md``).
+
+    Parameters
+    ----------
+    bore, outside_diameter, width : of the rings [m]; ``width`` is kept, it says little of the balls
+    contact_angle : free contact angle α [rad]
+    hybrid : balls of silicon nitride; False: of steel
+    preloads : of a pair back to back, the maker's classes, shape (n,) [N]
+    rigidities : axial, of the pair at each preload, shape (n,) [N/m]; None where not printed
+    unloading : axial force that unloads one of the pair at each preload, shape (n,) [N]; likewise
+    dynamic_rating, static_rating : C, C0 of one bearing [N]
+    ball_diameter, balls, pitch_diameter, inner_conformity, outer_conformity : as far as printed
+
+    Raises
+    ------
+    InvalidBearing : a value is out of range; or values contradict one another, with the largest
+        set that does not
+    """
+    given = Catalogue(
+        bore=bore,
+        outside_diameter=outside_diameter,
+        width=width,
+        contact_angle=contact_angle,
+        ball_material=SILICON_NITRIDE if hybrid else STEEL,
+        preloads=tuple(preloads),
+        rigidities=tuple(rigidities),
+        unloading=tuple(unloading),
+        dynamic_rating=dynamic_rating,
+        static_rating=static_rating,
+        ball_diameter=ball_diameter,
+        balls=balls,
+        pitch_diameter=pitch_diameter,
+        inner_conformity=inner_conformity,
+        outer_conformity=outer_conformity,
+    )
+    return of(given)
+
+
+def of(given: Catalogue) -> EstimatedBearing:
+    """The estimate from checked values."""
+    x, likely, share = _weighed(given)
+    best = _refined(x, likely, given)
+    spread = {name: _range(getattr(x, name), share) for name in FIELDS}
+    return EstimatedBearing(**_fields(best, given), catalogue=given, spread=spread)
+
+
+def _weighed(given: Catalogue) -> tuple[Insides, Array, Array]:
+    """All plausible insides, the logarithm of the likelihood of each, and its share of 1."""
+    x, weight = plausible(given)
+    computed = _computed(x, given)
+    apart = _apart(computed, given)
+    refuse_contradictions(given, apart, computed, weight)
+    likely = weight - 0.5 * (apart**2).sum(axis=0)
+    share = np.exp(likely - likely.max())
+    return x, likely, share / share.sum()
+
+
+def _apart(computed: Array, given: Catalogue) -> Array:
+    """ln(computed/printed) in standard deviations, shape (values, insides)."""
+    printed = np.array([v.number for v in given.values]).reshape(-1, 1)
+    deviations = np.array([_deviation(v) for v in given.values]).reshape(-1, 1)
+    return np.log(computed / printed) / deviations
+
+
+def _scale(x: Insides, given: Catalogue) -> tuple[Array, Array]:
+    """P and BD of ``bearings.catalogue.pair``."""
+    distance = x.free_distance
+    stiffness = contact_stiffness(x, given.ball_material, given.ring_material)
+    return x.balls * stiffness * distance**1.5, distance
+
+
+def _computed(x: Insides, given: Catalogue) -> Array:
+    """What each inside has for each printed value, shape (values, insides)."""
+    law = axial_law(x.contact_angle)
+    scale, distance = _scale(x, given)
+    at = {
+        p: pair_values(law, scale, distance, p) for p in {v.preload for v in given.values} if p == p
+    }
+    rows: list[Any] = []
+    for value in given.values:
+        if value.kind == "dynamic":
+            rows.append(radial_rating(x))
+        elif value.kind == "static":
+            rows.append(static_rating(x, given.ball_material, given.ring_material))
+        else:
+            rows.append(at[value.preload][0 if value.kind == "rigidity" else 1])
+    return np.array(rows).reshape(len(rows), np.size(x.balls))
+
+
+def _deviation(value: Value) -> float:
+    """Standard deviation of ln(computed/printed), with what rounding to whole newtons adds."""
+    share = DEVIATION[value.kind]
+    if math.isnan(value.preload):
+        return share
+    # the rigidity follows the cube root of the preload, the unloading force the preload itself
+    rounding = _WHOLE_NEWTON / value.preload
+    if value.kind == "rigidity":
+        return math.hypot(share, rounding / 3.0)
+    return math.hypot(share, rounding, _WHOLE_NEWTON / value.number)
+
+
+def _refined(x: Insides, likely: Array, given: Catalogue) -> Insides:
+    """The likeliest inside, its conformities no longer on a grid."""
+    from scipy.optimize import minimize
+
+    free = [name for name in FIELDS[3:] if getattr(given, name) is None]
+    section = given.outside_diameter - given.bore
+    order = np.argsort(-likely)
+    balls = np.stack([x.ball_diameter[order], x.balls[order]])
+    _, first = np.unique(balls, axis=1, return_index=True)
+    starts = [x.at(order[k]) for k in sorted(first)[:_REFINED]]
+    if not free:
+        return starts[0]
+
+    def at(start: Insides, values: Any) -> Insides:
+        return start._replace(**dict(zip(free, values, strict=True)))
+
+    def cost(values: Array, start: Insides) -> float:
+        here = at(start, values)
+        apart = _apart(_computed(here, given), given)
+        return float(0.5 * (apart**2).sum() - usual(here, section))
+
+    found = []
+    for start in starts:
+        begin = [float(getattr(start, name)) for name in free]
+        limits = [(max(f - _STEP, TIGHTEST), f + _STEP) for f in begin]
+        solved = minimize(cost, begin, args=(start,), bounds=limits, method="L-BFGS-B")
+        found.append((float(solved.fun), at(start, solved.x)))
+    return min(found, key=lambda pair: pair[0])[1]
+
+
+def _range(values: Array, share: Array) -> tuple[float, float]:
+    """Between 5 and 95 % of the share."""
+    order = np.argsort(values)
+    total = np.cumsum(share[order])
+    places = np.searchsorted(total, (0.05, 0.95)).clip(0, len(order) - 1)
+    low, high = values[order[places]]
+    return float(low), float(high)
+
+
+def _fields(x: Insides, given: Catalogue) -> dict[str, Any]:
+    """What the constructor of an angular-contact bearing takes."""
+    values: dict[str, Any] = {name: float(getattr(x, name)) for name in FIELDS}
+    return values | {
+        "balls": round(values["balls"]),
+        "contact_angle": x.contact_angle,
+        "ball_material": given.ball_material,
+        "ring_material": given.ring_material,
+    }

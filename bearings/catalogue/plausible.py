@@ -1,0 +1,76 @@
+"""Insides that rings of a given size can hold, and how usual each is.
+
+The shares below are those of 252 spindle bearings of one maker (GMN, catalogue 4000 0813 EN) and 59
+of another (SNFA, general catalogue), whose balls are printed.
+"""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.catalogue.printed import Catalogue
+from bearings.catalogue.races import Insides
+
+Array = NDArray[np.float64]
+
+BALL_SHARE = (0.265, 0.035)  # D/(outside diameter − bore): mean and standard deviation
+FILL = (0.77, 0.08)  # Z D/(π dm) likewise
+INNER = (0.545, 0.02)  # fi likewise; grooves are never printed, but C0 and rigidity show them
+OUTER = (0.53, 0.012)  # fo likewise
+_BALL_RANGE = (0.19, 0.345)
+_FILL_RANGE = (0.55, 0.95)
+TIGHTEST = 0.504  # conformity
+_CONFORMITIES = np.arange(0.508, 0.602, 0.004)
+_STEP = 0.0254 / 64.0  # balls come in 64ths of an inch, larger ones in 32nds and 16ths
+
+
+def plausible(given: Catalogue) -> tuple[Insides, Array]:
+    """All combinations, flat arrays of equal length, and the logarithm of how usual each is."""
+    pitch = given.pitch_diameter or 0.5 * (given.bore + given.outside_diameter)
+    section = given.outside_diameter - given.bore
+    diameters = _diameters(section) if given.ball_diameter is None else [given.ball_diameter]
+    pairs = [
+        (diameter, count)
+        for diameter in diameters
+        for count in (_counts(diameter, pitch) if given.balls is None else [given.balls])
+        if diameter < 0.98 * pitch * math.sin(math.pi / count)
+    ] or [(float(diameters[0]), given.balls or 3)]  # balls that overlap: the bearing refuses them
+    inner, outer = (
+        _CONFORMITIES if f is None else np.array([f])
+        for f in (given.inner_conformity, given.outer_conformity)
+    )
+    which, fi, fo = (a.ravel() for a in np.meshgrid(range(len(pairs)), inner, outer, indexing="ij"))
+    ball, count = np.array(pairs, dtype=float)[which].T
+    x = Insides(ball, count, np.full_like(ball, pitch), fi, fo, float(given.contact_angle))
+    return x, usual(x, section)
+
+
+def usual(x: Insides, section: float) -> Array:
+    """Logarithm of how usual insides are in rings of a section (outside diameter − bore) [m]."""
+    measures = (
+        (x.ball_diameter / section, BALL_SHARE),
+        (x.balls * x.ball_diameter / (math.pi * x.pitch_diameter), FILL),
+        (x.inner_conformity, INNER),
+        (x.outer_conformity, OUTER),
+    )
+    total: Array = np.zeros(())
+    for value, (mean, deviation) in measures:
+        total = total - 0.5 * ((value - mean) / deviation) ** 2
+    return total
+
+
+def _diameters(section: float) -> list[float]:
+    """Usual ball diameters for a section [m]."""
+    low, high = (share * section for share in _BALL_RANGE)
+    step = _STEP * (1 if high < 0.007 else 2 if high < 0.0254 else 4)
+    steps = range(math.ceil(low / step), math.floor(high / step) + 1)
+    return [step * k for k in steps] or [BALL_SHARE[0] * section]
+
+
+def _counts(diameter: float, pitch: float) -> range:
+    """Numbers of balls that leave room for a cage."""
+    low, high = (share * math.pi * pitch / diameter for share in _FILL_RANGE)
+    return range(max(math.ceil(low), 3), max(math.floor(high), 3) + 1)

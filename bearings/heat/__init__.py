@@ -1,0 +1,31 @@
+"""Friction and heat of a bearing: order of magnitude, no constant tuned.
+
+Sliding in the contact ellipses from the state itself, Harris' and Palmgren's moment, SKF's model
+within its range; temperatures where conductances are given.
+"""
+
+from __future__ import annotations
+
+from bearings.heat.ellipse import Sliding, sliding, spin_moment
+from bearings.heat.moments import OIL_FACTORS, load_moment, viscous_moment
+from bearings.heat.skf import SkfMoment, skf_moment
+from bearings.heat.temperature import Conductances, Heated, Surroundings, heated, settled
+from bearings.heat.total import Losses, losses
+
+__all__ = [
+    "OIL_FACTORS",
+    "Conductances",
+    "Heated",
+    "Losses",
+    "SkfMoment",
+    "Sliding",
+    "Surroundings",
+    "heated",
+    "load_moment",
+    "losses",
+    "settled",
+    "skf_moment",
+    "sliding",
+    "spin_moment",
+    "viscous_moment",
+]

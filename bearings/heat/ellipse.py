@@ -1,0 +1,174 @@
+"""Sliding within the contact ellipses: spin, differential slip, gyroscopic creep, all at once.
+
+Coulomb friction under Hertz' pressure. Where the surfaces meet, the velocity of ball against race
+is, with ξ along the major and η along the minor half-axis,
+
+    v_ξ = ω_s η + v,    v_η = ω_r (± ξ²/(2 Rd)) − ω_s ξ + c,
+
+ω_s spin, ω_r rolling, Rd = 2 f D/(2 f + 1) the radius of the deformed surface (Heathcote's slip).
+v and c follow from the balance of tractions: none along rolling, the race's share of the gyroscopic
+moment across it. They make the convex ∫ μ p |v| dA − F v least, so that shares of spin, conformity
+and gyroscopic moment are not added up.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cache
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.errors import InvalidBearing
+from bearings.ring.motion import contact_motion
+from bearings.ring.truncation import half_axes
+
+if TYPE_CHECKING:
+    from bearings.ring.state import BearingState
+
+Array = NDArray[np.float64]
+RADIAL, AROUND = 6, 16  # points of the quadrature: within 1 % of the integral
+FULL_SLIP = 0.95  # of μ Q: the largest creep force followed; beyond, balls slip as a whole
+_SMOOTH = 1e-6  # of the largest velocity, below which it counts as zero
+_STEPS, _NEWTON = 6, 5
+
+
+@dataclass(frozen=True, eq=False)
+class Sliding:
+    """Losses of the contacts of a state by contact (…, balls, contacts); 0 without load.
+
+    ``power`` [W]: of all sliding; ``spin_power`` [W]: that of the spin alone, Ms |ωs|, contained in
+    ``power`` but for the creep; ``spin_moment`` Ms [N·m]. ``friction``: μ. ``slips`` (…, balls,
+    contacts): the gyroscopic moment asks for more friction than there is.
+    """
+
+    power: Array
+    spin_power: Array
+    spin_moment: Array
+    slips: NDArray[np.bool_]
+    friction: float
+
+
+class Contacts(NamedTuple):
+    """Contacts in a list (n,): half-axes ``a``, ``b`` and ``radius`` Rd [m]; ``roll``, ``spin``
+    [rad/s]; ``slide`` [m/s], NaN where it follows from the balance; ``creep``: transverse force
+    over μ Q."""
+
+    a: Array
+    b: Array
+    radius: Array
+    roll: Array
+    spin: Array
+    slide: Array
+    creep: Array
+
+
+def sliding(state: BearingState, friction: float) -> Sliding:
+    """Power lost by sliding in every contact, ``friction`` μ of the lubricated contact.
+
+    Raises
+    ------
+    InvalidBearing : a friction that is not positive
+    """
+    if not (np.isfinite(friction) and friction > 0.0):
+        raise InvalidBearing(f"friction of a contact must be positive, got {friction!r}")
+    g, alike = state.operation.geometry, bool(state.operation.axial.all())
+    split, few = len(g.inner_grooves), slice(1) if alike else slice(None)
+    load = np.asarray(state.contact_load)[..., few, :]
+    motion = contact_motion(state)
+    inner = np.arange(load.shape[-1]) < split
+    (ai, bi), (ao, bo) = half_axes(g.inner, load), half_axes(g.outer, load)
+    f = np.where(inner, g.inner_conformity, g.outer_conformity)
+    grip = np.where(inner, state.inner_grip[..., few, None], state.outer_grip[..., few, None])
+    omega = np.asarray(state.speed)[..., None, None]
+    loads = np.nan_to_num(load)
+    turning = (loads > 0.0) & (omega > 0.0)
+    several = np.where(
+        inner,
+        (loads[..., :split] > 0.0).sum(axis=-1, keepdims=True),
+        (loads[..., split:] > 0.0).sum(axis=-1, keepdims=True),
+    )
+    side = np.where(inner, 1.0, -1.0)
+    radius = side * 2.0 * f * g.ball_diameter / (2.0 * f + 1.0)
+    slide = np.where(several > 1, motion.slide[..., few, :] * omega, np.nan)
+    wanted = grip / friction
+    parts = (
+        np.where(inner, ai, ao),
+        np.where(inner, bi, bo),
+        radius,
+        motion.roll[..., few, :] * omega,
+        motion.spin[..., few, :] * omega,
+        slide,
+        np.minimum(np.abs(wanted), FULL_SLIP),
+    )
+    each = Contacts(*(np.broadcast_to(part, loads.shape)[turning] for part in parts))
+    power = np.zeros_like(loads)
+    power[turning] = friction * loads[turning] * mean_speed(each)
+    moment = spin_moment(state, friction)
+    spins = moment * np.abs(np.nan_to_num(motion.spin)) * omega
+    whole = moment.shape
+    return Sliding(
+        power=np.broadcast_to(power, whole).copy(),
+        spin_power=spins,
+        spin_moment=moment,
+        slips=np.broadcast_to((wanted >= 1.0) & turning, whole).copy(),
+        friction=friction,
+    )
+
+
+def spin_moment(state: BearingState, friction: float) -> Array:
+    """Ms = 3/8 μ Q a E(1 − b²/a²) of every contact (…, balls, contacts) [N·m], exact for Coulomb
+    friction under Hertz' pressure that spin alone drives."""
+    g, load = state.operation.geometry, np.nan_to_num(np.asarray(state.contact_load))
+    inner = np.arange(load.shape[-1]) < len(g.inner_grooves)
+    length = np.where(inner, half_axes(g.inner, load)[0], half_axes(g.outer, load)[0])
+    integral = np.where(inner, g.inner.second_integral, g.outer.second_integral)
+    return np.asarray(0.375 * friction * load * length * integral)
+
+
+def mean_speed(contacts: Contacts) -> Array:
+    """Mean of the sliding speed |v| over the ellipse, weighed with the pressure (n,) [m/s]."""
+    x, y, weight = _points()
+    xi, eta = contacts.a[:, None] * x, contacts.b[:, None] * y
+    roll, spin = contacts.roll[:, None], contacts.spin[:, None]
+    across = spin * eta
+    along = roll * xi**2 / (2.0 * contacts.radius[:, None]) - spin * xi
+    given = ~np.isnan(contacts.slide)
+    largest = np.sqrt((across**2 + along**2).max(axis=1)) + np.abs(np.nan_to_num(contacts.slide))
+    least = (_SMOOTH * largest + 1e-300)[:, None]
+    c, v = np.where(given, contacts.slide, 0.0), np.zeros_like(contacts.a)
+    for step in range(_STEPS + _NEWTON):
+        vx, vy = across + v[:, None], along + c[:, None]
+        size = np.sqrt(vx * vx + vy * vy + least * least)
+        part = weight / size
+        total = part.sum(axis=1)
+        force_x, force_y = (part * vx).sum(axis=1) - contacts.creep, (part * vy).sum(axis=1)
+        if step < _STEPS:  # always downhill, the slower the closer
+            dv, dc = -force_x / total, -force_y / total
+        else:
+            cube = part / (size * size)
+            hxx, hyy = total - (cube * vx * vx).sum(axis=1), total - (cube * vy * vy).sum(axis=1)
+            hxy = np.where(given, 0.0, -(cube * vx * vy).sum(axis=1))
+            det = np.maximum(hxx * hyy - hxy * hxy, 1e-3 * hxx * hyy)
+            dv, dc = (hxy * force_y - hyy * force_x) / det, (hxy * force_x - hxx * force_y) / det
+            bound = 0.3 * largest
+            dv, dc = np.clip(dv, -bound, bound), np.clip(dc, -bound, bound)
+            dv = np.where(given, -force_x / hxx, dv)
+        v, c = v + dv, c + np.where(given, 0.0, dc)
+    vx, vy = across + v[:, None], along + c[:, None]
+    return np.asarray((weight * np.sqrt(vx * vx + vy * vy)).sum(axis=1))
+
+
+@cache
+def _points() -> tuple[Array, Array, Array]:
+    """Places on the unit disk and weights 3/(2π) √(1 − r²) dA, with a sum of 1."""
+    node, own = np.polynomial.legendre.leggauss(RADIAL)
+    u, share = 0.5 * (node + 1.0), 0.5 * own
+    r, turn = np.sqrt(1.0 - u**2), 2.0 * np.pi * (np.arange(AROUND) + 0.5) / AROUND
+    weight = np.repeat(3.0 * u**2 * share / AROUND, AROUND)
+    return (
+        np.outer(r, np.cos(turn)).ravel(),
+        np.outer(r, np.sin(turn)).ravel(),
+        weight / weight.sum(),
+    )

@@ -1,0 +1,92 @@
+"""All losses of a bearing by one balance: M ω is the sum of the powers of one model.
+
+``"ellipse"`` adds what slides in the contacts to Palmgren's viscous part; ``"palmgren"`` takes his
+load-dependent moment, which contains the sliding, instead. The two are never added.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from bearings.errors import InvalidBearing
+from bearings.heat.ellipse import sliding
+from bearings.heat.moments import load_moment, viscous_moment
+
+if TYPE_CHECKING:
+    from bearings.lubricant import Lubricant
+    from bearings.ring.state import BearingState
+
+Array = NDArray[np.float64]
+MODELS = ("ellipse", "palmgren")
+
+
+@dataclass(frozen=True, eq=False)
+class Losses:
+    """Heat of a bearing, shape (…) [W]: of its ``inner`` and ``outer`` contacts, ``viscous`` of the
+    oil it churns. ``moment`` [N·m]: that of all, 0 at rest. ``spin`` [W]: of spin alone, within
+    the contacts. ``slips`` (…): some contact slides as a whole under its gyroscopic moment."""
+
+    inner: Array
+    outer: Array
+    viscous: Array
+    spin: Array
+    moment: Array
+    slips: NDArray[np.bool_]
+
+    @property
+    def total(self) -> Array:
+        """All of it (…) [W]."""
+        return self.inner + self.outer + self.viscous
+
+
+def losses(
+    state: BearingState,
+    lubricant: Lubricant,
+    temperature: ArrayLike,
+    *,
+    friction: float = 0.05,
+    oil_factor: float = 1.0,
+    model: str = "ellipse",
+    static_rating: float | None = None,
+) -> Losses:
+    """Losses of a state.
+
+    Parameters
+    ----------
+    temperature : of the oil in the bearing, shape (…) [°C]
+    friction : μ of the lubricated contacts, 0.03 to 0.07 in traction
+    oil_factor : f0 of Palmgren's viscous moment (``OIL_FACTORS``)
+    model : "ellipse" or "palmgren"
+    static_rating : C0 for Palmgren's load factor [N]; None: from the grooves
+
+    Raises
+    ------
+    InvalidBearing : an unknown model, factors that are not positive
+    """
+    if model not in MODELS:
+        raise InvalidBearing(f"unknown model of losses {model!r}: {', '.join(MODELS)}")
+    speed, g = np.asarray(state.speed), state.operation.geometry
+    viscosity = lubricant.kinematic(temperature)
+    viscous = viscous_moment(g.pitch_diameter, viscosity, speed, oil_factor) * speed
+    slid, split = sliding(state, friction), len(g.inner_grooves)
+    races = slid.power.sum(axis=-2)
+    inner, outer = races[..., :split].sum(axis=-1), races[..., split:].sum(axis=-1)
+    if model == "palmgren":
+        loaded = load_moment(state, static_rating) * speed
+        part = inner + outer
+        share = np.where(part > 0.0, inner / np.where(part > 0.0, part, 1.0), 0.5)
+        inner, outer = share * loaded, (1.0 - share) * loaded
+    total = inner + outer + viscous
+    turning = np.where(speed > 0.0, speed, 1.0)
+    return Losses(
+        inner=np.asarray(inner),
+        outer=np.asarray(outer),
+        viscous=np.broadcast_to(viscous, np.shape(inner)).copy(),
+        spin=np.asarray(slid.spin_power.sum(axis=(-2, -1))),
+        moment=np.asarray(np.where(speed > 0.0, total / turning, 0.0)),
+        slips=np.asarray(slid.slips.any(axis=(-2, -1))),
+    )

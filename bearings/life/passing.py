@@ -1,0 +1,69 @@
+"""Frequencies at which balls pass a defect, per revolution of the inner ring, outer ring at rest.
+
+From the true orbital speed ωm and rotation ωR of the balls of a state, or nominal ones.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from bearings.life.rating import nominal_angle
+from bearings.ring.motion import ball_motion
+
+if TYPE_CHECKING:
+    from bearings.bearing import BallBearing
+    from bearings.ring.state import BearingState
+
+Array = NDArray[np.float64]
+
+
+class Frequencies(NamedTuple):
+    """Per revolution of the inner ring, shape (…); times ω/2π they are frequencies [Hz].
+
+    ``cage``: FTF, ωm/ω; ``outer`` and ``inner``: BPFO and BPFI, balls past a point of the ring;
+    ``ball``: BSF, turns of a ball against the cage, whose defect strikes twice (some print that);
+    ``spread``: largest less smallest ωm/ω of the loaded balls, which a radial load drives apart.
+    """
+
+    cage: Array
+    outer: Array
+    inner: Array
+    ball: Array
+    spread: Array
+
+
+def frequencies(state: BearingState) -> Frequencies:
+    """Of the balls that the inner race drives, mean over these; NaN where it drives none."""
+    motion, driven = ball_motion(state), np.asarray(state.inner_load) > 0.0
+    count = driven.sum(axis=-1)
+    some = np.where(count > 0, count, 1)
+
+    def mean(values: Array) -> Array:
+        total = np.where(driven, values, 0.0).sum(axis=-1) / some
+        return np.where(count > 0, total, np.nan)
+
+    cage, balls = mean(motion.orbit), state.operation.grooves.balls
+    high = np.where(driven, motion.orbit, -np.inf).max(axis=-1)
+    low = np.where(driven, motion.orbit, np.inf).min(axis=-1)
+    with np.errstate(invalid="ignore"):
+        spread = np.where(count > 0, high - low, np.nan)
+    return Frequencies(cage, balls * cage, balls * (1.0 - cage), mean(motion.rotation), spread)
+
+
+def nominal_frequencies(bearing: BallBearing, contact_angle: float | None = None) -> Frequencies:
+    """With equal angles on both races: the nominal one, or ``contact_angle`` [rad]."""
+    alpha = nominal_angle(bearing.grooves) if contact_angle is None else contact_angle
+    ratio = bearing.ball_diameter / bearing.pitch_diameter
+    gamma = ratio * math.cos(alpha)
+    values = (
+        0.5 * (1.0 - gamma),
+        0.5 * bearing.balls * (1.0 - gamma),
+        0.5 * bearing.balls * (1.0 + gamma),
+        (1.0 - gamma**2) / (2.0 * ratio),
+        0.0,
+    )
+    return Frequencies(*(np.asarray(value) for value in values))

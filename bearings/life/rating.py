@@ -1,0 +1,137 @@
+"""Load ratings of a bearing from its grooves: dynamic (ISO 281), static (ISO 76).
+
+The table of ISO 281 is Lundberg and Palmgren's formula with grooves of 0.52 (radial) or 0.535
+(thrust); here the grooves are the bearing's own, so that open grooves lose load rating. The
+formulas are those of the standards from memory [M]; ``docs/theory/life.md`` says what they were
+checked against.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+from bearings.errors import InvalidBearing
+from bearings.geometry import geometry
+from bearings.grooves import Grooves
+
+if TYPE_CHECKING:
+    from bearings.bearing import BallBearing
+
+STATIC_PRESSURE = 4.2e9  # [Pa], ISO 76: a dent of 1e-4 of the ball diameter
+STEEPEST_RADIAL = math.radians(45.0)  # ISO 281: above it a bearing is a thrust bearing
+LARGE_BALL = 25.4e-3  # [m], from which size counts less
+_RADIAL, _THRUST, _MATERIAL = 0.95, 0.90, 1.3  # λ of both kinds, bm
+_LUNDBERG = 98.0665  # N, mm
+RADIAL_SHARE, REFERENCE_SHARE = 1.04, 1.044  # in ρ of ISO 281 and in that of ISO/TS 16281
+EXPONENT = 10.0 / 3.0
+
+
+def nominal_angle(grooves: Grooves) -> float:
+    """Contact angle of ratings [rad]: the free one; 0 of a deep groove, where it is but play."""
+    one_arc = len(grooves.inner_offsets) == len(grooves.outer_offsets) == 1
+    return 0.0 if one_arc and grooves.both_ways else grooves.free_angle
+
+
+def is_thrust(grooves: Grooves) -> bool:
+    """Whether ISO 281 rates the bearing by axial load: contact angle above 45°."""
+    return nominal_angle(grooves) > STEEPEST_RADIAL + 1e-9
+
+
+def race_ratio(grooves: Grooves, share: float = RADIAL_SHARE) -> float:
+    """ρ: strength of the inner race over that of the outer one under equal ball loads, where
+    radial bearings have ``share`` in front and thrust bearings 1."""
+    front = 1.0 if is_thrust(grooves) else share
+    return front * _ratio(_gamma(grooves), grooves.inner_conformity, grooves.outer_conformity)
+
+
+def rating_factor(bearing: BallBearing | Grooves) -> float:
+    """fc of ISO 281 [N, mm] from the bearing's grooves, without the 1.3 of modern steel."""
+    grooves = bearing if isinstance(bearing, Grooves) else bearing.grooves
+    gamma, alpha = _gamma(grooves), nominal_angle(grooves)
+    conformities = grooves.inner_conformity, grooves.outer_conformity
+    if not is_thrust(grooves):
+        factor: float = _radial_factor(gamma, *conformities)
+        return factor
+    both: float = _inner(gamma, conformities[0]) * (1.0 + race_ratio(grooves) ** EXPONENT) ** -0.3
+    size = (grooves.ball_diameter / grooves.pitch_diameter) ** 0.3
+    return _THRUST * (1.0 - math.sin(alpha) / 3.0) * size * both
+
+
+def radial_rating(x: Any) -> Any:
+    """C of radial bearings [N], numbers or arrays that broadcast; up to 45°.
+
+    ``x`` has ``gamma`` = D cos α/dm, ``inner_conformity``, ``outer_conformity``, ``balls``,
+    ``ball_diameter`` [m] and ``contact_angle`` α [rad].
+    """
+    factor = _radial_factor(x.gamma, x.inner_conformity, x.outer_conformity)
+    angle = math.cos(x.contact_angle) ** 0.7
+    return _MATERIAL * factor * angle * x.balls ** (2.0 / 3.0) * _grown(x.ball_diameter)
+
+
+def _radial_factor(gamma: Any, inner: Any, outer: Any) -> Any:
+    """fc up to 45°."""
+    both = (1.0 + (RADIAL_SHARE * _ratio(gamma, inner, outer)) ** EXPONENT) ** -0.3
+    return 0.41 * _RADIAL * _inner(gamma, inner) * gamma**0.3 * both
+
+
+def _ratio(gamma: Any, inner: Any, outer: Any) -> Any:
+    """ρ without the number in front."""
+    osculation = (inner / outer * (2.0 * outer - 1.0) / (2.0 * inner - 1.0)) ** 0.41
+    return ((1.0 - gamma) / (1.0 + gamma)) ** 1.72 * osculation
+
+
+def _inner(gamma: Any, f: Any) -> Any:
+    """Of the inner race: its groove and its curvature."""
+    groove = _LUNDBERG * (2.0 * f / (2.0 * f - 1.0)) ** 0.41
+    return groove * (1.0 - gamma) ** 1.39 / (1.0 + gamma) ** (1.0 / 3.0)
+
+
+def _grown(ball_diameter: Any) -> Any:
+    """D^1.8 of small balls, 3.647 D^1.4 of large ones, D in mm."""
+    import numpy as np
+
+    size = ball_diameter * 1e3
+    return np.where(ball_diameter > LARGE_BALL, 3.647 * size**1.4, size**1.8)
+
+
+def dynamic_rating(bearing: BallBearing | Grooves) -> float:
+    """Basic dynamic load rating C of ISO 281 from the grooves [N].
+
+    Radial load of bearings up to a contact angle of 45°, axial load above. It does not depend on
+    materials: hybrid bearings keep it (ISO 20056-1).
+    """
+    grooves = bearing if isinstance(bearing, Grooves) else bearing.grooves
+    alpha, grown = nominal_angle(grooves), float(_grown(grooves.ball_diameter))
+    whole = _MATERIAL * rating_factor(grooves) * grooves.balls ** (2.0 / 3.0) * grown
+    if is_thrust(grooves):  # (D/dm)^0.3 stands for (γ/cos α)^0.3
+        return whole * math.sin(alpha)
+    return whole * math.cos(alpha) ** 0.7
+
+
+def static_rating(bearing: BallBearing | Grooves, pressure: float = STATIC_PRESSURE) -> float:
+    """Basic static load rating C0 of ISO 76 from the grooves [N].
+
+    The radial load, above 45° the axial load, that presses the most loaded ball with ``pressure``
+    [Pa] against the worse race; a radial load puts 5/(z cos α) of itself on that ball. Balls of
+    silicon nitride press harder than steel ones under equal load and lose about 30 %.
+
+    Raises
+    ------
+    InvalidBearing : a pressure that is not positive
+    """
+    if not pressure > 0.0:
+        raise InvalidBearing(f"pressure of a static rating must be positive, got {pressure!r}")
+    grooves = bearing if isinstance(bearing, Grooves) else bearing.grooves
+    alpha, g = nominal_angle(grooves), geometry(grooves)
+    ball = min(
+        (pressure * race.semi_axis_major * race.semi_axis_minor * math.pi / 1.5) ** 3
+        for race in (g.inner, g.outer)
+    )
+    if is_thrust(grooves):
+        return grooves.balls * ball * math.sin(alpha)
+    return grooves.balls * ball * math.cos(alpha) / 5.0
+
+
+def _gamma(grooves: Grooves) -> float:
+    return grooves.ball_diameter * math.cos(nominal_angle(grooves)) / grooves.pitch_diameter

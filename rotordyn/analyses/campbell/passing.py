@@ -1,0 +1,33 @@
+"""Defect frequencies of the bearings of a spindle over speed."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.scene.scene import Scene
+
+Array = NDArray[np.float64]
+
+
+def passing(scene: Scene, wanted: tuple[str, ...]) -> tuple[tuple[str, ...], Array]:
+    """Names and frequencies (speeds, names) [Hz] of ``wanted``; bearings alike named together."""
+    if not wanted:
+        return (), np.zeros((len(scene.speed), 0))
+    from bearings.life import frequencies
+
+    names: dict[tuple[int, int], list[str]] = {}
+    orders = {}
+    for seat, (state, column) in zip(scene.spindle.seats, scene.preload.seat_states(), strict=True):
+        names.setdefault((id(state), column), []).append(seat.name)
+        orders[id(state)] = frequencies(state)
+    good = np.array([word == "" for word in scene.outcome])
+    hertz = np.where(good, scene.speed, np.nan) / (2.0 * math.pi)
+    found = {
+        f"{which} {', '.join(own)}": getattr(orders[key], which)[scene.bearing_row, column] * hertz
+        for which in wanted
+        for (key, column), own in names.items()
+    }
+    return tuple(found), np.stack([*found.values()], axis=1)

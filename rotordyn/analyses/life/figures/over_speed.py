@@ -1,0 +1,90 @@
+"""Life, safety, heat and films over speed, a line per bearing or group alike."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.life.result import LifeResult
+from rotordyn.figures.amplitudes import log_axis
+from rotordyn.figures.curves import merged
+from rotordyn.figures.legends import top_legend
+from rotordyn.figures.style import (
+    CYCLE,
+    DASHES,
+    GREY,
+    add_axes,
+    grid_boxes,
+    marked,
+    new_figure,
+    speed_ticks,
+    with_zero,
+)
+from rotordyn.results.display import GIGAPASCAL, RPM
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+HOUR = 3600.0
+
+
+def life_figure(result: LifeResult) -> Figure:
+    """Reference life, static safety, peak pressure, ball orders of the defects."""
+    names = ("life L10r [h]", "static safety S0 [-]", "peak pressure [GPa]", "cage over speed [-]")
+    figure, axes = _panels(names, result)
+    _lines(axes[0], result, result.life / HOUR)
+    if np.isfinite(result.target):
+        axes[0].axhline(result.target / HOUR, color=GREY, lw=0.9, ls="--", label="target")
+    log_axis(axes[0])
+    _lines(axes[1], result, result.static_safety)
+    _lines(axes[2], result, result.pressure * GIGAPASCAL.factor)
+    _lines(axes[3], result, result.cage)
+    for each in axes[1:3]:
+        with_zero(each, 1.05)
+    top_legend(figure, *axes)
+    return figure
+
+
+def heat_figure(result: LifeResult) -> Figure:
+    """Heat of contacts and oil, film, viscosity ratio and modified life."""
+    names = ("heat [W]", "of it in contacts [W]", "film h_min [nm]", "modified life [h]")
+    figure, axes = _panels(names, result)
+    _lines(axes[0], result, result.heat)
+    _lines(axes[1], result, result.inner_heat + result.outer_heat)
+    _lines(axes[2], result, result.film * 1e9)
+    _lines(axes[3], result, result.modified_life / HOUR)
+    log_axis(axes[3])
+    for each in axes[:3]:
+        with_zero(each, 1.05)
+    top_legend(figure, *axes)
+    return figure
+
+
+def _panels(names: Sequence[str], result: LifeResult) -> tuple[Figure, list[Axes]]:
+    """Four panels over one speed axis."""
+    figure = new_figure(168.0, 118.0)
+    boxes = grid_boxes(figure, 2, 2, margins=(15.0, 6.0, 12.0, 8.0), gaps=(18.0, 5.0))
+    panels = []
+    for place, (box, name) in enumerate(zip(boxes, names, strict=True)):
+        axes = add_axes(figure, box, "speed [rpm]" if place > 1 else "", name)
+        speed_ticks(axes, float(result.speed[-1] * RPM.factor))
+        axes.tick_params(labelbottom=place > 1)
+        panels.append(axes)
+    return figure, panels
+
+
+def _lines(axes: Axes, result: LifeResult, values: Array) -> None:
+    """A colour, dashes and marks per bearing, those alike drawn once."""
+    rpm = result.speed * RPM.factor
+    shown = np.where(np.isfinite(values), values, np.nan)
+    for place, (name, column) in enumerate(merged(result.bearing, result.life)):
+        look: dict[str, Any] = {
+            "color": CYCLE[column % len(CYCLE)],
+            "ls": DASHES[place % len(DASHES)],
+        }
+        axes.plot(rpm, shown[:, column], label=name, **look, **marked(place))

@@ -1,0 +1,88 @@
+"""What is answered of the life and heat of bearings."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.results.declaration import coordinate, quantity
+from rotordyn.results.display import Shown
+from rotordyn.results.kinds import Array, Flags, Words
+
+BY = ("speed", "bearing")
+HOURS = Shown("h", 1.0 / 3600.0)
+MILLIONS = Shown("1e6", 1e-6)
+NANOMETRE = Shown("nm", 1e9)
+TEMPERATURE = Shown("mm²/s", 1e6)
+
+
+@dataclass(frozen=True)
+class LifeResult:
+    """Life, static safety, heat, films and defect frequencies over speed.
+
+    ``revolutions``: reference life L10r of ISO/TS 16281; ``life``: the same as time, infinite at
+    rest; ``modified_life``: L_nm with the lubricant and the reliability. ``limiting``: the contact
+    that fails first. ``groove_rating``: C from the grooves; ``dynamic_rating``: the one used.
+    ``set_life``: until the first bearing fails. ``spectrum_life``, ``spectrum_set_life``: under the
+    load spectrum, NaN without one. ``static_safety``: (4.2 GPa over the peak pressure)³.
+    ``shoulder_margin``: least angle from the end of a contact ellipse to the shoulder, NaN where no
+    shoulder diameter is known; ``lost_load``: share of a ball's load that the shoulder takes away.
+    ``viscosity_ratio`` κ, ``film``: least thickness, ``film_ratio`` Λ, and heat are NaN without a
+    lubricant. ``cage`` … ``ball``: defect frequencies over that of the spindle; ``ball``: turns of
+    a ball, whose defect strikes twice. ``ring_stress``: largest stress of the fitted inner ring
+    after Tresca, NaN without a fit. ``reliability``, ``target``: as the case asks.
+    """
+
+    speed: Array = coordinate("speed", unit="rad/s", label="speed")
+    bearing: Words = coordinate("bearing", unit="", label="bearing")
+    outcome: Words = quantity("speed", unit="", label="outcome")
+    revolutions: Array = quantity(*BY, unit="1", label="reference life L10r", printed=MILLIONS)
+    life: Array = quantity(*BY, unit="s", label="reference life L10r", printed=HOURS)
+    modified_life: Array = quantity(*BY, unit="s", label="modified life", printed=HOURS)
+    life_factor: Array = quantity(*BY, unit="1", label="factor a_ISO")
+    limiting: NDArray[np.str_] = quantity(*BY, unit="", label="limiting contact")
+    equivalent_load: Array = quantity(*BY, unit="N", label="equivalent load")
+    static_safety: Array = quantity(*BY, unit="1", label="static safety S0")
+    pressure: Array = quantity(*BY, unit="Pa", label="peak pressure")
+    ellipse_length: Array = quantity(
+        *BY, unit="m", label="largest half-length of an ellipse", printed=Shown("mm", 1e3)
+    )
+    shoulder_margin: Array = quantity(*BY, unit="rad", label="margin to the shoulder")
+    lost_load: Array = quantity(*BY, unit="1", label="share of load beyond the shoulder")
+    spin_to_roll: Array = quantity(*BY, unit="1", label="largest spin-to-roll ratio")
+    inner_heat: Array = quantity(*BY, unit="W", label="heat of inner contacts")
+    outer_heat: Array = quantity(*BY, unit="W", label="heat of outer contacts")
+    spin_heat: Array = quantity(*BY, unit="W", label="heat of spin, within the contacts")
+    viscous_heat: Array = quantity(*BY, unit="W", label="heat of the oil")
+    moment: Array = quantity(*BY, unit="N·m", label="friction moment", printed=Shown("N·mm", 1e3))
+    slips: Flags = quantity(*BY, unit="", label="balls need more friction than the lubricant has")
+    viscosity: float = quantity(unit="m²/s", label="viscosity at work", printed=TEMPERATURE)
+    viscosity_ratio: Array = quantity(*BY, unit="1", label="viscosity ratio κ")
+    film: Array = quantity(*BY, unit="m", label="least film thickness", printed=NANOMETRE)
+    film_ratio: Array = quantity(*BY, unit="1", label="film over roughness Λ")
+    cage: Array = quantity(*BY, unit="1", label="cage frequency over that of the spindle")
+    outer: Array = quantity(*BY, unit="1", label="outer race frequency over that of the spindle")
+    inner: Array = quantity(*BY, unit="1", label="inner race frequency over that of the spindle")
+    ball: Array = quantity(*BY, unit="1", label="ball frequency over that of the spindle")
+    ring_stress: Array = quantity(
+        *BY, unit="Pa", label="stress of the fitted ring", printed=Shown("MPa", 1e-6)
+    )
+    dynamic_rating: Array = quantity("bearing", unit="N", label="dynamic load rating")
+    groove_rating: Array = quantity("bearing", unit="N", label="dynamic load rating of the grooves")
+    static_rating: Array = quantity("bearing", unit="N", label="static load rating")
+    set_life: Array = quantity("speed", unit="s", label="life of the set", printed=HOURS)
+    spectrum_life: Array = quantity(
+        "bearing", unit="s", label="life under the spectrum", printed=HOURS
+    )
+    spectrum_set_life: float = quantity(
+        unit="s", label="life of the set under the spectrum", printed=HOURS
+    )
+    reliability: float = quantity(unit="1", label="reliability of the modified life")
+    target: float = quantity(unit="s", label="target life", printed=HOURS)
+
+    @property
+    def heat(self) -> Array:
+        """All heat of every bearing (speeds, bearings) [W]."""
+        return self.inner_heat + self.outer_heat + self.viscous_heat

@@ -1,0 +1,224 @@
+"""Life, safety, heat, films and defect frequencies from the states the preload analysis shares."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+import bearings
+from bearings.ring.state import BearingState
+from rotordyn.analyses.life.result import LifeResult
+from rotordyn.analyses.life.spec import LifeSpec, LoadStep
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import BearingSeat
+from rotordyn.preload.state import PreloadState, dynamic_preload
+from rotordyn.scene.scene import Scene
+
+Array = NDArray[np.float64]
+Values = dict[str, NDArray[Any]]
+NO_OIL = (
+    *("inner_heat", "outer_heat", "spin_heat", "viscous_heat", "moment"),
+    *("viscosity_ratio", "film", "film_ratio", "life_factor", "modified_life"),
+)
+
+
+def answer(scene: Scene, spec: LifeSpec) -> LifeResult:
+    """One row per speed and bearing; a model that several seats share is computed once."""
+    state, seats = scene.preload, scene.spindle.seats
+    good = np.array([word == "" for word in scene.outcome])
+    own = _ratings(scene.spindle, spec)
+    known: dict[tuple[int, float], Values] = {}
+    columns: list[Values] = []
+    for (balls, column), rating in zip(state.seat_states(), own[0], strict=True):
+        key = (id(balls), float(rating))
+        if key not in known:
+            known[key] = _of_bearings(balls, float(rating), spec)
+        columns.append({name: values[:, column] for name, values in known[key].items()})
+    rows = scene.bearing_row
+
+    def joined(name: str) -> NDArray[Any]:
+        values = np.stack([each[name] for each in columns], axis=1)[rows]
+        blank: Any = {"U": "", "b": False}.get(values.dtype.kind, np.nan)
+        return np.where(good[:, None], values, blank)
+
+    fields = {name: joined(name) for name in columns[0]}
+    lives = bearings.life.set_life(fields["life"], axis=1)
+    spectrum = _spectrum(scene, spec, own[0])
+    oil = spec.lubricant
+    return LifeResult(
+        speed=scene.speed,
+        bearing=tuple(seat.name for seat in seats),
+        outcome=scene.outcome,
+        dynamic_rating=own[0],
+        groove_rating=own[1],
+        static_rating=own[2],
+        ring_stress=np.where(good[:, None], _ring_stress(state)[rows], np.nan),
+        set_life=lives,
+        spectrum_life=spectrum,
+        spectrum_set_life=float(bearings.life.set_life(spectrum)),
+        viscosity=math.nan if oil is None else float(oil.oil.kinematic(oil.temperature)),
+        reliability=spec.reliability,
+        target=math.nan if spec.target is None else spec.target,
+        **fields,
+    )
+
+
+def _ratings(spindle: Spindle, spec: LifeSpec) -> tuple[Array, Array, Array]:
+    """C used, C of the grooves and C0 of every bearing [N]."""
+    grooves = np.array([bearings.life.dynamic_rating(seat.bearing) for seat in spindle.seats])
+    used = np.array(
+        [
+            spec.dynamic_ratings.get(seat.name, own)
+            for seat, own in zip(spindle.seats, grooves, strict=True)
+        ]
+    )
+    static = np.array([bearings.life.static_rating(seat.bearing) for seat in spindle.seats])
+    return used, grooves, static
+
+
+def _of_bearings(state: BearingState, rating: float, spec: LifeSpec) -> Values:
+    """Every quantity of the bearings of one model over speed (speeds, bearings)."""
+    lived = bearings.life.life_of(state, rating)
+    cut = bearings.truncation(state)
+    orders = bearings.life.frequencies(state)
+    hertz = np.asarray(state.speed) / (2.0 * math.pi)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        life = lived.revolutions / hertz
+    spin = np.maximum(np.abs(state.inner_spin_to_roll), np.abs(state.outer_spin_to_roll))
+    return {
+        "revolutions": lived.revolutions,
+        "life": life,
+        "limiting": lived.limiting,
+        "equivalent_load": lived.equivalent_load,
+        "static_safety": bearings.life.static_safety(state),
+        "pressure": np.asarray(state.contact_pressure).max(axis=(-2, -1)),
+        "ellipse_length": cut.major.max(axis=(-2, -1)),
+        "shoulder_margin": _least(cut.shoulder_margin),
+        "lost_load": cut.lost_load.max(axis=(-2, -1)),
+        "spin_to_roll": spin.max(axis=-1),
+        "cage": orders.cage,
+        "outer": orders.outer,
+        "inner": orders.inner,
+        "ball": orders.ball,
+        **_oiled(state, lived, life, spec),
+    }
+
+
+def _oiled(
+    state: BearingState,
+    lived: bearings.life.ReferenceLife,
+    life: Array,
+    spec: LifeSpec,
+) -> Values:
+    """What depends on the lubricant; NaN without one."""
+    asked = spec.lubricant
+    if asked is None:
+        nothing = {name: np.full_like(life, np.nan) for name in NO_OIL}
+        return {**nothing, "slips": np.zeros(life.shape, dtype=bool)}
+    oil, at = asked.oil, asked.temperature
+    factor = bearings.heat.OIL_FACTORS[asked.supply]
+    lost = bearings.heat.losses(
+        state, oil, at, friction=asked.friction, oil_factor=factor, model=spec.heat
+    )
+    films = bearings.film.film(state, oil, at)
+    loaded = np.asarray(state.contact_load) > 0.0
+    film = np.where(loaded, films.least, np.inf).min(axis=(-2, -1))
+    ratio = np.where(loaded, films.ratio(asked.ball_roughness, asked.race_roughness), np.inf)
+    pitch = state.operation.grooves.pitch_diameter
+    kappa = bearings.life.viscosity_ratio(oil.kinematic(at), state.speed, pitch)
+    static = bearings.life.static_rating(state.operation.grooves)
+    limit = bearings.life.fatigue_load_limit(static, pitch)
+    modified = bearings.life.life_factor(kappa, asked.contamination, limit, lived.equivalent_load)
+    share = bearings.life.reliability_factor(spec.reliability)
+    return {
+        "inner_heat": lost.inner,
+        "outer_heat": lost.outer,
+        "spin_heat": lost.spin,
+        "viscous_heat": lost.viscous,
+        "moment": lost.moment,
+        "slips": lost.slips,
+        "viscosity_ratio": kappa,
+        "film": np.where(np.isfinite(film), film, 0.0),
+        "film_ratio": np.where(loaded.any(axis=(-2, -1)), ratio.min(axis=(-2, -1)), 0.0),
+        "life_factor": modified,
+        "modified_life": share * modified * life,
+    }
+
+
+def _least(margin: Array) -> Array:
+    """Over balls and contacts, NaN where no contact has a margin."""
+    least = np.where(np.isnan(margin), np.inf, margin).min(axis=(-2, -1))
+    return np.where(np.isfinite(least), least, np.nan)
+
+
+def _ring_stress(state: PreloadState) -> Array:
+    """Stress after Tresca, σθ + p at the bore of every fitted inner ring (speeds, seats) [Pa]."""
+    from bearings.fit.compound import compound
+    from rotordyn.preload.growth import fitted_bodies
+
+    stress = np.full((len(state.speed), len(state.spindle.seats)), np.nan)
+    for k, seat in enumerate(state.spindle.seats):
+        fit = seat.growth.fitted
+        if fit is not None:
+            bodies = fitted_bodies(state.spindle, seat, fit)
+            pressed = compound(bodies, [fit.interference], state.speed)
+            stress[:, k] = pressed.hoop_stress(fit.bore_diameter / 2.0) + pressed.pressure[:, 0]
+    return stress
+
+
+def _spectrum(scene: Scene, spec: LifeSpec, rating: Array) -> Array:
+    """Life of every bearing under the load spectrum [s], NaN without one (bearings,)."""
+    if not spec.spectrum:
+        return np.full(len(rating), np.nan)
+    lives = np.array([_step_life(scene, step, rating) for step in spec.spectrum])
+    shares = [step.share for step in spec.spectrum]
+    return np.where(np.isnan(lives).any(axis=0), np.nan, bearings.life.mean_life(shares, lives))
+
+
+def _step_life(scene: Scene, step: LoadStep, rating: Array) -> Array:
+    """Life of every bearing under one step alone [s], infinite at rest, NaN without a state."""
+    force = scene.axial_force + step.axial_force
+    state = dynamic_preload(scene.grounded, np.array([step.speed]), scene.law, force)
+    if state.outcome[0]:
+        return np.full(len(rating), np.nan)
+    found = []
+    for seat, (balls, column), own in zip(
+        scene.spindle.seats, state.seat_states(), rating, strict=True
+    ):
+        radial = step.radial.get(seat.name, 0.0)
+        if radial > 0.0:
+            revolutions = _under_radial_load(scene, step, seat, balls, column, float(own))
+        else:
+            revolutions = float(bearings.life.reference_life(balls, float(own))[0, column])
+        found.append(revolutions * 2.0 * math.pi / step.speed if step.speed else np.inf)
+    return np.array(found)
+
+
+def _under_radial_load(
+    scene: Scene,
+    step: LoadStep,
+    seat: BearingSeat,
+    balls: BearingState,
+    column: int,
+    rating: float,
+) -> float:
+    """Revolutions of a bearing that keeps its axial load and growth, untilted; NaN without a
+    state."""
+    law, asked = seat.law(scene.law), balls.operation
+    static, growth = (
+        each.reshape(asked.shape)[:1, column] for each in (asked.static_growth, asked.growth)
+    )
+    state = seat.bearing.equilibrium(
+        load=[float(balls.load[0, column, 0]), step.radial[seat.name], 0.0, np.nan, np.nan],
+        displacement=[np.nan, np.nan, np.nan, 0.0, 0.0],
+        speed=[step.speed],
+        static_growth=static,
+        growth=growth,
+        kinematics=law.kinematics,
+        moment_sharing=law.moment_sharing,
+        friction=law.friction,
+    )
+    return float(bearings.life.reference_life(state, rating)[0])

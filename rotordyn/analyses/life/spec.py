@@ -1,0 +1,87 @@
+"""What a case asks of the life and heat of its bearings (SI; temperatures in °C)."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Annotated
+
+from rotordyn.description import Description, Faults, known
+from rotordyn.quantity import (
+    Choice,
+    Duration,
+    Force,
+    Load,
+    Name,
+    Preload,
+    Share,
+    Speed,
+)
+from rotordyn.scene.lubrication import LOSS_MODELS, Lubrication
+from rotordyn.scene.spec import Setting, Spec
+
+RELIABILITIES = (0.90, 0.95, 0.96, 0.97, 0.98, 0.99)
+_SUM = 1e-6  # by which shares may miss 1
+
+
+@dataclass(frozen=True, slots=True)
+class LoadStep(Description):
+    """One step of a load spectrum."""
+
+    share: Annotated[Share, "of the time; those of all steps add up to 100 %"]
+    speed: Annotated[Speed, "of the spindle"]
+    axial_force: Annotated[
+        Force, "on the front end of the shaft, towards +x, besides that of the conditions"
+    ] = 0.0
+    radial: Annotated[
+        Mapping[Name, Preload],
+        "radial load on bearings by name; they keep the axial load of their preload, untilted",
+    ] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class LifeSpec(Spec):
+    """Life, static safety, heat, films and defect frequencies of every bearing over speed."""
+
+    lubricant: Annotated[
+        Lubrication | None, "oil; without it neither heat nor films nor modified life"
+    ] = None
+    dynamic_ratings: Annotated[
+        Mapping[Name, Load],
+        "C of a catalogue, of ONE bearing each, by name; by default from the grooves",
+    ] = field(default_factory=dict)
+    reliability: Annotated[float, Choice(RELIABILITIES), "of the modified life"] = 0.90
+    target: Annotated[Duration | None, "life that every bearing shall reach, a warning if not"] = (
+        None
+    )
+    spectrum: Annotated[
+        tuple[LoadStep, ...], "loads and speeds by their shares of time, for one life of all"
+    ] = ()
+    heat: Annotated[
+        str,
+        Choice(LOSS_MODELS),
+        "`ellipse`: sliding in the contact ellipses; `palmgren`: his load-dependent moment; the "
+        "viscous part is Palmgren's in both ([theory](theory/life.md#friction-and-heat))",
+    ] = LOSS_MODELS[0]
+
+    def _faults(self) -> Faults:
+        total = sum(step.share for step in self.spectrum)
+        if self.spectrum and known(total) and abs(total - 1.0) > _SUM:
+            yield (
+                ("spectrum",),
+                f"shares add up to {100.0 * total:.6g} %: allowed: 100 %, the whole of the time",
+            )
+
+    def faults_on(self, setting: Setting) -> Faults:
+        names = [seat.name for seat in setting.spindle.seats]
+        places = [("dynamic_ratings", name) for name in self.dynamic_ratings]
+        for index, step in enumerate(self.spectrum):
+            places += [("spectrum", index, "radial", name) for name in step.radial]  # type: ignore[misc]
+        for path in places:
+            if path[-1] not in names:
+                yield (
+                    path,
+                    f"unknown bearing: given '{path[-1]}'; allowed: {', '.join(names)}",
+                )
+        if setting.conditions.bearings == "static":
+            yield (), "needs bearings at speed: given conditions.bearings: static"

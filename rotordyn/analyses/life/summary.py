@@ -1,0 +1,189 @@
+"""Life and heat of bearings in a few lines of text, and what is wrong with them."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.life.result import LifeResult
+from rotordyn.results.described import Described
+from rotordyn.results.display import DEGREE, RPM, number
+from rotordyn.results.headline import Number, ends
+from rotordyn.results.text import from_to, unbroken
+
+Array = NDArray[np.float64]
+HOUR = 3600.0
+LONG = 1e6  # h, more than anybody waits for
+LEAST_SAFETY = 2.0  # static, of spindles
+LEAST_KAPPA = 0.1  # below, ISO 281 knows no modified life
+HIGHEST = 3.3e9  # Pa, up to which the exponent of life holds
+PAIR = 1.4  # times the rating of the grooves: that of a pair is 1.62 times
+YIELD = 1.5e9  # Pa, of hardened bearing steel with little margin
+
+
+def summary(result: LifeResult) -> list[str]:
+    """Life, static safety, heat, film and defect frequencies, most of them of the worst bearing."""
+    if all(result.outcome):
+        return []
+    rpm = result.speed[_last(result)] * RPM.factor
+    lines = [f"life       L10r at {rpm:.0f} rpm [h] {_each(result, result.life / HOUR, hours)}"]
+    lines[0] += f"; set {hours(result.set_life[_last(result)] / HOUR)}"
+    if np.isfinite(result.spectrum_life).any():
+        own = ", ".join(
+            unbroken(f"{name} {hours(life / HOUR)}")
+            for name, life in zip(result.bearing, result.spectrum_life, strict=True)
+        )
+        lines.append(f"spectrum   L10r [h] {own}; set {hours(result.spectrum_set_life / HOUR)}")
+    if math.isfinite(result.viscosity):
+        grade = f"{100.0 * result.reliability:g} %"
+        lines.append(
+            f"modified   life of {grade} [h] {_each(result, result.modified_life / HOUR, hours)}; "
+            f"κ {_range(result.viscosity_ratio[_last(result)], 2)}, film "
+            f"{_range(result.film[_last(result)] * 1e9, 0)} nm"
+        )
+        lines.append(
+            f"heat       [W] {_over_speed(result, result.heat)} (order of magnitude; sliding in "
+            "contacts and oil)"
+        )
+    low, pressure = np.nanmin(result.static_safety), np.nanmax(result.pressure) / 1e9
+    lines.append(f"safety     S0 from {number(low)}, peak pressure {pressure:.2f} GPa")
+    orders = [
+        f"{letter} {_range(getattr(result, name)[_last(result)], 3)}"
+        for letter, name in (
+            ("cage", "cage"),
+            ("outer race", "outer"),
+            ("inner race", "inner"),
+            ("ball", "ball"),
+        )
+    ]
+    lines.append(f"defects    × speed at {rpm:.0f} rpm: {', '.join(map(unbroken, orders))}")
+    return lines
+
+
+def hours(value: float) -> str:
+    """
+    >>> hours(79320.4), hours(4.2e6), hours(float("inf"))
+    ('79300', '> 1e6', '> 1e6')
+    """
+    if math.isnan(value):
+        return "none"
+    return "> 1e6" if value > LONG else f"{float(f'{value:.3g}'):.0f}"
+
+
+def _last(result: LifeResult) -> int:
+    """The last speed with a state."""
+    return max(k for k, word in enumerate(result.outcome) if not word)
+
+
+def _each(result: LifeResult, values: Array, written: object) -> str:
+    """The value of every bearing at the last speed; bearings alike named together."""
+    groups: dict[str, list[str]] = {}
+    for name, value in zip(result.bearing, values[_last(result)], strict=True):
+        groups.setdefault(written(float(value)), []).append(name)  # type: ignore[operator]
+    return ", ".join(unbroken(f"{'/'.join(names)} {word}") for word, names in groups.items())
+
+
+def _over_speed(result: LifeResult, values: Array) -> str:
+    groups: dict[str, list[str]] = {}
+    known = [k for k, word in enumerate(result.outcome) if not word]
+    for name, column in zip(result.bearing, values.T, strict=True):
+        groups.setdefault(from_to(column[known], 0), []).append(name)
+    return ", ".join(unbroken(f"{'/'.join(names)} {word}") for word, names in groups.items())
+
+
+def _range(values: Array, digits: int) -> str:
+    """The least and the largest value of some bearings."""
+    ends = [number(float(end), digits) for end in (np.nanmin(values), np.nanmax(values))]
+    return ends[0] if ends[0] == ends[1] else f"{ends[0]} to {ends[1]}"
+
+
+def numbers(result: LifeResult, _: Described) -> Iterator[Number]:
+    """Life of the set, static safety, pressure and heat."""
+    lives = np.where(np.isfinite(result.set_life), result.set_life / HOUR, np.nan)
+    yield from ends(result, "set L10r", "h", lives, digits=0)
+    if np.isfinite(result.spectrum_set_life):
+        yield Number("set L10r, spectrum", "h", result.spectrum_set_life / HOUR, digits=0)
+    yield from ends(result, "S0", "", result.static_safety.min(axis=1))
+    yield from ends(result, "pressure", "GPa", result.pressure.max(axis=1) / 1e9, digits=2)
+    if math.isfinite(result.viscosity):
+        yield from ends(result, "heat", "W", result.heat.sum(axis=1), digits=0)
+
+
+def warnings(result: LifeResult) -> list[str]:
+    """A sentence with its remedy for whatever leaves the range of a formula or a limit."""
+    found: dict[str, list[str]] = {}
+    for k, name in enumerate(result.bearing):
+        for sentence in _of_bearing(result, k):
+            found.setdefault(sentence, []).append(name)
+    return [
+        f"bearing{'s' if len(names) > 1 else ''} {', '.join(names)}: {sentence}"
+        for sentence, names in found.items()
+    ]
+
+
+def _of_bearing(result: LifeResult, k: int) -> Iterator[str]:
+    ratio = result.dynamic_rating[k] / result.groove_rating[k]
+    if ratio > PAIR:
+        yield (
+            f"dynamic rating {result.dynamic_rating[k]:.0f} N is {ratio:.2f} times that of the "
+            "grooves; give that of one bearing: a pair has 1.62 times as much"
+        )
+    if where := _first(result, result.static_safety[:, k] < LEAST_SAFETY):
+        yield (
+            f"static safety {np.nanmin(result.static_safety[:, k]):.2g} is below {LEAST_SAFETY:g} "
+            f"from {where} on; lower the load or take a larger bearing"
+        )
+    elif where := _first(result, result.pressure[:, k] > HIGHEST):
+        yield (
+            f"contact pressure above {HIGHEST / 1e9:g} GPa from {where} on: life is shorter "
+            "than computed; lower the load"
+        )
+    if where := _first(result, 2.0 * result.equivalent_load[:, k] > result.dynamic_rating[k]):
+        yield (
+            f"equivalent load above half the dynamic rating from {where} on: life is shorter "
+            "than computed; lower the load"
+        )
+    if where := _first(result, result.shoulder_margin[:, k] < 0.0):
+        margin = -np.nanmin(result.shoulder_margin[:, k]) * DEGREE.factor
+        lost = 100.0 * np.nanmax(result.lost_load[:, k])
+        yield (
+            f"a contact ellipse passes the shoulder by {margin:.2g}° from {where} on, with "
+            f"{lost:.2g} % of its load; lower the load or raise the shoulder"
+        )
+    turning = result.speed > 0.0
+    if where := _first(result, turning & (result.viscosity_ratio[:, k] < LEAST_KAPPA)):
+        yield (
+            f"viscosity ratio κ below {LEAST_KAPPA:g} up to "
+            f"{_up_to(result, result.viscosity_ratio[:, k] < LEAST_KAPPA)}, where ISO 281 knows no "
+            "modified life; take a thicker oil"
+        )
+    if where := _first(result, result.slips[:, k]):
+        yield (
+            f"the balls need more friction than that of the lubricant from {where} on: they slip, "
+            "and the heat of its contacts is a guess there; raise the preload"
+        )
+    if np.nanmax(result.ring_stress[:, k], initial=0.0) > YIELD:
+        yield (
+            f"the inner ring yields under its fit: {np.nanmax(result.ring_stress[:, k]) / 1e6:.0f} "
+            f"MPa after Tresca, allowed {YIELD / 1e6:g}; lower the interference"
+        )
+    life = result.spectrum_life[k]
+    lives = np.array([life]) if np.isfinite(life) else result.life[:, k]
+    if np.isfinite(result.target) and np.nanmin(lives, initial=np.inf) < result.target:
+        yield (
+            f"life {hours(float(np.nanmin(lives)) / HOUR)} h is below the target of "
+            f"{hours(result.target / HOUR)} h; lower load or speed, or take a larger bearing"
+        )
+
+
+def _first(result: LifeResult, where: NDArray[np.bool_]) -> str:
+    """The first speed at which something holds; empty where it does not."""
+    at = np.flatnonzero(where)
+    return f"{result.speed[at[0]] * RPM.factor:.0f} rpm" if at.size else ""
+
+
+def _up_to(result: LifeResult, where: NDArray[np.bool_]) -> str:
+    return f"{result.speed[np.flatnonzero(where)[-1]] * RPM.factor:.0f} rpm"

@@ -1,0 +1,11 @@
+"""How its result is laid out in tables."""
+
+from __future__ import annotations
+
+from rotordyn.results.layout import Layout
+
+LAYOUTS = (
+    Layout("life", ("speed", "bearing")),
+    Layout("life_bearings", ("bearing",)),
+    Layout("life_set", ("speed",)),
+)

@@ -1,0 +1,125 @@
+"""The deflection line under weight, drawn on to the gauges in front of the nose."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.static_sag.result import StaticSagResult
+from rotordyn.figures.labels import spread
+from rotordyn.figures.legends import top_legend
+from rotordyn.figures.overlays import colour, dash
+from rotordyn.figures.panels import Shown
+from rotordyn.figures.style import BLACK, FONT_SIZE, GREY, add_axes, new_figure
+from rotordyn.machine.spindle import Spindle
+from rotordyn.results.display import MICROMETRE, MILLIMETRE, RPM
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+Array = NDArray[np.float64]
+SEEN = 1e-9  # of the largest deflection
+WIDE = 145.0  # [mm] of a panel
+LETTER = 0.55 * (FONT_SIZE - 1.5) * 25.4 / 72.0  # [mm] of a name, on average
+
+
+def line_figure(variants: Sequence[Shown]) -> Figure:
+    """Deflection over station, a panel for every direction that sags, a line per variant or, of
+    one machine, at the slowest and the fastest speed; gauges with what they read."""
+    names = _directions(variants)
+    tall, gap = 62.0, 6.0
+    figure = new_figure(168.0, 14.0 + (tall + gap) * len(names))
+    for place, name in enumerate(names):
+        last = place == len(names) - 1
+        box = (17.0, 12.0 + (len(names) - 1 - place) * (tall + gap), WIDE, tall)
+        label = "station x [mm]" if last else ""
+        axes = add_axes(figure, box, label, f"deflection {name} [µm]")
+        axes.tick_params(labelbottom=last)
+        for k, (variant, row, title) in enumerate(_lines(variants)):
+            _draw(axes, variant, row, name, k, title)
+        axes.axhline(0.0, color=BLACK, lw=0.7, zorder=1)
+        axes.margins(x=0.03, y=0.14)
+        axes.autoscale_view()
+        _mark(axes, variants[0].spindle)
+    top_legend(figure, *figure.axes, above=4.0)
+    return figure
+
+
+def _directions(variants: Sequence[Shown]) -> list[str]:
+    """Those in which something sags; y where nothing does."""
+    first: StaticSagResult = variants[0].result
+    most = np.array([np.nanmax(np.abs(v.result.deflection), axis=(0, 1)) for v in variants]).max(
+        axis=0
+    )
+    seen = [n for n, m in zip(first.direction, most, strict=True) if m > SEEN * most.max()]
+    return seen or [first.direction[0]]
+
+
+def _lines(variants: Sequence[Shown]) -> list[tuple[Shown, int, str]]:
+    """What is drawn: variant, row of the speed, words of the legend."""
+    found = []
+    for variant in variants:
+        result: StaticSagResult = variant.result
+        rows = np.flatnonzero(np.isfinite(result.slope).all(axis=1))
+        for row in rows[:1] if len(variants) > 1 else dict.fromkeys(rows[[0, -1]].tolist()):
+            speed = f"{result.speed[row] * RPM.factor:.0f} rpm"
+            found.append((variant, int(row), f"{variant.title}, {speed}".removeprefix(", ")))
+    return found
+
+
+def _draw(axes: Axes, variant: Shown, row: int, name: str, place: int, title: str) -> None:
+    result: StaticSagResult = variant.result
+    k = result.direction.index(name)
+    y = result.deflection[row, :, k] * MICROMETRE.factor
+    look: dict[str, Any] = {"color": colour(place), "ls": dash(place)}
+    axes.plot(result.station * MILLIMETRE.factor, y, label=f"shaft, {title}", **look)
+    if variant.spindle is None:
+        return
+    start = variant.spindle.points[result.point]
+    gauges = np.array([0.0, *np.sort(result.gauge)])
+    sag = np.interp(start, result.station, result.deflection[row, :, k])
+    bar = (sag - gauges * result.slope[row, k]) * MICROMETRE.factor
+    if result.gauge.any():
+        look = {"color": colour(place), "lw": 0.8, "ls": ":", "label": f"test bar, {title}"}
+        axes.plot((start - gauges) * MILLIMETRE.factor, bar, **look)
+    read = (start - result.gauge) * MILLIMETRE.factor
+    at = result.sag[row, :, k] * MICROMETRE.factor
+    axes.plot(read, at, ls="none", marker="v", ms=5.0, color=colour(place), label=f"gauge, {title}")
+    if place:
+        return
+    for x, value, runout in zip(read, at, result.runout[row, :, k], strict=True):
+        words = f"{value:.3g} µm".replace("-", "−")
+        if result.ring:
+            words += f"\nrunout {runout * MICROMETRE.factor:.3g} µm"
+        axes.annotate(
+            words,
+            (x, value),
+            (6.0, 6.0),
+            textcoords="offset points",
+            fontsize=FONT_SIZE - 1.5,
+            color=colour(place),
+        )
+
+
+def _mark(axes: Axes, spindle: Spindle | None) -> None:
+    """A thin line where a bearing or support is, with its name, names beside each other."""
+    held = sorted(spindle.connections, key=lambda each: each.x) if spindle else []
+    stations = [each.x * MILLIMETRE.factor for each in held]
+    left, right = axes.get_xlim()
+    sizes = [(len(each.name) * LETTER + 1.5) * (right - left) / WIDE for each in held]
+    for each, x, place in zip(held, stations, spread(stations, sizes, left, right), strict=True):
+        axes.axvline(x, color=GREY, lw=0.6, ls=":", zorder=1)
+        axes.annotate(
+            each.name,
+            (float(place), 1.0),
+            (0.0, 2.0),
+            xycoords=("data", "axes fraction"),
+            textcoords="offset points",
+            ha="center",
+            fontsize=FONT_SIZE - 1.5,
+            color=GREY,
+        )

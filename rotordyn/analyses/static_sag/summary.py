@@ -1,0 +1,85 @@
+"""Sag and runout of the nose in a few lines of text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.static_sag.result import MICRORADIAN, StaticSagResult
+from rotordyn.results.described import Described
+from rotordyn.results.display import MICROMETRE, RPM, number
+from rotordyn.results.headline import Number
+from rotordyn.results.text import unbroken
+
+Array = NDArray[np.float64]
+
+
+def summary(result: StaticSagResult) -> list[str]:
+    """At the slowest speed with a solution, where it is measured."""
+    row = _slowest(result)
+    slope = _both(result, result.slope[row] * MICRORADIAN.factor)
+    sag = ", ".join(_at_gauges(result, row, result.sag))
+    lines = [f"sag        of {result.point} by weight [µm] {sag}; slope [µrad] {slope}"]
+    if result.ring:
+        runout = ", ".join(_at_gauges(result, row, result.runout))
+        highest = ", ".join(_at_gauges(result, row, result.highest_runout))
+        lines += [
+            f"runout     of {result.point}, full reading of a gauge [µm] {runout}; with the rings "
+            f"at other angles up to {highest}",
+            "           the sag does not turn: it shifts the reading and is no part of the runout",
+        ]
+    return lines
+
+
+def numbers(result: StaticSagResult, _: Described) -> Iterator[Number]:
+    """The amount of sag and runout at the first gauge, and of the slope."""
+    row = _slowest(result)
+    for name, values, printed in (
+        ("sag", result.sag[row, 0], MICROMETRE),
+        ("slope", result.slope[row], MICRORADIAN),
+    ):
+        yield Number(name, printed.unit, float(np.hypot(*values)) * printed.factor, digits=2)
+    if result.ring:
+        runout = float(result.runout[row, 0].max()) * MICROMETRE.factor
+        yield Number("runout", MICROMETRE.unit, runout, digits=2)
+
+
+def warnings(result: StaticSagResult) -> list[str]:
+    """Rings taken to run true, and a machine that is not at rest."""
+    found = []
+    if result.ring and result.true_ring:
+        found.append(
+            f"runout of {result.point}: no ring runout is given for bearings "
+            f"{', '.join(result.true_ring)}, which hold it as if they ran true: give theirs"
+        )
+    slow = float(result.speed[_slowest(result)])
+    if slow > 0.0:
+        found.append(
+            f"sag of {result.point}: the slowest speed solved is {slow * RPM.factor:.0f} rpm, "
+            "whose bearing stiffness is not that at which sag and runout are measured: add 0 rpm"
+        )
+    return found
+
+
+def _slowest(result: StaticSagResult) -> int:
+    return int(np.flatnonzero(np.isfinite(result.slope).all(axis=1))[0])
+
+
+def _at_gauges(result: StaticSagResult, row: int, values: Array) -> Iterator[str]:
+    """y and z at each gauge, which is named where it is not at the point."""
+    for gauge, each in zip(result.gauge, values[row] * MICROMETRE.factor, strict=True):
+        side = "in front" if gauge > 0.0 else "behind"
+        at = f" {abs(gauge) * 1e3:g} mm {side}" if gauge else ""
+        yield unbroken(f"{_both(result, each)}{at}")
+
+
+def _both(result: StaticSagResult, values: Array) -> str:
+    named = zip(result.direction, values, strict=True)
+    return unbroken(" ".join(f"{name} {_number(float(value))}" for name, value in named))
+
+
+def _number(value: float) -> str:
+    """Two decimals, rounding as zero."""
+    return number(0.0 if abs(value) < 1e-6 else value, 2)

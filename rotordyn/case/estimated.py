@@ -1,0 +1,59 @@
+"""A bearing whose file gives printed values under ``estimate`` instead of balls and grooves."""
+
+from __future__ import annotations
+
+from dataclasses import fields, replace
+from typing import TYPE_CHECKING, Any
+
+from bearings.catalogue.printed import Catalogue
+from bearings.errors import InvalidBearing
+from bearings.kinds import DEFAULT, kind_class
+from rotordyn.case.keys import Printed, keys_of
+from rotordyn.case.node import Node
+from rotordyn.case.reading import Reading
+
+if TYPE_CHECKING:
+    from bearings.catalogue.estimate import EstimatedBearing
+
+NEEDED = ("estimate", "name", "bore_diameter", "outside_diameter", "contact_angle")
+_CALLED = {"bore_diameter": "bore"}  # key of files -> field of a catalogue
+_SHOULDERS = ("inner_shoulder_diameter", "outer_shoulder_diameter")
+
+
+def estimated(reading: Reading, node: Node) -> EstimatedBearing | None:
+    """The estimate from what the file gives; None where it has faults."""
+    from bearings.catalogue.estimate import of
+
+    model: Any = kind_class(DEFAULT)
+    faults, kind = reading.faults, node.child("kind")
+    before = len(faults.found)
+    if kind is not None and kind.value != DEFAULT:
+        faults.at(
+            kind,
+            (),
+            f"no estimate of this kind: given '{kind.raw}'; allowed: {DEFAULT}, or leave "
+            "out estimate and give balls and grooves",
+        )
+        return None
+    reading.given(model, node)
+    for key in NEEDED:
+        if node.child(key) is None:
+            faults.missing(node, (key,), "missing key: an estimate needs it")
+    if len(faults.found) > before:
+        return None
+    values = {
+        own.keys[0]: reading.value(own.annotation, node.at(own.keys[0]))
+        for own in keys_of(model)
+        if node.child(own.keys[0]) is not None
+    }
+    printed = values.pop("estimate") or Printed()
+    values |= {own.name: getattr(printed, own.name) for own in fields(Printed)}
+    taken = {own.name for own in fields(Catalogue)}
+    named = {_CALLED.get(key, key): value for key, value in values.items()}
+    try:
+        found = of(Catalogue(**{key: value for key, value in named.items() if key in taken}))
+        shoulders = {key: values[key] for key in _SHOULDERS if key in values}
+        return replace(found, **shoulders) if shoulders else found
+    except InvalidBearing as error:
+        faults.at_key(node.at("estimate"), (), f"no estimate: {error}")
+        return None

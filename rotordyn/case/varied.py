@@ -1,0 +1,99 @@
+"""In what cases differ: the values at dotted paths that variants do not share."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, is_dataclass
+from itertools import chain
+from typing import Annotated, Any
+
+from rotordyn.case.case import Case
+from rotordyn.description import quantity_of
+from rotordyn.field import declared, found_in
+from rotordyn.machine.support import Matrix
+from rotordyn.quantity import Quantity
+from rotordyn.units import KINDS, parse_unit
+
+OF_CASES = ("spindle", "bearing", "conditions")
+APART = ((), ("name",), ("title",), ("references",))  # which no result depends on
+Leaf = tuple[Any, Quantity | None]
+
+
+@dataclass(frozen=True, slots=True)
+class Varied:
+    """A ``path`` as ``vary`` takes it, and the value of every case there: numbers in ``unit``, None
+    where a case has no such path."""
+
+    path: str
+    unit: str
+    values: tuple[Any, ...]
+
+    @property
+    def label(self) -> str:
+        """Path and unit, as of a column."""
+        return f"{self.path} [{self.unit}]" if self.unit else self.path
+
+    @property
+    def numeric(self) -> bool:
+        """Whether every case has a finite number there."""
+        kinds = (int, float)
+        numbers = [v for v in self.values if isinstance(v, kinds) and not isinstance(v, bool)]
+        return len(numbers) == len(self.values) and all(map(math.isfinite, numbers))
+
+
+def varied(cases: Sequence[Case]) -> tuple[Varied, ...]:
+    """What differs among the machines and conditions of ``cases``, in the order of their fields;
+    names and titles are no difference."""
+    found = [dict(_leaves(case)) for case in cases]
+    paths = dict.fromkeys(chain.from_iterable(found))
+    rows = ((path, [own.get(path, (None, None)) for own in found]) for path in paths)
+    return tuple(
+        _varied(path, row) for path, row in rows if any(leaf[0] != row[0][0] for leaf in row[1:])
+    )
+
+
+def _leaves(case: Case) -> Iterator[tuple[str, Leaf]]:
+    for name in OF_CASES:
+        yield from _within(name, getattr(case, name), None)
+
+
+def _within(path: str, value: Any, annotation: Any) -> Iterator[tuple[str, Leaf]]:
+    """Every value at the end of a path, with its quantity."""
+    if is_dataclass(value):
+        kind: Any = type(value)
+        for field in declared(kind):
+            if field.name and field.keys not in APART:
+                inner = getattr(value, field.name)
+                yield from _within(".".join((path, *field.keys)), inner, field.annotation)
+    elif isinstance(value, Mapping):
+        matrix = found_in(annotation, Matrix)
+        for key, entry in value.items():
+            word = key if isinstance(key, str) else "".join(map(str, key))
+            own = annotation if matrix is None else Annotated[float, matrix.quantity(*key)]
+            yield from _within(f"{path}.{word}", entry, own)
+    elif isinstance(value, tuple):
+        for place, item in enumerate(value):
+            name = getattr(item, "name", "") or place + 1
+            yield from _within(f"{path}.{name}", item, annotation)
+    else:
+        yield path, (value, quantity_of(annotation))
+
+
+def _varied(path: str, row: Sequence[Leaf]) -> Varied:
+    values = [value for value, _ in row]
+    quantity = next((q for value, q in row if q is not None and isinstance(value, float)), None)
+    if quantity is None:
+        return Varied(path, "", tuple(values))
+    unit = _unit(quantity, [v for v in values if isinstance(v, float)])
+    scale = parse_unit(unit).scale if unit else 1.0
+    scaled = (float(f"{v / scale:.12g}") if isinstance(v, float) else v for v in values)
+    return Varied(path, unit, tuple(scaled))
+
+
+def _unit(quantity: Quantity, values: Sequence[float]) -> str:
+    """A usual unit in which the largest value is between 1 and 1000, if there is one."""
+    units = KINDS[quantity.kind]
+    top = max((abs(v) for v in values if math.isfinite(v)), default=0.0)
+    fits = (u for u in units if 1.0 <= top / (parse_unit(u).scale if u else 1.0) < 1000.0)
+    return next(fits, units[0])

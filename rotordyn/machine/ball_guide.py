@@ -1,0 +1,47 @@
+"""The ball guide in which a sleeve slides: what holds it across the axis."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import TYPE_CHECKING, Annotated
+
+from rotordyn.description import Description, Faults
+from rotordyn.quantity import Diameter, Interference, Whole
+
+if TYPE_CHECKING:
+    from bearings import LinearBallGuide
+
+
+@dataclass(frozen=True)
+class BallGuide(Description):
+    """Balls of steel between a sleeve and the bore of the housing, pressed by interference.
+
+    The sleeve is held by its radial stiffness at the centre. Lengths [m].
+    """
+
+    balls: Annotated[Annotated[int, Whole(3, 100_000)], "that carry, of all rows"]
+    ball_diameter: Annotated[Diameter, "of a ball"]
+    column_diameter: Annotated[Diameter, "of the sleeve below the balls"]
+    interference: Annotated[Interference, "of both contacts of a ball together, on the radius"]
+
+    def _faults(self) -> Faults:
+        if self.interference == 0.0:
+            yield (
+                ("interference",),
+                "a ball guide without interference has no stiffness at its centre: given {given}; "
+                "allowed: above 0 um, or leave the guide out",
+            )
+        elif self.interference >= 0.1 * self.ball_diameter:
+            yield (
+                ("interference",),
+                "far beyond a ball: given {given}; allowed: below a tenth of {given:ball_diameter}",
+            )
+
+    @cached_property
+    def law(self) -> LinearBallGuide:
+        """Its law of force."""
+        from bearings import LinearBallGuide
+
+        sizes = self.ball_diameter, self.column_diameter
+        return LinearBallGuide(self.balls, *sizes, self.interference)

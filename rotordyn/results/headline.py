@@ -1,0 +1,144 @@
+"""What of a result is put beside other variants: single numbers, and curves laid over one another.
+
+Both are plain data: summary, table and figures of variants read them of any analysis.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import product
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from rotordyn.results.declaration import declared
+from rotordyn.results.display import RPM, number
+from rotordyn.results.kinds import Array, Flags
+
+CHANGE = 6  # decimals of a change [%]: less is rounding
+Known = tuple[str, str]  # quantity and subject of a reference
+Place = tuple[float, str]
+
+
+class Number(NamedTuple):
+    """A headline number as printed.
+
+    ``speed`` [rpm] where it is one of several over speed; ``part``: which of those of one
+    ``name``, such as a direction of whirl, that summaries write side by side;
+    ``absent``: said where there is none (NaN).
+    """
+
+    name: str
+    unit: str
+    value: float
+    part: str = ""
+    speed: float | None = None
+    digits: int = 1
+    absent: str = "none"
+
+    @property
+    def heading(self) -> str:
+        """Of its column where every number has one."""
+        at = f"at {self.speed:.0f} rpm" if self.speed is not None else ""
+        words = " ".join(word for word in (self.name, self.part, at) if word)
+        return f"{words} [{self.unit}]" if self.unit else words
+
+
+class Curve(NamedTuple):
+    """A curve as printed, in a ``panel`` of the ``figure`` in which variants are laid over another.
+
+    ``label`` and ``unit`` of the ordinate are those of the panel's first curve. ``series``: what
+    tells curves of one variant apart, by dashes; ``key``: what makes curves of two variants the
+    same, by default the series. ``breaks``: steps between points over which no line is drawn.
+    ``known``: references shown beside it; ``limits`` of the ordinate, None where it has none;
+    ``places`` along the abscissa, named above the panel. ``backdrop``: alike in all variants.
+    """
+
+    figure: str
+    label: str
+    unit: str
+    x: Array
+    y: Array
+    series: str = ""
+    key: str = ""
+    panel: str = ""
+    along: str = "speed [rpm]"
+    title: str = ""
+    breaks: Flags | None = None
+    known: Known | None = None
+    limits: tuple[float | None, float | None] = (None, None)
+    log: bool = False
+    backdrop: bool = False
+    places: Sequence[Place] = ()
+
+
+def ends(
+    result: Any, name: str, unit: str, values: Array, *, part: str = "", digits: int = 1
+) -> Iterator[Number]:
+    """Numbers at the first and the last speed of ``values`` (speeds,), one of a single speed."""
+    for k in (0, -1) if len(values) > 1 else (0,):
+        rpm = float(result.speed[k] * RPM.factor)
+        yield Number(name, unit, float(values[k]), part, rpm, digits)
+
+
+def curves_of(
+    result: Any, field: str, *, along: str = "speed", panels: str = "", series: str = "", **how: Any
+) -> Iterator[Curve]:
+    """Curves of a declared ``field`` over its coordinate ``along``.
+
+    ``panels`` and ``series``: dimensions whose entries have a panel, or dashes, each. ``how``:
+    further fields of ``Curve``.
+    """
+    info, below = (declared(result)[name].metadata for name in (field, along))
+    x = getattr(result, along) * below["printed"].factor
+    values = np.moveaxis(getattr(result, field), info["dims"].index(along), -1)
+    others = [dim for dim in info["dims"] if dim != along]
+    for index in product(*(range(n) for n in values.shape[:-1])):
+        names = {dim: str(getattr(result, dim)[k]) for dim, k in zip(others, index, strict=True)}
+        own = {
+            "label": info["label"],
+            "unit": info["printed"].unit,
+            "panel": names.get(panels, ""),
+            "series": names.get(series, ""),
+            "key": names.get(series, ""),
+            "along": f"{below['label']} [{below['printed'].unit}]",
+        }
+        yield Curve(x=x, y=values[index] * info["printed"].factor, **{**own, **how})
+
+
+def cells(numbers: Iterable[Number]) -> dict[str, str]:
+    """By name and unit the numbers in a few words: parts joined by "/", speeds by "→"."""
+    found: dict[str, dict[float | None, list[Number]]] = {}
+    for each in numbers:
+        head = f"{each.name} [{each.unit}]" if each.unit else each.name
+        found.setdefault(head, {}).setdefault(each.speed, []).append(each)
+    return {
+        head: " → ".join(map(_side_by_side, by_speed.values())) for head, by_speed in found.items()
+    }
+
+
+def _side_by_side(parts: Sequence[Number]) -> str:
+    """Parts of a number, once where they are alike."""
+    words = [_word(each) for each in parts]
+    values = np.array([each.value for each in parts])
+    alike = np.allclose(values, values[0], rtol=1e-6, atol=0.0, equal_nan=True)
+    return words[0] if alike else "/".join(words)
+
+
+def _word(own: Number) -> str:
+    if np.isnan(own.value):
+        return own.absent
+    return "unbounded" if np.isinf(own.value) else number(own.value, own.digits)
+
+
+def changes(numbers: Mapping[str, float], first: Mapping[str, float]) -> dict[str, float]:
+    """Relative changes [%] of numbers from those of the same name of another variant, NaN where one
+    of them has no value or the other is zero."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ratio = {
+            name: np.divide(value, first.get(name, np.nan)) - 1.0 for name, value in numbers.items()
+        }
+    return {
+        name: round(float(r) * 100.0, CHANGE) if np.isfinite(r) else np.nan
+        for name, r in ratio.items()
+    }

@@ -1,0 +1,145 @@
+"""The shaft at rest under static loads on its bearings and supports, at every usable speed.
+
+Linear and of first order: bearings act with the tangent of their preload state. A shaft of further
+rotors or with joints is not among them.
+
+Theory: docs/theory/statics.md.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.equation.elastic_line import Compliance, compliance, elastic_line
+from rotordyn.equation.holding import (
+    free_motions,
+    free_names,
+    held_stiffness,
+    length_scale,
+    rigid_motion,
+    rigidly_held,
+)
+from rotordyn.equation.mesh import Mesh
+from rotordyn.equation.reactions import Held, reactions
+from rotordyn.equation.section_forces import SectionForces, section_forces
+from rotordyn.errors import InvalidInput
+from rotordyn.machine.spindle import Spindle
+
+if TYPE_CHECKING:
+    from rotordyn.scene.scene import Scene
+
+Array = NDArray[np.float64]
+BALANCED = 1e-6  # of all loads along a free motion
+ROUNDING = 1e-12  # of all loads
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class AtRest:
+    """``forces`` within the shaft; ``moved`` (usable, nodes, 6): its displacements [m, rad];
+    ``push`` (usable, connections, 6): loads of bearings and supports on it [N, N·m]."""
+
+    forces: SectionForces
+    moved: Array
+    push: Array
+
+
+def at_rest(
+    scene: Scene, mesh: Mesh, point: Array, line: Array, offset: Array | None = None
+) -> AtRest:
+    """Under point loads (usable, nodes, 6) and line loads (elements, 2, 3) on ``mesh``.
+
+    ``offset`` (usable, connections, 6): how far what holds the shaft sits off it [m, rad], as an
+    eccentric ring does; a connection answers displacement and offset together.
+
+    Raises
+    ------
+    InvalidInput : the shaft is a free body, or its reactions are not determined
+    """
+    spindle, x = scene.spindle, mesh.x
+    states, nodes = len(scene.usable), mesh.nodes_of(spindle.connections)
+    point = np.broadcast_to(point, (states, mesh.nodes, 6))
+    loads = on_nodes(point, line, x)
+    free = require_balance(spindle, x, loads)
+    give = compliance(spindle, mesh, rigid=scene.rigid)
+    loose = elastic_line(x, give, section_forces(x, point, line), line)[:, nodes]
+    if offset is not None:
+        loose = loose + offset
+    held = Held(
+        stiffness=held_stiffness(scene.rotor, scene.state),
+        rigid=rigidly_held(spindle).ravel(),
+        motion=rigid_motion(x[nodes], float(x[0])).reshape(-1, 6),
+        flexibility=_flexibility(mesh, give, nodes),
+        free=free,
+        scale=length_scale(spindle),
+    )
+    push, front = reactions(held, loose.reshape(states, -1), resultant(loads, x))
+    push = push.reshape(states, -1, 6)
+    whole = point.copy()
+    for k, node in enumerate(nodes):
+        whole[:, node] += push[:, k]
+    forces = section_forces(x, whole, line)
+    moved = elastic_line(x, give, forces, line)
+    moved += np.einsum("nij,sj->sni", rigid_motion(x, float(x[0])), front, optimize=True)
+    return AtRest(forces, moved, push)
+
+
+def on_nodes(point: Array, line: Array, x: Array) -> Array:
+    """Point loads (…, nodes, 6) with the same resultant: of each element's line load at either
+    end."""
+    front, rear = np.moveaxis(line, 1, 0)
+    length, gathered = np.diff(x)[:, None], point.copy()
+    gathered[..., :-1, :3] += (2.0 * front + rear) * length / 6.0
+    gathered[..., 1:, :3] += (front + 2.0 * rear) * length / 6.0
+    return gathered
+
+
+def resultant(point: Array, x: Array) -> Array:
+    """Resultant (…, 6) about the front end of loads (…, nodes, 6) on nodes at ``x`` [m]."""
+    return np.einsum("nij,...ni->...j", rigid_motion(x, float(x[0])), point, optimize=True)
+
+
+def require_balance(spindle: Spindle, x: Array, loads: Iterable[Array]) -> Array:
+    """Motions that nothing holds (6, k), in lengths, along which each of ``loads`` (nodes, 6) on
+    nodes at ``x`` balances.
+
+    Raises
+    ------
+    InvalidInput : they do not: the shaft is a free body
+    """
+    free, scale = free_motions(spindle), length_scale(spindle)
+    if not free.shape[1]:
+        return free
+    motion = rigid_motion(x, float(x[0])) / scale
+    for acting in loads:
+        each = np.einsum("nij,ni,jk->nik", motion, acting, free, optimize=True)
+        left, size = each.sum(axis=(0, 1)), np.abs(each).sum(axis=(0, 1))
+        over = np.abs(left) > BALANCED * size + ROUNDING * np.abs(acting / scale).sum()
+        if over.any():
+            raise InvalidInput(_free_body(free[:, over] @ left[over], scale))
+    return free
+
+
+def _free_body(left: Array, scale: Array) -> str:
+    names = free_names(left[:, None] / np.abs(left).max())
+    force, moment = np.abs(left[:3]).max(), np.abs(left * scale)[3:].max()
+    amount = f"{moment:.6g} N m" if names.startswith("th") else f"{force:.6g} N"
+    return (
+        f"free body in a static case: nothing holds {names}, and the loads leave {amount} over "
+        "there; balance them, or hold it by a support"
+    )
+
+
+def _flexibility(mesh: Mesh, give: Compliance, nodes: list[int]) -> Array:
+    """Displacements at ``nodes`` by unit loads there, the front end held (6 k, 6 k)."""
+    count = len(nodes)
+    unit = np.zeros((6 * count, mesh.nodes, 6))
+    for k, node in enumerate(nodes):
+        unit[6 * k + np.arange(6), node, np.arange(6)] = 1.0
+    none = np.zeros((mesh.nodes - 1, 2, 3))
+    moved = elastic_line(mesh.x, give, section_forces(mesh.x, unit, none), none)
+    return np.asarray(moved[:, nodes].reshape(6 * count, 6 * count).T)

@@ -1,0 +1,54 @@
+"""How bearings are lubricated, for analyses of their heat, films and life (SI; °C)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated
+
+from rotordyn.description import Description, Faults
+from rotordyn.quantity import (
+    Choice,
+    Cleanness,
+    OilViscosity,
+    Roughness,
+    SlidingFriction,
+    Temperature,
+)
+
+if TYPE_CHECKING:
+    from bearings.lubricant import Lubricant
+
+SUPPLIES = ("oil-air", "mist", "grease", "bath", "jet")  # f0 in bearings.heat.OIL_FACTORS
+LOSS_MODELS = ("ellipse", "palmgren")
+
+
+@dataclass(frozen=True, slots=True)
+class Lubrication(Description):
+    """The oil of the bearings, or the base oil of their grease."""
+
+    viscosity_40: Annotated[OilViscosity, "kinematic, at 40 °C"]
+    viscosity_100: Annotated[OilViscosity, "kinematic, at 100 °C"]
+    temperature: Annotated[Temperature, "of the oil in the bearings"]
+    supply: Annotated[str, Choice(SUPPLIES), "how the oil comes, for the viscous loss"] = "oil-air"
+    contamination: Annotated[
+        Cleanness, "factor eC of ISO 281: 1 extreme cleanness, 0.5 slight contamination, 0 severe"
+    ] = 0.5
+    friction: Annotated[
+        SlidingFriction, "coefficient μ of the lubricated contacts, 0.03 to 0.07 in traction"
+    ] = 0.05
+    ball_roughness: Annotated[Roughness, "Rq of the balls"] = 0.02e-6
+    race_roughness: Annotated[Roughness, "Rq of the raceways"] = 0.06e-6
+
+    def _faults(self) -> Faults:
+        if self.viscosity_100 >= self.viscosity_40:
+            yield (
+                ("viscosity_100",),
+                "not below viscosity_40: given {given}; allowed: below {given:viscosity_40}",
+            )
+
+    @property
+    def oil(self) -> Lubricant:
+        """The oil as ``bearings`` takes it."""
+        from bearings.lubricant import Lubricant
+
+        return Lubricant(self.viscosity_40, self.viscosity_100)

@@ -1,0 +1,122 @@
+"""Films: a computed case of Hamrock's, exponents, limits; viscosity over temperature."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from bearings import DeepGrooveBallBearing, InvalidBearing, Lubricant, Material, film
+from bearings.geometry import geometry
+from tests.oracles.known_bearings import RPM, VEX70
+from tests.oracles.known_grooves import R24_14, four_point
+
+OIL = Lubricant(32e-6, 5.4e-6)
+STEEL_200 = Material("steel of Hamrock's example", 200e9, 0.3, 7800.0)
+HAMROCK = DeepGrooveBallBearing(
+    12.7e-3,
+    64.9985e-3,
+    9,
+    inner_conformity=0.52,
+    outer_conformity=0.52,
+    ball_material=STEEL_200,
+    ring_material=STEEL_200,
+    radial_clearance=0.0,
+)
+
+
+def test_ball_bearing_of_hamrock() -> None:
+    """Q 4944 N, u 6.252 m/s, η 0.04 Pa·s, α_p 2.3e-8: an independent code's thicknesses [µm]."""
+    g, modulus = geometry(HAMROCK.grooves), 2.0 / STEEL_200.contact_compliance / 2.0
+    found = []
+    for race, side in ((g.inner, 1.0), (g.outer, -1.0)):
+        radius = 6.35e-3 * (1.0 - side * 12.7 / 64.9985)
+        least, central = film.hamrock_dowson(
+            4944.0, 6.252, radius, modulus, race.ellipticity, 0.04, 2.3e-8
+        )
+        found += [1e6 * float(least), 1e6 * float(central)]
+    assert found == pytest.approx([0.553, 0.690, 0.661, 0.828], rel=1e-3)
+
+
+def test_films_of_a_state_are_those_of_its_contacts() -> None:
+    """Entrainment by hand, ω (1 − ωm/ω) (dm/2) (1 − (D/dm) cos αi) on the inner race."""
+    speed = 8000 * RPM
+    state = VEX70.equilibrium(load=[600, 200, 0, 0, 0], speed=speed)
+    found = film.film(state, OIL, 60.0, heating=False)
+    g = state.operation.geometry
+    orbit = np.sqrt(state.centrifugal_force / g.orbit)
+    cosine = np.cos(state.contact_angle[:, 0])
+    u = (speed - orbit) * 0.045 * (1.0 - g.size_ratio * cosine)
+    modulus = 2.0 / (
+        VEX70.ball_material.contact_compliance + VEX70.ring_material.contact_compliance
+    )
+    least, central = film.hamrock_dowson(
+        state.contact_load[:, 0],
+        u,
+        0.5 * 9.525e-3 * (1.0 - g.size_ratio * cosine),
+        modulus,
+        g.inner.ellipticity,
+        float(OIL.dynamic(60.0)),
+        OIL.pressure_viscosity,
+    )
+    assert found.least[:, 0] == pytest.approx(least, rel=1e-9)
+    assert found.central[:, 0] == pytest.approx(central, rel=1e-9)
+    assert (found.central > found.least).all()
+
+
+def test_stiffness_is_the_slope_of_the_load_by_the_thickness() -> None:
+    args = (1.0, 5e-3, 2e11, 5.0, 0.03, 2e-8)
+    q = 200.0 * np.array([1 - 1e-5, 1 + 1e-5])
+    low, high = film.hamrock_dowson(q, *args)[1]
+    assert -(q[1] - q[0]) / (high - low) == pytest.approx(200.0 / (0.067 * low), rel=1e-4)
+
+
+def test_heating_and_starvation_thin_films() -> None:
+    state = VEX70.equilibrium(load=[600, 0, 0, 0, 0], speed=np.array([1.0, 1e4, 2e4]) * RPM)
+    cool = film.film(state, OIL, 60.0, heating=False)
+    warm, half = film.film(state, OIL, 60.0), film.film(state, OIL, 60.0, starvation=0.5)
+    assert warm.heating[0] == pytest.approx(1.0, abs=1e-3)
+    assert (np.diff(warm.heating[:, 0, 0]) < 0.0).all()
+    assert (warm.least <= cool.least).all()
+    assert half.least == pytest.approx(0.5 * warm.least)
+    assert warm.ratio(30e-9, 40e-9) == pytest.approx(warm.least / 50e-9)
+    assert warm.growth.shape == (3, 25)
+
+
+def test_no_film_without_load_or_speed() -> None:
+    state = four_point(R24_14).equilibrium(load=[20e3, 12e3, 0, 0, 0], speed=[0.0, 50.0])
+    found = film.film(state, OIL, 40.0)
+    assert found.least.shape == state.contact_load.shape
+    assert (found.least[0] == 0.0).all()
+    assert ((found.least[1] > 0.0) == (state.contact_load[1] > 0.0)).all()
+
+
+def test_viscosity_goes_through_its_two_points() -> None:
+    assert OIL.kinematic([40.0, 100.0]) == pytest.approx([32e-6, 5.4e-6])
+    assert (np.diff(OIL.kinematic(np.linspace(-10.0, 150.0, 40))) < 0.0).all()
+    assert OIL.dynamic(40.0) == pytest.approx(32e-6 * 870.0)
+    step = np.log(OIL.kinematic(59.9) / OIL.kinematic(60.1)) / 0.2
+    assert OIL.thinning(60.0) == pytest.approx(float(step), rel=1e-4)
+
+
+def test_viscosity_of_a_known_oil() -> None:
+    """An ISO VG 68 oil of viscosity index 95, 8.5 mm²/s at 100 °C, has some 20 mm²/s at 70 °C."""
+    assert Lubricant(68e-6, 8.5e-6).kinematic(70.0) == pytest.approx(20e-6, rel=0.05)
+
+
+@pytest.mark.parametrize(
+    ("values", "word"),
+    [
+        ((5e-6, 32e-6), "swapped"),
+        ((0.0, 5e-6), "viscosity_40 must be positive"),
+        ((32e-6, float("nan")), "viscosity_100 must be positive"),
+        ((1e-6, 0.4e-6), "is the unit right"),
+    ],
+)
+def test_impossible_oils(values: tuple[float, float], word: str) -> None:
+    with pytest.raises(InvalidBearing, match=word):
+        Lubricant(*values)
+
+
+def test_starvation_is_a_share() -> None:
+    with pytest.raises(InvalidBearing, match="starvation"):
+        film.film(VEX70.equilibrium(load=[100, 0, 0, 0, 0]), OIL, 40.0, starvation=0.0)

@@ -1,0 +1,227 @@
+"""Friction and heat: closed forms, independent quadrature, limits, a catalogue's example."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+from scipy.optimize import minimize
+
+from bearings import InvalidBearing, Lubricant, heat
+from bearings.heat.ellipse import Contacts, mean_speed
+from bearings.heat.skf import FASTEST, inlet_shear, rolling_moment, starvation
+from bearings.ring.motion import ball_motion, contact_motion
+from tests.oracles.known_bearings import HYPOTHESES, ISO_DEEP_GROOVE, RPM, VEX70
+from tests.oracles.known_grooves import QJ218, R24_14, four_point
+
+OIL = Lubricant(32e-6, 5.4e-6)
+LOAD = np.array([610.0, 0, 0, 0, 0])
+SI3N4 = 3.2e-6  # 1/K
+
+
+def one(**given: float) -> Contacts:
+    """A contact of the size of a spindle bearing's, changed."""
+    usual = dict(a=1e-3, b=0.2e-3, radius=5e-3, roll=5000.0, spin=500.0, slide=np.nan, creep=0.0)
+    return Contacts(*(np.array([float(value)]) for value in (usual | given).values()))
+
+
+def test_spin_alone_is_closed() -> None:
+    """Without rolling ∫ μ p |ωs| r dA = 3/8 μ Q a E(1 − b²/a²) |ωs|."""
+    state = VEX70.equilibrium(load=LOAD, speed=10_000 * RPM)
+    g = state.operation.geometry
+    contact = one(a=1e-3, b=1e-3 / g.inner.ellipticity, roll=0.0)
+    exact = 0.375 * 1e-3 * g.inner.second_integral * 500.0
+    assert mean_speed(contact) == pytest.approx(exact, rel=5e-3)
+
+
+@pytest.mark.parametrize(
+    "given", [{}, {"spin": 30.0}, {"creep": 0.3}, {"spin": 2.0, "creep": 0.7}, {"radius": -5e-3}]
+)
+def test_sliding_is_the_least_of_its_functional(given: dict[str, float]) -> None:
+    """Against a fine Cartesian grid and a minimum sought without derivatives."""
+    c = one(**given)
+    a, b = float(c.a[0]), float(c.b[0])
+    line = (np.arange(400) + 0.5) / 200.0 - 1.0
+    x, y = np.meshgrid(line, line)
+    pressure = np.sqrt(np.maximum(1.0 - x * x - y * y, 0.0))
+    pressure /= pressure.sum()
+    across = float(c.spin[0]) * b * y
+    around = float(c.roll[0]) * (a * x) ** 2 / (2 * float(c.radius[0])) - float(c.spin[0]) * a * x
+
+    def mean(v: float, along: float) -> float:
+        return float((pressure * np.hypot(across + v, around + along)).sum())
+
+    def cost(p: np.ndarray) -> float:
+        return mean(p[0], p[1]) - float(c.creep[0]) * p[0]
+
+    start = np.array([0.1 * float(c.creep[0]), -0.1 * math.copysign(1.0, float(c.radius[0]))])
+    best = minimize(cost, start, method="Nelder-Mead", options={"xatol": 1e-5, "fatol": 1e-7}).x
+    assert mean_speed(c) == pytest.approx(mean(*best), rel=0.025)
+
+
+def test_sliding_power_exceeds_that_of_spin() -> None:
+    state = VEX70.equilibrium(load=LOAD, speed=np.array([0.0, 5e3, 10e3]) * RPM)
+    found = heat.sliding(state, 0.05)
+    assert (found.power[0] == 0.0).all()
+    assert (found.power[1:] > found.spin_power[1:]).all()
+    assert found.power[1, 0] == pytest.approx(found.power[1, 7])
+    twice = heat.sliding(VEX70.equilibrium(load=LOAD, speed=5e3 * RPM), 0.1)
+    assert twice.spin_power == pytest.approx(2.0 * found.spin_power[1])
+
+
+def test_balls_alone_are_those_of_the_ring() -> None:
+    """An axial state is solved for one ball; the same with every ball on its own."""
+    thrust = VEX70.equilibrium(load=LOAD, speed=8000 * RPM)
+    nearly = VEX70.equilibrium(load=LOAD + np.array([0, 1e-6, 0, 0, 0]), speed=8000 * RPM)
+    assert heat.sliding(thrust, 0.05).power == pytest.approx(
+        heat.sliding(nearly, 0.05).power, rel=1e-6
+    )
+
+
+@pytest.mark.parametrize("kinematics", HYPOTHESES)
+def test_contacts_roll_as_the_state_says(kinematics: str) -> None:
+    """Spin over rolling against the state's, no sliding at the middle of a contact, and the true
+    surface speeds of ball and race alike."""
+    state = VEX70.equilibrium(load=[400, 300, 0, 0, 0], speed=9000 * RPM, kinematics=kinematics)
+    motion = contact_motion(state)
+    for k, ratio in enumerate((state.inner_spin_to_roll, state.outer_spin_to_roll)):
+        found = motion.spin[:, k] / motion.roll[:, k]
+        assert found == pytest.approx(ratio, rel=1e-9, abs=1e-12)
+    ball = ball_motion(state)
+    beta = np.arctan(ball.tan_beta)
+    surface = ball.rotation * np.cos(state.outer_angle - beta) * 0.5 * VEX70.ball_diameter
+    race = ball.orbit * 0.5 * (90e-3 + 9.525e-3 * np.cos(state.outer_angle))
+    assert surface == pytest.approx(race, rel=1e-9)
+    assert motion.entrainment[:, 1] == pytest.approx(race, rel=1e-9)
+
+
+def test_third_contacts_slide() -> None:
+    state = four_point(R24_14).equilibrium(load=[20e3, 12e3, 0, 0, 0], speed=1500 * RPM)
+    found, slides = heat.sliding(state, 0.05), np.abs(contact_motion(state).slide)
+    loaded = state.contact_load > 0.0
+    assert ((found.power > 0.0) == loaded).all()
+    three = loaded.sum(axis=-1) == 3
+    assert three.any()
+    assert slides[three][loaded[three]].max() * 1500 * RPM > 0.05
+    pair = four_point(QJ218).equilibrium(load=5 * LOAD, speed=1000 * RPM)
+    two = pair.contact_load[0] > 0.0
+    assert two.sum() == 2
+    assert np.abs(contact_motion(pair).slide[0][two]).max() < 1e-12
+
+
+def test_losses_are_one_balance() -> None:
+    state = VEX70.equilibrium(load=LOAD, speed=np.array([0.0, 6e3, 12e3]) * RPM)
+    for model in ("ellipse", "palmgren"):
+        lost = heat.losses(state, OIL, 50.0, model=model)
+        assert lost.total == pytest.approx(lost.moment * state.speed)
+        assert (lost.total[1:] > 0.0).all()
+        assert lost.total[0] == 0.0
+        assert (lost.spin <= lost.inner + lost.outer + 1e-12).all() or model == "palmgren"
+
+
+def test_palmgren_by_hand() -> None:
+    """dm 90 mm, ν 20 mm²/s, 10 000 rpm, f0 2: M0 = 2e-7 (2e5)^(2/3) 90³ N·mm."""
+    by_hand = 1e-3 * 2e-7 * 2e5 ** (2 / 3) * 90**3
+    assert heat.viscous_moment(90e-3, 20e-6, 10_000 * RPM, 2.0) == pytest.approx(by_hand)
+    slow = heat.viscous_moment(90e-3, 20e-6, np.array([1e-6, 99.9]) * RPM, 2.0)
+    assert slow == pytest.approx(1e-3 * 320e-7 * 90**3)
+    assert heat.viscous_moment(90e-3, 20e-6, 0.0, 2.0) == 0.0
+    state = VEX70.equilibrium(load=[1000, 0, 0, 0, 0])
+    driving = 0.9 * 1000 / math.tan(math.radians(25))
+    moment = 0.001 * (380 / 12_000) ** 0.33 * driving * 0.09
+    assert heat.load_moment(state, 12_000.0) == pytest.approx(moment, rel=1e-6)
+
+
+def test_load_moment_of_other_kinds() -> None:
+    radial = ISO_DEEP_GROOVE.equilibrium(load=[0, 1000, 0, 0, 0])
+    assert heat.load_moment(radial, 1e4) == pytest.approx(
+        0.0005 * 0.1**0.55 * 1000 * ISO_DEEP_GROOVE.pitch_diameter, rel=1e-6
+    )
+
+
+def test_skf_example_of_a_catalogue() -> None:
+    """Catalogue 6000, p. 104: 22208 E at 3500 rpm, ν 68 mm²/s, Grr 0.26, KZ of its row 5.5."""
+    speed, nu = 3500 * RPM, 68e-6
+    assert inlet_shear(speed, 60e-3, nu) == pytest.approx(0.85, rel=0.01)
+    assert starvation(speed, nu, 40e-3, 80e-3, "low bath", 5.5) == pytest.approx(0.80, rel=0.02)
+    assert rolling_moment(0.26, nu, speed) == pytest.approx(0.437, rel=0.01)
+
+
+def test_skf_model_ends() -> None:
+    common = dict(radial=0.0, axial=600.0, viscosity=20e-6, bore=70e-3, outside=110e-3)
+    fast = FASTEST / 90 * RPM
+    slow = heat.skf_moment(speed=np.array([0.0, 0.5, 0.99]) * fast, **common)
+    assert slow.total[0] == 0.0
+    assert (slow.total[1:] > 0.0).all()
+    assert (heat.skf_moment(speed=fast, hybrid=True, **common).total < slow.total[2]).all()
+    with pytest.raises(InvalidBearing, match="SKF's friction model ends at n·dm 8e"):
+        heat.skf_moment(speed=1.01 * fast, **common)
+
+
+def test_temperatures_of_constant_heat_are_a_linear_balance() -> None:
+    """All heat leaves, and without heat nodes take the temperatures around."""
+    c, around = heat.Conductances(2.0, 3.0, 1.0, 1.5, 2.5), heat.Surroundings(30.0, 25.0, 28.0)
+    found = heat.settled(lambda _: (20.0, 10.0, 40.0), c, around)
+    out = 2.0 * (found.inner - 30) + 3.0 * (found.outer - 25) + 1.0 * (found.balls - 28)
+    assert out == pytest.approx(70.0, abs=1e-3)
+    assert found.outcome == ""
+    even = heat.settled(lambda _: (0.0, 0.0, 0.0), c, heat.Surroundings(40.0, 40.0, 40.0))
+    assert even[:3] == pytest.approx((40.0, 40.0, 40.0), abs=1e-5)
+
+
+def test_run_away_has_its_bound() -> None:
+    """Heat that rises as 2 W/K of the balls over 1 W/K that leaves settles nowhere."""
+    c, around = heat.Conductances(0.0, 0.0, 1.0, 0.0, 0.0), heat.Surroundings(20.0, 20.0, 20.0)
+    c = c._replace(inner_shaft=1e-9, outer_housing=1e-9, balls_inner=1e-9, balls_outer=1e-9)
+
+    def rising(slope: float) -> heat.Heated:
+        return heat.settled(lambda t: (0.0, 0.0, 10.0 + slope * (t[0] - 20.0)), c, around)
+
+    assert rising(0.9).balls == pytest.approx(20.0 + 10.0 / 0.1, rel=1e-3)
+    assert "run away" in rising(2.0).outcome
+
+
+def test_a_rigid_preload_grows_hotter_than_a_spring() -> None:
+    common = dict(
+        preload=300.0,
+        lubricant=OIL,
+        conductances=heat.Conductances(3.0, 6.0, 1.0),
+        surroundings=heat.Surroundings(30.0, 25.0, 30.0),
+        ball_expansion=SI3N4,
+    )
+    rigid = heat.heated(VEX70, speed=10_000 * RPM, **common)
+    spring = heat.heated(VEX70, speed=10_000 * RPM, rigid=False, **common)
+    assert rigid.state is not None
+    assert rigid.state.load[0] > 1000.0
+    assert rigid.inner > spring.inner > 30.0
+    assert "run away" in heat.heated(VEX70, speed=24_000 * RPM, **common).outcome
+
+
+def test_even_warmth_keeps_the_angle() -> None:
+    """A bearing of one material at one temperature: no growth of its own."""
+    from bearings.heat.temperature import thermal_growth
+
+    warm = np.full(3, 80.0)
+    assert thermal_growth(VEX70, warm, 11.5e-6, 11.5e-6) == pytest.approx(0.0, abs=1e-12)
+    assert thermal_growth(VEX70, warm, 11.5e-6, SI3N4) < -3e-6
+
+
+@pytest.mark.parametrize(
+    ("call", "word"),
+    [
+        (lambda s: heat.sliding(s, 0.0), "friction of a contact"),
+        (lambda s: heat.losses(s, OIL, 40.0, model="skf"), "unknown model"),
+        (lambda s: heat.losses(s, OIL, 40.0, oil_factor=0.0), "oil_factor"),
+        (lambda s: starvation(1.0, 1e-6, 0.07, 0.11, "drops"), "unknown supply"),
+        (
+            lambda s: heat.settled(
+                lambda _: (0, 0, 0), heat.Conductances(0.0, 0.0), heat.Surroundings(20, 20, 20)
+            ),
+            "heat must leave",
+        ),
+    ],
+)
+def test_bad_input_gets_a_sentence(call: object, word: str) -> None:
+    with pytest.raises(InvalidBearing, match=word):
+        call(VEX70.equilibrium(load=LOAD))  # type: ignore[operator]

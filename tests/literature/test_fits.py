@@ -1,0 +1,108 @@
+"""Limits and fits as catalogues print them."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from bearings import STEEL, InvalidBearing, fits
+from bearings.fit.compound import compound
+from bearings.fit.cylinder import Cylinder
+
+
+@pytest.mark.parametrize(
+    ("tolerance", "size", "known"),
+    [
+        ("k5", 70, (2, 15)),
+        ("js5", 70, (-6.5, 6.5)),
+        ("h5", 70, (-13, 0)),
+        ("H6", 110, (0, 22)),
+        ("JS6", 110, (-11, 11)),
+        ("JS5", 110, (-7.5, 7.5)),
+        ("k5", 50, (2, 13)),
+        ("K6", 110, (-18, 4)),
+        ("j5", 75, (-7, 6)),
+        ("h4", 80, (-8, 0)),
+        ("h4", 80.001, (-10, 0)),
+    ],
+)
+def test_limits_of_a_catalogue(tolerance: str, size: float, known: tuple[float, float]) -> None:
+    """SKF's tables of shafts and housings, ISO 286; sizes over … up to and including."""
+    found = fits.limits(tolerance, size * 1e-3)
+    assert found == pytest.approx([1e-6 * value for value in known], abs=1e-12)
+
+
+def test_fit_of_a_catalogue() -> None:
+    """SKF, 70 k5 in a bore 0/−15: +30/+2, probable +26/+6 µm."""
+    found = fits.interference(fits.limits("k5", 0.070), fits.bearing_bore(0.070))
+    assert (found.most, found.least) == pytest.approx((30e-6, 2e-6))
+    assert found.probable == pytest.approx((6e-6, 26e-6), abs=1e-6)
+    assert found.reduced(3e-6).mean == pytest.approx(13e-6)
+
+
+def test_fit_of_another_catalogue() -> None:
+    """NKE, 75 j5 in a bore 0/−15: 21 to −7, probable 12 µm."""
+    shaft, bore = fits.limits("j5", 0.075), fits.bearing_bore(0.075)
+    found = fits.interference(shaft, bore)
+    assert (found.most, found.least) == pytest.approx((21e-6, -7e-6))
+    assert fits.one_third(shaft, bore) == pytest.approx(12e-6, abs=0.5e-6)
+
+
+def test_hollow_shafts_need_more_interference() -> None:
+    """SKF: a 6208 on a shaft of bore ratio 0.8 needs 1.7 times the interference of a solid one;
+    the ring's ratio of diameters, 0.77, is the one of SKF's chart."""
+    bore, ring, step = 20e-3, 20e-3 / 0.77, 10e-6
+    pressure = [
+        float(
+            compound(
+                [Cylinder(hole * bore, bore, STEEL), Cylinder(bore, ring, STEEL)], [step]
+            ).pressure[0]
+        )
+        for hole in (0.0, 0.8)
+    ]
+    assert pressure[0] / pressure[1] == pytest.approx(1.724, rel=2e-3)
+
+
+def test_smoothing() -> None:
+    assert fits.smoothing(2e-6, 3e-6) == pytest.approx(4e-6)
+    assert fits.smoothing(0.8e-6, 0.4e-6, "NKE") == pytest.approx(0.48e-6)
+
+
+def test_bearing_rings() -> None:
+    assert fits.bearing_bore(0.07, "P4") == pytest.approx((-7e-6, 0.0))
+    assert fits.bearing_outside(0.110) == pytest.approx((-8e-6, 0.0))
+    assert fits.bearing_outside(0.140) == pytest.approx((-9e-6, 0.0))
+
+
+def test_every_class_holds_its_grade() -> None:
+    """Upper less lower deviation is the grade, in every size; grades and sizes widen it."""
+    sizes = np.array([15, 25, 40, 60, 100, 150, 200]) * 1e-3
+    for letter in ("f", "g", "h", "js", "k", "m", "n", "p", "F", "G", "H", "JS", "K"):
+        width = [
+            [high - low for low, high in (fits.limits(f"{letter}{it}", d) for d in sizes)]
+            for it in (4, 5, 6, 7)
+        ]
+        assert (np.diff(width, axis=0) > 0.0).all()
+        assert (np.diff(width, axis=1) > -1e-12).all()
+        assert width == pytest.approx(
+            np.array([[np.ptp(fits.limits(f"h{it}", d)) for d in sizes] for it in (4, 5, 6, 7)])
+        )
+
+
+@pytest.mark.parametrize(
+    ("tolerance", "size", "word"),
+    [
+        ("q5", 0.07, "unknown tolerance class"),
+        ("k9", 0.07, "unknown tolerance class"),
+        ("5k", 0.07, "unknown tolerance class"),
+        ("k3", 0.07, "grade 4"),
+        ("j7", 0.07, "j5 and j6"),
+        ("k5", 70.0, "tabled above 10 mm"),
+        ("k5", math.nan, "tabled above 10 mm"),
+    ],
+)
+def test_unknown_classes_are_refused(tolerance: str, size: float, word: str) -> None:
+    with pytest.raises(InvalidBearing, match=word):
+        fits.limits(tolerance, size)

@@ -1,0 +1,72 @@
+"""Bearings whose balls a maker prints: what he prints of them beside what their models give."""
+
+from __future__ import annotations
+
+import math
+import re
+
+import numpy as np
+import pytest
+
+import rotordyn
+from bearings import STEEL
+from bearings.catalogue.races import Insides, static_rating
+from bearings.life.rating import radial_rating
+from rotordyn.case.library import known, models_root
+
+SOURCES = {
+    name: " ".join((models_root() / "bearings" / f"{name}.yaml").read_text("utf-8").split())
+    for name in known("bearings")
+}
+PRINTED = [name for name, text in SOURCES.items() if "balls" in text and "as printed" in text]
+PAIRS = [name for name in PRINTED if "axial rigidities of a pair" in SOURCES[name]]
+
+
+def _numbers(text: str) -> list[float]:
+    return [float(number) for number in text.split(", ")]
+
+
+def test_library_has_makers_bearings_of_several_series() -> None:
+    assert len(PRINTED) >= 40
+    series = {re.sub(r"\d\d?e?$", "", name.replace("vex100", "vex00")) for name in PRINTED}
+    assert {"kh60", "kh619", "s60", "s619", "vex"} <= series
+
+
+@pytest.mark.parametrize("name", PAIRS)
+def test_rigidity_of_a_pair_is_as_printed(name: str) -> None:
+    """GMN, catalogue 4000 0813 EN; twice the stiffness of one bearing at the preload."""
+    found = re.search(r"of a pair ([\d., ]+) N/um at ([\d., ]+) N;", SOURCES[name])
+    assert found
+    bearing = rotordyn.model("bearings", name)
+    preloads = _numbers(found[2])
+    load = np.zeros((len(preloads), 5))
+    load[:, 0] = preloads
+    stiffness = bearing.equilibrium(load=load).complete_stiffness[:, 0, 0]
+    assert 2.0 * stiffness * 1e-6 == pytest.approx(_numbers(found[1]), rel=0.035)
+
+
+@pytest.mark.parametrize("name", PRINTED)
+def test_ratings_are_as_printed(name: str) -> None:
+    """C by ISO 281 and C0 by ISO 76 from the grooves, steel balls."""
+    found = re.search(r"C ([\d ]+) N,? (?:and )?C0 ([\d ]+) N", SOURCES[name])
+    assert found
+    bearing = rotordyn.model("bearings", name)
+    x = Insides(
+        np.array(bearing.ball_diameter),
+        np.array(bearing.balls),
+        np.array(bearing.pitch_diameter),
+        np.array(bearing.inner_conformity),
+        np.array(bearing.outer_conformity),
+        bearing.contact_angle,
+    )
+    dynamic, static = (float(number.replace(" ", "")) for number in found.groups())
+    assert float(radial_rating(x)) == pytest.approx(dynamic, rel=0.08)
+    assert float(static_rating(x, STEEL, STEEL)) == pytest.approx(static, rel=0.04)
+
+
+@pytest.mark.parametrize("name", [name for name in PAIRS if name.startswith("s6")])
+def test_shoulders_hold_the_contact(name: str) -> None:
+    """The printed shoulders lie beyond the contact angle, as the grooves are estimated."""
+    inner, outer = rotordyn.model("bearings", name).grooves.shoulder_angles
+    assert math.radians(30.0) < inner < math.radians(60.0)
+    assert math.radians(30.0) < outer < math.radians(60.0)

@@ -1,0 +1,82 @@
+"""What variants differ in: paths, units, values; the table of their headline numbers."""
+
+from __future__ import annotations
+
+import csv
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import rotordyn
+from rotordyn.case.varied import varied
+from rotordyn.job.side_by_side import scale_of, write_comparison
+from rotordyn.results.headline import Number, cells, changes
+
+
+def springs() -> list[rotordyn.Case]:
+    return list(rotordyn.load("mfw2310_preload_springs").variants.values())
+
+
+def test_what_differs_has_its_path_and_a_usual_unit() -> None:
+    stiffness, travel = varied(springs())
+    assert stiffness.label == "spindle.sleeves.front.spring.stiffness [N/um]"
+    assert stiffness.values == (3.1, 6.2, 12.4, 24.8, 6.2)
+    assert stiffness.numeric
+    assert travel.path == "spindle.sleeves.front.stop_travel"
+    assert not travel.numeric, "none is no number"
+
+
+def test_the_path_is_that_of_vary() -> None:
+    first, other, *_ = springs()
+    (found,) = varied([first, other])
+    made = first.vary({found.path: f"{found.values[1]} {found.unit}"})
+    assert not varied([made, other])
+
+
+def test_colours_have_a_scale_where_one_number_was_varied() -> None:
+    scale = scale_of(springs()[:4])
+    assert scale is not None
+    assert list(scale.values) == [3.1, 6.2, 12.4, 24.8]
+    assert scale_of(springs()) is None, "the stop was taken away, too"
+
+
+def test_entries_that_vary_in_step_are_one_scale() -> None:
+    cases = rotordyn.load("friswell_unbalance").variants.values()
+    scale = scale_of(list(cases))
+    assert scale is not None
+    assert scale.label == "spindle.supports.left.stiffness.yy [N/um]"
+
+
+def test_parts_and_speeds_of_a_number_share_a_cell() -> None:
+    numbers = [
+        Number("bending 1", "Hz", 903.41, "backward", 0.0),
+        Number("bending 1", "Hz", 903.41, "forward", 0.0),
+        Number("bending 1", "Hz", 460.7, "backward", 24000.0),
+        Number("bending 1", "Hz", 466.84, "forward", 24000.0),
+        Number("tip", "µm", np.inf),
+    ]
+    words = {"bending 1 [Hz]": "903.4 → 460.7/466.8", "tip [µm]": "unbounded"}
+    assert cells(numbers) == words
+    assert numbers[3].heading == "bending 1 forward at 24000 rpm [Hz]"
+
+
+def test_changes_are_relative_to_the_first() -> None:
+    found = changes({"a": 3.0, "b": 1.0, "c": np.nan, "d": 2.0}, {"a": 2.0, "b": 0.0, "c": 1.0})
+    assert found["a"] == pytest.approx(50.0)
+    assert all(np.isnan(found[name]) for name in "bcd")
+
+
+def test_the_table_has_a_row_for_each_variant(tmp_path: Path) -> None:
+    whole = rotordyn.load("friswell_unbalance").vary({"speeds": (0.0, 100.0, 200.0)})
+    parts = rotordyn.run(whole).parts
+    write_comparison(tmp_path, parts)
+    with (tmp_path / "variants.csv").open(encoding="utf-8-sig") as file:
+        rows = list(csv.DictReader(file))
+    assert [row["variant"] for row in rows] == ["even", "uneven"]
+    assert [row["spindle.supports.left.stiffness.yy [N/um]"] for row in rows] == ["1.0", "0.8"]
+    size = [float(row["unbalance: left_disc [µm]"]) for row in rows]
+    with (tmp_path / "variants_change.csv").open(encoding="utf-8-sig") as file:
+        second = list(csv.DictReader(file))[1]
+    change = float(second["unbalance: left_disc, change [%]"])
+    assert change == pytest.approx(100.0 * (size[1] / size[0] - 1.0), abs=1e-4)

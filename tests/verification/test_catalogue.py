@@ -1,0 +1,237 @@
+"""Estimates from catalogue values: against the full solver, known insides, published rows."""
+
+from __future__ import annotations
+
+import csv
+import math
+import subprocess
+import sys
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from bearings import (
+    SILICON_NITRIDE,
+    STEEL,
+    AngularContactBallBearing,
+    EstimatedBearing,
+    InvalidBearing,
+    estimate,
+    life,
+)
+from bearings.catalogue.races import Insides, contact_stiffness, static_rating
+from bearings.geometry import geometry
+from bearings.life.rating import radial_rating
+
+ROOT = Path(__file__).resolve().parents[2]
+RINGS: dict[str, Any] = dict(bore=0.07, outside_diameter=0.11, width=0.02)
+# GMN, catalogue 4000 0813 EN, KH 6014 E: 24 steel balls of 9.525 mm, pairs, rigidity in N/m
+KH_6014_E: dict[str, Any] = RINGS | dict(
+    contact_angle=math.radians(25.0),
+    hybrid=False,
+    preloads=[190.0, 570.0, 1150.0],
+    rigidities=[143e6, 211e6, 274e6],
+    dynamic_rating=22700.0,
+    static_rating=16400.0,
+)
+
+
+def known(balls: int, diameter: float, angle: float, hybrid: bool, fi: float, fo: float) -> Any:
+    return AngularContactBallBearing(
+        ball_diameter=diameter,
+        balls=balls,
+        pitch_diameter=0.09,
+        contact_angle=math.radians(angle),
+        inner_conformity=fi,
+        outer_conformity=fo,
+        ball_material=SILICON_NITRIDE if hybrid else STEEL,
+    )
+
+
+KNOWN = [
+    known(24, 9.525e-3, 25.0, False, 0.56, 0.52),
+    known(21, 11.906e-3, 15.0, False, 0.535, 0.525),
+    known(26, 8.731e-3, 15.0, True, 0.52, 0.53),
+    known(22, 10.319e-3, 25.0, True, 0.55, 0.54),
+]
+
+
+def solved(bearing: Any, preload: float) -> tuple[float, float]:
+    """Rigidity and unloading force of a pair, by the solver of the package."""
+    state = bearing.equilibrium(load=[preload, 0.0, 0.0, 0.0, 0.0])
+    twice = bearing.equilibrium(displacement=[2.0 * state.displacement[0], 0.0, 0.0, 0.0, 0.0])
+    return 2.0 * float(state.complete_stiffness[0, 0]), float(twice.load[0])
+
+
+def insides(bearing: Any) -> Insides:
+    return Insides(
+        *(
+            np.array([float(getattr(bearing, name))])
+            for name in (
+                "ball_diameter",
+                "balls",
+                "pitch_diameter",
+                "inner_conformity",
+                "outer_conformity",
+            )
+        ),
+        contact_angle=bearing.contact_angle,
+    )
+
+
+@pytest.mark.parametrize("bearing", KNOWN)
+def test_contacts_are_those_of_the_solver(bearing: Any) -> None:
+    races = geometry(bearing.grooves)
+    both = (races.inner.stiffness ** (-2 / 3) + races.outer.stiffness ** (-2 / 3)) ** -1.5
+    found = contact_stiffness(insides(bearing), bearing.ball_material, STEEL)
+    assert found[0] == pytest.approx(both, rel=1e-6)
+
+
+@pytest.mark.parametrize("bearing", KNOWN)
+def test_catalogue_rows_of_known_bearings_give_them_back(bearing: Any) -> None:
+    """Fitted on the medium class, judged on the others; the inside lies within its spread."""
+    rows = {preload: solved(bearing, preload) for preload in (100.0, 300.0, 600.0)}
+    found = estimate(
+        **RINGS,
+        contact_angle=bearing.contact_angle,
+        hybrid=bearing.ball_material is SILICON_NITRIDE,
+        preloads=[300.0],
+        rigidities=[rows[300.0][0]],
+        unloading=[rows[300.0][1]],
+        static_rating=float(static_rating(insides(bearing), bearing.ball_material, STEEL)[0]),
+    )
+    for preload, (rigidity, unloading) in rows.items():
+        assert found.pair(preload) == pytest.approx((rigidity, unloading), rel=0.02)
+        assert solved(found, preload) == pytest.approx(found.pair(preload), rel=1e-5)
+    for name, (low, high) in found.spread.items():
+        assert low - 0.006 <= getattr(bearing, name) <= high + 0.006, name
+
+
+@pytest.mark.parametrize("bearing", KNOWN)
+def test_grooves_follow_where_balls_are_printed(bearing: Any) -> None:
+    x = insides(bearing)
+    found = estimate(
+        **RINGS,
+        contact_angle=bearing.contact_angle,
+        hybrid=bearing.ball_material is SILICON_NITRIDE,
+        ball_diameter=bearing.ball_diameter,
+        balls=bearing.balls,
+        preloads=[100.0, 600.0],
+        rigidities=[solved(bearing, p)[0] for p in (100.0, 600.0)],
+        dynamic_rating=float(radial_rating(x)[0]),
+        static_rating=float(static_rating(x, bearing.ball_material, STEEL)[0]),
+    )
+    assert found.balls == bearing.balls
+    assert found.ball_diameter == bearing.ball_diameter
+    assert found.inner_conformity == pytest.approx(bearing.inner_conformity, abs=0.008)
+    assert found.outer_conformity == pytest.approx(bearing.outer_conformity, abs=0.012)
+
+
+@pytest.mark.parametrize("bearing", KNOWN)
+def test_ratings_are_those_of_one_bearing(bearing: Any) -> None:
+    x = insides(bearing)
+    assert radial_rating(x)[0] == pytest.approx(life.dynamic_rating(bearing), rel=1e-12)
+    found = static_rating(x, bearing.ball_material, STEEL)[0]
+    assert found == pytest.approx(life.static_rating(bearing), rel=1e-5)
+
+
+def test_ratings_of_published_rows() -> None:
+    """GMN S 6014 C and KH 6014 E; ISO's table of fc holds for fi = fo = 0.52."""
+    s = known(21, 11.906e-3, 15.0, False, 0.52, 0.52)
+    assert radial_rating(insides(s))[0] == pytest.approx(48500.0, rel=0.006)
+    s = known(21, 11.906e-3, 15.0, False, 0.52, 0.53)
+    assert static_rating(insides(s), STEEL, STEEL)[0] == pytest.approx(46000.0, rel=0.03)
+    hybrid = static_rating(insides(s), SILICON_NITRIDE, STEEL) / static_rating(
+        insides(s), STEEL, STEEL
+    )
+    assert hybrid[0] == pytest.approx(0.70, rel=0.01)
+    assert radial_rating(insides(KNOWN[0]))[0] == pytest.approx(22700.0, rel=0.006)
+    assert static_rating(insides(KNOWN[0]), STEEL, STEEL)[0] == pytest.approx(16400.0, rel=0.03)
+
+
+def test_published_row_is_explained() -> None:
+    found = estimate(**KH_6014_E)
+    assert all(abs(each.deviation) < 0.02 for each in found.explained)
+    assert found.spread["balls"][0] <= 24 <= found.spread["balls"][1]
+    assert found.ball_diameter == pytest.approx(9.525e-3, abs=1e-6)
+    assert isinstance(found, EstimatedBearing)
+    assert "balls" in found.estimated
+    assert "fi" in found.estimated
+
+
+def test_members_spread_as_the_estimate() -> None:
+    found = estimate(**KH_6014_E)
+    members = found.members(40)
+    counts = [member.balls for member in members]
+    low, high = found.spread["balls"]
+    assert min(counts) <= low + 1
+    assert max(counts) >= high - 1
+    rigidity = [solved(member, 570.0)[0] for member in members[::8]]
+    assert np.allclose(rigidity, 211e6, rtol=0.06)
+
+
+def test_given_ball_data_is_kept() -> None:
+    found = estimate(**KH_6014_E, balls=24, inner_conformity=0.56)
+    assert (found.balls, found.inner_conformity) == (24, 0.56)
+    assert "balls" not in found.estimated
+    assert "fi" not in found.estimated
+
+
+CONTRADICTIONS = [
+    (
+        dict(rigidities=[71.5e6, 105.5e6, 137e6]),
+        r"looks like that of one bearing: give that of the pair.*agrees: dynamic rating C.*static",
+    ),
+    (dict(static_rating=70000.0), r"static rating C0 7e\+04 N.*agrees: rigidity at 190 N.*dynamic"),
+    (dict(rigidities=[143e6, 211e6, 600e6]), r"rigidity at 1150 N 600 N/µm \(27.*agrees: rigidity"),
+    (dict(unloading=[190.0, 570.0, 1150.0]), "about three times the preload"),
+    (dict(rigidities=[143e6]), "one for each of preloads: given 1 for 3"),
+    (dict(rigidities=[143.0, 211.0, 274.0]), "in N/m, got 143: is the unit right"),
+    (dict(outside_diameter=0.072), "must be well above bore"),
+    (dict(ball_diameter=0.03), "does not fit a section of 20 mm"),
+    (dict(pitch_diameter=0.12), "between bore and outside_diameter"),
+    (dict(contact_angle=25.0), "contact_angle must lie"),
+    (dict(contact_angle=0.0), "at least 5°"),
+    (dict(preloads=[190.0, -5.0, 3.0]), "positive numbers"),
+]
+
+
+@pytest.mark.parametrize(("changed", "sentence"), CONTRADICTIONS)
+def test_values_that_cannot_be(changed: dict[str, Any], sentence: str) -> None:
+    with pytest.raises(InvalidBearing, match=sentence):
+        estimate(**{**KH_6014_E, **changed})
+
+
+def test_rings_alone_give_a_wide_estimate() -> None:
+    found = estimate(**RINGS, contact_angle=math.radians(15.0))
+    low, high = found.spread["ball_diameter"]
+    assert high / low > 1.3
+    assert found.explained == ()
+
+
+def test_script_judges_a_catalogue(tmp_path: Path) -> None:
+    """Rows of known bearings as a file: what the script prints of them is small."""
+    head = ["code", "d_mm", "D_mm", "B_mm", "C0_kN"]
+    classes = {"L": 100.0, "M": 300.0, "H": 600.0}
+    for letter in classes:
+        head += [f"Fv_{letter}_N", f"Kae_{letter}_N", f"Sa_{letter}_N_um"]
+    with open(tmp_path / "rows.csv", "w", newline="", encoding="utf-8") as file:
+        table = csv.writer(file)
+        table.writerow(head)
+        for code, bearing in zip(("B7014E", "B7014C", "HC7014C", "XC7014E"), KNOWN, strict=True):
+            c0 = static_rating(insides(bearing), bearing.ball_material, STEEL)[0]
+            row = [code, 70, 110, 20, f"{c0 / 1e3:.3f}"]
+            for preload in classes.values():
+                rigidity, unloading = solved(bearing, preload)
+                row += [preload, f"{unloading:.1f}", f"{rigidity * 1e-6:.2f}"]
+            table.writerow(row)
+    script = [sys.executable, "-m", "benchmarks.estimates", str(tmp_path / "rows.csv")]
+    done = subprocess.run(
+        [*script, "--fitted", "M"], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    assert "fitted on M: 4 rows, 0 refused" in done.stdout
+    errors = [line.split() for line in done.stdout.splitlines() if "95th percentile" in line]
+    assert len(errors) == 2
+    assert all(float(line[2].rstrip("%,")) < 1.5 for line in errors)

@@ -1,0 +1,239 @@
+"""Sag and runout of the nose against closed forms, symmetry and another formulation."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import rotordyn
+from bearings import Material
+from rotordyn.analyses import Conditions, PointLoad, SectionForcesSpec
+from rotordyn.analyses.solving import answer_spindle
+from rotordyn.analyses.static_sag.figures.line import line_figure
+from rotordyn.analyses.static_sag.result import StaticSagResult
+from rotordyn.analyses.static_sag.spec import RingRunout, StaticSagSpec
+from rotordyn.analyses.static_sag.summary import cells, summary, warnings
+from rotordyn.errors import InvalidInput
+from rotordyn.figures.panels import Shown
+from rotordyn.machine import LinearSupport, PointMass, Section, Shaft, Spindle
+from rotordyn.units import STANDARD_GRAVITY
+
+STEEL = Material("steel", 210e9, 0.3, 7850.0)
+L, D, KAPPA = 1.2, 0.05, 0.9
+EI = 210e9 * math.pi / 64 * D**4
+GA = KAPPA * 210e9 / 2.6 * math.pi / 4 * D**2
+W = 7850.0 * math.pi / 4 * D**2 * STANDARD_GRAVITY  # weight per length
+PINNED = ("x", "y", "z")
+CASES = Path(__file__).parents[2] / "cases"
+
+
+def beam(*supports: LinearSupport, shear: float | str = KAPPA, **changes: Any) -> Spindle:
+    shaft = Shaft(0.0, (Section(L, D, 0.0, STEEL),), shear)
+    points = {"nose": 0.0, "middle": L / 2}
+    return Spindle("beam", shaft, supports=supports, points=points, **changes)
+
+
+def held(name: str, x: float) -> LinearSupport:
+    return LinearSupport(name, x, rigid=PINNED)
+
+
+def sprung(name: str, x: float, y: float = 2e7, z: float = 2e7, tilt: float = 0.0) -> LinearSupport:
+    stiffness = {("y", "y"): y, ("z", "z"): z, ("thy", "thy"): tilt, ("thz", "thz"): tilt}
+    return LinearSupport(name, x, stiffness={k: v for k, v in stiffness.items() if v})
+
+
+def solved(spindle: Spindle, point: str = "nose", **asked: Any) -> StaticSagResult:
+    spec = {"static_sag": StaticSagSpec(point, **asked)}
+    found = answer_spindle(spindle, Conditions(), (0.0,), spec, lambda name: None)
+    result = found.results["static_sag"]
+    assert isinstance(result, StaticSagResult)
+    return result
+
+
+def test_beam_on_two_supports() -> None:
+    """5 w L⁴/384 EI + w L²/8 κGA in the middle, w L³/24 EI at the ends."""
+    spindle = beam(held("a", 0.0), held("b", L))
+    middle = 5 * W * L**4 / (384 * EI) + W * L**2 / (8 * GA)
+    assert solved(spindle, "middle").sag[0, 0] == pytest.approx([-middle, 0.0], rel=1e-11)
+    end = solved(spindle)
+    assert end.sag[0, 0] == pytest.approx([0.0, 0.0], abs=1e-18)
+    assert end.slope[0] == pytest.approx([-W * L**3 / (24 * EI), 0.0], rel=1e-11)
+    x = end.station
+    line = W * x * (L**3 - 2 * L * x**2 + x**3) / (24 * EI) + W * x * (L - x) / (2 * GA)
+    np.testing.assert_allclose(end.deflection[0, :, 0], -line, rtol=1e-10, atol=1e-18)
+
+
+@pytest.mark.parametrize("overhang", [0.2, 0.5])
+def test_overhung_nose(overhang: float) -> None:
+    """w c (3 c³ + 4 c² l − l³)/24 EI at the end: a short nose rises.
+
+    A test bar goes on straight.
+    """
+    c, span = overhang, L - overhang
+    found = solved(beam(held("a", c), held("b", L), shear="none"), gauges=(0.0, 0.3, -0.1))
+    sag = W * c * (3 * c**3 + 4 * c**2 * span - span**3) / (24 * EI)
+    turn = W * (c**2 * span / 6 - span**3 / 24 + c**3 / 6) / EI
+    assert found.slope[0, 0] == pytest.approx(turn, rel=1e-10)
+    wanted = [-sag, -sag - 0.3 * turn, -sag + 0.1 * turn]
+    assert found.sag[0, :, 0] == pytest.approx(wanted, rel=1e-10)
+    assert not found.sag[0, :, 1].any()
+
+
+def test_weight_turns_and_grows_with_mass() -> None:
+    """The same sag in every direction of gravity, twice as much of twice the density, none lying
+    along the axis; a mass on the nose adds its own."""
+    spindle = beam(sprung("a", 0.3), sprung("b", 1.0))
+    down = solved(spindle, gauges=(0.1,))
+    for gravity, column, sign in (("+y", 0, -1), ("-z", 1, 1), ("+z", 1, -1)):
+        other = solved(spindle, gauges=(0.1,), gravity=gravity)
+        assert sign * other.sag[..., column] == pytest.approx(down.sag[..., 0], rel=1e-12)
+        assert sign * other.slope[:, column] == pytest.approx(down.slope[:, 0], rel=1e-12)
+    assert not solved(spindle, gravity="none").deflection.any()
+    (section,) = spindle.shaft.sections
+    heavy = replace(spindle.shaft, sections=(replace(section, mean_density=2 * 7850.0),))
+    twice = solved(replace(spindle, shaft=heavy), gauges=(0.1,))
+    assert twice.sag == pytest.approx(2 * down.sag, rel=1e-12)
+    masses = {m: (PointMass("m", 0.0, m),) for m in (1.0, 3.0)}
+    light, more = (
+        solved(replace(spindle, masses=m), gauges=(0.1,)).sag - down.sag for m in masses.values()
+    )
+    assert more == pytest.approx(3 * light, rel=1e-10)
+    assert light[0, 0, 0] < 0.0
+
+
+SUPPORTS = {
+    "rigid": (held("a", 0.3), held("b", 1.0)),
+    "soft": (sprung("a", 0.3, 1e5, 3e8), sprung("b", 1.0, 2e7, 4e4)),
+}
+
+
+@pytest.mark.parametrize("kind", SUPPORTS)
+def test_runout_of_two_rings_by_their_levers(kind: str) -> None:
+    """Whatever the stiffness: in phase the axis shifts, in opposite phase it tilts; at a right
+    angle both levers add as squares."""
+    spindle, gauges, r = beam(*SUPPORTS[kind]), (0.0, 0.3), 4e-6
+
+    def runout(angle: float) -> StaticSagResult:
+        rings = (RingRunout("a", r, 0.2), RingRunout("b", r, 0.2 + angle))
+        return solved(spindle, gauges=gauges, ring_runouts=rings)
+
+    near = 1.0 + (0.3 + np.array(gauges)) / 0.7  # of ring a: the nose lies at x = −gauge
+    far = (0.3 + np.array(gauges)) / 0.7
+    for angle, wanted in (
+        (0.0, near - far),
+        (math.pi, near + far),
+        (math.pi / 2, np.hypot(near, far)),
+    ):
+        found = runout(angle)
+        for column in (0, 1):
+            assert found.runout[0, :, column] == pytest.approx(r * wanted, rel=1e-9)
+            assert found.highest_runout[0, :, column] == pytest.approx(r * (near + far), rel=1e-9)
+            shares = found.ring_share[0, :, :, column].T
+            assert shares == pytest.approx(r * np.array([near, far]), rel=1e-9)
+
+
+def test_three_supports_that_tilt_against_loads_by_their_stiffness() -> None:
+    """An eccentricity e at a stiffness K is a force −K e there, one plane not like the other."""
+    supports = [
+        sprung("a", 0.25, 3e7, 1e7, 4e4),
+        sprung("b", 0.7, 1e8, 2e7),
+        sprung("c", 1.1, 2e7, 5e7, 1e5),
+    ]
+    crossed = {("y", "z"): 2e7, ("z", "y"): 2e7}
+    supports[1] = replace(supports[1], stiffness={**supports[1].stiffness, **crossed})
+    spindle, e = beam(*supports), 2e-6
+    rings = (RingRunout("b", 2 * e, 0.0), RingRunout("c", 2 * e, math.pi / 2))
+    found = solved(spindle, ring_runouts=rings)
+    swing = np.zeros((2, 2))
+    for turn, (b, c) in enumerate((((1, 0), (0, 1)), ((0, 1), (-1, 0)))):  # ψ of 0 and a quarter
+        loads = []
+        for support, way in ((supports[1], b), (supports[2], c)):
+            stiff = [[support.stiffness.get((i, j), 0.0) for j in "yz"] for i in "yz"]
+            y, z = -np.array(stiff) @ way * e
+            loads.append(PointLoad(support.x, Fy=y, Fz=z))
+        spec = {"section_forces": SectionForcesSpec(tuple(loads))}
+        moved: Any = answer_spindle(spindle, Conditions(), (0.0,), spec, lambda name: None)
+        line = moved.results["section_forces"]
+        swing[turn] = line.deflection_y[0, 0], line.deflection_z[0, 0]
+    assert found.runout[0, 0] == pytest.approx(2 * np.hypot(*swing), rel=1e-9)
+    assert abs(found.runout[0, 0, 0] / found.runout[0, 0, 1] - 1.0) > 0.05
+
+
+def test_a_spindle_on_ball_bearings() -> None:
+    """Its line is that of its section forces; rings all alike shift it by their runout."""
+    case = rotordyn.load(CASES / "grinding_spindle_sag.yaml")
+    (spec,) = case.analyses.values()
+    assert isinstance(spec, StaticSagSpec)
+    alike = tuple(RingRunout(name, 3e-6, 0.7) for name in "abcd")
+    asked = {
+        "static_sag": replace(spec, ring_runouts=alike),
+        "section_forces": SectionForcesSpec(gravity="-y"),
+    }
+    results = rotordyn.run(replace(case, analyses=asked))
+    sag, forces = results["static_sag"], results["section_forces"]
+    line = np.interp(sag.station, forces.cut, forces.deflection_y[1])
+    np.testing.assert_allclose(sag.deflection[1, :, 0], line, rtol=1e-9)
+    np.testing.assert_allclose(sag.runout.values, 3e-6, rtol=1e-9)
+    assert (sag.sag[:, :, 0].values < 0.0).all()
+
+
+def test_words_and_figure() -> None:
+    spindle, rings = beam(*SUPPORTS["rigid"]), (RingRunout("a", 4e-6),)
+    bare, turned = solved(spindle), solved(spindle, gauges=(0.0, 0.3), ring_runouts=rings)
+    assert not any("runout" in line for line in summary(bare))
+    said = " ".join(summary(turned)).replace("\u00a0", " ")
+    assert "y 5.71 z 5.71, y 7.43 z 7.43 300 mm in front" in said
+    assert "the sag does not turn" in said
+    assert list(cells(turned, None)) == ["sag [µm]", "slope [µrad]", "runout [µm]"]  # type: ignore[arg-type]
+    assert list(cells(bare, None)) == ["sag [µm]", "slope [µrad]"]  # type: ignore[arg-type]
+    assert warnings(turned) == []
+    late = replace(turned, speed=np.array([100.0]), true_ring=("c", "d"))
+    given, slow = warnings(late)
+    assert "bearings c, d, which hold it as if they ran true" in given
+    assert "slowest speed solved is 955 rpm" in slow
+    (axes,) = line_figure([Shown("", turned, (), spindle)]).axes
+    assert axes.get_ylabel() == "deflection y [µm]"
+    words = [text.get_text() for text in axes.texts]
+    assert any("runout 7.43 µm" in each for each in words)
+    marks = next(line for line in axes.get_lines() if line.get_marker() == "v")
+    assert list(marks.get_xdata()) == pytest.approx([0.0, -300.0])
+
+
+FAULTS: Sequence[tuple[str, dict[str, Any], str]] = (
+    ("nose", {"ring_runouts": (RingRunout("d", 1e-6),)}, "unknown bearing or support: given 'd'"),
+    ("nos", {}, "unknown point: given 'nos'.*did you mean nose"),
+    ("nose", {"gravity": "-x"}, "gravity.*not one of its choices"),
+    ("nose", {"gauges": ()}, "gauges.*too few items"),
+    ("nose", {"gauges": (0.1, 0.1)}, "100 mm"),
+    ("nose", {"ring_runouts": (RingRunout("a", 1e-6), RingRunout("a", 2e-6))}, "'a'"),
+)
+
+
+@pytest.mark.parametrize(("point", "asked", "why"), FAULTS)
+def test_faults(point: str, asked: dict[str, Any], why: str) -> None:
+    with pytest.raises(InvalidInput, match=why):
+        _case(beam(*SUPPORTS["rigid"]), StaticSagSpec(point, **asked))
+
+
+def test_a_weight_that_is_given_twice_or_held_by_nothing() -> None:
+    with pytest.raises(InvalidInput, match=r"weight is given twice: given '-y' beside '.x'"):
+        _case(beam(*SUPPORTS["rigid"]), StaticSagSpec("nose"), Conditions(gravity="+x"))
+    with pytest.raises(InvalidInput, match=r"gravity: free body .*: nothing holds .*thz"):
+        _case(beam(sprung("a", 0.3)), StaticSagSpec("nose"))
+
+
+def _case(spindle: Spindle, spec: StaticSagSpec, conditions: Conditions | None = None) -> Any:
+    return rotordyn.Case(
+        name="sag",
+        title="sag",
+        spindle=spindle,
+        conditions=conditions or Conditions(),
+        speeds=(0.0,),
+        analyses={"static_sag": spec},
+    )
