@@ -21,7 +21,9 @@ def _in(folder: str, names: str) -> tuple[str, ...]:
 # The order of the pages; one of ``docs`` itself that is not named goes to the last group.
 GROUPS = {
     "Tutorial": _in("tutorial", "first_run own_spindle campbell"),
-    "How to": _in("howto", "bearing_data preload compare measured_frf hypotheses editor"),
+    "How to": _in(
+        "howto", "bearing_data preload compare measured_frf stability_lobes hypotheses editor"
+    ),
     "Reference": (
         *_in("reference", "keys command results results_object python"),
         *("api/index", CASES, "models/README"),

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
     from rotordyn.analyses.life.spec import LifeSpec, LoadStep
     from rotordyn.analyses.preload.spec import PreloadSpec
     from rotordyn.analyses.section_forces.spec import SectionForcesSpec
+    from rotordyn.analyses.stability_lobes.spec import StabilityLobesSpec
     from rotordyn.analyses.stiffness.spec import StiffnessSpec
     from rotordyn.analyses.unbalance.spec import UnbalanceSpec
     from rotordyn.scene.conditions import Conditions
@@ -65,6 +66,7 @@ __all__ = [
     "PreloadSpec",
     "SectionForcesSpec",
     "ShapesInSpaceSpec",
+    "StabilityLobesSpec",
     "StiffnessSpec",
     "TwistLimit",
     "Unbalance",

@@ -15,7 +15,7 @@ import pytest
 
 from bearings.ball.law import Law
 from rotordyn.analyses import AxialCycleSpec
-from rotordyn.analyses.axial_cycle.figures import figures, of_variants
+from rotordyn.analyses.axial_cycle.figures import figures, headline_curves
 from rotordyn.analyses.axial_cycle.result import AxialCycleResult
 from rotordyn.analyses.axial_cycle.solve import answer
 from rotordyn.analyses.axial_cycle.summary import cells, summary, warnings
@@ -136,13 +136,12 @@ def test_its_figures_show_both_branches() -> None:
     assert [np.asarray(loop)[0] for loop in loops] == pytest.approx([-57.95, -57.95], abs=0.01)
     for panel in drawn["axial_cycle"].axes:
         assert re.search(r"\[.+\]$", panel.get_xlabel())
-    variants = [
-        Shown(title=title, result=cycle(limit), spindle=None, known=())
-        for title, limit in (("rubbing", FRICTION), ("smooth", 0.0))
-    ]
-    compared = {name: draw() for name, draw in of_variants(None, variants)}
-    assert [len(panel.lines) for panel in compared["axial_cycle"].axes] == [4, 4]
-    assert len(compared["axial_stiffness"].axes[0].lines) == 4
+
+
+def test_its_headline_curves_are_the_loops_and_the_stiffness_of_both_branches() -> None:
+    variant = Shown(title="rubbing", result=cycle(), spindle=None, known=())
+    curves = [*headline_curves(None, variant)]
+    assert [curve.figure for curve in curves] == 4 * ["axial_cycle"] + 2 * ["axial_stiffness"]
 
 
 def test_every_branch_moves_one_way() -> None:

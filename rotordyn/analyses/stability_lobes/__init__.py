@@ -1,0 +1,47 @@
+"""Stable depth of cut over speed."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import TYPE_CHECKING, Any
+
+from rotordyn.analyses.contract import Analysis, Code
+from rotordyn.analyses.stability_lobes.spec import StabilityLobesSpec
+from rotordyn.analyses.stability_lobes.tables import LAYOUTS
+
+if TYPE_CHECKING:
+    from rotordyn.analyses.stability_lobes.limit import Limit, limit_depth
+    from rotordyn.analyses.stability_lobes.turning import turning_limit
+
+__all__ = ["ANALYSIS", "Limit", "limit_depth", "turning_limit"]
+
+code = partial(Code, __name__)
+
+ANALYSIS = Analysis(
+    name="stability_lobes",
+    machine="spindle",
+    place=25,
+    spec=StabilityLobesSpec,
+    solve=code("solve:answer"),
+    highest=lambda spec, _: spec.max_frequency,
+    forced=True,
+    ports=lambda spec: (spec.point,),
+    figures=code("figures:figures"),
+    curves=code("figures:headline_curves"),
+    tables=LAYOUTS,
+    summary=code("summary:summary"),
+    warnings=code("summary:warnings"),
+    heading="stable depth of cut, least and largest",
+    numbers=code("summary:numbers"),
+)
+
+_HOME = {"Limit": "limit", "limit_depth": "limit", "turning_limit": "turning"}
+
+
+def __getattr__(name: str) -> Any:
+    """Import solvers when they are first used: reading a case needs specs alone."""
+    if name in _HOME:
+        from importlib import import_module
+
+        return getattr(import_module(f"{__name__}.{_HOME[name]}"), name)
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

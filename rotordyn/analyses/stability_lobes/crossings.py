@@ -1,0 +1,134 @@
+"""Where eigenvalues z(θ) cross the positive real axis: each is a limit of stability at the depth
+1/z.
+
+The depth sought is the least one. Branches are followed from sample to sample; samples are added
+where a branch turns fast near the axis, and where the phase of Π(1 − a z), which counts the
+unstable multipliers at a depth a, is uncertain for any depth up to the limit.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Solve = Callable[[Array], Complex]
+ROUNDS = 12
+MOST_SAMPLES = 4000
+STEPS = 40  # of a root
+CLOSE = 1e-8  # of an eigenvalue, by which the imaginary part of a root may miss zero
+SAME = 0.05  # by which the line between samples may miss a crossing that is known
+FAR = 0.9  # rad of phase between samples
+DEPTHS = 48  # at which unstable multipliers are counted
+RANGE = 30.0  # from the least depth at which anything could be unstable
+
+
+class Crossing(NamedTuple):
+    """Largest ``value`` of an eigenvalue on the positive real axis, 0 if there is none, and the
+    ``angle`` at which it is there."""
+
+    value: float
+    angle: float
+
+
+def largest_crossing(solve: Solve, angle: Array) -> Crossing:
+    """``solve``: eigenvalues (n, m) at angles (n,); ``angle``: first samples, ascending.
+
+    The last sample is taken as an end at which eigenvalues may be real.
+    """
+    z = solve(angle)
+    best = Crossing(0.0, float("nan"))
+    for _ in range(ROUNDS):
+        best = _best(solve, angle, z, best)
+        where = _unresolved(angle, z, best)
+        if not len(where) or len(angle) > MOST_SAMPLES:
+            break
+        middle = 0.5 * (angle[where] + angle[where + 1])
+        found = solve(middle)
+        angle = np.insert(angle, where + 1, middle)
+        z = np.insert(z, where + 1, found, axis=0)
+    return best
+
+
+def _links(z: Complex) -> tuple[Complex, Complex]:
+    """Each eigenvalue of a sample with the nearest of the next, and the other way round
+    (n − 1, 2 m)."""
+    apart = np.abs(z[:-1, :, None] - z[1:, None, :])
+    ahead = np.take_along_axis(z[1:], apart.argmin(axis=2), axis=1)
+    back = np.take_along_axis(z[:-1], apart.argmin(axis=1), axis=1)
+    return np.concatenate([z[:-1], back], axis=1), np.concatenate([ahead, z[1:]], axis=1)
+
+
+def _best(solve: Solve, angle: Array, z: Complex, known: Crossing) -> Crossing:
+    """The largest crossing between samples; at the last one, the largest real eigenvalue."""
+    last = z[-1].real[(np.abs(z[-1].imag) <= 1e-7 * np.abs(z[-1])) & (z[-1].real > 0.0)]
+    best = max(known, Crossing(float(last.max(initial=0.0)), float(angle[-1])), key=_value)
+    z = np.where(np.abs(z.imag) <= 1e-12 * np.abs(z), z.real, z)
+    z[-1] = np.where(np.abs(z[-1].imag) <= 1e-7 * np.abs(z[-1]), z[-1].real, z[-1])
+    low, high = _links(z)
+    across = low.imag * high.imag < 0.0
+    highest = np.where(across, np.maximum(low.real, high.real), 0.0)
+    around = (angle[:-1] <= known.angle) & (known.angle <= angle[1:])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        line = low.real + low.imag / (low.imag - high.imag) * (high.real - low.real)
+    highest[around[:, None] & (np.abs(line - known.value) < SAME * known.value)] = 0.0
+    while True:
+        place = np.unravel_index(highest.argmax(), highest.shape)
+        if highest[place] <= best.value:
+            return best
+        highest[place] = 0.0
+        row = int(place[0])
+        best = max(best, _root(solve, angle[row : row + 2], low[place], high[place]), key=_value)
+
+
+def _value(crossing: Crossing) -> float:
+    return crossing.value
+
+
+def _root(solve: Solve, angle: Array, low: complex, high: complex) -> Crossing:
+    """The crossing of a branch between two samples, by false position that halves where it
+    stalls."""
+    (a, b), share = (float(each) for each in angle), 0.0
+    if not max(low.real, high.real) > 0.0:
+        return Crossing(0.0, a)
+    side = 0
+    weights = [1.0, 1.0]
+    for _ in range(STEPS):
+        one, other = low.imag * weights[0], high.imag * weights[1]
+        share = min(max(one / (one - other), 1e-3), 1.0 - 1e-3)
+        middle = a + share * (b - a)
+        guess = low + (middle - a) / (b - a) * (high - low)
+        found = solve(np.array([middle]))[0]
+        z = found[np.abs(found - guess).argmin()]
+        if abs(z.imag) <= CLOSE * abs(z):
+            return Crossing(max(float(z.real), 0.0), middle)
+        if (z.imag > 0.0) == (low.imag > 0.0):
+            a, low, weights = middle, z, [1.0, 0.5 * weights[1] if side == -1 else 1.0]
+            side = -1
+        else:
+            b, high, weights = middle, z, [0.5 * weights[0] if side == 1 else 1.0, 1.0]
+            side = 1
+    return Crossing(0.0, middle)  # two branches taken for one: neither crosses
+
+
+def _unresolved(angle: Array, z: Complex, best: Crossing) -> NDArray[np.intp]:
+    """Intervals to halve: a branch comes near the axis beyond the best crossing and turns there, or
+    the count of unstable multipliers is uncertain, or contradicts the limit."""
+    low, high = _links(z)
+    floor = max(best.value, np.abs(z).max() / RANGE)
+    size = np.maximum(low.real, high.real) > floor
+    step = np.abs(high - low)
+    near = np.minimum(np.abs(low.imag), np.abs(high.imag)) < 0.5 * step
+    turning = size & near & (low.imag * high.imag >= 0.0) & (step > 0.02 * np.abs(low))
+    unsure = turning.any(axis=1)
+    unsure[-1] = False  # at the end branches lie on the axis
+    depth = np.geomspace(1.0 / (1.05 * np.abs(z).max()), 0.998 / floor, DEPTHS)
+    phase = np.angle(1.0 - depth[:, None, None] * z).sum(axis=2)
+    jump = np.abs(np.remainder(np.diff(phase, axis=1) + np.pi, 2.0 * np.pi) - np.pi)
+    unsure |= (jump > FAR).any(axis=0)
+    unsure &= np.diff(angle) > 1e-7 * angle[-1]
+    return np.flatnonzero(unsure)

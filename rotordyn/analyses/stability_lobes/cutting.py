@@ -1,0 +1,123 @@
+"""Forces of the teeth of a milling cutter on its tip.
+
+x is the feed, y the normal to it, φ the angle of a tooth from +y towards +x; it cuts while entry <
+φ < exit. Of the chip thickness a tooth takes off, h = Δx sin φ + Δy cos φ, only what the tip moves
+between one tooth and the next counts for stability, and the force is F = −a H(φ) Δ.
+
+Theory: docs/theory/lobes.md.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.errors import InvalidInput
+
+Array = NDArray[np.float64]
+LEAST_PIECE = 1e-9  # of a pitch: shorter ones between entry, exit and lag are rounding
+
+
+@dataclass(frozen=True, slots=True)
+class Cut:
+    """``teeth`` of one helix, their cutting coefficients [Pa], ``entry`` and ``exit`` [rad].
+
+    ``lag`` [rad]: how far the end of an edge is behind its tip.
+    """
+
+    teeth: int
+    tangential: float
+    radial: float
+    entry: float
+    exit: float
+    lag: float = 0.0
+
+    @property
+    def pitch(self) -> float:
+        """Angle between teeth [rad]."""
+        return 2.0 * math.pi / self.teeth
+
+    def mean(self) -> Array:
+        """Mean of H over a tooth period (2, 2) [Pa]; the lag does not change it."""
+        swept = self._integral(np.array(self.exit)) - self._integral(np.array(self.entry))
+        return swept / self.pitch
+
+    def pieces(self) -> list[tuple[float, float]]:
+        """Spans of the first tooth's angle, within one pitch, in which some tooth cuts and H is
+        smooth."""
+        ends = np.array([self.entry, self.exit, self.entry + self.lag, self.exit + self.lag])
+        ends = np.unique(self.entry + np.mod(ends - self.entry, self.pitch))
+        ends = np.append(ends, self.entry + self.pitch)
+        spans = pairwise(ends.tolist())
+        return [
+            (low, high)
+            for low, high in spans
+            if high - low > LEAST_PIECE * self.pitch
+            and self.in_cut(np.array([0.5 * (low + high)]))[0]
+        ]
+
+    def in_cut(self, angle: Array) -> NDArray[np.bool_]:
+        """Whether some tooth cuts while the first one is at ``angle`` (n,)."""
+        at = self._teeth(angle)
+        return np.asarray(((at > self.entry) & (at - self.lag < self.exit)).any(axis=0))
+
+    def matrix(self, angle: Array) -> Array:
+        """H of all teeth while the first one is at ``angle`` (n,): (n, 2, 2) [Pa]."""
+        at = self._teeth(angle)
+        cuts = (at > self.entry) & (at - self.lag < self.exit)
+        if self.lag > 0.0:
+            begin, end = np.maximum(at - self.lag, self.entry), np.minimum(at, self.exit)
+            own = (self._integral(end) - self._integral(begin)) / self.lag
+        else:
+            own = self._one(at)
+        return np.where(cuts[..., None, None], own, 0.0).sum(axis=0)
+
+    def _teeth(self, angle: Array) -> Array:
+        """Angles of all teeth, with those whose edges are still in cut (k, n)."""
+        turns = np.arange(-1, math.ceil((math.pi + self.lag) / self.pitch) + 1)
+        return angle + turns[:, None] * self.pitch
+
+    def _one(self, angle: Array) -> Array:
+        """H of one tooth in cut (…, 2, 2)."""
+        s, c = np.sin(angle), np.cos(angle)
+        x, y = self.tangential * c + self.radial * s, self.radial * c - self.tangential * s
+        return np.stack([np.stack([x * s, x * c], -1), np.stack([y * s, y * c], -1)], -2)
+
+    def _integral(self, angle: Array) -> Array:
+        """Antiderivative of H of one tooth (…, 2, 2)."""
+        s2, c2, half = np.sin(2.0 * angle) / 4.0, np.cos(2.0 * angle) / 4.0, 0.5 * angle
+        t, r = self.tangential, self.radial
+        return np.stack(
+            [
+                np.stack([-t * c2 + r * (half - s2), t * (half + s2) - r * c2], -1),
+                np.stack([-r * c2 - t * (half - s2), r * (half + s2) + t * c2], -1),
+            ],
+            -2,
+        )
+
+
+def checked(cut: Cut) -> Cut:
+    """The cut itself.
+
+    Raises
+    ------
+    InvalidInput : no tooth, entry after exit, more than half a turn in cut, or a negative
+        coefficient
+    """
+    if cut.teeth < 1:
+        raise InvalidInput(f"teeth: given {cut.teeth}; allowed: at least 1")
+    if not 0.0 <= cut.entry < cut.exit <= math.pi + 1e-12:
+        raise InvalidInput(
+            f"entry and exit: given {cut.entry:.6g} and {cut.exit:.6g} rad; allowed: entry before "
+            "exit, both from 0 to π, from the normal towards the feed"
+        )
+    if not (cut.tangential > 0.0 and cut.radial >= 0.0):
+        raise InvalidInput(
+            f"cutting coefficients: given {cut.tangential:.6g} and {cut.radial:.6g} Pa; allowed: "
+            "tangential above 0, radial from 0"
+        )
+    return cut

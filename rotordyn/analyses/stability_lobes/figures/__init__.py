@@ -1,0 +1,39 @@
+"""Figures: stable depth of cut over speed."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from functools import partial
+from typing import Any
+
+import numpy as np
+
+from rotordyn.analyses.contract import Code
+from rotordyn.figures.draw import Job
+from rotordyn.figures.panels import Shown
+from rotordyn.results.described import Described
+from rotordyn.results.display import MILLIMETRE, RPM
+from rotordyn.results.headline import Curve
+
+HIGH = 4.0  # times the median limit: pockets are cut off there
+
+code = partial(Code, __name__)
+
+
+def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
+    """The figures of a result."""
+    if len(result.cutting_speed) > 1:
+        yield "stability_lobes", partial(code("lobes:lobes_figure"), result)
+
+
+def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
+    """Depth of cut over speed; none where every depth is stable."""
+    result = variant.result
+    if len(result.cutting_speed) < 2:
+        return
+    depth = np.where(np.isfinite(result.depth), result.depth, np.nan) * MILLIMETRE.factor
+    known = depth[np.isfinite(depth)]
+    top = HIGH * float(np.median(known)) if known.size else 1.0
+    depth = np.where(depth < top, depth, np.nan)
+    rpm = result.cutting_speed * RPM.factor
+    yield Curve("stability_lobes", "depth of cut", "mm", rpm, depth, limits=(0.0, None))

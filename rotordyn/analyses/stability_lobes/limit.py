@@ -1,0 +1,145 @@
+"""The stable depth of cut at one speed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.stability_lobes.crossings import largest_crossing
+from rotordyn.analyses.stability_lobes.cutting import Cut, checked
+from rotordyn.analyses.stability_lobes.multi_frequency import Harmonics
+from rotordyn.analyses.stability_lobes.sampling import along, folded, resolving
+from rotordyn.analyses.stability_lobes.spec import FLIP, HOPF, METHODS, NONE
+from rotordyn.analyses.stability_lobes.zero_order import zero_order
+from rotordyn.errors import InvalidInput
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Receptance = Callable[[Array], Complex]
+SHALLOW = 0.05  # of the depth with straight edges, from which helical ones are tried
+DEEPEST = 50.0  # times that depth: deeper is taken as no limit
+AHEAD, SHARE, LEAST_STEP = 0.4, 0.05, 0.005  # of the margin, of the axial pitch, of the depth
+WITHIN = 1e-6  # of the depth
+AT_END = 1e-9  # of π: a crossing there is a flip
+
+
+class Limit(NamedTuple):
+    """Largest stable ``depth`` [m], infinite where no depth is unstable; chatter ``frequency`` [Hz]
+    just beyond, that of the largest motion; ``kind`` "hopf" or "flip" (period doubling)."""
+
+    depth: float
+    frequency: float
+    kind: str
+
+
+def limit_depth(  # noqa: PLR0913  what a user of cutting data has at hand
+    receptance: Receptance,
+    teeth: int = 2,
+    tangential: float = 6e8,
+    radial: float = 2e8,
+    entry: float = 0.0,
+    exit: float = math.pi,
+    speed: float = 1000.0,
+    method: str = "multi-frequency",
+    helix: float = 0.0,
+    diameter: float = 0.0,
+) -> Limit:
+    """Depth of cut up to which milling is stable.
+
+    receptance : angular frequencies (f,) > 0 [rad/s] -> (f, 2, 2) [m/N], tip in feed and normal
+    teeth : how many, evenly spaced
+    tangential, radial : cutting coefficients [Pa]
+    entry, exit : angles of a tooth in cut [rad], from the normal towards the feed
+    speed : of the cutter [rad/s]
+    method : "multi-frequency" or "zero-order"
+    helix : angle of the edges [rad], which needs the ``diameter`` [m]
+
+    Raises
+    ------
+    InvalidInput : a cut that there is not, an unknown method, a helix of 90° or without diameter
+
+    Sources: Altintas and Budak (1995), Budak and Altintas (1998), Merdol and Altintas (2004).
+    """
+    cut = checked(Cut(teeth, tangential, radial, entry, exit))
+    _refuse(speed, method, helix, diameter)
+    omega, top = resolving(receptance)
+    period = cut.pitch / speed
+    if method == "zero-order":
+        samples = along(omega, top, period)[None]
+        depth, at, _ = zero_order(
+            lambda rows: receptance(rows[0])[None], cut.mean(), np.array([period]), samples
+        )
+        frequency = float(at[0]) / (2.0 * math.pi)
+        return Limit(float(depth[0]), frequency, HOPF if math.isfinite(depth[0]) else NONE)
+    angle = folded(omega, top, period)
+    if helix == 0.0:
+        return at_depth(Harmonics(cut, period, top), receptance, angle)
+    lag = 2.0 * math.tan(helix) / diameter
+    return with_helix(cut, lag, period, top, receptance, angle)
+
+
+def at_depth(harmonics: Harmonics, receptance: Receptance, angle: Array) -> Limit:
+    """The limit of a cut whose forces are those of one depth."""
+
+    def solve(at: Array) -> Complex:
+        return harmonics.eigenvalues(receptance, at)
+
+    found = largest_crossing(solve, angle)
+    if found.value <= 0.0:
+        return Limit(math.inf, math.nan, NONE)
+    kind = FLIP if found.angle >= math.pi * (1.0 - AT_END) else HOPF
+    frequency = harmonics.chatter(receptance, found.angle, found.value)
+    return Limit(1.0 / found.value, frequency, kind)
+
+
+def with_helix(
+    cut: Cut, lag: float, period: float, top: float, receptance: Receptance, angle: Array
+) -> Limit:
+    """The least depth that is the limit of the cutting forces at that very depth.
+
+    ``lag`` [rad/m] per depth. Depths are tried from below in steps short beside the axial pitch,
+    so that no closed region of period doubling is jumped over, and the first loss is bisected.
+    """
+
+    def found(depth: float) -> Limit:
+        own = replace(cut, lag=lag * depth)
+        return at_depth(Harmonics(own, period, top), receptance, angle)
+
+    straight = at_depth(Harmonics(cut, period, top), receptance, angle)
+    if math.isinf(straight.depth):
+        return straight
+    deepest = DEEPEST * straight.depth
+    low, limit = 0.0, straight
+    high = SHALLOW * straight.depth
+    while (limit := found(high)).depth > high:
+        if high > deepest:
+            return Limit(math.inf, math.nan, NONE)
+        step = min(AHEAD * (limit.depth - high), SHARE * cut.pitch / lag)
+        low, high = high, high + max(step, LEAST_STEP * high)
+    while high - low > WITHIN * high:
+        middle = 0.5 * (low + high)
+        other = found(middle)
+        if other.depth > middle:
+            low = middle
+        else:
+            high, limit = middle, other
+    return limit._replace(depth=0.5 * (low + high))
+
+
+def _refuse(speed: float, method: str, helix: float, diameter: float) -> None:
+    if method not in METHODS:
+        raise InvalidInput(f"method: given '{method}'; allowed: {', '.join(METHODS)}")
+    if not speed > 0.0:
+        raise InvalidInput(f"speed: given {speed:.6g} rad/s; allowed: above 0")
+    if not 0.0 <= helix < 0.5 * math.pi * (1.0 - 1e-9):
+        raise InvalidInput(
+            f"helix: given {math.degrees(helix):.6g}°; allowed: from 0 to below 90°, at which an "
+            "edge does not cut"
+        )
+    if helix > 0.0 and not diameter > 0.0:
+        raise InvalidInput("helix: it needs the diameter of the cutter, which is not given")

@@ -1,0 +1,52 @@
+"""Stable depth of cut over speed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.results.declaration import coordinate, quantity
+from rotordyn.results.display import MILLIMETRE, Shown
+from rotordyn.results.kinds import Array, Words
+
+REMOVAL = Shown("cm³/min", 60e6)
+
+
+@dataclass(frozen=True)
+class StabilityLobesResult:
+    """Limits at ``cutting_speed``, each with the receptance of the machine at that speed; infinite
+    where no depth is unstable.
+
+    ``at_rest``: what the receptance of the machine at rest gives instead. ``pocket``: maxima of
+    the depth over speed, the deepest first, NaN where there are fewer.
+    """
+
+    speed: Array = coordinate("speed", unit="rad/s", label="speed")
+    outcome: Words = quantity("speed", unit="", label="outcome")
+    cutting_speed: Array = coordinate("cutting_speed", unit="rad/s", label="speed of the cutter")
+    depth: Array = quantity(
+        "cutting_speed", unit="m", label="stable depth of cut", printed=MILLIMETRE
+    )
+    chatter: Array = quantity("cutting_speed", unit="Hz", label="chatter frequency")
+    loss: Words = quantity("cutting_speed", unit="", label="loss of stability")
+    mode_frequency: Array = quantity("cutting_speed", unit="Hz", label="nearest mode")
+    mode_damping: Array = quantity("cutting_speed", unit="1", label="its damping ratio")
+    removal: Array = quantity(
+        "cutting_speed", unit="m³/s", label="removal rate at the limit", printed=REMOVAL
+    )
+    at_rest: Array = quantity(
+        "cutting_speed",
+        unit="m",
+        label="stable depth of cut by the receptance at rest",
+        printed=MILLIMETRE,
+    )
+    pocket: NDArray[np.int_] = coordinate("pocket", unit="", label="pocket")
+    pocket_speed: Array = quantity("pocket", unit="rad/s", label="speed of the cutter")
+    pocket_depth: Array = quantity(
+        "pocket", unit="m", label="stable depth of cut", printed=MILLIMETRE
+    )
+    pocket_removal: Array = quantity(
+        "pocket", unit="m³/s", label="removal rate at the limit", printed=REMOVAL
+    )

@@ -1,0 +1,89 @@
+"""Frequencies at which a receptance must be known so that nothing between them is lost."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.errors import InvalidInput
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Receptance = Callable[[Array], Complex]
+LOWEST, HIGHEST = 2.0 * math.pi * 1.0, 2.0 * math.pi * 60e3  # rad/s
+FIRST = 1.01  # ratio of neighbours
+BENT = 0.05  # of its size, by which a receptance may leave the line between samples
+SMALL = 1e-2  # of the largest receptance: where it stays below, nothing chatters
+TURN = 2.0 * math.pi / 40.0  # phase from tooth to tooth between samples
+
+
+def resolving(
+    receptance: Receptance, band: tuple[float, float] = (LOWEST, HIGHEST)
+) -> tuple[Array, float]:
+    """Angular frequencies between which a receptance is straight, and the highest one at which it
+    matters.
+
+    Raises
+    ------
+    InvalidInput : a receptance that is not known over the band, or does not fall at its end
+    """
+    low, high = band
+    count = math.ceil(math.log(high / low) / math.log(FIRST)) + 1
+    omega = np.geomspace(low, high, count)
+    value = _known(receptance, omega)
+    largest = _size(value).max()
+    new = np.arange(len(omega) - 1)
+    for _ in range(14):
+        middle = 0.5 * (omega[new] + omega[new + 1])
+        found = _known(receptance, middle)
+        ends = value[new], value[new + 1]
+        bend = _size(found - 0.5 * (ends[0] + ends[1]))
+        size = np.maximum(_size(ends[0]), _size(ends[1])) + SMALL * largest
+        bent = bend > BENT * size
+        omega = np.insert(omega, new + 1, middle)
+        value = np.insert(value, new + 1, found, axis=0)
+        at = new + np.arange(len(new))
+        new = np.sort(np.concatenate([at[bent], at[bent] + 1]))
+        if not len(new):
+            break
+    matters = np.flatnonzero(_size(value) > SMALL * _size(value).max())
+    if matters[-1] == len(omega) - 1:
+        raise InvalidInput(
+            f"receptance: it does not fall up to {high / 2.0 / math.pi:.6g} Hz: give one that "
+            "does, such as a modal fit"
+        )
+    return omega, float(omega[matters[-1]])
+
+
+def _known(receptance: Receptance, omega: Array) -> Complex:
+    value = receptance(omega)
+    lost = ~np.isfinite(value).all(axis=(1, 2))
+    if lost.any():
+        raise InvalidInput(
+            f"receptance: not a finite number at {omega[lost][0] / 2.0 / math.pi:.6g} Hz: it must "
+            "reach over the chatter band and beyond; extrapolate it by a modal fit"
+        )
+    return value
+
+
+def _size(value: Complex) -> Array:
+    """Largest entry of each matrix (n, d, d)."""
+    return np.abs(value).max(axis=(1, 2))
+
+
+def along(omega: Array, top: float, period: float) -> Array:
+    """Samples up to ``top`` that resolve the receptance and the phase from tooth to tooth."""
+    even = np.arange(0.25 * TURN, top * period + TURN, TURN) / period
+    return np.unique(np.concatenate([even, omega[omega <= top]]))
+
+
+def folded(omega: Array, top: float, period: float) -> Array:
+    """Samples of the phase ωT in 0 … π at which all harmonics of the tooth frequency are
+    resolved: frequencies where the receptance bends on a shorter way than the phase."""
+    even = np.linspace(0.0, math.pi, round(math.pi / TURN) + 1)[1:]
+    fine = np.append(np.diff(omega) < 0.4 * (FIRST - 1.0) * omega[:-1], False)
+    angle = np.mod(omega[fine & (omega <= top)] * period, 2.0 * math.pi)
+    return np.unique(np.concatenate([even, np.minimum(angle, 2.0 * math.pi - angle)]))

@@ -1,0 +1,81 @@
+"""Stability of milling in a few lines of text."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from rotordyn.analyses.stability_lobes.result import REMOVAL, StabilityLobesResult
+from rotordyn.analyses.stability_lobes.spec import FLIP
+from rotordyn.results.described import Described
+from rotordyn.results.display import MILLIMETRE, RPM, number
+from rotordyn.results.headline import Number
+from rotordyn.results.text import unbroken
+
+MOST = 4
+MOVED = 1.25  # times: limits so far from those of the machine at rest are said
+
+
+def summary(result: StabilityLobesResult) -> list[str]:
+    """The least limit with its chatter, and the deepest pockets."""
+    if not np.isfinite(result.depth).any():
+        return ["chatter    no depth of cut is unstable at the speeds of the cutter"]
+    row = int(np.nanargmin(result.depth))
+    least = (
+        f"chatter    stable at every speed up to {_depth(result.depth[row])}, there limited at "
+        f"{number(result.cutting_speed[row] * RPM.factor, 0)} rpm by the mode at "
+        f"{number(result.mode_frequency[row])} Hz (chatter at {number(result.chatter[row])} Hz)"
+    )
+    pockets = [
+        unbroken(
+            f"{_depth(depth)} at {number(speed * RPM.factor, 0)} rpm "
+            f"({number(rate * REMOVAL.factor)} {REMOVAL.unit})"
+        )
+        for speed, depth, rate in zip(
+            result.pocket_speed[:MOST],
+            result.pocket_depth[:MOST],
+            result.pocket_removal[:MOST],
+            strict=True,
+        )
+    ]
+    return [least, *([f"pockets    {'; '.join(pockets)}"] if pockets else [])]
+
+
+def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
+    """Least limit, and the deepest pocket with its speed."""
+    known = result.depth[np.isfinite(result.depth)]
+    least = float(known.min()) if known.size else np.nan
+    yield Number("least", "mm", least * MILLIMETRE.factor, digits=2)
+    if result.pocket_depth.size:
+        depth, speed = float(result.pocket_depth[0]), float(result.pocket_speed[0])
+        yield Number("pocket", "mm", depth * MILLIMETRE.factor, digits=2)
+        yield Number("pocket at", "rpm", speed * RPM.factor, digits=0)
+
+
+def warnings(result: StabilityLobesResult) -> list[str]:
+    """Where the machine at rest would mislead, and where period doubling limits."""
+    with np.errstate(divide="ignore", invalid="ignore"):
+        ratio = result.at_rest / result.depth
+        moved = np.abs(np.log(ratio))
+    found = []
+    if np.isfinite(moved).any() and np.nanmax(moved[np.isfinite(moved)]) > np.log(MOVED):
+        row = int(np.where(np.isfinite(moved), moved, -1.0).argmax())
+        found.append(
+            f"limits by the receptance at rest mislead: at "
+            f"{number(result.cutting_speed[row] * RPM.factor, 0)} rpm they say "
+            f"{_depth(result.at_rest[row])} in place of {_depth(result.depth[row])}; measure the "
+            "tip at speed, or use the limits given here"
+        )
+    flips = np.flatnonzero(np.array(result.loss) == FLIP)
+    if flips.size:
+        rpm = number(result.cutting_speed[flips[0]] * RPM.factor, 0)
+        found.append(
+            f"period doubling limits {flips.size} of {len(result.depth)} speeds, first at {rpm} "
+            "rpm: zero-order limits do not see it"
+        )
+    return found
+
+
+def _depth(value: float) -> str:
+    return f"{number(value * MILLIMETRE.factor, 2)} mm"

@@ -1,0 +1,128 @@
+"""Receptance of the tip of the tool in feed and normal, at every speed, from the free motions.
+
+Teeth turn from the normal to the feed as the spindle turns from y to z: normal = y and feed = z,
+both turned by the angle of the feed. With the opposite sense the gyroscopic cross receptances
+would have the opposite sign.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.equation.free_motion import FreeMotions
+from rotordyn.errors import InvalidInput
+from rotordyn.results.display import RPM
+from rotordyn.scene.scene import Scene
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+UNDAMPED = 1e-9  # of the frequency: a pole so near to the axis has no damping
+MATTERS = 1e-2  # of the largest receptance: where it stays below, nothing chatters
+ABOUT = np.array([-4.0, -2.0, -1.2, -0.7, -0.35, 0.0, 0.35, 0.7, 1.2, 2.0, 4.0])
+BEYOND = 1.25  # times the highest mode that matters
+
+
+@dataclass(frozen=True)
+class Tip:
+    """The tip at the usable speeds of a scene; ``feed`` [rad] from z in the sense of rotation."""
+
+    scene: Scene
+    point: str
+    feed: float
+    highest: float
+
+    @cached_property
+    def _parts(self) -> list[tuple[FreeMotions, list[tuple[int, int]], Array]]:
+        """Subsystems of the point: motions, which of (y, z) they move, rows of these (k, n)."""
+        place = self.scene.spindle.place(self.point)
+        found: dict[int, list[int]] = {}
+        for k, way in enumerate("yz"):
+            found.setdefault(self.scene.owner(self.point, way), []).append(k)
+        parts = []
+        for system, ways in found.items():
+            motions = self.scene.system(system)
+            rows = np.array([motions.linear.row(*place, "yz"[way]) for way in ways])
+            pairs = [(one, other) for one in ways for other in ways]
+            parts.append((motions, pairs, rows))
+        return parts
+
+    @property
+    def _turn(self) -> Array:
+        """Feed and normal by y and z."""
+        s, c = math.sin(self.feed), math.cos(self.feed)
+        return np.array([[-s, c], [c, s]])
+
+    def receptance(self, omega: Array) -> Complex:
+        """At frequencies (s, f) of every speed's own: (s, f, 2, 2)."""
+        found = np.zeros((*omega.shape, 2, 2), dtype=complex)
+        for motions, pairs, rows in self._parts:
+            ways = sorted({one for one, _ in pairs})
+            responses = np.array([rows[ways.index(one)] for one, _ in pairs])
+            excitations = np.array([rows[ways.index(other)] for _, other in pairs])
+            values = motions.receptance(omega, responses, excitations)
+            for k, (one, other) in enumerate(pairs):
+                found[..., one, other] = values[:, k]
+        return np.asarray(self._turn @ found @ self._turn.T)
+
+    def at(self, row: int) -> Tip:
+        """At one of the speeds."""
+        one = Tip(self.scene, self.point, self.feed, self.highest)
+        chosen = np.array([row])
+        parts = [(motions.at(chosen), *rest) for motions, *rest in self._parts]
+        one.__dict__["_parts"] = parts
+        return one
+
+    @cached_property
+    def poles(self) -> Complex:
+        """Poles (s, k) that swing below the highest frequency, NaN in place of others.
+
+        Raises
+        ------
+        InvalidInput : one without damping that the tip feels
+        """
+        pole = np.concatenate([motions.pole for motions, *_ in self._parts], axis=1)
+        limit = 2.0 * math.pi * self.highest
+        with np.errstate(invalid="ignore"):
+            kept = (pole.imag > 1e-3) & (pole.imag < limit) & (pole.imag > -pole.real)
+        pole = np.where(kept, pole, complex(np.nan, np.nan))
+        self._refuse_undamped(pole)
+        return pole
+
+    def _refuse_undamped(self, pole: Complex) -> None:
+        with np.errstate(invalid="ignore"):
+            bare = np.abs(pole.real) <= UNDAMPED * np.abs(pole)
+        if not bare.any():
+            return
+        row, column = np.argwhere(bare)[0]
+        rpm = self.scene.speed[self.scene.usable[row]] * RPM.factor
+        hertz = pole[row, column].imag / (2.0 * math.pi)
+        raise InvalidInput(
+            f"stability_lobes: nothing damps the mode at {hertz:.5g} Hz and {rpm:.0f} rpm, and "
+            "without damping no depth of cut is stable: give damping"
+        )
+
+    @cached_property
+    def tops(self) -> Array:
+        """Highest frequency that matters at every speed (s,) [rad/s]."""
+        at = np.nan_to_num(self.poles.imag, nan=1.0)
+        size = np.abs(self.receptance(at)).max(axis=(2, 3))
+        size = np.where(np.isnan(self.poles.imag), 0.0, size)
+        matters = size > MATTERS * size.max(axis=1, keepdims=True)
+        highest = np.where(matters, at, 0.0).max(axis=1)
+        if not (highest > 0.0).all():
+            raise InvalidInput(
+                f"stability_lobes: no mode up to {self.highest:.5g} Hz: raise max_frequency"
+            )
+        return BEYOND * highest
+
+    def about_poles(self, row: int) -> Array:
+        """Frequencies that resolve the peaks of a speed, ascending [rad/s]."""
+        pole = self.poles[row]
+        pole = pole[np.isfinite(pole)]
+        near = pole.imag[:, None] + np.abs(pole.real)[:, None] * ABOUT
+        return np.unique(near[(near > 0.0) & (near <= self.tops[row])])

@@ -1,0 +1,47 @@
+"""Stable width of cut in turning, and of any cut in which one tooth stays in the work."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.stability_lobes.limit import Limit
+from rotordyn.analyses.stability_lobes.sampling import along, resolving
+from rotordyn.analyses.stability_lobes.spec import HOPF, NONE
+from rotordyn.analyses.stability_lobes.zero_order import zero_order
+from rotordyn.errors import InvalidInput
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+
+def turning_limit(receptance: Callable[[Array], Complex], force: float, speed: float) -> Limit:
+    """Width of cut up to which turning is stable: exact, for the cutting force is constant.
+
+    receptance : angular frequencies (f,) > 0 [rad/s] -> (f,) [m/N], motion across the cut surface
+        by the cutting force, both directions projected
+    force : cutting coefficient [Pa]
+    speed : of the work [rad/s]
+
+    Raises
+    ------
+    InvalidInput : a coefficient or a speed that is not above 0
+
+    Source: Tobias; Tlusty; the form of lobes is 1 + a K (1 - e^(-iωT)) G(iω) = 0.
+    """
+    for name, value in (("force", force), ("speed", speed)):
+        if not value > 0.0:
+            raise InvalidInput(f"{name}: given {value:.6g}; allowed: above 0")
+
+    def matrices(omega: Array) -> Complex:
+        return np.asarray(receptance(omega.ravel()).reshape(*omega.shape, 1, 1))
+
+    omega, top = resolving(matrices)
+    period = np.array([2.0 * math.pi / speed])
+    samples = along(omega, top, float(period[0]))[None]
+    depth, at, _ = zero_order(matrices, np.array([[force]]), period, samples)
+    kind = HOPF if math.isfinite(depth[0]) else NONE
+    return Limit(float(depth[0]), float(at[0]) / (2.0 * math.pi), kind)

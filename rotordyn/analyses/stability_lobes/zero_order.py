@@ -1,0 +1,106 @@
+"""Zero-order stability (Altintas and Budak 1995): the mean of the cutting forces over the tooth
+period, and one frequency of vibration. Exact where the cutting forces do not change with the angle.
+
+At a depth a and a frequency ω on the limit 1/a is an eigenvalue of Z = −(1 − e^{−iωT}) H̄ Φ(iω), so
+that the lobes need not be counted and every speed has its own receptance.
+
+Theory: docs/theory/lobes.md.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Rows = Callable[[Array], Complex]
+CANDIDATES = 3  # crossings of a speed that are refined, those that may be largest
+STEPS = 30
+
+
+def zero_order(
+    receptances: Rows, mean: Array, period: Array, omega: Array
+) -> tuple[Array, Array, NDArray[np.intp]]:
+    """Depth [m], infinite where nothing limits it, and chatter frequency [rad/s] of every speed
+    (s,); and the index of its sample in ``omega``.
+
+    ``receptances`` of frequencies (s, f): (s, f, d, d); ``mean`` (d, d) cutting forces [Pa];
+    ``period`` of the teeth (s,) [s]; ``omega`` (s, f) ascending samples [rad/s].
+    """
+    z = _followed(_eigenvalues(receptances(omega), mean, omega * period[:, None]))
+    low, high = z[:, :-1], z[:, 1:]
+    across = low.imag * high.imag < 0.0
+    reach = np.where(across, np.maximum(low.real, high.real), 0.0)
+    s, f, d = reach.shape
+    flat = reach.reshape(s, f * d)
+    chosen = np.argsort(-flat, axis=1)[:, :CANDIDATES]
+    usable = np.take_along_axis(flat, chosen, axis=1) > 0.0
+    sample, branch = np.divmod(chosen, d)
+    rows = np.arange(s)[:, None]
+    a, b = omega[rows, sample], omega[rows, sample + 1]
+    one, other = z[rows, sample, branch], z[rows, sample + 1, branch]
+    at, value = _roots(receptances, mean, period, (a, b, one, other))
+    value = np.where(usable, value, 0.0)
+    best = value.argmax(axis=1)[:, None]
+    value, at = (np.take_along_axis(each, best, axis=1)[:, 0] for each in (value, at))
+    with np.errstate(divide="ignore"):
+        depth = np.where(value > 0.0, 1.0 / value, np.inf)
+    sample = np.take_along_axis(sample, best, axis=1)[:, 0]
+    return depth, np.where(value > 0.0, at, np.nan), sample
+
+
+def _eigenvalues(receptance: Complex, mean: Array, angle: Array) -> Complex:
+    """Of Z (…, d, d): (…, d), d at most 2."""
+    own = -(1.0 - np.exp(-1j * angle))[..., None, None] * (mean @ receptance)
+    if own.shape[-1] == 1:
+        return own[..., 0]
+    half = 0.5 * (own[..., 0, 0] + own[..., 1, 1])
+    product = own[..., 0, 0] * own[..., 1, 1] - own[..., 0, 1] * own[..., 1, 0]
+    root = np.sqrt(half**2 - product)
+    larger = np.where(np.abs(half + root) >= np.abs(half - root), half + root, half - root)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        smaller = np.where(larger != 0.0, product / larger, 0.0)
+    return np.stack([larger, smaller], axis=-1)
+
+
+def _followed(z: Complex) -> Complex:
+    """Eigenvalues (s, f, d) with each branch in its column."""
+    if z.shape[-1] == 1:
+        return z
+    swapped, before = z[:, 1:, ::-1], z[:, :-1]
+    stay = np.abs(z[:, 1:] - before).sum(axis=-1)
+    change = np.abs(swapped - before).sum(axis=-1) < stay
+    flip = np.cumsum(change, axis=1) % 2 == 1
+    followed = z.copy()
+    followed[:, 1:] = np.where(flip[..., None], swapped, z[:, 1:])
+    return followed
+
+
+def _roots(
+    receptances: Rows, mean: Array, period: Array, ends: tuple[Array, Array, Complex, Complex]
+) -> tuple[Array, Array]:
+    """Frequencies (s, c) at which branches between two samples are real, and the values there."""
+    a, b, one, other = ends
+    weight_a, weight_b = one.imag.copy(), other.imag.copy()
+    middle, z, side = a, one, np.zeros(a.shape)
+    for _ in range(STEPS):
+        with np.errstate(divide="ignore", invalid="ignore"):
+            share = np.nan_to_num(weight_a / (weight_a - weight_b), nan=0.5)
+        middle = a + np.clip(share, 1e-3, 1.0 - 1e-3) * (b - a)
+        found = _eigenvalues(receptances(middle), mean, middle * period[:, None])
+        with np.errstate(divide="ignore", invalid="ignore"):
+            guess = one + np.nan_to_num((middle - a) / (b - a)) * (other - one)
+        nearest = np.abs(found - guess[..., None]).argmin(axis=-1)[..., None]
+        z = np.take_along_axis(found, nearest, axis=-1)[..., 0]
+        if (np.abs(z.imag) <= 1e-10 * np.abs(z)).all():
+            break
+        lower = (z.imag > 0.0) == (one.imag > 0.0)
+        weight_b = np.where(lower, np.where(side < 0.0, 0.5 * weight_b, other.imag), z.imag)
+        weight_a = np.where(lower, z.imag, np.where(side > 0.0, 0.5 * weight_a, one.imag))
+        a, one = np.where(lower, middle, a), np.where(lower, z, one)
+        b, other = np.where(lower, b, middle), np.where(lower, other, z)
+        side = np.where(lower, -1.0, 1.0)
+    return middle, z.real

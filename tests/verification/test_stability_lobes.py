@@ -1,0 +1,138 @@
+"""Limits of milling by harmonics against the time domain, and against what is exact."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from rotordyn.analyses.stability_lobes import limit_depth, turning_limit
+from rotordyn.analyses.stability_lobes.cutting import Cut
+from rotordyn.analyses.stability_lobes.multi_frequency import spherical_bessel
+from rotordyn.errors import InvalidInput
+from tests.oracles.milling_floquet import Machine, Milling
+from tests.oracles.random_milling import harmonic, random_milling
+
+MACHINE = Machine(((600.0, 0.03, 8e6, (1.0, 0.0)), (750.0, 0.02, 6e6, (0.3, 0.9))))
+CUT = (2, 9e8, 3e8, 0.0, 1.2)
+
+
+@pytest.mark.parametrize("seed", [0, 5, 11, 13, 19, 26])
+def test_random_machines_and_cuts(seed):
+    """Stable just below the limit and at depths further below, unstable just above, of one kind.
+
+    The whole is ``python -m tests.oracles.random_milling 200``.
+    """
+    cut = random_milling(seed)
+    found = harmonic(cut)
+    below = found.depth * np.array([0.05, 0.2, 0.4, 0.6, 0.8, 0.9, 0.97, 0.998])
+    assert max(cut.radius(depth) for depth in below) < 1.0
+    assert cut.radius(1.002 * found.depth) > 1.0
+    assert cut.kind(1.002 * found.depth) == found.kind
+
+
+@pytest.mark.parametrize("speed", [700.0, 1500.0])
+def test_helical_edges(speed):
+    """The limit is that of the cutting forces at that very depth."""
+    helix, diameter = math.radians(30.0), 0.016
+    found = limit_depth(MACHINE.receptance, *CUT, speed, helix=helix, diameter=diameter)
+    straight = limit_depth(MACHINE.receptance, *CUT, speed)
+    assert abs(found.depth / straight.depth - 1.0) > 1e-3
+
+    def radius(share):
+        depth = share * found.depth
+        return Milling(MACHINE, *CUT, speed, 2.0 * depth * math.tan(helix) / diameter).radius(depth)
+
+    assert max(radius(share) for share in (0.3, 0.7, 0.998)) < 1.0 < radius(1.002)
+
+
+def test_zero_order_is_exact_where_cutting_forces_are_constant():
+    """A slot with four teeth."""
+    cut = (4, 9e8, 3e8, 0.0, math.pi)
+    many = limit_depth(MACHINE.receptance, *cut, 900.0)
+    mean = limit_depth(MACHINE.receptance, *cut, 900.0, "zero-order")
+    assert many.depth == pytest.approx(mean.depth, rel=1e-6)
+    assert many.frequency == pytest.approx(mean.frequency, rel=1e-5)
+
+
+def test_least_limit_of_turning():
+    """One mode: 2 k ζ (1 + ζ) / K at ω √(1 + 2ζ), at the speed of a lobe's lowest point."""
+    k, ratio, omega, force = 2e7, 0.03, 2.0 * math.pi * 200.0, 1.5e9
+
+    def receptance(at):
+        r = at / omega
+        return 1.0 / (k * (1.0 - r**2 + 2j * ratio * r))
+
+    at = omega * math.sqrt(1.0 + 2.0 * ratio)
+    phase = 3.0 * math.pi + 2.0 * np.angle(receptance(np.array([at])))[0] + 2.0 * math.pi
+    speed = 2.0 * math.pi * at / phase
+    found = turning_limit(receptance, force, speed)
+    assert found.depth == pytest.approx(2.0 * k * ratio * (1.0 + ratio) / force, rel=1e-8)
+    assert found.frequency == pytest.approx(at / 2.0 / math.pi, rel=1e-4)
+
+
+def test_mean_of_cutting_forces():
+    """The closed mean of Altintas, and that of the forces over the tooth period, with a lag."""
+    cut = Cut(3, 6e8, 2e8, 0.3, 2.1)
+    phi, ratio = np.array([0.3, 2.1]), 1.0 / 3.0
+    alpha = np.array(
+        [
+            [
+                np.cos(2 * phi) - 2 * ratio * phi + ratio * np.sin(2 * phi),
+                -np.sin(2 * phi) - 2 * phi + ratio * np.cos(2 * phi),
+            ],
+            [
+                -np.sin(2 * phi) + 2 * phi + ratio * np.cos(2 * phi),
+                -np.cos(2 * phi) - 2 * ratio * phi - ratio * np.sin(2 * phi),
+            ],
+        ]
+    )
+    known = -3 * 6e8 / (4.0 * math.pi) * 0.5 * (alpha[..., 1] - alpha[..., 0])
+    np.testing.assert_allclose(cut.mean(), known, rtol=1e-12)
+    lagging = Cut(3, 6e8, 2e8, 0.3, 2.1, 1.7)
+    total = np.zeros((2, 2))
+    x, w = np.polynomial.legendre.leggauss(40)
+    for low, high in lagging.pieces():
+        angle = 0.5 * (low + high) + 0.5 * (high - low) * x
+        total += np.einsum("q,qij->ij", 0.5 * (high - low) * w, lagging.matrix(angle))
+    np.testing.assert_allclose(total / lagging.pitch, known, rtol=1e-9)
+
+
+def test_spherical_bessel_functions():
+    from scipy.special import spherical_jn
+
+    x = np.array([-700.0, -31.0, -3.2, -1e-9, 0.0, 1e-3, 0.7, 9.99, 25.0, 40.2, 333.0])
+    for count in (1, 2, 9, 30):
+        known = np.array([spherical_jn(n, np.abs(x)) * np.sign(x) ** n for n in range(count)]).T
+        known[x == 0.0] = 0.0
+        known[x == 0.0, 0] = 1.0
+        np.testing.assert_allclose(spherical_bessel(x, count), known, rtol=1e-9, atol=1e-9)
+
+
+def test_receptances_that_end_before_the_chatter_band():
+    def ends(omega):
+        return np.where(omega[:, None, None] > 3e3, np.nan, MACHINE.receptance(omega))
+
+    with pytest.raises(InvalidInput, match=r"not a finite number at .* modal fit"):
+        limit_depth(ends, speed=500.0)
+    with pytest.raises(InvalidInput, match="does not fall"):
+        limit_depth(lambda omega: np.full((len(omega), 2, 2), 1e-9 + 0j), speed=500.0)
+
+
+@pytest.mark.parametrize(
+    ("given", "sentence"),
+    [
+        ({"entry": 2.0, "exit": 1.0}, "entry before exit"),
+        ({"exit": 4.0}, "entry before exit"),
+        ({"tangential": -1.0}, "cutting coefficients"),
+        ({"teeth": 0}, "teeth"),
+        ({"helix": math.pi / 2.0, "diameter": 0.01}, "90°"),
+        ({"helix": 0.5}, "diameter"),
+        ({"method": "first"}, "allowed: multi-frequency, zero-order"),
+        ({"speed": 0.0}, "speed"),
+    ],
+)
+def test_refusals(given, sentence):
+    with pytest.raises(InvalidInput, match=sentence):
+        limit_depth(MACHINE.receptance, **given)
