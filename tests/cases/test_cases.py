@@ -35,6 +35,7 @@ def test_every_case_is_in_the_table_of_the_folder() -> None:
 SLIPS = ("the balls need more friction than that of the lubricant",)
 WARNED = {  # what the case is there to show
     "grinding_spindle_life": SLIPS,
+    "mfw2310_axial_cycle": ("is unloaded under an axial force", "its friction acts in"),
     "friswell_internal_damping": (
         "viscous: bending 1 forward grows by itself",
         "hysteretic: bending 1 forward grows by itself",

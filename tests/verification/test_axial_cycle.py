@@ -15,10 +15,10 @@ import pytest
 
 from bearings.ball.law import Law
 from rotordyn.analyses import AxialCycleSpec
-from rotordyn.analyses.axial_cycle.figures import figures, of_variants
+from rotordyn.analyses.axial_cycle.figures import figures, headline_curves
 from rotordyn.analyses.axial_cycle.result import AxialCycleResult
 from rotordyn.analyses.axial_cycle.solve import answer
-from rotordyn.analyses.axial_cycle.summary import cells, summary, warnings
+from rotordyn.analyses.axial_cycle.summary import numbers, summary, warnings
 from rotordyn.errors import InvalidInput
 from rotordyn.figures.panels import Shown
 from rotordyn.machine.spindle import Spindle
@@ -117,12 +117,13 @@ def test_past_the_unloading_of_the_front_the_slope_is_that_of_both_springs() -> 
     assert ((slope > 0.93 * 11.69e6) & (slope < 11.69e6)).all()
 
 
-def test_lines_cells_and_warnings() -> None:
+def test_lines_numbers_and_warnings() -> None:
     found = cycle()
     first, second = summary(found)
     assert re.match(r"axial +stiffness at no load \[N/µm\] force falling", first)
     assert re.match(r"hysteresis energy lost per cycle \[mJ\] 9\.\d →", second)
-    assert list(cells(found, None)) == ["force falling [N/µm]", "force rising [N/µm]"]  # type: ignore[arg-type]
+    assert len([*numbers(found, None)]) == 4  # type: ignore[arg-type]
+    assert len(summary(cycle(0.0))) == 1
     said = warnings(found)
     assert [sentence.split(" is ")[0] for sentence in said] == ["bearing a", "bearing b"]
     assert "at 0 rpm" in said[0]
@@ -136,13 +137,12 @@ def test_its_figures_show_both_branches() -> None:
     assert [np.asarray(loop)[0] for loop in loops] == pytest.approx([-57.95, -57.95], abs=0.01)
     for panel in drawn["axial_cycle"].axes:
         assert re.search(r"\[.+\]$", panel.get_xlabel())
-    variants = [
-        Shown(title=title, result=cycle(limit), spindle=None, known=())
-        for title, limit in (("rubbing", FRICTION), ("smooth", 0.0))
-    ]
-    compared = {name: draw() for name, draw in of_variants(None, variants)}
-    assert [len(panel.lines) for panel in compared["axial_cycle"].axes] == [4, 4]
-    assert len(compared["axial_stiffness"].axes[0].lines) == 4
+
+
+def test_its_headline_curves_are_the_loops_and_the_stiffness_of_both_branches() -> None:
+    variant = Shown(title="rubbing", result=cycle(), spindle=None, known=())
+    curves = [*headline_curves(None, variant)]
+    assert [curve.figure for curve in curves] == 4 * ["axial_cycle"] + 2 * ["axial_stiffness"]
 
 
 def test_every_branch_moves_one_way() -> None:

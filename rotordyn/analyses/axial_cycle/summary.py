@@ -12,6 +12,8 @@ from rotordyn.results.display import STIFFNESS
 from rotordyn.results.headline import Number, ends
 from rotordyn.results.text import from_to, unbroken
 
+NO_LOSS = 1e-9  # J: rounding
+
 
 def summary(result: AxialCycleResult) -> list[str]:
     """Axial stiffness at no load at the first and last speed, and the energy lost."""
@@ -22,7 +24,7 @@ def summary(result: AxialCycleResult) -> list[str]:
         )
     )
     lines = [f"axial      stiffness at no load [N/µm] force {values}"]
-    if np.nanmax(result.loss, initial=0.0) > 0.0:
+    if np.nanmax(result.loss, initial=0.0) > NO_LOSS:
         lines.append(f"hysteresis energy lost per cycle [mJ] {from_to(result.loss * 1e3)}")
     return lines
 
