@@ -39,7 +39,8 @@ def summary(result: StabilityLobesResult) -> list[str]:
             strict=True,
         )
     ]
-    return [least, *([f"pockets    {'; '.join(pockets)}"] if pockets else [])]
+    lines = [least, *([f"pockets    {'; '.join(pockets)}"] if pockets else [])]
+    return lines + _at_rest(result)
 
 
 def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
@@ -53,20 +54,24 @@ def numbers(result: StabilityLobesResult, _: Described) -> Iterator[Number]:
         yield Number("pocket at", "rpm", speed * RPM.factor, digits=0)
 
 
-def warnings(result: StabilityLobesResult) -> list[str]:
-    """Where the machine at rest would mislead, and where period doubling limits."""
+def _at_rest(result: StabilityLobesResult) -> list[str]:
+    """Where the machine at rest would mislead most."""
     with np.errstate(divide="ignore", invalid="ignore"):
-        ratio = result.at_rest / result.depth
-        moved = np.abs(np.log(ratio))
+        moved = np.abs(np.log(result.at_rest / result.depth))
+    moved = np.where(np.isfinite(moved), moved, -1.0)
+    row = int(moved.argmax())
+    if moved[row] <= np.log(MOVED):
+        return []
+    return [
+        f"at rest    its receptance misleads most at "
+        f"{number(result.cutting_speed[row] * RPM.factor, 0)} rpm: {_depth(result.at_rest[row])} "
+        f"in place of {_depth(result.depth[row])}"
+    ]
+
+
+def warnings(result: StabilityLobesResult) -> list[str]:
+    """Where period doubling limits."""
     found = []
-    if np.isfinite(moved).any() and np.nanmax(moved[np.isfinite(moved)]) > np.log(MOVED):
-        row = int(np.where(np.isfinite(moved), moved, -1.0).argmax())
-        found.append(
-            f"limits by the receptance at rest mislead: at "
-            f"{number(result.cutting_speed[row] * RPM.factor, 0)} rpm they say "
-            f"{_depth(result.at_rest[row])} in place of {_depth(result.depth[row])}; measure the "
-            "tip at speed, or use the limits given here"
-        )
     flips = np.flatnonzero(np.array(result.loss) == FLIP)
     if flips.size:
         rpm = number(result.cutting_speed[flips[0]] * RPM.factor, 0)
