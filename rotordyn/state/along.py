@@ -192,6 +192,8 @@ def _root(
 
     if value(between[0]) <= 0.0:
         return between[0], known.get(between[0], start[1])
+    if value(between[1]) >= 0.0:  # violated by rounding alone, solved from elsewhere
+        return between[1], known[between[1]]
     root = cast(float, brentq(value, *between, xtol=EXACT, rtol=EXACT))
     return root, known[min(known, key=lambda other: abs(other - root))]
 
