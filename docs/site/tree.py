@@ -22,7 +22,8 @@ def _in(folder: str, names: str) -> tuple[str, ...]:
 GROUPS = {
     "Tutorial": _in("tutorial", "first_run own_spindle campbell"),
     "How to": _in(
-        "howto", "bearing_data preload compare measured_frf stability_lobes hypotheses editor"
+        "howto",
+        "bearing_data preload compare measured_frf life stability_lobes hypotheses editor",
     ),
     "Reference": (
         *_in("reference", "keys command results results_object python"),

@@ -18,7 +18,7 @@ from rotordyn.analyses.solving import answer_spindle
 from rotordyn.analyses.static_sag.figures.line import line_figure
 from rotordyn.analyses.static_sag.result import StaticSagResult
 from rotordyn.analyses.static_sag.spec import RingRunout, StaticSagSpec
-from rotordyn.analyses.static_sag.summary import cells, summary, warnings
+from rotordyn.analyses.static_sag.summary import numbers, summary, warnings
 from rotordyn.errors import InvalidInput
 from rotordyn.figures.panels import Shown
 from rotordyn.machine import LinearSupport, PointMass, Section, Shaft, Spindle
@@ -190,8 +190,8 @@ def test_words_and_figure() -> None:
     said = " ".join(summary(turned)).replace("\u00a0", " ")
     assert "y 5.71 z 5.71, y 7.43 z 7.43 300 mm in front" in said
     assert "the sag does not turn" in said
-    assert list(cells(turned, None)) == ["sag [µm]", "slope [µrad]", "runout [µm]"]  # type: ignore[arg-type]
-    assert list(cells(bare, None)) == ["sag [µm]", "slope [µrad]"]  # type: ignore[arg-type]
+    assert [n.heading for n in numbers(turned, None)] == ["sag [µm]", "slope [µrad]", "runout [µm]"]  # type: ignore[arg-type]
+    assert [n.heading for n in numbers(bare, None)] == ["sag [µm]", "slope [µrad]"]  # type: ignore[arg-type]
     assert warnings(turned) == []
     late = replace(turned, speed=np.array([100.0]), true_ring=("c", "d"))
     given, slow = warnings(late)

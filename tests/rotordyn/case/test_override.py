@@ -52,7 +52,7 @@ def test_key_that_the_file_leaves_out(overridden: Override) -> None:
 
 def test_bearing_model_of_one_seat(overridden: Override) -> None:
     spindle = overridden("bearings.a.model_override: {outer_conformity: 0.54, balls: 24}")
-    assert [seat.bearing.balls for seat in spindle.seats] == [24, 25, 25, 21, 21]
+    assert [seat.bearing.balls for seat in spindle.seats] == [24, 25, 25, 25, 25]
     assert [seat.bearing.outer_conformity for seat in spindle.seats] == [0.54] + [0.571] * 4
 
 

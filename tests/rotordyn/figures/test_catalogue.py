@@ -129,7 +129,12 @@ def test_a_bearing_whose_balls_differ(keys, tmp_path):
     speed = np.array([0.0, 3000.0]) * RPM
     found = answer(bearing, Conditions(kinematics="outer"), speed, spec)
     jobs = figures(samples.SampleCase(bearing=bearing), {"bearing": found})
-    assert [name for name, _ in jobs] == ["bearing", "bearing_contacts", "bearing_azimuth"]
+    assert [name for name, _ in jobs] == [
+        "bearing",
+        "bearing_life",
+        "bearing_contacts",
+        "bearing_azimuth",
+    ]
     assert set(Drawing(jobs, tmp_path, workers=1).finish()) == {name for name, _ in jobs}
     for _, draw in jobs:
         labels = [t for a in draw().axes for t in (a.get_xlabel(), a.get_ylabel()) if t]
@@ -142,7 +147,7 @@ def test_a_four_point_bearing_under_thrust(tmp_path):
     speed = np.array([0.0, 2000.0, 4000.0, 8000.0]) * RPM
     found = answer(bearing, Conditions(), speed, BearingMapSpec((5e3, 20e3)))
     jobs = figures(samples.SampleCase(bearing=bearing), {"bearing": found})
-    assert [name for name, _ in jobs] == ["bearing", "bearing_contacts"]
+    assert [name for name, _ in jobs] == ["bearing", "bearing_life", "bearing_contacts"]
     Drawing(jobs, tmp_path, workers=1).finish()
     drawn = dict(jobs)["bearing_contacts"]()
     (counts,) = (a for a in drawn.axes if "contacts" in a.get_title())

@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from rotordyn.analyses.registry import analysis, names
+from rotordyn.analyses.registry import analysis
 from rotordyn.report.tables import write_tables
 from rotordyn.results.declaration import declared
 from tests.rotordyn.figures import samples
@@ -27,8 +27,8 @@ def _rows(path):
         return list(csv.DictReader(file))
 
 
-def test_every_layout_and_slice_has_its_file(folder):
-    every = (layout for name in names() for layout in analysis(name).tables)
+def test_every_layout_and_slice_has_its_file(folder, results):
+    every = (layout for name in results for layout in analysis(name).tables)
     planned = {f"{layout.name}.csv" for layout in every if not layout.several}  # one rotor
     none = {"frf_engine_orders.csv", "unbalance_peaks.csv"}  # neither are there
     slices = {f"frf_{n}rpm.csv" for n in (0, 12000, 24000)}
