@@ -10,6 +10,7 @@ from __future__ import annotations
 import argparse
 import time
 from collections import Counter
+from collections.abc import Iterator
 from types import SimpleNamespace
 from typing import Any
 
@@ -22,6 +23,7 @@ from tests.oracles.groove_balance import balanced
 from tests.oracles.random_kinds import KINDS, Asked, draw
 
 EACH = 50
+OFTEN = 20  # batches between what is kept on the way
 UNEQUAL = 1e-9  # of the largest ball load
 OPEN = 1e-12  # of the ball diameter
 SAME = 1e-6  # of the largest ball load
@@ -37,8 +39,8 @@ FIELDS = (
 )
 
 
-def survey_kind(kind: str, count: int) -> dict[str, Any]:
-    """What ``count`` states of a kind come to."""
+def survey_kind(kind: str, count: int) -> Iterator[dict[str, Any]]:
+    """What ``count`` states of a kind come to: so far, now and then, and at last all of them."""
     tally: Counter[str] = Counter()
     worst: dict[str, float] = Counter()
     odd: list[list[Any]] = []
@@ -51,9 +53,11 @@ def survey_kind(kind: str, count: int) -> dict[str, Any]:
         _counted(tally, asked, state)
         wrong = _judged(tally, worst, asked, state)
         changed = _restarted(tally, asked, state)
-        for word, states in (("residual", wrong), ("start", changed)):
-            odd += [[number, int(i), asked.dynamics, word] for i in states]
-    return {**tally, "worst": dict(worst), "odd": odd, "microseconds": 1e6 * seconds / count}
+        for word, places in (("residual", wrong), ("start", changed)):
+            odd += [[number, int(i), asked.dynamics, word] for i in places]
+        if number % OFTEN == 0 or tally["states"] == count:
+            spent = 1e6 * seconds / tally["states"]
+            yield {**tally, "worst": dict(worst), "odd": odd, "microseconds": spent}
 
 
 def _counted(tally: Counter[str], asked: Asked, state: BearingState) -> None:
@@ -128,7 +132,8 @@ def main() -> None:
     parser.add_argument("--only", nargs="+", choices=list(KINDS), metavar="KIND")
     given = parser.parse_args()
     for kind in given.only or KINDS:
-        keep("random_kinds", **{kind: survey_kind(kind, given.states)})
+        for outcome in survey_kind(kind, given.states):
+            keep("random_kinds", **{kind: outcome})
 
 
 if __name__ == "__main__":
