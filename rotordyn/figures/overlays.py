@@ -227,11 +227,11 @@ def _finish(axes: Axes, curve: Curve, wide: float, *, labelled: bool) -> None:
         stations.name(axes, curve.places, wide, stations.upright(curve.places, wide, low, high))
         axes.axhline(0.0, color=BLACK, lw=0.7, zorder=1.4)
     else:
-        high = max(high, 1.0)
+        start, high = min(low, 0.0), max(high, 1.0)
         left, right = axes.get_xlim()
         beyond = right > high * (1.0 + 1e-9)  # marks of references at the end
-        axes.set_xlim(min(left, 0.0) if beyond else 0.0, right if beyond else high)
-        axes.set_xticks(round_ticks(0.0, high, 8 if wide > 90.0 else 4))
+        axes.set_xlim(min(left, start) if beyond else start, right if beyond else high)
+        axes.set_xticks(round_ticks(start, high, 8 if wide > 90.0 else 4))
     axes.tick_params(labelbottom=labelled)
     if curve.log:
         log_axis(axes)
