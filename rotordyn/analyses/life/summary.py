@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 
 import numpy as np
 from numpy.typing import NDArray
@@ -78,11 +78,11 @@ def _last(result: LifeResult) -> int:
     return max(k for k, word in enumerate(result.outcome) if not word)
 
 
-def _each(result: LifeResult, values: Array, written: object) -> str:
+def _each(result: LifeResult, values: Array, written: Callable[[float], str]) -> str:
     """The value of every bearing at the last speed; bearings alike named together."""
     groups: dict[str, list[str]] = {}
     for name, value in zip(result.bearing, values[_last(result)], strict=True):
-        groups.setdefault(written(float(value)), []).append(name)  # type: ignore[operator]
+        groups.setdefault(written(float(value)), []).append(name)
     return ", ".join(unbroken(f"{'/'.join(names)} {word}") for word, names in groups.items())
 
 
