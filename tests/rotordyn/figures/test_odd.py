@@ -16,10 +16,12 @@ from rotordyn.analyses.frf.result import TurningFrfResult
 from rotordyn.analyses.preload.figures.over_speed import preload_figure
 from rotordyn.analyses.stiffness.figures.curves import stiffness_figure
 from rotordyn.figures.draw import Drawing
-from rotordyn.figures.overlays import Scale, colour, dash
+from rotordyn.figures.overlays import Scale, colour, dash, overlay_figure
+from rotordyn.figures.panels import Shown
 from rotordyn.figures.style import mark_lone_points
 from rotordyn.job.figures import comparison_figures
 from rotordyn.machine.reference import Reference
+from rotordyn.results.headline import Curve
 from tests.rotordyn.figures import samples
 
 LONG = "spring number {} and much more to be said of what is different in this variant"
@@ -200,3 +202,15 @@ def test_variants_are_told_apart_by_marks_and_none_hides_another():
     widths = [width for _, width in looks.values()]
     assert widths == sorted(widths, reverse=True)
     assert len(set(widths)) == 3
+
+
+def test_curves_of_variants_are_drawn_from_their_least_abscissa():
+    force = np.linspace(-2000.0, 1500.0, 8)
+    shown = [Shown(name, None, (), None) for name in ("a", "bb")]
+
+    def curves(variant):
+        yield Curve("cycle", "shift", "um", force, force * len(variant.title), along="force [N]")
+
+    for axes in overlay_figure("cycle", curves, shown, None).axes:
+        assert axes.get_xlim()[0] <= -2000.0
+        assert axes.get_xlim()[1] >= 1500.0
