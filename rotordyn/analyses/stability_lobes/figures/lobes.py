@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 ROOM = 1.1
+LEAST_SPEEDS = 100  # for lines: lobes are narrow, and of fewer speeds only points are known
 HIGH = 4.0  # times the median limit: above that pockets are cut off
 
 
@@ -33,10 +34,14 @@ def lobes_figure(result: StabilityLobesResult) -> Figure:
     depth, rest = (each * MILLIMETRE.factor for each in (result.depth, result.at_rest))
     top = _height([depth, rest])
     drawn = np.clip(np.nan_to_num(depth, posinf=2.0 * top), 0.0, 2.0 * top)
-    upper.fill_between(rpm, 0.0, drawn, color=BLUE, alpha=0.12, lw=0.0, label="stable")
-    upper.plot(rpm, drawn, color=BLUE, lw=1.2, label="at every speed's own receptance")
+    lines = len(rpm) >= LEAST_SPEEDS
+    if lines:
+        upper.fill_between(rpm, 0.0, drawn, color=BLUE, alpha=0.12, lw=0.0, label="stable")
+    look: dict[str, Any] = {"ls": "-"} if lines else {"ls": "", "marker": "o", "ms": 3.5}
+    upper.plot(rpm, drawn, color=BLUE, lw=1.2, label="at every speed's own receptance", **look)
     still = np.clip(np.nan_to_num(rest, posinf=2.0 * top), 0.0, 2.0 * top)
-    upper.plot(rpm, still, color=GREY, ls="--", lw=1.0, label="by the receptance at rest")
+    look = {"ls": "--"} if lines else {"ls": "", "marker": "x", "ms": 3.5}
+    upper.plot(rpm, still, color=GREY, lw=1.0, label="by the receptance at rest", **look)
     flips = np.array(result.loss) == FLIP
     if flips.any():
         shown = np.where(flips, drawn, np.nan)
