@@ -211,6 +211,11 @@ class BallBearing:
         return ""
 
     @property
+    def doubt(self) -> str:
+        """What of its estimate looks like a slip in the values it follows from, or nothing."""
+        return ""
+
+    @property
     def free_distance(self) -> float:
         """BD, between the centres of an inner and an outer groove that just touch a ball [m]."""
         return (self.inner_conformity + self.outer_conformity - 1.0) * self.ball_diameter

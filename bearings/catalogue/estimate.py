@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -24,6 +24,7 @@ Array = NDArray[np.float64]
 FIELDS = ("ball_diameter", "balls", "pitch_diameter", "inner_conformity", "outer_conformity")
 # Standard deviations, as shares: how well one and the same inside meets what makers print
 DEVIATION = {"rigidity": 0.015, "unloading": 0.01, "dynamic": 0.05, "static": 0.05}
+_PAIR = (1.35, 1.95)  # printed over expected C that looks like a pair's
 _WHOLE_NEWTON = 0.29  # [N] of a number rounded to one
 _REFINED = 4  # combinations of ball diameter and number whose grooves are refined
 _STEP = 0.005  # of a conformity, that refining may move it
@@ -83,6 +84,27 @@ class EstimatedBearing(AngularContactBallBearing):
         values = self.catalogue.values
         found = _computed(self._inside, self.catalogue)[:, 0]
         return tuple(Explained(v, float(c)) for v, c in zip(values, found, strict=True))
+
+    @property
+    def doubt(self) -> str:
+        """A sentence where C looks like that of a pair, as the other values lead to far less.
+
+        It takes C0 or the balls to say so: from rings and rigidity alone, the C that makers print
+        of one bearing is 0.6 to 2.7 times the one of the likeliest inside.
+        """
+        given = self.catalogue
+        printed = given.dynamic_rating
+        if printed is None or (given.static_rating is None and given.ball_diameter is None):
+            return ""
+        others = of(replace(given, dynamic_rating=None))
+        expected = float(radial_rating(others._inside))
+        if not _PAIR[0] < printed / expected < _PAIR[1]:
+            return ""
+        return (
+            f"dynamic rating C {printed:.4g} N is {printed / expected:.2f} times what the other "
+            f"values lead to ({expected:.4g} N): a pair has 1.62 times as much; give that of one "
+            "bearing"
+        )
 
     def pair(self, preload: float) -> tuple[float, float]:
         """Axial rigidity [N/m] and unloading force [N] of two, back to back, at a preload [N]."""

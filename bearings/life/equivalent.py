@@ -24,9 +24,11 @@ _SHALLOW = np.array(
         (0.58, 0.56, 1.00),
     ]
 )
-# contact angle [deg]: e, X, Y of ISO 281, one row or several in tandem
+# contact angle [deg]: e, X, Y of ISO 281, one row or several in tandem; 25° as two catalogues print
+# them, the others from memory [M]
 _STEEP = {20: (0.57, 0.43, 1.00), 25: (0.68, 0.41, 0.87), 30: (0.80, 0.39, 0.76)}
 _STEEP |= {35: (0.95, 0.37, 0.66), 40: (1.14, 0.35, 0.57), 45: (1.34, 0.33, 0.50)}
+# Y0 of ISO 76; 15°, 20° and 25° as printed, the others from memory [M]
 _STATIC = {5: 0.52, 10: 0.50, 15: 0.46, 20: 0.42, 25: 0.38, 30: 0.33, 35: 0.29, 40: 0.26, 45: 0.22}
 
 

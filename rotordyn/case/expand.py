@@ -24,6 +24,7 @@ from rotordyn.machine.shaft import Shaft
 from rotordyn.machine.spindle import Spindle
 
 _MATERIALS_OF_BEARING = (("ball_material",), ("ring_material",))
+_MATERIALS_OF_SEAT = tuple(("model", *way) for way in _MATERIALS_OF_BEARING)
 _MATERIALS_OF_SPINDLE = (
     ("shaft", "material"),
     ("shaft", "sections", "*", "material"),
@@ -96,6 +97,7 @@ def spindle(reference: Node, override: Node | None, reader: Reader) -> Node | No
     for holder in _matching(root, ("bearings", "*")):
         if id(holder) not in whole:
             _bearing_of_seat(root, holder, reader)
+        _fill(holder, _MATERIALS_OF_SEAT, "materials", reader)  # named by an override of its model
     for holder in _matching(root, ("supports", "*")):
         _table_of_support(holder, reader)
     for holder in _matching(root, ("housings", "*")):

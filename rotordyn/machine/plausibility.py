@@ -41,15 +41,21 @@ def implausible(spindle: Spindle, top: float) -> Iterator[str]:
 def estimates(bearings: Mapping[str, BallBearing]) -> Iterator[str]:
     """Sentences on bearings, by name, whose inside is estimated from a catalogue."""
     named: dict[str, list[str]] = {}
+    doubted: dict[str, list[str]] = {}
     for name, bearing in bearings.items():
         if bearing.estimated:
             named.setdefault(bearing.estimated, []).append(name)
+            doubted.setdefault(bearing.doubt, []).append(name)
     for words, names in named.items():
-        which = f"bearing{'s' * (len(names) > 1)} {', '.join(names)}".strip()
         yield (
-            f"{which}: estimate from catalogue values (nine in ten plausible insides): {words}; "
-            "what hangs on balls and grooves spreads with them"
+            f"{_which(names)}: estimate from catalogue values (nine in ten plausible insides): "
+            f"{words}; what hangs on balls and grooves spreads with them"
         )
+    yield from (f"{_which(names)}: {words}" for words, names in doubted.items() if words)
+
+
+def _which(names: list[str]) -> str:
+    return f"bearing{'s' * (len(names) > 1)} {', '.join(names)}".strip()
 
 
 def unopposed(spindle: Spindle) -> str:

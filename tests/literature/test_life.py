@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 from bearings import (
     SILICON_NITRIDE,
@@ -37,6 +38,27 @@ def test_ratings_of_a_printed_bearing() -> None:
     """GMN's catalogue prints C 48 500 N and C0 46 000 N of the S 6014 C with its balls."""
     assert life.dynamic_rating(GMN_S6014C) == pytest.approx(48_500, rel=0.006)
     assert life.static_rating(GMN_S6014C) == pytest.approx(46_000, rel=0.03)
+
+
+def test_rigidity_of_grooves_that_give_a_printed_rating() -> None:
+    """GMN prints C 45 000 N of the S 6210 E, and 177, 271, 363 N/µm of pairs at three preloads:
+    like grooves that have the one have the others."""
+
+    def made(conformity: float) -> AngularContactBallBearing:
+        return AngularContactBallBearing(
+            12.7e-3,
+            70e-3,
+            15,
+            contact_angle=25 * DEGREE,
+            inner_conformity=conformity,
+            outer_conformity=conformity,
+            ball_material=STEEL,
+        )
+
+    found = made(brentq(lambda f: life.dynamic_rating(made(f)) - 45e3, 0.505, 0.6))
+    load = np.outer([380.0, 1140.0, 2280.0], [1.0, 0.0, 0.0, 0.0, 0.0])
+    rigidity = 2e-6 * found.equilibrium(load=load).complete_stiffness[:, 0, 0]
+    assert rigidity == pytest.approx([177, 271, 363], rel=0.02)
 
 
 def test_static_rating_of_hybrids() -> None:

@@ -204,6 +204,16 @@ def test_values_that_cannot_be(changed: dict[str, Any], sentence: str) -> None:
         estimate(**{**KH_6014_E, **changed})
 
 
+@pytest.mark.parametrize("given", [{}, {"rigidities": [], "preloads": []}])
+def test_rating_of_a_pair_given_for_one_is_doubted(given: dict[str, Any]) -> None:
+    """Balls are free to grow until they explain it: the other values show what is odd."""
+    values = {**KH_6014_E, **given}
+    assert estimate(**values).doubt == ""
+    of_pair = estimate(**{**values, "dynamic_rating": 2**0.7 * 22_700 * 0.98})
+    assert "a pair has 1.62 times as much; give that of one bearing" in of_pair.doubt
+    assert estimate(**RINGS, contact_angle=0.4, dynamic_rating=40e3).doubt == ""
+
+
 def test_rings_alone_give_a_wide_estimate() -> None:
     found = estimate(**RINGS, contact_angle=math.radians(15.0))
     low, high = found.spread["ball_diameter"]

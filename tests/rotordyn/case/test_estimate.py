@@ -66,6 +66,13 @@ def test_single_bearing_is_named_an_estimate(tmp_path: Path) -> None:
     assert again.case.bearing.explained == results.case.bearing.explained
 
 
+def test_rating_of_a_pair_is_a_warning(tmp_path: Path) -> None:
+    written(tmp_path, BEARING.replace("16.4 kN", "16.4 kN, dynamic_rating: 36.5 kN"))
+    (tmp_path / "case.yaml").write_text(CASE, encoding="utf-8")
+    results = rotordyn.run(rotordyn.load(tmp_path / "case.yaml"))
+    assert any("give that of one bearing" in each for each in results.warnings)
+
+
 def test_spindle_names_its_estimates() -> None:
     case = rotordyn.load("grinding_spindle_catalogue").vary(
         {"analyses": {"preload": PreloadSpec()}, "speeds": ["0 rpm"]}

@@ -61,6 +61,15 @@ def test_bearing_model_of_all_seats(overridden: Override) -> None:
     assert {seat.bearing.ball_material.name for seat in spindle.seats} == {"bearing steel"}
 
 
+def test_material_by_name_in_the_model_of_a_seat(overridden: Override) -> None:
+    spindle = overridden(
+        "bearings.*.model.ball_material: bearing_steel",
+        "bearings.d.model.ball_material: silicon_nitride",
+    )
+    names = [seat.bearing.ball_material.name for seat in spindle.seats]
+    assert names == ["bearing steel"] * 3 + ["silicon nitride", "bearing steel"]
+
+
 def test_another_model(overridden: Override) -> None:
     spindle = overridden("bearings.d.model: vex70")
     assert spindle.seats[3].bearing.pitch_diameter == 0.09
