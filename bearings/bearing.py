@@ -290,7 +290,8 @@ class BallBearing:
         friction : coefficient μ that limits the gyroscopic moment a race can hold, λ Mg ≤ μ D Q;
             None lets it hold any
         dynamics : "resultant", Fc and Mg of every ball follow the resultant load on each race (with
-            one contact a race this is exact); "frozen", Fc at the free contact angle, no Mg
+            one contact a race this is exact); "frozen", Fc at the free contact angle, no Mg;
+            "centrifugal", "gyroscopic": as "resultant" with one of the two alone
         start : a state of the same batch shape close to the one sought; only speeds the search up,
             and is not used with kinematics that know two branches ("inner", "geometric")
         compiled : solve state by state with compiled functions; None: where that pays, with the

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from bearings.ball.law import STANDARD, Law
 from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing, NoEquilibrium
-from bearings.geometry import geometry, groove_origin
+from bearings.geometry import acting, geometry, groove_origin
 from bearings.ring.assembly import full_assembly
 from bearings.ring.equilibrium import one_by_one
 from bearings.ring.operation import finite, five_numbers
@@ -69,7 +69,7 @@ class Follower:
         static = finite("static_growth", static_growth, single=True)
         total = static if growth is None else finite("growth", growth, single=True)
         self.speed = float(finite("speed", speed, single=True)[0])
-        self._geometry, self._law = geometry(bearing.grooves), law
+        self._geometry, self._law = acting(geometry(bearing.grooves), law.dynamics), law
         self._origin = groove_origin(self._geometry, static, total)
         if not np.isfinite(self._origin).all():
             raise InvalidBearing("static growth takes the whole contact angle; reduce the fit")

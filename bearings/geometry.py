@@ -111,6 +111,14 @@ def geometry(bearing: Grooves) -> Geometry:
     )
 
 
+def acting(g: Geometry, dynamics: str) -> Geometry:
+    """The same where balls are without inertia of rotation ("centrifugal": Fc alone) or without
+    weight on their orbit ("gyroscopic": Mg alone)."""
+    if dynamics == "centrifugal":
+        return g._replace(ball_inertia=0.0)
+    return g._replace(orbit=0.0) if dynamics == "gyroscopic" else g
+
+
 def groove_origin(g: Geometry, static_growth: Array, growth: Array) -> Array:
     """Middle of the inner groove (2, …) at zero displacement, seen from that of the outer one.
 

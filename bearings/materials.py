@@ -9,6 +9,7 @@ from numbers import Real
 from bearings.errors import InvalidBearing
 
 RANGES = {"young_modulus": (1.0, 1e20), "density": (1e-12, 1e12)}  # [Pa], [kg/m³]
+LARGEST_EXPANSION = 1e-3  # [1/K], either way
 
 
 @dataclass(frozen=True, slots=True)
@@ -21,6 +22,7 @@ class Material:
     young_modulus : E [Pa], from 1 to 1e20
     poisson_ratio : ν, above -1 and below 0.5
     density : ρ [kg/m³], from 1e-12 to 1e12
+    thermal_expansion : linear, α [1/K], that of steel by default
 
     Raises
     ------
@@ -31,9 +33,10 @@ class Material:
     young_modulus: float
     poisson_ratio: float
     density: float
+    thermal_expansion: float = 11.5e-6
 
     def __post_init__(self) -> None:
-        for key in ("young_modulus", "density", "poisson_ratio"):
+        for key in ("young_modulus", "density", "poisson_ratio", "thermal_expansion"):
             value = getattr(self, key)
             if isinstance(value, bool) or not isinstance(value, Real) or not math.isfinite(value):
                 raise InvalidBearing(f"material {self.name}: {key} must be a number, got {value!r}")
@@ -52,6 +55,12 @@ class Material:
                 f"got {self.poisson_ratio!r}"
             )
 
+        if abs(self.thermal_expansion) > LARGEST_EXPANSION:
+            raise InvalidBearing(
+                f"material {self.name}: thermal_expansion must lie within "
+                f"±{LARGEST_EXPANSION:g}, got {self.thermal_expansion!r}"
+            )
+
     @property
     def shear_modulus(self) -> float:
         """G = E / (2 (1 + ν)) [Pa]."""
@@ -64,4 +73,4 @@ class Material:
 
 
 STEEL = Material("bearing steel", 206e9, 0.3, 7800.0)
-SILICON_NITRIDE = Material("silicon nitride", 315e9, 0.26, 3190.0)
+SILICON_NITRIDE = Material("silicon nitride", 315e9, 0.26, 3190.0, 3.2e-6)

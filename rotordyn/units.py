@@ -2,9 +2,9 @@
 
 ``"24000 rpm"`` becomes 2513.27 (rad/s) where a speed is wanted and is refused where a frequency is.
 A unit is a product of named units with powers; each is a power of ten, a factor and a dimension
-over (metre, kilogram, second, radian, cycle, degree Celsius, which counts from 0 °C). Radian and
-cycle are dimensions here, so that speed [rad/s] and frequency [cycle/s = Hz], or N/m and N/rad,
-cannot be mistaken for one another.
+over (metre, kilogram, second, radian, cycle, degree Celsius, which counts from 0 °C, kelvin, of
+differences). Radian and cycle are dimensions here, so that speed [rad/s] and frequency
+[cycle/s = Hz], or N/m and N/rad, cannot be mistaken for one another.
 """
 
 from __future__ import annotations
@@ -19,9 +19,9 @@ from rotordyn.errors import InvalidInput
 
 STANDARD_GRAVITY = 9.80665  # m/s²
 
-Dimension = tuple[int, int, int, int, int, int]
+Dimension = tuple[int, int, int, int, int, int, int]
 
-NONE: Dimension = (0, 0, 0, 0, 0, 0)
+NONE: Dimension = (0, 0, 0, 0, 0, 0, 0)
 
 
 @dataclass(frozen=True, slots=True)
@@ -39,26 +39,28 @@ class Unit:
 
 
 _NAMED: dict[str, Unit] = {
-    "m": Unit(0, 1.0, (1, 0, 0, 0, 0, 0)),
-    "g": Unit(-3, 1.0, (0, 1, 0, 0, 0, 0)),
-    "s": Unit(0, 1.0, (0, 0, 1, 0, 0, 0)),
-    "min": Unit(0, 60.0, (0, 0, 1, 0, 0, 0)),
-    "h": Unit(0, 3600.0, (0, 0, 1, 0, 0, 0)),
-    "rad": Unit(0, 1.0, (0, 0, 0, 1, 0, 0)),
-    "deg": Unit(0, math.pi / 180.0, (0, 0, 0, 1, 0, 0)),
-    "degC": Unit(0, 1.0, (0, 0, 0, 0, 0, 1)),
-    "rpm": Unit(0, math.pi / 30.0, (0, 0, -1, 1, 0, 0)),
-    "Hz": Unit(0, 1.0, (0, 0, -1, 0, 1, 0)),
-    "N": Unit(0, 1.0, (1, 1, -2, 0, 0, 0)),
-    "Pa": Unit(0, 1.0, (-1, 1, -2, 0, 0, 0)),
+    "m": Unit(0, 1.0, (1, 0, 0, 0, 0, 0, 0)),
+    "g": Unit(-3, 1.0, (0, 1, 0, 0, 0, 0, 0)),
+    "s": Unit(0, 1.0, (0, 0, 1, 0, 0, 0, 0)),
+    "min": Unit(0, 60.0, (0, 0, 1, 0, 0, 0, 0)),
+    "h": Unit(0, 3600.0, (0, 0, 1, 0, 0, 0, 0)),
+    "rad": Unit(0, 1.0, (0, 0, 0, 1, 0, 0, 0)),
+    "deg": Unit(0, math.pi / 180.0, (0, 0, 0, 1, 0, 0, 0)),
+    "degC": Unit(0, 1.0, (0, 0, 0, 0, 0, 1, 0)),
+    "K": Unit(0, 1.0, (0, 0, 0, 0, 0, 0, 1)),
+    "W": Unit(0, 1.0, (2, 1, -3, 0, 0, 0, 0)),
+    "rpm": Unit(0, math.pi / 30.0, (0, 0, -1, 1, 0, 0, 0)),
+    "Hz": Unit(0, 1.0, (0, 0, -1, 0, 1, 0, 0)),
+    "N": Unit(0, 1.0, (1, 1, -2, 0, 0, 0, 0)),
+    "Pa": Unit(0, 1.0, (-1, 1, -2, 0, 0, 0, 0)),
     "%": Unit(-2, 1.0, NONE),
-    "in": Unit(-4, 254.0, (1, 0, 0, 0, 0, 0)),
-    "inch": Unit(-4, 254.0, (1, 0, 0, 0, 0, 0)),
-    "mil": Unit(-7, 254.0, (1, 0, 0, 0, 0, 0)),
-    "lbf": Unit(0, 4.4482216152605, (1, 1, -2, 0, 0, 0)),
+    "in": Unit(-4, 254.0, (1, 0, 0, 0, 0, 0, 0)),
+    "inch": Unit(-4, 254.0, (1, 0, 0, 0, 0, 0, 0)),
+    "mil": Unit(-7, 254.0, (1, 0, 0, 0, 0, 0, 0)),
+    "lbf": Unit(0, 4.4482216152605, (1, 1, -2, 0, 0, 0, 0)),
 }
 _PREFIXES = {"G": 9, "M": 6, "k": 3, "c": -2, "m": -3, "u": -6, "n": -9}
-_PREFIXED = ("m", "g", "s", "rad", "Hz", "N", "Pa")
+_PREFIXED = ("m", "g", "s", "rad", "Hz", "N", "Pa", "W")
 _WHOLE = {"1/min": "rpm", "min^-1": "rpm", "r/min": "rpm", "rev/min": "rpm"}
 _SPELLING = str.maketrans({"µ": "u", "μ": "u", "·": "*", "⋅": "*", "×": "*", "°": "deg"})
 _POWERS = str.maketrans("⁻⁰¹²³⁴⁵⁶⁷⁸⁹", "-0123456789")
@@ -84,6 +86,8 @@ KINDS: dict[str, tuple[str, ...]] = {
     "viscosity": ("Pa s", "mPa s"),
     "kinematic viscosity": ("mm^2/s", "m^2/s"),
     "temperature": ("degC",),
+    "thermal expansion": ("1/K", "um/m/K"),
+    "thermal conductance": ("W/K",),
     "duration": ("h", "min", "s"),
     "density": ("kg/m^3", "g/cm^3"),
     "stiffness": ("N/m", "N/mm", "N/um", "kN/mm", "MN/m"),
@@ -233,8 +237,8 @@ def _normal(text: str) -> str:
 
 
 def _plus(left: Dimension, right: Dimension, power: int) -> Dimension:
-    m, kg, s, rad, cycle, c = (a + power * b for a, b in zip(left, right, strict=True))
-    return m, kg, s, rad, cycle, c
+    m, kg, s, rad, cycle, c, k = (a + power * b for a, b in zip(left, right, strict=True))
+    return m, kg, s, rad, cycle, c, k
 
 
 @cache

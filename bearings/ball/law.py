@@ -13,7 +13,7 @@ from bearings.errors import InvalidBearing
 # The numbers of hypotheses and sharings in compiled code are their places here.
 KINEMATICS = ("hybrid", "outer", "inner", "geometric")
 MOMENT_SHARING = ("equal", "outer", "inner", "hybrid")
-DYNAMICS = ("resultant", "frozen")
+DYNAMICS = ("resultant", "frozen", "centrifugal", "gyroscopic")
 
 
 class LawNumbers(NamedTuple):
@@ -38,7 +38,8 @@ class Law:
     moment_sharing : "equal", "outer", "inner" or "hybrid"
     friction : coefficient μ that limits the moment a race can hold, λ Mg ≤ μ D Q; None: no limit
     dynamics : "resultant": Fc and Mg follow the resultant load on each race; "frozen": Fc at the
-        free contact angle and no Mg
+        free contact angle and no Mg; "centrifugal", "gyroscopic": as "resultant" with Fc alone, or
+        Mg alone, to see what either does
 
     Raises
     ------

@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from bearings.ball.law import Law
 from bearings.errors import InvalidBearing
-from bearings.geometry import Geometry, geometry
+from bearings.geometry import Geometry, acting, geometry
 from bearings.grooves import Grooves
 
 Array = NDArray[np.float64]
@@ -44,8 +44,8 @@ class Operation:
 
     @property
     def geometry(self) -> Geometry:
-        """What the grooves imply."""
-        return geometry(self.grooves)
+        """What the grooves imply, with the inertia that acts."""
+        return acting(geometry(self.grooves), self.law.dynamics)
 
     @property
     def axial(self) -> NDArray[np.bool_]:

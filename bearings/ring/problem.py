@@ -81,7 +81,8 @@ class Problem:
 
 def turns(g: Geometry, speed: Array) -> NDArray[np.bool_]:
     """False where the centrifugal force does not press a ball measurably into its race."""
-    depth = (g.orbit * g.nominal * speed**2 / g.outer.stiffness) ** (2.0 / 3.0)
+    orbit = 0.5 * g.ball_mass * g.pitch_diameter
+    depth = (orbit * g.nominal * speed**2 / g.outer.stiffness) ** (2.0 / 3.0)
     return np.asarray(depth > SLOW * g.outer_reach)
 
 

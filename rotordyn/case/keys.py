@@ -7,7 +7,7 @@ value given once for several items of a list, which get it where they have none 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass, field, fields, replace
+from dataclasses import MISSING, dataclass, field, fields, replace
 from functools import cache
 from typing import Annotated, Any
 
@@ -17,7 +17,7 @@ from bearings.materials import Material
 from rotordyn.analyses.frf.spec import FrfSpec, MeasuredResponse, Port
 from rotordyn.case.case import Case
 from rotordyn.description import Description, Faults, repeated
-from rotordyn.field import Field, declared
+from rotordyn.field import REQUIRED, Field, declared
 from rotordyn.machine.growth import (
     ComputedShortening,
     InterferenceFit,
@@ -265,6 +265,10 @@ _MATERIAL = {
         Annotated[float, Quantity("density", at_least="100 kg/m^3", at_most="30000 kg/m^3")],
         "ρ",
     ),
+    "thermal_expansion": (
+        Annotated[float, Quantity("thermal expansion", at_least="-1e-4 1/K", at_most="1e-3 1/K")],
+        "linear, α",
+    ),
 }
 
 
@@ -324,9 +328,13 @@ def keys_of(kind: Any) -> tuple[Field, ...]:
 
 
 def _of_material() -> tuple[Field, ...]:
-    assert {own.name for own in fields(Material)} == {*_MATERIAL}
+    given = {own.name: own.default for own in fields(Material)}
+    assert {*given} == {*_MATERIAL}
     return tuple(
-        Field(name, (name,), annotation, meaning)
+        Field(
+            *(name, (name,), annotation, meaning),
+            REQUIRED if given[name] is MISSING else given[name],
+        )
         for name, (annotation, meaning) in _MATERIAL.items()
     )
 

@@ -443,7 +443,7 @@ def _nothing_known(kind: Any) -> Any:
     with unchecked():
         if issubclass(kind, Material):
             made = object.__new__(kind)
-            for name in ("young_modulus", "poisson_ratio", "density"):
+            for name in ("young_modulus", "poisson_ratio", "density", "thermal_expansion"):
                 object.__setattr__(made, name, math.nan)
             object.__setattr__(made, "name", "")
             return made

@@ -44,7 +44,8 @@ class BearingMapSpec(Spec):
     dynamics: Annotated[
         str,
         Choice(DYNAMICS),
-        "`frozen`: centrifugal force at the free contact angle, no gyroscopic moment "
+        "`frozen`: centrifugal force at the free contact angle, no gyroscopic moment; "
+        "`centrifugal`, `gyroscopic`: one of the two alone "
         "([theory](theory/four_point.md#at-speed))",
     ] = DYNAMICS[0]
 
