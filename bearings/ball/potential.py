@@ -28,6 +28,7 @@ from bearings.ball.race import Springs, against, spring, springs, vector_to
 from bearings.geometry import Geometry, Groove
 
 SETTLED = 1e-8  # of the ball's own loads
+LEAST_HOLD = 0.3  # of the stiffness is kept by a step: a tenth of the approach
 
 
 class Reaction(NamedTuple):
@@ -182,14 +183,14 @@ class SeatStep(NamedTuple):
     """A ball on its way to its seat.
 
     ``step``: the Newton step from here; ``energy``: the potential, and ``most`` what it may be
-    after the step, rounding granted; ``room``: how deep it is in the outer race; ``moving``: not
+    after the step, rounding granted; ``hold``: stiffness of its contacts [N/m]; ``moving``: not
     yet settled.
     """
 
     step: Pair
     energy: Any
     most: Any
-    room: Any
+    hold: Any
     moving: Any
 
 
@@ -201,27 +202,19 @@ def seat_step(c: Geometry, centre: Motion, ball: Pair, push: Any) -> SeatStep:
     gap = (inner.force[0] - outer.force[0], inner.force[1] - outer.force[1] + push)
     size = np.sqrt(dot(inner.force, inner.force)) + np.sqrt(dot(outer.force, outer.force)) + push
     reach = c.inner_reach + c.outer_reach
-    noise = 4.0 * EPS * reach * (both[0][0] + both[1][1])
+    hold = both[0][0] + both[1][1]
+    noise = 4.0 * EPS * reach * hold
     energy = potential(c, inner, outer, ball, push)
     slack = 4.0 * EPS * (np.abs(energy) + inner.energy + outer.energy + reach * size)
     return SeatStep(
         step=(dot(back[0], gap), dot(back[1], gap)),
         energy=energy,
         most=energy + slack,
-        room=depth(c.outer_grooves, ball),
+        hold=hold,
         moving=np.sqrt(dot(gap, gap)) > SETTLED * size + noise,
     )
 
 
-def depth(grooves: tuple[Groove, ...], ball: Pair) -> Any:
-    """How deep a ball is in the nearer groove of the outer race [m]."""
-    across, first = ball[1] * ball[1], ball[0] - grooves[0].offset
-    if len(grooves) == 1:
-        return np.sqrt(first * first + across) - grooves[0].reach
-    last = ball[0] - grooves[1].offset
-    return np.sqrt(np.maximum(first * first, last * last) + across) - grooves[0].reach
-
-
 def improves(now: SeatStep, then: SeatStep) -> Any:
-    """Whether a try lowers the potential and keeps a tenth of the room to the free outer race."""
-    return (then.energy <= now.most) & (then.room > 0.1 * now.room)
+    """Whether a try lowers the potential and keeps some hold: a free ball has no Newton step."""
+    return (then.energy <= now.most) & (then.hold > LEAST_HOLD * now.hold)

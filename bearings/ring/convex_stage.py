@@ -152,7 +152,7 @@ def seat(c: Geometry, centre: Array, push: Array, start: Array | None = None) ->
     if start is not None:
         given = start.reshape(2, -1)
         then = at(slice(None), given)
-        better = (then.energy < now.energy) & (then.room > 0.0)
+        better = (then.energy < now.energy) & (then.hold > 0.0)
         x, now = np.where(better, given, x), _chosen(better, then, now)
     todo, length = np.arange(a.shape[1]), np.ones(a.shape[1])
     for _ in range(SEAT_STEPS):

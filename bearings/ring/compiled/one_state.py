@@ -11,7 +11,6 @@ from bearings.ball.balance import settled, turning_balance
 from bearings.ball.law import LawNumbers
 from bearings.ball.plane import Motion, Pair, Triple, plus
 from bearings.ball.potential import (
-    depth,
     first_seat,
     improves,
     reaction,
@@ -215,10 +214,9 @@ def seat(c: Geometry, centre: Motion, push: float, start: Pair) -> Pair:
     first = first_seat(c, centre, push)
     x = (first[0] + 0.0, first[1] + 0.0)
     now, length = seat_step(c, centre, x, push), 1.0
-    if depth(c.outer_grooves, start) > 0.0:
-        given = seat_step(c, centre, start, push)
-        if given.energy < now.energy:
-            x, now = start, given
+    given = seat_step(c, centre, start, push)
+    if given.energy < now.energy and given.hold > 0.0:
+        x, now = start, given
     for _ in range(SEAT_STEPS):
         if not now.moving:
             break
