@@ -65,6 +65,26 @@ def test_the_state_does_not_depend_on_the_start(kind: str) -> None:
         assert (apart <= 1e-6 * largest).all()
 
 
+@pytest.mark.parametrize("compiled", [False, True])
+def test_a_ring_tilted_far_finds_its_way_from_rest(compiled: bool) -> None:
+    """On the way the inner ring lifts light balls off the outer race, where they are seated, too.
+
+    Balls opposite the load end 93° off; a search that keeps every ball on the outer race stalls.
+    """
+    asked = draw("four point", 312, 50)
+    names = ("load", "displacement", "speed")
+    near, one = (
+        replace(asked, **{n: getattr(asked, n)[k : k + 1] for n in names}) for k in (3, 4)
+    )
+    cold = mock.patch("bearings.ring.request._compiled", return_value=compiled)
+    with cold:
+        there = one.solve()
+    assert there.outcome.tolist() == [""]
+    assert np.degrees(np.abs(there.inner_angle)).max() > 90.0
+    warm = one.solve(near.solve())
+    assert there.contact_load == pytest.approx(warm.contact_load, rel=1e-9, abs=1e-9)
+
+
 @pytest.mark.parametrize("speed", [0.0, 0.2, 200.0, 8000.0 * RPM])
 @pytest.mark.parametrize("dynamics", ["frozen", "resultant"])
 @pytest.mark.parametrize("bearing", [SMALL, R20_10], ids=["deep groove", "four point"])
