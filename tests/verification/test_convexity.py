@@ -73,9 +73,7 @@ def test_a_ring_tilted_far_finds_its_way_from_rest(compiled: bool) -> None:
     """
     asked = draw("four point", 312, 50)
     names = ("load", "displacement", "speed")
-    near, one = (
-        replace(asked, **{n: getattr(asked, n)[k : k + 1] for n in names}) for k in (3, 4)
-    )
+    near, one = (replace(asked, **{n: getattr(asked, n)[k : k + 1] for n in names}) for k in (3, 4))
     cold = mock.patch("bearings.ring.request._compiled", return_value=compiled)
     with cold:
         there = one.solve()
