@@ -145,7 +145,7 @@ def dense_survey(sort: str, seeds: Sequence[int]) -> dict[str, Any]:
         "modes": sum(one["modes"] for one in found),
         "missing": sum(one["missing"] for one in found),
         "spurious": sum(one["spurious"] for one in found),
-        "unsettled": sum(one["unsettled"] for one in found),
+        "unconverged": sum(one["unconverged"] for one in found),
         "unstable": sum(one["unstable"] for one in found),
         "warnings": sum(one["warnings"] for one in found),
         "seeds": [k for k, one in zip(seeds, found, strict=True) if _astray(one)],
@@ -218,7 +218,7 @@ def against_dense(seed: int, sort: str = "dense") -> dict[str, Any]:
         "spurious": len(left),
         "pairs": pairs,
         "ratios": ratios,
-        "unsettled": bool(result.unsettled),
+        "unconverged": bool(result.unconverged),
         "unstable": int((poles.real > 1e-9 * np.abs(poles)).sum()),
         "warnings": len(heard),
     }

@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 __version__ = "0.1.0"
 _ROOMS = ("analyses", "errors", "machine", "state")
-_HOME = {
+_MODULE_OF = {
     "Case": "rotordyn.case.case",
     "InvalidInput": "rotordyn.errors",
     "NoSolution": "rotordyn.errors",
@@ -55,9 +55,9 @@ __all__ = [
 def __getattr__(name: str) -> Any:
     if name in _ROOMS:
         return importlib.import_module(f"rotordyn.{name}")
-    if name not in _HOME:
+    if name not in _MODULE_OF:
         raise AttributeError(f"module 'rotordyn' has no attribute {name!r}")
-    return getattr(importlib.import_module(_HOME[name]), name)
+    return getattr(importlib.import_module(_MODULE_OF[name]), name)
 
 
 def __dir__() -> list[str]:

@@ -173,10 +173,10 @@ def _models(arguments: argparse.Namespace) -> int:
     return 0
 
 
-def _list(found: Sequence[Shipped]) -> None:
+def _list(shipped: Sequence[Shipped]) -> None:
     """A line each: kind, name, title; below it the first source."""
-    columns = [max(len(part) for part in row) for row in zip(*map(_called, found), strict=True)]
-    for item in found:
+    columns = [max(len(part) for part in row) for row in zip(*map(_called, shipped), strict=True)]
+    for item in shipped:
         kind, name = (f"{text:{n}}" for text, n in zip(_called(item), columns, strict=True))
         _say(f"{kind}  {name}  {item.title}")
         for source in item.sources[:1]:
@@ -247,11 +247,11 @@ def _formats(words: str | None) -> tuple[str, ...]:
 
     if words is None:
         return USUAL_FORMATS
-    asked = tuple(dict.fromkeys(word.strip().lower().lstrip(".") for word in words.split(",")))
-    for word in asked:
+    names = tuple(dict.fromkeys(word.strip().lower().lstrip(".") for word in words.split(",")))
+    for word in names:
         if word not in FORMATS:
             raise InvalidInput(f"--format {word}: figures are written as {', '.join(FORMATS)}")
-    return asked
+    return names
 
 
 @contextmanager

@@ -96,8 +96,8 @@ def _checks(kind: Any) -> tuple[tuple[str, Check], ...]:
 def message_of(holder: object, path: Path, sentence: str) -> str:
     """A fault as said of a description built in Python: path, sentence, value."""
     where = _walked(holder, path)[0]
-    said = filled(sentence, path, lambda way: _written(holder, way))
-    return f"{where}: {said}" if where else said
+    words = filled(sentence, path, lambda way: _written(holder, way))
+    return f"{where}: {words}" if where else words
 
 
 def filled(sentence: str, path: Path, written: Callable[[Path], str]) -> str:
@@ -143,10 +143,10 @@ def _walked(holder: Any, path: Path) -> tuple[str, Any, Quantity | None]:
 
 def quantity_of(annotation: Any) -> Quantity | None:
     """The quantity that the values of a field are, also where they stand in a row or mapping."""
-    found = found_in(annotation, Quantity) if annotation is not None else None
-    if found is None and hasattr(bare(annotation), "__args__"):
+    quantity = found_in(annotation, Quantity) if annotation is not None else None
+    if quantity is None and hasattr(bare(annotation), "__args__"):
         return next((q for q in map(quantity_of, bare(annotation).__args__) if q), None)
-    return found if isinstance(found, Quantity) else None
+    return quantity if isinstance(quantity, Quantity) else None
 
 
 def doubled(names: Iterable[str]) -> Iterator[str]:

@@ -60,8 +60,8 @@ def declared(kind: Any) -> tuple[Field, ...]:
 
 
 def _declared(field: Any, annotation: Any) -> Field:
-    own = metadata(annotation)
-    key = next((m for m in own if isinstance(m, Key)), Key())
+    marks = metadata(annotation)
+    key = next((m for m in marks if isinstance(m, Key)), Key())
     default = REQUIRED if field.default is MISSING else field.default
     if field.default_factory is not MISSING:
         default = field.default_factory()
@@ -69,7 +69,7 @@ def _declared(field: Any, annotation: Any) -> Field:
         default = REQUIRED
     elif default is REQUIRED and key.default is not None:
         default = key.default
-    meaning = next((m for m in own if isinstance(m, str)), "") or meaning_of(field)
+    meaning = next((m for m in marks if isinstance(m, str)), "") or meaning_of(field)
     keys = () if key.hidden else tuple((key.name or field.name).split("."))
     return Field(field.name, keys, annotation, meaning, default, key.missing)
 
@@ -171,8 +171,8 @@ def _bounded(check: Check, limits: tuple[Any, ...]) -> Check:
         try:
             taken = check(value)
         except Refused as refusal:
-            said = choices[0].refusal(value) if choices else ""
-            raise Refused(said or refusal.why, refusal.place) from None
+            words = choices[0].refusal(value) if choices else ""
+            raise Refused(words or refusal.why, refusal.place) from None
         for limit in limits:
             if why := limit.refusal(taken):
                 raise Refused(why)

@@ -23,10 +23,10 @@ def limits(measure: Measure) -> Quantity | Whole:
 
 def measured_fields(kind: Any) -> dict[str, Any]:
     """Annotations, with their limits, of those fields of a dataclass that declare a measure."""
-    found = {f.name: (f.metadata.get("measure"), f.default is None) for f in fields(kind)}
+    declared = {f.name: (f.metadata.get("measure"), f.default is None) for f in fields(kind)}
     return {
         name: _annotation(measure, optional=optional)
-        for name, (measure, optional) in found.items()
+        for name, (measure, optional) in declared.items()
         if measure is not None and measure.quantity != "material"
     }
 

@@ -189,12 +189,12 @@ def _spellings(unit: str) -> str:
         return "|".join(whole.replace("^", r"\^").replace("/", r"\s*/\s*") for whole in _WHOLE)
     if unit.startswith("1/"):  # one minute would be a speed
         return r"1\s*/\s*" + re.escape(unit[2:])
-    found = []
+    spellings = []
     for position, (join, name, power) in enumerate(_FACTOR.findall(unit)):
         between = r"\s*/\s*" if join == "/" else r"(?:\s*[*·⋅×]\s*|\s+)"
         powers = f"(?:(?:\\^|\\*\\*){power}|{'²' if power == '2' else '³'})" if power else ""
-        found.append((between if position else "") + _alike(name) + powers)
-    return "".join(found)
+        spellings.append((between if position else "") + _alike(name) + powers)
+    return "".join(spellings)
 
 
 def _alike(name: str) -> str:

@@ -21,7 +21,7 @@ def accepted(annotation: Any) -> str:
     marks = {type(beside): beside for beside in metadata(annotation)}
     if Matrix in marks:
         kind = marks[Matrix].kind
-        return f"entries by name such as `yy`, `y_thz`: {kind}; or `freedoms` with a `matrix`"
+        return f"entries by name such as `yy`, `y_thz`: {kind}; or `dof` with a `matrix`"
     if ByName in marks:
         return "an analysis by its name -> its keys"
     if Pair in marks:

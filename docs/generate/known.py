@@ -62,7 +62,7 @@ def _modelled(reference: Reference, own: Conditions) -> str:
     return "".join(f", {words}" for words in other)
 
 
-def left_out(known: Flagship) -> str:
+def omitted(known: Flagship) -> str:
     """Known values that nothing is computed for, as a sentence."""
     compared = {item.reference for item in _found(known)}
     rest = [r for r in known.spindle.references if r not in compared]

@@ -12,7 +12,7 @@ from docs.generate.choices import choice_table, linear_table
 from docs.generate.debongnie_rows import error_table, law_table
 from docs.generate.flagship import bearing_table, flagship, rest_rows, speed_rows
 from docs.generate.keys import key_tables
-from docs.generate.known import comparison_table, left_out
+from docs.generate.known import comparison_table, omitted
 from docs.generate.marked import rewrite, table
 from docs.generate.modules import module_table
 from docs.generate.places import DOCS, THEORY
@@ -34,7 +34,7 @@ def write_flagship() -> None:
     fresh = {
         "comparison": comparison_table(known),
         "bearings": bearing_table(),
-        "left-out": left_out(known),
+        "left-out": omitted(known),
         "rest": _accuracy(rest_rows()),
         "speed": _accuracy(speed_rows()),
     }

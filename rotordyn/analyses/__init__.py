@@ -1,6 +1,6 @@
 """The analyses, one folder each, and what a case asks of them: the door to all specs.
 
-A spec is found by the record of its analysis; ``_HOME`` has what is not.
+A spec is found by the record of its analysis; ``_MODULE_OF`` has what is not.
 """
 
 from __future__ import annotations
@@ -32,7 +32,7 @@ if TYPE_CHECKING:
     from rotordyn.scene.lubrication import Lubrication
     from rotordyn.scene.spec import Spec
 
-_HOME = {
+_MODULE_OF = {
     "AxialCycleSpec": "rotordyn.analyses.axial_cycle.spec",
     "BalanceGrade": "rotordyn.scene.loads",
     "Conditions": "rotordyn.scene.conditions",
@@ -75,8 +75,8 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    if name in _HOME:
-        return getattr(importlib.import_module(_HOME[name]), name)
+    if name in _MODULE_OF:
+        return getattr(importlib.import_module(_MODULE_OF[name]), name)
     if name.endswith("Spec") and name in (specs := _specs()):
         return specs[name]
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

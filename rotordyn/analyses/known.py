@@ -19,7 +19,7 @@ def matches(
     references: Sequence[Reference], results: Mapping[str, Any], spindle: Spindle | None
 ) -> list[Match]:
     """Every reference, at the speeds for which the results hold something to put beside it."""
-    found = []
+    matched = []
     for reference in dict.fromkeys(references):
         values = _computed(reference, results, spindle)
         if values is None or not np.isfinite(values).any():
@@ -30,8 +30,8 @@ def matches(
             speeds=tuple(reference.speeds[k] for k in kept),
             values=tuple(reference.values[k] for k in kept),
         )
-        found.append(Match(known, tuple(float(values[k]) for k in kept)))
-    return found
+        matched.append(Match(known, tuple(float(values[k]) for k in kept)))
+    return matched
 
 
 def _computed(

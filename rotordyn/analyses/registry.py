@@ -31,16 +31,16 @@ def analysis(name: str) -> Analysis:
     InvalidInput : there is none, or a package outside offers something else under that name
     """
     if name in built_in():
-        found = import_module(f"{PACKAGE}.{name}").ANALYSIS
+        record = import_module(f"{PACKAGE}.{name}").ANALYSIS
     elif name in _outside():
-        found = _outside()[name].load()
+        record = _outside()[name].load()
     else:
         known = names()
         hint = suggestion(name, known)
         raise InvalidInput(f"unknown analysis: {name}; allowed: {', '.join(known)}{hint}")
-    if not isinstance(found, Analysis) or found.name != name:
+    if not isinstance(record, Analysis) or record.name != name:
         raise InvalidInput(f"entry point {name} of {GROUP} is not an Analysis of that name")
-    return found
+    return record
 
 
 def names() -> tuple[str, ...]:
@@ -57,7 +57,7 @@ def place(name: str) -> tuple[int, str]:
 def built_in() -> tuple[str, ...]:
     """Names of the folders."""
     path = import_module(PACKAGE).__path__
-    return tuple(sorted(found.name for found in iter_modules(path) if found.ispkg))
+    return tuple(sorted(module.name for module in iter_modules(path) if module.ispkg))
 
 
 @cache

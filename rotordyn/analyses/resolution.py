@@ -23,8 +23,8 @@ def beyond_elements(
     """
     longest = conditions.element_length
     fastest = top * max(abs(ratio) for ratio in spindle.ratios.values())
-    asked = {name: _highest(name, spec, fastest) for name, spec in analyses.items()}
-    if longest is None or conditions.rotor == "rigid" or not any(asked.values()):
+    frequencies = {name: _highest(name, spec, fastest) for name, spec in analyses.items()}
+    if longest is None or conditions.rotor == "rigid" or not any(frequencies.values()):
         return
     meshes = build_mesh(spindle, longest).of_rotors
     limits = {
@@ -33,7 +33,7 @@ def beyond_elements(
     }
     weakest = min(limits, key=lambda name: limits[name])
     limit, mesh = limits[weakest], meshes[weakest]
-    for name, highest in asked.items():
+    for name, highest in frequencies.items():
         if highest > limit:
             turns = math.isclose(2.0 * math.pi * highest, fastest)  # a force of the rotation
             turned = f" ({fastest * RPM.factor:.0f} rpm)" if turns else ""
@@ -46,5 +46,5 @@ def beyond_elements(
 
 def _highest(name: str, spec: Spec, top: float) -> float:
     """Highest frequency at which a force swings [Hz], 0 where none does; ``top``: of all rotors."""
-    own = analysis(name)
-    return own.highest(spec, top) if own.forced else 0.0
+    record = analysis(name)
+    return record.highest(spec, top) if record.forced else 0.0

@@ -109,16 +109,16 @@ def answer_bearing(
         begin = time.perf_counter()
         results[name] = analysis(name).solve(bearing, conditions, np.array(speeds), spec)
         seconds[name] = time.perf_counter() - begin
-    said = tuple(estimates({"": bearing}))
-    return Answers(results, seconds, dict.fromkeys(seconds, ""), warnings=said)
+    warnings = tuple(estimates({"": bearing}))
+    return Answers(results, seconds, dict.fromkeys(seconds, ""), warnings=warnings)
 
 
 def _unlimited(spindle: Spindle, analyses: Mapping[str, Spec]) -> Iterator[str]:
     """A sentence where forced responses are asked for of a machine without any damping."""
-    asked = [name for name in analyses if analysis(name).forced]
-    if asked and undamped(spindle):
+    forced = [name for name in analyses if analysis(name).forced]
+    if forced and undamped(spindle):
         yield (
-            f"{' and '.join(asked)}: nothing in the machine is damped, so that responses have no "
+            f"{' and '.join(forced)}: nothing in the machine is damped, so that responses have no "
             "limit at its modes and their peaks mean nothing: give rotor_damping, damping of "
             "bearings or of supports"
         )
@@ -126,11 +126,11 @@ def _unlimited(spindle: Spindle, analyses: Mapping[str, Spec]) -> Iterator[str]:
 
 def _highest(analyses: Mapping[str, Spec], top: float) -> float:
     """Highest frequency any analysis asks for [Hz]; ``top``: of all rotors [rad/s]."""
-    asked = (analysis(name).highest(spec, top) for name, spec in analyses.items())
-    return max(asked, default=0.0) or UNASKED_BAND
+    each = (analysis(name).highest(spec, top) for name, spec in analyses.items())
+    return max(each, default=0.0) or UNASKED_BAND
 
 
 def _ports(spindle: Spindle, analyses: Mapping[str, Spec]) -> tuple[Place, ...]:
     """Places where forces act or responses are read."""
-    found = {at for name, spec in analyses.items() for at in analysis(name).ports(spec)}
-    return tuple(sorted({spindle.place(at) for at in found}))
+    points = {at for name, spec in analyses.items() for at in analysis(name).ports(spec)}
+    return tuple(sorted({spindle.place(at) for at in points}))

@@ -67,8 +67,8 @@ class Case(Description):
         return tuple(r for r in self.references if self._holds(r))
 
     def _holds(self, reference: Reference) -> bool:
-        own = self.conditions
-        return all(getattr(own, key) == word for key, word in reference.conditions.items())
+        given = self.conditions
+        return all(getattr(given, key) == word for key, word in reference.conditions.items())
 
     def vary(self, changes: Mapping[str, object]) -> Case:
         """This case with other values at dotted paths; see ``rotordyn.vary``."""
@@ -113,9 +113,9 @@ class Case(Description):
             given = "neither" if self.spindle is None else "both"
             yield (), f"a case has either a spindle or a bearing: given {given}"
             return
-        found = [*self.faults_alone()]
-        yield from found
-        if any(path == ("analyses",) for path, _ in found):
+        faults = [*self.faults_alone()]
+        yield from faults
+        if any(path == ("analyses",) for path, _ in faults):
             return
         yield from self._asked_of_machine()
         if self.setting is not None:
@@ -147,11 +147,11 @@ class Case(Description):
     def _asked_of_machine(self) -> Faults:
         """A single bearing has no rotor and no weight; a spindle is more than one bearing."""
         for name in self._named:
-            asked = analysis(name)
-            if (asked.machine == "bearing") != (self.bearing is not None):
+            record = analysis(name)
+            if (record.machine == "bearing") != (self.bearing is not None):
                 kind = "spindle" if self.bearing is None else "single bearing"
                 yield ("analyses", name), f"this analysis does not apply to a {kind}"
-            elif asked.bearings and self.spindle is not None and not self.spindle.seats:
+            elif record.bearings and self.spindle is not None and not self.spindle.seats:
                 yield ("analyses", name), "needs bearings: this spindle has none"
         plain = Conditions()
         for each in fields(Conditions) if self.bearing is not None else ():

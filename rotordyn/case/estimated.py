@@ -26,7 +26,7 @@ def estimated(reading: Reading, node: Node) -> EstimatedBearing | None:
 
     model: Any = kind_class(DEFAULT)
     faults, kind = reading.faults, node.child("kind")
-    before = len(faults.found)
+    before = len(faults.reported)
     if kind is not None and kind.value != DEFAULT:
         faults.at(
             kind,
@@ -39,21 +39,21 @@ def estimated(reading: Reading, node: Node) -> EstimatedBearing | None:
     for key in NEEDED:
         if node.child(key) is None:
             faults.missing(node, (key,), "missing key: an estimate needs it")
-    if len(faults.found) > before:
+    if len(faults.reported) > before:
         return None
     values = {
-        own.keys[0]: reading.value(own.annotation, node.at(own.keys[0]))
-        for own in keys_of(model)
-        if node.child(own.keys[0]) is not None
+        field.keys[0]: reading.value(field.annotation, node.at(field.keys[0]))
+        for field in keys_of(model)
+        if node.child(field.keys[0]) is not None
     }
     printed = values.pop("estimate") or Printed()
-    values |= {own.name: getattr(printed, own.name) for own in fields(Printed)}
-    taken = {own.name for own in fields(Catalogue)}
+    values |= {field.name: getattr(printed, field.name) for field in fields(Printed)}
+    taken = {field.name for field in fields(Catalogue)}
     named = {_CALLED.get(key, key): value for key, value in values.items()}
     try:
-        found = of(Catalogue(**{key: value for key, value in named.items() if key in taken}))
+        bearing = of(Catalogue(**{key: value for key, value in named.items() if key in taken}))
         shoulders = {key: values[key] for key in _SHOULDERS if key in values}
-        return replace(found, **shoulders) if shoulders else found
+        return replace(bearing, **shoulders) if shoulders else bearing
     except InvalidBearing as error:
         faults.at_key(node.at("estimate"), (), f"no estimate: {error}")
         return None

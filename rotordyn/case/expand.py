@@ -116,11 +116,11 @@ def _override(root: Node, override: Node | None, reader: Reader) -> set[int]:
     shared = [*(fills for _, fills in _SHARED), ("bearings", "*", "model")]
     single = {p for p in override.value if any(_leads(p.split("."), fills) for fills in shared)}
     for paths in (override.value.keys() - single, single):
-        own = {path: value for path, value in override.value.items() if path in paths}
-        for path in own:
+        values = {path: value for path, value in override.value.items() if path in paths}
+        for path in values:
             _share(root, path.split("."))
             _open(root, path.split("."), reader, whole)
-        apply(replace(override, value=own), root, reader.faults)
+        apply(replace(override, value=values), root, reader.faults)
     return whole
 
 
@@ -199,7 +199,7 @@ def bearing(reference: Node, override: tuple[Node | None, ...], reader: Reader) 
 def _forget_nulls(bearing: Node) -> None:
     """Takes out keys of other kinds that an override has set to null."""
     kind = bearing.child("kind")
-    kept = {own.keys for own in keys_of(bearing_class(kind.value if kind else None))}
+    kept = {field.keys for field in keys_of(bearing_class(kind.value if kind else None))}
     for key in [k for k, v in bearing.items() if v.value is None and v.file != bearing.file]:
         if (key,) not in kept and kinds_with(str(key)):
             del bearing.value[key]
@@ -244,9 +244,9 @@ def _reduced(reference: Node, reader: Reader) -> ReducedModel | None:
     from rotordyn.case.reduced_files import from_archive, from_market
 
     if isinstance(reference.value, dict):
-        before = len(reader.faults.found)
+        before = len(reader.faults.reported)
         files = Reading(reader.faults, {}).value(ModelFiles, reference)
-        if len(reader.faults.found) > before:
+        if len(reader.faults.reported) > before:
             return None
         raw = {}
         for name in ("mass", "stiffness", "damping"):

@@ -14,7 +14,7 @@ class Faults:
     """
 
     def __init__(self) -> None:
-        self.found: list[Fault] = []
+        self.reported: list[Fault] = []
         self.variant = ""
 
     def at(self, root: Node, keys: tuple[object, ...], message: str) -> None:
@@ -36,15 +36,15 @@ class Faults:
 
     def add(self, fault: Fault) -> None:
         """Keeps ``fault`` on one line, unless it is known."""
-        path, own = _printable(fault.path), f"compare.{self.variant}."
-        whose = f"variant {self.variant}: " if self.variant and not path.startswith(own) else ""
+        path, prefix = _printable(fault.path), f"compare.{self.variant}."
+        whose = f"variant {self.variant}: " if self.variant and not path.startswith(prefix) else ""
         message = _printable(whose + fault.message)
         line = Fault(fault.file, fault.line, fault.column, path, message)
-        if line not in self.found:
-            self.found.append(line)
+        if line not in self.reported:
+            self.reported.append(line)
 
     def __bool__(self) -> bool:
-        return bool(self.found)
+        return bool(self.reported)
 
 
 def _printable(text: str) -> str:

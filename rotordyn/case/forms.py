@@ -32,14 +32,14 @@ from rotordyn.errors import InvalidInput
 from rotordyn.field import Refused, bare
 from rotordyn.machine.housing import ReducedHousing
 from rotordyn.machine.reference import QUANTITIES, Reference
-from rotordyn.machine.support import FREEDOMS, BearingSeat, Matrix, entry_name
+from rotordyn.machine.support import DOFS, BearingSeat, Matrix, entry_name
 from rotordyn.quantity import Quantity, Sweep, suggestion
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.spec import Spec
 from rotordyn.units import format_quantity
 
-ENTRIES = {entry_name(row, column): (row, column) for row, column in product(FREEDOMS, FREEDOMS)}
-WHOLE = ("freedoms", "matrix")
+ENTRIES = {entry_name(row, column): (row, column) for row, column in product(DOFS, DOFS)}
+WHOLE = ("dof", "matrix")
 # The kind of quantity read for the unit in which a reference is kept.
 KIND_OF_UNIT = {
     "N/m": "stiffness",
@@ -73,10 +73,10 @@ def bearing(reading: Reading, annotation: Any, node: Node, others: tuple[type, .
     if not isinstance(node.value, dict):
         return reading.wrong_shape(annotation, node, "a name, a path or a mapping")
     if node.child("estimate") is not None:
-        found = estimated(reading, node)
-        if found is not None:
-            _rings(reading.faults, node, found)
-        return found
+        estimate = estimated(reading, node)
+        if estimate is not None:
+            _rings(reading.faults, node, estimate)
+        return estimate
     kind = node.child("kind")
     model = bearing_class(kind.value if kind else None)
     values = reading.fields(model, node)
@@ -122,9 +122,9 @@ def _rings(faults: Faults, node: Node, made: BallBearing) -> None:
         ("bore_diameter", "below", inner),
         ("outside_diameter", "above", outer),
     ):
-        own = node.child(key)
+        child = node.child(key)
         try:
-            value = math.nan if own is None else units.parse(own.value, "length")
+            value = math.nan if child is None else units.parse(child.value, "length")
         except InvalidInput:
             continue
         if value >= limit if side == "below" else value <= limit:
@@ -137,7 +137,7 @@ def _rings(faults: Faults, node: Node, made: BallBearing) -> None:
 
 
 def matrix(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
-    """Entries of a 6×6 matrix by pair of freedoms, written one by one or whole."""
+    """Entries of a 6×6 matrix by pair of DOF, written one by one or whole."""
     marker = next(m for m in annotation.__metadata__ if isinstance(m, Matrix))
     nothing = dict.fromkeys(ENTRIES.values(), math.nan)
     if not isinstance(node.value, dict):
@@ -146,7 +146,7 @@ def matrix(reading: Reading, annotation: Any, node: Node, others: tuple[type, ..
     if any(key in node.value for key in WHOLE):
         return _whole(reading, marker, node) or nothing
     tabled = len(get_args(get_args(bare(annotation))[1])) > 1
-    found: dict[tuple[str, str], Any] = {}
+    entries: dict[tuple[str, str], Any] = {}
     for key, child in node.value.items():
         if key not in ENTRIES:
             reading.faults.at_key(child, (), unknown_key(key, [*WHOLE, *ENTRIES]))
@@ -156,13 +156,13 @@ def matrix(reading: Reading, annotation: Any, node: Node, others: tuple[type, ..
         if child.value is None:
             continue
         if isinstance(child.value, list) and tabled:
-            found[pair] = tuple(reading.value(one, item) for item in child.value)
+            entries[pair] = tuple(reading.value(one, item) for item in child.value)
         elif isinstance(child.value, list):
             message = "a housing does not follow the speed: one value is needed"
             reading.faults.at(child, (), message)
         else:
-            found[pair] = reading.value(one, child)
-    return found
+            entries[pair] = reading.value(one, child)
+    return entries
 
 
 def _whole(reading: Reading, marker: Matrix, node: Node) -> dict[tuple[str, str], float]:
@@ -171,8 +171,8 @@ def _whole(reading: Reading, marker: Matrix, node: Node) -> dict[tuple[str, str]
         reading.faults.at(
             node,
             (),
-            f"both ways of writing a matrix: given {', '.join(both)} beside freedoms and matrix; "
-            "allowed: entries by name, or freedoms and matrix",
+            f"both ways of writing a matrix: given {', '.join(both)} beside dof and matrix; "
+            "allowed: entries by name, or dof and matrix",
         )
         return {}
     for key, child in node.value.items():
@@ -181,29 +181,29 @@ def _whole(reading: Reading, marker: Matrix, node: Node) -> dict[tuple[str, str]
     for key in WHOLE:
         if key not in node.value:
             reading.faults.missing(node, (key,), "missing key: it must be given")
-    freedoms = _freedoms(reading, node.child("freedoms"))
+    dofs = _dofs(reading, node.child("dof"))
     rows = node.child("matrix")
-    if rows is None or not freedoms or not _square(reading, rows, len(freedoms)):
+    if rows is None or not dofs or not _square(reading, rows, len(dofs)):
         return {}
-    found = {}
-    for (i, row), (j, column) in product(enumerate(freedoms), enumerate(freedoms)):
-        found[row, column] = _cell(
+    entries = {}
+    for (i, row), (j, column) in product(enumerate(dofs), enumerate(dofs)):
+        entries[row, column] = _cell(
             reading, marker.quantity(row, column), rows.at(i, j), row, column
         )
-    return found
+    return entries
 
 
-def _freedoms(reading: Reading, node: Node | None) -> list[str]:
+def _dofs(reading: Reading, node: Node | None) -> list[str]:
     if node is None or node.value is UNKNOWN:
         return []
     names = node.plain()
     listed = list(map(str, names)) if isinstance(names, list) else []
-    if not listed or len(set(listed)) < len(listed) or not set(listed) <= set(FREEDOMS):
+    if not listed or len(set(listed)) < len(listed) or not set(listed) <= set(DOFS):
         given = units.shown(", ".join(listed) if listed else names)
         reading.faults.at(
             node,
             (),
-            f"not freedoms: given {given}; allowed: different ones of {', '.join(FREEDOMS)}",
+            f"not DOF: given {given}; allowed: different ones of {', '.join(DOFS)}",
         )
         return []
     return listed
@@ -218,7 +218,7 @@ def _square(reading: Reading, node: Node, size: int) -> bool:
         f"{len(rows)} rows of {', '.join(map(str, lengths))}" if rows else units.shown(node.plain())
     )
     reading.faults.at(
-        node, (), f"not a matrix of its freedoms: given {count}; allowed: {size} rows of {size}"
+        node, (), f"not a matrix of its DOF: given {count}; allowed: {size} rows of {size}"
     )
     return False
 
@@ -229,11 +229,11 @@ def _cell(reading: Reading, quantity: Quantity, node: Node, row: str, column: st
     if isinstance(value, int | float) and not isinstance(value, bool) and value == 0:
         return 0.0
     try:
-        found: float = leaf(Annotated[float, quantity], value)
+        cell: float = leaf(Annotated[float, quantity], value)
     except Refused as refusal:
         reading.faults.at(node, (), f"entry {entry_name(row, column)}: {refusal.why}")
         return math.nan
-    return found
+    return cell
 
 
 def reduced(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
@@ -254,13 +254,15 @@ def reference(reading: Reading, annotation: Any, node: Node, others: tuple[type,
     """Known values, in units of their quantity; one speed serves them all."""
     if not isinstance(node.value, dict):
         return reading.wrong_shape(annotation, node, "a mapping (key: value)")
-    asked = exact(node, ("quantity",))
+    quantity = exact(node, ("quantity",))
     unit = (
-        QUANTITIES.get(asked.value) if asked is not None and isinstance(asked.value, str) else None
+        QUANTITIES.get(quantity.value)
+        if quantity is not None and isinstance(quantity.value, str)
+        else None
     )
     kind = Quantity(KIND_OF_UNIT[unit]) if unit else Quantity("number")
-    own = keys_of(Reference)
-    plain = {field.name: field.annotation for field in own}
+    keys = keys_of(Reference)
+    plain = {field.name: field.annotation for field in keys}
     values = reading.fields(
         Reference,
         node,
@@ -293,35 +295,35 @@ def sweep(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...
     zero = f"0 {units.KINDS[limits.kind][0]}"
     step = Annotated[float, Quantity(limits.kind, above=zero, at_most=limits.at_most)] | None
     taken = {"start": item, "to": item, "step": step}
-    before = len(reading.faults.found)
-    own = Range(**reading.fields(Range, node, annotations=taken))
-    if len(reading.faults.found) == before:
-        for path, sentence in _range_faults(own, units.KINDS[limits.kind][0]):
+    before = len(reading.faults.reported)
+    swept = Range(**reading.fields(Range, node, annotations=taken))
+    if len(reading.faults.reported) == before:
+        for path, sentence in _range_faults(swept, units.KINDS[limits.kind][0]):
             reading.at(node, path, sentence)
-    if len(reading.faults.found) > before:
+    if len(reading.faults.reported) > before:
         return unknown(annotation)
-    count = own.count or round((own.to - own.start) / (own.step or math.inf)) + 1
-    span = own.to - own.start
-    return (*(own.start + span * n / (count - 1) for n in range(count - 1)), own.to)
+    count = swept.count or round((swept.to - swept.start) / (swept.step or math.inf)) + 1
+    span = swept.to - swept.start
+    return (*(swept.start + span * n / (count - 1) for n in range(count - 1)), swept.to)
 
 
-def _range_faults(own: Range, unit: str) -> Iterator[tuple[tuple[str, ...], str]]:
-    if own.start >= own.to:
-        word = "is empty" if own.start == own.to else "is reversed"
+def _range_faults(span: Range, unit: str) -> Iterator[tuple[tuple[str, ...], str]]:
+    if span.start >= span.to:
+        word = "is empty" if span.start == span.to else "is reversed"
         given = "given {given:from} to {given}"
         yield ("to",), f"the range {word}: {given}; allowed: to above from"
-    elif (own.step is None) == (own.count is None):
-        given = "neither" if own.step is None else "both"
+    elif (span.step is None) == (span.count is None):
+        given = "neither" if span.step is None else "both"
         yield (), f"a range needs either step or count: given {given}"
-    elif own.step is not None:
-        exact_steps = (own.to - own.start) / own.step
+    elif span.step is not None:
+        exact_steps = (span.to - span.start) / span.step
         if exact_steps >= MOST_STEPS:
             yield ("step",), f"more than {MOST_STEPS} steps: given {{given}}"
         elif (
             abs(exact_steps - round(exact_steps)) > 1e-6 * max(1.0, exact_steps)
             or exact_steps < 0.5
         ):
-            ends = [own.start + n * own.step for n in (int(exact_steps), int(exact_steps) + 1)]
+            ends = [span.start + n * span.step for n in (int(exact_steps), int(exact_steps) + 1)]
             low, high = (format_quantity(end, unit) for end in ends)
             yield (
                 ("step",),
@@ -338,10 +340,10 @@ def port(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]
     if not point:
         given = units.shown(node.plain())
         why = f"not a place: given {given}; allowed: POINT.DIRECTION such as tip.y"
-    elif direction not in FREEDOMS:
+    elif direction not in DOFS:
         why = (
-            f"unknown direction: given {units.shown(text)}; allowed: {', '.join(FREEDOMS)}"
-            f"{suggestion(direction, FREEDOMS)}"
+            f"unknown direction: given {units.shown(text)}; allowed: {', '.join(DOFS)}"
+            f"{suggestion(direction, DOFS)}"
         )
     if why:
         reading.faults.at(node, (), why)
@@ -352,7 +354,7 @@ def port(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]
 
 def pair(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
     """A response and an excitation."""
-    found = []
+    ports = []
     if not isinstance(node.value, dict):
         reading.wrong_shape(annotation, node, "a mapping (key: value)")
         return unknown(Port), unknown(Port)
@@ -361,11 +363,11 @@ def pair(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]
         if key not in keys:
             reading.faults.at_key(child, (), unknown_key(key, [*keys]))
     for key in keys:
-        own = node.child(key)
-        if own is None:
+        written = node.child(key)
+        if written is None:
             reading.faults.missing(node, (key,), "missing key: it must be given")
-        found.append(unknown(Port) if own is None else reading.value(Port, own))
-    return tuple(found)
+        ports.append(unknown(Port) if written is None else reading.value(Port, written))
+    return tuple(ports)
 
 
 def frf(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
@@ -401,19 +403,19 @@ def by_name(reading: Reading, annotation: Any, node: Node, others: tuple[type, .
     if not isinstance(node.value, dict):
         reading.wrong_shape(annotation, node, "a mapping (key: value)")
         return {"": Spec()}
-    found: dict[str, Any] = {}
+    specs: dict[str, Any] = {}
     for name, child in node.value.items():
         try:
             spec = analysis(name).spec
         except InvalidInput:
             reading.faults.at_key(child, (), unknown_key(name, [*names()]))
             continue
-        asked = replace(child, value={}) if child.value is None else child
-        node.value[name] = asked
-        found[name] = reading.value(spec, asked)
-    if node.value and not found:
+        entry = replace(child, value={}) if child.value is None else child
+        node.value[name] = entry
+        specs[name] = reading.value(spec, entry)
+    if node.value and not specs:
         return {"": Spec()}
-    return found
+    return specs
 
 
 def measured(files: Reader) -> Any:
@@ -422,15 +424,15 @@ def measured(files: Reader) -> Any:
     def form(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
         if not isinstance(node.value, dict):
             return reading.wrong_shape(annotation, node, "a mapping (key: value)")
-        before = len(reading.faults.found)
+        before = len(reading.faults.reported)
         values = reading.fields(MeasuredResponse, node)
-        if len(reading.faults.found) > before:
+        if len(reading.faults.reported) > before:
             return unknown(MeasuredResponse)
         name, number = node.at("file"), exact(node, ("record",))
         path = files.folders[name.file].parent / name.value
-        asked = f"{values['response']} / {values['excitation']}"
+        pair = f"{values['response']} / {values['excitation']}"
         try:
-            record = read_record(path, asked, number.value if number else None)
+            record = read_record(path, pair, number.value if number else None)
         except InvalidInput as fault:
             reading.faults.at(name, (), f"{name.value}: {fault}")
             with unchecked():

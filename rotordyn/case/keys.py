@@ -250,8 +250,8 @@ _EXTRA: dict[type, Any] = {
 
 def extra(kind: type) -> tuple[Field, ...]:
     """Keys of files that are no fields of this kind of description."""
-    found = next((_EXTRA[base] for base in kind.__mro__ if base in _EXTRA), None)
-    return () if found is None else tuple(replace(own, name="") for own in declared(found))
+    source = next((_EXTRA[base] for base in kind.__mro__ if base in _EXTRA), None)
+    return () if source is None else tuple(replace(field, name="") for field in declared(source))
 
 
 _MATERIAL = {
@@ -320,15 +320,15 @@ COMMON: dict[type, tuple[Common, ...]] = {
 @cache
 def keys_of(kind: Any) -> tuple[Field, ...]:
     """Every key of a file, or of a mapping in one, that is read as this kind of description."""
-    own = _of_material() if kind is Material else declared(kind)
+    keys = _of_material() if kind is Material else declared(kind)
     common = tuple(f for each in COMMON.get(kind, ()) if each.meaning for f in _common(each))
     if issubclass(kind, BallBearing):
-        return (*extra(kind), *own)
-    return (*own, *extra(kind), *common)
+        return (*extra(kind), *keys)
+    return (*keys, *extra(kind), *common)
 
 
 def _of_material() -> tuple[Field, ...]:
-    given = {own.name: own.default for own in fields(Material)}
+    given = {field.name: field.default for field in fields(Material)}
     assert {*given} == {*_MATERIAL}
     return tuple(
         Field(
@@ -341,10 +341,10 @@ def _of_material() -> tuple[Field, ...]:
 
 def _common(each: Common) -> Iterator[Field]:
     tail = each.fills[each.fills.index("*") + 1 :]
-    for own in declared(each.kind):
-        if own.keys[: len(tail)] == tail:
-            keys = (*each.keys, *own.keys[len(tail) :])
-            yield Field("", keys, own.annotation, each.meaning, None)
+    for inner in declared(each.kind):
+        if inner.keys[: len(tail)] == tail:
+            keys = (*each.keys, *inner.keys[len(tail) :])
+            yield Field("", keys, inner.annotation, each.meaning, None)
 
 
 def bearing_class(word: object) -> Any:

@@ -46,16 +46,16 @@ def model(kind: str, reference: str | Path) -> Model:
     """
     root, reader = _document(known_kind(kind), reference)
     reading = reading_of(reader)
-    found: Any = None
+    described: Any = None
     if kind == "spindles" and (tree := expand.spindle(root, None, reader)):
-        found = read_spindle(reading, tree, None)[0]
+        described = read_spindle(reading, tree, None)[0]
     elif kind == "tools" and (tree := expand.tool(root, reader)):
-        found = read_tool(reading, tree)
+        described = read_tool(reading, tree)
     elif kind == "bearings":
-        found = read_bearing(reading, expand.bearing(root, (), reader))
+        described = read_bearing(reading, expand.bearing(root, (), reader))
     elif kind == "materials":
-        found = reading.value(Material, root)
-    whole: Model = _whole(found, reader)
+        described = reading.value(Material, root)
+    whole: Model = _whole(described, reader)
     return whole
 
 
@@ -70,8 +70,8 @@ def _document(kind: str, reference: object) -> tuple[Node, expand.Reader]:
     return _whole(root, reader), reader
 
 
-def _whole(found: T | None, reader: expand.Reader) -> T:
+def _whole(described: T | None, reader: expand.Reader) -> T:
     """What was found, where nothing is wrong with it."""
-    if found is None or reader.faults:
-        raise InvalidInput(in_order(reader.faults.found))
-    return found
+    if described is None or reader.faults:
+        raise InvalidInput(in_order(reader.faults.reported))
+    return described

@@ -47,8 +47,8 @@ class Node:
     def child(self, key: object) -> Node | None:
         """The child found by ``key``, or None."""
         if isinstance(self.value, dict) and isinstance(key, str):
-            found: Node | None = self.value.get(key)
-            return found
+            entry: Node | None = self.value.get(key)
+            return entry
         if isinstance(self.value, list) and isinstance(key, int) and 0 <= key < len(self.value):
             item: Node = self.value[key]
             return item

@@ -31,11 +31,11 @@ def _put(value: Node, steps: list[str], target: Node, faults: Faults) -> None:
             else:
                 held[key] = value
     elif isinstance(target.value, list):
-        found = _item(value, step, target, faults)
-        if found is not None and rest:
-            _put(value, rest, found, faults)
-        elif found is not None:
-            target.value[target.value.index(found)] = value
+        item = _item(value, step, target, faults)
+        if item is not None and rest:
+            _put(value, rest, item, faults)
+        elif item is not None:
+            target.value[target.value.index(item)] = value
     elif not isinstance(target.value, dict):
         _no_way(value, step, target, faults)
     elif not rest:
@@ -48,14 +48,14 @@ def _put(value: Node, steps: list[str], target: Node, faults: Faults) -> None:
 
 
 def _item(value: Node, step: str, target: Node, faults: Faults) -> Node | None:
-    found: Node | None = next((item for item in target.value if item.name == step), None)
-    if found is None:
+    named: Node | None = next((item for item in target.value if item.name == step), None)
+    if named is None:
         names = [item.name for item in target.value if item.name]
         allowed = ", ".join(names) or "the list as a whole, its items have no names"
         where = target.path or "the list"
         message = f"unknown name '{step}' in {where}; allowed: {allowed}{suggestion(step, names)}"
         faults.at_key(value, (), message)
-    return found
+    return named
 
 
 def _no_way(value: Node, step: str, target: Node, faults: Faults) -> None:

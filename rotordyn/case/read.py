@@ -50,7 +50,7 @@ def load(path: str | Path) -> Case:
                 written = str(title.value).strip() if title is not None else ""
                 made[name] = _with(variant, title=written or name.replace("_", " "))
     if whole is None or reader.faults:
-        raise InvalidInput(in_order(reader.faults.found, "" if root is None else root.file))
+        raise InvalidInput(in_order(reader.faults.reported, "" if root is None else root.file))
     read = {"files": tuple(reader.contents), "digest": _digest(reader.contents)}
     return _with(whole, variants={n: _with(v, **read) for n, v in made.items()}, **read)
 
@@ -86,16 +86,16 @@ def _case(root: Any, name: str, reader: Any) -> Case | None:
     spindle = bearing = None
     usable = False
     if (reference := root.child("spindle")) is not None:
-        found = expand.spindle(reference, override, reader)
+        expanded = expand.spindle(reference, override, reader)
         tool = root.child("tool")
         clamped = expand.tool(tool, reader) if tool is not None else None
-        usable = found is not None and (tool is None or clamped is not None)
-        if found is not None:
-            spindle, machine = read_spindle(reading, found, clamped)
+        usable = expanded is not None and (tool is None or clamped is not None)
+        if expanded is not None:
+            spindle, machine = read_spindle(reading, expanded, clamped)
             tree = replace(root, value={**root.value, "spindle": machine})
     if (reference := root.child("bearing")) is not None:
-        found = expand.bearing(reference, (override,), reader)
-        bearing = read_bearing(reading, found)
+        expanded = expand.bearing(reference, (override,), reader)
+        bearing = read_bearing(reading, expanded)
         usable = usable or bearing is not None
     values = reading.fields(Case, root, annotations={"spindle": Any, "bearing": Any})
     given = () if spindle is None else spindle.references
@@ -105,21 +105,21 @@ def _case(root: Any, name: str, reader: Any) -> Case | None:
         case = Case(**values)
         both = (case.spindle is None) == (case.bearing is None)
         rules = case.faults_alone() if both or not usable else case._faults()
-        own = len(given)
+        length = len(given)
         for path, sentence in rules:
-            _report(reading, root, tree, path, sentence, own)
+            _report(reading, root, tree, path, sentence, length)
     if not faults:
         for path, sentence in case._last_faults():
-            _report(reading, root, tree, path, sentence, own)
+            _report(reading, root, tree, path, sentence, length)
     return case
 
 
 def _report(
-    reading: Any, root: Any, tree: Any, path: tuple[str | int, ...], sentence: str, own: int
+    reading: Any, root: Any, tree: Any, path: tuple[str | int, ...], sentence: str, length: int
 ) -> None:
     """A fault at its place: of the machine as a whole where the case names it."""
     if path[:1] == ("references",) and len(path) > 1 and isinstance(path[1], int):
-        path = (path[0], path[1] - own, *path[2:])
+        path = (path[0], path[1] - length, *path[2:])
     reading.at(root if path == ("spindle",) else tree, path, sentence)
 
 

@@ -26,7 +26,7 @@ from rotordyn.case.retired import RETIRED
 from rotordyn.description import Description, Path, filled, unchecked
 from rotordyn.errors import InvalidInput
 from rotordyn.field import REQUIRED, Field, Refused, bare, members, metadata, optional
-from rotordyn.machine.support import FREEDOMS, Matrix
+from rotordyn.machine.support import DOFS, Matrix
 from rotordyn.quantity import Choice, Items, Named, Quantity, Whole, Words, suggestion
 
 LIMITS = (Quantity, Choice, Whole, Named, Words)
@@ -140,13 +140,13 @@ class Reading:
         if not isinstance(node.value, dict):
             return self.wrong_shape(annotation, node, "a mapping (key: value)")
         key, entry = get_args(annotation)
-        found = {}
+        entries = {}
         for name, child in node.value.items():
             try:
-                found[leaf(key, name)] = self.value(entry, child)
+                entries[leaf(key, name)] = self.value(entry, child)
             except Refused as refusal:
                 self.faults.at_key(child, (), refusal.why)
-        return found
+        return entries
 
     def description(
         self, kind: type, node: Node, others: tuple[type, ...] = (), **given: Any
@@ -181,14 +181,14 @@ class Reading:
         keys = keys_of(kind)
         self._unknown_keys(kind, keys, node, others)
         spread(kind, node)
-        found = {}
+        values = {}
         for field in keys:
             if _is_common(kind, field):
                 continue
-            own = annotations.get(field.name, field.annotation)
-            found[field.name] = self._field(replace(field, annotation=own), node, others)
-        found.pop("", None)
-        return found
+            annotation = annotations.get(field.name, field.annotation)
+            values[field.name] = self._field(replace(field, annotation=annotation), node, others)
+        values.pop("", None)
+        return values
 
     def given(self, kind: type, node: Node) -> dict[str, Any]:
         """Values of those fields of a description that a mapping gives."""
@@ -208,21 +208,21 @@ class Reading:
             return self.value(field.annotation, child)
         if field.default is not REQUIRED:
             return field.default
-        said = field.missing
-        if others and said == "it must be given":
+        sentence = field.missing
+        if others and sentence == "it must be given":
             instead = [f.keys[0] for kind in others for f in keys_of(kind) if _distinct(f, node)]
-            said += "".join(f", or {key}" for key in instead[:1])
-        self.faults.missing(node, field.keys, f"missing key: {said}")
+            sentence += "".join(f", or {key}" for key in instead[:1])
+        self.faults.missing(node, field.keys, f"missing key: {sentence}")
         return unknown(field.annotation)
 
     def at(self, node: Node, path: Path, sentence: str) -> None:
         """A fault of what is at ``path``, or should be."""
         message = filled(sentence, path, lambda way: _written(node, way))
-        found = exact(node, path)
-        if found is None and message.startswith("missing key"):
+        entry = exact(node, path)
+        if entry is None and message.startswith("missing key"):
             self.faults.missing(node, path, message)
-        elif found is not None and found.key and isinstance(found.value, dict | list):
-            self.faults.at_key(found, (), message)
+        elif entry is not None and entry.key and isinstance(entry.value, dict | list):
+            self.faults.at_key(entry, (), message)
         else:
             self.faults.at(node, path, message)
 
@@ -238,9 +238,9 @@ class Reading:
             if issubclass(kind, BallBearing):
                 self._key_of_bearing(node, name, known)
             elif held and not place:
-                own = next(f.keys[0] for f in keys if _distinct(f, node, others))
+                alternative = next(f.keys[0] for f in keys if _distinct(f, node, others))
                 noun = node_noun(node)
-                self.faults.at_key(child, (), f"given beside {own}: {noun} is one of both")
+                self.faults.at_key(child, (), f"given beside {alternative}: {noun} is one of both")
             else:
                 holder = place[-1] if place else last_key(node)
                 self.faults.at_key(child, (), unknown_key(name, known, holder))
@@ -309,8 +309,8 @@ def spread(kind: type, node: Node) -> None:
 def _reported(node: Node, path: Path) -> bool:
     """On the way along ``path`` stands a value whose fault is reported already."""
     return any(
-        found is not None and found.value is UNKNOWN
-        for found in (exact(node, path[:end]) for end in range(1, len(path)))
+        entry is not None and entry.value is UNKNOWN
+        for entry in (exact(node, path[:end]) for end in range(1, len(path)))
     )
 
 
@@ -333,15 +333,15 @@ def _matching(node: Node, way: tuple[str, ...]) -> Iterator[Node]:
 
 def exact(node: Node, path: Path) -> Node | None:
     """The node at the end of ``path``; None where there is none."""
-    found: Node | None = node
+    entry: Node | None = node
     for key in path:
-        found = found.child(key) if found is not None else None
-    return found
+        entry = entry.child(key) if entry is not None else None
+    return entry
 
 
 def _written(node: Node, path: Path) -> str:
-    found = exact(node, path)
-    return "nothing" if found is None else units.shown(found.raw or found.plain())
+    entry = exact(node, path)
+    return "nothing" if entry is None else units.shown(entry.raw or entry.plain())
 
 
 def _distinct(field: Field, node: Node, others: tuple[type, ...] = ()) -> bool:
@@ -427,7 +427,7 @@ def unknown(annotation: Any) -> Any:
         return None
     inner = bare(members(annotation)[0])
     if any(isinstance(beside, Matrix) for beside in metadata(annotation)):
-        return dict.fromkeys(product(FREEDOMS, FREEDOMS), math.nan)
+        return dict.fromkeys(product(DOFS, DOFS), math.nan)
     if isinstance(inner, type) and is_dataclass(inner):
         return _nothing_known(inner)
     if get_origin(inner) is tuple:

@@ -61,10 +61,10 @@ def from_market(raw: Mapping[str, bytes], places: Sequence[str]) -> ReducedModel
     held: dict[str, Any] = {}
     for name, content in raw.items():
         try:
-            found: Any = mmread(io.BytesIO(content))
+            matrix: Any = mmread(io.BytesIO(content))
         except (ValueError, OSError, TypeError, IndexError):
             raise NoModel(f"{name} is not a Matrix Market file") from None
-        held[name] = found.toarray() if issparse(found) else found
+        held[name] = matrix.toarray() if issparse(matrix) else matrix
     return from_matrices(list(places), held)
 
 
@@ -78,10 +78,10 @@ def from_matrices(places: list[str], held: Mapping[str, Any]) -> ReducedModel:
         raise NoModel(f"has {n} coordinates: allowed are up to {MOST}; reduce it further")
     square = (n, n)
     matrices = {name: _real(name, held[name], square) for name in _MATRICES if name in held}
-    seen = [k for k, place in enumerate(places) if place]
+    used = [k for k, place in enumerate(places) if place]
     return ReducedModel(
-        places=tuple(places[k] for k in seen),
-        shape=np.eye(n)[seen],
+        places=tuple(places[k] for k in used),
+        shape=np.eye(n)[used],
         mass=_positive(matrices["mass"]),
         stiffness=matrices["stiffness"],
         damping=matrices.get("damping", np.zeros(square)),
@@ -110,15 +110,15 @@ def _from_modes(places: list[str], held: Mapping[str, Any]) -> ReducedModel:
 
 
 def _real(name: str, value: Any, shape: tuple[int, ...]) -> Array:
-    found = np.asarray(value)
-    if found.shape != shape:
-        given, wanted = (" × ".join(map(str, s)) or "one value" for s in (found.shape, shape))
+    array = np.asarray(value)
+    if array.shape != shape:
+        given, wanted = (" × ".join(map(str, s)) or "one value" for s in (array.shape, shape))
         raise NoModel(
             f"{name} has not the shape that its places need: given {given}; allowed: {wanted}"
         )
-    if found.dtype.kind not in "iuf" or not np.isfinite(found).all():
+    if array.dtype.kind not in "iuf" or not np.isfinite(array).all():
         raise NoModel(f"{name} holds what is no finite real number")
-    return np.asarray(found, dtype=np.float64)
+    return np.asarray(array, dtype=np.float64)
 
 
 def _positive(mass: Array) -> Array:

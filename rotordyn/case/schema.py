@@ -26,7 +26,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.field import REQUIRED, Field, bare, members, metadata
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import FREEDOMS, Matrix
+from rotordyn.machine.support import DOFS, Matrix
 from rotordyn.machine.tool import Tool
 from rotordyn.quantity import Choice, Items, Named, Quantity, Sweep, Whole, Words, suggestion
 from rotordyn.scene.spec import Spec
@@ -60,8 +60,8 @@ _LETTER = r"A-Za-z_\u00a1-\uffff"
 _NAME = rf"[{_LETTER}][{_LETTER}0-9 -]*"
 _PLACE: Shape = {
     "type": "string",
-    "pattern": rf"^.+\.({'|'.join(FREEDOMS)})$",
-    "description": f"POINT.DIRECTION; directions: {', '.join(FREEDOMS)}",
+    "pattern": rf"^.+\.({'|'.join(DOFS)})$",
+    "description": f"POINT.DIRECTION; directions: {', '.join(DOFS)}",
 }
 
 
@@ -176,8 +176,8 @@ def _property(key: str, field: Field, shapes: dict[str, Shape], kind: type) -> S
         shape = _reference(_MACHINES[key], shapes)
     else:
         shape = shape_of(field.annotation, shapes)
-    said = [plain(field.meaning), shape.get("description", "")]
-    shape = {**shape, "description": "; ".join(filter(None, said))}
+    parts = [plain(field.meaning), shape.get("description", "")]
+    shape = {**shape, "description": "; ".join(filter(None, parts))}
     default = default_of(field)
     return shape if default is None else {**shape, "default": default}
 
@@ -190,10 +190,10 @@ def shape_of(annotation: Any, shapes: dict[str, Shape]) -> Shape:
     forms = members(annotation)
     if len(forms) > 1:
         each = [shape_of(form, shapes) for form in forms]
-        said = [
+        words = [
             form["description"] for form in each if "description" in form and "$ref" not in form
         ]
-        return {"anyOf": each, **({"description": "; or ".join(said)} if said else {})}
+        return {"anyOf": each, **({"description": "; or ".join(words)} if words else {})}
     return _of_one(forms[0], shapes)
 
 
@@ -240,9 +240,9 @@ def _single(annotation: Any) -> Shape:
         if isinstance(limit, Words):
             return {"enum": [word for word, _ in limit.values]}
         if isinstance(limit, Whole):
-            said = f"whole number, {limit.at_least} to {limit.at_most}"
+            text = f"whole number, {limit.at_least} to {limit.at_most}"
             bounds = {"minimum": limit.at_least, "maximum": limit.at_most}
-            return {"type": "integer", **bounds, "description": said}
+            return {"type": "integer", **bounds, "description": text}
         if isinstance(limit, Named):
             pattern = rf"^{_NAME}(\.{_NAME})?$" if limit.dotted else rf"^{_NAME}$"
             return {"type": "string", "pattern": pattern}
@@ -317,7 +317,7 @@ def _pair(annotation: Any, shapes: dict[str, Shape]) -> Shape:
 
 
 def _matrix(annotation: Any, shapes: dict[str, Shape]) -> Shape:
-    """Entries by name, or a whole matrix with its freedoms."""
+    """Entries by name, or a whole matrix with its DOF."""
     marker = next(m for m in metadata(annotation) if isinstance(m, Matrix))
     tabled = len(get_args(get_args(bare(annotation))[1])) > 1
     entries: Shape = {}
@@ -325,9 +325,9 @@ def _matrix(annotation: Any, shapes: dict[str, Shape]) -> Shape:
         one = quantity(marker.quantity(*pair))
         row = {"anyOf": [one, {"type": "array", "items": one}], "description": one["description"]}
         entries[key] = row if tabled else one
-    freedoms = {
+    dofs = {
         "type": "array",
-        "items": {"enum": list(FREEDOMS)},
+        "items": {"enum": list(DOFS)},
         "minItems": 1,
         "uniqueItems": True,
         "description": "what rows (loads) and columns (displacements) belong to",
@@ -337,7 +337,7 @@ def _matrix(annotation: Any, shapes: dict[str, Shape]) -> Shape:
         "items": {"type": "array", "items": {"type": ["string", "number"]}},
         "description": "row by row, with units; a bare 0 needs none",
     }
-    whole = {"freedoms": freedoms, "matrix": rows}
+    whole = {"dof": dofs, "matrix": rows}
     closed = {"type": "object", "additionalProperties": False}
     return {
         "anyOf": [
@@ -351,10 +351,10 @@ def _by_name(annotation: Any, shapes: dict[str, Shape]) -> Shape:
     each = {}
     for name in names():
         kind = analysis(name).spec
-        said = shapes[_defined(kind, shapes)]["description"]
+        text = shapes[_defined(kind, shapes)]["description"]
         forms = [{"$ref": f"#/$defs/{kind.__name__}"}]
         forms += [] if "required" in shapes[kind.__name__] else [{"type": "null"}]
-        each[name] = {"anyOf": forms, "description": said}
+        each[name] = {"anyOf": forms, "description": text}
     return {
         "type": "object",
         "properties": each,

@@ -58,7 +58,7 @@ def _shipped(kind: str, path: Path) -> Shipped:
     faults = Faults()
     root = read_document(path, faults, {})
     if root is None:
-        raise InvalidInput(faults.found)
+        raise InvalidInput(faults.reported)
     held = root.plain()
     title = str(held.get("title") or held.get("name") or "")
     if "estimate" in held:

@@ -48,7 +48,7 @@ def _columns(
         faults.add(Fault(file, 0, 0, "", f"holds no table: allowed: columns {_ALLOWED}"))
         return []
     (line, head), fine = rows[0], True
-    found: list[tuple[tuple[str, ...], str]] = []
+    columns: list[tuple[tuple[str, ...], str]] = []
     for column, name in enumerate(head, start=1):
         match = _HEAD.fullmatch(name)
         if match is None:
@@ -58,11 +58,11 @@ def _columns(
             continue
         whole, which, entry, unit = match.groups()
         way = ("speeds",) if whole == "speed" else (str(which), str(entry))
-        if way in [known for known, _ in found]:
+        if way in [known for known, _ in columns]:
             faults.add(Fault(file, line, column, "", f"column repeated: given '{whole}'"))
             fine = False
-        found.append((way, unit.strip()))
-    if fine and ("speeds",) not in [way for way, _ in found]:
+        columns.append((way, unit.strip()))
+    if fine and ("speeds",) not in [way for way, _ in columns]:
         faults.add(Fault(file, line, 1, "", "column missing: 'speed [rpm]' must be given"))
         fine = False
     for where, row in rows[1:]:
@@ -70,7 +70,7 @@ def _columns(
             message = f"not as many values as columns: given {len(row)} for {len(head)}"
             faults.add(Fault(file, where, 1, "", message))
             fine = False
-    return found if fine else []
+    return columns if fine else []
 
 
 def _put(support: Node, way: tuple[str, ...], values: Node, faults: Faults) -> None:
@@ -82,7 +82,7 @@ def _put(support: Node, way: tuple[str, ...], values: Node, faults: Faults) -> N
         holder = holder.at(key)
     if not isinstance(holder.value, dict):
         return  # reported by the schema
-    if {way[-1], "freedoms", "matrix"} & set(holder.value):
+    if {way[-1], "dof", "matrix"} & set(holder.value):
         name = ".".join(way)
         faults.at(support, ("table",), f"both in the table and beside it: given {name}")
         return

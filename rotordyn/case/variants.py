@@ -27,15 +27,15 @@ def _changed(root: Node, changes: Node) -> Node:
     if not isinstance(changes.value, dict):
         return tree
     for key, value in changes.value.items():
-        own = tree.child(key)
-        tree.value[key] = _merged(own, value) if own is not None and key in _MERGED else value
+        entry = tree.child(key)
+        tree.value[key] = _merged(entry, value) if entry is not None and key in _MERGED else value
     return tree
 
 
-def _merged(own: Node, more: Node) -> Node:
-    if isinstance(own.value, dict) and isinstance(more.value, dict):
-        kept = {key: value for key, value in own.value.items() if key not in more.value}
-        return replace(own, value={**kept, **more.value})  # what the variant says comes last
-    if isinstance(own.value, list) and isinstance(more.value, list):
-        return replace(own, value=[*own.value, *more.value])
+def _merged(base: Node, more: Node) -> Node:
+    if isinstance(base.value, dict) and isinstance(more.value, dict):
+        kept = {key: value for key, value in base.value.items() if key not in more.value}
+        return replace(base, value={**kept, **more.value})  # what the variant says comes last
+    if isinstance(base.value, list) and isinstance(more.value, list):
+        return replace(base, value=[*base.value, *more.value])
     return more

@@ -45,9 +45,9 @@ class Varied:
 def varied(cases: Sequence[Case]) -> tuple[Varied, ...]:
     """What differs among the machines and conditions of ``cases``, in the order of their fields;
     names and titles are no difference."""
-    found = [dict(_leaves(case)) for case in cases]
-    paths = dict.fromkeys(chain.from_iterable(found))
-    rows = ((path, [own.get(path, (None, None)) for own in found]) for path in paths)
+    leaves = [dict(_leaves(case)) for case in cases]
+    paths = dict.fromkeys(chain.from_iterable(leaves))
+    rows = ((path, [values.get(path, (None, None)) for values in leaves]) for path in paths)
     return tuple(
         _varied(path, row) for path, row in rows if any(leaf[0] != row[0][0] for leaf in row[1:])
     )
@@ -70,8 +70,8 @@ def _within(path: str, value: Any, annotation: Any) -> Iterator[tuple[str, Leaf]
         matrix = found_in(annotation, Matrix)
         for key, entry in value.items():
             word = key if isinstance(key, str) else "".join(map(str, key))
-            own = annotation if matrix is None else Annotated[float, matrix.quantity(*key)]
-            yield from _within(f"{path}.{word}", entry, own)
+            of_entry = annotation if matrix is None else Annotated[float, matrix.quantity(*key)]
+            yield from _within(f"{path}.{word}", entry, of_entry)
     elif isinstance(value, tuple):
         for place, item in enumerate(value):
             name = getattr(item, "name", "") or place + 1

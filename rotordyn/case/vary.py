@@ -58,8 +58,8 @@ def _of_variants(case: Case, changes: Sequence[_Change]) -> list[_Change]:
     """The same changes for every variant of ``case``."""
     if not case.variants:
         return []
-    own = [change for change in changes if change.steps[0] not in ("variants", "name", "title")]
-    return [replace(change, steps=("variants", "*", *change.steps)) for change in own]
+    inner = [change for change in changes if change.steps[0] not in ("variants", "name", "title")]
+    return [replace(change, steps=("variants", "*", *change.steps)) for change in inner]
 
 
 def _change(path: object, value: object) -> _Change:

@@ -32,7 +32,7 @@ class Foundation:
         stations |= {support.name: support.x for support in spindle.supports}
         body = f"housing {housing.name}"
         if isinstance(housing, RigidHousing):
-            names: tuple[str, ...] = housing.freedoms
+            names: tuple[str, ...] = housing.dofs
             mass, stiffness, damping, under = _of_rigid(housing, stations)
         else:
             names = ("",) * len(housing.mass)
@@ -58,7 +58,7 @@ class Foundation:
 def _of_rigid(
     housing: RigidHousing, stations: dict[str, float]
 ) -> tuple[Array, Array, Array, dict[str, Array]]:
-    places = [position(name) for name in housing.freedoms]
+    places = [position(name) for name in housing.dofs]
     polar, diametral = housing.polar_inertia, housing.diametral_inertia
     every = np.array([*[housing.mass] * 3, polar, diametral, diametral])
     own, under = np.ix_(places, places), {}

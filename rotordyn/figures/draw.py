@@ -25,25 +25,25 @@ _MOST = 255
 
 
 @dataclass(frozen=True, slots=True)
-class LeftOut:
-    """``figures``, or files, that were not made -> why, and what the user is told of it."""
+class Omitted:
+    """``figures``, or files, that were not made -> why, and the sentence the user reads of it."""
 
     figures: dict[str, str] = field(default_factory=dict)
     sentences: tuple[str, ...] = ()
 
-    def __or__(self, other: LeftOut) -> LeftOut:
+    def __or__(self, other: Omitted) -> Omitted:
         """What either of the two lacks."""
         sentences = dict.fromkeys((*self.sentences, *other.sentences))
-        return LeftOut(self.figures | other.figures, tuple(sentences))
+        return Omitted(self.figures | other.figures, tuple(sentences))
 
 
 class Pictures(Protocol):
-    """Pictures that another process makes while figures are drawn; ``left_out`` after ``draw``.
+    """Pictures that another process makes while figures are drawn; ``omitted`` after ``draw``.
 
     A context: the process runs inside it.
     """
 
-    left_out: LeftOut
+    omitted: Omitted
 
     @property
     def names(self) -> tuple[str, ...]:

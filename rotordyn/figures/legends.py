@@ -94,11 +94,11 @@ def shortened(title: str, longest: int = 48) -> str:
 
 def _entries(panels: Sequence[Axes]) -> dict[str, Any]:
     """Handles by name; a name shared by several curves is shown once, as its first curve."""
-    found: dict[str, Any] = {}
+    entries: dict[str, Any] = {}
     for axes in panels:
         for handle, name in zip(*axes.get_legend_handles_labels(), strict=True):
-            found.setdefault(name, handle)
-    return found
+            entries.setdefault(name, handle)
+    return entries
 
 
 def _wide(figure: Figure, name: str) -> float:

@@ -70,7 +70,7 @@ def jumps(result: Modes) -> Flags:
 def whirl_segments(result: Modes) -> Segments:
     """Curves of (rpm, Hz) by look; a mode that changes its whirl is cut there, at a jump too."""
     rpm = result.speed * RPM.factor
-    found: Segments = {}
+    segments: Segments = {}
     jump = jumps(result)
     for column in np.flatnonzero(~result.mostly_overdamped):
         kind = result.kind[column]
@@ -87,9 +87,9 @@ def whirl_segments(result: Modes) -> Segments:
                 curve = np.column_stack([rpm[first:end], frequency[first:end]])
                 curve = curve[np.isfinite(curve).all(axis=1)]
                 if curve.size:
-                    found.setdefault(looks[start], []).append(curve)
+                    segments.setdefault(looks[start], []).append(curve)
                 start = end
-    return found
+    return segments
 
 
 def draw_modes(axes: Axes, result: Modes, colour: str = "", width: float = 0.7) -> None:
@@ -103,7 +103,7 @@ def draw_modes(axes: Axes, result: Modes, colour: str = "", width: float = 0.7) 
     if len(result.speed) < LEAST_SPEEDS:
         _mark_modes(axes, curves, colour)
         return
-    for look, (own, dashes, label) in LOOKS.items():
+    for look, (usual, dashes, label) in LOOKS.items():
         paths = [curve for curve in curves.get(look, ()) if len(curve) > 1]
         points = [curve for curve in curves.get(look, ()) if len(curve) == 1]
         named = None if colour else label
@@ -111,11 +111,11 @@ def draw_modes(axes: Axes, result: Modes, colour: str = "", width: float = 0.7) 
             dots = np.concatenate(points)
             mark: dict[str, Any] = dict(ms=4.0, ls="none", clip_on=False)
             mark["label"] = None if paths else named
-            axes.plot(*dots.T, marker=LONE[look], color=colour or own, **mark)
+            axes.plot(*dots.T, marker=LONE[look], color=colour or usual, **mark)
         if paths:
             lines = LineCollection(
                 paths,
-                colors=colour or own,
+                colors=colour or usual,
                 linestyles=[dashes],
                 linewidths=width if colour else 1.3,
                 label=named,
@@ -126,7 +126,7 @@ def draw_modes(axes: Axes, result: Modes, colour: str = "", width: float = 0.7) 
 
 def _mark_modes(axes: Axes, curves: Segments, colour: str) -> None:
     """A mark for every frequency, by look."""
-    for look, (own, _, label) in LOOKS.items():
+    for look, (usual, _, label) in LOOKS.items():
         if not curves.get(look):
             continue
         dots = np.unique(np.concatenate(curves[look]), axis=0)
@@ -134,7 +134,7 @@ def _mark_modes(axes: Axes, curves: Segments, colour: str) -> None:
         axes.plot(
             *dots.T,
             marker=LONE[look],
-            color=colour or own,
+            color=colour or usual,
             ms=4.0,
             ls="none",
             label=None if colour else label,

@@ -15,7 +15,7 @@ from rotordyn.analyses.registry import analysis, names
 from rotordyn.analyses.solving import Progress
 from rotordyn.case.case import Case
 from rotordyn.errors import not_installed
-from rotordyn.figures.draw import LeftOut
+from rotordyn.figures.draw import Omitted
 from rotordyn.figures.style import USUAL_FORMATS
 from rotordyn.job.results import Solution, SolvedResults, run
 
@@ -71,21 +71,21 @@ def write(
     with results_folder(target) as place:
         progress("figures" if figures else "files")
         if figures:
-            drawn, left_out = _drawn(results, place.folder, seconds, formats)
+            drawn, omitted = _drawn(results, place.folder, seconds, formats)
         else:
-            drawn, left_out = _written(results, place.folder, seconds)
-        notes = (*results.notes, *left_out.sentences)
+            drawn, omitted = _written(results, place.folder, seconds)
+        notes = (*results.notes, *omitted.sentences)
         text = results.summary_with(notes)
         (place.folder / "summary.txt").write_text(text + "\n", encoding="utf-8")
         _write_case(results.case, place.folder)
-        _write_record(results, place.folder, seconds, drawn, left_out)
-    plan = _plan(results.solution, seconds, left_out)
+        _write_record(results, place.folder, seconds, drawn, omitted)
+    plan = _plan(results.solution, seconds, omitted)
     return Delivery(place.target, text, plan, results.unsolved, moved=place.moved)
 
 
 def _drawn(
     results: SolvedResults, folder: Path, seconds: dict[str, float], formats: Sequence[str]
-) -> tuple[dict[str, float], LeftOut]:
+) -> tuple[dict[str, float], Omitted]:
     """Numbers and figures, made side by side; seconds by figure, and what is missing."""
     from rotordyn.figures.draw import Drawing, load
 
@@ -95,24 +95,24 @@ def _drawn(
     with ExitStack() as stack:
         pictures = [stack.enter_context(each) for each in results.pictures(folder.parent)]
         drawing = Drawing(list(results.drawings().items()), folder, formats=formats)
-        left_out = _write_numbers(results, folder, seconds)
+        omitted = _write_numbers(results, folder, seconds)
         with _timed(seconds, "draw"):
             drawn = drawing.finish()
             for each in pictures:
                 drawn |= each.draw(folder, formats)
-                left_out |= each.left_out
-        return drawn, left_out
+                omitted |= each.omitted
+        return drawn, omitted
 
 
 def _written(
     results: SolvedResults, folder: Path, seconds: dict[str, float]
-) -> tuple[dict[str, float], LeftOut]:
+) -> tuple[dict[str, float], Omitted]:
     """Numbers alone."""
-    none = LeftOut({"figures": "none are asked for"})
+    none = Omitted({"figures": "none are asked for"})
     return {}, _write_numbers(results, folder, seconds) | none
 
 
-def _attempted(name: str, write: Callable[[], object]) -> LeftOut:
+def _attempted(name: str, write: Callable[[], object]) -> Omitted:
     """Write ``name`` unless a package of others that this takes is not installed."""
     try:
         write()
@@ -120,21 +120,21 @@ def _attempted(name: str, write: Callable[[], object]) -> LeftOut:
         why = not_installed(error.name)
         if why is None:
             raise
-        return LeftOut({name: why}, (f"{name} left out: {why}",))
-    return LeftOut()
+        return Omitted({name: why}, (f"{name} left out: {why}",))
+    return Omitted()
 
 
-def _plan(solution: Solution, seconds: Mapping[str, float], left_out: LeftOut) -> str:
+def _plan(solution: Solution, seconds: Mapping[str, float], omitted: Omitted) -> str:
     """How every part was solved, and how long what surrounds it took."""
     from rotordyn.report.plan import plan
 
-    around = {name: own for name, own in seconds.items() if name in ("write", "draw")}
+    around = {name: answers for name, answers in seconds.items() if name in ("write", "draw")}
     texts = []
-    for name, (_, own) in solution.parts.items():
+    for name, (_, answers) in solution.parts.items():
         last = not solution.case.variants
-        skipped = own.skipped | (left_out.figures if last else {})
+        skipped = answers.skipped | (omitted.figures if last else {})
         job = around if last else {}
-        text = plan(own.seconds, own.asked, own.spared, skipped, job)
+        text = plan(answers.seconds, answers.asked, answers.spared, skipped, job)
         texts.append(f"{name}: {text}" if name else text)
     return "\n".join(texts)
 
@@ -146,7 +146,7 @@ def _timed(seconds: dict[str, float], name: str) -> Iterator[None]:
     seconds[name] = time.perf_counter() - begin
 
 
-def _write_numbers(results: SolvedResults, folder: Path, seconds: dict[str, float]) -> LeftOut:
+def _write_numbers(results: SolvedResults, folder: Path, seconds: dict[str, float]) -> Omitted:
     """Numbers, tables, further files of the analyses; returns what lacks a package."""
     from rotordyn.job.side_by_side import write_comparison
     from rotordyn.report.cf import about
@@ -157,16 +157,16 @@ def _write_numbers(results: SolvedResults, folder: Path, seconds: dict[str, floa
     attributes = about(case.name, case.title, case.digest)
     store = partial(write_results, folder / "results.nc", results.solution.results, attributes)
     with _timed(seconds, "write"):
-        left_out = _attempted("results.nc", store)
+        omitted = _attempted("results.nc", store)
         for name, part in results.parts.items():
             (folder / name).mkdir(exist_ok=True)
             write_tables(folder / name, part.results)
-            for asked, result in part.results.items():
-                for file, write in analysis(asked).files(folder / name, part.case, result):
-                    left_out |= _attempted(file, write)
+            for name_of, result in part.results.items():
+                for file, write in analysis(name_of).files(folder / name, part.case, result):
+                    omitted |= _attempted(file, write)
         if case.variants:
             write_comparison(folder, results.parts)
-    return left_out
+    return omitted
 
 
 def _write_case(case: Case, folder: Path) -> None:
@@ -183,7 +183,7 @@ def _write_record(
     folder: Path,
     seconds: Mapping[str, float],
     drawn: Mapping[str, float],
-    left_out: LeftOut,
+    omitted: Omitted,
 ) -> None:
     from rotordyn.report.manifest import RunRecord, outcomes, write_record
 
@@ -198,12 +198,12 @@ def _write_record(
         inputs=tuple(f"{path.parent.name}/{path.name}" for path in case.files),
         settings=_settings(solution),
         outcomes=outcomes(solution.results),
-        tolerances=solution.by_part(lambda own: own.tolerances),
-        stages={**seconds, **solution.by_part(lambda own: own.seconds)},
+        tolerances=solution.by_part(lambda answers: answers.tolerances),
+        stages={**seconds, **solution.by_part(lambda answers: answers.seconds)},
         figures=drawn,
-        skipped={**unasked, **solution.by_part(lambda own: own.skipped), **left_out.figures},
+        skipped={**unasked, **solution.by_part(lambda answers: answers.skipped), **omitted.figures},
         warnings=results.warnings,
-        notes=(*results.notes, *left_out.sentences),
+        notes=(*results.notes, *omitted.sentences),
         unsolved=results.unsolved,
     )
     write_record(folder, record)

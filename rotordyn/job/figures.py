@@ -42,11 +42,16 @@ def comparison_figures(
     of the case that compares them; ``scale``: what was varied, where that is one number."""
     jobs: list[Job] = []
     costs: dict[str, int] = {}
-    for name in sorted({name for _, found in variants for name in found}, key=place):
+    for name in sorted({name for _, results in variants for name in results}, key=place):
         shown = [
-            Shown(case.title, found[name], () if turning(found[name]) else case.known, case.spindle)
-            for case, found in variants
-            if name in found
+            Shown(
+                case.title,
+                results[name],
+                () if turning(results[name]) else case.known,
+                case.spindle,
+            )
+            for case, results in variants
+            if name in results
         ]
         spec = variants[0][0].analyses.get(name)
         jobs += [*_side_by_side(name, spec, shown), *_laid_over(name, spec, shown, scale)]
@@ -65,9 +70,9 @@ def _side_by_side(name: str, spec: Any, shown: Sequence[Shown]) -> Iterator[Job]
 def _laid_over(name: str, spec: Any, shown: Sequence[Shown], scale: Scale | None) -> Iterator[Job]:
     """Curves of the variants over one another; values of a scale belong to all variants."""
     curves = partial(analysis(name).curves, spec)
-    own = scale if scale is not None and len(scale.values) == len(shown) else None
+    fitting = scale if scale is not None and len(scale.values) == len(shown) else None
     for figure in dict.fromkeys(curve.figure for curve in curves(shown[0])):
-        yield figure, partial(OVERLAY, figure, curves, shown, own)
+        yield figure, partial(OVERLAY, figure, curves, shown, fitting)
 
 
 def _titled(jobs: Sequence[Job], words: str, costs: Mapping[str, int]) -> list[Job]:

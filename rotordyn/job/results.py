@@ -162,14 +162,14 @@ class Results(Mapping[str, "xr.Dataset"]):
 
         Its files stand in ``beside``, or where the system has such files.
         """
-        found = []
+        drawn = []
         for name in dict.fromkeys(name for part in self.parts.values() for name in part.results):
             made = analysis(name).pictures
             if made is not None:
                 parts = self.parts.items()
-                held = {k: (case, own[name]) for k, (case, own) in parts if name in own}
-                found.append(made(held, beside))
-        return found
+                held = {k: (case, results[name]) for k, (case, results) in parts if name in results}
+                drawn.append(made(held, beside))
+        return drawn
 
     def __repr__(self) -> str:
         (name, title), names = self._heading(), ", ".join(self._names())
@@ -182,8 +182,8 @@ class Results(Mapping[str, "xr.Dataset"]):
         """A short table that notebooks show, the summary folded below it."""
         name, title = self._heading()
         rows = [("case", name), ("results", ", ".join(self._names()))]
-        said = (("warning", self.warnings), ("not solved", self.unsolved), ("note", self.notes))
-        rows += [(word, sentence) for word, sentences in said for sentence in sentences]
+        listed = (("warning", self.warnings), ("not solved", self.unsolved), ("note", self.notes))
+        rows += [(word, sentence) for word, sentences in listed for sentence in sentences]
         return table(title or name, rows) + preformatted("summary", self.summary)
 
 
@@ -213,12 +213,12 @@ class Solution:
             for key, value in held(answers).items()
         }
 
-    def said(self, said: Callable[[Answers], Iterable[str]]) -> tuple[str, ...]:
-        """What is ``said`` of every part, each sentence once, led by the name of the variant."""
+    def sentences(self, of: Callable[[Answers], Iterable[str]]) -> tuple[str, ...]:
+        """What is ``of`` of every part, each sentence once, led by the name of the variant."""
         sentences = {
             f"{part}: {sentence}" if part else sentence: None
             for part, (_, answers) in self.parts.items()
-            for sentence in said(answers)
+            for sentence in of(answers)
         }
         return tuple(sentences)
 
@@ -252,17 +252,19 @@ class SolvedResults(Results):
         from rotordyn.report.warnings import result_warnings
 
         solution = self.solution
-        said = solution.said(lambda own: (*own.warnings, *result_warnings(own.results)))
-        return (*solution.lost, *said)
+        sentences = solution.sentences(
+            lambda answers: (*answers.warnings, *result_warnings(answers.results))
+        )
+        return (*solution.lost, *sentences)
 
     @cached_property
     def notes(self) -> tuple[str, ...]:
-        return self.solution.said(lambda own: own.notes)
+        return self.solution.sentences(lambda answers: answers.notes)
 
     @cached_property
     def unsolved(self) -> tuple[str, ...]:
         solution = self.solution
-        return (*solution.lost, *solution.said(lambda own: unsolved(own.results)))
+        return (*solution.lost, *solution.sentences(lambda answers: unsolved(answers.results)))
 
     def save(
         self,
@@ -316,9 +318,9 @@ def run(case: Case, progress: Progress = lambda name: None) -> SolvedResults:
     begin = time.perf_counter()
     lost: tuple[str, ...] = ()
     if case.variants:
-        found, own = solve_variants(case, progress), labelled(case)
-        parts = {name: (own[name], answers) for name, answers in found.answers.items()}
-        lost = tuple(found.failed.values())
+        solved, cases = solve_variants(case, progress), labelled(case)
+        parts = {name: (cases[name], answers) for name, answers in solved.answers.items()}
+        lost = tuple(solved.failed.values())
     else:
         parts = {"": (case, solve(case, progress))}
     seconds = {"solve, all stages": time.perf_counter() - begin}

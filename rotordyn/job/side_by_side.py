@@ -20,36 +20,36 @@ Parts = Mapping[str, tuple[Case, Mapping[str, Any]]]
 
 def scale_of(cases: Sequence[Case]) -> Scale | None:
     """The number that was varied, if it is one; of several in step the first."""
-    found = [each for each in varied(cases) if each.numeric]
-    if not found or len(found) < len(varied(cases)):
+    numeric = [each for each in varied(cases) if each.numeric]
+    if not numeric or len(numeric) < len(varied(cases)):
         return None
-    first, *others = ([*map(each.values.index, each.values)] for each in found)
-    return Scale(found[0].label, found[0].values) if all(o == first for o in others) else None
+    first, *others = ([*map(each.values.index, each.values)] for each in numeric)
+    return Scale(numeric[0].label, numeric[0].values) if all(o == first for o in others) else None
 
 
 def write_comparison(folder: Path, parts: Parts) -> None:
     """``variants.csv``: a row for each variant; ``variants_change.csv``: relative changes [%]."""
     cases = [case for case, _ in parts.values()]
-    numbers = [_numbers(case, found) for case, found in parts.values()]
+    numbers = [_numbers(case, results) for case, results in parts.values()]
     head: list[Column] = [("variant", list(parts)), ("title", [case.title for case in cases])]
     head += [_varied(each) for each in varied(cases)[:MOST_VARIED]]
     write_table(folder / "variants.csv", [*head, *_columns(numbers, lambda name: name)])
-    relative = [changes(own, numbers[0]) for own in numbers]
+    relative = [changes(values, numbers[0]) for values in numbers]
     write_table(folder / "variants_change.csv", [*head, *_columns(relative, _relative)])
 
 
-def _numbers(case: Case, found: Mapping[str, Any]) -> dict[str, float]:
+def _numbers(case: Case, results: Mapping[str, Any]) -> dict[str, float]:
     """Every headline number of a variant, by the heading of its column."""
     return {
         f"{name}: {number.heading}": number.value
-        for name in sorted(found, key=place)
-        for number in analysis(name).numbers(found[name], case)
+        for name in sorted(results, key=place)
+        for number in analysis(name).numbers(results[name], case)
     }
 
 
 def _columns(rows: Sequence[Mapping[str, float]], heading: Callable[[str], str]) -> list[Column]:
-    names = dict.fromkeys(name for own in rows for name in own)
-    return [(heading(name), [_word(own.get(name, math.nan)) for own in rows]) for name in names]
+    names = dict.fromkeys(name for row in rows for name in row)
+    return [(heading(name), [_word(row.get(name, math.nan)) for row in rows]) for name in names]
 
 
 def _relative(heading: str) -> str:

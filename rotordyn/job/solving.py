@@ -29,8 +29,8 @@ def solve(case: Case, progress: Progress = lambda name: None, memo: Memo | None 
     ``memo``: stages of cases solved before, for what they have in common.
     """
     if case.spindle is not None:
-        own = (case.spindle, case.conditions, case.speeds, case.analyses)
-        return answer_spindle(*own, progress, memo)
+        arguments = (case.spindle, case.conditions, case.speeds, case.analyses)
+        return answer_spindle(*arguments, progress, memo)
     assert case.bearing is not None, "a case has one of the two"
     return answer_bearing(case.bearing, case.conditions, case.speeds, case.analyses, progress)
 
@@ -44,20 +44,20 @@ def solve_variants(case: Case, progress: Progress = lambda name: None) -> Varian
     """
     from rotordyn.scene.stage import Memo
 
-    found = VariantAnswers({})
+    solved = VariantAnswers({})
     memo = Memo()
     for name, variant in case.variants.items():
         try:
-            found.answers[name] = solve(variant, partial(_part, progress, name), memo)
+            solved.answers[name] = solve(variant, partial(_part, progress, name), memo)
         except NoSolution as error:
-            found.failed[name] = f"variant {name}: {error}"
-    if not found.answers:
-        raise NoSolution("; ".join(found.failed.values()))
-    return found
+            solved.failed[name] = f"variant {name}: {error}"
+    if not solved.answers:
+        raise NoSolution("; ".join(solved.failed.values()))
+    return solved
 
 
-def _part(progress: Progress, variant: str, asked: str) -> None:
-    progress(f"{variant}: {asked}")
+def _part(progress: Progress, variant: str, stage: str) -> None:
+    progress(f"{variant}: {stage}")
 
 
 def restricted(case: Case, only: tuple[str, ...]) -> Case:

@@ -111,7 +111,11 @@ class StoredResults(Results):
             return {"": Part(case, _Read(self, ""))}
         solved = {name.partition("/")[0] for name in self}
         cases = labelled(case).items()
-        return {name: Part(own, _Read(self, f"{name}/")) for name, own in cases if name in solved}
+        return {
+            name: Part(part_case, _Read(self, f"{name}/"))
+            for name, part_case in cases
+            if name in solved
+        }
 
     def _names(self) -> tuple[str, ...]:
         return tuple(self._datasets)

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from rotordyn.machine.support import BearingSeat, LinearSupport, Sleeve, Spring
     from rotordyn.machine.tool import Tool
 
-_HOME = {
+_MODULE_OF = {
     "BallGuide": "ball_guide",
     "BearingSeat": "support",
     "ComputedShortening": "growth",
@@ -82,9 +82,9 @@ __all__ = [
 
 
 def __getattr__(name: str) -> Any:
-    if name not in _HOME:
+    if name not in _MODULE_OF:
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return getattr(importlib.import_module(f"{__name__}.{_HOME[name]}"), name)
+    return getattr(importlib.import_module(f"{__name__}.{_MODULE_OF[name]}"), name)
 
 
 def __dir__() -> list[str]:

@@ -125,17 +125,17 @@ def _sleeves(spindle: Spindle) -> Faults:
 
 
 def _held_twice(spindle: Spindle) -> Faults:
-    """Two supports that hold one freedom of a station, or one that holds x beside bearings."""
+    """Two supports that hold one DOF of a station, or one that holds x beside bearings."""
     taken: dict[str, list[LinearSupport]] = {}
     for support in spindle.supports:
-        for freedom in support.rigid:
-            for other in taken.get(freedom, ()):
+        for dof in support.rigid:
+            for other in taken.get(dof, ()):
                 if abs(support.x - other.x) <= SLACK:
                     yield (
                         ("supports",),
-                        f"supports '{other.name}' and '{support.name}' both hold {freedom} there",
+                        f"supports '{other.name}' and '{support.name}' both hold {dof} there",
                     )
-            taken.setdefault(freedom, []).append(support)
+            taken.setdefault(dof, []).append(support)
     if "x" in taken and spindle.seats:
         yield (
             ("supports",),
@@ -181,7 +181,7 @@ def _rotors(spindle: Spindle) -> Faults:
     ends = [*_ends(spindle, (SPINDLE, *names))]
     yield from ends
     for index, name in enumerate(names):
-        free = [freedom for freedom in ("y", "z") if freedom not in held_by(spindle, name)]
+        free = [dof for dof in ("y", "z") if dof not in held_by(spindle, name)]
         if free:
             yield (
                 ("rotors", index, "name"),
@@ -205,12 +205,12 @@ def _ends(spindle: Spindle, known: tuple[str, ...]) -> Faults:
 
 
 def held_by(spindle: Spindle, name: str) -> frozenset[str]:
-    """Freedoms of bending in which supports hold a rotor, by their stiffness or rigidly."""
+    """DOF of bending in which supports hold a rotor, by their stiffness or rigidly."""
     touching = [support for support in spindle.supports if name in support.ends]
-    held = [freedom for support in touching for freedom in support.rigid]
+    held = [dof for support in touching for dof in support.rigid]
     for support in touching:
         held += [a for (a, b), value in support.stiffness.items() if a == b and acts(value)]
-    return frozenset(freedom for freedom in held if MOTIONS.get(freedom) == "bending")
+    return frozenset(dof for dof in held if MOTIONS.get(dof) == "bending")
 
 
 def _losses(spindle: Spindle) -> Faults:

@@ -9,10 +9,10 @@ from typing import Annotated
 from rotordyn.description import Description, Faults, known, repeated
 from rotordyn.machine.support import (
     DAMPING,
-    FREEDOMS,
+    DOFS,
     MOTIONS,
     STIFFNESS,
-    Freedom,
+    Dof,
     entry_name,
 )
 from rotordyn.quantity import HIDDEN, Inertia, Items, Mass, Name, Station, suggestion
@@ -20,7 +20,7 @@ from rotordyn.quantity import HIDDEN, Inertia, Items, Mass, Name, Station, sugge
 Rows = tuple[tuple[float, ...], ...]
 LEAST = 1e-12  # [kg], [kg·m²]
 INERTIAS = {"thx": "polar_inertia", "thy": "diametral_inertia", "thz": "diametral_inertia"}
-OneValue = Mapping[tuple[Freedom, Freedom], float]
+OneValue = Mapping[tuple[Dof, Dof], float]
 Carried = Annotated[
     tuple[Name, ...],
     Items(),
@@ -33,8 +33,8 @@ HousingName = Annotated[Name, "of the housing, and of no support, bearing or rot
 class RigidHousing(Description):
     """A rigid body on springs between ground and the supports and bearings that it carries.
 
-    A pedestal, or one housing for several. It moves in the freedoms that its stiffness names and in
-    no other; matrices are by pairs of freedoms as in ``LinearSupport``. [kg], [kg·m²].
+    A pedestal, or one housing for several. It moves in the DOF that its stiffness names and in
+    no other; matrices are by pairs of DOF as in ``LinearSupport``. [kg], [kg·m²].
     """
 
     name: HousingName
@@ -42,7 +42,7 @@ class RigidHousing(Description):
     x: Annotated[Station, "station of its centre of gravity, where stiffness and damping act"]
     mass: Annotated[Mass, "of the body"]
     stiffness: Annotated[
-        OneValue, STIFFNESS, "of the body against ground, 6×6; it moves in the freedoms named here"
+        OneValue, STIFFNESS, "of the body against ground, 6×6; it moves in the DOF named here"
     ]
     damping: Annotated[OneValue, DAMPING, "of the body against ground, 6×6"] = field(
         default_factory=dict
@@ -53,38 +53,38 @@ class RigidHousing(Description):
     def _faults(self) -> Faults:
         yield from _carried_twice(self.carries)
         if not self.stiffness:
-            yield ("stiffness",), "a housing needs the stiffness of at least one freedom"
-        for freedom in self.freedoms:
-            key = INERTIAS.get(freedom, "mass")
-            own = getattr(self, key)
-            if own < LEAST:
+            yield ("stiffness",), "a housing needs the stiffness of at least one DOF"
+        for dof in self.dofs:
+            key = INERTIAS.get(dof, "mass")
+            value = getattr(self, key)
+            if value < LEAST:
                 yield (
                     (key,),
-                    f"a housing that moves in {freedom} needs {key}: given {own:g}; allowed: at "
+                    f"a housing that moves in {dof} needs {key}: given {value:g}; allowed: at "
                     f"least {LEAST:g}",
                 )
-        for pair in self.damping if self.freedoms else ():
-            if not set(pair) <= set(self.freedoms):
+        for pair in self.damping if self.dofs else ():
+            if not set(pair) <= set(self.dofs):
                 yield (
                     ("damping",),
                     f"damping {entry_name(*pair)} where the housing does not move; allowed: "
-                    f"entries of {', '.join(self.freedoms)}, those of its stiffness",
+                    f"entries of {', '.join(self.dofs)}, those of its stiffness",
                 )
 
     @property
-    def freedoms(self) -> tuple[str, ...]:
+    def dofs(self) -> tuple[str, ...]:
         """Those in which it moves, in the usual order."""
-        named = {freedom for pair, k in self.stiffness.items() if known(k) for freedom in pair}
-        return tuple(freedom for freedom in FREEDOMS if freedom in named)
+        named = {dof for pair, k in self.stiffness.items() if known(k) for dof in pair}
+        return tuple(dof for dof in DOFS if dof in named)
 
     @property
     def directions(self) -> frozenset[str]:
         """In which what it carries is moved: a tilt moves stations beside ``x`` across as well."""
-        own = set(self.freedoms)
-        return frozenset(own | {"z"} & self._levered("thy") | {"y"} & self._levered("thz"))
+        directions = set(self.dofs)
+        return frozenset(directions | {"z"} & self._levered("thy") | {"y"} & self._levered("thz"))
 
     def _levered(self, tilt: str) -> set[str]:
-        return {"y", "z"} if tilt in self.freedoms else set()
+        return {"y", "z"} if tilt in self.dofs else set()
 
 
 @dataclass(frozen=True, slots=True)
@@ -122,11 +122,11 @@ class ReducedHousing(Description):
         """Places are directions under what is carried, each once, and none of that is left out."""
         for place in self.places:
             name, _, direction = place.rpartition(".")
-            if direction not in FREEDOMS or name not in self.carries:
+            if direction not in DOFS or name not in self.carries:
                 allowed = ", ".join(self.carries)
                 yield (
                     f"unknown place '{place}'; allowed: NAME.DIRECTION with the names {allowed} "
-                    f"and the directions {', '.join(FREEDOMS)}{suggestion(name, self.carries)}"
+                    f"and the directions {', '.join(DOFS)}{suggestion(name, self.carries)}"
                 )
         for index, _ in repeated(self.places):
             yield f"place '{self.places[index]}' is given twice"

@@ -55,9 +55,9 @@ class Disc(Description):
     material: Annotated[Material, Key(), "name, path or mapping"]
 
     def _faults(self) -> Faults:
-        found = [*no_wall(self.inner_diameter, self.outer_diameter)]
-        yield from found
-        mass = 0.0 if found else self._mass
+        faults = [*no_wall(self.inner_diameter, self.outer_diameter)]
+        yield from faults
+        mass = 0.0 if faults else self._mass
         if mass == mass and not MASS.holds(mass):
             yield (), f"the mass of the disc: {MASS.refusal(mass)}"
 

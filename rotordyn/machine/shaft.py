@@ -57,8 +57,8 @@ class Section(Description):
     ] = None
 
     def _faults(self) -> Faults:
-        found = [*no_wall(self.inner_diameter, self.outer_diameter)]
-        yield from found or _taper_faults(self.outer, self.inner)
+        faults = [*no_wall(self.inner_diameter, self.outer_diameter)]
+        yield from faults or _taper_faults(self.outer, self.inner)
 
     @property
     def density(self) -> float:

@@ -85,10 +85,10 @@ class Spindle(Description):
     @property
     def places(self) -> dict[str, Place]:
         """All named points; those of a further rotor as ``rotor.point``."""
-        found = {name: Place(SPINDLE, x) for name, x in self.points.items()}
+        named = {name: Place(SPINDLE, x) for name, x in self.points.items()}
         for rotor in self.rotors:
-            found |= {f"{rotor.name}.{n}": Place(rotor.name, x) for n, x in rotor.points.items()}
-        return found
+            named |= {f"{rotor.name}.{n}": Place(rotor.name, x) for n, x in rotor.points.items()}
+        return named
 
     def place(self, at: str | float | Place) -> Place:
         """Where a point's name, a station [m] on the spindle's shaft or a place is."""
@@ -130,8 +130,8 @@ class Spindle(Description):
         """The spindle's shaft by itself, with the supports that join it to ground."""
         if not self.rotors:
             return self
-        own = tuple(s for s in self.supports if set(s.ends) == {SPINDLE, GROUND})
-        return replace(self, supports=own, housings=(), rotors=())
+        held = tuple(s for s in self.supports if set(s.ends) == {SPINDLE, GROUND})
+        return replace(self, supports=held, housings=(), rotors=())
 
     @property
     def connections(self) -> tuple[BearingSeat | LinearSupport | SqueezeFilmDamper, ...]:

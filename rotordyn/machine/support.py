@@ -36,11 +36,11 @@ from rotordyn.quantity import (
 )
 from rotordyn.units import format_quantity
 
-FREEDOMS = ("x", "y", "z", "thx", "thy", "thz")
+DOFS = ("x", "y", "z", "thx", "thy", "thz")
 SPINDLE, GROUND = "spindle", "ground"  # ends of a support that are no further rotor
-Freedom = Annotated[str, Choice(FREEDOMS)]
+Dof = Annotated[str, Choice(DOFS)]
 
-# The motions that a straight rotor keeps apart, by the freedoms of its nodes.
+# The motions that a straight rotor keeps apart, by the DOF of its nodes.
 MOTIONS = {
     "x": "axial",
     "y": "bending",
@@ -50,11 +50,11 @@ MOTIONS = {
     "thz": "bending",
 }
 Value = float | tuple[float, ...]
-Entries = Mapping[tuple[Freedom, Freedom], Value]
+Entries = Mapping[tuple[Dof, Dof], Value]
 TILTS = frozenset({"thy", "thz"})
 THRUST = Words((("+x", 1), ("-x", -1)), silent=0)
 BEYOND = ("refuse", "hold")  # what becomes of a speed that a table does not reach
-TABLED = ("y", "z", "thy", "thz")  # freedoms whose entries may follow the speed
+TABLED = ("y", "z", "thy", "thz")  # DOF whose entries may follow the speed
 RPM = math.pi / 30.0
 SYMMETRIC = 1e-9  # of an entry: less than that is rounding
 MOST = {"stiffness": 1e20, "damping": 1e13}  # [SI] of any entry: beyond, rounding rules
@@ -67,14 +67,14 @@ _UNITS = {"stiffness": ("N/m", "N/rad", "N m/rad"), "damping": ("N s/m", "N s/ra
 class Matrix:
     """Marks entries of a 6×6 ``"stiffness"`` or ``"damping"`` matrix by pair (load, displacement).
 
-    Files write them by name (``yy``, ``y_thz``), or whole, with the freedoms of rows and columns.
+    Files write them by name (``yy``, ``y_thz``), or whole, with the DOF of rows and columns.
     """
 
     kind: str
 
     def quantity(self, row: str, column: str) -> Quantity:
-        """What an entry takes, by how many of its two freedoms are rotations."""
-        return _entry(self.kind, sum(len(freedom) > 1 for freedom in (row, column)))
+        """What an entry takes, by how many of its two DOF are rotations."""
+        return _entry(self.kind, sum(len(dof) > 1 for dof in (row, column)))
 
     def refusal(self, entries: Entries) -> str:
         """Why an entry is not taken; empty where all are."""
@@ -244,9 +244,9 @@ class Sleeve(Description):
 class LinearSupport(Description):
     """A linear support to ground or to another rotor, by its matrices; nothing is made symmetric.
 
-    Matrices [N/m, N/rad …] are of the fixed frame, whatever turns, by pairs of freedoms (load,
+    Matrices [N/m, N/rad …] are of the fixed frame, whatever turns, by pairs of DOF (load,
     displacement) such as ``("y", "thz")``; entries not named are zero. An entry among y, z, thy and
-    thz may be a list, one value at each of ``speeds``, straight lines in between. Freedoms in
+    thz may be a list, one value at each of ``speeds``, straight lines in between. DOF in
     ``rigid`` do not move at all and have no stiffness.
     """
 
@@ -258,7 +258,7 @@ class LinearSupport(Description):
     damping: Annotated[Entries, DAMPING, "between its two ends, 6×6, in the fixed frame"] = field(
         default_factory=dict
     )
-    rigid: Annotated[tuple[Freedom, ...], "freedoms that do not move, instead of a stiffness"] = ()
+    rigid: Annotated[tuple[Dof, ...], "DOF that do not move, instead of a stiffness"] = ()
     speeds: Annotated[tuple[Speed, ...], "of the values in lists, ascending"] = ()
     holds: Annotated[Name, "the rotor at one end; `spindle` is its shaft"] = SPINDLE
     against: Annotated[
@@ -279,22 +279,21 @@ class LinearSupport(Description):
     def _faults(self) -> Faults:
         if not (self.stiffness or self.damping or self.rigid):
             yield ("stiffness",), "missing key: it must be given, or rigid"
-        found = [*self._table_faults()]
-        yield from found
-        if not found and self.loss_factor != 0.0:
+        faults = [*self._table_faults()]
+        yield from faults
+        if not faults and self.loss_factor != 0.0:
             yield from ((("loss_factor",), why) for why in _no_spring(self.stiffness))
         if self.beyond == "hold" and not self.speeds:
             yield ("beyond",), "hold is of a table over speed, and there is none"
         yield from ascending("speeds", self.speeds)
         for index, sentence in repeated(self.rigid):
             yield ("rigid", index), sentence
-        named = {freedom for pair in (*self.stiffness, *self.damping) for freedom in pair}
-        for freedom in dict.fromkeys(self.rigid):
-            if freedom in named:
+        named = {dof for pair in (*self.stiffness, *self.damping) for dof in pair}
+        for dof in dict.fromkeys(self.rigid):
+            if dof in named:
                 yield (
                     ("rigid",),
-                    f"{freedom} is held rigidly and has entries of stiffness or damping: one of "
-                    "both",
+                    f"{dof} is held rigidly and has entries of stiffness or damping: one of both",
                 )
 
     def _table_faults(self) -> Faults:
@@ -366,12 +365,12 @@ class LinearSupport(Description):
     def held_at(self, speeds: Iterable[float]) -> Iterator[str]:
         """A sentence about those of ``speeds`` [rad/s] at which an end of its table is held."""
         beside = self._beside(speeds) if self.beyond == "hold" else []
-        for end, own in (
+        for end, end_speeds in (
             (self.speeds[:1], [speed for speed in beside if speed < self.speeds[0]]),
             (self.speeds[-1:], [speed for speed in beside if speed > self.speeds[-1]]),
         ):
-            if own:
-                low, high = (f"{each / RPM:.6g} rpm" for each in (min(own), max(own)))
+            if end_speeds:
+                low, high = (f"{each / RPM:.6g} rpm" for each in (min(end_speeds), max(end_speeds)))
                 at = low if low == high else f"{low} to {high}"
                 yield (
                     f"support '{self.name}' is held beyond its table as at {end[0] / RPM:.6g} rpm, "
@@ -413,9 +412,9 @@ def _no_spring(stiffness: Entries) -> Iterator[str]:
         return
     rows = max(len(value) if isinstance(value, tuple) else 1 for value in stiffness.values())
     for k in range(rows):
-        own = {p: v[k] if isinstance(v, tuple) else v for p, v in stiffness.items()}
-        for (row, column), value in own.items():
-            other = own.get((column, row), 0.0)
+        entries = {p: v[k] if isinstance(v, tuple) else v for p, v in stiffness.items()}
+        for (row, column), value in entries.items():
+            other = entries.get((column, row), 0.0)
             if abs(value - other) > SYMMETRIC * max(abs(value), abs(other)):
                 yield (
                     "loss_factor is of a spring, and its stiffness is not symmetric: given "
@@ -423,13 +422,13 @@ def _no_spring(stiffness: Entries) -> Iterator[str]:
                     f"{other:.6g}"
                 )
                 return
-        if not _resists(own):
+        if not _resists(entries):
             yield "loss_factor is of a spring, and there is a motion that its stiffness drives"
             return
 
 
 def _resists(entries: Mapping[tuple[str, str], float]) -> bool:
-    """No motion is driven by a symmetric matrix; by elimination, freedoms in their own measure."""
+    """No motion is driven by a symmetric matrix; by elimination, DOF in their own measure."""
     names = list(dict.fromkeys(row for row, _ in entries))
     size = {name: entries.get((name, name), 0.0) for name in names}
     if any(size[r] <= 0.0 or size[c] <= 0.0 for (r, c), v in entries.items() if v != 0.0):

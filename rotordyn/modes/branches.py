@@ -54,7 +54,7 @@ class Track:
 @dataclass(frozen=True, slots=True)
 class Branch:
     """One mode over the usable speeds: ``pole`` of Im > 0, whirl ``degree``, column in the modes of
-    the subsystem ``home`` (−1: lost).
+    the subsystem of this number (−1: lost).
 
     ``degree``: share of the kinetic energy in forward circular motion less that in backward.
     ``vector`` (speeds, n): its displacements in the coordinates of its subsystem. ``track``: at
@@ -62,7 +62,7 @@ class Branch:
     """
 
     kind: str
-    home: int
+    subsystem: int
     pole: Complex
     degree: Array
     column: NDArray[np.intp]
@@ -97,25 +97,25 @@ def branches_of(scene: Scene, band: Band, motions: Sequence[str] = MOTIONS) -> l
     return [b for b in branches if np.nanmin(np.abs(b.track.pole.imag)) <= band.highest]
 
 
-def _followed(scene: Scene, band: Band, home: int) -> list[Branch]:
+def _followed(scene: Scene, band: Band, subsystem: int) -> list[Branch]:
     """Branches of a subsystem. Where it is not clear between two speeds who is who, the machine is
     solved at further ones."""
-    sweep = _Sweep.of(scene, home, band)
-    breakpoints = breakpoints_between(scene) if "bending" in scene.name_of(home) else ()
+    sweep = _Sweep.of(scene, subsystem, band)
+    breakpoints = breakpoints_between(scene) if "bending" in scene.name_of(subsystem) else ()
     if len(breakpoints):
-        sweep = sweep.refined(scene, home, band, list(breakpoints))
+        sweep = sweep.refined(scene, subsystem, band, list(breakpoints))
     sides = (-1.0, 1.0) if sweep.steps[0].whirl.any() else (0.0,)
     for _ in range(0 if sweep.constant else ROUNDS):
         wanted = [x for side in sides for x in sweep.doubts(band, side)]
         if not wanted or len(sweep.steps) > MOST_STEPS:
             break
-        finer = sweep.refined(scene, home, band, wanted)
+        finer = sweep.refined(scene, subsystem, band, wanted)
         if len(finer.steps) == len(sweep.steps):
             break
         sweep = finer
     expected = [] if sweep.constant else _ahead(sweep.steps, MARGIN * band.highest)
-    own = scene.system(home).linear
-    return [b for side in sides for b in sweep.branches(own, home, side, expected)]
+    linear = scene.system(subsystem).linear
+    return [b for side in sides for b in sweep.branches(linear, subsystem, side, expected)]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -169,34 +169,34 @@ class _Sweep:
     constant: bool
 
     @classmethod
-    def of(cls, scene: Scene, home: int, band: Band, *, given: bool = True) -> _Sweep:
+    def of(cls, scene: Scene, subsystem: int, band: Band, *, given: bool = True) -> _Sweep:
         """At the usable speeds of a scene."""
-        found = scene.system(home)
-        own, followed = found.linear, found_in(found, MARGIN * band.highest)
+        motions = scene.system(subsystem)
+        linear, followed = motions.linear, found_in(motions, MARGIN * band.highest)
         return cls(
             tuple(
                 _Step(
                     float(speed),
-                    found.pole[row],
-                    found.vector[row],
-                    found.left[row],
+                    motions.pole[row],
+                    motions.vector[row],
+                    motions.left[row],
                     followed[row],
-                    found.whirl[row],
-                    own.stiffness[row],
-                    own.damping[row],
+                    motions.whirl[row],
+                    linear.stiffness[row],
+                    linear.damping[row],
                     given,
                 )
                 for row, speed in enumerate(scene.speed[scene.usable])
             ),
-            found.solved_once,
+            motions.solved_once,
         )
 
-    def refined(self, scene: Scene, home: int, band: Band, speed: list[float]) -> _Sweep:
+    def refined(self, scene: Scene, subsystem: int, band: Band, speed: list[float]) -> _Sweep:
         """With more speeds, where they have a solution."""
         other = scene.at(np.setdiff1d(speed, [step.speed for step in self.steps]))
         if not len(other.speed) or all(other.outcome):
             return self
-        more = _Sweep.of(other, home, band, given=False)
+        more = _Sweep.of(other, subsystem, band, given=False)
         steps = sorted((*self.steps, *more.steps), key=lambda step: step.speed)
         return _Sweep(tuple(steps), constant=False)
 
@@ -208,7 +208,7 @@ class _Sweep:
         return doubts(speed, *self._followable(columns), WITHIN * band.highest, narrowest)
 
     def branches(
-        self, own: Linear, home: int, side: float, expected: list[Complex]
+        self, linear: Linear, subsystem: int, side: float, expected: list[Complex]
     ) -> list[Branch]:
         """Those that whirl to ``side``, at the speeds of the case; poles ``expected`` at the next
         step."""
@@ -221,19 +221,19 @@ class _Sweep:
             path = follow(*self._followable(columns), ahead)
         given = [k for k, step in enumerate(self.steps) if step.given]
         return [
-            self._branch(own, home, side, given, columns, path[:, k])
+            self._branch(linear, subsystem, side, given, columns, path[:, k])
             for k in np.flatnonzero((path[given] >= 0).any(axis=0))
         ]
 
     def _followable(self, columns: list[NDArray[np.intp]]) -> tuple[list[Complex], list[Array]]:
         """Vectors and frequencies of some columns of every step."""
         both = list(zip(self.steps, columns, strict=True))
-        return [s.vector[:, own] for s, own in both], [s.pole.imag[own] for s, own in both]
+        return [s.vector[:, known] for s, known in both], [s.pole.imag[known] for s, known in both]
 
     def _branch(
         self,
-        own: Linear,
-        home: int,
+        linear: Linear,
+        subsystem: int,
         side: float,
         given: list[int],
         columns: list[NDArray[np.intp]],
@@ -246,19 +246,21 @@ class _Sweep:
         vector = np.array([step.vector[:, c] for step, c in both])
         pole[column < 0] = complex(np.nan, np.nan)
         track = Track(np.array([step.speed for step in self.steps]), pole, vector)
-        kind = _kind(own, vector[column >= 0])
-        seen = column[given]
-        degree = np.where(seen < 0, np.nan, 0.0)
+        kind = _kind(linear, vector[column >= 0])
+        columns_given = column[given]
+        degree = np.where(columns_given < 0, np.nan, 0.0)
         if kind == "bending":
-            degree = np.where(seen < 0, np.nan, whirl_degree(own, vector[given]))
-        return Branch(kind, home, pole[given], degree, seen, vector[given], track, side)
+            degree = np.where(columns_given < 0, np.nan, whirl_degree(linear, vector[given]))
+        return Branch(
+            kind, subsystem, pole[given], degree, columns_given, vector[given], track, side
+        )
 
 
-def _kind(own: Linear, vector: Complex) -> str:
+def _kind(linear: Linear, vector: Complex) -> str:
     """The motion with the largest share of the kinetic energy."""
     squares = np.abs(vector) ** 2
     squares = squares / squares.sum(axis=1, keepdims=True)
-    energy = {m: float(squares[:, own.energy_of(m)].sum()) for m in sorted(own.motions)}
+    energy = {m: float(squares[:, linear.energy_of(m)].sum()) for m in sorted(linear.motions)}
     return max(energy, key=lambda motion: energy[motion])
 
 
@@ -270,9 +272,9 @@ def breakpoints_between(scene: Scene) -> Array:
     return inside[:: 1 + len(inside) // MOST_BREAKPOINTS]
 
 
-def whirl_degree(own: Linear, vector: Complex) -> Array:
+def whirl_degree(linear: Linear, vector: Complex) -> Array:
     """Forward less backward share (s,) of motions (s, n) of a subsystem in both planes."""
-    y, z = own.planes
+    y, z = linear.planes
     return circular_share(vector[:, y], vector[:, z])
 
 
@@ -282,7 +284,7 @@ def circular_share(y: Complex, z: Complex) -> Array:
     return np.asarray((forward - backward).sum(axis=1) / (forward + backward).sum(axis=1))
 
 
-def found_in(found: FreeMotions, ceiling: float) -> Flags:
+def found_in(motions: FreeMotions, ceiling: float) -> Flags:
     """Motions (s, k) that swing below ``ceiling`` [rad/s] and are held."""
     with np.errstate(invalid="ignore"):
-        return np.asarray(swings(found.pole) & (found.pole.imag < ceiling) & ~found.at_rest)
+        return np.asarray(swings(motions.pole) & (motions.pole.imag < ceiling) & ~motions.at_rest)

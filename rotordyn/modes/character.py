@@ -15,10 +15,10 @@ MOSTLY = 0.5  # of the kinetic energy
 FELT = 1e-3  # of the largest deflection squared: where less moves, no direction is seen
 
 
-def rigid_share(own: Linear, branch: Branch) -> Array:
+def rigid_share(linear: Linear, branch: Branch) -> Array:
     """Share of the kinetic energy of a mode (speeds,) in motions of rigid rotors, NaN if lost."""
     squares = np.abs(branch.vector) ** 2
-    share = squares[:, own.rigid].sum(axis=1) / squares.sum(axis=1)
+    share = squares[:, linear.rigid].sum(axis=1) / squares.sum(axis=1)
     return np.where(branch.column < 0, np.nan, share)
 
 
@@ -27,15 +27,15 @@ def character(branch: Branch, share: Array) -> str:
     return f"rigid-body {branch.kind}" if np.nanmean(share) > MOSTLY else branch.kind
 
 
-def whirl_along(own: Linear, vector: Complex, degree: float) -> str:
+def whirl_along(linear: Linear, vector: Complex, degree: float) -> str:
     """``"forward"``, ``"backward"``, ``"planar"`` or ``"mixed"`` for a bending mode ``vector``
     (n,): mixed where some nodes go round one way and others the other."""
     if abs(degree) < PLANAR:
         return "planar"
     forward = "forward" if degree > 0.0 else "backward"
-    if own.isotropic:
+    if linear.isotropic:
         return forward
-    y, z = (own.motion[:, position(name)] @ vector for name in ("y", "z"))
+    y, z = (linear.motion[:, position(name)] @ vector for name in ("y", "z"))
     size = np.abs(y) ** 2 + np.abs(z) ** 2
     felt = size > FELT * size.max()
     turn = circular_share(y[felt, None], z[felt, None])

@@ -70,23 +70,23 @@ def critical_speeds(
         for start in (*_crossed(branches, line), *_direct(scene, branches, line))
         if line.size * start.speed <= MARGIN * band.highest
     ]
-    found: list[tuple[Start, float, State]] = []
+    crossings: list[tuple[Start, float, State]] = []
     for start, speed, state in solved(scene, branches, starts):
         swings = -state.pole.real <= OVERDAMPED * abs(state.pole)  # or else nothing resonates
         within = abs(state.pole.imag) <= (1.0 + ROUNDING) * band.highest
-        known = any(_same(start, speed, state, other) for other in found)
+        known = any(_same(start, speed, state, other) for other in crossings)
         if swings and within and not known:
-            found.append((start, speed, state))
+            crossings.append((start, speed, state))
     criticals = []
-    for start, speed, state in found:
+    for start, speed, state in crossings:
         kind = branches[start.branch].kind
-        home = branches[start.branch].home
-        place = _owner(branches, home, speed, state)
+        subsystem = branches[start.branch].subsystem
+        place = _owner(branches, subsystem, speed, state)
         if place is not None and branches[place].overdamped:
             continue
         name = f"{kind}, not followed" if place is None else names[place]
         kind = kind if place is None else branches[place].kind
-        criticals.append(_named(scene, home, kind, name, start.line, speed, state))
+        criticals.append(_named(scene, subsystem, kind, name, start.line, speed, state))
     return sorted(criticals, key=lambda c: (lines.index(c.line), c.speed))
 
 
@@ -110,29 +110,33 @@ def _crossed(branches: Sequence[Branch], line: Line) -> list[Start]:
 def _direct(scene: Scene, branches: Sequence[Branch], line: Line) -> list[Start]:
     """All synchronous motions of bending between the speeds of the case, where the matrices follow
     straight lines of speed from breakpoint to breakpoint."""
-    homes = {branch.home for branch in branches if branch.kind == "bending"}
-    return [start for home in homes for start in _of_system(scene, branches, home, line)]
+    subsystems = {branch.subsystem for branch in branches if branch.kind == "bending"}
+    return [
+        start for subsystem in subsystems for start in _of_system(scene, branches, subsystem, line)
+    ]
 
 
-def _of_system(scene: Scene, branches: Sequence[Branch], home: int, line: Line) -> list[Start]:
+def _of_system(scene: Scene, branches: Sequence[Branch], subsystem: int, line: Line) -> list[Start]:
     """Those of one subsystem."""
-    own = scene.system(home).linear
-    if own.motions != {"bending"} or not _piecewise(scene):
+    linear = scene.system(subsystem).linear
+    if linear.motions != {"bending"} or not _piecewise(scene):
         return []
-    place = next(k for k, b in enumerate(branches) if (b.kind, b.home) == ("bending", home))
+    place = next(
+        k for k, b in enumerate(branches) if (b.kind, b.subsystem) == ("bending", subsystem)
+    )
     speed = scene.speed[scene.usable]
     ends = np.unique(np.concatenate([speed[[0, -1]], breakpoints_between(scene)]))
-    stiffness = own.within(_symmetric(scene.at(ends).linear(home).stiffness))
-    gyroscopic = own.within(own.gyroscopic)
+    stiffness = linear.within(_symmetric(scene.at(ends).linear(subsystem).stiffness))
+    gyroscopic = linear.within(linear.gyroscopic)
     starts = []
     for (low, high), (slow, fast) in zip(pairwise(ends), pairwise(stiffness), strict=True):
         if high - low < max(NARROW * (ends[-1] - ends[0]), APART):
             continue  # two crossings of one mode hardly fit; of one the lines tell
         slope = (fast - slow) / (high - low)
         still = slow - low * slope
-        for side, of_side in _SIDES.items() if own.isotropic else [(0.0, _of_both)]:
+        for side, of_side in _SIDES.items() if linear.isotropic else [(0.0, _of_both)]:
             spins, vectors = of_side(still, gyroscopic, slope, line.size)
-            for spin, vector in zip(spins, (own.basis @ vectors).T, strict=True):
+            for spin, vector in zip(spins, (linear.basis @ vectors).T, strict=True):
                 if low <= spin <= high:
                     at = float(speed[0]), float(speed[-1])
                     starts.append(Start(place, line, float(spin), *at, vector, side))
@@ -177,25 +181,25 @@ def _piecewise(scene: Scene) -> bool:
     )
 
 
-def _owner(branches: Sequence[Branch], home: int, speed: float, state: State) -> int | None:
+def _owner(branches: Sequence[Branch], subsystem: int, speed: float, state: State) -> int | None:
     """The followed mode that a root is part of: like it, and of its frequency, at the speeds known
     around; the likest and nearest of several."""
     best, owner = -math.inf, None
     turned = abs(state.pole.imag)
     for place, branch in enumerate(branches):
-        if branch.home != home:
+        if branch.subsystem != subsystem:
             continue
         track = branch.track
         row = int(np.clip(np.searchsorted(track.speed, speed), 1, max(len(track.speed) - 1, 1)))
         ends = [k for k in (row - 1, row) if k < len(track.speed) and not track.lost[k]]
         if not ends:
             continue
-        own = np.abs(track.pole[ends].imag)
-        outside = max(own.min() - turned, turned - own.max(), 0.0) / turned
-        alike = float(mac(track.vector[ends].T, state.vector[:, None]).max())
-        apart = abs(float(np.interp(speed, track.speed[ends], own)) - turned) / turned
-        if outside <= FITS and alike >= ALIKE and alike - apart > best:
-            best, owner = alike - apart, place
+        frequency = np.abs(track.pole[ends].imag)
+        outside = max(frequency.min() - turned, turned - frequency.max(), 0.0) / turned
+        assurance = float(mac(track.vector[ends].T, state.vector[:, None]).max())
+        apart = abs(float(np.interp(speed, track.speed[ends], frequency)) - turned) / turned
+        if outside <= FITS and assurance >= ALIKE and assurance - apart > best:
+            best, owner = assurance - apart, place
     return owner
 
 
@@ -211,16 +215,16 @@ def _same(start: Start, speed: float, state: State, other: tuple[Start, float, S
 
 
 def _named(
-    scene: Scene, home: int, kind: str, name: str, line: Line, speed: float, state: State
+    scene: Scene, subsystem: int, kind: str, name: str, line: Line, speed: float, state: State
 ) -> Critical:
     """What a root is called and whether something that turns with the shaft excites it."""
     whirl, excited = "", line.order != OF_UNBALANCE
     if kind == "bending":
-        own = scene.system(home).linear
-        vector = np.where(own.energy_of("bending"), state.vector, 0.0)
-        degree = float(whirl_degree(own, vector[None])[0])
-        whirl = whirl_along(own, vector, degree)
+        linear = scene.system(subsystem).linear
+        vector = np.where(linear.energy_of("bending"), state.vector, 0.0)
+        degree = float(whirl_degree(linear, vector[None])[0])
+        whirl = whirl_along(linear, vector, degree)
         against = "backward" if line.multiple > 0.0 else "forward"
-        excited = excited or not (own.isotropic and whirl == against)
+        excited = excited or not (linear.isotropic and whirl == against)
     ratio = 0.0 - state.pole.real / abs(state.pole)
     return Critical(name, speed, line, kind, whirl, float(ratio), excited)

@@ -19,7 +19,7 @@ from rotordyn.modes.branches import Branch, swings
 from rotordyn.modes.overdamped import OVERDAMPED
 from rotordyn.results.display import RPM
 from rotordyn.results.kinds import Array, Complex
-from rotordyn.scene.refinement import RESPONSES, few_rows, settled
+from rotordyn.scene.refinement import RESPONSES, few_rows, solve_accurately
 from rotordyn.scene.scene import Scene
 
 Modes = tuple[list[Branch], tuple[str, ...]]
@@ -30,13 +30,13 @@ CHANCE = 3.0  # changes by rounding that are that much larger than expected are 
 
 class ModeErrors(NamedTuple):
     """Change by the finer model (usable, modes): ``frequency``, relative, and ``damping`` of the
-    ratio; ``rounding`` (usable, modes): of both by rounding; ``unsettled``: modes that it has more
+    ratio; ``rounding`` (usable, modes): of both by rounding; ``unconverged``: modes it has more
     or fewer of, or errors above the accuracy, as a sentence, or ""."""
 
     frequency: Array
     damping: Array
     rounding: Array
-    unsettled: str
+    unconverged: str
 
 
 def mode_errors(
@@ -45,50 +45,50 @@ def mode_errors(
     """Modes of a model that is fine enough, and how far they are off."""
 
     def solve(one: Scene) -> tuple[Modes, ModeErrors]:
-        found = modes(one)
+        computed = modes(one)
         if one.rigid:
-            none = np.zeros((len(one.usable), len(found[0])))
-            return found, ModeErrors(none, none, none, "")
-        return found, _compared(one, band, found[0])
+            none = np.zeros((len(one.usable), len(computed[0])))
+            return computed, ModeErrors(none, none, none, "")
+        return computed, _compared(one, band, computed[0])
 
-    def worst(found: tuple[Modes, ModeErrors]) -> float:
-        (branches, _), errors = found
-        if errors.unsettled:
+    def worst(computed: tuple[Modes, ModeErrors]) -> float:
+        (branches, _), errors = computed
+        if errors.unconverged:
             return math.inf
         damping = errors.damping / RESPONSES
         return max(_largest(each, branches, band) for each in (errors.frequency, damping))
 
-    scene, (found, errors) = settled(scene, solve, lambda each: RESPONSES * worst(each))
+    scene, (computed, errors) = solve_accurately(scene, solve, lambda each: RESPONSES * worst(each))
     given = scene.conditions.element_length is not None
-    unsettled = "" if given else _unsettled(scene, band, found[0], errors)
+    unconverged = "" if given else _unconverged(scene, band, computed[0], errors)
     frequency, damping = (
         np.maximum(each + errors.rounding, ROUNDING) if not scene.rigid else each
         for each in (errors.frequency, errors.damping)
     )
-    return scene, found, ModeErrors(frequency, damping, errors.rounding, unsettled)
+    return scene, computed, ModeErrors(frequency, damping, errors.rounding, unconverged)
 
 
-def _unsettled(scene: Scene, band: Band, branches: list[Branch], errors: ModeErrors) -> str:
+def _unconverged(scene: Scene, band: Band, branches: list[Branch], errors: ModeErrors) -> str:
     """What of the accuracy asked for is not reached, as a sentence, or ""."""
-    asked = scene.conditions.accuracy
+    accuracy = scene.conditions.accuracy
     damping = errors.damping / RESPONSES
     most = max(_largest(each, branches, band) for each in (errors.frequency, damping))
     rounded = _largest(errors.rounding, branches, band)
-    found = [errors.unsettled] if errors.unsettled else []
-    if not found and most > asked and most > CHANCE * rounded:
-        found.append(f"frequencies change by up to {most:.0e} as the model is refined")
-    if rounded > asked:
-        found.append(
+    reasons = [errors.unconverged] if errors.unconverged else []
+    if not reasons and most > accuracy and most > CHANCE * rounded:
+        reasons.append(f"frequencies change by up to {most:.0e} as the model is refined")
+    if rounded > accuracy:
+        reasons.append(
             f"rounding moves frequencies by up to {rounded:.0e}, beside supports that are far "
             "stiffer than the shaft: hold them rigid"
         )
     slow = _largest(errors.frequency, branches, band, overdamped=True)
-    if slow > asked:
+    if slow > accuracy:
         much = f"up to {slow:.0e}" if slow < SAME else f"more than {SAME:.0e}"
-        found.append(
+        reasons.append(
             f"poles of overdamped modes change by {much} of their size as the model is refined"
         )
-    return "; ".join(found)
+    return "; ".join(reasons)
 
 
 def _largest(
@@ -98,7 +98,8 @@ def _largest(
     hardly do."""
     judged = [_judged(b, band, overdamped=overdamped) for b in branches]
     return max(
-        (float(np.nanmax(errors[own, k], initial=0.0)) for k, own in enumerate(judged)), default=0.0
+        (float(np.nanmax(errors[rows, k], initial=0.0)) for k, rows in enumerate(judged)),
+        default=0.0,
     )
 
 
@@ -118,25 +119,27 @@ def _compared(scene: Scene, band: Band, branches: list[Branch]) -> ModeErrors:
     """Poles of followed modes beside the nearest ones of the finer model."""
     rows, finer = few_rows(scene), scene.refined()
     errors = np.full((3, len(rows), len(branches)), np.nan)
-    unsettled, highest = "", (1.0 - SAME) * band.highest
-    for home in sorted({branch.home for branch in branches}):
-        found = finer.system_at(home, rows)
+    unconverged, highest = "", (1.0 - SAME) * band.highest
+    for subsystem in sorted({branch.subsystem for branch in branches}):
+        motions = finer.system_at(subsystem, rows)
         for (place, row), side in product(enumerate(rows), (-1.0, 0.0, 1.0)):
-            own = [k for k, b in enumerate(branches) if (b.home, b.side) == (home, side)]
-            own = [k for k in own if branches[k].column[row] >= 0]
-            pole = found.pole[place]
-            there = pole[swings(pole) & ~found.at_rest[place] & (found.whirl[place] == side)]
-            here = np.array([branches[k].pole[row] for k in own], dtype=complex)
+            chosen = [
+                k for k, b in enumerate(branches) if (b.subsystem, b.side) == (subsystem, side)
+            ]
+            chosen = [k for k in chosen if branches[k].column[row] >= 0]
+            pole = motions.pole[place]
+            there = pole[swings(pole) & ~motions.at_rest[place] & (motions.whirl[place] == side)]
+            here = np.array([branches[k].pole[row] for k in chosen], dtype=complex)
             partner, extra = _paired(here, there)
             known = np.isfinite(partner)
-            errors[:2, place, own] = np.where(known, _change(here, partner), SAME)
-            column = [branches[k].column[row] for k in own]
-            errors[2, place, own] = scene.system(home).rounding[row, column]
+            errors[:2, place, chosen] = np.where(known, _change(here, partner), SAME)
+            column = [branches[k].column[row] for k in chosen]
+            errors[2, place, chosen] = scene.system(subsystem).rounding[row, column]
             for what, lost in (("vanish", here[~known]), ("appear", extra)):
                 if (
                     judged := lost[(lost.imag < highest) & (-lost.real <= OVERDAMPED * abs(lost))]
                 ).size:
-                    unsettled = _sentence(scene, row, what, judged)
+                    unconverged = _sentence(scene, row, what, judged)
     at = scene.speed[scene.usable]
     whole = np.full((3, len(at), len(branches)), np.nan)
     for k, branch in enumerate(branches):
@@ -148,7 +151,7 @@ def _compared(scene: Scene, band: Band, branches: list[Branch]) -> ModeErrors:
             )
         whole[:, branch.column < 0, k] = np.nan
     frequency, damping, rounding = whole
-    return ModeErrors(frequency, damping, rounding, unsettled)
+    return ModeErrors(frequency, damping, rounding, unconverged)
 
 
 def _change(here: Complex, there: Complex) -> Array:

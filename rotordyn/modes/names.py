@@ -1,4 +1,4 @@
-"""What followed modes are called, and the order in which they are told."""
+"""What followed modes are called, and the order in which they are listed."""
 
 from __future__ import annotations
 
@@ -10,9 +10,9 @@ from rotordyn.modes.branches import Branch
 
 
 def named(branches: Iterable[Branch]) -> tuple[list[Branch], tuple[str, ...]]:
-    """Branches as they are told, and their names: numbered from below, by kind."""
-    told = sorted(branches, key=_place)
-    return told, _names(told)
+    """Branches as they are listed, and their names: numbered from below, by kind."""
+    listed = sorted(branches, key=_place)
+    return listed, _names(listed)
 
 
 def _place(branch: Branch) -> tuple[str, bool, float, float]:

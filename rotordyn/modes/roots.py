@@ -117,49 +117,49 @@ def _states(
     place[other.usable] = np.arange(len(other.usable))
     ways: dict[tuple[int, float, float], list[int]] = {}
     for k in np.flatnonzero(place[row] >= 0).tolist():
-        way = branches[starts[k].branch].home, starts[k].line.size, starts[k].side
+        way = branches[starts[k].branch].subsystem, starts[k].line.size, starts[k].side
         ways.setdefault(way, []).append(k)
-    for way, own in ways.items():
-        rows, mine = place[row[own]], [starts[k] for k in own]
-        near = _corrected(other, way[0], rows, mine, at[own])
-        for k, at_row, state in zip(own, rows.tolist(), near, strict=True):
+    for way, chosen in ways.items():
+        rows, mine = place[row[chosen]], [starts[k] for k in chosen]
+        near = _corrected(other, way[0], rows, mine, at[chosen])
+        for k, at_row, state in zip(chosen, rows.tolist(), near, strict=True):
             states[k] = state or _nearest(_known(other, *way), at_row, starts[k], float(at[k]))
     return states
 
 
 def _corrected(
-    scene: Scene, home: int, rows: NDArray[np.intp], starts: list[Start], at: Array
+    scene: Scene, subsystem: int, rows: NDArray[np.intp], starts: list[Start], at: Array
 ) -> list[State | None]:
     """The mode of every start by itself; None where that is not clearly the one looked for."""
-    own, line = scene.linear(home), starts[0].line.size
+    linear, line = scene.linear(subsystem), starts[0].line.size
     signs = Signs(*map(int, signs_of(np.array([line]), np.ones(1), whirling=False)[0]))
-    stiffness = own.within(answering_stiffness(own, signs)[rows])
-    begun = np.asarray(np.array([s.vector for s in starts]) @ own.basis, dtype=complex)
-    damping = own.within(own.damping[rows])
+    stiffness = linear.within(answering_stiffness(linear, signs)[rows])
+    begun = np.asarray(np.array([s.vector for s in starts]) @ linear.basis, dtype=complex)
+    damping = linear.within(linear.damping[rows])
     turning = np.asarray(1j * line * at, dtype=complex)
     pole, vector, met = corrected(stiffness, damping, turning, begun)
     states: list[State | None] = [None] * len(starts)
     for k in np.flatnonzero(met & swings(pole) & (pole.imag > 0.0)).tolist():
-        moved = own.basis @ vector[k]
+        moved = linear.basis @ vector[k]
         if _fitness(starts[k], at[k], pole[k : k + 1], moved[:, None])[0] > CLEAR:
             states[k] = State(complex(pole[k]), moved, float(pole[k].imag - line * at[k]))
     return states
 
 
-def _known(scene: Scene, home: int, order: float, side: float) -> FreeMotions:
+def _known(scene: Scene, subsystem: int, order: float, side: float) -> FreeMotions:
     """Modes of a subsystem; with loss factors, of motions at ``order`` times the speed."""
-    found = scene.system(home)
-    if found.lossy is None:
-        return found
-    turning = side * order if found.whirling else order
-    signs = signs_of(np.array([turning]), np.ones(1), whirling=found.whirling)
-    return found.answering(Signs(*map(int, signs[0])))
+    motions = scene.system(subsystem)
+    if motions.lossy is None:
+        return motions
+    turning = side * order if motions.whirling else order
+    signs = signs_of(np.array([turning]), np.ones(1), whirling=motions.whirling)
+    return motions.answering(Signs(*map(int, signs[0])))
 
 
-def _nearest(found: FreeMotions, row: int, start: Start, speed: float) -> State | None:
+def _nearest(motions: FreeMotions, row: int, start: Start, speed: float) -> State | None:
     """The swinging mode of a subsystem that is most like the start and near to its line."""
-    pole, vector = found.pole[row], found.vector[row]
-    columns = np.flatnonzero(swings(pole) & (found.whirl[row] * start.side >= 0.0))
+    pole, vector = motions.pole[row], motions.vector[row]
+    columns = np.flatnonzero(swings(pole) & (motions.whirl[row] * start.side >= 0.0))
     if not columns.size:
         return None
     best = columns[int(_fitness(start, speed, pole[columns], vector[:, columns]).argmax())]

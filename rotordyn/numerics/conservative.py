@@ -57,8 +57,8 @@ def _root(stiffness: Matrix) -> Matrix | None:
         root = np.linalg.cholesky(stiffness)
     except np.linalg.LinAlgError:
         return None
-    pivots, own = (np.abs(np.diagonal(part, axis1=-2, axis2=-1)) for part in (root, stiffness))
-    return root if (pivots**2 > HELD * own).all() else None
+    pivots, size = (np.abs(np.diagonal(part, axis1=-2, axis2=-1)) for part in (root, stiffness))
+    return root if (pivots**2 > HELD * size).all() else None
 
 
 def _whirls(turning: Matrix, upper: Matrix) -> tuple[Array, Matrix]:
@@ -77,8 +77,8 @@ def _whirls(turning: Matrix, upper: Matrix) -> tuple[Array, Matrix]:
 
 def _largest(stiffness: Matrix) -> Array:
     """Of each coordinate its stiffness, the largest of the batch (n,)."""
-    own = np.abs(np.diagonal(stiffness, axis1=-2, axis2=-1))
-    return np.asarray(own.reshape(-1, own.shape[-1]).max(axis=0))
+    diagonal = np.abs(np.diagonal(stiffness, axis1=-2, axis2=-1))
+    return np.asarray(diagonal.reshape(-1, diagonal.shape[-1]).max(axis=0))
 
 
 def _hermitian(matrix: Matrix) -> bool:

@@ -32,13 +32,13 @@ def continued(before: Modes, after: Modes, rows: Iterable[int]) -> Places:
         return column
     expected = _expected(before, after)
     for row in rows:
-        poles, found = expected[row], after.pole[row]
-        apart = np.abs(poles[:, None] - found)
-        size = np.abs(poles)[:, None] + np.abs(found)
-        alike = mac(before.vector[row], after.vector[row])
-        cost = NEARNESS * apart / np.where(size > 0.0, size, 1.0) - alike
-        own, other = linear_sum_assignment(cost)
-        column[row, own] = other
+        poles, new = expected[row], after.pole[row]
+        apart = np.abs(poles[:, None] - new)
+        size = np.abs(poles)[:, None] + np.abs(new)
+        assurance = mac(before.vector[row], after.vector[row])
+        cost = NEARNESS * apart / np.where(size > 0.0, size, 1.0) - assurance
+        row_of, other = linear_sum_assignment(cost)
+        column[row, row_of] = other
     return column
 
 
@@ -51,15 +51,15 @@ def _expected(before: Modes, after: Modes) -> Complex:
     return np.where(known, before.pole - step, before.pole)
 
 
-def conjugate(found: Modes) -> Modes:
+def conjugate(modes: Modes) -> Modes:
     """Modes of the conjugate system."""
     return Modes(
-        found.stiffness.conj(),
-        found.damping.conj(),
-        found.pole.conj(),
-        found.vector.conj(),
-        found.participation.conj(),
-        found.condition,
+        modes.stiffness.conj(),
+        modes.damping.conj(),
+        modes.pole.conj(),
+        modes.vector.conj(),
+        modes.participation.conj(),
+        modes.condition,
     )
 
 
@@ -70,11 +70,11 @@ def collected(base: Modes, parts: Iterable[tuple[Modes, Places, Flags]]) -> Mode
     The systems stay those of the base.
     """
     pole, vector, left, condition = base.pole, base.vector, base.participation, base.condition
-    for found, column, taken in parts:
-        pole = np.where(taken, np.take_along_axis(found.pole, column, -1), pole)
-        seen = np.take_along_axis(found.vector, column[:, None, :], -1)
-        vector = np.where(taken[:, None, :], seen, vector)
-        seen = np.take_along_axis(found.participation, column[:, :, None], -2)
-        left = np.where(taken[:, :, None], seen, left)
-        condition = np.maximum(condition, np.where(taken.any(axis=-1), found.condition, 0.0))
+    for modes, column, taken in parts:
+        pole = np.where(taken, np.take_along_axis(modes.pole, column, -1), pole)
+        part = np.take_along_axis(modes.vector, column[:, None, :], -1)
+        vector = np.where(taken[:, None, :], part, vector)
+        part = np.take_along_axis(modes.participation, column[:, :, None], -2)
+        left = np.where(taken[:, :, None], part, left)
+        condition = np.maximum(condition, np.where(taken.any(axis=-1), modes.condition, 0.0))
     return Modes(base.stiffness, base.damping, pole, vector, left, condition)

@@ -40,16 +40,16 @@ def follow(
     rows = []
     for fresh, value, expected in zip(vectors, values, ahead or values, strict=True):
         column = _partners(last, at, fresh, value)
-        found = column >= 0
+        matched = column >= 0
         new = np.ones(fresh.shape[1], dtype=bool)
-        new[column[found]] = False
+        new[column[matched]] = False
         born = np.flatnonzero(new)
         rows.append(np.append(column, born))
-        if found.all():
+        if matched.all():
             last, at = fresh[:, rows[-1]], expected[rows[-1]]
             continue
         last, at = last.copy(), at.copy()
-        last[:, found], at[found] = fresh[:, column[found]], expected[column[found]]
+        last[:, matched], at[matched] = fresh[:, column[matched]], expected[column[matched]]
         last, at = np.concatenate([last, fresh[:, born]], axis=1), np.append(at, expected[born])
     path = np.full((len(rows), len(at)), -1, dtype=np.intp)
     for step, row in enumerate(rows):
@@ -87,18 +87,18 @@ def doubts(
 
 def _may_doubt(vectors: list[Complex], values: list[Array], within: float) -> NDArray[np.bool_]:
     """Pairs of steps (steps − 1,) that ``_doubt`` has to look at: in all others all is clear."""
-    most, steps = max(len(own) for own in values), len(values)
+    most, steps = max(len(frequency) for frequency in values), len(values)
     if not most:
         return np.zeros(steps - 1, dtype=bool)
     whole = np.zeros((steps, len(vectors[0]), most), dtype=complex)
     value = np.full((steps, most), np.nan)
-    for k, (vector, own) in enumerate(zip(vectors, values, strict=True)):
-        whole[k, :, : len(own)], value[k, : len(own)] = vector, own
+    for k, (vector, frequency) in enumerate(zip(vectors, values, strict=True)):
+        whole[k, :, : len(frequency)], value[k, : len(frequency)] = vector, frequency
     size = np.sqrt((whole.real**2 + whole.imag**2).sum(axis=1, keepdims=True))
     whole /= np.where(size > 0.0, size, 1.0)
-    alike = np.abs(np.swapaxes(whole[:-1].conj(), 1, 2) @ whole[1:]) ** 2
+    assurance = np.abs(np.swapaxes(whole[:-1].conj(), 1, 2) @ whole[1:]) ** 2
     repeated = np.abs(value[:, :, None] - value[:, None]) <= REPEATED * np.abs(value)[:, None]
-    shared = np.minimum(repeated[:-1] @ alike @ repeated[1:], 1.0)
+    shared = np.minimum(repeated[:-1] @ assurance @ repeated[1:], 1.0)
     doubt = ((shared.max(axis=2) < CLEAR) & (value[:-1] < within)).any(axis=1)
     doubt |= ((shared.max(axis=1) < CLEAR) & (value[1:] < within)).any(axis=1)
     after = np.take_along_axis(value[1:], shared.argmax(axis=2), axis=1)
@@ -130,21 +130,21 @@ def _veering(values: list[Array], unclear: list[NDArray[np.intp]]) -> float:
     if not (unclear[0].size and unclear[1].size):
         return 0.5
     gaps = []
-    for value, own in zip(values, unclear, strict=True):
-        apart = np.abs(value[own, None] - value)
-        apart[np.arange(len(own)), own] = np.inf
+    for value, unclear_at in zip(values, unclear, strict=True):
+        apart = np.abs(value[unclear_at, None] - value)
+        apart[np.arange(len(unclear_at)), unclear_at] = np.inf
         gaps.append(math.sqrt(float(apart.min(initial=1e300))))
     if max(gaps) >= FAR * min(gaps):  # also where both are none
         return 0.5
     return gaps[0] / (gaps[0] + gaps[1])
 
 
-def _crossing(one: Array, other: Array, asked: NDArray[np.bool_]) -> float | None:
+def _crossing(one: Array, other: Array, wanted: NDArray[np.bool_]) -> float | None:
     """Where the first two values that change their order meet, if no step is there yet."""
     before, after = one[:, None] - one, other[:, None] - other
     size = np.minimum(np.abs(one), np.abs(other))
     apart = np.minimum(np.abs(before), np.abs(after)) > TOUCHING * size
-    swapped = (before * after < 0.0) & apart & asked[:, None] & asked
+    swapped = (before * after < 0.0) & apart & wanted[:, None] & wanted
     if not swapped.any():
         return None
     share = before / np.where(swapped, before - after, 1.0)

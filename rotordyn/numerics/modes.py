@@ -102,8 +102,8 @@ class Modes:
 
         def fill(part: slice) -> None:
             for place in places[part]:
-                answer = self._summed if self.condition[place] < WELL_CONDITIONED else self._solved
-                total[place] = answer(place, each[place], responses, excitations)
+                method = self._summed if self.condition[place] < WELL_CONDITIONED else self._solved
+                total[place] = method(place, each[place], responses, excitations)
 
         in_threads(fill, len(places), LEAST)
         return total
@@ -131,10 +131,10 @@ class Modes:
         with np.errstate(over="ignore", invalid="ignore"):
             try:
                 dynamic = k + 1j * w * d - w**2 * np.eye(len(k))
-                answer = np.linalg.solve(dynamic, excitations.T + 0j)
+                displacement = np.linalg.solve(dynamic, excitations.T + 0j)
             except np.linalg.LinAlgError:
                 return np.full((len(responses), len(omega)), np.inf + 0j)
-        return np.asarray(np.einsum("pn,fnp->pf", responses, answer))
+        return np.asarray(np.einsum("pn,fnp->pf", responses, displacement))
 
 
 def grows(pole: Complex, largest: Array | float) -> NDArray[np.bool_]:
@@ -213,11 +213,11 @@ def _eigenpairs(matrix: Matrix) -> tuple[Complex, Complex, Complex]:
     flat = matrix.reshape(-1, size, size)
 
     def solved(part: slice) -> tuple[Complex, Complex, Complex]:
-        pole, vectors = (np.asarray(found, dtype=complex) for found in np.linalg.eig(flat[part]))
+        pole, vectors = (np.asarray(array, dtype=complex) for array in np.linalg.eig(flat[part]))
         return pole, vectors, _inverse(vectors)
 
     parts = zip(*in_threads(solved, len(flat), LEAST), strict=True)
-    pole, vectors, left = (np.concatenate(found) for found in parts)
+    pole, vectors, left = (np.concatenate(array) for array in parts)
     return (
         pole.reshape(matrix.shape[:-1]),
         vectors.reshape(matrix.shape),
@@ -253,15 +253,18 @@ def _times_real(matrix: Complex, table: Array) -> Complex:
     return matrix.real @ table + 1j * (matrix.imag @ table)
 
 
-def residual(found: Modes, stiffness: Matrix, damping: Matrix) -> float:
+def residual(solution: Modes, stiffness: Matrix, damping: Matrix) -> float:
     """Largest |(λ² + λ D + K) v| over (|λ|² + |λ D| + |K|) |v| of all eigenpairs."""
-    if not found.pole.size:
+    if not solution.pole.size:
         return 0.0
-    columns, _ = found.one_of_each_pair()
-    own = np.take_along_axis(found.pole, columns, axis=-1)
-    pole, vector = own[..., None, :], np.take_along_axis(found.vector, columns[..., None, :], -1)
+    columns, _ = solution.one_of_each_pair()
+    pole_of = np.take_along_axis(solution.pole, columns, axis=-1)
+    pole, vector = (
+        pole_of[..., None, :],
+        np.take_along_axis(solution.vector, columns[..., None, :], -1),
+    )
     rest = pole**2 * vector + pole * times(damping, vector) + times(stiffness, vector)
-    size = np.abs(own) ** 2 + np.abs(own) * _norm(damping) + _norm(stiffness)
+    size = np.abs(pole_of) ** 2 + np.abs(pole_of) * _norm(damping) + _norm(stiffness)
     return float((np.abs(rest).max(axis=-2) / (size * np.abs(vector).max(axis=-2))).max())
 
 

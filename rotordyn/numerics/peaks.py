@@ -46,8 +46,8 @@ def spread(centre: float, width: float, low: float, high: float) -> Array:
     reach = max(centre - low, high - centre, width)
     steps = np.arange(max(int(np.log(reach / width) / np.log(GROWTH)) + 2, 1))
     out = width * np.concatenate([[0.25, 0.5, 0.75], GROWTH**steps])
-    found = np.concatenate([centre - out[::-1], centre + out])
-    return np.asarray(found[(found >= low) & (found <= high)])
+    points = np.concatenate([centre - out[::-1], centre + out])
+    return np.asarray(points[(points >= low) & (points <= high)])
 
 
 def spread_between(
@@ -81,17 +81,17 @@ def sampled(
     ``amplitude`` of that (n, curves): the vertex of each of their peaks is sampled until it is no
     higher than the highest sample.
     """
-    found = list(solve(x))
+    values = list(solve(x))
     for _ in range(ROUNDS):
-        wanted = np.setdiff1d(_higher(x, amplitude(found)), x)
+        wanted = np.setdiff1d(_higher(x, amplitude(values)), x)
         if not wanted.size:
             break
         more = solve(wanted)
         x = np.concatenate([x, wanted])
         order = np.argsort(x)
         x = x[order]
-        found = [np.concatenate([a, b])[order] for a, b in zip(found, more, strict=True)]
-    return x, found
+        values = [np.concatenate([a, b])[order] for a, b in zip(values, more, strict=True)]
+    return x, values
 
 
 def _higher(x: Array, amplitude: Array) -> Array:

@@ -111,7 +111,7 @@ def axial_force(
             "a support the stiffness xx or hold x rigidly, or take tension, which pulls both ends"
         )
     share = held / held.sum() if held.any() else held
-    found = AxialForce(
+    forces = AxialForce(
         spindle=spindle,
         station=np.array(
             [seat.x for seat in spindle.seats]
@@ -122,27 +122,27 @@ def axial_force(
         gravity=gravity,
     )
     if len(rigid) > 1:
-        found.push[:, push.shape[1] + np.array(rigid)] += _clamped(found, rigid)
-    return found
+        forces.push[:, push.shape[1] + np.array(rigid)] += _clamped(forces, rigid)
+    return forces
 
 
-def _clamped(found: AxialForce, rigid: list[int]) -> Array:
-    """What supports ``rigid`` along x push beside the forces ``found`` (states, rigid): so much
+def _clamped(forces: AxialForce, rigid: list[int]) -> Array:
+    """What supports ``rigid`` along x push beside the forces ``forces`` (states, rigid): so much
     that the shaft between two of them is as long as without any force."""
-    joints = found.spindle.joints
-    stations = np.array([found.spindle.supports[k].x for k in rigid])
+    joints = forces.spindle.joints
+    stations = np.array([forces.spindle.supports[k].x for k in rigid])
     order = np.argsort(stations)
-    mean = np.zeros((len(found.push), len(rigid) + 1))  # [N] between them; beyond them none
+    mean = np.zeros((len(forces.push), len(rigid) + 1))  # [N] between them; beyond them none
     for gap, (low, high) in enumerate(pairwise(stations[order]), start=1):
-        marks = np.concatenate([found.station, found.spindle.shaft.boundaries, [low, high]])
+        marks = np.concatenate([forces.station, forces.spindle.shaft.boundaries, [low, high]])
         marks = np.unique(marks[(low <= marks) & (marks <= high)])
         half = np.diff(marks)[:, None] / 2.0
         x = (marks[:-1, None] + half * (1.0 + POINTS)).ravel()
-        give = (half * WEIGHTS).ravel() / _rigidity(found.spindle, x)
+        give = (half * WEIGHTS).ravel() / _rigidity(forces.spindle, x)
         within = [joint for joint in joints if low < joint.x < high]
         x = np.concatenate([x, [joint.x for joint in within]])
         give = np.concatenate([give, [1.0 / joint.axial for joint in within]])
-        mean[:, gap] = found.at(x) @ give / give.sum()
+        mean[:, gap] = forces.at(x) @ give / give.sum()
     pushes = np.empty((len(mean), len(rigid)))
     pushes[:, order] = np.diff(mean, axis=1)
     return pushes

@@ -48,7 +48,7 @@ class BearingIterates:
         """Bearings that were solved by themselves; ``ring`` says which of their balls move on."""
         from bearings.ring.iterate import iterate
 
-        return cls({k: (found.places, iterate(found.state, ring)) for k, found in states.items()})
+        return cls({k: (balls.places, iterate(balls.state, ring)) for k, balls in states.items()})
 
     def __iter__(self) -> Iterator[tuple[list[int], Iterate]]:
         return iter(self.of.values())

@@ -41,7 +41,7 @@ def fit_growth(spindle: Spindle, seat: BearingSeat, fit: InterferenceFit, speed:
 
 def released_fits(spindle: Spindle, speed: float) -> list[tuple[str, float]]:
     """Bearings whose inner ring lets go of the shaft up to ``speed``, and where [rad/s]."""
-    found = []
+    released = []
     for seat in spindle.seats:
         fit = seat.growth.fitted
         if fit is not None:
@@ -49,8 +49,8 @@ def released_fits(spindle: Spindle, speed: float) -> list[tuple[str, float]]:
 
             limit = float(release_speed(fitted_bodies(spindle, seat, fit), [fit.interference])[0])
             if limit <= speed:
-                found.append((seat.name, limit))
-    return found
+                released.append((seat.name, limit))
+    return released
 
 
 def fitted_bodies(

@@ -64,13 +64,13 @@ class History:
         ------
         NoEquilibrium : nothing balances a body
         """
-        found, at = [], self.loads[row] if start is None else start
+        states, at = [], self.loads[row] if start is None else start
         for value in force:
             after = self.under(row, value)
             state = along(Step(self.network, at, after), state)[0]
-            found.append(state)
+            states.append(state)
             at = after
-        return found
+        return states
 
     def under(self, row: int, force: float) -> Load:
         """What acts at speed ``row`` with ``force`` [N] on the shaft besides."""

@@ -115,9 +115,9 @@ class Network:
     def _response(self, bearings: BearingIterates, states: States) -> Response:
         shape = (len(self.arrangement.speed), len(self.arrangement.bearings))
         load, slope = np.empty(shape), np.empty(shape)
-        for places, found in bearings:
-            load[:, places] = found.load[..., 0]
-            slope[:, places] = found.stiffness[..., 0, 0]
+        for places, balls in bearings:
+            load[:, places] = balls.load[..., 0]
+            slope[:, places] = balls.stiffness[..., 0, 0]
         return Response(load, slope, states, bearings, bearings.imbalance)
 
     def solve_bearings(
@@ -173,13 +173,14 @@ class Network:
 
 @dataclass(frozen=True, eq=False, slots=True)
 class NetworkState:
-    """``position`` (speeds, bodies), bodies ``held`` by a stop; ``error``, ``found`` (speeds,)."""
+    """``position`` (speeds, bodies) [m], bodies ``held`` by a stop; ``error``, ``converged``
+    (speeds,)."""
 
     position: Array
     held: Flags
     response: Response
     error: Array
-    found: Flags
+    converged: Flags
 
 
 def solve(
@@ -196,9 +197,9 @@ def solve(
     x = np.where(held, limit, np.where(springs.fixed, springs.rest, position))
     if network.one_branch:
         quick = _together(network, x, held, near)
-        if quick.found.all():
+        if quick.converged.all():
             return quick
-        x = np.where(quick.found[:, None], quick.position, x)
+        x = np.where(quick.converged[:, None], quick.position, x)
     response = network.respond(x)
     stuck = np.zeros(len(x), dtype=bool)
     for _ in range(ITERATIONS):
@@ -230,8 +231,8 @@ def _together(network: Network, x: Array, held: Flags, near: Response | None) ->
         before, response = response, network.move(x, response)
         near_by &= response.bearings.follows(before.bearings)
     error = network.error(x, response, fixed)[1]
-    found = (error < TOLERANCE) & (response.imbalance < BALLS) & near_by
-    return NetworkState(x, held, response, error, found)
+    converged = (error < TOLERANCE) & (response.imbalance < BALLS) & near_by
+    return NetworkState(x, held, response, error, converged)
 
 
 def confirmed(network: Network, net: NetworkState) -> NetworkState:

@@ -25,16 +25,16 @@ def outcomes(
 
     ``rest``: the state under the stated preloads that everything else is measured from.
     """
-    if not rest.found[0] and np.abs(network.springs.force).max() >= NOTHING:
+    if not rest.converged[0] and np.abs(network.springs.force).max() >= NOTHING:
         sentence = (
             unopposed(spindle)
             or "the stated preloads are not in balance at rest: the springs must push against "
             "bearings that sit in the housing"
         )
-        return (sentence,) * len(net.found)
+        return (sentence,) * len(net.converged)
     words = tuple(
         _outcome(spindle, network, net, row) or _sideways(spindle, network, rest, net, row)
-        for row in range(len(net.found))
+        for row in range(len(net.converged))
     )
     alone = unopposed(spindle)
     return (alone,) * len(words) if alone and all(words) else words
@@ -90,7 +90,7 @@ def _outcome(spindle: Spindle, network: Network, net: NetworkState, row: int) ->
             "leave it out, however the shaft is held elsewhere: let a spring or an axial force "
             "load it, or take away its play"
         )
-    if not net.found[row]:
+    if not net.converged[row]:
         return f"the axial arrangement finds no equilibrium at {rpm:.0f} rpm: raise the preload"
     return _overload(names, net, row, rpm)
 

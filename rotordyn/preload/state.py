@@ -109,16 +109,16 @@ class PreloadState:
         """A sentence for each bearing an arc of whose grooves presses beyond their middle."""
         from bearings.ring.truncation import truncation
 
-        found = []
+        sentences = []
         for seat, (state, column) in zip(self.spindle.seats, self.seat_states(), strict=True):
             across = truncation(state).across_middle[:, column].any(axis=(-1, -2))
             if (rows := np.flatnonzero(across & self.usable)).size:
-                found.append(
+                sentences.append(
                     f"bearing {seat.name}: an arc presses beyond the middle of its groove, first "
                     f"at {self.speed[rows[0]] * 30.0 / math.pi:.0f} rpm; the shim is too small "
                     "for two arcs, give none or a larger one"
                 )
-        return found
+        return sentences
 
     def seat_load(self) -> Array:
         """Axial load of every bearing in its own frame (speeds, seats) [N]."""
@@ -145,7 +145,7 @@ class PreloadState:
         if self.force:
             still = replace(at_rest(self.network.arrangement), force=self.force)
             net = with_stops(replace(self.network, arrangement=still), self.rest, self.limit)
-        return np.where(net.found[0], net.response.load[0], np.nan)
+        return np.where(net.converged[0], net.response.load[0], np.nan)
 
     def with_travels(self, travel: Mapping[str, float], index: NDArray[np.intp]) -> PreloadState:
         """The state at some of its speeds, stops of some sleeves ending another ``travel`` [m]."""
@@ -172,7 +172,7 @@ class PreloadState:
             return float("nan")
         first = int(held[0])
         before = float(self.speed[first - 1]) if first else 0.0
-        known = np.where(self.net.found[:, None], self.net.position, self.rest)
+        known = np.where(self.net.converged[:, None], self.net.position, self.rest)
         near = np.stack([known[first - 1] if first else self.rest, known[first]])
         return meeting_speed(
             lambda speed: replace(

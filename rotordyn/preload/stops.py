@@ -31,7 +31,7 @@ def with_stops(
 
     Sought from ``rest`` (bodies,), or from ``start`` (speeds, bodies), places likely to be near.
     Stops that would be overrun are closed and those that would have to pull are opened, until
-    neither happens; a speed where that never ends is not ``found``.
+    neither happens; a speed where that never ends is not ``converged``.
     """
     if start is None:
         start = np.repeat(rest[None], len(network.arrangement.speed), axis=0)
@@ -46,7 +46,7 @@ def with_stops(
         net = solve(network, net.position, held, limit, net.response)
     force = network.forces(net.position, net.response)
     settled = stops_wanted(network, net.position, force, held, limit) == held
-    return replace(net, found=net.found & settled.all(axis=1))
+    return replace(net, converged=net.converged & settled.all(axis=1))
 
 
 def stops_wanted(
@@ -89,10 +89,10 @@ def meeting_speed(
     def gaps(squares: Array) -> Array:
         start = _between(squares, *known[-1])
         net = with_stops(at(np.sqrt(squares)), rest, released, start)
-        if net.found.all():
+        if net.converged.all():
             known.append((squares, net.position))
         gap = push.direction * (net.position[:, push.body] - limit[push.body])
-        return np.where(net.found, gap, -np.inf)
+        return np.where(net.converged, gap, -np.inf)
 
     guess = (low, high)
     for _ in range(ROUNDS):

@@ -51,8 +51,8 @@ def _powers(unit: str) -> dict[str, int]:
             raise ValueError(f"not a unit: {unit}")
         power = int(part["power"] or 1) * (-1 if part["sign"] == "/" else 1)
         inner = {part["name"]: 1} if part["name"] else _powers(part["inner"])
-        for name, own in inner.items():
-            total[name] = total.get(name, 0) + power * own
+        for name, exponent in inner.items():
+            total[name] = total.get(name, 0) + power * exponent
         at = part.end()
     return total
 

@@ -32,8 +32,8 @@ def dataset(result: Any) -> xr.Dataset:
     return xr.Dataset(arrays, coords, {"result": type(result).__name__})
 
 
-def result_of(asked: str, data: xr.Dataset) -> Any:
-    """The frozen result of the analysis ``asked`` that ``data`` was made from.
+def result_of(of: str, data: xr.Dataset) -> Any:
+    """The frozen result of the analysis ``of`` that ``data`` was made from.
 
     Raises
     ------
@@ -41,7 +41,7 @@ def result_of(asked: str, data: xr.Dataset) -> Any:
     ValueError : it has no such result in this version, or the result has other fields
     """
     name = data.attrs["result"]
-    kind = next(_kinds(asked, name), None)
+    kind = next(_kinds(of, name), None)
     if kind is None:
         raise ValueError(f"no result {name}")
     hints = get_type_hints(kind)
@@ -54,9 +54,9 @@ def result_of(asked: str, data: xr.Dataset) -> Any:
     return kind(**values)
 
 
-def _kinds(asked: str, name: str) -> Iterator[type]:
+def _kinds(of: str, name: str) -> Iterator[type]:
     """The class of a result, in ``result.py`` or beside the solver of its analysis."""
-    solve = analysis(asked).solve
+    solve = analysis(of).solve
     if not isinstance(solve, Code):
         return
     for module in ("result", solve.path.partition(":")[0]):

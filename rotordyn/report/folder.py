@@ -65,22 +65,22 @@ def results_folder(target: Path) -> Iterator[Place]:
     OutputRefused : ``target`` is a file, or a folder with something in it and no record of ours
     InvalidInput : the folder cannot be made there, or the disk takes nothing more
     """
-    asked, target = target, absolute(target)
+    requested, target = target, absolute(target)
     check_target(target)
     with ExitStack() as stack:
         for parent in reversed(_make_parents(target.parent)):
             stack.callback(_remove_if_empty, parent)
         workshop = _make_workshop(target, stack)
-        place = Place(workshop / NEW, asked)
+        place = Place(workshop / NEW, requested)
         try:
             yield place
         except OSError as error:
             if error.errno not in _DISK:
                 raise
             raise InvalidInput(_unwritable(target.parent, error.strerror)) from error
-        found = _take_place(workshop, target)
-        if found != target:
-            place.target, place.moved = found, True
+        taken = _take_place(workshop, target)
+        if taken != target:
+            place.target, place.moved = taken, True
         _recover(target)  # what a killed run still held at the beginning
 
 

@@ -12,13 +12,13 @@ from rotordyn.results.text import INDENT, unbroken, wrapped
 _IN_MILLIMETRES = ("required_diameter",)
 
 
-def known_lines(found: Sequence[Match], room: int) -> list[str]:
+def known_lines(matched: Sequence[Match], room: int) -> list[str]:
     """Known value against ours, then its remark, as many as fit whole into ``room`` lines."""
     lines: list[str] = []
-    for index, each in enumerate(found):
+    for index, each in enumerate(matched):
         block = _block(each)
         if len(lines) + len(block) + 1 > room:
-            left = len(found) - index
+            left = len(matched) - index
             lines.append(f"… and {left} more published or measured values")
             break
         lines += block

@@ -54,13 +54,13 @@ class RunRecord:
 
 def versions() -> dict[str, str]:
     """Python, platform, rotordyn and the libraries this process has loaded."""
-    found = {
+    named = {
         "python": platform.python_version(),
         "platform": f"{sys.platform} {platform.machine()}",
         "rotordyn": rotordyn.__version__,
     }
     loaded = {name: sys.modules[name] for name in _LIBRARIES if name in sys.modules}
-    return found | {n: str(getattr(m, "__version__", "unknown")) for n, m in loaded.items()}
+    return named | {n: str(getattr(m, "__version__", "unknown")) for n, m in loaded.items()}
 
 
 def outcomes(results: Mapping[str, Any]) -> dict[str, dict[str, list[float]]]:
@@ -77,9 +77,9 @@ def outcomes(results: Mapping[str, Any]) -> dict[str, dict[str, list[float]]]:
 
 def content(record: RunRecord, files: Iterable[str]) -> dict[str, Any]:
     """The record as plain values, ready for JSON; ``files`` are those of the results folder."""
-    own = {f.name: getattr(record, f.name) for f in fields(record)}
+    entries = {f.name: getattr(record, f.name) for f in fields(record)}
     head = {MARKER: FORMAT, "versions": versions(), "files": sorted({*files, RECORD})}
-    return {key: _plain(value) for key, value in (head | own).items()}
+    return {key: _plain(value) for key, value in (head | entries).items()}
 
 
 def write_record(folder: Path, record: RunRecord) -> None:

@@ -83,18 +83,18 @@ class _Groups(Mapping[str, "xr.Dataset"]):
 def _state(path: Path) -> tuple[int, int] | None:
     """What tells a file from another that took its place; None where there is none."""
     try:
-        found = path.stat()
+        status = path.stat()
     except FileNotFoundError:
         return None
-    return found.st_ino, found.st_mtime_ns
+    return status.st_ino, status.st_mtime_ns
 
 
 def _held(group: Any, above: str = "") -> list[str]:
     """Names of the groups that hold a result, those in groups included."""
     names = []
     for name, inner in group.groups.items():
-        own = f"{above}{name}"
-        names += [own] if "result" in inner.attrs else _held(inner, f"{own}/")
+        path = f"{above}{name}"
+        names += [path] if "result" in inner.attrs else _held(inner, f"{path}/")
     return names
 
 

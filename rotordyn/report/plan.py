@@ -11,18 +11,18 @@ COLUMN = 48  # of the times
 
 def plan(
     seconds: Mapping[str, float],
-    asked: Mapping[str, str],
+    parents: Mapping[str, str],
     spared: Sequence[str],
     skipped: Mapping[str, str],
     job: Mapping[str, float],
 ) -> str:
-    """Stages as a tree with their own ``seconds``, each below the one that ``asked`` first.
+    """Stages as a tree with their own ``seconds``, each below the one that ``parents`` first.
 
     ``spared``: sentences; ``skipped``: stages and pictures that were not made -> why; ``job``:
     seconds of what is done around the stages.
     """
     lines = ["stages, each below what first asked for it, and its own time"]
-    lines += _tree(seconds, asked, "", 1)
+    lines += _tree(seconds, parents, "", 1)
     lines += [_timed(name, value, 1) for name, value in job.items()]
     if spared:
         lines += ["spared", *_entries(spared)]
@@ -35,11 +35,11 @@ def plan(
 
 
 def _tree(
-    seconds: Mapping[str, float], asked: Mapping[str, str], above: str, depth: int
+    seconds: Mapping[str, float], parents: Mapping[str, str], above: str, depth: int
 ) -> Iterator[str]:
-    for name in (name for name, by in asked.items() if by == above and name in seconds):
+    for name in (name for name, by in parents.items() if by == above and name in seconds):
         yield _timed(name, seconds[name], depth)
-        yield from _tree(seconds, asked, name, depth + 1)
+        yield from _tree(seconds, parents, name, depth + 1)
 
 
 def _timed(name: str, seconds: float, depth: int) -> str:

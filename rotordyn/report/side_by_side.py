@@ -26,27 +26,27 @@ def comparison_summary(
 ) -> str:
     """Key figures at the first and the last speed, then the known values that apply."""
     lines = opening(warnings, called(case), notes)
-    for name in sorted({name for _, found in variants for name in found}, key=place):
-        own = analysis(name)
+    for name in sorted({name for _, results in variants for name in results}, key=place):
+        record = analysis(name)
         rows = [
-            (case.title, cells(own.numbers(found[name], case)))
-            for case, found in variants
-            if name in found
+            (case.title, cells(record.numbers(results[name], case)))
+            for case, results in variants
+            if name in results
         ]
         if any(entries for _, entries in rows):
-            lines += ["", f"{own.heading}, {_ends(variants, name)}", *_aligned(rows)]
+            lines += ["", f"{record.heading}, {_ends(variants, name)}", *_aligned(rows)]
     known = _known(variants)
     return "\n".join([*lines, *([""] if known else []), *known])
 
 
 def _ends(variants: Sequence[Variant], name: str) -> str:
-    speed = next(found[name] for _, found in variants if name in found).speed
+    speed = next(results[name] for _, results in variants if name in results).speed
     return f"{from_to(speed * RPM.factor, 0)} rpm"
 
 
 def _aligned(rows: Sequence[tuple[str, Mapping[str, str]]]) -> list[str]:
     """A head and a line per row; columns as wide as their widest entry."""
-    heads = list(dict.fromkeys(head for _, own in rows for head in own))
+    heads = list(dict.fromkeys(head for _, cells in rows for head in cells))
     table = [["", *heads], *([name, *(c.get(h, "–") for h in heads)] for name, c in rows)]
     widths = [max(len(line[k]) for line in table) for k in range(len(heads) + 1)]
     return ["  ".join(map(str.ljust, line, widths)).rstrip() for line in table]
@@ -55,8 +55,8 @@ def _aligned(rows: Sequence[tuple[str, Mapping[str, str]]]) -> list[str]:
 def _known(variants: Sequence[Variant]) -> list[str]:
     """Every known value once, and beside it what each variant it applies to gives."""
     beside: dict[Reference, list[tuple[str, str]]] = {}
-    for case, found in variants:
-        for each in matches(case.known, found, case.spindle):
+    for case, results in variants:
+        for each in matches(case.known, results, case.spindle):
             ours = computed_values(each)
             beside.setdefault(each.reference, []).append((case.title, ours))
     return [line for reference, ours in beside.items() for line in _beside(reference, ours)]

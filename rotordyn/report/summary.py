@@ -33,14 +33,14 @@ def summary(
 ) -> str:
     """The summary; ``warnings`` come first, ``notes`` below the title."""
     lines = _machine(case.spindle) if case.spindle else []
-    asked = sorted(results, key=place)
-    if words := [word for name in asked for word in analysis(name).accuracy(results[name])]:
+    names = sorted(results, key=place)
+    if words := [word for name in names for word in analysis(name).accuracy(results[name])]:
         lines.append(f"accuracy   estimated errors by refinement: {', '.join(words)}")
-    lines += [line for name in asked for line in analysis(name).summary(results[name])]
+    lines += [line for name in names for line in analysis(name).summary(results[name])]
     top = opening(warnings, called(case), notes)
     text = [*top, *(part for line in lines for part in wrapped(line))]
-    found = matches(case.known, results, case.spindle)
-    return "\n".join(_screen(text + known_lines(found, HEIGHT - len(text))))
+    matched = matches(case.known, results, case.spindle)
+    return "\n".join(_screen(text + known_lines(matched, HEIGHT - len(text))))
 
 
 def _screen(lines: list[str]) -> list[str]:

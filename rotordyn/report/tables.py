@@ -47,8 +47,8 @@ def tidy_columns(result: Any, layout: Layout) -> list[Column]:
     for axis, dim in enumerate(layout.rows):
         values = as_array(getattr(result, coordinates[dim]))
         spread = values.reshape([-1 if a == axis else 1 for a in range(len(shape))])
-        own = fields[coordinates[dim]]
-        columns.append(_column(own["label"], own["printed"], np.broadcast_to(spread, shape)))
+        field = fields[coordinates[dim]]
+        columns.append(_column(field["label"], field["printed"], np.broadcast_to(spread, shape)))
     for name, info in fields.items():
         if info["role"] == "quantity" and _belongs(info["dims"], layout):
             columns += _quantity_columns(result, name, layout, shape)
@@ -56,10 +56,12 @@ def tidy_columns(result: Any, layout: Layout) -> list[Column]:
 
 
 def _belongs(dims: tuple[str, ...], layout: Layout) -> bool:
-    rows, own = set(layout.rows), set(dims)
+    rows, extent = set(layout.rows), set(dims)
     repeated = dims == ("speed",) and "speed" in rows and len(rows) <= 2
     return (
-        repeated or (layout.repeating and own < rows) or (rows <= own <= rows | set(layout.across))
+        repeated
+        or (layout.repeating and extent < rows)
+        or (rows <= extent <= rows | set(layout.across))
     )
 
 
@@ -70,8 +72,8 @@ def _quantity_columns(
     info, values = declared(result)[name].metadata, as_array(getattr(result, name))
     across = [d for d in info["dims"] if d not in layout.rows]
     if len(info["dims"]) - len(across) < len(layout.rows):
-        own = [n if d in info["dims"] else 1 for d, n in zip(layout.rows, shape, strict=True)]
-        values = values.reshape(own)
+        extent = [n if d in info["dims"] else 1 for d, n in zip(layout.rows, shape, strict=True)]
+        values = values.reshape(extent)
         yield _column(info["label"], info["printed"], np.broadcast_to(values, shape))
         return
     order = [info["dims"].index(d) for d in (*layout.rows, *across)]

@@ -11,5 +11,5 @@ from rotordyn.analyses.registry import analysis, place
 def result_warnings(results: Mapping[str, Any]) -> list[str]:
     """Sentences on modes that change with the model, unstable modes, bearings too hard pressed or
     slipping, contact ellipses cut off, shafts twisted: those of every analysis."""
-    asked = sorted(results, key=place)
-    return [sentence for name in asked for sentence in analysis(name).warnings(results[name])]
+    names = sorted(results, key=place)
+    return [sentence for name in names for sentence in analysis(name).warnings(results[name])]

@@ -9,7 +9,7 @@ from rotordyn.machine.limits import WARNING_PRESSURE
 from rotordyn.results.display import RPM
 
 GRIP = 0.1  # friction coefficient
-FREEDOMS = ("x", "y", "z", "thy", "thz")
+DOFS = ("x", "y", "z", "thy", "thz")
 BALL_QUANTITIES = (
     "inner_angle",
     "outer_angle",

@@ -68,18 +68,18 @@ def rounded_up(error: float) -> str:
     return f"{math.ceil(error / 10.0**power - 1e-9) * 10.0**power:.0e}"
 
 
-def is_rotation(freedom: str) -> bool:
-    """Whether a freedom (``y``, ``thz`` …) is an angle."""
-    return freedom.startswith("th")
+def is_rotation(dof: str) -> bool:
+    """Whether a DOF (``y``, ``thz`` …) is an angle."""
+    return dof.startswith("th")
 
 
-def stiffness_unit(freedom: str, other: str) -> str:
-    """SI unit of the stiffness entry that gives the load on ``freedom`` from a move of ``other``.
+def stiffness_unit(dof: str, other: str) -> str:
+    """SI unit of the stiffness entry that gives the load on ``dof`` from a move of ``other``.
 
     >>> stiffness_unit("y", "thz")
     'N/rad'
     """
-    load = "N·m" if is_rotation(freedom) else "N"
+    load = "N·m" if is_rotation(dof) else "N"
     return f"{load}/{'rad' if is_rotation(other) else 'm'}"
 
 

@@ -95,7 +95,7 @@ def curves_of(
     others = [dim for dim in info["dims"] if dim != along]
     for index in product(*(range(n) for n in values.shape[:-1])):
         names = {dim: str(getattr(result, dim)[k]) for dim, k in zip(others, index, strict=True)}
-        own = {
+        look = {
             "label": info["label"],
             "unit": info["printed"].unit,
             "panel": names.get(panels, ""),
@@ -103,17 +103,18 @@ def curves_of(
             "key": names.get(series, ""),
             "along": f"{below['label']} [{below['printed'].unit}]",
         }
-        yield Curve(x=x, y=values[index] * info["printed"].factor, **{**own, **how})
+        yield Curve(x=x, y=values[index] * info["printed"].factor, **{**look, **how})
 
 
 def cells(numbers: Iterable[Number]) -> dict[str, str]:
     """By name and unit the numbers in a few words: parts joined by "/", speeds by "→"."""
-    found: dict[str, dict[float | None, list[Number]]] = {}
+    grouped: dict[str, dict[float | None, list[Number]]] = {}
     for each in numbers:
         head = f"{each.name} [{each.unit}]" if each.unit else each.name
-        found.setdefault(head, {}).setdefault(each.speed, []).append(each)
+        grouped.setdefault(head, {}).setdefault(each.speed, []).append(each)
     return {
-        head: " → ".join(map(_side_by_side, by_speed.values())) for head, by_speed in found.items()
+        head: " → ".join(map(_side_by_side, by_speed.values()))
+        for head, by_speed in grouped.items()
     }
 
 
@@ -125,10 +126,10 @@ def _side_by_side(parts: Sequence[Number]) -> str:
     return words[0] if alike else "/".join(words)
 
 
-def _word(own: Number) -> str:
-    if np.isnan(own.value):
-        return own.absent
-    return "unbounded" if np.isinf(own.value) else number(own.value, own.digits)
+def _word(each: Number) -> str:
+    if np.isnan(each.value):
+        return each.absent
+    return "unbounded" if np.isinf(each.value) else number(each.value, each.digits)
 
 
 def changes(numbers: Mapping[str, float], first: Mapping[str, float]) -> dict[str, float]:

@@ -68,10 +68,12 @@ def _on_its_shaft(spindle: Spindle) -> Faults:
     reach = spindle.shaft.reach
     for name, x in spindle.points.items():
         yield from on_the_shaft("point", x, reach, ("spindle", "points", name))
-    own = [support for support in spindle.supports if SPINDLE in support.ends]
-    held = {pair for support in own for pair, value in support.stiffness.items() if acts(value)}
-    held |= {(freedom, freedom) for support in own for freedom in support.rigid}
-    free = [freedom * 2 for freedom in ("y", "z") if (freedom, freedom) not in held]
+    supports = [support for support in spindle.supports if SPINDLE in support.ends]
+    held = {
+        pair for support in supports for pair, value in support.stiffness.items() if acts(value)
+    }
+    held |= {(dof, dof) for support in supports for dof in support.rigid}
+    free = [dof * 2 for dof in ("y", "z") if (dof, dof) not in held]
     if free and not spindle.seats and "" not in {support.name for support in spindle.supports}:
         yield (
             ("spindle", "supports"),
@@ -209,9 +211,11 @@ def _joined_along(supports: Iterable[LinearSupport]) -> Faults:
 
 def _sideways(setting: Setting) -> Faults:
     """Bearings are solved under axial load alone: what moves along x must not push aside."""
-    own = setting.conditions
-    by_speed = own.bearings == "dynamic" and any(speed > 0.0 for speed in setting.speeds)
-    if not (by_speed or abs(own.axial_force) > 0.0 or own.gravity not in ("", "none")):
+    conditions = setting.conditions
+    by_speed = conditions.bearings == "dynamic" and any(speed > 0.0 for speed in setting.speeds)
+    if not (
+        by_speed or abs(conditions.axial_force) > 0.0 or conditions.gravity not in ("", "none")
+    ):
         return
     for support in setting.spindle.supports:
         if support.sideways:

@@ -58,16 +58,18 @@ class Loading:
         """States that stand with shares of all axial forces, and of the drawbar's."""
         spindle, structure = self.spindle, self.structure()
         if spindle.drawbar:
-            own = replace(spindle.drawbar, force=bar * spindle.drawbar.force) if bar > 0.0 else None
-            spindle = replace(spindle, drawbar=own)
+            drawbar = (
+                replace(spindle.drawbar, force=bar * spindle.drawbar.force) if bar > 0.0 else None
+            )
+            spindle = replace(spindle, drawbar=drawbar)
         force = self._along(spindle, forces).bending(structure.shown.middle)
         stops = np.zeros((len(self.speed), len(structure.spindle.sleeves)), dtype=bool)
         state = State(self.speed, self.seat_stiffness, stops)
         return withstands(structure, state, force, bar)
 
     def _along(self, spindle: Spindle, share: float) -> AxialForce:
-        own = (share * each for each in (self.force, self.gravity, self.tension))
-        return axial_force(spindle, share * self.seat_load, *own)
+        loads = (share * each for each in (self.force, self.gravity, self.tension))
+        return axial_force(spindle, share * self.seat_load, *loads)
 
     def _sentence(self, rpm: float) -> str:
         """For a single state that buckles."""

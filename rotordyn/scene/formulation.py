@@ -1,4 +1,4 @@
-"""The frames in which bending may be written, and what a user is told of each."""
+"""The frames in which bending may be written, and what a user is frame_notes of each."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ ROTATING = "rotating"
 SOFTENED = "fixed-frame softening"
 FORMULATIONS = (INERTIAL, ROTATING, SOFTENED)
 
-_TOLD = {
+_SENTENCES = {
     ROTATING: (
         "formulation rotating: bending frequencies and receptances are those seen from a frame "
         "that turns with the shaft"
@@ -26,9 +26,9 @@ _TOLD = {
 }
 
 
-def told(formulation: str) -> tuple[str, ...]:
+def frame_notes(formulation: str) -> tuple[str, ...]:
     """The sentence that says which formulation is in force; none for the inertial one."""
-    return (_TOLD[formulation],) if formulation in _TOLD else ()
+    return (_SENTENCES[formulation],) if formulation in _SENTENCES else ()
 
 
 def turned(quantity: str) -> str:
@@ -47,15 +47,15 @@ def require_isotropic(scene: Scene) -> None:
     InvalidInput : supports do not answer alike in all directions, or couple bending to more
     """
     for k in scene.with_motions(("bending",)):
-        own = scene.system(k).linear
-        if own.motions != {"bending"} or any(
-            c.spindle is None and not c.way for c in own.components
+        linear = scene.system(k).linear
+        if linear.motions != {"bending"} or any(
+            c.spindle is None and not c.way for c in linear.components
         ):
             raise InvalidInput(
                 "the rotating formulation cannot describe supports that couple bending with "
                 "another motion, nor housings: use the inertial one"
             )
-        if not own.isotropic:
+        if not linear.isotropic:
             raise InvalidInput(
                 "the rotating formulation needs supports that answer alike in all directions, and "
                 "those of this machine do not: use the inertial one"

@@ -50,15 +50,15 @@ def _bearings(scene: Scene) -> Iterator[str]:
 
 
 def _vibration(scene: Scene) -> Iterator[str]:
-    for found in scene.systems.values():
-        own, name = found.linear, " and ".join(sorted(found.linear.motions))
-        if found.whirling:
+    for system in scene.systems.values():
+        linear, name = system.linear, " and ".join(sorted(system.linear.motions))
+        if system.whirling:
             yield (
                 "every bearing and support answers alike in all directions: both planes of bending "
                 "are one complex plane, half the unknowns"
             )
-        if found.solved_once and len(own.speed) > 1:
+        if system.solved_once and len(linear.speed) > 1:
             yield f"nothing in {name} follows the speed: solved once for all"
-        if "bending" in own.motions:
-            dofs = sum(len(component.dofs) for component in own.components)
-            yield f"{name}: {own.size} coordinates for {dofs} degrees of freedom"
+        if "bending" in linear.motions:
+            dofs = sum(len(component.dofs) for component in linear.components)
+            yield f"{name}: {linear.size} coordinates for {dofs} degrees of freedom"

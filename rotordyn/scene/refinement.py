@@ -41,16 +41,16 @@ def response_accuracy(scene: Scene) -> float:
     return RESPONSES * scene.conditions.accuracy
 
 
-def settled(
+def solve_accurately(
     scene: Scene, solve: Callable[[Scene], T], error: Callable[[T], float]
 ) -> tuple[Scene, T]:
     """The first of ever finer models whose ``error`` is below the accuracy asked for, or the last
     one, and what ``solve`` gives of it."""
-    asked = response_accuracy(scene)
+    allowed = response_accuracy(scene)
     for _ in range(ROUNDS):
-        found = solve(scene)
-        if error(found) <= asked:
-            return scene, found
+        solution = solve(scene)
+        if error(solution) <= allowed:
+            return scene, solution
         scene = scene.refined()
     return scene, solve(scene)
 

@@ -50,10 +50,10 @@ def over_speed(
     about = spread_between(centres[inside], widths[inside], low, high, least=LEAST)
     start = np.unique(np.concatenate([given, about]))
     start, gaps = _jumps(scene, start)
-    speed, found = sampled(start, solve, amplitude)
+    speed, curves = sampled(start, solve, amplitude)
     for gap in gaps:
-        speed, found = _broken(speed, found, gap)
-    return speed, found
+        speed, curves = _broken(speed, curves, gap)
+    return speed, curves
 
 
 def _jumps(scene: Scene, speed: Array) -> tuple[Array, list[float]]:
@@ -84,7 +84,7 @@ def _stops(scene: Scene) -> NDArray[np.bool_]:
     return held
 
 
-def _broken(speed: Array, found: Arrays, gap: float) -> tuple[Array, list[NDArray[Any]]]:
+def _broken(speed: Array, curves: Arrays, gap: float) -> tuple[Array, list[NDArray[Any]]]:
     """With a sample without values."""
     place = int(np.searchsorted(speed, gap))
-    return np.insert(speed, place, gap), [np.insert(each, place, np.nan, axis=0) for each in found]
+    return np.insert(speed, place, gap), [np.insert(each, place, np.nan, axis=0) for each in curves]

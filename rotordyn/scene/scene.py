@@ -23,7 +23,7 @@ from rotordyn.equation.term import State
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.conditions import Conditions
-from rotordyn.scene.formulation import ROTATING, SOFTENED, told
+from rotordyn.scene.formulation import ROTATING, SOFTENED, frame_notes
 from rotordyn.scene.stage import Clock, Memo, stage, stage_of
 from rotordyn.scene.statics import Statics, bodies
 from rotordyn.scene.warnings import machine_warnings
@@ -105,16 +105,16 @@ class Scene(Statics):
             reached["preload: unbalanced axial force over largest force"] = float(
                 np.nanmax(state.net.error[state.usable], initial=0.0)
             )
-        for k, found in self.systems.items():
-            if "bending" in found.linear.motions:
+        for k, motions in self.systems.items():
+            if "bending" in motions.linear.motions:
                 name = self.name_of(k)
-                reached[f"{name} modes: residual of the eigenpairs"] = found.residual
+                reached[f"{name} modes: residual of the eigenpairs"] = motions.residual
         return reached
 
     @property
     def notes(self) -> tuple[str, ...]:
         """What was chosen that changes how the results read."""
-        return told(self.conditions.formulation)
+        return frame_notes(self.conditions.formulation)
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -146,8 +146,8 @@ class Scene(Statics):
 
     @property
     def _pressed(self) -> bool:
-        own = self.conditions
-        return own.axial_stiffening and bool(own.tension or own.axial_force)
+        conditions = self.conditions
+        return conditions.axial_stiffening and bool(conditions.tension or conditions.axial_force)
 
     def _structure(self) -> Structure:
         return self.rotor
@@ -193,8 +193,8 @@ class Scene(Statics):
         """The same at some ``rows`` of the usable speeds alone."""
         if k in self.systems and rows is not None:
             return self.systems[k].at(rows)
-        own = self.linear(k, rows)
-        return self.timed(f"{self.name_of(k)} modes", partial(free_motions, own, self._ceiling))
+        linear = self.linear(k, rows)
+        return self.timed(f"{self.name_of(k)} modes", partial(free_motions, linear, self._ceiling))
 
     @property
     def _ceiling(self) -> float:
@@ -205,16 +205,16 @@ class Scene(Statics):
     def name_of(self, k: int) -> str:
         """The motions of a subsystem, "bending", "bending and axial"."""
         order = ("bending", "axial", "torsion")
-        own = {line.motion for c in self.subsystems[k] for line in c.lines}
-        return " and ".join(name for name in order if name in own) or "housing"
+        motions = {line.motion for c in self.subsystems[k] for line in c.lines}
+        return " and ".join(name for name in order if name in motions) or "housing"
 
     def with_motions(self, motions: Iterable[str]) -> list[int]:
         """Subsystems in which some of "bending", "axial" and "torsion" take part."""
         wanted = set(motions)
         return [
             k
-            for k, own in enumerate(self.subsystems)
-            if wanted & {line.motion for component in own for line in component.lines}
+            for k, parts in enumerate(self.subsystems)
+            if wanted & {line.motion for component in parts for line in component.lines}
         ]
 
     def owner(self, at: str | float | Place, direction: str) -> int:
@@ -222,4 +222,4 @@ class Scene(Statics):
         rotor, x = self.spindle.place(at)
         number = self.rotor.node(rotor, x)[("x", "y", "z", "thx", "thy", "thz").index(direction)]
         component = self.rotor.components[self.rotor.owner[number]]
-        return next(k for k, own in enumerate(self.subsystems) if component in own)
+        return next(k for k, parts in enumerate(self.subsystems) if component in parts)

@@ -56,10 +56,10 @@ def spanned(
     start: str | float, to: str | float, spindle: Spindle, path: Path, *, rotors: bool = False
 ) -> Faults:
     """Faults of a span: both ends are somewhere, the second behind the first, on one rotor."""
-    found = [*placed(start, spindle, (*path, "from"), rotors=rotors)]
-    found += placed(to, spindle, (*path, "to"), rotors=rotors)
-    yield from found
-    if found or "" in (start, to):
+    faults = [*placed(start, spindle, (*path, "from"), rotors=rotors)]
+    faults += placed(to, spindle, (*path, "to"), rotors=rotors)
+    yield from faults
+    if faults or "" in (start, to):
         return
     first, last = spindle.place(start), spindle.place(to)
     if last.x <= first.x:

@@ -14,10 +14,10 @@ from rotordyn.results.display import RPM, number
 STRAIGHT = 1e-2  # of the growth: a motion that turns less while it grows e-fold does not swing
 
 
-def instability(found: Iterable[FreeMotions], speed: NDArray[np.float64]) -> list[str]:
+def instability(systems: Iterable[FreeMotions], speed: NDArray[np.float64]) -> list[str]:
     """One sentence where some motion grows at some of ``speed`` [rad/s], else none."""
     fastest = np.full(len(speed), 0j)
-    for modes in (one for one in found if one.pole.size):
+    for modes in (one for one in systems if one.pole.size):
         pole = np.where(modes.growing, modes.pole, 0.0)
         first = np.take_along_axis(pole, pole.real.argmax(axis=-1)[..., None], axis=-1)[..., 0]
         fastest = np.where(first.real > fastest.real, first, fastest)

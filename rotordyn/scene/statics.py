@@ -187,8 +187,10 @@ class Statics(Staged):
         return along.bending(self.mesh.middle)
 
     def _along(self, seat_load: Array) -> AxialForce:
-        own = self.conditions
-        return axial_force(self.grounded, seat_load, own.axial_force, self.gravity, own.tension)
+        conditions = self.conditions
+        return axial_force(
+            self.grounded, seat_load, conditions.axial_force, self.gravity, conditions.tension
+        )
 
     def _structure(self) -> Structure:
         """The terms of the machine."""

@@ -39,9 +39,9 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
         yield from bearing_warnings(scene)
     for support in scene.spindle.supports:
         yield from support.held_at(scene.speed)
-    found = list(scene.systems.values())
-    if found:
-        yield from instability(found, scene.speed[scene.usable])
+    systems = list(scene.systems.values())
+    if systems:
+        yield from instability(systems, scene.speed[scene.usable])
 
 
 def bearing_warnings(scene: Scene) -> Iterator[str]:
@@ -59,10 +59,10 @@ def bearing_warnings(scene: Scene) -> Iterator[str]:
         )
         slips = np.where(usable, balls.slipping[:, column, 0], "")
         free = not any(slips)
-        said = (
+        sentences = (
             pressed(name, speed, peak),
             slipping(name, speed, slips),
             gripping(name, speed, grip) if free else "",
         )
-        yield from (sentence for sentence in said if sentence)
+        yield from (sentence for sentence in sentences if sentence)
     yield from state.small_shims()

@@ -24,13 +24,13 @@ def between_nodes(node: Array, motion: Complex, phi: Array, x: Array) -> Complex
     length = np.diff(node)[left]
     s = (inside - node[left]) / length
     before, after = motion[left], motion[left + 1]
-    found = before * (1.0 - s)[:, None] + after * s[:, None]
+    moved = before * (1.0 - s)[:, None] + after * s[:, None]
     for deflection, tilt, sign in _PLANES:
         v, t = position(deflection), position(tilt)
         ends = (before[:, v], sign * before[:, t], after[:, v], sign * after[:, t])
-        found[:, v], slope = _bent(s, length, phi[left], ends)
-        found[:, t] = sign * slope
-    return found
+        moved[:, v], slope = _bent(s, length, phi[left], ends)
+        moved[:, t] = sign * slope
+    return moved
 
 
 def _bent(

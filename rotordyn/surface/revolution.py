@@ -158,6 +158,6 @@ class _Rings:
     def _band(self, near: Whole, far: Whole) -> Whole:
         first = np.stack([near[:-1], near[1:], far[1:]], axis=1)
         second = np.stack([near[:-1], far[1:], far[:-1]], axis=1)
-        found = np.concatenate([first, second])
-        flat = (found == np.roll(found, 1, axis=1)).any(axis=1)  # beside a point on the axis
-        return found[~flat]
+        faces = np.concatenate([first, second])
+        flat = (faces == np.roll(faces, 1, axis=1)).any(axis=1)  # beside a point on the axis
+        return faces[~flat]

@@ -16,30 +16,30 @@ from rotordyn.surface.rotor import holder_surface, rotor_surface
 
 def surfaces(spindle: Spindle) -> dict[str, Surface]:
     """What turns, by rotor; bodies of a further one bear its name before their own."""
-    found = {name: rotor_surface(spindle.part(name)) for name in spindle.ratios}
+    rotors = {name: rotor_surface(spindle.part(name)) for name in spindle.ratios}
     return {
-        name: own
+        name: surface
         if name == SPINDLE
-        else replace(own, names=tuple(f"{name} {body}" for body in own.names))
-        for name, own in found.items()
+        else replace(surface, names=tuple(f"{name} {body}" for body in surface.names))
+        for name, surface in rotors.items()
     }
 
 
 def holders(spindle: Spindle) -> Surface | None:
     """What holds rotors against ground; nothing is drawn between two of them."""
-    found = []
+    parts = []
     for name in spindle.ratios:
         held = {s.name for s in spindle.supports if set(s.ends) == {name, GROUND}}
         part = spindle.part(name)
-        own = replace(part, supports=tuple(s for s in part.supports if s.name in held))
-        found.append(holder_surface(replace(own, housings=())))
-    rings = [surface for surface in found if surface is not None]
+        held_part = replace(part, supports=tuple(s for s in part.supports if s.name in held))
+        parts.append(holder_surface(replace(held_part, housings=())))
+    rings = [surface for surface in parts if surface is not None]
     return together(rings) if rings else None
 
 
 def displacements(
     spindle: Spindle,
-    own: Mapping[str, Surface],
+    surfaces: Mapping[str, Surface],
     node: Array,
     rotor: Sequence[str],
     shape: Complex,
@@ -50,7 +50,7 @@ def displacements(
     """
     parts = [
         displacement(surface, spindle.part(name).shaft, *_nodes(name, node, rotor, shape))
-        for name, surface in own.items()
+        for name, surface in surfaces.items()
     ]
     return np.concatenate(parts)
 

@@ -50,8 +50,8 @@ class Rendering:
         self._longest = LONGEST + LONGEST_EACH * frames
         paths = os.pathsep.join(os.path.abspath(path) for path in sys.path)
         command = [sys.executable, *PROGRAM, str(self.folder)]
-        orders_file, said = self.folder / "orders", self.folder / "said"
-        with orders_file.open("rb") as into, said.open("wb") as out:
+        orders_file, errors_file = self.folder / "orders", self.folder / "said"
+        with orders_file.open("rb") as into, errors_file.open("wb") as out:
             self._process = subprocess.Popen(
                 command,
                 stdin=into,
@@ -107,8 +107,8 @@ class Rendering:
         self._held.cleanup()
 
     def _load(self, name: str) -> Pixels:
-        found: Any = np.load(self.folder / name)
-        return found
+        pixels: Any = np.load(self.folder / name)
+        return pixels
 
     def _why(self, code: int) -> str:
         """The signal that ended the process, or the last thing it said."""

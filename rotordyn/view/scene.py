@@ -43,11 +43,11 @@ class RotorScene:
         self._pixel = width / 1200.0  # width of lines
         self._parts = surfaces(spindle)
         self._surface = together(list(self._parts.values()))
-        own = {name: spindle.part(name) for name in spindle.ratios}
-        self._orbits = {name: np.array(orbit_stations(part)) for name, part in own.items()}
+        parts = {name: spindle.part(name) for name in spindle.ratios}
+        self._orbits = {name: np.array(orbit_stations(part)) for name, part in parts.items()}
         self._along = {
             name: np.linspace(part.shaft.start, part.shaft.end, ALONG_AXIS)
-            for name, part in own.items()
+            for name, part in parts.items()
         }
         self._stations = _on_axis(np.concatenate(list(self._orbits.values())))
         self._axis_at_rest = _on_axis(np.concatenate(list(self._along.values())))
@@ -61,10 +61,10 @@ class RotorScene:
         self._skins = [_split(surface) for surface in self._parts.values()]
         shade = dict(ambient=0.35, diffuse=0.7, specular=0.15)
         colour = dict(scalars="motion", cmap=colours, clim=(0.0, 1.0), show_scalar_bar=False)
-        widest = {name: _widest(part) for name, part in own.items()}
-        for name, skin in zip(own, self._skins, strict=True):
-            seen = 1.0 if widest[name] == min(widest.values()) else THROUGH
-            self._add(skin, **shade, **colour, opacity=seen).prop.interpolation = "Phong"
+        widest = {name: _widest(part) for name, part in parts.items()}
+        for name, skin in zip(parts, self._skins, strict=True):
+            opacity = 1.0 if widest[name] == min(widest.values()) else THROUGH
+            self._add(skin, **shade, **colour, opacity=opacity).prop.interpolation = "Phong"
         self._lines = _polylines(self._surface.points, self._surface.lines)
         _nearer(self._add(self._lines, color=EDGE, line_width=1.3, opacity=0.75), BESIDE)
         self._rest(holders(spindle))
@@ -82,8 +82,8 @@ class RotorScene:
         size = reach(moved)
         factor = drawn_scale(moved, shape, self._reach)
         self._moved = factor * moved
-        for skin, own in self._of_skins(size / (size.max() or 1.0)):
-            skin.point_data["motion"] = own
+        for skin, part in self._of_skins(size / (size.max() or 1.0)):
+            skin.point_data["motion"] = part
         self._centre = factor * section_motions(spindle, self._along, *mode)
         self._paths = factor * section_motions(spindle, self._orbits, *mode)
         turns = np.array([turning(motion) for motion in self._paths])
@@ -96,8 +96,8 @@ class RotorScene:
         """The mode at ``phase`` [rad] of its period, (height, width, 3)."""
         points = self._surface.points + at_phase(self._moved, phase)
         self._lines.points = points
-        for skin, own in self._of_skins(points):
-            skin.points = own
+        for skin, moved in self._of_skins(points):
+            skin.points = moved
             skin.compute_normals(
                 cell_normals=False, split_vertices=False, consistent_normals=False, inplace=True
             )
@@ -114,8 +114,8 @@ class RotorScene:
     def _of_skins(self, values: Array) -> Iterator[tuple[Any, Array]]:
         """What the points of every rotor's skin take of ``values`` of all points."""
         ends = np.cumsum([len(surface.points) for surface in self._parts.values()])[:-1]
-        for skin, own in zip(self._skins, np.split(values, ends), strict=True):
-            yield skin, own[np.asarray(skin.point_data["origin"])]
+        for skin, part in zip(self._skins, np.split(values, ends), strict=True):
+            yield skin, part[np.asarray(skin.point_data["origin"])]
 
     def _rest(self, rings: Surface | None) -> None:
         """What does not move: rings around the shaft, and the edges of the shaft at rest."""
@@ -149,8 +149,8 @@ class RotorScene:
         import pyvista
 
         step = np.roll(path, -1, axis=0) - np.roll(path, 1, axis=0)
-        seen = np.linalg.norm(projected(step), axis=1)
-        best, size = int(seen.argmax()), 0.026 * self._length
+        length = np.linalg.norm(projected(step), axis=1)
+        best, size = int(length.argmax()), 0.026 * self._length
         if np.ptp(path, axis=0).max() > size:
             yield pyvista.Cone(
                 center=path[best],

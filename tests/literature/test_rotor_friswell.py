@@ -207,7 +207,7 @@ def test_cross_coupled_bearings_from_a_case_file() -> None:
 DAMPED = """\
 spindle: friswell_two_discs
 override:
-  supports.left.damping: &damping {freedoms: [z, y], matrix: [[3e3 N s/m, 0], [0, 3 kN s/m]]}
+  supports.left.damping: &damping {dof: [z, y], matrix: [[3e3 N s/m, 0], [0, 3 kN s/m]]}
   supports.right.damping: *damping
 conditions: {element_length: 250 mm}
 speeds: [0 rpm, 2000 rpm, 4000 rpm]

@@ -186,7 +186,7 @@ def test_pairs_across_motions_are_delivered(tmp_path: Path) -> None:
     path = tmp_path / "coupled.yaml"
     path.write_text(
         "title: coupled\nspindle: friswell_two_discs\noverride:\n"
-        "  supports.left.stiffness:\n    freedoms: [y, z, x, thx]\n    matrix:\n"
+        "  supports.left.stiffness:\n    dof: [y, z, x, thx]\n    matrix:\n"
         "      - [1 N/um, 0, 0.2 N/um, 1 kN/rad]\n      - [0, 1 N/um, 0, 0]\n"
         "      - [0.2 N/um, 0, 2 N/um, 0]\n      - [1 kN/rad, 0, 0, 50 kN m/rad]\n"
         "  supports.left.damping: {xx: 500 N s/m, yy: 300 N s/m, thx_thx: 2 N m s/rad}\n"

@@ -67,7 +67,7 @@ def test_random_rotors(seed: int) -> None:
     for accuracy in (1e-3, 1e-4, 1e-6):
         found = Scene(spindle, Conditions(accuracy=accuracy), np.array([spin]), highest)
         result = campbell.answer(found, CampbellSpec(highest, shapes=False))
-        assert not result.unsettled
+        assert not result.unconverged
         for way in (-1, 1):
             columns = [k for k, whirl in enumerate(result.whirl[0]) if whirl == way]
             order = sorted(columns, key=lambda k: result.frequency[0, k])

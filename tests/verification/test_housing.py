@@ -118,7 +118,7 @@ class Dense:
             n + 6 * place + k
             for place, housing in enumerate(spindle.housings)
             for k, name in enumerate(("x", "y", "z", "thx", "thy", "thz"))
-            if name not in housing.freedoms  # type: ignore[union-attr]
+            if name not in housing.dofs  # type: ignore[union-attr]
         ]
         kept = np.setdiff1d(np.arange(size), stands)
         self.rows = {int(row): place for place, row in enumerate(kept)}
@@ -408,7 +408,7 @@ def test_a_rigid_housing_in_a_case(tmp_path: Path) -> None:
     frequency, made = solve(tmp_path, text)
     (box,) = made.spindle.housings  # type: ignore[attr-defined]
     assert isinstance(box, RigidHousing)
-    assert box.freedoms == ("y", "z", "thz")
+    assert box.dofs == ("y", "z", "thz")
     assert (box.mass, box.x, box.diametral_inertia) == (20.0, 0.2, 0.4)
     assert np.isfinite(frequency).all()
 

@@ -53,4 +53,4 @@ def test_poles_are_those_of_a_massless_beam(density: float, damping: float) -> N
     light, heavier = solved(density, damping), solved(1e-2, damping)
     assert bending(light) == pytest.approx(bending(heavier), rel=1e-5)
     assert math.isinf(light.stability_threshold)
-    assert not light.unsettled
+    assert not light.unconverged

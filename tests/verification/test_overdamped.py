@@ -47,7 +47,7 @@ def test_the_error_of_an_overdamped_mode_is_said(damping: float) -> None:
     error = np.abs(pole.imag - nearest.imag) / np.abs(nearest)
     assert slow.sum() >= 2
     assert (told > 0.3 * error).all()
-    assert "overdamped" in found.unsettled
+    assert "overdamped" in found.unconverged
 
 
 def test_a_rigid_rotor_whose_damper_grows_with_speed() -> None:

@@ -59,8 +59,8 @@ def test_rounding_is_part_of_the_error(stiffness: float) -> None:
     error = np.abs(frequency / exact() - 1.0)
     assert (told > 0.1 * (error - 2e8 / stiffness - 1e-8)).all()
     assert told.max() < 30.0 * error.max()
-    assert ("rounding" in found.unsettled) == (stiffness >= 1e16)
-    assert not found.unsettled or "hold them rigid" in found.unsettled
+    assert ("rounding" in found.unconverged) == (stiffness >= 1e16)
+    assert not found.unconverged or "hold them rigid" in found.unconverged
 
 
 def test_a_slow_motion_beside_a_stiff_spring_keeps_its_error() -> None:

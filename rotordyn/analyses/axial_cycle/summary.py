@@ -39,15 +39,15 @@ def numbers(result: AxialCycleResult, _: Described) -> Iterator[Number]:
 
 def warnings(result: AxialCycleResult) -> list[str]:
     """Bearings that the force unloads."""
-    found = []
+    sentences = []
     load = result.axial_load.min(axis=1)  # of both branches
     for k, name in enumerate(result.bearing):
         rows, at = np.nonzero(load[..., k] == 0.0)
         if len(at):
             place = int(np.abs(result.force[at]).argmin())
             rpm = result.speed[rows[place]] * 30.0 / np.pi
-            found.append(
+            sentences.append(
                 f"bearing {name} is unloaded under an axial force of {result.force[at[place]]:.4g} "
                 f"N at {rpm:.0f} rpm: raise its preload, or keep the force away from there"
             )
-    return found
+    return sentences

@@ -14,7 +14,7 @@ from rotordyn.analyses.bearing.result import BearingMapResult, MomentMapResult, 
 from rotordyn.analyses.bearing.spec import AXIAL, FIXED, MOMENT, RADIAL, BearingMapSpec
 from rotordyn.errors import NoSolution
 from rotordyn.machine.limits import HIGHEST_PRESSURE
-from rotordyn.results.balls import BALL_QUANTITIES, FREEDOMS
+from rotordyn.results.balls import BALL_QUANTITIES, DOFS
 from rotordyn.results.declaration import declared
 from rotordyn.results.display import RPM
 from rotordyn.results.kinds import Array
@@ -53,8 +53,8 @@ def answer(
         speed=speed,
         load=np.array(spec.values),
         tangent=spec.tangents,
-        dof=FREEDOMS,
-        dof_other=FREEDOMS,
+        dof=DOFS,
+        dof_other=DOFS,
         outcome=outcome,
         deflection=moved[..., 0],
         radial_deflection=moved[..., 1],
@@ -97,7 +97,7 @@ def _solved(
 def _life(state: BearingState, outcome: NDArray[np.str_], spec: BearingMapSpec) -> dict[str, Any]:
     """Life and safety; heat and film where there is oil."""
     lived = bearings.life.life_of(state, spec.dynamic_rating)
-    found: dict[str, Array] = {
+    computed: dict[str, Array] = {
         "revolutions": lived.revolutions,
         "equivalent_load": lived.equivalent_load,
         "static_safety": bearings.life.static_safety(state),
@@ -115,7 +115,7 @@ def _life(state: BearingState, outcome: NDArray[np.str_], spec: BearingMapSpec) 
         )
         films = bearings.film.film(state, oiled.oil, oiled.temperature).least
         least = np.where(np.asarray(state.contact_load) > 0.0, films, np.inf).min(axis=(-2, -1))
-        found |= {
+        computed |= {
             "contact_heat": lost.inner + lost.outer,
             "spin_heat": lost.spin,
             "viscous_heat": lost.viscous,
@@ -123,7 +123,7 @@ def _life(state: BearingState, outcome: NDArray[np.str_], spec: BearingMapSpec) 
         }
     shown = {
         name: _where(outcome, np.broadcast_to(values, outcome.shape))
-        for name, values in found.items()
+        for name, values in computed.items()
     }
     return {**shown, "limiting": np.where(outcome == "", lived.limiting, "")}
 
@@ -163,12 +163,12 @@ def under(result: BearingMapResult, place: int, axial: str = "") -> str:
     return words if isinstance(result, MomentMapResult) else words + axial
 
 
-def tangent_error(result: BearingMapResult, tangent: str, freedom: str) -> Array:
+def tangent_error(result: BearingMapResult, tangent: str, dof: str) -> Array:
     """Diagonal entry of ``tangent`` over that of the complete tangent, less 1 (speeds, loads)."""
-    own, complete = (result.tangent.index(name) for name in (tangent, "complete"))
-    place = result.dof.index(freedom)
+    chosen, complete = (result.tangent.index(name) for name in (tangent, "complete"))
+    place = result.dof.index(dof)
     entry = result.stiffness[..., place, place]
-    return np.asarray(entry[..., own] / entry[..., complete] - 1.0)
+    return np.asarray(entry[..., chosen] / entry[..., complete] - 1.0)
 
 
 def _outcomes(speed: Array, spec: BearingMapSpec, state: BearingState) -> NDArray[np.str_]:

@@ -29,7 +29,7 @@ def summary(result: BearingMapResult) -> list[str]:
 
 def cut_off(result: BearingMapResult) -> list[str]:
     """A sentence for each ring whose groove ends within a contact ellipse at some load."""
-    found = []
+    sentences = []
     for letter, ring in RINGS.items():
         here = [k for k, name in enumerate(result.contact) if name.startswith(letter)]
         upper, lower = result.ellipse_upper[..., here], result.ellipse_lower[..., here]
@@ -43,12 +43,12 @@ def cut_off(result: BearingMapResult) -> list[str]:
                 continue
             column = int(np.flatnonzero(share.any(axis=0))[0])
             rpm = result.speed[np.flatnonzero(share[:, column])[0]] * RPM.factor
-            found.append(
+            sentences.append(
                 f"contact ellipse passes {what} of the {ring} ring, first under "
                 f"{under(result, column)} at {rpm:.0f} rpm, up to {100.0 * share.max():.2g} % of "
                 "its length lost"
             )
-    return found
+    return sentences
 
 
 def _farther(upper: Array, lower: Array) -> Array:
@@ -107,11 +107,11 @@ def _life(result: BearingMapResult) -> list[str]:
         if not (result.outcome[[0, -1], k] == "").all():
             continue
         life = f"{from_to(result.revolutions[:, k] * 1e-6, 0)} million revolutions"
-        said = f"{under(result, k)}: L10r {life}, S0 {from_to(result.static_safety[:, k])}"
+        text = f"{under(result, k)}: L10r {life}, S0 {from_to(result.static_safety[:, k])}"
         if np.isfinite(result.viscous_heat[-1, k]):
             heat = result.contact_heat[:, k] + result.viscous_heat[:, k]
-            said += f", heat {from_to(heat, 0)} W (order of magnitude)"
-        lines.append(f"{'life       ' if not lines else INDENT}{said}")
+            text += f", heat {from_to(heat, 0)} W (order of magnitude)"
+        lines.append(f"{'life       ' if not lines else INDENT}{text}")
     return lines
 
 
@@ -138,9 +138,11 @@ def warnings(result: BearingMapResult) -> list[str]:
     """Contacts pressed too hard, balls that slip, contact ellipses cut off."""
     peak = np.fmax(result.inner_pressure, result.outer_pressure)
     loads = [f"under {under(result, k)}" for k in range(len(result.load))]
-    found = [pressed(load, result.speed, own) for load, own in zip(loads, peak.T, strict=True)]
-    found += [
-        slipping(load, result.speed, own)
-        for load, own in zip(loads, result.slipping.T, strict=True)
+    sentences = [
+        pressed(load, result.speed, values) for load, values in zip(loads, peak.T, strict=True)
     ]
-    return [*(sentence for sentence in found if sentence), *cut_off(result)]
+    sentences += [
+        slipping(load, result.speed, values)
+        for load, values in zip(loads, result.slipping.T, strict=True)
+    ]
+    return [*(sentence for sentence in sentences if sentence), *cut_off(result)]

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from rotordyn.analyses.campbell.result import CampbellResult
 from rotordyn.analyses.campbell.spec import CampbellSpec, ShapesInSpaceSpec
 from rotordyn.errors import InvalidInput
-from rotordyn.figures.draw import LeftOut
+from rotordyn.figures.draw import Omitted
 from rotordyn.machine.spindle import Spindle
 from rotordyn.results.described import Described
 from rotordyn.view.apart import NoPictures, Rendering
@@ -26,7 +26,7 @@ Parts = Mapping[str, tuple[Described, CampbellResult]]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class Asked:
+class PartShapes:
     """The shapes of one part of a case, ``name`` being its folder."""
 
     name: str
@@ -39,8 +39,10 @@ class Asked:
     def order(self) -> Order:
         """What is to be rendered."""
         frames = FRAMES if self.spec.animation else 0
-        own = self.result
-        return Order(self.spindle, own.node, own.node_rotor, own.shape, self.spec.amplitude, frames)
+        result = self.result
+        return Order(
+            self.spindle, result.node, result.node_rotor, result.shape, self.spec.amplitude, frames
+        )
 
     @property
     def heading(self) -> str:
@@ -60,14 +62,14 @@ class InSpace:
     """
 
     def __init__(self, parts: Parts, folder: Path | None) -> None:
-        self.left_out = LeftOut()
-        found = (_asked(name, case, result) for name, (case, result) in parts.items())
-        self._asked = [asked for asked in found if asked is not None and asked.order.places]
+        self.omitted = Omitted()
+        pictures = (_part_shapes(name, case, result) for name, (case, result) in parts.items())
+        self._parts = [each for each in pictures if each is not None and each.order.places]
         self._folder = folder
         self._rendering: Rendering | None = None
 
     def __enter__(self) -> InSpace:
-        orders = [asked.order for asked in self._asked]
+        orders = [each.order for each in self._parts]
         self._rendering = Rendering(orders, self._folder) if orders else None
         return self
 
@@ -78,24 +80,24 @@ class InSpace:
     def draw(self, folder: Path, formats: Sequence[str]) -> dict[str, float]:
         """Wait for the pictures, write figures and animations; seconds by figure.
 
-        Where nothing can be rendered, ``left_out`` says so afterwards.
+        Where nothing can be rendered, ``omitted`` says so afterwards.
         """
         if self._rendering is None:
             return {}
         try:
             self._rendering.finish()
         except NoPictures as none:
-            self.left_out = _left_out(self._asked, str(none))
+            self.omitted = _omitted(self._parts, str(none))
             return {}
         from rotordyn.figures.draw import Drawing
 
-        drawn = Drawing(_sheets(self._asked, self._rendering), folder, formats=formats).finish()
-        return drawn | _animate(self._asked, self._rendering, folder)
+        drawn = Drawing(_sheets(self._parts, self._rendering), folder, formats=formats).finish()
+        return drawn | _animate(self._parts, self._rendering, folder)
 
     @property
     def names(self) -> tuple[str, ...]:
         """Of the sheets."""
-        return _names(self._asked)
+        return _names(self._parts)
 
     def figure(self, name: str) -> Figure:
         """Wait for the pictures and draw one sheet.
@@ -111,60 +113,60 @@ class InSpace:
             self._rendering.finish()
         except NoPictures as none:
             raise InvalidInput(f"figure {name} cannot be drawn: {none}") from None
-        return drawn(dict(_sheets(self._asked, self._rendering))[name])
+        return drawn(dict(_sheets(self._parts, self._rendering))[name])
 
 
-def _asked(name: str, case: Described, result: CampbellResult) -> Asked | None:
+def _part_shapes(name: str, case: Described, result: CampbellResult) -> PartShapes | None:
     spec = case.analyses.get("campbell")
     if not isinstance(spec, CampbellSpec) or spec.shapes_3d is None or case.spindle is None:
         return None
     if not result.shape.size:
         return None
-    return Asked(name, case.title, case.spindle, result, spec.shapes_3d)
+    return PartShapes(name, case.title, case.spindle, result, spec.shapes_3d)
 
 
-def _sheets(parts: list[Asked], rendering: Rendering) -> list[Job]:
+def _sheets(parts: list[PartShapes], rendering: Rendering) -> list[Job]:
     """Name and drawing function of every sheet, once the pictures are rendered."""
     from rotordyn.analyses.campbell.figures.shapes_3d import sheet_figure, sheets
     from rotordyn.figures.draw import titled
 
     jobs: list[Job] = []
-    for number, asked in enumerate(parts):
+    for number, each in enumerate(parts):
         picture = partial(rendering.still, number)
-        for name, speed, modes in sheets(asked.result):
-            draw = partial(sheet_figure, asked.result, speed, modes, picture, asked.order)
-            jobs.append((asked.inside(name), partial(titled, draw, asked.heading)))
+        for name, speed, modes in sheets(each.result):
+            draw = partial(sheet_figure, each.result, speed, modes, picture, each.order)
+            jobs.append((each.inside(name), partial(titled, draw, each.heading)))
     return jobs
 
 
-def _names(parts: list[Asked]) -> tuple[str, ...]:
+def _names(parts: list[PartShapes]) -> tuple[str, ...]:
     from rotordyn.analyses.campbell.figures.shapes_3d import sheets
 
-    return tuple(asked.inside(name) for asked in parts for name, *_ in sheets(asked.result))
+    return tuple(each.inside(name) for each in parts for name, *_ in sheets(each.result))
 
 
-def _animate(parts: list[Asked], rendering: Rendering, folder: Path) -> dict[str, float]:
+def _animate(parts: list[PartShapes], rendering: Rendering, folder: Path) -> dict[str, float]:
     from rotordyn.analyses.campbell.figures.shapes_3d import save_animation
     from rotordyn.analyses.campbell.meshes import FOLDER, shape_name
 
     seconds = {}
-    for number, asked in enumerate(parts):
-        for speed, mode in asked.order.places if asked.spec.animation else ():
+    for number, each in enumerate(parts):
+        for speed, mode in each.order.places if each.spec.animation else ():
             begin = time.perf_counter()
-            name = asked.inside(f"{FOLDER}/{shape_name(asked.result, speed, mode)}.gif")
+            name = each.inside(f"{FOLDER}/{shape_name(each.result, speed, mode)}.gif")
             (folder / name).parent.mkdir(exist_ok=True)
             frames = rendering.moving(number, speed, mode)
             save_animation(
-                folder / name, asked.result, speed, mode, frames, asked.order, asked.heading
+                folder / name, each.result, speed, mode, frames, each.order, each.heading
             )
             seconds[name] = time.perf_counter() - begin
     return seconds
 
 
-def _left_out(parts: list[Asked], why: str) -> LeftOut:
+def _omitted(parts: list[PartShapes], why: str) -> Omitted:
     """Every figure that is missing, and one sentence for all."""
     names = _names(parts)
-    animated = any(asked.spec.animation for asked in parts)
+    animated = any(each.spec.animation for each in parts)
     also = " and the animations" if animated else ""
-    said = f"figures {', '.join(names)}{also} left out: {why}"
-    return LeftOut(dict.fromkeys(names, why), (said,))
+    sentence = f"figures {', '.join(names)}{also} left out: {why}"
+    return Omitted(dict.fromkeys(names, why), (sentence,))

@@ -37,7 +37,7 @@ def _frequencies(
 ) -> Array:
     """Frequencies [Hz] of one kind, and of one whirl if given, at the nearest speed, ascending."""
     at = int(np.argmin(np.abs(result.speed - speed)))
-    chosen = np.array([own == kind for own in result.kind], bool)
+    chosen = np.array([each == kind for each in result.kind], bool)
     if whirl is not None:
         chosen &= result.whirl[at] == whirl
     values = np.sort(result.frequency[at, chosen])
@@ -56,8 +56,8 @@ def known(reference: Reference, result: CampbellResult, _: Spindle | None) -> Ar
         return column(speeds, result, "frequency", "mode", f"{kind} {reference.subject}")
     if np.abs(result.speed - speeds[0]).min() > SAME_SPEED * result.speed[-1]:
         return np.full(speeds.size, np.nan)
-    found = MODES[reference.quantity](result, float(speeds[0]))[: speeds.size]
-    return np.concatenate([found, np.full(speeds.size - found.size, np.nan)])
+    computed = MODES[reference.quantity](result, float(speeds[0]))[: speeds.size]
+    return np.concatenate([computed, np.full(speeds.size - computed.size, np.nan)])
 
 
 MODES: dict[str, Callable[[CampbellResult, float], Array]] = {

@@ -25,9 +25,10 @@ def passing(scene: Scene, wanted: tuple[str, ...]) -> tuple[tuple[str, ...], Arr
         orders[id(state)] = frequencies(state)
     good = np.array([word == "" for word in scene.outcome])
     hertz = np.where(good, scene.speed, np.nan) / (2.0 * math.pi)
-    found = {
-        f"{which} {', '.join(own)}": getattr(orders[key], which)[scene.bearing_row, column] * hertz
+    rates = {
+        f"{which} {', '.join(seats)}": getattr(orders[key], which)[scene.bearing_row, column]
+        * hertz
         for which in wanted
-        for (key, column), own in names.items()
+        for (key, column), seats in names.items()
     }
-    return tuple(found), np.stack([*found.values()], axis=1)
+    return tuple(rates), np.stack([*rates.values()], axis=1)

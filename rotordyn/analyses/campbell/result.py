@@ -25,7 +25,7 @@ class CampbellResult:
     ``shape``: displacements of the nodes at the speeds ``shape_speed``, scaled to a largest
     translation (or rotation) of 1, complex.
     ``pole``: λ of e^(λt) with Im λ ≥ 0. ``overdamped``: its damping ratio is above ``OVERDAMPED``,
-    so that the motion hardly swings. ``unsettled``: what still changes by more than the accuracy
+    so that the motion hardly swings. ``unconverged``: what still changes by more than the accuracy
     asked for as the model is refined, a sentence, or "".
     ``stability_threshold``: lowest speed of the range at which a mode begins to grow, infinite
     where none does; ``first_to_grow``: that mode, "a divergence" of a motion that does not
@@ -34,7 +34,7 @@ class CampbellResult:
     forward the way the spindle turns. ``engine_order``: those whose critical speeds were sought;
     ``critical``: the mode that turns at ``critical_order`` times
     the speed of ``critical_rotor`` where the spindle has ``critical_speed``, with its kind and
-    damping ratio there; all are told where it turns at ``max_frequency`` at most;
+    damping ratio there; all are listed where it turns at ``max_frequency`` at most;
     ``critical_whirl``: forward, backward, planar, or mixed where parts of the shaft whirl either
     way; ``critical_excited``: false where a force that turns with the shaft does no work on it
     (order 1; axial, torsion, backward whirl of an isotropic rotor); a force of another order may
@@ -46,7 +46,7 @@ class CampbellResult:
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
     mode: Words = coordinate("mode", unit="", label="mode")
     node: Array = coordinate("node", unit="m", label="station", printed=MILLIMETRE)
-    dof: Words = coordinate("dof", unit="", label="freedom")
+    dof: Words = coordinate("dof", unit="", label="DOF")
     rotor: Words = coordinate("rotor", unit="", label="rotor")
     shape_speed: Array = coordinate("shape_speed", unit="rad/s", label="speed of the shapes")
     critical: Words = coordinate("critical", unit="", label="critical speed")
@@ -61,7 +61,7 @@ class CampbellResult:
         "speed", "mode", unit="1", label="estimated error of the damping ratio"
     )
     max_frequency: float = quantity(unit="Hz", label="modes and critical speeds up to")
-    unsettled: str = quantity(unit="", label="what changes as the model is refined")
+    unconverged: str = quantity(unit="", label="what changes as the model is refined")
     pole: Complex = quantity("speed", "mode", unit="rad/s", label="pole")
     stopped: Array = quantity("speed", unit="1", label="number of sleeves at their stops")
     free: Array = quantity(

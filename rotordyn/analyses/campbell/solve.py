@@ -52,13 +52,13 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
     shape = (len(scene.usable), len(branches))
     pole = np.array([b.pole for b in branches], dtype=complex).reshape(shape[::-1]).T
     degree = _table([b.degree for b in branches], shape)
-    rigid = [rigid_share(scene.system(b.home).linear, b) for b in branches]
-    seen = pole.imag
+    rigid = [rigid_share(scene.system(b.subsystem).linear, b) for b in branches]
+    frequency = pole.imag
     if turned:
-        seen = _table([_seen(scene, b) for b in branches], shape)
+        frequency = _table([_seen(scene, b) for b in branches], shape)
     with np.errstate(invalid="ignore", divide="ignore"):
         ratio = scene.scattered(-pole.real / np.abs(pole))
-        off = errors.frequency * np.where(seen == pole.imag, 1.0, np.abs(pole) / seen)
+        off = errors.frequency * np.where(frequency == pole.imag, 1.0, np.abs(pole) / frequency)
     defects, defect_frequency = passing(scene, spec.bearing_frequencies)
     kind = TurningCampbellResult if turned else CampbellResult
     return kind(
@@ -71,12 +71,12 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         critical=tuple(c.mode for c in criticals),
         engine_order=np.array(spec.engine_orders, dtype=float),
         outcome=scene.outcome,
-        frequency=scene.scattered(seen / (2.0 * math.pi)),
+        frequency=scene.scattered(frequency / (2.0 * math.pi)),
         frequency_error=scene.scattered(off),
         damping_error=scene.scattered(errors.damping),
         pole=scene.scattered(pole),
         max_frequency=spec.max_frequency,
-        unsettled=errors.unsettled,
+        unconverged=errors.unconverged,
         stopped=scene.scattered(scene.state.stops.sum(axis=1).astype(float)),
         free=scene.scattered(_free(scene)),
         node_rotor=scene.mesh.rotor,
@@ -88,7 +88,7 @@ def answer(scene: Scene, spec: CampbellSpec) -> CampbellResult:
         whirl_degree=scene.scattered(degree),
         rigid_share=scene.scattered(_table(rigid, shape)),
         kind=tuple(b.kind for b in branches),
-        character=tuple(character(b, own) for b, own in zip(branches, rigid, strict=True)),
+        character=tuple(character(b, share) for b, share in zip(branches, rigid, strict=True)),
         shape=_shapes(scene, branches, ends),
         stability_threshold=threshold,
         first_to_grow=growing,
@@ -138,7 +138,7 @@ def _shapes(scene: Scene, branches: list[Branch], ends: list[int]) -> Complex:
     for place, row in enumerate(ends):
         for k, branch in enumerate(branches):
             if branch.column[row] >= 0:
-                vector, motion = branch.vector[row], scene.system(branch.home).linear.motion
+                vector, motion = branch.vector[row], scene.system(branch.subsystem).linear.motion
                 moved = motion @ np.stack([vector.real, vector.imag], axis=-1)
                 shapes[place, k] = scaled(moved[..., 0] + 1j * moved[..., 1], branch.kind)
     return shapes

@@ -79,7 +79,7 @@ def _criticals(result: CampbellResult, line: Line) -> list[str]:
             f"{name}{_turn(name, whirl)} {number(speed * RPM.factor, 0)} rpm "
             f"({(speed / last - 1.0) * 100.0:+.0f} %)"
         )
-        for name, whirl, speed, rotor, own, excited in zip(
+        for name, whirl, speed, rotor, order, excited in zip(
             result.critical,
             result.critical_whirl,
             result.critical_speed,
@@ -88,7 +88,7 @@ def _criticals(result: CampbellResult, line: Line) -> list[str]:
             result.critical_excited,
             strict=True,
         )
-        if (rotor, own) == (line.rotor, line.order) and excited and last > 0.0
+        if (rotor, order) == (line.rotor, line.order) and excited and last > 0.0
     ]
 
 
@@ -152,20 +152,20 @@ def _bending(result: CampbellResult, row: int) -> list[list[tuple[str, float]]]:
 
 def warnings(result: CampbellResult) -> list[str]:
     """Modes that change with the model, and modes that grow by themselves."""
-    return [*_unsettled(result), *_unstable_modes(result), *_dropped(result)]
+    return [*_unconverged(result), *_unstable_modes(result), *_dropped(result)]
 
 
-def _unsettled(result: CampbellResult) -> list[str]:
-    if not result.unsettled:
+def _unconverged(result: CampbellResult) -> list[str]:
+    if not result.unconverged:
         return []
-    return [f"modes are less sure than asked for: {result.unsettled}"]
+    return [f"modes are less sure than asked for: {result.unconverged}"]
 
 
 def _dropped(result: CampbellResult) -> list[str]:
     """Modes that are counted but neither drawn nor listed, at all speeds or at some."""
-    found = []
+    sentences = []
     if count := int(result.mostly_overdamped.sum()):
-        found.append(
+        sentences.append(
             f"{count} of {len(result.mode)} modes are overdamped (damping ratio above "
             f"{OVERDAMPED:g}) at most speeds and left out of figures and lists; results.nc has them"
         )
@@ -174,18 +174,18 @@ def _dropped(result: CampbellResult) -> list[str]:
         missing = np.flatnonzero(solved & ~np.isfinite(result.frequency[:, k]))
         if result.kind[k] in ("axial", "torsion") and missing.size:
             speeds = from_to(result.speed[missing] * RPM.factor, 0)
-            found.append(
+            sentences.append(
                 f"{result.mode[k]} lies above the band asked for at {speeds} rpm: raise "
                 "max_frequency to see it there"
             )
-    return found
+    return sentences
 
 
 def _unstable_modes(result: CampbellResult) -> list[str]:
-    found = []
+    sentences = []
     onward = " on" if result.unstable[-1].any() else ""  # or stable again before the top speed
     if 0.0 < result.stability_threshold < result.speed[-1]:
-        found.append(
+        sentences.append(
             f"{result.first_to_grow} grows by itself from "
             f"{result.stability_threshold * RPM.factor:.0f} rpm{onward}"
         )
@@ -194,9 +194,9 @@ def _unstable_modes(result: CampbellResult) -> list[str]:
     ):
         at = np.flatnonzero(growing)
         if at.size:
-            found.append(
+            sentences.append(
                 f"{name} is unstable at {result.speed[at[0]] * RPM.factor:.0f} rpm"
                 + (f" and {at.size - 1} more of the speeds" if at.size > 1 else "")
                 + f" (damping ratio down to {np.nanmin(ratio) * 100.0:.2g} %)"
             )
-    return found
+    return sentences

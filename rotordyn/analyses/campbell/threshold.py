@@ -33,34 +33,34 @@ def stability_threshold(
 
     Infinite and "" where none does; the first speed where one grows from there on.
     """
-    found = [(math.inf, "")]
+    onsets = [(math.inf, "")]
     for branch, name in zip(branches, names, strict=True):
         track, speed = branch.track, branch.track.speed
-        growing = grows(track.pole, scene.system(branch.home).modes.largest.max())
+        growing = grows(track.pole, scene.system(branch.subsystem).modes.largest.max())
         if not growing.any():
             continue
         row = int(growing.argmax())
         begin = float(speed[row])
         if row and not track.lost[row - 1]:
-            begin = _begin(scene, band, branch.home, float(speed[row - 1]), begin)
-        found.append((begin, name))
-    for home in scene.with_motions(MOTIONS):
-        diverging = _diverging(scene.system(home)).any(axis=1)
+            begin = _begin(scene, band, branch.subsystem, float(speed[row - 1]), begin)
+        onsets.append((begin, name))
+    for subsystem in scene.with_motions(MOTIONS):
+        diverging = _diverging(scene.system(subsystem)).any(axis=1)
         if diverging.any():
             row, speed = int(diverging.argmax()), scene.speed[scene.usable]
             begin = float(speed[row])
             if row:
-                begin = _begin(scene, band, home, float(speed[row - 1]), begin)
-            found.append((begin, DIVERGENCE))
-    return min(found)
+                begin = _begin(scene, band, subsystem, float(speed[row - 1]), begin)
+            onsets.append((begin, DIVERGENCE))
+    return min(onsets)
 
 
-def _diverging(found: FreeMotions) -> NDArray[np.bool_]:
+def _diverging(motions: FreeMotions) -> NDArray[np.bool_]:
     """Motions (s, k) that grow without swinging."""
-    return np.asarray(found.growing & ~swings(found.pole))
+    return np.asarray(motions.growing & ~swings(motions.pole))
 
 
-def _begin(scene: Scene, band: Band, home: int, low: float, high: float) -> float:
+def _begin(scene: Scene, band: Band, subsystem: int, low: float, high: float) -> float:
     """Where the largest growth becomes positive between two speeds, by Brent's method, which finds
     jumps too: by loss factors growth changes its sign at once. Where there is no equilibrium on the
     way, the lowest speed known to grow."""
@@ -69,7 +69,7 @@ def _begin(scene: Scene, band: Band, home: int, low: float, high: float) -> floa
     growing = [high]
 
     def growth(speed: float) -> float:
-        value = _growth(scene, band, home, speed)
+        value = _growth(scene, band, subsystem, speed)
         if not math.isfinite(value):
             raise NoSolution(f"no equilibrium at {speed:.6g} rad/s")
         if value > 0.0:
@@ -85,13 +85,13 @@ def _begin(scene: Scene, band: Band, home: int, low: float, high: float) -> floa
         return min(growing)
 
 
-def _growth(scene: Scene, band: Band, home: int, speed: float) -> float:
+def _growth(scene: Scene, band: Band, subsystem: int, speed: float) -> float:
     """Largest Re λ over |λ| of what swings in the band or diverges; none where there is no
     equilibrium."""
     other = scene.at(np.array([speed]))
     if any(other.outcome):
         return math.nan
-    found = other.system(home)
-    inside = (found_in(found, MARGIN * band.highest) | _diverging(found))[0]
-    pole = found.pole[0][inside]
+    motions = other.system(subsystem)
+    inside = (found_in(motions, MARGIN * band.highest) | _diverging(motions))[0]
+    pole = motions.pole[0][inside]
     return float((pole.real / np.abs(pole)).max(initial=-1.0))

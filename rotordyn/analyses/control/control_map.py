@@ -190,16 +190,16 @@ def _roots(sweep: _Sweep, race: Index, row: Index, low: Array, high: Array) -> A
 
     def margin(log_load: Array, entry: Array) -> Array:
         k = entry.astype(int)
-        found = least_margins(sweep.state(np.exp(log_load), row[k]))
-        return np.asarray(np.take_along_axis(found, race[k][None], axis=0)[0])
+        margins = least_margins(sweep.state(np.exp(log_load), row[k]))
+        return np.asarray(np.take_along_axis(margins, race[k][None], axis=0)[0])
 
-    found = elementwise.find_root(
+    root = elementwise.find_root(
         margin,
         (np.log(low), np.log(high)),
         args=(np.arange(race.size, dtype=float),),
         tolerances=dict(xatol=LOG_TOLERANCE, xrtol=0.0, fatol=0.0, frtol=0.0),
     )
-    return np.where(found.success, np.exp(found.x), np.nan)
+    return np.where(root.success, np.exp(root.x), np.nan)
 
 
 def _pressures(sweep: _Sweep, boundary: Array) -> Array:

@@ -36,7 +36,7 @@ def answer(
     ------
     NoSolution : no load and speed has a physical state
     """
-    found = control_map(
+    computed = control_map(
         bearing,
         speed=speed,
         lowest=spec.min_load,
@@ -45,32 +45,32 @@ def answer(
         static_growth=spec.static_growth,
         law=conditions.law,
     )
-    lost = (found.outcome != "").all(axis=1)
+    lost = (computed.outcome != "").all(axis=1)
     if lost.all():
-        raise NoSolution(f"no load and speed of the case has a state: {found.outcome[0, -1]}")
-    load, absence = _physical(found)
+        raise NoSolution(f"no load and speed of the case has a state: {computed.outcome[0, -1]}")
+    load, absence = _physical(computed)
     fits, misfits, words = _fits(speed, load)
     return ControlResult(
         speed=speed,
-        load=found.load,
+        load=computed.load,
         boundary=RACES,
         term=TERMS,
         outcome=tuple(
             f"{word} at {omega * RPM.factor:.0f} rpm" if none else ""
-            for none, word, omega in zip(lost, found.outcome[:, -1], speed, strict=True)
+            for none, word, omega in zip(lost, computed.outcome[:, -1], speed, strict=True)
         ),
         radial=spec.radial,
         resting_weight=resting_weight(bearing),
         boundary_load=load,
         boundary_absence=absence,
-        boundary_pressure=np.where(np.isfinite(load), found.pressure, np.nan),
-        changes=found.changes,
+        boundary_pressure=np.where(np.isfinite(load), computed.pressure, np.nan),
+        changes=computed.changes,
         fit=fits,
         fit_misfit=misfits,
         fit_absence=words,
-        state=found.outcome,
-        inner_margin=found.inner_margin,
-        outer_margin=found.outer_margin,
+        state=computed.outcome,
+        inner_margin=computed.inner_margin,
+        outer_margin=computed.outer_margin,
     )
 
 
@@ -95,11 +95,11 @@ def _signed(value: float) -> str:
     return f"{'−' if value < 0.0 else '+'} {abs(value):.3g}"
 
 
-def _physical(found: ControlMap) -> tuple[Array, NDArray[np.str_]]:
+def _physical(computed: ControlMap) -> tuple[Array, NDArray[np.str_]]:
     """Boundaries and absences; those beyond what contacts can bear are none."""
-    over = found.pressure > HIGHEST_PRESSURE
+    over = computed.pressure > HIGHEST_PRESSURE
     word = f"boundary overloaded (peak pressure above {HIGHEST_PRESSURE / 1e9:g} GPa)"
-    return np.where(over, np.nan, found.boundary), np.where(over, word, found.absence)
+    return np.where(over, np.nan, computed.boundary), np.where(over, word, computed.absence)
 
 
 def _fits(speed: Array, load: Array) -> tuple[Array, Array, tuple[str, ...]]:

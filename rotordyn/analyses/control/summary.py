@@ -37,7 +37,9 @@ def summary(result: ControlResult) -> list[str]:
         ]
     several = int((result.changes > 1).any(axis=0).sum())
     if several:
-        lines.append(f"           at {several} speeds control changes more than once; highest told")
+        lines.append(
+            f"           at {several} speeds control changes more than once; the highest is given"
+        )
     return lines
 
 

@@ -38,21 +38,21 @@ def measured_fields(
     beside = np.full((4, count, PEAKS), np.nan)
     frac = np.full(count, np.nan)
     for row, one in enumerate(spec.measured):
-        own, seen = np.array(one.frequency), as_quantity(one, spec.quantity)
-        axis[row, : len(own)], response[row, : len(own)] = own, seen
+        at_frequency, measured = np.array(one.frequency), as_quantity(one, spec.quantity)
+        axis[row, : len(at_frequency)], response[row, : len(at_frequency)] = at_frequency, measured
         near = int(np.abs(speed - one.speed).argmin())
         pair = pairs.index(one.pair)
-        inside = (own >= frequency[0]) & (own <= frequency[-1])
-        there = computed(near, own[inside])[pair]
+        inside = (at_frequency >= frequency[0]) & (at_frequency <= frequency[-1])
+        there = computed(near, at_frequency[inside])[pair]
         if np.isfinite(there).all() and inside.sum() >= LEAST_POINTS:
-            frac[row] = assurance(seen[inside], there)
+            frac[row] = assurance(measured[inside], there)
             at, high = (each[near, pair] for each in peaks)
             known = np.isfinite(at)
             valleys = np.sqrt(at[known][1:] * at[known][:-1])  # between peaks nearer than the grid
             grid = np.unique(np.concatenate([frequency, at[known], valleys]))
             curve = np.abs(computed(near, grid)[pair])
             curve[np.searchsorted(grid, at[known])] = np.abs(high[known])
-            beside[:, row] = _beside(own[inside], np.abs(seen[inside]), grid, curve)
+            beside[:, row] = _beside(at_frequency[inside], np.abs(measured[inside]), grid, curve)
     names = ("measured_peak", "measured_peak_amplitude", "computed_peak", "computed_peak_amplitude")
     return {
         "measured": tuple(one.name for one in spec.measured),
@@ -97,15 +97,15 @@ def _stands_out(amplitude: Array, top: int) -> bool:
     return True
 
 
-def _beside(at: Array, seen: Array, frequency: Array, computed: Array) -> Array:
+def _beside(at: Array, measured: Array, frequency: Array, computed: Array) -> Array:
     """The highest measured peaks, ascending, each with the computed peak nearest to it (4, peaks).
 
     Rows: measured frequency and amplitude, computed frequency and amplitude.
     """
     rows = np.full((4, PEAKS), np.nan)
-    tops, others = np.sort(peaks_of(seen)[:PEAKS]), peaks_of(computed)
+    tops, others = np.sort(peaks_of(measured)[:PEAKS]), peaks_of(computed)
     for column, top in enumerate(tops):
-        rows[:2, column] = at[top], seen[top]
+        rows[:2, column] = at[top], measured[top]
         if others.size:
             near = others[np.abs(np.log(frequency[others] / at[top])).argmin()]
             rows[2:, column] = frequency[near], computed[near]

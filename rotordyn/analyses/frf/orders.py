@@ -44,7 +44,7 @@ def line_fields(scene: Scene, spec: FrfSpec, responses: Responses) -> dict[str, 
     curves: list[tuple[Array, Complex]] = []
     if lines:
         value = responses(scene, frequency[scene.usable])
-        curves = [_curve(scene, line, responses, *own) for line, *own in _expected(scene, lines)]
+        curves = [_curve(scene, line, responses, *spin) for line, *spin in _expected(scene, lines)]
     longest = max((len(speed) for speed, _ in curves), default=0)
     highest = [[tops(np.abs(each)) for each in curve.T] for _, curve in curves]
     most = max((len(top) for each in highest for top in each), default=0)
@@ -52,10 +52,10 @@ def line_fields(scene: Scene, spec: FrfSpec, responses: Responses) -> dict[str, 
     curve = np.full((len(lines), longest, pairs), complex(np.nan, np.nan))
     at = np.full((len(lines), pairs, most), np.nan)
     peak = np.full((len(lines), pairs, most), complex(np.nan, np.nan))
-    for row, (own, found) in enumerate(curves):
-        speed[row, : len(own)], curve[row, : len(own)] = own, found
+    for row, (spin, response) in enumerate(curves):
+        speed[row, : len(spin)], curve[row, : len(spin)] = spin, response
         for pair, top in enumerate(highest[row]):
-            at[row, pair, : len(top)], peak[row, pair, : len(top)] = own[top], found[top, pair]
+            at[row, pair, : len(top)], peak[row, pair, : len(top)] = spin[top], response[top, pair]
     return {
         "line": tuple(_called(line) for line in lines),
         "line_rotor": tuple(line.rotor for line in lines),
@@ -87,12 +87,12 @@ def _expected(scene: Scene, lines: list[Line]) -> list[tuple[Line, Array, Array]
     band = Band(BEYOND * top, tuple(dict.fromkeys(line.order for line in lines)))
     branches, names = named(branches_of(scene, band))
     critical = critical_speeds(scene, band, branches, names)
-    found = []
+    expected = []
     for line in lines:
-        own = [each for each in critical if each.line == line]
-        speed = np.array([each.speed for each in own])
-        found.append((line, speed, speed * np.abs([each.damping_ratio for each in own])))
-    return found
+        crossings = [each for each in critical if each.line == line]
+        speed = np.array([each.speed for each in crossings])
+        expected.append((line, speed, speed * np.abs([each.damping_ratio for each in crossings])))
+    return expected
 
 
 def _curve(
@@ -104,5 +104,5 @@ def _curve(
         hertz = line.size * other.speed[other.usable] / (2.0 * math.pi)
         return [responses(other, hertz[:, None])[..., 0]]
 
-    speed, found = over_speed(scene, values, lambda arrays: np.abs(arrays[0]), centres, widths)
-    return speed, np.asarray(found[0])
+    speed, curves = over_speed(scene, values, lambda arrays: np.abs(arrays[0]), centres, widths)
+    return speed, np.asarray(curves[0])

@@ -55,20 +55,20 @@ class Peaks(NamedTuple):
     value: Complex
 
 
-def poles_of(found: FreeMotions, spin: Array | None, low: float, high: float) -> Poles:
+def poles_of(motions: FreeMotions, spin: Array | None, low: float, high: float) -> Poles:
     """Poles between ``low`` and ``high`` [Hz]; ``spin`` (s,) of a turning frame."""
-    pole = found.pole
-    turning = pole.imag if spin is None else np.abs(found.whirl * pole.imag - spin[:, None])
+    pole = motions.pole
+    turning = pole.imag if spin is None else np.abs(motions.whirl * pole.imag - spin[:, None])
     hertz = turning / (2.0 * math.pi)
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
         inside = (hertz > low) & (hertz < high) & (pole.imag > 0.0)
         undamped = np.abs(pole.real) <= UNDAMPED * np.abs(pole)
         width = np.where(undamped, NARROW * hertz, np.abs(pole.real) / (2.0 * math.pi))
-        largest = np.abs(found.vector).max(axis=1) * np.abs(found.left).max(axis=2)
+        largest = np.abs(motions.vector).max(axis=1) * np.abs(motions.left).max(axis=2)
         size = largest / (2.0 * math.pi * width)
     keep = np.argsort(~inside, axis=1, kind="stable")[:, : int(inside.sum(axis=1).max(initial=0))]
-    own = [np.take_along_axis(a, keep, axis=1) for a in (hertz, width, size, undamped, inside)]
-    hertz, width, size, undamped, inside = own
+    kept = [np.take_along_axis(a, keep, axis=1) for a in (hertz, width, size, undamped, inside)]
+    hertz, width, size, undamped, inside = kept
     hertz, width, size = (np.where(inside, a, np.nan) for a in (hertz, width, size))
     return Poles(hertz, width, size, undamped & inside)
 
@@ -90,9 +90,9 @@ def peaks_of(
     about = poles.centre[..., None] + poles.width[..., None] * ABOUT
     with np.errstate(invalid="ignore"):
         about[(about <= frequency[0]) | (about >= frequency[-1])] = np.nan
-    asked = about.copy()
-    asked[..., MIDDLE][poles.undamped] = np.nan
-    near = within(asked.reshape(speeds, -1), slice(None))
+    sampled = about.copy()
+    sampled[..., MIDDLE][poles.undamped] = np.nan
+    near = within(sampled.reshape(speeds, -1), slice(None))
     near = near.reshape(speeds, pairs, *about.shape[1:])
     x = np.concatenate(
         [np.broadcast_to(frequency, (speeds, len(frequency))), about.reshape(speeds, -1)], axis=1
@@ -109,18 +109,18 @@ def peaks_of(
     samples[np.broadcast_to(np.isnan(x)[:, None], samples.shape)] = np.nan
     parts: list[tuple[slice, Peaks]] = []
     for first in range(0, pairs, TOGETHER):
-        own = slice(first, first + TOGETHER)
-        peak, value = _solved(partial(_each_own, within, own), *_starts(x, samples[:, own]))
-        floor = NOTHING * reach[own][None, :, None] * peak**power * _largest(poles, peak)
+        part = slice(first, first + TOGETHER)
+        peak, value = _solved(partial(_each_own, within, part), *_starts(x, samples[:, part]))
+        floor = NOTHING * reach[part][None, :, None] * peak**power * _largest(poles, peak)
         kept = Peaks(np.where(np.abs(value) > floor, peak, np.nan), value)
-        parts.append((own, _ascending(kept)))
+        parts.append((part, _ascending(kept)))
     return joined(parts, (speeds, pairs))
 
 
-def _each_own(within: Callable[[Array, slice], Complex], own: slice, frequency: Array) -> Complex:
+def _each_own(within: Callable[[Array, slice], Complex], part: slice, frequency: Array) -> Complex:
     """Responses of some pairs, each at frequencies of its own (s, pairs, m)."""
     speeds, pairs, many = frequency.shape
-    every = within(frequency.reshape(speeds, -1), own).reshape(speeds, pairs, pairs, many)
+    every = within(frequency.reshape(speeds, -1), part).reshape(speeds, pairs, pairs, many)
     return np.asarray(np.moveaxis(np.diagonal(every, axis1=1, axis2=2), -1, 1))
 
 
@@ -138,15 +138,15 @@ def _without_poles(near: Complex, poles: Poles) -> Array:
     What r / (f − f0) of the pole differs by on its two sides grows towards it, and the rest, which
     is smooth there, differs ever less.
     """
-    own = np.abs(near)
+    level = np.abs(near)
     with np.errstate(invalid="ignore"):
         close, far = (np.abs(near[..., MIDDLE + k] - near[..., MIDDLE - k]) for k in (1, 2))
         beside = np.abs(near[..., MIDDLE - 1] + near[..., MIDDLE + 1]) / 2.0
         endless = (close > far) & (close > ROUNDING * beside)
-        own[..., MIDDLE] = np.where(
-            poles.undamped[:, None], np.where(endless, np.inf, beside), own[..., MIDDLE]
+        level[..., MIDDLE] = np.where(
+            poles.undamped[:, None], np.where(endless, np.inf, beside), level[..., MIDDLE]
         )
-    return own
+    return level
 
 
 def _starts(x: Array, samples: Array) -> tuple[Array, Array]:
@@ -185,8 +185,8 @@ def _largest(poles: Poles, x: Array) -> Array:
     """Largest response at ``x`` (s, pairs, m) of any mode to a force, both where it moves most."""
     centre, width, size = (each[:, None, None] for each in (poles.centre, poles.width, poles.size))
     with np.errstate(invalid="ignore"):
-        own = size / np.hypot(1.0, (x[..., None] - centre) / width)
-    return np.asarray(np.nan_to_num(own).max(axis=-1, initial=0.0))
+        height = size / np.hypot(1.0, (x[..., None] - centre) / width)
+    return np.asarray(np.nan_to_num(height).max(axis=-1, initial=0.0))
 
 
 def _ascending(peaks: Peaks) -> Peaks:
@@ -204,7 +204,7 @@ def joined(parts: Sequence[tuple[Any, Peaks]], shape: tuple[int, int]) -> Peaks:
     most = max((peaks.frequency.shape[-1] for _, peaks in parts), default=0)
     at = np.full((*shape, most), np.nan)
     value = np.full((*shape, most), complex(np.nan, np.nan))
-    for own, peaks in parts:
-        at[:, own, : peaks.frequency.shape[-1]] = peaks.frequency
-        value[:, own, : peaks.frequency.shape[-1]] = peaks.value
+    for pairs, peaks in parts:
+        at[:, pairs, : peaks.frequency.shape[-1]] = peaks.frequency
+        value[:, pairs, : peaks.frequency.shape[-1]] = peaks.value
     return Peaks(at, value)

@@ -64,13 +64,13 @@ def _from_uff(path: Path, pair: str, number: int | None) -> Record:
         raise InvalidInput(f"{len(sets)} records of type 58: say which by record, 1 to {len(sets)}")
     if number is not None and number > len(sets):
         raise InvalidInput(f"no record {number}: the file has {len(sets)} of type 58")
-    found = sets[(number or 1) - 1]
-    if found.get("func_type") != _FRF or found.get("ord_data_type") not in _COMPLEX:
+    data_set = sets[(number or 1) - 1]
+    if data_set.get("func_type") != _FRF or data_set.get("ord_data_type") not in _COMPLEX:
         raise InvalidInput("the record is no complex frequency response function")
-    frequency, values = [float(f) for f in found["x"]], [complex(v) for v in found["data"]]
-    if _label(found, "abscissa") not in ("", "Hz"):
-        raise InvalidInput(f"frequency in {shown(_label(found, 'abscissa'))}; allowed: Hz")
-    quantity, scale = _uff_unit(found, pair)
+    frequency, values = [float(f) for f in data_set["x"]], [complex(v) for v in data_set["data"]]
+    if _label(data_set, "abscissa") not in ("", "Hz"):
+        raise InvalidInput(f"frequency in {shown(_label(data_set, 'abscissa'))}; allowed: Hz")
+    quantity, scale = _uff_unit(data_set, pair)
     return _record(quantity, frequency, [scale * value for value in values])
 
 
@@ -82,23 +82,23 @@ def _sets_58(path: Path) -> list[dict[str, Any]]:
         try:
             file = pyuff.UFF(str(path))
             places = [k for k, kind in enumerate(file.get_set_types()) if kind == 58]
-            found = [file.read_sets(k) for k in places]
+            data_sets = [file.read_sets(k) for k in places]
         except Exception as error:  # noqa: BLE001 - pyuff raises what its parser meets
             raise InvalidInput(f"not a UFF file that can be read: {error}") from None
-    if not found:
+    if not data_sets:
         raise InvalidInput("no record of type 58 in it")
-    return found
+    return data_sets
 
 
-def _label(found: dict[str, Any], axis: str) -> str:
-    text = str(found.get(f"{axis}_axis_units_lab") or "").strip().strip("[]")
+def _label(data_set: dict[str, Any], axis: str) -> str:
+    text = str(data_set.get(f"{axis}_axis_units_lab") or "").strip().strip("[]")
     return "" if text.upper() == "NONE" else text
 
 
-def _uff_unit(found: dict[str, Any], pair: str) -> tuple[str, float]:
+def _uff_unit(data_set: dict[str, Any], pair: str) -> tuple[str, float]:
     """Quantity and factor to SI; a record without labels of units is in SI."""
-    code = found.get("ordinate_spec_data_type")
-    motion, load = _label(found, "ordinate"), _label(found, "orddenom")
+    code = data_set.get("ordinate_spec_data_type")
+    motion, load = _label(data_set, "ordinate"), _label(data_set, "orddenom")
     if code in _MOTIONS and not (motion and load):
         return _MOTIONS[code], 1.0
     if code == 12 and motion in ("g", "gn"):
@@ -149,10 +149,10 @@ def _from_table(path: Path, pair: str) -> Record:
     quantity, scale = _unit(columns[first][1], pair)
     one = _scaled(numbers, columns[first], scale)
     if second == "imaginary":
-        other, own = _unit(columns[second][1], pair)
+        other, factor = _unit(columns[second][1], pair)
         if other != quantity:
             raise InvalidInput(f"real part of a {quantity}, imaginary part of a {other}")
-        two = _scaled(numbers, columns[second], own)
+        two = _scaled(numbers, columns[second], factor)
         return _record(quantity, frequency, list(map(complex, one, two)))
     phase = _scaled(numbers, columns[second], _angle(columns[second][1]))
     if min(one, default=0.0) < 0.0:
@@ -167,15 +167,15 @@ def _holds(row: Sequence[str]) -> bool:
 
 def _columns(header: Sequence[str], pair: str) -> dict[str, tuple[int, str]]:
     """Place and unit of the columns in use; of several alike that which names the pair."""
-    found: dict[str, list[tuple[int, str, str]]] = {}
+    columns: dict[str, list[tuple[int, str, str]]] = {}
     for place, cell in enumerate(header):
         match = _COLUMN.fullmatch(cell)
         words = (match[1] if match else cell).lower().split()
         if words and words[-1] in _WORDS:
             unit = match[2] if match else ""
-            found.setdefault(_WORDS[words[-1]], []).append((place, unit, cell))
+            columns.setdefault(_WORDS[words[-1]], []).append((place, unit, cell))
     chosen = {}
-    for word, places in found.items():
+    for word, places in columns.items():
         named = [entry for entry in places if pair in entry[2]]
         if len(places) > 1 and len(named) != 1:
             raise InvalidInput(f"{len(places)} columns for {word}: one must name {pair}")

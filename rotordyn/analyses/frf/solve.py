@@ -25,7 +25,7 @@ from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.errors import InvalidInput
 from rotordyn.results.display import RPM
 from rotordyn.scene.formulation import ROTATING, require_isotropic, turned
-from rotordyn.scene.refinement import Rows, changes, few_rows, response_accuracy, settled
+from rotordyn.scene.refinement import Rows, changes, few_rows, response_accuracy, solve_accurately
 from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]
@@ -72,8 +72,8 @@ def answer(scene: Scene, spec: FrfSpec) -> FrequencyResponse:
         )
     power = QUANTITIES.index(spec.quantity)
     judged = _asked(scene, spec)
-    scene, error = settled(
-        scene, lambda one: _errors(one, spec, judged, power), lambda found: float(found.max())
+    scene, error = solve_accurately(
+        scene, lambda one: _errors(one, spec, judged, power), lambda errors: float(errors.max())
     )
     responses = partial(_responses, spec.pairs, power)
     growing = np.zeros(len(scene.usable), dtype=bool)
@@ -103,30 +103,32 @@ def _on_grid(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> dict[
     """The fields of a result about ``spec.frequencies``; ``values`` (speeds, pairs, f) as well."""
     shape = (len(scene.usable), len(spec.pairs))
     values = np.zeros((*shape, len(frequency)), dtype=complex)
-    found: list[tuple[list[int], Peaks]] = []
+    parts: list[tuple[list[int], Peaks]] = []
     poles: list[Poles] = []
-    for k, own in _by_system(scene, spec.pairs).items() if len(frequency) else ():
+    for k, places in _by_system(scene, spec.pairs).items() if len(frequency) else ():
         motions = scene.system(k)
-        within = _receptance(scene, motions, [spec.pairs[place] for place in own])
+        within = _receptance(scene, motions, [spec.pairs[place] for place in places])
         with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
-            values[:, own] = within(frequency)
-        _refuse_unlimited(scene, within, motions, frequency, values[:, own])
-        turning = scene.conditions.formulation == ROTATING and _bends(spec.pairs[own[0]])
+            values[:, places] = within(frequency)
+        _refuse_unlimited(scene, within, motions, frequency, values[:, places])
+        turning = scene.conditions.formulation == ROTATING and _bends(spec.pairs[places[0]])
         spin = scene.speed[scene.usable] if turning else None
         poles.append(poles_of(motions, spin, float(frequency[0]), float(frequency[-1])))
-        values[:, own] *= (2j * math.pi * frequency) ** power
-        reach = [_reach(scene, motions, spec.pairs[place]) for place in own]
+        values[:, places] *= (2j * math.pi * frequency) ** power
+        reach = [_reach(scene, motions, spec.pairs[place]) for place in places]
         reach_of = np.array(reach) * (2.0 * math.pi) ** power
-        ask = partial(_of_pairs, scene, motions, [spec.pairs[place] for place in own], power)
-        found.append((own, peaks_of(ask, poles[-1], frequency, values[:, own], reach_of, power)))
-    at, high = joined(found, shape)
+        ask = partial(_of_pairs, scene, motions, [spec.pairs[place] for place in places], power)
+        parts.append(
+            (places, peaks_of(ask, poles[-1], frequency, values[:, places], reach_of, power))
+        )
+    at, high = joined(parts, shape)
     slices = _slices(scene, spec) if len(frequency) else np.zeros(0, dtype=np.intp)
     rows = {index: row for row, index in enumerate(scene.usable.tolist())}
     curves = [frequency] * len(slices)
     for place, index in enumerate(slices.tolist()):
         if (row := rows.get(index)) is not None and poles:
             tops = _finite(at, high, row)
-            curves[place] = curve_at([own.at(row) for own in poles], frequency, tops)
+            curves[place] = curve_at([each.at(row) for each in poles], frequency, tops)
     longest = max(map(len, curves), default=0)
     axis = np.full((len(slices), longest), np.nan)
     shown = np.full((len(slices), len(spec.pairs), longest), complex(np.nan, np.nan))
@@ -185,31 +187,31 @@ def _responses(
     """Of all pairs at frequencies (usable, f) [Hz], or at some ``rows`` of the usable speeds:
     (usable, pairs, f)."""
     values = np.zeros((len(frequency), len(pairs), frequency.shape[1]), dtype=complex)
-    for k, own in _by_system(scene, pairs).items():
-        found = scene.system(k) if rows is None else scene.system_at(k, rows)
-        chosen = [pairs[place] for place in own]
-        values[:, own] = _of_pairs(scene, found, chosen, power, frequency)
+    for k, places in _by_system(scene, pairs).items():
+        motions = scene.system(k) if rows is None else scene.system_at(k, rows)
+        chosen = [pairs[place] for place in places]
+        values[:, places] = _of_pairs(scene, motions, chosen, power, frequency)
     return values
 
 
 def _of_pairs(
     scene: Scene,
-    found: FreeMotions,
+    motions: FreeMotions,
     pairs: Sequence[tuple[Port, Port]],
     power: int,
     frequency: Array,
-    own: slice = slice(None),
+    some: slice = slice(None),
 ) -> Complex:
     """Of some pairs of a subsystem at frequencies (usable, f) [Hz]; NaN is taken for 1 Hz."""
     at = np.nan_to_num(frequency, nan=1.0)
     with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
-        values = _receptance(scene, found, pairs[own])(at)
+        values = _receptance(scene, motions, pairs[some])(at)
         return np.asarray(values * (2j * math.pi * at[:, None]) ** power)
 
 
-def _reach(scene: Scene, found: FreeMotions, pair: tuple[Port, Port]) -> float:
+def _reach(scene: Scene, motions: FreeMotions, pair: tuple[Port, Port]) -> float:
     """Product of the sizes of the rows of both ends."""
-    rows = [found.linear.row(*scene.spindle.place(port.point), port.direction) for port in pair]
+    rows = [motions.linear.row(*scene.spindle.place(port.point), port.direction) for port in pair]
     return float(np.linalg.norm(rows[0]) * np.linalg.norm(rows[1]))
 
 
@@ -219,24 +221,24 @@ def _bends(pair: tuple[Port, Port]) -> bool:
 
 def _by_system(scene: Scene, pairs: Sequence[tuple[Port, Port]]) -> dict[int, list[int]]:
     """Places of the pairs whose ends move in one subsystem; all others respond with zero."""
-    found: dict[int, list[int]] = {}
+    grouped: dict[int, list[int]] = {}
     for place, pair in enumerate(pairs):
         owners = {scene.owner(port.point, port.direction) for port in pair}
         if len(owners) == 1:
-            found.setdefault(owners.pop(), []).append(place)
-    return found
+            grouped.setdefault(owners.pop(), []).append(place)
+    return grouped
 
 
-def _receptance(scene: Scene, found: FreeMotions, pairs: Sequence[tuple[Port, Port]]) -> Answered:
+def _receptance(scene: Scene, motions: FreeMotions, pairs: Sequence[tuple[Port, Port]]) -> Answered:
     """Receptances (speeds, pairs, f) of a subsystem by frequency (f,) or (speeds, f) [Hz]."""
     rows = [
-        [found.linear.row(*scene.spindle.place(port.point), port.direction) for port in pair]
+        [motions.linear.row(*scene.spindle.place(port.point), port.direction) for port in pair]
         for pair in pairs
     ]
     response, excitation = np.array(rows).swapaxes(0, 1)
     turning = scene.conditions.formulation == ROTATING and _bends(pairs[0])
-    answer = found.turning_receptance if turning else found.receptance
-    return lambda frequency: answer(2.0 * math.pi * frequency, response, excitation)
+    of_rows = motions.turning_receptance if turning else motions.receptance
+    return lambda frequency: of_rows(2.0 * math.pi * frequency, response, excitation)
 
 
 def _errors(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> Array:
@@ -245,10 +247,10 @@ def _errors(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> Array:
     error = np.zeros(len(spec.pairs))
     if scene.rigid or not len(frequency):
         return error
-    for k, own in _by_system(scene, spec.pairs).items():
-        pairs, at = [spec.pairs[place] for place in own], _judged(scene, k, frequency)
-        error[own] = np.nan_to_num(changes(scene, partial(_weighed, k, pairs, at, power), 1))
-        for place in own:
+    for k, places in _by_system(scene, spec.pairs).items():
+        pairs, at = [spec.pairs[place] for place in places], _judged(scene, k, frequency)
+        error[places] = np.nan_to_num(changes(scene, partial(_weighed, k, pairs, at, power), 1))
+        for place in places:
             if error[place] > DOUBTFUL and _is_rounding(scene, k, spec.pairs[place], at):
                 error[place] = 0.0
     return error
@@ -258,8 +260,8 @@ def _is_rounding(scene: Scene, k: int, pair: tuple[Port, Port], at: Array) -> bo
     """A response that symmetry makes zero: nothing beside the direct ones of its two ends."""
     response, excitation = pair
     every = [pair, (response, response), (excitation, excitation)]
-    own, *ends = np.abs(_weighed(k, every, at, 0, scene, few_rows(scene))).max(axis=(0, 2))
-    return bool(own <= NOTHING * math.sqrt(ends[0] * ends[1]))
+    between, *ends = np.abs(_weighed(k, every, at, 0, scene, few_rows(scene))).max(axis=(0, 2))
+    return bool(between <= NOTHING * math.sqrt(ends[0] * ends[1]))
 
 
 def _weighed(
@@ -267,17 +269,17 @@ def _weighed(
 ) -> Complex:
     """Receptances times ω to a power (rows, pairs, f) at frequencies ``at`` (f,) [Hz]."""
     with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
-        found = _receptance(scene, scene.system_at(k, rows), pairs)(at)
-        return np.asarray(found * (2.0 * math.pi * at) ** power)
+        response = _receptance(scene, scene.system_at(k, rows), pairs)(at)
+        return np.asarray(response * (2.0 * math.pi * at) ** power)
 
 
 def _judged(scene: Scene, k: int, frequency: Array) -> Array:
     """Frequencies at which receptances are compared: some, and those next to the modes."""
     some = np.unique(np.linspace(0, len(frequency) - 1, min(GRID, len(frequency))).astype(int))
-    found = scene.system(k)
-    turning = found.pole.imag
+    motions = scene.system(k)
+    turning = motions.pole.imag
     if scene.conditions.formulation == ROTATING:
-        turning = np.abs(found.whirl * turning - scene.speed[scene.usable][:, None])
+        turning = np.abs(motions.whirl * turning - scene.speed[scene.usable][:, None])
     hertz = turning / (2.0 * math.pi)
     inside = hertz[(hertz >= frequency[0]) & (hertz <= frequency[-1])]
     after = np.searchsorted(frequency, inside)
@@ -288,21 +290,21 @@ def _judged(scene: Scene, k: int, frequency: Array) -> Array:
 def _refuse_unlimited(
     scene: Scene,
     within: Answered,
-    found: FreeMotions,
+    motions: FreeMotions,
     frequency: Array,
     values: Complex,
 ) -> None:
     """Raise InvalidInput where ``values`` (speeds, pairs, frequencies) have no limit: at the pole
     of a motion without damping, or so slow that a free one's overflow."""
     lost = np.asarray(~np.isfinite(values).all(axis=1))
-    own = _near_poles(found, frequency)
-    if own.any() and not lost.any():
-        near = frequency[own]
+    undamped = _near_poles(motions, frequency)
+    if undamped.any() and not lost.any():
+        near = frequency[undamped]
         around = [near * (1.0 + apart) for apart in (-BESIDE, BESIDE, -CLOSE, CLOSE)]
         with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
             beside = np.split(np.abs(within(np.concatenate(around))), len(around), axis=-1)
-        size = np.fmax.reduce([np.abs(values[..., own]), *beside[2:]])
-        lost[:, own] = (size > HIGHER * np.maximum(*beside[:2])).any(axis=1)
+        size = np.fmax.reduce([np.abs(values[..., undamped]), *beside[2:]])
+        lost[:, undamped] = (size > HIGHER * np.maximum(*beside[:2])).any(axis=1)
     if lost.any():
         row, column = np.argwhere(lost)[0]
         rpm = scene.speed[scene.usable[min(row, len(scene.usable) - 1)]] * RPM.factor
@@ -313,14 +315,14 @@ def _refuse_unlimited(
         )
 
 
-def _near_poles(found: FreeMotions, frequency: Array) -> NDArray[np.bool_]:
+def _near_poles(motions: FreeMotions, frequency: Array) -> NDArray[np.bool_]:
     """Frequencies (f,) that may lie on the pole of a motion without damping."""
-    pole = found.pole
+    pole = motions.pole
     with np.errstate(invalid="ignore"):
-        own = np.unique(pole.imag[np.abs(pole.real) <= UNDAMPED * np.abs(pole)])
+        undamped = np.unique(pole.imag[np.abs(pole.real) <= UNDAMPED * np.abs(pole)])
     omega = 2.0 * math.pi * frequency
-    if not own.size:
+    if not undamped.size:
         return np.zeros(len(omega), dtype=bool)
-    place = np.searchsorted(own, omega)
-    gaps = [np.abs(own[np.clip(place + k, 0, len(own) - 1)] - omega) for k in (-1, 0)]
+    place = np.searchsorted(undamped, omega)
+    gaps = [np.abs(undamped[np.clip(place + k, 0, len(undamped) - 1)] - omega) for k in (-1, 0)]
     return np.asarray(np.minimum(*gaps) <= UNDAMPED * omega)

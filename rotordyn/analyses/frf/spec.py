@@ -11,7 +11,7 @@ from rotordyn.description import Description, Faults, ascending, repeated
 from rotordyn.machine.assembly import misnamed, unknown
 from rotordyn.machine.housing import housed_motions
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import MOTIONS, Freedom, coupled_motions
+from rotordyn.machine.support import MOTIONS, Dof, coupled_motions
 from rotordyn.quantity import (
     HIDDEN,
     Choice,
@@ -41,7 +41,7 @@ class Port(Description):
     """A point of the machine (of a further rotor: ``rotor.point``) and one of its directions."""
 
     point: PointName
-    direction: Freedom
+    direction: Dof
 
     def __str__(self) -> str:
         return f"{self.point}.{self.direction}"

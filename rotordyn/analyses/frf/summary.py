@@ -15,7 +15,7 @@ from rotordyn.results.headline import Number
 from rotordyn.results.text import unbroken
 
 PLURAL = {"receptance": "receptances", "mobility": "mobilities", "inertance": "inertances"}
-MOST = 4  # responses told
+MOST = 4  # responses listed
 SAME = 1e-6  # of a speed
 
 
@@ -78,31 +78,31 @@ def _line(result: FrequencyResponse, row: int) -> str:
     to = shown(result.unit(result.pair.index(pair)))
     peaks = [
         unbroken(
-            f"{number(seen)} Hz {high * to.factor:.3g} (computed {number(found)} Hz, "
-            f"{(found / seen - 1.0) * 100.0:+.1f} %, {own * to.factor:.3g}, "
-            f"{(own / high - 1.0) * 100.0:+.0f} %)"
+            f"{number(measured)} Hz {amplitude * to.factor:.3g} (computed {number(computed)} Hz, "
+            f"{(computed / measured - 1.0) * 100.0:+.1f} %, {peak * to.factor:.3g}, "
+            f"{(peak / amplitude - 1.0) * 100.0:+.0f} %)"
         )
-        for seen, high, found, own in zip(
+        for measured, amplitude, computed, peak in zip(
             result.measured_peak[row],
             result.measured_peak_amplitude[row],
             result.computed_peak[row],
             result.computed_peak_amplitude[row],
             strict=True,
         )
-        if math.isfinite(seen) and math.isfinite(found)
+        if math.isfinite(measured) and math.isfinite(computed)
     ]
-    told = f"; peaks [{to.unit}] {', '.join(peaks)}" if peaks else "; no peaks in common"
+    compared = f"; peaks [{to.unit}] {', '.join(peaks)}" if peaks else "; no peaks in common"
     head = (
         f"measured   {result.measured[row]}, {result.kind} {pair} at {speeds_compared(result, row)}"
     )
     if not math.isfinite(result.frac[row]):
         return f"{head}: not compared, {_why_not(result, row)}"
-    return f"{head}: FRAC {result.frac[row]:.3f}{told}"
+    return f"{head}: FRAC {result.frac[row]:.3f}{compared}"
 
 
 def _why_not(result: FrequencyResponse, row: int) -> str:
-    own = result.measured_frequency[row]
-    inside = ((own >= result.frequency[0]) & (own <= result.frequency[-1])).sum()
+    frequency = result.measured_frequency[row]
+    inside = ((frequency >= result.frequency[0]) & (frequency <= result.frequency[-1])).sum()
     if inside < LEAST_POINTS:
         return f"{inside} of its points lie in the band, and {LEAST_POINTS} are needed"
     return "there is no computed response"
@@ -110,7 +110,7 @@ def _why_not(result: FrequencyResponse, row: int) -> str:
 
 def warnings(result: FrequencyResponse) -> list[str]:
     """Responses less accurate than asked for, measured ones that cannot be compared."""
-    found = [
+    sentences = [
         f"measured response {name} is not compared: {_why_not(result, row)}"
         for row, name in enumerate(result.measured)
         if not math.isfinite(result.frac[row])
@@ -118,19 +118,19 @@ def warnings(result: FrequencyResponse) -> list[str]:
     worst = float(result.error.max(initial=0.0))
     if worst > result.error_asked:
         pair = result.pair[int(result.error.argmax())]
-        found.append(
+        sentences.append(
             f"frf: {pair} is less accurate than asked for: an estimated error of "
             f"{rounded_up(worst)} of its peak remains after refinement"
         )
-    return found
+    return sentences
 
 
 def speeds_compared(result: FrequencyResponse, row: int) -> str:
     """The speed of a measured response, and that of the computed one where it is another."""
-    own = float(result.measured_speed[row])
-    near = float(result.speed[np.abs(result.speed - own).argmin()])
-    rpm, other = (number(speed * RPM.factor, 0) for speed in (own, near))
-    same = abs(near - own) <= SAME * max(near, own)
+    measured = float(result.measured_speed[row])
+    near = float(result.speed[np.abs(result.speed - measured).argmin()])
+    rpm, other = (number(speed * RPM.factor, 0) for speed in (measured, near))
+    same = abs(near - measured) <= SAME * max(near, measured)
     return f"{rpm} rpm" if same else f"{rpm} rpm, computed at {other} rpm"
 
 

@@ -29,10 +29,10 @@ def answer(scene: Scene, spec: LifeSpec) -> LifeResult:
     """One row per speed and bearing; a model that several seats share is computed once."""
     state, seats = scene.preload, scene.spindle.seats
     good = np.array([word == "" for word in scene.outcome])
-    own = _ratings(scene.spindle, spec)
+    ratings = _ratings(scene.spindle, spec)
     known: dict[tuple[int, float], Values] = {}
     columns: list[Values] = []
-    for (balls, column), rating in zip(state.seat_states(), own[0], strict=True):
+    for (balls, column), rating in zip(state.seat_states(), ratings[0], strict=True):
         key = (id(balls), float(rating))
         if key not in known:
             known[key] = _of_bearings(balls, float(rating), spec)
@@ -46,15 +46,15 @@ def answer(scene: Scene, spec: LifeSpec) -> LifeResult:
 
     fields = {name: joined(name) for name in columns[0]}
     lives = bearings.life.set_life(fields["life"], axis=1)
-    spectrum = _spectrum(scene, spec, own[0])
+    spectrum = _spectrum(scene, spec, ratings[0])
     oil = spec.lubricant
     return LifeResult(
         speed=scene.speed,
         bearing=tuple(seat.name for seat in seats),
         outcome=scene.outcome,
-        dynamic_rating=own[0],
-        groove_rating=own[1],
-        static_rating=own[2],
+        dynamic_rating=ratings[0],
+        groove_rating=ratings[1],
+        static_rating=ratings[2],
         ring_stress=np.where(good[:, None], _ring_stress(state)[rows], np.nan),
         set_life=lives,
         spectrum_life=spectrum,
@@ -71,8 +71,8 @@ def _ratings(spindle: Spindle, spec: LifeSpec) -> tuple[Array, Array, Array]:
     grooves = np.array([bearings.life.dynamic_rating(seat.bearing) for seat in spindle.seats])
     used = np.array(
         [
-            spec.dynamic_ratings.get(seat.name, own)
-            for seat, own in zip(spindle.seats, grooves, strict=True)
+            spec.dynamic_ratings.get(seat.name, computed)
+            for seat, computed in zip(spindle.seats, grooves, strict=True)
         ]
     )
     static = np.array([bearings.life.static_rating(seat.bearing) for seat in spindle.seats])
@@ -114,24 +114,28 @@ def _oiled(
     spec: LifeSpec,
 ) -> Values:
     """What depends on the lubricant; NaN without one."""
-    asked = spec.lubricant
-    if asked is None:
+    lubricant = spec.lubricant
+    if lubricant is None:
         nothing = {name: np.full_like(life, np.nan) for name in NO_OIL}
         return {**nothing, "slips": np.zeros(life.shape, dtype=bool)}
-    oil, at = asked.oil, asked.temperature
-    factor = bearings.heat.OIL_FACTORS[asked.supply]
+    oil, at = lubricant.oil, lubricant.temperature
+    factor = bearings.heat.OIL_FACTORS[lubricant.supply]
     lost = bearings.heat.losses(
-        state, oil, at, friction=asked.friction, oil_factor=factor, model=spec.heat
+        state, oil, at, friction=lubricant.friction, oil_factor=factor, model=spec.heat
     )
     films = bearings.film.film(state, oil, at)
     loaded = np.asarray(state.contact_load) > 0.0
     film = np.where(loaded, films.least, np.inf).min(axis=(-2, -1))
-    ratio = np.where(loaded, films.ratio(asked.ball_roughness, asked.race_roughness), np.inf)
+    ratio = np.where(
+        loaded, films.ratio(lubricant.ball_roughness, lubricant.race_roughness), np.inf
+    )
     pitch = state.operation.grooves.pitch_diameter
     kappa = bearings.life.viscosity_ratio(oil.kinematic(at), state.speed, pitch)
     static = bearings.life.static_rating(state.operation.grooves)
     limit = bearings.life.fatigue_load_limit(static, pitch)
-    modified = bearings.life.life_factor(kappa, asked.contamination, limit, lived.equivalent_load)
+    modified = bearings.life.life_factor(
+        kappa, lubricant.contamination, limit, lived.equivalent_load
+    )
     share = bearings.life.reliability_factor(spec.reliability)
     return {
         "inner_heat": lost.inner,
@@ -184,17 +188,17 @@ def _step_life(scene: Scene, step: LoadStep, rating: Array) -> Array:
     state = dynamic_preload(scene.grounded, np.array([step.speed]), scene.law, force)
     if state.outcome[0]:
         return np.full(len(rating), np.nan)
-    found = []
-    for seat, (balls, column), own in zip(
+    lives = []
+    for seat, (balls, column), load_rating in zip(
         scene.spindle.seats, state.seat_states(), rating, strict=True
     ):
         radial = step.radial.get(seat.name, 0.0)
         if radial > 0.0:
-            revolutions = _under_radial_load(scene, step, seat, balls, column, float(own))
+            revolutions = _under_radial_load(scene, step, seat, balls, column, float(load_rating))
         else:
-            revolutions = float(bearings.life.reference_life(balls, float(own))[0, column])
-        found.append(revolutions * 2.0 * math.pi / step.speed if step.speed else np.inf)
-    return np.array(found)
+            revolutions = float(bearings.life.reference_life(balls, float(load_rating))[0, column])
+        lives.append(revolutions * 2.0 * math.pi / step.speed if step.speed else np.inf)
+    return np.array(lives)
 
 
 def _under_radial_load(
@@ -207,9 +211,10 @@ def _under_radial_load(
 ) -> float:
     """Revolutions of a bearing that keeps its axial load and growth, untilted; NaN without a
     state."""
-    law, asked = seat.law(scene.law), balls.operation
+    law, operation = seat.law(scene.law), balls.operation
     static, growth = (
-        each.reshape(asked.shape)[:1, column] for each in (asked.static_growth, asked.growth)
+        each.reshape(operation.shape)[:1, column]
+        for each in (operation.static_growth, operation.growth)
     )
     state = seat.bearing.equilibrium(
         load=[float(balls.load[0, column, 0]), step.radial[seat.name], 0.0, np.nan, np.nan],

@@ -32,11 +32,11 @@ def summary(result: LifeResult) -> list[str]:
     lines = [f"life       L10r at {rpm:.0f} rpm [h] {_each(result, result.life / HOUR, hours)}"]
     lines[0] += f"; set {hours(result.set_life[_last(result)] / HOUR)}"
     if np.isfinite(result.spectrum_life).any():
-        own = ", ".join(
+        lives = ", ".join(
             unbroken(f"{name} {hours(life / HOUR)}")
             for name, life in zip(result.bearing, result.spectrum_life, strict=True)
         )
-        lines.append(f"spectrum   L10r [h] {own}; set {hours(result.spectrum_set_life / HOUR)}")
+        lines.append(f"spectrum   L10r [h] {lives}; set {hours(result.spectrum_set_life / HOUR)}")
     if math.isfinite(result.viscosity):
         grade = f"{100.0 * result.reliability:g} %"
         lines.append(
@@ -114,13 +114,13 @@ def numbers(result: LifeResult, _: Described) -> Iterator[Number]:
 
 def warnings(result: LifeResult) -> list[str]:
     """A sentence with its remedy for whatever leaves the range of a formula or a limit."""
-    found: dict[str, list[str]] = {}
+    sentences: dict[str, list[str]] = {}
     for k, name in enumerate(result.bearing):
         for sentence in _of_bearing(result, k):
-            found.setdefault(sentence, []).append(name)
+            sentences.setdefault(sentence, []).append(name)
     return [
         f"bearing{'s' if len(names) > 1 else ''} {', '.join(names)}: {sentence}"
-        for sentence, names in found.items()
+        for sentence, names in sentences.items()
     ]
 
 

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from rotordyn.analyses.preload.result import PreloadResult
 from rotordyn.analyses.preload.spec import PreloadSpec
-from rotordyn.results.balls import BALL_QUANTITIES, FREEDOMS
+from rotordyn.results.balls import BALL_QUANTITIES, DOFS
 from rotordyn.results.display import RPM
 from rotordyn.scene.scene import Scene
 
@@ -38,8 +38,8 @@ def answer(scene: Scene, spec: PreloadSpec) -> PreloadResult:
         bearing=tuple(seat.name for seat in scene.spindle.seats),
         sleeve=tuple(sleeve.name for sleeve in scene.spindle.sleeves),
         body=state.network.arrangement.bodies,
-        dof=FREEDOMS,
-        dof_other=FREEDOMS,
+        dof=DOFS,
+        dof_other=DOFS,
         outcome=scene.outcome,
         axial_load=shown(state.seat_load()),
         deflection=shown(np.stack([s.displacement[:, c, 0] for s, c in seats], axis=1)),

@@ -121,11 +121,11 @@ def _preloaded(scene: Scene, mesh: Mesh) -> Array:
 def _preload_push(scene: Scene) -> Array:
     """What bearings and supports do to the shaft in the preload state (usable, k, 6) [N, N·m]."""
     spindle, push = scene.spindle, scene.shaft_force.push[scene.bearing_row[scene.usable]]
-    own = np.zeros((len(push), len(spindle.connections), 6))
+    force = np.zeros((len(push), len(spindle.connections), 6))
     elastic = len(spindle.seats) + len(spindle.supports)
-    own[:, : len(spindle.seats), 0] = push[:, : len(spindle.seats)]
-    own[:, len(spindle.seats) : elastic, 0] = push[:, push.shape[1] - len(spindle.supports) :]
-    return own
+    force[:, : len(spindle.seats), 0] = push[:, : len(spindle.seats)]
+    force[:, len(spindle.seats) : elastic, 0] = push[:, push.shape[1] - len(spindle.supports) :]
+    return force
 
 
 def _span(limit: TwistLimit, spindle: Spindle, mesh: Mesh) -> slice:

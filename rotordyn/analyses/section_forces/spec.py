@@ -87,7 +87,7 @@ class SectionForcesSpec(Spec):
     @property
     def places(self) -> tuple[str | float, ...]:
         """Points and stations at which something acts or is asked for."""
-        own = [load.at for load in self.loads] + [load.at for load in self.unbalances]
-        own += [at for span in self.line_loads for at in (span.start, span.to)]
-        own += [at for span in self.twist_limits for at in (span.start, span.to)]
-        return tuple(own)
+        named = [load.at for load in self.loads] + [load.at for load in self.unbalances]
+        named += [at for span in self.line_loads for at in (span.start, span.to)]
+        named += [at for span in self.twist_limits for at in (span.start, span.to)]
+        return tuple(named)

@@ -40,8 +40,8 @@ def loaded_mesh(
 
 
 def _marked(spindle: Spindle, spec: SectionForcesSpec) -> Spindle:
-    own = {f"place {k}": station(spindle, at) for k, at in enumerate(spec.places)}
-    return replace(spindle, points={**spindle.points, **own})
+    places = {f"place {k}": station(spindle, at) for k, at in enumerate(spec.places)}
+    return replace(spindle, points={**spindle.points, **places})
 
 
 def static_loads(

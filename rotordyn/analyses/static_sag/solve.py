@@ -68,13 +68,13 @@ def _turned(scene: Scene, bearing: str, node: int, gauges: Array) -> Complex:
     mesh, held = scene.mesh, scene.spindle.connections
     ring = next(k for k, each in enumerate(held) if each.name == bearing)
     none = np.zeros((mesh.nodes, 6)), np.zeros((mesh.nodes - 1, 2, 3))
-    found = []
+    parts = []
     for way in DEFLECTION:
         offset = np.zeros((len(scene.usable), len(held), 6))
         offset[:, ring, way] = 1.0
-        found.append(_on_bar(at_rest(scene, mesh, *none, offset).moved[:, node], gauges))
+        parts.append(_on_bar(at_rest(scene, mesh, *none, offset).moved[:, node], gauges))
     # y and z of the eccentricity are the real parts of e^(iψ) and −i e^(iψ)
-    return np.asarray(found[0] - 1j * found[1])
+    return np.asarray(parts[0] - 1j * parts[1])
 
 
 def _slope(moved: Array) -> Array:

@@ -48,19 +48,19 @@ def numbers(result: StaticSagResult, _: Described) -> Iterator[Number]:
 
 def warnings(result: StaticSagResult) -> list[str]:
     """Rings taken to run true, and a machine that is not at rest."""
-    found = []
+    sentences = []
     if result.ring and result.true_ring:
-        found.append(
+        sentences.append(
             f"runout of {result.point}: no ring runout is given for bearings "
             f"{', '.join(result.true_ring)}, which hold it as if they ran true: give theirs"
         )
     slow = float(result.speed[_slowest(result)])
     if slow > 0.0:
-        found.append(
+        sentences.append(
             f"sag of {result.point}: the slowest speed solved is {slow * RPM.factor:.0f} rpm, "
             "whose bearing stiffness is not that at which sag and runout are measured: add 0 rpm"
         )
-    return found
+    return sentences
 
 
 def _slowest(result: StaticSagResult) -> int:

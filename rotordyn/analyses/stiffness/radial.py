@@ -21,7 +21,7 @@ from rotordyn.preload.stops import stops_wanted
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 Place = Callable[["RadialProblem", Array, Any], "Point"]
-PLANE = [0, 1, 4]  # x, y, θz of a bearing's five freedoms
+PLANE = [0, 1, 4]  # x, y, θz of a bearing's five DOF
 TOLERANCE = 1e-9  # of the largest force in the balance, and of the largest ball load
 SMALL = 1e3
 ITERATIONS = 20
@@ -103,8 +103,8 @@ class RadialProblem:
 
     def balls_along(self, here: Point, change: Array) -> list[Array]:
         """What the balls of each bearing model do with a ``change`` of the coordinates."""
-        own = self._own(change)
-        return [each.along(own[:, places]) for places, each in here.bearings]
+        moved = self._own(change)
+        return [each.along(moved[:, places]) for places, each in here.bearings]
 
     def _point(
         self, coordinates: Array, bearings: BearingIterates, states: States | None = None
@@ -112,12 +112,12 @@ class RadialProblem:
         load = np.empty((len(coordinates), len(self.bearings), len(PLANE)))
         tangent = np.empty((*load.shape, len(PLANE)))
         lightest = np.empty(load.shape[:2])
-        for places, found in bearings:
-            own = self._sign[places]
-            k = found.stiffness[..., PLANE, :][..., PLANE]
-            load[:, places] = found.load[..., PLANE] * own
-            tangent[:, places] = k * own[:, :, None] * own[:, None, :]
-            lightest[:, places] = found.lightest
+        for places, balls in bearings:
+            sign = self._sign[places]
+            k = balls.stiffness[..., PLANE, :][..., PLANE]
+            load[:, places] = balls.load[..., PLANE] * sign
+            tangent[:, places] = k * sign[:, :, None] * sign[:, None, :]
+            lightest[:, places] = balls.lightest
         imbalance, pressure = bearings.imbalance, bearings.pressure
         return Point(coordinates, bearings, states, load, tangent, imbalance, pressure, lightest)
 
@@ -132,11 +132,11 @@ class RadialProblem:
         return np.array([[b.thrust, 1.0, b.thrust] for b in self._seats], dtype=float)
 
     def _own(self, coordinates: Array) -> Array:
-        """Five freedoms of every bearing (speeds, seats, 5) from the unknowns."""
+        """Five DOF of every bearing (speeds, seats, 5) from the unknowns."""
         moved = np.einsum("kiu,su->ski", self.rows, coordinates) * self._sign
-        own = np.zeros((*moved.shape[:2], 5))
-        own[..., PLANE] = moved
-        return own
+        motion = np.zeros((*moved.shape[:2], 5))
+        motion[..., PLANE] = moved
+        return motion
 
     def _displacement(self, coordinates: Array) -> Array:
         """Displacements of the bearings (speeds, seats, 5), the shaft's shortening included."""
@@ -210,12 +210,14 @@ class RadialProblem:
         problem, start = self, np.where(alive[:, None], guess[0], near.coordinates)
         if self.network.one_branch:
             first = self._at([start, *guess[1:]], near)
-            problem, there, found = self._searched(first, force, alive, RadialProblem.advance, 1)
-            found &= there.bearings.follows(near.bearings)
-            if not (alive & ~found).any():
-                return problem, there, found
-            start = np.where(found[:, None], there.coordinates, start)
-            problem = replace(self, held=np.where(found[:, None], problem.held, self.held))
+            problem, there, converged = self._searched(
+                first, force, alive, RadialProblem.advance, 1
+            )
+            converged &= there.bearings.follows(near.bearings)
+            if not (alive & ~converged).any():
+                return problem, there, converged
+            start = np.where(converged[:, None], there.coordinates, start)
+            problem = replace(self, held=np.where(converged[:, None], problem.held, self.held))
         there = problem.evaluate(problem._placed(start), None)
         return problem._searched(there, force, alive, RadialProblem.evaluate, HALVINGS)
 
@@ -227,12 +229,12 @@ class RadialProblem:
         Only speeds still ``alive`` are sought; where no step helps any more the search ends. Stops
         close and open as they must.
         """
-        problem, found = self, np.zeros(len(alive), dtype=bool)
+        problem, converged = self, np.zeros(len(alive), dtype=bool)
         for _ in range(ITERATIONS):
             miss, error = problem._error(there, force)
-            found = (error < TOLERANCE) & (there.pressure <= HIGHEST_PRESSURE)
+            converged = (error < TOLERANCE) & (there.pressure <= HIGHEST_PRESSURE)
             wanted = problem._stops(there)
-            changed = found & (wanted != problem.held).any(axis=1)
+            changed = converged & (wanted != problem.held).any(axis=1)
             if changed.any():
                 problem = replace(problem, held=np.where(changed[:, None], wanted, problem.held))
                 there = place(problem, problem._placed(there.coordinates), there)
@@ -242,7 +244,7 @@ class RadialProblem:
                 break
             there, helped = problem._moved(there, miss, error, moving, force, place, tries)
             alive = alive & helped
-        return problem, there, found
+        return problem, there, converged
 
     def _stops(self, here: Point) -> Flags:
         """Bodies that belong at their stops (speeds, bodies)."""

@@ -81,8 +81,8 @@ def radial_curve(problem: RadialProblem, force: Array) -> RadialCurve:
             deflection[:, k:] = np.nan
             break
         guess = last.ahead(before)
-        problem, here, found = problem.solved(guess, here, float(force[k]), outcome == "")
-        lost = (outcome == "") & ~found
+        problem, here, converged = problem.solved(guess, here, float(force[k]), outcome == "")
+        lost = (outcome == "") & ~converged
         outcome[lost] = [_why(pressure, force[k]) for pressure in here.pressure[lost]]
         slope = problem.per_newton(here, outcome == "")
         before, last = last, _load_step(problem, here, step * slope)

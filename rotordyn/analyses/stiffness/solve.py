@@ -57,31 +57,31 @@ def answer(scene: Scene, spec: StiffnessSpec) -> StiffnessResult:
         raise InvalidInput("the radial stiffness takes no housings: ask frf at a low frequency")
     force = np.linspace(0.0, spec.max_force, spec.steps + 1)
     rotor = _rotor(scene, spec)
-    found: dict[str, Variant] = {}
+    variants: dict[str, Variant] = {}
     curves = partial(_nonlinear, scene.preload, rotor, scene.bearing_row[scene.usable], force)
     usual = None
     if "nonlinear" in spec.variants or spec.second_stop:
         usual = scene.timed("stiffness: nonlinear", curves)
     for name in spec.variants:
         if name == "nonlinear" and usual is not None:
-            found[name] = _as_variant(usual)
+            variants[name] = _as_variant(usual)
         else:
             work = partial(_linear, scene, spec, rotor, name, force)
-            found[name] = scene.timed(f"stiffness: {name}", work)
+            variants[name] = scene.timed(f"stiffness: {name}", work)
     if usual is not None and spec.second_stop:
         short = partial(_short_stop, scene, spec, force, usual)
-        found[SHORT_STOP] = scene.timed(f"stiffness: {SHORT_STOP}", short)
-    deflection = np.stack([variant.deflection for variant in found.values()], axis=1)
+        variants[SHORT_STOP] = scene.timed(f"stiffness: {SHORT_STOP}", short)
+    deflection = np.stack([variant.deflection for variant in variants.values()], axis=1)
     seats = scene.spindle.seats
     unloading = np.full((len(scene.usable), len(seats)), np.nan)
     return StiffnessResult(
         speed=scene.speed,
-        variant=tuple(found),
+        variant=tuple(variants),
         force=force,
         bearing=tuple(seat.name for seat in seats),
-        outcome=_outcome(scene, found),
+        outcome=_outcome(scene, variants),
         deflection=scene.scattered(deflection),
-        tangent=scene.scattered(np.stack([v.tangent for v in found.values()], axis=1)),
+        tangent=scene.scattered(np.stack([v.tangent for v in variants.values()], axis=1)),
         secant=scene.scattered(force[-1] / deflection[..., -1]),
         unloading_force=scene.scattered(unloading if usual is None else usual.unloading),
     )
@@ -103,12 +103,12 @@ def _rotor(
     return plane_rotor(scene.rotor, at, scene.spindle.place(spec.point), force)
 
 
-def _outcome(scene: Scene, found: dict[str, Variant]) -> tuple[str, ...]:
+def _outcome(scene: Scene, variants: dict[str, Variant]) -> tuple[str, ...]:
     """Per speed: why the machine, or else the first variant that fails, has no solution."""
     words = list(scene.outcome)
     for place, row in enumerate(scene.usable):
         rpm = scene.speed[row] * RPM.factor
-        for name, variant in found.items():
+        for name, variant in variants.items():
             if variant.outcome[place] and not words[row]:
                 words[row] = f"{name} at {rpm:.0f} rpm: {variant.outcome[place]}"
     return tuple(words)
@@ -228,5 +228,5 @@ def _flexibility(rotor: PlaneRotor, block: Array) -> Array:
     """Deflection of the point per unit force (speeds,) [m/N]."""
     bearings = np.einsum("kip,skij,kjq->spq", rotor.seats, block, rotor.seats, optimize=True)
     load = np.broadcast_to(rotor.point[:, None], (len(block), len(rotor.point), 1))
-    answer = np.linalg.solve(rotor.stiffness + bearings, load)
-    return np.asarray((rotor.point @ answer)[:, 0])
+    displacement = np.linalg.solve(rotor.stiffness + bearings, load)
+    return np.asarray((rotor.point @ displacement)[:, 0])

@@ -30,14 +30,14 @@ def numbers(result: StiffnessResult, _: Described) -> Iterator[Number]:
 
 def warnings(result: StiffnessResult) -> list[str]:
     """Bearings that the radial force unloads."""
-    found = []
+    sentences = []
     for name, force in zip(result.bearing, result.unloading_force.T, strict=True):
         if not np.isfinite(force).any():
             continue
         row = int(np.nanargmin(force))
-        found.append(
+        sentences.append(
             f"bearing {name} has balls without load from a radial force of {force[row]:.4g} N at "
             f"{result.speed[row] * RPM.factor:.0f} rpm, and gives way more from there: raise its "
             "preload, or keep the force below"
         )
-    return found
+    return sentences

@@ -43,24 +43,24 @@ def marked(spindle: Spindle, spec: UnbalanceSpec) -> Spindle:
     """With a named point wherever unbalance acts, so that nodes and static answers are there."""
     free = (name for k in count(1) if (name := f"station {k}") not in spindle.points)
     known = {at for at in spec.places if not isinstance(at, str)} - set(spindle.points.values())
-    own = {next(free): x for x in sorted(known)}
-    return replace(spindle, points={**spindle.points, **own}) if own else spindle
+    points = {next(free): x for x in sorted(known)}
+    return replace(spindle, points={**spindle.points, **points}) if points else spindle
 
 
 def acting(spindle: Spindle, mesh: Mesh, spec: UnbalanceSpec) -> list[Acting]:
     """Every unbalance; that of a span as a whole, at its middle by mass."""
-    found = [
+    loads = [
         Acting(each.name, spindle.place(each.at), cmath.rect(each.unbalance, each.angle))
         for each in spec.unbalances
     ]
     for span in spec.spans:
-        rotor, own = _covered(spindle, mesh, span)
+        rotor, covered = _covered(spindle, mesh, span)
         on = mesh.of_rotors[rotor]
-        mass = np.where(own, on.mass, 0.0)
+        mass = np.where(covered, on.mass, 0.0)
         middle = float((mass * on.centre).sum() / mass.sum())
-        found.append(Acting(span.name, Place(rotor, middle), float(mass.sum()) * _off_axis(span)))
-    found += _permitted(spindle, spec.grade) if spec.grade else []
-    return [one._replace(name=one.name or f"unbalance {k}") for k, one in enumerate(found, start=1)]
+        loads.append(Acting(span.name, Place(rotor, middle), float(mass.sum()) * _off_axis(span)))
+    loads += _permitted(spindle, spec.grade) if spec.grade else []
+    return [one._replace(name=one.name or f"unbalance {k}") for k, one in enumerate(loads, start=1)]
 
 
 def node_loads(spindle: Spindle, mesh: Mesh, spec: UnbalanceSpec) -> Complex:
@@ -76,9 +76,9 @@ def node_loads(spindle: Spindle, mesh: Mesh, spec: UnbalanceSpec) -> Complex:
     for one in _permitted(spindle, spec.grade) if spec.grade else []:
         loads[mesh.node_at(*one.place), 0] += one.size
     for span in spec.spans:
-        rotor, own = _covered(spindle, mesh, span)
+        rotor, covered = _covered(spindle, mesh, span)
         on, at = mesh.of_rotors[rotor], loads[mesh.spans[rotor]]
-        size = np.where(own, _off_axis(span), 0.0)[:, None] * _on_ends(on)
+        size = np.where(covered, _off_axis(span), 0.0)[:, None] * _on_ends(on)
         at[:-1] += size[:, :2]
         at[1:] += size[:, 2:]
     return loads

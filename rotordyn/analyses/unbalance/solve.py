@@ -27,7 +27,7 @@ from rotordyn.modes.branches import branches_of
 from rotordyn.modes.criticals import critical_speeds
 from rotordyn.modes.names import named
 from rotordyn.numerics.peaks import NARROW, tops
-from rotordyn.scene.refinement import Rows, changes, response_accuracy, settled
+from rotordyn.scene.refinement import Rows, changes, response_accuracy, solve_accurately
 from rotordyn.scene.sampling import over_speed
 from rotordyn.scene.scene import Scene
 
@@ -47,17 +47,17 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
     ------
     NoSolution : no speed has one
     """
-    scene.system(_home(scene))  # tells of instability (``Scene.warnings``)
+    scene.system(_bending_subsystem(scene))  # tells of instability (``Scene.warnings``)
     spindle, rotor = scene.spindle, unbalanced(scene.spindle, spec)
     ratio = spindle.ratios[rotor]
-    scene, error = settled(
+    scene, error = solve_accurately(
         scene,
         lambda one: _errors(one, spec, ratio),
-        lambda found: float(np.nanmax(found, initial=0.0)),
+        lambda errors: float(np.nanmax(errors, initial=0.0)),
     )
     speed = ratio * scene.speed[scene.usable]
-    found = scene.system(_home(scene))
-    absent = _absences(found, speed)
+    motions = scene.system(_bending_subsystem(scene))
+    absent = _absences(motions, speed)
     counts = (speed != 0.0) | (speed == 0.0).all()  # at rest nothing acts
     why = [word for word, one in zip(absent, counts, strict=True) if one]
     if all(why):
@@ -83,7 +83,7 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
         unbalance=tuple(one.name for one in placed),
         critical=tuple(name for name, *_ in critical),
         outcome=_outcome(scene, absent),
-        unstable=scene.flagged(np.asarray(found.growing.any(axis=1))),
+        unstable=scene.flagged(np.asarray(motions.growing.any(axis=1))),
         displacement=displacement,
         amplitude=np.abs(displacement),
         phase=np.angle(displacement),
@@ -115,10 +115,10 @@ def answer(scene: Scene, spec: UnbalanceSpec) -> UnbalanceResult:
 
 def _response(spec: UnbalanceSpec, ratio: float, scene: Scene) -> list[Complex]:
     """Displacements (usable, points, 2) [m] and forces (usable, connections, 2) [N]."""
-    own, speed = scene.linear(_home(scene)), ratio * scene.speed[scene.usable]
-    motion = _steady(scene, own, spec, speed)
-    found = (_displacements(scene, own, spec, motion), _forces(scene, own, speed, motion))
-    return [_in_time(ratio, each) for each in found]
+    linear, speed = scene.linear(_bending_subsystem(scene)), ratio * scene.speed[scene.usable]
+    motion = _steady(scene, linear, spec, speed)
+    parts = (_displacements(scene, linear, spec, motion), _forces(scene, linear, speed, motion))
+    return [_in_time(ratio, each) for each in parts]
 
 
 def _sampled(
@@ -126,8 +126,8 @@ def _sampled(
 ) -> tuple[Array, list[Complex]]:
     """Speeds, those of the case and more about every peak, and the response there."""
 
-    def amplitude(found: Sequence[NDArray[Any]]) -> Array:
-        return orbit(found[0][..., 0], found[0][..., 1]).major
+    def amplitude(arrays: Sequence[NDArray[Any]]) -> Array:
+        return orbit(arrays[0][..., 0], arrays[0][..., 1]).major
 
     at = np.array([speed for _, speed, _ in critical])
     widths = at * np.abs([damping for *_, damping in critical])
@@ -138,16 +138,16 @@ def _peaks(speed: Array, amplitude: Array, endless: Sequence[float]) -> Array:
     """Speed and height of every local maximum of the amplitudes (speeds, points): (2, points, n),
     NaN where a point has fewer; infinite beside a critical speed without damping (``endless``)."""
     places = [tops(each) for each in amplitude.T]
-    found = np.full((2, len(places), max(map(len, places), default=0)), np.nan)
+    peaks = np.full((2, len(places), max(map(len, places), default=0)), np.nan)
     for row, (place, each) in enumerate(zip(places, amplitude.T, strict=True)):
-        found[0, row, : len(place)], found[1, row, : len(place)] = speed[place], each[place]
+        peaks[0, row, : len(place)], peaks[1, row, : len(place)] = speed[place], each[place]
         for at in endless:
-            near = np.abs(found[0, row] - at) <= 2.0 * NARROW * at
-            found[0, row, near], found[1, row, near] = at, np.inf
-    return found
+            near = np.abs(peaks[0, row] - at) <= 2.0 * NARROW * at
+            peaks[0, row, near], peaks[1, row, near] = at, np.inf
+    return peaks
 
 
-def _home(scene: Scene) -> int:
+def _bending_subsystem(scene: Scene) -> int:
     """The subsystem of bending."""
     return scene.owner(scene.spindle.shaft.start, "y")
 
@@ -160,7 +160,7 @@ class Steady(NamedTuple):
     left: Complex
 
 
-def _steady(scene: Scene, own: Linear, spec: UnbalanceSpec, speed: Array) -> Steady:
+def _steady(scene: Scene, linear: Linear, spec: UnbalanceSpec, speed: Array) -> Steady:
     """Motion under loads Ω² e^(iΩt) that turn; at rest nothing moves.
 
     ``speed`` Ω (speeds,) [rad/s] of the rotor that is out of balance, below 0 where it turns
@@ -169,7 +169,7 @@ def _steady(scene: Scene, own: Linear, spec: UnbalanceSpec, speed: Array) -> Ste
     """
     loads = node_loads(scene.spindle, scene.mesh, spec)
     ahead = np.where(speed < 0.0, -1.0, 1.0)
-    motion = own.motion
+    motion = linear.motion
     planes = [
         np.stack([motion[:, position(a)], sign * motion[:, position(b)]], axis=1)
         for a, b, sign in (("y", "thz", 1.0), ("z", "thy", -1.0))
@@ -177,40 +177,42 @@ def _steady(scene: Scene, own: Linear, spec: UnbalanceSpec, speed: Array) -> Ste
     turned = [np.einsum("nfc,nf->c", plane, loads) for plane in planes]
     force = turned[0] * FORWARD[0] + turned[1] * FORWARD[1]
     back = turned[0].conj() * FORWARD[0].conj() + turned[1].conj() * FORWARD[1].conj()
-    stiffness = answering_stiffness(own, SYNCHRONOUS)
-    moved, left = np.zeros((2, len(speed), own.size), dtype=complex)
+    stiffness = answering_stiffness(linear, SYNCHRONOUS)
+    moved, left = np.zeros((2, len(speed), linear.size), dtype=complex)
     for row in np.flatnonzero(speed):
         w = abs(speed[row])
-        dynamic = stiffness[row] + 1j * w * own.damping[row] - w**2 * np.eye(own.size)
+        dynamic = stiffness[row] + 1j * w * linear.damping[row] - w**2 * np.eye(linear.size)
         load = w**2 * (force if ahead[row] > 0.0 else back)
         try:
-            within = np.linalg.solve(own.within(dynamic), load @ own.basis)
+            within = np.linalg.solve(linear.within(dynamic), load @ linear.basis)
         except np.linalg.LinAlgError:
             moved[row] = left[row] = complex(np.inf, np.inf)
             continue
-        moved[row] = own.basis @ within
+        moved[row] = linear.basis @ within
         left[row] = load - dynamic @ moved[row]
-    return Steady(*(np.where(ahead[:, None] > 0.0, own, own.conj()) for own in (moved, left)))
+    return Steady(
+        *(np.where(ahead[:, None] > 0.0, linear, linear.conj()) for linear in (moved, left))
+    )
 
 
-def _displacements(scene: Scene, own: Linear, spec: UnbalanceSpec, motion: Steady) -> Complex:
+def _displacements(scene: Scene, linear: Linear, spec: UnbalanceSpec, motion: Steady) -> Complex:
     """Of the points along y and z (speeds, points, 2)."""
     places = [scene.spindle.place(name) for name in spec.points]
-    rows = [[own.row(*place, way) for way in AXES] for place in places]
+    rows = [[linear.row(*place, way) for way in AXES] for place in places]
     return np.einsum("pan,sn->spa", np.array(rows), motion.moved)
 
 
 def _forces(scene: Scene, linear: Linear, speed: Array, motion: Steady) -> Complex:
     """Of bearings, then supports on the shaft along y and z (speeds, connections, 2) [N]."""
-    own = {id(each.link): each for each in linear.connections}
+    linked = {id(each.link): each for each in linear.connections}
     connections = scene.rotor.connections
     force = np.zeros((len(speed), len(connections), 2), dtype=complex)
     axes = [position(way) for way in AXES]
     known = np.isfinite(motion.left).all(axis=1)
     rigid = linear.rigid_force(motion.left[known])
     for k, link in enumerate(connections):
-        if id(link) in own:
-            force[:, k] = own[id(link)].force(speed, motion.moved)[:, axes]
+        if id(link) in linked:
+            force[:, k] = linked[id(link)].force(speed, motion.moved)[:, axes]
         if link.name in rigid:
             force[known, k] += rigid[link.name][:, axes]
     return force
@@ -221,12 +223,12 @@ def _in_time(ratio: float, moved: Complex) -> Complex:
     return moved if ratio > 0.0 else moved.conj()
 
 
-def _absences(found: FreeMotions, speed: Array) -> list[str]:
+def _absences(motions: FreeMotions, speed: Array) -> list[str]:
     """Per speed: empty, or why there is no steady solution."""
-    turning = found.answering(SYNCHRONOUS)
-    own, size = speed[:, None], np.abs(speed)[:, None]
+    turning = motions.answering(SYNCHRONOUS)
+    spin, size = speed[:, None], np.abs(speed)[:, None]
     near = np.abs(turning.pole - 1j * size) <= UNDAMPED * size
-    lost = (near & (turning.whirl * own >= 0.0)).any(axis=1) & (speed != 0.0)
+    lost = (near & (turning.whirl * spin >= 0.0)).any(axis=1) & (speed != 0.0)
     why = "a critical speed without damping: the response grows without bound"
     return [why if one else "" for one in lost]
 
@@ -262,8 +264,8 @@ def _errors(scene: Scene, spec: UnbalanceSpec, ratio: float) -> Array:
         return np.zeros(len(spec.points))
 
     def values(one: Scene, rows: Rows) -> Complex:
-        own = one.linear(_home(one), rows)
-        motion = _steady(one, own, spec, ratio * one.speed[one.usable[rows]])
-        return np.nan_to_num(_displacements(one, own, spec, motion))
+        linear = one.linear(_bending_subsystem(one), rows)
+        motion = _steady(one, linear, spec, ratio * one.speed[one.usable[rows]])
+        return np.nan_to_num(_displacements(one, linear, spec, motion))
 
     return changes(scene, values, 1)

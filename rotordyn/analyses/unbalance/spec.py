@@ -84,21 +84,21 @@ class UnbalanceSpec(Spec):
     @property
     def acting(self) -> tuple[str | float, ...]:
         """Points and stations at which unbalance acts; both ends of a span."""
-        own = [each.at for each in self.unbalances]
-        own += [at for span in self.spans for at in (span.start, span.to)]
-        return (*own, *(self.grade.planes if self.grade else ()))
+        named = [each.at for each in self.unbalances]
+        named += [at for span in self.spans for at in (span.start, span.to)]
+        return (*named, *(self.grade.planes if self.grade else ()))
 
 
 def _planes(grade: BalanceGrade, spindle: Spindle) -> Faults:
     """Planes on one rotor; of two, one on either side of its centre of gravity."""
     path = ("grade", "planes")
-    found = [
+    faults = [
         fault
         for index, at in enumerate(grade.planes)
         for fault in placed(at, spindle, (*path, index), rotors=True)
     ]
-    yield from found
-    if found or len(grade.planes) != 2 or "" in grade.planes:
+    yield from faults
+    if faults or len(grade.planes) != 2 or "" in grade.planes:
         return
     places = [spindle.place(at) for at in grade.planes]
     if places[0].rotor != places[1].rotor:

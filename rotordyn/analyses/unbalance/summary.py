@@ -14,7 +14,7 @@ from rotordyn.results.headline import Number
 from rotordyn.results.text import unbroken
 
 Array = NDArray[np.float64]
-MOST = 6  # unbalances, points or supports told
+MOST = 6  # unbalances, points or supports listed
 SAME = 1e-6  # of a speed
 STRAIGHT = 1e-6  # of the major half axis: less backward than that is rounding
 
@@ -101,8 +101,8 @@ def _backward(result: UnbalanceResult) -> list[str]:
     """Where orbits run against the speed."""
     back = result.minor_axis < -STRAIGHT * result.major_axis
     words = []
-    for name, own in zip(result.point, back.T, strict=True):
-        at = np.flatnonzero(own)
+    for name, rows in zip(result.point, back.T, strict=True):
+        at = np.flatnonzero(rows)
         if at.size:
             ends = [f"{result.speed[k] * RPM.factor:.0f}" for k in at[[0, -1]]]
             many = f"{at.size} speeds from {ends[0]} to {ends[1]} rpm"

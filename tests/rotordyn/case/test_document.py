@@ -18,7 +18,7 @@ def read(tmp_path: Path, text: str) -> Node:
     path.write_text(text)
     faults = Faults()
     root = read_document(path, faults, {})
-    assert not faults.found
+    assert not faults.reported
     assert root is not None
     return root
 
@@ -85,7 +85,7 @@ def test_depth_is_bounded(tmp_path: Path, text: str) -> None:
     path.write_text(text)
     faults = Faults()
     assert read_document(path, faults, {}) is None
-    assert "nested deeper" in faults.found[0].message
+    assert "nested deeper" in faults.reported[0].message
 
 
 def test_pure_python_parser_agrees(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

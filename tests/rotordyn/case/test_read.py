@@ -136,7 +136,7 @@ def test_linear_supports() -> None:
 
 NAMED = "{yy: 70 N/um, yz: 9 MN/m, zy: -8 kN/mm, zz: 50e6 N/m, thz_thz: 3 kN m/rad, y_thz: 7 N}"
 WHOLE = """
-    freedoms: [z, thz, y]
+    dof: [z, thz, y]
     matrix:
       - [50 N/um, 0, -8 kN/mm]
       - [0, 3 kN m/rad, 0]
@@ -165,7 +165,7 @@ def test_entry_of_a_whole_matrix_is_overridden_as_a_whole(tmp_path: Path) -> Non
     path = tmp_path / "case.yaml"
     path.write_text(
         "spindle: friswell_two_discs\noverride:\n"
-        "  supports.left.damping.freedoms: [x, thx]\n"
+        "  supports.left.damping.dof: [x, thx]\n"
         "  supports.left.damping.matrix: [[1 N s/m, 2 N s/rad], [3 N s, 4 N m s/rad]]\n"
         "speeds: [0 rpm]\nanalyses: {campbell: {}}\n"
     )

@@ -223,7 +223,7 @@ def test_race_control_says_boundaries_fits_and_what_is_absent(case):
     twice = replace(result, changes=changes, radial=0.2, resting_weight=0.9)
     text = " ".join(summary(case, {"control": twice}).split())
     assert "under heavy load: outer race (C = 0.900); boundaries, axial load, radial 0.2" in text
-    assert "at 2 speeds control changes more than once; highest told" in text
+    assert "at 2 speeds control changes more than once; the highest is given" in text
 
 
 def test_twist_beyond_its_limit_is_named(results):

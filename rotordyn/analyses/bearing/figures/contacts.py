@@ -156,8 +156,8 @@ def _angles(axes: Axes, result: BearingMapResult, run: Sweep) -> None:
         low, middle, high = (
             run.of(v)[:, last, place] * DEGREE.factor for v in (lower, angle, upper)
         )
-        own = run.of(ball)[:, last, place]
-        draw_runs(axes, run.values, middle, own, **_look(name))
+        of_ball = run.of(ball)[:, last, place]
+        draw_runs(axes, run.values, middle, of_ball, **_look(name))
         for end in (low, high):
             axes.plot(run.values, end, color=colour, lw=0.7, ls=":")
         if np.isfinite(low).any():

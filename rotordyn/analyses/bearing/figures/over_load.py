@@ -45,9 +45,9 @@ def bearing_figure(result: BearingMapResult) -> Figure:
     resultant.
     """
     figure = new_figure(168.0, 118.0)
-    own = "" if result.tangent[0] == "complete" else f", {result.tangent[0]}"
+    kind = "" if result.tangent[0] == "complete" else f", {result.tangent[0]}"
     of = ", most loaded ball" if result.ball.size > 1 else ""
-    names = [f"stiffness Kxx{own} [N/µm]", f"stiffness Kyy{own} [N/µm]"]
+    names = [f"stiffness Kxx{kind} [N/µm]", f"stiffness Kyy{kind} [N/µm]"]
     angle = "contact angle" if len(result.contact) == 2 else "resultant angle"
     names += [f"{angle}{of} [deg]", f"peak pressure{of} [GPa]"]
     boxes = grid_boxes(figure, 2, 2, margins=(15.0, 6.0, 12.0, 8.0), gaps=(18.0, 5.0))
@@ -107,10 +107,10 @@ def life_figure(result: BearingMapResult) -> Figure:
 
 
 def _entry(
-    result: BearingMapResult, stiffness: NDArray[np.float64], freedom: str
+    result: BearingMapResult, stiffness: NDArray[np.float64], dof: str
 ) -> NDArray[np.float64]:
-    at = result.dof.index(freedom)
-    return np.asarray(stiffness[:, :, 0, at, result.dof_other.index(freedom)])
+    at = result.dof.index(dof)
+    return np.asarray(stiffness[:, :, 0, at, result.dof_other.index(dof)])
 
 
 def _curves(

@@ -34,7 +34,7 @@ if TYPE_CHECKING:
 
 Array = NDArray[np.float64]
 PERCENT = 100.0
-FREEDOMS = {"x": "Kxx", "y": "Kyy"}
+DOFS = {"x": "Kxx", "y": "Kyy"}
 LEAST_LOADS = 5  # for a map
 BAR_ROOM = 14.0  # [mm] beside a map, for its colour bar
 COLOURS = "RdBu_r"
@@ -50,16 +50,16 @@ def tangents_figure(result: BearingMapResult, references: Sequence[Reference] = 
     mapped = result.load.size >= LEAST_LOADS and result.speed.size > 1
     figure = new_figure(168.0, 128.0 if mapped else 74.0)
     boxes = grid_boxes(figure, 1 + mapped, 2, margins=(15.0, 6.0, 12.0, 8.0), gaps=(18.0, 15.0))
-    for place, (freedom, name) in enumerate(FREEDOMS.items()):
+    for place, (dof, name) in enumerate(DOFS.items()):
         axes = add_axes(figure, boxes[place], "speed [rpm]", f"{name}, {first}: error [%]")
-        error = tangent_error(result, first, freedom) * PERCENT
+        error = tangent_error(result, first, dof) * PERCENT
         _curves(axes, result, error)
         if place == 0:
             top_legend(figure, axes)
             _unnamed(axes)
         for other in further:
-            _largest(axes, result, other, freedom)
-        if first == "frozen" and freedom == "x":
+            _largest(axes, result, other, dof)
+        if first == "frozen" and dof == "x":
             _known(axes, references, error)
         if place == 0:
             legend(axes, loc="lower left")
@@ -93,9 +93,9 @@ def _unnamed(axes: Axes) -> None:
         line.set_label("_")
 
 
-def _largest(axes: Axes, result: BearingMapResult, tangent: str, freedom: str) -> None:
+def _largest(axes: Axes, result: BearingMapResult, tangent: str, dof: str) -> None:
     """The largest difference of a tangent over all loads."""
-    error = np.fmax.reduce(np.abs(tangent_error(result, tangent, freedom)), axis=1) * PERCENT
+    error = np.fmax.reduce(np.abs(tangent_error(result, tangent, dof)), axis=1) * PERCENT
     rpm = result.speed * RPM.factor
     axes.plot(rpm, error, color=GREY, lw=2.2, label=f"{tangent}: largest of all loads")
 

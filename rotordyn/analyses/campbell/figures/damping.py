@@ -99,9 +99,9 @@ def _at_jumps(rpm: Array, ratio: Array, range_: float) -> tuple[Array, Array]:
 def limits(results: Sequence[CampbellResult]) -> tuple[float, float]:
     """Of the damping ratio [%], for modes that grow somewhere."""
     growing = {name for r in results for name in np.array(r.mode)[r.unstable.any(axis=0)]}
-    seen = [
+    drawn = [
         r.damping_ratio[:, [name in growing for name in r.mode]].ravel() * 100.0 for r in results
     ]
-    values = np.concatenate(seen)
+    values = np.concatenate(drawn)
     high = ROOM * max(float(np.nanmax(values)), 0.0)
     return min(ROOM * float(np.nanmin(values)), -high / 4.0), high

@@ -55,9 +55,9 @@ def shapes_figure(result: CampbellResult, spindle: Spindle | None = None) -> Fig
     modes = _chosen(result)
     rows = max(math.ceil(len(modes) / _COLUMNS), 1)
     low, high = result.shape_speed[[0, -1]] * RPM.factor
-    left_out = len(result.mode) - len(modes)
-    modes_left = "mode" if left_out == 1 else "modes"
-    note = f"; {left_out} more {modes_left} in the results file" if left_out else ""
+    omitted = len(result.mode) - len(modes)
+    modes_left = "mode" if omitted == 1 else "modes"
+    note = f"; {omitted} more {modes_left} in the results file" if omitted else ""
     both = f"{low:.0f} rpm and {high:.0f} rpm"
     when = both if result.shape_speed.size > 1 else f"{low:.0f} rpm"
     title = f"mode shapes at {when}, scaled to 1{note}"
@@ -83,15 +83,15 @@ def shapes_figure(result: CampbellResult, spindle: Spindle | None = None) -> Fig
 
 
 def plane_curve(shape: NDArray[np.complex128]) -> NDArray[np.float64]:
-    """The deflected line at the instant of largest motion, shape (node,), for (node, freedom).
+    """The deflected line at the instant of largest motion, shape (node,), for (node, DOF).
 
-    The freedom that moves most is shown; its sign is that of the largest displacement: positive.
+    The DOF that moves most is shown; its sign is that of the largest displacement: positive.
     """
-    node, freedom = np.unravel_index(int(np.argmax(np.abs(shape))), shape.shape)
-    peak = shape[node, freedom]
+    node, dof = np.unravel_index(int(np.argmax(np.abs(shape))), shape.shape)
+    peak = shape[node, dof]
     if not np.isfinite(peak) or peak == 0.0:
         return np.zeros(len(shape))
-    return np.asarray((shape[:, freedom] * np.conj(peak) / np.abs(peak) ** 2).real)
+    return np.asarray((shape[:, dof] * np.conj(peak) / np.abs(peak) ** 2).real)
 
 
 def _chosen(result: CampbellResult) -> list[int]:
@@ -118,7 +118,7 @@ def _panel(axes: Axes, result: CampbellResult, mode: int, spindle: Spindle | Non
         _outline(axes, spindle)
     columns = [result.dof.index(d) for d in _MOTION.get(result.kind[mode], ("y", "z"))]
     lines = [_lines(result, mode, k, columns, spindle) for k in (0, -1)]
-    first, last = (np.concatenate([curve for _, curve in own]) for own in lines)
+    first, last = (np.concatenate([curve for _, curve in curves]) for curves in lines)
     side = float(np.sign(first @ last)) or 1.0
     several = len(result.rotor) > 1
     rpm = [f"{speed * RPM.factor:.0f} rpm" for speed in result.shape_speed[[0, -1]]]
@@ -139,18 +139,18 @@ def _lines(
     result: CampbellResult, mode: int, speed: int, columns: list[int], spindle: Spindle | None
 ) -> list[tuple[NDArray[np.float64], NDArray[np.float64]]]:
     """Stations [mm] and deflected line of every rotor, all by one instant and scale."""
-    found = [_motion(result, mode, speed, rotor, spindle) for rotor in result.rotor]
-    curve = plane_curve(np.concatenate([motion for _, motion in found])[:, columns])
-    ends = np.cumsum([len(x) for x, _ in found])[:-1]
-    return [(x * 1e3, part) for (x, _), part in zip(found, np.split(curve, ends), strict=True)]
+    motions = [_motion(result, mode, speed, rotor, spindle) for rotor in result.rotor]
+    curve = plane_curve(np.concatenate([motion for _, motion in motions])[:, columns])
+    ends = np.cumsum([len(x) for x, _ in motions])[:-1]
+    return [(x * 1e3, part) for (x, _), part in zip(motions, np.split(curve, ends), strict=True)]
 
 
 def _motion(
     result: CampbellResult, mode: int, speed: int, rotor: str, spindle: Spindle | None
 ) -> tuple[NDArray[np.float64], NDArray[np.complex128]]:
     """Stations [m] of a rotor and how it moves there (stations, 6): its nodes, and some between."""
-    own = np.array([name == rotor for name in result.node_rotor])
-    node, shape = result.node[own], result.shape[speed, mode][own]
+    on_rotor = np.array([name == rotor for name in result.node_rotor])
+    node, shape = result.node[on_rotor], result.shape[speed, mode][on_rotor]
     if spindle is None or node.size < 2:
         return node, shape
     even = np.linspace(node[0], node[-1], STATIONS)

@@ -31,7 +31,7 @@ def panels(_: Any, shown: Sequence[Shown]) -> Iterator[Panel]:
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
     """Both boundaries."""
     result = variant.result
-    found = curves_of(result, "boundary_load", series="boundary", figure="control")
-    for curve, word in zip(found, BOUNDARY_WORDS.values(), strict=True):
+    curves = curves_of(result, "boundary_load", series="boundary", figure="control")
+    for curve, word in zip(curves, BOUNDARY_WORDS.values(), strict=True):
         limits = (0.0, float(result.load[-1]))
         yield curve._replace(label=load_name(result), series=word, limits=limits)

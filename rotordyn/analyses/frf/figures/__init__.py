@@ -72,12 +72,12 @@ def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
             title = f"{result.kind} {name} at {result.speed[index] * RPM.factor:.0f} rpm"
             look: dict[str, Any] = {"along": below, "title": title, "log": True}
             size = np.abs(values) * unit.factor
-            own = Curve(f"frf_curves{number}", "amplitude", unit.unit, frequency, size, **look)
-            yield own
-            yield from _measured(own, result, pair, index)
+            curve = Curve(f"frf_curves{number}", "amplitude", unit.unit, frequency, size, **look)
+            yield curve
+            yield from _measured(curve, result, pair, index)
 
 
-def _measured(own: Curve, result: Any, pair: int, index: int) -> Iterator[Curve]:
+def _measured(curve: Curve, result: Any, pair: int, index: int) -> Iterator[Curve]:
     """What was measured of a pair nearest to a slice speed, beside its computed curve."""
     for row, name in enumerate(result.measured):
         speed, x = float(result.measured_speed[row]), result.measured_frequency[row]
@@ -86,4 +86,4 @@ def _measured(own: Curve, result: Any, pair: int, index: int) -> Iterator[Curve]
         inside = (x >= result.frequency[0]) & (x <= result.frequency[-1])
         size = np.abs(result.measured_response[row, inside]) * shown(result.unit(pair)).factor
         words = f"{name}, measured at {speed * RPM.factor:.0f} rpm"
-        yield own._replace(x=x[inside], y=size, series=words, backdrop=True)
+        yield curve._replace(x=x[inside], y=size, series=words, backdrop=True)

@@ -17,12 +17,12 @@ def peak_bins(values: Array, coordinate: Array, edges: Array) -> Array:
     first = np.searchsorted(coordinate, edges[:-1], side="left")
     count = np.searchsorted(coordinate, edges[1:], side="left") - first
     middle = (edges[:-1] + edges[1:]) / 2.0
-    found = _interpolated(values, coordinate, middle)
+    reduced = _interpolated(values, coordinate, middle)
     full = np.flatnonzero(count)
     if full.size:
         stop = first[full[-1]] + count[full[-1]]
-        found[..., full] = np.maximum.reduceat(values[..., :stop], first[full], axis=-1)
-    return found
+        reduced[..., full] = np.maximum.reduceat(values[..., :stop], first[full], axis=-1)
+    return reduced
 
 
 def nearest(values: Array, coordinate: Array, wanted: Array) -> Array:

@@ -22,8 +22,8 @@ SEEN = 1e-6  # of the largest deflection
 
 def figures(case: Described, result: Any, _: Mapping[str, Any]) -> Iterator[Job]:
     """The figures of a result."""
-    own = Shown("", result, (), case.spindle)
-    yield "static_sag", partial(code("line:line_figure"), [own])
+    shown = Shown("", result, (), case.spindle)
+    yield "static_sag", partial(code("line:line_figure"), [shown])
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:

@@ -55,20 +55,20 @@ def _directions(variants: Sequence[Shown]) -> list[str]:
     most = np.array([np.nanmax(np.abs(v.result.deflection), axis=(0, 1)) for v in variants]).max(
         axis=0
     )
-    seen = [n for n, m in zip(first.direction, most, strict=True) if m > SEEN * most.max()]
-    return seen or [first.direction[0]]
+    drawn = [n for n, m in zip(first.direction, most, strict=True) if m > SEEN * most.max()]
+    return drawn or [first.direction[0]]
 
 
 def _lines(variants: Sequence[Shown]) -> list[tuple[Shown, int, str]]:
     """What is drawn: variant, row of the speed, words of the legend."""
-    found = []
+    lines = []
     for variant in variants:
         result: StaticSagResult = variant.result
         rows = np.flatnonzero(np.isfinite(result.slope).all(axis=1))
         for row in rows[:1] if len(variants) > 1 else dict.fromkeys(rows[[0, -1]].tolist()):
             speed = f"{result.speed[row] * RPM.factor:.0f} rpm"
-            found.append((variant, int(row), f"{variant.title}, {speed}".removeprefix(", ")))
-    return found
+            lines.append((variant, int(row), f"{variant.title}, {speed}".removeprefix(", ")))
+    return lines
 
 
 def _draw(axes: Axes, variant: Shown, row: int, name: str, place: int, title: str) -> None:
