@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from rotordyn.analyses.axial_cycle.spec import AxialCycleSpec
     from rotordyn.analyses.bearing.spec import BearingMapSpec
+    from rotordyn.analyses.bearing_loads.spec import BearingLoadsSpec
     from rotordyn.analyses.campbell.spec import CampbellSpec, ShapesInSpaceSpec
     from rotordyn.analyses.control.spec import ControlSpec
     from rotordyn.analyses.frf.spec import FrfSpec, MeasuredResponse, Port
@@ -34,6 +35,7 @@ if TYPE_CHECKING:
 
 _MODULE_OF = {
     "AxialCycleSpec": "rotordyn.analyses.axial_cycle.spec",
+    "BearingLoadsSpec": "rotordyn.analyses.bearing_loads.spec",
     "BalanceGrade": "rotordyn.scene.loads",
     "Conditions": "rotordyn.scene.conditions",
     "EccentricSpan": "rotordyn.scene.loads",
@@ -50,6 +52,7 @@ _MODULE_OF = {
 __all__ = [
     "AxialCycleSpec",
     "BalanceGrade",
+    "BearingLoadsSpec",
     "BearingMapSpec",
     "CampbellSpec",
     "Conditions",

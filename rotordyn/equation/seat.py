@@ -15,7 +15,7 @@ from rotordyn.equation.term import Array, LinkMatrices, State
 from rotordyn.machine.support import BearingSeat
 
 BEARING_DIRECTIONS = ("x", "y", "z", "thy", "thz")
-_HALF_TURN_ABOUT_Y = np.array([-1.0, 1.0, -1.0, 1.0, -1.0])
+HALF_TURN_ABOUT_Y = np.array([-1.0, 1.0, -1.0, 1.0, -1.0])
 _PLACES = np.array([position(name) for name in BEARING_DIRECTIONS])
 NOISE = 1e-12  # of what two directions resist by themselves: less coupling is rounding
 
@@ -41,7 +41,7 @@ def turn(matrix: ArrayLike, thrust: int) -> Array:
     The bearing does not resist spin: row and column thx are zero.
     """
     own = np.asarray(matrix, dtype=np.float64)
-    signs = _HALF_TURN_ABOUT_Y if thrust < 0 else np.ones(5)
+    signs = HALF_TURN_ABOUT_Y if thrust < 0 else np.ones(5)
     turned = np.zeros((*own.shape[:-2], 6, 6))
     turned[..., _PLACES[:, None], _PLACES] = signs[:, None] * own * signs
     return turned

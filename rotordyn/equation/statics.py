@@ -3,56 +3,140 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.equation.component import Component
 from rotordyn.equation.dofs import position
-from rotordyn.equation.linear import linear, subsystems
+from rotordyn.equation.linear import Linear, linear, subsystems
+from rotordyn.equation.seat import BEARING_DIRECTIONS
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import Array, State
 from rotordyn.machine.rotor import Place
 from rotordyn.machine.support import SPINDLE
 
-PLANE = [position("y"), position("thz")]
+PLANE = (0, 1, 4)  # x, y, θz of a bearing's five DOF
+EVERY = (0, 1, 2, 3, 4)
 NOTHING = 1e-8  # of the root of the largest stiffness: a motion that nothing holds
 ROUNDING = 1e-12  # of a stiffness matrix with unit diagonal
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class PlaneRotor:
-    """Static stiffness (states, m, m) of shaft, drawbar, sleeves and supports in plane y, without
-    the bearings, in m coordinates; a state is an axial force in the shaft and a speed.
+class StaticRotor:
+    """Static stiffness (states, m, m) of shaft, drawbar, sleeves and supports across the axis,
+    without the bearings, in m coordinates; a state is an axial force in the shaft and a speed.
 
-    ``seats`` (seats, 2, m): deflection and tilt between the rings of each bearing; ``point`` (m,):
-    deflection of the point loaded.
+    ``dof``: of the five of a bearing, those in which things move, x first; ``seats``
+    (seats, dof − 1, m): the others between the rings of each bearing; ``point`` (m,):
+    deflection where the load acts along it, or loads per newton of their size; ``constant`` (m,):
+    loads that act besides.
     """
 
+    dof: tuple[int, ...]
     stiffness: Array
     seats: Array
     point: Array
+    constant: Array
 
-    def at(self, rows: NDArray[np.intp]) -> PlaneRotor:
+    def at(self, rows: NDArray[np.intp]) -> StaticRotor:
         """In some of its states."""
         return replace(self, stiffness=self.stiffness[rows])
 
 
 def plane_rotor(
     structure: Structure, speed: Array, point: Place, force: Array | None = None
-) -> PlaneRotor:
-    """Of a structure with a port at ``point``, under the axial ``force`` (states, elements) [N]."""
+) -> StaticRotor:
+    """Plane y of a structure with a port at ``point``, under the axial ``force`` (states, elements)
+    [N]."""
     components = [
         c
         for c in structure.components
         if c.way == "y" and not c.lines[0].body.startswith("housing")
     ]
-    state = _without_bearings(structure, speed)
-    own = linear(structure, components, state, force)
+    own = linear(structure, components, _without_bearings(structure, speed), force)
     number = structure.node(*point)[position("y")]
+    return _rotor(structure, own, PLANE, own.displaced(np.array([number]))[0])
+
+
+def loaded_rotor(
+    structure: Structure,
+    speed: Array,
+    loads: Across,
+    force: Array | None = None,
+    constant: Across | None = None,
+) -> StaticRotor:
+    """Both planes of a structure, housings and sleeves too, under ``loads`` per newton of their
+    size and ``constant`` ones besides, and the axial ``force`` (states, elements) [N]."""
+    components = [c for c in structure.components if _across(c)]
+    own = linear(structure, components, _without_bearings(structure, speed), force)
+    rotor = _rotor(structure, own, EVERY, _acting(own, loads))
+    if constant is None:
+        return rotor
+    return replace(rotor, constant=_acting(own, constant) @ own.basis)
+
+
+def _acting(own: Linear, loads: Across) -> Array:
+    """Forces on the coordinates (m,)."""
+    acting = np.zeros(own.size)
+    for place, load in loads.points:
+        acting += load @ own.displaced(own.structure.node(*place))
+    for way, pull in zip(("y", "z"), loads.pull, strict=True):
+        if pull:
+            acting += pull * _falling(own, way)
+    return acting
+
+
+class Across(NamedTuple):
+    """Loads across the axis: at places (Fx, Fy, Fz, Mx, My, Mz) (6,) [N, N·m], of which what acts
+    along and about x is not taken, and the ``pull`` of weight along y and z [m/s²]."""
+
+    points: tuple[tuple[Place, Array], ...]
+    pull: tuple[float, float]
+
+    def per_newton(self, length: float, mass: float) -> tuple[Across, float]:
+        """The loads per newton of their size, and that size [N]: moments count by ``length`` [m],
+        weight by ``mass`` [kg]."""
+        size = float(np.hypot(*self.pull)) * mass
+        for _, load in self.points:
+            size += float(np.linalg.norm(load[1:3]) + np.linalg.norm(load[4:]) / length)
+        share = 1.0 / size if size > 0.0 else 0.0
+        (y, z), points = self.pull, tuple((at, share * load) for at, load in self.points)
+        return Across(points, (share * y, share * z)), size
+
+
+def _across(component: Component) -> bool:
+    """It moves across the axis: bending of shafts, sleeves and housings."""
+    return bool({line.way for line in component.lines} - {"x", "thx"})
+
+
+def _falling(own: Linear, way: str) -> Array:
+    """Force per acceleration of gravity along y or z on the coordinates (m,), of shafts alone.
+
+    Mass is the identity: it is the translation of the spindle's shaft in rigid coordinates.
+    """
+    found = np.zeros(own.size)
+    for component, where in zip(own.components, own.slices, strict=True):
+        if component.way != way or component.spindle is None:
+            continue
+        shaft = own.structure.shafts[component.lines[0].body]
+        nodes = np.array([row[position(way)] for row in shaft.node])
+        rigid = np.flatnonzero(component.is_rigid)
+        sign = own.structure.dofs.sign[nodes]
+        motion = sign[:, None] * component.vectors[component.local(nodes)][:, rigid]
+        share = np.linalg.lstsq(motion, np.ones(len(nodes)), rcond=None)[0]
+        found[where][rigid] = share
+    return found
+
+
+def _rotor(structure: Structure, own: Linear, dof: tuple[int, ...], point: Array) -> StaticRotor:
     motions = {id(each.link): each.motions for each in own.connections}
-    rows = [motions[id(link)][PLANE] for link in structure.seats]
-    seated, moved = np.array(rows).reshape(-1, 2, own.size), own.displaced(np.array([number]))[0]
-    return PlaneRotor(own.within(own.stiffness), seated @ own.basis, moved @ own.basis)
+    places = [position(BEARING_DIRECTIONS[k]) for k in dof[1:]]
+    rows = [motions[id(link)][places] for link in structure.seats]
+    seated = np.array(rows).reshape(-1, len(places), own.size)
+    stiffness, acting = own.within(own.stiffness), point @ own.basis
+    return StaticRotor(dof, stiffness, seated @ own.basis, acting, 0.0 * acting)
 
 
 def withstands(

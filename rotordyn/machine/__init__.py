@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from rotordyn.machine.housing import ReducedHousing, RigidHousing
     from rotordyn.machine.joint import Joint
     from rotordyn.machine.lumped import Disc, PointMass
+    from rotordyn.machine.misalignment import Misalignment
     from rotordyn.machine.reference import Reference
     from rotordyn.machine.rotor import Rotor
     from rotordyn.machine.shaft import Section, Shaft
@@ -36,6 +37,7 @@ _MODULE_OF = {
     "InterferenceFit": "growth",
     "Joint": "joint",
     "LinearSupport": "support",
+    "Misalignment": "misalignment",
     "PointMass": "lumped",
     "PrescribedShortening": "growth",
     "QuadraticInSpeed": "growth",
@@ -62,6 +64,7 @@ __all__ = [
     "InterferenceFit",
     "Joint",
     "LinearSupport",
+    "Misalignment",
     "PointMass",
     "PrescribedShortening",
     "QuadraticInSpeed",

@@ -16,6 +16,7 @@ from rotordyn.description import Description, Faults, ascending, repeated
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.ball_guide import BallGuide
 from rotordyn.machine.growth import RingGrowth
+from rotordyn.machine.misalignment import Misalignment
 from rotordyn.quantity import (
     HIDDEN,
     Choice,
@@ -134,6 +135,9 @@ class BearingSeat(Description):
         Annotated[str, Choice(MOMENT_SHARING)] | None, "instead of that of the conditions"
     ] = None
     friction: Annotated[Friction | None, "instead of that of the conditions"] = None
+    misalignment: Annotated[
+        Misalignment, "of the bore that its outer ring sits in ([how](theory/loads.md))"
+    ] = field(default_factory=Misalignment)
 
     def __post_init__(self) -> None:
         given, bearing = self.thrust, self._known_bearing

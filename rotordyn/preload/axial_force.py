@@ -19,6 +19,7 @@ from rotordyn.machine.inertia import mass_in_front
 from rotordyn.machine.spindle import Spindle
 
 Array = NDArray[np.float64]
+Pushes = tuple[tuple[float, float], ...]
 BALANCED = 1e-9  # of the largest force
 POINTS, WEIGHTS = np.polynomial.legendre.leggauss(5)
 
@@ -72,13 +73,15 @@ def axial_force(
     force: float = 0.0,
     gravity: float = 0.0,
     tension: float = 0.0,
+    pushes: Pushes = (),
 ) -> AxialForce:
     """Axial force in the shaft of ``spindle`` in every state.
 
     ``seat_load`` (states, seats) [N]: axial loads of the bearings in their own frames, where the
     shaft pushes the inner ring. ``force`` [N] on the front end of the shaft and ``gravity`` [m/s²],
-    both towards +x; ``tension`` [N] pulls at both ends. Supports carry what is left, each by its
-    axial stiffness, or those that are rigid along x.
+    both towards +x; ``tension`` [N] pulls at both ends; ``pushes``: stations [m] and forces [N]
+    besides. Supports carry what is left, each by its axial stiffness, or those that are rigid along
+    x.
 
     Raises
     ------
@@ -90,6 +93,7 @@ def axial_force(
         (shaft.start, force - tension),
         (shaft.end, tension),
         *((body.x, gravity * body.mass) for body in spindle.lumped),
+        *pushes,
     ]
     if bar is not None:
         alone += [(bar.start, bar.force), (bar.end, -bar.force)]

@@ -36,7 +36,8 @@ class PreloadState:
     ``force``: external axial force [N]; ``law``: of balls where a seat says nothing else;
     ``still``: the network at rest under its stated preloads; ``limit`` (bodies,): where a stop ends
     the travel (NaN without one); ``net``: the network at every speed; ``outcome`` per speed: empty,
-    or why there is no usable state.
+    or why there is no usable state; ``lateral`` (speeds, p): coordinates of the rotor under loads
+    across the axis, None without any.
     """
 
     spindle: Spindle
@@ -47,6 +48,14 @@ class PreloadState:
     limit: Array
     net: NetworkState
     outcome: tuple[str, ...]
+    lateral: Array | None = None
+
+    def coordinates(self, count: int) -> Array:
+        """Those ``count`` of the rotor across the axis, then the positions (speeds, …)."""
+        none = np.zeros((len(self.speed), count))
+        lateral = none if self.lateral is None else self.lateral
+        known = np.where(self.net.converged[:, None], self.net.position, self.rest)
+        return np.concatenate([lateral, np.where(np.isfinite(known), known, self.rest)], axis=1)
 
     @property
     def rest(self) -> Array:

@@ -20,7 +20,7 @@ from rotordyn.machine.support import (
 )
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.formulation import INERTIAL, ROTATING
-from rotordyn.scene.spec import Setting
+from rotordyn.scene.spec import Setting, placed
 from rotordyn.units import format_quantity
 
 MOST_ELEMENTS = 1000
@@ -41,6 +41,7 @@ def setting_faults(setting: Setting) -> Faults:
         for support in spindle.supports:
             yield from _even(support)
     yield from _held_along(spindle, conditions)
+    yield from _loads(setting)
     yield from _tables(spindle, setting.speeds)
     yield from _on_housings(spindle, conditions)
     if spindle.seats:
@@ -93,11 +94,38 @@ def _elements(spindle: Spindle, conditions: Conditions) -> Faults:
         )
 
 
+def _loads(setting: Setting) -> Faults:
+    """Static loads act on the state of bearings, at places on the shaft."""
+    spindle, conditions = setting.spindle, setting.conditions
+    way = ("conditions", "loads")
+    for index, load in enumerate(conditions.loads):
+        yield from placed(load.at, spindle, (*way, index, "at"))
+        if load.Fx and spindle.rotors:
+            yield (
+                (*way, index, "Fx"),
+                "an axial force takes no further rotors, on whose supports it would be shared: "
+                "given {given}; leave it out",
+            )
+    if conditions.loads and not spindle.seats:
+        yield (
+            way,
+            "loads of the conditions act on the state of bearings, and this spindle has none: "
+            "linear supports do not follow them; give the loads to section_forces",
+        )
+    if setting.loaded and conditions.formulation == ROTATING:
+        yield (
+            FORMULATION,
+            "under static loads (loads, weight, misaligned seats) bearings differ between "
+            "directions, which a turning frame cannot describe: given 'rotating'; allowed: "
+            "inertial",
+        )
+
+
 def _held_along(spindle: Spindle, conditions: Conditions) -> Faults:
     """Something carries an axial force and the weight."""
     if spindle.seats or any(s.along or "x" in s.rigid for s in spindle.supports):
         return
-    weighed = conditions.gravity not in ("", "none")
+    weighed = bool(conditions.pull[0])
     for key, given in (("axial_force", abs(conditions.axial_force) > 0.0), ("gravity", weighed)):
         if given:
             yield (
@@ -151,7 +179,7 @@ def _on_housings(spindle: Spindle, conditions: Conditions) -> Faults:
             "a turning frame cannot describe housings, which stand still: given 'rotating'; "
             "allowed: inertial",
         )
-    loaded = abs(conditions.axial_force) > 0.0 or conditions.gravity not in ("", "none")
+    loaded = abs(conditions.axial_force) > 0.0 or bool(conditions.pull[0])
     along = any("x" in housing.directions for housing in spindle.housings)
     if along and (spindle.seats or loaded):
         what = "of bearings" if spindle.seats else "of axial force and weight"
@@ -168,7 +196,7 @@ def _with_rotors(spindle: Spindle, conditions: Conditions) -> Faults:
             "rotors of different speeds have no common turning frame: given "
             f"'{conditions.formulation}'; allowed: {INERTIAL}",
         )
-    if conditions.gravity not in ("", "none"):
+    if conditions.pull[0]:
         yield (
             ("conditions", "gravity"),
             "weight along the axis takes no further rotors, on whose supports it would be shared: "
@@ -213,9 +241,12 @@ def _sideways(setting: Setting) -> Faults:
     """Bearings are solved under axial load alone: what moves along x must not push aside."""
     conditions = setting.conditions
     by_speed = conditions.bearings == "dynamic" and any(speed > 0.0 for speed in setting.speeds)
-    if not (
-        by_speed or abs(conditions.axial_force) > 0.0 or conditions.gravity not in ("", "none")
-    ):
+    acting = (
+        abs(conditions.axial_force) > 0.0
+        or conditions.gravity not in ("", "none")
+        or setting.loaded
+    )
+    if not (by_speed or acting or conditions.loads):
         return
     for support in setting.spindle.supports:
         if support.sideways:
@@ -224,5 +255,5 @@ def _sideways(setting: Setting) -> Faults:
                 ("spindle",),
                 f"support '{support.name}' pushes the shaft aside as its preload state moves it "
                 f"along the axis ({names}): bearings are solved under axial load alone; leave "
-                "these entries out, or set bearings: static without axial force and weight",
+                "these entries out, or set bearings: static without axial force, weight and loads",
             )

@@ -10,11 +10,13 @@ from bearings.ball.law import KINEMATICS, MOMENT_SHARING, Law
 from rotordyn.description import Description
 from rotordyn.quantity import Accuracy, Choice, Force, Friction, Length
 from rotordyn.scene.formulation import FORMULATIONS, INERTIAL
+from rotordyn.scene.loads import PointLoad
+from rotordyn.units import STANDARD_GRAVITY
 
 TANGENTS = ("complete", "frozen", "difference")
 BEARINGS = ("dynamic", "static")
 ROTOR = ("flexible", "rigid")
-GRAVITY = ("none", "+x", "-x")
+GRAVITY = ("none", "+x", "-x", "+y", "-y", "+z", "-z")
 Tangent = Annotated[str, Choice(TANGENTS)]
 
 
@@ -59,8 +61,13 @@ class Conditions(Description):
     gravity: Annotated[
         str,
         Choice(GRAVITY),
-        "direction of the rotor's weight (vertical spindle); sleeves are not weighed",
+        "direction of the rotor's weight; sleeves are not weighed",
     ] = "none"
+    loads: Annotated[
+        tuple[PointLoad, ...],
+        "static loads on the shaft: cutting force, pull of a belt or magnet; every analysis takes "
+        "the state of the bearings under them ([how](theory/loads.md))",
+    ] = ()
     accuracy: Annotated[
         Accuracy, "relative error allowed of every frequency asked for; the elements follow"
     ] = 1e-4
@@ -75,6 +82,18 @@ class Conditions(Description):
     axial_stiffening: Annotated[
         bool, "the axial force in the shaft stiffens or softens its bending"
     ] = True
+
+    @property
+    def pull(self) -> tuple[float, float, float]:
+        """Acceleration of gravity along x, y and z [m/s²]."""
+        size = -STANDARD_GRAVITY if self.gravity.startswith("-") else STANDARD_GRAVITY
+        x, y, z = (size if self.gravity[1:] == way else 0.0 for way in "xyz")
+        return x, y, z
+
+    @property
+    def pushed(self) -> float:
+        """External force along the axis, that of loads included [N]."""
+        return self.axial_force + sum(load.Fx for load in self.loads)
 
     @property
     def law(self) -> Law:

@@ -44,6 +44,8 @@ def _bearings(scene: Scene) -> Iterator[str]:
             yield f"bearings {tandem} are alike and share their load: one of them is solved"
     balls = sorted({bearing.model.balls for bearing in bearings})
     counts = " or ".join(map(str, balls))
+    if scene.loaded:
+        return
     yield f"under axial load all balls of a bearing are alike: one of {counts} is solved"
     if len(scene.bearing_speed) < len(scene.speed):
         yield f"bearings keep their state at rest: solved once for {len(scene.speed)} speeds"

@@ -29,6 +29,7 @@ from rotordyn.scene.statics import Statics, bodies
 from rotordyn.scene.warnings import machine_warnings
 
 Array = NDArray[np.float64]
+NARROWINGS, PIECES = 6, 16  # of the speeds between which a stop is met
 BEYOND = 2.0  # of the highest frequency: modes above it are followed a little farther
 
 
@@ -136,11 +137,13 @@ class Scene(Statics):
             self.ports,
             self.rigid,
             self._pressed,
+            self.loaded and self.conditions.loads,
         )
     )
     def rotor(self) -> Structure:
         """Terms of the machine and its components, each reduced when it is first asked for."""
-        places = [self.spindle.place(at) for at in self.ports]
+        acting = [load.at for load in self.conditions.loads] if self.loaded else []
+        places = [self.spindle.place(at) for at in (*self.ports, *acting)]
         kind = {"rigid": self.rigid, "pressed": self._pressed}
         return Structure(self.spindle, self.mesh, self.fineness, places, **kind)
 
@@ -151,6 +154,33 @@ class Scene(Statics):
 
     def _structure(self) -> Structure:
         return self.rotor
+
+    @cached_property
+    def stop_speeds(self) -> Array:
+        """Speed at which each sleeve first meets its stop (sleeves,) [rad/s]; NaN: it does not."""
+        if not self.loaded:
+            return self.preload.stop_speeds()
+        held = self.preload.net.held[:, 1:]
+        return np.array([self._stop_speed(k, held[:, k]) for k in range(held.shape[1])])
+
+    def _stop_speed(self, sleeve: int, held: NDArray[np.bool_]) -> float:
+        """The same under loads across the axis, narrowed down from the speeds of the case."""
+        first = np.flatnonzero(held)
+        if not first.size:
+            return math.nan
+        high = float(self.bearing_speed[first[0]])
+        low = float(self.bearing_speed[first[0] - 1]) if first[0] else 0.0
+        for _ in range(NARROWINGS):
+            inside = np.linspace(low, high, PIECES + 1)[1:-1]
+            closed = np.flatnonzero(self.at(inside).preload.net.held[:, 1 + sleeve])
+            places = np.concatenate([[low], inside, [high]])
+            place = int(closed[0]) + 1 if closed.size else PIECES
+            low, high = float(places[place - 1]), float(places[place])
+        return 0.5 * (low + high)
+
+    @property
+    def _lateral_inputs(self) -> tuple[Any, ...]:
+        return self.conditions, self.fineness, self.ports
 
     @cached_property
     def state(self) -> State:

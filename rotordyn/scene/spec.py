@@ -19,10 +19,23 @@ class Setting:
     conditions: Conditions
     speeds: tuple[float, ...]
 
+    @property
+    def loaded(self) -> bool:
+        """Static loads act across the axis on the state of the bearings."""
+        return acts_across(self.spindle, self.conditions)
+
     def within(self, speed: float) -> bool:
         """A speed lies within those of the case, as far as these are known."""
         known = self.speeds and not (speed != speed or any(s != s for s in self.speeds))
         return not known or self.speeds[0] - 1e-6 <= speed <= self.speeds[-1] + 1e-6
+
+
+def acts_across(spindle: Spindle, conditions: Conditions) -> bool:
+    """Loads, weight or misaligned seats act across the axis on the state of the bearings."""
+    misaligned = any(any(seat.misalignment.offset) for seat in spindle.seats)
+    loads = [load.on_axis for load in conditions.loads]
+    across = any(any((*load[1:3], *load[4:])) for load in loads)
+    return bool(spindle.seats) and (misaligned or across or any(conditions.pull[1:]))
 
 
 class Spec(Description):

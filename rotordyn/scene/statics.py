@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from dataclasses import replace
 from functools import cached_property
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,12 +17,16 @@ from rotordyn.errors import NoSolution
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve, Spring
-from rotordyn.preload.axial_force import AxialForce, axial_force
+from rotordyn.preload.axial_force import AxialForce, Pushes, axial_force
 from rotordyn.preload.state import PreloadState, dynamic_preload
+from rotordyn.scene.across import across, with_stations
 from rotordyn.scene.buckling import Loading
 from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.spec import acts_across
 from rotordyn.scene.stage import Clock, Memo, Staged, stage_of
-from rotordyn.units import STANDARD_GRAVITY
+
+if TYPE_CHECKING:
+    from rotordyn.equation.statics import StaticRotor
 
 Array = NDArray[np.float64]
 ANY_SPRING = Spring(preload=1.0, stiffness=1e6)
@@ -40,7 +44,7 @@ class Statics(Staged):
         clock: Clock | None = None,
     ) -> None:
         super().__init__(memo, clock)
-        self.spindle = spindle
+        self.spindle = with_stations(spindle, conditions.loads)
         self.conditions = conditions
         self.speed = speed
 
@@ -88,15 +92,18 @@ class Statics(Staged):
     @property
     def gravity(self) -> float:
         """Acceleration of gravity along the axis, towards +x [m/s²]."""
-        return {"none": 0.0, "+x": STANDARD_GRAVITY, "-x": -STANDARD_GRAVITY}[
-            self.conditions.gravity
-        ]
+        return self.conditions.pull[0]
 
     @property
     def axial_force(self) -> float:
         """External force and weight along the axis [N]."""
         weight = self.gravity * rotor_inertia(self.grounded).mass if self.gravity else 0.0
-        return self.conditions.axial_force + weight
+        return self.conditions.pushed + weight
+
+    @property
+    def loaded(self) -> bool:
+        """Something acts across the axis on the state of the bearings."""
+        return acts_across(self.spindle, self.conditions)
 
     @cached_property
     def outcome(self) -> tuple[str, ...]:
@@ -145,8 +152,31 @@ class Statics(Staged):
 
     @stage_of(lambda self: self._axial_inputs)
     def preload(self) -> PreloadState:
-        """Dynamic preload state at ``bearing_speed``."""
+        """Dynamic preload state at ``bearing_speed``, under all static loads."""
+        if not self.loaded:
+            return self.unloaded
+        from rotordyn.preload.under_load import under_load
+
+        return under_load(self.unloaded, *self.static_rotor)
+
+    @cached_property
+    def unloaded(self) -> PreloadState:
+        """The same without loads across the axis."""
         return dynamic_preload(self.grounded, self.bearing_speed, self.law, self.axial_force)
+
+    @cached_property
+    def static_rotor(self) -> tuple[StaticRotor, float]:
+        """The rotor under its static loads across the axis, and their size [N]."""
+        from rotordyn.equation.statics import loaded_rotor
+
+        structure, speed, force = self._structure(), self.state_speed, None
+        if self.conditions.axial_stiffening:
+            along = self._along(self.unloaded.seat_load())
+            force = np.nan_to_num(along.bending(self.mesh.middle))
+        loads = across(self.spindle, self.conditions)
+        length = self.spindle.shaft.end - self.spindle.shaft.start
+        per_newton, size = loads.per_newton(length, rotor_inertia(self.grounded).mass)
+        return loaded_rotor(structure, speed, per_newton, force), size
 
     @stage_of(lambda self: (*self._axial_inputs, self.conditions.tension))
     def shaft_force(self) -> AxialForce:
@@ -173,6 +203,7 @@ class Statics(Staged):
             self.conditions.axial_force,
             self.gravity,
             self.conditions.tension,
+            self._pushes,
         )
         return loading.outcomes()
 
@@ -187,10 +218,21 @@ class Statics(Staged):
         return along.bending(self.mesh.middle)
 
     def _along(self, seat_load: Array) -> AxialForce:
-        conditions = self.conditions
+        acting = self.conditions
         return axial_force(
-            self.grounded, seat_load, conditions.axial_force, self.gravity, conditions.tension
+            self.grounded,
+            seat_load,
+            acting.axial_force,
+            self.gravity,
+            acting.tension,
+            self._pushes,
         )
+
+    @property
+    def _pushes(self) -> Pushes:
+        """Stations and axial forces of the loads."""
+        place = self.spindle.place
+        return tuple((place(load.at).x, load.Fx) for load in self.conditions.loads if load.Fx)
 
     def _structure(self) -> Structure:
         """The terms of the machine."""
@@ -200,7 +242,13 @@ class Statics(Staged):
     def _axial_inputs(self) -> tuple[Any, ...]:
         """What the preload state follows from."""
         forces = self.axial_force, self.conditions.axial_force, self.gravity
-        return (self.spindle, self.law, *forces, self.bearing_speed.tobytes())
+        own = (self.spindle, self.law, *forces, self.bearing_speed.tobytes())
+        return (*own, *self._lateral_inputs) if self.loaded else own
+
+    @property
+    def _lateral_inputs(self) -> tuple[Any, ...]:
+        """What the state under loads across the axis follows from besides."""
+        raise NotImplementedError
 
     @property
     def _seat_load(self) -> Array:

@@ -9,8 +9,10 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from rotordyn.machine.plausibility import implausible
+from rotordyn.machine.support import BearingSeat
 from rotordyn.preload.growth import released_fits
 from rotordyn.results.balls import gripping, pressed, slipping
 from rotordyn.results.display import RPM
@@ -18,6 +20,8 @@ from rotordyn.scene.stability import instability
 
 if TYPE_CHECKING:
     from rotordyn.scene.scene import Scene
+
+Array = NDArray[np.float64]
 
 
 def machine_warnings(scene: Scene) -> Iterator[str]:
@@ -57,7 +61,7 @@ def bearing_warnings(scene: Scene) -> Iterator[str]:
                 (balls.inner_grip, balls.outer_grip),
             )
         )
-        slips = np.where(usable, balls.slipping[:, column, 0], "")
+        slips = np.where(usable, _slipping(balls.slipping[:, column]), "")
         free = not any(slips)
         sentences = (
             pressed(name, speed, peak),
@@ -65,4 +69,36 @@ def bearing_warnings(scene: Scene) -> Iterator[str]:
             gripping(name, speed, grip) if free else "",
         )
         yield from (sentence for sentence in sentences if sentence)
+        if state.lateral is not None:
+            yield from _lost(name, speed, usable, balls.inner_load[:, column], seat)
     yield from state.small_shims()
+
+
+def _slipping(races: NDArray[np.str_]) -> NDArray[np.str_]:
+    """Of the races on which balls slip (states, balls) those of some ball (states,)."""
+    inner, outer = (((races == way) | (races == "both")).any(axis=1) for way in ("inner", "outer"))
+    return np.select([inner & outer, inner, outer], ["both", "inner", "outer"], "")
+
+
+def _lost(
+    name: str, speed: Array, usable: NDArray[np.bool_], load: Array, seat: BearingSeat
+) -> Iterator[str]:
+    """Of a bearing that takes thrust one way, balls that static loads leave without load."""
+    idle = usable[:, None] & (load <= 0.0)
+    rows = np.flatnonzero(idle.any(axis=1))
+    if seat.bearing.both_ways or not rows.size:
+        return
+    balls, rpm = idle[rows[0]], speed[rows[0]] * RPM.factor
+    if balls.all():
+        yield (
+            f"{name}: static loads unload it at {rpm:.0f} rpm: it holds nothing there; raise its "
+            "preload, or lower the loads"
+        )
+        return
+    angle = 360.0 * np.flatnonzero(balls) / len(balls) * (-1.0 if seat.thrust < 0 else 1.0)
+    first, last = int(angle[0]) % 360, int(balls.sum())
+    yield (
+        f"{name}: under the static loads {last} of its {len(balls)} balls carry nothing from "
+        f"{rpm:.0f} rpm on, such as that at {first}° from y towards z: raise its preload, or lower "
+        "the loads (bearing_loads says under which part of them)"
+    )

@@ -102,6 +102,8 @@ SOME = (  # as many as there are: NaN beyond the last, infinite without damping
     *("unloading_force", "peak_speed", "peak_amplitude", "fine_displacement"),
     *("contact_heat", "spin_heat", "viscous_heat", "film"),  # where there is oil
     *("spectrum_life", "spectrum_set_life", "target", "ring_stress"),  # where asked for
+    *("loss_share", "loss_azimuth", "ball_azimuth", "ball_inner_load", "ball_outer_load"),
+    *("ball_inner_angle", "ball_outer_angle"),  # a bearing has fewer balls than another one
     *("fine_major_axis", "fine_minor_axis", "fine_force_amplitude"),  # apart where a stop closes
 )
 OF_SOME_GROOVES = (

@@ -15,13 +15,13 @@ from bearings import AngularContactBallBearing
 from bearings.materials import Material
 from bearings.ring.iterate import Iterate
 from rotordyn.analyses.preload.spec import PreloadSpec
-from rotordyn.analyses.stiffness.radial import RadialProblem
 from rotordyn.analyses.stiffness.solve import answer as stiffness_answer
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.equation.mesh import build_mesh
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import BearingSeat, Sleeve, Spring
+from rotordyn.preload.balance import Balance
 from rotordyn.preload.network import Network
 from tests.oracles.dense_rotor.assemble import bending_plane
 from tests.oracles.full_rotor import FullRotor
@@ -312,8 +312,8 @@ def test_a_load_takes_two_moves_of_the_balls(monkeypatch: pytest.MonkeyPatch) ->
     found = scene(mfw2310(), np.arange(0, 24001, 2000))
     assert found.preload.usable.all()
     moves, solves = [], []
-    move, solve = RadialProblem._point, Network.solve_bearings
-    monkeypatch.setattr(RadialProblem, "_point", lambda *given: (moves.append(1), move(*given))[1])
+    move, solve = Balance._point, Network.solve_bearings
+    monkeypatch.setattr(Balance, "_point", lambda *given: (moves.append(1), move(*given))[1])
     monkeypatch.setattr(
         Network, "solve_bearings", lambda *a, **k: (solves.append(1), solve(*a, **k))[1]
     )

@@ -2,9 +2,12 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 from numpy.typing import NDArray
 
+from bearings.ring.state import BearingState
 from rotordyn.analyses.preload.result import PreloadResult
 from rotordyn.analyses.preload.spec import PreloadSpec
 from rotordyn.results.balls import BALL_QUANTITIES, DOFS
@@ -15,7 +18,7 @@ Array = NDArray[np.float64]
 
 
 def answer(scene: Scene, spec: PreloadSpec) -> PreloadResult:
-    """The preload table: one row per speed and bearing; all balls of a bearing are alike."""
+    """The preload table: one row per speed and bearing, of the ball that is loaded most."""
     state, rows = scene.preload, scene.bearing_row
     good = np.array([word == "" for word in scene.outcome])
 
@@ -27,10 +30,10 @@ def answer(scene: Scene, spec: PreloadSpec) -> PreloadResult:
 
     seats = state.seat_states()
     balls = {
-        name: shown(np.stack([getattr(s, name)[:, column, 0] for s, column in seats], axis=1))
+        name: shown(np.stack([_of_heaviest(getattr(s, name), s, c) for s, c in seats], axis=1))
         for name in BALL_QUANTITIES
     }
-    slips = np.stack([s.slipping[:, column, 0] for s, column in seats], axis=1)[rows]
+    slips = np.stack([_of_heaviest(s.slipping, s, column) for s, column in seats], axis=1)[rows]
     pitch = np.array([seat.bearing.pitch_diameter for seat in scene.spindle.seats])
     factor = np.outer(scene.speed * RPM.factor, pitch * 1e3)
     return PreloadResult(
@@ -51,6 +54,13 @@ def answer(scene: Scene, spec: PreloadSpec) -> PreloadResult:
         spring_force=shown(state.spring_force),
         stop_force=shown(state.stop_force),
         stop_reached=state.net.held[rows][:, 1:] & good[:, None],
-        stop_speed=state.stop_speeds(),
+        stop_speed=scene.stop_speeds,
         **balls,
     )
+
+
+def _of_heaviest(values: NDArray[Any], state: BearingState, column: int) -> NDArray[Any]:
+    """Of values (speeds, bearings, balls) those of the ball of a bearing with the largest load on
+    its inner race (speeds,); without loads across the axis all of them are alike."""
+    heaviest = np.nan_to_num(state.inner_load[:, column]).argmax(axis=1)
+    return np.take_along_axis(values[:, column], heaviest[:, None], axis=1)[:, 0]

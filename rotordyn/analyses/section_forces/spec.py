@@ -45,6 +45,13 @@ class SectionForcesSpec(Spec):
                 "section forces take no joints, whose give the elastic line leaves out: leave out "
                 "the joints",
             )
+        if setting.loaded:
+            yield (
+                (),
+                "section forces take their own loads, about bearings that carry axial loads alone: "
+                "move loads and weight of the conditions to the analysis, and leave out misaligned "
+                "seats",
+            )
         weighed = any(word not in ("", "none") for word in (self.gravity, conditions.gravity))
         besides = spindle.seats or spindle.drawbar or conditions.axial_force or conditions.tension
         if not (self.loads or self.line_loads or self.unbalances or weighed or besides):

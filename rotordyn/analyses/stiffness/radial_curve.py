@@ -1,6 +1,7 @@
 """Deflection of a point under a radial force that grows from zero in even steps.
 
-Every load is a balance of its own (``radial``); only its start is taken from the loads before it.
+Every load is a balance of its own (``preload.balance``); only its start is taken from the loads
+before it.
 """
 
 from __future__ import annotations
@@ -10,8 +11,8 @@ from dataclasses import dataclass, fields
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analyses.stiffness.radial import Point, RadialProblem
 from rotordyn.machine.limits import HIGHEST_PRESSURE
+from rotordyn.preload.balance import Balance, Point
 
 Array = NDArray[np.float64]
 Words = NDArray[np.str_]
@@ -63,10 +64,9 @@ class RadialCurve:
         return RadialCurve(*(getattr(self, each.name)[rows] for each in fields(self)))
 
 
-def radial_curve(problem: RadialProblem, force: Array) -> RadialCurve:
+def radial_curve(problem: Balance, force: Array) -> RadialCurve:
     """Deflection under loads that ascend evenly from zero; every speed stands on its own."""
-    p, point = len(problem.rotor.point), problem.rotor.point
-    start = np.concatenate([np.zeros((len(problem.position), p)), problem.position], axis=1)
+    p, point, start = len(problem.rotor.point), problem.rotor.point, problem.start
     here = problem.evaluate(start, None)
     every = np.ones(len(start), dtype=bool)
     step, slope = float(force[1] - force[0]), problem.per_newton(here, every)
@@ -86,7 +86,7 @@ def radial_curve(problem: RadialProblem, force: Array) -> RadialCurve:
         outcome[lost] = [_why(pressure, force[k]) for pressure in here.pressure[lost]]
         slope = problem.per_newton(here, outcome == "")
         before, last = last, _load_step(problem, here, step * slope)
-        deflection[:, k] = here.coordinates[:, :p] @ point
+        deflection[:, k] = (here.coordinates - start)[:, :p] @ point
         deflection[outcome != "", k] = np.nan
         reach = np.fmax(reach, problem.travel(here.coordinates))
         light = (here.lightest < least) & (outcome == "")[:, None]
@@ -94,7 +94,7 @@ def radial_curve(problem: RadialProblem, force: Array) -> RadialCurve:
     return RadialCurve(deflection, tangent, outcome.astype(str), reach, unloading)
 
 
-def _load_step(problem: RadialProblem, here: Point, slope: Array) -> LoadStep:
+def _load_step(problem: Balance, here: Point, slope: Array) -> LoadStep:
     return LoadStep(
         [here.coordinates, *(one.ball for _, one in here.bearings)],
         [slope, *problem.balls_along(here, slope)],

@@ -1,7 +1,7 @@
 """Quasi-static radial stiffness of a point, for each way of modelling the bearings.
 
-The load lies in plane y, so shaft and bearings move in (x, y, θz) only. Tilts and the axial
-arrangement are free to follow.
+The load lies in plane y, so shaft and bearings move in (x, y, θz) only, unless static loads of the
+case act besides. Tilts and the axial arrangement are free to follow.
 """
 
 from __future__ import annotations
@@ -12,18 +12,20 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analyses.stiffness.radial import PLANE, RadialProblem
 from rotordyn.analyses.stiffness.radial_curve import RadialCurve, radial_curve
 from rotordyn.analyses.stiffness.result import StiffnessResult
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
-from rotordyn.equation.statics import PlaneRotor, plane_rotor
+from rotordyn.equation.statics import PLANE, Across, StaticRotor, loaded_rotor, plane_rotor
 from rotordyn.errors import InvalidInput
+from rotordyn.preload.balance import Balance
 from rotordyn.preload.outcome import LEAST_LOAD
 from rotordyn.preload.state import PreloadState
 from rotordyn.results.display import RPM
+from rotordyn.scene.across import across
 from rotordyn.scene.scene import Scene
 
 Array = NDArray[np.float64]
+UNIT = np.array([0.0, 1.0, 0.0, 0.0, 0.0, 0.0])  # [N] along y
 REACHED = 1e-12  # m
 SHORT_STOP = "short_stop"
 
@@ -92,7 +94,7 @@ def _rotor(
     spec: StiffnessSpec,
     seat_load: Array | None = None,
     speed: Array | None = None,
-) -> PlaneRotor:
+) -> StaticRotor:
     """The rotor under the axial forces at ``bearing_speed``, or under others (states, seats)."""
     force = scene.bending_force(seat_load)
     at = scene.state_speed if speed is None else speed
@@ -100,7 +102,12 @@ def _rotor(
     at = np.broadcast_to(at, states)
     if force is not None:
         force = np.broadcast_to(force, (states, force.shape[1]))
-    return plane_rotor(scene.rotor, at, scene.spindle.place(spec.point), force)
+    place = scene.spindle.place(spec.point)
+    if scene.loaded:
+        unit = Across(((place, UNIT),), (0.0, 0.0))
+        acting = across(scene.spindle, scene.conditions)
+        return loaded_rotor(scene.rotor, at, unit, force, acting)
+    return plane_rotor(scene.rotor, at, place, force)
 
 
 def _outcome(scene: Scene, variants: dict[str, Variant]) -> tuple[str, ...]:
@@ -115,11 +122,11 @@ def _outcome(scene: Scene, variants: dict[str, Variant]) -> tuple[str, ...]:
 
 
 def _nonlinear(
-    state: PreloadState, rotor: PlaneRotor, rows: NDArray[np.intp], force: Array
+    state: PreloadState, rotor: StaticRotor, rows: NDArray[np.intp], force: Array
 ) -> RadialCurve:
     """The full bearing model at every load; equal rows are solved once."""
     distinct, place = np.unique(rows, return_inverse=True)
-    return radial_curve(RadialProblem.at(state, rotor, distinct), force).at(place)
+    return radial_curve(Balance.at(state, rotor, distinct), force).at(place)
 
 
 def _as_variant(curve: RadialCurve) -> Variant:
@@ -157,7 +164,7 @@ def _short_stop(scene: Scene, spec: StiffnessSpec, force: Array, usual: RadialCu
 
 
 def _linear(
-    scene: Scene, spec: StiffnessSpec, rotor: PlaneRotor, name: str, force: Array
+    scene: Scene, spec: StiffnessSpec, rotor: StaticRotor, name: str, force: Array
 ) -> Variant:
     """A variant with constant bearing tangents."""
     rows = scene.bearing_row[scene.usable]
@@ -224,7 +231,7 @@ def _plane_blocks(scene: Scene, stiffness: Array) -> Array:
     return block * sign[:, :, None] * sign[:, None, :]
 
 
-def _flexibility(rotor: PlaneRotor, block: Array) -> Array:
+def _flexibility(rotor: StaticRotor, block: Array) -> Array:
     """Deflection of the point per unit force (speeds,) [m/N]."""
     bearings = np.einsum("kip,skij,kjq->spq", rotor.seats, block, rotor.seats, optimize=True)
     load = np.broadcast_to(rotor.point[:, None], (len(block), len(rotor.point), 1))

@@ -48,6 +48,13 @@ class StiffnessSpec(Spec):
                 )
         for sentence in unknown("point", self.point, spindle.points):
             yield ("point",), sentence
+        if setting.loaded and (self.second_stop or {*self.variants} != {"nonlinear"}):
+            yield (
+                ("variants",),
+                "under static loads of the case (loads, weight, misaligned seats) the radial "
+                "stiffness is solved by the full bearing model alone: given {given}; allowed: "
+                "[nonlinear], without second_stop",
+            )
         for name in self.second_stop:
             for sentence in unknown("sleeve", name, [sleeve.name for sleeve in spindle.sleeves]):
                 yield ("second_stop", name), sentence

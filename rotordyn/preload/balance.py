@@ -1,41 +1,59 @@
-"""Balance of shaft, bearings and axial arrangement under a radial force: full bearing model."""
+"""Balance of shaft, bearings and axial arrangement under loads across the axis.
+
+Every bearing takes part with all its balls, in the DOF in which it moves: all five of them, or
+(x, y, θz) where everything lies in plane y.
+"""
 
 from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ring.assembly import half_assembly
-from rotordyn.equation.statics import PlaneRotor
+from bearings.ring.assembly import Assembly, full_assembly, half_assembly
+from rotordyn.equation.seat import HALF_TURN_ABOUT_Y
+from rotordyn.equation.statics import PLANE, StaticRotor
 from rotordyn.machine.limits import HIGHEST_PRESSURE
+from rotordyn.machine.spindle import Spindle
+
+# HIGHEST_PRESSURE
 from rotordyn.preload.arrangement import HOUSING, SHAFT, AxialBearing
 from rotordyn.preload.bearing_iterates import BearingIterates, States
 from rotordyn.preload.network import Network
 from rotordyn.preload.state import PreloadState
 from rotordyn.preload.stops import stops_wanted
 
+if TYPE_CHECKING:
+    from bearings.geometry import Geometry
+
 Array = NDArray[np.float64]
 Flags = NDArray[np.bool_]
-Place = Callable[["RadialProblem", Array, Any], "Point"]
-PLANE = [0, 1, 4]  # x, y, θz of a bearing's five DOF
+Force = float | Array  # [N], at all speeds or at each (speeds,)
+Place = Callable[["Balance", Array, Any], "Point"]
+FORCES = 3  # of the five DOF: x, y, z
+LEAST = 1e-9  # N
+SOFT = 1e-12  # of the largest stiffness, added where bearings may hold nothing
+LONGEST_STEP = 50e-6  # m, by which a ring moves in one step of the search
+LEVEL = 1e-6  # by which the balance may seem worse where it does not change
 TOLERANCE = 1e-9  # of the largest force in the balance, and of the largest ball load
 SMALL = 1e3
 ITERATIONS = 20
+SEARCH = 60  # iterations with every bearing solved by itself
 HALVINGS = 8
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Point:
-    """Coordinates (speeds, p + bodies), bearings, their loads and tangents in plane y.
+    """Coordinates (speeds, p + bodies), bearings, their loads and tangents.
 
     ``bearings``: by model, at the seats it stands on; ``states``: where each bearing was solved by
-    itself. ``load`` (speeds, seats, 3), ``tangent`` (speeds, seats, 3, 3): (x, y, θz) of the
-    spindle; ``imbalance`` (speeds,) of the balls; ``pressure`` (speeds,): largest contact pressure
-    [Pa]; ``lightest`` (speeds, seats): smallest load of a ball on its inner race [N].
+    itself. ``load`` (speeds, seats, f), ``tangent`` (speeds, seats, f, f): in the DOF of the
+    balance, of the spindle; ``imbalance`` (speeds,) of the balls; ``pressure`` (speeds,): largest
+    contact pressure [Pa]; ``lightest`` (speeds, seats): smallest load of a ball on its inner
+    race [N].
     """
 
     coordinates: Array
@@ -49,36 +67,42 @@ class Point:
 
 
 @dataclass(frozen=True, eq=False, slots=True)
-class RadialProblem:
+class Balance:
     """Unknowns: p coordinates of the rotor, then the positions of the bodies.
 
-    ``bearings``: which bearing of the arrangement stands for each seat; ``rows`` (seats, 3,
-    unknowns) give (x, y, θz) between the rings; ``rest`` and ``limit`` (bodies,); ``held`` (speeds,
-    bodies): standing at their stops.
+    ``dof``: those of a bearing's five in which it moves, f of them; ``bearings``: which
+    bearing of the arrangement stands for each seat; ``rows`` (seats, f, unknowns) give them between
+    the rings, ``offset`` (seats, f) what misaligned seats add; ``rest`` and ``limit`` (bodies,);
+    ``start`` (speeds, unknowns): the state to begin from; ``held`` (speeds, bodies): standing at
+    their stops.
     """
 
+    dof: tuple[int, ...]
     network: Network
-    rotor: PlaneRotor
+    rotor: StaticRotor
     bearings: tuple[int, ...]
     rows: Array
+    offset: Array
     rest: Array
     limit: Array
-    position: Array
+    start: Array
     held: Flags
 
     @classmethod
-    def at(cls, state: PreloadState, rotor: PlaneRotor, index: NDArray[np.intp]) -> RadialProblem:
+    def at(cls, state: PreloadState, rotor: StaticRotor, index: NDArray[np.intp]) -> Balance:
         """The problem at some of a preload state's speeds."""
         network = state.network
         part = replace(network, arrangement=network.arrangement.at(index))
         return cls(
+            dof=rotor.dof,
             network=part,
             rotor=rotor.at(index),
             bearings=_bearing_of_seats(part),
             rows=_rows(part, rotor),
+            offset=_offset(state.spindle, rotor.dof),
             rest=state.rest,
             limit=state.limit,
-            position=state.net.position[index],
+            start=state.coordinates(len(rotor.point))[index],
             held=state.net.held[index],
         )
 
@@ -89,7 +113,12 @@ class RadialProblem:
             None if near is None else near.states,
             displacement=self._displacement(coordinates),
         )
-        return self._point(coordinates, BearingIterates.solved(states, half_assembly), states)
+        return self._point(coordinates, BearingIterates.solved(states, self._assembly), states)
+
+    @property
+    def _assembly(self) -> Callable[[Geometry], Assembly]:
+        """Which balls are solved: half of them where everything lies in plane y."""
+        return half_assembly if self.dof == PLANE else full_assembly
 
     def advance(self, coordinates: Array, near: Point) -> Point:
         """Bearings moved to given coordinates, their balls by a Newton step."""
@@ -109,17 +138,23 @@ class RadialProblem:
     def _point(
         self, coordinates: Array, bearings: BearingIterates, states: States | None = None
     ) -> Point:
-        load = np.empty((len(coordinates), len(self.bearings), len(PLANE)))
-        tangent = np.empty((*load.shape, len(PLANE)))
+        dof = list(self.dof)
+        load = np.empty((len(coordinates), len(self.bearings), len(dof)))
+        tangent = np.empty((*load.shape, len(dof)))
         lightest = np.empty(load.shape[:2])
         for places, balls in bearings:
             sign = self._sign[places]
-            k = balls.stiffness[..., PLANE, :][..., PLANE]
-            load[:, places] = balls.load[..., PLANE] * sign
+            k = balls.stiffness[..., dof, :][..., dof]
+            load[:, places] = balls.load[..., dof] * sign
             tangent[:, places] = k * sign[:, :, None] * sign[:, None, :]
             lightest[:, places] = balls.lightest
         imbalance, pressure = bearings.imbalance, bearings.pressure
         return Point(coordinates, bearings, states, load, tangent, imbalance, pressure, lightest)
+
+    @property
+    def _forces(self) -> list[int]:
+        """Places of x, y and z among the DOF."""
+        return [place for place, number in enumerate(self.dof) if number < FORCES]
 
     @property
     def _seats(self) -> list[AxialBearing]:
@@ -128,20 +163,22 @@ class RadialProblem:
 
     @property
     def _sign(self) -> Array:
-        """From (x, y, θz) of the spindle to those of a bearing (seats, 3)."""
-        return np.array([[b.thrust, 1.0, b.thrust] for b in self._seats], dtype=float)
+        """From the DOF of the spindle to those of a bearing (seats, f)."""
+        turned = np.array([HALF_TURN_ABOUT_Y if b.thrust < 0 else np.ones(5) for b in self._seats])
+        return turned[:, list(self.dof)]
 
     def _own(self, coordinates: Array) -> Array:
         """Five DOF of every bearing (speeds, seats, 5) from the unknowns."""
         moved = np.einsum("kiu,su->ski", self.rows, coordinates) * self._sign
         motion = np.zeros((*moved.shape[:2], 5))
-        motion[..., PLANE] = moved
+        motion[..., list(self.dof)] = moved
         return motion
 
     def _displacement(self, coordinates: Array) -> Array:
         """Displacements of the bearings (speeds, seats, 5), the shaft's shortening included."""
         shift = np.stack([b.thrust * b.shortening for b in self._seats], axis=1)
         displacement = self._own(coordinates)
+        displacement[..., list(self.dof)] += self.offset * self._sign
         displacement[..., 0] += shift
         return displacement
 
@@ -161,16 +198,22 @@ class RadialProblem:
         fixed = self._fixed
         k = np.where(fixed[:, :, None] | fixed[:, None, :], 0.0, k)
         every = np.arange(k.shape[1])
-        k[:, every, every] += fixed * np.abs(k).max(axis=(1, 2))[:, None]
+        largest = np.abs(k).max(axis=(1, 2))[:, None]
+        largest = np.where(largest > 0.0, largest, 1.0)
+        soft = SOFT * (self.slack(here) | (self.dof != PLANE))[:, None]
+        k[:, every, every] += largest * np.where(fixed, 1.0, soft)
         return k
 
-    def _unbalanced(self, here: Point, force: float) -> Array:
+    def slack(self, here: Point) -> Flags:
+        """Some bearing holds nothing (speeds,)."""
+        return np.asarray((np.abs(here.tangent).max(axis=(2, 3)) == 0.0).any(axis=1))
+
+    def _unbalanced(self, here: Point, force: Force) -> Array:
         """Forces not balanced at the free unknowns (speeds, unknowns)."""
         p, springs = len(self.rotor.point), self.network.springs
         total = -np.einsum("kiu,ski->su", self.rows, here.load)
-        total[:, :p] += force * self.rotor.point - np.einsum(
-            "sij,sj->si", self.rotor.stiffness, here.coordinates[:, :p]
-        )
+        total[:, :p] += self.rotor.constant + np.multiply.outer(force, self.rotor.point)
+        total[:, :p] -= np.einsum("sij,sj->si", self.rotor.stiffness, here.coordinates[:, :p])
         total[:, p:] += springs.force - springs.stiffness * (here.coordinates[:, p:] - springs.rest)
         total[:, p + SHAFT] += self.network.arrangement.force
         return np.where(self._fixed, 0.0, total)
@@ -182,13 +225,18 @@ class RadialProblem:
         matrix = np.where(alive[:, None, None], self._matrix(here), np.eye(unit.shape[1]))
         return np.asarray(np.linalg.solve(matrix, unit)[..., 0])
 
-    def _error(self, here: Point, force: float) -> tuple[Array, Array]:
+    def error(self, here: Point, force: Force) -> Array:
+        """Largest unbalanced force of balls and shaft over the largest force (speeds,)."""
+        return self._error(here, force)[1]
+
+    def _error(self, here: Point, force: Force) -> tuple[Array, Array]:
         """Unbalanced forces, and the largest of balls and shaft, each over its largest force; of a
         radial force that is small beside the preload, over ``SMALL`` times that."""
         miss = self._unbalanced(here, force)
-        size = np.maximum(np.abs(here.load[..., :2]).max(axis=(1, 2)), abs(force))
-        size = size + np.abs(self.network.springs.force).max()
-        size = np.minimum(size, np.maximum(SMALL * abs(force), size / SMALL))
+        acting = np.abs(force)
+        size = np.maximum(np.abs(here.load[..., self._forces]).max(axis=(1, 2)), acting)
+        size = size + np.abs(self.network.springs.force).max() + LEAST
+        size = np.minimum(size, np.maximum(SMALL * acting, size / SMALL))
         shaft = np.abs(miss).max(axis=1) / size
         return miss, np.maximum(shaft, here.imbalance)
 
@@ -200,8 +248,8 @@ class RadialProblem:
         return np.concatenate([coordinates[:, :p], position], axis=1)
 
     def solved(
-        self, guess: list[Array], near: Point, force: float, alive: Flags
-    ) -> tuple[RadialProblem, Point, Flags]:
+        self, guess: list[Array], near: Point, force: Force, alive: Flags
+    ) -> tuple[Balance, Point, Flags]:
         """Equilibrium under ``force`` from a guess, and where there is one (speeds,).
 
         Shaft and balls together; where that fails, or balls know two branches, with every bearing
@@ -210,27 +258,25 @@ class RadialProblem:
         problem, start = self, np.where(alive[:, None], guess[0], near.coordinates)
         if self.network.one_branch:
             first = self._at([start, *guess[1:]], near)
-            problem, there, converged = self._searched(
-                first, force, alive, RadialProblem.advance, 1
-            )
+            problem, there, converged = self._searched(first, force, alive, Balance.advance, 1)
             converged &= there.bearings.follows(near.bearings)
             if not (alive & ~converged).any():
                 return problem, there, converged
             start = np.where(converged[:, None], there.coordinates, start)
             problem = replace(self, held=np.where(converged[:, None], problem.held, self.held))
         there = problem.evaluate(problem._placed(start), None)
-        return problem._searched(there, force, alive, RadialProblem.evaluate, HALVINGS)
+        return problem._searched(there, force, alive, Balance.evaluate, HALVINGS)
 
     def _searched(
-        self, there: Point, force: float, alive: Flags, place: Place, tries: int
-    ) -> tuple[RadialProblem, Point, Flags]:
+        self, there: Point, force: Force, alive: Flags, place: Place, tries: int
+    ) -> tuple[Balance, Point, Flags]:
         """Newton steps with at most so many ``tries`` of their length, and where they end well.
 
         Only speeds still ``alive`` are sought; where no step helps any more the search ends. Stops
         close and open as they must.
         """
         problem, converged = self, np.zeros(len(alive), dtype=bool)
-        for _ in range(ITERATIONS):
+        for _ in range(ITERATIONS if tries == 1 else SEARCH):
             miss, error = problem._error(there, force)
             converged = (error < TOLERANCE) & (there.pressure <= HIGHEST_PRESSURE)
             wanted = problem._stops(there)
@@ -259,7 +305,7 @@ class RadialProblem:
         miss: Array,
         error: Array,
         moving: Flags,
-        force: float,
+        force: Force,
         place: Place,
         tries: int,
     ) -> tuple[Point, Flags]:
@@ -269,11 +315,12 @@ class RadialProblem:
         """
         matrix = np.where(moving[:, None, None], self._matrix(here), np.eye(miss.shape[1]))
         step = np.linalg.solve(matrix, np.where(moving[:, None], miss, 0.0)[..., None])[..., 0]
-        length = moving.astype(float)
+        moved = np.abs(self._own(step)[..., :FORCES]).max(axis=(1, 2), initial=0.0)
+        length = moving * np.minimum(1.0, LONGEST_STEP / np.maximum(moved, 1e-300))
         there, worse = here, moving
         for _ in range(tries):
             there = place(self, here.coordinates + length[:, None] * step, here)
-            worse = moving & ~(self._error(there, force)[1] < error)
+            worse = moving & ~(self._error(there, force)[1] < error * (1.0 + LEVEL * (tries > 1)))
             if not worse.any():
                 break
             length = np.where(worse, 0.5 * length, length)
@@ -298,10 +345,16 @@ def _bearing_of_seats(network: Network) -> tuple[int, ...]:
     return tuple(owner[seat] for seat in sorted(owner))
 
 
-def _rows(network: Network, rotor: PlaneRotor) -> Array:
-    """(x, y, θz) between the rings of every seat, in the unknowns."""
+def _offset(spindle: Spindle, dof: tuple[int, ...]) -> Array:
+    """What misaligned seats add to the displacements of bearings (seats, f) [m, rad]."""
+    offsets = np.array([(0.0, *seat.misalignment.offset) for seat in spindle.seats])
+    return -offsets.reshape(-1, 5)[:, list(dof)]
+
+
+def _rows(network: Network, rotor: StaticRotor) -> Array:
+    """The DOF between the rings of every seat, in the unknowns."""
     p, bodies = len(rotor.point), len(network.arrangement.bodies)
-    rows = np.zeros((len(rotor.seats), 3, p + bodies))
+    rows = np.zeros((len(rotor.seats), len(rotor.dof), p + bodies))
     rows[:, 1:, :p] = rotor.seats
     for bearing in network.arrangement.bearings:
         for seat in bearing.seats:

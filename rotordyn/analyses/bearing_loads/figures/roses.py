@@ -1,0 +1,57 @@
+"""Load roses: the inner load of every ball around each bearing."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from rotordyn.analyses.bearing_loads.result import BearingLoadsResult
+from rotordyn.figures.style import CYCLE, DASHES, FONT_SIZE, add_axes, grid_boxes, new_figure
+from rotordyn.results.display import RPM
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+ACROSS = 3
+SIDE = 52.0  # mm
+
+
+def rose_figure(result: BearingLoadsResult, speeds: int = 3) -> Figure:
+    """A rose per bearing, seen along +x with y to the right and z up: first, middle, last speed."""
+    good = np.flatnonzero(~np.isnan(result.axial_load).any(axis=1))
+    picked = good[np.unique(np.linspace(0, max(good.size - 1, 0), speeds).round().astype(int))]
+    across = min(ACROSS, len(result.bearing))
+    down = -(-len(result.bearing) // across)
+    figure = new_figure(SIDE * across + 10.0, SIDE * down + 18.0)
+    boxes = grid_boxes(figure, down, across, margins=(9.0, 9.0, 18.0, 10.0), gaps=(14.0, 17.0))
+    for k, (name, box) in enumerate(zip(result.bearing, boxes, strict=False)):
+        axes: Any = add_axes(figure, box, projection="polar")
+        for place, index in enumerate(picked):
+            _rose(axes, result, index, k, place)
+        axes.set_title(f"bearing {name}", fontsize=FONT_SIZE, pad=6.0)
+        axes.tick_params(labelsize=FONT_SIZE - 1.5, pad=1.0)
+        axes.set_ylim(bottom=0.0)
+        axes.set_rlabel_position(67.5)
+    words = "inner load of every ball [N]; y at 0°, z at 90°, seen along +x"
+    figure.text(0.02, 0.015, words, fontsize=FONT_SIZE)
+    lines, labels = axes.get_legend_handles_labels()
+    figure.legend(lines, labels, loc="lower right", fontsize=FONT_SIZE, frameon=False, ncols=3)
+    return figure
+
+
+def _rose(axes: Any, result: BearingLoadsResult, index: int, k: int, place: int) -> None:
+    azimuth, load = result.ball_azimuth[k], result.ball_inner_load[index, k]
+    known = np.flatnonzero(np.isfinite(load))
+    order = known[np.argsort(azimuth[known])]
+    closed = np.append(order, order[:1])
+    axes.plot(
+        azimuth[closed],
+        load[closed],
+        color=CYCLE[place],
+        ls=DASHES[place % len(DASHES)],
+        marker="o",
+        ms=2.0,
+        lw=1.0,
+        label=f"{result.speed[index] * RPM.factor:.0f} rpm",
+    )

@@ -1,0 +1,74 @@
+"""Loads of every bearing and of every ball at every speed, and where balls lose their contact."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.bearing_loads.result import BearingLoadsResult
+from rotordyn.analyses.bearing_loads.spec import BearingLoadsSpec
+from rotordyn.equation.seat import HALF_TURN_ABOUT_Y
+from rotordyn.scene.scene import Scene
+
+Array = NDArray[np.float64]
+OF_BALLS = ("inner_load", "outer_load", "inner_angle", "outer_angle")
+
+
+def answer(scene: Scene, spec: BearingLoadsSpec) -> BearingLoadsResult:
+    """Loads on the inner rings, in the directions of the spindle, and those of the balls."""
+    seats, states = scene.spindle.seats, scene.preload.seat_states()
+    rows, good = scene.bearing_row, np.array([word == "" for word in scene.outcome])
+    most = max(seat.bearing.balls for seat in seats)
+
+    def shown(values: Array) -> Array:
+        whole = values[rows].astype(float)
+        whole[~good] = np.nan
+        return whole
+
+    load, moved = np.zeros((2, len(scene.preload.speed), len(seats), 5))
+    azimuth = np.full((len(seats), most), np.nan)
+    balls = {name: np.full((*load.shape[:2], most), np.nan) for name in OF_BALLS}
+    for k, (seat, (state, column)) in enumerate(zip(seats, states, strict=True)):
+        turn = HALF_TURN_ABOUT_Y if seat.thrust < 0 else 1.0
+        load[:, k], moved[:, k] = state.load[:, column] * turn, state.displacement[:, column] * turn
+        count = seat.bearing.balls
+        way = -1.0 if seat.thrust < 0 else 1.0
+        azimuth[k, :count] = np.mod(way * 2.0 * math.pi * np.arange(count) / count, 2.0 * math.pi)
+        for name, whole in balls.items():
+            whole[:, k, :count] = getattr(state, name)[:, column]
+    share, lost = _losses(scene, spec, balls["inner_load"])
+    places = np.take_along_axis(azimuth[None].repeat(len(lost), 0), lost[..., None], axis=2)[..., 0]
+    return BearingLoadsResult(
+        speed=scene.speed,
+        bearing=tuple(seat.name for seat in seats),
+        ball=np.arange(1.0, most + 1.0),
+        outcome=scene.outcome,
+        axial_load=shown(load[..., 0]),
+        radial_load=shown(np.hypot(load[..., 1], load[..., 2])),
+        load_angle=shown(np.arctan2(load[..., 2], load[..., 1])),
+        moment=shown(np.hypot(load[..., 3], load[..., 4])),
+        deflection=shown(moved[..., 0]),
+        radial_displacement=shown(np.hypot(moved[..., 1], moved[..., 2])),
+        tilt=shown(np.hypot(moved[..., 3], moved[..., 4])),
+        loaded_balls=shown((balls["inner_load"] > 0.0).sum(axis=2)),
+        loss_share=shown(share),
+        loss_azimuth=shown(np.where(np.isnan(share), np.nan, places)),
+        ball_azimuth=azimuth,
+        **{f"ball_{name}": shown(values) for name, values in balls.items()},
+    )
+
+
+def _losses(scene: Scene, spec: BearingLoadsSpec, inner: Array) -> tuple[Array, NDArray[np.intp]]:
+    """Share of the loads at which the first ball of a bearing loses its contact, and which one."""
+    share, ball = np.full(inner.shape[:2], np.nan), np.zeros(inner.shape[:2], dtype=np.intp)
+    light = (np.nan_to_num(inner, nan=np.inf).min(axis=2) <= 0.0).any(axis=1)
+    rows = np.flatnonzero(light & scene.preload.usable & scene.unloaded.net.converged)
+    if not (scene.loaded and spec.loss_steps and rows.size):
+        return share, ball
+    from rotordyn.preload.under_load import contact_loss
+
+    found = contact_loss(scene.unloaded, *scene.static_rotor, rows, spec.loss_steps)
+    share[rows], ball[rows] = found.share, np.maximum(found.ball, 0)
+    return share, ball

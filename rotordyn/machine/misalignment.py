@@ -1,0 +1,24 @@
+"""How far the bore under an outer ring is off its place."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from rotordyn.description import Description
+from rotordyn.quantity import Growth, SmallAngle
+
+
+@dataclass(frozen=True, slots=True)
+class Misalignment(Description):
+    """How far the bore under an outer ring lies off the axis [m], and how far it tilts [rad]."""
+
+    y: Annotated[Growth, "offset along y"] = 0.0
+    z: Annotated[Growth, "offset along z"] = 0.0
+    thy: Annotated[SmallAngle, "tilt about y"] = 0.0
+    thz: Annotated[SmallAngle, "tilt about z"] = 0.0
+
+    @property
+    def offset(self) -> tuple[float, float, float, float]:
+        """Along y and z, about y and z [m, rad]."""
+        return self.y, self.z, self.thy, self.thz

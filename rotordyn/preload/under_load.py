@@ -1,0 +1,172 @@
+"""The preload state under static loads across the axis, every bearing with all its balls.
+
+The loads grow from zero to their size, at all speeds at once: in one stride where that is found,
+else in shorter ones. Only the balance under the whole loads is kept; it is found anew from the
+convex start of every bearing, so that the way to it leaves no mark.
+
+Theory: docs/theory/loads.md.
+"""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass, replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.equation.statics import StaticRotor
+from rotordyn.machine.limits import HIGHEST_PRESSURE
+from rotordyn.preload.arrangement import Arrangement
+from rotordyn.preload.balance import Balance, Point
+from rotordyn.preload.network import Network, NetworkState, Response
+from rotordyn.preload.state import PreloadState
+
+Array = NDArray[np.float64]
+Flags = NDArray[np.bool_]
+STRIDES = (1, 4, 16)
+NOTHING = 1e-9  # of its lightest ball without loads: a ball with less carries nothing
+REAL = 1e-12
+SURE = 1e-8  # of the largest force: what is left of the balance with every bearing solved anew
+
+
+def under_load(state: PreloadState, rotor: StaticRotor, size: float) -> PreloadState:
+    """``state`` under loads of ``size`` [N], along ``rotor.point`` of a structure in its states."""
+    first = Balance.at(state, rotor, np.arange(len(state.speed)))
+    balance, there, found = _marched(first, size)
+    words = ["" if good else _why(state, there, row) for row, good in enumerate(found.tolist())]
+    return _as_state(state, balance, there, balance.error(there, size), tuple(words))
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class ContactLoss:
+    """Where the first ball of each bearing leaves its inner race as the loads grow.
+
+    ``share`` (states, seats) of the loads, NaN where all of them stay pressed, or some is not even
+    without loads; ``ball`` (states, seats): which one, −1 of none.
+    """
+
+    share: Array
+    ball: NDArray[np.intp]
+
+
+def contact_loss(
+    state: PreloadState, rotor: StaticRotor, size: float, rows: NDArray[np.intp], steps: int
+) -> ContactLoss:
+    """Loads of ``size`` [N] in so many ``steps`` on ``state``, the one without them, at ``rows``.
+
+    Between two steps the approach of the lightest ball, Q^(2/3), is taken to go on as it did in the
+    two steps before.
+    """
+    first = Balance.at(state, rotor, rows)
+    shares = np.linspace(0.0, 1.0, steps + 1)
+    every = [_inner_loads(_marched(first, share * size)[1]) for share in shares]
+    found = np.full((len(rows), len(every[0])), np.nan)
+    ball = np.full(found.shape, -1)
+    for seat in range(found.shape[1]):
+        lightest = np.stack([each[seat].min(axis=1) for each in every])
+        for row in np.flatnonzero(lightest[0] > 0.0):
+            lost = np.flatnonzero(lightest[:, row] <= NOTHING * lightest[0, row])
+            if lost.size:
+                approach = lightest[: lost[0], row] ** (2.0 / 3.0)
+                found[row, seat] = _zero(shares[: lost[0] + 1], approach)
+                ball[row, seat] = int(every[lost[0] - 1][seat][row].argmin())
+    return ContactLoss(found, ball)
+
+
+def _zero(shares: Array, approach: Array) -> float:
+    """Where an approach known at all but the last of ``shares`` comes to zero."""
+    count = min(len(approach), 3)
+    if count < 2:
+        return float(shares[-1])
+    x, y = shares[:-1][-count:], approach[-count:]
+    curve = np.polynomial.Polynomial.fit(x, y, count - 1)
+    zeros = np.asarray(curve.roots())
+    zeros = zeros.real[np.abs(zeros.imag) < REAL]
+    inside = zeros[(x[-1] <= zeros) & (zeros <= shares[-1])]
+    return float(inside.min(initial=shares[-1]))
+
+
+def _inner_loads(there: Point) -> list[Array]:
+    """Inner loads of the balls of every seat (states, balls) [N]."""
+    assert there.states is not None
+    by_seat = {
+        place: solved.state.inner_load[:, column]
+        for solved in there.states.values()
+        for column, place in enumerate(solved.places)
+    }
+    return [by_seat[seat] for seat in sorted(by_seat)]
+
+
+def _marched(first: Balance, size: float) -> tuple[Balance, Point, Flags]:
+    """The balance under the whole loads, and where there is one (speeds,)."""
+    begin = first.evaluate(first.start, None)
+    found = np.zeros(len(first.held), dtype=bool)
+    coordinates, held = begin.coordinates.copy(), first.held.copy()
+    for strides in STRIDES:
+        alive = ~found
+        balance, here = first, begin
+        for share in np.arange(1, strides + 1) / strides:
+            guess = _ahead(balance, here, size / strides, alive)
+            balance, here, good = balance.solved(guess, here, share * size, alive)
+            alive &= good
+            if not alive.any():
+                break
+        coordinates = np.where(alive[:, None], here.coordinates, coordinates)
+        held = np.where(alive[:, None], balance.held, held)
+        found |= alive
+        if found.all():
+            break
+    balance = replace(first, held=held)
+    there = balance.evaluate(coordinates, None)
+    sure = balance.error(there, size) < SURE
+    return balance, there, found & sure & (there.pressure <= HIGHEST_PRESSURE)
+
+
+def _ahead(balance: Balance, here: Point, step: float, alive: Flags) -> list[Array]:
+    """Where a linear machine would be after ``step`` [N] more."""
+    change = step * balance.per_newton(here, alive)
+    longest = np.abs(change).max(axis=1)
+    straight = np.isfinite(longest) & ~balance.slack(here)
+    change = np.where(straight[:, None], change, 0.0)
+    balls = [one.ball for _, one in here.bearings]
+    moved = balance.balls_along(here, change)
+    return [here.coordinates + change, *(x + dx for x, dx in zip(balls, moved, strict=True))]
+
+
+def _why(state: PreloadState, there: Point, row: int) -> str:
+    rpm, pressure = state.speed[row] * 30.0 / math.pi, float(there.pressure[row])
+    if pressure > HIGHEST_PRESSURE:
+        return (
+            f"bearings are overloaded under the loads at {rpm:.0f} rpm (peak pressure "
+            f"{pressure / 1e9:.1f} GPa, at most {HIGHEST_PRESSURE / 1e9:g} GPa): lower the loads"
+        )
+    return (
+        f"nothing balances the loads at {rpm:.0f} rpm: lower them, raise the preload, or hold the "
+        "shaft by further bearings or supports"
+    )
+
+
+def _as_state(
+    state: PreloadState, balance: Balance, there: Point, error: Array, words: tuple[str, ...]
+) -> PreloadState:
+    """The balance as a preload state whose bearings all stand by themselves."""
+    assert there.states is not None
+    p, shape = len(balance.rotor.point), there.load.shape[:2]
+    joined = _apart(state.network.arrangement)
+    load, slope = np.empty(shape), np.empty(shape)
+    for places, each in there.bearings:
+        load[:, places], slope[:, places] = each.load[..., 0], each.stiffness[..., 0, 0]
+    response = Response(load, slope, there.states, there.bearings, there.imbalance)
+    network = Network(joined, state.network.springs)
+    position = there.coordinates[:, p:]
+    found = np.array([word == "" for word in words])
+    net = NetworkState(position, balance.held, response, error, found)
+    lateral = there.coordinates[:, :p]
+    return replace(state, network=network, net=net, outcome=words, lateral=lateral)
+
+
+def _apart(joined: Arrangement) -> Arrangement:
+    """Every bearing by itself, in the order of the seats."""
+    alone = [replace(b, seats=(seat,)) for b in joined.bearings for seat in b.seats]
+    return replace(joined, bearings=tuple(sorted(alone, key=lambda each: each.seats)))
