@@ -11,17 +11,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
 from rotordyn.equation.damping import modal_damping
 from rotordyn.equation.dofs import Indices, Line
-from rotordyn.equation.reduce import Coupling, reduce
+from rotordyn.equation.reduce import Coupling, enriched, reduce
 from rotordyn.equation.shaft import Rows
 from rotordyn.equation.term import Array, Part
 from rotordyn.machine.spindle import Spindle
 from rotordyn.numerics.sparse import LARGE, Matrix, summed
 
+REDUCED = ("mass", "stiffness")  # matrices that the reduction of a shaft follows from
 WEIGHTLESS = 1e3  # of the cutoff: no coordinate has a higher frequency
 
 
@@ -33,6 +35,7 @@ class Component:
     static mode; ``spindle``: the rotor whose damping it has, None of what is no shaft. ``solved``:
     components with the same matrices share one reduction. ``polar``: gyroscopic parts in one plane
     whose forces on modes up to ``band`` [rad/s] static modes answer; none where they need not.
+    ``coarse``: the same of a coarser model; ``nested``: DOF here and there of one shape function.
     ``pressed``: weighted slopes where an axial force may come near to buckling, None elsewhere.
     """
 
@@ -44,7 +47,7 @@ class Component:
     spindle: Spindle | None
     cutoff: float
     bends: bool
-    solved: dict[tuple[bytes, ...], tuple[Array, Array, Array]]
+    solved: dict[tuple[Any, ...], tuple[Array, Array, Array]]
 
     @property
     def way(self) -> str:
@@ -53,12 +56,18 @@ class Component:
         return ways.pop() if len(ways) == 1 else ""
 
     def local(self, dofs: Indices) -> Indices:
-        """Places of DOF among those of the component."""
-        return np.searchsorted(self.dofs, dofs)
+        """Places of DOF of the component among them."""
+        return np.asarray(self._place[dofs])
+
+    @cached_property
+    def _place(self) -> Indices:
+        place = np.zeros(self.dofs[-1] + 1, dtype=np.intp)
+        place[self.dofs] = np.arange(len(self.dofs))
+        return place
 
     def has(self, dofs: Indices) -> np.ndarray:
         """Which of some DOF are its own."""
-        place = np.minimum(self.local(dofs), len(self.dofs) - 1)
+        place = np.minimum(np.searchsorted(self.dofs, dofs), len(self.dofs) - 1)
         return np.asarray(self.dofs[place] == dofs)
 
     def assembled(self, name: str, parts: list[Part] | None = None) -> Matrix:
@@ -71,7 +80,7 @@ class Component:
     @property
     def large(self) -> bool:
         """True where matrices are of compressed rows."""
-        return len(self.dofs) >= LARGE * 4
+        return len(self.dofs) >= LARGE
 
     def displaced(self, count: int, rows: list[Rows]) -> Array:
         """Motion of ``count`` places by the coordinates (count, m), rows of DOF as a shaft gives
@@ -134,6 +143,8 @@ class Component:
     polar: list[Part] = field(default_factory=list)
     band: float = 0.0
     pressed: tuple[int, list[Rows]] | None = None
+    coarse: Component | None = None
+    nested: tuple[Indices, ...] = ()
 
     def projected(self, name: str) -> Array:
         """A matrix in the coordinates (m, m)."""
@@ -143,17 +154,22 @@ class Component:
 
     @cached_property
     def _reduced(self) -> tuple[Array, Array, Array]:
-        mass, stiffness = self.assembled("mass"), self.assembled("stiffness")
         if self.spindle is None:
+            mass, stiffness = self.assembled("mass"), self.assembled("stiffness")
             inverse = np.linalg.inv(np.linalg.cholesky((mass + mass.T) / 2.0))
             values = inverse @ stiffness @ inverse.T
             return inverse.T, values, np.zeros_like(values)
-        key = tuple(_bytes(each) for each in (mass, stiffness, self.local(self.ports)))
+        own = [(p.matrix, self.local(p.rows), p.blocks) for p in self.parts if p.matrix in REDUCED]
+        key = (
+            self.local(self.ports).tobytes(),
+            *((name, rows.tobytes(), blocks.tobytes()) for name, rows, blocks in own),
+        )
         if key not in self.solved:
-            self.solved[key] = self._of_shaft(mass, stiffness)
+            self.solved[key] = self._of_shaft()
         return self.solved[key]
 
-    def _of_shaft(self, mass: Matrix, stiffness: Matrix) -> tuple[Array, Array, Array]:
+    def _of_shaft(self) -> tuple[Array, Array, Array]:
+        mass, stiffness = self.assembled("mass"), self.assembled("stiffness")
         rigid = np.zeros((len(self.dofs), self.rigid[0][1].shape[1]))
         for dofs, motion in self.rigid:
             rigid[self.local(dofs)] = motion
@@ -170,14 +186,14 @@ class Component:
             count, rows = self.pressed
             slopes = self.placed(count, rows)
             couplings.append(Coupling(slopes.T @ slopes, self.cutoff, statics=True))
-        basis = reduce(mass, stiffness, rigid, ports, self.cutoff, couplings)
+        if self.coarse is not None and self.large:
+            vectors = self.coarse.vectors[:, ~self.coarse.is_rigid]
+            known = np.zeros((len(self.dofs), vectors.shape[1]))
+            known[self.local(self.nested[0])] = vectors[self.coarse.local(self.nested[1])]
+            basis = enriched(mass, stiffness, rigid, known, couplings)
+        else:
+            basis = reduce(mass, stiffness, rigid, ports, self.cutoff, couplings)
         # nearly massless coordinates get a fictitious mass, or their damping drowns slow modes
         stiff = np.maximum(np.sqrt(basis.values) / (WEIGHTLESS * self.cutoff), 1.0)
         roots = basis.roots / stiff[:, None] / stiff
         return basis.vectors / stiff, basis.values / stiff**2, roots
-
-
-def _bytes(matrix: Matrix) -> bytes:
-    if isinstance(matrix, np.ndarray):
-        return matrix.tobytes()
-    return b"".join(each.tobytes() for each in (matrix.data, matrix.indices, matrix.indptr))

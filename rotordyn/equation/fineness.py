@@ -77,13 +77,17 @@ class Fineness:
     def gyroscopic(self) -> bool:
         """Whether static modes answer the gyroscopic forces of the modes asked for: cheaper than a
         higher cut-off where much accuracy is asked for."""
-        return self.accuracy is None or self.accuracy < PRECISE or self.finer > 0
+        return self.finer > 0 or self._precise
 
     @property
     def slow(self) -> float:
         """Up to which modes gyroscopic forces are answered [rad/s]: beyond the band, since
         free-free modes above it take part in modes below."""
-        return FINER ** (self.finer + 1) * self.band
+        return FINER ** (self.finer + self._precise) * self.band
+
+    @property
+    def _precise(self) -> bool:
+        return self.accuracy is None or self.accuracy < PRECISE
 
     @property
     def weightless(self) -> float:

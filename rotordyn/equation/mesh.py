@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from bisect import bisect_left
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, fields, replace
 from itertools import accumulate, pairwise
 from typing import Any, Protocol
 
@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.cross_section import area_moments, mean_area
-from rotordyn.machine.shaft import Shaft
+from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import SPINDLE
 
@@ -37,10 +37,12 @@ class Mesh:
     """Nodes ``x`` (nodes,) [m], ascending; all else per element, shape (nodes − 1,), SI.
 
     Diameters are those at the front end of an element, and at its rear end: of a cone others.
+    ``station`` (nodes,): which nodes are more than places between elements that are alike.
     ``further``: meshes of further rotors by name, whose nodes are numbered behind these.
     """
 
     x: Array
+    station: NDArray[np.bool_]
     outer_diameter: Array
     inner_diameter: Array
     rear_outer_diameter: Array
@@ -75,6 +77,15 @@ class Mesh:
     def rotor(self) -> tuple[str, ...]:
         """The rotor of each of these nodes."""
         return tuple(name for name, own in self.of_rotors.items() for _ in own.x)
+
+    @property
+    def between_stations(self) -> Mesh:
+        """The same rotor in elements from station to station."""
+        front = np.flatnonzero(self.station[:-1])
+        rear = np.append(front[1:], self.nodes - 1) - 1
+        names = [field.name for field in fields(self)][2:-1]
+        own = {n: getattr(self, n)[rear if n.startswith("rear") else front] for n in names}
+        return Mesh(self.x[self.station], np.ones(len(front) + 1, dtype=bool), **own)
 
     @property
     def length(self) -> Array:
@@ -199,22 +210,28 @@ def _mesh(spindle: Spindle, longest: float) -> Mesh:
             "sections that are alike, or ask for longer elements"
         )
     stations = _merged(shaft, placed)
-    x = _divided(stations, longest)
+    x, station = _divided(stations, longest)
     place = np.searchsorted(shaft.boundaries[1:-1], (x[1:] + x[:-1]) / 2.0, side="right")
-    sections, left = [shaft.sections[k] for k in place], np.array(shaft.boundaries)[place]
-    length = np.array([s.length for s in sections])
-    front, rear = (np.clip((end - left) / length, 0.0, 1.0) for end in (x[:-1], x[1:]))
-    outer, inner = (np.array([getattr(s, which) for s in sections]) for which in ("outer", "inner"))
+    left, length = np.array(shaft.boundaries)[place], np.array([s.length for s in shaft.sections])
+    front, rear = (np.clip((end - left) / length[place], 0.0, 1.0) for end in (x[:-1], x[1:]))
+    every = np.array([(*s.outer, *s.inner, *_solid(s)) for s in shaft.sections])[place]
+    outer, inner, solid = every[:, :2], every[:, 2:4], every[:, 4:]
     return Mesh(
-        x=x,
+        x,
+        station,
         outer_diameter=_along(outer, front),
         inner_diameter=_along(inner, front),
         rear_outer_diameter=_along(outer, rear),
         rear_inner_diameter=_along(inner, rear),
-        young_modulus=np.array([s.material.young_modulus for s in sections]),
-        poisson_ratio=np.array([s.material.poisson_ratio for s in sections]),
-        density=np.array([s.density for s in sections]),
+        young_modulus=solid[:, 0],
+        poisson_ratio=solid[:, 1],
+        density=solid[:, 2],
     )
+
+
+def _solid(section: Section) -> tuple[float, float, float]:
+    """E, ν and density."""
+    return section.material.young_modulus, section.material.poisson_ratio, section.density
 
 
 def _along(ends: Array, share: Array) -> Array:
@@ -260,13 +277,14 @@ def _merged(shaft: Shaft, placed: Sequence[tuple[str, float]]) -> Array:
     return np.array(kept)
 
 
-def _divided(stations: Array, longest: float) -> Array:
-    """Nodes at ``stations``, and at equal distances between them that do not exceed ``longest``."""
+def _divided(stations: Array, longest: float) -> tuple[Array, NDArray[np.bool_]]:
+    """Nodes at ``stations``, and at equal distances between them that do not exceed ``longest``;
+    which of them are stations."""
     span = np.diff(stations)
     parts = np.maximum(1, np.ceil(span / longest * (1.0 - COINCIDENT))).astype(np.intp)
     number = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
     inside = number * np.repeat(span / parts, parts) + np.repeat(stations[:-1], parts)
-    return np.concatenate([inside, stations[-1:]])
+    return np.concatenate([inside, stations[-1:]]), np.append(number == 0, True)
 
 
 def divided(mesh: Mesh, parts: NDArray[np.intp]) -> Mesh:
@@ -276,6 +294,8 @@ def divided(mesh: Mesh, parts: NDArray[np.intp]) -> Mesh:
     x[np.concatenate([[0], np.cumsum(parts)])] = mesh.x
     names = ("young_modulus", "poisson_ratio", "density")
     own: dict[str, Any] = {name: np.repeat(getattr(mesh, name), parts) for name in names}
+    own["station"] = np.zeros(len(x), dtype=bool)
+    own["station"][np.concatenate([[0], np.cumsum(parts)])] = mesh.station
     last = np.repeat(parts, parts)
     number = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
     for name, (front, rear) in (("outer", mesh.outer), ("inner", mesh.inner)):

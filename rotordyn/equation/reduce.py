@@ -13,6 +13,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -141,6 +142,38 @@ def _reduced(
     return Basis(vectors[:, order], every[order], order < still + len(values), roots[swapped])
 
 
+def enriched(
+    mass: Matrix,
+    stiffness: Matrix,
+    rigid: Array,
+    known: Array,
+    couplings: Sequence[Coupling] = (),
+) -> Basis:
+    """A large body in the span of vectors ``known`` (n, k) of a coarser model, without rigid
+    motions, and of one step of inverse iteration from each.
+
+    The step answers what a vector φ lacks, M φ − K φ/λ with its Rayleigh quotient λ. So where the
+    coarser model errs by δ, this one errs by δ².
+    """
+    body = _Body.held(mass, stiffness, rigid)
+    known = known - body.rigid @ (body.pushed.T @ known)
+    pushed, pulled = mass @ known, stiffness @ known
+    values = (known * pulled).sum(axis=0) / (known * pushed).sum(axis=0)
+    lacking = [pushed - pulled / values]
+    for each in couplings:
+        swung = np.hstack([body.rigid, known[:, values <= each.band**2]])
+        lacking.append(each.matrix @ swung)
+    motions = np.hstack([known, body.displaced(np.hstack(lacking))])
+    energy = motions.T @ (stiffness @ motions)
+    scale = (energy.diagonal() + TINY) ** -0.5
+    share, turn = np.linalg.eigh(scale[:, None] * energy * scale)
+    new = share > NEW
+    values, elastic = body.normalised(motions @ (scale[:, None] * turn[:, new] / share[new] ** 0.5))
+    every = np.concatenate([np.zeros(rigid.shape[1]), values])
+    vectors, modes = np.hstack([body.rigid, elastic]), np.ones(len(every), dtype=bool)
+    return Basis(vectors, every, modes, np.diag(np.sqrt(every)))
+
+
 def _roots(body: _Body, static: Array, values: Array, rest: tuple[Array, Array]) -> Array:
     """√(M⁻¹K) on static modes (n, s) of ``values``, made of the modes ``rest`` and their ω; what
     these do not make up is taken for a mode."""
@@ -150,20 +183,19 @@ def _roots(body: _Body, static: Array, values: Array, rest: tuple[Array, Array])
     return np.asarray(share.T @ (omega[:, None] * share) + np.diag(lacking * np.sqrt(values)))
 
 
-@dataclass(frozen=True, eq=False, slots=True)
+@dataclass(frozen=True, eq=False)
 class _Body:
     """A body whose DOF are ``free`` but for those that hold it.
 
-    ``root`` U: Uᵀ U = M. ``rigid`` R (n, r): Rᵀ M R = 1; ``pushed``: M R. ``solve``: y (n − r, k)
-    of K y = f on the free DOF; ``lower`` L: L Lᵀ = K there, empty of a sparse K.
+    ``rigid`` R (n, r): Rᵀ M R = 1; ``pushed``: M R. ``solve``: y (n − r, k)
+    of K y = f on the free DOF; ``upwards`` L⁻¹: L Lᵀ = K there, empty of a sparse K.
     """
 
     mass: Matrix
-    root: Matrix
     rigid: Array
     pushed: Array
     free: NDArray[np.intp]
-    lower: Array
+    upwards: Array
     solve: Callable[[Array], Array]
 
     @classmethod
@@ -174,22 +206,30 @@ class _Body:
         free = np.delete(np.arange(len(rigid)), _holding(rigid, np.sqrt(abs(mass.diagonal()))))
         pushed, stiff = mass @ rigid, stiffness[free][:, free]
         if isinstance(mass, np.ndarray):
-            root, lower = np.linalg.cholesky(mass).T, np.linalg.cholesky(stiff)
+            lower = np.linalg.cholesky(stiff)
             _refuse_singular(lower.diagonal() ** 2, stiff)
+            upwards = np.linalg.inv(lower)
 
             def solve(load: Array) -> Array:
-                return np.asarray(np.linalg.solve(lower.T, np.linalg.solve(lower, load)))
+                return np.asarray(upwards.T @ (upwards @ load))
 
-            return cls(mass, root, rigid, pushed, free, lower, solve)
+            return cls(mass, rigid, pushed, free, upwards, solve)
+        held = _factors(stiff)
+        _refuse_singular(held.U.diagonal()[held.perm_c], stiff)
+        return cls(mass, rigid, pushed, free, np.zeros((0, 0)), held.solve)
+
+    @cached_property
+    def root(self) -> Matrix:
+        """U: Uᵀ U = M."""
+        if isinstance(self.mass, np.ndarray):
+            return np.linalg.cholesky(self.mass).T
         from scipy.sparse import diags_array
 
-        factors, held = _factors(mass), _factors(stiff)
-        _refuse_singular(held.U.diagonal()[held.perm_c], stiff)
+        factors = _factors(self.mass)
         upper, pivots = factors.U.tocsr()[:, factors.perm_c], factors.U.diagonal()
         if pivots.min() <= 0.0:
             raise np.linalg.LinAlgError
-        root = diags_array(pivots**-0.5) @ upper
-        return cls(mass, root, rigid, pushed, free, np.zeros((0, 0)), held.solve)
+        return diags_array(pivots**-0.5) @ upper
 
     def elastic(self, motions: Array) -> Array:
         """Motions (n, k) of those (n − r, k) of the free DOF, without rigid ones."""
@@ -227,13 +267,12 @@ def _by_lapack(body: _Body, least: int, cutoff: float) -> tuple[Array, Array, tu
     above, and their ω."""
     pushed = body.pushed[body.free]
     inertia = body.mass[body.free][:, body.free] - pushed @ pushed.T
-    half = np.linalg.solve(body.lower, inertia)
-    inner = np.linalg.solve(body.lower, half.T)  # L⁻¹ (M − M R Rᵀ M) L⁻ᵀ
+    inner = body.upwards @ inertia @ body.upwards.T  # L⁻¹ (M − M R Rᵀ M) L⁻ᵀ
     inverse, turn = np.linalg.eigh((inner + inner.T) / 2.0)
     lowest = np.arange(len(inverse))[::-1] < least
     clear = inverse > STIFF * inverse.max(initial=0.0)
     kept = (inverse * cutoff**2 > 1.0) | (lowest & clear)
-    every = body.elastic(np.linalg.solve(body.lower.T, turn))
+    every = body.elastic(body.upwards.T @ turn)
     rest = ~kept & (inverse > RESOLVED * inverse.max(initial=0.0))
     omega = inverse[rest] ** -0.5
     return *body.normalised(every[:, kept]), (every[:, rest] * omega, omega)
@@ -243,18 +282,22 @@ def _by_lanczos(body: _Body, below: int, least: int, cutoff: float) -> tuple[Arr
     """The same, so many known to be ``below`` the cutoff."""
     from scipy.sparse.linalg import LinearOperator, eigsh
 
-    def displaced(load: Array) -> Array:
-        return body.displaced(load.reshape(-1, 1)).ravel()
+    back = body.root.T.tocsr()
 
-    inverse = LinearOperator(body.mass.shape, matvec=displaced, dtype=np.float64)
-    start = displaced(np.random.default_rng(1).standard_normal(len(body.rigid)))
+    def turned(motion: Array) -> Array:  # U K⁻¹ Uᵀ, of the eigenvalues 1/ω²
+        return np.asarray(body.root @ body.displaced((back @ motion)[:, None])).ravel()
+
+    inverse = LinearOperator(body.mass.shape, matvec=turned, dtype=np.float64)
+    start = turned(np.random.default_rng(1).standard_normal(len(body.rigid)))
     wanted = max(below, least)
-    values, modes = eigsh(body.mass, wanted, M=body.mass, sigma=0.0, OPinv=inverse, v0=start)
-    order = np.argsort(values)
-    values, modes = values[order], modes[:, order]
-    if (values < (1.0 + NEAR) * max(cutoff**2, values[0])).sum() < below:  # one is missed
+    squares, modes = eigsh(inverse, wanted, v0=start)
+    order = np.argsort(-squares)
+    squares, modes = squares[order], modes[:, order]
+    if (
+        squares * (1.0 + NEAR) * max(cutoff**2, 1.0 / squares[0]) > 1.0
+    ).sum() < below:  # one is missed
         raise np.linalg.LinAlgError
-    return values, modes - body.rigid @ (body.pushed.T @ modes)
+    return 1.0 / squares, body.displaced(back @ modes) / squares
 
 
 def _static_modes(body: _Body, values: Array, elastic: Array, ports: Array) -> tuple[Array, Array]:

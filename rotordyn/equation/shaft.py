@@ -29,7 +29,7 @@ from rotordyn.equation.fineness import (
     resolved,
     rod_wave,
 )
-from rotordyn.equation.mesh import COINCIDENT, Mesh, divided, station_mesh
+from rotordyn.equation.mesh import COINCIDENT, Mesh, divided
 from rotordyn.equation.section import (
     ENDS,
     MIDDLE,
@@ -183,6 +183,28 @@ class Shaft:
             jumped[:, place, place] = np.array(gives)[:, place]
         return np.hstack([rows, jumps]), np.concatenate([moves, jumped], axis=2)
 
+    def nested(self, coarse: Shaft, way: str) -> tuple[Indices, Indices]:
+        """DOF of a line, and those of the same shaft of lower degrees, of elements of the same
+        lengths, that have the same shape functions."""
+        here, there = ((s.degree, s.rod_degree)[way not in PLANES] for s in (self, coarse))
+        if way in PLANES:
+            count = bending.inner_freedoms(there, sheared(self.spindle))
+            leaning = there if sheared(self.spindle) else count  # after them come more (``beam``)
+        else:
+            count = leaning = there - 1
+        element = np.repeat(np.arange(len(count)), count)
+        number = np.arange(len(element)) - np.repeat(np.cumsum(count) - count, count)
+        behind = np.where(number >= leaning[element], (here - there)[element], 0)
+        own, known = (
+            [self.inner[way][element] + number + behind],
+            [coarse.inner[way][element] + number],
+        )
+        for name in PLANES[way][0] if way in PLANES else (way,):
+            for shaft, found in ((self, own), (coarse, known)):
+                jumps = [number for (_, each), number in shaft.jump.items() if each == name]
+                found += [shaft.node[:, position(name)], np.array(jumps, dtype=np.intp)]
+        return np.concatenate(own), np.concatenate(known)
+
     def rigid(self, way: str) -> Iterator[tuple[Indices, Array]]:
         """Rigid motions of the DOF of a line: DOF and their displacements, signed."""
         x = self.mesh.x - self.mesh.x.mean()
@@ -266,7 +288,7 @@ def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indi
     if fine.accuracy is None:
         mesh = divided(shown, np.full(shown.nodes - 1, 2**fine.finer, dtype=np.intp))
         return mesh, *np.ones((2, mesh.nodes - 1), dtype=np.intp)
-    coarse = station_mesh(spindle)
+    coarse = shown.between_stations
     ratio = coarse.steepness
     wave = bending_wave(fine.band, fine.spin, *sections_at(spindle, coarse, ENDS)).max(axis=1)
     parts, degree = parts_and_degree(wave * coarse.length, fine.accuracy, ratio)

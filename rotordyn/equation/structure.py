@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from functools import cached_property
+from typing import Any
 
 import numpy as np
 
@@ -42,7 +43,8 @@ class Structure:
 
     ``shown``: nodes at which motion is displayed; ``fine``: how fine elements and reduction are;
     ``ports``: further places at which forces act or motion is read; ``rigid``: shafts do not bend;
-    ``pressed``: an axial force is given that may come near to buckling.
+    ``pressed``: an axial force is given that may come near to buckling; ``coarse``: the same of
+    lower degrees.
 
     Raises
     ------
@@ -58,9 +60,10 @@ class Structure:
         *,
         rigid: bool = False,
         pressed: bool = False,
+        coarse: Structure | None = None,
     ) -> None:
         self.spindle, self.shown, self.fine, self.rigid = spindle, shown, fine, rigid
-        self.pressed = pressed
+        self.pressed, self.coarse = pressed, coarse
         self.dofs = Dofs()
         self.shafts = {
             name: Shaft.of(
@@ -170,7 +173,7 @@ class Structure:
             own = of_dof[part.rows[0]]
             if part.matrix in JOINING and (own != own[0]).any():
                 groups.join_where(own, np.abs(part.blocks).max(axis=0) > 0.0)
-        solved: dict[tuple[bytes, ...], tuple[Array, Array, Array]] = {}
+        solved: dict[tuple[Any, ...], tuple[Array, Array, Array]] = {}
         found = []
         for root in groups.roots():
             mine = [k for k in range(len(lines)) if groups.find(k) == root]
@@ -196,7 +199,7 @@ class Structure:
         lines: tuple[Line, ...],
         dofs: Indices,
         parts: list[Part],
-        solved: dict[tuple[bytes, ...], tuple[Array, Array, Array]],
+        solved: dict[tuple[Any, ...], tuple[Array, Array, Array]],
     ) -> Component:
         shaft = self.shafts.get(lines[0].body)
         return Component(
@@ -204,7 +207,7 @@ class Structure:
             dofs=dofs,
             parts=parts,
             rigid=[] if shaft is None else list(shaft.rigid(lines[0].way)),
-            ports=np.intersect1d(self._ports, dofs),
+            ports=self._ports[np.isin(self._ports, dofs)],
             spindle=None if shaft is None else shaft.spindle,
             cutoff=0.0 if self.rigid else self.fine.cutoff,
             bends=lines[0].motion == "bending",
@@ -213,7 +216,19 @@ class Structure:
             polar=self._polar(dofs, lines[0].way) if self.fine.gyroscopic else [],
             band=self.fine.slow,
             pressed=self._pressed(lines[0]),
+            **self._coarser(lines),
         )
+
+    def _coarser(self, lines: tuple[Line, ...]) -> dict[str, Any]:
+        """The component of the same lines of the coarser model, where that is a shaft's line."""
+        body, way = lines[0]
+        if self.coarse is None or body not in self.shafts or len(lines) > 1:
+            return {}
+        own = next(each for each in self.coarse.components if each.lines == lines)
+        return {
+            "coarse": own,
+            "nested": self.shafts[body].nested(self.coarse.shafts[body], way),
+        }
 
     def _pressed(self, line: Line) -> tuple[int, list[Rows]] | None:
         """Slopes of a plane of the spindle's shaft, where a drawbar presses it or ``pressed``."""

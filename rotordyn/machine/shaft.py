@@ -6,6 +6,7 @@ import math
 from bisect import bisect_right
 from collections.abc import Iterable
 from dataclasses import dataclass, replace
+from functools import cached_property
 from itertools import accumulate
 from typing import Annotated
 
@@ -78,7 +79,7 @@ class Section(Description):
         return self.inner_diameter, self.inner_diameter if rear is None else rear
 
 
-@dataclass(frozen=True, slots=True)
+@dataclass(frozen=True)
 class Shaft(Description):
     """Sections laid end to end from ``start`` towards +x."""
 
@@ -93,7 +94,7 @@ class Shaft(Description):
     def _faults(self) -> Faults:
         yield from named_twice("sections", self.sections)
 
-    @property
+    @cached_property
     def boundaries(self) -> tuple[float, ...]:
         """Section ends from ``start`` on, one more than there are sections [m]."""
         return tuple(accumulate((s.length for s in self.sections), initial=self.start))

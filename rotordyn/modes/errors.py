@@ -117,7 +117,8 @@ def _judged(branch: Branch, band: Band, *, overdamped: bool) -> NDArray[np.bool_
 
 def _compared(scene: Scene, band: Band, branches: list[Branch]) -> ModeErrors:
     """Poles of followed modes beside the nearest ones of the finer model."""
-    rows, finer = few_rows(scene), scene.refined()
+    finer, few = scene.refined, few_rows(scene)
+    rows = np.unique([*few, *(b.born for b in branches if (b.column[few] < 0).all())])
     errors = np.full((3, len(rows), len(branches)), np.nan)
     unconverged, highest = "", (1.0 - SAME) * band.highest
     for subsystem in sorted({branch.subsystem for branch in branches}):
@@ -140,15 +141,12 @@ def _compared(scene: Scene, band: Band, branches: list[Branch]) -> ModeErrors:
                     judged := lost[(lost.imag < highest) & (-lost.real <= OVERDAMPED * abs(lost))]
                 ).size:
                     unconverged = _sentence(scene, row, what, judged)
-    at = scene.speed[scene.usable]
+    at = scene.speed[scene.usable] ** 2  # the gyroscopic effect's share of an error follows that
     whole = np.full((3, len(at), len(branches)), np.nan)
     for k, branch in enumerate(branches):
         known = np.isfinite(errors[0, :, k])
         for kind in range(3):
-            known_at = at[rows[known]]
-            whole[kind, :, k] = (
-                np.interp(at, known_at, errors[kind, known, k]) if known.any() else 0
-            )
+            whole[kind, :, k] = np.interp(at, at[rows[known]], errors[kind, known, k])
         whole[:, branch.column < 0, k] = np.nan
     frequency, damping, rounding = whole
     return ModeErrors(frequency, damping, rounding, unconverged)

@@ -23,6 +23,7 @@ NOTHING = 1e-23  # of the largest stiffness: too little to tell its motion from 
 EPSILON = 1.1e-16  # half the spacing of numbers of double precision around 1
 UNSEEN = 1e-15  # of the largest |pole|: growth below that is rounding as well
 LEAST = 4  # systems to a thread
+PIECE = 512  # frequencies summed at a time
 WELL_CONDITIONED = 1e7  # of unit vectors: the sum over poles then keeps nine digits
 
 
@@ -113,14 +114,22 @@ class Modes:
     ) -> Complex:
         """Sum over the poles: with λ = σ + iν, 1/(iω − λ) is (iν − σ − iω)/(σ² + (ω − ν)²).
 
-        One real table serves all pairs.
+        One real table serves all pairs; pieces of it stay in fast memory.
         """
-        pole = self.pole[place]
+        pole, count = self.pole[place], len(responses)
         residue = (responses @ self.vector[place]) * (self.participation[place] @ excitations.T).T
-        with np.errstate(divide="ignore", over="ignore"):
-            table = 1.0 / (pole.real[:, None] ** 2 + (omega - pole.imag[:, None]) ** 2)
         turned = residue * (1j * pole.imag - pole.real)
-        return _times_real(turned, table) - 1j * omega * _times_real(residue, table)
+        weights = np.concatenate([turned.real, turned.imag, residue.real, residue.imag])
+        total = np.empty((count, len(omega)), dtype=complex)
+        for first in range(0, len(omega), PIECE):
+            own = omega[first : first + PIECE]
+            with np.errstate(divide="ignore", over="ignore"):
+                table = 1.0 / (pole.real[:, None] ** 2 + (own - pole.imag[:, None]) ** 2)
+            with np.errstate(invalid="ignore"):
+                parts = (weights @ table).reshape(4, count, -1)
+            total[:, first : first + PIECE].real = parts[0] + own * parts[3]
+            total[:, first : first + PIECE].imag = parts[1] - own * parts[2]
+        return total
 
     def _solved(
         self, place: tuple[int, ...], omega: Array, responses: Array, excitations: Array
@@ -246,11 +255,6 @@ def _inverse(vectors: Complex) -> Complex:
         regular = np.linalg.matrix_rank(vectors) == vectors.shape[-1]
         safe = np.where(regular[..., None, None], vectors, np.eye(vectors.shape[-1]))
         return np.where(regular[..., None, None], np.linalg.inv(safe), np.inf)
-
-
-def _times_real(matrix: Complex, table: Array) -> Complex:
-    """Complex times real matrix without making the real one complex."""
-    return matrix.real @ table + 1j * (matrix.imag @ table)
 
 
 def residual(solution: Modes, stiffness: Matrix, damping: Matrix) -> float:

@@ -1,4 +1,4 @@
-"""Error by refinement: the model is solved once more, finer, at a few speeds.
+"""Error by refinement: the model is solved once more, finer, at the first and the last speed.
 
 Finer is one degree more in every element (half the length of standard ones) and a cut-off of the
 reduction ``fineness.FINER`` times as high. The change is reported as the error, of frequencies,
@@ -23,15 +23,13 @@ Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Rows = NDArray[np.intp]
 T = TypeVar("T")
-FEW = 3  # speeds at which the finer model is solved
 ROUNDS = 2
 RESPONSES = 10.0  # error of a response over its peak, to that of frequencies: it may be as large
 
 
 def few_rows(scene: Scene) -> Rows:
-    """First, middle and last of the usable speeds."""
-    last = len(scene.usable) - 1
-    return np.unique(np.linspace(0, last, min(FEW, last + 1)).round().astype(np.intp))
+    """First and last of the usable speeds: what grows with the speed is least and largest there."""
+    return np.unique([0, len(scene.usable) - 1])
 
 
 def response_accuracy(scene: Scene) -> float:
@@ -51,7 +49,7 @@ def solve_accurately(
         solution = solve(scene)
         if error(solution) <= allowed:
             return scene, solution
-        scene = scene.refined()
+        scene = scene.refined
     return scene, solve(scene)
 
 
@@ -59,7 +57,7 @@ def changes(scene: Scene, values: Callable[[Scene, Rows], Array | Complex], axis
     """Largest change of values (few, …, n, …) by the finer model, over their largest size; along
     all axes but ``axis``."""
     rows = few_rows(scene)
-    coarse, fine = values(scene, rows), values(scene.refined(), rows)
+    coarse, fine = values(scene, rows), values(scene.refined, rows)
     along = tuple(k for k in range(coarse.ndim) if k != axis)
     size = np.abs(fine).max(axis=along, initial=0.0)
     with np.errstate(invalid="ignore"):  # responses without limit

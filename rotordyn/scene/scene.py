@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.equation.component import Component
+from rotordyn.equation.dofs import position
 from rotordyn.equation.fineness import Fineness
 from rotordyn.equation.free_motion import FreeMotions, free_motions
 from rotordyn.equation.linear import Linear, linear, subsystems
@@ -25,7 +26,7 @@ from rotordyn.machine.spindle import Spindle
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.formulation import ROTATING, SOFTENED, frame_notes
 from rotordyn.scene.stage import Clock, Memo, stage, stage_of
-from rotordyn.scene.statics import Statics, bodies
+from rotordyn.scene.statics import Statics
 from rotordyn.scene.warnings import machine_warnings
 
 Array = NDArray[np.float64]
@@ -56,20 +57,25 @@ class Scene(Statics):
         self.max_frequency, self.ports, self.finer = max_frequency, ports, finer
         self._nodes: dict[str | float | Place, int] = {}
         self.systems: dict[int, FreeMotions] = {}
+        self._at_rows: dict[tuple[int, bytes], FreeMotions] = {}
 
     def at(self, speed: Array) -> Scene:
         """The same machine and coordinates at other speeds [rad/s], ascending."""
         return self._like(speed, self.finer)
 
-    def refined(self, steps: int = 1, speed: Array | None = None) -> Scene:
-        """The same machine with a finer model, at some speeds."""
-        return self._like(self.speed if speed is None else speed, self.finer + steps)
+    @cached_property
+    def refined(self) -> Scene:
+        """The same machine with a finer model."""
+        finer = self._like(self.speed, self.finer + 1)
+        finer.coarser = self
+        return finer
 
     def _like(self, speed: Array, finer: int) -> Scene:
         same = (self.spindle, self.conditions, speed, self.max_frequency, self.ports)
         other = Scene(*same, finer, self.memo, self.clock)
         # a model serves other speeds, but is as fine as the highest speed of the case asks
-        other.top_speed = self.top_speed
+        other.top_speed, other.bodies = self.top_speed, self.bodies
+        other.coarser = self.coarser
         return other
 
     @property
@@ -84,6 +90,7 @@ class Scene(Statics):
         self._top = value
 
     _top: float | None = None
+    coarser: Scene | None = None
 
     @property
     def fineness(self) -> Fineness:
@@ -131,7 +138,7 @@ class Scene(Statics):
 
     @stage_of(
         lambda self: (
-            bodies(self.spindle),
+            self.bodies,
             self.conditions.element_length,
             self.fineness,
             self.ports,
@@ -144,8 +151,16 @@ class Scene(Statics):
         """Terms of the machine and its components, each reduced when it is first asked for."""
         acting = [load.at for load in self.conditions.loads] if self.loaded else []
         places = [self.spindle.place(at) for at in (*self.ports, *acting)]
-        kind = {"rigid": self.rigid, "pressed": self._pressed}
-        return Structure(self.spindle, self.mesh, self.fineness, places, **kind)
+        nested = self.coarser is not None and self.conditions.element_length is None
+        return Structure(
+            self.spindle,
+            self.mesh,
+            self.fineness,
+            places,
+            rigid=self.rigid,
+            pressed=self._pressed,
+            coarse=self.coarser.rotor if self.coarser and nested else None,
+        )
 
     @property
     def _pressed(self) -> bool:
@@ -223,8 +238,11 @@ class Scene(Statics):
         """The same at some ``rows`` of the usable speeds alone."""
         if k in self.systems and rows is not None:
             return self.systems[k].at(rows)
-        linear = self.linear(k, rows)
-        return self.timed(f"{self.name_of(k)} modes", partial(free_motions, linear, self._ceiling))
+        key = k, b"" if rows is None else rows.tobytes()
+        if key not in self._at_rows:
+            solve = partial(free_motions, self.linear(k, rows), self._ceiling)
+            self._at_rows[key] = self.timed(f"{self.name_of(k)} modes", solve)
+        return self._at_rows[key]
 
     @property
     def _ceiling(self) -> float:
@@ -250,6 +268,11 @@ class Scene(Statics):
     def owner(self, at: str | float | Place, direction: str) -> int:
         """The subsystem in which a point moves in a direction."""
         rotor, x = self.spindle.place(at)
-        number = self.rotor.node(rotor, x)[("x", "y", "z", "thx", "thy", "thz").index(direction)]
-        component = self.rotor.components[self.rotor.owner[number]]
-        return next(k for k, parts in enumerate(self.subsystems) if component in parts)
+        component = self.rotor.owner[self.rotor.node(rotor, x)[position(direction)]]
+        return self._subsystem_of[int(component)]
+
+    @cached_property
+    def _subsystem_of(self) -> dict[int, int]:
+        """The subsystem of every component, by its place among all."""
+        every = self.rotor.components
+        return {every.index(c): k for k, parts in enumerate(self.subsystems) for c in parts}

@@ -145,7 +145,17 @@ class Statics(Staged):
         whole[self.usable] = values
         return whole
 
-    @stage_of(lambda self: (bodies(self.spindle), self.conditions.element_length))
+    @cached_property
+    def bodies(self) -> Spindle:
+        """The machine without what its bodies do not depend on: springs and stops of sleeves,
+        words."""
+        sleeves = tuple(
+            replace(each, spring=replace(ANY_SPRING, stiffness=_kind(each)), stop_travel=math.inf)
+            for each in self.spindle.sleeves
+        )
+        return replace(self.spindle, sleeves=sleeves, title="", note="", references=())
+
+    @stage_of(lambda self: (self.bodies, self.conditions.element_length))
     def mesh(self) -> Mesh:
         """Nodes and elements of the shaft."""
         return build_mesh(self.spindle, self.conditions.element_length)
@@ -265,15 +275,6 @@ class Statics(Staged):
         if not self.spindle.seats:
             return _no_seats(self.speed, 5, 5)
         return self.tangents[self.bearing_row[self.usable]]
-
-
-def bodies(spindle: Spindle) -> Spindle:
-    """The machine without what its bodies do not depend on: springs and stops of sleeves, words."""
-    sleeves = tuple(
-        replace(each, spring=replace(ANY_SPRING, stiffness=_kind(each)), stop_travel=math.inf)
-        for each in spindle.sleeves
-    )
-    return replace(spindle, sleeves=sleeves, title="", note="", references=())
 
 
 def _kind(sleeve: Sleeve) -> float:

@@ -54,7 +54,7 @@ def frequencies(
     """Whirl frequencies [rad/s], ascending."""
     scene = Scene(spindle, Conditions(accuracy=accuracy), np.array([speed]), top)
     for _ in range(finer.get("finer", 0)):
-        scene = scene.refined()
+        scene = scene.refined
     pole = scene.system(scene.with_motions(["bending"])[0]).pole[0].imag
     return np.sort(pole[pole > 1.0])
 
