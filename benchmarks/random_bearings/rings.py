@@ -63,6 +63,11 @@ class Asked:
             load=force, displacement=move, start=start, compiled=compiled, **self.how
         )
 
+    def only(self, row: int) -> Asked:
+        """One of the states alone."""
+        each = ("load", "displacement", "speed", "static", "growth")
+        return replace(self, **{name: getattr(self, name)[[row]] for name in each})
+
     @property
     def lever(self) -> Array:
         """What makes all five freedoms lengths."""

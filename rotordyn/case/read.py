@@ -89,6 +89,8 @@ def _case(root: Any, name: str, reader: Any) -> Case | None:
         expanded = expand.spindle(reference, override, reader)
         tool = root.child("tool")
         clamped = expand.tool(tool, reader) if tool is not None else None
+        if clamped is not None and override is not None and override.child("references"):
+            clamped.value.pop("references", None)  # those of the machine as a whole are given
         usable = expanded is not None and (tool is None or clamped is not None)
         if expanded is not None:
             spindle, machine = read_spindle(reading, expanded, clamped)

@@ -15,6 +15,7 @@ import numpy as np
 
 from rotordyn.figures import stations
 from rotordyn.figures.amplitudes import log_axis
+from rotordyn.figures.curve_groups import Group, Layer, groups_of
 from rotordyn.figures.curves import draw_references
 from rotordyn.figures.legends import shortened, top_legend
 from rotordyn.figures.panels import Box, Shown
@@ -40,7 +41,6 @@ MOST_NAMED = 14  # variants in a legend; of more the colour is a value
 COLOURS = (*CYCLE, "#882255", "#DDCC77", "#6699CC", "#999933", "#CC6677", "#117733", "#AA4499")
 THICK, THIN = 2.4, 1.0  # the first variant, still seen below the last
 LEAST_POINTS = 4  # for a line; fewer are marks
-ALIKE = 1e-9  # of the largest value: no difference
 MAP, DARK = "viridis", "#444444"
 LEFT, RIGHT, BELOW, GAP = 17.0, 6.0, 12.0, 5.0  # [mm]
 STRIP, OVER_STRIP = 26.0, 5.0  # height of differences, room above them [mm]
@@ -48,7 +48,6 @@ BAR = 16.0  # room of a bar of colours [mm]
 MOST_STRIPS = 4
 
 Curves = Callable[[Shown], Iterable[Curve]]
-Group = tuple[str, str, str]  # panel, label, title
 
 
 class Scale(NamedTuple):
@@ -88,7 +87,7 @@ def colour(place: int) -> str:
 
 
 def dash(place: int) -> Any:
-    """Dashes of the variant at a place: told apart without colour, too."""
+    """Dashes of the variant at a place, by which it is known without colour, too."""
     return DASHES[(place + place // len(DASHES)) % len(DASHES)]
 
 
@@ -99,43 +98,31 @@ def overlay_figure(
 
     Below linear panels stands the difference to the first variant. ``scale``: of many variants.
     """
-    sets = [[c for c in curves(v) if c.figure == name] for v in variants]
-    groups = list(dict.fromkeys(map(_group, (c for own in sets for c in own))))
-    looks = _looks(sets, scale)
-    changed = {group: _differences(sets, group) for group in groups}
-    strips = len(groups) <= MOST_STRIPS and any(changed.values())
-    figure, boxes = _layout(_first(sets, groups[0]), len(groups), strips, bar=not looks.named)
-    several = len({group[1] for group in groups}) > 1 or groups[0][0] != ""
+    groups = groups_of([[c for c in curves(v) if c.figure == name] for v in variants])
+    looks = _looks(groups, len(variants), scale)
+    strips = len(groups) <= MOST_STRIPS and any(group.changes for group in groups)
+    figure, boxes, columns = _layout(groups, strips=strips, bar=not looks.named)
+    several = len({group.first.label for group in groups}) > 1 or groups[0].first.panel != ""
     for place, (group, (above, below)) in enumerate(zip(groups, boxes, strict=True)):
-        first = _first(sets, group)
-        lowest = place + _columns(groups, first) >= len(groups)
-        strip = strips and bool(changed[group])
-        words = first.along if lowest or strips else ""
+        first, strip = group.first, strips and bool(group.changes)
+        words = first.along if strip or place + columns >= len(groups) else ""
         axes = add_axes(figure, above, "" if strip else words, _ordinate(first, several=several))
         if place == 0:
-            _name(axes, sets, variants, looks)
-        _draw(axes, sets, group, looks)
-        _known(axes, sets, group, variants, looks)
+            _name(axes, groups, variants, looks)
+        _draw(axes, group, looks)
+        _draw_known(axes, group, variants, looks)
         _finish(axes, first, above[2], labelled=bool(words) and not strip)
         if strip:
-            own = add_axes(figure, below, words, f"difference [{first.unit}]")
-            _draw_differences(own, changed[group], looks)
-            _say(own, f"to {shortened(variants[0].title)}")
-            own.set_xlim(axes.get_xlim())
-            own.set_xticks(axes.get_xticks())
-            own.set_xlim(axes.get_xlim())
+            beneath = add_axes(figure, below, words, f"difference [{first.unit}]")
+            _draw_changes(beneath, group.changes, looks)
+            _say(beneath, f"to {shortened(variants[0].title)}")
+            beneath.set_xlim(axes.get_xlim())
+            beneath.set_xticks(axes.get_xticks())
+            beneath.set_xlim(axes.get_xlim())
     if not looks.named:
         _bar(figure, scale or _order(variants), boxes)
-    top_legend(figure, *figure.axes, above=_above(sets, boxes))
+    top_legend(figure, *figure.axes, above=_room(groups[0].first, boxes[0][0][2]))
     return figure
-
-
-def _group(curve: Curve) -> Group:
-    return curve.panel, curve.label, curve.title
-
-
-def _first(sets: Sequence[Sequence[Curve]], group: Group) -> Curve:
-    return next(c for own in sets for c in own if _group(c) == group and not c.backdrop)
 
 
 def _ordinate(curve: Curve, *, several: bool) -> str:
@@ -143,13 +130,14 @@ def _ordinate(curve: Curve, *, several: bool) -> str:
     return f"{curve.panel}: {label}" if several and curve.panel and not curve.title else label
 
 
-def _looks(sets: Sequence[Sequence[Curve]], scale: Scale | None) -> Looks:
-    series = list(dict.fromkeys(c.series for own in sets for c in own if not c.backdrop))
-    if len(sets) <= MOST_NAMED:
-        return Looks([colour(k) for k in range(len(sets))], series, named=True)
+def _looks(groups: Sequence[Group], count: int, scale: Scale | None) -> Looks:
+    layers = sorted((each for group in groups for each in group.layers), key=lambda x: x.place)
+    series = list(dict.fromkeys(layer.curve.series for layer in layers))
+    if count <= MOST_NAMED:
+        return Looks([colour(k) for k in range(count)], series, named=True)
     from matplotlib import colormaps
 
-    values = np.asarray(scale.values if scale else range(len(sets)), float)
+    values = np.asarray(scale.values if scale else range(count), float)
     share = (values - values.min()) / max(float(np.ptp(values)), 1e-300)
     return Looks(list(colormaps[MAP](share)), series, named=False)
 
@@ -158,64 +146,70 @@ def _order(variants: Sequence[Shown]) -> Scale:
     return Scale("variant, in the order of the case", range(1, len(variants) + 1))
 
 
-def _columns(groups: Sequence[Group], curve: Curve) -> int:
-    """Panels beside each other: logarithmic ones, of resonances, are as wide as the figure."""
-    return 1 if curve.log else min(len(groups), 3)
-
-
 def _layout(
-    curve: Curve, count: int, strips: bool, *, bar: bool
-) -> tuple[Figure, list[tuple[Box, Box]]]:
-    """A figure, and for each panel its box and that of its differences [mm]."""
+    groups: Sequence[Group], *, strips: bool, bar: bool
+) -> tuple[Figure, list[tuple[Box, Box]], int]:
+    """A figure, for each panel its box and that of its differences [mm], and how many columns.
+
+    Logarithmic panels, of resonances, are as wide as the figure.
+    """
+    curve, count = groups[0].first, len(groups)
     columns = 1 if curve.log else min(count, 3)
     rows = math.ceil(count / columns)
-    names = [(x, name) for x, name in curve.places]
     right = RIGHT + (BAR if bar else 0.0)
     gap = 17.0 if columns > 1 else 0.0
     wide = (168.0 - LEFT - right - gap * (columns - 1)) / columns
     tall = 50.0 if curve.log else 84.0 if count == 1 else 62.0 if rows == 1 else 39.0
-    between = 9.0 if curve.title else GAP
-    if names:
-        ends = float(curve.x[0]), float(curve.x[-1])
-        between += 1.0
-        top = stations.room(names, stations.upright(names, wide, *ends)) + 6.0
-    else:
-        top = 8.0
+    top = _room(curve, wide) + 6.0 if curve.places else 8.0
+    between = (9.0 if curve.title else GAP) + (1.0 if curve.places else 0.0)
     cell = tall + (STRIP + OVER_STRIP if strips else 0.0)
-    height = BELOW + rows * cell + (rows - 1) * between + top
-    figure = new_figure(168.0, height)
+    figure = new_figure(168.0, BELOW + rows * cell + (rows - 1) * between + top)
     boxes = []
     for place in range(count):
         row, column = divmod(place, columns)
         left = LEFT + column * (wide + gap)
         foot = BELOW + (rows - 1 - row) * (cell + between)
-        below = (left, foot, wide, STRIP)
-        boxes.append(((left, foot + cell - tall, wide, tall), below))
-    return figure, boxes
+        boxes.append(((left, foot + cell - tall, wide, tall), (left, foot, wide, STRIP)))
+    return figure, boxes, columns
 
 
-def _draw(axes: Axes, sets: Sequence[Sequence[Curve]], group: Group, looks: Looks) -> None:
-    for place, curve in enumerate(c for c in sets[0] if c.backdrop and _group(c) == group):
+def _room(curve: Curve, wide: float) -> float:
+    """Height of the names of places above a panel [mm]."""
+    if not curve.places:
+        return 0.0
+    ends = float(curve.x[0]), float(curve.x[-1])
+    return stations.room(curve.places, stations.upright(curve.places, wide, *ends))
+
+
+def _draw(axes: Axes, group: Group, looks: Looks) -> None:
+    for place, curve in enumerate(group.backdrop):
         look: dict[str, Any] = {"color": DARK, "lw": 0.8, "ls": DASHES[place % len(DASHES)]}
         axes.plot(curve.x, curve.y, zorder=1.5, scalex=False, scaley=curve.log, **look)
         axes.plot([], [], label=curve.series, **look)
-    for place, own in enumerate(sets):
-        for curve in (c for c in own if _group(c) == group and not c.backdrop):
-            y = np.where(curve.y > 0.0, curve.y, np.nan) if curve.log else curve.y
-            look = looks.of(place, curve.series)
-            if len(curve.x) < LEAST_POINTS and len(curve.x) > 1:
-                look |= {"marker": look.get("marker", "o"), "markevery": None, "ms": 4.0, "ls": ""}
-                axes.plot(curve.x, y, clip_on=False, **look)
-                continue
-            axes.plot(*_broken(curve.x, y, curve.breaks), **look)
+    for place, curve in group.layers:
+        y = np.where(curve.y > 0.0, curve.y, np.nan) if curve.log else curve.y
+        _plot(axes, curve, y, looks.of(place, curve.series))
 
 
-def _broken(x: Array, y: Array, breaks: Any) -> tuple[Array, Array]:
-    """The curve without a line over steps at which it jumps."""
-    if breaks is None or not breaks.any():
-        return x, y
-    at = np.flatnonzero(breaks) + 1
-    return np.insert(x, at, x[at]), np.insert(y, at, np.nan)
+def _draw_changes(axes: Axes, changes: Sequence[Layer], looks: Looks) -> None:
+    axes.axhline(0.0, color=BLACK, lw=0.7, zorder=1.4)
+    for place, curve in changes:
+        _plot(axes, curve, curve.y, looks.of(place, curve.series) | {"lw": 0.9})
+    low, high = axes.get_ylim()
+    axes.set_ylim(low - 0.06 * (high - low), high + 0.06 * (high - low))
+
+
+def _plot(axes: Axes, curve: Curve, y: Array, look: dict[str, Any]) -> None:
+    """A line, broken at steps over which it jumps; marks alone where points are too few for one."""
+    x = curve.x
+    if 1 < len(x) < LEAST_POINTS:
+        look |= {"marker": look.get("marker", "o"), "markevery": None, "ms": 4.0, "ls": ""}
+        axes.plot(x, y, clip_on=False, **look)
+        return
+    if curve.breaks is not None and curve.breaks.any():
+        at = np.flatnonzero(curve.breaks) + 1
+        x, y = np.insert(x, at, x[at]), np.insert(y, at, np.nan)
+    axes.plot(x, y, **look)
 
 
 def _finish(axes: Axes, curve: Curve, wide: float, *, labelled: bool) -> None:
@@ -243,62 +237,25 @@ def _finish(axes: Axes, curve: Curve, wide: float, *, labelled: bool) -> None:
         axes.set_title(curve.title, fontsize=FONT_SIZE, pad=4.0)
 
 
-def _known(
-    axes: Axes,
-    sets: Sequence[Sequence[Curve]],
-    group: Group,
-    variants: Sequence[Shown],
-    looks: Looks,
-) -> None:
+def _draw_known(axes: Axes, group: Group, variants: Sequence[Shown], looks: Looks) -> None:
     """Published and measured values: black where all variants share them, else of its colour."""
-    wanted = {c.known for own in sets for c in own if _group(c) == group and c.known}
-    if not wanted:
+    if not group.known:
         return
-    top = float(_first(sets, group).x[-1])
-    told = len({subject for _, subject in wanted}) > 1
+    top, several = float(group.first.x[-1]), len({subject for _, subject in group.known}) > 1
     shared = [r for r in variants[0].known if all(r in v.known for v in variants)]
-    for quantity in dict.fromkeys(quantity for quantity, _ in wanted):
+    for quantity in dict.fromkeys(quantity for quantity, _ in group.known):
         for place, variant in enumerate(variants):
-            own = [r for r in variant.known if r not in shared and _fits(r, wanted)]
-            colours = dict.fromkeys((r.subject for r in own), looks.colours[place])
-            draw_references(axes, own, quantity, top, subject=told, colours=colours)
-        black = [r for r in shared if _fits(r, wanted)]
-        draw_references(axes, black, quantity, top, subject=told)
+            alone = [r for r in variant.known if r not in shared and _fits(r, group.known)]
+            colours = dict.fromkeys((r.subject for r in alone), looks.colours[place])
+            draw_references(axes, alone, quantity, top, subject=several, colours=colours)
+        black = [r for r in shared if _fits(r, group.known)]
+        draw_references(axes, black, quantity, top, subject=several)
 
 
-def _fits(reference: Any, wanted: set[Known]) -> bool:
+def _fits(reference: Any, known: set[Known]) -> bool:
     """Whether it is about a curve, or about none of several in particular."""
-    own = {subject for quantity, subject in wanted if quantity == reference.quantity}
-    return bool(own) and (reference.subject in own or not reference.subject)
-
-
-def _differences(sets: Sequence[Sequence[Curve]], group: Group) -> list[tuple[int, Curve]]:
-    """By the place of a variant its curves less those of the first; none where all are alike."""
-    base = {c.key or c.series: c for c in sets[0] if _group(c) == group and not c.backdrop}
-    found = []
-    for place, own in enumerate(sets):
-        for curve in (c for c in own if _group(c) == group and not c.backdrop and not c.log):
-            first = base.get(curve.key or curve.series)
-            if first is not None and np.array_equal(first.x, curve.x) and len(curve.x) > 1:
-                found.append((place, curve._replace(y=curve.y - first.y)))
-    size = max((float(np.nanmax(np.abs(c.y), initial=0.0)) for c in base.values()), default=0.0)
-    largest = max((float(np.nanmax(np.abs(c.y), initial=0.0)) for _, c in found), default=0.0)
-    return found if largest > ALIKE * size else []
-
-
-def _draw_differences(axes: Axes, found: Sequence[tuple[int, Curve]], looks: Looks) -> None:
-    axes.axhline(0.0, color=BLACK, lw=0.7, zorder=1.4)
-    for place, curve in found:
-        if place == 0:
-            continue
-        look = looks.of(place, curve.series) | {"lw": 0.9}
-        if len(curve.x) < LEAST_POINTS:
-            look |= {"marker": look.get("marker", "o"), "markevery": None, "ms": 4.0, "ls": ""}
-            axes.plot(curve.x, curve.y, clip_on=False, **look)
-        else:
-            axes.plot(*_broken(curve.x, curve.y, curve.breaks), **look)
-    low, high = axes.get_ylim()
-    axes.set_ylim(low - 0.06 * (high - low), high + 0.06 * (high - low))
+    subjects = {subject for quantity, subject in known if quantity == reference.quantity}
+    return bool(subjects) and (reference.subject in subjects or not reference.subject)
 
 
 def _say(axes: Axes, words: str) -> None:
@@ -315,28 +272,18 @@ def _say(axes: Axes, words: str) -> None:
     )
 
 
-def _name(
-    axes: Axes, sets: Sequence[Sequence[Curve]], variants: Sequence[Shown], looks: Looks
-) -> None:
+def _name(axes: Axes, groups: Sequence[Group], variants: Sequence[Shown], looks: Looks) -> None:
     """An entry of the legend for every variant, unless they are many, and for every series."""
-    for place, (variant, own) in enumerate(zip(variants, sets, strict=True) if looks.named else ()):
+    layers = [layer for group in groups for layer in group.layers]
+    solved = {place for place, curve in layers if np.isfinite(curve.y).any()}
+    for place, variant in enumerate(variants if looks.named else ()):
         look = looks.of(place, looks.series[0]) | {"markevery": None}
         if len(looks.series) > 1:
             look["ls"] = "-"
-        some = any(np.isfinite(c.y).any() for c in own if not c.backdrop)
-        axes.plot([], [], label=variant.title if some else f"{variant.title}: none", **look)
+        title = variant.title if place in solved else f"{variant.title}: none"
+        axes.plot([], [], label=title, **look)
     for series in looks.series if len(looks.series) > 1 else ():
         axes.plot([], [], color=BLACK, lw=1.2, ls=looks.dash(series), label=series)
-
-
-def _above(sets: Sequence[Sequence[Curve]], boxes: Sequence[tuple[Box, Box]]) -> float:
-    """Height of names above the first panel [mm]."""
-    curve = next(c for c in sets[0] if not c.backdrop)
-    if not curve.places:
-        return 0.0
-    ends = float(curve.x[0]), float(curve.x[-1])
-    upright = stations.upright(curve.places, boxes[0][0][2], *ends)
-    return stations.room(curve.places, upright)
 
 
 def _bar(figure: Figure, scale: Scale, boxes: Sequence[tuple[Box, Box]]) -> None:

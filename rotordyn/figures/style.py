@@ -179,19 +179,26 @@ def speed_ticks(axes: Axes, top: float, most: int = 6) -> None:
     axes.set_xticks(round_ticks(0.0, max(top, 1.0), most))
 
 
+_STEPS = ((1,), (1, 2, 5), (1, 2, 3, 4, 6, 8))  # of a decade that bear ticks
+
+
 def log_ticks(low: float, high: float) -> list[tuple[float, str]]:
-    """Values for a logarithmic axis and how they are printed: decades, or 1-2-5 when few.
+    """Values for a logarithmic axis and how they are printed: decades, or more of each when few.
 
     >>> log_ticks(0.005, 1.2)
     [(0.01, '0.01'), (0.1, '0.1'), (1.0, '1')]
     >>> [name for _, name in log_ticks(0.9e-6, 6e-6)]
     ['1e-6', '2e-6', '5e-6']
+    >>> [name for _, name in log_ticks(5500.0, 1.8e4)]
+    ['6000', '8000', '1e4']
     """
-    decades = math.log10(high / low)
-    steps = (1.0,) if decades > 2.2 else (1.0, 2.0, 5.0)
     first, last = math.floor(math.log10(low)), math.ceil(math.log10(high))
-    values = [s * 10.0**d for d in range(first, last + 1) for s in steps]
-    inside = [v for v in values if low * (1 - 1e-9) <= v <= high * (1 + 1e-9)]
+    inside: list[float] = []
+    for steps in _STEPS[math.log10(high / low) <= 2.2 :]:
+        values = [s * 10.0**d for d in range(first, last + 1) for s in steps]
+        inside = [v for v in values if low * (1 - 1e-9) <= v <= high * (1 + 1e-9)]
+        if len(inside) > 2:
+            break
     return [(float(f"{v:.3g}"), _short(v)) for v in inside]
 
 

@@ -35,8 +35,12 @@ class PreloadResult:
     outer_pressure: Array = quantity("speed", "bearing", unit="Pa", label="outer peak pressure")
     centrifugal_force: Array = quantity("speed", "bearing", unit="N", label="centrifugal force")
     gyroscopic_moment: Array = quantity("speed", "bearing", unit="N·m", label="gyroscopic moment")
-    inner_grip: Array = quantity("speed", "bearing", unit="1", label="grip needed, inner race")
-    outer_grip: Array = quantity("speed", "bearing", unit="1", label="grip needed, outer race")
+    inner_grip: Array = quantity(
+        "speed", "bearing", unit="1", label="required friction, inner race"
+    )
+    outer_grip: Array = quantity(
+        "speed", "bearing", unit="1", label="required friction, outer race"
+    )
     slipping: NDArray[np.str_] = quantity("speed", "bearing", unit="", label="race that slips")
     growth: Array = quantity("speed", "bearing", unit="m", label="ring growth")
     speed_factor: Array = quantity("speed", "bearing", unit="mm/min", label="speed factor n·dm")

@@ -139,7 +139,7 @@ def orders(result: CampbellResult, teeth: Sequence[int]) -> dict[float, str]:
                 same, name = named.get(k, f"{k}×"), f"{k}× (teeth)"
                 named[k] = name if same == f"{k}×" else f"{same}, {name}"
         return named
-    named = {0: "unbalance at 0 Hz"}
+    named = {0: "unbalance"}
     for k in teeth:
         named.setdefault(k - 1, f"{k - 1}× ({k} teeth, forward)")
         named.setdefault(k + 1, f"{k + 1}× ({k} teeth, backward)")

@@ -16,6 +16,7 @@ from rotordyn.figures.mode_lines import modes_among
 from rotordyn.figures.panels import Panel, Shown
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM, shown
+from rotordyn.results.frames import turning
 from rotordyn.results.headline import Curve
 
 code = partial(Code, __name__)
@@ -28,7 +29,8 @@ def figures(_: Described, result: Any, results: Mapping[str, Any]) -> Iterator[J
     modes, count = modes_among(results), len(result.pair)
     if result.speed.size > 1 and result.frequency.size > 1:
         yield "frf_map", partial(code("map:map_figure"), result, [0], modes)
-        yield "frf_surface", partial(code("surface:surface_figure"), result, 0)
+        if not _unbounded(result):
+            yield "frf_surface", partial(code("surface:surface_figure"), result, 0)
         if count > 1:
             others = list(range(1, count))
             yield "frf_maps", partial(code("map:map_figure"), result, others, modes)
@@ -46,6 +48,11 @@ def figures(_: Described, result: Any, results: Mapping[str, Any]) -> Iterator[J
             yield f"frf_{kind}{number}", draw
 
 
+def _unbounded(result: Any) -> bool:
+    """Whether the first pair has unbounded peaks: a surface would invent them between speeds."""
+    return bool(np.isinf(result.peak_value[:, 0]).any())
+
+
 def panels(_: Any, variants: Sequence[Shown]) -> Iterator[Panel]:
     """Surfaces and maps of the first pair, each on one scale."""
     first = variants[0].result
@@ -53,7 +60,8 @@ def panels(_: Any, variants: Sequence[Shown]) -> Iterator[Panel]:
         return
     limits = code("map:common_range")
     edges: dict[str, Any] = {"tall": 72.0, "margins": (1.0, 1.0, 2.0, 2.0), "gaps": (3.0, 2.0)}
-    yield Panel("frf_surfaces", code("surface:draw_variant"), limits, **edges)
+    if not any(_unbounded(variant.result) for variant in variants):
+        yield Panel("frf_surfaces", code("surface:draw_variant"), limits, **edges)
     scaled: dict[str, Any] = {"margins": (15.0, 20.0, 12.0, 9.0), "gaps": (14.0, 16.0)}
     yield Panel(
         "frf_maps", code("map:draw_variant"), limits, code("map:scale_of_variants"), **scaled
@@ -70,6 +78,7 @@ def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
         for index in np.flatnonzero(result.is_slice)[:MOST_SLICES].tolist():
             frequency, values = result.curve(index, pair)
             title = f"{result.kind} {name} at {result.speed[index] * RPM.factor:.0f} rpm"
+            title += ", in the turning frame" if turning(result) else ""
             look: dict[str, Any] = {"along": below, "title": title, "log": True}
             size = np.abs(values) * unit.factor
             curve = Curve(f"frf_curves{number}", "amplitude", unit.unit, frequency, size, **look)

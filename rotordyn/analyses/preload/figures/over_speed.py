@@ -58,9 +58,9 @@ def preload_figure(
 
 
 def contacts_figure(result: PreloadResult) -> Figure:
-    """Contact angles, peak pressures, ball loads and grip needed per bearing."""
+    """Contact angles, peak pressures, ball loads and required friction per bearing."""
     figure, axes = _panels(
-        ("contact angle [deg]", "peak pressure [GPa]", "ball load [N]", "grip needed μ [-]"),
+        ("contact angle [deg]", "peak pressure [GPa]", "ball load [N]", "required friction μ [-]"),
         result,
     )
     degree, giga = DEGREE.factor, GIGAPASCAL.factor
