@@ -14,6 +14,7 @@ if TYPE_CHECKING:
     from rotordyn.case.vary import vary
     from rotordyn.errors import InvalidInput, NoSolution, RotordynError
     from rotordyn.job import Results, open, run
+    from rotordyn.study import Span, sweep
 
 __version__ = "0.1.0"
 _ROOMS = ("analyses", "errors", "machine", "state")
@@ -23,12 +24,14 @@ _MODULE_OF = {
     "NoSolution": "rotordyn.errors",
     "Results": "rotordyn.job",
     "RotordynError": "rotordyn.errors",
+    "Span": "rotordyn.study",
     "cases": "rotordyn.case.shipped",
     "load": "rotordyn.case.read",
     "model": "rotordyn.case.model",
     "models": "rotordyn.case.shipped",
     "open": "rotordyn.job",
     "run": "rotordyn.job",
+    "sweep": "rotordyn.study",
     "vary": "rotordyn.case.vary",
 }
 __all__ = [
@@ -37,6 +40,7 @@ __all__ = [
     "NoSolution",
     "Results",
     "RotordynError",
+    "Span",
     "__version__",
     "analyses",
     "cases",
@@ -48,6 +52,7 @@ __all__ = [
     "open",
     "run",
     "state",
+    "sweep",
     "vary",
 ]
 

@@ -8,7 +8,7 @@ import os
 import signal
 import sys
 import textwrap
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from rotordyn.job import Progress
 
 CASE = "case file (YAML), or the name of a case that comes with rotordyn"
-FILE = "case (default), spindle, tool, bearing or material"
+FILE = "case (default), spindle, tool, bearing, material or study"
 EXIT_CODES = """exit codes: 0 done; 2 bad input, nothing written; 3 no speed of the case has a
 physical solution (with --strict: one has not); 1 a bug of rotordyn"""
 
@@ -125,6 +125,19 @@ def _parser() -> argparse.ArgumentParser:
         "--strict", action="store_true", help="exit with 3 if any speed has no physical solution"
     )
     run.set_defaults(command=_run)
+    sweep = commands.add_parser(
+        "sweep", help="solve a case at many points of what is varied in it", epilog=EXIT_CODES
+    )
+    sweep.add_argument("study", metavar="STUDY", help="study file (YAML)")
+    sweep.add_argument("-o", "--output", metavar="DIR", help="its folder (out/<study name>)")
+    sweep.add_argument("--workers", type=int, metavar="N", help="processes (one a processor)")
+    sweep.add_argument(
+        "--cluster", metavar="ADDRESS", help="of a dask scheduler whose workers solve instead"
+    )
+    sweep.add_argument("--yes", action="store_true", help="even if it takes more than an hour")
+    sweep.add_argument("--no-figures", action="store_true", help="write numbers alone")
+    sweep.add_argument("--quiet", action="store_true", help="print nothing but errors")
+    sweep.set_defaults(command=_sweep)
     check = commands.add_parser("check", help="read and validate a case, compute nothing")
     check.add_argument("case", metavar="CASE", help=CASE)
     check.set_defaults(command=_check)
@@ -234,6 +247,52 @@ def _run(arguments: argparse.Namespace) -> int:
         _complain(f"not solved: {delivery.unsolved[0]}")
         return 3 if arguments.strict else 0
     return 0
+
+
+def _sweep(arguments: argparse.Namespace) -> int:
+    from rotordyn.study.deliver import deliver
+    from rotordyn.study.read import read_study
+
+    signal.signal(signal.SIGTERM, _stopped)
+    study = read_study(arguments.study)
+    folder = Path("out") / study.case.name if arguments.output is None else Path(arguments.output)
+    try:
+        with _time_left(quiet=arguments.quiet) as progress:
+            left = deliver(
+                study,
+                folder,
+                workers=arguments.workers,
+                cluster=arguments.cluster,
+                progress=progress,
+                yes=arguments.yes,
+                draw=not arguments.no_figures,
+            )
+    except KeyboardInterrupt:
+        _complain(f"interrupted; what is solved is kept: the same command goes on in {folder}")
+        return 130
+    if not arguments.quiet:
+        _say(left.summary)
+        _say(f"results in {left.folder}")
+    return 0 if left.solved else 3
+
+
+@contextmanager
+def _time_left(*, quiet: bool) -> Iterator[Callable[[int, int], None]]:
+    """A bar on the terminal with the time left; silent where nobody watches."""
+    if quiet or sys.stderr is None or not sys.stderr.isatty():
+        yield lambda done, of: None
+        return
+    try:
+        from rich.console import Console
+        from rich.progress import BarColumn, MofNCompleteColumn, TimeRemainingColumn
+        from rich.progress import Progress as Bar
+    except ModuleNotFoundError:  # a study goes on without its bar
+        yield lambda done, of: None
+        return
+    columns = (BarColumn(), MofNCompleteColumn(), TimeRemainingColumn())
+    with Bar(*columns, console=Console(stderr=True), transient=True) as bar:
+        task = bar.add_task("points", total=None)
+        yield lambda done, of: bar.update(task, completed=done, total=of)
 
 
 def _formats(words: str | None) -> tuple[str, ...]:

@@ -15,6 +15,7 @@ from rotordyn.analyses.registry import analysis, built_in, place
 from rotordyn.case.case import Case
 from rotordyn.case.keys import Range, extra, keys_of
 from rotordyn.case.schema import about, title
+from rotordyn.case.study import StudyFile
 from rotordyn.field import Field, descriptions
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
@@ -29,6 +30,7 @@ PAGES: dict[str, type] = {
     "bearing": BallBearing,
     "material": Material,
     "reference": Reference,
+    "study": StudyFile,
 }
 
 

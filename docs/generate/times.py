@@ -190,7 +190,7 @@ def _study(found: Measured) -> str:
     s = found["study"]
     words = (f"{s['seconds']:.3g}", *_verdict(s["seconds"], STUDY_TARGET, "s"))
     text = table(head, [(str(s["count"]), str(s["speeds"]), str(s["processes"]), *words)])
-    lost = sum(s["unsolved"].values())
+    lost = s["unsolved"]
     each = f"{1e3 * s['variant']:.3g} ms"
     return f"{text}\n\nOf these {lost} have no solution; a variant takes {each}."
 

@@ -22,6 +22,7 @@ from rotordyn.case.estimated import NEEDED as ESTIMATED
 from rotordyn.case.forms import ENTRIES
 from rotordyn.case.keys import COMMON, Range, Variant, keys_of
 from rotordyn.case.library import known
+from rotordyn.case.study import StudyFile
 from rotordyn.errors import InvalidInput
 from rotordyn.field import REQUIRED, Field, bare, members, metadata
 from rotordyn.machine.reference import Reference
@@ -38,6 +39,7 @@ FILES: dict[str, type] = {
     "tool": Tool,
     "bearing": BallBearing,
     "material": Material,
+    "study": StudyFile,
 }
 # Descriptions that stand in files of their own, and the folder of the library that holds these.
 _MODELS = {Spindle: "spindles", Tool: "tools", BallBearing: "bearings", Material: "materials"}

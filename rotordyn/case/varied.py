@@ -53,6 +53,47 @@ def varied(cases: Sequence[Case]) -> tuple[Varied, ...]:
     )
 
 
+def found_at(case: Case, path: str) -> list[tuple[Any, Any]]:
+    """Values at a dotted path as ``vary`` takes it, and how each is declared; several where it has
+    ``*``, none where it leads nowhere."""
+    return [*_at(case, tuple(path.split(".")), None)]
+
+
+def _at(value: Any, steps: tuple[str, ...], annotation: Any) -> Iterator[tuple[Any, Any]]:
+    if not steps:
+        yield value, annotation
+        return
+    for way, inner, own in _below(value, annotation):
+        if all(step in ("*", key) or key == "*" for step, key in zip(steps, way, strict=False)):
+            yield from _at(inner, steps[len(way) :], own) if len(steps) >= len(way) else ()
+
+
+def _below(value: Any, annotation: Any) -> Iterator[tuple[tuple[str, ...], Any, Any]]:
+    """What lies below a value: the way there, what it is, how it is declared."""
+    if is_dataclass(value):
+        kind: Any = type(value)
+        for field in declared(kind):
+            if field.name:
+                way = field.keys or (field.name,)
+                yield way, getattr(value, field.name), field.annotation
+    elif isinstance(value, Mapping):
+        for key, entry in value.items():
+            yield (_word(key),), entry, _of_entry(annotation, key)
+    elif isinstance(value, tuple):
+        for item in value:
+            yield (getattr(item, "name", "*"),), item, annotation
+
+
+def _word(key: Any) -> str:
+    return key if isinstance(key, str) else "".join(map(str, key))
+
+
+def _of_entry(annotation: Any, key: Any) -> Any:
+    """What an entry of a mapping is declared to be."""
+    matrix = found_in(annotation, Matrix)
+    return annotation if matrix is None else Annotated[float, matrix.quantity(*key)]
+
+
 def _leaves(case: Case) -> Iterator[tuple[str, Leaf]]:
     for name in OF_CASES:
         yield from _within(name, getattr(case, name), None)
@@ -85,13 +126,13 @@ def _varied(path: str, row: Sequence[Leaf]) -> Varied:
     quantity = next((q for value, q in row if q is not None and isinstance(value, float)), None)
     if quantity is None:
         return Varied(path, "", tuple(values))
-    unit = _unit(quantity, [v for v in values if isinstance(v, float)])
+    unit = usual_unit(quantity, [v for v in values if isinstance(v, float)])
     scale = parse_unit(unit).scale if unit else 1.0
     scaled = (float(f"{v / scale:.12g}") if isinstance(v, float) else v for v in values)
     return Varied(path, unit, tuple(scaled))
 
 
-def _unit(quantity: Quantity, values: Sequence[float]) -> str:
+def usual_unit(quantity: Quantity, values: Sequence[float]) -> str:
     """A usual unit in which the largest value is between 1 and 1000, if there is one."""
     units = KINDS[quantity.kind]
     top = max((abs(v) for v in values if math.isfinite(v)), default=0.0)

@@ -1,0 +1,105 @@
+"""Outcomes of a study as one xarray Dataset, what was varied as its dimensions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from rotordyn.report.cf import about, units
+from rotordyn.study.design import Design
+from rotordyn.study.point import Outcome, Study
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+POINT = "point"
+
+
+def gathered(
+    study: Study,
+    outcomes: Mapping[int, Outcome],
+    datasets: Callable[[Outcome], Mapping[str, xr.Dataset]],
+) -> xr.Dataset:
+    """Every headline number, NaN beside its ``sentence`` where there is none, and what is kept
+    whole as ``analysis: variable``."""
+    import xarray as xr
+
+    design, case = study.design, study.case
+    rows = [outcomes.get(k) for k in range(design.count)]
+    units_of = {name: unit for row in rows if row for name, (_, unit) in row.numbers.items()}
+    values: dict[str, Any] = {}
+    for name, unit in units_of.items():
+        column = [row.numbers.get(name, (np.nan,))[0] if row else np.nan for row in rows]
+        values[name] = (design.dims, np.reshape(column, design.shape), _attributes(unit, name))
+    said = np.array([row.sentence if row else "not solved yet" for row in rows], dtype=object)
+    told = np.array([len(row.warnings) if row else 0 for row in rows])
+    values["sentence"] = (design.dims, said.reshape(design.shape), {"long_name": "why not solved"})
+    values["warnings"] = (design.dims, told.reshape(design.shape), {"long_name": "how many"})
+    whole = xr.Dataset(values, _coordinates(design), about(case.name, case.title, case.digest))
+    good = [(k, row) for k, row in enumerate(rows) if row and row.numbers]
+    if not study.results or not good:
+        return whole
+    kept = {k: datasets(row) for k, row in good}
+    parts = [_stacked(design, name, kept) for name in study.results]
+    return xr.merge([whole, *parts], combine_attrs="override", join="left")
+
+
+def _coordinates(design: Design) -> dict[str, Any]:
+    if design.sampling == "grid":
+        return {
+            p.path: ((p.path,), _row(p.labels), _attributes(p.unit, p.path))
+            for p in design.parameters
+        }
+    points = [design.labels(k) for k in range(design.count)]
+    return {
+        p.path: ((POINT,), _row([each[p.path] for each in points]), _attributes(p.unit, p.path))
+        for p in design.parameters
+    }
+
+
+def _row(labels: Any) -> Any:
+    numbers = all(isinstance(each, float | int) for each in labels)
+    return np.array(labels) if numbers else np.array([str(each) for each in labels], dtype=object)
+
+
+def _attributes(unit: str, name: str) -> dict[str, str]:
+    """``long_name`` and ``units``, those that CF can write; printed units as they are."""
+    try:
+        return {"long_name": name, **units(unit.replace(" ", "·"))}
+    except ValueError:
+        return {"long_name": name, "units": unit}
+
+
+def _stacked(design: Design, name: str, kept: Mapping[int, Mapping[str, xr.Dataset]]) -> xr.Dataset:
+    """A dataset of all points over another, with NaN where one of them has no value."""
+    import xarray as xr
+
+    whole = xr.concat(
+        [each[name] for each in kept.values()], dim=POINT, join="outer", combine_attrs="override"
+    )
+    whole = whole.assign_coords({POINT: [*kept]}).reindex({POINT: np.arange(design.count)})
+    grid = design.sampling == "grid"
+    whole = _unravelled(design, whole) if grid else whole.drop_vars(POINT)
+    names = {each: f"{name}: {each}" for each in (*whole.data_vars, *whole.coords, *whole.dims)}
+    own = {each: new for each, new in names.items() if each not in design.dims}
+    return whole.rename(own)
+
+
+def _unravelled(design: Design, whole: xr.Dataset) -> xr.Dataset:
+    """The one dimension of points as those of a grid."""
+    import xarray as xr
+
+    found = {}
+    for name, each in whole.drop_vars(POINT).variables.items():
+        if POINT in each.dims:
+            first = each.transpose(POINT, ...)
+            shape = (*design.shape, *first.shape[1:])
+            found[name] = xr.Variable(
+                (*design.dims, *first.dims[1:]), first.values.reshape(shape), each.attrs
+            )
+        else:
+            found[name] = each
+    coords = {name: found.pop(name) for name in whole.coords if name in found}
+    return xr.Dataset(found, coords)

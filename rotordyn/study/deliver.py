@@ -1,0 +1,56 @@
+"""A study solved into its folder: points as they come, then dataset, table, summary, figures."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from rotordyn.figures.style import USUAL_FORMATS
+from rotordyn.study.figures import figures
+from rotordyn.study.point import Study
+from rotordyn.study.solve import Progress, solved
+from rotordyn.study.summary import summary, write_points
+
+DATASET, SUMMARY = "study.nc", "summary.txt"
+
+
+@dataclass(frozen=True, slots=True)
+class Delivered:
+    """What a study left behind: folder, summary, how many points it has and how many are solved."""
+
+    folder: Path
+    summary: str
+    points: int
+    solved: int
+
+
+def deliver(
+    study: Study,
+    folder: Path,
+    *,
+    workers: int | None = None,
+    cluster: str | None = None,
+    progress: Progress = lambda done, of: None,
+    yes: bool = False,
+    draw: bool = True,
+    formats: Sequence[str] = USUAL_FORMATS,
+) -> Delivered:
+    """Solve ``study`` and write what it came to.
+
+    Raises
+    ------
+    InvalidInput : see ``sweep``; the points that are solved stay in the folder
+    """
+    data, outcomes = solved(study, workers, cluster, folder, progress, yes=yes)
+    data.to_netcdf(folder / DATASET, engine="h5netcdf")
+    write_points(folder, study, outcomes)
+    text = summary(study, outcomes)
+    (folder / SUMMARY).write_text(text + "\n", encoding="utf-8")
+    if draw:
+        from rotordyn.figures.draw import draw_one
+
+        for name, drawing in figures(study, outcomes):
+            draw_one(name, drawing, folder, formats)
+    good = sum(bool(row.numbers) for row in outcomes.values())
+    return Delivered(folder, text, study.design.count, good)

@@ -1,0 +1,144 @@
+"""Which points of a study are solved: every combination of values, rows of a list, or a sample."""
+
+from __future__ import annotations
+
+import math
+import warnings
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.case.case import Case
+from rotordyn.case.study import MOST_POINTS as MOST
+from rotordyn.case.study import SAMPLED, SAMPLINGS
+from rotordyn.errors import InvalidInput
+from rotordyn.field import shown
+from rotordyn.quantity import suggestion
+from rotordyn.study.parameter import Parameter, is_whole, parameters
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Design:
+    """The points of a study, numbered from 0; those of a grid with the last parameter fastest.
+
+    ``shares`` (points, parameters) in [0, 1): of a sample, None otherwise.
+    """
+
+    parameters: tuple[Parameter, ...]
+    sampling: str
+    shares: NDArray[np.float64] | None = None
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Points along each dimension: of a grid one a parameter, else one in all."""
+        if self.shares is not None:
+            return (len(self.shares),)
+        sizes = tuple(len(each.values) for each in self.parameters)
+        return sizes if self.sampling == "grid" else sizes[:1]
+
+    @property
+    def count(self) -> int:
+        """How many points."""
+        return math.prod(self.shape)
+
+    @property
+    def dims(self) -> tuple[str, ...]:
+        """Names of the dimensions: the paths of a grid, else ``point``."""
+        return tuple(p.path for p in self.parameters) if self.sampling == "grid" else ("point",)
+
+    def point(self, number: int) -> dict[str, Any]:
+        """Values by path, as ``vary`` takes them."""
+        if self.shares is not None:
+            shares = self.shares[number]
+            return {p.path: p.at(float(s)) for p, s in zip(self.parameters, shares, strict=True)}
+        return {p.path: p.values[k] for p, k in zip(self.parameters, self._of(number), strict=True)}
+
+    def labels(self, number: int) -> dict[str, Any]:
+        """The same as coordinates: numbers in SI units, or words."""
+        values = self.point(number)
+        if self.shares is None:
+            places = zip(self.parameters, self._of(number), strict=True)
+            return {p.path: p.labels[k] for p, k in places}
+        return {p.path: _label(p, values[p.path]) for p in self.parameters}
+
+    def _of(self, number: int) -> Sequence[int]:
+        """Place of a point among the values of every parameter."""
+        if self.sampling != "grid":
+            return [number] * len(self.parameters)
+        return [int(k) for k in np.unravel_index(number, self.shape)]
+
+
+def _label(of: Parameter, value: Any) -> Any:
+    if of.ends is not None:
+        return value
+    return of.labels[next(k for k, each in enumerate(of.values) if each is value)]
+
+
+def design(
+    case: Case,
+    varied: Mapping[str, object],
+    sampling: str = "grid",
+    samples: int | None = None,
+    seed: int = 0,
+) -> Design:
+    """The points asked for, held against the case.
+
+    Raises
+    ------
+    InvalidInput : see ``parameter``; an unknown sampling, spans without a count in a grid, lists of
+        different lengths, a number of samples that the method does not take, too many points
+    """
+    if sampling not in SAMPLINGS:
+        hint = suggestion(sampling, SAMPLINGS)
+        raise InvalidInput(
+            f"sampling: given {shown(sampling)}; allowed: {', '.join(SAMPLINGS)}{hint}"
+        )
+    found = tuple(parameters(case, varied))
+    if sampling in SAMPLED:
+        return Design(found, sampling, _shares(sampling, len(found), samples, seed))
+    if samples is not None:
+        raise InvalidInput(
+            f"samples: a {sampling} has no samples; allowed with {' or '.join(SAMPLED)}"
+        )
+    for each in found:
+        if not each.values:
+            raise InvalidInput(
+                f"{each.path}: a {sampling} needs values: list them, or give the span a count"
+            )
+    whole = Design(found, sampling)
+    if sampling == "list":
+        lengths = {len(each.values) for each in found}
+        if len(lengths) > 1:
+            given = ", ".join(f"{each.path} {len(each.values)}" for each in found)
+            raise InvalidInput(f"a list has as many values of every path: got {given}")
+    if whole.count > MOST:
+        raise InvalidInput(
+            f"the grid has {whole.count:.3g} points: allowed are up to {MOST:g}; take fewer values "
+            "or a sample (sampling: sobol)"
+        )
+    return whole
+
+
+def _shares(sampling: str, size: int, samples: Any, seed: Any) -> NDArray[np.float64]:
+    from scipy.stats import qmc
+
+    if not is_whole(samples, 1, MOST):
+        raise InvalidInput(
+            f"samples: given {shown(samples)}; {sampling} needs a whole number, up to {MOST:g}"
+        )
+    if not is_whole(seed, 0):
+        raise InvalidInput(f"seed: given {shown(seed)}; allowed: a whole number from 0 up")
+    if sampling == "latin-hypercube":
+        return np.asarray(qmc.LatinHypercube(size, rng=seed).random(samples))
+    if samples & (samples - 1):
+        near = 2 ** round(math.log2(samples))
+        raise InvalidInput(
+            f"samples: given {samples}; a Sobol sequence is balanced for powers of two alone: "
+            f"take {near}"
+        )
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", UserWarning)  # of a single point
+        return np.asarray(qmc.Sobol(size, rng=seed).random(samples))

@@ -1,0 +1,198 @@
+"""What a study varies: the value at a dotted path of a case, and what it may be there."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, is_dataclass
+from typing import Any
+
+import numpy as np
+
+from bearings.bearing import BallBearing
+from rotordyn.case.case import Case
+from rotordyn.case.model import model
+from rotordyn.case.varied import found_at, usual_unit
+from rotordyn.case.vary import vary
+from rotordyn.description import quantity_of
+from rotordyn.errors import InvalidInput
+from rotordyn.field import Refused, accept, shown
+from rotordyn.machine.tool import Tool
+from rotordyn.quantity import Quantity
+from rotordyn.units import KINDS, parse_unit
+
+MODELS: Mapping[type, Any] = {BallBearing: "bearings", Tool: "tools"}
+
+
+@dataclass(frozen=True, slots=True)
+class Span:
+    """Numbers from ``low`` to ``high``, in SI units or text with a unit.
+
+    ``count``: how many a grid takes, both ends included; ``log``: evenly by ratio.
+    """
+
+    low: float | str
+    high: float | str
+    count: int | None = None
+    log: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """What is varied at ``path``: ``values`` one after the other, as ``vary`` takes them, or any
+    number between ``ends``.
+
+    ``labels``: the values as coordinates, numbers in SI units or words; ``quantity`` of numbers
+    that have one. ``whole``: integers alone; ``log``: sampled evenly by ratio.
+    """
+
+    path: str
+    values: tuple[Any, ...] = ()
+    labels: tuple[Any, ...] = ()
+    ends: tuple[float, float] | None = None
+    quantity: Quantity | None = None
+    whole: bool = False
+    log: bool = False
+
+    @property
+    def numeric(self) -> bool:
+        """Whether its values are numbers."""
+        return all(isinstance(label, float | int) for label in self.labels)
+
+    @property
+    def unit(self) -> str:
+        """SI unit of its numbers; empty without a dimension."""
+        if self.quantity is None or not self.numeric:
+            return ""
+        return next((u for u in KINDS[self.quantity.kind] if parse_unit(u).scale == 1.0), "")
+
+    @property
+    def display(self) -> tuple[str, float]:
+        """A usual unit for documents, and its SI value."""
+        numbers = [*self.labels, *(self.ends or ())]
+        if self.quantity is None or not self.numeric:
+            return "", 1.0
+        unit = usual_unit(self.quantity, [float(value) for value in numbers])
+        return unit, parse_unit(unit).scale if unit else 1.0
+
+    @property
+    def heading(self) -> str:
+        """Path and usual unit."""
+        unit = self.display[0]
+        return f"{self.path} [{unit}]" if unit else self.path
+
+    def displayed(self, label: Any) -> Any:
+        """A coordinate in the usual unit."""
+        if not self.numeric:
+            return label
+        return float(f"{label / self.display[1]:.12g}")
+
+    def at(self, share: float) -> Any:
+        """The value at a ``share`` in [0, 1) of the way from the first to the last."""
+        if self.ends is None:
+            return self.values[int(share * len(self.values))]
+        low, high = self.ends
+        if self.whole:
+            return int(low + math.floor(share * (high - low + 1.0)))
+        if self.log:
+            return low * (high / low) ** share
+        return low + share * (high - low)
+
+
+def parameter(case: Case, path: str, asked: object) -> Parameter:
+    """What is asked of one path, held against the case.
+
+    Raises
+    ------
+    InvalidInput : the path leads nowhere, a value is of the wrong kind or out of range, a span that
+        holds no numbers; the sentence names the path
+    """
+    if isinstance(asked, Span):
+        return _spanned(case, path, asked)
+    if isinstance(asked, str) or not isinstance(asked, Sequence | np.ndarray):
+        raise InvalidInput(f"{path}: a list of values or a Span is needed, got {shown(asked)}")
+    if not len(asked):
+        raise InvalidInput(f"{path}: the list is empty, at least one value is needed")
+    kind = _kind_of_model(case, path)
+    values = tuple(_given(value, kind) for value in asked)
+    found = [_taken(case, path, value) for value in values]
+    labels = tuple(_label(each, word) for (each, _), word in zip(found, asked, strict=True))
+    if len(set(labels)) < len(labels):
+        labels = tuple(f"{label} ({k + 1})" for k, label in enumerate(labels))
+    return Parameter(path, values, labels, quantity=found[0][1])
+
+
+def _spanned(case: Case, path: str, span: Span) -> Parameter:
+    (low, quantity), (high, _) = (_taken(case, path, end) for end in (span.low, span.high))
+    numbers = [v for v in (low, high) if isinstance(v, float | int) and not isinstance(v, bool)]
+    if len(numbers) < 2 or not all(map(math.isfinite, numbers)):
+        raise InvalidInput(f"{path}: holds no numbers, so that a span has no sense: list values")
+    if not low < high:
+        given = [quantity.written(v) if quantity else f"{v:g}" for v in (low, high)]
+        raise InvalidInput(f"{path}: a span goes from low to high, got {given[0]} to {given[1]}")
+    if span.log and low <= 0.0:
+        raise InvalidInput(f"{path}: a span by ratio lies above 0, got from {shown(span.low)}")
+    whole, ends = isinstance(low, int), (float(low), float(high))
+    if span.count is None:
+        return Parameter(path, ends=ends, quantity=quantity, whole=whole, log=span.log)
+    if not is_whole(span.count, 2):
+        raise InvalidInput(f"{path}: a span has at least 2 points, got {shown(span.count)}")
+    spread = np.geomspace if span.log else np.linspace
+    values = [float(f"{value:.15g}") for value in spread(*ends, span.count)]
+    if whole:
+        values = sorted({round(value) for value in values})
+    return Parameter(path, tuple(values), tuple(values), ends, quantity, whole, span.log)
+
+
+def _kind_of_model(case: Case, path: str) -> Any:
+    """The kind of model that a name at ``path`` means; None where names are just words."""
+    old = next((value for value, _ in found_at(case, path)), None)
+    return next((name for kind, name in MODELS.items() if isinstance(old, kind)), None)
+
+
+def _given(value: Any, kind: Any) -> Any:
+    if isinstance(value, np.generic):
+        value = value.item()
+    return model(kind, value) if kind is not None and isinstance(value, str) else value
+
+
+def _taken(case: Case, path: str, value: object) -> tuple[Any, Quantity | None]:
+    """``value`` as the case keeps it, and its quantity; rules between values are not asked."""
+    found = found_at(case, path)
+    if not found:
+        vary(case, {path: value})  # which says where the path goes astray
+        return value, None
+    declared = found[0][1]
+    try:
+        return accept(declared, value), quantity_of(declared)
+    except Refused as refusal:
+        raise InvalidInput(f"{path}{refusal.place}: {refusal.why}") from None
+
+
+def _label(kept: Any, given: object) -> Any:
+    """A value as a coordinate: a number or a word."""
+    if isinstance(kept, float | int) and not isinstance(kept, bool) and math.isfinite(kept):
+        return kept
+    if isinstance(given, str):
+        return given
+    if is_dataclass(kept):
+        return str(getattr(kept, "name", "") or type(kept).__name__)
+    return shown(kept)
+
+
+def is_whole(value: object, least: int, most: float = math.inf) -> bool:
+    """Whether a value given in Python is a whole number between two others."""
+    return isinstance(value, int) and not isinstance(value, bool) and least <= value <= most
+
+
+def parameters(case: Case, asked: Any) -> Iterator[Parameter]:
+    """Every path that is varied.
+
+    Raises
+    ------
+    InvalidInput : nothing is varied, or what ``parameter`` refuses
+    """
+    if not isinstance(asked, Mapping) or not asked:
+        raise InvalidInput("nothing is varied: map at least one dotted path to its values")
+    for path, values in asked.items():
+        yield parameter(case, path, values)

@@ -1,0 +1,97 @@
+"""The door for study files: a study held against its case, or every fault of the file."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from rotordyn.case.case import Case
+from rotordyn.case.expand import Reader
+from rotordyn.case.faults import Faults
+from rotordyn.case.forms import reading_of
+from rotordyn.case.library import is_path
+from rotordyn.case.node import Node
+from rotordyn.case.read import in_order, load
+from rotordyn.case.reading import Reading
+from rotordyn.case.study import SPACINGS, SpanEntry, StudyFile
+from rotordyn.case.varied import found_at
+from rotordyn.description import quantity_of
+from rotordyn.errors import InvalidInput
+from rotordyn.study.parameter import Span, parameter
+from rotordyn.study.point import Study
+from rotordyn.study.solve import study_of
+
+
+def read_study(path: str | Path) -> Study:
+    """The study in a YAML file.
+
+    Raises
+    ------
+    InvalidInput : faults of the file, each with its line; or those of its case
+    """
+    file = Path(path).expanduser()
+    reader = Reader(Faults())
+    root = reader.document(file)
+    if root is None:
+        raise InvalidInput(reader.faults.reported)
+    reading = reading_of(reader)
+    asked = reading.fields(StudyFile, root, annotations={"vary": Any})
+    if reader.faults:
+        raise InvalidInput(in_order(reader.faults.reported, root.file))
+    case = _case(asked["case"], file)
+    case = replace(case, name=file.stem, title=asked["title"] or case.title)
+    varied = _varied(reading, case, root.at("vary"))
+    if not reader.faults:
+        how = {name: asked[name] for name in ("sampling", "samples", "seed", "analyses", "results")}
+        try:
+            return study_of(case, varied, **how)
+        except InvalidInput as refusal:
+            word = str(refusal).partition(":")[0]
+            reader.faults.at(root, (word,) if root.child(word) else (), str(refusal))
+    raise InvalidInput(in_order(reader.faults.reported, root.file))
+
+
+def _case(reference: str, beside: Path) -> Case:
+    return load(beside.parent / Path(reference).expanduser() if is_path(reference) else reference)
+
+
+def _varied(reading: Reading, case: Case, node: Node) -> dict[str, object]:
+    """What is asked of every path; faults are reported at their lines."""
+    if not isinstance(node.value, dict) or not node.value:
+        reading.faults.at(node, (), "nothing is varied: map at least one dotted path to values")
+        return {}
+    return {path: _asked(reading, case, path, child) for path, child in node.value.items()}
+
+
+def _asked(reading: Reading, case: Case, path: str, node: Node) -> object:
+    before = len(reading.faults.reported)
+    asked: Any = None
+    if isinstance(node.value, dict):
+        found = reading.fields(SpanEntry, node, annotations={"start": Any, "to": Any})
+        low, high = (_value(reading, case, path, node.at(key)) for key in ("from", "to"))
+        log = found["spacing"] == SPACINGS[1]
+        if len(reading.faults.reported) == before:
+            asked = Span(low, high, found["points"], log)
+    elif isinstance(node.value, list):
+        asked = [_value(reading, case, path, item) for item in node.value]
+    else:
+        reading.faults.at(node, (), "a list of values is needed, or a span: {from: …, to: …}")
+    if len(reading.faults.reported) == before:
+        try:
+            parameter(case, path, asked)
+        except InvalidInput as refusal:
+            reading.faults.at_key(node, (), str(refusal).removeprefix(f"{path}: "))
+    return asked
+
+
+def _value(reading: Reading, case: Case, path: str, node: Node) -> Any:
+    """A value as a file writes it: numbers that have a dimension with their unit."""
+    quantity = next((quantity_of(declared) for _, declared in found_at(case, path)), None)
+    if quantity is None or isinstance(node.value, dict | list):
+        return node.plain()
+    try:
+        return quantity.read(node.value)
+    except InvalidInput as refusal:
+        reading.faults.at(node, (), str(refusal))
+        return None

@@ -1,0 +1,157 @@
+"""A study solved: all its points, on all processors, going on where it was stopped."""
+
+from __future__ import annotations
+
+import pickle
+import tempfile
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from rotordyn.case.case import Case
+from rotordyn.errors import InvalidInput
+from rotordyn.field import shown
+from rotordyn.job.solving import restricted
+from rotordyn.numerics.threads import processors
+from rotordyn.study.dataset import gathered
+from rotordyn.study.design import design
+from rotordyn.study.journal import Journal
+from rotordyn.study.parameter import is_whole
+from rotordyn.study.point import Outcome, Study, solve_point
+from rotordyn.study.workers import solved_here, solved_on_cluster
+
+if TYPE_CHECKING:
+    import xarray as xr
+
+LONG = 3600.0  # s that a study may take unasked
+Progress = Callable[[int, int], None]
+
+
+def study_of(
+    case: Case,
+    varied: Mapping[str, object],
+    *,
+    sampling: str = "grid",
+    samples: int | None = None,
+    seed: int = 0,
+    analyses: Sequence[str] = (),
+    results: Sequence[str] = (),
+) -> Study:
+    """A study held against its case; see ``sweep``."""
+    if not isinstance(case, Case):
+        raise InvalidInput(f"a study takes a case, as rotordyn.load gives it; got {shown(case)}")
+    if analyses:
+        case = restricted(case, tuple(analyses))
+    for name in results:
+        if name not in case.analyses:
+            raise InvalidInput(
+                f"results: given {shown(name)}; this study has the analyses "
+                f"{', '.join(case.analyses)}"
+            )
+    case = replace(case, variants={})
+    return Study(case, design(case, varied, sampling, samples, seed), tuple(results))
+
+
+def sweep(  # noqa: PLR0913 - all of it describes one study
+    case: Case,
+    varied: Mapping[str, object],
+    *,
+    sampling: str = "grid",
+    samples: int | None = None,
+    seed: int = 0,
+    analyses: Sequence[str] = (),
+    results: Sequence[str] = (),
+    workers: int | None = None,
+    cluster: str | None = None,
+    folder: str | Path | None = None,
+    progress: Progress = lambda done, of: None,
+    yes: bool = False,
+) -> xr.Dataset:
+    """A case solved at many points of what is varied, as one Dataset of its headline numbers.
+
+    Parameters
+    ----------
+    varied : dotted paths, as ``rotordyn.vary`` takes them, to lists of values or ``Span``
+    sampling : "grid" (every combination; the dimensions are the paths), "list" (the values of all
+        paths in step), "latin-hypercube" or "sobol" (``samples`` points within spans and lists)
+    seed : of a sample
+    analyses : of the case, by name; all of them by default
+    results : analyses whose whole datasets are kept too, as ``analysis: variable``
+    workers : processes; as many as there are processors by default
+    cluster : address of a dask scheduler that solves instead (extra ``cluster``)
+    folder : where points are kept as they are solved; the same study goes on from there
+    progress : called with the number of points solved and of all
+    yes : solve it even if it takes more than an hour
+
+    Returns
+    -------
+    Dataset : a variable for each headline number (NaN where a point has none), ``sentence`` (why),
+        ``warnings`` (how many); numbers in the units of summaries, coordinates in SI units
+
+    Raises
+    ------
+    InvalidInput : a path, value or number that cannot be, before anything is solved; a folder of
+        another study; more than an hour without ``yes``; no scheduler
+    """
+    how = dict(sampling=sampling, samples=samples, seed=seed, analyses=analyses, results=results)
+    study = study_of(case, varied, **how)  # type: ignore[arg-type]
+    return solved(study, workers, cluster, folder, progress, yes=yes)[0]
+
+
+def solved(
+    study: Study,
+    workers: int | None = None,
+    cluster: str | None = None,
+    folder: str | Path | None = None,
+    progress: Progress = lambda done, of: None,
+    *,
+    yes: bool = False,
+) -> tuple[xr.Dataset, dict[int, Outcome]]:
+    """The Dataset of a study and the outcome of every point; see ``sweep``."""
+    if workers is not None and not is_whole(workers, 1):
+        raise InvalidInput(f"workers: given {shown(workers)}; allowed: a whole number from 1 up")
+    count, most = study.design.count, workers or processors()
+    with _place(folder) as place:
+        journal = Journal(place, study)
+        found = journal.known()
+        with journal:
+            progress(len(found), count)
+            for outcome in _outcomes(study, found, most, cluster, yes=yes):
+                journal.add(outcome)
+                found[outcome.number] = outcome
+                progress(len(found), count)
+        return gathered(study, found, journal.datasets), found
+
+
+def _outcomes(
+    study: Study, known: Mapping[int, Outcome], workers: int, cluster: str | None, *, yes: bool
+) -> Iterator[Outcome]:
+    """Outcomes of what is not known yet; the first tells how long the others take."""
+    left = [k for k in range(study.design.count) if k not in known]
+    if not left:
+        return
+    packed = pickle.dumps(study)
+    first = solve_point(packed, left.pop(0))
+    yield first
+    least = first.seconds * len(left) / workers
+    if least > LONG and not yes and cluster is None:
+        raise InvalidInput(
+            f"the study has {study.design.count} points, {len(left)} of them to solve: about "
+            f"{least / LONG:.1f} h with {workers} workers; say yes to that (--yes), or take fewer "
+            "points"
+        )
+    if cluster is not None:
+        yield from solved_on_cluster(packed, left, cluster)
+    else:
+        yield from solved_here(packed, left, workers)
+
+
+@contextmanager
+def _place(folder: str | Path | None) -> Iterator[Path]:
+    if folder is not None:
+        yield Path(folder)
+        return
+    with tempfile.TemporaryDirectory(prefix="rotordyn_study_") as temporary:
+        yield Path(temporary) / "study"

@@ -1,0 +1,116 @@
+"""A study in one screen of plain text, and as a table with a row for every point."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections import Counter
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+import numpy as np
+
+from rotordyn.report.tables import Column, write_table
+from rotordyn.results.display import number
+from rotordyn.results.text import wrapped
+from rotordyn.study.design import Design
+from rotordyn.study.parameter import Parameter
+from rotordyn.study.point import Outcome, Study
+
+MOST_SENTENCES = 4
+NUMBER = re.compile(r"\d[\d.]*")
+STEADY = 1e-9  # relative range of a number that nothing changes
+Outcomes = Mapping[int, Outcome]
+
+
+def summary(study: Study, outcomes: Outcomes) -> str:
+    """What was varied, how many points have a solution, and the range of every number."""
+    design, case = study.design, study.case
+    solved = [row for row in outcomes.values() if row.numbers]
+    shape = " × ".join(map(str, design.shape))
+    many = f"{shape} = {design.count}" if len(design.shape) > 1 else shape
+    lines = [f"{case.title or case.name}: {many} points, {len(solved)} with a solution"]
+    lines += [part for each in design.parameters for part in wrapped(f"varied     {_values(each)}")]
+    lines += [part for line in _sentences(outcomes) for part in wrapped(line)]
+    lines += [part for line in _warnings(outcomes) for part in wrapped(line)]
+    rows = [*_ranges(design, outcomes)]
+    if rows:
+        head = ("", "lowest", "highest", "lowest at", "highest at")
+        widths = [max(len(row[k]) for row in (head, *rows)) for k in range(5)]
+        lines += ["", *("  ".join(map(str.ljust, row, widths)).rstrip() for row in (head, *rows))]
+    return "\n".join(lines)
+
+
+def _values(each: Parameter) -> str:
+    if each.ends is not None:
+        low, high = (each.displayed(end) for end in each.ends)
+        count = f", {len(each.values)} values" if each.values else ""
+        return f"{each.heading}: {low:g} to {high:g}{count}"
+    shown = [f"{v:g}" if isinstance(v, float) else str(v) for v in map(each.displayed, each.labels)]
+    return f"{each.heading}: {', '.join(shown[:12])}{', …' * (len(shown) > 12)}"
+
+
+def _sentences(outcomes: Outcomes) -> Iterator[str]:
+    said = Counter(row.sentence for row in outcomes.values() if row.sentence)
+    for sentence, times in said.most_common(MOST_SENTENCES):
+        yield f"not solved ({times} points): {sentence}"
+    if len(said) > MOST_SENTENCES:
+        yield f"not solved: {len(said) - MOST_SENTENCES} more reasons, listed in points.csv"
+
+
+def _warnings(outcomes: Outcomes) -> Iterator[str]:
+    """The most frequent ones; those that differ by numbers alone count together."""
+    alike: dict[str, list[str]] = {}
+    for row in outcomes.values():
+        for sentence in row.warnings:
+            alike.setdefault(NUMBER.sub("", sentence), []).append(sentence)
+    found = sorted(alike.values(), key=len, reverse=True)
+    for each in found[:MOST_SENTENCES]:
+        more = ", such as" if len(set(each)) > 1 else ""
+        yield f"WARNING ({len(each)} points{more}): {each[0]}"
+    if len(found) > MOST_SENTENCES:
+        yield f"WARNING: {len(found) - MOST_SENTENCES} more kinds, listed in points.csv"
+
+
+def names(outcomes: Outcomes) -> dict[str, str]:
+    """Every number and its unit, in order."""
+    return {name: unit for k in sorted(outcomes) for name, (_, unit) in outcomes[k].numbers.items()}
+
+
+def _ranges(design: Design, outcomes: Outcomes) -> Iterator[tuple[str, ...]]:
+    """Of every number its ends, and at which point they are; constant ones without a place."""
+    for name, unit in names(outcomes).items():
+        rows = {k: row.numbers.get(name, (math.nan,))[0] for k, row in outcomes.items()}
+        known = {k: value for k, value in rows.items() if math.isfinite(value)}
+        if not known:
+            continue
+        low, high = min(known, key=known.__getitem__), max(known, key=known.__getitem__)
+        ends = known[low], known[high]
+        head = f"{name} [{unit}]" if unit else name
+        digits = max(0, 3 - math.floor(math.log10(max(abs(ends[1]), 1e-6))))
+        steady = ends[1] - ends[0] <= STEADY * np.abs(ends).max()
+        where = ("", "") if steady else (_where(design, low), _where(design, high))
+        yield (head, *(number(end, min(digits, 6)) for end in ends), *where)
+
+
+def _where(design: Design, point: int) -> str:
+    labels = design.labels(point)
+    shown = (each.displayed(labels[each.path]) for each in design.parameters)
+    return ", ".join(f"{v:.4g}" if isinstance(v, float) else str(v) for v in shown)
+
+
+def write_points(folder: Path, study: Study, outcomes: Outcomes) -> None:
+    """``points.csv``: what was varied, every number, why there is none, warnings."""
+    design, numbers = study.design, names(outcomes)
+    order = sorted(outcomes)
+    labels = [design.labels(k) for k in order]
+    columns: list[Column] = [("point", order)]
+    for each in design.parameters:
+        columns.append((each.heading, [each.displayed(own[each.path]) for own in labels]))
+    for name, unit in numbers.items():
+        values = [outcomes[k].numbers.get(name, (math.nan,))[0] for k in order]
+        head = f"{name} [{unit}]" if unit else name
+        columns.append((head, ["" if math.isnan(v) else f"{v:.9g}" for v in values]))
+    columns.append(("not solved", [outcomes[k].sentence for k in order]))
+    columns.append(("warnings", [" | ".join(outcomes[k].warnings) for k in order]))
+    write_table(folder / "points.csv", columns)

@@ -1,0 +1,108 @@
+"""Which points a study solves, and what it says of values that cannot be."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+import pytest
+
+import rotordyn
+from bearings import AngularContactBallBearing
+from rotordyn import Span, sweep
+from rotordyn.case.case import Case
+from rotordyn.errors import InvalidInput
+from rotordyn.study.design import design
+
+PRELOAD = "spindle.sleeves.front.spring.preload"
+TRAVEL = "spindle.sleeves.front.stop_travel"
+
+
+@pytest.fixture(scope="module")
+def flagship() -> Case:
+    return rotordyn.load("mfw2310")
+
+
+def test_a_grid_has_every_combination_the_last_path_fastest(flagship: Case) -> None:
+    grid = design(flagship, {PRELOAD: ["300 N", 450.0], TRAVEL: Span("40 um", 120e-6, 3)})
+    assert (grid.dims, grid.shape) == ((PRELOAD, TRAVEL), (2, 3))
+    found = [tuple(grid.point(k).values()) for k in range(grid.count)]
+    travels = (40e-6, 80e-6, 120e-6)
+    assert found == [(given, pytest.approx(t)) for given in ("300 N", 450.0) for t in travels]
+    assert grid.labels(0) == {PRELOAD: 300.0, TRAVEL: 40e-6}
+
+
+def test_values_in_step(flagship: Case) -> None:
+    rows = design(flagship, {PRELOAD: [300, 400], TRAVEL: ["50 um", "60 um"]}, "list")
+    assert (rows.dims, rows.shape) == (("point",), (2,))
+    assert rows.labels(1) == {PRELOAD: 400.0, TRAVEL: pytest.approx(60e-6)}
+
+
+@pytest.mark.parametrize("sampling", ["latin-hypercube", "sobol"])
+def test_a_sample_fills_its_spans_evenly(flagship: Case, sampling: str) -> None:
+    """Each of n equal parts of every span holds one point; by ratio, of its logarithm."""
+    asked = {PRELOAD: Span(100.0, 1000.0, log=True), TRAVEL: Span(0.0, 1e-4)}
+    asked["conditions.kinematics"] = ["outer", "inner"]
+    asked["spindle.bearings.*.model.balls"] = Span(20, 23)
+    found = design(flagship, asked, sampling, 64, seed=3)
+    points = [found.labels(k) for k in range(64)]
+    logs = np.array([math.log10(p[PRELOAD]) - 2.0 for p in points])
+    linear = np.array([p[TRAVEL] / 1e-4 for p in points])
+    for share in (logs, linear):
+        assert sorted(np.floor(share * 64)) == list(range(64))
+    for path, values in (
+        ("conditions.kinematics", ["outer", "inner"]),
+        ("spindle.bearings.*.model.balls", [20, 21, 22, 23]),
+    ):
+        counts = [sum(p[path] == value for p in points) for value in values]
+        assert counts == [64 // len(values)] * len(values)
+    again, other = (design(flagship, asked, sampling, 64, seed=s) for s in (3, 4))
+    assert again.labels(5) == points[5] != other.labels(5)
+
+
+def test_models_by_name(flagship: Case) -> None:
+    assert flagship.spindle is not None
+    path = f"spindle.bearings.{flagship.spindle.seats[0].name}.model"
+    grid = design(flagship, {path: ["vex70", "vex60"]})
+    assert all(isinstance(v, AngularContactBallBearing) for v in grid.parameters[0].values)
+    assert grid.parameters[0].labels == ("vex70", "vex60")
+
+
+BAD: list[tuple[dict[str, Any], str]] = [
+    ({"varied": {}}, "nothing is varied"),
+    ({"varied": {"spindle.sleeves.front.spring.preloa": [1]}}, "did you mean preload"),
+    ({"varied": {PRELOAD: []}}, "the list is empty"),
+    ({"varied": {PRELOAD: "300 N"}}, "a list of values or a Span is needed"),
+    ({"varied": {PRELOAD: ["300 mm"]}}, "'mm' is not a unit of force"),
+    ({"varied": {PRELOAD: [math.nan]}}, PRELOAD),
+    ({"varied": {PRELOAD: Span("400 N", "300 N")}}, "from low to high, got 400 N to 300 N"),
+    ({"varied": {TRAVEL: Span(0.0, 1e-4, 3, log=True)}}, "by ratio lies above 0"),
+    ({"varied": {"conditions.kinematics": Span("a", "b")}}, "conditions.kinematics"),
+    ({"varied": {PRELOAD: Span(300, 400)}}, "give the span a count"),
+    ({"varied": {PRELOAD: Span(300, 400, 1)}}, "at least 2 points"),
+    ({"varied": {PRELOAD: [1], TRAVEL: [1e-5, 2e-5]}, "sampling": "list"}, "as many values"),
+    ({"varied": {PRELOAD: [1]}, "sampling": "sobl"}, "did you mean sobol"),
+    ({"varied": {PRELOAD: [1]}, "samples": 4}, "a grid has no samples"),
+    ({"varied": {PRELOAD: [1]}, "sampling": "sobol"}, "needs a whole number"),
+    ({"varied": {PRELOAD: [1]}, "sampling": "sobol", "samples": 100}, "take 128"),
+    ({"varied": {PRELOAD: [1]}, "sampling": "sobol", "samples": 8, "seed": -1}, "seed"),
+    (
+        {"varied": {p: Span(1.0, 2.0, 1000) for p in (PRELOAD, f"{PRELOAD[:-7]}stiffness")}
+         | {"spindle.sleeves.rear.spring.preload": Span(1.0, 2.0, 1000)}},
+        "1e+09 points: allowed are up to 1e+07",
+    ),
+    ({"varied": {PRELOAD: [300.0]}, "analyses": ["campbel"]}, "campbel"),
+    ({"varied": {PRELOAD: [300.0]}, "results": ["modes"]}, "this study has the analyses"),
+    ({"varied": {PRELOAD: [300.0]}, "workers": 0}, "workers"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("asked", "sentence"), BAD, ids=[s for _, s in BAD])
+def test_what_cannot_be_is_said_before_anything_is_solved(
+    flagship: Case, asked: dict[str, Any], sentence: str
+) -> None:
+    with pytest.raises(InvalidInput) as told:
+        sweep(flagship, **asked)
+    assert sentence in str(told.value)
+    assert "\n" not in str(told.value)

@@ -1,0 +1,242 @@
+"""Studies solved: equal to single runs, complete after any interruption, honest about failures."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import rotordyn
+from rotordyn import Span, sweep
+from rotordyn.analyses.registry import analysis
+from rotordyn.case.case import Case
+from rotordyn.errors import InvalidInput, RotordynError
+from rotordyn.job import restricted
+from rotordyn.study import solve, workers
+from rotordyn.study.point import Outcome
+
+SPRING = "spindle.sleeves.rear.spring.preload"
+BALLS = "spindle.bearings.*.model.balls"
+ROOT = Path(__file__).parents[3]
+
+
+@pytest.fixture(scope="module")
+def case() -> Case:
+    whole = rotordyn.load("grinding_spindle")
+    return rotordyn.vary(whole, {"speeds": (0.0, 400.0 * math.pi)})
+
+
+def _study(case: Case, **how: Any) -> Any:
+    asked = {SPRING: ["800 N", 1200.0], "conditions.kinematics": ["outer", "hybrid"]}
+    return sweep(case, asked, analyses=["preload", "campbell"], **how)
+
+
+def test_a_point_is_a_single_run_bit_for_bit(case: Case) -> None:
+    found = _study(case, workers=1, results=["campbell"])
+    case = restricted(case, ("preload", "campbell"))
+    assert found.sizes[SPRING] == found.sizes["conditions.kinematics"] == 2
+    assert found[SPRING].values.tolist() == [800.0, 1200.0]
+    assert found[SPRING].attrs["units"] == "N"
+    for spring in (800.0, 1200.0):
+        for law in ("outer", "hybrid"):
+            changes = {SPRING: spring, "conditions.kinematics": law}
+            alone = rotordyn.run(rotordyn.vary(case, changes))
+            here = found.sel(changes)
+            numbers = analysis("campbell").numbers(alone.parts[""].results["campbell"], case)
+            for number in numbers:
+                name = f"campbell: {number.heading.removesuffix(f' [{number.unit}]')}"
+                assert np.array_equal(float(here[name]), number.value, equal_nan=True)
+            whole = here["campbell: frequency"].values
+            assert np.array_equal(whole, alone["campbell"]["frequency"].values, equal_nan=True)
+
+
+def test_several_processes_give_the_same(case: Case) -> None:
+    one, two = _study(case, workers=1), _study(case, workers=2)
+    assert one.drop_attrs().identical(two.drop_attrs())
+
+
+def test_what_cannot_be_solved_is_nan_beside_its_sentence(case: Case) -> None:
+    found = sweep(case, {BALLS: [20, 60]}, analyses=["preload"], workers=1)
+    words = found["sentence"].values.tolist()
+    assert words[0] == ""
+    assert words[1].endswith("60 balls of 9.525 mm overlap on a pitch circle of 90 mm")
+    numbers = [name for name in found.data_vars if name.startswith("preload: sum")]
+    assert numbers
+    for name in numbers:
+        assert np.isfinite(found[name].values).tolist() == [True, False]
+
+
+def test_a_study_goes_on_where_it_was_stopped(case: Case, tmp_path: Path) -> None:
+    whole = _study(case, workers=1)
+    _study(case, workers=1, folder=tmp_path / "s")
+    journal = tmp_path / "s" / "points.jsonl"
+    lines = journal.read_bytes().splitlines(keepends=True)
+    journal.write_bytes(b"".join(lines[:3]) + lines[3][:40])  # cut short while it was written
+    done: list[int] = []
+    again = _study(case, workers=1, folder=tmp_path / "s", progress=lambda k, _: done.append(k))
+    assert done == [2, 3, 4]
+    assert again.drop_attrs().identical(whole.drop_attrs())
+    points = [json.loads(line)["point"] for line in journal.read_text().splitlines()[1:]]
+    assert sorted(points) == [0, 1, 2, 3]
+
+
+def test_folders_of_others_are_refused(case: Case, tmp_path: Path) -> None:
+    _study(case, workers=1, folder=tmp_path / "s")
+    with pytest.raises(InvalidInput, match="the points of another study"):
+        sweep(case, {SPRING: ["800 N"]}, analyses=["preload"], folder=tmp_path / "s")
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "mine" / "notes.txt").write_text("keep")
+    with pytest.raises(InvalidInput, match="and no study"):
+        _study(case, folder=tmp_path / "mine")
+    (tmp_path / "odd").mkdir()
+    (tmp_path / "odd" / "points.jsonl").write_text("[1, 2]\n")
+    with pytest.raises(InvalidInput):
+        _study(case, folder=tmp_path / "odd")
+    assert os.listdir(tmp_path / "mine") == ["notes.txt"]
+
+
+def test_a_long_study_asks_first(case: Case, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(solve, "LONG", 1e-3)
+    with pytest.raises(InvalidInput, match=r"4 points, 3 of them to solve: about .* h with 1 work"):
+        _study(case, workers=1)
+    assert _study(case, workers=1, yes=True)["sentence"].values.tolist() == [["", ""], ["", ""]]
+
+
+def test_killed_processes_are_replaced(case: Case, tmp_path: Path) -> None:
+    """A worker is killed while it solves: its points are solved by another, none twice."""
+    killed: list[int] = []
+    done: list[int] = []
+
+    def progress(k: int, _: int) -> None:
+        done.append(k)
+        search = ["pgrep", "-P", str(os.getpid()), "-f", "popen_loky"]
+        running = subprocess.run(search, capture_output=True, text=True, check=False)
+        children = running.stdout.split()
+        if k > 2 and children and not killed:
+            killed.append(int(children[0]))
+            os.kill(killed[0], signal.SIGKILL)
+
+    asked = {SPRING: Span(800.0, 1600.0, 24)}
+    how: Any = {"analyses": ["preload"], "folder": tmp_path / "s"}
+    found = sweep(case, asked, workers=2, progress=progress, **how)
+    assert killed
+    assert (found["sentence"].values == "").all()
+    lines = (tmp_path / "s" / "points.jsonl").read_text().splitlines()[1:]
+    assert sorted(json.loads(line)["point"] for line in lines) == list(range(24))
+    alone = sweep(case, asked, analyses=["preload"], workers=1)
+    assert found.drop_attrs().identical(alone.drop_attrs())
+
+
+def test_too_many_killed_processes_are_no_endless_loop(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(workers, "solve_point", _dies)
+    with pytest.raises(RotordynError, match="take fewer workers"):
+        list(workers.solved_here(b"", [0, 1], 2))
+
+
+def _dies(packed: bytes, number: int) -> Outcome:
+    os.kill(os.getpid(), signal.SIGKILL)
+    return Outcome(number)
+
+
+STUDY = f"""
+title: springs
+case: {ROOT / "cases" / "grinding_spindle.yaml"}
+vary:
+  {SPRING}: {{from: 800 N, to: 1600 N, points: 40}}
+analyses: [preload]
+"""
+
+
+def _command(*words: str, cwd: Path) -> subprocess.Popen[str]:
+    return subprocess.Popen(
+        [sys.executable, "-m", "rotordyn", *words],
+        cwd=cwd,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        start_new_session=True,
+    )
+
+
+def test_killed_three_times_none_is_lost_none_computed_twice(tmp_path: Path) -> None:
+    (tmp_path / "springs.yaml").write_text(STUDY)
+    journal = tmp_path / "out" / "springs" / "points.jsonl"
+    for wanted in (3, 9, 20):
+        running = _command("sweep", "springs.yaml", "--quiet", "--workers", "1", cwd=tmp_path)
+        while running.poll() is None:
+            if journal.exists() and journal.read_bytes().count(b"\n") > wanted:
+                os.killpg(running.pid, signal.SIGKILL)
+                break
+            time.sleep(0.002)
+        running.communicate()
+    last = _command("sweep", "springs.yaml", "--workers", "1", cwd=tmp_path)
+    said, complaints = last.communicate()
+    assert last.returncode == 0, complaints
+    assert "40 points, 40 with a solution" in said
+    lines = journal.read_text().splitlines()[1:]
+    assert sorted(json.loads(line)["point"] for line in lines) == list(range(40))
+    found = sorted(p.name for p in journal.parent.iterdir())
+    assert found == ["points.csv", "points.jsonl", "study.nc", "study_preload.png", "summary.txt"]
+
+
+def test_an_interrupted_study_says_that_it_goes_on(tmp_path: Path) -> None:
+    (tmp_path / "springs.yaml").write_text(STUDY)
+    running = _command("sweep", "springs.yaml", "--workers", "1", cwd=tmp_path)
+    journal = tmp_path / "out" / "springs" / "points.jsonl"
+    while not journal.exists() or journal.read_bytes().count(b"\n") < 3:
+        time.sleep(0.01)
+    running.send_signal(signal.SIGINT)
+    _, complaints = running.communicate()
+    assert running.returncode == 130
+    assert "the same command goes on" in complaints
+
+
+def test_faults_of_a_study_file_have_their_lines(tmp_path: Path) -> None:
+    text = STUDY.replace("800 N", "800 mm").replace("springs", "springs\nsampling: sobl")
+    (tmp_path / "bad.yaml").write_text(text)
+    running = _command("sweep", "bad.yaml", cwd=tmp_path)
+    said, complaints = running.communicate()
+    assert (running.returncode, said) == (2, "")
+    assert "bad.yaml:3:" in complaints
+    assert "did you mean sobol" in complaints
+    (tmp_path / "bad.yaml").write_text(STUDY.replace("800 N", "800 mm"))
+    running = _command("sweep", "bad.yaml", cwd=tmp_path)
+    assert "'mm' is not a unit of force" in running.communicate()[1]
+    assert not (tmp_path / "out").exists()
+
+
+def test_on_a_cluster_of_processes_even_if_one_is_lost(case: Case) -> None:
+    from distributed import LocalCluster
+
+    asked = {SPRING: Span(800.0, 1600.0, 16)}
+    killed: list[int] = []
+    with LocalCluster(
+        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None
+    ) as cluster:
+
+        def progress(k: int, _: int) -> None:
+            if k == 5 and not killed:
+                killed.append(next(iter(cluster.workers.values())).process.process.pid)
+                os.kill(killed[0], signal.SIGKILL)
+
+        address = cluster.scheduler_address
+        found = sweep(case, asked, analyses=["preload"], cluster=address, progress=progress)
+    assert killed
+    alone = sweep(case, asked, analyses=["preload"], workers=1)
+    assert found.drop_attrs().identical(alone.drop_attrs())
+
+
+def test_a_scheduler_that_is_not_there(case: Case, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setattr(workers, "PATIENCE", "200ms")
+    with pytest.raises(InvalidInput, match=r"no scheduler answers at 'tcp://127\.0\.0\.1:9'"):
+        sweep(case, {SPRING: [800.0, 900.0]}, analyses=["preload"], cluster="tcp://127.0.0.1:9")
