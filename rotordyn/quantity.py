@@ -334,6 +334,12 @@ Eccentricity = Annotated[float, Quantity("length", at_least="0 um", at_most="100
 Viscosity = Annotated[float, VISCOSITY]
 OilViscosity = Annotated[float, OIL_VISCOSITY]
 Temperature = Annotated[float, TEMPERATURE]
+TemperatureDifference = Annotated[
+    float, Quantity("temperature difference", at_least="-200 K", at_most="200 K")
+]
+ThermalExpansion = Annotated[
+    float, Quantity("thermal expansion", at_least="-1e-4 1/K", at_most="1e-3 1/K")
+]
 Duration = Annotated[float, DURATION]
 SlidingFriction = Annotated[float, Quantity("number", at_least="0.001", at_most="1")]
 Cleanness = Annotated[float, Quantity("number", at_least="0", at_most="1")]

@@ -86,6 +86,7 @@ KINDS: dict[str, tuple[str, ...]] = {
     "viscosity": ("Pa s", "mPa s"),
     "kinematic viscosity": ("mm^2/s", "m^2/s"),
     "temperature": ("degC",),
+    "temperature difference": ("K",),
     "thermal expansion": ("1/K", "um/m/K"),
     "thermal conductance": ("W/K",),
     "duration": ("h", "min", "s"),

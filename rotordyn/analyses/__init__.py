@@ -20,6 +20,7 @@ if TYPE_CHECKING:
     from rotordyn.analyses.section_forces.spec import SectionForcesSpec
     from rotordyn.analyses.stability_lobes.spec import StabilityLobesSpec
     from rotordyn.analyses.stiffness.spec import StiffnessSpec
+    from rotordyn.analyses.thermal_preload.spec import ThermalPreloadSpec
     from rotordyn.analyses.unbalance.spec import UnbalanceSpec
     from rotordyn.scene.conditions import Conditions
     from rotordyn.scene.loads import (
@@ -71,6 +72,7 @@ __all__ = [
     "ShapesInSpaceSpec",
     "StabilityLobesSpec",
     "StiffnessSpec",
+    "ThermalPreloadSpec",
     "TwistLimit",
     "Unbalance",
     "UnbalanceSpec",

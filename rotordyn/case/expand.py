@@ -29,6 +29,8 @@ _MATERIALS_OF_SPINDLE = (
     ("shaft", "material"),
     ("shaft", "sections", "*", "material"),
     ("discs", "*", "material"),
+    ("fits", "housing_material"),
+    ("bearings", "*", "fits", "housing_material"),
     ("rotors", "*", "shaft", "material"),
     ("rotors", "*", "shaft", "sections", "*", "material"),
     ("rotors", "*", "discs", "*", "material"),

@@ -18,6 +18,7 @@ from rotordyn.analyses.frf.spec import FrfSpec, MeasuredResponse, Port
 from rotordyn.case.case import Case
 from rotordyn.description import Description, Faults, repeated
 from rotordyn.field import REQUIRED, Field, declared
+from rotordyn.machine.fits import Fits
 from rotordyn.machine.growth import (
     ComputedShortening,
     InterferenceFit,
@@ -305,6 +306,12 @@ COMMON: dict[type, tuple[Common, ...]] = {
             "ring growth of every bearing that gives none itself",
         ),
         Common(
+            ("fits",),
+            ("bearings", "*", "fits"),
+            BearingSeat,
+            "fits of every bearing that gives none itself",
+        ),
+        Common(
             ("damping", "bearings"),
             ("bearings", "*", "damping"),
             BearingSeat,
@@ -313,6 +320,8 @@ COMMON: dict[type, tuple[Common, ...]] = {
     ),
     BearingSeat: (
         Common(("model", "bore_diameter"), ("growth", "fit", "bore_diameter"), InterferenceFit),
+        Common(("model", "bore_diameter"), ("fits", "bore_diameter"), Fits),
+        Common(("model", "outside_diameter"), ("fits", "outside_diameter"), Fits),
     ),
 }
 

@@ -9,6 +9,7 @@ if TYPE_CHECKING:
     from rotordyn.machine.ball_guide import BallGuide
     from rotordyn.machine.damping import RayleighDamping
     from rotordyn.machine.drawbar import Drawbar
+    from rotordyn.machine.fits import Fits
     from rotordyn.machine.growth import (
         ComputedShortening,
         InterferenceFit,
@@ -26,14 +27,17 @@ if TYPE_CHECKING:
     from rotordyn.machine.spindle import Spindle
     from rotordyn.machine.squeeze_film import SqueezeFilmDamper
     from rotordyn.machine.support import BearingSeat, LinearSupport, Sleeve, Spring
+    from rotordyn.machine.temperatures import BearingTemperatures, Temperatures
     from rotordyn.machine.tool import Tool
 
 _MODULE_OF = {
     "BallGuide": "ball_guide",
     "BearingSeat": "support",
+    "BearingTemperatures": "temperatures",
     "ComputedShortening": "growth",
     "Disc": "lumped",
     "Drawbar": "drawbar",
+    "Fits": "fits",
     "InterferenceFit": "growth",
     "Joint": "joint",
     "LinearSupport": "support",
@@ -53,14 +57,17 @@ _MODULE_OF = {
     "Spindle": "spindle",
     "Spring": "support",
     "SqueezeFilmDamper": "squeeze_film",
+    "Temperatures": "temperatures",
     "Tool": "tool",
 }
 __all__ = [
     "BallGuide",
     "BearingSeat",
+    "BearingTemperatures",
     "ComputedShortening",
     "Disc",
     "Drawbar",
+    "Fits",
     "InterferenceFit",
     "Joint",
     "LinearSupport",
@@ -80,6 +87,7 @@ __all__ = [
     "Spindle",
     "Spring",
     "SqueezeFilmDamper",
+    "Temperatures",
     "Tool",
 ]
 

@@ -93,15 +93,16 @@ def _shifts(spindle: Spindle) -> Faults:
 def _bores(spindle: Spindle) -> Faults:
     """A fit has a shaft inside its bore."""
     for index, seat in enumerate(spindle.seats):
-        fit = seat.growth.fitted
-        if fit is None or not spindle.shaft.sections or math.isnan(seat.x):
+        fit, fits = seat.growth.fitted, seat.fits
+        bore = fit.bore_diameter if fit is not None else fits and fits.bore_diameter
+        if not bore or not spindle.shaft.sections or math.isnan(seat.x):
             continue
         hole = spindle.shaft.diameters_at(seat.x)[1]
-        if fit.bore_diameter <= hole:
+        if bore <= hole:
             yield (
-                ("bearings", index, "growth", "fit"),
+                ("bearings", index, *(("fits",) if fit is None else ("growth", "fit"))),
                 f"the bore of bearing {seat.name} leaves no shaft: given "
-                f"{format_quantity(fit.bore_diameter, 'mm')}; allowed: above "
+                f"{format_quantity(bore, 'mm')}; allowed: above "
                 f"{format_quantity(hole, 'mm')}",
             )
 

@@ -213,7 +213,8 @@ def _speed_factors(spindle: Spindle, top: float) -> Iterator[str]:
 
 def _grows_unsaid(seat: BearingSeat, top: float) -> bool:
     fast = top * RPM * seat.bearing.pitch_diameter * 1e3 > GROWING
-    return fast and seat.growth.centrifugal is None
+    known = seat.growth.centrifugal is not None or (seat.fits is not None and seat.fits.shaft)
+    return fast and not known
 
 
 def _free_growth(seat: BearingSeat, top: float) -> float:

@@ -15,6 +15,7 @@ from bearings.kinds import kind_of
 from rotordyn.description import Description, Faults, ascending, repeated
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.ball_guide import BallGuide
+from rotordyn.machine.fits import Fits
 from rotordyn.machine.growth import RingGrowth
 from rotordyn.machine.misalignment import Misalignment
 from rotordyn.quantity import (
@@ -125,6 +126,10 @@ class BearingSeat(Description):
     growth: Annotated[RingGrowth, "instead of that of the spindle"] = field(
         default_factory=RingGrowth
     )
+    fits: Annotated[
+        Fits | None,
+        "fits of its rings, from which the growth follows instead ([theory](theory/rings.md))",
+    ] = None
     radial_damping: Annotated[Damping, Key("damping.radial"), "between the rings"] = 0.0
     axial_damping: Annotated[Damping, Key("damping.axial"), "between the rings"] = 0.0
     model: Annotated[str, HIDDEN] = ""
@@ -173,6 +178,7 @@ class BearingSeat(Description):
                 f"missing key: kind {kind_of(bearing)} takes thrust one way only; allowed: "
                 "+x, -x, the way the shaft pushes the inner ring to load the balls",
             )
+        yield from self._fit_faults(bearing)
         room = bearing.largest_static_growth
         if self.growth.static > room:
             yield (
@@ -187,6 +193,31 @@ class BearingSeat(Description):
                 f"the bore of bearing {self.name} leaves no ring beside the balls: given "
                 f"{format_quantity(fit.bore_diameter, 'mm')}; allowed: below "
                 f"{format_quantity(race, 'mm')}",
+            )
+
+    def _fit_faults(self, bearing: BallBearing) -> Faults:
+        if self.fits is None:
+            return
+        if self.growth != RingGrowth():
+            yield (
+                ("fits",),
+                f"bearing {self.name} has fits beside a given growth, which contradict one "
+                "another: growth follows from the fits; leave one of both out",
+            )
+        races = 2.0 * bearing.inner_raceway_radius, 2.0 * bearing.outer_raceway_radius
+        bore, outside = self.fits.bore_diameter, self.fits.outside_diameter
+        if bore is not None and bore >= races[0]:
+            yield (
+                ("fits",),
+                f"the bore of bearing {self.name} leaves no ring beside the balls: given "
+                f"{format_quantity(bore, 'mm')}; allowed: below {format_quantity(races[0], 'mm')}",
+            )
+        if outside is not None and outside <= races[1]:
+            yield (
+                ("fits",),
+                f"the outside of bearing {self.name} leaves no ring beside the balls: given "
+                f"{format_quantity(outside, 'mm')}; allowed: above "
+                f"{format_quantity(races[1], 'mm')}",
             )
 
 

@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 from bearings.ball.law import STANDARD, Law
 from bearings.bearing import BallBearing
 from rotordyn.machine.spindle import Spindle
-from rotordyn.preload.growth import ring_growth
-from rotordyn.preload.shortening import seat_shifts
+from rotordyn.machine.temperatures import Temperatures
+from rotordyn.preload.growth import ring_growth, static_growth
+from rotordyn.preload.shortening import seat_shifts, thermal_shifts
 
 Array = NDArray[np.float64]
 HOUSING = -1
@@ -70,14 +71,21 @@ class Arrangement:
 
 
 def arrangement(
-    spindle: Spindle, speed: Array, force: float = 0.0, law: Law = STANDARD
+    spindle: Spindle,
+    speed: Array,
+    force: float = 0.0,
+    law: Law = STANDARD,
+    temperatures: Temperatures | None = None,
 ) -> Arrangement:
-    """The axial arrangement of ``spindle``, rings and shaft deformed by every ``speed`` [rad/s].
+    """The axial arrangement of ``spindle``, rings and shaft deformed by every ``speed`` [rad/s] and
+    by ``temperatures``.
 
     ``force`` [N] on the shaft; ``law``: what is assumed of balls where a seat says nothing else.
     """
     sleeves = {sleeve.name: k + 1 for k, sleeve in enumerate(spindle.sleeves)}
     shifts = seat_shifts(spindle, speed)
+    if temperatures is not None:
+        shifts = shifts + thermal_shifts(spindle, speed, temperatures)
     bearings: list[AxialBearing] = []
     for k, seat in enumerate(spindle.seats):
         sleeve = spindle.sleeve_of(seat.name)
@@ -87,8 +95,8 @@ def arrangement(
             law=seat.law(law),
             thrust=seat.thrust,
             outer=HOUSING if sleeve is None else sleeves[sleeve.name],
-            static_growth=seat.growth.static,
-            growth=ring_growth(spindle, seat, speed),
+            static_growth=static_growth(spindle, seat),
+            growth=ring_growth(spindle, seat, speed, temperatures),
             shortening=shifts[:, k],
         )
         same = next((i for i, other in enumerate(bearings) if _alike(other, bearing)), None)

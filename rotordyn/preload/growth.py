@@ -1,8 +1,15 @@
-"""Radial growth of the inner groove centres at speed."""
+"""Radial growth of the groove centres of a seat: fits, rotation and temperature.
+
+Δu is the growth of the inner groove centre against the outer one. Fitted rings are compound thick
+cylinders in plane stress, the inner ring with the shaft, the outer one with its housing; each ring
+reaches to the contact of the balls with its race, whose growth moves the groove centre. Balls that
+warm up and expand act as further growth (theory: rings).
+"""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+import math
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,47 +17,215 @@ from numpy.typing import NDArray
 from rotordyn.machine.growth import InterferenceFit, QuadraticInSpeed
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import BearingSeat
+from rotordyn.machine.temperatures import Rises, Temperatures
 
 if TYPE_CHECKING:
+    from bearings.fit.compound import CompoundState
     from bearings.fit.cylinder import Cylinder
+    from bearings.materials import Material
+
+    States = list[tuple[NDArray[np.intp], CompoundState]]
 
 Array = NDArray[np.float64]
 
 
-def ring_growth(spindle: Spindle, seat: BearingSeat, speed: Array) -> Array:
-    """Total growth Δu of a seat's inner groove centre at every speed, static part included [m]."""
+class Fit(NamedTuple):
+    """Where a ring sits: ``radius`` of the fit and ``interference`` on it [m]."""
+
+    radius: float
+    interference: float
+
+
+def static_growth(spindle: Spindle, seat: BearingSeat) -> float:
+    """Growth of a seat at rest and at the reference temperature, as mounted [m]."""
+    if seat.fits is None:
+        return seat.growth.static
+    return float(_fitted(spindle, seat, np.zeros(1), None)[0])
+
+
+def ring_growth(
+    spindle: Spindle, seat: BearingSeat, speed: Array, temperatures: Temperatures | None = None
+) -> Array:
+    """Total growth Δu of a seat at every speed [rad/s], static part included (speeds,) [m]."""
+    if seat.fits is not None or (temperatures is not None and seat.growth.fitted is not None):
+        start = 0.0
+        if seat.fits is None:
+            start = seat.growth.static - float(_fitted(spindle, seat, np.zeros(1), None)[0])
+        return start + _fitted(spindle, seat, speed, temperatures)
+    grown = np.full_like(speed, seat.growth.static)
     rule = seat.growth.centrifugal
     if isinstance(rule, QuadraticInSpeed):
-        return seat.growth.static + rule.value * (speed / rule.speed) ** 2
-    if (fit := seat.growth.fitted) is not None:
-        return seat.growth.static + fit_growth(spindle, seat, fit, speed)
-    return np.full_like(speed, seat.growth.static)
+        grown = grown + rule.value * (speed / rule.speed) ** 2
+    elif seat.growth.fitted is not None:
+        still = _fitted(spindle, seat, np.zeros(1), None)
+        grown = grown + _fitted(spindle, seat, speed, None) - still
+    if temperatures is not None:
+        grown = grown + _fitted(spindle, seat, 0.0 * speed, temperatures)
+    return grown
 
 
-def fit_growth(spindle: Spindle, seat: BearingSeat, fit: InterferenceFit, speed: Array) -> Array:
-    """Growth by rotation of the inner raceway of a ring fitted on the shaft, from rest [m].
+def _fitted(
+    spindle: Spindle, seat: BearingSeat, speed: Array, temperatures: Temperatures | None
+) -> Array:
+    """Growth of both rings with what they sit on, and of the balls (speeds,) [m]."""
+    bearing, rises = seat.bearing, _rises(seat, speed, temperatures)
+    chord = bearing.ball_diameter * math.cos(bearing.free_angle)
+    balls = bearing.ball_material.thermal_expansion * chord * rises.balls
+    inner = np.empty_like(speed)
+    outer = np.empty_like(speed)
+    for rows, state in inner_ring(spindle, seat, speed, temperatures):
+        inner[rows] = state.radial_growth(bearing.inner_raceway_radius)
+    for rows, state in outer_ring(seat, speed, temperatures):
+        outer[rows] = state.radial_growth(bearing.outer_raceway_radius, body=0)
+    return inner - outer + balls
 
-    Shaft section and inner ring are compound thick cylinders in plane stress; the ring reaches to
-    the raceway contact radius ``inner_raceway_radius``.
+
+def inner_ring(
+    spindle: Spindle,
+    seat: BearingSeat,
+    speed: Array,
+    temperatures: Temperatures | None = None,
+) -> States:
+    """Shaft and inner ring, or the ring alone where no fit is known, turning at ``speed``.
+
+    One state for all speeds of the same temperatures, with their rows.
     """
-    from bearings.fit.compound import centrifugal_growth
+    from bearings.fit.compound import compound
 
-    bodies = fitted_bodies(spindle, seat, fit)
-    return centrifugal_growth(bodies, [fit.interference], bodies[-1].outer_radius, speed)
+    bearing, fit = seat.bearing, inner_fit(seat)
+    race = bearing.inner_raceway_radius
+    rises = _rises(seat, speed, temperatures)
+    found = []
+    for rows in _alike(rises.shaft, rises.inner):
+        shaft, warm = float(rises.shaft[rows[0]]), float(rises.inner[rows[0]])
+        if fit is None:
+            ring = [_cylinder(0.9 * race, race, bearing.ring_material, warm)]
+            found.append((rows, compound(ring, [], 0.0 * speed[rows])))
+            continue
+        material = spindle.shaft.section_at(seat.x).material
+        hole = spindle.shaft.diameters_at(seat.x)[1] / 2.0
+        bodies = [
+            _cylinder(hole, fit.radius, material, shaft),
+            _cylinder(fit.radius, race, bearing.ring_material, warm),
+        ]
+        found.append((rows, compound(bodies, [fit.interference], speed[rows])))
+    return found
 
 
-def released_fits(spindle: Spindle, speed: float) -> list[tuple[str, float]]:
-    """Bearings whose inner ring lets go of the shaft up to ``speed``, and where [rad/s]."""
-    released = []
+def outer_ring(seat: BearingSeat, speed: Array, temperatures: Temperatures | None = None) -> States:
+    """Outer ring and housing, which stand still, or the ring alone where no fit is known."""
+    from bearings.fit.compound import compound
+
+    bearing, fits, fit = seat.bearing, seat.fits, outer_fit(seat)
+    race = bearing.outer_raceway_radius
+    rises = _rises(seat, speed, temperatures)
+    found = []
+    for rows in _alike(rises.housing, rises.outer):
+        housing, warm = float(rises.housing[rows[0]]), float(rises.outer[rows[0]])
+        if fit is None or fits is None:
+            ring = [_cylinder(race, 1.1 * race, bearing.ring_material, warm)]
+            found.append((rows, compound(ring, [], 0.0 * speed[rows])))
+            continue
+        bodies = [
+            _cylinder(race, fit.radius, bearing.ring_material, warm),
+            _cylinder(fit.radius, fits.housing_radius, fits.housing_material, housing),
+        ]
+        found.append((rows, compound(bodies, [fit.interference], 0.0 * speed[rows])))
+    return found
+
+
+def _cylinder(inner: float, outer: float, material: Material, rise: float) -> Cylinder:
+    """A body ``rise`` [K] warmer than it was assembled."""
+    from bearings.fit.cylinder import Cylinder
+
+    alpha = material.thermal_expansion
+    return Cylinder(inner, outer, material, rise if alpha else 0.0, alpha)
+
+
+def inner_fit(seat: BearingSeat) -> Fit | None:
+    """Of the inner ring on the shaft, where it is known."""
+    if seat.fits is not None:
+        if not seat.fits.shaft or seat.fits.bore_diameter is None:
+            return None
+        return Fit(seat.fits.bore_diameter / 2.0, seat.fits.depth("inner"))
+    given = seat.growth.fitted
+    return None if given is None else Fit(given.bore_diameter / 2.0, given.interference)
+
+
+def outer_fit(seat: BearingSeat) -> Fit | None:
+    """Of the outer ring in its housing, where it is known."""
+    if seat.fits is None or not seat.fits.housing or seat.fits.outside_diameter is None:
+        return None
+    return Fit(seat.fits.outside_diameter / 2.0, seat.fits.depth("outer"))
+
+
+def _alike(*values: Array) -> list[NDArray[np.intp]]:
+    """Rows at which all values are the same."""
+    kinds = np.unique(np.stack(values), axis=1, return_inverse=True)[1].ravel()
+    return [np.flatnonzero(kinds == kind) for kind in range(int(kinds.max(initial=-1)) + 1)]
+
+
+def _rises(seat: BearingSeat, speed: Array, temperatures: Temperatures | None) -> Rises:
+    if temperatures is None:
+        none = np.zeros(len(speed))
+        return Rises(none, none, none, none, none)
+    return temperatures.rises(seat.name, speed)
+
+
+class Release(NamedTuple):
+    """A ring of a bearing that lets go: which one, of what, and from which speed on [rad/s]."""
+
+    bearing: str
+    ring: str
+    seat: str
+    speed: float
+
+
+def released_fits(
+    spindle: Spindle, speed: Array, temperatures: Temperatures | None = None
+) -> list[Release]:
+    """Rings that were pressed on as mounted and let go up to the highest of ``speed``.
+
+    Without tables of temperature the speed is exact, else the first of ``speed`` at which the ring
+    is loose.
+    """
+    found = []
     for seat in spindle.seats:
-        fit = seat.growth.fitted
-        if fit is not None:
-            from bearings.fit.compound import release_speed
+        for at in _inner_release(spindle, seat, speed, temperatures):
+            found.append(Release(seat.name, "inner", "shaft", at))
+        for at in _outer_release(seat, speed, temperatures):
+            found.append(Release(seat.name, "outer", "housing", at))
+    return found
 
-            limit = float(release_speed(fitted_bodies(spindle, seat, fit), [fit.interference])[0])
-            if limit <= speed:
-                released.append((seat.name, limit))
-    return released
+
+def _inner_release(
+    spindle: Spindle, seat: BearingSeat, speed: Array, temperatures: Temperatures | None
+) -> tuple[float, ...]:
+    """Speed at which the inner ring lets go; empty where it does not."""
+    from bearings.fit.compound import release_speed
+
+    fit = inner_fit(seat)
+    if fit is None:
+        return ()
+    states = inner_ring(spindle, seat, speed, temperatures)
+    if len(states) == 1:
+        at = float(release_speed(states[0][1].bodies, [fit.interference])[0])
+        return (at,) if at <= speed.max() else ()
+    return _first_loose(states, speed)
+
+
+def _outer_release(
+    seat: BearingSeat, speed: Array, temperatures: Temperatures | None
+) -> tuple[float, ...]:
+    """The same of an outer ring that is pressed into its bore."""
+    if outer_fit(seat) is None or not outer_ring(seat, np.zeros(1))[0][1].holds.all():
+        return ()
+    return _first_loose(outer_ring(seat, speed, temperatures), speed)
+
+
+def _first_loose(states: States, speed: Array) -> tuple[float, ...]:
+    loose = [row for rows, state in states for row in rows[~state.holds[:, 0]]]
+    return (float(speed[min(loose)]),) if loose else ()
 
 
 def fitted_bodies(

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from bearings.ball.law import Law
 from bearings.ring.state import BearingState
 from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.arrangement import (
     SHAFT,
     Arrangement,
@@ -37,7 +38,7 @@ class PreloadState:
     ``still``: the network at rest under its stated preloads; ``limit`` (bodies,): where a stop ends
     the travel (NaN without one); ``net``: the network at every speed; ``outcome`` per speed: empty,
     or why there is no usable state; ``lateral`` (speeds, p): coordinates of the rotor under loads
-    across the axis, None without any.
+    across the axis, None without any; ``temperatures``: None where all are those of assembly.
     """
 
     spindle: Spindle
@@ -49,6 +50,7 @@ class PreloadState:
     net: NetworkState
     outcome: tuple[str, ...]
     lateral: Array | None = None
+    temperatures: Temperatures | None = None
 
     def coordinates(self, count: int) -> Array:
         """Those ``count`` of the rotor across the axis, then the positions (speeds, …)."""
@@ -134,6 +136,15 @@ class PreloadState:
         columns = [state.load[:, column, 0] for state, column in self.seat_states()]
         return np.stack(columns, axis=1)
 
+    def mounted_load(self) -> Array:
+        """Axial load of every bearing at rest under the stated preloads, as assembled (seats,)
+        [N]."""
+        resting = Network(at_rest(self.network.arrangement), self.network.springs)
+        load = resting.respond(self.still.position).load
+        bearings = self.network.arrangement.bearings
+        place = {seat: k for k, bearing in enumerate(bearings) for seat in bearing.seats}
+        return np.array([load[0, place[seat]] for seat in sorted(place)])
+
     def seat_stiffness(self, tangent: str = "complete") -> Array:
         """A tangent of every bearing in its own frame (speeds, seats, 5, 5)."""
         from bearings.ring.tangents import stiffness as tangent_of
@@ -169,7 +180,8 @@ class PreloadState:
         )
         network = replace(self.network, arrangement=replace(part, pushes=pushes))
         spindle = replace(self.spindle, sleeves=sleeves)
-        return _settled(spindle, self.law, network, self.still, self.net.position[index])
+        found = _settled(spindle, self.law, network, self.still, self.net.position[index])
+        return replace(found, temperatures=self.temperatures)
 
     def stop_speeds(self) -> Array:
         """Speed at which each sleeve meets its stop (sleeves,) [rad/s]; NaN: it does not."""
@@ -185,7 +197,10 @@ class PreloadState:
         near = np.stack([known[first - 1] if first else self.rest, known[first]])
         return meeting_speed(
             lambda speed: replace(
-                self.network, arrangement=arrangement(self.spindle, speed, self.force, self.law)
+                self.network,
+                arrangement=arrangement(
+                    self.spindle, speed, self.force, self.law, self.temperatures
+                ),
             ),
             self.rest,
             self.limit,
@@ -196,17 +211,21 @@ class PreloadState:
 
 
 def dynamic_preload(
-    spindle: Spindle, speed: Array, law: Law, axial_force: float = 0.0
+    spindle: Spindle,
+    speed: Array,
+    law: Law,
+    axial_force: float = 0.0,
+    temperatures: Temperatures | None = None,
 ) -> PreloadState:
     """Solve the axial arrangement of ``spindle`` at every ``speed`` [rad/s].
 
     The convention at rest: each spring carries exactly its stated preload, without external force;
     from there springs act with their stiffness and stops stand at their travel.
     """
-    joined = arrangement(spindle, speed, axial_force, law)
+    joined = arrangement(spindle, speed, axial_force, law, temperatures)
     still = _rest(joined)
     network = Network(joined, _springs(spindle, joined, still.position[0]))
-    return _settled(spindle, law, network, still)
+    return replace(_settled(spindle, law, network, still), temperatures=temperatures)
 
 
 def _settled(

@@ -7,7 +7,7 @@ from collections.abc import Iterable
 
 from bearings.bearing import BallBearing
 from rotordyn.description import Faults
-from rotordyn.machine.assembly import misnamed
+from rotordyn.machine.assembly import misnamed, unknown
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.station import on_the_shaft
 from rotordyn.machine.support import (
@@ -42,6 +42,7 @@ def setting_faults(setting: Setting) -> Faults:
             yield from _even(support)
     yield from _held_along(spindle, conditions)
     yield from _loads(setting)
+    yield from _warm(setting)
     yield from _tables(spindle, setting.speeds)
     yield from _on_housings(spindle, conditions)
     if spindle.seats:
@@ -118,6 +119,40 @@ def _loads(setting: Setting) -> Faults:
             "under static loads (loads, weight, misaligned seats) bearings differ between "
             "directions, which a turning frame cannot describe: given 'rotating'; allowed: "
             "inertial",
+        )
+
+
+def _warm(setting: Setting) -> Faults:
+    """Temperatures act on bearings that are there, at speeds that their tables reach."""
+    spindle, own = setting.spindle, setting.conditions.temperatures
+    for index, seat in enumerate(spindle.seats):
+        bearing: object = seat.bearing
+        if seat.fits is None or not isinstance(bearing, BallBearing) or [*seat.fits._faults()]:
+            continue
+        from rotordyn.preload.growth import static_growth
+
+        growth, room = static_growth(spindle, seat), bearing.largest_static_growth
+        if growth > room:
+            yield (
+                ("spindle", "bearings", index, "fits"),
+                f"the fits of bearing {seat.name} take its whole contact angle: growth "
+                f"{format_quantity(growth, 'um')}; allowed: up to {format_quantity(room, 'um')}",
+            )
+    if own is None:
+        return
+    way = ("conditions", "temperatures")
+    if not spindle.seats:
+        yield way, "temperatures act on the state of bearings, and this spindle has none: leave out"
+    names = [seat.name for seat in spindle.seats]
+    for name in own.bearings:
+        for sentence in unknown("bearing", name, names):
+            yield (*way, "bearings", name), sentence
+    beyond = own.unknown_at(setting.speeds)
+    if beyond is not None:
+        ends = " to ".join(f"{speed / RPM:.6g}" for speed in (own.speeds[0], own.speeds[-1]))
+        yield (
+            (*way, "speeds"),
+            f"the table of temperatures does not reach {beyond / RPM:.6g} rpm: given {ends} rpm",
         )
 
 

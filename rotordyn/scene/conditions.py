@@ -8,6 +8,7 @@ from typing import Annotated
 
 from bearings.ball.law import KINEMATICS, MOMENT_SHARING, Law
 from rotordyn.description import Description
+from rotordyn.machine.temperatures import Temperatures
 from rotordyn.quantity import Accuracy, Choice, Force, Friction, Length
 from rotordyn.scene.formulation import FORMULATIONS, INERTIAL
 from rotordyn.scene.loads import PointLoad
@@ -68,6 +69,11 @@ class Conditions(Description):
         "static loads on the shaft: cutting force, pull of a belt or magnet; every analysis takes "
         "the state of the bearings under them ([how](theory/loads.md))",
     ] = ()
+    temperatures: Annotated[
+        Temperatures | None,
+        "of shaft, housing, rings and balls; by default those at which all is measured "
+        "([what they do](theory/rings.md#temperature))",
+    ] = None
     accuracy: Annotated[
         Accuracy, "relative error allowed of every frequency asked for; the elements follow"
     ] = 1e-4

@@ -63,6 +63,13 @@ class Scene(Statics):
         """The same machine and coordinates at other speeds [rad/s], ascending."""
         return self._like(speed, self.finer)
 
+    def under(self, conditions: Conditions) -> Scene:
+        """The same machine at the same speeds under other conditions."""
+        same = (self.speed, self.max_frequency, self.ports, self.finer)
+        other = Scene(self.spindle, conditions, *same, self.memo, self.clock)
+        other.top_speed = self.top_speed
+        return other
+
     @cached_property
     def refined(self) -> Scene:
         """The same machine with a finer model."""

@@ -172,7 +172,13 @@ class Statics(Staged):
     @cached_property
     def unloaded(self) -> PreloadState:
         """The same without loads across the axis."""
-        return dynamic_preload(self.grounded, self.bearing_speed, self.law, self.axial_force)
+        return dynamic_preload(
+            self.grounded,
+            self.bearing_speed,
+            self.law,
+            self.axial_force,
+            self.conditions.temperatures,
+        )
 
     @cached_property
     def static_rotor(self) -> tuple[StaticRotor, float]:
@@ -251,8 +257,9 @@ class Statics(Staged):
     @property
     def _axial_inputs(self) -> tuple[Any, ...]:
         """What the preload state follows from."""
-        forces = self.axial_force, self.conditions.axial_force, self.gravity
-        own = (self.spindle, self.law, *forces, self.bearing_speed.tobytes())
+        conditions = self.conditions
+        forces = self.axial_force, conditions.axial_force, self.gravity, conditions.temperatures
+        own = (self.spindle, self.law, *forces, self._pushes, self.bearing_speed.tobytes())
         return (*own, *self._lateral_inputs) if self.loaded else own
 
     @property

@@ -28,10 +28,13 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
     """Of the description, of its bearings where they were solved, of motions that grow."""
     top = float(scene.bearing_speed.max())
     yield from implausible(scene.spindle, top)
-    for name, speed in released_fits(scene.spindle, top):
+    for name, ring, on, speed in released_fits(
+        scene.spindle, scene.bearing_speed, scene.conditions.temperatures
+    ):
         yield (
-            f"bearing {name}: the fit of its inner ring lets go at "
-            f"{speed * RPM.factor:.0f} rpm; raise its interference"
+            f"bearing {name}: the fit of its {ring} ring lets go at "
+            f"{speed * RPM.factor:.0f} rpm, from where on the ring grows without the {on}; raise "
+            "its interference"
         )
     for sleeve in scene.spindle.sleeves:
         if sleeve.friction > 0.0:

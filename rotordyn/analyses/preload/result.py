@@ -23,6 +23,7 @@ class PreloadResult:
     dof_other: Words = coordinate("dof_other", unit="", label="DOF")
     outcome: Words = quantity("speed", unit="", label="outcome")
     axial_load: Array = quantity("speed", "bearing", unit="N", label="axial load")
+    mounted_load: Array = quantity("bearing", unit="N", label="axial load as mounted")
     deflection: Array = quantity("speed", "bearing", unit="m", label="axial deflection")
     stiffness: Array = quantity(
         "speed", "bearing", "dof", "dof_other", unit="N/m, N/rad, N·m/rad", label="stiffness"

@@ -45,6 +45,7 @@ def answer(scene: Scene, spec: PreloadSpec) -> PreloadResult:
         dof_other=DOFS,
         outcome=scene.outcome,
         axial_load=shown(state.seat_load()),
+        mounted_load=state.mounted_load(),
         deflection=shown(np.stack([s.displacement[:, c, 0] for s, c in seats], axis=1)),
         stiffness=shown(state.seat_stiffness()),
         slipping=np.where(good[:, None], slips, ""),

@@ -10,20 +10,30 @@ from rotordyn.analyses.preload.result import PreloadResult
 from rotordyn.results.described import Described
 from rotordyn.results.display import RPM
 from rotordyn.results.headline import Number, ends
+from rotordyn.results.kinds import Array
 from rotordyn.results.text import from_to, unbroken
+
+SAME = 0.5  # N
 
 
 def summary(result: PreloadResult) -> list[str]:
     """Axial loads of the bearings at the first and last speed, and when stops are reached."""
     loads = ", ".join(
-        unbroken(f"{name} {from_to(load, 0)}")
-        for name, load in zip(result.bearing, result.axial_load.T, strict=True)
+        unbroken(f"{name} {_mounted(mounted, load)}{from_to(load, 0)}")
+        for name, mounted, load in zip(
+            result.bearing, result.mounted_load, result.axial_load.T, strict=True
+        )
     )
     lines = [f"preload    [N] {loads}"]
     for name, speed in zip(result.sleeve, result.stop_speed, strict=True):
         when = f"reached at {speed * RPM.factor:.0f} rpm" if math.isfinite(speed) else "not reached"
         lines.append(f"stop       {name}: {when}")
     return lines
+
+
+def _mounted(mounted: float, load: Array) -> str:
+    """The load as mounted, where the first state has another one."""
+    return "" if abs(load[0] - mounted) < SAME else f"mounted {mounted:.0f}, "
 
 
 def numbers(result: PreloadResult, case: Described) -> Iterator[Number]:

@@ -183,6 +183,7 @@ def preload(count: int = 49) -> PreloadResult:
         dof_other=DOFS,
         outcome=("solved",) * count,
         axial_load=load,
+        mounted_load=rest,
         deflection=load * 2e-8,
         stiffness=stiffness,
         inner_angle=inner,

@@ -1,0 +1,34 @@
+"""The state of the machine at every temperature difference, each solved as one of its own."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from rotordyn.analyses.thermal_preload.result import ThermalPreloadResult
+from rotordyn.analyses.thermal_preload.spec import ThermalPreloadSpec
+from rotordyn.machine.temperatures import MEASURED, Temperatures
+from rotordyn.scene.scene import Scene
+
+
+def answer(scene: Scene, spec: ThermalPreloadSpec) -> ThermalPreloadResult:
+    """Axial loads and growths; a difference without a usable state is a gap."""
+    base = scene.conditions.temperatures or Temperatures(shaft=MEASURED)
+    rows, good = scene.bearing_row, np.array([word == "" for word in scene.outcome])
+    loads, growths = [], []
+    for difference in spec.differences:
+        warm = replace(scene.conditions, temperatures=base.turning_warmer(difference))
+        state = scene.under(warm).preload
+        usable = state.usable[:, None]
+        loads.append(np.where(usable, state.seat_load(), np.nan)[rows])
+        growths.append(np.where(usable, state.seat_growth(), np.nan)[rows])
+    known = good[:, None, None]
+    return ThermalPreloadResult(
+        speed=scene.speed,
+        difference=np.array(spec.differences),
+        bearing=tuple(seat.name for seat in scene.spindle.seats),
+        outcome=scene.outcome,
+        axial_load=np.where(known, np.stack(loads, axis=1), np.nan),
+        growth=np.where(known, np.stack(growths, axis=1), np.nan),
+    )

@@ -1,0 +1,25 @@
+"""What a case asks of the preload over temperature difference (SI)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from rotordyn.description import Faults, ascending
+from rotordyn.quantity import Items, Sweep, TemperatureDifference
+from rotordyn.scene.spec import Spec
+
+
+@dataclass(frozen=True, slots=True)
+class ThermalPreloadSpec(Spec):
+    """Preload of every bearing with shaft, inner rings and balls warmer or cooler."""
+
+    differences: Annotated[
+        tuple[TemperatureDifference, ...],
+        Sweep(),
+        Items(2, 1000),
+        "added to the temperatures of shaft, inner rings and balls in the conditions",
+    ]
+
+    def _faults(self) -> Faults:
+        yield from ascending("differences", self.differences)

@@ -1,0 +1,29 @@
+"""Preload over temperature difference in a few lines of text."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from rotordyn.analyses.thermal_preload.result import ThermalPreloadResult
+from rotordyn.results.display import RPM
+from rotordyn.results.text import unbroken
+
+
+def summary(result: ThermalPreloadResult) -> list[str]:
+    """Axial loads at the ends of the differences, at the first and last speed."""
+    lines = []
+    for index in sorted({0, len(result.speed) - 1}):
+        load = result.axial_load[index]
+        known = np.flatnonzero(~np.isnan(load).any(axis=1))
+        if not known.size:
+            continue
+        first, last = known[0], known[-1]
+        words = ", ".join(
+            unbroken(f"{name} {load[first, k]:.0f} → {load[last, k]:.0f}")
+            for k, name in enumerate(result.bearing)
+        )
+        ends = f"{result.difference[first]:+g} K → {result.difference[last]:+g} K"
+        lines.append(
+            f"warming    at {result.speed[index] * RPM.factor:.0f} rpm, {ends} [N]: {words}"
+        )
+    return lines

@@ -1,0 +1,112 @@
+"""Fits of a bearing's rings on the shaft and in the housing, as drawings name them (ISO 286)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Annotated
+
+from bearings.errors import InvalidBearing
+from bearings.fits import Interference, bearing_bore, bearing_outside, interference, limits
+from bearings.materials import STEEL, Material
+from rotordyn.description import Description, Faults
+from rotordyn.quantity import Choice, Diameter, Key
+from rotordyn.quantity import Interference as Depth
+from rotordyn.units import format_quantity
+
+TAKEN = ("mean", "least", "most")
+RINGS = ("P4", "normal")
+AROUND = 1.5  # outer diameter of a housing over that of the ring in it, where it is not given
+
+
+@dataclass(frozen=True, slots=True)
+class Fits(Description):
+    """Fits from which the growth of both grooves follows, at rest, at speed and at temperature.
+
+    Interferences on the diameter at the reference temperature; without a class a ring is free.
+    """
+
+    shaft: Annotated[str, "tolerance class of the seat on the shaft, such as k5"] = ""
+    housing: Annotated[str, "tolerance class of the bore of the housing, such as JS5"] = ""
+    rings: Annotated[str, Choice(RINGS), "tolerance class of the rings (ISO 492)"] = "P4"
+    taken: Annotated[
+        str, Choice(TAKEN), "which interference of the tolerances: `mean`, `least` or `most`"
+    ] = "mean"
+    smoothing: Annotated[
+        Depth, "interference lost to the roughness of both surfaces, on the diameter"
+    ] = 0.0
+    bore_diameter: Annotated[
+        Diameter | None, "of the inner ring; in files by default that of the bearing model"
+    ] = None
+    outside_diameter: Annotated[
+        Diameter | None, "of the outer ring; in files by default that of the bearing model"
+    ] = None
+    housing_diameter: Annotated[
+        Diameter | None, "outside of the housing; by default 1.5 times that of the outer ring"
+    ] = None
+    housing_material: Annotated[Material, Key(default=STEEL), "name, path or mapping"] = STEEL
+
+    def _faults(self) -> Faults:
+        for key, size, what in (
+            ("shaft", self.bore_diameter, "bore_diameter"),
+            ("housing", self.outside_diameter, "outside_diameter"),
+        ):
+            word = getattr(self, key)
+            if word and size is None:
+                yield (
+                    (what,),
+                    f"missing key: the fit {word} needs it; the model of this bearing gives none",
+                )
+        if not (self.shaft or self.housing):
+            yield (), "fits without a class: give shaft (such as k5), housing (such as JS5) or both"
+            return
+        yield from self._untabled()
+        around, ring = self.housing_diameter, self.outside_diameter
+        if around is not None and ring is not None and around <= ring:
+            yield (
+                ("housing_diameter",),
+                "leaves no housing around the ring: given {given}; allowed: above "
+                f"{format_quantity(ring, 'mm')}",
+            )
+
+    def _untabled(self) -> Faults:
+        for key, word, size, lower in (
+            ("shaft", self.shaft, self.bore_diameter, True),
+            ("housing", self.housing, self.outside_diameter, False),
+        ):
+            if not word or size is None or size != size:
+                continue
+            letters = word.rstrip("0123456789")
+            if letters.islower() != lower:
+                kind = "a shaft, such as k5" if lower else "a bore, such as JS5"
+                yield (key,), f"not a class of {kind}: given {{given}}"
+                continue
+            try:
+                _ = self.inner if lower else self.outer
+            except InvalidBearing as refusal:
+                yield (key,), f"{refusal}"
+
+    @property
+    def inner(self) -> Interference:
+        """Of the inner ring on the shaft, on the diameter [m]."""
+        assert self.bore_diameter is not None
+        shaft = limits(self.shaft, self.bore_diameter)
+        return interference(shaft, bearing_bore(self.bore_diameter, self.rings))
+
+    @property
+    def outer(self) -> Interference:
+        """Of the outer ring in the housing, on the diameter [m]; below 0: clearance."""
+        assert self.outside_diameter is not None
+        ring = bearing_outside(self.outside_diameter, self.rings)
+        return interference(ring, limits(self.housing, self.outside_diameter))
+
+    def depth(self, which: str) -> float:
+        """Interference on the radius that is taken, of ``"inner"`` or ``"outer"`` [m]."""
+        found: Interference = getattr(self, which)
+        diameter: float = getattr(found.reduced(self.smoothing), self.taken)
+        return diameter / 2.0
+
+    @property
+    def housing_radius(self) -> float:
+        """Outer radius of the housing [m]."""
+        assert self.outside_diameter is not None
+        return (self.housing_diameter or AROUND * self.outside_diameter) / 2.0

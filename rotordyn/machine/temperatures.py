@@ -1,0 +1,143 @@
+"""Temperatures of a running spindle: shaft, housing, rings and balls."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
+
+from bearings.materials import STEEL
+from rotordyn.description import Description, Faults, Path, ascending
+from rotordyn.quantity import Name, Speed, Temperature, ThermalExpansion
+
+if TYPE_CHECKING:
+    import numpy as np
+    from numpy.typing import NDArray
+
+    Array = NDArray[np.float64]
+
+MEASURED = 20.0  # °C, at which lengths are measured (ISO 1)
+Values = Temperature | tuple[Temperature, ...]
+OF_BEARING = ("inner_ring", "outer_ring", "balls")
+SLACK = 1e-9
+
+
+class Rises(NamedTuple):
+    """Above the reference temperature at every speed (speeds,) [K]."""
+
+    shaft: Array
+    housing: Array
+    inner: Array
+    outer: Array
+    balls: Array
+
+
+@dataclass(frozen=True, slots=True)
+class BearingTemperatures(Description):
+    """Temperatures of one bearing [°C]; each may be a list over speed."""
+
+    inner_ring: Annotated[Values | None, "by default that of all inner rings"] = None
+    outer_ring: Annotated[Values | None, "by default that of all outer rings"] = None
+    balls: Annotated[Values | None, "by default that of all balls"] = None
+
+
+@dataclass(frozen=True, slots=True)
+class Temperatures(Description):
+    """Temperatures [°C], each one value or a list over ``speeds``, straight lines in between.
+
+    Rings take the temperature of what they sit on unless given, balls the mean of both rings.
+    """
+
+    shaft: Annotated[Values | None, "of the shaft; by default the reference"] = None
+    housing: Annotated[Values | None, "of the housing; by default the reference"] = None
+    inner_rings: Annotated[Values | None, "of all inner rings; by default that of the shaft"] = None
+    outer_rings: Annotated[Values | None, "of all outer rings; by default of the housing"] = None
+    balls: Annotated[Values | None, "of all balls; by default the mean of both rings"] = None
+    bearings: Annotated[
+        Mapping[Name, BearingTemperatures], "bearing -> its own, instead of these"
+    ] = field(default_factory=dict)
+    speeds: Annotated[tuple[Speed, ...], "of the values in lists, ascending"] = ()
+    reference: Annotated[
+        Temperature, "at which the spindle is assembled: fits and preloads are of it"
+    ] = MEASURED
+    housing_expansion: Annotated[
+        ThermalExpansion, "of the housing along the axis; by default that of steel"
+    ] = STEEL.thermal_expansion
+
+    def _faults(self) -> Faults:
+        yield from ascending("speeds", self.speeds)
+        named = ("shaft", "housing", "inner_rings", "outer_rings", "balls")
+        entries: list[tuple[Path, Any]] = [((key,), getattr(self, key)) for key in named]
+        for name, own in self.bearings.items():
+            entries += [(("bearings", name, key), getattr(own, key)) for key in OF_BEARING]
+        if all(value is None for _, value in entries):
+            yield (
+                (),
+                "temperatures without a place: give shaft, housing, inner_rings, outer_rings, "
+                "balls or bearings",
+            )
+        tables = [(way, value) for way, value in entries if isinstance(value, tuple)]
+        for way, value in tables:
+            if len(value) != len(self.speeds):
+                yield (
+                    way,
+                    f"needs one value for each of speeds: given {len(value)} values for "
+                    f"{len(self.speeds)} speeds",
+                )
+        if self.speeds and not tables:
+            yield ("speeds",), "speeds without a table: no temperature has a list of values"
+
+    def turning_warmer(self, difference: float) -> Temperatures:
+        """With shaft, inner rings and balls warmer by ``difference`` [K]."""
+        shaft = self.reference if self.shaft is None else self.shaft
+        own = {
+            name: replace(
+                each,
+                inner_ring=_warmer(each.inner_ring, difference),
+                balls=_warmer(each.balls, difference),
+            )
+            for name, each in self.bearings.items()
+        }
+        return replace(
+            self,
+            shaft=_warmer(shaft, difference),
+            inner_rings=_warmer(self.inner_rings, difference),
+            balls=_warmer(self.balls, difference),
+            bearings=own,
+        )
+
+    def unknown_at(self, speeds: tuple[float, ...]) -> float | None:
+        """The first of ``speeds`` [rad/s] that a table does not reach, if any."""
+        if not self.speeds:
+            return None
+        slack = SLACK * self.speeds[-1]
+        low, high = self.speeds[0] - slack, self.speeds[-1] + slack
+        return next((speed for speed in speeds if not low <= speed <= high), None)
+
+    def rises(self, name: str, speed: Array) -> Rises:
+        """Of a bearing and what it sits on at every ``speed`` (speeds,) [rad/s]."""
+        own = self.bearings.get(name, BearingTemperatures())
+        shaft, housing = self._rise(self.shaft, speed), self._rise(self.housing, speed)
+        inner, outer = own.inner_ring, own.outer_ring
+        inner = self.inner_rings if inner is None else inner
+        outer = self.outer_rings if outer is None else outer
+        of_inner = shaft if inner is None else self._rise(inner, speed)
+        of_outer = housing if outer is None else self._rise(outer, speed)
+        balls = self.balls if own.balls is None else own.balls
+        of_balls = 0.5 * (of_inner + of_outer) if balls is None else self._rise(balls, speed)
+        return Rises(shaft, housing, of_inner, of_outer, of_balls)
+
+    def _rise(self, values: Values | None, speed: Array) -> Array:
+        import numpy as np
+
+        if values is None:
+            return np.zeros(len(speed))
+        if isinstance(values, tuple):
+            return np.interp(speed, self.speeds, values) - self.reference
+        return np.full(len(speed), values - self.reference)
+
+
+def _warmer(values: Values | None, difference: float) -> Values | None:
+    if isinstance(values, tuple):
+        return tuple(value + difference for value in values)
+    return None if values is None else values + difference
