@@ -15,6 +15,7 @@ if TYPE_CHECKING:
     from bearings import fits as fits
     from bearings import heat as heat
     from bearings import life as life
+    from bearings import on_film as on_film
     from bearings.ball.law import Law as Law
     from bearings.ball_guide import LinearBallGuide as LinearBallGuide
     from bearings.bearing import BallBearing as BallBearing
@@ -53,7 +54,7 @@ _NAMES = {
     "ring.truncation": ("Truncation", "truncation"),
     **{f"kinds.{kind}": (name,) for kind, name in KINDS.items()},
 }
-_MODULES = ("film", "fits", "heat", "life")  # whole
+_MODULES = ("film", "fits", "heat", "life", "on_film")  # whole
 _HOME = {name: f"bearings.{module}" for module, names in _NAMES.items() for name in names}
 __all__ = sorted((*_HOME, *_MODULES))  # noqa: PLE0605 - the kinds are listed once, in their folder
 

@@ -8,8 +8,15 @@ from __future__ import annotations
 
 from bearings.heat.ellipse import Sliding, sliding, spin_moment
 from bearings.heat.moments import OIL_FACTORS, load_moment, viscous_moment
+from bearings.heat.mounted import Heated, Mounting, heated, speed_limit
 from bearings.heat.skf import SkfMoment, skf_moment
-from bearings.heat.temperature import Conductances, Heated, Surroundings, heated, settled
+from bearings.heat.temperature import (
+    Conductances,
+    Surroundings,
+    Temperatures,
+    balanced,
+    thermal_growth,
+)
 from bearings.heat.total import Losses, losses
 
 __all__ = [
@@ -17,15 +24,19 @@ __all__ = [
     "Conductances",
     "Heated",
     "Losses",
+    "Mounting",
     "SkfMoment",
     "Sliding",
     "Surroundings",
+    "Temperatures",
+    "balanced",
     "heated",
     "load_moment",
     "losses",
-    "settled",
     "skf_moment",
     "sliding",
+    "speed_limit",
     "spin_moment",
+    "thermal_growth",
     "viscous_moment",
 ]

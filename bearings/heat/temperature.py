@@ -2,32 +2,33 @@
 
 Three nodes. The heat of a contact goes half to the balls and half to the ring, that of the oil to
 the balls, which it bathes. What the temperatures change (viscosity, growth, preload) changes the
-heat: the balance is iterated, and where it settles nowhere the bearing runs away.
+heat: the balance is iterated, and where none is reached the bearing runs away.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.errors import InvalidBearing, NoEquilibrium
-from bearings.heat.total import losses
+from bearings.errors import InvalidBearing
 
 if TYPE_CHECKING:
     from bearings.bearing import BallBearing
-    from bearings.lubricant import Lubricant
-    from bearings.ring.state import BearingState
+    from bearings.heat.total import Losses
 
 Array = NDArray[np.float64]
-Heat = Callable[[Array], tuple[float, float, float]]
+Heat = Callable[[Array], Any]
 HOTTEST = 250.0  # °C, beyond which no bearing runs
-TOLERANCE = 1e-6  # K
-MOST = 600
-LONGEST = 5.0  # K, of one step: cold oil heats more than the bearing ever will
-STEEL_EXPANSION = 11.5e-6  # 1/K
+TOLERANCE = 1e-5  # K
+MOST = 150
+LONGEST = 20.0  # K, of one step: cold oil heats more than the bearing ever will
+_NUDGE = 0.02  # K, of differences
+_MOVES = np.concatenate([np.zeros((1, 3)), _NUDGE * np.eye(3)])
+_CALM = 1e-3  # by which warming must calm down for Newton's step
+_LEAST = 1.0  # K, of other steps: near a balance that is none, they would come to a halt
 REFERENCE = 20.0  # °C, at which bearings are measured
 
 
@@ -50,28 +51,88 @@ class Surroundings(NamedTuple):
     oil: float
 
 
-class Heated(NamedTuple):
-    """Where a bearing settles: temperatures [°C] of ``balls``, ``inner`` and ``outer`` ring;
-    ``heat`` [W] of inner contacts, outer contacts and oil; ``outcome``: ``""``, or why there is no
-    balance (values of the last iteration); ``state``: of the bearing, if one was solved."""
+class Temperatures(NamedTuple):
+    """Of balls, inner and outer ring (…) [°C], with the ``heat`` (…, 3) [W] of inner contacts,
+    outer contacts and oil; ``outcome`` (…): ``""``, or why there is no balance (values of the last
+    iteration)."""
 
-    balls: float
-    inner: float
-    outer: float
-    heat: tuple[float, float, float]
-    outcome: str
-    state: BearingState | None = None
+    balls: Array
+    inner: Array
+    outer: Array
+    heat: Array
+    outcome: NDArray[np.str_]
 
 
-def settled(heat: Heat, conductances: Conductances, surroundings: Surroundings) -> Heated:
-    """Temperatures at which the heat, ``heat(temperatures)`` [W] of balls, inner and outer ring
-    [°C], flows off.
+def balanced(
+    heat: Heat,
+    conductances: Conductances,
+    surroundings: Surroundings,
+    shape: tuple[int, ...] = (),
+    tolerance: float = TOLERANCE,
+) -> Temperatures:
+    """Temperatures at which heat flows off as it is produced, of bearings that do not interact.
+
+    Parameters
+    ----------
+    heat : of temperatures (4, …, 3) of balls, inner and outer ring [°C] the heat (4, …, 3) of inner
+        contacts, outer contacts and oil [W], four cases of the same bearings; NaN where no state
+        exists
+    shape : leading shape (…)
+    tolerance : largest change of a temperature at the end [K]
 
     Raises
     ------
     InvalidBearing : conductances below 0, or nothing through which heat leaves
     """
-    c, t = conductances, surroundings
+    matrix, outside = _network(conductances, surroundings)
+
+    def gap(temperature: Array) -> tuple[Array, Array]:
+        power = np.broadcast_to(np.asarray(heat(temperature), float), temperature.shape)
+        warmed = np.linalg.solve(matrix, (outside + _sources(power))[..., None])[..., 0]
+        return warmed - temperature, power
+
+    here = np.broadcast_to(np.linalg.solve(matrix, outside), (*shape, 3)).copy()
+    size, power = np.full(shape, np.inf), np.zeros((*shape, 3))
+    going, stateless = np.ones(shape, dtype=bool), np.zeros(shape, dtype=bool)
+    for _ in range(MOST):
+        gaps, powers = gap(here + _MOVES.reshape(4, *[1] * len(shape), 3))
+        here, size, power = (
+            np.where(going.reshape(going.shape + (1,) * (new.ndim - going.ndim)), new, old)
+            for new, old in (
+                (here + _step(gaps), here),
+                (np.abs(gaps[0]).max(axis=-1), size),
+                (powers[0], power),
+            )
+        )
+        stateless |= going & ~np.isfinite(gaps).all(axis=(0, -1))
+        going &= ~stateless & (size >= tolerance) & (here.max(axis=-1) <= HOTTEST)
+        if not going.any():
+            break
+    words = _words(here, size, stateless, tolerance)
+    return Temperatures(here[..., 0], here[..., 1], here[..., 2], power, words)
+
+
+def _step(gaps: Array) -> Array:
+    """From temperatures towards those that their heat leads to (…, 3) [K].
+
+    ``gaps`` (4, …, 3): by which those differ, here and with each node warmer by ``_NUDGE``. Newton
+    where warming calms down by itself, as below the balance a cold bearing reaches first; elsewhere
+    the bearing warms or cools as it would in time. NaN gaps make no step.
+    """
+    here = np.nan_to_num(gaps[0])
+    slope = np.nan_to_num(np.moveaxis(gaps[1:] - gaps[0], 0, -1)) / _NUDGE  # (…, to, of)
+    calm = np.linalg.eigvals(slope).real.max(axis=-1) < -_CALM
+    safe = np.where(calm[..., None, None], slope, -np.eye(3))
+    newton = -np.linalg.solve(safe, here[..., None])[..., 0]
+    largest = np.abs(here).max(axis=-1, keepdims=True)
+    onward = here * np.maximum(1.0, _LEAST / np.maximum(largest, 1e-300))
+    step = np.where(calm[..., None], newton, onward)
+    size = np.abs(step).max(axis=-1, keepdims=True)
+    return np.asarray(step * np.minimum(1.0, LONGEST / np.maximum(size, 1e-300)))
+
+
+def _network(c: Conductances, t: Surroundings) -> tuple[Array, Array]:
+    """What leaves the nodes balls, inner and outer ring per kelvin, and what enters from around."""
     if min(c) < 0.0 or not (c.inner_shaft + c.outer_housing + c.balls_oil) > 0.0:
         raise InvalidBearing(
             f"heat must leave the bearing: conductances from 0 W/K up, one to shaft, housing or "
@@ -84,81 +145,47 @@ def settled(heat: Heat, conductances: Conductances, surroundings: Surroundings) 
             [-c.balls_outer, 0.0, c.outer_housing + c.balls_outer],
         ]
     )
+    if abs(np.linalg.det(matrix)) <= 1e-12 * np.prod(np.abs(np.diag(matrix)) + 1e-300):
+        raise InvalidBearing(f"heat of a ring or of the balls cannot leave: got {c}")
     outside = np.array([c.balls_oil * t.oil, c.inner_shaft * t.shaft, c.outer_housing * t.housing])
-    here, damping, before = np.linalg.solve(matrix, outside), 0.5, np.inf
-    power = (0.0, 0.0, 0.0)
-    for _ in range(MOST):
-        power = heat(here)
-        inner, outer, oil = power
-        source = np.array([0.5 * (inner + outer) + oil, 0.5 * inner, 0.5 * outer])
-        step = np.linalg.solve(matrix, outside + source) - here
-        size = float(np.abs(step).max())
-        damping = max(0.5 * damping, 0.02) if size > before else min(1.2 * damping, 1.0)
-        here, before = here + np.clip(damping * step, -LONGEST, LONGEST), size
-        if size < TOLERANCE:
-            return Heated(float(here[0]), float(here[1]), float(here[2]), power, "")
-        if here.max() > HOTTEST:
-            break
-    word = (
-        f"temperatures run away: {here.max():.0f} °C and rising; lower speed or preload, take a "
-        "thinner oil or cool more"
-        if here.max() > HOTTEST
-        else f"temperatures do not settle, {before:.2g} K off"
-    )
-    return Heated(float(here[0]), float(here[1]), float(here[2]), power, word)
+    return matrix, outside
 
 
-def heated(  # noqa: PLR0913 - all of it describes one question
-    bearing: BallBearing,
-    *,
-    speed: float,
-    preload: float,
-    lubricant: Lubricant,
-    conductances: Conductances,
-    surroundings: Surroundings,
-    rigid: bool = True,
-    friction: float = 0.05,
-    oil_factor: float = 1.0,
-    ring_expansion: float = STEEL_EXPANSION,
-    ball_expansion: float = STEEL_EXPANSION,
-) -> Heated:
-    """Temperatures of a bearing at ``speed`` [rad/s] under an axial ``preload`` [N].
-
-    ``rigid``: the rings keep the axial place that the preload gives them at rest and 20 °C, so that
-    growth raises it; else a spring holds the load. Expansions [1/K]: 3.2e-6 of silicon nitride.
-    The outcome names a run-away, or that the bearing has no state at the temperatures reached.
-    """
-    alone = [preload, 0.0, 0.0, 0.0, 0.0]
-    place = bearing.equilibrium(load=alone).displacement
-    held: list[BearingState] = []
-
-    def heat(temperature: Array) -> tuple[float, float, float]:
-        growth = thermal_growth(bearing, temperature, ring_expansion, ball_expansion)
-        asked = {"displacement": place} if rigid else {"load": alone}
-        state = bearing.equilibrium(**asked, speed=speed, growth=growth)
-        held[:] = [state]
-        lost = losses(state, lubricant, temperature[0], friction=friction, oil_factor=oil_factor)
-        return float(lost.inner), float(lost.outer), float(lost.viscous)
-
-    try:
-        found = settled(heat, conductances, surroundings)
-    except NoEquilibrium as error:
-        nothing = (np.nan, np.nan, np.nan)
-        return Heated(
-            np.nan, np.nan, np.nan, nothing, f"no state at the temperatures reached: {error}"
-        )
-    return found._replace(state=held[-1])
+def _sources(power: Array) -> Array:
+    """Heat that enters the nodes (…, 3) [W]."""
+    inner, outer, oil = np.moveaxis(power, -1, 0)
+    return np.stack([0.5 * (inner + outer) + oil, 0.5 * inner, 0.5 * outer], axis=-1)
 
 
-def thermal_growth(
-    bearing: BallBearing, temperature: Array, ring_expansion: float, ball_expansion: float
-) -> float:
-    """Radial growth of inner against outer groove [m] at ``temperature`` (3,) of balls, inner and
-    outer ring [°C], the balls' own in it: a bearing of one material that warms evenly keeps its
+def _words(
+    here: Array, size: Array, stateless: NDArray[np.bool_], tolerance: float
+) -> NDArray[np.str_]:
+    hottest = here.max(axis=-1)
+    words = np.full(stateless.shape, "", dtype=object)
+    for at in np.ndindex(stateless.shape):
+        if stateless[at]:
+            words[at] = f"no state at the temperatures reached, {hottest[at]:.0f} °C"
+        elif hottest[at] > HOTTEST:
+            words[at] = (
+                f"temperatures run away: {hottest[at]:.0f} °C and rising; lower speed or preload, "
+                "take a thinner oil or cool more"
+            )
+        elif size[at] >= tolerance:
+            words[at] = f"temperatures do not settle, {size[at]:.2g} K off"
+    return words.astype(str)
+
+
+def parts(lost: Losses) -> Array:
+    """Heat of inner contacts, outer contacts and oil (…, 3) [W]."""
+    return np.stack([lost.inner, lost.outer, lost.viscous], axis=-1)
+
+
+def thermal_growth(bearing: BallBearing, temperature: Array) -> Array:
+    """Radial growth (…) of inner against outer groove [m] at ``temperature`` (…, 3) of balls, inner
+    and outer ring [°C], the balls' own in it: a bearing of one material that warms evenly keeps its
     angle."""
-    balls, inner, outer = np.asarray(temperature, float) - REFERENCE
+    balls, inner, outer = np.moveaxis(np.asarray(temperature, float), -1, 0) - REFERENCE
     ball = bearing.ball_diameter * np.cos(bearing.free_angle)
-    rings = (
-        0.5 * ring_expansion * ((inner - outer) * bearing.pitch_diameter - ball * (inner + outer))
-    )
-    return float(rings + ball_expansion * ball * balls)
+    rings = 0.5 * bearing.ring_material.thermal_expansion
+    rings = rings * ((inner - outer) * bearing.pitch_diameter - ball * (inner + outer))
+    return np.asarray(rings + bearing.ball_material.thermal_expansion * ball * balls)

@@ -1,0 +1,167 @@
+"""A single bearing that warms up: temperatures, growth and preload together; its speed limit."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from bearings.ball.law import STANDARD, Law
+from bearings.errors import InvalidBearing
+from bearings.heat.temperature import (
+    Conductances,
+    Surroundings,
+    Temperatures,
+    balanced,
+    parts,
+    thermal_growth,
+)
+from bearings.heat.total import MODELS, losses
+
+if TYPE_CHECKING:
+    from bearings.bearing import BallBearing
+    from bearings.lubricant import Lubricant
+    from bearings.ring.state import BearingState
+
+Array = NDArray[np.float64]
+CLOSE = 0.005  # of the speed limit
+
+
+@dataclass(frozen=True, slots=True)
+class Mounting:
+    """How a bearing is cooled, lubricated and held.
+
+    Parameters
+    ----------
+    lubricant, conductances, surroundings : of its heat
+    rigid : the rings keep the axial place that the preload gives them at rest and 20 °C, so that
+        growth raises the load; False: a spring holds the load
+    friction, oil_factor, model : of ``losses``
+    law : what is assumed of the balls
+    static_growth : of the inner groove at rest [m]
+    """
+
+    lubricant: Lubricant
+    conductances: Conductances
+    surroundings: Surroundings
+    rigid: bool = True
+    friction: float = 0.05
+    oil_factor: float = 1.0
+    model: str = MODELS[0]
+    law: Law = STANDARD
+    static_growth: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class Heated:
+    """A bearing at the temperatures it reaches, of leading shape (…).
+
+    ``growth`` [m]: by heat, of inner against outer groove; ``state``: under the load it then has;
+    where ``temperatures.outcome`` is not empty they are those of the last iteration.
+    """
+
+    temperatures: Temperatures
+    growth: Array
+    state: BearingState
+
+    @property
+    def outcome(self) -> NDArray[np.str_]:
+        """Empty where temperatures reach a balance, else why they do not (…)."""
+        return self.temperatures.outcome
+
+    @property
+    def axial_load(self) -> Array:
+        """What the preload becomes (…) [N]."""
+        return np.asarray(self.state.load[..., 0])
+
+
+def heated(
+    bearing: BallBearing, mounting: Mounting, *, speed: ArrayLike, preload: ArrayLike
+) -> Heated:
+    """Temperatures of a bearing at ``speed`` [rad/s] under an axial ``preload`` [N], which
+    broadcast to one dimension or more.
+
+    Raises
+    ------
+    InvalidBearing : see ``balanced``; a preload that is not positive
+    """
+    given = (np.atleast_1d(np.asarray(each, float)) for each in (speed, preload))
+    omega, force = np.broadcast_arrays(*given)
+    if not (force > 0.0).all():
+        raise InvalidBearing(f"preload must be positive, got {preload!r}")
+    hold = _held(bearing, mounting, force)
+    last: BearingState | None = None
+
+    def heat(temperature: Array) -> Array:
+        nonlocal last
+        growth = mounting.static_growth + thermal_growth(bearing, temperature)
+        last = hold(omega, growth, last)
+        return parts(_lost(last, mounting, temperature[..., 0]))
+
+    reached = balanced(heat, mounting.conductances, mounting.surroundings, omega.shape)
+    growth = thermal_growth(bearing, np.stack(reached[:3], axis=-1))
+    return Heated(reached, growth, hold(omega, mounting.static_growth + growth, None))
+
+
+def speed_limit(
+    bearing: BallBearing, mounting: Mounting, *, preload: ArrayLike, fastest: float
+) -> Array:
+    """Speed above which temperatures reach no balance, for every ``preload`` (n,) [N]; ``fastest``
+    where they do up to there [rad/s]. Within half a per cent.
+
+    It is sought between standstill and ``fastest`` by halving: a bearing that is in balance again
+    above its limit is not found.
+
+    Raises
+    ------
+    InvalidBearing : as of ``heated``; a fastest speed that is not positive
+    """
+    if not fastest > 0.0:
+        raise InvalidBearing(f"fastest must be a positive speed [rad/s], got {fastest!r}")
+    force = np.atleast_1d(np.asarray(preload, float))
+
+    def settles(speed: Array) -> NDArray[np.bool_]:
+        return heated(bearing, mounting, speed=speed, preload=force).outcome == ""
+
+    low, high = np.zeros(force.shape), np.full(force.shape, float(fastest))
+    done = settles(high)
+    while not (done | (high - low <= CLOSE * high)).all():
+        middle = 0.5 * (low + high)
+        fine = settles(middle)
+        low, high = np.where(fine, middle, low), np.where(fine, high, middle)
+    return np.where(done, fastest, low)
+
+
+def _held(bearing: BallBearing, mounting: Mounting, force: Array) -> Any:
+    """Of speeds and growths [m] the state of the mounted bearing."""
+    load = np.zeros((*force.shape, 5))
+    load[..., 0] = force
+    law = mounting.law
+    common: dict[str, Any] = {
+        "kinematics": law.kinematics,
+        "moment_sharing": law.moment_sharing,
+        "friction": law.friction,
+        "dynamics": law.dynamics,
+        "static_growth": mounting.static_growth,
+    }
+    rest = bearing.equilibrium(load=load, **common)
+    place = np.where((rest.outcome == "")[..., None], rest.displacement, 0.0)
+    asked = {"displacement": place} if mounting.rigid else {"load": load}
+
+    def state(speed: Array, growth: Array, near: BearingState | None) -> BearingState:
+        return bearing.equilibrium(**asked, speed=speed, growth=growth, start=near, **common)
+
+    return state
+
+
+def _lost(state: BearingState, mounting: Mounting, temperature: Array) -> Any:
+    return losses(
+        state,
+        mounting.lubricant,
+        temperature,
+        friction=mounting.friction,
+        oil_factor=mounting.oil_factor,
+        model=mounting.model,
+    )

@@ -1,0 +1,163 @@
+"""A bearing whose balls ride on their oil films: growth of the balls, and films as springs.
+
+A film of thickness h between ball and race shortens the distance of the groove centres by h along
+the contact line, as a larger ball would. A state with films hence is the state without them whose
+inner groove stands farther by Σ h (cos α, sin α): the two have one and the same ball loads. Films
+differ little from ball to ball (h ~ Q^−0.067); their mean moves the ring, which is exact where
+balls are alike.
+
+At constant speed a film is a spring of dQ/dh = Q/(0.067 h) in series with its contact.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from bearings.ball.balance import settled, turning_balance
+from bearings.ball.law import STANDARD, Law
+from bearings.film import Film, film
+from bearings.geometry import Groove
+from bearings.ring.assembly import full_assembly
+from bearings.ring.linearised import tangent
+from bearings.ring.problem import Problem, turns
+from bearings.ring.tangents import alike
+
+if TYPE_CHECKING:
+    from bearings.bearing import BallBearing
+    from bearings.lubricant import Lubricant
+    from bearings.ring.state import BearingState
+
+Array = NDArray[np.float64]
+CLOSE = 1e-13  # m
+MOST = 20
+
+
+@dataclass(frozen=True, eq=False)
+class OnFilm:
+    """A bearing on its films, of leading shape (…).
+
+    ``state``: its contacts as they are; the displacement and growth in it are those of grooves
+    without films. ``films``; ``growth``, ``axial`` (…) [m]: by which films seem to let the inner
+    groove grow and move; ``displacement`` (…, 5): of the ring itself; ``stiffness`` (…, 5, 5): with
+    films in series with the contacts.
+    """
+
+    state: BearingState
+    films: Film
+    growth: Array
+    axial: Array
+    displacement: Array
+    stiffness: Array
+
+
+def on_film(  # noqa: PLR0913 - all of it describes one question
+    bearing: BallBearing,
+    lubricant: Lubricant,
+    temperature: ArrayLike,
+    *,
+    load: ArrayLike | None = None,
+    displacement: ArrayLike | None = None,
+    speed: ArrayLike = 0.0,
+    static_growth: ArrayLike = 0.0,
+    growth: ArrayLike | None = None,
+    law: Law = STANDARD,
+    starvation: float = 1.0,
+    heating: bool = True,
+) -> OnFilm:
+    """The state under a load or a displacement of the inner ring, films between balls and races.
+
+    Arguments of ``BallBearing.equilibrium`` and of ``film``, with their errors; the axial
+    displacement is counted as without films.
+    """
+    static = np.asarray(static_growth, float)
+    total = static if growth is None else np.asarray(growth, float)
+    common: dict[str, Any] = {
+        "speed": speed,
+        "static_growth": static,
+        "kinematics": law.kinematics,
+        "moment_sharing": law.moment_sharing,
+        "friction": law.friction,
+        "dynamics": law.dynamics,
+        "load": load,
+    }
+    more, axial = np.zeros(()), np.zeros(())
+    for _ in range(MOST):
+        place = None if displacement is None else _moved(displacement, axial)
+        state = bearing.equilibrium(**common, displacement=place, growth=total + more)
+        films = film(state, lubricant, temperature, starvation=starvation, heating=heating)
+        before = more, axial
+        more, axial = _grown(state, films)
+        if max(np.abs(more - before[0]).max(), np.abs(axial - before[1]).max()) < CLOSE:
+            break
+    moved = _moved(state.displacement, -axial)
+    return OnFilm(state, films, more, axial, moved, softened(state, films))
+
+
+def _moved(displacement: ArrayLike, axial: Array) -> Array:
+    given = np.asarray(displacement, float)
+    shape = np.broadcast_shapes(given.shape[:-1], axial.shape)
+    found = np.broadcast_to(given, (*shape, 5)).copy()
+    found[..., 0] += axial
+    return found
+
+
+def _grown(state: BearingState, films: Film) -> tuple[Array, Array]:
+    """Radial and axial part of what films take from the distance of the grooves (…) [m]."""
+    loaded = np.asarray(state.contact_load) > 0.0
+    angle = np.where(loaded, state.contact_angle, 0.0)
+    balls = np.maximum(loaded.any(axis=-1).sum(axis=-1), 1)
+    thick = np.where(loaded, films.central, 0.0)
+    radial = (thick * np.cos(angle)).sum(axis=(-2, -1)) / balls
+    axial = (thick * np.sin(angle)).sum(axis=(-2, -1)) / balls
+    known = state.outcome == ""
+    return np.where(known, radial, 0.0), np.where(known, axial, 0.0)
+
+
+def softened(state: BearingState, films: Film) -> Array:
+    """Tangent (…, 5, 5) of a state whose contacts have their films in series, at constant speed.
+
+    Each contact is replaced by one of equal load whose slope is that of both springs. Bearings of
+    one groove a ring; others keep their tangent.
+    """
+    operation = state.operation
+    g, speed = operation.geometry, state.speed.reshape(-1)
+    good = turns(g, speed) & (state.outcome.reshape(-1) == "")
+    rows = np.flatnonzero(good)
+    if not (rows.size and g.single):
+        return np.asarray(state.complete_stiffness)
+    part = Problem.of(operation, full_assembly).take(rows)
+    a = part.centres(state.displacement.reshape(-1, 5)[rows])
+    x = state.ball_centre.reshape(2, len(speed), -1)[:, rows]
+    spring = films.stiffness.reshape(len(speed), g.balls, -1)[rows]
+    grooves = [
+        _softer(groove, vector, spring[..., k])
+        for k, (groove, vector) in enumerate(
+            ((g.inner_grooves[0], a[:2] - x), (g.outer_grooves[0], x))
+        )
+    ]
+    soft = g._replace(inner_grooves=(grooves[0],), outer_grooves=(grooves[1],))
+    squared = part.speed[:, None] ** 2
+    balance = turning_balance(
+        soft, operation.law.numbers, tuple(a), (x[0], x[1]), squared, part.full, 1.0
+    )
+    stiffness = state.complete_stiffness.reshape(-1, 5, 5).copy()
+    stiffness[rows] = tangent(part, settled(balance))
+    return alike(state, stiffness.reshape(state.complete_stiffness.shape))
+
+
+def _softer(groove: Groove, vector: Array, spring: Array) -> Groove:
+    """A contact of the same load at the same place, with the slope of it and ``spring`` in series
+    (states, balls)."""
+    length = np.hypot(*vector)
+    approach = np.maximum(length - groove.reach, 0.0)
+    load = groove.stiffness * approach**1.5
+    loaded = load > 0.0
+    contact = np.where(loaded, 1.5 * load / np.where(loaded, approach, 1.0), 1.0)
+    deeper = np.where(loaded, approach * (1.0 + contact / spring), 0.0)
+    stiffness = np.where(loaded, load / np.where(loaded, deeper, 1.0) ** 1.5, groove.stiffness)
+    reach: Any = np.where(loaded, length - deeper, groove.reach)
+    return Groove(stiffness, reach, groove.offset)  # type: ignore[arg-type]
