@@ -340,6 +340,9 @@ TemperatureDifference = Annotated[
 ThermalExpansion = Annotated[
     float, Quantity("thermal expansion", at_least="-1e-4 1/K", at_most="1e-3 1/K")
 ]
+ThermalConductance = Annotated[
+    float, Quantity("thermal conductance", at_least="0 W/K", at_most="100000 W/K")
+]
 Duration = Annotated[float, DURATION]
 SlidingFriction = Annotated[float, Quantity("number", at_least="0.001", at_most="1")]
 Cleanness = Annotated[float, Quantity("number", at_least="0", at_most="1")]

@@ -106,32 +106,40 @@ def heated(
 
 
 def speed_limit(
-    bearing: BallBearing, mounting: Mounting, *, preload: ArrayLike, fastest: float
+    bearing: BallBearing,
+    mounting: Mounting,
+    *,
+    preload: ArrayLike,
+    fastest: ArrayLike,
+    slowest: ArrayLike = 0.0,
 ) -> Array:
     """Speed above which temperatures reach no balance, for every ``preload`` (n,) [N]; ``fastest``
     where they do up to there [rad/s]. Within half a per cent.
 
-    It is sought between standstill and ``fastest`` by halving: a bearing that is in balance again
-    above its limit is not found.
+    It is sought by halving between ``slowest``, where there is a balance, and ``fastest``, both one
+    or (n,): a bearing that is in balance again above its limit is not found.
 
     Raises
     ------
-    InvalidBearing : as of ``heated``; a fastest speed that is not positive
+    InvalidBearing : as of ``heated``; a fastest speed that is not above the slowest one
     """
-    if not fastest > 0.0:
-        raise InvalidBearing(f"fastest must be a positive speed [rad/s], got {fastest!r}")
+    if not (np.asarray(fastest) > np.asarray(slowest)).all():
+        raise InvalidBearing(f"fastest must be a speed above {slowest!r} rad/s, got {fastest!r}")
     force = np.atleast_1d(np.asarray(preload, float))
 
     def settles(speed: Array) -> NDArray[np.bool_]:
         return heated(bearing, mounting, speed=speed, preload=force).outcome == ""
 
-    low, high = np.zeros(force.shape), np.full(force.shape, float(fastest))
+    low, high, top = (
+        np.broadcast_to(np.asarray(each, float), force.shape)
+        for each in (slowest, fastest, fastest)
+    )
     done = settles(high)
     while not (done | (high - low <= CLOSE * high)).all():
         middle = 0.5 * (low + high)
         fine = settles(middle)
         low, high = np.where(fine, middle, low), np.where(fine, high, middle)
-    return np.where(done, fastest, low)
+    return np.where(done, top, low)
 
 
 def _held(bearing: BallBearing, mounting: Mounting, force: Array) -> Any:

@@ -20,7 +20,7 @@ from rotordyn.scene.agreement import setting_faults
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.spec import Setting, Spec
 
-OF_BALLS = ("kinematics", "moment_sharing", "friction")
+OF_BALLS = ("kinematics", "moment_sharing", "friction", "dynamics")
 
 
 class ByName:

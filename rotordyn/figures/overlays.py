@@ -78,7 +78,8 @@ class Looks:
         }
 
     def dash(self, series: str) -> Any:
-        return DASHES[self.series.index(series) % len(DASHES)]
+        """Of the curve without a series among others: full."""
+        return DASHES[self.series.index(series) % len(DASHES)] if series else DASHES[0]
 
 
 def colour(place: int) -> str:
@@ -105,7 +106,9 @@ def overlay_figure(
     several = len({group.first.label for group in groups}) > 1 or groups[0].first.panel != ""
     for place, (group, (above, below)) in enumerate(zip(groups, boxes, strict=True)):
         first, strip = group.first, strips and bool(group.changes)
-        words = first.along if strip or place + columns >= len(groups) else ""
+        under = groups[place + columns :][:1]
+        lowest = not under or under[0].first.along != first.along
+        words = first.along if strip or lowest else ""
         axes = add_axes(figure, above, "" if strip else words, _ordinate(first, several=several))
         if place == 0:
             _name(axes, groups, variants, looks)
@@ -154,14 +157,16 @@ def _layout(
     Logarithmic panels, of resonances, are as wide as the figure.
     """
     curve, count = groups[0].first, len(groups)
-    columns = 1 if curve.log else min(count, 3)
+    columns = 1 if curve.log else 2 if count == 4 else min(count, 3)
     rows = math.ceil(count / columns)
     right = RIGHT + (BAR if bar else 0.0)
     gap = 17.0 if columns > 1 else 0.0
     wide = (168.0 - LEFT - right - gap * (columns - 1)) / columns
     tall = 50.0 if curve.log else 84.0 if count == 1 else 62.0 if rows == 1 else 39.0
     top = _room(curve, wide) + 6.0 if curve.places else 8.0
-    between = (9.0 if curve.title else GAP) + (1.0 if curve.places else 0.0)
+    mixed = len({group.first.along for group in groups}) > 1  # named between rows
+    between = 12.0 if mixed else 9.0 if curve.title else GAP
+    between += 1.0 if curve.places else 0.0
     cell = tall + (STRIP + OVER_STRIP if strips else 0.0)
     figure = new_figure(168.0, BELOW + rows * cell + (rows - 1) * between + top)
     boxes = []

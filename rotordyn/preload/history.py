@@ -10,7 +10,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import asdict, dataclass, replace
 
 import numpy as np
 from numpy.typing import NDArray
@@ -171,9 +171,7 @@ def _table(bearing: AxialBearing, speed: float, row: int, most: float) -> Law:
             speed=speed,
             static_growth=bearing.static_growth,
             growth=bearing.growth[row],
-            kinematics=bearing.law.kinematics,
-            moment_sharing=bearing.law.moment_sharing,
-            friction=bearing.law.friction,
+            **asdict(bearing.law),
         )
         load, slope = state.load[:, 0], stiffness(state, "complete")[:, 0, 0]
         known = np.isfinite(load) & np.isfinite(slope)

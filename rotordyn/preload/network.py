@@ -8,7 +8,7 @@ springs at their stated preload, fixes where each spring and stop is.
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -146,9 +146,7 @@ class Network:
                     speed=self.arrangement.speed[:, None],
                     static_growth=[at[p].static_growth for p in where],
                     growth=np.stack([at[p].growth for p in where], axis=1),
-                    kinematics=law.kinematics,
-                    moment_sharing=law.moment_sharing,
-                    friction=law.friction,
+                    **asdict(law),
                     start=None if near is None else near[model, law].state,
                 ),
             )

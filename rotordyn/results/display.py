@@ -32,6 +32,7 @@ _ENGINEERING = {
     "Pa": GIGAPASCAL,
     "m/N": Shown("µm/N", 1e6),
     "(m/s)/N": Shown("(mm/s)/N", 1e3),
+    "degC": Shown("°C"),
     "mm/min": Shown("1e6 mm/min", 1e-6),
     "1": Shown("-"),
     "": Shown(""),

@@ -6,7 +6,7 @@ import math
 from dataclasses import dataclass
 from typing import Annotated
 
-from bearings.ball.law import KINEMATICS, MOMENT_SHARING, Law
+from bearings.ball.law import DYNAMICS, KINEMATICS, MOMENT_SHARING, Law
 from rotordyn.description import Description
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.quantity import Accuracy, Choice, Force, Friction, Length
@@ -41,6 +41,13 @@ class Conditions(Description):
         "coefficient that limits the gyroscopic moment a race holds "
         "([theory](theory/ball.md#friction)); `none`: no limit",
     ] = math.inf
+    dynamics: Annotated[
+        str,
+        Choice(DYNAMICS),
+        "inertia of the balls; `frozen`: centrifugal force at the free contact angle, no "
+        "gyroscopic moment ([theory](theory/four_point.md#at-speed)); `centrifugal`, `gyroscopic`: "
+        "one of the two alone",
+    ] = DYNAMICS[0]
     tangent: Annotated[
         Tangent,
         "stiffness of a spindle's bearings where they act as springs "
@@ -105,4 +112,4 @@ class Conditions(Description):
     def law(self) -> Law:
         """What is assumed of the balls."""
         friction = None if math.isinf(self.friction) else self.friction
-        return Law(self.kinematics, self.moment_sharing, friction)
+        return Law(self.kinematics, self.moment_sharing, friction, self.dynamics)

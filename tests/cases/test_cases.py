@@ -51,6 +51,9 @@ WARNED = {  # what the case is there to show
 }
 
 
+ENDED = {"vex70_warm": "temperatures run away"}  # where states end, as the case is there to show
+
+
 @pytest.mark.parametrize("path", FILES, ids=NAMES)
 def test_case_runs(path: Path, runs: Path) -> None:
     """Warnings as meant, every speed solved, every number finite, figures drawn."""
@@ -62,7 +65,8 @@ def test_case_runs(path: Path, runs: Path) -> None:
     answered = {f"{v}/{a}" for v in case.variants for a in case.analyses} or set(case.analyses)
     assert set(record["outcomes"]) == answered
     for name, words in record["outcomes"].items():
-        assert set(words) == {""}, name
+        odd = {word for word in words if word and ENDED.get(path.stem, word + "!") not in word}
+        assert not odd, name
     assert len((folder / "summary.txt").read_text(encoding="utf-8").splitlines()) <= 60
     meant = WARNED.get(path.stem, ())
     assert [w for w in record["warnings"] if not any(words in w for words in meant)] == []
@@ -70,7 +74,7 @@ def test_case_runs(path: Path, runs: Path) -> None:
     figures = {p.stem for p in folder.glob("*.png")}
     assert figures
     results = rotordyn.open(folder)
-    _look_at_numbers(results, answered, len(case.speeds))
+    _look_at_numbers(results, answered, len(case.speeds), ended=path.stem in ENDED)
     assert results.case == _stored(case)
     assert set(results.figures) >= figures
     assert set(results.figures) - figures <= set(record["skipped"]), "drawn, or said why not"
@@ -101,6 +105,7 @@ SOME = (  # as many as there are: NaN beyond the last, infinite without damping
     *("line_value", "line_curve", "line_peak_speed", "line_peak_value", "line_speed"),
     *("unloading_force", "peak_speed", "peak_amplitude", "fine_displacement"),
     *("contact_heat", "spin_heat", "viscous_heat", "film"),  # where there is oil
+    *("ball_temperature", "inner_temperature", "outer_temperature", "speed_limit"),  # of heat
     *("spectrum_life", "spectrum_set_life", "target", "ring_stress"),  # where asked for
     *("loss_share", "loss_azimuth", "ball_azimuth", "ball_inner_load", "ball_outer_load"),
     *("ball_inner_angle", "ball_outer_angle"),  # a bearing has fewer balls than another one
@@ -113,7 +118,16 @@ OF_SOME_GROOVES = (
 )  # with known shoulders, of two arcs
 
 
-def _look_at_numbers(found: Mapping[str, Any], analyses: set[str], speeds: int) -> None:
+def _where_solved(data: Any, values: Any) -> Any:
+    """Zero where the outcome says why there is no value."""
+    if set(data.outcome.dims) <= set(values.dims):
+        return values.where(data.outcome == "", 0.0)
+    return values
+
+
+def _look_at_numbers(
+    found: Mapping[str, Any], analyses: set[str], speeds: int, *, ended: bool
+) -> None:
     assert set(found) == analyses
     for name, data in found.items():
         assert data.sizes["speed"] == speeds
@@ -125,7 +139,8 @@ def _look_at_numbers(found: Mapping[str, Any], analyses: set[str], speeds: int) 
                 *OF_SOME_GROOVES,
                 *SOME,
             ):
-                assert np.isfinite(values.values).all(), f"{name}: {variable}"
+                known = _where_solved(data, values) if ended else values
+                assert np.isfinite(known.values).all(), f"{name}: {variable}"
 
 
 def test_computed_growth_and_shortening_differ_from_the_identified_ones() -> None:

@@ -12,6 +12,7 @@ from rotordyn.results.display import MILLIMETRE, Shown
 from rotordyn.results.kinds import Array, Flags, Words
 
 BY_LOAD = ("speed", "load")
+FEW_SPEEDS = 3  # which are curves over load, not points of one over speed
 BY_CONTACT = (*BY_LOAD, "ball", "contact")
 
 
@@ -25,7 +26,11 @@ class BearingMapResult:
     contact has no angle and no ellipse ends (NaN). ``truncated``: share of the major axis of the
     contact ellipse outside its groove; ``shoulder_angle`` and ``middle_angle``: where grooves end,
     NaN where no diameter of the shoulder is known, or where the groove has one arc.
-    ``revolutions``: L10r of ISO/TS 16281; heat and film are NaN without a lubricant.
+    ``revolutions``: L10r of ISO/TS 16281; heat and film are NaN without a lubricant. With a heat
+    flow ``load`` is the preload at rest and 20 °C, ``axial_force`` what it becomes; temperatures
+    and ``speed_limit``, above which they reach no balance, are NaN without one, the limit also
+    where it lies beyond the speeds. ``film_growth``: by which films shorten the distance of the
+    grooves, 0 where balls do not ride on them.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -36,6 +41,7 @@ class BearingMapResult:
     ball: Array = coordinate("ball", unit="rad", label="azimuth of the ball")
     contact: Words = coordinate("contact", unit="", label="contact")
     outcome: NDArray[np.str_] = quantity(*BY_LOAD, unit="", label="outcome")
+    axial_force: Array = quantity(*BY_LOAD, unit="N", label="axial load at work")
     deflection: Array = quantity(*BY_LOAD, unit="m", label="axial deflection")
     radial_deflection: Array = quantity(*BY_LOAD, unit="m", label="radial deflection")
     tilt: Array = quantity(*BY_LOAD, unit="rad", label="tilt about z")
@@ -73,6 +79,15 @@ class BearingMapResult:
     film: Array = quantity(
         *BY_LOAD, unit="m", label="least film thickness", printed=Shown("nm", 1e9)
     )
+    film_growth: Array = quantity(*BY_LOAD, unit="m", label="growth of the balls by films")
+    ball_temperature: Array = quantity(*BY_LOAD, unit="degC", label="temperature of the balls")
+    inner_temperature: Array = quantity(
+        *BY_LOAD, unit="degC", label="temperature of the inner ring"
+    )
+    outer_temperature: Array = quantity(
+        *BY_LOAD, unit="degC", label="temperature of the outer ring"
+    )
+    speed_limit: Array = quantity("load", unit="rad/s", label="speed limit of heat")
     control: NDArray[np.str_] = quantity(*BY_LOAD, unit="", label="controlling race")
     control_agrees: Flags = quantity(*BY_LOAD, unit="", label="kinematics agrees")
     contacts: NDArray[np.int_] = quantity(*BY_LOAD, "ball", unit="", label="loaded contacts")
@@ -123,3 +138,22 @@ class MomentMapResult(BearingMapResult):
     """The same over the moment about z."""
 
     load: Array = coordinate("load", unit="N·m", label="moment")
+
+
+def along_load(result: BearingMapResult) -> bool:
+    """Whether curves run over the load, one per speed, as there are few speeds only."""
+    return result.load.size > result.speed.size and result.speed.size <= FEW_SPEEDS
+
+
+def longest(result: BearingMapResult) -> Array:
+    """Half-length of the longest contact ellipse of all balls (speeds, loads) [m]."""
+    return np.asarray(np.fmax.reduce(result.ellipse_length, axis=(-2, -1)))
+
+
+def motion(result: BearingMapResult) -> tuple[str, str, Array]:
+    """What the swept load moves: name, printed unit, values (speeds, loads)."""
+    if isinstance(result, MomentMapResult):
+        return "tilt", "mrad", result.tilt * 1e3
+    if isinstance(result, RadialMapResult):
+        return "radial deflection", "µm", result.radial_deflection * 1e6
+    return "axial deflection", "µm", result.deflection * 1e6

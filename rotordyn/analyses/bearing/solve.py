@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Any
+import math
+from dataclasses import asdict
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 import bearings
 from bearings.bearing import BallBearing
+from bearings.heat.mounted import Heated, Mounting
 from bearings.ring.state import BearingState
 from rotordyn.analyses.bearing.result import BearingMapResult, MomentMapResult, RadialMapResult
 from rotordyn.analyses.bearing.spec import AXIAL, FIXED, MOMENT, RADIAL, BearingMapSpec
@@ -35,8 +38,9 @@ def answer(
     ------
     NoSolution : no combination has a physical state
     """
-    state = _solved(bearing, conditions, speed, spec)
-    outcome = _outcomes(speed, spec, state)
+    solved = _solved(bearing, conditions, speed, spec)
+    state = solved.state
+    outcome = _outcomes(speed, spec, solved)
     if (outcome != "").all():
         raise NoSolution(f"no load and speed of the case has a state: {outcome.flat[0]}")
     good = outcome == ""
@@ -46,9 +50,13 @@ def answer(
         """Of the ball with the largest contact load."""
         return np.take_along_axis(values, most[..., None], axis=-1)[..., 0]
 
-    tangents = [bearings.stiffness(state, t) for t in spec.tangents]
+    tangents = (
+        [bearings.stiffness(state, t) for t in spec.tangents]
+        if solved.stiffness is None
+        else [solved.stiffness]
+    )
     balls: dict[str, Any] = {n: _where(outcome, there(getattr(state, n))) for n in SHOWN}
-    moved = _where(outcome, state.displacement)
+    moved = _where(outcome, solved.displacement)
     return RESULTS[spec.swept](
         speed=speed,
         load=np.array(spec.values),
@@ -56,6 +64,7 @@ def answer(
         dof=DOFS,
         dof_other=DOFS,
         outcome=outcome,
+        axial_force=_where(outcome, state.load[..., 0]),
         deflection=moved[..., 0],
         radial_deflection=moved[..., 1],
         tilt=moved[..., 4],
@@ -66,14 +75,38 @@ def answer(
         control_agrees=good & there(state.control_agrees),
         attitude=_where(outcome, np.arctan(there(state.tan_beta))),
         **balls,
-        **_life(state, outcome, spec),
+        **_life(solved, outcome, spec),
+        **_heat(bearing, conditions, solved, outcome, spec),
         **_contacts(bearing, state, outcome, spec),
     )
 
 
+class _Solved(NamedTuple):
+    """States over speed and load; ``displacement`` and, where films act, ``stiffness`` of the ring,
+    ``temperature`` of the oil [°C], ``growth`` of the balls by films [m], ``hot``: with heat."""
+
+    state: BearingState
+    displacement: Array
+    temperature: Array
+    growth: Array
+    stiffness: Array | None = None
+    hot: Heated | None = None
+
+
 def _solved(
     bearing: BallBearing, conditions: Conditions, speed: Array, spec: BearingMapSpec
-) -> BearingState:
+) -> _Solved:
+    oil = math.nan if spec.lubricant is None else spec.lubricant.temperature
+    if spec.heat_flow is not None:
+        hot = bearings.heat.heated(
+            bearing,
+            _mounting(conditions, spec),
+            speed=speed[:, None],
+            preload=np.array(spec.values),
+        )
+        state = hot.state
+        cold = np.zeros(state.outcome.shape)
+        return _Solved(state, state.displacement, hot.temperatures.balls, cold, hot=hot)
     loads = np.zeros((len(speed), len(spec.values), 5))
     for component, place in PLACES.items():
         loads[..., place] = getattr(spec, FIXED[component])
@@ -82,20 +115,83 @@ def _solved(
     if spec.tilt == "blocked":
         loads[..., TILTS] = np.nan
         held = np.where(np.isnan(loads), 0.0, np.nan)
-    return bearing.equilibrium(
-        load=loads,
-        displacement=held,
-        speed=speed[:, None] if conditions.bearings == "dynamic" else 0.0,
+    law = conditions.law
+    asked: dict[str, Any] = {
+        "load": loads,
+        "displacement": held,
+        "speed": speed[:, None] if conditions.bearings == "dynamic" else 0.0,
+        "static_growth": spec.static_growth,
+    }
+    if spec.films and spec.lubricant is not None:
+        ridden = bearings.on_film.on_film(bearing, spec.lubricant.oil, oil, **asked, law=law)
+        grown = np.hypot(ridden.growth, ridden.axial)
+        moved = ridden.displacement
+        return _Solved(ridden.state, moved, np.asarray(oil), grown, ridden.stiffness)
+    state = bearing.equilibrium(**asked, **asdict(law))
+    return _Solved(state, state.displacement, np.asarray(oil), np.zeros(state.outcome.shape))
+
+
+def _mounting(conditions: Conditions, spec: BearingMapSpec) -> Mounting:
+    oiled, flow = spec.lubricant, spec.heat_flow
+    assert oiled is not None
+    assert flow is not None
+    return Mounting(
+        oiled.oil,
+        flow.conductances,
+        flow.surroundings,
+        rigid=flow.mounting == "rigid",
+        friction=oiled.friction,
+        oil_factor=bearings.heat.OIL_FACTORS[oiled.supply],
+        model=spec.heat,
+        law=conditions.law,
         static_growth=spec.static_growth,
-        kinematics=conditions.kinematics,
-        moment_sharing=conditions.moment_sharing,
-        friction=conditions.law.friction,
-        dynamics=spec.dynamics,
     )
 
 
-def _life(state: BearingState, outcome: NDArray[np.str_], spec: BearingMapSpec) -> dict[str, Any]:
+def _heat(
+    bearing: BallBearing,
+    conditions: Conditions,
+    solved: _Solved,
+    outcome: NDArray[np.str_],
+    spec: BearingMapSpec,
+) -> dict[str, Any]:
+    """Temperatures, speed limits and growth by films; NaN where nothing is known of them."""
+    names = ("ball_temperature", "inner_temperature", "outer_temperature")
+    grown = {"film_growth": _where(outcome, solved.growth)}
+    if solved.hot is None:
+        nothing = {name: np.full(outcome.shape, np.nan) for name in names}
+        return {**grown, **nothing, "speed_limit": np.full(outcome.shape[1], np.nan)}
+    reached = {
+        name: _where(outcome, each)
+        for name, each in zip(names, solved.hot.temperatures[:3], strict=True)
+    }
+    return {**grown, **reached, "speed_limit": _limits(bearing, conditions, solved, spec)}
+
+
+def _limits(
+    bearing: BallBearing, conditions: Conditions, solved: _Solved, spec: BearingMapSpec
+) -> Array:
+    """Speed above which temperatures reach no balance, between those of the case (loads,)."""
+    assert solved.hot is not None
+    fails, speed = solved.hot.outcome != "", np.asarray(solved.state.speed)[:, 0]
+    limit = np.full(len(spec.values), np.nan)
+    ends = np.flatnonzero(fails.any(axis=0))
+    if not ends.size:
+        return limit
+    first = fails[:, ends].argmax(axis=0)
+    limit[ends] = bearings.heat.speed_limit(
+        bearing,
+        _mounting(conditions, spec),
+        preload=np.array(spec.values)[ends],
+        slowest=np.where(first > 0, speed[first - 1], 0.0),
+        fastest=speed[first],
+    )
+    return limit
+
+
+def _life(solved: _Solved, outcome: NDArray[np.str_], spec: BearingMapSpec) -> dict[str, Any]:
     """Life and safety; heat and film where there is oil."""
+    state = solved.state
     lived = bearings.life.life_of(state, spec.dynamic_rating)
     computed: dict[str, Array] = {
         "revolutions": lived.revolutions,
@@ -108,12 +204,12 @@ def _life(state: BearingState, outcome: NDArray[np.str_], spec: BearingMapSpec) 
         lost = bearings.heat.losses(
             state,
             oiled.oil,
-            oiled.temperature,
+            solved.temperature,
             friction=oiled.friction,
             oil_factor=factor,
             model=spec.heat,
         )
-        films = bearings.film.film(state, oiled.oil, oiled.temperature).least
+        films = bearings.film.film(state, oiled.oil, solved.temperature).least
         least = np.where(np.asarray(state.contact_load) > 0.0, films, np.inf).min(axis=(-2, -1))
         computed |= {
             "contact_heat": lost.inner + lost.outer,
@@ -171,14 +267,17 @@ def tangent_error(result: BearingMapResult, tangent: str, dof: str) -> Array:
     return np.asarray(entry[..., chosen] / entry[..., complete] - 1.0)
 
 
-def _outcomes(speed: Array, spec: BearingMapSpec, state: BearingState) -> NDArray[np.str_]:
+def _outcomes(speed: Array, spec: BearingMapSpec, solved: _Solved) -> NDArray[np.str_]:
     """Empty where a state counts, else a sentence with its speed and load (speeds, loads)."""
+    state = solved.state
     peak = np.fmax(state.inner_pressure, state.outer_pressure).max(axis=-1)
     words = np.where(
         peak > HIGHEST_PRESSURE,
         f"overloaded (peak pressure above {HIGHEST_PRESSURE / 1e9:g} GPa)",
         state.outcome,
     ).astype(object)
+    if solved.hot is not None:
+        words = np.where(solved.hot.outcome != "", solved.hot.outcome.astype(object), words)
     unit = {AXIAL: "N", RADIAL: "N radial", MOMENT: "N·m"}[spec.swept]
     for row, column in np.argwhere(words != ""):
         rpm = speed[row] * RPM.factor

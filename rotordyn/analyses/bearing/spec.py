@@ -5,10 +5,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Annotated
 
-from bearings.ball.law import DYNAMICS
 from rotordyn.description import Faults, ascending, repeated
 from rotordyn.quantity import Choice, Force, Growth, Items, Load, Moment
 from rotordyn.scene.conditions import TANGENTS, Tangent
+from rotordyn.scene.heat_flow import MountedHeatFlow
 from rotordyn.scene.lubrication import LOSS_MODELS, Lubrication
 from rotordyn.scene.spec import Spec
 
@@ -41,14 +41,6 @@ class BearingMapSpec(Spec):
     radial_load: Annotated[Force, "acts all the time, where radial loads are not the list"] = 0.0
     moment: Annotated[Moment, "acts all the time, where moments are not the list"] = 0.0
     tilt: Annotated[str, Choice(TILTS), "`blocked` holds the tilts of the ring at zero"] = TILTS[0]
-    dynamics: Annotated[
-        str,
-        Choice(DYNAMICS),
-        "`frozen`: centrifugal force at the free contact angle, no gyroscopic moment; "
-        "`centrifugal`, `gyroscopic`: one of the two alone "
-        "([theory](theory/four_point.md#at-speed))",
-    ] = DYNAMICS[0]
-
     lubricant: Annotated[Lubrication | None, "oil; without it neither heat nor films"] = None
     dynamic_rating: Annotated[
         Load | None, "C of a catalogue, of one bearing; by default from the grooves"
@@ -58,6 +50,14 @@ class BearingMapSpec(Spec):
         Choice(LOSS_MODELS),
         "`ellipse` or `palmgren` ([theory](theory/life.md#friction-and-heat))",
     ] = LOSS_MODELS[0]
+    heat_flow: Annotated[
+        MountedHeatFlow | None,
+        "conductances by which heat leaves: temperatures, growth and preload then follow from it, "
+        "and the speed up to which they settle ([theory](theory/life.md#temperatures))",
+    ] = None
+    films: Annotated[bool, "balls ride on their films, which let them grow and act as springs"] = (
+        False
+    )
 
     def _faults(self) -> Faults:
         for index, sentence in repeated(self.tangents):
@@ -75,11 +75,23 @@ class BearingMapSpec(Spec):
         fixed = FIXED[self.swept]
         if abs(getattr(self, fixed)) > 0.0:
             yield (fixed,), f"{fixed} is given by the list {given[0]} already"
+        yield from self._oil_faults()
         if (self.moments or abs(self.moment) > 0.0) and self.tilt == "blocked":
             yield (
                 ("tilt",),
                 "tilt blocked takes no moment: the ring's guide carries it; allowed: free",
             )
+
+    def _oil_faults(self) -> Faults:
+        for name in ("heat_flow", "films"):
+            if getattr(self, name) and self.lubricant is None:
+                yield (name,), f"{name} needs an oil: give lubricant"
+        if self.heat_flow is not None and self.combined:
+            yield ("heat_flow",), "is made for axial loads alone: give loads and nothing else"
+        if self.heat_flow is not None and self.films:
+            yield ("films",), "given beside heat_flow; allowed: one of the two"
+        if self.films and self.tangents != TANGENTS[:1]:
+            yield ("tangents",), "films have the complete tangent alone; allowed: complete"
 
     @property
     def swept(self) -> str:

@@ -16,12 +16,13 @@ from rotordyn.results.headline import Number, ends
 from rotordyn.results.text import INDENT, from_to
 
 Array = NDArray[np.float64]
+MOST_LOADS = 6  # in a table of variants
 RINGS = {"i": "inner", "o": "outer"}
 
 
 def summary(result: BearingMapResult) -> list[str]:
     """Stiffness at each load at the first and last speed, life, how balls touch their grooves."""
-    lines = [*_stiffness(result), *_life(result)]
+    lines = [*_stiffness(result), *_life(result), *_heat(result)]
     if result.ball.size > 1 or len(result.contact) > 2:
         lines += _contacts(result)
     return lines
@@ -101,17 +102,42 @@ def _contacts(result: BearingMapResult) -> list[str]:
 
 
 def _life(result: BearingMapResult) -> list[str]:
-    """Life and heat at the first and last load, at the first and last speed."""
+    """Life and heat at the first and last load, at the first and last speed with a state."""
     lines: list[str] = []
     for k in dict.fromkeys((0, len(result.load) - 1)):
-        if not (result.outcome[[0, -1], k] == "").all():
+        good = result.outcome[:, k] == ""
+        if not good.any():
             continue
-        life = f"{from_to(result.revolutions[:, k] * 1e-6, 0)} million revolutions"
-        text = f"{under(result, k)}: L10r {life}, S0 {from_to(result.static_safety[:, k])}"
-        if np.isfinite(result.viscous_heat[-1, k]):
-            heat = result.contact_heat[:, k] + result.viscous_heat[:, k]
+        life = f"{from_to(result.revolutions[good, k] * 1e-6, 0)} million revolutions"
+        text = f"{under(result, k)}: L10r {life}, S0 {from_to(result.static_safety[good, k])}"
+        if np.isfinite(result.viscous_heat[good, k]).any():
+            heat = (result.contact_heat + result.viscous_heat)[good, k]
             text += f", heat {from_to(heat, 0)} W (order of magnitude)"
         lines.append(f"{'life       ' if not lines else INDENT}{text}")
+    return lines
+
+
+def _heat(result: BearingMapResult) -> list[str]:
+    """Temperatures at the highest speed with a balance, speed limit: first and last load."""
+    lines: list[str] = []
+    for k in dict.fromkeys((0, len(result.load) - 1)):
+        known = np.flatnonzero(np.isfinite(result.ball_temperature[:, k]))
+        if not known.size:
+            continue
+        row = known[-1]
+        balls, inner, outer = (
+            f"{getattr(result, name)[row, k]:.0f}"
+            for name in ("ball_temperature", "inner_temperature", "outer_temperature")
+        )
+        limit = result.speed_limit[k] * RPM.factor
+        ends = (
+            f"speed limit {limit:.0f} rpm" if np.isfinite(limit) else "no speed limit up to there"
+        )
+        text = (
+            f"{under(result, k)}: at {result.speed[row] * RPM.factor:.0f} rpm balls {balls}, rings "
+            f"{inner} and {outer} °C, load {result.axial_force[row, k]:.0f} N; {ends}"
+        )
+        lines.append(f"{'warm       ' if not lines else INDENT}{text}")
     return lines
 
 
@@ -123,7 +149,7 @@ def _numbers(counts: NDArray[np.int_]) -> str:
 def numbers(result: BearingMapResult, _: Described) -> Iterator[Number]:
     """Axial and radial stiffness by load."""
     values = result.stiffness[:, :, 0] * STIFFNESS.factor
-    for k in range(len(result.load)):
+    for k in _shown(result):
         for i, way in enumerate(("axial", "radial")):
             name = under(result, k)
             yield from ends(result, name, STIFFNESS.unit, values[:, k, i, i], part=way)
@@ -132,6 +158,15 @@ def numbers(result: BearingMapResult, _: Described) -> Iterator[Number]:
         if np.isfinite(result.viscous_heat[:, k]).any():
             heat = result.contact_heat[:, k] + result.viscous_heat[:, k]
             yield from ends(result, f"heat {name}", "W", heat, digits=0)
+        if np.isfinite(result.ball_temperature[:, k]).any():
+            limit = float(result.speed_limit[k] * RPM.factor)
+            yield Number(f"speed limit {name}", "rpm", limit, digits=0, absent="not reached")
+
+
+def _shown(result: BearingMapResult) -> list[int]:
+    """Loads whose numbers are printed: all of few, of many the first and the last."""
+    count = len(result.load)
+    return list(range(count)) if count <= MOST_LOADS else [0, count - 1]
 
 
 def warnings(result: BearingMapResult) -> list[str]:

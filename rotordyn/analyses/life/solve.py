@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import asdict
 from typing import Any
 
 import numpy as np
@@ -222,8 +223,6 @@ def _under_radial_load(
         speed=[step.speed],
         static_growth=static,
         growth=growth,
-        kinematics=law.kinematics,
-        moment_sharing=law.moment_sharing,
-        friction=law.friction,
+        **asdict(law),
     )
     return float(bearings.life.reference_life(state, rating)[0])

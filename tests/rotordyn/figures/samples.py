@@ -456,8 +456,11 @@ def unbalance(count: int = 49) -> UnbalanceResult:
     )
 
 
-def bearing(count: int = 13) -> BearingMapResult:
-    """K grows with the cube root of the load and falls with speed; frozen it errs to −16 %."""
+def bearing(count: int = 13, warm: float = np.nan) -> BearingMapResult:
+    """K grows with the cube root of the load and falls with speed; frozen it errs to −16 %.
+
+    ``warm`` 1: it has temperatures.
+    """
     speed, load = speeds(count), np.array([250.0, 500.0, 1000.0, 1500.0, 2000.0])
     s = (speed / TOP)[:, None] ** 2
     k = 1.4e8 * (load / 1000.0) ** (1 / 3) / (1.0 + 3.0 * s * 500.0 / load)
@@ -499,6 +502,12 @@ def bearing(count: int = 13) -> BearingMapResult:
         spin_heat=5.0 * s * ones,
         viscous_heat=50.0 * s * ones,
         film=3e-7 * ones + 0.0 * s,
+        axial_force=load * ones + 0.0 * s,
+        film_growth=0.0 * ones + 0.0 * s,
+        ball_temperature=warm * (40.0 + 60.0 * s * ones),
+        inner_temperature=warm * (35.0 + 30.0 * s * ones),
+        outer_temperature=warm * (30.0 + 20.0 * s * ones),
+        speed_limit=warm * TOP * (1.0 - load / 1e4),
         control=np.full(k.shape, "outer"),
         control_agrees=np.full(k.shape, True),
     )

@@ -14,6 +14,7 @@ from PIL import Image
 
 from rotordyn.analyses.bearing.solve import answer
 from rotordyn.analyses.bearing.spec import BearingMapSpec
+from rotordyn.analyses.bearing.summary import summary
 from rotordyn.figures.draw import Drawing
 from rotordyn.figures.style import FORMATS, HEAD_COLOUR
 from rotordyn.job.figures import figures
@@ -26,8 +27,8 @@ NAMES = {
     "machine", "campbell", "mode_shapes", "frf_map", "frf_maps", "frf_surface",
     "frf_amplitude_phase_1", "frf_amplitude_phase_2", "frf_real_imaginary_1",
     "frf_real_imaginary_2", "stiffness", "stiffness_force", "preload", "contacts", "bearing",
-    "bearing_life", "bearing_tangents", "section_forces", "elastic_line",
-    "control", "unbalance", "unbalance_forces",
+    "bearing_life", "bearing_motion", "bearing_tangents", "section_forces",
+    "elastic_line", "control", "unbalance", "unbalance_forces",
 }  # fmt: skip
 
 
@@ -118,7 +119,32 @@ def test_bearing_alone(case):
     jobs = figures(
         samples.SampleCase(bearing=samples.ball_bearing(0.09, 25)), {"bearing": samples.bearing(3)}
     )
-    assert [name for name, _ in jobs] == ["bearing", "bearing_life", "bearing_tangents"]
+    assert [name for name, _ in jobs] == [
+        *("bearing", "bearing_motion", "bearing_life", "bearing_tangents")
+    ]
+
+
+@pytest.mark.parametrize("limited", [True, False])
+def test_a_bearing_that_warms_up(limited):
+    """Temperatures of three parts over speed; the speed limit over the load, or that there is
+    none."""
+    result = samples.bearing(5, warm=1.0)
+    if not limited:
+        result = replace(result, speed_limit=np.full(result.load.size, np.nan))
+    case = samples.SampleCase(bearing=samples.ball_bearing(0.09, 25))
+    figure = dict(figures(case, {"bearing": result}))["bearing_heat"]()
+    names = [a.get_ylabel() for a in figure.axes]
+    assert names[0] == "temperature [°C]"
+    assert names[3] == "speed limit [rpm]"
+    legend = {text.get_text() for text in figure.axes[0].get_legend().get_texts()}
+    assert legend == {"balls", "inner ring", "outer ring"}
+    assert figure.axes[3].get_xlabel() == "axial load [N]"
+    words = {text.get_text() for text in figure.axes[3].texts}
+    assert words == (set() if limited else {"none up to 24000 rpm"})
+    lines = [line for line in summary(result) if "speed limit" in line]
+    assert len(lines) == 2
+    ends = "speed limit 19200 rpm" if limited else "no speed limit up to there"
+    assert lines[-1].endswith(ends)
 
 
 @pytest.mark.parametrize("keys", [{"radial_loads": (0.0, 6e3, 12e3)}, {"moments": (0.0, 300.0)}])
@@ -131,6 +157,7 @@ def test_a_bearing_whose_balls_differ(keys, tmp_path):
     jobs = figures(samples.SampleCase(bearing=bearing), {"bearing": found})
     assert [name for name, _ in jobs] == [
         "bearing",
+        "bearing_motion",
         "bearing_life",
         "bearing_contacts",
         "bearing_azimuth",
@@ -147,7 +174,9 @@ def test_a_four_point_bearing_under_thrust(tmp_path):
     speed = np.array([0.0, 2000.0, 4000.0, 8000.0]) * RPM
     found = answer(bearing, Conditions(), speed, BearingMapSpec((5e3, 20e3)))
     jobs = figures(samples.SampleCase(bearing=bearing), {"bearing": found})
-    assert [name for name, _ in jobs] == ["bearing", "bearing_life", "bearing_contacts"]
+    assert [name for name, _ in jobs] == [
+        *("bearing", "bearing_motion", "bearing_life", "bearing_contacts")
+    ]
     Drawing(jobs, tmp_path, workers=1).finish()
     drawn = dict(jobs)["bearing_contacts"]()
     (counts,) = (a for a in drawn.axes if "contacts" in a.get_title())

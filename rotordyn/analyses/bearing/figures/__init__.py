@@ -8,9 +8,11 @@ from typing import Any
 
 import numpy as np
 
+from rotordyn.analyses.bearing.result import along_load, longest, motion
 from rotordyn.analyses.bearing.solve import under
 from rotordyn.analyses.contract import Code
 from rotordyn.figures.draw import Job
+from rotordyn.figures.labels import axis_label
 from rotordyn.figures.panels import Shown
 from rotordyn.results.described import Described
 from rotordyn.results.display import GIGAPASCAL, RPM, STIFFNESS
@@ -23,7 +25,10 @@ code = partial(Code, __name__)
 def figures(case: Described, result: Any, _: Mapping[str, Any]) -> Iterator[Job]:
     """The figures of a result."""
     yield "bearing", partial(code("over_load:bearing_figure"), result)
+    yield "bearing_motion", partial(code("over_load:motion_figure"), result)
     yield "bearing_life", partial(code("over_load:life_figure"), result)
+    if np.isfinite(result.ball_temperature).any():
+        yield "bearing_heat", partial(code("over_load:heat_figure"), result)
     if result.ball.size > 1 or len(result.contact) > 2:
         yield "bearing_contacts", partial(code("contacts:contacts_figure"), result)
     if result.ball.size > 1:
@@ -34,26 +39,65 @@ def figures(case: Described, result: Any, _: Mapping[str, Any]) -> Iterator[Job]
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
-    """By load: Kxx and Kyy, tilts blocked, and what stands beside the stiffness of a choice."""
+    """Stiffness and motion; what stands beside the stiffness where one chooses; all by load, or
+    over load by speed where speeds are few."""
     result = variant.result
-    stiffness = result.stiffness[:, :, 0] * STIFFNESS.factor
+    kxx, kyy = (result.stiffness[:, :, 0, i, i] * STIFFNESS.factor for i in (0, 1))
+    yield from _curves(result, "bearing", "stiffness Kxx", STIFFNESS.unit, kxx)
+    yield from _curves(result, "bearing", "stiffness Kyy", STIFFNESS.unit, kyy)
+    for label, unit, values, limits in (
+        (*motion(result), (None, None)),
+        ("half-length of the ellipse", "mm", longest(result) * 1e3, (0.0, None)),
+        ("centrifugal force", "N", result.centrifugal_force, (0.0, None)),
+        ("gyroscopic moment", "N·mm", result.gyroscopic_moment * 1e3, (0.0, None)),
+    ):
+        yield from _curves(result, "bearing_motion", label, unit, values, limits=limits)
+    yield from _choice(result, kxx)
+
+
+def _choice(result: Any, stiffness: Array) -> Iterator[Curve]:
+    """Stiffness, life, heat, required friction, pressure, speed limit or static safety."""
+    name = "bearing_life"
     pressure = np.fmax(result.inner_pressure, result.outer_pressure) * GIGAPASCAL.factor
     friction = np.fmax(result.inner_grip, result.outer_grip)
-    yield from _by_load(result, "bearing", "stiffness Kxx", STIFFNESS.unit, stiffness[..., 0, 0])
-    yield from _by_load(result, "bearing", "stiffness Kyy", STIFFNESS.unit, stiffness[..., 1, 1])
-    yield from _by_load(result, "bearing_life", "peak pressure", GIGAPASCAL.unit, pressure)
-    revolutions = result.revolutions * 1e-6
-    yield from _by_load(result, "bearing_life", "L10r, 1e6", "rev", revolutions, log=True)
-    yield from _by_load(result, "bearing_life", "required friction", "-", friction)
+    yield from _curves(result, name, "stiffness Kxx", STIFFNESS.unit, stiffness)
+    yield from _curves(result, name, "L10r, 1e6", "rev", result.revolutions * 1e-6, log=True)
     if np.isfinite(result.viscous_heat).any():
         heat = result.contact_heat + result.viscous_heat
-        yield from _by_load(result, "bearing_life", "heat", "W", heat)
+        yield from _curves(result, name, "heat", "W", heat)
+    yield from _curves(result, name, "required friction", "-", friction)
+    yield from _curves(result, name, "peak pressure", GIGAPASCAL.unit, pressure)
+    if np.isfinite(result.ball_temperature).any():
+        below = axis_label(result, "load")
+        limit = result.speed_limit * RPM.factor
+        yield Curve(
+            *(name, "speed limit of heat", "rpm", result.load, limit), along=below, limits=(0, None)
+        )
+    else:
+        yield from _curves(result, name, "static safety S0", "-", result.static_safety)
 
 
-def _by_load(
-    result: Any, figure: str, label: str, unit: str, values: Array, *, log: bool = False
+def _curves(
+    result: Any,
+    figure: str,
+    label: str,
+    unit: str,
+    values: Array,
+    *,
+    log: bool = False,
+    limits: tuple[float | None, float | None] = (0.0, None),
 ) -> Iterator[Curve]:
-    rpm, limits = result.speed * RPM.factor, (None if log else 0.0, None)
+    how: Any = {"limits": (None, None) if log else limits, "log": log}
+    rpm = result.speed * RPM.factor
+    if along_load(result):
+        below = axis_label(result, "load")
+        for k in range(len(rpm)):
+            series = f"{rpm[k]:.0f} rpm"
+            yield Curve(
+                *(figure, label, unit, result.load, values[k]), series=series, along=below, **how
+            )
+        return
     for k in range(len(result.load)):
-        series = under(result, k, " axial")
-        yield Curve(figure, label, unit, rpm, values[:, k], series=series, limits=limits, log=log)
+        yield Curve(
+            figure, label, unit, rpm, values[:, k], series=under(result, k, " axial"), **how
+        )

@@ -13,8 +13,7 @@ from rotordyn.analyses.bearing.figures.groove_ends import (
     groove_ends,
     loaded_contacts,
 )
-from rotordyn.analyses.bearing.figures.over_load import over_load
-from rotordyn.analyses.bearing.result import BearingMapResult
+from rotordyn.analyses.bearing.result import BearingMapResult, along_load
 from rotordyn.analyses.bearing.solve import under
 from rotordyn.figures.curves import draw_runs
 from rotordyn.figures.labels import axis_label
@@ -93,7 +92,7 @@ def contacts_figure(result: BearingMapResult) -> Figure:
 
 def _sweep(result: BearingMapResult) -> Sweep:
     rpm = result.speed * RPM.factor
-    if over_load(result):
+    if along_load(result):
         rows = _few(rpm.size)
         names = tuple(f"{rpm[k]:.0f} rpm" for k in rows)
         return Sweep(result.load, axis_label(result, "load"), rows, names, True)

@@ -2,20 +2,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analyses.bearing.result import BearingMapResult
+from rotordyn.analyses.bearing.result import BearingMapResult, along_load, longest, motion
 from rotordyn.analyses.bearing.solve import under
 from rotordyn.figures.amplitudes import log_axis
 from rotordyn.figures.curves import draw_runs
 from rotordyn.figures.labels import axis_label
 from rotordyn.figures.legends import legend, top_legend
 from rotordyn.figures.style import (
+    BLACK,
     CYCLE,
     DASHES,
+    FONT_SIZE,
     add_axes,
     grid_boxes,
     marked,
@@ -28,13 +31,6 @@ from rotordyn.results.display import DEGREE, GIGAPASCAL, RPM, STIFFNESS
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
-
-FEW_SPEEDS = 3  # which are curves over load, not points of one over speed
-
-
-def over_load(result: BearingMapResult) -> bool:
-    """Whether curves run over the load, one per speed, as there are few speeds only."""
-    return result.load.size > result.speed.size and result.speed.size <= FEW_SPEEDS
 
 
 def bearing_figure(result: BearingMapResult) -> Figure:
@@ -51,7 +47,7 @@ def bearing_figure(result: BearingMapResult) -> Figure:
     angle = "contact angle" if len(result.contact) == 2 else "resultant angle"
     names += [f"{angle}{of} [deg]", f"peak pressure{of} [GPa]"]
     boxes = grid_boxes(figure, 2, 2, margins=(15.0, 6.0, 12.0, 8.0), gaps=(18.0, 5.0))
-    below = axis_label(result, "load") if over_load(result) else "speed [rpm]"
+    below = axis_label(result, "load") if along_load(result) else "speed [rpm]"
     axes = [
         add_axes(figure, box, below if place > 1 else "", name)
         for place, (box, name) in enumerate(zip(boxes, names, strict=True))
@@ -66,7 +62,7 @@ def bearing_figure(result: BearingMapResult) -> Figure:
         _curves(axes[place], result, inner * factor, of_ball=True)
         _curves(axes[place], result, outer * factor, dash=1, of_ball=True)
     for place, each in enumerate(axes):
-        if not over_load(result):
+        if not along_load(result):
             speed_ticks(each, float(result.speed[-1] * RPM.factor))
         each.tick_params(labelbottom=place > 1)
         low, high = each.get_ylim()
@@ -78,32 +74,92 @@ def bearing_figure(result: BearingMapResult) -> Figure:
     return figure
 
 
+def motion_figure(result: BearingMapResult) -> Figure:
+    """What the load moves, half-length of the contact ellipse, centrifugal force, gyroscopic
+    moment."""
+    what, unit, moved = motion(result)
+    names = [f"{what} [{unit}]", "half-length of the ellipse [mm]"]
+    names += ["centrifugal force [N]", "gyroscopic moment [N·mm]"]
+    figure, axes = _panels(names, result)
+    _curves(axes[0], result, moved, label=True)
+    _curves(axes[1], result, longest(result) * 1e3)
+    _curves(axes[2], result, result.centrifugal_force, of_ball=True)
+    _curves(axes[3], result, result.gyroscopic_moment * 1e3, of_ball=True)
+    axes[0].axhline(0.0, color=BLACK, lw=0.6)
+    for each in axes[1:]:
+        with_zero(each, 1.05)
+    top_legend(figure, axes[0])
+    return figure
+
+
 def life_figure(result: BearingMapResult) -> Figure:
     """Life, inclination of the ball's rotation, required friction, and heat or static safety."""
     oiled = np.isfinite(result.viscous_heat).any()
     names = ["life L10r [1e6 revolutions]", "inclination β [deg]", "required friction μ [-]"]
     names += ["heat, order of magnitude [W]" if oiled else "static safety S0 [-]"]
-    figure = new_figure(168.0, 118.0)
-    boxes = grid_boxes(figure, 2, 2, margins=(15.0, 6.0, 12.0, 8.0), gaps=(18.0, 5.0))
-    below = axis_label(result, "load") if over_load(result) else "speed [rpm]"
-    axes = [
-        add_axes(figure, box, below if place > 1 else "", name)
-        for place, (box, name) in enumerate(zip(boxes, names, strict=True))
-    ]
+    figure, axes = _panels(names, result)
     last = result.contact_heat + result.viscous_heat if oiled else result.static_safety
     _curves(axes[0], result, result.revolutions * 1e-6, label=True)
     _curves(axes[1], result, result.attitude * DEGREE.factor, of_ball=True)
     _curves(axes[2], result, np.fmax(result.inner_grip, result.outer_grip), of_ball=True)
     _curves(axes[3], result, last)
     log_axis(axes[0])
-    for place, each in enumerate(axes):
-        if not over_load(result):
-            speed_ticks(each, float(result.speed[-1] * RPM.factor))
-        each.tick_params(labelbottom=place > 1)
     for each in axes[2:]:
         with_zero(each, 1.05)
     top_legend(figure, axes[0])
     return figure
+
+
+def heat_figure(result: BearingMapResult) -> Figure:
+    """Temperatures, load at work and heat of a bearing that warms up, and its speed limit."""
+    names = ["temperature [°C]", "axial load at work [N]", "heat, order of magnitude [W]"]
+    figure, axes = _panels([*names, "speed limit [rpm]"], result, heads=("",) * 3 + ("load",))
+    _curves(axes[0], result, result.ball_temperature)
+    _curves(axes[0], result, result.inner_temperature, dash=1)
+    _curves(axes[0], result, result.outer_temperature, dash=2)
+    _curves(axes[1], result, result.axial_force, label=True)
+    _curves(axes[2], result, result.contact_heat + result.viscous_heat)
+    limit = result.speed_limit * RPM.factor
+    axes[3].plot(result.load, limit, color=BLACK, lw=1.0, **marked(0))
+    axes[3].set_xlim(0.0, float(result.load[-1]) * 1.08)
+    top = float(result.speed[-1] * RPM.factor)
+    if not np.isfinite(limit).any():
+        axes[3].text(
+            *(0.5, 0.5, f"none up to {top:.0f} rpm"),
+            transform=axes[3].transAxes,
+            ha="center",
+            fontsize=FONT_SIZE - 1.0,
+        )
+        axes[3].set_ylim(0.0, top)
+    for each in axes[1:]:
+        with_zero(each, 1.05)
+    for dash, part in enumerate(("balls", "inner ring", "outer ring")):
+        axes[0].plot([], [], color="#444444", ls=DASHES[dash], label=part)
+    top_legend(figure, axes[1])
+    legend(axes[0], loc="upper left")
+    return figure
+
+
+def _panels(
+    names: Sequence[str], result: BearingMapResult, heads: Sequence[str] = ("",) * 4
+) -> tuple[Figure, list[Axes]]:
+    """Four panels over one abscissa; ``heads``: "load" where it is the load all the same."""
+    mixed = "load" in heads and not along_load(result)
+    figure = new_figure(168.0, 126.0 if mixed else 118.0)
+    gaps = (18.0, 13.0 if mixed else 5.0)
+    boxes = grid_boxes(figure, 2, 2, margins=(15.0, 6.0, 12.0, 8.0), gaps=gaps)
+    loads = axis_label(result, "load")
+    axes = []
+    for place, (box, name, head) in enumerate(zip(boxes, names, heads, strict=True)):
+        over = along_load(result) or head == "load"
+        below = loads if over else "speed [rpm]"
+        labelled = mixed or place > 1
+        each = add_axes(figure, box, below if labelled else "", name)
+        if not over:
+            speed_ticks(each, float(result.speed[-1] * RPM.factor))
+        each.tick_params(labelbottom=labelled)
+        axes.append(each)
+    return figure, axes
 
 
 def _entry(
@@ -125,7 +181,7 @@ def _curves(
     """A curve per load over speed, or per speed over load; ``of_ball``: the most loaded one."""
     rpm, style = result.speed * RPM.factor, DASHES[dash]
     ball = result.loaded_ball if of_ball else np.zeros_like(result.loaded_ball)
-    if over_load(result):
+    if along_load(result):
         for row, speed in enumerate(rpm):
             name = f"{speed:.0f} rpm" if label else None
             look = {"color": CYCLE[row % len(CYCLE)], "ls": style, "label": name, **marked(row)}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -16,9 +17,13 @@ from rotordyn.analyses.known import matches
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.machine.reference import Reference
 from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.heat_flow import MountedHeatFlow
+from rotordyn.scene.lubrication import Lubrication
 from tests.oracles.known_bearings import RPM, VEX70
 from tests.oracles.known_grooves import QJ218, R24_14, four_point
 
+OIL = Lubrication(32e-6, 5.4e-6, 50.0)
+FLOW = MountedHeatFlow(3.0, 6.0, 30.0, 25.0, 30.0, balls_oil=1.0)
 SPEED = np.array([0.0, 15000.0, 30000.0]) * RPM
 
 
@@ -167,9 +172,9 @@ def test_blocked_tilts() -> None:
 
 def test_frozen_dynamics_of_a_third_contact() -> None:
     """QJ218 at 5 kN: from 3200 rpm on by an independent code, without gyroscopic moment."""
-    spec = BearingMapSpec((5e3,), dynamics="frozen")
+    spec, frozen = BearingMapSpec((5e3,)), Conditions(dynamics="frozen")
     speed = np.array([3200.0 * 0.99, 3200.0 * 1.01]) * RPM
-    found = answer(four_point(QJ218), Conditions(), speed, spec)
+    found = answer(four_point(QJ218), frozen, speed, spec)
     assert found.contacts[:, 0, 0].tolist() == [2, 3]
     assert (found.gyroscopic_moment == 0.0).all()
     assert found.ball.size == 1  # all alike
@@ -183,9 +188,74 @@ def test_frozen_dynamics_of_a_third_contact() -> None:
         ({"radial_loads": (1.0,), "radial_load": 2.0}, "given by the list radial_loads already"),
         ({"moments": (1.0,), "tilt": "blocked"}, "takes no moment"),
         ({"moments": (2.0, 1.0)}, r"moments\[1\]: not in ascending order"),
-        ({"loads": (1.0,), "dynamics": "jones"}, "dynamics"),
+        ({"loads": (1.0,), "films": True}, "films needs an oil: give lubricant"),
+        ({"loads": (1.0,), "heat_flow": FLOW}, "heat_flow needs an oil: give lubricant"),
+        ({"loads": (1.0,), "heat_flow": FLOW, "lubricant": OIL, "films": True}, "one of the two"),
+        ({"radial_loads": (1.0,), "heat_flow": FLOW, "lubricant": OIL}, "axial loads alone"),
+        (
+            {"loads": (1.0,), "films": True, "lubricant": OIL, "tangents": ("frozen",)},
+            "films have the complete tangent alone",
+        ),
     ],
 )
 def test_loads_that_contradict_one_another(keys: dict[str, Any], said: str) -> None:
     with pytest.raises(InvalidInput, match=said):
         BearingMapSpec(**keys)
+
+
+def test_one_of_the_two_inertias_alone() -> None:
+    found = {
+        name: answer(VEX70, Conditions(dynamics=name), SPEED[:2], BearingMapSpec((1000.0,)))
+        for name in ("resultant", "centrifugal", "gyroscopic")
+    }
+    alone = VEX70.equilibrium(load=[1000, 0, 0, 0, 0], speed=SPEED[1], dynamics="centrifugal")
+    assert found["centrifugal"].deflection[1, 0] == pytest.approx(alone.displacement[0], rel=1e-9)
+    assert (found["centrifugal"].gyroscopic_moment == 0.0).all()
+    assert (found["gyroscopic"].centrifugal_force == 0.0).all()
+    assert found["gyroscopic"].gyroscopic_moment[1, 0] > 0.0
+    rest = [each.deflection[0, 0] for each in found.values()]
+    assert rest == pytest.approx([rest[0]] * 3, rel=1e-12)
+
+
+def test_films_are_those_of_the_bearing_alone() -> None:
+    spec = BearingMapSpec((610.0,), films=True, lubricant=OIL)
+    found, bare = (
+        answer(VEX70, Conditions(), SPEED[:2], each)
+        for each in (spec, BearingMapSpec((610.0,), lubricant=OIL))
+    )
+    alone = bearings.on_film.on_film(VEX70, OIL.oil, 50.0, load=[610.0, 0, 0, 0, 0], speed=SPEED[1])
+    assert found.deflection[1, 0] == pytest.approx(alone.displacement[0], abs=1e-12)
+    assert found.stiffness[1, 0, 0] == pytest.approx(alone.stiffness, rel=1e-9)
+    assert found.film_growth[0, 0] == 0.0
+    assert found.film_growth[1, 0] > 0.5e-6
+    assert (bare.film_growth == 0.0).all()
+
+
+def test_temperatures_are_those_of_the_bearing_alone() -> None:
+    """300 N and 610 N between rigid rings, run-away above the limit; a spring stays cooler."""
+    from bearings import heat
+
+    spec = BearingMapSpec((300.0, 610.0), heat_flow=FLOW, lubricant=OIL)
+    speed = np.array([0.0, 8e3, 16e3, 24e3]) * RPM
+    found = answer(VEX70, Conditions(), speed, spec)
+    mounting = heat.Mounting(OIL.oil, FLOW.conductances, FLOW.surroundings)
+    alone = heat.heated(VEX70, mounting, speed=speed[2], preload=610.0)
+    assert found.ball_temperature[2, 1] == pytest.approx(alone.temperatures.balls[0], abs=1e-3)
+    assert found.axial_force[2, 1] == pytest.approx(alone.axial_load[0], rel=1e-5)
+    lost = heat.losses(alone.state, OIL.oil, alone.temperatures.balls)
+    total = found.contact_heat[2, 1] + found.viscous_heat[2, 1]
+    assert total == pytest.approx(float(lost.total[0]), rel=1e-4)
+    assert all("run away" in word for word in found.outcome[3])
+    assert np.isnan(found.ball_temperature[3]).all()
+    assert (found.speed_limit > speed[2]).all()
+    assert (found.speed_limit < speed[3]).all()
+    soft = replace(spec, heat_flow=replace(FLOW, mounting="spring"))
+    cool = answer(VEX70, Conditions(), speed[:3], soft)
+    assert (cool.ball_temperature[1:] < found.ball_temperature[1:3]).all()
+    assert cool.axial_force == pytest.approx(np.broadcast_to([300.0, 610.0], (3, 2)))
+    assert np.isnan(cool.speed_limit).all()
+
+
+def test_heat_that_cannot_leave_is_refused() -> None:
+    with pytest.raises(InvalidInput, match="heat must leave the bearing"):
+        replace(FLOW, inner_shaft=0.0, outer_housing=0.0, balls_oil=0.0)
