@@ -356,7 +356,7 @@ def pair(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]
     """A response and an excitation."""
     ports = []
     if not isinstance(node.value, dict):
-        reading.wrong_shape(annotation, node, "a mapping (key: value)")
+        reading.wrong_shape(annotation, node, "a mapping with response and excitation")
         return unknown(Port), unknown(Port)
     keys = ("response", "excitation")
     for key, child in node.value.items():

@@ -77,9 +77,11 @@ def find(kind: str, reference: str, beside: Path) -> Path:
     names = known(kind)
     if reference in names:
         return models_root() / kind / f"{reference}.yaml"
+    file = f"{reference}.yaml"
+    hint = f" (did you mean {file}?)" if (beside.parent / file).exists() else ""
     raise UnknownModel(
         f"unknown model: given '{reference}'; allowed: {_few(names)}, or the path of a file"
-        + suggestion(reference, names)
+        + (hint or suggestion(reference, names))
     )
 
 

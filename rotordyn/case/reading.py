@@ -156,7 +156,7 @@ class Reading:
         ``given``: values of fields that are no keys.
         """
         if not isinstance(node.value, dict):
-            return self.wrong_shape(kind, node, "a mapping (key: value)")
+            return self.wrong_shape(kind, node, _mapping(kind))
         return self.made(kind, self.fields(kind, node, others) | given, node)
 
     def made(self, kind: type, values: Mapping[str, Any], node: Node) -> Any:
@@ -329,6 +329,14 @@ def _matching(node: Node, way: tuple[str, ...]) -> Iterator[Node]:
     for key, child in node.items():
         if way[0] == key or (way[0] == "*" and isinstance(key, int)):
             yield from _matching(child, way[1:])
+
+
+def _mapping(kind: type) -> str:
+    """What is written for a description, with the keys that it must have."""
+    needed = [".".join(field.keys) for field in keys_of(kind) if field.default is REQUIRED]
+    return (
+        f"a mapping (key: value) with {', '.join(needed)}" if needed else "a mapping (key: value)"
+    )
 
 
 def exact(node: Node, path: Path) -> Node | None:

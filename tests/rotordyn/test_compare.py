@@ -91,7 +91,7 @@ def test_folder_holds_tables_of_each_and_figures_of_all(tmp_path: Path) -> None:
 
 
 def test_summary_has_a_line_per_variant_and_what_is_known_of_each(tmp_path: Path) -> None:
-    text = deliver(compared(), tmp_path / "out").summary
+    text = deliver(compared(), tmp_path / "out", figures=False).summary
     modes = text.split("bending modes")[1].splitlines()
     assert modes[2].startswith("flexible rotor  903.4 → ")
     assert modes[3].startswith("rigid rotor     1082.0 → ")
@@ -104,7 +104,7 @@ def test_summary_has_a_line_per_variant_and_what_is_known_of_each(tmp_path: Path
 
 def test_a_variant_without_solution_is_named_and_the_others_are_answered(tmp_path: Path) -> None:
     whole = compared(lost=without_preload()).vary(TURNING)
-    delivery = deliver(whole, tmp_path / "out")
+    delivery = deliver(whole, tmp_path / "out", figures=False)
     assert delivery.unsolved[0].startswith("variant lost: no speed of the case")
     assert "WARNING: variant lost" in delivery.summary
     assert not (tmp_path / "out" / "lost").exists()
@@ -180,7 +180,11 @@ def test_variants_of_one_title_are_all_shown(tmp_path: Path) -> None:
             "c": replace(flexible, title=" "),
         },
     )
-    modes = deliver(same, tmp_path / "out").summary.split("bending modes")[1].splitlines()
+    modes = (
+        deliver(same, tmp_path / "out", figures=False)
+        .summary.split("bending modes")[1]
+        .splitlines()
+    )
     assert [line.split("  ")[0] for line in modes[2:5]] == ["same (a)", "same (b)", "c"]
 
 

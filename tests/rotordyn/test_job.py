@@ -98,7 +98,7 @@ def test_folder_holds_numbers_tables_figures_and_record(tmp_path: Path) -> None:
 
 def test_file_holds_what_run_returns(tmp_path: Path) -> None:
     asked = restricted(small(), ("preload", "frf"))
-    deliver(asked, tmp_path / "out")
+    deliver(asked, tmp_path / "out", figures=False)
     written, direct = read_results(tmp_path / "out" / "results.nc"), run(asked)
     assert set(written) == set(direct)
     for name in direct:
@@ -118,9 +118,9 @@ def test_two_runs_give_equal_numbers() -> None:
 
 
 def test_second_delivery_replaces_the_first_whole(tmp_path: Path) -> None:
-    deliver(restricted(small(), ("preload", "stiffness")), tmp_path / "out")
+    deliver(restricted(small(), ("preload", "stiffness")), tmp_path / "out", figures=False)
     assert (tmp_path / "out" / "stiffness.csv").exists()
-    deliver(restricted(small(), ("preload",)), tmp_path / "out")
+    deliver(restricted(small(), ("preload",)), tmp_path / "out", figures=False)
     assert not (tmp_path / "out" / "stiffness.csv").exists()
     assert (tmp_path / "out" / "preload.csv").exists()
 
@@ -138,7 +138,7 @@ def test_failure_leaves_nothing_and_keeps_the_old(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     asked = restricted(small(), ("preload",))
-    deliver(asked, tmp_path / "out")
+    deliver(asked, tmp_path / "out", figures=False)
     before = (tmp_path / "out" / "run.json").read_text(encoding="utf-8")
 
     def full_disk(*_: object) -> None:
@@ -147,7 +147,7 @@ def test_failure_leaves_nothing_and_keeps_the_old(
     monkeypatch.setattr("rotordyn.report.manifest.write_record", full_disk)
     for target in ("out", "new"):
         with pytest.raises(OSError, match="no space"):
-            deliver(asked, tmp_path / target)
+            deliver(asked, tmp_path / target, figures=False)
     assert [p.name for p in tmp_path.iterdir()] == ["out"]
     assert (tmp_path / "out" / "run.json").read_text(encoding="utf-8") == before
 
@@ -161,7 +161,7 @@ def test_no_solution_writes_nothing(tmp_path: Path) -> None:
 
 
 def test_part_of_the_speeds_is_delivered_and_the_rest_named(tmp_path: Path) -> None:
-    delivery = deliver(losing(24000.0), tmp_path / "out")
+    delivery = deliver(losing(24000.0), tmp_path / "out", figures=False)
     assert len(delivery.unsolved) == 1
     assert "d, e is unloaded at 24000 rpm" in delivery.unsolved[0]
     record = json.loads((delivery.folder / "run.json").read_text(encoding="utf-8"))

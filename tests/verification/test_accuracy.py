@@ -53,7 +53,7 @@ def bending(result: CampbellResult, row: int, highest: float) -> np.ndarray:
     )
 
 
-@pytest.mark.parametrize("seed", [*range(12), 69, 210, 217, 458, 460, 853, 881])
+@pytest.mark.parametrize("seed", [*range(4), 69, 210, 217, 458, 460, 853, 881])
 def test_random_rotors(seed: int) -> None:
     """No mode missing, every frequency within the accuracy, errors as estimated."""
     rng = np.random.default_rng(seed)

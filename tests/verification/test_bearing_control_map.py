@@ -30,8 +30,9 @@ def mapped(bearing: AngularContactBallBearing, **how: Any) -> ControlMap:
     return control_map(bearing, **({"speed": SPEED, "lowest": 10.0, "highest": 20000.0} | how))
 
 
-@pytest.mark.parametrize("radial", [0.0, 0.2])
-@pytest.mark.parametrize("kinematics", HYPOTHESES)
+@pytest.mark.parametrize(
+    ("kinematics", "radial"), [*((k, 0.0) for k in HYPOTHESES), ("inner", 0.2), ("outer", 0.2)]
+)
 def test_control_changes_at_the_boundary(kinematics: str, radial: float) -> None:
     """A part in ten million above and below: the race controls every loaded ball on one side."""
     found = mapped(CLOSE, law=Law(kinematics), radial=radial)

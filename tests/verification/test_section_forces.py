@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from bearings import Material
@@ -305,6 +305,7 @@ def test_any_loads_are_in_equilibrium(drawn: list[tuple[float, ...]]) -> None:
     assert np.abs(moment).max() <= 1e-11 * size
 
 
+@settings(max_examples=30)
 @given(LOADS, LOADS)
 def test_loads_superpose(one: list[tuple[float, ...]], other: list[tuple[float, ...]]) -> None:
     """Both sets at once give the sum; all are looked at at the same stations."""

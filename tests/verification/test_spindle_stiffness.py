@@ -75,7 +75,7 @@ def test_secant_is_full_load_over_deflection() -> None:
     assert stiffness().secant[:, 0] == pytest.approx(500.0 / last)
 
 
-@pytest.mark.parametrize(("rpm", "rigid"), [(12000, False), (24000, False), (12000, True)])
+@pytest.mark.parametrize(("rpm", "rigid"), [(24000, False), (12000, True)])
 def test_curve_against_an_independent_equilibrium(rpm: int, rigid: bool) -> None:
     """Bodies found by MINPACK; bearings solved one at a time; the rotor by its flexibility.
 

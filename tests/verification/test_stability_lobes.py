@@ -32,9 +32,9 @@ def test_random_machines_and_cuts(seed):
     assert cut.kind(1.002 * found.depth) == found.kind
 
 
-@pytest.mark.parametrize("speed", [700.0, 1500.0])
-def test_helical_edges(speed):
+def test_helical_edges():
     """The limit is that of the cutting forces at that very depth."""
+    speed = 1500.0
     helix, diameter = math.radians(30.0), 0.016
     found = limit_depth(MACHINE.receptance, *CUT, speed, helix=helix, diameter=diameter)
     straight = limit_depth(MACHINE.receptance, *CUT, speed)

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from jsonschema import Draft202012Validator
 
@@ -148,6 +148,7 @@ def test_unknown_kind_of_file() -> None:
 
 
 @pytest.mark.parametrize("kind", units.KINDS)
+@settings(max_examples=25)
 @given(data=st.data())
 def test_every_unit_that_an_editor_lets_pass_is_read(kind: str, data: st.DataObject) -> None:
     text = data.draw(st.from_regex(rf"\A(?:{units.pattern(kind)})\Z"))

@@ -15,6 +15,7 @@ from rotordyn.analyses.campbell.spec import CampbellSpec
 from rotordyn.analyses.frf.spec import FrfSpec
 from rotordyn.analyses.preload.spec import PreloadSpec
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
+from rotordyn.errors import InvalidInput
 from rotordyn.machine.growth import (
     ComputedShortening,
     InterferenceFit,
@@ -223,3 +224,11 @@ def test_drawbar_and_formulation(tmp_path: Path, guides: str, expected: object) 
     assert bar.guides == expected
     assert case.conditions.formulation == "fixed-frame softening"
     assert not case.conditions.axial_stiffening
+
+
+def test_a_file_beside_the_case_named_without_its_ending_is_suggested(tmp_path: Path) -> None:
+    (tmp_path / "mill.yaml").write_text("title: mine\n", encoding="utf-8")
+    path = tmp_path / "case.yaml"
+    path.write_text("spindle: mill\nspeeds: [0 rpm]\nanalyses: {preload: {}}\n", encoding="utf-8")
+    with pytest.raises(InvalidInput, match=r"given 'mill'; .* \(did you mean mill\.yaml\?\)"):
+        rotordyn.load(path)

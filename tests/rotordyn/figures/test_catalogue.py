@@ -32,6 +32,9 @@ NAMES = {
 }  # fmt: skip
 
 
+WRITTEN = {"campbell", "frf_map", "frf_surface", "machine"}
+
+
 @pytest.fixture(scope="module")
 def drawn(case, results):
     return {name: draw() for name, draw in figures(case, results)}
@@ -39,9 +42,11 @@ def drawn(case, results):
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory, case, results):
+    """Files of those figures between which writing differs: lines, rasters, a mesh in space."""
     path = tmp_path_factory.mktemp("figures")
-    seconds = Drawing(figures(case, results), path, formats=FORMATS).finish()
-    assert set(seconds) == NAMES
+    jobs = [job for job in figures(case, results) if job[0] in WRITTEN]
+    seconds = Drawing(jobs, path, formats=FORMATS).finish()
+    assert set(seconds) == WRITTEN
     assert all(value > 0.0 for value in seconds.values())
     return path
 
@@ -59,7 +64,7 @@ def test_every_axis_label_has_a_unit(drawn, name):
     assert all(re.search(r"\[[^\]]+\]$", label) for label in labels if label)
 
 
-@pytest.mark.parametrize("name", sorted(NAMES))
+@pytest.mark.parametrize("name", sorted(WRITTEN))
 def test_files_are_valid(folder, name):
     assert (folder / f"{name}.png").read_bytes().startswith(b"\x89PNG\r\n\x1a\n")
     assert (folder / f"{name}.pdf").read_bytes().startswith(b"%PDF-")
@@ -148,7 +153,7 @@ def test_a_bearing_that_warms_up(limited):
 
 
 @pytest.mark.parametrize("keys", [{"radial_loads": (0.0, 6e3, 12e3)}, {"moments": (0.0, 300.0)}])
-def test_a_bearing_whose_balls_differ(keys, tmp_path):
+def test_a_bearing_whose_balls_differ(keys):
     """Contacts by load and around the ring; labels with units; NaN of unloaded contacts drawn."""
     bearing = four_point(R24_14)
     spec = BearingMapSpec(axial_load=20e3, **keys)
@@ -162,9 +167,10 @@ def test_a_bearing_whose_balls_differ(keys, tmp_path):
         "bearing_contacts",
         "bearing_azimuth",
     ]
-    assert set(Drawing(jobs, tmp_path, workers=1).finish()) == {name for name, _ in jobs}
     for _, draw in jobs:
-        labels = [t for a in draw().axes for t in (a.get_xlabel(), a.get_ylabel()) if t]
+        figure = draw()
+        figure.draw_without_rendering()
+        labels = [t for a in figure.axes for t in (a.get_xlabel(), a.get_ylabel()) if t]
         assert labels
         assert all(re.search(r"\[[^\]]+\]$", label) for label in labels)
 
@@ -190,15 +196,15 @@ def test_race_control_alone():
     assert [name for name, _ in jobs] == ["control"]
 
 
-def test_one_speed_and_missing_values_can_be_drawn(case, tmp_path):
+def test_one_speed_and_missing_values_can_be_drawn(case):
     results = samples.results(1, 40)
     results["campbell"].frequency[0, 2] = np.nan
     three = samples.results(3, 40)
     three["frf"].receptance[1] = np.nan
     three["preload"].axial_load[1] = np.nan
     for each in (results, three):
-        jobs = figures(case, each)
-        assert set(Drawing(jobs, tmp_path, workers=1).finish()) == {name for name, _ in jobs}
+        for _, draw in figures(case, each):
+            draw().draw_without_rendering()
 
 
 def test_bare_rotor_on_linear_supports(tmp_path):
@@ -235,7 +241,8 @@ def test_pyplot_is_never_imported(tmp_path):
         "import sys; from pathlib import Path; from rotordyn.job.figures import figures;"
         "from rotordyn.figures.draw import Drawing;"
         "from tests.rotordyn.figures import samples as s;"
-        f"Drawing(figures(s.case(), s.results(3, 20)), Path({str(tmp_path)!r}), 1).finish();"
+        "jobs = figures(s.case(), s.results(3, 20)); [draw() for _, draw in jobs];"
+        f"Drawing(jobs[:2], Path({str(tmp_path)!r}), 1).finish();"
         "sys.exit('matplotlib.pyplot' in sys.modules)"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
