@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, TypeVar
 
 from rotordyn.analyses.known import matches
 from rotordyn.analyses.registry import analysis, place
@@ -16,6 +16,8 @@ from rotordyn.results.headline import cells
 from rotordyn.results.text import from_to, opening, wrapped
 
 Variant = tuple[Described, Mapping[str, Any]]
+T = TypeVar("T")
+MOST, FEW = 14, 8  # rows that are all shown; of more, so many
 
 
 def comparison_summary(
@@ -24,7 +26,10 @@ def comparison_summary(
     warnings: Sequence[str] = (),
     notes: Sequence[str] = (),
 ) -> str:
-    """Key figures at the first and the last speed, then the known values that apply."""
+    """Key figures at the first and the last speed, then the known values that apply.
+
+    Of many variants a few are shown, evenly through their order; ``variants.csv`` has all.
+    """
     lines = opening(warnings, called(case), notes)
     for name in sorted({name for _, results in variants for name in results}, key=place):
         record = analysis(name)
@@ -47,9 +52,20 @@ def _ends(variants: Sequence[Variant], name: str) -> str:
 def _aligned(rows: Sequence[tuple[str, Mapping[str, str]]]) -> list[str]:
     """A head and a line per row; columns as wide as their widest entry."""
     heads = list(dict.fromkeys(head for _, cells in rows for head in cells))
-    table = [["", *heads], *([name, *(c.get(h, "–") for h in heads)] for name, c in rows)]
+    shown = [[name, *(c.get(h, "–") for h in heads)] for name, c in _some(rows)]
+    table = [["", *heads], *shown]
     widths = [max(len(line[k]) for line in table) for k in range(len(heads) + 1)]
-    return ["  ".join(map(str.ljust, line, widths)).rstrip() for line in table]
+    return ["  ".join(map(str.ljust, line, widths)).rstrip() for line in table] + _rest(rows)
+
+
+def _some(rows: Sequence[T]) -> Sequence[T]:
+    if len(rows) <= MOST:
+        return rows
+    return [rows[round(k * (len(rows) - 1) / (FEW - 1))] for k in range(FEW)]
+
+
+def _rest(rows: Sequence[Any]) -> list[str]:
+    return [f"{FEW} of {len(rows)} variants; all are in variants.csv"] if len(rows) > MOST else []
 
 
 def _known(variants: Sequence[Variant]) -> list[str]:
@@ -66,5 +82,5 @@ def _beside(reference: Reference, ours: Sequence[tuple[str, str]]) -> list[str]:
     head = f"{reference.kind}  {known_values(reference)}"
     if len(ours) > 1 and len({values for _, values in ours}) == 1:
         ours = [("all of them", ours[0][1])]
-    lines = [head, *(f"    {title}: {values}" for title, values in ours)]
+    lines = [head, *(f"    {title}: {values}" for title, values in _some(ours))]
     return [part for line in lines for part in wrapped(line)]

@@ -230,3 +230,17 @@ def test_race_control_of_variants_stands_side_by_side(tmp_path: Path) -> None:
     assert summary.count("none → none") == 4
     assert (tmp_path / "out" / "control.png").exists()
     assert (tmp_path / "out" / "a" / "control_margins.csv").exists()
+
+
+def test_of_many_variants_a_screen_shows_a_few_and_names_the_table(tmp_path: Path) -> None:
+    whole = restricted(compared(), ("campbell",))
+    one = whole.variants["rigid"]
+    many = {f"v{k}": replace(one, title=f"variant {k}") for k in range(30)}
+    delivery = deliver(replace(whole, variants=many), tmp_path / "out", figures=False)
+    lines = delivery.summary.splitlines()
+    assert len(lines) < 60
+    rows = [line.split("  ")[0] for line in lines if line.startswith("variant ")]
+    assert (len(rows), rows[0], rows[-1]) == (8, "variant 0", "variant 29")
+    assert "8 of 30 variants; all are in variants.csv" in lines
+    table = (tmp_path / "out" / "variants.csv").read_text(encoding="utf-8-sig")
+    assert all(f"variant {k}" in table for k in range(30))
