@@ -315,6 +315,7 @@ EngineOrder = Annotated[float, Quantity("number", at_least="0.001", at_most="100
 Diameter = Annotated[float, DIAMETER]
 Bore = Annotated[float, Quantity("length", at_least="0 m", at_most="10 m")]
 Growth = Annotated[float, GROWTH]
+RingOffset = Annotated[float, Quantity("length", above="0 um", at_most="1 mm")]
 Interference = Annotated[float, Quantity("length", at_least="0 um", at_most="1 mm")]
 Travel = Annotated[float, Quantity("length", at_least="0 um", at_most="100 mm")]
 StopTravel = Annotated[

@@ -18,6 +18,7 @@ from rotordyn.analyses.frf.spec import FrfSpec, MeasuredResponse, Port
 from rotordyn.case.case import Case
 from rotordyn.description import Description, Faults, repeated
 from rotordyn.field import REQUIRED, Field, declared
+from rotordyn.machine.bearing_set import SetPreload
 from rotordyn.machine.fits import Fits
 from rotordyn.machine.growth import (
     ComputedShortening,
@@ -220,6 +221,7 @@ class _Bearing:
     bore_diameter: Annotated[Diameter | None, "of the inner ring"] = None
     outside_diameter: Annotated[Diameter | None, "of the outer ring"] = None
     width: Annotated[Length | None, "of the rings"] = None
+    preloads: Annotated[tuple[LightLoad, ...], "of a pair by class: light, medium, heavy"] = ()
     estimate: Annotated[
         Printed | None,
         "printed values by which balls and grooves that are not given are estimated, of kind "
@@ -233,7 +235,17 @@ class _Material:
     note: Note = ""
 
 
+@dataclass
+class _SetPreload:
+    maker_class: Annotated[
+        Annotated[str, Choice(("light", "medium", "heavy"))] | None,
+        Key("class"),
+        "a class whose force the model of the bearing prints (`preloads`), as class_force",
+    ] = None
+
+
 _EXTRA: dict[type, Any] = {
+    SetPreload: _SetPreload,
     Case: _Case,
     FrfSpec: _Frf,
     MeasuredResponse: _Measured,

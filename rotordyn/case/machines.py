@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from bearings.bearing import BallBearing
+from rotordyn.case.arranged import arrange
 from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
 from rotordyn.case.reading import Reading, exact
@@ -31,6 +32,7 @@ def named_once(root: Node, faults: Faults) -> None:
 
 def read_spindle(reading: Reading, tree: Node, tool: Node | None) -> tuple[Spindle, Node]:
     """The spindle in ``tree`` with the tool in its nose, and the tree of both, checked as one."""
+    arrange(tree, reading.faults)
     with unchecked():
         values = reading.fields(Spindle, tree) | {"name": Path(tree.file).stem}
         made = reading.made(Spindle, values, tree)

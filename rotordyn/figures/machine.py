@@ -187,7 +187,7 @@ def _sleeve_middle(spindle: Spindle, sleeve: Sleeve) -> float:
 
 
 def _sleeve_words(sleeve: Sleeve) -> str:
-    parts = [f"{sleeve.spring.preload:g} N"]
+    parts = [sleeve.spring.words]
     if math.isfinite(sleeve.spring.stiffness):
         parts.append(f"{sleeve.spring.stiffness / 1e6:g} N/µm")
     if math.isfinite(sleeve.stop_travel):

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from rotordyn.machine.ball_guide import BallGuide
+    from rotordyn.machine.bearing_set import BearingSet, SetPreload
     from rotordyn.machine.damping import RayleighDamping
     from rotordyn.machine.drawbar import Drawbar
     from rotordyn.machine.fits import Fits
@@ -33,6 +34,7 @@ if TYPE_CHECKING:
 _MODULE_OF = {
     "BallGuide": "ball_guide",
     "BearingSeat": "support",
+    "BearingSet": "bearing_set",
     "BearingTemperatures": "temperatures",
     "ComputedShortening": "growth",
     "Disc": "lumped",
@@ -52,6 +54,7 @@ _MODULE_OF = {
     "RingGrowth": "growth",
     "Rotor": "rotor",
     "Section": "shaft",
+    "SetPreload": "bearing_set",
     "Shaft": "shaft",
     "Sleeve": "support",
     "Spindle": "spindle",
@@ -63,6 +66,7 @@ _MODULE_OF = {
 __all__ = [
     "BallGuide",
     "BearingSeat",
+    "BearingSet",
     "BearingTemperatures",
     "ComputedShortening",
     "Disc",
@@ -82,6 +86,7 @@ __all__ = [
     "RingGrowth",
     "Rotor",
     "Section",
+    "SetPreload",
     "Shaft",
     "Sleeve",
     "Spindle",

@@ -25,6 +25,7 @@ def spindle_faults(spindle: Spindle) -> Faults:
     yield from _shifts(spindle)
     yield from _bores(spindle)
     yield from _sleeves(spindle)
+    yield from _set(spindle)
     yield from _held_twice(spindle)
     yield from _names_taken(spindle)
     yield from _rotors(spindle)
@@ -123,6 +124,19 @@ def _sleeves(spindle: Spindle) -> Faults:
                 ("sleeves", index, "bearings"),
                 "bearings of one sleeve must all have the same thrust: given +x and -x",
             )
+
+
+def _set(spindle: Spindle) -> Faults:
+    """The bearings of a set exist and take thrust as its name says."""
+    own = spindle.arrangement
+    if own is None:
+        return
+    names = [seat.name for seat in spindle.seats]
+    for index, name in enumerate(own.bearings):
+        for sentence in unknown("bearing", name, names):
+            yield ("arrangement", "bearings", index), sentence
+    for path, sentence in own.faults_with(spindle.seats):
+        yield ("arrangement", *path), sentence
 
 
 def _held_twice(spindle: Spindle) -> Faults:

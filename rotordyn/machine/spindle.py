@@ -9,6 +9,7 @@ from typing import Annotated
 
 from rotordyn.description import Description, Faults, require
 from rotordyn.machine.assembly import spindle_faults
+from rotordyn.machine.bearing_set import BearingSet
 from rotordyn.machine.damping import RayleighDamping
 from rotordyn.machine.drawbar import Drawbar
 from rotordyn.machine.growth import ComputedShortening, PrescribedShortening
@@ -37,6 +38,11 @@ class Spindle(Description):
     discs: Annotated[tuple[Disc, ...], "rigid discs on the shaft"] = ()
     seats: Annotated[tuple[BearingSeat, ...], Key("bearings"), "its bearings, of any kind"] = ()
     sleeves: Annotated[tuple[Sleeve, ...], "sliding sleeves with their springs"] = ()
+    arrangement: Annotated[
+        BearingSet | None,
+        "a set of bearings by its name, DB or TBT, instead of thrusts and a sleeve "
+        "([how](howto/preload.md))",
+    ] = None
     supports: Annotated[
         tuple[LinearSupport, ...],
         "linear supports to ground, to the housing that carries them, to another rotor",
@@ -68,6 +74,15 @@ class Spindle(Description):
     dampers: Annotated[
         tuple[SqueezeFilmDamper, ...], "squeeze films between the shaft and ground"
     ] = ()
+
+    def __post_init__(self) -> None:
+        own: object = self.arrangement
+        if isinstance(own, BearingSet):
+            sleeve = own.sleeve(self.seats)
+            others = tuple(each for each in self.sleeves if each.name != own.name)
+            made = (*others, sleeve) if sleeve is not None else others
+            object.__setattr__(self, "sleeves", made)
+        Description.__post_init__(self)
 
     def _faults(self) -> Faults:
         return spindle_faults(self)

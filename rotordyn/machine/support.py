@@ -31,6 +31,7 @@ from rotordyn.quantity import (
     Preload,
     Quantity,
     Rigidity,
+    RingOffset,
     Speed,
     Station,
     StopTravel,
@@ -229,6 +230,28 @@ class Spring(Description):
     stiffness: Annotated[
         Rigidity, Key(required=True), "`rigid` locks the sleeve in its place at rest"
     ] = math.inf
+    offset: Annotated[
+        RingOffset | None,
+        "of a rigid preload, instead of its force: axial offset of the free rings, or difference "
+        "of spacers",
+    ] = None
+    free: Annotated[
+        bool, "the preload is that of a pair of such bearings before it is mounted, as of a class"
+    ] = False
+
+    @property
+    def words(self) -> str:
+        """What preloads, in a few words."""
+        if self.offset is not None:
+            return f"offset of {self.offset * 1e6:.4g} µm"
+        return f"{self.preload:.6g} N" + " by class" * self.free
+
+    def _faults(self) -> Faults:
+        if (self.free or self.offset is not None) and math.isfinite(self.stiffness):
+            key = "offset" if self.offset is not None else "free"
+            yield (key,), "is of a rigid preload: given beside a stiffness; allowed: with rigid"
+        if self.offset is not None and (self.preload > 0.0 or self.free):
+            yield ("offset",), "given beside a preload: one gives the other; leave one of both out"
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,6 +13,7 @@ from bearings.bearing import BallBearing
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.growth import ring_growth, static_growth
+from rotordyn.preload.mounting import mounted_preload
 from rotordyn.preload.shortening import seat_shifts, thermal_shifts
 
 Array = NDArray[np.float64]
@@ -130,7 +131,8 @@ def _push(spindle: Spindle, k: int) -> Push:
     sleeve = spindle.sleeves[k]
     thrust = next(seat.thrust for seat in spindle.seats if seat.name in sleeve.bearings)
     spring = sleeve.spring
-    return Push(k + 1, -thrust, spring.preload, spring.stiffness, sleeve.stop_travel)
+    preload = mounted_preload(spindle, sleeve)
+    return Push(k + 1, -thrust, preload, spring.stiffness, sleeve.stop_travel)
 
 
 def rigid(push: Push) -> bool:

@@ -93,7 +93,7 @@ def _sleeve(sleeve: Sleeve) -> str:
     stiff = f"{spring.stiffness / 1e6:g} N/µm" if math.isfinite(spring.stiffness) else "rigid"
     stop = f", stop after {sleeve.stop_travel * 1e6:g} µm"
     return (
-        f"sleeve     {sleeve.name} with {', '.join(sleeve.bearings)}: {spring.preload:g} N, "
+        f"sleeve     {sleeve.name} with {', '.join(sleeve.bearings)}: {spring.words}, "
         f"{stiff}{stop if math.isfinite(sleeve.stop_travel) else ''}{_guide(sleeve)}"
     )
 

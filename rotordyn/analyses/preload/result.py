@@ -24,6 +24,8 @@ class PreloadResult:
     outcome: Words = quantity("speed", unit="", label="outcome")
     axial_load: Array = quantity("speed", "bearing", unit="N", label="axial load")
     mounted_load: Array = quantity("bearing", unit="N", label="axial load as mounted")
+    mounted_preload: Array = quantity("sleeve", unit="N", label="preload as mounted")
+    ring_offset: Array = quantity("sleeve", unit="m", label="axial offset of the free rings")
     deflection: Array = quantity("speed", "bearing", unit="m", label="axial deflection")
     stiffness: Array = quantity(
         "speed", "bearing", "dof", "dof_other", unit="N/m, N/rad, N·m/rad", label="stiffness"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 import numpy as np
@@ -10,6 +11,10 @@ from numpy.typing import NDArray
 from bearings.ring.state import BearingState
 from rotordyn.analyses.preload.result import PreloadResult
 from rotordyn.analyses.preload.spec import PreloadSpec
+from rotordyn.errors import InvalidInput
+from rotordyn.preload.arrangement import rigid
+from rotordyn.preload.mounting import ring_offset
+from rotordyn.preload.state import PreloadState
 from rotordyn.results.balls import BALL_QUANTITIES, DOFS
 from rotordyn.results.display import RPM
 from rotordyn.scene.scene import Scene
@@ -46,6 +51,8 @@ def answer(scene: Scene, spec: PreloadSpec) -> PreloadResult:
         outcome=scene.outcome,
         axial_load=shown(state.seat_load()),
         mounted_load=state.mounted_load(),
+        mounted_preload=np.array([p.preload for p in state.network.arrangement.pushes]),
+        ring_offset=np.array([_offset(state, k) for k in range(len(state.spindle.sleeves))]),
         deflection=shown(np.stack([s.displacement[:, c, 0] for s, c in seats], axis=1)),
         stiffness=shown(state.seat_stiffness()),
         slipping=np.where(good[:, None], slips, ""),
@@ -65,3 +72,15 @@ def _of_heaviest(values: NDArray[Any], state: BearingState, column: int) -> NDAr
     its inner race (speeds,); without loads across the axis all of them are alike."""
     heaviest = np.nan_to_num(state.inner_load[:, column]).argmax(axis=1)
     return np.take_along_axis(values[:, column], heaviest[:, None], axis=1)[:, 0]
+
+
+def _offset(state: PreloadState, k: int) -> float:
+    """Axial offset of the free rings of a locked set [m]; NaN of a sprung sleeve, and where nothing
+    in the housing faces its bearings."""
+    sleeve, push = state.spindle.sleeves[k], state.network.arrangement.pushes[k]
+    if not rigid(push):
+        return math.nan
+    try:
+        return ring_offset(state.spindle, sleeve, push.preload)
+    except InvalidInput:
+        return math.nan

@@ -25,6 +25,14 @@ def summary(result: PreloadResult) -> list[str]:
         )
     )
     lines = [f"preload    [N] {loads}"]
+    for name, force, offset in zip(
+        result.sleeve, result.mounted_preload, result.ring_offset, strict=True
+    ):
+        if math.isfinite(offset):
+            lines.append(
+                f"rigid      {name}: {force:.0f} N as mounted, axial offset of the free rings "
+                f"{offset * 1e6:.1f} µm"
+            )
     for name, speed in zip(result.sleeve, result.stop_speed, strict=True):
         when = f"reached at {speed * RPM.factor:.0f} rpm" if math.isfinite(speed) else "not reached"
         lines.append(f"stop       {name}: {when}")

@@ -1,0 +1,73 @@
+"""What a set of bearings says of them in a file: thrusts, and the preload of a maker's class."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+from rotordyn import units
+from rotordyn.case.faults import Faults
+from rotordyn.case.node import Node
+from rotordyn.case.reading import exact
+from rotordyn.machine.bearing_set import SETS, patterns
+
+CLASSES = ("light", "medium", "heavy")
+WORDS = {"+": "+x", "-": "-x"}
+
+
+def arrange(tree: Node, faults: Faults) -> None:
+    """Gives the bearings of a set the thrusts that its name says where they have none, and the
+    preload the force of its class."""
+    if not isinstance(tree.value, dict) or "arrangement" not in tree.value:
+        return
+    for key in ("arrangement", "bearings"):  # variants may share what an override wrote
+        if key in tree.value:
+            tree.value[key] = tree.value[key].copy()
+    own = tree.value["arrangement"]
+    name, listed = own.child("set"), own.child("bearings")
+    names = listed.plain() if listed is not None and isinstance(listed.value, list) else []
+    seats = {seat.name: seat for seat in _seats(tree)}
+    held = [seats[each] for each in names if isinstance(each, str) and each in seats]
+    if name is not None and name.value in SETS and len(held) == len(SETS[name.value]):
+        _thrusts(name, held)
+    if held:
+        _class(own, held[0], faults)
+
+
+def _seats(tree: Node) -> list[Node]:
+    listed = tree.child("bearings")
+    found = listed.value if listed is not None and isinstance(listed.value, list) else []
+    return [seat for seat in found if isinstance(seat.value, dict)]
+
+
+def _thrusts(name: Node, seats: list[Node]) -> None:
+    given = [seat.child("thrust") for seat in seats]
+    fitting = [
+        signs
+        for signs in patterns(name.value)
+        if all(g is None or g.value == WORDS[s] for g, s in zip(given, signs, strict=True))
+    ]
+    for seat, before, sign in zip(seats, given, (fitting or [""])[0], strict=False):
+        if before is None:
+            seat.value["thrust"] = replace(name, value=WORDS[sign])
+
+
+def _class(own: Node, seat: Node, faults: Faults) -> None:
+    """Replaces the class of a preload by the force that the bearing's model prints for it."""
+    preload = own.child("preload")
+    if preload is None or not isinstance(preload.value, dict) or "class" not in preload.value:
+        return
+    asked = preload.value.pop("class")
+    printed = exact(seat, ("model", "preloads")) or exact(seat, ("model", "estimate", "preloads"))
+    forces = printed.value if printed is not None and isinstance(printed.value, list) else []
+    known = dict(zip(CLASSES, forces, strict=False))
+    if asked.value not in known:
+        allowed = ", ".join(known) or "none, its model prints no preloads"
+        faults.at(
+            asked,
+            (),
+            f"bearing {seat.name} has no such class of preload: given "
+            f"{units.shown(asked.plain())}; allowed: {allowed}",
+        )
+        preload.value["class_force"] = replace(asked, value="1 N")  # its fault is reported
+    elif "class_force" not in preload.value:
+        preload.value["class_force"] = replace(known[asked.value], key=asked.key)

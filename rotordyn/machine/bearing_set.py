@@ -1,0 +1,149 @@
+"""A set of bearings as designers call it, DB or TBT, and how it is preloaded.
+
+The letters say which way the bearings of a set take thrust, from front to rear. What a set says is
+the same as thrusts and a sleeve written out, a locked one for a rigid preload, a sprung one else.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Annotated
+
+from rotordyn.description import Description, Faults, repeated
+from rotordyn.machine.support import BearingSeat, Sleeve, Spring
+from rotordyn.quantity import Choice, Items, Load, Name, Rigidity, RingOffset
+
+SETS = {  # +: the shaft pushes towards +x; the mirror image serves as well
+    "DB": "+-",
+    "DF": "-+",
+    "DT": "++",
+    "TBT": "++-",
+    "TFT": "--+",
+    "TT": "+++",
+    "QBC": "++--",
+    "QFC": "--++",
+    "QBT": "+++-",
+    "QFT": "---+",
+    "QT": "++++",
+}
+CONSTANT = 1.0  # N/m: a force that hardly follows the way
+MEANING = "DB, DF, DT; TBT, TFT, TT; QBC, QFC, QBT, QFT, QT"
+
+
+def patterns(name: str) -> tuple[str, ...]:
+    """Signs of thrust of a set from front to rear: as drawn, and its mirror image."""
+    drawn = SETS[name]
+    mirrored = drawn[::-1].translate(str.maketrans("+-", "-+"))
+    return tuple(dict.fromkeys((drawn, mirrored)))
+
+
+@dataclass(frozen=True, slots=True)
+class SetPreload(Description):
+    """How a set is preloaded: one of force, class_force, offset, constant_force."""
+
+    force: Annotated[Load | None, "as mounted; on the rings of each side in tandem altogether"] = (
+        None
+    )
+    class_force: Annotated[
+        Load | None,
+        "of a pair of these bearings before it is mounted, as a maker's class states it: fits and "
+        "the number of bearings raise it",
+    ] = None
+    offset: Annotated[
+        RingOffset | None,
+        "axial offset of the rings that mounting takes away, or the difference of spacers or a "
+        "shim, before fits",
+    ] = None
+    constant_force: Annotated[Load | None, "by a piston, whatever the way"] = None
+    stiffness: Annotated[Rigidity, "of a spring that gives the force; `rigid` locks the rings"] = (
+        math.inf
+    )
+
+    def _faults(self) -> Faults:
+        ways = ("force", "class_force", "offset", "constant_force")
+        given = [key for key in ways if getattr(self, key) is not None]
+        if len(given) != 1:
+            words = ", ".join(given) or "none"
+            yield (
+                (),
+                f"a preload is given in one way: given {words}; allowed: one of " + ", ".join(ways),
+            )
+        elif given[0] != "force" and math.isfinite(self.stiffness):
+            yield (
+                ("stiffness",),
+                f"a spring has a force as mounted: given beside {given[0]}; allowed: with force",
+            )
+
+    @property
+    def spring(self) -> Spring:
+        """What pushes the sleeve of the set."""
+        if self.constant_force is not None:
+            return Spring(self.constant_force, CONSTANT)
+        if self.offset is not None:
+            return Spring(0.0, math.inf, offset=self.offset)
+        if self.class_force is not None:
+            return Spring(self.class_force, math.inf, free=True)
+        return Spring(self.force or 0.0, self.stiffness)
+
+
+@dataclass(frozen=True, slots=True)
+class BearingSet(Description):
+    """A set of bearings by its name, with its preload."""
+
+    set: Annotated[str, Choice(tuple(SETS)), f"{MEANING}"]
+    bearings: Annotated[tuple[Name, ...], Items(2, 4), "of the set, from front to rear"]
+    preload: Annotated[SetPreload | None, "of sets that face one another"] = None
+    name: Annotated[Name, "of the set, which its sleeve bears"] = "set"
+
+    def _faults(self) -> Faults:
+        for index, sentence in repeated(self.bearings):
+            yield ("bearings", index), sentence
+        size = len(SETS.get(self.set, ""))
+        if size and len(self.bearings) != size:
+            yield (
+                ("bearings",),
+                f"a set {self.set} has {size} bearings: given {len(self.bearings)}",
+            )
+        if size and len({*SETS[self.set]}) == 1 and self.preload is not None:
+            yield (
+                ("preload",),
+                f"bearings of a set {self.set} all take thrust the same way and do not preload one "
+                "another: leave it out, and give the sleeve that pushes against them",
+            )
+        if size and len({*SETS[self.set]}) == 2 and self.preload is None:
+            yield ("preload",), f"missing key: a set {self.set} needs it"
+
+    def faults_with(self, seats: Sequence[BearingSeat]) -> Faults:
+        """What contradicts the bearings of the spindle, by path from the set on."""
+        held = {seat.name: seat for seat in seats}
+        there = [held[name] for name in self.bearings if name in held]
+        if len(there) < len(self.bearings) or [*self._faults()]:
+            return
+        if [seat.x for seat in there] != sorted(seat.x for seat in there):
+            order = ", ".join(seat.name for seat in sorted(there, key=lambda s: s.x))
+            yield ("bearings",), f"from front to rear they are {order}: name them in this order"
+            return
+        signs = "".join("+" if seat.thrust > 0 else "-" for seat in there)
+        if signs not in patterns(self.set):
+            wanted = " or ".join(patterns(self.set))
+            yield (
+                ("set",),
+                f"the bearings do not make a set {self.set}: their thrusts from front to rear are "
+                f"{signs}, and those of {self.set} are {wanted}; turn bearings, or name the set "
+                f"{_name_of(signs)}",
+            )
+
+    def sleeve(self, seats: Sequence[BearingSeat]) -> Sleeve | None:
+        """The sleeve under the rear side of the set, locked or sprung."""
+        if self.preload is None:
+            return None
+        held = {seat.name: seat.thrust for seat in seats}
+        rear = held.get(self.bearings[-1], 0)
+        side = tuple(name for name in self.bearings if held.get(name) == rear)
+        return Sleeve(self.name, side, self.preload.spring) if side else None
+
+
+def _name_of(signs: str) -> str:
+    return next((name for name in SETS if signs in patterns(name)), "otherwise")

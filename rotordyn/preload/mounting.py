@@ -1,0 +1,120 @@
+"""From the free set to the mounted one: ring offset, force, and what fits add to both.
+
+The axial displacement of a bearing counts from where it carries nothing, static growth included;
+growth Δu0 closes the contact angle, cos α' = cos α + Δu0/BD, which takes up BD (sin α − sin α') of
+the play of the free bearing. Rings brought together by an offset thus press by the offset and what
+growth takes up on both sides.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+from scipy.optimize import brentq
+
+from rotordyn.errors import InvalidInput
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import BearingSeat, Sleeve
+from rotordyn.preload.growth import static_growth
+
+LIGHTEST, HEAVIEST = 1e-3, 1e7  # N, between which a preload is sought
+LONGEST = 1e-3  # m
+
+
+def mounted_preload(spindle: Spindle, sleeve: Sleeve) -> float:
+    """Force of a sleeve's spring at rest, as mounted [N].
+
+    Raises
+    ------
+    InvalidInput : the set has play as mounted, or nothing stands against it
+    """
+    spring = sleeve.spring
+    if spring.offset is None and not spring.free:
+        return spring.preload
+    offset = spring.offset
+    if offset is None:
+        offset = class_offset(spindle, sleeve, spring.preload)
+    own, against = sides(spindle, sleeve)
+    total = offset + _gained(spindle, own) + _gained(spindle, against)
+
+    def over(force: float) -> float:
+        return _approach(spindle, own, force) + _approach(spindle, against, force) - total
+
+    if over(LIGHTEST) >= 0.0:
+        raise InvalidInput(
+            f"sleeve {sleeve.name}: an offset of {offset * 1e6:.3g} µm leaves play in its bearings "
+            f"as mounted ({total * 1e6:.3g} µm with what the fits take up): give a larger one"
+        )
+    return float(brentq(over, LIGHTEST, HEAVIEST, xtol=1e-12, rtol=1e-14))
+
+
+def ring_offset(spindle: Spindle, sleeve: Sleeve, force: float) -> float:
+    """Axial offset of the free rings that presses with ``force`` [N] as mounted [m]."""
+    both = sides(spindle, sleeve)
+    return sum(_approach(spindle, each, force) - _gained(spindle, each) for each in both)
+
+
+def class_offset(spindle: Spindle, sleeve: Sleeve, force: float) -> float:
+    """Axial offset of the free rings of a pair, one bearing on each side, under ``force`` [N] [m].
+
+    A maker grinds it on every bearing of a class: sets of more bearings have the same.
+    """
+    load = [[force, 0.0, 0.0, 0.0, 0.0]]
+    pair = [side[0].bearing for side in sides(spindle, sleeve)]
+    return sum(float(b.equilibrium(load=load, compiled=False).displacement[0, 0]) for b in pair)
+
+
+def sides(spindle: Spindle, sleeve: Sleeve) -> tuple[list[BearingSeat], list[BearingSeat]]:
+    """Bearings on the sleeve, and those in the housing that they press against.
+
+    Raises
+    ------
+    InvalidInput : there is none of the latter
+    """
+    own = [seat for seat in spindle.seats if seat.name in sleeve.bearings]
+    carried = {name for each in spindle.sleeves for name in each.bearings}
+    facing = [s for s in spindle.seats if s.name not in carried and s.thrust != own[0].thrust]
+    if not facing:
+        raise InvalidInput(
+            f"sleeve {sleeve.name}: nothing in the housing takes the thrust of its bearings: an "
+            "offset or a free force needs bearings that face them"
+        )
+    return own, facing
+
+
+def _approach(spindle: Spindle, side: Sequence[BearingSeat], force: float) -> float:
+    """Axial displacement of the mounted bearings of a side under ``force`` altogether, the mean of
+    what they gained being its zero [m]."""
+    growths = [static_growth(spindle, seat) for seat in side]
+    first, gained = side[0].bearing, _gained(spindle, side)
+    if len({(seat.bearing, growth) for seat, growth in zip(side, growths, strict=True)}) == 1:
+        each = [[force / len(side), 0.0, 0.0, 0.0, 0.0]]
+        state = first.equilibrium(load=each, static_growth=growths[0], compiled=False)
+        return float(state.displacement[0, 0])
+
+    def load(d: float) -> float:
+        total = 0.0
+        for seat, growth in zip(side, growths, strict=True):
+            own = d + _gain(seat, growth) - gained
+            state = seat.bearing.equilibrium(
+                displacement=[[own, 0.0, 0.0, 0.0, 0.0]], static_growth=growth, compiled=False
+            )
+            total += float(state.load[0, 0])
+        return total
+
+    return float(brentq(lambda d: load(d) - force, -LONGEST, LONGEST, xtol=1e-15))
+
+
+def _gained(spindle: Spindle, side: Sequence[BearingSeat]) -> float:
+    """Mean play that growth takes up in the bearings of a side [m]."""
+    return float(np.mean([_gain(seat, static_growth(spindle, seat)) for seat in side]))
+
+
+def _gain(seat: BearingSeat, growth: float) -> float:
+    bearing = seat.bearing
+    free, angle = bearing.free_distance, bearing.free_angle
+    if bearing.both_ways:
+        return 0.0
+    return free * (math.sin(angle) - math.sin(math.acos(math.cos(angle) + growth / free)))

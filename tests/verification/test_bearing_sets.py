@@ -1,0 +1,251 @@
+"""Bearings in sets by their names, preloaded by force, class and ring offset: closed forms of pairs
+and sets, a maker's printed pair, and what contradicts a name."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import bearings
+import rotordyn
+from bearings import AngularContactBallBearing
+from bearings.materials import SILICON_NITRIDE, STEEL
+from rotordyn.analyses import PreloadSpec
+from rotordyn.analyses.preload.solve import answer
+from rotordyn.analyses.preload.summary import summary
+from rotordyn.errors import InvalidInput
+from rotordyn.machine import BearingSet, Fits, RingGrowth, SetPreload, Spring
+from rotordyn.machine.bearing_set import SETS, patterns
+from rotordyn.machine.shaft import Section, Shaft
+from rotordyn.machine.spindle import Spindle
+from rotordyn.machine.support import BearingSeat, Sleeve
+from rotordyn.preload.mounting import class_offset, mounted_preload, ring_offset
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.scene import Scene
+from tests.oracles.spindles import RPM
+
+BEARING = AngularContactBallBearing(9.525e-3, 90e-3, 24, contact_angle=math.radians(25.0))
+NAMES = "abcd"
+
+
+def spindle(
+    name: str,
+    preload: SetPreload | None,
+    bearing: AngularContactBallBearing = BEARING,
+    **seat: object,
+) -> Spindle:
+    """A set of bearings, 25 mm apart."""
+    seats = tuple(
+        BearingSeat(NAMES[k], bearing, 0.05 + 0.025 * k, thrust=1 if sign == "+" else -1, **seat)  # type: ignore[arg-type]
+        for k, sign in enumerate(SETS[name])
+    )
+    shaft = Shaft(0.0, (Section(0.3, 0.07, 0.03, STEEL),))
+    own = BearingSet(name, tuple(NAMES[: len(seats)]), preload)
+    return Spindle("set", shaft, seats=seats, arrangement=own)
+
+
+def state(machine: Spindle, rpm: float = 0.0, **conditions: object) -> Scene:
+    return Scene(machine, Conditions(**conditions), np.array([rpm * RPM]))  # type: ignore[arg-type]
+
+
+def deflection(force: float, growth: float = 0.0) -> float:
+    """Axial displacement of one bearing [m]."""
+    found = BEARING.equilibrium(load=[force, 0, 0, 0, 0], static_growth=growth)
+    return float(found.displacement[0])
+
+
+def test_names_of_sets() -> None:
+    assert patterns("DB") == ("+-",)
+    assert patterns("TBT") == ("++-", "+--")
+    assert patterns("QBC") == ("++--",)
+    assert patterns("DT") == ("++", "--")
+    known = {signs for name in SETS for signs in patterns(name)}
+    assert len(known) == sum(len(patterns(name)) for name in SETS), "no two names are the same set"
+
+
+@pytest.mark.parametrize("name", ["DB", "DF", "TBT", "TFT", "QBC", "QFC", "QBT", "QFT"])
+def test_a_set_is_the_same_as_its_thrusts_and_a_locked_sleeve(name: str) -> None:
+    machine = spindle(name, SetPreload(force=600.0))
+    (sleeve,) = machine.sleeves
+    assert sleeve.spring == Spring(600.0, math.inf)
+    plain = replace(machine, arrangement=None)
+    both = [state(each, 6000.0).preload for each in (machine, plain)]
+    assert both[0].outcome == ("",)
+    assert (both[0].seat_load() == both[1].seat_load()).all()
+    mounted = both[0].mounted_load()
+    front = np.array([sign == SETS[name][0] for sign in SETS[name]])
+    assert mounted[front].sum() == pytest.approx(600.0, rel=1e-9)
+    assert mounted[~front].sum() == pytest.approx(600.0, rel=1e-9)
+
+
+def test_force_and_offset_give_one_another() -> None:
+    """Of free bearings the offset is the sum of both deflections; it gives the force back."""
+    machine = spindle("DB", SetPreload(force=600.0))
+    offset = ring_offset(machine, machine.sleeves[0], 600.0)
+    assert offset == pytest.approx(2.0 * deflection(600.0), rel=1e-12)
+    back = spindle("DB", SetPreload(offset=offset))
+    assert mounted_preload(back, back.sleeves[0]) == pytest.approx(600.0, rel=1e-9)
+    result = answer(state(back), PreloadSpec())
+    assert result.mounted_preload == pytest.approx([600.0], rel=1e-9)
+    assert result.ring_offset == pytest.approx([offset], rel=1e-9)
+    assert any("600 N as mounted" in line for line in summary(result))
+
+
+def test_fits_raise_the_preload_of_an_offset() -> None:
+    """Growth takes up BD (sin α − sin α') of each bearing: by the law of one bearing at the grown
+    angle."""
+    from scipy.optimize import brentq
+
+    fits = Fits(shaft="k5", bore_diameter=0.07)
+    free, mounted = (spindle("DB", SetPreload(class_force=200.0), fits=f) for f in (None, fits))
+    from rotordyn.preload.growth import static_growth
+
+    growth = static_growth(mounted, mounted.seats[0])
+    angle, distance = BEARING.free_angle, BEARING.free_distance
+    gain = distance * (math.sin(angle) - math.sin(math.acos(math.cos(angle) + growth / distance)))
+    total = 2.0 * deflection(200.0) + 2.0 * gain
+    known = brentq(lambda p: 2.0 * deflection(p, growth) - total, 1.0, 1e5)
+    assert mounted_preload(mounted, mounted.sleeves[0]) == pytest.approx(known, rel=1e-9)
+    assert mounted_preload(free, free.sleeves[0]) == pytest.approx(200.0, rel=1e-9)
+    assert known > 300.0
+    assert class_offset(mounted, mounted.sleeves[0], 200.0) == pytest.approx(2 * deflection(200.0))
+
+
+@pytest.mark.parametrize(
+    ("name", "factor"), [("DB", 1.0), ("TBT", 1.36), ("QBT", 1.57), ("QBC", 2.0)]
+)
+def test_sets_of_one_class_are_preloaded_more_than_pairs(name: str, factor: float) -> None:
+    """All bearings are ground to the offset of the class; makers print the factors to two digits
+    (SKF, super-precision bearings, preload of sets: 1.36, 1.57 or 1.6, 2)."""
+    machine = spindle(name, SetPreload(class_force=300.0))
+    found = mounted_preload(machine, machine.sleeves[0]) / 300.0
+    assert found == pytest.approx(factor, rel=0.01)
+
+
+def test_a_class_of_a_maker_in_a_file(tmp_path: Path) -> None:
+    case = rotordyn.load("preload_concepts")
+    machine = case.variants["back_to_back"].spindle
+    assert machine is not None
+    assert machine.sleeves[0].spring == Spring(570.0, math.inf, free=True)
+    assert [seat.thrust for seat in machine.seats] == [1, -1]
+    other = case.variants["face_to_face"].spindle
+    assert other is not None
+    assert [seat.thrust for seat in other.seats] == [-1, 1]
+    assert case.variants["back_to_back"].vary({"spindle.arrangement.preload.class_force": 100.0})
+
+
+def test_a_printed_pair() -> None:
+    """FAG HS7014E: rigidities 131.9, 196.4, 256.2 N/µm and unloading forces 419, 1277, 2608 N of
+    the three classes, by one estimated inside and the network of a spindle."""
+    made = bearings.estimate(
+        bore=0.07,
+        outside_diameter=0.11,
+        contact_angle=math.radians(25.0),
+        preloads=[146.0, 437.0, 874.0],
+        rigidities=[131.9e6, 196.4e6, 256.2e6],
+        unloading=[419.0, 1277.0, 2608.0],
+    )
+    rigidity, unloading = [], []
+    for force in (146.0, 437.0, 874.0):
+        machine = spindle("DB", SetPreload(class_force=force), made)
+        found = state(machine).preload
+        rigidity += [found.seat_stiffness()[0, :, 0, 0].sum()]
+        low, high = 2.0 * force, 4.0 * force
+        for _ in range(40):
+            middle = 0.5 * (low + high)
+            pushed = state(machine, axial_force=middle).preload
+            low, high = (low, middle) if "unloaded" in pushed.outcome[0] else (middle, high)
+        unloading += [low]
+    assert rigidity == pytest.approx([131.9e6, 196.4e6, 256.2e6], rel=0.025)
+    assert unloading == pytest.approx([419.0, 1277.0, 2608.0], rel=0.01)
+
+
+def test_constant_force_and_spring() -> None:
+    """A piston keeps its force at speed, a spring hardly, a locked set does not."""
+    ways = (
+        SetPreload(constant_force=600.0),
+        SetPreload(force=600.0, stiffness=2e6),
+        SetPreload(force=600.0),
+    )
+    hybrid = replace(BEARING, ball_material=SILICON_NITRIDE)
+    grown = RingGrowth(centrifugal=None)
+    loads = [
+        state(spindle("DB", way, hybrid, growth=grown), 12000.0).preload.seat_load()[0, 1]
+        for way in ways
+    ]
+    assert loads[0] == pytest.approx(600.0, rel=1e-5)
+    assert 600.0 < loads[1] < loads[2]
+
+
+@pytest.mark.parametrize(
+    ("words", "build"),
+    [
+        ("a set TBT has 3 bearings", lambda: BearingSet("TBT", ("a", "b"), SetPreload(force=1.0))),
+        (
+            "do not make a set DF: their thrusts from front to rear are \\+-",
+            lambda: replace(
+                spindle("DB", SetPreload(force=600.0)),
+                arrangement=BearingSet("DF", ("a", "b"), SetPreload(force=600.0)),
+            ),
+        ),
+        (
+            "name the set DB",
+            lambda: replace(
+                spindle("DB", SetPreload(force=600.0)),
+                arrangement=BearingSet("DT", ("a", "b")),
+            ),
+        ),
+        (
+            "from front to rear they are a, b",
+            lambda: replace(
+                spindle("DB", SetPreload(force=600.0)),
+                arrangement=BearingSet("DB", ("b", "a"), SetPreload(force=600.0)),
+            ),
+        ),
+        ("do not preload one another", lambda: spindle("DT", SetPreload(force=600.0))),
+        ("a set DB needs it", lambda: spindle("DB", None)),
+        ("given in one way", lambda: SetPreload(force=1.0, offset=1e-6)),
+        ("given in one way: given none", SetPreload),
+        ("a spring has a force", lambda: SetPreload(offset=1e-6, stiffness=1e6)),
+        ("one gives the other", lambda: Spring(100.0, math.inf, offset=1e-6)),
+        (
+            "unknown bearing",
+            lambda: replace(
+                spindle("DB", SetPreload(force=600.0)),
+                arrangement=BearingSet("DB", ("a", "x"), SetPreload(force=600.0)),
+            ),
+        ),
+    ],
+)
+def test_bad_input_is_one_sentence(words: str, build: object) -> None:
+    with pytest.raises(InvalidInput, match=words):
+        build()  # type: ignore[operator]
+
+
+def test_a_class_that_a_bearing_does_not_have(tmp_path: Path) -> None:
+    text = (Path(rotordyn.__file__).parents[1] / "cases" / "preload_concepts.yaml").read_text()
+    file = tmp_path / "case.yaml"
+    file.write_text(text.replace("model: kh6014e", "model: vex90"))
+    with pytest.raises(InvalidInput, match="has no such class of preload: given 'medium'; allowed"):
+        rotordyn.load(file)
+
+
+def test_an_offset_that_leaves_play_and_a_set_that_nothing_faces() -> None:
+    loose = spindle("DB", SetPreload(offset=1e-6), growth=RingGrowth(static=-20e-6))
+    with pytest.raises(InvalidInput, match="leaves play in its bearings as mounted"):
+        mounted_preload(loose, loose.sleeves[0])
+    machine = spindle("DT", None)
+    sleeve = Sleeve("s", ("a", "b"), Spring(0.0, math.inf, offset=1e-5))
+    with pytest.raises(InvalidInput, match="needs bearings that face them"):
+        mounted_preload(replace(machine, sleeves=(sleeve,)), sleeve)
+
+
+def test_a_preload_beyond_the_bearing_is_named() -> None:
+    """The pressure passes what any contact stands: bearing, speed and remedy."""
+    found = state(spindle("DB", SetPreload(force=5e6))).preload
+    assert "overloaded" in found.outcome[0]
+    assert "lower its preload" in found.outcome[0]
