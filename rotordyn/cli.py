@@ -330,6 +330,7 @@ def _progress(steps: int, *, quiet: bool) -> Iterator[Progress]:
 
         def progress(name: str) -> None:
             bar.update(task, description=name)
-            bar.advance(task)
+            if not name.endswith(" speeds"):  # how far the analysis before it is
+                bar.advance(task)
 
         yield progress

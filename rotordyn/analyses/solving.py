@@ -81,6 +81,7 @@ def answer_spindle(
         scene.require_solution()
         for name, spec in analyses.items():
             progress(name)
+            scene.progress = partial(_part, progress, name)
             solve = partial(analysis(name).solve, scene, spec)
             results[name] = scene.timed(f"answer {name}", solve)
         return Answers(
@@ -93,6 +94,10 @@ def answer_spindle(
             warnings=(*scene.warnings, *_unlimited(spindle, analyses)),
             notes=scene.notes,
         )
+
+
+def _part(progress: Progress, name: str, done: str) -> None:
+    progress(f"{name}, {done}")
 
 
 def answer_bearing(

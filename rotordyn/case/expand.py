@@ -35,6 +35,7 @@ _MATERIALS_OF_SPINDLE = (
     ("rotors", "*", "shaft", "sections", "*", "material"),
     ("rotors", "*", "discs", "*", "material"),
 )
+_WORKPIECES = (("analyses", "stability_lobes", "workpiece"),)
 _MATERIALS_OF_TOOL = (("material",), ("sections", "*", "material"))
 
 
@@ -179,6 +180,21 @@ def tool(reference: Node, reader: Reader) -> Node | None:
     if root is not None:
         _fill(root, _MATERIALS_OF_TOOL, "materials", reader)
     return root
+
+
+def asked(root: Node, reader: Reader) -> None:
+    """Fills in the models that analyses of a case name; one that cannot be read, whose fault is
+    reported, by any, so that its absence is not reported as well."""
+    _fill(root, _WORKPIECES, "workpieces", reader)
+    for *way, key in _WORKPIECES:
+        for holder in _matching(root, tuple(way)):
+            given = holder.child(key)
+            if given is not None and given.value is UNKNOWN:
+                any_pair = {
+                    name: replace(given, value="1 MPa") for name in ("tangential", "radial")
+                }
+                pairs = replace(given, value=[replace(given, value=any_pair)])
+                holder.value[key] = replace(given, value={"coefficients": pairs})
 
 
 def bearing(reference: Node, override: tuple[Node | None, ...], reader: Reader) -> Node | None:

@@ -15,6 +15,7 @@ from bearings.bearing import BallBearing
 from bearings.kinds import DEFAULT, KINDS, kind_class
 from bearings.materials import Material
 from rotordyn.analyses.frf.spec import FrfSpec, MeasuredResponse, Port
+from rotordyn.analyses.stability_lobes.workpiece import Workpiece
 from rotordyn.case.case import Case
 from rotordyn.description import Description, Faults, repeated
 from rotordyn.field import REQUIRED, Field, declared
@@ -244,6 +245,11 @@ class _SetPreload:
     ] = None
 
 
+@dataclass
+class _Workpiece:
+    note: Note = ""
+
+
 _EXTRA: dict[type, Any] = {
     SetPreload: _SetPreload,
     Case: _Case,
@@ -258,6 +264,7 @@ _EXTRA: dict[type, Any] = {
     ReducedHousing: _Reduced,
     BallBearing: _Bearing,
     Material: _Material,
+    Workpiece: _Workpiece,
 }
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from rotordyn.errors import Fault, InvalidInput
 from rotordyn.quantity import suggestion
 
-KINDS = ("bearings", "materials", "spindles", "tools")
+KINDS = ("bearings", "materials", "spindles", "tools", "workpieces")
 _LISTED = 24  # models that a message lists
 _PACKAGE = Path(__file__).resolve().parents[1]
 

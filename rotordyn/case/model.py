@@ -8,6 +8,7 @@ from typing import Any, Literal, TypeVar, overload
 
 from bearings.bearing import BallBearing
 from bearings.materials import Material
+from rotordyn.analyses.stability_lobes.workpiece import Workpiece
 from rotordyn.case import expand
 from rotordyn.case.faults import Faults
 from rotordyn.case.forms import reading_of
@@ -20,7 +21,7 @@ from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.tool import Tool
 
-Model = Spindle | Tool | BallBearing | Material
+Model = Spindle | Tool | BallBearing | Material | Workpiece
 T = TypeVar("T")
 
 
@@ -32,12 +33,14 @@ def model(kind: Literal["tools"], reference: str | Path) -> Tool: ...
 def model(kind: Literal["bearings"], reference: str | Path) -> BallBearing: ...
 @overload
 def model(kind: Literal["materials"], reference: str | Path) -> Material: ...
+@overload
+def model(kind: Literal["workpieces"], reference: str | Path) -> Workpiece: ...
 def model(kind: str, reference: str | Path) -> Model:
     """A model as a frozen description in SI units: by name from the library, or from a file.
 
     Parameters
     ----------
-    kind : "spindles", "tools", "bearings" or "materials"
+    kind : "spindles", "tools", "bearings", "materials" or "workpieces"
     reference : a name, or a path from the working directory (with a separator or ending in .yaml)
 
     Raises
@@ -55,6 +58,8 @@ def model(kind: str, reference: str | Path) -> Model:
         described = read_bearing(reading, expand.bearing(root, (), reader))
     elif kind == "materials":
         described = reading.value(Material, root)
+    elif kind == "workpieces":
+        described = reading.value(Workpiece, root)
     whole: Model = _whole(described, reader)
     return whole
 

@@ -99,6 +99,7 @@ def _case(root: Any, name: str, reader: Any) -> Case | None:
         expanded = expand.bearing(reference, (override,), reader)
         bearing = read_bearing(reading, expanded)
         usable = usable or bearing is not None
+    expand.asked(root, reader)
     values = reading.fields(Case, root, annotations={"spindle": Any, "bearing": Any})
     given = () if spindle is None else spindle.references
     values |= {"name": name, "spindle": spindle, "bearing": bearing}

@@ -63,5 +63,7 @@ def _shipped(kind: str, path: Path) -> Shipped:
     title = str(held.get("title") or held.get("name") or "")
     if "estimate" in held:
         title += " (estimate)"
-    sources = held.get("sources") or [held[key] for key in ("source",) if key in held]
+    sources = held.get("sources") or [
+        own["source"] for own in (held, *held.get("coefficients", ())) if "source" in own
+    ]
     return Shipped(kind, path.stem, title, tuple(" ".join(str(s).split()) for s in sources))

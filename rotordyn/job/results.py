@@ -307,7 +307,8 @@ class SolvedResults(Results):
 def run(case: Case, progress: Progress = lambda name: None) -> SolvedResults:
     """Solve a case: every analysis that it asks for, of every variant that it compares.
 
-    ``progress`` is called with the name of each analysis as it begins.
+    ``progress`` is called with the name of each analysis as it begins, and of a long one with how
+    far it is.
 
     Raises
     ------

@@ -7,7 +7,7 @@ depends on; nothing else writes into it.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from functools import cached_property, partial
 from typing import Any
 
@@ -39,7 +39,8 @@ class Scene(Statics):
 
     ``max_frequency`` [Hz]: highest frequency any analysis asks for; ``ports``: places, or stations
     [m] on the shaft, where forces act or responses are read besides the bearings. ``finer``: steps
-    by which elements and reduction are finer than the accuracy asks for.
+    by which elements and reduction are finer than the accuracy asks for. ``progress`` is called
+    with how far a long analysis is.
     """
 
     def __init__(
@@ -55,6 +56,7 @@ class Scene(Statics):
     ) -> None:
         super().__init__(spindle, conditions, speed, memo, clock)
         self.max_frequency, self.ports, self.finer = max_frequency, ports, finer
+        self.progress: Callable[[str], None] = lambda _: None
         self._nodes: dict[str | float | Place, int] = {}
         self.systems: dict[int, FreeMotions] = {}
         self._at_rows: dict[tuple[int, bytes], FreeMotions] = {}

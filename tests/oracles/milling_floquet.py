@@ -1,14 +1,14 @@
 """Milling of a modal machine in the time domain: Floquet multipliers by Chebyshev collocation.
 
-x' = A x + B F, F = −a H(t) (u(t) − u(t − T)), u = E x. Spans in which a tooth cuts are pieces of at
-most one wave of the fastest mode, each with Chebyshev points; where no tooth cuts the motion is
-free. Written apart from ``rotordyn``: no receptance, no harmonics (Butcher 2009).
+x' = A x + B F, F = −a H(t) (u(t) − u(t − T)) − a C(t) u', u = E x. Spans in which a tooth cuts are
+pieces of at most one wave of the fastest mode, each with Chebyshev points; where no tooth cuts the
+motion is free. Written apart from ``rotordyn``: no receptance, no harmonics (Butcher 2009).
 """
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
 
@@ -67,6 +67,11 @@ class Milling:
     exit: float
     speed: float
     lag: float = 0.0
+    ploughing: float = 0.0
+
+    def rubbing(self, angle: float) -> Array:
+        """C of all teeth: process damping along the normal to the cut surface."""
+        return replace(self, kt=0.0, kn=self.ploughing).force(angle)
 
     def force(self, angle: float) -> Array:
         """H of all teeth; a helical edge by Gauss points over the part in cut."""
@@ -103,8 +108,8 @@ class Milling:
 
     @cached_property
     def parts(self):
-        """Per piece: free motion to its points (n·2, ns) and end, response of points and end to
-        forces at points, H at points."""
+        """Per piece: free motion and response to forces at its points, of displacements, of
+        velocities and of the state at its end; H and C at points."""
         A, B, E = self.machine.system
         k = np.arange(POINTS)
         x = 0.5 - 0.5 * np.cos(math.pi * k / (POINTS - 1))
@@ -129,14 +134,17 @@ class Milling:
                 for j in range(1, POINTS):
                     right[j * ns : (j + 1) * ns, ns + 2 * j : ns + 2 * j + 2] = B
                 whole = np.linalg.solve(big, right)
-                points = np.kron(np.eye(POINTS), E) @ whole
-                cache[key] = points[:, :ns], points[:, ns:], whole[-ns:, :ns], whole[-ns:, ns:]
+                rows = [np.kron(np.eye(POINTS), each) @ whole for each in (E, E @ A)] + [
+                    whole[-ns:]
+                ]
+                cache[key] = [part for each in rows for part in (each[:, :ns], each[:, ns:])]
             inside = np.clip(x, 1e-9, 1.0 - 1e-9)
             angles = self.entry + (start + inside * length) * self.speed
-            H = np.zeros((2 * POINTS, 2 * POINTS))
+            H, C = np.zeros((2, 2 * POINTS, 2 * POINTS))
             for j, angle in enumerate(angles):
                 H[2 * j : 2 * j + 2, 2 * j : 2 * j + 2] = self.force(angle)
-            found.append((*cache[key], H))
+                C[2 * j : 2 * j + 2, 2 * j : 2 * j + 2] = self.rubbing(angle)
+            found.append((*cache[key], H, C))
         return found
 
     def multipliers(self, depth: float) -> NDArray[np.complex128]:
@@ -151,15 +159,15 @@ class Milling:
             if len(part) == 1:
                 state = part[0] @ state
                 continue
-            free, forced, end, end_forced, H = part
+            free, forced, moving, moved, end, end_forced, H, C = part
             own = np.zeros((2 * POINTS, m + ns))
             own[:, at : at + 2 * POINTS] = np.eye(2 * POINTS)
-            aH = depth * H
-            u = np.linalg.solve(
-                np.eye(2 * POINTS) + forced @ aH, free @ state + forced @ (aH @ own)
+            force = np.linalg.solve(
+                np.eye(2 * POINTS) + depth * (H @ forced + C @ moved),
+                -depth * (H @ (free @ state - own) + C @ moving @ state),
             )
-            state = end @ state - end_forced @ (aH @ (u - own))
-            rows[at : at + 2 * POINTS] = u
+            rows[at : at + 2 * POINTS] = free @ state + forced @ force
+            state = end @ state + end_forced @ force
             at += 2 * POINTS
         return np.linalg.eigvals(np.vstack([rows, state]))
 

@@ -8,8 +8,13 @@ import numpy as np
 import pytest
 
 from rotordyn.analyses.stability_lobes import limit_depth, turning_limit
+from rotordyn.analyses.stability_lobes.as_modes import as_modes
+from rotordyn.analyses.stability_lobes.bessel import spherical_bessel
 from rotordyn.analyses.stability_lobes.cutting import Cut
-from rotordyn.analyses.stability_lobes.multi_frequency import spherical_bessel
+from rotordyn.analyses.stability_lobes.limit import sampled_limit
+from rotordyn.analyses.stability_lobes.modal_limit import Process, modal_limit
+from rotordyn.analyses.stability_lobes.sampling import along, peaks, resolving
+from rotordyn.analyses.stability_lobes.zero_order import Mean, zero_order
 from rotordyn.errors import InvalidInput
 from tests.oracles.milling_floquet import Machine, Milling
 from tests.oracles.random_milling import harmonic, random_milling
@@ -32,6 +37,51 @@ def test_random_machines_and_cuts(seed):
     assert cut.kind(1.002 * found.depth) == found.kind
 
 
+@pytest.mark.parametrize(("seed", "closes"), [(176, False), (568, True), (957, True)])
+def test_losses_in_a_narrow_range_of_depths(seed, closes):
+    """Islands, above which the cut is stable again, and a loss close to a tangency: a scan of the
+    time domain in steps of 0.5 % is stable below the limit."""
+    cut = random_milling(seed)
+    found = harmonic(cut)
+    assert cut.radius(1.0005 * found.depth) > 1.0 > cut.radius(0.9995 * found.depth)
+    below = np.geomspace(0.3 * found.depth, 0.9995 * found.depth, 240)
+    assert max(cut.radius(depth) for depth in below) < 1.0
+    above = min(cut.radius(depth) for depth in found.depth * np.linspace(1.001, 1.4, 80))
+    assert (above < 1.0) == closes
+
+
+@pytest.mark.parametrize("seed", [0, 5, 10, 19, 26])
+def test_all_harmonics_give_the_limit_of_the_time_domain(seed):
+    """What samples of a receptance give, and what its modes give."""
+    cut = random_milling(seed)
+    found = harmonic(cut)
+    omega, top = resolving(cut.machine.receptance)
+    own = Cut(cut.teeth, cut.kt, cut.kn, cut.entry, cut.exit)
+    process = Process(own, own.pitch / cut.speed)
+    other = sampled_limit(cut.machine.receptance, peaks(omega, top), top, process)
+    assert other.depth == pytest.approx(found.depth, rel=2e-4)
+    assert other.kind == found.kind
+    assert other.frequency == pytest.approx(found.frequency, rel=1e-3)
+
+
+def test_a_receptance_with_a_loss_factor_is_no_sum_of_modes():
+    """Its limit is that of viscous damping that dissipates as much at the chatter frequency."""
+
+    def lossy(omega):
+        found = np.zeros((len(omega), 2, 2), dtype=complex)
+        r = omega / (2.0 * math.pi * 600.0)
+        found[:, 0, 0] = 1.0 / (8e6 * (1.0 - r**2 + 0.06j))
+        return found
+
+    assert as_modes(lossy, 2.0 * math.pi * np.geomspace(50.0, 5000.0, 600)) is None
+    found = limit_depth(lossy, *CUT, 900.0)
+    ratio = 0.03 * 600.0 / found.frequency
+    viscous = Machine(((600.0, ratio, 8e6, (1.0, 0.0)),))
+    assert found.depth == pytest.approx(
+        limit_depth(viscous.receptance, *CUT, 900.0).depth, rel=1e-2
+    )
+
+
 def test_helical_edges():
     """The limit is that of the cutting forces at that very depth."""
     speed = 1500.0
@@ -45,6 +95,40 @@ def test_helical_edges():
         return Milling(MACHINE, *CUT, speed, 2.0 * depth * math.tan(helix) / diameter).radius(depth)
 
     assert max(radius(share) for share in (0.3, 0.7, 0.998)) < 1.0 < radius(1.002)
+
+
+@pytest.mark.parametrize(("speed", "lag"), [(700.0, 0.0), (1500.0, 0.0), (700.0, 80.0)])
+def test_process_damping(speed, lag):
+    """Forces by velocity in the time domain, with straight edges and with a helix."""
+    rate = 2e5 / (0.008 * speed)
+    cut = Cut(*CUT)
+    process = Process(cut, cut.pitch / speed, lag, Cut(2, 0.0, rate, *CUT[3:]))
+    omega, top = resolving(MACHINE.receptance)
+    tip = as_modes(MACHINE.receptance, omega)
+    found, without = (modal_limit(tip, top, p) for p in (process, process._replace(ploughing=None)))
+    assert abs(found.depth / without.depth - 1.0) > 0.01
+
+    def radius(share):
+        depth = share * found.depth
+        return Milling(MACHINE, *CUT, speed, lag * depth, rate).radius(depth)
+
+    assert max(radius(share) for share in (0.3, 0.7, 0.9995)) < 1.0 < radius(1.0005)
+
+
+def test_process_damping_at_zero_order():
+    """A slot with four teeth, whose forces by displacement and by velocity are constant."""
+    cut, speed, rate = Cut(4, 9e8, 3e8, 0.0, math.pi), 900.0, 3e4
+    rubbing = Cut(4, 0.0, rate, 0.0, math.pi)
+    omega, top = resolving(MACHINE.receptance)
+    process = Process(cut, cut.pitch / speed, 0.0, rubbing)
+    many = modal_limit(as_modes(MACHINE.receptance, omega), top, process)
+    mean = Mean(cut.mean()[None], rubbing.mean()[None])
+    period = np.array([process.period])
+    depth, at = zero_order(
+        lambda w: MACHINE.receptance(w[0])[None], mean, period, along(omega, top, period[0])[None]
+    )
+    assert depth[0] == pytest.approx(many.depth, rel=1e-6)
+    assert at[0] / 2.0 / math.pi == pytest.approx(many.frequency, rel=1e-5)
 
 
 def test_zero_order_is_exact_where_cutting_forces_are_constant():

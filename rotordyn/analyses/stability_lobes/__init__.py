@@ -10,7 +10,8 @@ from rotordyn.analyses.stability_lobes.spec import StabilityLobesSpec
 from rotordyn.analyses.stability_lobes.tables import LAYOUTS
 
 if TYPE_CHECKING:
-    from rotordyn.analyses.stability_lobes.limit import Limit, limit_depth
+    from rotordyn.analyses.stability_lobes.limit import limit_depth
+    from rotordyn.analyses.stability_lobes.modal_limit import Limit
     from rotordyn.analyses.stability_lobes.turning import turning_limit
 
 __all__ = ["ANALYSIS", "Limit", "limit_depth", "turning_limit"]
@@ -35,7 +36,7 @@ ANALYSIS = Analysis(
     numbers=code("summary:numbers"),
 )
 
-_HOME = {"Limit": "limit", "limit_depth": "limit", "turning_limit": "turning"}
+_HOME = {"Limit": "modal_limit", "limit_depth": "limit", "turning_limit": "turning"}
 
 
 def __getattr__(name: str) -> Any:

@@ -5,17 +5,19 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.analyses.stability_lobes.as_modes import as_modes
 from rotordyn.analyses.stability_lobes.crossings import largest_crossing
 from rotordyn.analyses.stability_lobes.cutting import Cut, checked
+from rotordyn.analyses.stability_lobes.modal_limit import UNLIMITED, Limit, Process, modal_limit
 from rotordyn.analyses.stability_lobes.multi_frequency import Harmonics
-from rotordyn.analyses.stability_lobes.sampling import along, folded, resolving
+from rotordyn.analyses.stability_lobes.sampling import along, folded, peaks, resolving
+from rotordyn.analyses.stability_lobes.spans import Spans
 from rotordyn.analyses.stability_lobes.spec import FLIP, HOPF, METHODS, NONE
-from rotordyn.analyses.stability_lobes.zero_order import zero_order
+from rotordyn.analyses.stability_lobes.zero_order import Mean, zero_order
 from rotordyn.errors import InvalidInput
 
 Array = NDArray[np.float64]
@@ -26,15 +28,6 @@ DEEPEST = 50.0  # times that depth: deeper is taken as no limit
 AHEAD, SHARE, LEAST_STEP = 0.4, 0.05, 0.005  # of the margin, of the axial pitch, of the depth
 WITHIN = 1e-6  # of the depth
 AT_END = 1e-9  # of π: a crossing there is a flip
-
-
-class Limit(NamedTuple):
-    """Largest stable ``depth`` [m], infinite where no depth is unstable; chatter ``frequency`` [Hz]
-    just beyond, that of the largest motion; ``kind`` "hopf" or "flip" (period doubling)."""
-
-    depth: float
-    frequency: float
-    kind: str
 
 
 def limit_depth(  # noqa: PLR0913  what a user of cutting data has at hand
@@ -69,48 +62,57 @@ def limit_depth(  # noqa: PLR0913  what a user of cutting data has at hand
     _refuse(speed, method, helix, diameter)
     omega, top = resolving(receptance)
     period = cut.pitch / speed
-    if method == "zero-order":
-        samples = along(omega, top, period)[None]
-        depth, at, _ = zero_order(
-            lambda rows: receptance(rows[0])[None], cut.mean(), np.array([period]), samples
-        )
-        frequency = float(at[0]) / (2.0 * math.pi)
-        return Limit(float(depth[0]), frequency, HOPF if math.isfinite(depth[0]) else NONE)
-    angle = folded(omega, top, period)
-    if helix == 0.0:
-        return at_depth(Harmonics(cut, period, top), receptance, angle)
-    lag = 2.0 * math.tan(helix) / diameter
-    return with_helix(cut, lag, period, top, receptance, angle)
+    lag = 2.0 * math.tan(helix) / diameter if helix > 0.0 else 0.0
+    process = Process(cut, period, lag)
+    if method == METHODS[1]:
+        return _by_mean(receptance, process, omega, top)
+    tip = as_modes(receptance, omega)
+    if tip is not None:
+        return modal_limit(tip, top, process)
+    return sampled_limit(receptance, peaks(omega, top), top, process)
 
 
-def at_depth(harmonics: Harmonics, receptance: Receptance, angle: Array) -> Limit:
+def _by_mean(receptance: Receptance, process: Process, omega: Array, top: float) -> Limit:
+    samples = along(omega, top, process.period)[None]
+    mean = Mean(process.cut.mean()[None], np.zeros((1, 2, 2)))
+    depth, at = zero_order(
+        lambda rows: receptance(rows[0])[None], mean, np.array([process.period]), samples
+    )
+    kind = HOPF if math.isfinite(depth[0]) else NONE
+    return Limit(float(depth[0]), float(at[0]) / (2.0 * math.pi), kind)
+
+
+def sampled_limit(receptance: Receptance, near: Array, top: float, process: Process) -> Limit:
+    """The limit of a receptance that is no sum of modes; samples ``near`` (f,) [rad/s] resolve its
+    peaks."""
+    angle = folded(near, process.period)
+    if process.lag > 0.0:
+        return with_helix(process, top, receptance, angle)
+    spans = Spans(process.cut, process.period, top)
+    return at_depth(Harmonics(spans, receptance), angle)
+
+
+def at_depth(harmonics: Harmonics, angle: Array) -> Limit:
     """The limit of a cut whose forces are those of one depth."""
-
-    def solve(at: Array) -> Complex:
-        return harmonics.eigenvalues(receptance, at)
-
-    found = largest_crossing(solve, angle)
+    found = largest_crossing(harmonics.eigenvalues, angle)
     if found.value <= 0.0:
-        return Limit(math.inf, math.nan, NONE)
+        return UNLIMITED
     kind = FLIP if found.angle >= math.pi * (1.0 - AT_END) else HOPF
-    frequency = harmonics.chatter(receptance, found.angle, found.value)
-    return Limit(1.0 / found.value, frequency, kind)
+    return Limit(1.0 / found.value, harmonics.chatter(found.angle, found.value), kind)
 
 
-def with_helix(
-    cut: Cut, lag: float, period: float, top: float, receptance: Receptance, angle: Array
-) -> Limit:
+def with_helix(process: Process, top: float, receptance: Receptance, angle: Array) -> Limit:
     """The least depth that is the limit of the cutting forces at that very depth.
 
-    ``lag`` [rad/m] per depth. Depths are tried from below in steps short beside the axial pitch,
+    Depths are tried from below in steps short beside the axial pitch,
     so that no closed region of period doubling is jumped over, and the first loss is bisected.
     """
 
     def found(depth: float) -> Limit:
-        own = replace(cut, lag=lag * depth)
-        return at_depth(Harmonics(own, period, top), receptance, angle)
+        own = replace(process.cut, lag=process.lag * depth)
+        return at_depth(Harmonics(Spans(own, process.period, top), receptance), angle)
 
-    straight = at_depth(Harmonics(cut, period, top), receptance, angle)
+    straight = found(0.0)
     if math.isinf(straight.depth):
         return straight
     deepest = DEEPEST * straight.depth
@@ -118,8 +120,8 @@ def with_helix(
     high = SHALLOW * straight.depth
     while (limit := found(high)).depth > high:
         if high > deepest:
-            return Limit(math.inf, math.nan, NONE)
-        step = min(AHEAD * (limit.depth - high), SHARE * cut.pitch / lag)
+            return UNLIMITED
+        step = min(AHEAD * (limit.depth - high), SHARE * process.cut.pitch / process.lag)
         low, high = high, high + max(step, LEAST_STEP * high)
     while high - low > WITHIN * high:
         middle = 0.5 * (low + high)

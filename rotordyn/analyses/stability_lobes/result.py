@@ -19,8 +19,9 @@ class StabilityLobesResult:
     """Limits at ``cutting_speed``, each with the receptance of the machine at that speed; infinite
     where no depth is unstable.
 
-    ``at_rest``: what the receptance of the machine at rest gives instead. ``pocket``: maxima of
-    the depth over speed, the deepest first, NaN where there are fewer.
+    ``at_rest``: what the receptance of the machine at rest gives instead. ``least``, ``most``:
+    over the intervals of the case and all sources of the cutting coefficients. ``pocket``: maxima
+    of the depth over speed, the deepest first.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
@@ -42,6 +43,12 @@ class StabilityLobesResult:
         label="stable depth of cut by the receptance at rest",
         printed=MILLIMETRE,
     )
+    least: Array = quantity(
+        "cutting_speed", unit="m", label="least limit of the band", printed=MILLIMETRE
+    )
+    most: Array = quantity(
+        "cutting_speed", unit="m", label="largest limit of the band", printed=MILLIMETRE
+    )
     pocket: NDArray[np.int_] = coordinate("pocket", unit="", label="pocket")
     pocket_speed: Array = quantity("pocket", unit="rad/s", label="speed of the cutter")
     pocket_depth: Array = quantity(
@@ -50,3 +57,5 @@ class StabilityLobesResult:
     pocket_removal: Array = quantity(
         "pocket", unit="m³/s", label="removal rate at the limit", printed=REMOVAL
     )
+    pocket_from: Array = quantity("pocket", unit="rad/s", label="speed from which 80 % of it hold")
+    pocket_to: Array = quantity("pocket", unit="rad/s", label="speed to which 80 % of it hold")

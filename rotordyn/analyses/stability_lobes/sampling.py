@@ -17,7 +17,8 @@ LOWEST, HIGHEST = 2.0 * math.pi * 1.0, 2.0 * math.pi * 60e3  # rad/s
 FIRST = 1.01  # ratio of neighbours
 BENT = 0.05  # of its size, by which a receptance may leave the line between samples
 SMALL = 1e-2  # of the largest receptance: where it stays below, nothing chatters
-TURN = 2.0 * math.pi / 40.0  # phase from tooth to tooth between samples
+LEAST_TURN = 1e-6  # between samples
+TURN = 2.0 * math.pi / 32.0  # phase from tooth to tooth between samples
 
 
 def resolving(
@@ -80,10 +81,19 @@ def along(omega: Array, top: float, period: float) -> Array:
     return np.unique(np.concatenate([even, omega[omega <= top]]))
 
 
-def folded(omega: Array, top: float, period: float) -> Array:
-    """Samples of the phase ωT in 0 … π at which all harmonics of the tooth frequency are
-    resolved: frequencies where the receptance bends on a shorter way than the phase."""
-    even = np.linspace(0.0, math.pi, round(math.pi / TURN) + 1)[1:]
+def peaks(omega: Array, top: float) -> Array:
+    """Of samples up to ``top`` those at which the receptance bends on a shorter way than the
+    phase from tooth to tooth."""
     fine = np.append(np.diff(omega) < 0.4 * (FIRST - 1.0) * omega[:-1], False)
-    angle = np.mod(omega[fine & (omega <= top)] * period, 2.0 * math.pi)
-    return np.unique(np.concatenate([even, np.minimum(angle, 2.0 * math.pi - angle)]))
+    return omega[fine & (omega <= top)]
+
+
+def folded(near: Array, period: float) -> Array:
+    """Samples of the phase ωT in 0 … π at which all harmonics of the tooth frequency are
+    resolved; ``near`` [rad/s] resolve the peaks of the receptance."""
+    even = np.linspace(0.0, math.pi, round(math.pi / TURN) + 1)[1:]
+    angle = np.mod(near * period, 2.0 * math.pi)
+    angle = np.unique(np.concatenate([even, np.minimum(angle, 2.0 * math.pi - angle)]))
+    angle = angle[np.append(True, np.diff(angle) > LEAST_TURN)]
+    angle[-1] = math.pi
+    return angle

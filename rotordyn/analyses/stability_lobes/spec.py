@@ -1,12 +1,17 @@
-"""What a case asks of the stability of milling (SI)."""
+"""What a case asks of the stability of cutting (SI)."""
 
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Annotated
 
-from rotordyn.description import Faults, ascending
+from rotordyn.analyses.stability_lobes.workpiece import (
+    CuttingCoefficient,
+    RadialCoefficient,
+    Workpiece,
+)
+from rotordyn.description import Description, Faults, ascending
 from rotordyn.machine.assembly import misnamed, unknown
 from rotordyn.quantity import (
     Angle,
@@ -25,29 +30,73 @@ from rotordyn.scene.spec import Setting, Spec
 
 METHODS = ("multi-frequency", "zero-order")
 MILLING = ("up", "down", "slot")
+OBLIQUE = math.radians(60.0)
 HOPF, FLIP, NONE = "hopf", "flip", ""
+OF_MILLING = ("teeth", "tangential", "radial", "workpiece", "helix")
 Immersion = Annotated[float, Quantity("ratio", above="0 %", at_most="100 %")]
 Helix = Annotated[float, Quantity("angle", at_least="0 deg", below="90 deg")]
-CuttingCoefficient = Annotated[float, Quantity("pressure", above="0 Pa", at_most="100 GPa")]
-RadialCoefficient = Annotated[float, Quantity("pressure", at_least="0 Pa", at_most="100 GPa")]
+ForceAngle = Annotated[float, Quantity("angle", above="-90 deg", below="90 deg")]
+Share = Annotated[float, Quantity("ratio", at_least="0 %", at_most="90 %")]
+Ploughing = Annotated[float, Quantity("stiffness", at_least="0 N/m", at_most="1e9 N/m")]
+
+
+@dataclass(frozen=True, slots=True)
+class Turning(Description):
+    """A cut into a workpiece that turns with the spindle: one edge, always in cut."""
+
+    force: Annotated[CuttingCoefficient, "cutting coefficient, of the whole force"]
+    force_angle: Annotated[
+        ForceAngle, "of the force, from the normal to the cut surface towards the cutting speed"
+    ] = OBLIQUE
+    direction: Annotated[
+        Angle, "of the normal to the cut surface, from z in the sense of rotation"
+    ] = 0.0
+
+
+@dataclass(frozen=True, slots=True)
+class Interval(Description):
+    """By how much values of the model may be off, as a share of them to both sides."""
+
+    stiffness: Annotated[Share, "of the whole machine"] = 0.0
+    damping: Annotated[Share, "ratios of all modes"] = 0.0
+    coefficients: Annotated[Share, "of cutting, which divide the limits"] = 0.0
 
 
 @dataclass(frozen=True, slots=True)
 class StabilityLobesSpec(Spec):
-    """Depth of cut up to which milling is stable, over speed, at every speed's own receptance."""
+    """Depth of cut up to which milling or turning is stable, over speed, at every speed's own
+    receptance."""
 
-    point: Annotated[PointName, "tip of the tool"]
-    teeth: Annotated[int, Whole(1, 100), "teeth of the cutter, evenly spaced"]
-    diameter: Annotated[Diameter, "of the cutter"]
-    tangential: Annotated[CuttingCoefficient, "tangential cutting coefficient Ktc"]
-    radial: Annotated[RadialCoefficient, "radial cutting coefficient Krc"]
+    point: Annotated[PointName, "tip of the tool, or of the workpiece in turning"]
+    diameter: Annotated[Diameter, "of the cutter, or of the workpiece in turning"]
+    teeth: Annotated[int, Whole(0, 100), "teeth of the cutter, evenly spaced"] = 0
+    tangential: Annotated[
+        CuttingCoefficient | None, "tangential cutting coefficient Ktc; or `workpiece`"
+    ] = None
+    radial: Annotated[
+        RadialCoefficient | None, "radial cutting coefficient Krc; or `workpiece`"
+    ] = None
+    workpiece: Annotated[
+        Workpiece | None,
+        "name or path of a material with its cutting coefficients, of several sources",
+    ] = None
     immersion: Annotated[Immersion, "radial depth over diameter"] = 1.0
     milling: Annotated[str, Choice(MILLING), "in a slot the immersion is 1"] = "slot"
     helix: Annotated[Helix, "angle of the edges; multi-frequency alone takes it"] = 0.0
     feed: Annotated[
         Angle, "direction of the feed, from z in the sense of rotation of the spindle"
     ] = 0.0
-    feed_per_tooth: Annotated[Length, "for the removal rate; it does not change the limits"] = 1e-4
+    turning: Annotated[Turning | None, "instead of milling; zero order is exact"] = None
+    process_damping: Annotated[
+        Ploughing,
+        "force normal to the cut surface by velocity there, times cutting speed, per depth",
+    ] = 0.0
+    interval: Annotated[Interval, "of which the band of the limits follows"] = field(
+        default_factory=Interval
+    )
+    feed_per_tooth: Annotated[
+        Length, "in turning by revolution; for the removal rate, it does not change the limits"
+    ] = 1e-4
     method: Annotated[str, Choice(METHODS), "multi-frequency is complete, zero-order quick"] = (
         METHODS[0]
     )
@@ -67,8 +116,32 @@ class StabilityLobesSpec(Spec):
             return math.acos(2.0 * self.immersion - 1.0), math.pi
         return 0.0, math.pi
 
+    @property
+    def pairs(self) -> tuple[tuple[float, float], ...]:
+        """Tangential and radial coefficient [Pa] of every source, of which the first is taken as
+        the most likely; one pair without meaning in turning."""
+        if self.workpiece is not None:
+            return self.workpiece.pairs
+        return ((self.tangential or 0.0, self.radial or 0.0),)
+
     def _faults(self) -> Faults:
         yield from ascending("speeds", self.speeds)
+        if self.turning is not None:
+            for key in OF_MILLING:
+                if getattr(self, key):
+                    yield (key,), "of milling: given beside turning; leave one of both out"
+            return
+        yield from self._of_milling()
+
+    def _of_milling(self) -> Faults:
+        if not self.teeth:
+            yield ("teeth",), "missing key: the number of teeth, or turning"
+        given = [self.tangential is not None, self.radial is not None]
+        if self.workpiece is None and not all(given):
+            key = "radial" if given[0] else "tangential"
+            yield (key,), "missing key: tangential and radial must be given, or workpiece"
+        if self.workpiece is not None and any(given):
+            yield ("workpiece",), "given beside coefficients: leave one of both out"
         if self.milling == "slot" and self.immersion != 1.0:
             yield (
                 ("immersion",),

@@ -14,8 +14,10 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.analyses.stability_lobes.tip_modes import TipModes
 from rotordyn.equation.free_motion import FreeMotions
 from rotordyn.errors import InvalidInput
+from rotordyn.numerics.modes import WELL_CONDITIONED
 from rotordyn.results.display import RPM
 from rotordyn.scene.scene import Scene
 
@@ -24,7 +26,7 @@ Complex = NDArray[np.complex128]
 UNDAMPED = 1e-9  # of the frequency: a pole so near to the axis has no damping
 MATTERS = 1e-2  # of the largest receptance: where it stays below, nothing chatters
 ABOUT = np.array([-4.0, -2.0, -1.2, -0.7, -0.35, 0.0, 0.35, 0.7, 1.2, 2.0, 4.0])
-BEYOND = 1.25  # times the highest mode that matters
+BEYOND = 1.5  # times the highest mode that matters
 
 
 @dataclass(frozen=True)
@@ -52,6 +54,11 @@ class Tip:
         return parts
 
     @property
+    def count(self) -> int:
+        """Usable speeds."""
+        return len(self.scene.usable)
+
+    @property
     def _turn(self) -> Array:
         """Feed and normal by y and z."""
         s, c = math.sin(self.feed), math.cos(self.feed)
@@ -68,6 +75,22 @@ class Tip:
             for k, (one, other) in enumerate(pairs):
                 found[..., one, other] = values[:, k]
         return np.asarray(self._turn @ found @ self._turn.T)
+
+    @cached_property
+    def modes(self) -> TipModes | None:
+        """Modes of which the receptance is the sum; None where it is none, with loss factors or
+        motions that nothing holds."""
+        poles, shapes, participations = [], [], []
+        for motions, pairs, rows in self._parts:
+            if motions.lossy is not None or motions.modes.condition.max() >= WELL_CONDITIONED:
+                return None
+            both = np.eye(2)[sorted({one for one, _ in pairs})] @ self._turn.T
+            twice = (motions.pole.imag == 0.0) & (not motions.whirling)
+            shape = np.einsum("wn,snk->skw", rows, motions.vector) @ both
+            poles.append(motions.pole)
+            shapes.append(np.where(twice[..., None], 0.5 * shape, shape))
+            participations.append(np.einsum("skn,wn->skw", motions.left, rows) @ both)
+        return TipModes(*(np.concatenate(each, axis=1) for each in (poles, shapes, participations)))
 
     def at(self, row: int) -> Tip:
         """At one of the speeds."""

@@ -8,10 +8,10 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import NDArray
 
-from rotordyn.analyses.stability_lobes.limit import Limit
+from rotordyn.analyses.stability_lobes.modal_limit import Limit
 from rotordyn.analyses.stability_lobes.sampling import along, resolving
 from rotordyn.analyses.stability_lobes.spec import HOPF, NONE
-from rotordyn.analyses.stability_lobes.zero_order import zero_order
+from rotordyn.analyses.stability_lobes.zero_order import Mean, zero_order
 from rotordyn.errors import InvalidInput
 
 Array = NDArray[np.float64]
@@ -42,6 +42,7 @@ def turning_limit(receptance: Callable[[Array], Complex], force: float, speed: f
     omega, top = resolving(matrices)
     period = np.array([2.0 * math.pi / speed])
     samples = along(omega, top, float(period[0]))[None]
-    depth, at, _ = zero_order(matrices, np.array([[force]]), period, samples)
+    mean = Mean(np.array([[[force]]]), np.zeros((1, 1, 1)))
+    depth, at = zero_order(matrices, mean, period, samples)
     kind = HOPF if math.isfinite(depth[0]) else NONE
     return Limit(float(depth[0]), float(at[0]) / (2.0 * math.pi), kind)

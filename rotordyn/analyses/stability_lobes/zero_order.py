@@ -2,7 +2,8 @@
 period, and one frequency of vibration. Exact where the cutting forces do not change with the angle.
 
 At a depth a and a frequency ω on the limit 1/a is an eigenvalue of Z = −(1 − e^{−iωT}) H̄ Φ(iω), so
-that the lobes need not be counted and every speed has its own receptance.
+that the lobes need not be counted and every speed has its own receptance. Process damping adds
+−iω C̄ Φ(iω).
 
 Theory: docs/theory/lobes.md.
 """
@@ -10,6 +11,7 @@ Theory: docs/theory/lobes.md.
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -21,16 +23,22 @@ CANDIDATES = 3  # crossings of a speed that are refined, those that may be large
 STEPS = 30
 
 
-def zero_order(
-    receptances: Rows, mean: Array, period: Array, omega: Array
-) -> tuple[Array, Array, NDArray[np.intp]]:
-    """Depth [m], infinite where nothing limits it, and chatter frequency [rad/s] of every speed
-    (s,); and the index of its sample in ``omega``.
+class Mean(NamedTuple):
+    """Mean forces of a unit of depth, each (1 or s, d, d): by displacement from tooth to tooth
+    ``cutting`` [Pa], by velocity ``rubbing`` [N s/m²]."""
 
-    ``receptances`` of frequencies (s, f): (s, f, d, d); ``mean`` (d, d) cutting forces [Pa];
-    ``period`` of the teeth (s,) [s]; ``omega`` (s, f) ascending samples [rad/s].
+    cutting: Array
+    rubbing: Array
+
+
+def zero_order(receptances: Rows, mean: Mean, period: Array, omega: Array) -> tuple[Array, Array]:
+    """Depth [m], infinite where nothing limits it, and chatter frequency [rad/s] of every speed
+    (s,).
+
+    ``receptances`` of frequencies (s, f): (s, f, d, d); ``period`` of the teeth (s,) [s];
+    ``omega`` (s, f) ascending samples [rad/s].
     """
-    z = _followed(_eigenvalues(receptances(omega), mean, omega * period[:, None]))
+    z = _followed(_eigenvalues(receptances(omega), mean, period, omega))
     low, high = z[:, :-1], z[:, 1:]
     across = low.imag * high.imag < 0.0
     reach = np.where(across, np.maximum(low.real, high.real), 0.0)
@@ -48,13 +56,16 @@ def zero_order(
     value, at = (np.take_along_axis(each, best, axis=1)[:, 0] for each in (value, at))
     with np.errstate(divide="ignore"):
         depth = np.where(value > 0.0, 1.0 / value, np.inf)
-    sample = np.take_along_axis(sample, best, axis=1)[:, 0]
-    return depth, np.where(value > 0.0, at, np.nan), sample
+    return depth, np.where(value > 0.0, at, np.nan)
 
 
-def _eigenvalues(receptance: Complex, mean: Array, angle: Array) -> Complex:
-    """Of Z (…, d, d): (…, d), d at most 2."""
-    own = -(1.0 - np.exp(-1j * angle))[..., None, None] * (mean @ receptance)
+def _eigenvalues(receptance: Complex, mean: Mean, period: Array, omega: Array) -> Complex:
+    """Of Z (s, f, d, d): (s, f, d), d at most 2."""
+    own = (np.exp(-1j * omega * period[:, None]) - 1.0)[..., None, None] * (
+        mean.cutting[:, None] @ receptance
+    )
+    if mean.rubbing.any():
+        own = own - 1j * omega[..., None, None] * (mean.rubbing[:, None] @ receptance)
     if own.shape[-1] == 1:
         return own[..., 0]
     half = 0.5 * (own[..., 0, 0] + own[..., 1, 1])
@@ -80,7 +91,7 @@ def _followed(z: Complex) -> Complex:
 
 
 def _roots(
-    receptances: Rows, mean: Array, period: Array, ends: tuple[Array, Array, Complex, Complex]
+    receptances: Rows, mean: Mean, period: Array, ends: tuple[Array, Array, Complex, Complex]
 ) -> tuple[Array, Array]:
     """Frequencies (s, c) at which branches between two samples are real, and the values there."""
     a, b, one, other = ends
@@ -90,7 +101,7 @@ def _roots(
         with np.errstate(divide="ignore", invalid="ignore"):
             share = np.nan_to_num(weight_a / (weight_a - weight_b), nan=0.5)
         middle = a + np.clip(share, 1e-3, 1.0 - 1e-3) * (b - a)
-        found = _eigenvalues(receptances(middle), mean, middle * period[:, None])
+        found = _eigenvalues(receptances(middle), mean, period, middle)
         with np.errstate(divide="ignore", invalid="ignore"):
             guess = one + np.nan_to_num((middle - a) / (b - a)) * (other - one)
         nearest = np.abs(found - guess[..., None]).argmin(axis=-1)[..., None]

@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 
 import rotordyn
-from rotordyn.analyses.stability_lobes import limit_depth
+from rotordyn.analyses.stability_lobes import limit_depth, turning_limit
+from rotordyn.analyses.stability_lobes.modal import Change
+from rotordyn.analyses.stability_lobes.pockets import pockets
 from rotordyn.analyses.stability_lobes.tip import Tip
 from rotordyn.errors import InvalidInput, RotordynError
 from rotordyn.scene.scene import Scene
@@ -49,11 +51,11 @@ analyses:
 
 @pytest.fixture
 def case(tmp_path):
-    def write(**given):
+    def write(machine=MACHINE, **given):
         asked = {**ASKED, **given}
         lines = "".join(f"    {key}: {value}\n" for key, value in asked.items())
         path = tmp_path / "case.yaml"
-        path.write_text(MACHINE + lines, encoding="utf-8")
+        path.write_text(machine + lines, encoding="utf-8")
         return rotordyn.load(path)
 
     return write
@@ -92,6 +94,36 @@ def test_sense_of_rotation(case):
     np.testing.assert_allclose(found[..., 0, 1], zy, rtol=1e-12)
     assert np.abs(zy).max() > 1e-3 * np.abs(found[..., 0, 0]).max()
     np.testing.assert_allclose(found[..., 1, 0], -zy, rtol=1e-6)
+
+
+@pytest.mark.parametrize("stiff", ["1e8 N/m", "4e7 N/m"])
+def test_modes_sum_to_the_receptance(case, stiff):
+    """Of one complex plane, and of two planes held unlike."""
+    loaded = case().vary({"spindle.supports.front.stiffness.zz": stiff})
+    tip = tip_of(loaded, 0.3)
+    omega = 2.0 * math.pi * np.tile(np.linspace(20.0, 3000.0, 200), (2, 1))
+    known = tip.receptance(omega)
+    size = np.abs(known).max()
+    for row in range(2):
+        own = tip.modes.at(row).receptance(omega[row])
+        np.testing.assert_allclose(own, known[row], atol=1e-11 * size)
+    sums = tip.modes.of(np.arange(2), float(omega.max())).receptance(omega)
+    np.testing.assert_allclose(sums, known, atol=1e-8 * size)
+
+
+def test_stiffness_as_a_whole_changes_modes_as_it_changes_the_machine(case):
+    """All stiffness of supports and of the shaft, at rest."""
+    damping = f"{600 * math.sqrt(1.2)} N s/m"
+    stiffer = MACHINE.replace("1e8 N/m", "1.2e8 N/m").replace("210 GPa", "252 GPa")
+    stiffer = case(stiffer.replace("600 N s/m", damping))
+    omega = 2.0 * math.pi * np.linspace(20.0, 2500.0, 100)
+    scenes = [
+        Scene(own.spindle, own.conditions, np.zeros(1), 3000.0, ("tip",))
+        for own in (case(), stiffer)
+    ]
+    one, other = (Tip(scene, "tip", 0.0, 3000.0).modes.at(0) for scene in scenes)
+    found, known = one.changed(Change(1.2, 1.0)).receptance(omega), other.receptance(omega)
+    np.testing.assert_allclose(found, known, atol=1e-4 * np.abs(known).max())
 
 
 def test_the_feed_does_not_matter_on_an_axisymmetric_machine(case):
@@ -149,3 +181,115 @@ def test_faults(case, given, sentence):
 def test_a_band_below_all_modes_is_refused(case):
     with pytest.raises(InvalidInput, match="raise max_frequency"):
         rotordyn.run(case(max_frequency="20 Hz"))
+
+
+SWEPT = "{from: 6000 rpm, to: 18000 rpm, count: 9}"
+
+
+def lobes(case):
+    return rotordyn.run(case)["stability_lobes"]
+
+
+def test_turning_is_that_of_the_oriented_receptance(case):
+    """Motion towards the tool by a force that leans towards the cutting speed."""
+    loaded = case(
+        teeth=0,
+        tangential="null",
+        radial="null",
+        turning="{force: 2 GPa, force_angle: 50 deg, direction: 30 deg}",
+        speeds=SWEPT,
+    )
+    result = lobes(loaded)
+    speeds = result.cutting_speed.values
+    scene = Scene(loaded.spindle, loaded.conditions, np.array(loaded.speeds), 3000.0, ("tip",))
+    n = np.array([-math.sin(math.radians(30.0)), math.cos(math.radians(30.0))])  # in y and z
+    along = np.array([-n[1], n[0]])  # the spindle turns from y to z
+    lean = math.cos(math.radians(50.0)) * n + math.sin(math.radians(50.0)) * along
+    tip = Tip(scene.at(speeds), "tip", 0.0, 3000.0)
+    for row, speed in enumerate(speeds):
+        one = tip.at(row)
+
+        def oriented(omega, one=one):
+            whole = one.receptance(omega[None])[0][:, ::-1, ::-1]  # normal y, feed z
+            return np.einsum("i,fij,j->f", n, whole, lean)
+
+        found = turning_limit(oriented, 2e9, speed)
+        assert result.depth.values[row] == pytest.approx(found.depth, rel=1e-5)
+    removal = result.depth.values * 1e-4 * 0.02 * speeds
+    np.testing.assert_allclose(result.removal.values, removal)
+
+
+def test_band_holds_the_limits_of_changed_machines(case):
+    """Stiffness and damping at the ends of their intervals, and the share of the coefficients."""
+    result = lobes(case(speeds=SWEPT, interval="{stiffness: 10 %, damping: 20 %}"))
+    assert (result.least.values < result.depth.values).all()
+    assert (result.most.values > result.depth.values).all()
+    softer = MACHINE.replace("1e8 N/m", "0.9e8 N/m").replace("210 GPa", "189 GPa")
+    weaker = f"{600 * math.sqrt(0.9) * 0.8} N s/m"
+    changed = lobes(case(softer.replace("600 N s/m", weaker), speeds=SWEPT)).depth.values
+    # the gyroscopic effect does not change with the stiffness
+    assert (changed >= result.least.values * 0.97).all()
+    assert (changed <= result.most.values * 1.03).all()
+
+
+def test_band_of_coefficients_divides_the_limits(case):
+    result = lobes(case(speeds=SWEPT, interval="{coefficients: 25 %}"))
+    np.testing.assert_allclose(result.least.values, result.depth.values / 1.25, rtol=1e-12)
+    np.testing.assert_allclose(result.most.values, result.depth.values / 0.75, rtol=1e-12)
+
+
+def test_sources_of_a_workpiece_span_a_band(case):
+    """Limits of the middle source, and between those of all."""
+    named = {"tangential": "null", "radial": "null", "speeds": SWEPT}
+    result = lobes(case(workpiece="al7075", **named))
+    pairs = (("767 MPa", "169 MPa"), ("600 MPa", "181 MPa"), ("1319 MPa", "789 MPa"))
+    each = np.array(
+        [lobes(case(tangential=t, radial=r, speeds=SWEPT)).depth.values for t, r in pairs]
+    )
+    np.testing.assert_allclose(result.depth.values, each[0], rtol=1e-9)
+    np.testing.assert_allclose(result.least.values, each.min(axis=0), rtol=1e-9)
+    np.testing.assert_allclose(result.most.values, each.max(axis=0), rtol=1e-9)
+
+
+def test_process_damping_deepens_slow_cuts(case):
+    slow = "{from: 900 rpm, to: 1500 rpm, count: 3}"
+    plain, damped = (
+        lobes(case(speeds=slow, process_damping=f"{c} N/m")).depth.values for c in (0.0, 2e5)
+    )
+    assert (damped > 1.05 * plain).all()
+
+
+def test_pockets_and_their_margins():
+    """A triangle of height 2 above 1: 80 % of 2 hold over 0.4 of its half width to both sides."""
+    speed = np.linspace(0.0, 10.0, 101)
+    depth = 1.0 + np.maximum(1.0 - np.abs(speed - 6.0), 0.0)
+    found = pockets(speed, depth)
+    assert found.place.tolist() == [60]
+    np.testing.assert_allclose([found.low[0], found.high[0]], [5.6, 6.4], rtol=1e-12)
+    assert not pockets(speed, np.full(101, np.inf)).place.size
+
+
+@pytest.mark.parametrize(
+    ("given", "sentence"),
+    [
+        ({"turning": "{force: 2 GPa}"}, "of milling: given beside turning"),
+        ({"teeth": 0}, "missing key: the number of teeth, or turning"),
+        ({"radial": "null"}, "tangential and radial must be given, or workpiece"),
+        ({"workpiece": "al7075"}, "given beside coefficients"),
+        (
+            {"workpiece": "al7", "tangential": "null", "radial": "null"},
+            r"^[^\n]*unknown model: given 'al7'[^\n]*$",
+        ),
+        ({"interval": "{damping: 95 %}"}, "ratio out of range"),
+        ({"process_damping": "-1 N/m"}, "stiffness out of range"),
+    ],
+)
+def test_faults_of_turning_workpieces_and_intervals(case, given, sentence):
+    with pytest.raises(RotordynError, match=sentence):
+        case(**given)
+
+
+def test_a_loss_factor_leaves_no_modes_to_change(case):
+    lossy = MACHINE.replace("  points:", "  damping: {loss_factor: 0.02}\n  points:")
+    with pytest.raises(InvalidInput, match="no sum of modes: leave process_damping and interval"):
+        lobes(case(lossy, process_damping="1e5 N/m"))

@@ -1,0 +1,74 @@
+"""The least depth of cut at which the largest multiplier leaves the unit circle.
+
+Depths are tried from one that is stable for certain, in ratios small beside the width of lobes; at
+every maximum of the radius that stays inside, its height is refined, so that an island of
+instability between two depths tried is not passed over.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from functools import cache
+
+from scipy.optimize import brentq, minimize_scalar
+
+Radius = Callable[[float], float]
+RATIO = 1.25  # of depths tried
+NEAR = 0.8  # a maximum of the radius below that is not refined
+DOUBTFUL = 0.02  # of 1: so near, the radius of a coarse map does not tell which side
+WITHIN = 1e-8  # of the depth
+PEAK = 1e-3  # of the logarithm of the depth
+AROUND = 0.03  # of the depth, by which a coarse map may err
+
+
+def first_loss(coarse: Radius, fine: Radius, low: float, high: float, step: float) -> float:
+    """Depth [m] from ``low``, which is stable, to ``high``; infinite where all is stable.
+
+    ``coarse``: radius over depth of a quick map, by which depths are tried; ``fine``: of the map
+    that gives the depth. ``step``: longest step [m] between depths tried. 0 where the machine is
+    unstable by itself.
+    """
+    coarse, fine = cache(coarse), cache(fine)
+    if fine(low) >= 1.0:
+        return 0.0
+    guess = _tried(coarse, low, high, step, DOUBTFUL)
+    if math.isinf(guess):
+        return guess
+    ends = max((1.0 - AROUND) * guess, low), min((1.0 + AROUND) * guess, high)
+    if math.isfinite(guess) and fine(ends[0]) < 1.0 <= fine(ends[1]):
+        return _root(fine, *ends)
+    return _tried(fine, low, high, step)
+
+
+def _tried(radius: Radius, low: float, high: float, step: float, doubtful: float = 0.0) -> float:
+    """The least depth at which the radius is 1; NaN where a maximum is nearer to 1 than
+    ``doubtful``."""
+    depth, size, doubt = [low], [radius(low)], False
+    while size[-1] < 1.0 and depth[-1] < high:
+        depth.append(min(depth[-1] * RATIO, depth[-1] + step, high))
+        size.append(radius(depth[-1]))
+    for k in range(1, len(depth) - 1):
+        if NEAR < size[k] < 1.0 and size[k] >= max(size[k - 1], size[k + 1]):
+            top = _peak(radius, depth[k - 1], depth[k + 1])
+            if radius(top) >= 1.0:
+                return _root(radius, depth[k - 1], top)
+            doubt |= radius(top) > 1.0 - doubtful
+    if doubt or size[0] >= 1.0:
+        return math.nan
+    return _root(radius, depth[-2], depth[-1]) if size[-1] >= 1.0 else math.inf
+
+
+def _peak(radius: Radius, low: float, high: float) -> float:
+    """Where the radius is largest between two depths."""
+    found = minimize_scalar(
+        lambda own: -radius(math.exp(own)),
+        bounds=(math.log(low), math.log(high)),
+        method="bounded",
+        options={"xatol": PEAK},
+    )
+    return math.exp(float(found.x))
+
+
+def _root(radius: Radius, low: float, high: float) -> float:
+    return float(brentq(lambda own: math.log(radius(own)), low, high, rtol=WITHIN, xtol=1e-15))

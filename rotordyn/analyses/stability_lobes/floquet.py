@@ -1,0 +1,218 @@
+"""Floquet multipliers of milling at one speed, of a tip that is a sum of modes.
+
+Over each span of the cut the displacement of the tip follows from the state of the modes at its
+start and from the forces, expanded in Legendre polynomials: u = F x + L g, and the state after it
+from both, x' = P x + W g. With g = −a H (u − u_old), and the forces of process damping, these give
+the map of one tooth period. The same limits follow from all harmonics of the tooth frequency.
+
+Theory: docs/theory/lobes.md.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from itertools import accumulate, pairwise
+
+import numpy as np
+from numpy.typing import NDArray
+from scipy.linalg import solve_banded
+
+from rotordyn.analyses.stability_lobes.bessel import modified_bessel
+from rotordyn.analyses.stability_lobes.modal import ModalTip
+from rotordyn.analyses.stability_lobes.spans import Spans
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+REMEMBERED = 2.5  # times the highest frequency: modes above it forget a span of the cut
+STATIC = 8.0  # times the highest frequency: modes above it follow forces at once
+REAL = 1e-9  # of an eigenvalue: a smaller imaginary part is rounding
+EXTRA = 12  # polynomials more within an integral, which truncation would spoil
+
+
+@dataclass(frozen=True, eq=False)
+class Floquet:
+    """The map of one tooth period of cutting over ``spans``; ``tip`` all modes of the tool's tip.
+
+    ``damping`` (2p, 2p): matrix of the forces by velocity between polynomials [N s/m²], per depth.
+    """
+
+    spans: Spans
+    tip: ModalTip
+    damping: Array | None = None
+
+    @cached_property
+    def _slow(self) -> ModalTip:
+        return self.tip.below(REMEMBERED * self.spans.top)
+
+    @cached_property
+    def _places(self) -> list[slice]:
+        ends = accumulate((count for *_, count in self.spans.each), initial=0)
+        return [slice(low, high) for low, high in pairwise(ends)]
+
+    @cached_property
+    def _times(self) -> list[tuple[float, float, float]]:
+        """Begin, half length and end of every span from that of the first [s]."""
+        period, first = self.spans.period, self.spans.each[0]
+        begin = first[0] - first[1]
+        return [
+            ((c - h - begin) * period, h * period, (c + h - begin) * period)
+            for c, h, _ in self.spans.each
+        ]
+
+    @cached_property
+    def _integrals(self) -> list[tuple[Complex, Complex]]:
+        """Per span, polynomials of the decay of every mode from 1 (m, p), and what forces leave of
+        it at the end of the span (m, p)."""
+        found = []
+        for (_, half, _), (*_, count) in zip(self._times, self.spans.each, strict=True):
+            order = np.arange(count)
+            own = modified_bessel(self._slow.pole * half, count) * 2.0 * np.sqrt(order + 0.5)
+            found.append((own, half * own * (-1.0) ** order))
+        return found
+
+    def _free(self, shape: Complex) -> Array:
+        """F: displacements by the state (2p, 2m), real and imaginary parts of the modes; with
+        ``shape`` times pole, velocities."""
+        found = np.zeros((self.spans.size, 2, len(shape)), dtype=complex)
+        for place, (begin, _, _), (own, _) in zip(
+            self._places, self._times, self._integrals, strict=True
+        ):
+            decayed = np.exp(self._slow.pole * begin)
+            found[place] = np.einsum("ma,mi,m->aim", own, shape, decayed)
+        flat = found.reshape(-1, len(shape))
+        return np.concatenate([2.0 * flat.real, -2.0 * flat.imag], axis=1)
+
+    def _forced(self, velocity: bool = False) -> Array:
+        """L: displacements by forces (2p, 2p); ``velocity``: velocities instead."""
+        size = self.spans.size
+        found = np.zeros((size, 2, size, 2))
+        near = self.tip.below(STATIC * self.spans.top)
+        static = 0.0 * near.constant if velocity else near.constant
+        rate = near.pole if velocity else np.ones(len(near.pole))
+        residue = np.einsum("m,mi,mj->ijm", rate, near.shape, near.participation).reshape(4, -1)
+        for place, (_, half, _), (*_, count) in zip(
+            self._places, self._times, self.spans.each, strict=True
+        ):
+            y = _integrated(near.pole, half, count).reshape(len(near.pole), -1)
+            own = 2.0 * (residue.real @ y.real - residue.imag @ y.imag)
+            own = own.reshape(2, 2, count, count) + static[:, :, None, None] * np.eye(count)
+            found[place, :, place] = own.transpose(2, 0, 3, 1)
+        slow = self._slow
+        shape = slow.shape * slow.pole[:, None] if velocity else slow.shape
+        for k, later in enumerate(self._places):
+            for j, earlier in enumerate(self._places[:k]):
+                decay = np.exp(slow.pole * (self._times[k][0] - self._times[j][2]))
+                left = np.einsum("ma,mi,m->aim", self._integrals[k][0], shape, decay)
+                right = np.einsum("mb,mk->mbk", self._integrals[j][1], slow.participation)
+                found[later, :, earlier] = 2.0 * np.tensordot(left, right, axes=1).real
+        return found.reshape(2 * size, 2 * size)
+
+    @cached_property
+    def _left(self) -> Array:
+        """W: states after the period by forces (2m, 2p)."""
+        slow = self._slow
+        found = np.zeros((len(slow.pole), self.spans.size, 2), dtype=complex)
+        for place, (_, _, end), (_, own) in zip(
+            self._places, self._times, self._integrals, strict=True
+        ):
+            decay = np.exp(slow.pole * (self.spans.period - end))
+            found[:, place] = np.einsum("ma,mi,m->mai", own, slow.participation, decay)
+        flat = found.reshape(len(slow.pole), -1)
+        return np.concatenate([flat.real, flat.imag], axis=0)
+
+    @cached_property
+    def _kept(self) -> Array:
+        """P: states after the period by those before (2m, 2m)."""
+        decay = np.exp(self._slow.pole * self.spans.period)
+        turn, size = np.zeros((2, len(decay), 2, len(decay))), np.arange(len(decay))
+        turn[0, size, 0, size] = turn[1, size, 1, size] = decay.real
+        turn[1, size, 0, size], turn[0, size, 1, size] = decay.imag, -decay.imag
+        return turn.reshape(2 * len(decay), 2 * len(decay))
+
+    @cached_property
+    def _parts(self) -> tuple[Array, Array, Array, Array]:
+        """L, F, W and P, states measured by the displacement that they give."""
+        free = self._free(self._slow.shape)
+        size = np.maximum(np.abs(free).max(axis=0, initial=0.0), 1e-300)
+        kept = self._kept * (size[:, None] / size)
+        return self._forced(), free / size, self._left * size[:, None], kept
+
+    @cached_property
+    def _products(self) -> tuple[Array, Array, Array]:
+        """What a unit of depth makes of forces (2p, 2p), of the state before (2p, 2m), and of the
+        displacement before (2p, 2p)."""
+        forced, free, *_ = self._parts
+        cutting = self.spans.cutting
+        by_force, by_state = cutting @ forced, cutting @ free
+        if self.damping is not None:
+            slow = self._slow
+            size = np.abs(self._free(slow.shape)).max(axis=0, initial=0.0)
+            size = np.maximum(size, 1e-300)
+            by_force = by_force + self.damping @ self._forced(velocity=True)
+            moving = self._free(slow.shape * slow.pole[:, None]) / size
+            by_state = by_state + self.damping @ moving
+        return by_force, by_state, cutting
+
+    def forces(self, depth: float) -> Array:
+        """Forces over the cut by displacement before and state (2p, 2p + 2m)."""
+        by_force, by_state, cutting = self._products
+        right = np.concatenate([cutting, -by_state], axis=1) * depth
+        return np.asarray(np.linalg.solve(np.eye(len(by_force)) + depth * by_force, right))
+
+    def map(self, depth: float) -> Array:
+        """Displacement over the cut and state after a tooth period, by those before, both
+        (2p + 2m,)."""
+        forced, free, left, kept = self._parts
+        forces = self.forces(depth)
+        found = np.concatenate([forced @ forces, left @ forces])
+        found[: len(forced), len(forced) :] += free
+        found[len(forced) :, len(forced) :] += kept
+        return found
+
+    def multipliers(self, depth: float) -> Complex:
+        """Floquet multipliers at a depth [m]; beyond 1 in size the cut is unstable."""
+        return np.asarray(np.linalg.eigvals(self.map(depth)), dtype=complex)
+
+    def doubling(self) -> float:
+        """The least depth of period doubling [m], infinite where there is none.
+
+        At a multiplier −1 the motion of one period is that of the last with the opposite sign, and
+        depths are the eigenvalues of one matrix: none is missed.
+        """
+        forced, free, left, kept = self._parts
+        cutting, by_force, by_state = self.spans.cutting, *self._products[:2]
+        back = -np.linalg.solve(np.eye(len(kept)) + kept, left)
+        loop = by_force + by_state @ back + cutting @ (forced + free @ back)
+        value = -np.linalg.eigvals(loop)
+        real = value.real[(np.abs(value.imag) <= REAL * np.abs(value)) & (value.real > 0.0)]
+        return 1.0 / float(real.max()) if real.size else np.inf
+
+    def dominant(self, depth: float) -> tuple[complex, Complex]:
+        """The largest multiplier of Im ≥ 0, and forces over the cut of its motion (2p,)."""
+        values, vectors = np.linalg.eig(self.map(depth))
+        place = int(np.where(values.imag >= 0.0, np.abs(values), 0.0).argmax())
+        return complex(values[place]), self.forces(depth) @ vectors[:, place]
+
+
+def _integrated(pole: Complex, half: float, count: int) -> Complex:
+    """Of x' = pole x + f over a span of half length ``half`` [s] from x = 0, between orthonormal
+    polynomials (m, p, p).
+
+    The integral of a polynomial has neighbours of its order alone, so that systems are tridiagonal.
+    """
+    size = count + EXTRA
+    k = np.arange(size - 1)
+    beside = 1.0 / np.sqrt((2.0 * k + 1.0) * (2.0 * k + 3.0))
+    right = np.zeros((size, count))
+    right[0, 0] = half
+    own = np.arange(count)
+    right[own + 1, own] = half * beside[own]
+    right[own[1:] - 1, own[1:]] = -half * beside[own[1:] - 1]
+    found = np.empty((len(pole), count, count), dtype=complex)
+    bands = np.empty((3, size), dtype=complex)
+    for row, z in enumerate((pole * half).tolist()):
+        bands[0, 1:], bands[2, :-1], bands[1] = z * beside, -z * beside, 1.0
+        bands[1, 0] -= z
+        found[row] = solve_banded((1, 1), bands, right, check_finite=False)[:count]
+    return found

@@ -1,0 +1,143 @@
+"""Limits at many speeds, each with the receptance of the tip at that speed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterator
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.stability_lobes.limit import sampled_limit
+from rotordyn.analyses.stability_lobes.modal import UNCHANGED, Change
+from rotordyn.analyses.stability_lobes.modal_limit import Limit, modal_limit
+from rotordyn.analyses.stability_lobes.operation import Operation
+from rotordyn.analyses.stability_lobes.sampling import TURN
+from rotordyn.analyses.stability_lobes.spec import HOPF, METHODS, NONE
+from rotordyn.analyses.stability_lobes.tip import Tip
+from rotordyn.analyses.stability_lobes.zero_order import zero_order
+from rotordyn.errors import InvalidInput
+from rotordyn.numerics.threads import processors
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Rows = NDArray[np.intp]
+MOST_SAMPLES = 4000  # of a speed: below, the tooth passes more often than modes decay
+PARTS = 20  # in which progress is reported
+TOGETHER = 1.4  # ratio of the periods of speeds that are sampled alike
+NOT_MODES = (
+    "stability_lobes: with a loss factor, or with motions that nothing holds, the receptance is no "
+    "sum of modes: {what}"
+)
+
+
+@dataclass(frozen=True)
+class Limits:
+    """Of ``tip`` at ``rows`` of its speeds, the cutter at ``speed`` [rad/s] each."""
+
+    tip: Tip
+    rows: Rows
+    speed: Array
+    progress: Callable[[str], None] = lambda _: None
+
+    def of(self, operation: Operation, change: Change = UNCHANGED) -> list[Limit]:
+        """The limits of an operation, with modes changed as a whole.
+
+        Raises
+        ------
+        InvalidInput : a change, or process damping, of a machine whose receptance is no sum of
+            modes
+        """
+        spec = operation.spec
+        if spec.method == METHODS[1] or spec.turning is not None:
+            return self._mean(operation, change)
+        if self.tip.modes is None:
+            return self._sampled(operation, change)
+        tops = self.tip.tops[self.rows] * change.highest
+        own = [self.tip.modes.at(row).changed(change) for row in self.rows.tolist()]
+        processes = map(operation.process, self.speed.tolist())
+        # numpy leaves the interpreter free while it solves for eigenvalues
+        with ThreadPoolExecutor(processors()) as pool:
+            return self._reported(pool.map(modal_limit, own, tops.tolist(), processes))
+
+    def _reported(self, found: Iterator[Limit]) -> list[Limit]:
+        """Limits as they come, reported in parts."""
+        every, count = [], len(self.rows)
+        for limit in found:
+            every.append(limit)
+            if len(every) % max(1, count // PARTS) == 0:
+                self.progress(f"{len(every)} of {count} speeds")
+        return every
+
+    def _sampled(self, operation: Operation, change: Change) -> list[Limit]:
+        if operation.spec.process_damping > 0.0 or change != UNCHANGED:
+            what = "leave process_damping and interval out, or take method: zero-order"
+            raise InvalidInput(NOT_MODES.format(what=what))
+
+        def limit(row: int, speed: float) -> Limit:
+            one = self.tip.at(row)
+            process, top = operation.process(speed), float(self.tip.tops[row])
+            near = self.tip.about_poles(row)
+            return sampled_limit(lambda w: one.receptance(w[None])[0], near, top, process)
+
+        self.tip.tops  # noqa: B018  solved once, before threads ask for it
+        with ThreadPoolExecutor(processors()) as pool:
+            return self._reported(pool.map(limit, self.rows.tolist(), self.speed.tolist()))
+
+    def _mean(self, operation: Operation, change: Change) -> list[Limit]:
+        """Zero order, of speeds with periods of one size at once."""
+        period = operation.period(self.speed)
+        found: list[Limit] = []
+        for part in _alike(period):
+            omega = self._samples(self.rows[part], period[part])
+            receptance = self._receptance(self.rows[part], change, float(omega[:, -1].max()))
+            mean = operation.mean(self.speed[part])
+            depth, at = zero_order(receptance, mean, period[part], omega * change.highest)
+            found += [
+                Limit(float(a), float(w) / (2.0 * math.pi), HOPF if math.isfinite(a) else NONE)
+                for a, w in zip(depth, at, strict=True)
+            ]
+        return found
+
+    def _samples(self, rows: Rows, period: Array) -> Array:
+        """Frequencies (s, f) that resolve peaks and the phase from tooth to tooth, ascending."""
+        near = [self.tip.about_poles(row) for row in rows.tolist()]
+        tops = self.tip.tops[rows]
+        even = min(math.ceil(float((tops * period).max()) / TURN), MOST_SAMPLES)
+        longest = max(map(len, near))
+        omega = np.empty((len(rows), even + longest))
+        omega[:, :even] = tops[:, None] * (np.arange(1, even + 1) / even)
+        for k, own in enumerate(near):
+            at = np.linspace(0, len(own) - 1, longest)
+            omega[k, even:] = np.interp(at, np.arange(len(own)), own)
+        omega.sort(axis=1)
+        return omega
+
+    def _receptance(self, rows: Rows, change: Change, top: float) -> Callable[[Array], Complex]:
+        """Of frequencies (s, f) up to ``top`` of every row's own: (s, f, 2, 2)."""
+        modes = self.tip.modes
+        if modes is not None:
+            return modes.changed(change).of(rows, top * change.highest).receptance
+        if change != UNCHANGED:
+            raise InvalidInput(NOT_MODES.format(what="leave interval out"))
+        return partial(self._summed, rows)
+
+    def _summed(self, rows: Rows, omega: Array) -> Complex:
+        if self.tip.count == 1:
+            flat = self.tip.receptance(omega.reshape(1, -1))
+            return flat.reshape(*omega.shape, 2, 2)
+        every = np.ones((self.tip.count, omega.shape[1]))
+        every[rows] = omega
+        return self.tip.receptance(every)[rows]
+
+
+def _alike(period: Array) -> Iterator[slice]:
+    """Runs of speeds whose periods differ little, in order of descending period."""
+    first = 0
+    for k in range(1, len(period) + 1):
+        if k == len(period) or period[first] > TOGETHER * period[k]:
+            yield slice(first, k)
+            first = k

@@ -1,0 +1,105 @@
+"""The limit of a tip that is a sum of modes, by its Floquet multipliers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.stability_lobes.cutting import Cut
+from rotordyn.analyses.stability_lobes.first_loss import first_loss
+from rotordyn.analyses.stability_lobes.floquet import Floquet
+from rotordyn.analyses.stability_lobes.modal import ModalTip
+from rotordyn.analyses.stability_lobes.spans import SPARE, Spans
+from rotordyn.analyses.stability_lobes.spec import FLIP, HOPF, NONE
+
+Array = NDArray[np.float64]
+CERTAIN = 0.9  # of the depth below which no gain around the loop of force and motion reaches 1
+DEEPEST = 3000.0  # times that depth: deeper is taken as no limit
+JUST_BELOW = 1e-7  # of the depth of period doubling
+SHARE = 0.05  # of the axial pitch between depths tried with edges on a helix
+COARSE, COARSE_SPARE = (
+    0.7,
+    5,
+)  # of the highest frequency, and polynomials, by which depths are tried
+ANGLES = 181  # at which the cutting force is largest
+
+
+class Limit(NamedTuple):
+    """Largest stable ``depth`` [m], infinite where no depth is unstable; chatter ``frequency`` [Hz]
+    just beyond, that of the largest motion; ``kind`` "hopf" or "flip" (period doubling)."""
+
+    depth: float
+    frequency: float
+    kind: str
+
+
+UNLIMITED = Limit(math.inf, math.nan, NONE)
+
+
+class Process(NamedTuple):
+    """A cut at a tooth ``period`` [s]; ``lag`` [rad/m] of the edges by depth; ``ploughing``: its
+    process damping as a cut whose coefficients are forces by velocity [N s/m²], or None."""
+
+    cut: Cut
+    period: float
+    lag: float = 0.0
+    ploughing: Cut | None = None
+
+    def floquet(self, tip: ModalTip, top: float, depth: float, spare: int = SPARE) -> Floquet:
+        """The map of a tooth period with the edges of a depth; ``spare`` polynomials."""
+        lag = self.lag * depth
+        spans = Spans(replace(self.cut, lag=lag), self.period, top, spare)
+        rubbing = self.ploughing and replace(self.ploughing, lag=lag)
+        return Floquet(spans, tip, spans.between(rubbing) if rubbing else None)
+
+
+def modal_limit(tip: ModalTip, top: float, process: Process) -> Limit:
+    """Depth of cut up to which milling is stable; ``top`` [rad/s] the highest frequency that
+    matters."""
+    low = CERTAIN / _gain(tip, process)
+    coarse = _maps(tip, COARSE * top, process, COARSE_SPARE)
+    fine = _maps(tip, top, process, SPARE)
+    step = SHARE * process.cut.pitch / process.lag if process.lag > 0.0 else math.inf
+    flip = fine(0.0).doubling() if process.lag == 0.0 else math.inf
+    high = min(DEEPEST * low, (1.0 - JUST_BELOW) * flip)
+    depth = min(first_loss(_radius(coarse), _radius(fine), low, high, step), flip)
+    if depth > DEEPEST * low:
+        return UNLIMITED
+    own = fine(depth)
+    value, force = own.dominant(depth)
+    angle = abs(float(np.angle(value)))
+    kind = FLIP if value.imag == 0.0 and value.real < 0.0 else HOPF
+    return Limit(depth, own.spans.chatter(tip.receptance, angle, force), kind)
+
+
+def _maps(tip: ModalTip, top: float, process: Process, spare: int) -> Callable[[float], Floquet]:
+    """Maps by depth: one of all depths where edges are straight."""
+    if process.lag > 0.0:
+        return lambda depth: process.floquet(tip, top, depth, spare)
+    straight = process.floquet(tip, top, 0.0, spare)
+    return lambda _: straight
+
+
+def _radius(maps: Callable[[float], Floquet]) -> Callable[[float], float]:
+    return lambda depth: float(np.abs(maps(depth).multipliers(depth)).max())
+
+
+def _gain(tip: ModalTip, process: Process) -> float:
+    """The most that forces of the cut make of themselves, per depth [1/m]."""
+    cut, omega = process.cut, tip.frequencies
+    size = np.linalg.norm(tip.receptance(omega), 2, axis=(1, 2))
+    pieces = cut.pieces()
+    angle = np.linspace(pieces[0][0], pieces[-1][1], ANGLES)
+    found = 2.0 * _largest(cut, angle) * float(size.max())
+    if process.ploughing is not None:
+        found += _largest(process.ploughing, angle) * float((omega * size).max())
+    return found
+
+
+def _largest(cut: Cut, angle: Array) -> float:
+    return float(np.linalg.norm(cut.matrix(angle), 2, axis=(1, 2)).max())

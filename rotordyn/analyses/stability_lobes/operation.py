@@ -1,0 +1,70 @@
+"""The cut that a case asks for, at a speed: milling or turning, and its process damping."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.stability_lobes.cutting import Cut, checked
+from rotordyn.analyses.stability_lobes.modal_limit import Process
+from rotordyn.analyses.stability_lobes.spec import StabilityLobesSpec
+from rotordyn.analyses.stability_lobes.zero_order import Mean
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Operation:
+    """``spec`` with one pair of cutting coefficients [Pa]."""
+
+    spec: StabilityLobesSpec
+    tangential: float
+    radial: float
+
+    @property
+    def cut(self) -> Cut:
+        """The teeth in cut, of milling."""
+        own = self.spec
+        return checked(Cut(own.teeth, self.tangential, self.radial, *own.ends))
+
+    def period(self, speed: Array) -> Array:
+        """From one tooth to the next [s] at speeds [rad/s]; of turning a revolution."""
+        return 2.0 * math.pi / (1 if self.spec.turning else self.spec.teeth) / speed
+
+    def mean(self, speed: Array) -> Mean:
+        """Mean of the forces by displacement (1 or s, 2, 2) [Pa] and by velocity [N s/m²]."""
+        rate = self.spec.process_damping / self._cutting_speed(speed)
+        if self.spec.turning is None:
+            own = self.cut
+            rubbing = Cut(own.teeth, 0.0, 1.0, own.entry, own.exit).mean()
+            return Mean(own.mean()[None], rate[:, None, None] * rubbing)
+        # the force on the work by its motion towards the tool, in feed and normal
+        angle, force = self.spec.turning.force_angle, self.spec.turning.force
+        towards = np.array([[1.0, 0.0], [0.0, 0.0]])
+        forced = np.array([[math.cos(angle), 0.0], [-math.sin(angle), 0.0]])
+        return Mean(force * forced[None], rate[:, None, None] * towards)
+
+    def process(self, speed: float) -> Process:
+        """The cut at a speed [rad/s], of milling."""
+        own, cut = self.spec, self.cut
+        lag = 2.0 * math.tan(own.helix) / own.diameter
+        period = float(self.period(np.array(speed)))
+        if own.process_damping == 0.0:
+            return Process(cut, period, lag)
+        rate = own.process_damping / float(self._cutting_speed(np.array(speed)))
+        return Process(cut, period, lag, Cut(cut.teeth, 0.0, rate, cut.entry, cut.exit))
+
+    def removal(self, speed: Array, depth: Array) -> Array:
+        """Removal rate of a depth [m³/s]."""
+        own = self.spec
+        if own.turning is None:
+            width = own.immersion * own.diameter
+            return depth * width * own.feed_per_tooth * own.teeth * speed / (2.0 * math.pi)
+        return depth * own.feed_per_tooth * self._cutting_speed(speed)
+
+    def _cutting_speed(self, speed: Array) -> Array:
+        """[m/s]"""
+        return 0.5 * self.spec.diameter * speed

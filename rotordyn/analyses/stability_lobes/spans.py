@@ -1,0 +1,111 @@
+"""Spans of the tooth period in which teeth cut, and functions over them.
+
+Forces of the cut are zero where no tooth cuts and smooth in between. They are expanded in
+orthonormal Legendre polynomials over each span, which converges exponentially, where truncated
+harmonics converge with a low order.
+
+Theory: docs/theory/lobes.md.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.stability_lobes.bessel import spherical_bessel
+from rotordyn.analyses.stability_lobes.cutting import Cut
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Receptance = Callable[[Array], Complex]
+SPARE = 12
+TAIL = 60.0  # at least so far above zero harmonics are summed, as phase over half a span
+
+
+@dataclass(frozen=True)
+class Spans:
+    """The cut at one tooth ``period`` [s] of a machine whose receptance matters up to ``top``
+    [rad/s]; ``spare``: polynomials more than its waves need."""
+
+    cut: Cut
+    period: float
+    top: float
+    spare: int = SPARE
+
+    @cached_property
+    def each(self) -> list[tuple[float, float, int]]:
+        """Centre and half length of the spans of the cut over the pitch, and how many polynomials
+        (centre, half length, count)."""
+        pitch, found = self.cut.pitch, []
+        for low, high in self.cut.pieces():
+            half = 0.5 * (high - low) / pitch
+            count = math.ceil(self.top * self.period * half) + self.spare
+            found.append((0.5 * (low + high) / pitch, half, count))
+        return found
+
+    @property
+    def size(self) -> int:
+        """Polynomials in all spans p."""
+        return sum(count for *_, count in self.each)
+
+    @cached_property
+    def order(self) -> NDArray[np.intp]:
+        """Harmonics that matter, as many to both sides of the middle of 0 and −1 (k,)."""
+        shortest = min(half for _, half, _ in self.each)
+        highest = max(self.top * self.period, TAIL / shortest)
+        most = math.ceil(highest / (2.0 * math.pi)) + 2
+        return np.arange(-most - 1, most + 1)
+
+    def between(self, cut: Cut) -> Array:
+        """H of a cut with these spans between the polynomials (2p, 2p) [Pa]."""
+        size = self.size
+        found, at = np.zeros((size, 2, size, 2)), 0
+        for centre, half, count in self.each:
+            x, weight = np.polynomial.legendre.leggauss(count + 12)
+            basis = _legendre(x, count)
+            matrix = cut.matrix((centre + half * x) * cut.pitch)
+            own = slice(at, at + count)
+            found[own, :, own] = np.einsum("lq,qij,mq->limj", basis * weight, matrix, basis)
+            at += count
+        return found.reshape(2 * size, 2 * size)
+
+    @cached_property
+    def cutting(self) -> Array:
+        """H of the cut itself between the polynomials (2p, 2p) [Pa]."""
+        return self.between(self.cut)
+
+    def coefficients(self, angle: Array) -> Complex:
+        """Fourier coefficients at frequencies times period ``angle`` (…) of the orthonormal
+        polynomials (…, p)."""
+        found = []
+        for centre, half, count in self.each:
+            bessel = spherical_bessel(angle * half, count)
+            order = np.arange(count)
+            scale = np.sqrt(2.0 * half * (2 * order + 1)) * (-1j) ** order
+            found.append(bessel * scale * np.exp(-1j * angle * centre)[..., None])
+        return np.concatenate(found, axis=-1)
+
+    def chatter(self, receptance: Receptance, angle: float, force: Complex) -> float:
+        """Frequency [Hz] at which the tip moves most by forces (2p,) e^{i angle t/T}."""
+        along: Array = angle + 2.0 * math.pi * self.order.astype(float)
+        own = both_signs(receptance, along / self.period)
+        motion = (own @ (self.coefficients(along) @ force.reshape(-1, 2))[:, :, None])[:, :, 0]
+        place = int(np.linalg.norm(motion, axis=1).argmax())
+        return float(abs(along[place])) / (2.0 * math.pi * self.period)
+
+
+def both_signs(receptance: Receptance, omega: Array) -> Complex:
+    """Receptance (…, 2, 2) at frequencies of either sign (…): that at −ω is the conjugate."""
+    own = receptance(np.abs(omega).ravel()).reshape(*omega.shape, 2, 2)
+    return np.where((omega < 0.0)[..., None, None], own.conj(), own)
+
+
+def _legendre(x: Array, count: int) -> Array:
+    """Orthonormal polynomials over −1 … 1 (count, n)."""
+    scale = np.sqrt(np.arange(count) + 0.5)
+    return (np.polynomial.legendre.legvander(x, count - 1) * scale).T

@@ -1,0 +1,88 @@
+"""Modes of the tip of the tool at many speeds, and receptances summed of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.analyses.stability_lobes.modal import UNCHANGED, Change, ModalTip
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+FAR = 3.0  # times the highest frequency: modes beyond are a series in frequency
+TERMS = 12
+
+
+@dataclass(frozen=True, eq=False)
+class TipModes:
+    """``pole`` (s, k) [rad/s], NaN where a speed has fewer; ``shape`` and ``participation``
+    (s, k, 2) in feed and normal, of which ``ModalTip`` says how they sum."""
+
+    pole: Complex
+    shape: Complex
+    participation: Complex
+
+    def at(self, row: int) -> ModalTip:
+        """At one of the speeds."""
+        kept = np.isfinite(self.pole[row])
+        return ModalTip(self.pole[row, kept], self.shape[row, kept], self.participation[row, kept])
+
+    def changed(self, change: Change) -> TipModes:
+        """With stiffness or damping changed as a whole."""
+        if change == UNCHANGED:
+            return self
+        pole, larger = change.poles(np.where(np.isfinite(self.pole), self.pole, -1.0))
+        pole = np.where(np.isfinite(self.pole), pole, self.pole)
+        return TipModes(pole, self.shape * larger[..., None], self.participation)
+
+    def of(self, rows: NDArray[np.intp], top: float) -> TipSums:
+        """Sums at some of the speeds, for frequencies up to ``top`` [rad/s]."""
+        pole = self.pole[rows]
+        known = np.isfinite(pole)
+        residue = self.shape[rows][..., :, None] * self.participation[rows][..., None, :]
+        residue = np.where(known[..., None, None], residue, 0.0).reshape(*pole.shape, 4)
+        pole = np.where(known, pole, -1.0)
+        near = known & (np.abs(pole) < FAR * top)
+        order = np.argsort(~near, axis=1, kind="stable")[:, : int(near.sum(axis=1).max())]
+        tail = np.empty((TERMS, len(rows), 4))
+        far = np.where((near | ~known)[..., None], 0.0, residue)
+        for power in range(TERMS):  # of 1/(s − p) = −Σ sⁿ/pⁿ⁺¹
+            far = far / pole[..., None]
+            sign = (1.0, 1.0, -1.0, -1.0)[power % 4]  # of iⁿ
+            tail[power] = -2.0 * sign * far.sum(axis=1).real
+        own = np.where(near[..., None], residue, 0.0)
+        return TipSums(
+            np.take_along_axis(pole, order, axis=1),
+            np.take_along_axis(own, order[..., None], axis=1),
+            tail,
+        )
+
+
+@dataclass(frozen=True, eq=False)
+class TipSums:
+    """``pole`` (s, k) near the band with ``residue`` (s, k, 4); of the others coefficients of
+    powers of ω (n, s, 4), real of even ones and imaginary of odd ones."""
+
+    pole: Complex
+    residue: Complex
+    tail: Array
+
+    def receptance(self, omega: Array) -> Complex:
+        """At frequencies (s, f) of every speed's own: (s, f, 2, 2) [m/N].
+
+        A pair is (iω 2 Re R − 2 Re(R p̄)) / ((iω)² − 2 iω Re p + |p|²).
+        """
+        at = omega[..., None]
+        size, decay = (each[:, None, :] for each in (np.abs(self.pole) ** 2, self.pole.real))
+        share = 1.0 / ((size - at**2) - 2j * at * decay)
+        rate, still = 2.0 * self.residue.real, -2.0 * (self.residue * self.pole.conj()[..., None])
+        both = np.concatenate([rate, still.real], axis=-1)
+        found = (share.real @ both) + 1j * (share.imag @ both)
+        found = found[..., :4] * (1j * at) + found[..., 4:]
+        square = (at**2) ** np.arange(TERMS // 2)
+        even, odd = (np.moveaxis(self.tail[k::2], 0, 1) for k in (0, 1))
+        found.real += square @ even
+        found.imag += (at * square) @ odd
+        return found.reshape(*omega.shape, 2, 2)

@@ -1,0 +1,146 @@
+"""A sum of poles through samples of a response, by vector fitting.
+
+H(iω) ≈ Σ R/(iω − p) + D with poles in conjugate pairs. Poles are moved by those of a common
+denominator σ(s) H(s) until it is 1; noise is averaged by least squares over all samples.
+
+Source: Gustavsen and Semlyen (1999), Deschrijver and others (2008): one pole set of all entries, a
+QR factorisation of each entry.
+"""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+ROUNDS = 12
+MOVED = 1e-10  # of a pole, below which it stays
+START_DAMPING = 0.01
+LEAST_DAMPING = 1e-6  # of |pole|: poles are kept so far left of the axis
+
+
+class Fit(NamedTuple):
+    """``pole`` (m,) of Im ≥ 0; ``residue`` (m, e) and ``constant`` (e,) of every entry; ``error``
+    (f, e): what the samples differ from the sum."""
+
+    pole: Complex
+    residue: Complex
+    constant: Array
+    error: Complex
+
+    def __call__(self, omega: Array) -> Complex:
+        """At angular frequencies (f,): (f, e)."""
+        return _columns(omega, self.pole) @ _real(self.pole, self.residue) + self.constant
+
+
+def vector_fit(omega: Array, values: Complex, count: int, weight: Array) -> Fit:
+    """Fit ``count`` pairs of poles to ``values`` (f, e) at ``omega`` (f,) [rad/s], ascending, with
+    a ``weight`` (f,) of every sample."""
+    pole = _start(omega, values, count)
+    size = max(float(np.abs(weight[:, None] * values).max()), 1e-300)
+    weight = weight / size
+    for _ in range(ROUNDS):
+        moved = _moved(omega, values, pole, weight)
+        change = np.abs(moved - pole).max() / np.abs(moved).max() if len(moved) == len(pole) else 1
+        pole = moved
+        if change < MOVED:
+            break
+    return residues(omega, values, pole, weight)
+
+
+def residues(omega: Array, values: Complex, pole: Complex, weight: Array) -> Fit:
+    """The sum over known poles."""
+    columns = np.concatenate([_columns(omega, pole), np.ones((len(omega), 1))], axis=1)
+    left = _split(weight[:, None] * columns)
+    scale = np.maximum(np.linalg.norm(left, axis=0), 1e-300)
+    found = np.linalg.lstsq(left / scale, _split(weight[:, None] * values), rcond=None)[0]
+    found = found / scale[:, None]
+    own = _complex(pole, found[:-1])
+    fitted = columns @ found
+    return Fit(pole, own, found[-1], values - fitted)
+
+
+def _start(omega: Array, values: Complex, count: int) -> Complex:
+    """Lightly damped poles at the highest peaks, and between the ends of the band."""
+    size = np.abs(values).sum(axis=1)
+    tops = 1 + np.flatnonzero((size[1:-1] > size[:-2]) & (size[1:-1] >= size[2:]))
+    at = omega[tops[np.argsort(-size[tops])]][:count]
+    more = np.geomspace(max(omega[0], 1e-3 * omega[-1]), omega[-1], count - len(at) + 2)[1:-1]
+    at = np.sort(np.concatenate([at, more]))
+    return np.asarray(-START_DAMPING * at + 1j * at)
+
+
+def _columns(omega: Array, pole: Complex) -> Complex:
+    """Functions of real coefficients (f, 2 per pair and 1 per real pole)."""
+    s = 1j * omega[:, None]
+    found = []
+    for own in pole:
+        ahead = 1.0 / (s - own)
+        if own.imag == 0.0:
+            found.append(ahead)
+            continue
+        back = 1.0 / (s - own.conjugate())
+        found += [ahead + back, 1j * (ahead - back)]
+    return np.concatenate(found, axis=1) if found else np.zeros((len(omega), 0), dtype=complex)
+
+
+def _complex(pole: Complex, rows: Array) -> Complex:
+    """Residues (m, e) from real coefficients; of a real pole half of it, as its conjugate adds as
+    much."""
+    found, at = np.empty((len(pole), rows.shape[1]), dtype=complex), 0
+    for k, own in enumerate(pole):
+        if own.imag == 0.0:
+            found[k], at = 0.5 * rows[at], at + 1
+        else:
+            found[k], at = rows[at] + 1j * rows[at + 1], at + 2
+    return found
+
+
+def _real(pole: Complex, residue: Complex) -> Array:
+    found: list[Array] = []
+    for own, row in zip(pole, residue, strict=True):
+        found += [2.0 * row.real] if own.imag == 0.0 else [row.real, row.imag]
+    return np.array(found).reshape(-1, residue.shape[1])
+
+
+def _split(rows: Complex) -> Array:
+    return np.concatenate([rows.real, rows.imag], axis=0)
+
+
+def _moved(omega: Array, values: Complex, pole: Complex, weight: Array) -> Complex:
+    """Zeros of the common denominator, which become the poles."""
+    basis = weight[:, None] * _columns(omega, pole)
+    whole = np.concatenate([basis, weight[:, None].astype(complex)], axis=1)
+    n = whole.shape[1]
+    rows, right = [], []
+    for entry in values.T:
+        if not np.abs(entry).any():
+            continue
+        own = _split(np.concatenate([whole, -entry[:, None] * basis], axis=1))
+        target = _split((weight * entry)[:, None])
+        r = np.asarray(np.linalg.qr(np.concatenate([own, target], axis=1), mode="r"))
+        rows.append(r[n:-1, n:-1])
+        right.append(r[n:-1, -1])
+    left, target = np.concatenate(rows), np.concatenate(right)
+    scale = np.maximum(np.linalg.norm(left, axis=0), 1e-300)
+    share = np.linalg.lstsq(left / scale, target, rcond=None)[0] / scale
+    return _zeros(pole, share)
+
+
+def _zeros(pole: Complex, share: Array) -> Complex:
+    """Of 1 + Σ share/(s − pole), kept left of the imaginary axis."""
+    size = len(share)
+    matrix, column, at = np.zeros((size, size)), np.zeros(size), 0
+    for own in pole:
+        if own.imag == 0.0:
+            matrix[at, at], column[at], at = own.real, 1.0, at + 1
+            continue
+        pair = [[own.real, own.imag], [-own.imag, own.real]]
+        matrix[at : at + 2, at : at + 2], column[at], at = pair, 2.0, at + 2
+    found = np.linalg.eigvals(matrix - np.outer(column, share))
+    found = found[found.imag >= 0.0]
+    decay = np.maximum(np.abs(found.real), LEAST_DAMPING * np.abs(found))
+    return np.sort_complex(-decay + 1j * found.imag)
