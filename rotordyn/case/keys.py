@@ -121,6 +121,10 @@ Sources = Annotated[tuple[str, ...], "where it comes from"]
 class _Case:
     note: Note = ""
     tool: Annotated[Any, "name or path of what is clamped into the nose"] = None
+    tools: Annotated[
+        tuple[Any, ...],
+        "names or paths of several: each is a variant with this tool, the spindle solved once",
+    ] = ()
     override: Annotated[
         Overrides, "dotted path into the machine, items of a list by their name -> new value"
     ] = field(default_factory=dict)

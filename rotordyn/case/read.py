@@ -32,13 +32,14 @@ def load(path: str | Path) -> Case:
     """
     from rotordyn.case.expand import Reader
     from rotordyn.case.library import find_case
-    from rotordyn.case.variants import variant_trees
+    from rotordyn.case.variants import tools_compared, variant_trees
 
     if not isinstance(path, str | os.PathLike):
         raise InvalidInput(f"load takes the path of a case file, or a name: got {path!r}")
     file = find_case(path if isinstance(path, str) else Path(path))
     reader = Reader(Faults())
     root = reader.document(file)
+    root = None if root is None else tools_compared(root, reader.faults)
     whole = None if root is None else _case(root, file.stem, reader)
     made: dict[str, Case] = {}
     if root is not None and not reader.faults:

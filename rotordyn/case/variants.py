@@ -1,12 +1,39 @@
-"""The variants of a case: the same file with some of its entries replaced."""
+"""The variants of a case: the same file with some of its entries replaced, or with one of several
+tools each."""
 
 from __future__ import annotations
 
 from dataclasses import replace
 
+from pathlib import Path
+
+from rotordyn.case.faults import Faults
 from rotordyn.case.node import Node
 
 _MERGED = ("override", "conditions", "references")
+
+
+def tools_compared(root: Node, faults: Faults) -> Node:
+    """The case in ``root`` with a variant for each of its ``tools`` in place of these."""
+    tools = root.child("tools")
+    if tools is None:
+        return root
+    held = {key: value for key, value in root.value.items() if key != "tools"}
+    for key in ("tool", "compare"):
+        if key in held:
+            faults.at_key(root, (key,), "given beside tools, which are compared: leave one out")
+            return replace(root, value=held)
+    if not isinstance(tools.value, list) or not tools.value:
+        faults.at(tools, (), "not a list of tools: allowed: names or paths, at least one")
+        return replace(root, value=held)
+    variants: dict[str, Node] = {}
+    for number, item in enumerate(tools.value, start=1):
+        name = Path(item.value).stem if isinstance(item.value, str) else f"tool {number}"
+        if name in variants:
+            faults.at(item, (), f"tool given twice: '{name}'")
+        variants[name] = replace(item, value={"tool": item})
+    held["tool"], held["compare"] = tools.value[0], replace(tools, value=variants)
+    return replace(root, value=held)
 
 
 def variant_trees(root: Node) -> dict[str, Node]:
