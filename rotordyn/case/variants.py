@@ -4,7 +4,6 @@ tools each."""
 from __future__ import annotations
 
 from dataclasses import replace
-
 from pathlib import Path
 
 from rotordyn.case.faults import Faults

@@ -169,8 +169,9 @@ class Statics(Staged):
 
         return under_load(self.unloaded, *self.static_rotor)
 
-    @cached_property
+    @stage_of(lambda self: self._seated)
     def unloaded(self) -> PreloadState:
+<<<<<<< HEAD
         """The same without loads across the axis."""
         return dynamic_preload(
             self.grounded,
@@ -179,6 +180,10 @@ class Statics(Staged):
             self.axial_force,
             self.conditions.temperatures,
         )
+=======
+        """The same without loads across the axis; one of all tools in the nose."""
+        return dynamic_preload(self.grounded, self.bearing_speed, self.law, self.axial_force)
+>>>>>>> b18e30c (Figure with pockets, band and teeth; cases of tools, turning and preload; bearings of several tools solved once)
 
     @cached_property
     def static_rotor(self) -> tuple[StaticRotor, float]:
@@ -261,6 +266,21 @@ class Statics(Staged):
         forces = self.axial_force, conditions.axial_force, self.gravity, conditions.temperatures
         own = (self.spindle, self.law, *forces, self._pushes, self.bearing_speed.tobytes())
         return (*own, *self._lateral_inputs) if self.loaded else own
+
+    @property
+    def _seated(self) -> tuple[Any, ...]:
+        """What the preload state without loads across the axis follows from: of the shaft only
+        sections from the foremost seat on, and those between seats and what they shift from."""
+        own, shaft = self.grounded, self.spindle.shaft
+        reference = getattr(own.shortening, "reference", math.inf)
+        front = min((*(seat.x for seat in own.seats), reference))
+        behind = tuple(
+            (round(left, 9), section)  # stations add up from the tip of the tool
+            for left, section in zip(shaft.boundaries, shaft.sections, strict=False)
+            if left + section.length > front
+        )
+        machine = own.seats, own.sleeves, own.supports, own.shortening, behind
+        return (*machine, self.law, self.axial_force, self.bearing_speed.tobytes())
 
     @property
     def _lateral_inputs(self) -> tuple[Any, ...]:

@@ -21,6 +21,7 @@ Complex = NDArray[np.complex128]
 Rows = Callable[[Array], Complex]
 CANDIDATES = 3  # crossings of a speed that are refined, those that may be largest
 STEPS = 30
+LEAST = 1e-4  # of the largest eigenvalue: a smaller crossing limits no depth that is cut
 
 
 class Mean(NamedTuple):
@@ -51,7 +52,7 @@ def zero_order(receptances: Rows, mean: Mean, period: Array, omega: Array) -> tu
     a, b = omega[rows, sample], omega[rows, sample + 1]
     one, other = z[rows, sample, branch], z[rows, sample + 1, branch]
     at, value = _roots(receptances, mean, period, (a, b, one, other))
-    value = np.where(usable, value, 0.0)
+    value = np.where(usable & (value > LEAST * np.abs(z).max(axis=(1, 2))[:, None]), value, 0.0)
     best = value.argmax(axis=1)[:, None]
     value, at = (np.take_along_axis(each, best, axis=1)[:, 0] for each in (value, at))
     with np.errstate(divide="ignore"):

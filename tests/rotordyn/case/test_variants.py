@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import rotordyn
 from rotordyn.errors import InvalidInput
+from rotordyn.job.solving import solve_variants
 
 CASE = """\
 title: whole
@@ -126,3 +128,47 @@ def test_faults_of_the_case_itself_are_told_once(tmp_path: Path) -> None:
     with pytest.raises(InvalidInput) as caught:
         rotordyn.load(path)
     assert len(caught.value.faults) == 1
+
+
+TOOLS = """\
+title: several tools
+spindle: mfw2310
+tools: {tools}
+conditions: {{kinematics: outer}}
+speeds: [0 rpm, 24000 rpm]
+analyses:
+  frf:
+    frequencies: {{from: 100 Hz, to: 1000 Hz, step: 100 Hz}}
+    pairs: [{{response: tip.y, excitation: tip.y}}]
+"""
+
+
+def test_tools_are_variants_that_share_the_bearings(tmp_path: Path) -> None:
+    """Each gives what it gives alone; bearings are solved with the first of them."""
+    path = tmp_path / "tools.yaml"
+    path.write_text(TOOLS.format(tools="[hsk63_end_mill_16, hsk63_end_mill_20]"), encoding="utf-8")
+    case = rotordyn.load(path)
+    solved = solve_variants(case).answers
+    assert list(solved) == ["hsk63_end_mill_16", "hsk63_end_mill_20"]
+    assert ["unloaded" in answers.seconds for answers in solved.values()] == [True, False]
+    for name, answers in solved.items():
+        path.write_text(TOOLS.format(tools=f"[{name}]"), encoding="utf-8")
+        alone = solve_variants(rotordyn.load(path)).answers[name].results["frf"]
+        np.testing.assert_allclose(answers.results["frf"].response, alone.response, rtol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("tools", "sentence"),
+    [
+        ("[]", "not a list of tools"),
+        ("hsk63_end_mill_16", "not a list of tools"),
+        ("[hsk63_end_mill_16, hsk63_end_mill_16]", "tool given twice"),
+        ("[hsk63_end_mill_16, hsk63_end_mill_99]", "unknown model: given 'hsk63_end_mill_99'"),
+        ("[hsk63_end_mill_16]\ntool: mfw2310_exciter", "given beside tools"),
+    ],
+)
+def test_faults_of_tools(tmp_path: Path, tools: str, sentence: str) -> None:
+    path = tmp_path / "tools.yaml"
+    path.write_text(TOOLS.format(tools=tools), encoding="utf-8")
+    with pytest.raises(InvalidInput, match=sentence):
+        rotordyn.load(path)

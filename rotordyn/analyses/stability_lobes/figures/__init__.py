@@ -20,10 +20,11 @@ HIGH = 4.0  # times the median limit: pockets are cut off there
 code = partial(Code, __name__)
 
 
-def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
+def figures(case: Described, result: Any, _: Mapping[str, Any]) -> Iterator[Job]:
     """The figures of a result."""
     if len(result.cutting_speed) > 1:
-        yield "stability_lobes", partial(code("lobes:lobes_figure"), result)
+        spec = case.analyses["stability_lobes"]
+        yield "stability_lobes", partial(code("lobes:lobes_figure"), result, spec)
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
