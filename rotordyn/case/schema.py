@@ -17,6 +17,7 @@ from bearings.materials import Material
 from rotordyn import units
 from rotordyn.analyses.frf.spec import FrfSpec, Pair, Port
 from rotordyn.analyses.registry import analysis, names
+from rotordyn.analyses.stability_lobes.workpiece import Workpiece
 from rotordyn.case.case import ByName, Case
 from rotordyn.case.estimated import NEEDED as ESTIMATED
 from rotordyn.case.forms import ENTRIES
@@ -42,7 +43,13 @@ FILES: dict[str, type] = {
     "study": StudyFile,
 }
 # Descriptions that stand in files of their own, and the folder of the library that holds these.
-_MODELS = {Spindle: "spindles", Tool: "tools", BallBearing: "bearings", Material: "materials"}
+_MODELS = {
+    Spindle: "spindles",
+    Tool: "tools",
+    BallBearing: "bearings",
+    Material: "materials",
+    Workpiece: "workpieces",
+}
 _MACHINES = {"spindle": Spindle, "tool": Tool, "bearing": BallBearing}
 # What a mapping needs besides the keys that each must be given.
 _RULES: dict[type, Shape] = {

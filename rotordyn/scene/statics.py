@@ -171,8 +171,7 @@ class Statics(Staged):
 
     @stage_of(lambda self: self._seated)
     def unloaded(self) -> PreloadState:
-<<<<<<< HEAD
-        """The same without loads across the axis."""
+        """The same without loads across the axis; one of all tools in the nose."""
         return dynamic_preload(
             self.grounded,
             self.bearing_speed,
@@ -180,10 +179,6 @@ class Statics(Staged):
             self.axial_force,
             self.conditions.temperatures,
         )
-=======
-        """The same without loads across the axis; one of all tools in the nose."""
-        return dynamic_preload(self.grounded, self.bearing_speed, self.law, self.axial_force)
->>>>>>> b18e30c (Figure with pockets, band and teeth; cases of tools, turning and preload; bearings of several tools solved once)
 
     @cached_property
     def static_rotor(self) -> tuple[StaticRotor, float]:
@@ -280,7 +275,8 @@ class Statics(Staged):
             if left + section.length > front
         )
         machine = own.seats, own.sleeves, own.supports, own.shortening, behind
-        return (*machine, self.law, self.axial_force, self.bearing_speed.tobytes())
+        acting = self.law, self.axial_force, self.conditions.temperatures
+        return (*machine, *acting, self.bearing_speed.tobytes())
 
     @property
     def _lateral_inputs(self) -> tuple[Any, ...]:
