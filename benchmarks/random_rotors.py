@@ -228,11 +228,11 @@ def _digits(
     spindle: Spindle, spin: float, highest: float, poles: NDArray[np.complex128]
 ) -> list[float]:
     """Errors from which on poles of dense matrices can be compared with: ten times as much as
-    those of finer and of coarser elements differ. They are rounded otherwise, each by chance: one
-    of them alone may agree in more digits than it has."""
+    those of finer and of coarser elements differ. Rounding moves each by chance, and one may agree
+    in more digits than it has: so the largest difference of a rotor holds for all of its poles."""
     others = [dense_poles(spindle, spin, highest, accuracy) for accuracy in OTHERS]
     apart = [max(float(np.abs(each / pole - 1.0).min()) for each in others) for pole in poles]
-    return [max(DIGITS, 10.0 * each) for each in apart]
+    return [max(DIGITS, 10.0 * max(apart, default=0.0))] * len(poles)
 
 
 def _plain(spindle: Spindle) -> Spindle:

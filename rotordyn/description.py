@@ -149,12 +149,6 @@ def quantity_of(annotation: Any) -> Quantity | None:
     return quantity if isinstance(quantity, Quantity) else None
 
 
-def doubled(names: Iterable[str]) -> Iterator[str]:
-    """Names that come again; empty ones aside."""
-    for index, _ in repeated(names := list(names)):
-        yield names[index]
-
-
 def repeated(names: Iterable[str]) -> Iterator[tuple[int, str]]:
     """Place and sentence of each name that came before; empty ones aside."""
     seen: set[str] = set()

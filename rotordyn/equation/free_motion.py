@@ -16,6 +16,7 @@ from typing import TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.equation.free_directions import free_directions, too_stiff
 from rotordyn.equation.hysteresis import Hysteresis, Hysteretic, Signs
 from rotordyn.equation.linear import Linear
 from rotordyn.equation.term import Matrices
@@ -145,10 +146,10 @@ class FreeMotions:
         free = self.modes.at_rest()
         order = np.abs(self.modes.pole).argsort(axis=-1).argsort(axis=-1)
         rows = np.flatnonzero(free.any(axis=-1)).tolist()
-        for row, many in zip(rows, self.linear.free_directions(rows), strict=True):
+        for row, many in zip(rows, free_directions(self.linear, rows), strict=True):
             held = free[row] & (order[row] >= many * (1 if self.whirling else 2))
             if (self.modes.rounding[row] > LOST * np.abs(self.modes.pole[row]))[held].any():
-                raise InvalidInput(self.linear.too_stiff())
+                raise InvalidInput(too_stiff(self.linear))
             free[row] &= ~held
         return free
 

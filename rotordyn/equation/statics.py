@@ -8,9 +8,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.equation.assemble import assemble, subsystems
 from rotordyn.equation.component import Component
 from rotordyn.equation.dofs import position
-from rotordyn.equation.linear import Linear, linear, subsystems
+from rotordyn.equation.linear import Linear
 from rotordyn.equation.seat import BEARING_DIRECTIONS
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import Array, State
@@ -55,7 +56,7 @@ def plane_rotor(
         for c in structure.components
         if c.way == "y" and not c.lines[0].body.startswith("housing")
     ]
-    own = linear(structure, components, _without_bearings(structure, speed), force)
+    own = assemble(structure, components, _without_bearings(structure, speed), force)
     number = structure.node(*point)[position("y")]
     return _rotor(structure, own, PLANE, own.displaced(np.array([number]))[0])
 
@@ -70,7 +71,7 @@ def loaded_rotor(
     """Both planes of a structure, housings and sleeves too, under ``loads`` per newton of their
     size and ``constant`` ones besides, and the axial ``force`` (states, elements) [N]."""
     components = [c for c in structure.components if _across(c)]
-    own = linear(structure, components, _without_bearings(structure, speed), force)
+    own = assemble(structure, components, _without_bearings(structure, speed), force)
     rotor = _rotor(structure, own, EVERY, _acting(own, loads))
     if constant is None:
         return rotor
@@ -151,7 +152,7 @@ def withstands(
     bent = structure.components[structure.owner[first]]
     every = subsystems(structure, state, strings=True)
     components = next(own for own in every if bent in own)
-    both = [linear(structure, components, state, each, pull=pull) for each in (force, None)]
+    both = [assemble(structure, components, state, each, pull=pull) for each in (force, None)]
     loaded, free = (own.within(own.stiffness) for own in both)
     return np.asarray(_negative(loaded) <= _negative(free))
 

@@ -18,6 +18,7 @@ from rotordyn.equation.component import Component
 from rotordyn.equation.dofs import DIRECTIONS, Dofs, Indices, Line, position
 from rotordyn.equation.drawbar import drawbar_links
 from rotordyn.equation.fineness import Fineness
+from rotordyn.equation.groups import Groups
 from rotordyn.equation.housing import Foundation
 from rotordyn.equation.joint import joint_parts
 from rotordyn.equation.lumped import lumped_parts
@@ -167,7 +168,7 @@ class Structure:
     def components(self) -> list[Component]:
         """Joined by constant matrices, in the order of their first line."""
         lines, of_dof = self.dofs.lines, self.dofs.line
-        groups = _Union(len(lines))
+        groups = Groups(len(lines))
         square = [part for part in self.parts if part.matrix != "gyroscopic" and part.rows.size]
         for part in square:
             own = of_dof[part.rows[0]]
@@ -312,31 +313,6 @@ def _cut(part: Part, chosen: np.ndarray) -> Part | None:
     if own.all() or not own.any():
         return part if own.all() else None
     return Part(part.matrix, part.rows[:, own], part.rows[:, own], part.blocks[:, own][:, :, own])
-
-
-class _Union:
-    """Sets of numbers below ``count``, joined in pairs."""
-
-    def __init__(self, count: int) -> None:
-        self._parent = list(range(count))
-
-    def find(self, k: int) -> int:
-        while self._parent[k] != k:
-            k = self._parent[k]
-        return k
-
-    def join(self, a: int, b: int) -> None:
-        low, high = sorted((self.find(int(a)), self.find(int(b))))
-        self._parent[high] = low
-
-    def join_where(self, owner: Indices, coupled: np.ndarray) -> None:
-        """The owners (n,) of what is ``coupled`` (n, n)."""
-        rows, columns = np.nonzero(coupled)
-        for a, b in set(zip(owner[rows].tolist(), owner[columns].tolist(), strict=True)):
-            self.join(a, b)
-
-    def roots(self) -> list[int]:
-        return sorted({self.find(k) for k in range(len(self._parent))})
 
 
 def _unit(place: int) -> Array:

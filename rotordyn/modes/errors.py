@@ -2,6 +2,8 @@
 
 What rounding may do to a frequency, beside supports far stiffer than the shaft, is no less of an
 error: the sum of both is reported. No finer model helps against it.
+
+Theory: docs/theory/refinement.md.
 """
 
 from __future__ import annotations

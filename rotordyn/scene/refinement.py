@@ -6,6 +6,8 @@ receptances and orbits alike. Where it is more than the accuracy asked for, the 
 the place of the first one, ``ROUNDS`` times at most. Responses may err by ``RESPONSES`` times as
 much of their peak: an error δ of a frequency moves the flank of a peak of damping ratio ζ by δ/2ζ
 of its height.
+
+Theory: docs/theory/refinement.md.
 """
 
 from __future__ import annotations

@@ -14,11 +14,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from rotordyn.equation.assemble import assemble, subsystems
 from rotordyn.equation.component import Component
 from rotordyn.equation.dofs import position
 from rotordyn.equation.fineness import Fineness
 from rotordyn.equation.free_motion import FreeMotions, free_motions
-from rotordyn.equation.linear import Linear, linear, subsystems
+from rotordyn.equation.linear import Linear
 from rotordyn.equation.structure import Structure
 from rotordyn.equation.term import State
 from rotordyn.machine.rotor import Place
@@ -234,7 +235,7 @@ class Scene(Statics):
         state = State(*(each[chosen] for each in self.state[:3]))
         force = None if self.force is None else self.force[chosen]
         softened = self.conditions.formulation == SOFTENED
-        solve = partial(linear, self.rotor, self.subsystems[k], state, force, softened=softened)
+        solve = partial(assemble, self.rotor, self.subsystems[k], state, force, softened=softened)
         return self.timed(f"{self.name_of(k)} system", solve)
 
     def system(self, k: int) -> FreeMotions:

@@ -1,0 +1,164 @@
+"""The sum over all terms: the equation of motion of every subsystem.
+
+    q̈ + C(Ω) q̇ + K(Ω) q = f
+
+Components (``structure``) bring M, K, C, G, N and S; links bring K′ and C′ of supports, bearings,
+dampers and sleeves; the axial force brings its geometric stiffness.
+
+Theory: docs/theory/rotor.md.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from rotordyn.equation.axial_force import geometric_stiffness
+from rotordyn.equation.component import Component
+from rotordyn.equation.connection import Connection
+from rotordyn.equation.constraint import allowed_motions
+from rotordyn.equation.groups import Groups
+from rotordyn.equation.linear import Linear, Loss, planes_of
+from rotordyn.equation.structure import Structure
+from rotordyn.equation.term import Array, Link, LinkMatrices, State
+from rotordyn.machine.support import SPINDLE
+
+
+def subsystems(structure: Structure, state: State, *, strings: bool) -> list[tuple[Component, ...]]:
+    """Components that links join at any of the states, or that turn with one another."""
+    every = structure.components
+    groups = Groups(len(every))
+    for k, one in enumerate(every):
+        for other in range(k):
+            same = one.lines[0].body == every[other].lines[0].body
+            planes = {one.way, every[other].way} == {"y", "z"}
+            if same and planes and one.spindle is not None:
+                groups.join(k, other)
+    links = [*structure.connections, *(structure.strings if strings else ())]
+    for link in links:
+        size = sum(np.abs(matrix).max(axis=0) for matrix in link.matrices(state))
+        size = size + np.diag(np.isin(np.arange(len(size)), link.rigid))
+        joined = np.abs(link.motions).T @ size @ np.abs(link.motions) > 0.0
+        groups.join_where(structure.owner[link.dofs], joined)
+    order = {"y": 0, "z": 1}
+    return [
+        tuple(
+            sorted(
+                (c for k, c in enumerate(every) if groups.find(k) == root),
+                key=lambda c: order.get(c.way, 2),
+            )
+        )
+        for root in groups.roots()
+    ]
+
+
+def assemble(
+    structure: Structure,
+    components: Sequence[Component],
+    state: State,
+    force: Array | None = None,
+    *,
+    softened: bool = False,
+    pull: float = 1.0,
+) -> Linear:
+    """The equation of a subsystem at every state.
+
+    ``force`` (s, elements of the shown mesh) [N]: axial force in the spindle's shaft, tension
+    positive; None: it and the drawbar do nothing to bending. ``softened``: Ω² M_ω is subtracted
+    from the stiffness in the fixed frame, a formulation that no physics supports. ``pull``: share
+    of the drawbar's tension that holds it straight.
+    """
+    speed, n = state.speed, sum(c.size for c in components)
+    stiffness, damping = np.zeros((2, len(speed), n, n))
+    whole = Linear(structure, tuple(components), speed, stiffness, damping, ())
+    spin, pulled = speed[:, None, None], force if force is not None and force.any() else None
+    for component, at in zip(components, whole.slices, strict=True):
+        stiffness[:, at, at] += component.stiffness
+        damping[:, at, at] += component.damping
+        if softened and component.bends:
+            stiffness[:, at, at] -= spin**2 * component.projected("softening")
+        if pulled is not None and component.lines[0].body == SPINDLE and component.bends:
+            stiffness[:, at, at] += geometric_stiffness(structure.slopes(component), pulled)
+    damping += spin * whole.gyroscopic
+    for y, z in planes_of(whole):
+        in_y, in_z = whole.slices[y], whole.slices[z]
+        turning = components[y].turning
+        stiffness[:, in_y, in_z] += spin * turning
+        stiffness[:, in_z, in_y] -= spin * turning.T
+    links = [(link, 1.0) for link in (*structure.connections, *structure.springs)]
+    links += [(link, pull) for link in structure.strings] if force is not None else []
+    connections = []
+    for link, share in links:
+        motions = _motions(whole, link)
+        if motions is not None:
+            held, damped = link.matrices(state)
+            connections.append(Connection(link, motions, LinkMatrices(share * held, damped)))
+            stiffness += connections[-1].stiffness
+            if damped.any():
+                damping += connections[-1].damping
+    return replace(
+        whole,
+        connections=tuple(connections),
+        loss=_loss(whole, connections),
+        allowed=_allowed(whole, connections),
+    )
+
+
+def _allowed(linear: Linear, connections: Sequence[Connection]) -> Array | None:
+    """Motions that rigid supports allow; coordinates of components that none joins stay apart."""
+    none = np.zeros((0, linear.size))
+    rows = np.concatenate([none, *(each.motions[each.rigid > 0.0] for each in connections)])
+    rows = rows[rows.any(axis=1)]
+    if not len(rows):
+        return None
+    groups = Groups(len(linear.components))
+    touched = np.array([rows[:, at].any(axis=1) for at in linear.slices]).T
+    for row in touched:
+        for k in np.flatnonzero(row):
+            groups.join(int(row.argmax()), int(k))
+    blocks, every = [], np.arange(linear.size)
+    for root in groups.roots():
+        joined = [k for k in range(len(linear.components)) if groups.find(k) == root]
+        at = np.concatenate([every[linear.slices[k]] for k in joined])
+        held, block = rows[touched[:, joined].any(axis=1)][:, at], np.zeros((linear.size, len(at)))
+        block[at, np.arange(len(at))] = 1.0
+        if len(held):
+            stiffness = [linear.components[k].stiffness.diagonal() for k in joined]
+            block = block @ allowed_motions(held, np.concatenate(stiffness))
+        blocks.append(block)
+    return np.hstack(blocks)
+
+
+def _motions(linear: Linear, link: Link) -> Array | None:
+    """Relative motions of a link by the coordinates (k, n); None if it is of other subsystems."""
+    rows, touched = np.zeros((len(link.motions), linear.size)), False
+    for component, at in zip(linear.components, linear.slices, strict=True):
+        held = component.has(link.dofs)
+        if held.any():
+            touched = True
+            vectors = component.vectors[component.local(link.dofs[held])]
+            rows[:, at] = link.motions[:, held] @ vectors
+    return rows if touched else None
+
+
+def _loss(linear: Linear, connections: Sequence[Connection]) -> Loss | None:
+    """Loss factors times stiffness; None where there are none."""
+    spindle = linear.structure.spindle
+    if not spindle.hysteretic:
+        return None
+    n = linear.size
+    fixed, turning, across = np.zeros((1, n, n)), np.zeros((n, n)), np.zeros((n, n))
+    for component, at in zip(linear.components, linear.slices, strict=True):
+        if component.spindle is not None:
+            where = turning if component.bends else fixed[0]
+            where[at, at] += spindle.loss_factor * component.stiffness
+    for y, z in planes_of(linear):
+        in_y, in_z = linear.slices[y], linear.slices[z]
+        across[in_y, in_z] += turning[in_y, in_y]
+        across[in_z, in_y] -= turning[in_z, in_z]
+    for connection in connections:
+        if connection.link.loss_factor:
+            fixed = fixed + connection.link.loss_factor * connection.stiffness
+    return Loss(fixed, turning, across)
