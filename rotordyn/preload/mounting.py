@@ -12,7 +12,6 @@ import math
 from collections.abc import Sequence
 
 import numpy as np
-from scipy.optimize import brentq
 
 from rotordyn.errors import InvalidInput
 from rotordyn.machine.spindle import Spindle
@@ -47,6 +46,8 @@ def mounted_preload(spindle: Spindle, sleeve: Sleeve) -> float:
             f"sleeve {sleeve.name}: an offset of {offset * 1e6:.3g} µm leaves play in its bearings "
             f"as mounted ({total * 1e6:.3g} µm with what the fits take up): give a larger one"
         )
+    from scipy.optimize import brentq
+
     return float(brentq(over, LIGHTEST, HEAVIEST, xtol=1e-12, rtol=1e-14))
 
 
@@ -103,6 +104,8 @@ def _approach(spindle: Spindle, side: Sequence[BearingSeat], force: float) -> fl
             )
             total += float(state.load[0, 0])
         return total
+
+    from scipy.optimize import brentq
 
     return float(brentq(lambda d: load(d) - force, -LONGEST, LONGEST, xtol=1e-15))
 

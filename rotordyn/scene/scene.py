@@ -77,7 +77,7 @@ class Scene(Statics):
     def refined(self) -> Scene:
         """The same machine with a finer model."""
         finer = self._like(self.speed, self.finer + 1)
-        finer.coarser = self
+        finer.coarse = None if self.conditions.element_length is not None else self.rotor
         return finer
 
     def _like(self, speed: Array, finer: int) -> Scene:
@@ -85,7 +85,7 @@ class Scene(Statics):
         other = Scene(*same, finer, self.memo, self.clock)
         # a model serves other speeds, but is as fine as the highest speed of the case asks
         other.top_speed, other.bodies = self.top_speed, self.bodies
-        other.coarser = self.coarser
+        other.coarse = self.coarse
         return other
 
     @property
@@ -100,7 +100,7 @@ class Scene(Statics):
         self._top = value
 
     _top: float | None = None
-    coarser: Scene | None = None
+    coarse: Structure | None = None  # of lower degrees
 
     @property
     def fineness(self) -> Fineness:
@@ -161,7 +161,6 @@ class Scene(Statics):
         """Terms of the machine and its components, each reduced when it is first asked for."""
         acting = [load.at for load in self.conditions.loads] if self.loaded else []
         places = [self.spindle.place(at) for at in (*self.ports, *acting)]
-        nested = self.coarser is not None and self.conditions.element_length is None
         return Structure(
             self.spindle,
             self.mesh,
@@ -169,7 +168,7 @@ class Scene(Statics):
             places,
             rigid=self.rigid,
             pressed=self._pressed,
-            coarse=self.coarser.rotor if self.coarser and nested else None,
+            coarse=self.coarse,
         )
 
     @property
