@@ -29,7 +29,7 @@ def few_speeds(name: str) -> Any:
     ("name", "spared"),
     [
         ("mfw2310_preload_springs", [set(), BODY, BODY, BODY, BODY]),
-        ("mfw2310_tangents", [set(), BODY | {"preload", "shaft_force"}]),
+        ("mfw2310_tangents", [set(), BODY | {"preload", "unloaded", "shaft_force"}]),
     ],
 )
 def test_what_variants_share_is_solved_once(name: str, spared: list[set[str]]) -> None:
