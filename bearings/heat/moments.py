@@ -30,7 +30,7 @@ _Y0 = np.array(  # contact angle [deg], Y0 of ISO 76
 
 
 def viscous_moment(
-    pitch_diameter: float, viscosity: ArrayLike, speed: ArrayLike, oil_factor: float
+    pitch_diameter: ArrayLike, viscosity: ArrayLike, speed: ArrayLike, oil_factor: float
 ) -> Array:
     """M0 = 1e-7 f0 (ν n)^(2/3) dm³ [N·m], constant below ν n = 2000 (mm²/s, rpm, mm); 0 at rest.
 
@@ -44,7 +44,7 @@ def viscous_moment(
         raise InvalidBearing(f"oil_factor must be positive, got {oil_factor!r}")
     rpm = np.abs(np.asarray(speed, float)) * 30.0 / np.pi
     product = np.asarray(viscosity, float) * 1e6 * rpm
-    size = (pitch_diameter * 1e3) ** 3
+    size = (np.asarray(pitch_diameter, float) * 1e3) ** 3
     fast = 1e-7 * oil_factor * product ** (2.0 / 3.0) * size
     slow = np.where(rpm > 0.0, 160e-7 * oil_factor * size, 0.0)
     return np.asarray(1e-3 * np.where(product >= _SLOW, fast, slow))

@@ -138,6 +138,7 @@ def _warm(setting: Setting) -> Faults:
                 f"the fits of bearing {seat.name} take its whole contact angle: growth "
                 f"{format_quantity(growth, 'um')}; allowed: up to {format_quantity(room, 'um')}",
             )
+    yield from _heated(setting)
     if own is None:
         return
     way = ("conditions", "temperatures")
@@ -154,6 +155,19 @@ def _warm(setting: Setting) -> Faults:
             (*way, "speeds"),
             f"the table of temperatures does not reach {beyond / RPM:.6g} rpm: given {ends} rpm",
         )
+
+
+def _heated(setting: Setting) -> Faults:
+    """A heat flow has bearings at speed, and no temperatures beside it."""
+    conditions, way = setting.conditions, ("conditions", "heat_flow")
+    if conditions.heat_flow is None:
+        return
+    if not setting.spindle.seats:
+        yield way, "heat flows off bearings, and this spindle has none: leave out"
+    if conditions.temperatures is not None:
+        yield way, "given beside temperatures, which follow from it; allowed: one of the two"
+    if conditions.bearings == "static":
+        yield way, "needs bearings at speed: given conditions.bearings: static"
 
 
 def _held_along(spindle: Spindle, conditions: Conditions) -> Faults:

@@ -11,6 +11,7 @@ from rotordyn.description import Description
 from rotordyn.machine.temperatures import Temperatures
 from rotordyn.quantity import Accuracy, Choice, Force, Friction, Length
 from rotordyn.scene.formulation import FORMULATIONS, INERTIAL
+from rotordyn.scene.heat_flow import SpindleHeatFlow
 from rotordyn.scene.loads import PointLoad
 from rotordyn.units import STANDARD_GRAVITY
 
@@ -80,6 +81,11 @@ class Conditions(Description):
         Temperatures | None,
         "of shaft, housing, rings and balls; by default those at which all is measured "
         "([what they do](theory/rings.md#temperature))",
+    ] = None
+    heat_flow: Annotated[
+        SpindleHeatFlow | None,
+        "conductances by which the heat of every bearing leaves, instead of `temperatures`: these "
+        "and the preload follow from it ([theory](theory/life.md#temperatures))",
     ] = None
     accuracy: Annotated[
         Accuracy, "relative error allowed of every frequency asked for; the elements follow"

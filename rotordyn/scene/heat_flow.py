@@ -6,10 +6,12 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Annotated
 
 from rotordyn.description import Description, Faults
-from rotordyn.quantity import Choice, Temperature, ThermalConductance
+from rotordyn.quantity import Choice, Key, Temperature, ThermalConductance
+from rotordyn.scene.lubrication import Lubrication
 
 if TYPE_CHECKING:
     from bearings.heat.temperature import Conductances, Surroundings
+    from rotordyn.preload.heat_balance import Flow
 
 MOUNTINGS = ("rigid", "spring")
 LEAVING = ("inner_shaft", "outer_housing", "balls_oil")
@@ -46,6 +48,24 @@ class HeatFlow(Description):
         from bearings.heat.temperature import Surroundings
 
         return Surroundings(self.shaft, self.housing, self.oil)
+
+
+@dataclass(frozen=True, slots=True)
+class SpindleHeatFlow(HeatFlow):
+    """The same of every bearing of a spindle, with the oil that heats and cools."""
+
+    lubricant: Annotated[Lubrication | None, Key(required=True), "of the bearings"] = None
+
+    @property
+    def flow(self) -> Flow:
+        """As the balance of the preload takes it."""
+        from bearings.heat.moments import OIL_FACTORS
+        from rotordyn.preload.heat_balance import Flow
+
+        oiled = self.lubricant
+        assert oiled is not None
+        factor = OIL_FACTORS[oiled.supply]
+        return Flow(oiled.oil, self.conductances, self.surroundings, oiled.friction, factor)
 
 
 @dataclass(frozen=True, slots=True)

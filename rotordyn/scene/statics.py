@@ -17,6 +17,7 @@ from rotordyn.errors import NoSolution
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import Sleeve, Spring
+from rotordyn.machine.temperatures import Temperatures
 from rotordyn.preload.axial_force import AxialForce, Pushes, axial_force
 from rotordyn.preload.state import PreloadState, dynamic_preload
 from rotordyn.scene.across import across, with_stations
@@ -27,6 +28,7 @@ from rotordyn.scene.stage import Clock, Memo, Staged, stage_of
 
 if TYPE_CHECKING:
     from rotordyn.equation.statics import StaticRotor
+    from rotordyn.preload.heat_balance import HeatBalance
 
 Array = NDArray[np.float64]
 ANY_SPRING = Spring(preload=1.0, stiffness=1e6)
@@ -111,6 +113,9 @@ class Statics(Staged):
         words: tuple[str, ...] = ("",) * len(self.bearing_speed)
         if self.spindle.seats:
             words = self.preload.outcome
+        if self.spindle.seats and self.temperatures is not self.conditions.temperatures:
+            found = zip(self.heat_balance.outcome, words, strict=True)
+            words = tuple(hot or word for hot, word in found)
         words = tuple(word or more for word, more in zip(words, self.buckling, strict=True))
         return tuple(words[row] for row in self.bearing_row)
 
@@ -177,8 +182,29 @@ class Statics(Staged):
             self.bearing_speed,
             self.law,
             self.axial_force,
-            self.conditions.temperatures,
+            self.temperatures,
         )
+
+    @property
+    def temperatures(self) -> Temperatures | None:
+        """Given ones, or those at which the heat of the bearings flows off."""
+        given = self.conditions.temperatures
+        balanced = given is None and self.conditions.heat_flow is not None and self.spindle.seats
+        return self.heat_balance.temperatures if balanced else given
+
+    @stage_of(lambda self: self._axial_inputs)
+    def heat_balance(self) -> HeatBalance:
+        """Temperatures at ``bearing_speed`` where the conditions have a heat flow."""
+        from rotordyn.preload.heat_balance import heat_balance
+
+        asked = self.conditions.heat_flow
+        assert asked is not None
+
+        def solve(temperatures: Temperatures) -> PreloadState:
+            speed, force = self.bearing_speed, self.axial_force
+            return dynamic_preload(self.grounded, speed, self.law, force, temperatures)
+
+        return heat_balance(solve, self.bearing_speed, self.grounded, asked.flow)
 
     @cached_property
     def static_rotor(self) -> tuple[StaticRotor, float]:
@@ -259,7 +285,8 @@ class Statics(Staged):
         """What the preload state follows from."""
         conditions = self.conditions
         forces = self.axial_force, conditions.axial_force, self.gravity, conditions.temperatures
-        own = (self.spindle, self.law, *forces, self._pushes, self.bearing_speed.tobytes())
+        warm = conditions.heat_flow
+        own = (self.spindle, self.law, *forces, warm, self._pushes, self.bearing_speed.tobytes())
         return (*own, *self._lateral_inputs) if self.loaded else own
 
     @property

@@ -29,7 +29,7 @@ def machine_warnings(scene: Scene) -> Iterator[str]:
     top = float(scene.bearing_speed.max())
     yield from implausible(scene.spindle, top)
     for name, ring, on, speed in released_fits(
-        scene.spindle, scene.bearing_speed, scene.conditions.temperatures
+        scene.spindle, scene.bearing_speed, scene.temperatures
     ):
         yield (
             f"bearing {name}: the fit of its {ring} ring lets go at "

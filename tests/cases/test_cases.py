@@ -36,6 +36,7 @@ SLIPS = ("the balls need more friction than that of the lubricant",)
 WARNED = {  # what the case is there to show
     "preload_concepts": ("stand face to face (X)",),
     "grinding_spindle_life": SLIPS,
+    "grinding_spindle_warm": ("the fit of its inner ring lets go",),
     "mfw2310_axial_cycle": ("is unloaded under an axial force", "its friction acts in"),
     "friswell_internal_damping": (
         "viscous: bending 1 forward grows by itself",
@@ -106,7 +107,7 @@ SOME = (  # as many as there are: NaN beyond the last, infinite without damping
     *("line_value", "line_curve", "line_peak_speed", "line_peak_value", "line_speed"),
     *("unloading_force", "peak_speed", "peak_amplitude", "fine_displacement"),
     *("contact_heat", "spin_heat", "viscous_heat", "film"),  # where there is oil
-    *("ball_temperature", "inner_temperature", "outer_temperature", "speed_limit"),  # of heat
+    *("ball_temperature", "inner_temperature", "outer_temperature", "speed_limit"),  # if warm
     *("spectrum_life", "spectrum_set_life", "target", "ring_stress"),  # where asked for
     *("loss_share", "loss_azimuth", "ball_azimuth", "ball_inner_load", "ball_outer_load"),
     *("ball_inner_angle", "ball_outer_angle"),  # a bearing has fewer balls than another one

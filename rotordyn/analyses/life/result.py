@@ -30,8 +30,9 @@ class LifeResult:
     ``shoulder_margin``: least angle from the end of a contact ellipse to the shoulder, NaN where no
     shoulder diameter is known; ``lost_load``: share of a ball's load that the shoulder takes away.
     ``viscosity_ratio`` κ, ``film``: least thickness, ``film_ratio`` Λ, and heat are NaN without a
-    lubricant. ``cage`` … ``ball``: defect frequencies over that of the spindle; ``ball``: turns of
-    a ball, whose defect strikes twice. ``ring_stress``: largest stress of the fitted inner ring
+    lubricant. Temperatures are NaN where the conditions have none; where they follow from the heat
+    of the bearings, the oil has that of the balls. ``cage`` … ``ball``: defect frequencies over
+    that of the spindle; ``ball``: turns of a ball, whose defect strikes twice. ``ring_stress``: largest stress of the fitted inner ring
     after Tresca, NaN without a fit. ``reliability``, ``target``: as the case asks.
     """
 
@@ -69,6 +70,9 @@ class LifeResult:
     ring_stress: Array = quantity(
         *BY, unit="Pa", label="stress of the fitted ring", printed=Shown("MPa", 1e-6)
     )
+    ball_temperature: Array = quantity(*BY, unit="degC", label="temperature of the balls")
+    inner_temperature: Array = quantity(*BY, unit="degC", label="temperature of the inner ring")
+    outer_temperature: Array = quantity(*BY, unit="degC", label="temperature of the outer ring")
     dynamic_rating: Array = quantity("bearing", unit="N", label="dynamic load rating")
     groove_rating: Array = quantity("bearing", unit="N", label="dynamic load rating of the grooves")
     static_rating: Array = quantity("bearing", unit="N", label="static load rating")

@@ -33,12 +33,13 @@ def answer(scene: Scene, spec: LifeSpec) -> LifeResult:
     ratings = _ratings(scene.spindle, spec)
     known: dict[tuple[int, float], Values] = {}
     columns: list[Values] = []
+    warm, rows = _temperatures(scene), scene.bearing_row
+    oiled = _oil_temperatures(scene, spec, warm)
     for (balls, column), rating in zip(state.seat_states(), ratings[0], strict=True):
         key = (id(balls), float(rating))
         if key not in known:
-            known[key] = _of_bearings(balls, float(rating), spec)
+            known[key] = _of_bearings(balls, float(rating), spec, oiled[id(balls)])
         columns.append({name: values[:, column] for name, values in known[key].items()})
-    rows = scene.bearing_row
 
     def joined(name: str) -> NDArray[Any]:
         values = np.stack([each[name] for each in columns], axis=1)[rows]
@@ -63,8 +64,38 @@ def answer(scene: Scene, spec: LifeSpec) -> LifeResult:
         viscosity=math.nan if oil is None else float(oil.oil.kinematic(oil.temperature)),
         reliability=spec.reliability,
         target=math.nan if spec.target is None else spec.target,
+        **{
+            f"{part}_temperature": np.where(good[:, None], warm[rows][..., k], np.nan)
+            for k, part in enumerate(("ball", "inner", "outer"))
+        },
         **fields,
     )
+
+
+def _temperatures(scene: Scene) -> Array:
+    """Of balls, inner and outer ring of every bearing (speeds, bearings, 3) [°C], NaN where the
+    conditions say nothing of them."""
+    speed, seats, known = scene.bearing_speed, scene.spindle.seats, scene.temperatures
+    warm = np.full((len(speed), len(seats), 3), np.nan)
+    if known is not None:
+        for k, seat in enumerate(seats):
+            rises = known.rises(seat.name, speed)
+            for place, rise in enumerate((rises.balls, rises.inner, rises.outer)):
+                warm[:, k, place] = rise + known.reference
+    return warm
+
+
+def _oil_temperatures(scene: Scene, spec: LifeSpec, warm: Array) -> dict[int, Array]:
+    """Of the oil by batch of states (speeds, columns) [°C]: that of the balls where it follows from
+    their heat, else as given."""
+    given = math.nan if spec.lubricant is None else spec.lubricant.temperature
+    balanced = scene.conditions.heat_flow is not None
+    oiled: dict[int, Array] = {}
+    for k, (balls, column) in enumerate(scene.preload.seat_states()):
+        oil = oiled.setdefault(id(balls), np.full(balls.outcome.shape, given))
+        if balanced:
+            oil[:, column] = warm[:, k, 0]
+    return oiled
 
 
 def _ratings(spindle: Spindle, spec: LifeSpec) -> tuple[Array, Array, Array]:
@@ -80,7 +111,7 @@ def _ratings(spindle: Spindle, spec: LifeSpec) -> tuple[Array, Array, Array]:
     return used, grooves, static
 
 
-def _of_bearings(state: BearingState, rating: float, spec: LifeSpec) -> Values:
+def _of_bearings(state: BearingState, rating: float, spec: LifeSpec, oil: Array) -> Values:
     """Every quantity of the bearings of one model over speed (speeds, bearings)."""
     lived = bearings.life.life_of(state, rating)
     cut = bearings.truncation(state)
@@ -104,7 +135,7 @@ def _of_bearings(state: BearingState, rating: float, spec: LifeSpec) -> Values:
         "outer": orders.outer,
         "inner": orders.inner,
         "ball": orders.ball,
-        **_oiled(state, lived, life, spec),
+        **_oiled(state, lived, life, spec, oil),
     }
 
 
@@ -113,13 +144,14 @@ def _oiled(
     lived: bearings.life.ReferenceLife,
     life: Array,
     spec: LifeSpec,
+    at: Array,
 ) -> Values:
     """What depends on the lubricant; NaN without one."""
     lubricant = spec.lubricant
     if lubricant is None:
         nothing = {name: np.full_like(life, np.nan) for name in NO_OIL}
         return {**nothing, "slips": np.zeros(life.shape, dtype=bool)}
-    oil, at = lubricant.oil, lubricant.temperature
+    oil = lubricant.oil
     factor = bearings.heat.OIL_FACTORS[lubricant.supply]
     lost = bearings.heat.losses(
         state, oil, at, friction=lubricant.friction, oil_factor=factor, model=spec.heat
@@ -186,7 +218,9 @@ def _spectrum(scene: Scene, spec: LifeSpec, rating: Array) -> Array:
 def _step_life(scene: Scene, step: LoadStep, rating: Array) -> Array:
     """Life of every bearing under one step alone [s], infinite at rest, NaN without a state."""
     force = scene.axial_force + step.axial_force
-    state = dynamic_preload(scene.grounded, np.array([step.speed]), scene.law, force)
+    state = dynamic_preload(
+        scene.grounded, np.array([step.speed]), scene.law, force, scene.temperatures
+    )
     if state.outcome[0]:
         return np.full(len(rating), np.nan)
     lives = []

@@ -48,6 +48,12 @@ def summary(result: LifeResult) -> list[str]:
             f"heat       [W] {_over_speed(result, result.heat)} (order of magnitude; sliding in "
             "contacts and oil)"
         )
+    if np.isfinite(result.ball_temperature).any():
+        parts = ", ".join(
+            f"{part} {_range(getattr(result, f'{name}_temperature')[_last(result)], 0)}"
+            for part, name in (("balls", "ball"), ("inner", "inner"), ("outer rings", "outer"))
+        )
+        lines.append(f"warm       at {rpm:.0f} rpm {parts} °C")
     low, pressure = np.nanmin(result.static_safety), np.nanmax(result.pressure) / 1e9
     lines.append(f"safety     S0 from {number(low)}, peak pressure {pressure:.2f} GPa")
     orders = [
@@ -110,6 +116,9 @@ def numbers(result: LifeResult, _: Described) -> Iterator[Number]:
     yield from ends(result, "pressure", "GPa", result.pressure.max(axis=1) / 1e9, digits=2)
     if math.isfinite(result.viscosity):
         yield from ends(result, "heat", "W", result.heat.sum(axis=1), digits=0)
+    if np.isfinite(result.ball_temperature).any():
+        hottest = result.ball_temperature.max(axis=1)
+        yield from ends(result, "balls", "°C", hottest, digits=0)
 
 
 def warnings(result: LifeResult) -> list[str]:

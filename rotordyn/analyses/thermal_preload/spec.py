@@ -7,7 +7,7 @@ from typing import Annotated
 
 from rotordyn.description import Faults, ascending
 from rotordyn.quantity import Items, Sweep, TemperatureDifference
-from rotordyn.scene.spec import Spec
+from rotordyn.scene.spec import Setting, Spec
 
 
 @dataclass(frozen=True, slots=True)
@@ -23,3 +23,11 @@ class ThermalPreloadSpec(Spec):
 
     def _faults(self) -> Faults:
         yield from ascending("differences", self.differences)
+
+    def faults_on(self, setting: Setting) -> Faults:
+        if setting.conditions.heat_flow is not None:
+            yield (
+                (),
+                "adds to given temperatures, and these follow from conditions.heat_flow; allowed: "
+                "without heat_flow",
+            )

@@ -26,6 +26,8 @@ def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
     yield "life", partial(code("over_speed:life_figure"), result)
     if math.isfinite(result.viscosity):
         yield "heat", partial(code("over_speed:heat_figure"), result)
+    if np.isfinite(result.ball_temperature).any():
+        yield "temperature", partial(code("over_speed:temperature_figure"), result)
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
@@ -41,3 +43,6 @@ def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:
     yield Curve("life", "peak pressure", GIGAPASCAL.unit, rpm, pressure, **low)
     if math.isfinite(result.viscosity):
         yield Curve("life", "heat of all bearings", "W", rpm, result.heat.sum(axis=1), **low)
+    if np.isfinite(result.ball_temperature).any():
+        hottest = result.ball_temperature.max(axis=1)
+        yield Curve("life", "hottest balls", "°C", rpm, hottest, **low)

@@ -65,6 +65,20 @@ def heat_figure(result: LifeResult) -> Figure:
     return figure
 
 
+def temperature_figure(result: LifeResult) -> Figure:
+    """Temperatures of balls and rings, and the life that goes with them."""
+    parts = ("balls", "inner ring", "outer ring")
+    names = [f"temperature, {part} [°C]" for part in parts]
+    figure, axes = _panels([*names, "life L10r [h]"], result)
+    for place, name in enumerate(("ball", "inner", "outer")):
+        _lines(axes[place], result, getattr(result, f"{name}_temperature"))
+        with_zero(axes[place], 1.05)
+    _lines(axes[3], result, result.life / HOUR)
+    log_axis(axes[3])
+    top_legend(figure, *axes)
+    return figure
+
+
 def _panels(names: Sequence[str], result: LifeResult) -> tuple[Figure, list[Axes]]:
     """Four panels over one speed axis."""
     figure = new_figure(168.0, 118.0)

@@ -1,0 +1,143 @@
+"""Temperatures of all bearings of a spindle from the heat they make, with the preload that follows.
+
+Every bearing has three nodes (``bearings.heat.temperature``); the preload joins them, since growth
+of one ring loads all. Preload and temperatures are found in turn: at the state of each turn the
+temperatures that its contacts and the thinning of the oil lead to, at these the next state.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+import bearings
+from bearings.heat.temperature import HOTTEST, LONGEST, balanced
+from rotordyn.machine.temperatures import MEASURED, BearingTemperatures, Temperatures
+
+if TYPE_CHECKING:
+    from bearings.heat.temperature import Conductances, Surroundings
+    from bearings.lubricant import Lubricant
+    from rotordyn.machine.spindle import Spindle
+    from rotordyn.preload.state import PreloadState
+
+Array = NDArray[np.float64]
+Solve = Callable[[Temperatures], "PreloadState"]
+TOLERANCE = 1e-3  # K
+MOST = 80
+RPM = 30.0 / np.pi
+
+
+class Flow(NamedTuple):
+    """How bearings are lubricated and cooled; ``friction``, ``oil_factor``: of their losses."""
+
+    lubricant: Lubricant
+    conductances: Conductances
+    surroundings: Surroundings
+    friction: float
+    oil_factor: float
+
+
+class HeatBalance(NamedTuple):
+    """``temperatures`` over speed, and per speed an ``outcome``: empty, or why there is no
+    balance (those of the last turn then)."""
+
+    temperatures: Temperatures
+    outcome: tuple[str, ...]
+
+
+def heat_balance(solve: Solve, speed: Array, spindle: Spindle, flow: Flow) -> HeatBalance:
+    """Temperatures of the bearings of ``spindle`` at every ``speed`` [rad/s], ascending.
+
+    ``solve`` gives the preload state at temperatures.
+    """
+    names = tuple(seat.name for seat in spindle.seats)
+    pitches = np.array([seat.bearing.pitch_diameter for seat in spindle.seats])
+    cold = balanced(lambda t: 0.0 * t, flow.conductances, flow.surroundings, (1,))
+    here = np.broadcast_to(np.stack(cold[:3], axis=-1), (len(speed), len(names), 3)).copy()
+    damping, before = np.ones(len(speed)), np.full(len(speed), np.inf)
+    words = np.full(len(speed), "", dtype=object)
+    going = np.ones(len(speed), dtype=bool)
+    for _ in range(MOST):
+        contacts, known = _contact_heat(solve(_tables(here, speed, names, flow)), flow)
+        lost = going & ~known
+        words[lost] = f"no axial state at temperatures up to {_hottest(here, lost):.0f} °C"
+        going &= known
+        step = _reached(contacts, pitches, speed, flow) - here
+        size = np.abs(np.where(going[:, None, None], step, 0.0)).max(axis=(1, 2))
+        damping = np.where(size > before, np.maximum(0.5 * damping, 0.1), damping)
+        move = np.clip(damping[:, None, None] * step, -LONGEST, LONGEST)
+        here = np.where(going[:, None, None], here + move, here)
+        before = np.where(going, size, before)
+        over = going & (here.max(axis=(1, 2)) > HOTTEST)
+        for row in np.flatnonzero(over):
+            words[row] = _run_away(here[row], names)
+        going &= ~over & (size >= TOLERANCE)
+        if not going.any():
+            break
+    words[going] = "temperatures of the bearings do not settle"
+    said = tuple(
+        f"{word} at {rpm:.0f} rpm" if word else ""
+        for word, rpm in zip(words, speed * RPM, strict=True)
+    )
+    return HeatBalance(_tables(here, speed, names, flow), said)
+
+
+def _hottest(here: Array, rows: NDArray[np.bool_]) -> float:
+    return float(here[rows].max(initial=MEASURED))
+
+
+def _run_away(here: Array, names: tuple[str, ...]) -> str:
+    hot = [name for name, own in zip(names, here, strict=True) if own.max() > HOTTEST]
+    return (
+        f"temperatures of bearing{'s' * (len(hot) > 1)} {', '.join(hot)} run away: "
+        f"{here.max():.0f} °C and rising; lower speed or preload, take a thinner oil or cool more"
+    )
+
+
+def _tables(here: Array, speed: Array, names: tuple[str, ...], flow: Flow) -> Temperatures:
+    """Temperatures (speeds, bearings, 3) of balls, inner and outer rings as files give them."""
+    own = {
+        name: BearingTemperatures(
+            inner_ring=tuple(here[:, k, 1].tolist()),
+            outer_ring=tuple(here[:, k, 2].tolist()),
+            balls=tuple(here[:, k, 0].tolist()),
+        )
+        for k, name in enumerate(names)
+    }
+    around = flow.surroundings
+    return Temperatures(
+        shaft=around.shaft, housing=around.housing, bearings=own, speeds=tuple(speed.tolist())
+    )
+
+
+def _contact_heat(state: PreloadState, flow: Flow) -> tuple[Array, NDArray[np.bool_]]:
+    """Heat of inner and outer contacts (speeds, bearings, 2) [W], and where there is a state."""
+    heat = np.zeros((len(state.speed), len(state.spindle.seats), 2))
+    done: dict[int, Array] = {}
+    for k, (balls, column) in enumerate(state.seat_states()):
+        if id(balls) not in done:
+            split = len(balls.operation.grooves.inner_offsets)
+            power = bearings.heat.sliding(balls, flow.friction).power.sum(axis=-2)
+            done[id(balls)] = np.stack(
+                [power[..., :split].sum(axis=-1), power[..., split:].sum(axis=-1)], axis=-1
+            )
+        heat[:, k] = done[id(balls)][:, column]
+    known = np.array([word == "" for word in state.outcome])
+    return np.where(known[:, None, None], np.nan_to_num(heat), 0.0), known
+
+
+def _reached(contacts: Array, pitches: Array, speed: Array, flow: Flow) -> Array:
+    """Temperatures that given heat of contacts leads to, the oil thinning (speeds, bearings, 3)."""
+
+    def heat(temperature: Array) -> Array:
+        viscosity = flow.lubricant.kinematic(temperature[..., 0])
+        oil = bearings.heat.viscous_moment(pitches, viscosity, speed[:, None], flow.oil_factor)
+        shape = temperature.shape[:-1]
+        given = np.broadcast_to(contacts, (*shape, 2))
+        return np.concatenate([given, (oil * speed[:, None])[..., None]], axis=-1)
+
+    found = balanced(heat, flow.conductances, flow.surroundings, contacts.shape[:2])
+    return np.stack(found[:3], axis=-1)

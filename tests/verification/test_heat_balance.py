@@ -1,0 +1,115 @@
+"""Bearings of a spindle at the temperatures that their heat leads to."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+
+import rotordyn
+from rotordyn.analyses import LifeSpec, Lubrication
+from rotordyn.errors import InvalidInput
+from rotordyn.machine.spindle import Spindle
+from rotordyn.scene.conditions import Conditions
+from rotordyn.scene.heat_flow import SpindleHeatFlow
+from rotordyn.scene.scene import Scene
+from tests.oracles.spindles import RPM, case
+
+OIL = Lubrication(32e-6, 5.4e-6, 50.0)
+FLOW = SpindleHeatFlow(3.0, 6.0, 30.0, 25.0, 30.0, balls_oil=1.0, lubricant=OIL)
+SPEED = np.array([0.0, 6e3, 12e3]) * RPM
+
+
+def grinding(*, rigid: bool = False) -> Spindle:
+    found = case("grinding_spindle").spindle
+    assert found is not None
+    if not rigid:
+        return found
+    sleeves = tuple(
+        replace(each, spring=replace(each.spring, stiffness=np.inf)) for each in found.sleeves
+    )
+    return replace(found, sleeves=sleeves)
+
+
+@cache
+def scene(*, rigid: bool = False) -> Scene:
+    return Scene(grinding(rigid=rigid), Conditions(heat_flow=FLOW), SPEED)
+
+
+def lives(of: Scene) -> Any:
+    from rotordyn.analyses.life.solve import answer
+
+    return answer(of, LifeSpec(OIL))
+
+
+@pytest.mark.parametrize("rigid", [False, True])
+def test_heat_of_each_bearing_leaves_through_its_conductances(rigid: bool) -> None:
+    found = lives(scene(rigid=rigid))
+    out = 3.0 * (found.inner_temperature - 30.0) + 6.0 * (found.outer_temperature - 25.0)
+    out = out + 1.0 * (found.ball_temperature - 30.0)
+    assert (found.heat[1:] > 30.0).all()
+    assert out == pytest.approx(found.heat, rel=2e-3, abs=0.05)
+
+
+def test_state_is_that_of_these_temperatures_given() -> None:
+    """Preload at temperatures read from the balance as a case would give them."""
+    balanced = scene(rigid=True)
+    given = Conditions(temperatures=balanced.heat_balance.temperatures)
+    same = Scene(grinding(rigid=True), given, SPEED)
+    assert same.preload.seat_load() == pytest.approx(balanced.preload.seat_load(), rel=1e-12)
+    cold = Scene(grinding(rigid=True), Conditions(), SPEED).preload.seat_load()
+    assert (balanced.preload.seat_load()[2] > 1.2 * cold[2]).all()
+
+
+def test_a_spring_holds_the_preload() -> None:
+    warm, cold = scene(), Scene(grinding(), Conditions(), SPEED)
+    change = warm.preload.seat_load().sum(axis=1) / cold.preload.seat_load().sum(axis=1)
+    assert change == pytest.approx(1.0, abs=0.15)
+    assert (lives(warm).ball_temperature[2] < lives(scene(rigid=True)).ball_temperature[2]).all()
+
+
+def test_run_away_names_bearing_and_speed() -> None:
+    fast = Scene(grinding(rigid=True), Conditions(heat_flow=FLOW), np.array([6e3, 26e3]) * RPM)
+    assert fast.outcome[0] == ""
+    assert "temperatures of bearing" in fast.outcome[1]
+    assert "run away" in fast.outcome[1]
+    assert fast.outcome[1].endswith("at 26000 rpm")
+    found = lives(fast)
+    assert np.isfinite(found.ball_temperature[0]).all()
+    assert np.isnan(found.ball_temperature[1]).all()
+
+
+def test_thicker_oil_and_less_cooling_are_hotter() -> None:
+    def balls(**changed: Any) -> float:
+        flow = replace(FLOW, **changed)
+        found = Scene(grinding(), Conditions(heat_flow=flow), SPEED[1:2])
+        return float(lives(found).ball_temperature[0, 0])
+
+    usual = balls()
+    assert balls(lubricant=replace(OIL, viscosity_40=100e-6, viscosity_100=11e-6)) > usual + 5.0
+    assert balls(outer_housing=1.0, inner_shaft=1.0) > usual + 5.0
+
+
+@pytest.mark.parametrize(
+    ("conditions", "sentence"),
+    [
+        ("{temperatures: {shaft: 40 degC}, ", "given beside temperatures"),
+        ("{bearings: static, ", "needs bearings at speed"),
+    ],
+)
+def test_contradictions_get_a_sentence(conditions: str, sentence: str, tmp_path: Any) -> None:
+    flow = (
+        "heat_flow: {inner_shaft: 3 W/K, outer_housing: 6 W/K, shaft: 30 degC, housing: 25 degC, "
+        "oil: 30 degC, lubricant: {viscosity_40: 32 mm^2/s, viscosity_100: 5 mm^2/s, "
+        "temperature: 50 degC}}}"
+    )
+    file = tmp_path / "case.yaml"
+    file.write_text(
+        f"spindle: grinding_spindle\nspeeds: [100 rpm]\nconditions: {conditions}{flow}\n"
+        "analyses: {preload: {}}\n"
+    )
+    with pytest.raises(InvalidInput, match=sentence):
+        rotordyn.load(file)
