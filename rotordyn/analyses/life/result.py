@@ -32,8 +32,9 @@ class LifeResult:
     ``viscosity_ratio`` κ, ``film``: least thickness, ``film_ratio`` Λ, and heat are NaN without a
     lubricant. Temperatures are NaN where the conditions have none; where they follow from the heat
     of the bearings, the oil has that of the balls. ``cage`` … ``ball``: defect frequencies over
-    that of the spindle; ``ball``: turns of a ball, whose defect strikes twice. ``ring_stress``: largest stress of the fitted inner ring
-    after Tresca, NaN without a fit. ``reliability``, ``target``: as the case asks.
+    that of the spindle; ``ball``: turns of a ball, whose defect strikes twice. ``ring_stress``:
+    largest stress of the fitted inner ring after Tresca, NaN without a fit. ``reliability``,
+    ``target``: as the case asks.
     """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
