@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import rotordyn
-from bearings import STEEL
+from bearings import STEEL, estimate
 from bearings.catalogue.races import Insides, static_rating
 from bearings.life.rating import radial_rating
 from rotordyn.case.library import known, models_root
@@ -63,6 +63,39 @@ def test_ratings_are_as_printed(name: str) -> None:
     dynamic, static = (float(number.replace(" ", "")) for number in found.groups())
     assert float(radial_rating(x)) == pytest.approx(dynamic, rel=0.08)
     assert float(static_rating(x, STEEL, STEEL)) == pytest.approx(static, rel=0.04)
+
+
+def test_estimates_foretell_what_is_printed_at_other_preloads() -> None:
+    """Rings, C0 and the medium class given, as if balls were not printed: the rigidity at the
+    other two, and the ball diameter."""
+    errors, balls = [], []
+    for name in PAIRS:
+        text, bearing = SOURCES[name], rotordyn.model("bearings", name)
+        rigidity, preload = re.search(r"of a pair ([\d., ]+) N/um at ([\d., ]+) N;", text).groups()  # type: ignore[union-attr]
+        static = re.search(r"C0 ([\d ]+) N", text)
+        assert static
+        printed, at = np.array(_numbers(rigidity)) * 1e6, _numbers(preload)
+        bore, outside = (
+            float(re.search(rf"{key}: ([\d.]+) mm", text)[1]) * 1e-3  # type: ignore[index]
+            for key in ("bore_diameter", "outside_diameter")
+        )
+        found = estimate(
+            bore=bore,
+            outside_diameter=outside,
+            contact_angle=bearing.contact_angle,
+            hybrid=False,
+            preloads=at[1:2],
+            rigidities=list(printed[1:2]),
+            static_rating=float(static[1].replace(" ", "")),
+        )
+        errors += [abs(found.pair(at[k])[0] / printed[k] - 1.0) for k in (0, 2)]
+        balls.append(abs(found.ball_diameter / bearing.ball_diameter - 1.0))
+    assert len(errors) >= 70
+    assert np.median(errors) < 0.01
+    assert np.percentile(errors, 95) < 0.03
+    assert max(errors) < 0.06
+    assert np.median(balls) < 0.001
+    assert max(balls) < 0.15
 
 
 @pytest.mark.parametrize("name", [name for name in PAIRS if name.startswith("s6")])
