@@ -23,6 +23,7 @@ if TYPE_CHECKING:
     from rotordyn.analyses.thermal_preload.spec import ThermalPreloadSpec
     from rotordyn.analyses.unbalance.spec import UnbalanceSpec
     from rotordyn.scene.conditions import Conditions
+    from rotordyn.scene.heat_flow import MountedHeatFlow, SpindleHeatFlow
     from rotordyn.scene.loads import (
         BalanceGrade,
         EccentricSpan,
@@ -43,9 +44,11 @@ _MODULE_OF = {
     "LineLoad": "rotordyn.scene.loads",
     "LoadStep": "rotordyn.analyses.life.spec",
     "Lubrication": "rotordyn.scene.lubrication",
+    "MountedHeatFlow": "rotordyn.scene.heat_flow",
     "MeasuredResponse": "rotordyn.analyses.frf.spec",
     "PointLoad": "rotordyn.scene.loads",
     "Port": "rotordyn.analyses.frf.spec",
+    "SpindleHeatFlow": "rotordyn.scene.heat_flow",
     "ShapesInSpaceSpec": "rotordyn.analyses.campbell.spec",
     "TwistLimit": "rotordyn.scene.loads",
     "Unbalance": "rotordyn.scene.loads",
@@ -65,11 +68,13 @@ __all__ = [
     "LoadStep",
     "Lubrication",
     "MeasuredResponse",
+    "MountedHeatFlow",
     "PointLoad",
     "Port",
     "PreloadSpec",
     "SectionForcesSpec",
     "ShapesInSpaceSpec",
+    "SpindleHeatFlow",
     "StabilityLobesSpec",
     "StiffnessSpec",
     "ThermalPreloadSpec",

@@ -192,9 +192,17 @@ class Statics(Staged):
         balanced = given is None and self.conditions.heat_flow is not None and self.spindle.seats
         return self.heat_balance.temperatures if balanced else given
 
-    @stage_of(lambda self: self._axial_inputs)
+    @cached_property
     def heat_balance(self) -> HeatBalance:
         """Temperatures at ``bearing_speed`` where the conditions have a heat flow."""
+        known = self.memo.known("heat balance", self._axial_inputs)
+        if known is None:
+            known = (self.timed("heat balance", self._balanced),)
+            self.memo.keep("heat balance", self._axial_inputs, known[0])
+        found: HeatBalance = known[0]
+        return found
+
+    def _balanced(self) -> HeatBalance:
         from rotordyn.preload.heat_balance import heat_balance
 
         asked = self.conditions.heat_flow
