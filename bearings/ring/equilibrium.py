@@ -56,6 +56,12 @@ def solve(
         d, x, linear = found.displacement, found.ball, None
     else:
         d, x, outcome, linear = _together(problem, displacement, guess)
+        lost = np.flatnonzero(outcome != "")
+        if guess is not None and lost.size:  # no state is lost by a start that leads astray
+            part = problem.take(lost)
+            again = _together(part, first_displacement(part, displacement[lost]), None)
+            d[lost], x[:, lost], outcome[lost] = again[:3]
+            linear = None
     if linear is None:
         linear = linearise(problem, d, x, np.full(len(d), problem.full))
     (d, x), balance, touching, ring_load = _last_digits(problem, d, x, linear, outcome == "")

@@ -87,8 +87,9 @@ def turns(g: Geometry, speed: Array) -> NDArray[np.bool_]:
 
 
 def first_displacement(problem: Problem, given: Array) -> Array:
-    """Displacement to start from: as ``given`` (s, 5), else all balls under their likely share."""
-    d = given.copy()
+    """Displacement to start from where a load is ``free`` to move the ring: all balls under their
+    likely share, no tilt; as ``given`` (s, 5) elsewhere."""
+    d = np.where(problem.free, 0.0, given)
     if not problem.free[0]:
         return d
     g = problem.geometry

@@ -18,7 +18,7 @@ from bearings import BallBearing, DeepGrooveBallBearing
 from bearings.ring import convex_stage
 from tests.oracles import known_grooves
 from tests.oracles.known_bearings import RPM
-from tests.oracles.random_kinds import KINDS, draw
+from tests.oracles.random_kinds import KINDS, Asked, draw
 
 Array = NDArray[np.float64]
 SMALL = DeepGrooveBallBearing(8e-3, 40e-3, 9, radial_clearance=10e-6)
@@ -72,8 +72,7 @@ def test_a_ring_tilted_far_finds_its_way_from_rest(compiled: bool) -> None:
     Balls opposite the load end 93° off; a search that keeps every ball on the outer race stalls.
     """
     asked = draw("four point", 312, 50)
-    names = ("load", "displacement", "speed")
-    near, one = (replace(asked, **{n: getattr(asked, n)[k : k + 1] for n in names}) for k in (3, 4))
+    near, one = _alone(asked, 3), _alone(asked, 4)
     cold = mock.patch("bearings.ring.request._compiled", return_value=compiled)
     with cold:
         there = one.solve()
@@ -81,6 +80,21 @@ def test_a_ring_tilted_far_finds_its_way_from_rest(compiled: bool) -> None:
     assert np.degrees(np.abs(there.inner_angle)).max() > 90.0
     warm = one.solve(near.solve())
     assert there.contact_load == pytest.approx(warm.contact_load, rel=1e-9, abs=1e-9)
+
+
+@pytest.mark.parametrize(("number", "place"), [(938, 38), (1052, 30), (1938, 18)])
+def test_no_state_is_lost_by_a_start_that_leads_astray(number: int, place: int) -> None:
+    """Of 100 000 random states those three that another start had lost."""
+    asked = draw("four point", number, 50)
+    cold, astray = _alone(asked, place).solve(), _alone(asked.rolled(), place).solve()
+    warm = _alone(asked, place).solve(astray)
+    assert warm.outcome.tolist() == cold.outcome.tolist() == [""]
+    assert warm.contact_load == pytest.approx(cold.contact_load, rel=1e-6, abs=1e-6)
+
+
+def _alone(asked: Asked, place: int) -> Asked:
+    parts = {n: getattr(asked, n)[[place]] for n in ("load", "displacement", "speed")}
+    return replace(asked, **parts)
 
 
 @pytest.mark.parametrize("speed", [0.0, 0.2, 200.0, 8000.0 * RPM])
