@@ -11,6 +11,7 @@ from docs.generate.bending import axial_force_spans, axial_force_table, formulat
 from docs.generate.choices import choice_table, linear_table
 from docs.generate.debongnie_rows import error_table, law_table
 from docs.generate.flagship import bearing_table, flagship, rest_rows, speed_rows
+from docs.generate.heat_rows import heat_table
 from docs.generate.keys import key_tables
 from docs.generate.known import comparison_table, omitted
 from docs.generate.marked import rewrite, table
@@ -63,6 +64,11 @@ def write_theory() -> None:
     rewrite(THEORY / "README.md", {"modules": module_table()})
 
 
+def write_heat() -> None:
+    """Friction by every model."""
+    rewrite(THEORY / "life.md", {"heat": heat_table()})
+
+
 def write_debongnie() -> None:
     """Power laws of Debongnie's approximation, and how far it is off."""
     rewrite(THEORY / "debongnie.md", {"power-laws": law_table(), "errors": error_table()})
@@ -83,6 +89,7 @@ PAGES: dict[str, Callable[[], None]] = {
     "docs/reference/keys.md": write_keys,
     "docs/theory/README.md": write_theory,
     "docs/theory/debongnie.md": write_debongnie,
+    "docs/theory/life.md": write_heat,
     "docs/benchmarks.md": write_benchmarks,
     "docs/formulations.md, docs/theory/axial_force.md": write_bending,
     "docs/howto/hypotheses.md": write_choosing,
