@@ -45,6 +45,7 @@ GENERATED = OUTPUTS | {
     "docs/reference/keys.md": {*FILES_OF_KEYS},
     "docs/formulations.md": {"formulations"},
     "docs/theory/axial_force.md": {"axial-force", "axial-stiffening"},
+    "docs/theory/life.md": {"heat"},
     "docs/theory/debongnie.md": {"power-laws", "errors"},
     "docs/howto/hypotheses.md": {"choices", "linear"},
     "docs/theory/README.md": {"modules"},
