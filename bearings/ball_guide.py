@@ -78,15 +78,15 @@ class LinearBallGuide:
     def force(self, displacement: Array | float) -> Array:
         """Radial force that moves the column by ``displacement`` [m], of its shape [N]."""
         cosine, pressed = self._pressed(displacement)
-        found: Array = self.contact_stiffness * (pressed**1.5 * cosine).sum(axis=-1)
-        return found
+        force: Array = self.contact_stiffness * (pressed**1.5 * cosine).sum(axis=-1)
+        return force
 
     def tangent(self, displacement: Array | float) -> Array:
         """dF/dδy at a displacement [m], of its shape [N/m]."""
         cosine, pressed = self._pressed(displacement)
         slope = 1.5 * self.contact_stiffness * np.sqrt(pressed) * cosine**2
-        found: Array = slope.sum(axis=-1)
-        return found
+        tangent: Array = slope.sum(axis=-1)
+        return tangent
 
     def linear_range(self, share: float = 0.01) -> float:
         """Displacement up to which F/δy is within ``share`` of the stiffness [m]; 0 with clearance.

@@ -53,10 +53,10 @@ def load(x: ArrayLike, ratio: ArrayLike) -> Array:
 
     wanted, k = np.broadcast_arrays(np.maximum(np.asarray(x, float), 0.0), np.asarray(ratio, float))
     top = wanted / k * (1.0 + 1e-12)  # y^(2/3) if the outer race were rigid, beyond rounding
-    found = elementwise.find_root(
+    root = elementwise.find_root(
         lambda t, x, k: _deflection(t, k) - x, (np.zeros_like(top), top), args=(wanted, k)
     )
-    return np.asarray(found.x) ** 1.5
+    return np.asarray(root.x) ** 1.5
 
 
 def _deflection(t: Array, ratio: Array) -> Array:
@@ -125,12 +125,12 @@ def peak(radial: ArrayLike, law: PowerLaw, gap: float = 1.0) -> Array:
 
     wanted, factor, exponent = np.broadcast_arrays(np.asarray(radial, float), *law)
     ends = (np.full_like(wanted, math.log(end)) for end in (LOWEST, HIGHEST))
-    found = elementwise.find_root(
+    root = elementwise.find_root(
         lambda u, f, a, n: distribution(np.exp(u), PowerLaw(a, n), gap).radial / f - 1.0,
         tuple(ends),
         args=(wanted, factor, exponent),
     )
-    return np.where(found.success, np.exp(found.x), np.nan)
+    return np.where(root.success, np.exp(root.x), np.nan)
 
 
 def equivalent_factors(exponent: float = 1.5) -> tuple[float, float, float]:

@@ -77,8 +77,8 @@ def limits(tolerance: str, diameter: float) -> tuple[float, float]:
     ------
     InvalidBearing : a class or diameter that the tables do not have
     """
-    found = _WORD.fullmatch(tolerance)
-    letter, grade = (found[1], int(found[2])) if found else ("", 0)
+    word = _WORD.fullmatch(tolerance)
+    letter, grade = (word[1], int(word[2])) if word else ("", 0)
     if letter not in (*_SHAFTS, *_HOLES) or grade not in _IT:
         raise InvalidBearing(
             f"unknown tolerance class {tolerance!r}: a letter of {', '.join(_SHAFTS)} (shafts) or "

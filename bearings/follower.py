@@ -24,15 +24,15 @@ Array = NDArray[np.float64]
 
 
 class Followed(NamedTuple):
-    """``load`` (…, 5), ``displacement`` (…, 5), ``stiffness`` (…, 5, 5), ``found`` (…).
+    """``load`` (…, 5), ``displacement`` (…, 5), ``stiffness`` (…, 5, 5), ``converged`` (…).
 
-    SI, as in ``BearingState``; NaN where no state was found.
+    SI, as in ``BearingState``; NaN where there is no state.
     """
 
     load: Array
     displacement: Array
     stiffness: Array
-    found: NDArray[np.bool_]
+    converged: NDArray[np.bool_]
 
 
 class Follower:
@@ -111,8 +111,8 @@ class Follower:
         whole = parts[0]
         if len(parts) > 1:
             whole = [np.concatenate(part) for part in zip(*parts, strict=True)]
-        found = whole[-1]
-        if shape == () and not found[0]:
+        converged = whole[-1]
+        if shape == () and not converged[0]:
             word = "unloaded" if free and not load.any() else "no equilibrium"
             raise NoEquilibrium(word, speed=float(omega[0]), remedy="see `equilibrium` for why")
         return Followed(*[part.reshape((*shape, *part.shape[1:])) for part in whole])
@@ -137,11 +137,11 @@ class Follower:
             move = np.repeat(there, len(omega), axis=0) if free else move
         elif free:
             move = first_displacement(problem, move)
-        d, ball, carried, stiffness, found = one_by_one(problem, move, near, chained=chained)[0]
+        d, ball, carried, stiffness, converged = one_by_one(problem, move, near, chained=chained)[0]
         if free and self._geometry.touching:
-            found &= load.any(axis=1)
-        self._last = (d[-1:], ball[:, -1:]) if found[-1] else None
-        if not found.all():
+            converged &= load.any(axis=1)
+        self._last = (d[-1:], ball[:, -1:]) if converged[-1] else None
+        if not converged.all():
             for part in (carried, d, stiffness):
-                part[~found] = np.nan
-        return Followed(carried, d, stiffness, found)
+                part[~converged] = np.nan
+        return Followed(carried, d, stiffness, converged)

@@ -100,9 +100,9 @@ def on_film(  # noqa: PLR0913 - all of it describes one question
 def _moved(displacement: ArrayLike, axial: Array) -> Array:
     given = np.asarray(displacement, float)
     shape = np.broadcast_shapes(given.shape[:-1], axial.shape)
-    found = np.broadcast_to(given, (*shape, 5)).copy()
-    found[..., 0] += axial
-    return found
+    moved = np.broadcast_to(given, (*shape, 5)).copy()
+    moved[..., 0] += axial
+    return moved
 
 
 def _grown(state: BearingState, films: Film) -> tuple[Array, Array]:

@@ -59,9 +59,9 @@ def refuse_contradictions(given: Catalogue, apart: Array, computed: Array, weigh
 def _odd(values: list[tuple[Value, float]]) -> Iterator[str]:
     """A phrase for every kind of value."""
     for kind in dict.fromkeys(value.kind for value, _ in values):
-        own = [(value, computed) for value, computed in values if value.kind == kind]
-        words = ", ".join(f"{v.words} ({v.shown(c)} expected)" for v, c in own)
-        yield words + _slip(kind, [v.number / c for v, c in own])
+        pairs = [(value, computed) for value, computed in values if value.kind == kind]
+        words = ", ".join(f"{v.words} ({v.shown(c)} expected)" for v, c in pairs)
+        yield words + _slip(kind, [v.number / c for v, c in pairs])
 
 
 def _slip(kind: str, ratios: list[float]) -> str:

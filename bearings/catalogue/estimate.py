@@ -82,8 +82,8 @@ class EstimatedBearing(AngularContactBallBearing):
     def explained(self) -> tuple[Explained, ...]:
         """Every printed value beside that of this bearing."""
         values = self.catalogue.values
-        found = _computed(self._inside, self.catalogue)[:, 0]
-        return tuple(Explained(v, float(c)) for v, c in zip(values, found, strict=True))
+        computed = _computed(self._inside, self.catalogue)[:, 0]
+        return tuple(Explained(v, float(c)) for v, c in zip(values, computed, strict=True))
 
     @property
     def doubt(self) -> str:
@@ -269,13 +269,13 @@ def _refined(x: Insides, likely: Array, given: Catalogue) -> Insides:
         apart = _apart(_computed(here, given), given)
         return float(0.5 * (apart**2).sum() - usual(here, section))
 
-    found = []
+    fitted = []
     for start in starts:
         begin = [float(getattr(start, name)) for name in free]
         limits = [(max(f - _STEP, TIGHTEST), f + _STEP) for f in begin]
         solved = minimize(cost, begin, args=(start,), bounds=limits, method="L-BFGS-B")
-        found.append((float(solved.fun), at(start, solved.x)))
-    return min(found, key=lambda pair: pair[0])[1]
+        fitted.append((float(solved.fun), at(start, solved.x)))
+    return min(fitted, key=lambda pair: pair[0])[1]
 
 
 def _range(values: Array, share: Array) -> tuple[float, float]:

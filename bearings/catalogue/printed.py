@@ -133,13 +133,13 @@ class Catalogue:
     @property
     def values(self) -> tuple[Value, ...]:
         """The values that an inside can be compared with."""
-        found = []
+        values = []
         for kind, given in (("rigidity", self.rigidities), ("unloading", self.unloading)):
             for number, preload in zip(given, self.preloads, strict=False):
                 if number is not None:
-                    found.append(Value(kind, float(number), float(preload)))
+                    values.append(Value(kind, float(number), float(preload)))
         if self.dynamic_rating is not None:
-            found.append(Value("dynamic", float(self.dynamic_rating)))
+            values.append(Value("dynamic", float(self.dynamic_rating)))
         if self.static_rating is not None:
-            found.append(Value("static", float(self.static_rating)))
-        return tuple(found)
+            values.append(Value("static", float(self.static_rating)))
+        return tuple(values)

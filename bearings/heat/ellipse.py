@@ -163,8 +163,8 @@ def mean_speed(contacts: Contacts) -> Array:
 @cache
 def _points() -> tuple[Array, Array, Array]:
     """Places on the unit disk and weights 3/(2π) √(1 − r²) dA, with a sum of 1."""
-    node, own = np.polynomial.legendre.leggauss(RADIAL)
-    u, share = 0.5 * (node + 1.0), 0.5 * own
+    node, weights = np.polynomial.legendre.leggauss(RADIAL)
+    u, share = 0.5 * (node + 1.0), 0.5 * weights
     r, turn = np.sqrt(1.0 - u**2), 2.0 * np.pi * (np.arange(AROUND) + 0.5) / AROUND
     weight = np.repeat(3.0 * u**2 * share / AROUND, AROUND)
     return (

@@ -32,8 +32,8 @@ DEFAULT = "angular_contact"  # of a file that names no kind
 def kind_class(kind: str) -> type[BallBearing]:
     """The class of a kind by its word in ``KINDS``; raises KeyError for another word."""
     name = KINDS[kind]
-    found: type[BallBearing] = getattr(importlib.import_module(f"bearings.kinds.{kind}"), name)
-    return found
+    kind_of: type[BallBearing] = getattr(importlib.import_module(f"bearings.kinds.{kind}"), name)
+    return kind_of
 
 
 def kind_of(bearing: BallBearing) -> str:

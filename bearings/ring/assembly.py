@@ -21,7 +21,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Assembly:
-    """The balls that need solving and how they map to the five freedoms.
+    """The balls that need solving and how they map to the five DOF.
 
     ``spread`` (m, 5, n): A = A₀ + spread·d, m = 3 where the inner ring has two grooves, else 2.
     ``gather`` (5, 3, n): f = Σ gather·action. ``pairs`` (3·m·n, 25): K = Σ action-by-A (3·m·n) ·

@@ -95,10 +95,10 @@ def first_gaps(operation: Operation, index: NDArray[np.intp]) -> list[Gap]:
     speeds, gaps = [next(search) for search in searches], [Gap(0.0)] * len(searches)
     while going := [k for k, asked in enumerate(speeds) if asked.size]:
         row = np.repeat(index[going], [len(speeds[k]) for k in going])
-        found = solved(operation.repeated(row, np.concatenate([speeds[k] for k in going])))
+        states = solved(operation.repeated(row, np.concatenate([speeds[k] for k in going])))
         borders = np.cumsum([len(speeds[k]) for k in going])[:-1]
         answers = (
-            np.split(part, borders) for part in (found.outcome == "", found.inner_load > 0.0)
+            np.split(part, borders) for part in (states.outcome == "", states.inner_load > 0.0)
         )
         for k, *answer in zip(going, *answers, strict=True):
             try:

@@ -92,7 +92,7 @@ def _filled(parts: Motion, like: Array) -> Array:
 
 
 def _ring_balance(problem: Problem, balls: Reaction) -> tuple[Array, Array, NDArray[np.bool_]]:
-    """Load still missing and tangent, freedoms as lengths; and where nothing is missing."""
+    """Load still missing and tangent, DOF as lengths; and where nothing is missing."""
     g, free, scale = problem.geometry, problem.free, problem.scale[problem.free]
     gap = (problem.load - problem.assembly.load(balls.action))[:, free] / scale
     k = reduced(problem, problem.assembly.stiffness(balls.slope))

@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.balance import Balance
-from bearings.ring.compiled.states import Found, compiled_states
+from bearings.ring.compiled.states import CompiledStates, compiled_states
 from bearings.ring.contacts import Contacts, contacts
 from bearings.ring.convex_stage import convex_state
 from bearings.ring.followed_stage import corrected, followed
@@ -52,8 +52,8 @@ def solve(
     after the other instead of all together.
     """
     if compiled:
-        found, outcome = one_by_one(problem, displacement, guess)
-        d, x, linear = found.displacement, found.ball, None
+        each, outcome = one_by_one(problem, displacement, guess)
+        d, x, linear = each.displacement, each.ball, None
     else:
         d, x, outcome, linear = _together(problem, displacement, guess)
         lost = np.flatnonzero(outcome != "")
@@ -79,21 +79,21 @@ def solve(
 
 def one_by_one(
     problem: Problem, displacement: Array, guess: Array | None, *, chained: bool = False
-) -> tuple[Found, NDArray[np.str_]]:
+) -> tuple[CompiledStates, NDArray[np.str_]]:
     """Compiled, see ``compiled_states``, and the outcome of every state.
 
     What is refused so is looked for together, where free motions are followed.
     """
-    found = compiled_states(problem, displacement, guess, chained=chained)
-    outcome = _words(found.exists)
-    missing = (~found.exists).nonzero()[0]
+    solved = compiled_states(problem, displacement, guess, chained=chained)
+    outcome = _words(solved.exists)
+    missing = (~solved.exists).nonzero()[0]
     if missing.size:
         part = problem.take(missing)
         again = solve(part, first_displacement(part, displacement[missing]))
-        found.displacement[missing], found.load[missing] = again.displacement, again.ring_load
-        found.ball[:, missing], found.stiffness[missing] = again.ball, again.stiffness
-        outcome[missing], found.exists[missing] = again.outcome, again.outcome == ""
-    return found, outcome
+        solved.displacement[missing], solved.load[missing] = again.displacement, again.ring_load
+        solved.ball[:, missing], solved.stiffness[missing] = again.ball, again.stiffness
+        outcome[missing], solved.exists[missing] = again.outcome, again.outcome == ""
+    return solved, outcome
 
 
 def _together(
@@ -110,11 +110,11 @@ def _together(
     if cold.size:
         part, linear = problem.take(cold), None
         d[cold], x[:, cold], reached = convex_state(part, displacement[cold])
-        found = reached
+        converged = reached
         if problem.placed:
-            d[cold], x[:, cold], found = _followed(part, d[cold], x[:, cold], reached)
+            d[cold], x[:, cold], converged = _followed(part, d[cold], x[:, cold], reached)
         heavy = np.abs(part.load).max(axis=1) > LIGHT
-        outcome[cold] = np.where(reached | ~heavy, _words(found), "overloaded")
+        outcome[cold] = np.where(reached | ~heavy, _words(converged), "overloaded")
     return d, x, outcome, linear
 
 
@@ -127,13 +127,13 @@ def _followed(
     state, and the nearest is taken. Not where contacts open and close with a jump.
     """
     start = d.copy(), x.copy()
-    d, x, found = followed(problem, d, x, reached)
-    left = np.flatnonzero(reached & ~found)
+    d, x, converged = followed(problem, d, x, reached)
+    left = np.flatnonzero(reached & ~converged)
     if left.size and problem.law.one_branch:
         part = replace(problem.take(left), loose=True)
         again = followed(part, start[0][left], start[1][:, left], np.ones(left.size, dtype=bool))
-        d[left], x[:, left], found[left] = again
-    return d, x, found
+        d[left], x[:, left], converged[left] = again
+    return d, x, converged
 
 
 def _words(done: NDArray[np.bool_]) -> NDArray[np.str_]:
@@ -143,11 +143,11 @@ def _words(done: NDArray[np.bool_]) -> NDArray[np.str_]:
 
 
 def _last_digits(
-    problem: Problem, d: Array, x: Array, linear: Linear, found: NDArray[np.bool_]
+    problem: Problem, d: Array, x: Array, linear: Linear, converged: NDArray[np.bool_]
 ) -> tuple[tuple[Array, Array], Balance, Contacts, Array]:
     """(d, X), balance, contacts and ring load, freed from rounding of the lengths."""
     exact = scaled_error(problem, linear.balance, linear.ring_load, rounding=0.0)
-    left = found & (exact >= TOLERANCE)
+    left = converged & (exact >= TOLERANCE)
     if not left.any():
         return (d, x), *contacts(problem, linear.balance, (d, x)), linear.ring_load
     dd, dx = newton_step(problem, linear)

@@ -4,7 +4,7 @@ The real angle dependence and the gyroscopic moment are switched on by a blend t
 that ends before t = 1 (a fold, a jump of a contact, a ball lifted off) has no physical end.
 
 A ring that few balls hold can move without any change of load, until another ball takes part: two
-loaded balls hold four of the five freedoms. Where the load of a third fades while a state is
+loaded balls hold four of the five DOF. Where the load of a third fades while a state is
 followed, all positions up to where the next ball is touched, or this one from its other side,
 balance the same load, and the path goes on from there.
 """

@@ -103,17 +103,17 @@ def _linearised(parts: Parts, shape: tuple[int, ...], displacement: Array, ball:
     parts_of = len(parts[0][1].assembly.spread)
     still, follow = np.zeros((2, count, balls)), np.zeros((2, parts_of, count, balls))
     for k, problem in parts:
-        found = linearise(problem, d[k], x[:, k], np.full(len(k), problem.full))
-        load[k] = problem.assembly.load(np.stack(found.balls.action))
-        stiffness[k] = tangent(problem, found.balls)
-        error[k], pressure[k] = found.error, _pressure(problem, found)
-        lightest[k] = found.balance.inner_load.min(axis=-1)
-        sound[k] = np.isfinite(found.error)
+        linear = linearise(problem, d[k], x[:, k], np.full(len(k), problem.full))
+        load[k] = problem.assembly.load(np.stack(linear.balls.action))
+        stiffness[k] = tangent(problem, linear.balls)
+        error[k], pressure[k] = linear.error, _pressure(problem, linear)
+        lightest[k] = linear.balance.inner_load.min(axis=-1)
+        sound[k] = np.isfinite(linear.error)
         if problem.turning:
-            sound[k] = (found.fold > 0.0) & (found.balance.outer_load > 0.0).all(axis=-1)
+            sound[k] = (linear.fold > 0.0) & (linear.balance.outer_load > 0.0).all(axis=-1)
         if problem.placed:
-            still[:, k] = found.balls.still
-            follow[:, :, k] = found.balls.follow
+            still[:, k] = linear.balls.still
+            follow[:, :, k] = linear.balls.follow
     return Iterate(
         parts=parts,
         shape=shape,
@@ -130,7 +130,7 @@ def _linearised(parts: Parts, shape: tuple[int, ...], displacement: Array, ball:
     )
 
 
-def _pressure(problem: Problem, found: Linear) -> Array:
-    g, balance = problem.geometry, found.balance
+def _pressure(problem: Problem, linear: Linear) -> Array:
+    g, balance = problem.geometry, linear.balance
     inner, outer = balance.inner_load.max(axis=-1), balance.outer_load.max(axis=-1)
     return np.maximum(g.inner.peak_pressure(inner), g.outer.peak_pressure(outer))

@@ -64,7 +64,7 @@ def tangent(problem: Problem, balls: Settled) -> Array:
 
 
 def reduced(problem: Problem, k: Array) -> Array:
-    """K (s, 5, 5) of the freedoms whose load is given, as lengths."""
+    """K (s, 5, 5) of the DOF whose load is given, as lengths."""
     scale = problem.scale[problem.free]
     return np.asarray(k[:, problem.free][:, :, problem.free] / scale / scale[:, None])
 

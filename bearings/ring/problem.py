@@ -23,7 +23,7 @@ class Problem:
     """States to find: all at rest or all turning.
 
     ``origin`` (2, s): A at zero displacement; ``speed`` (s,) [rad/s]; ``load`` (s, 5) is met on
-    the freedoms where ``free`` (5,) is true, the displacement is kept on the others. ``loose``: not
+    the DOF where ``free`` (5,) is true, the displacement is kept on the others. ``loose``: not
     every motion of the ring need be held.
     """
 
@@ -74,7 +74,7 @@ class Problem:
 
     @property
     def scale(self) -> Array:
-        """What makes the five freedoms lengths: 1, 1, 1, Ri, Ri [m]."""
+        """What makes the five DOF lengths: 1, 1, 1, Ri, Ri [m]."""
         radius = self.geometry.centre_radius
         return np.array([1.0, 1.0, 1.0, radius, radius])
 

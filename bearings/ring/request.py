@@ -131,8 +131,8 @@ def _blank(g: Geometry, operation: Operation, outcome: NDArray[np.str_]) -> Arra
 def _store(states: Arrays, index: NDArray[np.intp], problem: Problem, solution: Solution) -> None:
     """Write the states that exist; note the outcome of the others."""
     states["outcome"][index] = solution.outcome
-    found = np.flatnonzero(solution.outcome == "")
-    good, into = _places(found), _places(index[found])
+    solved = np.flatnonzero(solution.outcome == "")
+    good, into = _places(solved), _places(index[solved])
     for name, value in (_of_rings(problem, solution) | _of_balls(problem, solution)).items():
         states[name][into] = value[good]
 

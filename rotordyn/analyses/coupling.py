@@ -82,15 +82,15 @@ def joint_flexibility(
     stiffness, damping : of relative deflection [N/m, N s/m]
     tilt_stiffness, tilt_damping : of relative rotation [N m/rad, N m s/rad]
     """
-    found = np.zeros((len(omega), 2, 2), dtype=complex)
+    flexibility = np.zeros((len(omega), 2, 2), dtype=complex)
     for k, (spring, dashpot) in enumerate(((stiffness, damping), (tilt_stiffness, tilt_damping))):
         if not spring > 0.0 or dashpot < 0.0:
             raise InvalidInput(
                 f"joint: given {spring:.6g} and {dashpot:.6g}; allowed: stiffness above 0, damping "
                 "from 0"
             )
-        found[:, k, k] = 0.0 if np.isinf(spring) else 1.0 / (spring + 1j * omega * dashpot)
-    return found
+        flexibility[:, k, k] = 0.0 if np.isinf(spring) else 1.0 / (spring + 1j * omega * dashpot)
+    return flexibility
 
 
 class Section(NamedTuple):
@@ -123,8 +123,8 @@ def beam(omega: Array, sections: list[Section]) -> Ends:
     whole: Ends | None = None
     for section in sections:
         for _ in range(count := _pieces(section, float(omega.max()))):
-            own = _uniform(omega, section._replace(length=section.length / count))
-            whole = own if whole is None else _joined(whole, own)
+            piece = _uniform(omega, section._replace(length=section.length / count))
+            whole = piece if whole is None else _joined(whole, piece)
     assert whole is not None
     return whole
 
@@ -144,8 +144,8 @@ def _joined(first: Ends, second: Ends) -> Ends:
 def _pieces(section: Section, omega: float) -> int:
     """Pieces in which the functions of a section stay of one size."""
     stiff = section.stiff_diameter or section.outer
-    own = section.density * 4.0 / stiff**2 * 4.0 / section.young  # at least ρA/EI of a ring
-    return max(1, int(np.ceil((own * omega**2) ** 0.25 * section.length / SCALED)))
+    wave = section.density * 4.0 / stiff**2 * 4.0 / section.young  # at least ρA/EI of a ring
+    return max(1, int(np.ceil((wave * omega**2) ** 0.25 * section.length / SCALED)))
 
 
 def _uniform(omega: Array, section: Section) -> Ends:

@@ -63,9 +63,9 @@ def _at(value: Any, steps: tuple[str, ...], annotation: Any) -> Iterator[tuple[A
     if not steps:
         yield value, annotation
         return
-    for way, inner, own in _below(value, annotation):
+    for way, inner, inside in _below(value, annotation):
         if all(step in ("*", key) or key == "*" for step, key in zip(steps, way, strict=False)):
-            yield from _at(inner, steps[len(way) :], own) if len(steps) >= len(way) else ()
+            yield from _at(inner, steps[len(way) :], inside) if len(steps) >= len(way) else ()
 
 
 def _below(value: Any, annotation: Any) -> Iterator[tuple[tuple[str, ...], Any, Any]]:

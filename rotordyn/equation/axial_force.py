@@ -46,8 +46,8 @@ def geometric_stiffness(slopes: Slopes, force: Array) -> Array:
     states, size, fields = np.linalg.svd(force[known], full_matrices=False)
     clear = size > NOTHING * size[0] if size.size else size > 0.0
     rows, each = slopes.rows, fields[clear][:, slopes.element]
-    own = np.array([rows.T @ (one[:, None] * rows) for one in each])
-    own = own.reshape(len(each), rows.shape[1], rows.shape[1])
-    found = np.full((len(force), *own.shape[1:]), np.nan)
-    found[known] = np.tensordot(states[:, clear] * size[clear], own, 1)
-    return found
+    unit = np.array([rows.T @ (one[:, None] * rows) for one in each])
+    unit = unit.reshape(len(each), rows.shape[1], rows.shape[1])
+    total = np.full((len(force), *unit.shape[1:]), np.nan)
+    total[known] = np.tensordot(states[:, clear] * size[clear], unit, 1)
+    return total

@@ -72,9 +72,9 @@ class Component:
 
     def assembled(self, name: str, parts: list[Part] | None = None) -> Matrix:
         """A matrix (n, n) of the parts of that name."""
-        own = [p for p in parts or self.parts if p.matrix == name]
+        chosen = [p for p in parts or self.parts if p.matrix == name]
         size = len(self.dofs)
-        blocks = [(self.local(p.rows), self.local(p.columns), p.blocks) for p in own]
+        blocks = [(self.local(p.rows), self.local(p.columns), p.blocks) for p in chosen]
         return summed((size, size), blocks, large=self.large)
 
     @property
@@ -89,9 +89,9 @@ class Component:
 
     def placed(self, count: int, rows: list[Rows]) -> Matrix:
         """The same by the DOF (count, n)."""
-        own = [(places, self.local(dofs), factors) for places, dofs, factors in rows]
+        local = [(places, self.local(dofs), factors) for places, dofs, factors in rows]
         large = self.large or count * len(self.dofs) > 1_000_000
-        return summed((count, len(self.dofs)), own, large=large)
+        return summed((count, len(self.dofs)), local, large=large)
 
     @property
     def size(self) -> int:
@@ -111,8 +111,8 @@ class Component:
     @property
     def is_rigid(self) -> np.ndarray:
         """Coordinates that are rigid motions of a shaft (m,)."""
-        own = self.values if self.values.ndim == 1 else np.ones(self.size)
-        return np.asarray(own == 0.0)
+        stiffness = self.values if self.values.ndim == 1 else np.ones(self.size)
+        return np.asarray(stiffness == 0.0)
 
     @cached_property
     def stiffness(self) -> Array:
@@ -134,10 +134,10 @@ class Component:
     @cached_property
     def turning(self) -> Array:
         """What of it turns with the rotor, per unit of the spindle's speed (m, m): of bending."""
-        own = self.projected("turning")
+        damping = self.projected("turning")
         if self.spindle is None or not self.spindle.internal_damping or not self.bends:
-            return own
-        return own + self.ratio * self.spindle.internal_damping * self.own_damping
+            return damping
+        return damping + self.ratio * self.spindle.internal_damping * self.own_damping
 
     ratio: float = 1.0
     polar: list[Part] = field(default_factory=list)
@@ -159,10 +159,12 @@ class Component:
             inverse = np.linalg.inv(np.linalg.cholesky((mass + mass.T) / 2.0))
             values = inverse @ stiffness @ inverse.T
             return inverse.T, values, np.zeros_like(values)
-        own = [(p.matrix, self.local(p.rows), p.blocks) for p in self.parts if p.matrix in REDUCED]
+        parts = [
+            (p.matrix, self.local(p.rows), p.blocks) for p in self.parts if p.matrix in REDUCED
+        ]
         key = (
             self.local(self.ports).tobytes(),
-            *((name, rows.tobytes(), blocks.tobytes()) for name, rows, blocks in own),
+            *((name, rows.tobytes(), blocks.tobytes()) for name, rows, blocks in parts),
         )
         if key not in self.solved:
             self.solved[key] = self._of_shaft()

@@ -1,4 +1,4 @@
-"""Degrees of freedom by name: six of every node, and those that terms add.
+"""Degrees of DOF by name: six of every node, and those that terms add.
 
 A DOF belongs to a ``Line``: what moves (a rotor, a sleeve, a housing) and its direction. Rotations
 thy count from z to −x: z and −thy obey the same equations as y and thz, so that every matrix of
@@ -51,9 +51,9 @@ class Dofs:
 
     def add_nodes(self, body: str, nodes: int) -> Indices:
         """Numbers (nodes, 6) of the DOF of new nodes, those of one node side by side."""
-        own = [Line(body, PLANE_OF.get(name, name)) for name in DIRECTIONS]
-        self.lines += [line for line in dict.fromkeys(own) if line not in self.lines]
-        self._line.append(np.tile([self.lines.index(line) for line in own], nodes))
+        lines = [Line(body, PLANE_OF.get(name, name)) for name in DIRECTIONS]
+        self.lines += [line for line in dict.fromkeys(lines) if line not in self.lines]
+        self._line.append(np.tile([self.lines.index(line) for line in lines], nodes))
         self._sign.append(np.tile([-1.0 if n == "thy" else 1.0 for n in DIRECTIONS], nodes))
         self.count += 6 * nodes
         return np.arange(self.count - 6 * nodes, self.count).reshape(nodes, 6)

@@ -35,8 +35,8 @@ def compliance(spindle: Spindle, mesh: Mesh, *, rigid: bool) -> Compliance:
     powers = np.stack([s**k for k in range(5)]) * weight * mesh.length[:, None] / 2.0
     shear, bending, *_ = sections_at(spindle, mesh, xi)
     rigidities = axial(mesh, xi)[0], shear, bending, torsion(mesh, xi)[0]
-    own = 0.0 if rigid else 1.0
-    return Compliance(*(own * (powers / each).sum(axis=-1) for each in rigidities))
+    elastic = 0.0 if rigid else 1.0
+    return Compliance(*(elastic * (powers / each).sum(axis=-1) for each in rigidities))
 
 
 def elastic_line(x: Array, give: Compliance, forces: SectionForces, line: Array) -> Array:

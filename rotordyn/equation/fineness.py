@@ -116,14 +116,14 @@ def least_degree(phase: Array, tolerance: float, ratio: Array | float = 1.0) -> 
 
 def _derivatives(phase: Array, ratio: Array) -> Array:
     """hⁿ times the n-th derivative of the strain, over its size, of every degree n."""
-    found, root = phase[..., None] ** (1.0 * _DEGREES), np.sqrt(ratio)
+    value, root = phase[..., None] ** (1.0 * _DEGREES), np.sqrt(ratio)
     if (ratio == 1.0).all():
-        return np.asarray(found)
+        return np.asarray(value)
     taper = 4.0 * (root - 1.0) / (root + 1.0)
     for j in _DEGREES:
         share = phase[..., None] ** np.maximum(_DEGREES - j, 0.0) * taper[..., None] ** float(j)
-        found = found + _CONE[j] * share
-    return np.asarray(found)
+        value = value + _CONE[j] * share
+    return np.asarray(value)
 
 
 def cut(ratio: Array, parts: Degrees) -> Array:

@@ -79,18 +79,18 @@ class FreeMotions:
         """Change of each pole by rounding of the stiffness, over its size (s, k): what supports far
         stiffer than the shaft leave of its digits."""
         with np.errstate(divide="ignore", invalid="ignore"):
-            own = self.modes.rounding / np.abs(self.modes.pole)
-        return self._each(self._shown(own))
+            relative = self.modes.rounding / np.abs(self.modes.pole)
+        return self._each(self._shown(relative))
 
     @cached_property
     def vector(self) -> Complex:
         """(s, n, k)"""
         if self.whirling:
-            own, back = self._expanded(self.modes.vector), self._backward[:, None, :]
-            y = 0.5 * np.where(back, own.conj(), own)
+            whole, back = self._expanded(self.modes.vector), self._backward[:, None, :]
+            y = 0.5 * np.where(back, whole.conj(), whole)
             return self._each(np.concatenate([y, np.where(back, 1j, -1j) * y], axis=1))
-        own = np.take_along_axis(self.modes.vector, self._chosen[0][:, None, :], axis=2)
-        return self._each(self._expanded(own))
+        whole = np.take_along_axis(self.modes.vector, self._chosen[0][:, None, :], axis=2)
+        return self._each(self._expanded(whole))
 
     @cached_property
     def _allowed(self) -> Array | None:
@@ -113,8 +113,8 @@ class FreeMotions:
         """(s, k, n)"""
         if self.whirling:
             left, back = self.modes.participation, self._backward[:, :, None]
-            own = np.swapaxes(self._expanded(np.swapaxes(left, 1, 2)), 1, 2)
-            y = np.where(back, own.conj(), own)
+            whole = np.swapaxes(self._expanded(np.swapaxes(left, 1, 2)), 1, 2)
+            y = np.where(back, whole.conj(), whole)
             return self._each(np.concatenate([y, np.where(back, -1j, 1j) * y], axis=2))
         left = np.take_along_axis(self.modes.participation, self._chosen[0][:, :, None], axis=1)
         return self._each(np.swapaxes(self._expanded(np.swapaxes(left, 1, 2)), 1, 2))
@@ -178,21 +178,21 @@ class FreeMotions:
             folded = self._folded(responses), self._folded(excitations)
             return self._each(answer(omega, *folded))
         both = np.concatenate([omega, -omega], axis=-1)
-        own = self._in_planes(lambda r, e: answer(both, r, e), responses, excitations)
-        return self._each(own)
+        whole = self._in_planes(lambda r, e: answer(both, r, e), responses, excitations)
+        return self._each(whole)
 
     def turning_receptance(self, omega: Array, responses: Array, excitations: Array) -> Complex:
         """The same seen from a frame that turns with the shaft: whirl at ω there is whirl at
         ω + Ω."""
 
-        def answer(own: Array, other: Array) -> Complex:
-            found = []
+        def answer(rows: Array, other: Array) -> Complex:
+            parts = []
             every = np.broadcast_to(omega, (len(self.linear.speed), omega.shape[-1]))
             for row, spin in enumerate(self.linear.speed):
                 both = np.concatenate([every[row] + spin, spin - every[row]])
                 one = self.modes.at(np.array([0 if self.solved_once else row]))
-                found.append(one.receptance(both, own, other))
-            return np.concatenate(found)
+                parts.append(one.receptance(both, rows, other))
+            return np.concatenate(parts)
 
         return self._in_planes(answer, responses, excitations)
 
@@ -236,10 +236,10 @@ class FreeMotions:
 
     def at(self, rows: NDArray[np.intp]) -> FreeMotions:
         """At some of the speeds."""
-        own = self.linear.at(rows)
+        linear = self.linear.at(rows)
         if self.lossy is not None:
-            return free_motions(own, self.lossy.ceiling)
-        return FreeMotions(own, self.modes if self.solved_once else self.modes.at(rows))
+            return free_motions(linear, self.lossy.ceiling)
+        return FreeMotions(linear, self.modes if self.solved_once else self.modes.at(rows))
 
     def answering(self, signs: Signs) -> FreeMotions:
         """Motions of the linear system that answers those of some signs of loss."""
@@ -261,11 +261,11 @@ def free_motions(linear: Linear, ceiling: float = math.inf) -> FreeMotions:
     loss = None if linear.loss is None else Hysteresis(*map(linear.within, linear.loss))
     parts = [stiffness, damping] if loss is None else [stiffness, damping, loss.fixed]
     turns = loss is not None and loss.turns
-    if len(linear.speed) > 1 and not turns and all((own == own[:1]).all() for own in parts):
+    if len(linear.speed) > 1 and not turns and all((part == part[:1]).all() for part in parts):
         return replace(free_motions(linear.at(np.zeros(1, dtype=np.intp)), ceiling), linear=linear)
     if linear.isotropic:
         half = stiffness.shape[-1] // 2
-        stiffness, damping = (_circular(own, half) for own in (stiffness, damping))
+        stiffness, damping = (_circular(part, half) for part in (stiffness, damping))
         if loss is not None:
             fixed = _circular(loss.fixed, half)
             loss = Hysteresis(fixed, loss.turning[:half, :half], None)
@@ -278,5 +278,5 @@ def free_motions(linear: Linear, ceiling: float = math.inf) -> FreeMotions:
 def _circular(matrix: Matrices, half: int) -> Matrices:
     """A − iB of [[A, B], [−B, A]] (s, n, n): acts on r = y + i z; real where nothing couples the
     planes."""
-    own, across = matrix[:, :half, :half], matrix[:, :half, half:]
-    return np.asarray(own - 1j * across) if across.any() else own
+    along, across = matrix[:, :half, :half], matrix[:, :half, half:]
+    return np.asarray(along - 1j * across) if across.any() else along

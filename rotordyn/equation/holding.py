@@ -66,7 +66,7 @@ def held_stiffness(structure: Structure, state: State) -> Array:
     if not others.size:
         return flat
     place = {int(dof): k for k, dof in enumerate(others)}
-    rows, own = np.zeros((6 * count, len(others))), np.zeros((states, *(2 * (len(others),))))
+    rows, across = np.zeros((6 * count, len(others))), np.zeros((states, *(2 * (len(others),))))
     for k, link in enumerate(links):
         for column, dof in enumerate(link.dofs.tolist()):
             if dof in place:
@@ -74,11 +74,11 @@ def held_stiffness(structure: Structure, state: State) -> Array:
     for component in structure.components:
         if component.spindle is None:
             at = [place[dof] for dof in component.dofs.tolist()]
-            own[:, np.array(at)[:, None], at] += component.assembled("stiffness")
+            across[:, np.array(at)[:, None], at] += component.assembled("stiffness")
     for link in structure.springs:
         at = [place[dof] for dof in link.dofs.tolist()]
-        own[:, np.array(at)[:, None], at] += link.matrices(state).stiffness
-    inner = rows.T @ flat @ rows + own
+        across[:, np.array(at)[:, None], at] += link.matrices(state).stiffness
+    inner = rows.T @ flat @ rows + across
     return np.asarray(flat - flat @ rows @ np.linalg.solve(inner, rows.T @ flat))
 
 
@@ -90,14 +90,14 @@ def free_motions(spindle: Spindle) -> Array:
     scale, front = length_scale(spindle), spindle.shaft.start
     rows = [np.zeros((6, 6))]
     for seat in spindle.seats:
-        own = rigid_motion(np.array(seat.x), front)
-        rows.append(own[[position(direction) for direction in BEARING_DIRECTIONS]])
+        motion = rigid_motion(np.array(seat.x), front)
+        rows.append(motion[[position(direction) for direction in BEARING_DIRECTIONS]])
     for support in spindle.supports:
-        own = rigid_motion(np.array(support.x), front)
+        motion = rigid_motion(np.array(support.x), front)
         stiff = node_matrix(_largest(support)) / scale / scale[:, None]
         largest = np.abs(stiff).max()
-        rows.append(own[[position(direction) for direction in support.rigid]])
-        rows.append(stiff / largest @ (scale[:, None] * own) if largest > 0.0 else own[:0])
+        rows.append(motion[[position(direction) for direction in support.rigid]])
+        rows.append(stiff / largest @ (scale[:, None] * motion) if largest > 0.0 else motion[:0])
     _, size, ways = np.linalg.svd(np.concatenate(rows) / scale * scale[3])
     return np.asarray(ways[size <= ZERO * size[0]].T)
 
@@ -115,8 +115,8 @@ def holds_twice(spindle: Spindle) -> bool:
     scale, front = length_scale(spindle), spindle.shaft.start
     rows = [np.zeros((0, 6))]
     for support in spindle.supports:
-        own = scale[:, None] * rigid_motion(np.array(support.x), front) / scale
-        rows.append(own[[position(direction) for direction in support.rigid]])
+        motion = scale[:, None] * rigid_motion(np.array(support.x), front) / scale
+        rows.append(motion[[position(direction) for direction in support.rigid]])
     held = np.concatenate(rows)
     return bool(np.linalg.matrix_rank(held, tol=ZERO) < len(held)) if held.size else False
 

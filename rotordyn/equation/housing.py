@@ -44,7 +44,7 @@ class Foundation:
             [dofs.add(line, sign=one) for line, one in zip(lines, sign, strict=True)]
         )
         self.mass, self.stiffness, self.damping = (
-            sign[:, None] * own * sign for own in (mass, stiffness, damping)
+            sign[:, None] * matrix * sign for matrix in (mass, stiffness, damping)
         )
         self.under = {name: motion * sign for name, motion in under.items()}
 
@@ -61,13 +61,16 @@ def _of_rigid(
     places = [position(name) for name in housing.dofs]
     polar, diametral = housing.polar_inertia, housing.diametral_inertia
     every = np.array([*[housing.mass] * 3, polar, diametral, diametral])
-    own, under = np.ix_(places, places), {}
+    square, under = np.ix_(places, places), {}
     for name in housing.carries:
         motion, lever = np.eye(6), stations[name] - housing.x
         motion[position("y"), position("thz")] = lever
         motion[position("z"), position("thy")] = -lever
         under[name] = motion[:, places]
-    stiffness, damping = node_matrix(housing.stiffness)[own], node_matrix(housing.damping)[own]
+    stiffness, damping = (
+        node_matrix(housing.stiffness)[square],
+        node_matrix(housing.damping)[square],
+    )
     return np.diag(every[places]), stiffness, damping, under
 
 

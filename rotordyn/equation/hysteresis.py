@@ -106,10 +106,10 @@ class Hysteretic:
     def answering(self, signs: Signs) -> Modes:
         """Modes of the linear system that answers motions of some signs."""
         if signs not in self._solved:
-            added, found = self.loss.stiffness(signs), self._plain
+            added, solved = self.loss.stiffness(signs), self._plain
             if added.any():
-                found = modes(self.stiffness + added, self.damping)
-            self._solved[signs] = found
+                solved = modes(self.stiffness + added, self.damping)
+            self._solved[signs] = solved
         return self._solved[signs]
 
     def free_motions(self) -> Modes:
@@ -119,7 +119,7 @@ class Hysteretic:
         Their stiffness is without loss, so that sums over these modes are no receptances.
         """
         plain = self._plain
-        found = replace(
+        solved = replace(
             plain,
             pole=plain.pole.copy(),
             vector=plain.vector.copy(),
@@ -130,21 +130,21 @@ class Hysteretic:
         near = (turning < self.ceiling) & ~plain.at_rest()
         near &= (plain.pole.imag >= 0.0) | self.whirling
         rows = range(len(self.spin))
-        doubtful = [row for row in rows if not self._correct(found, row, near[row])]
+        doubtful = [row for row in rows if not self._correct(solved, row, near[row])]
         if not doubtful:
-            return found
+            return solved
         whole = self._part(np.array(doubtful))._of_whole_systems()
         for name in ("pole", "vector", "participation"):
-            getattr(found, name)[doubtful] = getattr(whole, name)
-        return found
+            getattr(solved, name)[doubtful] = getattr(whole, name)
+        return solved
 
-    def _correct(self, found: Modes, row: int, near: NDArray[np.bool_]) -> bool:
+    def _correct(self, solved: Modes, row: int, near: NDArray[np.bool_]) -> bool:
         """Put modes ``near`` with their loss in place of those without at one speed; False, and
         nothing done, where one of them is not clearly what it was."""
         column, spin = np.flatnonzero(near), self.spin[row]
         if not column.size:
             return True
-        before, plain = found.pole[row, column], found.vector[row][:, column]
+        before, plain = solved.pole[row, column], solved.vector[row][:, column]
         signs, at, vector = self._signs(before[None], spin)[0], before.copy(), plain.T.copy()
         if self.loss.turns:
             turning = before.imag if self.whirling else np.abs(before.imag)
@@ -166,11 +166,11 @@ class Hysteretic:
             return False
         left = participation(self._answering(row, signs), self.damping[row], at, vector)
         pairs = np.flatnonzero(~(straight | self.whirling))
-        other = np.abs(found.pole[row] - before[pairs, None].conj()).argmin(axis=1)
+        other = np.abs(solved.pole[row] - before[pairs, None].conj()).argmin(axis=1)
         every = np.append(column, other)
-        found.pole[row, every] = np.append(at, at[pairs].conj())
-        found.vector[row][:, every] = np.concatenate([vector, vector[pairs].conj()]).T
-        found.participation[row, every] = np.concatenate([left, left[pairs].conj()])
+        solved.pole[row, every] = np.append(at, at[pairs].conj())
+        solved.vector[row][:, every] = np.concatenate([vector, vector[pairs].conj()]).T
+        solved.participation[row, every] = np.concatenate([left, left[pairs].conj()])
         return True
 
     def _led(
@@ -186,8 +186,8 @@ class Hysteretic:
         """Stiffness (k, n, n) that answers each of ``signs`` (k, 3) at one speed."""
         every, place = np.unique(signs, axis=0, return_inverse=True)
         added = [self.loss.stiffness(Signs(*map(int, one))) for one in every]
-        own = [self.stiffness[row] + one[row if len(one) > 1 else 0] for one in added]
-        return np.array(own)[place.ravel()]
+        stiffnesses = [self.stiffness[row] + one[row if len(one) > 1 else 0] for one in added]
+        return np.array(stiffnesses)[place.ravel()]
 
     def _part(self, rows: Integers) -> Hysteretic:
         """At some of the speeds."""
@@ -201,10 +201,10 @@ class Hysteretic:
         """The same by all modes of every set of signs."""
         signs = self._signs(self._plain.pole)
         signs[..., 0] = 0
-        found = self._continued([signs])
+        solved = self._continued([signs])
         if not self.loss.turns:
-            return found
-        onward = self._signs(found.pole)
+            return solved
+        onward = self._signs(solved.pole)
         onward[..., 1:] = signs[..., 1:]
         return self._continued([signs, onward])
 
@@ -215,10 +215,12 @@ class Hysteretic:
         signs = signs_of(omega, self.spin[:, None], whirling=self.whirling)
         total = np.empty((len(self.spin), len(responses), omega.shape[-1]), dtype=complex)
         for each, at in gathered(signs):
-            found = self.answering(each)
+            motions = self.answering(each)
             for row in np.flatnonzero(at.any(axis=1)).tolist():
-                own, one = at[row], found.at(np.array([row]))
-                total[row][:, own] = one.receptance(omega[row, own], responses, excitations)[0]
+                places, one = at[row], motions.at(np.array([row]))
+                total[row][:, places] = one.receptance(omega[row, places], responses, excitations)[
+                    0
+                ]
         return total
 
     @property

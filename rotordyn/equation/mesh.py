@@ -66,7 +66,10 @@ class Mesh:
     def spans(self) -> dict[str, slice]:
         """The nodes of every rotor among those of all."""
         ends = [0, *accumulate(mesh.nodes for mesh in self.of_rotors.values())]
-        return {name: slice(*own) for name, own in zip(self.of_rotors, pairwise(ends), strict=True)}
+        return {
+            name: slice(*ends_of)
+            for name, ends_of in zip(self.of_rotors, pairwise(ends), strict=True)
+        }
 
     @property
     def stations(self) -> Array:
@@ -76,7 +79,7 @@ class Mesh:
     @property
     def rotor(self) -> tuple[str, ...]:
         """The rotor of each of these nodes."""
-        return tuple(name for name, own in self.of_rotors.items() for _ in own.x)
+        return tuple(name for name, mesh in self.of_rotors.items() for _ in mesh.x)
 
     @property
     def between_stations(self) -> Mesh:
@@ -84,8 +87,8 @@ class Mesh:
         front = np.flatnonzero(self.station[:-1])
         rear = np.append(front[1:], self.nodes - 1) - 1
         names = [field.name for field in fields(self)][2:-1]
-        own = {n: getattr(self, n)[rear if n.startswith("rear") else front] for n in names}
-        return Mesh(self.x[self.station], np.ones(len(front) + 1, dtype=bool), **own)
+        diameters = {n: getattr(self, n)[rear if n.startswith("rear") else front] for n in names}
+        return Mesh(self.x[self.station], np.ones(len(front) + 1, dtype=bool), **diameters)
 
     @property
     def length(self) -> Array:
@@ -169,8 +172,8 @@ class Mesh:
 
     def within(self, rotor: str, nodes: Iterable[int]) -> tuple[int, ...]:
         """Those of ``nodes`` that are a rotor's, as its own mesh counts them."""
-        own = self.spans[rotor]
-        return tuple(n - own.start for n in nodes if own.start <= n < own.stop)
+        span = self.spans[rotor]
+        return tuple(n - span.start for n in nodes if span.start <= n < span.stop)
 
     def nodes_of(self, *groups: Iterable[HasStation]) -> list[int]:
         """The nodes of everything in ``groups``, in order."""
@@ -293,13 +296,13 @@ def divided(mesh: Mesh, parts: NDArray[np.intp]) -> Mesh:
     x = np.concatenate([mesh.x[:1], mesh.x[0] + np.cumsum(step)])
     x[np.concatenate([[0], np.cumsum(parts)])] = mesh.x
     names = ("young_modulus", "poisson_ratio", "density")
-    own: dict[str, Any] = {name: np.repeat(getattr(mesh, name), parts) for name in names}
-    own["station"] = np.zeros(len(x), dtype=bool)
-    own["station"][np.concatenate([[0], np.cumsum(parts)])] = mesh.station
+    entries: dict[str, Any] = {name: np.repeat(getattr(mesh, name), parts) for name in names}
+    entries["station"] = np.zeros(len(x), dtype=bool)
+    entries["station"][np.concatenate([[0], np.cumsum(parts)])] = mesh.station
     last = np.repeat(parts, parts)
     number = np.arange(parts.sum()) - np.repeat(np.cumsum(parts) - parts, parts)
     for name, (front, rear) in (("outer", mesh.outer), ("inner", mesh.inner)):
         ends = np.repeat(np.stack([front, rear], axis=1), parts, axis=0)
-        own[f"{name}_diameter"] = _along(ends, number / last)
-        own[f"rear_{name}_diameter"] = _along(ends, (number + 1) / last)
-    return replace(mesh, x=x, **own)
+        entries[f"{name}_diameter"] = _along(ends, number / last)
+        entries[f"rear_{name}_diameter"] = _along(ends, (number + 1) / last)
+    return replace(mesh, x=x, **entries)

@@ -68,8 +68,8 @@ def reactions(held: Held, loose: Array, resultant: Array) -> tuple[Array, Array]
     right = np.zeros((states, n + 6 + free, 1))
     right[:, :n] = -answer @ (to_length * loose)[..., None]
     right[:, n : n + 6, 0] = -resultant / held.scale
-    found = _solved(matrix, right)[..., 0]
-    return found[:, :n] * to_length, found[:, n : n + 6] * give / held.scale
+    solution = _solved(matrix, right)[..., 0]
+    return solution[:, :n] * to_length, solution[:, n : n + 6] * give / held.scale
 
 
 def _solved(matrix: Array, right: Array) -> Array:
@@ -82,8 +82,8 @@ def _solved(matrix: Array, right: Array) -> Array:
             "elasticity can tell apart, or supports are so much softer or stiffer than the shaft "
             "that rounding hides it; leave one out, or give it another stiffness"
         )
-    found = np.linalg.solve(matrix, right)
-    return np.asarray(found + np.linalg.solve(matrix, right - matrix @ found))
+    solution = np.linalg.solve(matrix, right)
+    return np.asarray(solution + np.linalg.solve(matrix, right - matrix @ solution))
 
 
 def _largest(values: Array) -> float:

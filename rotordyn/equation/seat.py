@@ -40,8 +40,8 @@ def turn(matrix: ArrayLike, thrust: int) -> Array:
     R = diag(−1, 1, −1, 1, −1) and K → R K R, so that K[y, thz] and K[z, thy] change sign.
     The bearing does not resist spin: row and column thx are zero.
     """
-    own = np.asarray(matrix, dtype=np.float64)
+    values = np.asarray(matrix, dtype=np.float64)
     signs = HALF_TURN_ABOUT_Y if thrust < 0 else np.ones(5)
-    turned = np.zeros((*own.shape[:-2], 6, 6))
-    turned[..., _PLACES[:, None], _PLACES] = signs[:, None] * own * signs
+    turned = np.zeros((*values.shape[:-2], 6, 6))
+    turned[..., _PLACES[:, None], _PLACES] = signs[:, None] * values * signs
     return turned

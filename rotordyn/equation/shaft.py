@@ -91,13 +91,13 @@ class Shaft:
                         line = Line(body, {"thz": "y", "thy": "z"}.get(name, name))
                         sign = -1.0 if name == "thy" else 1.0
                         jump[at, name] = int(dofs.add(line, sign=sign)[0])
-        counts = {"y": bending.inner_freedoms(degree, sheared(spindle)), "x": rod_degree - 1}
+        counts = {"y": bending.inner_dofs(degree, sheared(spindle)), "x": rod_degree - 1}
         counts["z"], counts["thx"] = counts["y"], counts["x"]
         inner = {}
-        for way, own in counts.items():
-            first = dofs.add(Line(body, way), int(own.sum()))
+        for way, inside in counts.items():
+            first = dofs.add(Line(body, way), int(inside.sum()))
             begin = int(first[0]) if len(first) else 0
-            inner[way] = begin + np.concatenate([[0], np.cumsum(own)[:-1]]).astype(np.intp)
+            inner[way] = begin + np.concatenate([[0], np.cumsum(inside)[:-1]]).astype(np.intp)
         return cls(body, ratio, spindle, mesh, node, jump, degree, rod_degree, inner)
 
     def parts(self) -> Iterator[Part]:
@@ -107,13 +107,13 @@ class Shaft:
 
     def _bending_parts(self) -> Iterator[Part]:
         for chosen, n, tapers in _alike(self.mesh, self.degree):
-            own = self._tapered(chosen, n) if tapers else self._cylindrical(chosen, n)
+            matrices = self._tapered(chosen, n) if tapers else self._cylindrical(chosen, n)
             (y, moves), (z, _) = self.rows("y", chosen), self.rows("z", chosen)
             for rows in (y, z):
-                yield Part("mass", rows, rows, _between(moves, own.mass))
-                yield Part("stiffness", rows, rows, _between(moves, own.stiffness))
-                yield Part("softening", rows, rows, _between(moves, own.translational_mass))
-            yield Part("gyroscopic", y, z, self.ratio * _between(moves, own.polar))
+                yield Part("mass", rows, rows, _between(moves, matrices.mass))
+                yield Part("stiffness", rows, rows, _between(moves, matrices.stiffness))
+                yield Part("softening", rows, rows, _between(moves, matrices.translational_mass))
+            yield Part("gyroscopic", y, z, self.ratio * _between(moves, matrices.polar))
 
     def _cylindrical(self, chosen: Indices, degree: int) -> PlaneBending:
         mesh = self.mesh
@@ -147,15 +147,15 @@ class Shaft:
                 if tapers:
                     xi, weight = rod.tapered_points(n)
                     rigidity, inertia = (each[chosen] for each in section(mesh, xi))
-                    own = rod.tapered_rod(
+                    matrices = rod.tapered_rod(
                         mesh.length[chosen], rigidity, inertia, degree=n, xi=xi, weight=weight
                     )
                 else:
                     rigidity, inertia = (each[chosen, 0] for each in section(mesh, MIDDLE))
-                    own = rod.hierarchic_rod(mesh.length[chosen], rigidity, inertia, degree=n)
+                    matrices = rod.hierarchic_rod(mesh.length[chosen], rigidity, inertia, degree=n)
                 rows, moves = self.rows(way, chosen)
-                yield Part("mass", rows, rows, _between(moves, own.mass))
-                yield Part("stiffness", rows, rows, _between(moves, own.stiffness))
+                yield Part("mass", rows, rows, _between(moves, matrices.mass))
+                yield Part("stiffness", rows, rows, _between(moves, matrices.stiffness))
 
     def rows(self, way: str, elements: Indices) -> tuple[Indices, Array | None]:
         """DOF (e, k) of elements of one degree, those of the ends first, of joints last; and how
@@ -164,9 +164,9 @@ class Shaft:
         places = [position(name) for name in names]
         degree = int((self.degree if way in PLANES else self.rod_degree)[elements[0]])
         if way in PLANES:
-            count = int(bending.inner_freedoms(np.array(degree), sheared(self.spindle)))
+            count = int(bending.inner_dofs(np.array(degree), sheared(self.spindle)))
         else:
-            count = rod.inner_freedoms(degree)
+            count = rod.inner_dofs(degree)
         inner = self.inner[way][elements][:, None] + np.arange(count)
         ends = self.node[elements][:, places], self.node[elements + 1][:, places]
         rows = np.concatenate([*ends, inner], axis=1)
@@ -188,22 +188,22 @@ class Shaft:
         lengths, that have the same shape functions."""
         here, there = ((s.degree, s.rod_degree)[way not in PLANES] for s in (self, coarse))
         if way in PLANES:
-            count = bending.inner_freedoms(there, sheared(self.spindle))
+            count = bending.inner_dofs(there, sheared(self.spindle))
             leaning = there if sheared(self.spindle) else count  # after them come more (``beam``)
         else:
             count = leaning = there - 1
         element = np.repeat(np.arange(len(count)), count)
         number = np.arange(len(element)) - np.repeat(np.cumsum(count) - count, count)
         behind = np.where(number >= leaning[element], (here - there)[element], 0)
-        own, known = (
+        fine, known = (
             [self.inner[way][element] + number + behind],
             [coarse.inner[way][element] + number],
         )
         for name in PLANES[way][0] if way in PLANES else (way,):
-            for shaft, found in ((self, own), (coarse, known)):
+            for shaft, rows in ((self, fine), (coarse, known)):
                 jumps = [number for (_, each), number in shaft.jump.items() if each == name]
-                found += [shaft.node[:, position(name)], np.array(jumps, dtype=np.intp)]
-        return np.concatenate(own), np.concatenate(known)
+                rows += [shaft.node[:, position(name)], np.array(jumps, dtype=np.intp)]
+        return np.concatenate(fine), np.concatenate(known)
 
     def rigid(self, way: str) -> Iterator[tuple[Indices, Array]]:
         """Rigid motions of the DOF of a line: DOF and their displacements, signed."""
@@ -218,11 +218,11 @@ class Shaft:
     def bent(self, way: str, x: Array) -> list[Rows]:
         """Of a bending plane deflection and tilt at stations ``x``, two rows a station; at a joint
         those of the part in front."""
-        found = []
+        parts = []
         for at, (rows, moves), shape in self._shapes(way, x):
             both = np.stack([shape.deflection[:, 0], shape.rotation[:, 0]], axis=1)
-            found.append((2 * at[:, None] + np.arange(2), rows, _by(both, moves)))
-        return found
+            parts.append((2 * at[:, None] + np.arange(2), rows, _by(both, moves)))
+        return parts
 
     def sloped(self, way: str, x: Array, weight: Array) -> list[Rows]:
         """The slopes v′ there times ``weight`` (stations,), a row a station."""
@@ -241,19 +241,19 @@ class Shaft:
         degree = self.degree[element]
         for n in np.unique(degree):
             at = np.flatnonzero(degree == n)
-            own = element[at]
-            shape = bending.shapes(self.mesh.length[own], phi[own], int(n), xi[at, None])
-            yield at, self.rows(way, own), shape
+            chosen = element[at]
+            shape = bending.shapes(self.mesh.length[chosen], phi[chosen], int(n), xi[at, None])
+            yield at, self.rows(way, chosen), shape
 
     def moved(self, way: str, x: Array) -> list[Rows]:
         """Axial displacement or twist at stations ``x``, a row a station."""
         element, xi = self._place(x)
-        degree, found = self.rod_degree[element], []
+        degree, parts = self.rod_degree[element], []
         for n in np.unique(degree):
             at = np.flatnonzero(degree == n)
             rows, moves = self.rows(way, element[at])
-            found.append((at[:, None], rows, _by(rod.shapes(int(n), xi[at, None]), moves)))
-        return found
+            parts.append((at[:, None], rows, _by(rod.shapes(int(n), xi[at, None]), moves)))
+        return parts
 
     def _place(self, x: Array) -> tuple[Indices, Array]:
         """Element and ξ on [−1, 1] of stations ``x`` [m]; at a node of the element in front."""
@@ -293,7 +293,7 @@ def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indi
     wave = bending_wave(fine.band, fine.spin, *sections_at(spindle, coarse, ENDS)).max(axis=1)
     parts, degree = parts_and_degree(wave * coarse.length, fine.accuracy, ratio)
     along = np.maximum(
-        *(rod_wave(fine.band, *own(coarse, MIDDLE))[:, 0] for own in (axial, torsion))
+        *(rod_wave(fine.band, *wave_of(coarse, MIDDLE))[:, 0] for wave_of in (axial, torsion))
     )
     more, rod_degree = parts_and_degree(
         along * coarse.length / parts, fine.accuracy, cut(ratio, parts)
@@ -301,7 +301,7 @@ def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indi
     if not sheared(spindle):
         degree = np.maximum(degree, 2)  # degrees 1 and 2 are one element without shear
     parts, degree, rod_degree = parts * more, degree + fine.finer, rod_degree + fine.finer
-    size = float((bending.inner_freedoms(degree, sheared(spindle)) + 2) @ parts)
+    size = float((bending.inner_dofs(degree, sheared(spindle)) + 2) @ parts)
     if size > MOST_DOF:
         raise InvalidInput(
             f"bending up to {fine.frequency:.6g} Hz takes {size:.3g} degrees of freedom; allowed: "
@@ -313,9 +313,9 @@ def _elements(spindle: Spindle, shown: Mesh, fine: Fineness) -> tuple[Mesh, Indi
 
 def half_wave(spindle: Spindle, mesh: Mesh, spin: float) -> float:
     """Highest whirl [rad/s] that crosses no element of ``mesh`` by more than half a wave."""
-    own, length = sections_at(spindle, mesh, ENDS), mesh.length[:, None]
+    sections, length = sections_at(spindle, mesh, ENDS), mesh.length[:, None]
 
     def phase(omega: float) -> float:
-        return float((bending_wave(omega, spin, *own) * length).max())
+        return float((bending_wave(omega, spin, *sections) * length).max())
 
     return resolved(phase, math.pi, 1.0)

@@ -40,8 +40,8 @@ class Sleeves:
         """DOF of the sleeve that carries a bearing, by direction."""
         sleeve = self.spindle.sleeve_of(seat)
         ways = ("x", "y", "z") if sleeve else ()
-        own = {way: self.dofs.get((sleeve.name, way)) for way in ways if sleeve}
-        return {way: number for way, number in own.items() if number is not None}
+        numbers = {way: self.dofs.get((sleeve.name, way)) for way in ways if sleeve}
+        return {way: number for way, number in numbers.items() if number is not None}
 
     def parts(self) -> Iterator[Part]:
         """Mass, and the spring across the axis."""

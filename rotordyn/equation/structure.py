@@ -123,7 +123,9 @@ class Structure:
         """Motion (6, DOF) of nodes against that of the housing that carries a connection."""
         nodes = [self.node(rotor, x) for rotor, x, _ in ends]
         sign = self.dofs.sign
-        motions = [way * np.diag(sign[own]) for own, (_, _, way) in zip(nodes, ends, strict=True)]
+        motions = [
+            way * np.diag(sign[nodes_of]) for nodes_of, (_, _, way) in zip(nodes, ends, strict=True)
+        ]
         for housing in self.housings:
             if name in housing.under:
                 nodes.append(housing.dofs)
@@ -136,13 +138,13 @@ class Structure:
         for rotor, x, names in [*self._loaded(), *((*place, DIRECTIONS) for place in places)]:
             node = self.shafts[rotor].mesh.node_of(x)
             wanted |= {(rotor, node, n) for name in names for n in (name, PAIRED.get(name, name))}
-        own = {int(self.shafts[r].node[node, position(name)]) for r, node, name in wanted}
+        dofs = {int(self.shafts[r].node[node, position(name)]) for r, node, name in wanted}
         for shaft in self.shafts.values():
             for joint in shaft.spindle.joints:
                 if joint.radial_damping or joint.tilt_damping:
                     at = shaft.mesh.node_of(joint.x)
-                    own |= {number for (node, _), number in shaft.jump.items() if node == at}
-        return np.array(sorted(own), dtype=np.intp)
+                    dofs |= {number for (node, _), number in shaft.jump.items() if node == at}
+        return np.array(sorted(dofs), dtype=np.intp)
 
     def _loaded(self) -> Iterator[tuple[str, float, Iterable[str]]]:
         """Rotor, station and directions in which the terms act on shafts."""
@@ -171,11 +173,11 @@ class Structure:
         groups = Groups(len(lines))
         square = [part for part in self.parts if part.matrix != "gyroscopic" and part.rows.size]
         for part in square:
-            own = of_dof[part.rows[0]]
-            if part.matrix in JOINING and (own != own[0]).any():
-                groups.join_where(own, np.abs(part.blocks).max(axis=0) > 0.0)
+            joined = of_dof[part.rows[0]]
+            if part.matrix in JOINING and (joined != joined[0]).any():
+                groups.join_where(joined, np.abs(part.blocks).max(axis=0) > 0.0)
         solved: dict[tuple[Any, ...], tuple[Array, Array, Array]] = {}
-        found = []
+        components = []
         for root in groups.roots():
             mine = [k for k in range(len(lines)) if groups.find(k) == root]
             of_mine = np.isin(of_dof, mine)
@@ -183,9 +185,9 @@ class Structure:
             if not len(dofs):
                 continue
             parts = [cut for part in square if (cut := _cut(part, of_mine)) is not None]
-            own = tuple(lines[k] for k in mine)
-            found.append(self._component(own, dofs, parts, solved))
-        return found
+            joined = tuple(lines[k] for k in mine)
+            components.append(self._component(joined, dofs, parts, solved))
+        return components
 
     @cached_property
     def owner(self) -> Indices:
@@ -225,9 +227,9 @@ class Structure:
         body, way = lines[0]
         if self.coarse is None or body not in self.shafts or len(lines) > 1:
             return {}
-        own = next(each for each in self.coarse.components if each.lines == lines)
+        component = next(each for each in self.coarse.components if each.lines == lines)
         return {
-            "coarse": own,
+            "coarse": component,
             "nested": self.shafts[body].nested(self.coarse.shafts[body], way),
         }
 
@@ -242,26 +244,30 @@ class Structure:
             return len(element), rows
         middle = self.shown.middle[element]
         inside = ((bar.start < middle) & (middle < bar.end)).astype(float)
-        return len(element), [(at, dofs, own * inside[at][:, :, None]) for at, dofs, own in rows]
+        return len(element), [
+            (at, dofs, shapes * inside[at][:, :, None]) for at, dofs, shapes in rows
+        ]
 
     def _polar(self, dofs: Indices, way: str) -> list[Part]:
         """Gyroscopic parts that act on a bending plane, both sides of them in that plane."""
-        found = []
+        parts = []
         for part in self.parts:
             if part.matrix == "gyroscopic" and part.rows.size:
                 rows = part.rows if way == "y" else part.columns
                 if np.isin(rows[0, 0], dofs):
-                    found.append(Part("gyroscopic", rows, rows, part.blocks))
-        return found
+                    parts.append(Part("gyroscopic", rows, rows, part.blocks))
+        return parts
 
     def gyroscopic(self, y: Component, z: Component) -> Array:
         """Couples the velocities of plane z to plane y of a rotor (m, m), per unit of the spindle's
         speed."""
         key = id(y), id(z)
         if key not in self._gyroscopic:
-            own = [p for p in self.parts if p.matrix == "gyroscopic" and y.has(p.rows[:1, 0]).all()]
+            parts = [
+                p for p in self.parts if p.matrix == "gyroscopic" and y.has(p.rows[:1, 0]).all()
+            ]
             shape = len(y.dofs), len(z.dofs)
-            blocks = [(y.local(p.rows), z.local(p.columns), p.blocks) for p in own]
+            blocks = [(y.local(p.rows), z.local(p.columns), p.blocks) for p in parts]
             matrix = summed(shape, blocks, large=y.large)
             self._gyroscopic[key] = np.asarray(y.vectors.T @ (matrix @ z.vectors))
         return self._gyroscopic[key]
@@ -290,8 +296,8 @@ class Structure:
             for line in component.lines:
                 if line.body in self.shafts:
                     nodes = self.shown.spans[line.body]
-                    own = self._motion_of(line, component)
-                    whole[nodes, :, begin:end] += own
+                    moved = self._motion_of(line, component)
+                    whole[nodes, :, begin:end] += moved
         return whole
 
     def _motion_of(self, line: Line, component: Component) -> Array:
@@ -309,10 +315,12 @@ class Structure:
 
 def _cut(part: Part, chosen: np.ndarray) -> Part | None:
     """Of a part on rows = columns what is on chosen DOF."""
-    own = chosen[part.rows[0]]
-    if own.all() or not own.any():
-        return part if own.all() else None
-    return Part(part.matrix, part.rows[:, own], part.rows[:, own], part.blocks[:, own][:, :, own])
+    kept = chosen[part.rows[0]]
+    if kept.all() or not kept.any():
+        return part if kept.all() else None
+    return Part(
+        part.matrix, part.rows[:, kept], part.rows[:, kept], part.blocks[:, kept][:, :, kept]
+    )
 
 
 def _unit(place: int) -> Array:

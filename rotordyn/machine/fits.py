@@ -101,8 +101,8 @@ class Fits(Description):
 
     def depth(self, which: str) -> float:
         """Interference on the radius that is taken, of ``"inner"`` or ``"outer"`` [m]."""
-        found: Interference = getattr(self, which)
-        diameter: float = getattr(found.reduced(self.smoothing), self.taken)
+        interference: Interference = getattr(self, which)
+        diameter: float = getattr(interference.reduced(self.smoothing), self.taken)
         return diameter / 2.0
 
     @property

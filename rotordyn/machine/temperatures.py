@@ -68,8 +68,8 @@ class Temperatures(Description):
         yield from ascending("speeds", self.speeds)
         named = ("shaft", "housing", "inner_rings", "outer_rings", "balls")
         entries: list[tuple[Path, Any]] = [((key,), getattr(self, key)) for key in named]
-        for name, own in self.bearings.items():
-            entries += [(("bearings", name, key), getattr(own, key)) for key in OF_BEARING]
+        for name, bearing in self.bearings.items():
+            entries += [(("bearings", name, key), getattr(bearing, key)) for key in OF_BEARING]
         if all(value is None for _, value in entries):
             yield (
                 (),
@@ -90,7 +90,7 @@ class Temperatures(Description):
     def turning_warmer(self, difference: float) -> Temperatures:
         """With shaft, inner rings and balls warmer by ``difference`` [K]."""
         shaft = self.reference if self.shaft is None else self.shaft
-        own = {
+        bearings = {
             name: replace(
                 each,
                 inner_ring=_warmer(each.inner_ring, difference),
@@ -103,7 +103,7 @@ class Temperatures(Description):
             shaft=_warmer(shaft, difference),
             inner_rings=_warmer(self.inner_rings, difference),
             balls=_warmer(self.balls, difference),
-            bearings=own,
+            bearings=bearings,
         )
 
     def unknown_at(self, speeds: tuple[float, ...]) -> float | None:
@@ -116,14 +116,14 @@ class Temperatures(Description):
 
     def rises(self, name: str, speed: Array) -> Rises:
         """Of a bearing and what it sits on at every ``speed`` (speeds,) [rad/s]."""
-        own = self.bearings.get(name, BearingTemperatures())
+        bearing = self.bearings.get(name, BearingTemperatures())
         shaft, housing = self._rise(self.shaft, speed), self._rise(self.housing, speed)
-        inner, outer = own.inner_ring, own.outer_ring
+        inner, outer = bearing.inner_ring, bearing.outer_ring
         inner = self.inner_rings if inner is None else inner
         outer = self.outer_rings if outer is None else outer
         of_inner = shaft if inner is None else self._rise(inner, speed)
         of_outer = housing if outer is None else self._rise(outer, speed)
-        balls = self.balls if own.balls is None else own.balls
+        balls = self.balls if bearing.balls is None else bearing.balls
         of_balls = 0.5 * (of_inner + of_outer) if balls is None else self._rise(balls, speed)
         return Rises(shaft, housing, of_inner, of_outer, of_balls)
 

@@ -122,13 +122,13 @@ class Modes:
         weights = np.concatenate([turned.real, turned.imag, residue.real, residue.imag])
         total = np.empty((count, len(omega)), dtype=complex)
         for first in range(0, len(omega), PIECE):
-            own = omega[first : first + PIECE]
+            piece = omega[first : first + PIECE]
             with np.errstate(divide="ignore", over="ignore"):
-                table = 1.0 / (pole.real[:, None] ** 2 + (own - pole.imag[:, None]) ** 2)
+                table = 1.0 / (pole.real[:, None] ** 2 + (piece - pole.imag[:, None]) ** 2)
             with np.errstate(invalid="ignore"):
                 parts = (weights @ table).reshape(4, count, -1)
-            total[:, first : first + PIECE].real = parts[0] + own * parts[3]
-            total[:, first : first + PIECE].imag = parts[1] - own * parts[2]
+            total[:, first : first + PIECE].real = parts[0] + piece * parts[3]
+            total[:, first : first + PIECE].imag = parts[1] - piece * parts[2]
         return total
 
     def _solved(

@@ -95,12 +95,12 @@ def inner_ring(
     bearing, fit = seat.bearing, inner_fit(seat)
     race = bearing.inner_raceway_radius
     rises = _rises(seat, speed, temperatures)
-    found = []
+    states = []
     for rows in _alike(rises.shaft, rises.inner):
         shaft, warm = float(rises.shaft[rows[0]]), float(rises.inner[rows[0]])
         if fit is None:
             ring = [_cylinder(0.9 * race, race, bearing.ring_material, warm)]
-            found.append((rows, compound(ring, [], 0.0 * speed[rows])))
+            states.append((rows, compound(ring, [], 0.0 * speed[rows])))
             continue
         material = spindle.shaft.section_at(seat.x).material
         hole = spindle.shaft.diameters_at(seat.x)[1] / 2.0
@@ -108,8 +108,8 @@ def inner_ring(
             _cylinder(hole, fit.radius, material, shaft),
             _cylinder(fit.radius, race, bearing.ring_material, warm),
         ]
-        found.append((rows, compound(bodies, [fit.interference], speed[rows])))
-    return found
+        states.append((rows, compound(bodies, [fit.interference], speed[rows])))
+    return states
 
 
 def outer_ring(seat: BearingSeat, speed: Array, temperatures: Temperatures | None = None) -> States:
@@ -119,19 +119,19 @@ def outer_ring(seat: BearingSeat, speed: Array, temperatures: Temperatures | Non
     bearing, fits, fit = seat.bearing, seat.fits, outer_fit(seat)
     race = bearing.outer_raceway_radius
     rises = _rises(seat, speed, temperatures)
-    found = []
+    states = []
     for rows in _alike(rises.housing, rises.outer):
         housing, warm = float(rises.housing[rows[0]]), float(rises.outer[rows[0]])
         if fit is None or fits is None:
             ring = [_cylinder(race, 1.1 * race, bearing.ring_material, warm)]
-            found.append((rows, compound(ring, [], 0.0 * speed[rows])))
+            states.append((rows, compound(ring, [], 0.0 * speed[rows])))
             continue
         bodies = [
             _cylinder(race, fit.radius, bearing.ring_material, warm),
             _cylinder(fit.radius, fits.housing_radius, fits.housing_material, housing),
         ]
-        found.append((rows, compound(bodies, [fit.interference], 0.0 * speed[rows])))
-    return found
+        states.append((rows, compound(bodies, [fit.interference], 0.0 * speed[rows])))
+    return states
 
 
 def _cylinder(inner: float, outer: float, material: Material, rise: float) -> Cylinder:
@@ -189,13 +189,13 @@ def released_fits(
     Without tables of temperature the speed is exact, else the first of ``speed`` at which the ring
     is loose.
     """
-    found = []
+    released = []
     for seat in spindle.seats:
         for at in _inner_release(spindle, seat, speed, temperatures):
-            found.append(Release(seat.name, "inner", "shaft", at))
+            released.append(Release(seat.name, "inner", "shaft", at))
         for at in _outer_release(seat, speed, temperatures):
-            found.append(Release(seat.name, "outer", "housing", at))
-    return found
+            released.append(Release(seat.name, "outer", "housing", at))
+    return released
 
 
 def _inner_release(

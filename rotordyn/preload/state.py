@@ -180,8 +180,8 @@ class PreloadState:
         )
         network = replace(self.network, arrangement=replace(part, pushes=pushes))
         spindle = replace(self.spindle, sleeves=sleeves)
-        found = _settled(spindle, self.law, network, self.still, self.net.position[index])
-        return replace(found, temperatures=self.temperatures)
+        state = _settled(spindle, self.law, network, self.still, self.net.position[index])
+        return replace(state, temperatures=self.temperatures)
 
     def stop_speeds(self) -> Array:
         """Speed at which each sleeve meets its stop (sleeves,) [rad/s]; NaN: it does not."""

@@ -33,8 +33,8 @@ SURE = 1e-8  # of the largest force: what is left of the balance with every bear
 def under_load(state: PreloadState, rotor: StaticRotor, size: float) -> PreloadState:
     """``state`` under loads of ``size`` [N], along ``rotor.point`` of a structure in its states."""
     first = Balance.at(state, rotor, np.arange(len(state.speed)))
-    balance, there, found = _marched(first, size)
-    words = ["" if good else _why(state, there, row) for row, good in enumerate(found.tolist())]
+    balance, there, converged = _marched(first, size)
+    words = ["" if good else _why(state, there, row) for row, good in enumerate(converged.tolist())]
     return _as_state(state, balance, there, balance.error(there, size), tuple(words))
 
 
@@ -61,17 +61,17 @@ def contact_loss(
     first = Balance.at(state, rotor, rows)
     shares = np.linspace(0.0, 1.0, steps + 1)
     every = [_inner_loads(_marched(first, share * size)[1]) for share in shares]
-    found = np.full((len(rows), len(every[0])), np.nan)
-    ball = np.full(found.shape, -1)
-    for seat in range(found.shape[1]):
+    lost_at = np.full((len(rows), len(every[0])), np.nan)
+    ball = np.full(lost_at.shape, -1)
+    for seat in range(lost_at.shape[1]):
         lightest = np.stack([each[seat].min(axis=1) for each in every])
         for row in np.flatnonzero(lightest[0] > 0.0):
             lost = np.flatnonzero(lightest[:, row] <= NOTHING * lightest[0, row])
             if lost.size:
                 approach = lightest[: lost[0], row] ** (2.0 / 3.0)
-                found[row, seat] = _zero(shares[: lost[0] + 1], approach)
+                lost_at[row, seat] = _zero(shares[: lost[0] + 1], approach)
                 ball[row, seat] = int(every[lost[0] - 1][seat][row].argmin())
-    return ContactLoss(found, ball)
+    return ContactLoss(lost_at, ball)
 
 
 def _zero(shares: Array, approach: Array) -> float:
@@ -101,10 +101,10 @@ def _inner_loads(there: Point) -> list[Array]:
 def _marched(first: Balance, size: float) -> tuple[Balance, Point, Flags]:
     """The balance under the whole loads, and where there is one (speeds,)."""
     begin = first.evaluate(first.start, None)
-    found = np.zeros(len(first.held), dtype=bool)
+    solved = np.zeros(len(first.held), dtype=bool)
     coordinates, held = begin.coordinates.copy(), first.held.copy()
     for strides in STRIDES:
-        alive = ~found
+        alive = ~solved
         balance, here = first, begin
         for share in np.arange(1, strides + 1) / strides:
             guess = _ahead(balance, here, size / strides, alive)
@@ -114,13 +114,13 @@ def _marched(first: Balance, size: float) -> tuple[Balance, Point, Flags]:
                 break
         coordinates = np.where(alive[:, None], here.coordinates, coordinates)
         held = np.where(alive[:, None], balance.held, held)
-        found |= alive
-        if found.all():
+        solved |= alive
+        if solved.all():
             break
     balance = replace(first, held=held)
     there = balance.evaluate(coordinates, None)
     sure = balance.error(there, size) < SURE
-    return balance, there, found & sure & (there.pressure <= HIGHEST_PRESSURE)
+    return balance, there, solved & sure & (there.pressure <= HIGHEST_PRESSURE)
 
 
 def _ahead(balance: Balance, here: Point, step: float, alive: Flags) -> list[Array]:
@@ -160,8 +160,8 @@ def _as_state(
     response = Response(load, slope, there.states, there.bearings, there.imbalance)
     network = Network(joined, state.network.springs)
     position = there.coordinates[:, p:]
-    found = np.array([word == "" for word in words])
-    net = NetworkState(position, balance.held, response, error, found)
+    converged = np.array([word == "" for word in words])
+    net = NetworkState(position, balance.held, response, error, converged)
     lateral = there.coordinates[:, :p]
     return replace(state, network=network, net=net, outcome=words, lateral=lateral)
 

@@ -15,8 +15,10 @@ from rotordyn.scene.loads import PointLoad
 
 def with_stations(spindle: Spindle, loads: Iterable[PointLoad]) -> Spindle:
     """The spindle with a point at every station [m] where a load acts."""
-    own = {f"load {k}": load.at for k, load in enumerate(loads, 1) if not isinstance(load.at, str)}
-    return replace(spindle, points={**spindle.points, **own}) if own else spindle
+    stations = {
+        f"load {k}": load.at for k, load in enumerate(loads, 1) if not isinstance(load.at, str)
+    }
+    return replace(spindle, points={**spindle.points, **stations}) if stations else spindle
 
 
 def across(spindle: Spindle, conditions: Conditions) -> Across:

@@ -62,20 +62,20 @@ def along(step: Step, state: State) -> tuple[State, list[Event]]:
     """
     share, length, before = 0.0, 1.0, state
     state = turned(step, state)
-    found = events(before, state, share, None)
+    met = events(before, state, share, None)
     for _ in range(PARTS):
         if share >= 1.0:
-            return state, found
+            return state, met
         part = _part(step, state, share, min(share + length, 1.0), careful=not step.single)
         length = max(2.0 * (part.share - share), SHORTEST)
         share, before, state = part.share, part.state, part.state
         if part.ended is SNAP:
             share, state = min(share + SHORTEST, 1.0), _snapped(step, state, share)
-            found += _snaps(before, state, share)
+            met += _snaps(before, state, share)
         elif part.ended is not None:
             known = part.ended.index if part.ended.kind == "halt" else None
             state = turned(step, changed(step.network, before, part.ended), known)
-            found += events(before, state, share, part.ended)
+            met += events(before, state, share, part.ended)
         length = 1.0 if part.ended else length
     raise _nothing(step, state, share)
 

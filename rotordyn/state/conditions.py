@@ -87,16 +87,16 @@ def changed(network: Network, state: State, ended: Condition) -> State:
 
 def events(before: State, after: State, share: float, ended: Condition | None) -> list[Event]:
     """What changed at an event; friction that sticks counts where it came to rest by itself."""
-    found = []
+    crossed = []
     for k, (was, now) in enumerate(zip(before.slip.tolist(), after.slip.tolist(), strict=True)):
         halts = ended is not None and ended.kind == "halt"
         if was != now and (now or halts):
-            found.append(Event(share, {1: "slip+", -1: "slip-", 0: "stick"}[now], k))
+            crossed.append(Event(share, {1: "slip+", -1: "slip-", 0: "stick"}[now], k))
     pairs = (
         (before.closed, after.closed, "close", "open"),
         (before.loaded, after.loaded, "load", "unload"),
     )
     for was_so, is_so, begins, ends in pairs:
         for k in np.flatnonzero(was_so != is_so).tolist():
-            found.append(Event(share, begins if is_so[k] else ends, k))
-    return found
+            crossed.append(Event(share, begins if is_so[k] else ends, k))
+    return crossed

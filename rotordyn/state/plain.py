@@ -146,8 +146,8 @@ def _bearings(
         named = named[0] if isinstance(named, list) and named else named
         first.append(laws[_known(named, laws, at, "law")])
         rest.append(_rest(one, first[-1], at))
-    found = Bearings(_rows(row, bodies), np.array(side), np.array(count), np.array(rest))
-    return found, tuple(first)
+    bearings = Bearings(_rows(row, bodies), np.array(side), np.array(count), np.array(rest))
+    return bearings, tuple(first)
 
 
 def _rest(one: Plain, law: Law, at: str) -> float:

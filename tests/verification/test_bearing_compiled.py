@@ -145,7 +145,7 @@ def test_follower_marches_through_loads_and_speeds() -> None:
         assert step.displacement == pytest.approx(expected.displacement[k], rel=1e-8, abs=1e-14)
         assert step.stiffness == pytest.approx(expected.complete_stiffness[k], rel=1e-7, abs=1e-3)
     march = follower.load(expected.displacement[::-1])
-    assert march.found.all()
+    assert march.converged.all()
     assert march.load == pytest.approx(loads[::-1], rel=1e-8, abs=1e-6)
     speeds = np.linspace(0.0, 30000.0, 80) * RPM
     sweep = follower.displacement(np.broadcast_to(LOAD, (80, 5)), speeds)
@@ -190,7 +190,7 @@ def test_follower_says_what_it_cannot_do() -> None:
     with pytest.raises(NoEquilibrium, match="no equilibrium"):
         follower.displacement([50.0, 400.0, 0.0, 0.0, 0.0])
     many = follower.displacement([[50.0, 400.0, 0, 0, 0], [5000.0, 0, 0, 0, 0]])
-    assert many.found.tolist() == [False, True]
+    assert many.converged.tolist() == [False, True]
     assert np.isnan(many.displacement[0]).all()
     assert np.isfinite(many.stiffness[1]).all()
     for wrong in (np.full(5, np.nan), np.ones(4), "load"):

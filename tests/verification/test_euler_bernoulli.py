@@ -11,7 +11,7 @@ import pytest
 import rotordyn
 from rotordyn.analyses import SectionForcesSpec
 from rotordyn.analyses.solving import answer_spindle
-from rotordyn.equation.elements.beam import inner_freedoms
+from rotordyn.equation.elements.beam import inner_dofs
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import LinearSupport
@@ -74,8 +74,8 @@ def test_it_is_the_limit_of_ever_stiffer_shear() -> None:
 def test_no_freedoms_of_shear() -> None:
     """Of degree n between the nodes: 2 n − 1 with shear, n − 2 of bending alone."""
     degree = np.arange(1, 6)
-    assert inner_freedoms(degree).tolist() == [0, 3, 5, 7, 9]
-    assert inner_freedoms(degree, sheared=False).tolist() == [0, 0, 1, 2, 3]
+    assert inner_dofs(degree).tolist() == [0, 3, 5, 7, 9]
+    assert inner_dofs(degree, sheared=False).tolist() == [0, 0, 1, 2, 3]
 
 
 def test_statics_without_shear() -> None:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.linalg import eigh
 
-from rotordyn.equation.elements.beam import hierarchic_bending, inner_freedoms
+from rotordyn.equation.elements.beam import hierarchic_bending, inner_dofs
 from tests.oracles.spinning_beam import PinnedBeam
 from tests.oracles.whirl import whirl_frequencies
 
@@ -19,7 +19,7 @@ def pinned(beam: PinnedBeam, elements: int, degree: int) -> tuple[Array, Array, 
     length = beam.length / elements
     values = (length, beam.diameter, 0.0, beam.young_modulus, modulus, beam.density, beam.kappa)
     own = hierarchic_bending(*(np.full(elements, v) for v in values), degree=degree)
-    inner, nodal = inner_freedoms(degree), 2 * (elements + 1)
+    inner, nodal = inner_dofs(degree), 2 * (elements + 1)
     kept = np.setdiff1d(np.arange(nodal + inner * elements), [0, nodal - 2])
     whole = []
     for blocks in (own.mass, own.polar, own.stiffness):

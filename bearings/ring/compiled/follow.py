@@ -73,16 +73,16 @@ def correct(p: One, d: Array, x: Array, blend: float, w: Work) -> tuple[bool, in
     """
     w.d[:], w.x[:] = d, x
     needed, used = (ON_THE_WAY if blend < p.full else TOLERANCE), 0
-    found = evaluate(p, d, x, blend, w)
+    there = evaluate(p, d, x, blend, w)
     w.first_grip[:] = w.grip
-    while error(p, found, w) >= needed and used < NEWTON_STEPS:
+    while error(p, there, w) >= needed and used < NEWTON_STEPS:
         used += 1
         _newton(p, d, x, w)
-        found = evaluate(p, d, x, blend, w)
-    good = error(p, found, w) < needed
+        there = evaluate(p, d, x, blend, w)
+    good = error(p, there, w) < needed
     if good and p.turning:
-        good = found.fold > 0.0 and found.pressed and _turned_little(p, d, x, w)
-        good = good and not _jumped(p, found.largest, w)
+        good = there.fold > 0.0 and there.pressed and _turned_little(p, d, x, w)
+        good = good and not _jumped(p, there.largest, w)
         good = good and (len(p.free) == 0 or solve(*_reduced(p, w.action, w))[1] > 0.0)
     if not good:
         d[:], x[:] = w.d, w.x
@@ -91,13 +91,13 @@ def correct(p: One, d: Array, x: Array, blend: float, w: Work) -> tuple[bool, in
 
 def convex(p: One, d: Array, x: Array, w: Work) -> bool:
     """(d, X) of the convex stage, written anew; whether it was reached."""
-    found = evaluate_convex(p, d, x, w)
+    there = evaluate_convex(p, d, x, w)
     reach = p.geometry.inner_reach + p.geometry.outer_reach
     soft = SOFT * p.geometry.balls * p.geometry.series_stiffness * np.sqrt(1e-3 * reach)
     for _ in range(CONVEX_STEPS if len(p.free) else 0):
         k, gap = _reduced(p, w.action, w)
         largest = np.abs(k).max()
-        size = p.load_size + 1e-3 * p.geometry.balls * found.largest
+        size = p.load_size + 1e-3 * p.geometry.balls * there.largest
         needed = SETTLED if p.turning else 0.1 * TOLERANCE
         if np.abs(gap).max() <= needed * size + ROUNDING * EPS * reach * largest:
             return True
@@ -107,17 +107,17 @@ def convex(p: One, d: Array, x: Array, w: Work) -> bool:
         shrink = min(1.0, LONGEST_STEP * reach / max(np.abs(part).max(), 1e-300))
         for i, j in enumerate(p.free):
             step[j] = shrink * part[i] / p.scale[j]
-        found = _searched(p, d, x, step, found, w)
+        there = _searched(p, d, x, step, there, w)
     return len(p.free) == 0
 
 
-def error(p: One, found: Evaluation, w: Work) -> float:
+def error(p: One, there: Evaluation, w: Work) -> float:
     """Scaled residual of balls and ring; rounding of the lengths is not counted."""
     c = p.geometry
-    slope = 1.5 * (c.inner.stiffness**2 * max(found.largest, 1e-300)) ** (1.0 / 3.0)
+    slope = 1.5 * (c.inner.stiffness**2 * max(there.largest, 1e-300)) ** (1.0 / 3.0)
     noise = ROUNDING * EPS * (c.inner_reach + c.outer_reach) * slope / TOLERANCE
-    worst = found.imbalance / (found.largest + noise + 1e-300)
-    size = p.load_size + c.balls * (1e-3 * found.largest + noise) + 1e-300
+    worst = there.imbalance / (there.largest + noise + 1e-300)
+    size = p.load_size + c.balls * (1e-3 * there.largest + noise) + 1e-300
     for j in p.free:
         worst = max(worst, abs(w.action[j] - p.load[j]) / p.scale[j] / size)
     return worst
@@ -138,7 +138,7 @@ def _newton(p: One, d: Array, x: Array, w: Work) -> None:
 
 
 def _reduced(p: One, carried: Array, w: Work) -> tuple[Array, Array]:
-    """Tangent and missing load of the free freedoms, as lengths."""
+    """Tangent and missing load of the free DOF, as lengths."""
     size = len(p.free)
     k, gap = np.empty((size, size)), np.empty(size)
     for i, row in enumerate(p.free):
@@ -180,10 +180,10 @@ def solve(matrix: Array, right: Array) -> tuple[Array, float]:
     return x, determinant
 
 
-def _searched(p: One, d: Array, x: Array, step: Array, found: Evaluation, w: Work) -> Evaluation:
+def _searched(p: One, d: Array, x: Array, step: Array, there: Evaluation, w: Work) -> Evaluation:
     """A step of the convex stage, halved until the potential falls."""
     reach = p.geometry.inner_reach + p.geometry.outer_reach
-    before = found.energy - (p.load * d).sum()
+    before = there.energy - (p.load * d).sum()
     most = before + 64.0 * EPS * (abs(before) + p.load_size * reach)
     follow, length = w.follow.copy(), 1.0
     w.d[:], w.x[:] = d, x
@@ -192,11 +192,11 @@ def _searched(p: One, d: Array, x: Array, step: Array, found: Evaluation, w: Wor
         for ball in range(len(x)):
             axial, radial = followed(follow[ball], moved(p, length * step, ball))
             x[ball, 0], x[ball, 1] = w.x[ball, 0] + axial, w.x[ball, 1] + radial
-        found = evaluate_convex(p, d, x, w)
-        if found.energy - (p.load * d).sum() <= most:
+        there = evaluate_convex(p, d, x, w)
+        if there.energy - (p.load * d).sum() <= most:
             break
         length *= 0.5
-    return found
+    return there
 
 
 def _turned_little(p: One, d: Array, x: Array, w: Work) -> bool:

@@ -29,7 +29,7 @@ class One(NamedTuple):
 
     ``origin`` (2,), ``load`` (5,), ``scale`` (5,), ``placed`` and ``full`` as in
     ``bearings.ring.problem.Problem``; ``azimuth`` (n, 5) and ``products`` (n, 5, 5) as in
-    ``bearings.ring.assembly.Assembly``; ``free``: places of the freedoms whose load is given;
+    ``bearings.ring.assembly.Assembly``; ``free``: places of the DOF whose load is given;
     ``one_branch`` as in ``bearings.ball.law``; ``squared`` ω²; ``load_size``: largest load, as a
     force.
     """

@@ -25,7 +25,7 @@ NEAR = 0.2  # relative change of speed and load from the last state that makes i
 _loaded: set[tuple[int, int]] = set()
 
 
-class Found(NamedTuple):
+class CompiledStates(NamedTuple):
     """d (s, 5), X (2, s, n), load (s, 5), K (s, 5, 5), and where there is a state (s,)."""
 
     displacement: Array
@@ -55,7 +55,7 @@ def _entry() -> Any:
 
 def compiled_states(
     problem: Problem, displacement: Array, guess: Array | None, *, chained: bool = False
-) -> Found:
+) -> CompiledStates:
     """Solve one state after the other.
 
     ``displacement`` (s, 5), ``guess`` (2, s or fewer, n): starts; ``chained``: where there is no
@@ -65,7 +65,7 @@ def compiled_states(
     d, x = displacement.copy(), np.zeros((states, problem.assembly.balls, 2))
     if guess is not None:
         x[: guess.shape[1]] = guess.transpose(1, 2, 0)
-    found = (d, x, np.zeros((states, 5)), np.zeros((states, 5, 5)), np.zeros(states, dtype=bool))
+    arrays = (d, x, np.zeros((states, 5)), np.zeros((states, 5, 5)), np.zeros(states, dtype=bool))
     if available():
         _loaded.add((len(g.inner_grooves), len(g.outer_grooves)))
     shared = (
@@ -83,11 +83,11 @@ def compiled_states(
     _entry()(
         shared,
         tuple(np.array(part, order="C") for part in given),  # one type of array: one compilation
-        found,
+        arrays,
         np.arange(states) < (0 if guess is None else guess.shape[1]),
         chained,
     )
-    return Found(d, x.transpose(2, 0, 1), *found[2:])
+    return CompiledStates(d, x.transpose(2, 0, 1), *arrays[2:])
 
 
 def find_all(

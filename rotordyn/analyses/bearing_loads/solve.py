@@ -69,6 +69,6 @@ def _losses(scene: Scene, spec: BearingLoadsSpec, inner: Array) -> tuple[Array, 
         return share, ball
     from rotordyn.preload.under_load import contact_loss
 
-    found = contact_loss(scene.unloaded, *scene.static_rotor, rows, spec.loss_steps)
-    share[rows], ball[rows] = found.share, np.maximum(found.ball, 0)
+    loss = contact_loss(scene.unloaded, *scene.static_rotor, rows, spec.loss_steps)
+    share[rows], ball[rows] = loss.share, np.maximum(loss.ball, 0)
     return share, ball

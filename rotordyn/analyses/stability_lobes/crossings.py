@@ -48,9 +48,9 @@ def largest_crossing(solve: Solve, angle: Array) -> Crossing:
         if not len(where) or len(angle) > MOST_SAMPLES:
             break
         middle = 0.5 * (angle[where] + angle[where + 1])
-        found = solve(middle)
+        inserted = solve(middle)
         angle = np.insert(angle, where + 1, middle)
-        z = np.insert(z, where + 1, found, axis=0)
+        z = np.insert(z, where + 1, inserted, axis=0)
     return best
 
 
@@ -102,8 +102,8 @@ def _root(solve: Solve, angle: Array, low: complex, high: complex) -> Crossing:
         share = min(max(one / (one - other), 1e-3), 1.0 - 1e-3)
         middle = a + share * (b - a)
         guess = low + (middle - a) / (b - a) * (high - low)
-        found = solve(np.array([middle]))[0]
-        z = found[np.abs(found - guess).argmin()]
+        values = solve(np.array([middle]))[0]
+        z = values[np.abs(values - guess).argmin()]
         if abs(z.imag) <= CLOSE * abs(z):
             return Crossing(max(float(z.real), 0.0), middle)
         if (z.imag > 0.0) == (low.imag > 0.0):

@@ -71,10 +71,10 @@ class Cut:
         cuts = (at > self.entry) & (at - self.lag < self.exit)
         if self.lag > 0.0:
             begin, end = np.maximum(at - self.lag, self.entry), np.minimum(at, self.exit)
-            own = (self._integral(end) - self._integral(begin)) / self.lag
+            coefficients = (self._integral(end) - self._integral(begin)) / self.lag
         else:
-            own = self._one(at)
-        return np.where(cuts[..., None, None], own, 0.0).sum(axis=0)
+            coefficients = self._one(at)
+        return np.where(cuts[..., None, None], coefficients, 0.0).sum(axis=0)
 
     def _teeth(self, angle: Array) -> Array:
         """Angles of all teeth, with those whose edges are still in cut (k, n)."""

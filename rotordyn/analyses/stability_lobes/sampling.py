@@ -39,13 +39,13 @@ def resolving(
     new = np.arange(len(omega) - 1)
     for _ in range(14):
         middle = 0.5 * (omega[new] + omega[new + 1])
-        found = _known(receptance, middle)
+        inserted = _known(receptance, middle)
         ends = value[new], value[new + 1]
-        bend = _size(found - 0.5 * (ends[0] + ends[1]))
+        bend = _size(inserted - 0.5 * (ends[0] + ends[1]))
         size = np.maximum(_size(ends[0]), _size(ends[1])) + SMALL * largest
         bent = bend > BENT * size
         omega = np.insert(omega, new + 1, middle)
-        value = np.insert(value, new + 1, found, axis=0)
+        value = np.insert(value, new + 1, inserted, axis=0)
         at = new + np.arange(len(new))
         new = np.sort(np.concatenate([at[bent], at[bent] + 1]))
         if not len(new):

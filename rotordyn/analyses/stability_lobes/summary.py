@@ -71,15 +71,15 @@ def _at_rest(result: StabilityLobesResult) -> list[str]:
 
 def warnings(result: StabilityLobesResult) -> list[str]:
     """Where period doubling limits."""
-    found = []
+    sentences = []
     flips = np.flatnonzero(np.array(result.loss) == FLIP)
     if flips.size:
         rpm = number(result.cutting_speed[flips[0]] * RPM.factor, 0)
-        found.append(
+        sentences.append(
             f"period doubling limits {flips.size} of {len(result.depth)} speeds, first at {rpm} "
             "rpm: zero-order limits do not see it"
         )
-    return found
+    return sentences
 
 
 def _depth(value: float) -> str:

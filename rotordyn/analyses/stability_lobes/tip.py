@@ -42,11 +42,11 @@ class Tip:
     def _parts(self) -> list[tuple[FreeMotions, list[tuple[int, int]], Array]]:
         """Subsystems of the point: motions, which of (y, z) they move, rows of these (k, n)."""
         place = self.scene.spindle.place(self.point)
-        found: dict[int, list[int]] = {}
+        grouped: dict[int, list[int]] = {}
         for k, way in enumerate("yz"):
-            found.setdefault(self.scene.owner(self.point, way), []).append(k)
+            grouped.setdefault(self.scene.owner(self.point, way), []).append(k)
         parts = []
-        for system, ways in found.items():
+        for system, ways in grouped.items():
             motions = self.scene.system(system)
             rows = np.array([motions.linear.row(*place, "yz"[way]) for way in ways])
             pairs = [(one, other) for one in ways for other in ways]
@@ -66,15 +66,15 @@ class Tip:
 
     def receptance(self, omega: Array) -> Complex:
         """At frequencies (s, f) of every speed's own: (s, f, 2, 2)."""
-        found = np.zeros((*omega.shape, 2, 2), dtype=complex)
+        whole = np.zeros((*omega.shape, 2, 2), dtype=complex)
         for motions, pairs, rows in self._parts:
             ways = sorted({one for one, _ in pairs})
             responses = np.array([rows[ways.index(one)] for one, _ in pairs])
             excitations = np.array([rows[ways.index(other)] for _, other in pairs])
             values = motions.receptance(omega, responses, excitations)
             for k, (one, other) in enumerate(pairs):
-                found[..., one, other] = values[:, k]
-        return np.asarray(self._turn @ found @ self._turn.T)
+                whole[..., one, other] = values[:, k]
+        return np.asarray(self._turn @ whole @ self._turn.T)
 
     @cached_property
     def modes(self) -> TipModes | None:

@@ -1,14 +1,14 @@
 """Timoshenko beam of any polynomial degree in one plane, with the standard element as its core.
 
-Freedoms: (v1, φ1, v2, φ2) of ``plane_bending``, then between the nodes, for degree n ≥ 2,
+DOF: (v1, φ1, v2, φ2) of ``plane_bending``, then between the nodes, for degree n ≥ 2,
 
 - n of shear: v = ψ_2 … ψ_(n+1), φ = 0;
 - one of constant shear: φ = ψ_2 and the v whose slope differs from it by a constant;
 - n − 2 of bending without shear: φ = ψ_3 … ψ_n and v = ∫φ dx.
 
 Together v has degree n + 1 and φ = v′ degree n: nothing locks at any slenderness, and frequencies
-err as h^(2n). In the energy of deformation all inner freedoms stand alone, which keeps slender
-elements well conditioned. A beam rigid in shear (Φ = 0) has no freedoms of shear. In a cone the
+err as h^(2n). In the energy of deformation all inner DOF stand alone, which keeps slender
+elements well conditioned. A beam rigid in shear (Φ = 0) has no DOF of shear. In a cone the
 shapes are those of the section in its middle, and all energies are integrated at Gauss points.
 """
 
@@ -25,11 +25,11 @@ from rotordyn.machine.cross_section import area, second_moment
 
 Array = NDArray[np.float64]
 Whole = NDArray[np.intp]
-_CONSTANT = 1.0 / 6.0**0.5  # shear angle of the freedom of constant shear: −½ ∫ψ_2 dξ
+_CONSTANT = 1.0 / 6.0**0.5  # shear angle of the DOF of constant shear: −½ ∫ψ_2 dξ
 
 
-def inner_freedoms(degree: Whole, sheared: bool = True) -> Whole:
-    """Freedoms between the nodes of elements of ``degree`` n ≥ 1 (1: the standard element)."""
+def inner_dofs(degree: Whole, sheared: bool = True) -> Whole:
+    """DOF between the nodes of elements of ``degree`` n ≥ 1 (1: the standard element)."""
     return np.where(degree < 2, 0, 2 * degree - 1 if sheared else degree - 2)
 
 
@@ -46,7 +46,7 @@ def hierarchic_bending(
 ) -> PlaneBending:
     """Matrices of hollow circular elements, all of one ``degree``.
 
-    Each of shape (elements, k, k) with k = 4 + ``inner_freedoms(degree)``.
+    Each of shape (elements, k, k) with k = 4 + ``inner_dofs(degree)``.
 
     Lengths and diameters (elements,) [m], moduli [Pa], density [kg/m³], shear coefficient κ [1].
     """
@@ -85,7 +85,7 @@ def hierarchic_bending(
 
 
 def _inner_stiffness(length: Array, bending: Array, shear: Array, degree: int) -> Array:
-    """Energy of each inner freedom (elements, ``inner_freedoms``)."""
+    """Energy of each inner DOF (elements, ``inner_dofs``)."""
     one = np.ones((1, degree))
     pure_shear = (2.0 * shear / length)[:, None] * one
     constant = 2.0 * bending / length + shear * _CONSTANT**2 * length
@@ -133,7 +133,7 @@ def tapered_bending(
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Shapes:
-    """Shape functions of all freedoms, each (elements, points, freedoms); ``shear``: v′ − φ."""
+    """Shape functions of all DOF, each (elements, points, DOF); ``shear``: v′ − φ."""
 
     deflection: Array
     slope: Array
@@ -158,7 +158,7 @@ def shapes(length: Array, phi: Array, degree: int, xi: Array) -> Shapes:
 
 
 def _inner(length: Array, degree: int, xi: Array) -> list[Array]:
-    """v, v′, φ, φ′, v′ − φ of the inner freedoms."""
+    """v, v′, φ, φ′, v′ − φ of the inner DOF."""
     half = length[:, None, None] / 2.0
     integral, psi, rise = bubbles(degree + 1, xi)
     none = np.zeros((*xi.shape, degree))
@@ -203,7 +203,7 @@ _ROTATION_SHEAR = np.array([[0, 1, 0, 0], [0, -1, 0, 1], [0, 0, 0, 0], [0, 0, 0,
 
 
 def _product(shape: Array, factor: Array, along: Array) -> Array:
-    """∫ factor · shapeᵀ shape dx of every element (elements, freedoms, freedoms); ``factor``
+    """∫ factor · shapeᵀ shape dx of every element (elements, DOF, DOF); ``factor``
     (elements, points or 1)."""
     weighted = shape * (factor * along)[..., None]
     return np.asarray(np.swapaxes(weighted, -1, -2) @ shape)

@@ -31,10 +31,10 @@ def _bubbles(last: int, shape: tuple[int, ...], places: bytes) -> tuple[Array, A
     scale = np.sqrt(2.0 * (2.0 * k - 1.0))
     value = (p[..., 2:-1] - p[..., : last - 1]) / scale
     slope = p[..., 1:last] * np.sqrt((2.0 * k - 1.0) / 2.0)
-    found = (_integral(p, k) - _integral(p, k - 2)) / scale, value, slope
-    for array in found:
+    functions = (_integral(p, k) - _integral(p, k - 2)) / scale, value, slope
+    for array in functions:
         array.flags.writeable = False
-    return found
+    return functions
 
 
 def _integral(p: Array, degree: NDArray[np.intp]) -> Array:
@@ -46,7 +46,7 @@ def _integral(p: Array, degree: NDArray[np.intp]) -> Array:
 @lru_cache(maxsize=64)
 def points(degree: int) -> tuple[Array, Array]:
     """Gauss points on [−1, 1] and weights, exact for polynomials up to ``degree``; read only."""
-    found = legendre.leggauss(degree // 2 + 1)
-    for array in found:
+    rule = legendre.leggauss(degree // 2 + 1)
+    for array in rule:
         array.flags.writeable = False
-    return found
+    return rule

@@ -40,8 +40,8 @@ def _spread(values: Array) -> Array:
     return np.asarray(values)[..., None, None]
 
 
-def inner_freedoms(degree: int) -> int:
-    """Freedoms between the nodes of a rod of ``degree`` n ≥ 1."""
+def inner_dofs(degree: int) -> int:
+    """DOF between the nodes of a rod of ``degree`` n ≥ 1."""
     return degree - 1
 
 

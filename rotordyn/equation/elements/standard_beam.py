@@ -1,4 +1,4 @@
-"""Two-node Timoshenko beam in one plane: freedoms (v1, φ1, v2, φ2), φ = v′ where shear is absent.
+"""Two-node Timoshenko beam in one plane: DOF (v1, φ1, v2, φ2), φ = v′ where shear is absent.
 
 Both planes of a shaft have these matrices: φ = θz in the x–y plane, φ = −θy in the x–z plane.
 The shape functions are the element's static solutions, of constant shear force (Nelson 1980, J.

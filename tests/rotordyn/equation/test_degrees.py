@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from rotordyn.equation.elements.rod import hierarchic_rod, inner_freedoms, shapes
+from rotordyn.equation.elements.rod import hierarchic_rod, inner_dofs, shapes
 from rotordyn.equation.fineness import (
     HIGHEST,
     bending_wave,
@@ -35,11 +35,11 @@ def test_rod_of_any_degree_errs_as_expected() -> None:
     for degree in (1, 2, 3, 4):
         element = hierarchic_rod(np.array([1.0]), np.array([1.0]), np.array([1.0]), degree=degree)
         count = 4
-        size = count + 1 + count * inner_freedoms(degree)
+        size = count + 1 + count * inner_dofs(degree)
         mass, stiffness = np.zeros((size, size)), np.zeros((size, size))
         for k in range(count):
-            first = count + 1 + k * inner_freedoms(degree)
-            rows = np.r_[k, k + 1, first : first + inner_freedoms(degree)]
+            first = count + 1 + k * inner_dofs(degree)
+            rows = np.r_[k, k + 1, first : first + inner_dofs(degree)]
             mass[np.ix_(rows, rows)] += element.mass[0]
             stiffness[np.ix_(rows, rows)] += element.stiffness[0]
         values = np.linalg.eigvals(np.linalg.solve(mass, stiffness)).real

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from rotordyn.equation.elements.beam import hierarchic_bending, inner_freedoms, shapes
+from rotordyn.equation.elements.beam import hierarchic_bending, inner_dofs, shapes
 from rotordyn.equation.elements.polynomials import bubbles, points
 from rotordyn.equation.elements.standard_beam import plane_bending, shear_parameter
 from rotordyn.machine.cross_section import area, second_moment
@@ -73,7 +73,7 @@ def test_stiffness_is_the_energy_of_the_shapes(
 def test_the_core_is_the_standard_element(degree: int) -> None:
     given_ = arguments(0.04, 0.08, 0.03)
     whole, core = hierarchic_bending(*given_, degree=degree), plane_bending(*given_)
-    assert whole.mass.shape[-1] == 4 + inner_freedoms(degree)
+    assert whole.mass.shape[-1] == 4 + inner_dofs(degree)
     for name in ("mass", "translational_mass", "polar", "stiffness"):
         assert np.array_equal(getattr(whole, name)[:, :4, :4], getattr(core, name))
         matrix = getattr(whole, name)[0]
@@ -86,7 +86,7 @@ def test_rigid_motion_has_the_exact_inertia(degree: int) -> None:
     """Mass and moment of inertia of a cylinder, all of it in the nodal freedoms."""
     length, outer = 0.05, 0.09
     whole = hierarchic_bending(*arguments(length, outer, 0.0), degree=degree)
-    inner = np.zeros(inner_freedoms(degree))
+    inner = np.zeros(inner_dofs(degree))
     shift, tilt = np.r_[1.0, 0.0, 1.0, 0.0, inner], np.r_[0.0, 1.0, length, 1.0, inner]
     mass = RHO * area(outer, 0.0) * length
     assert shift @ whole.mass[0] @ shift == pytest.approx(mass, rel=1e-12)
