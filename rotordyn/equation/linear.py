@@ -67,9 +67,9 @@ class Linear:
         """G (n, n): what of ``damping`` is per unit of the spindle's speed."""
         whole = np.zeros((self.size, self.size))
         for y, z in planes_of(self):
-            own, other = self.slices[y], self.slices[z]
+            first, other = self.slices[y], self.slices[z]
             polar = self.structure.gyroscopic(self.components[y], self.components[z])
-            whole[own, other], whole[other, own] = polar, -polar.T
+            whole[first, other], whole[other, first] = polar, -polar.T
         return whole
 
     @property
@@ -108,14 +108,14 @@ class Linear:
     @property
     def motions(self) -> frozenset[str]:
         """Those of "bending", "axial" and "torsion" that take part."""
-        own = {line.motion for component in self.components for line in component.lines}
-        return frozenset(own - {""})
+        names = {line.motion for component in self.components for line in component.lines}
+        return frozenset(names - {""})
 
     def energy_of(self, motion: str) -> NDArray[np.bool_]:
         """Coordinates (n,) of shafts that are of a motion."""
         chosen = np.zeros(self.size, dtype=bool)
-        for component, own in zip(self.components, self.slices, strict=True):
-            chosen[own] = component.spindle is not None and component.lines[0].motion == motion
+        for component, part in zip(self.components, self.slices, strict=True):
+            chosen[part] = component.spindle is not None and component.lines[0].motion == motion
         return chosen
 
     @cached_property
@@ -149,10 +149,10 @@ class Linear:
         """Displacements of DOF in their directions by the coordinates (DOF, n); zero of those of
         other subsystems."""
         rows, sign = np.zeros((len(dofs), self.size)), self.structure.dofs.sign
-        for component, own in zip(self.components, self.slices, strict=True):
+        for component, part in zip(self.components, self.slices, strict=True):
             mine = component.has(dofs)
             vectors = component.vectors[component.local(dofs[mine])]
-            rows[mine, own] = sign[dofs[mine], None] * vectors
+            rows[mine, part] = sign[dofs[mine], None] * vectors
         return rows
 
     def rigid_force(self, unbalanced: Complex) -> dict[str, Complex]:
@@ -169,12 +169,12 @@ class Linear:
         force = np.zeros((len(unbalanced), len(rows)), dtype=complex)
         answer, _, rank, _ = np.linalg.lstsq(rows[acting].T, -unbalanced.T, rcond=DEPENDENT)
         force[:, acting] = answer.T if rank == len(acting) else complex(np.nan, np.nan)
-        found, begin = {}, 0
+        forces, begin = {}, 0
         for each in held:
-            own = np.zeros((len(unbalanced), len(each.motions)), dtype=complex)
-            own[:, each.rigid > 0.0] = force[:, begin : begin + len(each.link.rigid)]
-            found[each.link.name], begin = own, begin + len(each.link.rigid)
-        return found
+            reaction = np.zeros((len(unbalanced), len(each.motions)), dtype=complex)
+            reaction[:, each.rigid > 0.0] = force[:, begin : begin + len(each.link.rigid)]
+            forces[each.link.name], begin = reaction, begin + len(each.link.rigid)
+        return forces
 
     @cached_property
     def isotropic(self) -> bool:
@@ -185,18 +185,18 @@ class Linear:
             return False
         if [c.lines[0].body for c in firsts] != [c.lines[0].body for c in seconds]:
             return False
-        own = ("vectors", "stiffness", "damping", "turning")
+        names = ("vectors", "stiffness", "damping", "turning")
         if not all(
             np.array_equal(getattr(y, name), getattr(z, name))
             for y, z in zip(firsts, seconds, strict=True)
-            for name in own
+            for name in names
         ):
             return False
         return all(
-            answers_alike(own)
+            answers_alike(part)
             for each in self.connections
-            for own in (*each.matrices, np.diag(each.rigid))
-            if own.shape[-1] == len(DIRECTIONS)
+            for part in (*each.matrices, np.diag(each.rigid))
+            if part.shape[-1] == len(DIRECTIONS)
         )
 
 

@@ -56,9 +56,9 @@ def plane_rotor(
         for c in structure.components
         if c.way == "y" and not c.lines[0].body.startswith("housing")
     ]
-    own = assemble(structure, components, _without_bearings(structure, speed), force)
+    whole = assemble(structure, components, _without_bearings(structure, speed), force)
     number = structure.node(*point)[position("y")]
-    return _rotor(structure, own, PLANE, own.displaced(np.array([number]))[0])
+    return _rotor(structure, whole, PLANE, whole.displaced(np.array([number]))[0])
 
 
 def loaded_rotor(
@@ -71,21 +71,21 @@ def loaded_rotor(
     """Both planes of a structure, housings and sleeves too, under ``loads`` per newton of their
     size and ``constant`` ones besides, and the axial ``force`` (states, elements) [N]."""
     components = [c for c in structure.components if _across(c)]
-    own = assemble(structure, components, _without_bearings(structure, speed), force)
-    rotor = _rotor(structure, own, EVERY, _acting(own, loads))
+    whole = assemble(structure, components, _without_bearings(structure, speed), force)
+    rotor = _rotor(structure, whole, EVERY, _acting(whole, loads))
     if constant is None:
         return rotor
-    return replace(rotor, constant=_acting(own, constant) @ own.basis)
+    return replace(rotor, constant=_acting(whole, constant) @ whole.basis)
 
 
-def _acting(own: Linear, loads: Across) -> Array:
+def _acting(linear: Linear, loads: Across) -> Array:
     """Forces on the coordinates (m,)."""
-    acting = np.zeros(own.size)
+    acting = np.zeros(linear.size)
     for place, load in loads.points:
-        acting += load @ own.displaced(own.structure.node(*place))
+        acting += load @ linear.displaced(linear.structure.node(*place))
     for way, pull in zip(("y", "z"), loads.pull, strict=True):
         if pull:
-            acting += pull * _falling(own, way)
+            acting += pull * _falling(linear, way)
     return acting
 
 
@@ -112,32 +112,32 @@ def _across(component: Component) -> bool:
     return bool({line.way for line in component.lines} - {"x", "thx"})
 
 
-def _falling(own: Linear, way: str) -> Array:
+def _falling(linear: Linear, way: str) -> Array:
     """Force per acceleration of gravity along y or z on the coordinates (m,), of shafts alone.
 
     Mass is the identity: it is the translation of the spindle's shaft in rigid coordinates.
     """
-    found = np.zeros(own.size)
-    for component, where in zip(own.components, own.slices, strict=True):
+    mass = np.zeros(linear.size)
+    for component, where in zip(linear.components, linear.slices, strict=True):
         if component.way != way or component.spindle is None:
             continue
-        shaft = own.structure.shafts[component.lines[0].body]
+        shaft = linear.structure.shafts[component.lines[0].body]
         nodes = np.array([row[position(way)] for row in shaft.node])
         rigid = np.flatnonzero(component.is_rigid)
-        sign = own.structure.dofs.sign[nodes]
+        sign = linear.structure.dofs.sign[nodes]
         motion = sign[:, None] * component.vectors[component.local(nodes)][:, rigid]
         share = np.linalg.lstsq(motion, np.ones(len(nodes)), rcond=None)[0]
-        found[where][rigid] = share
-    return found
+        mass[where][rigid] = share
+    return mass
 
 
-def _rotor(structure: Structure, own: Linear, dof: tuple[int, ...], point: Array) -> StaticRotor:
-    motions = {id(each.link): each.motions for each in own.connections}
+def _rotor(structure: Structure, linear: Linear, dof: tuple[int, ...], point: Array) -> StaticRotor:
+    motions = {id(each.link): each.motions for each in linear.connections}
     places = [position(BEARING_DIRECTIONS[k]) for k in dof[1:]]
     rows = [motions[id(link)][places] for link in structure.seats]
-    seated = np.array(rows).reshape(-1, len(places), own.size)
-    stiffness, acting = own.within(own.stiffness), point @ own.basis
-    return StaticRotor(dof, stiffness, seated @ own.basis, acting, 0.0 * acting)
+    seated = np.array(rows).reshape(-1, len(places), linear.size)
+    stiffness, acting = linear.within(linear.stiffness), point @ linear.basis
+    return StaticRotor(dof, stiffness, seated @ linear.basis, acting, 0.0 * acting)
 
 
 def withstands(
@@ -151,9 +151,9 @@ def withstands(
     first = structure.node(SPINDLE, structure.spindle.shaft.start)[position("y")]
     bent = structure.components[structure.owner[first]]
     every = subsystems(structure, state, strings=True)
-    components = next(own for own in every if bent in own)
+    components = next(components_of for components_of in every if bent in components_of)
     both = [assemble(structure, components, state, each, pull=pull) for each in (force, None)]
-    loaded, free = (own.within(own.stiffness) for own in both)
+    loaded, free = (components_of.within(components_of.stiffness) for components_of in both)
     return np.asarray(_negative(loaded) <= _negative(free))
 
 

@@ -124,7 +124,7 @@ def _loads(setting: Setting) -> Faults:
 
 def _warm(setting: Setting) -> Faults:
     """Temperatures act on bearings that are there, at speeds that their tables reach."""
-    spindle, own = setting.spindle, setting.conditions.temperatures
+    spindle, temperatures = setting.spindle, setting.conditions.temperatures
     for index, seat in enumerate(spindle.seats):
         bearing: object = seat.bearing
         if seat.fits is None or not isinstance(bearing, BallBearing) or [*seat.fits._faults()]:
@@ -139,18 +139,20 @@ def _warm(setting: Setting) -> Faults:
                 f"{format_quantity(growth, 'um')}; allowed: up to {format_quantity(room, 'um')}",
             )
     yield from _heated(setting)
-    if own is None:
+    if temperatures is None:
         return
     way = ("conditions", "temperatures")
     if not spindle.seats:
         yield way, "temperatures act on the state of bearings, and this spindle has none: leave out"
     names = [seat.name for seat in spindle.seats]
-    for name in own.bearings:
+    for name in temperatures.bearings:
         for sentence in unknown("bearing", name, names):
             yield (*way, "bearings", name), sentence
-    beyond = own.unknown_at(setting.speeds)
+    beyond = temperatures.unknown_at(setting.speeds)
     if beyond is not None:
-        ends = " to ".join(f"{speed / RPM:.6g}" for speed in (own.speeds[0], own.speeds[-1]))
+        ends = " to ".join(
+            f"{speed / RPM:.6g}" for speed in (temperatures.speeds[0], temperatures.speeds[-1])
+        )
         yield (
             (*way, "speeds"),
             f"the table of temperatures does not reach {beyond / RPM:.6g} rpm: given {ends} rpm",

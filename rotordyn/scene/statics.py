@@ -294,8 +294,8 @@ class Statics(Staged):
         conditions = self.conditions
         forces = self.axial_force, conditions.axial_force, self.gravity, conditions.temperatures
         warm = conditions.heat_flow
-        own = (self.spindle, self.law, *forces, warm, self._pushes, self.bearing_speed.tobytes())
-        return (*own, *self._lateral_inputs) if self.loaded else own
+        inputs = (self.spindle, self.law, *forces, warm, self._pushes, self.bearing_speed.tobytes())
+        return (*inputs, *self._lateral_inputs) if self.loaded else inputs
 
     @property
     def _seated(self) -> tuple[Any, ...]:
