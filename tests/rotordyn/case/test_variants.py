@@ -172,3 +172,10 @@ def test_faults_of_tools(tmp_path: Path, tools: str, sentence: str) -> None:
     path.write_text(TOOLS.format(tools=tools), encoding="utf-8")
     with pytest.raises(InvalidInput, match=sentence):
         rotordyn.load(path)
+
+
+def test_references_replaced_by_a_variant_leave_with_those_of_the_tool() -> None:
+    """Published values are those of the spindle on ground, its tool's included."""
+    whole = rotordyn.load("spindle_on_housing")
+    assert len(whole.variants["wall"].references) > 20
+    assert whole.variants["body"].references == whole.variants["elastic"].references == ()

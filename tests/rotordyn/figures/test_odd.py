@@ -19,7 +19,7 @@ from rotordyn.figures.draw import Drawing
 from rotordyn.figures.overlays import Scale, colour, dash, overlay_figure
 from rotordyn.figures.panels import Shown
 from rotordyn.figures.style import mark_lone_points
-from rotordyn.job.figures import comparison_figures
+from rotordyn.job.figures import comparison_figures, figures
 from rotordyn.machine.reference import Reference
 from rotordyn.results.headline import Curve
 from tests.rotordyn.figures import samples
@@ -214,3 +214,43 @@ def test_curves_of_variants_are_drawn_from_their_least_abscissa():
     for axes in overlay_figure("cycle", curves, shown, None).axes:
         assert axes.get_xlim()[0] <= -2000.0
         assert axes.get_xlim()[1] >= 1500.0
+
+
+def test_differences_are_drawn_only_where_variants_differ():
+    shown = [Shown(name, None, (), None) for name in ("a", "bb")]
+    x = np.linspace(0.0, 9000.0, 9)
+
+    def alike(_):
+        yield Curve("curves", "load", "N", x, 1.0 + x)
+
+    def apart(variant):
+        yield Curve("curves", "load", "N", x, x * len(variant.title))
+
+    assert len(overlay_figure("curves", alike, shown, None).axes) == 1
+    _, differences = overlay_figure("curves", apart, shown, None).axes
+    assert differences.get_lines()[-1].get_ydata() == pytest.approx(x)
+
+
+def test_no_line_joins_both_sides_of_a_jump():
+    x, jump = np.linspace(0.0, 9000.0, 9), np.arange(8) == 4
+
+    def curves(variant):
+        step = np.where(np.arange(9) > 4, 5.0, 0.0) * len(variant.title)
+        yield Curve("curves", "load", "N", x, step, breaks=jump)
+
+    shown = [Shown(name, None, (), None) for name in ("a", "bb")]
+    for axes in overlay_figure("curves", curves, shown, None).axes:
+        lines = [line.get_ydata() for line in axes.get_lines() if len(line.get_xdata()) > 8]
+        assert lines
+        assert all(np.flatnonzero(np.isnan(y)).tolist() == [5] for y in lines)
+
+
+def test_unbounded_peaks_have_no_surface():
+    result = samples.frf(5, 50)
+    bare = replace(result, peak_value=np.full((5, 4, 1), np.inf + 0j))
+    for each, expected in ((result, True), (bare, False)):
+        names = [name for name, _ in figures(samples.case(), {"frf": each})]
+        assert "frf_map" in names
+        assert ("frf_surface" in names) is expected
+        names = [name for name, _ in comparison_figures([(samples.case(), {"frf": each})] * 2)]
+        assert ("frf_surfaces" in names) is expected
