@@ -16,6 +16,8 @@ from dataclasses import dataclass
 
 from bearings.errors import BearingError, InvalidBearing
 
+PRINTED = 30  # faults of an input
+
 
 @dataclass(frozen=True, slots=True)
 class Fault:
@@ -40,11 +42,27 @@ class RotordynError(Exception):
 
 
 class InvalidInput(RotordynError):
-    """The input cannot be used; ``faults`` lists every reason found."""
+    """The input cannot be used; ``faults`` lists every reason, of which some are printed."""
 
     def __init__(self, faults: Sequence[Fault] | str) -> None:
         self.faults: tuple[Fault, ...] = () if isinstance(faults, str) else tuple(faults)
-        super().__init__(faults if isinstance(faults, str) else "\n".join(map(str, faults)))
+        super().__init__(faults if isinstance(faults, str) else _listed(self.faults))
+
+
+class TooManyFaults(InvalidInput):
+    """The input has so many faults that it was not read to its end."""
+
+    def __init__(self, faults: Sequence[Fault]) -> None:
+        super().__init__(faults)
+        last = faults[-1]
+        self.args = (f"{self.args[0]}\n{last.file}: too many faults: not read any further",)
+
+
+def _listed(faults: Sequence[Fault]) -> str:
+    lines = [str(fault) for fault in faults[:PRINTED]]
+    if len(faults) > PRINTED:
+        lines.append(f"{len(faults) - PRINTED} more faults")
+    return "\n".join(lines)
 
 
 class OutputRefused(InvalidInput):

@@ -3,7 +3,10 @@
 from __future__ import annotations
 
 from rotordyn.case.node import Node, joined
-from rotordyn.errors import Fault
+from rotordyn.errors import Fault, TooManyFaults
+
+MOST = 200  # faults, after which nothing more is read
+LONGEST_PATH, LONGEST = 160, 700  # characters of a fault
 
 
 class Faults:
@@ -39,9 +42,12 @@ class Faults:
         path, prefix = _printable(fault.path), f"compare.{self.variant}."
         whose = f"variant {self.variant}: " if self.variant and not path.startswith(prefix) else ""
         message = _printable(whose + fault.message)
+        path, message = _cut(path, LONGEST_PATH), _cut(message, LONGEST)
         line = Fault(fault.file, fault.line, fault.column, path, message)
         if line not in self.reported:
             self.reported.append(line)
+        if len(self.reported) >= MOST:
+            raise TooManyFaults(self.reported)
 
     def __bool__(self) -> bool:
         return bool(self.reported)
@@ -49,3 +55,10 @@ class Faults:
 
 def _printable(text: str) -> str:
     return "".join(c if c.isprintable() else " " for c in text)
+
+
+def _cut(text: str, longest: int) -> str:
+    """Both ends of a text that is too long to be read."""
+    if len(text) <= longest:
+        return text
+    return f"{text[: longest // 2]} … {text[-longest // 2 :]}"

@@ -13,6 +13,7 @@ from rotordyn.case.case import Case
 from rotordyn.case.faults import Faults
 from rotordyn.errors import Fault, InvalidInput
 
+MOST_VARIANTS = 200
 # Keys by which a file that is no case is known, and what it is called.
 _OTHER_FILES = {
     "shaft": "spindle",
@@ -43,6 +44,8 @@ def load(path: str | Path) -> Case:
     whole = None if root is None else _case(root, file.stem, reader)
     made: dict[str, Case] = {}
     if root is not None and not reader.faults:
+        _require_few(root, reader)
+    if root is not None and not reader.faults:
         for name, tree in variant_trees(root).items():
             reader.faults.variant = name
             title = root.at("compare", name).child("title")
@@ -54,6 +57,18 @@ def load(path: str | Path) -> Case:
         raise InvalidInput(in_order(reader.faults.reported, "" if root is None else root.file))
     read = {"files": tuple(reader.contents), "digest": _digest(reader.contents)}
     return _with(whole, variants={n: _with(v, **read) for n, v in made.items()}, **read)
+
+
+def _require_few(root: Any, reader: Any) -> None:
+    compared = root.child("compare")
+    many = len(compared.value) if compared is not None and isinstance(compared.value, dict) else 0
+    if many > MOST_VARIANTS:
+        reader.faults.at_key(
+            compared,
+            (),
+            f"too many variants: given {many}; allowed: up to {MOST_VARIANTS}, more in a study "
+            "(rotordyn sweep)",
+        )
 
 
 def _with(case: Case, **changes: Any) -> Case:

@@ -9,9 +9,10 @@ from __future__ import annotations
 
 import io
 import math
+import zlib
 from collections.abc import Mapping, Sequence
 from typing import Any
-from zipfile import BadZipFile
+from zipfile import BadZipFile, ZipFile
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +23,8 @@ from rotordyn.units import shown
 
 Array = NDArray[np.float64]
 MOST = 400  # coordinates of a reduced model
+MOST_BYTES = 16 * MOST * MOST  # of an array
+_BROKEN = (BadZipFile, zlib.error, OverflowError, NotImplementedError, RuntimeError)
 _MODAL = ("frequency", "damping_ratio", "shape")
 _MATRICES = ("mass", "stiffness", "damping")
 _KNOWN = ("places", *_MATRICES, *_MODAL)
@@ -32,8 +35,10 @@ def from_archive(raw: bytes) -> ReducedModel:
     """The model in a numpy archive; raises NoModel."""
     try:
         with np.load(io.BytesIO(raw), allow_pickle=False) as archive:
+            for name in archive.zip.namelist():
+                _require_small(name, archive.zip)
             held: dict[str, Any] = {name: archive[name] for name in archive.files}
-    except (ValueError, OSError, EOFError, KeyError, TypeError, AttributeError, BadZipFile):
+    except (ValueError, OSError, EOFError, KeyError, TypeError, AttributeError, *_BROKEN):
         raise NoModel("is not a numpy archive (.npz) of plain arrays") from None
     for name in held:
         if name not in _KNOWN:
@@ -53,16 +58,40 @@ def from_archive(raw: bytes) -> ReducedModel:
     return from_matrices(places, held)
 
 
+def _require_small(name: str, archive: ZipFile) -> None:
+    """Raises NoModel where an array would not be that of a reduced model, before it is read."""
+    with archive.open(name) as member:
+        version = np.lib.format.read_magic(member)
+        read = (
+            np.lib.format.read_array_header_1_0
+            if version == (1, 0)
+            else np.lib.format.read_array_header_2_0
+        )
+        shape, _, kind = read(member)
+    size = math.prod(map(int, shape)) * kind.itemsize
+    if min(shape, default=0) < 0 or size > MOST_BYTES:
+        array = name.removesuffix(".npy")
+        raise NoModel(
+            f"{array} takes {size:.3g} bytes: allowed are up to {MOST_BYTES}, {MOST} coordinates"
+        )
+
+
 def from_market(raw: Mapping[str, bytes], places: Sequence[str]) -> ReducedModel:
     """The model in Matrix Market files by the names of the matrices; raises NoModel."""
-    from scipy.io import mmread
+    from scipy.io import mminfo, mmread
     from scipy.sparse import issparse
 
     held: dict[str, Any] = {}
     for name, content in raw.items():
         try:
+            rows, columns, entries = mminfo(io.BytesIO(content))[:3]
+            if max(rows, columns) > MOST or entries > MOST * MOST:
+                raise NoModel(
+                    f"{name} has {rows} × {columns} places, {entries} entries: allowed are up to "
+                    f"{MOST} coordinates; reduce it further"
+                )
             matrix: Any = mmread(io.BytesIO(content))
-        except (ValueError, OSError, TypeError, IndexError):
+        except (ValueError, OSError, TypeError, IndexError, OverflowError, MemoryError):
             raise NoModel(f"{name} is not a Matrix Market file") from None
         held[name] = matrix.toarray() if issparse(matrix) else matrix
     return from_matrices(list(places), held)

@@ -76,8 +76,12 @@ def as_quantity(one: MeasuredResponse, quantity: str) -> Complex:
 
 def assurance(one: Complex, other: Complex) -> float:
     """Frequency response assurance criterion |aᴴ b|² / (aᴴ a · bᴴ b), 1 where b = c a."""
+    largest = np.abs(one).max(initial=0.0), np.abs(other).max(initial=0.0)
+    if not min(largest) > 0.0:
+        return 0.0
+    one, other = one / largest[0], other / largest[1]  # squares of 1e200 are no numbers
     size = float((np.abs(one) ** 2).sum() * (np.abs(other) ** 2).sum())
-    return float(np.abs(np.vdot(one, other)) ** 2) / size if size > 0.0 else 0.0
+    return float(np.abs(np.vdot(one, other)) ** 2) / size
 
 
 def peaks_of(amplitude: Array) -> NDArray[np.intp]:

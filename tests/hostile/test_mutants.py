@@ -1,0 +1,21 @@
+"""A few mutants of every shipped file; all of them: python -m tests.hostile --mutants 100."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from tests.hostile.judged import command, judged, loaded
+from tests.hostile.mutants import ROOT, files, mutant, written
+
+
+@pytest.fixture(scope="module", autouse=True)
+def _loaded() -> None:
+    loaded()
+
+
+@pytest.mark.parametrize("path", files(), ids=lambda path: str(path.relative_to(ROOT)))
+def test_a_mutant_is_taken_or_refused(path: Path, tmp_path: Path) -> None:
+    assert mutant(path, 0) == mutant(path, 0)
+    assert judged(command("check", written(path, 0, tmp_path))).faults == []
