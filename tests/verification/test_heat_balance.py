@@ -113,3 +113,17 @@ def test_contradictions_get_a_sentence(conditions: str, sentence: str, tmp_path:
     )
     with pytest.raises(InvalidInput, match=sentence):
         rotordyn.load(file)
+
+
+def test_temperatures_are_shown() -> None:
+    """A figure with three parts, and a line of the summary."""
+    from rotordyn.analyses.life.figures import figures
+    from rotordyn.analyses.life.summary import summary
+
+    found = lives(scene())
+    drawn = dict(figures(None, found, {}))["temperature"]()  # type: ignore[arg-type]
+    names = [axes.get_ylabel() for axes in drawn.axes]
+    assert names[0] == "temperature, balls [°C]"
+    assert all(axes.lines for axes in drawn.axes)
+    line = next(line for line in summary(found) if line.startswith("warm"))
+    assert f"balls {found.ball_temperature[2].min():.0f}" in line
