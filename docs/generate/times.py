@@ -200,6 +200,7 @@ def _random_dense(found: Measured) -> str:
     head = (
         "rotors with",
         "rotors:",
+        "set aside:",
         "most sections:",
         "modes:",
         "missing:",
@@ -208,7 +209,7 @@ def _random_dense(found: Measured) -> str:
         "reported within a factor of 3:",
         "warnings of libraries:",
     )
-    names = ("rotors", "most_sections", "modes", "missing", "spurious")
+    names = ("rotors", "blurred", "most_sections", "modes", "missing", "spurious")
     sorts = {
         "the same elements": "dense_rotors",
         "cones": "tapered_rotors",

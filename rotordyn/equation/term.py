@@ -62,9 +62,8 @@ class LinkMatrices(NamedTuple):
 class Link:
     """Springs and dampers over k relative motions d = ``motions`` (k, DOF) q[``dofs``].
 
-    ``matrices``: at the states of a machine. ``directions``: of the six of a node, those that d is
-    made of. ``loss_factor`` [-]: of the stiffness. ``tilts``: moments act on tilts too.
-    ``rigid``: places of the motions that are zero, whatever acts (``constraint``).
+    ``matrices``: at the states of a machine. ``loss_factor`` [-]: of the stiffness. ``rigid``:
+    places of the motions that are zero, whatever acts (``constraint``).
     """
 
     name: str

@@ -54,7 +54,6 @@ MOTIONS = {
 }
 Value = float | tuple[float, ...]
 Entries = Mapping[tuple[Dof, Dof], Value]
-TILTS = frozenset({"thy", "thz"})
 THRUST = Words((("+x", 1), ("-x", -1)), silent=0)
 BEYOND = ("refuse", "hold")  # what becomes of a speed that a table does not reach
 TABLED = ("y", "z", "thy", "thz")  # DOF whose entries may follow the speed
@@ -377,11 +376,6 @@ class LinearSupport(Description):
             yield ("speeds",), "a table needs at least two speeds: given 1"
         if self.speeds and not rows:
             yield ("speeds",), "speeds without a table: no entry has a list of values"
-
-    @property
-    def tilts(self) -> bool:
-        """True where it answers to tilt, or with a moment that tilts."""
-        return any(not TILTS.isdisjoint(pair) for pair in (*self.stiffness, *self.damping))
 
     @property
     def ends(self) -> tuple[str, str]:
