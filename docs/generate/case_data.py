@@ -2,7 +2,8 @@
 
 Nothing in them was measured. ``oil_film.csv`` are formulas of a short journal bearing,
 ``housing_*.mtx`` a beam on springs, reduced; ``made_up_tap.csv`` is what this program answers for a
-joint softer than that of its case, with noise.
+joint softer than that of its case, with noise; ``made_up_blank.csv`` for a blank on a spindle, with
+noise.
 """
 
 from __future__ import annotations
@@ -153,6 +154,7 @@ def _market(matrix: Array) -> str:
 
 
 TILT, TILT_DAMPING = 2.4e6, 60.0  # N·m/rad, N·m·s/rad
+NOISE_OF_BLANK = 0.01
 NOISE, FLOOR, SEED = 0.03, 0.004, 2310  # of the value; of the largest; of the generator
 
 
@@ -191,12 +193,42 @@ def made_up_tap() -> str:
     return "\n".join(lines) + "\n"
 
 
+def blank() -> str:
+    """The table that stands for a test of a blank at two points, at rest."""
+    frequency = np.arange(100.0, 3000.1, 5.0)
+    ends = [Port(point, "y") for point in ("tip", "inner")]
+    pairs = ((ends[0], ends[0]), (ends[0], ends[1]), (ends[1], ends[1]))
+    case = rotordyn.load(ROOT / "cases" / "mfw2310.yaml")
+    spindle = rotordyn.model("spindles", "mfw2310")
+    asked = replace(
+        case,
+        spindle=spindle.with_tool(rotordyn.model("tools", "hsk63_blank_60")),
+        speeds=(0.0,),
+        analyses={"frf": FrfSpec(tuple(frequency), pairs)},
+    )
+    exact = rotordyn.run(asked)["frf"].receptance.values[0]
+    parts = np.random.default_rng(SEED).normal(size=(2, *exact.shape)) / math.sqrt(2.0)
+    noisy = exact * (1.0 + NOISE_OF_BLANK * (parts[0] + 1j * parts[1]))
+    names = [f"{response} / {excitation}" for response, excitation in pairs]
+    heads = [f"{n} {part} [m/N]" for n in names for part in ("real", "imaginary")]
+    lines = [
+        "# NOT A MEASUREMENT. What rotordyn answers for hsk63_blank_60 on mfw2310 at rest, with",
+        f"# noise of {NOISE_OF_BLANK:.0%} of each value, by docs/generate/case_data.py",
+        ", ".join(["frequency [Hz]", *heads]),
+    ]
+    for f, values in zip(frequency, noisy.T, strict=True):
+        cells = [f"{part:.6g}" for value in values for part in (value.real, value.imag)]
+        lines.append(", ".join([f"{f:g}", *cells]))
+    return "\n".join(lines) + "\n"
+
+
 def files() -> Iterator[tuple[str, str]]:
     """Names and contents."""
     yield "oil_film.csv", oil_film()
     for name, matrix in housing().items():
         yield f"housing_{name}.mtx", _market(matrix)
     yield "made_up_tap.csv", made_up_tap()
+    yield "made_up_blank.csv", blank()
 
 
 def write_case_data() -> None:

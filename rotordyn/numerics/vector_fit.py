@@ -38,10 +38,10 @@ class Fit(NamedTuple):
 
 def vector_fit(omega: Array, values: Complex, count: int, weight: Array) -> Fit:
     """Fit ``count`` pairs of poles to ``values`` (f, e) at ``omega`` (f,) [rad/s], ascending, with
-    a ``weight`` (f,) of every sample."""
-    pole = _start(omega, values, count)
-    size = max(float(np.abs(weight[:, None] * values).max()), 1e-300)
-    weight = weight / size
+    a ``weight`` of every sample, (f, e) or (f, 1) of all entries."""
+    pole = _start(omega, weight * values, count)
+    size = max(float(np.abs(weight * values).max()), 1e-300)
+    weight = np.broadcast_to(weight / size, values.shape)
     for _ in range(ROUNDS):
         moved = _moved(omega, values, pole, weight)
         change = np.abs(moved - pole).max() / np.abs(moved).max() if len(moved) == len(pole) else 1
@@ -54,10 +54,13 @@ def vector_fit(omega: Array, values: Complex, count: int, weight: Array) -> Fit:
 def residues(omega: Array, values: Complex, pole: Complex, weight: Array) -> Fit:
     """The sum over known poles."""
     columns = np.concatenate([_columns(omega, pole), np.ones((len(omega), 1))], axis=1)
-    left = _split(weight[:, None] * columns)
-    scale = np.maximum(np.linalg.norm(left, axis=0), 1e-300)
-    found = np.linalg.lstsq(left / scale, _split(weight[:, None] * values), rcond=None)[0]
-    found = found / scale[:, None]
+    weight = np.broadcast_to(weight, values.shape)
+    found = np.empty((columns.shape[1], values.shape[1]))
+    for k, (own, entry) in enumerate(zip(weight.T, values.T, strict=True)):
+        left = _split(own[:, None] * columns)
+        scale = np.maximum(np.linalg.norm(left, axis=0), 1e-300)
+        right = _split((own * entry)[:, None])
+        found[:, k] = np.linalg.lstsq(left / scale, right, rcond=None)[0][:, 0] / scale
     own = _complex(pole, found[:-1])
     fitted = columns @ found
     return Fit(pole, own, found[-1], values - fitted)
@@ -112,22 +115,21 @@ def _split(rows: Complex) -> Array:
 
 def _moved(omega: Array, values: Complex, pole: Complex, weight: Array) -> Complex:
     """Zeros of the common denominator, which become the poles."""
-    basis = weight[:, None] * _columns(omega, pole)
-    whole = np.concatenate([basis, weight[:, None].astype(complex)], axis=1)
-    n = whole.shape[1]
-    rows, right = [], []
-    for entry in values.T:
+    plain = _columns(omega, pole)
+    n, rows, right = plain.shape[1] + 1, [], []
+    for share, entry in zip(weight.T, values.T, strict=True):
         if not np.abs(entry).any():
             continue
+        basis = share[:, None] * plain
+        whole = np.concatenate([basis, share[:, None].astype(complex)], axis=1)
         own = _split(np.concatenate([whole, -entry[:, None] * basis], axis=1))
-        target = _split((weight * entry)[:, None])
+        target = _split((share * entry)[:, None])
         r = np.asarray(np.linalg.qr(np.concatenate([own, target], axis=1), mode="r"))
         rows.append(r[n:-1, n:-1])
         right.append(r[n:-1, -1])
     left, target = np.concatenate(rows), np.concatenate(right)
     scale = np.maximum(np.linalg.norm(left, axis=0), 1e-300)
-    share = np.linalg.lstsq(left / scale, target, rcond=None)[0] / scale
-    return _zeros(pole, share)
+    return _zeros(pole, np.linalg.lstsq(left / scale, target, rcond=None)[0] / scale)
 
 
 def _zeros(pole: Complex, share: Array) -> Complex:

@@ -22,6 +22,7 @@ NAMES = [
     "housing_stiffness.mtx",
     "housing_damping.mtx",
     "made_up_tap.csv",
+    "made_up_blank.csv",
 ]
 
 

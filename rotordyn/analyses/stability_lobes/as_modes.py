@@ -23,7 +23,7 @@ def as_modes(receptance: Callable[[Array], Complex], omega: Array) -> ModalTip |
     values = receptance(omega)
     flat = values.reshape(len(omega), -1)
     size = np.abs(flat).max(axis=1)
-    weight = 1.0 / np.sqrt(np.maximum(size, 1e-12 * size.max()))
+    weight = 1.0 / np.sqrt(np.maximum(size, 1e-12 * size.max()))[:, None]
     for pairs in PAIRS:
         fit = vector_fit(omega, flat, pairs, weight)
         if not _exact(fit, size):
