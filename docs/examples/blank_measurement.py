@@ -3,7 +3,7 @@
     python docs/examples/blank_measurement.py [FIGURE]
 
 takes the blank from its receptances, puts the end mill in its place and shows its tip beside that
-of the whole machine, or writes the figure to FIGURE. The measurement is computed, with 1 % of noise.
+of the whole machine, or writes the figure to FIGURE. The measurement is computed, with 1 % noise.
 """
 
 import math
