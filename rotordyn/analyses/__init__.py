@@ -18,7 +18,8 @@ if TYPE_CHECKING:
     from rotordyn.analyses.life.spec import LifeSpec, LoadStep
     from rotordyn.analyses.preload.spec import PreloadSpec
     from rotordyn.analyses.section_forces.spec import SectionForcesSpec
-    from rotordyn.analyses.stability_lobes.spec import StabilityLobesSpec
+    from rotordyn.analyses.stability_lobes.spec import Interval, StabilityLobesSpec, Turning
+    from rotordyn.analyses.stability_lobes.workpiece import Coefficients, Workpiece
     from rotordyn.analyses.stiffness.spec import StiffnessSpec
     from rotordyn.analyses.thermal_preload.spec import ThermalPreloadSpec
     from rotordyn.analyses.unbalance.spec import UnbalanceSpec
@@ -39,8 +40,10 @@ _MODULE_OF = {
     "AxialCycleSpec": "rotordyn.analyses.axial_cycle.spec",
     "BearingLoadsSpec": "rotordyn.analyses.bearing_loads.spec",
     "BalanceGrade": "rotordyn.scene.loads",
+    "Coefficients": "rotordyn.analyses.stability_lobes.workpiece",
     "Conditions": "rotordyn.scene.conditions",
     "EccentricSpan": "rotordyn.scene.loads",
+    "Interval": "rotordyn.analyses.stability_lobes.spec",
     "LineLoad": "rotordyn.scene.loads",
     "LoadStep": "rotordyn.analyses.life.spec",
     "Lubrication": "rotordyn.scene.lubrication",
@@ -50,8 +53,10 @@ _MODULE_OF = {
     "Port": "rotordyn.analyses.frf.spec",
     "SpindleHeatFlow": "rotordyn.scene.heat_flow",
     "ShapesInSpaceSpec": "rotordyn.analyses.campbell.spec",
+    "Turning": "rotordyn.analyses.stability_lobes.spec",
     "TwistLimit": "rotordyn.scene.loads",
     "Unbalance": "rotordyn.scene.loads",
+    "Workpiece": "rotordyn.analyses.stability_lobes.workpiece",
 }
 __all__ = [
     "AxialCycleSpec",
@@ -59,10 +64,12 @@ __all__ = [
     "BearingLoadsSpec",
     "BearingMapSpec",
     "CampbellSpec",
+    "Coefficients",
     "Conditions",
     "ControlSpec",
     "EccentricSpan",
     "FrfSpec",
+    "Interval",
     "LifeSpec",
     "LineLoad",
     "LoadStep",
@@ -78,9 +85,11 @@ __all__ = [
     "StabilityLobesSpec",
     "StiffnessSpec",
     "ThermalPreloadSpec",
+    "Turning",
     "TwistLimit",
     "Unbalance",
     "UnbalanceSpec",
+    "Workpiece",
 ]
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import math
 
 import numpy as np
@@ -12,6 +13,7 @@ from rotordyn.analyses.stability_lobes import limit_depth, turning_limit
 from rotordyn.analyses.stability_lobes.modal import Change
 from rotordyn.analyses.stability_lobes.pockets import pockets
 from rotordyn.analyses.stability_lobes.tip import Tip
+from rotordyn.case.archive import archived, restored
 from rotordyn.errors import InvalidInput, RotordynError
 from rotordyn.scene.scene import Scene
 
@@ -293,3 +295,12 @@ def test_a_loss_factor_leaves_no_modes_to_change(case):
     lossy = MACHINE.replace("  points:", "  damping: {loss_factor: 0.02}\n  points:")
     with pytest.raises(InvalidInput, match="no sum of modes: leave process_damping and interval"):
         lobes(case(lossy, process_damping="1e5 N/m"))
+
+
+def test_cases_are_kept_with_their_results(case):
+    """Workpiece, interval and turning come back from the folder of results."""
+    turned = {"teeth": 0, "tangential": "null", "radial": "null", "turning": "{force: 2 GPa}"}
+    named = {"workpiece": "al7075", "tangential": "null", "radial": "null"}
+    for given in (turned, {**named, "interval": "{damping: 20 %}"}):
+        spec = case(**given).analyses["stability_lobes"]
+        assert restored(json.loads(json.dumps(archived(spec)))) == spec
