@@ -37,6 +37,7 @@ WARNED = {  # what the case is there to show
     "preload_concepts": ("stand face to face (X)",),
     "grinding_spindle_life": SLIPS,
     "grinding_spindle_warm": ("the fit of its inner ring lets go",),
+    "mfw2310_lobes": ("period doubling limits",),
     "mfw2310_axial_cycle": ("is unloaded under an axial force", "its friction acts in"),
     "friswell_internal_damping": (
         "viscous: bending 1 forward grows by itself",
