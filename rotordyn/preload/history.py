@@ -31,6 +31,7 @@ Array = NDArray[np.float64]
 SPACING = 1e-6  # m, of a table
 FINER = 2.0 ** -np.arange(1.0, 13.0)  # of the spacing, beside the place where a law begins
 REACH = 250e-6  # m
+SLIDING = 1e-9  # of the limit of friction
 NEAR = 2e-6  # m: a table gives the load at rest that near to where the bearing has it
 
 
@@ -71,6 +72,24 @@ class History:
             states.append(state)
             at = after
         return states
+
+    def held(self, row: int, state: State, force: float, reach: float) -> float:
+        """How much more force than ``force`` [N] the shaft bears before a sleeve that slid there
+        slides back [N]; NaN where none slides, one stands at a stop, or ``reach`` is less."""
+        limit = self.network.frictions.limit
+        slides = np.abs(state.friction) >= limit * (1.0 - SLIDING)
+        if not (limit > 0.0).any() or not slides.all() or (np.abs(state.press) > 0.0).any():
+            return math.nan
+        step = Step(self.network, self.under(row, force), self.under(row, force + reach))
+        try:
+            events = along(step, state)[1]
+        except NoEquilibrium:
+            return math.nan
+        kinds = [event.kind for event in events]
+        slip = next((k for k, kind in enumerate(kinds) if kind.startswith("slip")), None)
+        if slip is None or {"open", "close"} & {*kinds[:slip]}:
+            return math.nan
+        return float(events[slip].share) * reach
 
     def under(self, row: int, force: float) -> Load:
         """What acts at speed ``row`` with ``force`` [N] on the shaft besides."""

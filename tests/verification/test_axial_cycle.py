@@ -131,7 +131,7 @@ def test_lines_numbers_and_warnings() -> None:
 
 def test_its_figures_show_both_branches() -> None:
     drawn = {name: draw() for name, draw in figures(None, cycle(), {})}  # type: ignore[arg-type]
-    assert set(drawn) == {"axial_cycle", "axial_stiffness"}
+    assert set(drawn) == {"axial_cycle", "axial_stiffness", "held_force"}
     upper = drawn["axial_cycle"].axes[0]
     loops = [line.get_ydata() for line in upper.lines]
     assert [np.asarray(loop)[0] for loop in loops] == pytest.approx([-57.95, -57.95], abs=0.01)
@@ -153,3 +153,26 @@ def test_every_branch_moves_one_way() -> None:
 def test_a_cycle_without_a_range_is_refused() -> None:
     with pytest.raises(InvalidInput, match="highest: no cycle: given"):
         AxialCycleSpec(lowest=100.0, highest=-100.0)
+
+
+def test_cyclic_force_that_friction_holds() -> None:
+    """Noël 2013, section III.2.4.4 and Fig. 3.29: ± 185 N about −815 N at rest, with the parameters
+    of his last identification."""
+    result = cycle()
+    known = np.isfinite(result.held_force[0])
+    order = np.argsort(result.held_mean[0, known])
+    mean, held = result.held_mean[0, known][order], result.held_force[0, known][order]
+    assert np.interp(-815.0, mean, held) == pytest.approx(185.0, rel=0.03)
+    assert held.min() > 0.0
+    assert np.isnan(cycle(0.0).held_force).all()
+
+
+def test_within_the_held_force_the_sleeve_stays() -> None:
+    """From the falling branch up by 1.99 of the held force, and by 2.01: it stays, it moves."""
+    path = history(dynamic_preload(rubbing(), np.zeros(1), LAW), 1900.0)
+    (start,) = path.run_up()
+    fallen = path.loaded(0, start, [1600.0, -1000.0])[-1]
+    most = path.held(0, fallen, -1000.0, 2000.0)
+    for share, moves in ((0.995, False), (1.005, True)):
+        there = path.loaded(0, fallen, [-1000.0 + share * most], path.under(0, -1000.0))[-1]
+        assert bool(abs(there.x[1] - fallen.x[1]) > 1e-12) is moves

@@ -13,7 +13,12 @@ CYCLE = ("speed", "branch", "force")
 
 @dataclass(frozen=True)
 class AxialCycleResult:
-    """Positions, loads and axial stiffness while the force falls and rises again."""
+    """Positions, loads and axial stiffness while the force falls and rises again.
+
+    ``held_force``: where sleeves slide on the falling branch, half of what the force may rise
+    before one of them slides back, about ``held_mean``: so far a cyclic force finds them rigid; NaN
+    without friction, and at a stop.
+    """
 
     speed: Array = coordinate("speed", unit="rad/s", label="speed")
     branch: Words = coordinate("branch", unit="", label="branch")
@@ -27,6 +32,10 @@ class AxialCycleResult:
     friction: Array = quantity(*CYCLE, "sleeve", unit="N", label="friction force")
     stop_force: Array = quantity(*CYCLE, "sleeve", unit="N", label="stop force")
     stiffness: Array = quantity(*CYCLE, unit="N/m", label="axial stiffness")
+    held_force: Array = quantity(
+        "speed", "force", unit="N", label="cyclic force that friction holds"
+    )
+    held_mean: Array = quantity("speed", "force", unit="N", label="mean of that cyclic force")
     no_load_stiffness: Array = quantity(
         "speed", "branch", unit="N/m", label="axial stiffness at no load"
     )

@@ -31,7 +31,8 @@ def answer(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
     position = np.full((*shape, len(preload.network.arrangement.bodies)), np.nan)
     load = np.full((*shape, len(seats)), np.nan)
     friction, stop = np.full((2, *shape, len(sleeves)), np.nan)
-    stiffness = np.full(shape, np.nan)
+    stiffness, held = np.full(shape, np.nan), np.full((shape[0], shape[2]), np.nan)
+    reach = float(force[-1] - force[0])
     outcome = list(preload.outcome)
     for row, start in enumerate(path.run_up()):
         outcome[row] = outcome[row] or (start if isinstance(start, str) else "")
@@ -47,6 +48,10 @@ def answer(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
             load[row, k] = [_seat_load(scene, state) for state in states]
             friction[row, k], stop[row, k] = _sleeves(scene, path, states)
             stiffness[row, k] = _stiffness(path, row, states, force, way=(-1.0, 1.0)[k])
+        held[row] = [
+            path.held(row, state, value, reach)
+            for state, value in zip(branches[0], force.tolist(), strict=True)
+        ]
     return AxialCycleResult(
         speed=scene.speed,
         branch=BRANCHES,
@@ -60,6 +65,8 @@ def answer(scene: Scene, spec: AxialCycleSpec) -> AxialCycleResult:
         friction=friction[rows],
         stop_force=stop[rows],
         stiffness=stiffness[rows],
+        held_force=0.5 * held[rows],
+        held_mean=force + 0.5 * held[rows],
         no_load_stiffness=_at_no_load(force, stiffness)[rows],
         loss=_loss(force, position[..., SHAFT])[rows],
     )

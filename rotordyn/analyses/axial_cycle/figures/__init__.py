@@ -6,6 +6,8 @@ from collections.abc import Iterator, Mapping
 from functools import partial
 from typing import Any
 
+import numpy as np
+
 from rotordyn.analyses.contract import Code
 from rotordyn.figures.draw import Job
 from rotordyn.figures.panels import Shown
@@ -22,6 +24,8 @@ def figures(_: Described, result: Any, __: Mapping[str, Any]) -> Iterator[Job]:
     """The figures of a result."""
     yield "axial_cycle", partial(code("loops:cycle_figure"), result)
     yield "axial_stiffness", partial(code("loops:stiffness_figure"), result)
+    if np.isfinite(result.held_force).any():
+        yield "held_force", partial(code("loops:held_figure"), result)
 
 
 def headline_curves(_: Any, variant: Shown) -> Iterator[Curve]:

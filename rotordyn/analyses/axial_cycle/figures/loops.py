@@ -74,3 +74,23 @@ def stiffness_figure(result: AxialCycleResult) -> Figure:
     axes.set_ylim(0.0, axes.get_ylim()[1] * 1.05)
     legend(axes)
     return figure
+
+
+def held_figure(result: AxialCycleResult, speeds: int = 5) -> Figure:
+    """Cyclic force within which friction holds the sleeves, over its mean: some speeds."""
+    picked = np.unique(np.linspace(0, result.speed.size - 1, speeds).round().astype(int))
+    figure = new_figure(168.0, 90.0)
+    axes = add_axes(
+        figure, (15.0, 11.0, 147.0, 74.0), "mean axial force [N]", "cyclic force held [±N]"
+    )
+    for place, index in enumerate(picked):
+        axes.plot(
+            result.held_mean[index],
+            result.held_force[index],
+            color=CYCLE[place % len(CYCLE)],
+            ls=DASHES[place % len(DASHES)],
+            label=f"{result.speed[index] * RPM.factor:.0f} rpm",
+        )
+    axes.set_ylim(bottom=0.0)
+    legend(axes)
+    return figure
