@@ -132,9 +132,15 @@ def _on_grid(scene: Scene, spec: FrfSpec, frequency: Array, power: int) -> dict[
     longest = max(map(len, curves), default=0)
     axis = np.full((len(slices), longest), np.nan)
     shown = np.full((len(slices), len(spec.pairs), longest), complex(np.nan, np.nan))
-    for row, (index, own_axis) in enumerate(zip(slices.tolist(), curves, strict=True)):
-        axis[row, : len(own_axis)] = own_axis
-        shown[row, :, : len(own_axis)] = _at_speed(scene, spec.pairs, power, index, own_axis)
+    for place, (index, along) in enumerate(zip(slices.tolist(), curves, strict=True)):
+        axis[place, : len(along)] = along
+        between = np.ones(len(along), dtype=bool)
+        between[np.searchsorted(along, frequency)] = False
+        curve = shown[place, :, : len(along)]
+        if between.any():
+            curve[:, between] = _at_speed(scene, spec.pairs, power, index, along[between])
+        if index in rows:
+            curve[:, ~between] = values[rows[index]]
     return {
         "values": scene.scattered(values),
         "is_slice": np.isin(np.arange(len(scene.speed)), slices),
