@@ -15,7 +15,7 @@ from scipy.optimize import minimize_scalar, root
 from bearings import AngularContactBallBearing, DeepGrooveBallBearing, Material
 from bearings.materials import STEEL
 from bearings.ring.tangents import stiffness as tangent_of
-from rotordyn.analyses import BearingLoadsSpec, PointLoad, StiffnessSpec
+from rotordyn.analyses import BearingLoadsSpec, PointLoad, SectionForcesSpec, StiffnessSpec
 from rotordyn.analyses.bearing_loads.solve import answer
 from rotordyn.analyses.bearing_loads.summary import numbers, summary, warnings
 from rotordyn.analyses.stiffness.solve import answer as stiffness_answer
@@ -25,12 +25,14 @@ from rotordyn.equation.seat import turn
 from rotordyn.machine.misalignment import Misalignment
 from rotordyn.machine.shaft import Section, Shaft
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import BearingSeat, Sleeve, Spring
+from rotordyn.machine.support import BearingSeat, LinearSupport, Sleeve, Spring
+from rotordyn.scene.agreement import setting_faults
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.scene import Scene
+from rotordyn.scene.spec import Setting
 from rotordyn.units import STANDARD_GRAVITY
 from tests.oracles.dense_rotor.assemble import rotor_matrices
-from tests.oracles.spindles import RPM, mfw2310, scene
+from tests.oracles.spindles import RPM, conditions, mfw2310, scene
 
 Array = NDArray[np.float64]
 RESIDUAL = 1e-9  # of the largest force, to which a state is balanced
@@ -213,10 +215,10 @@ def test_loaded_campbell_of_two_bearings(rpm: float) -> None:
     """Balance and modes by dense matrices of standard elements, every bearing solved by itself."""
     spindle = two_bearings()
     loads = (PointLoad(at="tool", Fy=250.0, Fz=-400.0), PointLoad(at="tail", Fy=300.0))
-    conditions = Conditions(
+    modelled = Conditions(
         element_length=DX, kinematics="outer", loads=loads, axial_stiffening=False
     )
-    found = Scene(spindle, conditions, np.array([rpm * RPM]), max_frequency=4e5)
+    found = Scene(spindle, modelled, np.array([rpm * RPM]), max_frequency=4e5)
     assert found.preload.outcome == ("",)
     mesh = build_mesh(spindle, DX)
     free = rotor_matrices(spindle, mesh)
@@ -462,3 +464,37 @@ def test_loads_beyond_the_bearings_are_named() -> None:
     assert "the loads" in found.preload.outcome[0]
     assert "lower" in found.preload.outcome[0]
     assert "0 rpm" in found.preload.outcome[0]
+
+
+# --- bad input -----------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize(
+    ("words", "changes"),
+    [
+        ("off the shaft", {"loads": (PointLoad(at=5.0, Fy=1.0),)}),
+        ("unknown point: given 'nozzle'", {"loads": (PointLoad(at="nozzle", Fy=1.0),)}),
+        (
+            "bearings differ between directions",
+            {"loads": (PointLoad(at="Oc2", Fy=1.0),), "formulation": "rotating"},
+        ),
+        ("bearings differ between directions", {"gravity": "-y", "formulation": "rotating"}),
+    ],
+)
+def test_loads_against_the_machine(words: str, changes: dict[str, Any]) -> None:
+    setting = Setting(mfw2310(), conditions(**changes), (0.0,))
+    assert any(words in sentence for _, sentence in setting_faults(setting))
+
+
+def test_loads_need_bearings_and_analyses_that_take_them() -> None:
+    acting = conditions(loads=(PointLoad(at="Oc2", Fy=1.0),))
+    support = LinearSupport("s", 0.1, {("y", "y"): 1e8, ("z", "z"): 1e8, ("x", "x"): 1e8})
+    bare = mfw2310(seats=(), sleeves=(), supports=(support,), shortening=None)
+    faults = setting_faults(Setting(bare, acting, (0.0,)))
+    assert any("this spindle has none" in sentence for _, sentence in faults)
+    setting = Setting(mfw2310(), acting, (0.0,))
+    for spec in (SectionForcesSpec(), StiffnessSpec(point="Oc2")):
+        sentences = [sentence for _, sentence in spec.faults_on(setting)]
+        assert any("loads" in sentence for sentence in sentences)
+    only = StiffnessSpec(point="Oc2", variants=("nonlinear",))
+    assert not [*only.faults_on(setting)]
