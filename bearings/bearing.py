@@ -27,7 +27,7 @@ For that, every kind has:
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import KW_ONLY, MISSING, dataclass, field, fields
 from itertools import chain
 from numbers import Integral, Real
@@ -202,6 +202,13 @@ class BallBearing:
         """Contract 4: ``load`` (5,) and where it is ``free`` to act (5,)."""
         return ""
 
+    def check_load(self, loads: Iterable[Any], free: Any) -> None:
+        """Raise InvalidBearing for loads (s, 5) given where ``free`` (5,) by contract 4."""
+        if type(self).refusal is not BallBearing.refusal:
+            for load in loads:
+                if why := self.refusal([*map(float, load)], [*map(bool, free)]):
+                    raise InvalidBearing(why)
+
     @property
     def estimated(self) -> str:
         """Which data of its inside are estimates, with their spread; empty of data that are given.
@@ -327,10 +334,7 @@ class BallBearing:
             static_growth=static_growth,
             growth=growth,
         )
-        if type(self).refusal is not BallBearing.refusal:
-            for row in points.load:
-                if why := self.refusal(row.tolist(), points.free.tolist()):
-                    raise InvalidBearing(why)
+        self.check_load(points.load, points.free)
         state = solved(points, start, compiled)
         if points.shape == () and state.outcome:
             raise refusal(state)

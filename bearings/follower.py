@@ -68,6 +68,7 @@ class Follower:
                 raise InvalidBearing(f"a follower takes a {kind.__name__}, got {given!r}")
         static = finite("static_growth", static_growth, single=True)
         total = static if growth is None else finite("growth", growth, single=True)
+        self._bearing = bearing
         self.speed = float(finite("speed", speed, single=True)[0])
         self._geometry, self._law = acting(geometry(bearing.grooves), law.dynamics), law
         self._origin = groove_origin(self._geometry, static, total)
@@ -87,8 +88,14 @@ class Follower:
         return self._followed(given, np.zeros_like(given), speed, free=False)
 
     def displacement(self, load: ArrayLike, speed: ArrayLike | None = None) -> Followed:
-        """Displacements (…, 5) under loads (…, 5); the rest as for ``load``."""
+        """Displacements (…, 5) under loads (…, 5); the rest as for ``load``.
+
+        Raises
+        ------
+        InvalidBearing : also for a load that this kind cannot carry
+        """
         given = five_numbers("load", load)
+        self._bearing.check_load(given.reshape(-1, 5), np.ones(5, dtype=bool))
         return self._followed(np.zeros_like(given), given, speed, free=True)
 
     def _followed(

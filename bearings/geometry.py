@@ -16,15 +16,22 @@ from bearings.contact.hertz import HertzContact, contact
 from bearings.grooves import Grooves
 
 Array = NDArray[np.float64]
-WIDEST = 0.2  # cos of the free contact angle that growth may leave a centred bearing, 78°
+STEEP = math.radians(80.0)  # free contact angle of a bearing whose grooves end beyond 90°
+WIDEST = 0.2  # cos of the free contact angle that growth may leave, 78°
 
 
 class Groove(NamedTuple):
-    """One groove: k of Q = k δ^1.5 [N/m^1.5], reach ℓ and axial place of its centre [m]."""
+    """One groove: k of Q = k δ^1.5 [N/m^1.5], reach ℓ and axial place of its centre [m].
+
+    ``least`` [m]: radial distance of ball and groove centre below which the groove does not curve.
+    0: it spans ±90° and goes on straight, so that a ball beyond it is pressed along the axis alone;
+    −∞: it is a whole circle.
+    """
 
     stiffness: float
     reach: float
     offset: float
+    least: float
 
 
 class Geometry(NamedTuple):
@@ -81,6 +88,7 @@ def geometry(bearing: Grooves) -> Geometry:
     inner, outer = _race_contact(bearing, inner_f, +1.0), _race_contact(bearing, outer_f, -1.0)
     inner_reach, outer_reach = (inner_f - 0.5) * diameter, (outer_f - 0.5) * diameter
     inner_centres, outer_centres = bearing.centre_radii
+    least = -math.inf if bearing.free_angle > STEEP else 0.0
     size_ratio = diameter / pitch
     return Geometry(
         ball_diameter=diameter,
@@ -89,8 +97,12 @@ def geometry(bearing: Grooves) -> Geometry:
         contact_angle=bearing.free_angle,
         inner=inner,
         outer=outer,
-        inner_grooves=tuple(Groove(inner.stiffness, inner_reach, x) for x in bearing.inner_offsets),
-        outer_grooves=tuple(Groove(outer.stiffness, outer_reach, x) for x in bearing.outer_offsets),
+        inner_grooves=tuple(
+            Groove(inner.stiffness, inner_reach, x, least) for x in bearing.inner_offsets
+        ),
+        outer_grooves=tuple(
+            Groove(outer.stiffness, outer_reach, x, least) for x in bearing.outer_offsets
+        ),
         series_stiffness=(inner.stiffness ** (-2 / 3) + outer.stiffness ** (-2 / 3)) ** -1.5,
         free_distance=bearing.free_distance,
         radial_gap=gap,
@@ -132,6 +144,8 @@ def groove_origin(g: Geometry, static_growth: Array, growth: Array) -> Array:
         return np.where(open_, np.nan, np.stack([np.zeros_like(radial), radial]))
     cosine = np.cos(g.contact_angle) + static_growth / g.free_distance
     possible = np.abs(cosine) <= 1.0
+    least = WIDEST if g.contact_angle <= STEEP else WIDEST - 1.0
+    possible &= radial >= least * g.free_distance
     axial = g.free_distance * np.sqrt(np.where(possible, 1.0 - cosine**2, np.nan))
     return np.stack([axial, radial])
 

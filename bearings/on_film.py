@@ -152,7 +152,7 @@ def softened(state: BearingState, films: Film) -> Array:
 def _softer(groove: Groove, vector: Array, spring: Array) -> Groove:
     """A contact of the same load at the same place, with the slope of it and ``spring`` in series
     (states, balls)."""
-    length = np.hypot(*vector)
+    length = np.hypot(vector[0], np.maximum(vector[1], groove.least))
     approach = np.maximum(length - groove.reach, 0.0)
     load = groove.stiffness * approach**1.5
     loaded = load > 0.0
@@ -160,4 +160,4 @@ def _softer(groove: Groove, vector: Array, spring: Array) -> Groove:
     deeper = np.where(loaded, approach * (1.0 + contact / spring), 0.0)
     stiffness = np.where(loaded, load / np.where(loaded, deeper, 1.0) ** 1.5, groove.stiffness)
     reach: Any = np.where(loaded, length - deeper, groove.reach)
-    return Groove(stiffness, reach, groove.offset)  # type: ignore[arg-type]
+    return groove._replace(stiffness=stiffness, reach=reach)  # type: ignore[arg-type]

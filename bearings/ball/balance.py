@@ -24,14 +24,13 @@ from bearings.ball.plane import (
     Triple,
     combined,
     determinant,
-    direction,
     inverse,
     plus,
     where,
 )
 from bearings.ball.polar import Polar, exchanged, less_by, more_by, scaled, times
-from bearings.ball.potential import resting_reaction
-from bearings.ball.race import Contact, Race, against, race
+from bearings.ball.potential import both_grooves, resting_reaction
+from bearings.ball.race import Contact, Race, against, facing, race
 from bearings.geometry import Geometry
 
 Rows = tuple[Motion, Motion, Motion]
@@ -187,7 +186,7 @@ def settled(b: Balance) -> Settled:
 def resting_balance(c: Geometry, centre: Motion) -> tuple[Balance, Settled]:
     """Balance of balls at rest, and the same with the balls eliminated; no ball unknown is left."""
     answer = resting_reaction(c, centre)
-    sin, cos, _ = direction((centre[0], centre[1]))
+    sin, cos, _, _ = facing(both_grooves(c), centre)
     load = np.hypot(answer.action[0], answer.action[1])
     zero = np.zeros_like(load)
     nothing = (zero, zero)

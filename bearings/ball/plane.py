@@ -26,6 +26,11 @@ def where(condition: Any, yes: Any, no: Any) -> Any:
     return np.where(condition, yes, no)
 
 
+def some(condition: Any) -> Any:
+    """Whether a condition holds anywhere; compiled for one ball it is the condition itself."""
+    return np.any(condition)
+
+
 def direction(v: Pair) -> tuple[Any, Any, Any]:
     """sin, cos and length of (axial, radial), the angle counted from the radial direction."""
     length = np.sqrt(v[0] * v[0] + v[1] * v[1])

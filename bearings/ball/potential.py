@@ -24,7 +24,7 @@ from bearings.ball.plane import (
     minus,
     where,
 )
-from bearings.ball.race import Springs, against, spring, springs, vector_to
+from bearings.ball.race import Springs, against, facing, spring, springs, vector_to
 from bearings.geometry import Geometry, Groove
 
 SETTLED = 1e-8  # of the ball's own loads
@@ -91,8 +91,7 @@ def _rows(centre: Motion, inner: Springs) -> tuple[Motion, Motion, Motion]:
 
 def resting_reaction(c: Geometry, centre: Motion) -> Reaction:
     """A ball at rest between one groove a ring: Q = kn (|A| − BD)₊^1.5 along A, X eliminated."""
-    whole = Groove(c.series_stiffness, c.inner_reach + c.outer_reach, 0.0)
-    p = spring(whole, centre)
+    p = spring(both_grooves(c), centre)
     still = _still(centre, 0.0 * p.energy)
     first, second, _ = _rows(centre, p)
     action = (p.force[0], p.force[1], still[0])
@@ -105,10 +104,15 @@ def _still(centre: Motion, none: Any) -> Motion:
     return none, none, none
 
 
+def both_grooves(c: Geometry) -> Groove:
+    """The two grooves that a ball at rest stands between, in series."""
+    reach = c.inner_reach + c.outer_reach
+    return Groove(c.series_stiffness, reach, 0.0, c.inner_grooves[0].least)
+
+
 def resting_seat(c: Geometry, centre: Pair) -> Pair:
     """Ball centre at rest: on the line of two groove centres; without load, on the outer race."""
-    sin, cos, length = direction(centre)
-    approach = np.maximum(length - c.inner_reach - c.outer_reach, 0.0)
+    sin, cos, approach, _ = facing(both_grooves(c), centre)
     part = (c.series_stiffness / c.outer.stiffness) ** (2.0 / 3.0)
     seat = c.outer_reach + part * approach
     return sin * seat, cos * seat
@@ -163,7 +167,8 @@ def _between(c: Geometry, centre: Pair, push: Any) -> Pair:
 
     A ball that Fc alone holds starts at its races: from the bottom of the groove, deep in the inner
     race, steps that must not leave the outer race would stall. One that the inner groove carries
-    beyond 90° leaves the outer race, and is seated.
+    beyond 90° leaves the outer race, and is seated; a groove that goes on straight from there
+    presses it along the axis alone.
     """
     inner = c.inner_reach + (push / c.inner.stiffness) ** (2.0 / 3.0)
     outer = riding_radius(c, push)
@@ -175,8 +180,13 @@ def _between(c: Geometry, centre: Pair, push: Any) -> Pair:
     still = resting_seat(c, centre)
     axial = where(pressed, still[0], along * sin - across * where(sin < 0.0, -cos, cos))
     radial = where(pressed, still[1], along * cos + across * np.abs(sin))
-    lifted = direction((centre[0], centre[1] + inner))[2] <= c.outer_reach
-    return where(lifted, centre[0], axial), where(lifted, centre[1] + inner, radial)
+    if c.inner_grooves[0].least < 0.0:
+        lifted = direction((centre[0], centre[1] + inner))[2] <= c.outer_reach
+        return where(lifted, centre[0], axial), where(lifted, centre[1] + inner, radial)
+    beyond = (radial > centre[1]) & (length <= inner + outer)
+    wall = centre[0] - where(sin < 0.0, -inner, inner)
+    wall = np.minimum(np.maximum(wall, -outer), outer)
+    return where(beyond, wall, axial), where(beyond, np.sqrt(outer * outer - wall * wall), radial)
 
 
 class SeatStep(NamedTuple):

@@ -4,6 +4,11 @@ The forces of the contacts add up to a resultant, whose direction and load stand
 the motion of the ball asks for one contact a race (Fc, Mg, friction). With one contact that is
 exact; with two it is a model, continuous as contacts come and go. Plain expressions of floats or
 arrays, which compile as they stand.
+
+A groove spans ±90° and goes on straight from there: its contact is the distance of the ball from a
+convex set, which keeps the potential convex. A ball free of a race faces it at the angle of their
+centres, the radial part at least a quarter of the gap: continuous where contact is lost, the same
+unless the ball's centre is nearly level with that of the groove, within ±90° where it is beyond.
 """
 
 from __future__ import annotations
@@ -12,8 +17,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from bearings.ball.plane import Motion, Pair, Triple, direction, where
+from bearings.ball.plane import Motion, Pair, Triple, direction, dot, some, where
 from bearings.geometry import Groove
+
+NOWHERE = 1e-300  # m: a distance that is none
+FACED = 0.25  # of its gap to a groove a free ball stands at least below the centre of the groove
 
 
 class Contact(NamedTuple):
@@ -81,12 +89,33 @@ def race(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Race:
 
 
 def _single(groove: Groove, vector: Motion) -> Race:
-    sin, cos, length = direction((vector[0], vector[1]))
-    approach = np.maximum(length - groove.reach, 0.0)
+    sin, cos, approach, turn = facing(groove, vector)
     contact = hertz(groove.stiffness, approach)
-    part = 1.0 / length
-    turn, along = (cos * part, -sin * part), (sin, cos)
+    along = (sin, cos)
     return Race(sin, cos, approach, contact.load, contact.slope, 0.0, turn, along, (0.0, 0.0))
+
+
+def facing(groove: Groove, vector: Motion) -> tuple[Any, Any, Any, Pair]:
+    """sin and cos of the angle at which ball and groove face each other, their approach δ ≥ 0, and
+    the derivatives of the angle by the vector."""
+    axial, radial = vector[0], vector[1]
+    curved = np.maximum(radial, groove.least)
+    length = np.sqrt(axial * axial + curved * curved)
+    approach = length - groove.reach
+    least = FACED * np.maximum(-approach, 0.0) + groove.least
+    approach = np.maximum(approach, 0.0)
+    if some(radial < least):
+        seen = np.maximum(radial, least)
+        sin, cos, far = direction((axial, seen))
+        ratio = where(least > 0.0, -FACED, 0.0) / where(length > 0.0, length, 1.0)
+        free = radial < least
+        by_axial = where(free, ratio * axial, 0.0)
+        by_radial = where(free, ratio * curved, 1.0)
+        part = 1.0 / far
+        return sin, cos, approach, ((cos - sin * by_axial) * part, -sin * by_radial * part)
+    part = 1.0 / length
+    sin, cos = axial * part, radial * part
+    return sin, cos, approach, (cos * part, -sin * part)
 
 
 def _resultant(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Race:
@@ -101,8 +130,8 @@ def _resultant(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Race
     slope = 1.5 * k * np.sqrt(approach)
     soft = 1.0 / where(bears, slope, 1.0)
     angle_by = (
-        where(bears, (cos * a11 - sin * a12) * part, near_cos / near),
-        where(bears, (cos * a12 - sin * a22) * part, -near_sin / near),
+        where(bears, (cos * a11 - sin * a12) * part, near[0]),
+        where(bears, (cos * a12 - sin * a22) * part, near[1]),
         (cos * t1 - sin * t2) * part,
     )
     approach_by = (
@@ -120,12 +149,13 @@ def _resultant(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Race
     return Race(sin, cos, approach, load, slope, middle, angle_by, approach_by, middle_by)
 
 
-def _nearer(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Triple:
-    """Direction and length to the groove that a ball without load is nearer to."""
+def _nearer(grooves: tuple[Groove, ...], vector: Motion, side: float) -> tuple[Any, Any, Pair]:
+    """Angle to the groove that a ball without load is nearer to, and its derivatives."""
     one, two = vector_to(grooves[0], vector, side), vector_to(grooves[1], vector, side)
-    (s1, c1, l1), (s2, c2, l2) = direction(one), direction(two)
-    first = l1 >= l2
-    return where(first, s1, s2), where(first, c1, c2), where(first, l1, l2)
+    first = dot(one, one) >= dot(two, two)
+    vector = (where(first, one[0], two[0]), where(first, one[1], two[1]))
+    sin, cos, _, turn = facing(grooves[0], vector)
+    return sin, cos, turn
 
 
 def springs(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Springs:
@@ -150,12 +180,16 @@ def springs(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Springs
 
 def spring(groove: Groove, vector: Motion) -> Springs:
     """One contact along its vector as a spring, without lever to the middle of the ring."""
-    sin, cos, length = direction((vector[0], vector[1]))
+    radial = np.maximum(vector[1], groove.least)
+    length = np.maximum(np.sqrt(vector[0] * vector[0] + radial * radial), NOWHERE)
+    part = 1.0 / length
+    sin, cos = vector[0] * part, radial * part
     approach = np.maximum(length - groove.reach, 0.0)
     load, along = hertz(groove.stiffness, approach)
-    across = load / length
+    across = load * part
     more = along - across
-    slope = (across + more * sin * sin, more * sin * cos, across + more * cos * cos)
+    radially = where(vector[1] > groove.least, across + more * cos * cos, 0.0)
+    slope = (across + more * sin * sin, more * sin * cos, radially)
     return Springs(0.4 * load * approach, (load * sin, load * cos), slope, 0.0, (0.0, 0.0, 0.0))
 
 

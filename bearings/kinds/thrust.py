@@ -24,7 +24,7 @@ class ThrustBallBearing(BallBearing):
     outer_conformity: float = measured(CONFORMITY, 0.54)
 
     def refusal(self, load: Sequence[float], free: Sequence[bool]) -> str:
-        """Radial load, or thrust that lifts the washers off."""
+        """Radial load, thrust that lifts the washers off, or a moment that lifts one side off."""
         thrust, *radial = load[:3]
         if any(force != 0.0 and given for force, given in zip(radial, free[1:3], strict=True)):
             return (
@@ -36,7 +36,23 @@ class ThrustBallBearing(BallBearing):
                 f"a thrust ball bearing carries thrust towards +x only: got {thrust:g} N; turn it "
                 "round, or use one for each direction"
             )
+        moment = [part if given else 0.0 for part, given in zip(load[3:], free[3:], strict=True)]
+        if free[0] and (size := math.hypot(*moment)) > (most := self._tipping(thrust, *moment)):
+            return (
+                f"under {thrust:g} N of thrust a thrust ball bearing carries a moment up to "
+                f"{most:.4g} N·m in this direction, where one side of it lifts off: got {size:g} "
+                "N·m; raise the thrust, or hold the tilt of the shaft by another bearing"
+            )
         return ""
+
+    def _tipping(self, thrust: float, my: float, mz: float) -> float:
+        """Largest moment under a thrust: its line of action stays within the polygon of the balls.
+
+        Ball k at ψ puts (Mz, My) = thrust · dm/2 · (−cos ψ, sin ψ) on the ring.
+        """
+        part = math.pi / self.balls
+        aside = math.fmod(math.atan2(my, -mz) + 2.0 * math.pi, 2.0 * part) - part  # from an edge
+        return thrust * self.pitch_diameter / 2.0 * math.cos(part) / math.cos(aside)
 
     @property
     def grooves(self) -> Grooves:

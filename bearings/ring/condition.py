@@ -8,13 +8,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from bearings.ball.law import Law
 from bearings.errors import NoEquilibrium
+from bearings.geometry import STEEP
 from bearings.ring.operation import Operation
 from bearings.ring.request import solved
 from bearings.ring.spin_up import Gap, spin_up
 from bearings.ring.state import BearingState
-from bearings.ring.tolerances import GROSS, IMPOSSIBLE, PERMANENT, STEEP
+from bearings.ring.tolerances import GROSS, IMPOSSIBLE, PERMANENT
 from bearings.ring.truncation import truncation
 
 Array = NDArray[np.float64]
@@ -22,7 +22,7 @@ Array = NDArray[np.float64]
 GIVEN = ("displacement", "load and displacement", "load")
 RPM = math.pi / 30.0
 REMEDIES = {
-    "overloaded": "the balls are pressed far out of their grooves; is the unit of the load right?",
+    "overloaded": "the balls are pressed far out of their grooves; is the unit right?",
     "unloaded": "no load presses the rings together; give a load, or a displacement",
     "no contact angle": "growth leaves no contact angle; reduce the fit, or look at its sign",
 }
@@ -34,14 +34,16 @@ def refusal(state: BearingState) -> NoEquilibrium:
     return NoEquilibrium(
         word,
         speed=float(state.operation.speed[0]),
-        remedy=REMEDIES.get(word) or _remedy(state.operation.law),
+        remedy=REMEDIES.get(word) or _remedy(state),
         look=lambda: str(condition(state)).partition(": ")[2],
     )
 
 
-def _remedy(law: Law) -> str:
+def _remedy(state: BearingState) -> str:
     """What helps where there is no equilibrium under these assumptions."""
-    ways = ["raise the load", "lower the speed"]
+    law, ways = state.operation.law, ["raise the load", "lower the speed"]
+    if law.dynamics == "resultant" and state.contact_load.shape[-1] == 4:
+        ways.append('look at dynamics "frozen", which counts the contacts of every ball')
     if law.friction is None:
         ways.append("give a limit of friction")
     if not law.one_branch:
@@ -146,7 +148,7 @@ def _remarks(state: BearingState) -> list[tuple[NDArray[np.bool_], str, Array]]:
     sentences = [
         (pressure > PERMANENT / 1e9, "overloaded (pressure {most:.1f} GPa)", pressure),
         (
-            (angle > edge) & (listed(state.inner_load) > 0.0),
+            (angle >= edge) & (listed(state.inner_load) > 0.0),
             "beyond the groove (balls {balls})",
             angle,
         ),

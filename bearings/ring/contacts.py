@@ -14,7 +14,8 @@ from numpy.typing import NDArray
 
 from bearings.ball.balance import Balance
 from bearings.ball.plane import EPS, Motion, Pair, direction, dot
-from bearings.ball.race import against, hertz, vector_to
+from bearings.ball.potential import both_grooves
+from bearings.ball.race import against, facing, hertz, vector_to
 from bearings.geometry import Groove
 from bearings.ring.problem import Problem
 from bearings.ring.tolerances import IDLE, LEAST
@@ -73,12 +74,19 @@ def _bearing(
     each = []
     for groove in grooves:
         along = vector_to(groove, vector, side)
-        sin, cos, length = direction(along)
+        sin, cos, length = direction(_met(groove, along))
         load = hertz(groove.stiffness, np.maximum(length - groove.reach, 0.0)).load
         load = _loaded(groove.stiffness, load, (sin, cos), (step[0], step[1]))
-        each.append((load, *direction((along[0] + step[0], along[1] + step[1]))[:2]))
+        moved = _met(groove, (along[0] + step[0], along[1] + step[1]))
+        each.append((load, *direction(moved)[:2]))
     load, sin, cos = (np.stack(part) for part in zip(*each, strict=True))
     return load, sin, cos
+
+
+def _met(groove: Groove, vector: Pair) -> Pair:
+    """A vector as its groove meets it, straight beyond 90°; some direction where there is none."""
+    axial, radial = vector[0], np.maximum(vector[1], groove.least)
+    return axial, np.where((axial == 0.0) & (radial == 0.0), groove.reach, radial)
 
 
 def _resultant(c: Contacts, otherwise: Pair) -> tuple[Array, Array, Array]:
@@ -99,7 +107,7 @@ def _at_rest(problem: Problem, balance: Balance, at: Place, step: Place) -> Bala
     a, moved = problem.centres(at[0] + step[0]), problem.assembly.moved(step[0])
     stiffness, along = problem.geometry.series_stiffness, (moved[0], moved[1])
     load = _loaded(stiffness, balance.inner_load, balance.inner_direction, along)
-    way = direction((a[0], a[1]))[:2]
+    way = facing(both_grooves(problem.geometry), (a[0], a[1]))[:2]
     return balance._replace(
         inner_load=load, outer_load=load, inner_direction=way, outer_direction=way
     )

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from bearings.ball.balance import Balance, Settled, resting_balance, settled, turning_balance
 from bearings.ball.plane import EPS, Pair
+from bearings.ball.race import facing
 from bearings.ring.assembly import rows
 from bearings.ring.problem import Problem
 from bearings.ring.tolerances import PLAINLY_REGULAR, ROUNDING, SINGULAR, TOLERANCE
@@ -126,6 +127,7 @@ def _solve(k: Array, gap: Array, *, loose: bool) -> Array:
 
 
 def segments(problem: Problem, d: Array, x: Array) -> tuple[Pair, Pair]:
-    """From the middle of the outer groove to the ball, and on to the middle of the inner one."""
-    inner = problem.centres(d)[:2] - x
-    return (x[0], x[1]), (inner[0], inner[1])
+    """Directions (sin, cos) in which the middles of outer and inner groove face a ball."""
+    g, inner = problem.geometry, problem.centres(d)[:2] - x
+    outer = facing(g.outer_grooves[0], (x[0], x[1]))
+    return outer[:2], facing(g.inner_grooves[0], (inner[0], inner[1]))[:2]

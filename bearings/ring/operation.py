@@ -96,6 +96,8 @@ def operation(
     if load is None and displacement is None:
         raise InvalidBearing("give load or displacement, exactly one of each pair")
     mixed = load is not None and displacement is not None
+    if not mixed:
+        _check_whole("load" if displacement is None else "displacement", load, displacement)
     force, move = (
         five_numbers("load", load, mixed),
         five_numbers("displacement", displacement, mixed),
@@ -113,6 +115,19 @@ def operation(
         np.nan_to_num(np.broadcast_to(a, (*shape, 5)).reshape(-1, 5)) for a in (force, move)
     )
     return Operation(grooves, law, free, force, move, np.abs(omega), static, total, shape)
+
+
+def _check_whole(name: str, load: ArrayLike | None, displacement: ArrayLike | None) -> None:
+    """Refuse a load alone, or a displacement alone, of which some numbers are not given."""
+    values = five_numbers(name, load if displacement is None else displacement, mixed=True)
+    missing = np.flatnonzero(np.isnan(values).reshape(-1, 5).any(axis=0))
+    other, place = ("displacement", 1) if name == "load" else ("load", 0)
+    if missing.size:
+        words = ", ".join(PAIRS[k].split(" or ")[place] for k in missing)
+        mine = ", ".join(PAIRS[k].split(" or ")[1 - place] for k in missing)
+        raise InvalidBearing(
+            f"{name} has no number for {mine}: give {words} by {other}, or a number there"
+        )
 
 
 def five_numbers(name: str, value: ArrayLike | None, mixed: bool = False) -> Array:

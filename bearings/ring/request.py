@@ -17,7 +17,7 @@ from bearings.ring.equilibrium import Solution, solve
 from bearings.ring.operation import Operation
 from bearings.ring.problem import Problem, first_displacement, turns
 from bearings.ring.state import BearingState
-from bearings.ring.tolerances import TOGETHER
+from bearings.ring.tolerances import CRUSHED, TOGETHER
 
 Array = NDArray[np.float64]
 Arrays = dict[str, NDArray[Any]]
@@ -130,10 +130,14 @@ def _blank(g: Geometry, operation: Operation, outcome: NDArray[np.str_]) -> Arra
 
 def _store(states: Arrays, index: NDArray[np.intp], problem: Problem, solution: Solution) -> None:
     """Write the states that exist; note the outcome of the others."""
-    states["outcome"][index] = solution.outcome
-    solved = np.flatnonzero(solution.outcome == "")
+    values = _of_rings(problem, solution) | _of_balls(problem, solution)
+    pressure = np.maximum(values["inner_pressure"], values["outer_pressure"]).max(axis=-1)
+    crushed = (solution.outcome == "") & (pressure > CRUSHED)
+    outcome = np.where(crushed, "overloaded", solution.outcome)
+    states["outcome"][index] = outcome
+    solved = np.flatnonzero(outcome == "")
     good, into = _places(solved), _places(index[solved])
-    for name, value in (_of_rings(problem, solution) | _of_balls(problem, solution)).items():
+    for name, value in values.items():
         states[name][into] = value[good]
 
 

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import math
-
 TOLERANCE = 1e-11  # of the largest ball load (ball balance) and ring load (ring balance)
 ROUNDING = 16.0  # roundings of the lengths, granted above that
 SLOW = 2e-9  # of the groove reach: a ball pressed in less by its own motion is at rest
@@ -45,7 +43,7 @@ TOUCHING = 1e-3  # of the largest inner load: what the ball that takes over is p
 HELD = 1e-9  # of the largest singular value: less is no hold
 
 # the words about a state
+CRUSHED = 3e10  # Pa: no contact is elastic there by far, and an approach is no small part of a ball
 PERMANENT = 4.2e9  # Pa: ISO 76, the pressure that leaves a ten-thousandth of the ball diameter
 GROSS = 0.3  # friction that no lubricated contact gives
-STEEP = math.radians(80.0)  # free contact angle of a bearing whose grooves end beyond 90°
 IMPOSSIBLE = 1.0  # Mg/D over the load of a race

@@ -238,3 +238,26 @@ def test_only_values_with_a_unit_are_asked_for_it(change: dict[str, Any], asks: 
         replace(VEX70, **change)
     assert ("is the unit right?" in str(refused.value)) == asks
     assert len(str(refused.value)) < 200
+
+
+def test_what_a_question_leaves_open_is_named() -> None:
+    with pytest.raises(InvalidBearing, match=r"no number for Fx, .*: give δx, .* by displacement"):
+        VEX70.equilibrium(load=[None] * 5)
+    with pytest.raises(InvalidBearing, match="no number for δy: give Fy by load"):
+        VEX70.equilibrium(displacement=[0.0, None, 0.0, 0.0, 0.0])
+
+
+@pytest.mark.parametrize("growth", [-0.01, 0.01])
+def test_absurd_growth_of_a_ring_is_refused(growth: float) -> None:
+    """−10 mm would bring the inner grooves behind the outer ones, +10 mm crush the balls."""
+    with pytest.raises(NoEquilibrium, match=r"no contact angle|overloaded"):
+        VEX70.equilibrium(load=THRUST, growth=growth)
+
+
+@pytest.mark.parametrize("speed", [0.0, 500.0])
+def test_an_absurd_displacement_is_refused_as_the_load_would_be(speed: float) -> None:
+    state = VEX70.equilibrium(displacement=[[1.0, 0, 0, 0, 0], [2e-5, 0, 0, 0, 0]], speed=speed)
+    assert state.outcome.tolist() == ["overloaded", ""]
+    assert np.isnan(state.load[0]).all()
+    with pytest.raises(NoEquilibrium, match="is the unit right"):
+        VEX70.equilibrium(displacement=[1.0, 0, 0, 0, 0], speed=speed)

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
 
 import bearings
-from bearings import InvalidBearing, ThrustBallBearing
+from bearings import Follower, InvalidBearing, ThrustBallBearing
 from bearings.geometry import geometry
 
 BEARING = ThrustBallBearing(ball_diameter=10.3e-3, pitch_diameter=64e-3, balls=16)
@@ -54,8 +55,28 @@ def test_tangent_at_speed(kinematics: str) -> None:
     [
         ([5000.0, 10.0, 0.0, 0.0, 0.0], "carries no radial load: got 10 N.*displacement"),
         ([-5.0, 0.0, 0.0, 0.0, 0.0], r"thrust towards \+x only: got -5 N"),
+        ([100.0, 0.0, 0.0, 100.0, 0.0], "under 100 N of thrust .* got 100 N·m; raise the thrust"),
+        ([0.0, 0.0, 0.0, 0.0, 1.0], "a moment up to 0 N·m"),
     ],
 )
 def test_loads_it_cannot_carry(load: list[float], sentence: str) -> None:
     with pytest.raises(InvalidBearing, match=sentence):
         BEARING.equilibrium(load=load)
+    with pytest.raises(InvalidBearing, match=sentence):
+        Follower(BEARING).displacement(load)
+
+
+@pytest.mark.parametrize("part", [0.0, 0.3, 0.5, 1.0, 1.4])
+def test_the_largest_moment(part: float) -> None:
+    """Balls carry what acts within their polygon: the ring still stands just below the limit that
+    is named, and the balls of one side or corner alone hold it."""
+    psi = (3.0 + part) * 2.0 * math.pi / BEARING.balls
+    way = np.array([0.0, 0.0, 0.0, math.sin(psi), -math.cos(psi)])
+    with pytest.raises(InvalidBearing, match="moment up to") as caught:
+        BEARING.equilibrium(load=np.array([5000.0, 0, 0, 0, 0]) + 1e3 * way)
+    limit = float(re.findall(r"up to ([\d.]+) N·m", str(caught.value))[0])
+    half, turn = math.pi / BEARING.balls, part % 1.0 * 2.0 * math.pi / BEARING.balls
+    edge = 0.5 * BEARING.pitch_diameter * math.cos(half) / math.cos(turn - half)
+    assert limit == pytest.approx(5000.0 * edge, rel=1e-3)
+    s = BEARING.equilibrium(load=np.array([5000.0, 0, 0, 0, 0]) + 0.99 * limit * way)
+    assert s.inner_load.sum() - np.sort(s.inner_load)[-2:].sum() < 0.2 * s.inner_load.sum()

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from bearings.ball.plane import EPS, turned_far
+from bearings.ball.race import facing
 from bearings.ring.compiled.one_state import (
     Evaluation,
     One,
@@ -204,8 +205,10 @@ def _turned_little(p: One, d: Array, x: Array, w: Work) -> bool:
     for ball in range(len(x)):
         before, now = centre_of(p, w.d, ball), centre_of(p, d, ball)
         there, here = (w.x[ball, 0], w.x[ball, 1]), (x[ball, 0], x[ball, 1])
-        inner = (before[0] - there[0], before[1] - there[1])
-        turned = turned_far(inner, (now[0] - here[0], now[1] - here[1]), LONGEST_TURN)
+        groove = p.geometry.inner_grooves[0]
+        inner = facing(groove, (before[0] - there[0], before[1] - there[1]))
+        then = facing(groove, (now[0] - here[0], now[1] - here[1]))
+        turned = turned_far((inner[0], inner[1]), (then[0], then[1]), LONGEST_TURN)
         if turned or turned_far(there, here, LONGEST_TURN):
             return False
     return True

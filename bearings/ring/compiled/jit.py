@@ -17,7 +17,7 @@ from pathlib import Path
 from types import FunctionType
 from typing import Any
 
-from bearings.ball.plane import where
+from bearings.ball.plane import some, where
 
 PACKAGE = "bearings"
 ROOM = 50e6  # bytes a disk must have free to keep compiled functions
@@ -65,6 +65,11 @@ def _chosen(condition: Any, yes: Any, no: Any) -> Any:
     return yes if condition else no
 
 
+def _itself(condition: Any) -> Any:
+    """``bearings.ball.plane.some`` of one ball."""
+    return condition
+
+
 def _bound(function: Callable[..., Any]) -> FunctionType:
     """The function with the names of others bound to their compiled forms."""
     assert isinstance(function, FunctionType)
@@ -73,6 +78,8 @@ def _bound(function: Callable[..., Any]) -> FunctionType:
         other = names.get(name)
         if other is where:
             names[name] = compiled(_chosen)
+        elif other is some:
+            names[name] = compiled(_itself)
         elif isinstance(other, FunctionType) and other.__module__.split(".")[0] == PACKAGE:
             names[name] = compiled(other)
     twin = FunctionType(function.__code__, names, function.__name__, function.__defaults__)
