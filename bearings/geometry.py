@@ -25,7 +25,7 @@ class Groove(NamedTuple):
 
     ``least`` [m]: radial distance of ball and groove centre below which the groove does not curve.
     0: it spans ±90° and goes on straight, so that a ball beyond it is pressed along the axis alone;
-    −∞: it is a whole circle.
+    −∞, of bearings whose displacement counts from touching: it is a whole circle.
     """
 
     stiffness: float
@@ -88,7 +88,7 @@ def geometry(bearing: Grooves) -> Geometry:
     inner, outer = _race_contact(bearing, inner_f, +1.0), _race_contact(bearing, outer_f, -1.0)
     inner_reach, outer_reach = (inner_f - 0.5) * diameter, (outer_f - 0.5) * diameter
     inner_centres, outer_centres = bearing.centre_radii
-    least = -math.inf if bearing.free_angle > STEEP else 0.0
+    least = -math.inf if bearing.touching else 0.0
     size_ratio = diameter / pitch
     return Geometry(
         ball_diameter=diameter,

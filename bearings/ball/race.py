@@ -5,7 +5,7 @@ the motion of the ball asks for one contact a race (Fc, Mg, friction). With one 
 exact; with two it is a model, continuous as contacts come and go. Plain expressions of floats or
 arrays, which compile as they stand.
 
-A groove spans ±90° and goes on straight from there: its contact is the distance of the ball from a
+A groove may span ±90° and go on straight from there: its contact is the distance of the ball from a
 convex set, which keeps the potential convex. A ball free of a race faces it at the angle of their
 centres, the radial part at least a quarter of the gap: continuous where contact is lost, the same
 unless the ball's centre is nearly level with that of the groove, within ±90° where it is beyond.
