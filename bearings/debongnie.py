@@ -13,22 +13,24 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, NamedTuple
+from numbers import Real
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from bearings.ball.law import check_name
+from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing
 from bearings.geometry import geometry
-
-if TYPE_CHECKING:
-    from bearings.bearing import BallBearing
+from bearings.ring.operation import LARGEST
 
 Array = NDArray[np.float64]
 LOWEST, HIGHEST = 1e-2, 1e2  # x for which A and n are meant
 LIFE = 10.0 / 3.0  # w, exponent of load for a race that stands still under passing balls
 VARIANTS = ("corrected", "original")
+LEAST_SPEED = 1e-3  # rad/s
+FAR = 1e300  # SI; beyond it squares are no numbers
 
 
 class PowerLaw(NamedTuple):
@@ -43,15 +45,22 @@ class PowerLaw(NamedTuple):
 
 
 def deflection(y: ArrayLike, ratio: ArrayLike) -> Array:
-    """x of a ball that carries ``y`` ≥ 0, exact (6); ``ratio`` is ki/ke. Broadcasts."""
-    return _deflection(np.cbrt(np.asarray(y, float)) ** 2, np.asarray(ratio, float))
+    """x of a ball that carries ``y`` ≥ 0, exact (6); ``ratio`` is ki/ke. Broadcasts.
+
+    InvalidBearing for y < 0, ratios not above zero, and what is no finite number.
+    """
+    return _deflection(np.cbrt(_numbers("y", y, 0.0)) ** 2, _numbers("ratio", ratio))
 
 
 def load(x: ArrayLike, ratio: ArrayLike) -> Array:
-    """y of a ball pressed by ``x``, the inverse of ``deflection``; 0 where x ≤ 0. Broadcasts."""
+    """y of a ball pressed by ``x``, the inverse of ``deflection``; 0 where x ≤ 0. Broadcasts.
+
+    InvalidBearing for ratios not above zero, and what is no finite number.
+    """
     from scipy.optimize import elementwise
 
-    wanted, k = np.broadcast_arrays(np.maximum(np.asarray(x, float), 0.0), np.asarray(ratio, float))
+    pressed = np.maximum(_numbers("x", x, -math.inf), 0.0)
+    wanted, k = np.broadcast_arrays(pressed, _numbers("ratio", ratio))
     top = wanted / k * (1.0 + 1e-12)  # y^(2/3) if the outer race were rigid, beyond rounding
     root = elementwise.find_root(
         lambda t, x, k: _deflection(t, k) - x, (np.zeros_like(top), top), args=(wanted, k)
@@ -65,8 +74,8 @@ def _deflection(t: Array, ratio: Array) -> Array:
 
 
 def power_law(ratio: ArrayLike) -> PowerLaw:
-    """A and n for ki/ke = ``ratio`` in closed form (12 to 14)."""
-    b = np.asarray(ratio, float) + 0.537
+    """A and n for ki/ke = ``ratio`` > 0 in closed form (12 to 14); InvalidBearing for others."""
+    b = _numbers("ratio", ratio) + 0.537
     n = 1.0 / (2.0 / 3.0 + 0.08904 / b)
     return PowerLaw(b**-n, n)
 
@@ -97,9 +106,10 @@ def distribution(peak: ArrayLike, law: PowerLaw, gap: float = 1.0) -> Distributi
 
     ``law`` may hold arrays that broadcast with ``peak``. ``gap`` > 0 is the displacement over δc
     at which the first ball is loaded: 1 without clearance, so that δc/δr = 1/(1 + peak);
-    1 + clearance/(2 δc) with it.
+    1 + clearance/(2 δc) with it. InvalidBearing where either is not above zero.
     """
-    x = np.asarray(peak, float)[..., None]
+    x = _numbers("peak", peak)[..., None]
+    _check_positive("gap", gap)
     nodes, weights = np.polynomial.legendre.leggauss(48)
     turn = (nodes + 1.0) * math.pi / 4.0  # θ = θ0 sin(turn): smooth where the load zone ends
     zone = np.arccos(gap / (gap + x))
@@ -138,7 +148,9 @@ def equivalent_factors(exponent: float = 1.5) -> tuple[float, float, float]:
 
     Radial loads at rest with the same largest ball load, or with the same life on either race
     (Lundberg and Palmgren 1947). Contacts at rest are Hertz', n = 1.5: 0.2288, 0.4068, 0.3895.
+    InvalidBearing where n is not above zero.
     """
+    _check_positive("exponent", exponent)
     radial = _mean_of_cosine(exponent + 1.0)
     inner = radial / _mean_of_cosine(3.0 * exponent) ** (1.0 / 3.0)
     return radial, inner, radial / _mean_of_cosine(LIFE * exponent) ** (1.0 / LIFE)
@@ -149,8 +161,14 @@ def race_weights(
 ) -> tuple[float, float]:
     """(C/Ci)^w and (C/Ce)^w, which add up to 1 (21 to 26).
 
-    ``size_ratio`` is D/dm; ``inner``, ``outer`` are groove radii over ball diameter.
+    ``size_ratio`` is D/dm; ``inner``, ``outer`` are groove radii over ball diameter. InvalidBearing
+    unless 0 < D/dm < 1 and both conformities are above 0.5.
     """
+    for name, value in (("size_ratio", size_ratio), ("inner", inner), ("outer", outer)):
+        _check_positive(name, value)
+    if size_ratio >= 1.0:
+        raise InvalidBearing(f"size_ratio D/dm must be below 1, got {size_ratio!r}")
+    _check_conformities(inner, outer)
     grooves = inner / outer * (2.0 * outer - 1.0) / (2.0 * inner - 1.0)
     ratio = 1.04 * ((1.0 - size_ratio) / (1.0 + size_ratio)) ** 1.72 * grooves**0.41  # Ci/Ce
     return 1.0 / (1.0 + ratio**LIFE), 1.0 / (1.0 + ratio**-LIFE)
@@ -183,10 +201,11 @@ class RadialRing:
     def __post_init__(self) -> None:
         for name in (f.name for f in fields(self) if f.name != "clearance"):
             _check_positive(name, getattr(self, name))
-        if not math.isfinite(self.clearance):
+        if not _number(self.clearance):
             raise InvalidBearing(f"clearance must be a finite length in m, got {self.clearance!r}")
-        if min(self.inner_conformity, self.outer_conformity) <= 0.5:
-            raise InvalidBearing("conformities must be above 0.5: grooves are wider than the ball")
+        if self.balls != int(self.balls):
+            raise InvalidBearing(f"balls must be a whole number, got {self.balls!r}")
+        _check_conformities(self.inner_conformity, self.outer_conformity)
         if self.ball_diameter >= self.pitch_diameter:
             raise InvalidBearing("ball_diameter must be below pitch_diameter: is the unit right?")
 
@@ -227,6 +246,8 @@ class RadialRing:
 class Approximation:
     """A loaded ring: ``displacement`` δr [m], ``zone`` θ0 [rad], forces [N].
 
+    The displacement of the original variant keeps his misprinted δc and is absurd as a length.
+
     ``peak``: x of the most loaded ball, whose loads are ``inner_peak`` and ``outer_peak``.
     ``static_equivalent`` P0 and ``dynamic_equivalent`` P: radial loads at rest with the same
     largest ball load and with the same life.
@@ -248,16 +269,24 @@ def approximate(
     """The ring under a radial ``load`` [N] while its inner ring turns at ``speed`` [rad/s].
 
     ``variant`` "original" keeps what is wrong in the report: Fc = m ω² D/2, ω half the speed,
-    δc = (Fc/ke)^(2/3) and P0 = 0.2334 z Q; it has no clearance.
+    δc = (Fc/ke)^(2/3) and P0 = 0.2334 z Q; it has no clearance. Its displacement keeps the misprint
+    of δc and is absurd as a length (metres); loads and x are those of his tables.
 
     Raises
     ------
     InvalidBearing : unknown variant, numbers not above zero, a clearance that the variant cannot
         take, or a load at which x of the most loaded ball leaves 0.01 to 100
     """
+    if not isinstance(ring, RadialRing | BallBearing):
+        raise InvalidBearing(f"ring must be a RadialRing or a bearing, got {ring!r:.80}")
     ring = ring if isinstance(ring, RadialRing) else RadialRing.of(ring)
     _check_positive("load", load)
     _check_positive("speed", speed)
+    if not LEAST_SPEED <= speed <= LARGEST["speed"]:
+        raise InvalidBearing(
+            f"speed {speed:g} rad/s must lie from {LEAST_SPEED:g} to {LARGEST['speed']:g}: the "
+            "approximation is of balls that their centrifugal force presses"
+        )
     force, seated, factors = _constants(ring, speed, variant)
     gap = 1.0 + ring.clearance / (2.0 * seated)
     if gap <= 0.0:
@@ -306,5 +335,31 @@ def _constants(
 
 
 def _check_positive(name: str, value: float) -> None:
-    if not (math.isfinite(value) and value > 0.0):
-        raise InvalidBearing(f"{name} must be a finite number above zero, got {value!r}")
+    if not (_number(value) and value > 0.0):
+        raise InvalidBearing(f"{name} must be a finite number above zero, got {value!r:.80}")
+
+
+def _check_conformities(inner: float, outer: float) -> None:
+    if min(inner, outer) <= 0.5:
+        raise InvalidBearing("conformities must be above 0.5: grooves are wider than the ball")
+
+
+def _number(value: object) -> bool:
+    """A finite real number."""
+    if isinstance(value, bool) or not isinstance(value, Real):
+        return False
+    return bool(abs(value) < FAR)  # type: ignore[operator]
+
+
+def _numbers(name: str, values: ArrayLike, low: float | None = None) -> Array:
+    """Finite numbers from ``low`` up, or above zero."""
+    try:
+        array = np.asarray(values, float)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise InvalidBearing(f"{name} must be numbers, got {values!r:.80}") from error
+    good = array > 0.0 if low is None else array >= low
+    if not (np.isfinite(array) & good).all():
+        least = "above zero" if low is None else f"from {low:g} up"
+        least = "" if low == -math.inf else f" {least}"
+        raise InvalidBearing(f"{name} must be finite numbers{least}, got {values!r:.80}")
+    return array

@@ -2,14 +2,27 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from types import SimpleNamespace
+from typing import Any, cast
 
 import numpy as np
 import pytest
 
 from bearings import AngularContactBallBearing, InvalidBearing
-from bearings.debongnie import PowerLaw, RadialRing, approximate, deflection, load, peak, power_law
+from bearings.debongnie import (
+    PowerLaw,
+    RadialRing,
+    approximate,
+    deflection,
+    distribution,
+    equivalent_factors,
+    load,
+    peak,
+    power_law,
+    race_weights,
+)
 
 RING = RadialRing(2.5e-7, 2.0e-7, 9, 1.5e-3, 10e-3, 50e-3)
 SPEED, LOAD = 4000.0, 800.0
@@ -68,7 +81,7 @@ def test_a_bearing_is_its_ring() -> None:
         ({"clearance": float("inf")}, "finite length"),
     ],
 )
-def test_impossible_rings(change: dict[str, float], message: str) -> None:
+def test_impossible_rings(change: dict[str, Any], message: str) -> None:
     with pytest.raises(InvalidBearing, match=message):
         replace(RING, **change)
 
@@ -89,3 +102,38 @@ def test_loads_and_speeds_out_of_reach() -> None:
         approximate(replace(RING, clearance=1e-6), LOAD, SPEED, "original")
     with pytest.raises(InvalidBearing, match="corrected, original"):
         approximate(RING, LOAD, SPEED, "new")
+
+
+@pytest.mark.parametrize(
+    "value", ["a", None, True, np.array([1.0, 2.0]), 0.0, -1.0, np.nan, 10**400]
+)
+@pytest.mark.parametrize("place", ["load", "speed"])
+def test_what_is_no_load_or_speed_is_refused(place: str, value: Any) -> None:
+    asked: dict[str, Any] = {"load": LOAD, "speed": SPEED, place: value}
+    with pytest.raises(InvalidBearing, match=f"{place} must be a finite number above zero"):
+        approximate(RING, **asked)
+
+
+@pytest.mark.parametrize(
+    ("call", "sentence"),
+    [
+        (lambda: approximate(RING, LOAD, 1e-200), "speed 1e-200 rad/s must lie from"),
+        (lambda: approximate(RING, LOAD, 1e200), "speed 1e.200 rad/s must lie from"),
+        (lambda: approximate(cast(Any, None), LOAD, SPEED), "ring must be a RadialRing or a"),
+        (lambda: replace(RING, balls=cast(Any, 9.5)), "balls must be a whole number"),
+        (lambda: replace(RING, ball_mass=cast(Any, "a")), "ball_mass must be a finite number"),
+        (lambda: replace(RING, clearance=cast(Any, "a")), "clearance must be a finite length"),
+        (lambda: race_weights(1.2), "size_ratio D/dm must be below 1"),
+        (lambda: race_weights(0.2, 0.5, 0.5), "conformities must be above 0.5"),
+        (lambda: equivalent_factors(-5.0), "exponent must be a finite number above zero"),
+        (lambda: load([1.0], 0.0), "ratio must be finite numbers above zero"),
+        (lambda: load([np.nan], 1.0), "x must be finite numbers"),
+        (lambda: deflection(-1.0, 1.0), "y must be finite numbers from 0 up"),
+        (lambda: power_law(-1.0), "ratio must be finite numbers above zero"),
+        (lambda: distribution(-1.0, power_law(1.0)), "peak must be finite numbers above zero"),
+        (lambda: distribution(1.0, power_law(1.0), 0.0), "gap must be a finite number above zero"),
+    ],
+)
+def test_what_makes_no_sense_is_refused(call: Callable[[], object], sentence: str) -> None:
+    with pytest.raises(InvalidBearing, match=sentence):
+        call()
