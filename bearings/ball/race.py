@@ -99,6 +99,10 @@ def facing(groove: Groove, vector: Motion) -> tuple[Any, Any, Any, Pair]:
     """sin and cos of the angle at which ball and groove face each other, their approach δ ≥ 0, and
     the derivatives of the angle by the vector."""
     axial, radial = vector[0], vector[1]
+    if groove.least < 0.0:
+        sin, cos, length = direction((axial, radial))
+        part = 1.0 / length
+        return sin, cos, np.maximum(length - groove.reach, 0.0), (cos * part, -sin * part)
     curved = np.maximum(radial, groove.least)
     length = np.sqrt(axial * axial + curved * curved)
     approach = length - groove.reach
@@ -180,15 +184,21 @@ def springs(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Springs
 
 def spring(groove: Groove, vector: Motion) -> Springs:
     """One contact along its vector as a spring, without lever to the middle of the ring."""
-    radial = np.maximum(vector[1], groove.least)
-    length = np.maximum(np.sqrt(vector[0] * vector[0] + radial * radial), NOWHERE)
+    radial = vector[1]
+    if groove.least >= 0.0:
+        radial = np.maximum(radial, groove.least)
+    length = np.sqrt(vector[0] * vector[0] + radial * radial)
+    if groove.least >= 0.0:
+        length = np.maximum(length, NOWHERE)
     part = 1.0 / length
     sin, cos = vector[0] * part, radial * part
     approach = np.maximum(length - groove.reach, 0.0)
     load, along = hertz(groove.stiffness, approach)
     across = load * part
     more = along - across
-    radially = where(vector[1] > groove.least, across + more * cos * cos, 0.0)
+    radially = across + more * cos * cos
+    if groove.least >= 0.0:
+        radially = where(vector[1] > groove.least, radially, 0.0)
     slope = (across + more * sin * sin, more * sin * cos, radially)
     return Springs(0.4 * load * approach, (load * sin, load * cos), slope, 0.0, (0.0, 0.0, 0.0))
 

@@ -127,7 +127,9 @@ def _solve(k: Array, gap: Array, *, loose: bool) -> Array:
 
 
 def segments(problem: Problem, d: Array, x: Array) -> tuple[Pair, Pair]:
-    """Directions (sin, cos) in which the middles of outer and inner groove face a ball."""
+    """Vectors along which the middles of outer and inner groove face a ball, of any length."""
     g, inner = problem.geometry, problem.centres(d)[:2] - x
+    if g.touching:
+        return (x[0], x[1]), (inner[0], inner[1])
     outer = facing(g.outer_grooves[0], (x[0], x[1]))
     return outer[:2], facing(g.inner_grooves[0], (inner[0], inner[1]))[:2]

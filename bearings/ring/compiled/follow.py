@@ -205,10 +205,14 @@ def _turned_little(p: One, d: Array, x: Array, w: Work) -> bool:
     for ball in range(len(x)):
         before, now = centre_of(p, w.d, ball), centre_of(p, d, ball)
         there, here = (w.x[ball, 0], w.x[ball, 1]), (x[ball, 0], x[ball, 1])
-        groove = p.geometry.inner_grooves[0]
-        inner = facing(groove, (before[0] - there[0], before[1] - there[1]))
-        then = facing(groove, (now[0] - here[0], now[1] - here[1]))
-        turned = turned_far((inner[0], inner[1]), (then[0], then[1]), LONGEST_TURN)
+        inner, then = (
+            (before[0] - there[0], before[1] - there[1]),
+            (now[0] - here[0], now[1] - here[1]),
+        )
+        if not p.geometry.touching:
+            groove = p.geometry.inner_grooves[0]
+            inner, then = facing(groove, inner)[:2], facing(groove, then)[:2]
+        turned = turned_far(inner, then, LONGEST_TURN)
         if turned or turned_far(there, here, LONGEST_TURN):
             return False
     return True
