@@ -165,7 +165,7 @@ def _layout(
     tall = 50.0 if curve.log else 84.0 if count == 1 else 62.0 if rows == 1 else 39.0
     top = _room(curve, wide) + 6.0 if curve.places else 8.0
     mixed = len({group.first.along for group in groups}) > 1  # named between rows
-    between = 12.0 if mixed else 9.0 if curve.title else GAP
+    between = (9.0 if curve.title else GAP) + (6.0 if mixed else 0.0)
     between += 1.0 if curve.places else 0.0
     cell = tall + (STRIP + OVER_STRIP if strips else 0.0)
     figure = new_figure(168.0, BELOW + rows * cell + (rows - 1) * between + top)
