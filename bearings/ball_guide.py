@@ -14,13 +14,11 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bearings.arrays import Array
 from bearings.contact.hertz import contact
 from bearings.errors import InvalidBearing
 from bearings.materials import STEEL, Material
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, slots=True)

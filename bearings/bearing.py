@@ -292,13 +292,7 @@ class BallBearing:
         speed : of the inner ring, shape (…) [rad/s]
         static_growth : Δu0, radial growth of the inner groove centre at rest, shape (…) [m]
         growth : Δu, total growth at ``speed``, static part included; None = ``static_growth``
-        kinematics : "hybrid", "outer", "inner" or "geometric"
-        moment_sharing : "equal", "outer", "inner" or "hybrid"
-        friction : coefficient μ that limits the gyroscopic moment a race can hold, λ Mg ≤ μ D Q;
-            None lets it hold any
-        dynamics : "resultant", Fc and Mg of every ball follow the resultant load on each race (with
-            one contact a race this is exact); "frozen", Fc at the free contact angle, no Mg;
-            "centrifugal", "gyroscopic": as "resultant" with one of the two alone
+        kinematics, moment_sharing, friction, dynamics : as in ``bearings.Law``
         start : a state of the same batch shape close to the one sought; only speeds the search up,
             and is not used with kinematics that know two branches ("inner", "geometric")
         compiled : solve state by state with compiled functions; None: where that pays, with the

@@ -17,15 +17,15 @@ from numbers import Real
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from bearings.arrays import Array
 from bearings.ball.law import check_name
 from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing
 from bearings.geometry import geometry
 from bearings.ring.operation import LARGEST
 
-Array = NDArray[np.float64]
 LOWEST, HIGHEST = 1e-2, 1e2  # x for which A and n are meant
 LIFE = 10.0 / 3.0  # w, exponent of load for a race that stands still under passing balls
 VARIANTS = ("corrected", "original")

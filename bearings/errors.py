@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from functools import cached_property
 from typing import Any
 
 
@@ -39,14 +40,11 @@ class NoEquilibrium(BearingError):
         self.speed = speed
         self.remedy = remedy
         self._look = look
-        self._ending = ""
 
-    @property
+    @cached_property
     def ending(self) -> str:
         """What ends the state, and above which speed; may be empty."""
-        if self._look is not None:
-            self._ending, self._look = self._look(), None
-        return self._ending
+        return self._look() if self._look else ""
 
     def __str__(self) -> str:
         why = f"{self.outcome}: {self.ending}," if self.ending else self.outcome

@@ -10,8 +10,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from bearings.arrays import Array, Flags
 from bearings.errors import InvalidBearing
 from bearings.ring.motion import contact_motion
 
@@ -19,7 +20,6 @@ if TYPE_CHECKING:
     from bearings.lubricant import Lubricant
     from bearings.ring.state import BearingState
 
-Array = NDArray[np.float64]
 _BY_LOAD = 0.067  # exponent of the load in the central film thickness
 
 
@@ -29,23 +29,19 @@ class Film:
 
     ``least``, ``central``: thicknesses h_min and h_c [m], inlet heating in them; ``heating``: by
     which factor it thins them; ``stiffness``: dQ/dh at constant speed [N/m], in series with that of
-    the contact.
+    the contact. ``growth`` (…, balls) [m]: by which the films make a ball appear larger, hi + ho of
+    the most loaded contact of each race; with four contacts a ball grows along both its diagonals.
     """
 
     least: Array
     central: Array
     heating: Array
     stiffness: Array
+    growth: Array
 
     def ratio(self, ball_roughness: float, race_roughness: float) -> Array:
         """Λ = h_min over the root of both squared roughnesses Rq [m]."""
         return np.asarray(self.least / np.hypot(ball_roughness, race_roughness))
-
-    @property
-    def growth(self) -> Array:
-        """By which the films make the balls appear larger along the contact line (…, balls) [m]:
-        hi + ho of the most loaded contact of each race's side."""
-        return np.asarray(self.central.sum(axis=-1))
 
 
 def hamrock_dowson(
@@ -131,4 +127,11 @@ def film(
     least, central = (each * factor * starvation for each in (least, central))
     with np.errstate(divide="ignore", invalid="ignore"):
         stiffness = np.where(central > 0.0, load / (_BY_LOAD * central), np.inf)
-    return Film(least, central, factor, stiffness)
+    growth = _heaviest(load, central, inner) + _heaviest(load, central, ~inner)
+    return Film(least, central, factor, stiffness, growth)
+
+
+def _heaviest(load: Array, thickness: Array, race: Flags) -> Array:
+    """Film of the most loaded of the contacts where ``race`` is true."""
+    most = load[..., race].argmax(axis=-1, keepdims=True)
+    return np.take_along_axis(thickness[..., race], most, axis=-1)[..., 0]

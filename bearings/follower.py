@@ -6,8 +6,8 @@ import itertools
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bearings.arrays import Array, Flags
 from bearings.ball.law import STANDARD, Law
 from bearings.bearing import BallBearing
 from bearings.errors import InvalidBearing, NoEquilibrium
@@ -20,8 +20,6 @@ from bearings.ring.problem import Problem, first_displacement, turns
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
-
 
 class Followed(NamedTuple):
     """``load`` (…, 5), ``displacement`` (…, 5), ``stiffness`` (…, 5, 5), ``converged`` (…).
@@ -32,7 +30,7 @@ class Followed(NamedTuple):
     load: Array
     displacement: Array
     stiffness: Array
-    converged: NDArray[np.bool_]
+    converged: Flags
 
 
 class Follower:

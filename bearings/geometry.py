@@ -10,12 +10,11 @@ from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bearings.arrays import Array
 from bearings.contact.hertz import HertzContact, contact
 from bearings.grooves import Grooves
 
-Array = NDArray[np.float64]
 STEEP = math.radians(80.0)  # free contact angle of a bearing whose grooves end beyond 90°
 WIDEST = 0.2  # cos of the free contact angle that growth may leave, 78°
 

@@ -122,9 +122,8 @@ class Grooves:
     @property
     def middle_angles(self) -> tuple[float, float]:
         """Angles where two arcs of inner and outer groove meet, asin(g/(2 f D)) [rad], or NaN."""
-        shims = (2.0 * self.inner_offsets[0], 2.0 * self.outer_offsets[0])
+        offsets = (self.inner_offsets[0], self.outer_offsets[0])
         inner, outer = (
-            math.asin(shim / (2.0 * radius)) if shim else math.nan
-            for shim, radius in zip(shims, self.radii, strict=True)
+            math.asin(x / r) if x else math.nan for x, r in zip(offsets, self.radii, strict=True)
         )
         return inner, outer

@@ -6,11 +6,11 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from bearings.arrays import Array
 from bearings.errors import InvalidBearing
 
-Array = NDArray[np.float64]
 KELVIN = 273.15
 _SHIFT = 0.7  # mm²/s, of ASTM D341
 

@@ -6,12 +6,10 @@ import math
 from collections.abc import Iterator
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bearings.arrays import Array
 from bearings.catalogue.printed import Catalogue, Value
 from bearings.errors import InvalidBearing
-
-Array = NDArray[np.float64]
 
 LIMIT = {
     "rigidity": 0.12,

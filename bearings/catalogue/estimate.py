@@ -8,8 +8,8 @@ from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bearings.arrays import Array
 from bearings.catalogue.consistency import refuse_contradictions
 from bearings.catalogue.pair import axial_law, pair_values
 from bearings.catalogue.plausible import TIGHTEST, plausible, usual
@@ -18,8 +18,6 @@ from bearings.catalogue.races import Insides, contact_stiffness, static_rating
 from bearings.kinds.angular_contact import AngularContactBallBearing
 from bearings.life.rating import radial_rating
 from bearings.materials import SILICON_NITRIDE, STEEL
-
-Array = NDArray[np.float64]
 
 FIELDS = ("ball_diameter", "balls", "pitch_diameter", "inner_conformity", "outer_conformity")
 # Standard deviations, as shares: how well one and the same inside meets what makers print

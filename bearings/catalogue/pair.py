@@ -15,9 +15,8 @@ import math
 from functools import lru_cache
 
 import numpy as np
-from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
+from bearings.arrays import Array
 
 _FURTHEST = 1.5  # displacements beyond touching that the table covers, in BD
 _POINTS = 3000

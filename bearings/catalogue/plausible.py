@@ -9,12 +9,10 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bearings.arrays import Array
 from bearings.catalogue.printed import Catalogue
 from bearings.catalogue.races import Insides
-
-Array = NDArray[np.float64]
 
 BALL_SHARE = (0.265, 0.035)  # D/(outside diameter − bore): mean and standard deviation
 FILL = (0.77, 0.08)  # Z D/(π dm) likewise

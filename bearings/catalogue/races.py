@@ -11,16 +11,14 @@ from functools import cache
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bearings.arrays import Array
 from bearings.contact.hertz import curvature_difference, dimensionless
 from bearings.life.rating import STATIC_PRESSURE
 from bearings.materials import Material
 
 if TYPE_CHECKING:
     from scipy.interpolate import CubicSpline
-
-Array = NDArray[np.float64]
 
 
 class Insides(NamedTuple):

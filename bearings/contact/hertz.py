@@ -10,10 +10,7 @@ import math
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:
-    import numpy as np
-    from numpy.typing import NDArray
-
-    Array = NDArray[np.float64]
+    from bearings.arrays import Array
 
 
 class HertzContact(NamedTuple):

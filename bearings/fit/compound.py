@@ -14,12 +14,11 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bearings.arrays import Array, Flags
 from bearings.errors import InvalidBearing
 from bearings.fit.cylinder import (
     AXIAL_CONDITIONS,
-    Array,
     Cylinder,
     displacement_fields,
     hoop_stress,
@@ -29,8 +28,6 @@ from bearings.fit.cylinder import (
 
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike
-
-Fits = NDArray[np.bool_]
 
 
 @dataclass(frozen=True, slots=True)
@@ -48,7 +45,7 @@ class CompoundState:
     gap: Array
 
     @property
-    def holds(self) -> Fits:
+    def holds(self) -> Flags:
         """True where a fit presses, shape (…, fits)."""
         return self.pressure > 0.0
 
@@ -200,7 +197,7 @@ def _contact_pressure(free: Array, compliance: Array) -> Array:
     return np.maximum(best, 0.0)
 
 
-def _pressing(free: Array, compliance: Array, active: Fits) -> Array:
+def _pressing(free: Array, compliance: Array, active: Flags) -> Array:
     pressure = np.zeros_like(free)
     if active.any():
         block = compliance[np.ix_(active, active)]
@@ -212,7 +209,7 @@ def _next_event(
     start: Array,
     slope: Array,
     compliance: Array,
-    active: Fits,
+    active: Flags,
     squared: float,
     last: int | None,
 ) -> tuple[float, int | None]:

@@ -17,12 +17,11 @@ import math
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bearings.arrays import Array
 from bearings.errors import InvalidBearing
 from bearings.materials import Material
 
-Array = NDArray[np.float64]
 AXIAL_CONDITIONS = ("plane_stress", "free_ends", "clamped")
 
 

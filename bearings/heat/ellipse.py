@@ -18,8 +18,8 @@ from functools import cache
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bearings.arrays import Array, Flags
 from bearings.errors import InvalidBearing
 from bearings.ring.motion import contact_motion
 from bearings.ring.truncation import half_axes
@@ -27,7 +27,6 @@ from bearings.ring.truncation import half_axes
 if TYPE_CHECKING:
     from bearings.ring.state import BearingState
 
-Array = NDArray[np.float64]
 RADIAL, AROUND = 6, 16  # points of the quadrature: within 1 % of the integral
 FULL_SLIP = 0.95  # of μ Q: the largest creep force followed; beyond, balls slip as a whole
 _SMOOTH = 1e-6  # of the largest velocity, below which it counts as zero
@@ -46,7 +45,7 @@ class Sliding:
     power: Array
     spin_power: Array
     spin_moment: Array
-    slips: NDArray[np.bool_]
+    slips: Flags
     friction: float
 
 

@@ -8,8 +8,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from bearings.arrays import Array
 from bearings.errors import InvalidBearing
 from bearings.life.rating import is_thrust, nominal_angle, static_rating
 
@@ -17,7 +18,6 @@ if TYPE_CHECKING:
     from bearings.grooves import Grooves
     from bearings.ring.state import BearingState
 
-Array = NDArray[np.float64]
 # f0 of single-row angular-contact bearings by the way the oil comes.
 OIL_FACTORS = {"oil-air": 1.0, "mist": 1.0, "grease": 2.0, "bath": 2.0, "jet": 4.0}
 _SLOW = 2000.0  # mm²/s · rpm, below which the viscous moment is constant

@@ -9,11 +9,11 @@ from __future__ import annotations
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from bearings.arrays import Array
 from bearings.errors import InvalidBearing
 
-Array = NDArray[np.float64]
 FASTEST = 0.8e6  # n·dm [rpm·mm]
 REPLENISHMENT = {"bath": 0.0, "low bath": 3e-8, "jet": 3e-8, "grease": 6e-8, "oil-air": 6e-8}
 _R1, _R2, _R3 = 5.03e-7, 1.97, 1.90e-12

@@ -11,15 +11,14 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bearings.arrays import Array
 from bearings.errors import InvalidBearing
 
 if TYPE_CHECKING:
     from bearings.bearing import BallBearing
     from bearings.heat.total import Losses
 
-Array = NDArray[np.float64]
 Heat = Callable[[Array], Any]
 HOTTEST = 250.0  # °C, beyond which no bearing runs
 TOLERANCE = 1e-5  # K

@@ -10,8 +10,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from bearings.arrays import Array, Flags
 from bearings.errors import InvalidBearing
 from bearings.heat.ellipse import sliding
 from bearings.heat.moments import load_moment, viscous_moment
@@ -20,7 +21,6 @@ if TYPE_CHECKING:
     from bearings.lubricant import Lubricant
     from bearings.ring.state import BearingState
 
-Array = NDArray[np.float64]
 MODELS = ("ellipse", "palmgren")
 
 
@@ -35,7 +35,7 @@ class Losses:
     viscous: Array
     spin: Array
     moment: Array
-    slips: NDArray[np.bool_]
+    slips: Flags
 
     @property
     def total(self) -> Array:

@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from bearings.arrays import Array
 from bearings.errors import InvalidBearing
 
-Array = NDArray[np.float64]
 # 15°: i Fa/C0, e and Y of ISO 281; X 0.44 (SNFA's and GMN's catalogues print the same).
 _SHALLOW = np.array(
     [

@@ -9,11 +9,11 @@ from __future__ import annotations
 import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from bearings.arrays import Array
 from bearings.errors import InvalidBearing
 
-Array = NDArray[np.float64]
 LOWEST_KAPPA, HIGHEST_KAPPA = 0.1, 4.0
 MOST = 50.0  # a_ISO
 _RELIABILITY = {0.90: 1.0, 0.95: 0.64, 0.96: 0.55, 0.97: 0.47, 0.98: 0.37, 0.99: 0.25}

@@ -9,16 +9,14 @@ import math
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bearings.arrays import Array
 from bearings.life.rating import nominal_angle
 from bearings.ring.motion import ball_motion
 
 if TYPE_CHECKING:
     from bearings.bearing import BallBearing
     from bearings.ring.state import BearingState
-
-Array = NDArray[np.float64]
 
 
 class Frequencies(NamedTuple):

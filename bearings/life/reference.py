@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bearings.arrays import Array, Words
 from bearings.errors import InvalidBearing
 from bearings.life.rating import (
     EXPONENT,
@@ -30,7 +30,6 @@ if TYPE_CHECKING:
     from bearings.grooves import Grooves
     from bearings.ring.state import BearingState
 
-Array = NDArray[np.float64]
 ROTATING = ("inner", "outer", "both")
 _INNER, _OUTER = 0.407, 0.389
 _SLOPE = 10.0 / 9.0  # Weibull's, of ball bearings
@@ -53,7 +52,7 @@ class ReferenceLife:
     race_load: Array
     race_rating: Array
     race_life: Array
-    limiting: NDArray[np.str_]
+    limiting: Words
     dynamic_rating: float
 
 

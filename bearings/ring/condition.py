@@ -8,16 +8,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from bearings.arrays import Array, Flags, Index, Words
 from bearings.errors import NoEquilibrium
 from bearings.geometry import STEEP
+from bearings.ring import tolerances as tol
 from bearings.ring.operation import Operation
 from bearings.ring.request import solved
 from bearings.ring.spin_up import Gap, spin_up
 from bearings.ring.state import BearingState
-from bearings.ring.tolerances import GROSS, IMPOSSIBLE, PERMANENT
 from bearings.ring.truncation import truncation
-
-Array = NDArray[np.float64]
 
 GIVEN = ("displacement", "load and displacement", "load")
 RPM = math.pi / 30.0
@@ -51,7 +50,7 @@ def _remedy(state: BearingState) -> str:
     return ", ".join(ways[:-1]) + f" or {ways[-1]}"
 
 
-def condition(state: BearingState) -> NDArray[np.str_]:
+def condition(state: BearingState) -> Words:
     """What there is to say about each state (…), ``""`` where all balls carry as they should.
 
     ``"unloaded"``, ``"lost contact (balls 3–5)"``, ``"overloaded (pressure 4.6 GPa)"`` beyond the
@@ -80,17 +79,17 @@ def condition(state: BearingState) -> NDArray[np.str_]:
     return np.array(words, dtype=str).reshape(state.outcome.shape)
 
 
-def endings(operation: Operation, index: NDArray[np.intp]) -> list[str]:
+def endings(operation: Operation, index: Index) -> list[str]:
     """Up to which speed questions that have no state have one, and what ends it."""
     gaps = first_gaps(operation, index)
     last = solved(operation.repeated(index, np.array([gap.low for gap in gaps])))
     load = np.minimum(last.inner_load, last.outer_load)
     force = np.abs(last.gyroscopic_moment) / operation.grooves.ball_diameter
-    thrown = (load > 0.0) & (force > IMPOSSIBLE * load)
+    thrown = (load > 0.0) & (force > tol.IMPOSSIBLE * load)
     return [_ending(operation, gap, balls) for gap, balls in zip(gaps, thrown, strict=True)]
 
 
-def first_gaps(operation: Operation, index: NDArray[np.intp]) -> list[Gap]:
+def first_gaps(operation: Operation, index: Index) -> list[Gap]:
     """First gaps of speed of some questions; what their searches ask for is solved together."""
     jumps = not operation.law.one_branch
     searches = [spin_up(float(operation.speed[k]), jumps=jumps) for k in index]
@@ -110,7 +109,7 @@ def first_gaps(operation: Operation, index: NDArray[np.intp]) -> list[Gap]:
     return gaps
 
 
-def _ending(operation: Operation, gap: Gap, thrown: NDArray[np.bool_]) -> str:
+def _ending(operation: Operation, gap: Gap, thrown: Flags) -> str:
     free = operation.free
     given = GIVEN[int(free.sum() > 0) + free.all()]
     where = f"above {gap.low / RPM:.0f} rpm at this {given}"
@@ -125,7 +124,7 @@ def _ending(operation: Operation, gap: Gap, thrown: NDArray[np.bool_]) -> str:
     return f"stiffness vanishes {where}"
 
 
-def _remarks(state: BearingState) -> list[tuple[NDArray[np.bool_], str, Array]]:
+def _remarks(state: BearingState) -> list[tuple[Flags, str, Array]]:
     """Sentences about states that exist: of which balls (states, balls), and values they quote."""
     cuts, grooves = truncation(state), state.operation.grooves
 
@@ -146,7 +145,7 @@ def _remarks(state: BearingState) -> list[tuple[NDArray[np.bool_], str, Array]]:
         "{{most:.2g}} % of its length lost"
     )
     sentences = [
-        (pressure > PERMANENT / 1e9, "overloaded (pressure {most:.1f} GPa)", pressure),
+        (pressure > tol.PERMANENT / 1e9, "overloaded (pressure {most:.1f} GPa)", pressure),
         (
             (angle >= edge) & (listed(state.inner_load) > 0.0),
             "beyond the groove (balls {balls})",
@@ -162,7 +161,7 @@ def _remarks(state: BearingState) -> list[tuple[NDArray[np.bool_], str, Array]]:
         ),
         (status == "open side", "loaded on the open side (balls {balls})", angle),
         (
-            (grip > GROSS) & (state.operation.law.friction is None),
+            (grip > tol.GROSS) & (state.operation.law.friction is None),
             "gross gyroscopic slip (balls {balls} need a friction of {most:.2g}): raise the load, "
             "lower the speed or give a limit of friction",
             grip,
@@ -177,7 +176,7 @@ def _remarks(state: BearingState) -> list[tuple[NDArray[np.bool_], str, Array]]:
     ]
 
 
-def _ranges(chosen: NDArray[np.bool_]) -> str:
+def _ranges(chosen: Flags) -> str:
     """The numbers of the chosen balls: 0–3, 7."""
     numbers = np.flatnonzero(chosen)
     runs = np.split(numbers, np.flatnonzero(np.diff(numbers) > 1) + 1)

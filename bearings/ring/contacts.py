@@ -10,17 +10,16 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bearings.arrays import Array
 from bearings.ball.balance import Balance
 from bearings.ball.plane import EPS, Motion, Pair, direction, dot
 from bearings.ball.potential import both_grooves
 from bearings.ball.race import against, facing, hertz, vector_to
 from bearings.geometry import Groove
+from bearings.ring import tolerances as tol
 from bearings.ring.problem import Problem
-from bearings.ring.tolerances import IDLE, LEAST
 
-Array = NDArray[np.float64]
 Place = tuple[Array, Array]
 
 
@@ -52,7 +51,7 @@ def contacts(
     outer = _bearing(c.outer_grooves, (x[0], x[1]), -1.0, dx)
     joined = Contacts(*(np.concatenate(pair) for pair in zip(inner, outer, strict=True)))
     if not problem.turning:
-        least = c.inner.stiffness * (IDLE * EPS * (c.inner_reach + c.outer_reach)) ** 1.5
+        least = c.inner.stiffness * (tol.IDLE * EPS * (c.inner_reach + c.outer_reach)) ** 1.5
         joined = joined._replace(load=np.where(joined.load > least, joined.load, 0.0))
     split = len(c.inner_grooves)
     (qi, si, ci), (qo, so, co) = (
@@ -116,5 +115,5 @@ def _at_rest(problem: Problem, balance: Balance, at: Place, step: Place) -> Bala
 def _loaded(stiffness: float, load: Array, along: Pair, step: Pair) -> Any:
     """k (δ + dδ)^1.5 of contacts that carry ``load``; open ones stay open."""
     approach = (load / stiffness) ** (2.0 / 3.0)
-    deeper = np.maximum(approach + dot(along, step), LEAST * approach)
+    deeper = np.maximum(approach + dot(along, step), tol.LEAST * approach)
     return np.where(load > 0.0, stiffness * deeper**1.5, 0.0)

@@ -8,11 +8,12 @@ ring the balls settle, each in the least of its own potential.
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bearings.arrays import Array, Flags, Index
 from bearings.ball.plane import EPS, Motion
 from bearings.ball.potential import (
     Reaction,
@@ -25,33 +26,41 @@ from bearings.ball.potential import (
     seat_step,
 )
 from bearings.geometry import Geometry
+from bearings.ring import tolerances as tol
 from bearings.ring.assembly import rows
 from bearings.ring.linearised import followed_by, reduced
-from bearings.ring.problem import Index, Problem
-from bearings.ring.tolerances import (
-    CONVEX_STEPS,
-    HALVINGS,
-    LONGEST_STEP,
-    ROUNDING,
-    SEAT_STEPS,
-    SETTLED,
-    SOFT,
-    SOFTEST,
-    TOLERANCE,
-)
-
-Array = NDArray[np.float64]
+from bearings.ring.problem import Problem
 
 
-def convex_state(problem: Problem, start: Array) -> tuple[Array, Array, NDArray[np.bool_]]:
-    """(d, X) of the convex stage and whether it was reached (it always should)."""
+def convex_state(problem: Problem, start: Array) -> tuple[Array, Array, Flags]:
+    """(d, X) of the convex stage and whether it was reached (it always should).
+
+    Contacts under a small load are hard walls to Newton steps, which then follow the valley between
+    them in many short pieces. Under a greater load the valley is wide, and its floor ends close by:
+    where the steps do not suffice, the load is let down from there.
+    """
+    d, x, done = _descended(problem, start)
+    size = np.abs(problem.load / problem.scale).max(axis=-1)
+    left = np.flatnonzero(~done & (size > 0.0) & (size < tol.LIGHT))
+    if not left.size:
+        return d, x, done
+    part, near, factor = problem.take(left), start[left], tol.LIGHT / size[left, None]
+    while (factor > 1.0).any():
+        near = _descended(replace(part, load=factor * part.load), near)[0]
+        factor = np.maximum(factor / tol.LET_DOWN, 1.0)
+    d[left], x[:, left], done[left] = _descended(part, near)
+    return d, x, done
+
+
+def _descended(problem: Problem, start: Array) -> tuple[Array, Array, Flags]:
+    """(d, X) where Newton steps from ``start`` end, and whether that is the minimum."""
     d = start.copy()
     x, balls = _seated(problem, d, None)
     done = np.full(len(d), not problem.free.any())
     scale, todo, part = problem.scale[problem.free], np.arange(len(d)), problem
     if done.all():
         return d, x, done
-    for _ in range(CONVEX_STEPS):
+    for _ in range(tol.CONVEX_STEPS):
         gap, k, balanced = _ring_balance(part, balls)
         done[todo] = balanced
         going = np.flatnonzero(~balanced)
@@ -91,26 +100,31 @@ def _filled(parts: Motion, like: Array) -> Array:
     return whole
 
 
-def _ring_balance(problem: Problem, balls: Reaction) -> tuple[Array, Array, NDArray[np.bool_]]:
+def _ring_balance(problem: Problem, balls: Reaction) -> tuple[Array, Array, Flags]:
     """Load still missing and tangent, DOF as lengths; and where nothing is missing."""
     g, free, scale = problem.geometry, problem.free, problem.scale[problem.free]
     gap = (problem.load - problem.assembly.load(balls.action))[:, free] / scale
     k = reduced(problem, problem.assembly.stiffness(balls.slope))
     carried = g.balls * np.hypot(*balls.action[:2]).max(axis=-1)
     size = np.abs(problem.load / problem.scale).max(axis=-1) + 1e-3 * carried
-    noise = ROUNDING * EPS * (g.inner_reach + g.outer_reach) * np.abs(k).max(axis=(1, 2))
-    needed = SETTLED if problem.turning else 0.1 * TOLERANCE
+    noise = tol.ROUNDING * EPS * (g.inner_reach + g.outer_reach) * np.abs(k).max(axis=(1, 2))
+    needed = tol.SETTLED if problem.turning else 0.1 * tol.TOLERANCE
     return gap, k, np.abs(gap).max(axis=-1) <= needed * size + noise
 
 
 def _downhill(problem: Problem, k: Array, gap: Array) -> Array:
-    """Newton direction of the convex stage, a little stiffened, its length bounded."""
-    g = problem.geometry
-    soft = SOFTEST * np.abs(k).max(axis=(1, 2))
-    soft += SOFT * g.balls * g.series_stiffness * math.sqrt(1e-3 * g.free_distance)
+    """Newton direction of the convex stage, its length bounded.
+
+    A little stiffened, in proportion to the load still missing, so that the last steps converge
+    quadratically (Li, Fukushima, Qi & Yamashita, Comput. Optim. Appl. 28 (2004) 131).
+    """
+    g, missing = problem.geometry, np.abs(gap).max(axis=1)
+    share = missing / (missing + np.abs(problem.load / problem.scale).max(axis=1) + 1e-300)
+    soft = tol.SOFTEST * np.maximum(share, tol.HARDEST) * np.abs(k).max(axis=(1, 2))
+    soft += tol.SOFT * g.balls * g.series_stiffness * math.sqrt(1e-3 * g.free_distance)
     step = np.linalg.solve(k + soft[:, None, None] * np.eye(k.shape[-1]), gap[..., None])[..., 0]
     longest = np.abs(step).max(axis=1, keepdims=True)
-    return step * np.minimum(1.0, LONGEST_STEP * g.free_distance / np.maximum(longest, 1e-300))
+    return step * np.minimum(1.0, tol.LONGEST_STEP * g.free_distance / np.maximum(longest, 1e-300))
 
 
 def _searched(
@@ -126,7 +140,7 @@ def _searched(
     largest = np.abs(problem.load / problem.scale).max(axis=-1)
     slack = 64.0 * EPS * (np.abs(before) + largest * (g.inner_reach + g.outer_reach))
     length, along = np.ones((len(d), 1)), followed_by(balls.follow, problem.assembly.moved(step))
-    for _ in range(HALVINGS):
+    for _ in range(tol.HALVINGS):
         trial = d + length * step
         seats, moved = _seated(problem, trial, x + length * along)
         good = total(moved.energy, trial) <= before + slack
@@ -155,7 +169,7 @@ def seat(c: Geometry, centre: Array, push: Array, start: Array | None = None) ->
         better = (then.energy < now.energy) & (then.hold > 0.0)
         x, now = np.where(better, given, x), _chosen(better, then, now)
     todo, length = np.arange(a.shape[1]), np.ones(a.shape[1])
-    for _ in range(SEAT_STEPS):
+    for _ in range(tol.SEAT_STEPS):
         going = np.flatnonzero(now.moving)
         if not going.size:
             break
@@ -170,7 +184,7 @@ def seat(c: Geometry, centre: Array, push: Array, start: Array | None = None) ->
     return x.reshape(2, *centre.shape[1:])
 
 
-def _chosen(choice: NDArray[np.bool_], yes: SeatStep, no: SeatStep) -> SeatStep:
+def _chosen(choice: Flags, yes: SeatStep, no: SeatStep) -> SeatStep:
     """Of each ball the one or the other."""
     parts: Any = (np.where(choice, *pair) for pair in zip(yes, no, strict=True))
     return SeatStep(*parts)

@@ -14,18 +14,16 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bearings.arrays import Array, Flags, Words
 from bearings.ball.balance import Balance
+from bearings.ring import tolerances as tol
 from bearings.ring.compiled.states import CompiledStates, compiled_states
 from bearings.ring.contacts import Contacts, contacts
 from bearings.ring.convex_stage import convex_state
 from bearings.ring.followed_stage import corrected, followed
 from bearings.ring.linearised import Linear, linearise, newton_step, scaled_error, tangent
 from bearings.ring.problem import Problem, first_displacement
-from bearings.ring.tolerances import LIGHT, TOLERANCE
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -39,7 +37,7 @@ class Solution:
     ring_load: Array
     stiffness: Array
     residual: Array
-    outcome: NDArray[np.str_]
+    outcome: Words
 
 
 def solve(
@@ -79,7 +77,7 @@ def solve(
 
 def one_by_one(
     problem: Problem, displacement: Array, guess: Array | None, *, chained: bool = False
-) -> tuple[CompiledStates, NDArray[np.str_]]:
+) -> tuple[CompiledStates, Words]:
     """Compiled, see ``compiled_states``, and the outcome of every state.
 
     What is refused so is looked for together, where free motions are followed.
@@ -98,7 +96,7 @@ def one_by_one(
 
 def _together(
     problem: Problem, displacement: Array, guess: Array | None
-) -> tuple[Array, Array, NDArray[np.str_], Linear | None]:
+) -> tuple[Array, Array, Words, Linear | None]:
     """(d, X), the outcome of every state, and its linearisation if that is known."""
     states = len(problem.speed)
     d, x = displacement.copy(), np.zeros((2, states, problem.assembly.balls))
@@ -113,14 +111,12 @@ def _together(
         converged = reached
         if problem.placed:
             d[cold], x[:, cold], converged = _followed(part, d[cold], x[:, cold], reached)
-        heavy = np.abs(part.load).max(axis=1) > LIGHT
+        heavy = np.abs(part.load).max(axis=1) > tol.LIGHT
         outcome[cold] = np.where(reached | ~heavy, _words(converged), "overloaded")
     return d, x, outcome, linear
 
 
-def _followed(
-    problem: Problem, d: Array, x: Array, reached: NDArray[np.bool_]
-) -> tuple[Array, Array, NDArray[np.bool_]]:
+def _followed(problem: Problem, d: Array, x: Array, reached: Flags) -> tuple[Array, Array, Flags]:
     """``followed``; what fails is tried again as a ring of which not every motion is held.
 
     A load that one or two balls carry leaves the others free: any of the places that meet it is a
@@ -136,18 +132,18 @@ def _followed(
     return d, x, converged
 
 
-def _words(done: NDArray[np.bool_]) -> NDArray[np.str_]:
+def _words(done: Flags) -> Words:
     words = np.zeros(len(done), dtype="<U16")
     words[~done] = "no equilibrium"
     return words
 
 
 def _last_digits(
-    problem: Problem, d: Array, x: Array, linear: Linear, converged: NDArray[np.bool_]
+    problem: Problem, d: Array, x: Array, linear: Linear, converged: Flags
 ) -> tuple[tuple[Array, Array], Balance, Contacts, Array]:
     """(d, X), balance, contacts and ring load, freed from rounding of the lengths."""
     exact = scaled_error(problem, linear.balance, linear.ring_load, rounding=0.0)
-    left = converged & (exact >= TOLERANCE)
+    left = converged & (exact >= tol.TOLERANCE)
     if not left.any():
         return (d, x), *contacts(problem, linear.balance, (d, x)), linear.ring_load
     dd, dx = newton_step(problem, linear)

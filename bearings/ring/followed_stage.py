@@ -14,44 +14,26 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from bearings.arrays import Array, Flags, Index
 from bearings.ball.balance import Balance
 from bearings.ball.plane import turned_far
 from bearings.geometry import Geometry
+from bearings.ring import tolerances as tol
 from bearings.ring.linearised import Linear, linearise, newton_step, reduced, segments, tangent
-from bearings.ring.problem import Index, Problem
-from bearings.ring.tolerances import (
-    FADING,
-    FIRST_BLEND,
-    FIRST_FREE,
-    HELD,
-    JUMP,
-    LONGEST_TURN,
-    MOST_FREE_MOTIONS,
-    NEUTRAL,
-    NEWTON_STEPS,
-    ON_THE_WAY,
-    QUICK_STEPS,
-    SHORTEST_BLEND,
-    TOLERANCE,
-    TOUCHING,
-)
-
-Array = NDArray[np.float64]
+from bearings.ring.problem import Problem
 
 
-def followed(
-    problem: Problem, d: Array, x: Array, done: NDArray[np.bool_]
-) -> tuple[Array, Array, NDArray[np.bool_]]:
+def followed(problem: Problem, d: Array, x: Array, done: Flags) -> tuple[Array, Array, Flags]:
     """Follow the states that are ``done`` at blend 0 to the full problem."""
     if problem.full == 0.0:
         d, x, good, _, _ = corrected(problem, d, x, np.zeros(len(d)))
         return d, x, done & good
-    blend, stride = np.zeros(len(d)), np.full(len(d), FIRST_BLEND)
+    blend, stride = np.zeros(len(d)), np.full(len(d), tol.FIRST_BLEND)
     freed = np.zeros(len(d), dtype=int)
     while True:
-        todo = np.flatnonzero(done & (blend < 1.0) & (stride >= SHORTEST_BLEND))
+        todo = np.flatnonzero(done & (blend < 1.0) & (stride >= tol.SHORTEST_BLEND))
         if not todo.size:
-            stuck = np.flatnonzero(done & (blend < 1.0) & (freed < MOST_FREE_MOTIONS))
+            stuck = np.flatnonzero(done & (blend < 1.0) & (freed < tol.MOST_FREE_MOTIONS))
             freed[stuck] += 1
             if not _free(problem, d, x, blend, stride, stuck):
                 break
@@ -60,7 +42,7 @@ def followed(
         new_d, new_x, good, _, used = corrected(problem.take(todo), d[todo], x[:, todo], target)
         won = todo[good]
         d[won], x[:, won], blend[won] = new_d[good], new_x[:, good], target[good]
-        stride[won] *= np.where(used[good] <= QUICK_STEPS, 2.0, 1.0)
+        stride[won] *= np.where(used[good] <= tol.QUICK_STEPS, 2.0, 1.0)
         stride[todo[~good]] *= 0.25
     return d, x, done & (blend >= 1.0)
 
@@ -74,10 +56,10 @@ def _free(problem: Problem, d: Array, x: Array, blend: Array, stride: Array, stu
         there = _beyond(part, d[k], x[:, k], linear.balance)
         if there is None:
             continue
-        target = np.minimum(1.0, blend[k : k + 1] + FIRST_FREE)
+        target = np.minimum(1.0, blend[k : k + 1] + tol.FIRST_FREE)
         new_d, new_x, good = corrected(part, there[None], x[:, k : k + 1], target)[:3]
         if good[0]:
-            d[k], x[:, k], blend[k], stride[k] = new_d[0], new_x[:, 0], target[0], FIRST_FREE
+            d[k], x[:, k], blend[k], stride[k] = new_d[0], new_x[:, 0], target[0], tol.FIRST_FREE
             moved = True
     return moved
 
@@ -85,7 +67,7 @@ def _free(problem: Problem, d: Array, x: Array, blend: Array, stride: Array, stu
 @np.errstate(all="ignore")  # a step into nowhere ends as an error that is no number
 def corrected(
     problem: Problem, d: Array, x: Array, blend: Array
-) -> tuple[Array, Array, NDArray[np.bool_], Linear, NDArray[np.int_]]:
+) -> tuple[Array, Array, Flags, Linear, NDArray[np.int_]]:
     """Plain Newton at ``blend`` from a point close by.
 
     Returns new (d, X), success, the linearisation there, and the iterations used. Success means:
@@ -94,10 +76,10 @@ def corrected(
     before = segments(problem, d, x)
     d, x = d.copy(), x.copy()
     used = np.zeros(len(d), dtype=int)
-    needed = np.where(blend < problem.full, ON_THE_WAY, TOLERANCE)
+    needed = np.where(blend < problem.full, tol.ON_THE_WAY, tol.TOLERANCE)
     linear = linearise(problem, d, x, blend)
     first, moving = linear.balance, linear.error >= needed
-    for _ in range(NEWTON_STEPS):
+    for _ in range(tol.NEWTON_STEPS):
         if not moving.any():
             break
         used += moving
@@ -111,7 +93,7 @@ def corrected(
         return d, x, good, linear, used
     good &= linear.fold > 0.0
     for then, now in zip(before, segments(problem, d, x), strict=True):
-        good &= ~turned_far(then, now, LONGEST_TURN).any(axis=-1)
+        good &= ~turned_far(then, now, tol.LONGEST_TURN).any(axis=-1)
     good &= (linear.balance.outer_load > 0.0).all(axis=-1)
     if not problem.law.one_branch:
         good &= ~_jumped(problem.geometry.ball_diameter, first, linear.balance).any(axis=-1)
@@ -120,7 +102,7 @@ def corrected(
     return d, x, good, linear, used
 
 
-def _held(problem: Problem, linear: Linear) -> NDArray[np.bool_]:
+def _held(problem: Problem, linear: Linear) -> Flags:
     """Whether no motion of the ring has passed a fold; it may be neutral where ``loose``."""
     k = reduced(problem, tangent(problem, linear.balls))
     k = k / (np.abs(k).max(axis=(1, 2), keepdims=True) + 1e-300)
@@ -128,16 +110,16 @@ def _held(problem: Problem, linear: Linear) -> NDArray[np.bool_]:
     if problem.loose:
         known = np.isfinite(k.sum(axis=(1, 2)))
         sizes = np.linalg.svd(np.where(known[:, None, None], k, 0.0), compute_uv=False)
-        held |= known & (sizes[:, -1] < NEUTRAL)
+        held |= known & (sizes[:, -1] < tol.NEUTRAL)
     return np.asarray(held)
 
 
-def _jumped(diameter: float, before: Balance, now: Balance) -> NDArray[np.bool_]:
+def _jumped(diameter: float, before: Balance, now: Balance) -> Flags:
     """Whether an inner contact (s, n) has opened or closed with a moment that does not fade."""
     changed = (before.inner_load > 0.0) != (now.inner_load > 0.0)
     moment = np.maximum(np.abs(before.gyroscopic_moment), np.abs(now.gyroscopic_moment))
     largest = np.maximum(now.outer_load, now.inner_load).max(axis=-1, keepdims=True)
-    return changed & (2.0 * moment > JUMP * diameter * largest)
+    return changed & (2.0 * moment > tol.JUMP * diameter * largest)
 
 
 def _beyond(problem: Problem, d: Array, x: Array, balance: Balance) -> Array | None:
@@ -148,7 +130,7 @@ def _beyond(problem: Problem, d: Array, x: Array, balance: Balance) -> Array | N
     if not problem.geometry.single:  # a groove off the middle moves with the tilt, too
         return None
     load = balance.inner_load[0]
-    carrying = load > FADING * load.max(initial=0.0)
+    carrying = load > tol.FADING * load.max(initial=0.0)
     way = _unheld(problem, carrying)
     if way is None:
         return None
@@ -160,14 +142,14 @@ def _beyond(problem: Problem, d: Array, x: Array, balance: Balance) -> Array | N
         if float((gap * moving[:, fading]).sum()) > 0.0:
             way, moving = -way, -moving
     idle = np.flatnonzero(~carrying)  # what fades may be met again, from the other side
-    pressed = (TOUCHING * load.max() / c.inner.stiffness) ** (2.0 / 3.0)
+    pressed = (tol.TOUCHING * load.max() / c.inner.stiffness) ** (2.0 / 3.0)
     travel = _touch(c, a[:, idle] - x[:, idle], moving[:, idle], pressed)
     if not np.isfinite(travel).any():
         return None
     return np.asarray(d + travel.min() * way)
 
 
-def _unheld(problem: Problem, carrying: NDArray[np.bool_]) -> Array | None:
+def _unheld(problem: Problem, carrying: Flags) -> Array | None:
     """The one direction (5,) in which the carrying balls do not move; None if there is none."""
     scale = problem.scale[problem.free]
     if not scale.size:
@@ -177,7 +159,7 @@ def _unheld(problem: Problem, carrying: NDArray[np.bool_]) -> Array | None:
     _, size, right = np.linalg.svd(np.vstack([rows, np.zeros((1, len(scale)))]))
     if len(size) < len(scale):
         return None
-    unheld = size <= HELD * size[0]
+    unheld = size <= tol.HELD * size[0]
     if unheld.sum() != 1:
         return None
     way = np.zeros(5)

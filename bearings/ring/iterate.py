@@ -10,18 +10,16 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bearings.arrays import Array, Flags, Index
 from bearings.ball.plane import turned_far
 from bearings.geometry import Geometry
 from bearings.ring.assembly import Assembly
 from bearings.ring.linearised import Linear, followed_by, linearise, segments, tangent
-from bearings.ring.problem import Index, Problem, turns
+from bearings.ring.problem import Problem, turns
 from bearings.ring.state import BearingState
 from bearings.ring.tolerances import LONGEST_TURN
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
 Parts = tuple[tuple[Index, Problem], ...]
 
 

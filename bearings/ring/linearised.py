@@ -9,16 +9,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bearings.arrays import Array
 from bearings.ball.balance import Balance, Settled, resting_balance, settled, turning_balance
 from bearings.ball.plane import EPS, Pair
 from bearings.ball.race import facing
+from bearings.ring import tolerances as tol
 from bearings.ring.assembly import rows
 from bearings.ring.problem import Problem
-from bearings.ring.tolerances import PLAINLY_REGULAR, ROUNDING, SINGULAR, TOLERANCE
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -37,14 +35,14 @@ class Linear:
     error: Array
 
 
-def linearise(problem: Problem, d: Array, x: Array, blend: Array) -> Linear:
-    """Balance and scaled error at (d, X); at rest X plays no part."""
+def linearise(problem: Problem, d: Array, x: Array, blend: Array, *, vary: float = 1.0) -> Linear:
+    """Balance and scaled error at (d, X); ``vary`` 0 freezes Fc and Mg. At rest X plays no part."""
     g, a = problem.geometry, problem.centres(d)
     centre = tuple(a)
     if problem.placed:
         squared = problem.squared[:, None]
         balance = turning_balance(
-            g, problem.law.numbers, centre, (x[0], x[1]), squared, blend[:, None], 1.0
+            g, problem.law.numbers, centre, (x[0], x[1]), squared, blend[:, None], vary
         )
         balls = settled(balance)
     else:
@@ -71,7 +69,7 @@ def reduced(problem: Problem, k: Array) -> Array:
 
 
 def scaled_error(
-    problem: Problem, balance: Balance, ring_load: Array, rounding: float = ROUNDING
+    problem: Problem, balance: Balance, ring_load: Array, rounding: float = tol.ROUNDING
 ) -> Array:
     """Largest scaled residual of balls and ring but for some roundings of the lengths."""
     g = problem.geometry
@@ -80,14 +78,14 @@ def scaled_error(
     slope = 1.5 * (g.inner.stiffness**2 * np.maximum(largest, 1e-300)) ** (1.0 / 3.0)
     noise = rounding * EPS * reach * slope
     ball = np.maximum(*np.abs(balance.residual)).max(axis=-1) / (
-        largest + noise / TOLERANCE + 1e-300
+        largest + noise / tol.TOLERANCE + 1e-300
     )
     miss = np.abs((ring_load - problem.load) / problem.scale)[:, problem.free]
     if not miss.size:
         return ball
     count = g.balls
     size = np.abs(problem.load / problem.scale).max(axis=-1) + 1e-3 * count * largest
-    ring = miss.max(axis=-1) / (size + count * noise / TOLERANCE + 1e-300)
+    ring = miss.max(axis=-1) / (size + count * noise / tol.TOLERANCE + 1e-300)
     return np.maximum(ball, ring)
 
 
@@ -115,14 +113,14 @@ def _solve(k: Array, gap: Array, *, loose: bool) -> Array:
     """K⁻¹ gap; where K is singular to rounding zero, or the shortest such step if ``loose``."""
     largest = np.abs(k).max(axis=(1, 2), keepdims=True) + 1e-300
     part = k / largest
-    regular = np.abs(np.linalg.det(part)) > PLAINLY_REGULAR
+    regular = np.abs(np.linalg.det(part)) > tol.PLAINLY_REGULAR
     soft = np.flatnonzero(~regular & np.isfinite(part).all(axis=(1, 2)))
     if soft.size:
-        regular[soft] = np.linalg.svd(part[soft], compute_uv=False)[:, -1] > SINGULAR
+        regular[soft] = np.linalg.svd(part[soft], compute_uv=False)[:, -1] > tol.SINGULAR
     safe = np.where(regular[:, None, None], k, np.eye(k.shape[-1]))
     step = np.where(regular[:, None], np.linalg.solve(safe, gap[..., None])[..., 0], 0.0)
     if loose and (rest := soft[~regular[soft]]).size:
-        step[rest] = (np.linalg.pinv(k[rest], rcond=SINGULAR) @ gap[rest, :, None])[..., 0]
+        step[rest] = (np.linalg.pinv(k[rest], rcond=tol.SINGULAR) @ gap[rest, :, None])[..., 0]
     return step
 
 

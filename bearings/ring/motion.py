@@ -5,14 +5,12 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bearings.arrays import Array
 from bearings.ball.kinematics import orbit_and_spin
 
 if TYPE_CHECKING:
     from bearings.ring.state import BearingState
-
-Array = NDArray[np.float64]
 
 
 class BallMotion(NamedTuple):

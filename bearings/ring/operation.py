@@ -6,14 +6,14 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from bearings.arrays import Array, Flags, Index
 from bearings.ball.law import Law
 from bearings.errors import InvalidBearing
 from bearings.geometry import Geometry, acting, geometry
 from bearings.grooves import Grooves
 
-Array = NDArray[np.float64]
 LARGEST = {  # SI; far beyond any bearing
     "load": 1e12,
     "displacement": 1e6,
@@ -34,7 +34,7 @@ class Operation:
 
     grooves: Grooves
     law: Law
-    free: NDArray[np.bool_]
+    free: Flags
     load: Array
     displacement: Array
     speed: Array
@@ -48,16 +48,16 @@ class Operation:
         return acting(geometry(self.grooves), self.law.dynamics)
 
     @property
-    def axial(self) -> NDArray[np.bool_]:
+    def axial(self) -> Flags:
         """States without radial load or displacement and without tilt or moment (s,)."""
         return np.asarray(((self.load == 0.0) & (self.displacement == 0.0))[:, 1:].all(axis=1))
 
     @property
-    def unloaded(self) -> NDArray[np.bool_]:
+    def unloaded(self) -> Flags:
         """States that no load presses together, free to retreat along the axis (s,)."""
         return np.asarray(self.free[0] & (self.load == 0.0).all(axis=1))
 
-    def repeated(self, index: int | NDArray[np.intp], speeds: Array) -> Operation:
+    def repeated(self, index: int | Index, speeds: Array) -> Operation:
         """One of its points, or some (k,), at other ``speeds`` (k,)."""
         row = np.broadcast_to(index, speeds.shape)
         names = ("load", "displacement", "static_growth", "growth")
@@ -162,7 +162,7 @@ def finite(name: str, value: ArrayLike, *, single: bool = False) -> Array:
     return array.reshape(1) if single else array
 
 
-def _free(load: Array, displacement: Array) -> NDArray[np.bool_]:
+def _free(load: Array, displacement: Array) -> Flags:
     """Which of the five pairs are given by their load (5,), the same for every state."""
     by_load, by_move = (
         np.isfinite(a).reshape(-1, 5) if a.size else np.ones((1, 5), dtype=bool)

@@ -6,16 +6,13 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bearings.arrays import Array, Flags, Index
 from bearings.ball.law import Law
 from bearings.geometry import Geometry, groove_origin
 from bearings.ring.assembly import Assembly
 from bearings.ring.operation import Operation
 from bearings.ring.tolerances import SLOW
-
-Array = NDArray[np.float64]
-Index = NDArray[np.intp]
 
 
 @dataclass(frozen=True, eq=False, slots=True)
@@ -33,7 +30,7 @@ class Problem:
     origin: Array
     speed: Array
     load: Array
-    free: NDArray[np.bool_]
+    free: Flags
     turning: bool
     loose: bool = False
 
@@ -79,7 +76,7 @@ class Problem:
         return np.array([1.0, 1.0, 1.0, radius, radius])
 
 
-def turns(g: Geometry, speed: Array) -> NDArray[np.bool_]:
+def turns(g: Geometry, speed: Array) -> Flags:
     """False where the centrifugal force does not press a ball measurably into its race."""
     orbit = 0.5 * g.ball_mass * g.pitch_diameter
     depth = (orbit * g.nominal * speed**2 / g.outer.stiffness) ** (2.0 / 3.0)

@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from bearings.arrays import Array, Index, Words
 from bearings.ball.potential import resting_seat
 from bearings.errors import InvalidBearing
 from bearings.geometry import Geometry
@@ -19,7 +20,6 @@ from bearings.ring.problem import Problem, first_displacement, turns
 from bearings.ring.state import BearingState
 from bearings.ring.tolerances import CRUSHED, TOGETHER
 
-Array = NDArray[np.float64]
 Arrays = dict[str, NDArray[Any]]
 BY_BALL = (
     "inner_load",
@@ -74,8 +74,8 @@ def _compiled(g: Geometry, operation: Operation) -> bool:
 
 
 def _groups(
-    g: Geometry, operation: Operation, outcome: NDArray[np.str_]
-) -> Iterator[tuple[NDArray[np.intp], bool, bool]]:
+    g: Geometry, operation: Operation, outcome: Words
+) -> Iterator[tuple[Index, bool, bool]]:
     """States alike in what must be solved: (index, axial?, turning?)."""
     is_axial, is_turning = operation.axial, turns(g, operation.speed)
     for axial in (True, False):
@@ -90,7 +90,7 @@ def _neighbour(
     problem: Problem,
     operation: Operation,
     start: BearingState,
-    index: NDArray[np.intp],
+    index: Index,
     first: Array,
 ) -> tuple[Array, Array]:
     """(d, X) of the neighbouring states; ``first`` and seats at rest where one is missing."""
@@ -116,7 +116,7 @@ def _neighbour(
     return first, np.where(known[:, None], near, seats)
 
 
-def _blank(g: Geometry, operation: Operation, outcome: NDArray[np.str_]) -> Arrays:
+def _blank(g: Geometry, operation: Operation, outcome: Words) -> Arrays:
     """Arrays for every field, NaN until a state is found."""
     contacts = (g.balls, len(g.inner_grooves) + len(g.outer_grooves))
     shapes = {"residual": (), "load": (5,), "displacement": (5,), "complete_stiffness": (5, 5)}
@@ -128,7 +128,7 @@ def _blank(g: Geometry, operation: Operation, outcome: NDArray[np.str_]) -> Arra
     return states | {"speed": operation.speed, "outcome": outcome}
 
 
-def _store(states: Arrays, index: NDArray[np.intp], problem: Problem, solution: Solution) -> None:
+def _store(states: Arrays, index: Index, problem: Problem, solution: Solution) -> None:
     """Write the states that exist; note the outcome of the others."""
     values = _of_rings(problem, solution) | _of_balls(problem, solution)
     pressure = np.maximum(values["inner_pressure"], values["outer_pressure"]).max(axis=-1)
@@ -180,8 +180,8 @@ def _of_balls(problem: Problem, solution: Solution) -> Arrays:
     } | {name: np.moveaxis(v, 0, -1) for name, v in zip(BY_CONTACT, by_contact, strict=True)}
 
 
-def _places(index: NDArray[np.intp]) -> NDArray[np.intp] | slice:
-    """Places that follow one another as a slice, which copies nothing."""
+def _places(index: Index) -> Index | slice:
+    """Consecutive places as a slice, which copies nothing: a tenth of a single state's time."""
     if index.size and index[-1] - index[0] + 1 == index.size:
         return slice(index[0], index[-1] + 1)
     return index

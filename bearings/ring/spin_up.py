@@ -12,9 +12,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-Array = NDArray[np.float64]
-Flags = NDArray[np.bool_]
-Index = NDArray[np.intp]
+from bearings.arrays import Array, Flags, Index
+
 PARTS = 64  # of the way from rest to the speed asked for
 CHUNK = 32  # of them looked at together, from below, until one has no state
 SPLIT = 16

@@ -9,13 +9,13 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from bearings.arrays import Array, Flags, Words
 from bearings.ball.kinematics import Angles, inner_share, orbit_and_spin, tan_beta
 from bearings.ball.law import check_name
 from bearings.errors import InvalidBearing
 from bearings.ring.assembly import full_assembly
 from bearings.ring.operation import Operation
 
-Array = NDArray[np.float64]
 RATIO_ROUNDING = 1e-15  # of a ratio
 
 
@@ -63,8 +63,8 @@ class BearingState:
     gyroscopic_moment: Array
     inner_grip: Array
     outer_grip: Array
-    status: NDArray[np.str_]
-    outcome: NDArray[np.str_]
+    status: Words
+    outcome: Words
     ball_centre: Array
 
     def stiffness(self, method: str = "complete") -> Array:
@@ -82,7 +82,7 @@ class BearingState:
             return self.complete_stiffness
         if method == "difference":
             raise InvalidBearing(
-                "differences solve anew: use bearings.stiffness(state, 'difference')"
+                "differences solve the bearing again: use bearings.stiffness(state, 'difference')"
             )
         check_name("stiffness method", method, ("complete", "frozen"))
         from bearings.ring.tangents import frozen_stiffness  # the balance of balls, rarely needed
@@ -95,7 +95,7 @@ class BearingState:
         return np.asarray((self.contact_load > 0.0).sum(axis=-1))
 
     @property
-    def slipping(self) -> NDArray[np.str_]:
+    def slipping(self) -> Words:
         """Which race of each ball slips under the given friction (…, balls): ``""`` for none."""
         friction = self.operation.law.friction
         most = math.inf if friction is None else friction * (1.0 - 1e-9)
@@ -121,7 +121,7 @@ class BearingState:
         return weight * cosine - 1.0, cosine - weight
 
     @cached_property
-    def control(self) -> NDArray[np.str_]:
+    def control(self) -> Words:
         """The race that controls each ball after Jones' criterion (…, balls).
 
         ``"inner"``, ``"outer"``, ``"neither"``, or ``""`` for a ball that the inner race does not
@@ -132,7 +132,7 @@ class BearingState:
         return np.where((self.inner_load > 0.0) & (self.contacts == 2), word, "")
 
     @property
-    def control_agrees(self) -> NDArray[np.bool_]:
+    def control_agrees(self) -> Flags:
         """False where the kinematics assumes control by a race that does not have it (…, balls).
 
         Only "outer" and "inner" assume such a thing, and only of balls with one loaded contact a

@@ -3,17 +3,15 @@
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
-from bearings.ball.balance import settled, turning_balance
+from bearings.arrays import Array
 from bearings.ball.law import check_name
 from bearings.ring.assembly import full_assembly
-from bearings.ring.linearised import tangent
+from bearings.ring.linearised import linearise, tangent
 from bearings.ring.problem import Problem, turns
 from bearings.ring.request import solved
 from bearings.ring.state import BearingState
 
-Array = NDArray[np.float64]
 METHODS = ("complete", "frozen", "difference")
 STEP = 1e-8  # m, of the central differences
 
@@ -65,15 +63,11 @@ def frozen_stiffness(state: BearingState) -> Array:
     if not turning.size or operation.law.dynamics == "frozen":
         return state.complete_stiffness
     part = Problem.of(operation, full_assembly).take(turning)
-    a = part.centres(state.displacement.reshape(-1, 5)[turning])
+    d = state.displacement.reshape(-1, 5)[turning]
     x = state.ball_centre.reshape(2, len(speed), -1)[:, turning]
-    squared = part.speed[:, None] ** 2
-    centre, ball = tuple(a), (x[0], x[1])
-    balance = turning_balance(
-        operation.geometry, operation.law.numbers, centre, ball, squared, 1.0, 0.0
-    )
+    frozen = linearise(part, d, x, np.ones(turning.size), vary=0.0)
     stiffness = state.complete_stiffness.reshape(-1, 5, 5).copy()
-    stiffness[turning] = tangent(part, settled(balance))
+    stiffness[turning] = tangent(part, frozen.balls)
     return alike(state, stiffness.reshape(state.complete_stiffness.shape))
 
 

@@ -22,7 +22,9 @@ CONVEX_STEPS = 100
 SEAT_STEPS = 200  # of one ball
 HALVINGS = 40
 SETTLED = 1e-6  # of the loads: enough to start the second stage from
-SOFTEST = 1e-7  # of the ring's stiffness, added to it
+LET_DOWN = 100.0  # times less load from one state to the next, on the way to a light one
+SOFTEST = 1e-7  # of the ring's stiffness, added to it while the whole load is missing
+HARDEST = 1e-4  # of that is added to the last
 SOFT = 1e-13  # of a bearing's stiffness at a thousandth of its free distance, where none is held
 LONGEST_STEP = 0.2  # of the free distance
 

@@ -10,13 +10,11 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bearings.arrays import Array, Flags
 from bearings.contact.hertz import HertzContact
 from bearings.geometry import geometry
 from bearings.ring.state import BearingState
-
-Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,7 +51,7 @@ class Truncation:
         return self.lower_end - self.middle_angle
 
     @property
-    def across_middle(self) -> NDArray[np.bool_]:
+    def across_middle(self) -> Flags:
         """Contacts that stand beyond the middle of their groove (…, balls, contacts)."""
         with np.errstate(invalid="ignore"):
             return np.asarray(0.5 * (self.lower_end + self.upper_end) < self.middle_angle)

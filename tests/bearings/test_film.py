@@ -82,6 +82,29 @@ def test_heating_and_starvation_thin_films() -> None:
     assert warm.growth.shape == (3, 25)
 
 
+def test_ball_on_four_contacts_grows_by_the_film_of_one_line() -> None:
+    """A radial load alone presses both diagonals alike, each on the films of its two contacts."""
+    state = four_point(R24_14).equilibrium(
+        load=[0.0, 9e3, 0.0, 0.0, 0.0], speed=300.0, dynamics="frozen"
+    )
+    found = film.film(state, OIL, 60.0)
+    ball = int(np.argmax(state.contacts))
+    assert state.contacts[ball] == 4
+    ir, il, outer_r, outer_l = found.central[ball]
+    assert (ir, outer_r) == pytest.approx((il, outer_l), rel=1e-6)
+    assert found.growth[ball] == pytest.approx(ir + outer_l, rel=1e-6)
+
+
+def test_ball_grows_by_the_films_of_its_most_loaded_contacts() -> None:
+    state = four_point(R24_14).equilibrium(load=[20e3, 12e3, 0, 0, 0], speed=50.0)
+    found = film.film(state, OIL, 60.0)
+    for ball in np.flatnonzero(state.contacts > 2):
+        load, thick = state.contact_load[ball], found.central[ball]
+        wanted = thick[np.argmax(load[:2])] + thick[2 + np.argmax(load[2:])]
+        assert found.growth[ball] == wanted
+    assert (state.contacts > 2).any()
+
+
 def test_no_film_without_load_or_speed() -> None:
     state = four_point(R24_14).equilibrium(load=[20e3, 12e3, 0, 0, 0], speed=[0.0, 50.0])
     found = film.film(state, OIL, 40.0)

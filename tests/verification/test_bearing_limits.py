@@ -170,3 +170,16 @@ def test_deep_groove_at_rest_by_hand() -> None:
     assert s.inner_load == pytest.approx(load, rel=1e-10, abs=1e-9)
     assert s.load[1] == pytest.approx(load @ np.cos(psi), rel=1e-10)
     assert (s.status == np.where(load > 0.0, "loaded", "unloaded")).all()
+
+
+@pytest.mark.parametrize("compiled", [False, True])
+def test_balls_under_light_loads_tend_to_rigid_ones(compiled: bool) -> None:
+    """At rest from 1 N down to 1 µN: where three balls or more fix the ring, it tends to its place
+    between rigid balls with the approach of the contacts, as load^(2/3)."""
+    fixed = [[1, 2, 0, 0, 0], [0, 0, 0, 0.05, 0], [1, 0, 0, 0.01, 0.01], [0.3, 1, 0.2, 0.01, 0]]
+    free = [[0, 1, 0.1, 0, 0], [0, 1, 0, 0, 0]]  # a place of the ring where two balls carry
+    size = 10.0 ** np.arange(0.0, -7.0, -1.0)
+    s = VEX70.equilibrium(load=size[:, None, None] * np.array(fixed + free), compiled=compiled)
+    assert (s.outcome == "").all()
+    steps = np.abs(np.diff(s.displacement[:, :4], axis=0)).max(axis=-1)
+    assert steps[:-1] / steps[1:] == pytest.approx(np.full((5, 4), 10.0 ** (2 / 3)), rel=0.02)

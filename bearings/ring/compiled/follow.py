@@ -7,10 +7,11 @@ left to it.
 from __future__ import annotations
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bearings.arrays import Array
 from bearings.ball.plane import EPS, turned_far
 from bearings.ball.race import facing
+from bearings.ring import tolerances as tol
 from bearings.ring.compiled.one_state import (
     Evaluation,
     One,
@@ -21,26 +22,6 @@ from bearings.ring.compiled.one_state import (
     followed,
     moved,
 )
-from bearings.ring.tolerances import (
-    CONVEX_STEPS,
-    FIRST_BLEND,
-    HALVINGS,
-    JUMP,
-    LONGEST_STEP,
-    LONGEST_TURN,
-    NEWTON_STEPS,
-    ON_THE_WAY,
-    PLAINLY_REGULAR,
-    QUICK_STEPS,
-    ROUNDING,
-    SETTLED,
-    SHORTEST_BLEND,
-    SOFT,
-    SOFTEST,
-    TOLERANCE,
-)
-
-Array = NDArray[np.float64]
 
 
 def find(p: One, d: Array, x: Array, near: bool, w: Work) -> bool:
@@ -48,17 +29,17 @@ def find(p: One, d: Array, x: Array, near: bool, w: Work) -> bool:
 
     ``near``: the start is a state close by, which is tried first.
     """
-    blend, stride, direct = 0.0, FIRST_BLEND, near and p.turning
+    blend, stride, direct = 0.0, tol.FIRST_BLEND, near and p.turning
     if not direct and not convex(p, d, x, w):
         return False
     if not p.placed:
         evaluate(p, d, x, 1.0, w)
         return True
-    while blend < 1.0 and stride >= SHORTEST_BLEND:  # one call of ``correct``: it compiles once
+    while blend < 1.0 and stride >= tol.SHORTEST_BLEND:  # one call of ``correct``: it compiles once
         target = 1.0 if direct or p.full == 0.0 else min(1.0, blend + stride)
         good, used = correct(p, d, x, p.full * target, w)
         if good:
-            blend, stride = target, stride * (2.0 if used <= QUICK_STEPS else 1.0)
+            blend, stride = target, stride * (2.0 if used <= tol.QUICK_STEPS else 1.0)
         elif not direct:
             stride *= 0.25 * p.full  # full at blend 0: the only stride
         elif not convex(p, d, x, w):
@@ -73,10 +54,10 @@ def correct(p: One, d: Array, x: Array, blend: float, w: Work) -> tuple[bool, in
     Returns success, and the iterations used.
     """
     w.d[:], w.x[:] = d, x
-    needed, used = (ON_THE_WAY if blend < p.full else TOLERANCE), 0
+    needed, used = (tol.ON_THE_WAY if blend < p.full else tol.TOLERANCE), 0
     there = evaluate(p, d, x, blend, w)
     w.first_grip[:] = w.grip
-    while error(p, there, w) >= needed and used < NEWTON_STEPS:
+    while error(p, there, w) >= needed and used < tol.NEWTON_STEPS:
         used += 1
         _newton(p, d, x, w)
         there = evaluate(p, d, x, blend, w)
@@ -94,18 +75,19 @@ def convex(p: One, d: Array, x: Array, w: Work) -> bool:
     """(d, X) of the convex stage, written anew; whether it was reached."""
     there = evaluate_convex(p, d, x, w)
     reach = p.geometry.inner_reach + p.geometry.outer_reach
-    soft = SOFT * p.geometry.balls * p.geometry.series_stiffness * np.sqrt(1e-3 * reach)
-    for _ in range(CONVEX_STEPS if len(p.free) else 0):
+    soft = tol.SOFT * p.geometry.balls * p.geometry.series_stiffness * np.sqrt(1e-3 * reach)
+    for _ in range(tol.CONVEX_STEPS if len(p.free) else 0):
         k, gap = _reduced(p, w.action, w)
-        largest = np.abs(k).max()
+        largest, missing = np.abs(k).max(), np.abs(gap).max()
         size = p.load_size + 1e-3 * p.geometry.balls * there.largest
-        needed = SETTLED if p.turning else 0.1 * TOLERANCE
-        if np.abs(gap).max() <= needed * size + ROUNDING * EPS * reach * largest:
+        needed = tol.SETTLED if p.turning else 0.1 * tol.TOLERANCE
+        if missing <= needed * size + tol.ROUNDING * EPS * reach * largest:
             return True
+        share = missing / (missing + p.load_size + 1e-300)
         for i in range(len(gap)):
-            k[i, i] += soft + SOFTEST * largest
+            k[i, i] += soft + tol.SOFTEST * max(share, tol.HARDEST) * largest
         part, step = solve(k, gap)[0], np.zeros(5)
-        shrink = min(1.0, LONGEST_STEP * reach / max(np.abs(part).max(), 1e-300))
+        shrink = min(1.0, tol.LONGEST_STEP * reach / max(np.abs(part).max(), 1e-300))
         for i, j in enumerate(p.free):
             step[j] = shrink * part[i] / p.scale[j]
         there = _searched(p, d, x, step, there, w)
@@ -116,7 +98,7 @@ def error(p: One, there: Evaluation, w: Work) -> float:
     """Scaled residual of balls and ring; rounding of the lengths is not counted."""
     c = p.geometry
     slope = 1.5 * (c.inner.stiffness**2 * max(there.largest, 1e-300)) ** (1.0 / 3.0)
-    noise = ROUNDING * EPS * (c.inner_reach + c.outer_reach) * slope / TOLERANCE
+    noise = tol.ROUNDING * EPS * (c.inner_reach + c.outer_reach) * slope / tol.TOLERANCE
     worst = there.imbalance / (there.largest + noise + 1e-300)
     size = p.load_size + c.balls * (1e-3 * there.largest + noise) + 1e-300
     for j in p.free:
@@ -173,7 +155,7 @@ def solve(matrix: Array, right: Array) -> tuple[Array, float]:
             x[i] -= factor * x[k]
             for j in range(k + 1, len(x)):
                 a[i, j] -= factor * a[k, j]
-    regular = abs(determinant) > PLAINLY_REGULAR
+    regular = abs(determinant) > tol.PLAINLY_REGULAR
     for k in range(len(x) - 1, -1, -1):
         for j in range(k + 1, len(x)):
             x[k] -= a[k, j] * x[j]
@@ -188,7 +170,7 @@ def _searched(p: One, d: Array, x: Array, step: Array, there: Evaluation, w: Wor
     most = before + 64.0 * EPS * (abs(before) + p.load_size * reach)
     follow, length = w.follow.copy(), 1.0
     w.d[:], w.x[:] = d, x
-    for _ in range(HALVINGS):
+    for _ in range(tol.HALVINGS):
         d[:] = w.d + length * step
         for ball in range(len(x)):
             axial, radial = followed(follow[ball], moved(p, length * step, ball))
@@ -212,8 +194,8 @@ def _turned_little(p: One, d: Array, x: Array, w: Work) -> bool:
         if not p.geometry.touching:
             groove = p.geometry.inner_grooves[0]
             inner, then = facing(groove, inner)[:2], facing(groove, then)[:2]
-        turned = turned_far(inner, then, LONGEST_TURN)
-        if turned or turned_far(there, here, LONGEST_TURN):
+        turned = turned_far(inner, then, tol.LONGEST_TURN)
+        if turned or turned_far(there, here, tol.LONGEST_TURN):
             return False
     return True
 
@@ -224,6 +206,6 @@ def _jumped(p: One, largest: float, w: Work) -> bool:
         before, now = w.first_grip[ball], w.grip[ball]
         changed = (before[0] > 0.0) != (now[0] > 0.0) and not p.one_branch
         moment = max(abs(before[1]), abs(now[1]))
-        if changed and 2.0 * moment > JUMP * p.geometry.ball_diameter * largest:
+        if changed and 2.0 * moment > tol.JUMP * p.geometry.ball_diameter * largest:
             return True
     return False

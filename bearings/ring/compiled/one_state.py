@@ -5,8 +5,8 @@ from __future__ import annotations
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bearings.arrays import Array, Index
 from bearings.ball.balance import settled, turning_balance
 from bearings.ball.law import LawNumbers
 from bearings.ball.plane import Motion, Pair, Triple, plus
@@ -20,8 +20,6 @@ from bearings.ball.potential import (
 )
 from bearings.geometry import Geometry, Groove
 from bearings.ring.tolerances import SEAT_STEPS
-
-Array = NDArray[np.float64]
 
 
 class One(NamedTuple):
@@ -43,7 +41,7 @@ class One(NamedTuple):
     law: LawNumbers
     azimuth: Array
     products: Array
-    free: NDArray[np.intp]
+    free: Index
     turning: bool
     one_branch: bool
     placed: bool

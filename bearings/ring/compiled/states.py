@@ -9,14 +9,13 @@ from functools import lru_cache
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
+from bearings.arrays import Array, Flags
 from bearings.ring.compiled.follow import find
 from bearings.ring.compiled.jit import available, compiled, is_kept
 from bearings.ring.compiled.one_state import One, room
 from bearings.ring.problem import Problem
 
-Array = NDArray[np.float64]
 BALL = 6e-6  # s that a ball takes without compiling
 FROM_DISK = 2.0  # s to get the compiled solver from the disk
 COMPILING = 30.0  # s to compile it
@@ -32,7 +31,7 @@ class CompiledStates(NamedTuple):
     ball: Array
     load: Array
     stiffness: Array
-    exists: NDArray[np.bool_]
+    exists: Flags
 
 
 def pays(balls: int, grooves: tuple[int, int]) -> bool:
@@ -93,8 +92,8 @@ def compiled_states(
 def find_all(
     shared: tuple[Any, ...],
     given: tuple[Array, Array, Array, Array],
-    states: tuple[Array, Array, Array, Array, NDArray[np.bool_]],
-    near: NDArray[np.bool_],
+    states: tuple[Array, Array, Array, Array, Flags],
+    near: Flags,
     chained: bool,
 ) -> None:
     """States of ``given`` = (A₀ (s, 2), ω² (s,), load (s, 5), scale (5,)); called for all at once.
