@@ -111,9 +111,8 @@ def operation(
     except ValueError as error:
         raise InvalidBearing(f"leading shapes do not fit together: {error}") from error
     omega, static, total = (np.broadcast_to(a, shape).reshape(-1) for a in arrays)
-    force, move = (
-        np.nan_to_num(np.broadcast_to(a, (*shape, 5)).reshape(-1, 5)) for a in (force, move)
-    )
+    force, move = (np.broadcast_to(a, (*shape, 5)).reshape(-1, 5) for a in (force, move))
+    force, move = (np.where(np.isnan(a), 0.0, a) for a in (force, move))
     return Operation(grooves, law, free, force, move, np.abs(omega), static, total, shape)
 
 
@@ -168,14 +167,14 @@ def _free(load: Array, displacement: Array) -> Flags:
         np.isfinite(a).reshape(-1, 5) if a.size else np.ones((1, 5), dtype=bool)
         for a in (load, displacement)
     )
-    for k, pair in enumerate(PAIRS):
-        columns = (by_load[:, k], by_move[:, k])
-        if any(column.any() != column.all() for column in columns):
-            raise InvalidBearing(f"{pair}: give the same one for every state of a batch")
-        if columns[0].all() == columns[1].all():
-            count = "both" if columns[0].all() else "neither"
-            raise InvalidBearing(f"{pair}: give exactly one, got {count}")
-    return np.asarray(by_load.all(axis=0))
+    load_given, move_given = by_load.all(axis=0), by_move.all(axis=0)
+    unlike = (by_load.any(axis=0) != load_given) | (by_move.any(axis=0) != move_given)
+    for k in unlike.nonzero()[0]:
+        raise InvalidBearing(f"{PAIRS[k]}: give the same one for every state of a batch")
+    for k in (load_given == move_given).nonzero()[0]:
+        count = "both" if load_given[k] else "neither"
+        raise InvalidBearing(f"{PAIRS[k]}: give exactly one, got {count}")
+    return load_given
 
 
 def _numbers(name: str, value: ArrayLike) -> Array:

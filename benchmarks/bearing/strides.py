@@ -58,7 +58,7 @@ class Strides:
             "QUICK_STEPS": self.quick,
             "FIRST_FREE": self.free,
         }
-        with solver(compiled=False), mock.patch.multiple("bearings.ring.followed_stage", **names):
+        with solver(compiled=False), mock.patch.multiple("bearings.ring.tolerances", **names):
             yield
 
 

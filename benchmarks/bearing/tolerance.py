@@ -28,10 +28,7 @@ def tolerance(asked: float) -> Iterator[None]:
     path = max(asked, ON_THE_WAY)
     with (
         solver(compiled=False),
-        mock.patch("bearings.ring.linearised.TOLERANCE", asked),
-        mock.patch("bearings.ring.followed_stage.TOLERANCE", asked),
-        mock.patch("bearings.ring.followed_stage.ON_THE_WAY", path),
-        mock.patch("bearings.ring.equilibrium.TOLERANCE", asked),
+        mock.patch.multiple("bearings.ring.tolerances", TOLERANCE=asked, ON_THE_WAY=path),
     ):
         yield
 
