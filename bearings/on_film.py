@@ -15,8 +15,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from bearings.arrays import Array
 from bearings.ball.balance import settled, turning_balance
 from bearings.ball.law import STANDARD, Law
 from bearings.film import Film, film
@@ -31,7 +32,6 @@ if TYPE_CHECKING:
     from bearings.lubricant import Lubricant
     from bearings.ring.state import BearingState
 
-Array = NDArray[np.float64]
 CLOSE = 1e-13  # m
 MOST = 20
 

@@ -6,8 +6,9 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
+from bearings.arrays import Array, Flags, Words
 from bearings.ball.law import STANDARD, Law
 from bearings.errors import InvalidBearing
 from bearings.heat.temperature import (
@@ -25,7 +26,6 @@ if TYPE_CHECKING:
     from bearings.lubricant import Lubricant
     from bearings.ring.state import BearingState
 
-Array = NDArray[np.float64]
 CLOSE = 0.005  # of the speed limit
 
 
@@ -67,7 +67,7 @@ class Heated:
     state: BearingState
 
     @property
-    def outcome(self) -> NDArray[np.str_]:
+    def outcome(self) -> Words:
         """Empty where temperatures reach a balance, else why they do not (…)."""
         return self.temperatures.outcome
 
@@ -127,7 +127,7 @@ def speed_limit(
         raise InvalidBearing(f"fastest must be a speed above {slowest!r} rad/s, got {fastest!r}")
     force = np.atleast_1d(np.asarray(preload, float))
 
-    def settles(speed: Array) -> NDArray[np.bool_]:
+    def settles(speed: Array) -> Flags:
         return heated(bearing, mounting, speed=speed, preload=force).outcome == ""
 
     low, high, top = (

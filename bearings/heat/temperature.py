@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from bearings.arrays import Array
+from bearings.arrays import Array, Flags, Words
 from bearings.errors import InvalidBearing
 
 if TYPE_CHECKING:
@@ -59,7 +59,7 @@ class Temperatures(NamedTuple):
     inner: Array
     outer: Array
     heat: Array
-    outcome: NDArray[np.str_]
+    outcome: Words
 
 
 def balanced(
@@ -156,9 +156,7 @@ def _sources(power: Array) -> Array:
     return np.stack([0.5 * (inner + outer) + oil, 0.5 * inner, 0.5 * outer], axis=-1)
 
 
-def _words(
-    here: Array, size: Array, stateless: NDArray[np.bool_], tolerance: float
-) -> NDArray[np.str_]:
+def _words(here: Array, size: Array, stateless: Flags, tolerance: float) -> Words:
     hottest = here.max(axis=-1)
     words = np.full(stateless.shape, "", dtype=object)
     for at in np.ndindex(stateless.shape):

@@ -167,7 +167,7 @@ def _free(load: Array, displacement: Array) -> Flags:
         np.isfinite(a).reshape(-1, 5) if a.size else np.ones((1, 5), dtype=bool)
         for a in (load, displacement)
     )
-    load_given, move_given = by_load.all(axis=0), by_move.all(axis=0)
+    load_given, move_given = (np.asarray(a.all(axis=0)) for a in (by_load, by_move))
     unlike = (by_load.any(axis=0) != load_given) | (by_move.any(axis=0) != move_given)
     for k in unlike.nonzero()[0]:
         raise InvalidBearing(f"{PAIRS[k]}: give the same one for every state of a batch")
