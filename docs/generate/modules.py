@@ -13,7 +13,7 @@ from docs.generate.places import ROOT, THEORY
 ROOMS = ("bearings", "bearings/catalogue", "rotordyn/equation", "rotordyn/equation/elements")
 ROOMS += tuple(f"rotordyn/{r}" for r in ("preload", "numerics", "surface"))
 ROOMS += tuple(f"rotordyn/{r}" for r in ("results", "scene", "modes", "analyses", "analyses/*"))
-# Names of array types, what a case specifies of an analysis and how its result is reported needs no theory.
+# Array types, what a case specifies and how a result is reported need no theory.
 PLAIN = {"arrays", "spec", "result", "known", "summary", "tables", "meshes", "gltf", "uff"}
 _LINK = re.compile(r"\]\(((?:\.\./)+[\w/]+\.py)\)")
 
