@@ -188,8 +188,7 @@ def spring(groove: Groove, vector: Motion) -> Springs:
     if groove.least >= 0.0:
         radial = np.maximum(radial, groove.least)
     length = np.sqrt(vector[0] * vector[0] + radial * radial)
-    if groove.least >= 0.0:
-        length = np.maximum(length, NOWHERE)
+    length = np.maximum(length, NOWHERE)
     part = 1.0 / length
     sin, cos = vector[0] * part, radial * part
     approach = np.maximum(length - groove.reach, 0.0)

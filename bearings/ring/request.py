@@ -131,7 +131,8 @@ def _blank(g: Geometry, operation: Operation, outcome: Words) -> Arrays:
 def _store(states: Arrays, index: Index, problem: Problem, solution: Solution) -> None:
     """Write the states that exist; note the outcome of the others."""
     values = _of_rings(problem, solution) | _of_balls(problem, solution)
-    pressure = np.maximum(values["inner_pressure"], values["outer_pressure"]).max(axis=-1)
+    pressure = np.maximum(values["inner_pressure"], values["outer_pressure"])
+    pressure = np.where(values["status"] == "open side", 0.0, pressure).max(axis=-1)  # rings apart
     crushed = (solution.outcome == "") & (pressure > CRUSHED)
     outcome = np.where(crushed, "overloaded", solution.outcome)
     states["outcome"][index] = outcome

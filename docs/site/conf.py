@@ -26,7 +26,10 @@ myst_heading_anchors = 4
 # what the interface mentions without offering it.
 nitpicky = True
 nitpick_ignore_regex = [
-    ("py:class", r"Figure|Pictures"),  # of matplotlib; of a room that is no part of the interface
+    (
+        "py:class",
+        r"Figure|Pictures|Flow",
+    ),  # of matplotlib; of a room that is no part of the interface
     (r"py:.*", r"(numpy|np|xarray|xr|pathlib|collections|typing|rotordyn|bearings)(\..*)?"),
     (r"py:.*", r"(Array|ArrayLike|NDArray|Complex|Flags|Words|Mapping|Sequence|Path|Fits)"),
 ]

@@ -23,7 +23,7 @@ GROUPS = {
     "Tutorial": _in("tutorial", "first_run own_spindle campbell"),
     "How to": _in(
         "howto",
-        "bearing_data preload compare measured_frf life stability_lobes hypotheses editor",
+        "bearing_data preload compare studies measured_frf life stability_lobes hypotheses editor",
     ),
     "Reference": (
         *_in("reference", "keys command results results_object python"),
@@ -31,7 +31,7 @@ GROUPS = {
     ),
     "Explanation": (
         THEORY,
-        *_in("", "conventions formulations accuracy mfw2310 limits stress benchmarks"),
+        *_in("", "conventions formulations accuracy mfw2310 limits stress security benchmarks"),
     ),
     "Project": ("docs/house", "CONTRIBUTING", "CHANGELOG"),
 }

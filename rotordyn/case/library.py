@@ -78,7 +78,7 @@ def find(kind: str, reference: str, beside: Path) -> Path:
     if reference in names:
         return models_root() / kind / f"{reference}.yaml"
     file = f"{reference}.yaml"
-    hint = f" (did you mean {file}?)" if (beside.parent / file).exists() else ""
+    hint = f" (did you mean {file}?)" if os.path.exists(beside.parent / file) else ""
     raise UnknownModel(
         f"unknown model: given '{reference}'; allowed: {_few(names)}, or the path of a file"
         + (hint or suggestion(reference, names))

@@ -34,36 +34,61 @@ def follow(
     ``vectors``: one (n, k_s) array per step; ``values`` (k_s,); ``ahead`` (k_s,): what they are
     expected to be at the next step, the same if left out. Of vectors equally alike the one nearest
     to that is taken. The most alike pairs are matched first, each vector once; a vector that nobody
-    claims begins a path of its own.
+    claims begins a path of its own. Vectors of repeated values are any basis of what they span:
+    each is like all that this space holds.
     """
     last, at = np.zeros((vectors[0].shape[0], 0), dtype=complex), np.zeros(0)
-    rows = []
+    before, rows = np.zeros(0), []
     for fresh, value, expected in zip(vectors, values, ahead or values, strict=True):
-        column = _partners(last, at, fresh, value)
+        column = _partners(last, at, before, fresh, value)
         matched = column >= 0
         new = np.ones(fresh.shape[1], dtype=bool)
         new[column[matched]] = False
         born = np.flatnonzero(new)
         rows.append(np.append(column, born))
         if matched.all():
-            last, at = fresh[:, rows[-1]], expected[rows[-1]]
+            last, at, before = fresh[:, rows[-1]], expected[rows[-1]], value[rows[-1]]
             continue
-        last, at = last.copy(), at.copy()
+        last, at, before = last.copy(), at.copy(), before.copy()
         last[:, matched], at[matched] = fresh[:, column[matched]], expected[column[matched]]
+        before[matched] = value[column[matched]]
         last, at = np.concatenate([last, fresh[:, born]], axis=1), np.append(at, expected[born])
+        before = np.append(before, value[born])
     path = np.full((len(rows), len(at)), -1, dtype=np.intp)
     for step, row in enumerate(rows):
         path[step, : len(row)] = row
     return path
 
 
-def _partners(last: Complex, at: Array, fresh: Complex, value: Array) -> NDArray[np.intp]:
-    """Which of ``fresh`` (n, l) each of ``last`` (n, k) has become (k,), −1 for none."""
+def _partners(
+    last: Complex, at: Array, before: Array, fresh: Complex, value: Array
+) -> NDArray[np.intp]:
+    """Which of ``fresh`` (n, l) each of ``last`` (n, k) has become (k,), −1 for none.
+
+    ``before`` (k,): values of the last ones; ``at`` (k,): what these are expected to be now.
+    """
     if not (last.shape[1] and fresh.shape[1]):
         return np.full(last.shape[1], -1, dtype=np.intp)
     distance = np.abs(value - at[:, None])
     apart = distance / (np.abs(at[:, None]) + np.abs(value) + 1e-300)
-    return _matched(mac(last, fresh) - NEARNESS * apart)
+    return _matched(_shared(last, before, fresh, value) - NEARNESS * apart)
+
+
+def _shared(last: Complex, before: Array, fresh: Complex, value: Array) -> Array:
+    """MAC of columns (k, l), those of repeated values together."""
+    one, other = (np.abs(v[:, None] - v) <= REPEATED * np.abs(v) for v in (before, value))
+    alike = mac(_spanning(last, one), _spanning(fresh, other))
+    return np.minimum(one @ alike @ other, 1.0)
+
+
+def _spanning(vectors: Complex, repeated: NDArray[np.bool_]) -> Complex:
+    """Vectors (n, k), those of ``repeated`` values (k, k) as an orthonormal basis of their span."""
+    groups = {tuple(np.flatnonzero(row)) for row in repeated if row.sum() > 1}
+    if groups:
+        vectors = vectors.copy()
+    for group in groups:
+        vectors[:, group] = np.linalg.qr(vectors[:, group])[0]
+    return vectors
 
 
 def doubts(
@@ -112,8 +137,7 @@ def _doubt(vectors: list[Complex], values: list[Array], within: float) -> float 
     one, other = values
     if not (one.size and other.size):
         return None
-    repeated = [np.abs(v[:, None] - v) <= REPEATED * np.abs(v) for v in values]
-    shared = np.minimum(repeated[0] @ mac(*vectors) @ repeated[1], 1.0)
+    shared = _shared(vectors[0], one, vectors[1], other)
     unclear = [
         np.flatnonzero((shared.max(axis=1 - side) < CLEAR) & (values[side] < within))
         for side in (0, 1)

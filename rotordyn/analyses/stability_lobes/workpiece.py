@@ -25,7 +25,7 @@ class Coefficients(Description):
 class Workpiece(Description):
     """Cutting coefficients of one material by several sources, which differ by up to a factor 2."""
 
-    name: Annotated[str, Key(default="")]
+    name: Annotated[str, Key(default=""), "of the material, as reports call it"]
     coefficients: Annotated[tuple[Coefficients, ...], Items(), "of every source"]
 
     @property

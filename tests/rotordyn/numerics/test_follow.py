@@ -102,3 +102,13 @@ def test_pairs_of_steps_that_are_not_looked_at_hold_no_doubt(
     assert all(flag for flag, share in zip(flagged, asked, strict=True) if share is not None)
     quiet = module._may_doubt([np.eye(3)] * 4, [np.arange(1.0, 4.0)] * 4, 9.0)
     assert not quiet.any()
+
+
+def test_a_basis_of_repeated_values_is_any_basis() -> None:
+    """Both vectors at rest are nearly the forward one: the backward one is no stranger for that."""
+    forward, backward = np.array([1.0, -1j]), np.array([1.0, 1j])
+    at_rest = np.column_stack([forward + 0.1 * backward, forward - 0.2j * backward])
+    turning = np.column_stack([backward, forward])
+    path = follow([at_rest, turning], [np.array([5.0, 5.0]), np.array([4.9, 5.1])])
+    assert path.shape == (2, 2)
+    assert sorted(path[1]) == [0, 1]
