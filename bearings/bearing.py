@@ -173,7 +173,7 @@ class BallBearing:
                 )
 
     def _faults(self) -> Iterator[str]:
-        """Contract 3."""
+        """Sentences about data that contradict one another (contract 3)."""
         yield from ()
 
     def drawn(self, name: str, value: float | None = None) -> str:
@@ -195,11 +195,11 @@ class BallBearing:
 
     @property
     def grooves(self) -> Grooves:
-        """Contract 2."""
+        """Places of the groove centres, free contact angle, zero of displacement (contract 2)."""
         raise NotImplementedError
 
     def refusal(self, load: Sequence[float], free: Sequence[bool]) -> str:
-        """Contract 4: ``load`` (5,) and where it is ``free`` to act (5,)."""
+        """Why this kind cannot carry ``load`` (5,) on ``free`` (5,) DOF, or empty (contract 4)."""
         return ""
 
     def check_load(self, loads: Iterable[Any], free: Any) -> None:
@@ -219,7 +219,7 @@ class BallBearing:
 
     @property
     def doubt(self) -> str:
-        """What of its estimate looks like a slip in the values it follows from, or nothing."""
+        """Warning about an implausible catalogue value; empty if none."""
         return ""
 
     @property

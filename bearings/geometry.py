@@ -20,7 +20,8 @@ WIDEST = 0.2  # cos of the free contact angle that growth may leave, 78°
 
 
 class Groove(NamedTuple):
-    """One groove: k of Q = k δ^1.5 [N/m^1.5], reach ℓ and axial place of its centre [m].
+    """One groove: k of Q = k δ^1.5 [N/m^1.5], distance ℓ of its centre
+    from that of a ball that just touches, and axial place of its centre [m].
 
     ``least`` [m]: radial distance of ball and groove centre below which the groove does not curve.
     0: it spans ±90° and goes on straight, so that a ball beyond it is pressed along the axis alone;
@@ -28,7 +29,7 @@ class Groove(NamedTuple):
     """
 
     stiffness: float
-    reach: float
+    centre_distance: float
     offset: float
     least: float
 
@@ -38,12 +39,13 @@ class Geometry(NamedTuple):
 
     ``inner``, ``outer``: contacts of the races; ``inner_grooves``, ``outer_grooves``: the one or
     two grooves of a ring; ``series_stiffness`` k of both contacts in series. ``free_distance`` BD
-    between unloaded groove centres; ``inner_reach``, ``outer_reach``: distance of the ball centre
-    to each groove centre when it just touches; ``centre_radius`` Ri and ``outer_centre_radius`` Ro
-    of the circles of inner and outer groove centres; ``size_ratio`` γ = D/dm; ``race_ratio`` c in
-    C = c (δi/δo)², the weight of the two races in the hybrid kinematics. ``orbit`` ½ m dm: Fc is
-    that times (ω ωm/ω)²; ``nominal``: (ωm/ω)² at equal nominal angles, ((1 − γ cos α)/2)², where
-    all hypotheses agree.
+    between unloaded groove centres; ``inner_centre_distance``, ``outer_centre_distance``: of the
+    ball centre to each groove centre when it just touches; ``centre_radius`` Ri and
+    ``outer_centre_radius`` Ro of the circles of inner and outer groove centres; ``size_ratio``
+    γ = D/dm; ``race_ratio`` c in C = c (δi/δo)², the weight of the two races in the hybrid
+    kinematics. ``orbital_factor`` ½ m dm: Fc is that times (ω ωm/ω)²;
+    ``nominal_orbit_ratio_squared``: (ωm/ω)² at equal nominal angles, ((1 − γ cos α)/2)², where all
+    hypotheses agree.
     """
 
     ball_diameter: float
@@ -59,8 +61,8 @@ class Geometry(NamedTuple):
     radial_gap: float
     touching: bool
     both_ways: bool
-    inner_reach: float
-    outer_reach: float
+    inner_centre_distance: float
+    outer_centre_distance: float
     centre_radius: float
     outer_centre_radius: float
     inner_conformity: float
@@ -69,8 +71,8 @@ class Geometry(NamedTuple):
     race_ratio: float
     ball_mass: float
     ball_inertia: float
-    orbit: float
-    nominal: float
+    orbital_factor: float
+    nominal_orbit_ratio_squared: float
 
     @property
     def single(self) -> bool:
@@ -85,7 +87,10 @@ def geometry(bearing: Grooves) -> Geometry:
     inner_f, outer_f = bearing.inner_conformity, bearing.outer_conformity
     mass = bearing.ball_material.density * math.pi * diameter**3 / 6.0
     inner, outer = _race_contact(bearing, inner_f, +1.0), _race_contact(bearing, outer_f, -1.0)
-    inner_reach, outer_reach = (inner_f - 0.5) * diameter, (outer_f - 0.5) * diameter
+    inner_centre_distance, outer_centre_distance = (
+        (inner_f - 0.5) * diameter,
+        (outer_f - 0.5) * diameter,
+    )
     inner_centres, outer_centres = bearing.centre_radii
     least = -math.inf if bearing.touching else 0.0
     size_ratio = diameter / pitch
@@ -97,18 +102,18 @@ def geometry(bearing: Grooves) -> Geometry:
         inner=inner,
         outer=outer,
         inner_grooves=tuple(
-            Groove(inner.stiffness, inner_reach, x, least) for x in bearing.inner_offsets
+            Groove(inner.stiffness, inner_centre_distance, x, least) for x in bearing.inner_offsets
         ),
         outer_grooves=tuple(
-            Groove(outer.stiffness, outer_reach, x, least) for x in bearing.outer_offsets
+            Groove(outer.stiffness, outer_centre_distance, x, least) for x in bearing.outer_offsets
         ),
         series_stiffness=(inner.stiffness ** (-2 / 3) + outer.stiffness ** (-2 / 3)) ** -1.5,
         free_distance=bearing.free_distance,
         radial_gap=gap,
         touching=bearing.touching,
         both_ways=bearing.both_ways,
-        inner_reach=inner_reach,
-        outer_reach=outer_reach,
+        inner_centre_distance=inner_centre_distance,
+        outer_centre_distance=outer_centre_distance,
         centre_radius=inner_centres,
         outer_centre_radius=outer_centres,
         inner_conformity=inner_f,
@@ -117,8 +122,8 @@ def geometry(bearing: Grooves) -> Geometry:
         race_ratio=_race_weight(inner) / _race_weight(outer),
         ball_mass=mass,
         ball_inertia=mass * diameter**2 / 10.0,
-        orbit=0.5 * mass * pitch,
-        nominal=(0.5 * (1.0 - size_ratio * math.cos(bearing.free_angle))) ** 2,
+        orbital_factor=0.5 * mass * pitch,
+        nominal_orbit_ratio_squared=(0.5 * (1.0 - size_ratio * math.cos(bearing.free_angle))) ** 2,
     )
 
 
@@ -127,7 +132,7 @@ def acting(g: Geometry, dynamics: str) -> Geometry:
     weight on their orbit ("gyroscopic": Mg alone)."""
     if dynamics == "centrifugal":
         return g._replace(ball_inertia=0.0)
-    return g._replace(orbit=0.0) if dynamics == "gyroscopic" else g
+    return g._replace(orbital_factor=0.0) if dynamics == "gyroscopic" else g
 
 
 def groove_origin(g: Geometry, static_growth: Array, growth: Array) -> Array:

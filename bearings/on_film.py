@@ -18,7 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from bearings.arrays import Array
-from bearings.ball.balance import settled, turning_balance
+from bearings.ball.balance import condensed, turning_balance
 from bearings.ball.law import STANDARD, Law
 from bearings.film import Film, film
 from bearings.geometry import Groove
@@ -145,7 +145,7 @@ def softened(state: BearingState, films: Film) -> Array:
         soft, operation.law.numbers, tuple(a), (x[0], x[1]), squared, part.full, 1.0
     )
     stiffness = state.complete_stiffness.reshape(-1, 5, 5).copy()
-    stiffness[rows] = tangent(part, settled(balance))
+    stiffness[rows] = tangent(part, condensed(balance))
     return alike(state, stiffness.reshape(state.complete_stiffness.shape))
 
 
@@ -153,11 +153,11 @@ def _softer(groove: Groove, vector: Array, spring: Array) -> Groove:
     """A contact of the same load at the same place, with the slope of it and ``spring`` in series
     (states, balls)."""
     length = np.hypot(vector[0], np.maximum(vector[1], groove.least))
-    approach = np.maximum(length - groove.reach, 0.0)
+    approach = np.maximum(length - groove.centre_distance, 0.0)
     load = groove.stiffness * approach**1.5
     loaded = load > 0.0
     contact = np.where(loaded, 1.5 * load / np.where(loaded, approach, 1.0), 1.0)
     deeper = np.where(loaded, approach * (1.0 + contact / spring), 0.0)
     stiffness = np.where(loaded, load / np.where(loaded, deeper, 1.0) ** 1.5, groove.stiffness)
-    reach: Any = np.where(loaded, length - deeper, groove.reach)
-    return groove._replace(stiffness=stiffness, reach=reach)  # type: ignore[arg-type]
+    reach: Any = np.where(loaded, length - deeper, groove.centre_distance)
+    return groove._replace(stiffness=stiffness, centre_distance=reach)  # type: ignore[arg-type]

@@ -1,6 +1,6 @@
 """One ball between its grooves: its balance, what it does to the inner ring, and all derivatives.
 
-The law of a ball over its contacts, whatever the kind of bearing (under a fixed push, and at rest:
+The law of a ball over its contacts, whatever the kind of bearing (with Fc fixed, and at rest:
 ``bearings.ball.potential``): the contacts of each race make a resultant (``bearings.ball.race``),
 directions and loads of the resultants make Fc and Mg. Plain expressions of floats or arrays (any
 shape), which compile as they stand: choices between balls are made by ``where``. Plane vectors are
@@ -60,8 +60,8 @@ class Balance(NamedTuple):
     inner_share: Any
 
 
-class Settled(NamedTuple):
-    """What a balance says of a ball that follows the ring.
+class Condensed(NamedTuple):
+    """Ball condensed: load and tangent of the ring at this ball.
 
     ``fold``: determinant of the balance by X, positive on the physical branch. X moves by
     ``still`` + ``follow`` · ΔA; the action there is ``action`` + ``tangent`` · ΔA.
@@ -106,9 +106,11 @@ def turning_balance(
         limit = law.friction * c.ball_diameter
         moment, attitude = limited(moment, attitude, share, loads[0], loads[1], limit)
         orbit = orbit_and_spin(angles, attitude.value)[0]
-    full = c.orbit * squared
-    push = full * (c.nominal + blend * (orbit.value**2 - c.nominal))
-    fc = _chained(push, 2.0 * vary * blend * full * orbit.value, orbit, attitude)
+    full = c.orbital_factor * squared
+    centrifugal_force = full * (
+        c.nominal_orbit_ratio_squared + blend * (orbit.value**2 - c.nominal_orbit_ratio_squared)
+    )
+    fc = _chained(centrifugal_force, 2.0 * vary * blend * full * orbit.value, orbit, attitude)
     ti = scaled(vary, 1.0 / c.ball_diameter, times(share, moment))
     to = less_by(scaled(vary, 2.0 / c.ball_diameter, moment), ti)
 
@@ -159,14 +161,14 @@ def _about_the_middle(
     )
 
 
-def settled(b: Balance) -> Settled:
-    """The ball eliminated: what is left is a ring on springs."""
+def condensed(b: Balance) -> Condensed:
+    """The balance with the ball eliminated (static condensation): a ring on springs."""
     (p, q), (r, s) = inverse(b.residual_by_ball)
     (level, rise), (first, second) = b.residual, b.residual_by_centre
     still = (-p * level - q * rise, -r * level - s * rise)
     follow = (combined(-p, first, -q, second), combined(-r, first, -s, second))
     (x1, x2), (y1, y2), (z1, z2) = b.action_by_ball
-    return Settled(
+    return Condensed(
         fold=determinant(b.residual_by_ball),
         still=still,
         follow=follow,
@@ -183,20 +185,20 @@ def settled(b: Balance) -> Settled:
     )
 
 
-def resting_balance(c: Geometry, centre: Motion) -> tuple[Balance, Settled]:
+def resting_balance(c: Geometry, centre: Motion) -> tuple[Balance, Condensed]:
     """Balance of balls at rest, and the same with the balls eliminated; no ball unknown is left."""
-    answer = resting_reaction(c, centre)
+    at_rest = resting_reaction(c, centre)
     sin, cos, _, _ = facing(both_grooves(c), centre)
-    load = np.hypot(answer.action[0], answer.action[1])
+    load = np.hypot(at_rest.action[0], at_rest.action[1])
     zero = np.zeros_like(load)
     nothing = (zero, zero)
     balance = Balance(
         residual=nothing,
         residual_by_ball=((zero + 1.0, zero), (zero, zero + 1.0)),
         residual_by_centre=(nothing, nothing),
-        action=answer.action,
+        action=at_rest.action,
         action_by_ball=(nothing, nothing, nothing),
-        action_by_centre=answer.slope,
+        action_by_centre=at_rest.slope,
         inner_load=load,
         outer_load=load,
         inner_direction=(sin, cos),
@@ -205,7 +207,9 @@ def resting_balance(c: Geometry, centre: Motion) -> tuple[Balance, Settled]:
         gyroscopic_moment=zero,
         inner_share=zero + 1.0,
     )
-    return balance, Settled(zero + 1.0, nothing, (nothing, nothing), answer.action, answer.slope)
+    return balance, Condensed(
+        zero + 1.0, nothing, (nothing, nothing), at_rest.action, at_rest.slope
+    )
 
 
 def _weight(ratio: float, di: Any, do: Any) -> Polar:

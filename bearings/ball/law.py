@@ -72,7 +72,7 @@ class Law:
 
     @property
     def one_branch(self) -> bool:
-        """True where a ball is never loaded or lost at the same place: a neighbour may be a start.
+        """True if contacts open and close continuously: a neighbour may be a start.
 
         Inner control and the geometric hypothesis end their loaded branch with a jump.
         """

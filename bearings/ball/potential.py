@@ -1,4 +1,4 @@
-"""The convex core of the ball problem: Hertzian contacts and a fixed centrifugal push.
+"""The convex core of the ball problem: Hertzian contacts and a fixed centrifugal force.
 
 Σ 0.4 k δ₊^2.5 − Fc X₂ over one to four contacts has one minimum over the ball centre X for every
 place of the inner groove, and what is left is convex in that place: a bearing assembled from it has
@@ -27,12 +27,12 @@ from bearings.ball.plane import (
 from bearings.ball.race import Springs, against, facing, spring, springs, vector_to
 from bearings.geometry import Geometry, Groove
 
-SETTLED = 1e-8  # of the ball's own loads
+SEATED = 1e-8  # of the ball's own loads
 LEAST_HOLD = 0.3  # of the stiffness is kept by a step: a tenth of the approach
 
 
 class Reaction(NamedTuple):
-    """What a settled ball does to the inner ring.
+    """What a ball at its seat does to the inner ring.
 
     Its potential; (axial, radial, tilting) action on the ring, its slope (three rows) by the motion
     of the inner groove, and how X follows that motion (two rows).
@@ -57,15 +57,20 @@ def stiffness(inner: Springs, outer: Springs) -> Block:
     return (inner.slope[0] + outer.slope[0], mixed), (mixed, inner.slope[2] + outer.slope[2])
 
 
-def potential(c: Geometry, inner: Springs, outer: Springs, ball: Pair, push: Any) -> Any:
-    """Of one ball; the push counts from the free outer race."""
-    return inner.energy + outer.energy - push * (ball[1] - c.outer_reach)
+def potential(
+    c: Geometry, inner: Springs, outer: Springs, ball: Pair, centrifugal_force: Any
+) -> Any:
+    """Of one ball; Fc counts from the free outer race."""
+    return inner.energy + outer.energy - centrifugal_force * (ball[1] - c.outer_centre_distance)
 
 
-def reaction(c: Geometry, centre: Motion, ball: Pair, push: Any) -> Reaction:
+def reaction(c: Geometry, centre: Motion, ball: Pair, centrifugal_force: Any) -> Reaction:
     """Action and tangent of a ball that sits at its seat."""
     inner, outer = both_races(c, centre, ball)
-    back, energy = inverse(stiffness(inner, outer)), potential(c, inner, outer, ball, push)
+    back, energy = (
+        inverse(stiffness(inner, outer)),
+        potential(c, inner, outer, ball, centrifugal_force),
+    )
     first, second, third = _rows(centre, inner)
     follow = (
         combined(back[0][0], first, back[0][1], second),
@@ -106,7 +111,7 @@ def _still(centre: Motion, none: Any) -> Motion:
 
 def both_grooves(c: Geometry) -> Groove:
     """The two grooves that a ball at rest stands between, in series."""
-    reach = c.inner_reach + c.outer_reach
+    reach = c.inner_centre_distance + c.outer_centre_distance
     return Groove(c.series_stiffness, reach, 0.0, c.inner_grooves[0].least)
 
 
@@ -114,55 +119,57 @@ def resting_seat(c: Geometry, centre: Pair) -> Pair:
     """Ball centre at rest: on the line of two groove centres; without load, on the outer race."""
     sin, cos, approach, _ = facing(both_grooves(c), centre)
     part = (c.series_stiffness / c.outer.stiffness) ** (2.0 / 3.0)
-    seat = c.outer_reach + part * approach
+    seat = c.outer_centre_distance + part * approach
     return sin * seat, cos * seat
 
 
-def riding_radius(c: Geometry, push: Any) -> Any:
+def riding_radius(c: Geometry, centrifugal_force: Any) -> Any:
     """X₂ of a ball that rides the bottom of an outer race of one groove."""
-    return c.outer_reach + (push / c.outer.stiffness) ** (2.0 / 3.0)
+    return c.outer_centre_distance + (centrifugal_force / c.outer.stiffness) ** (2.0 / 3.0)
 
 
-def first_seat(c: Geometry, centre: Motion, push: Any) -> Pair:
+def first_seat(c: Geometry, centre: Motion, centrifugal_force: Any) -> Pair:
     """Where to start the search for a seat: the best of the places that pairs of contacts give.
 
     The seat itself of a ball that rides the bottom of its outer groove, free of the inner race.
     """
     if len(c.inner_grooves) == 1 and len(c.outer_grooves) == 1:
-        x = _between(c, (centre[0], centre[1]), push)
+        x = _between(c, (centre[0], centre[1]), centrifugal_force)
     else:
-        x = _best(c, centre, push)
+        x = _best(c, centre, centrifugal_force)
     if len(c.outer_grooves) == 2:
         return x
-    riding = riding_radius(c, push)
+    riding = riding_radius(c, centrifugal_force)
     free = both_races(c, centre, (0.0 * riding, riding))[0].energy == 0.0
     return where(free, 0.0, x[0]), where(free, riding, x[1])
 
 
-def _best(c: Geometry, centre: Motion, push: Any) -> Pair:
+def _best(c: Geometry, centre: Motion, centrifugal_force: Any) -> Pair:
     """Of all pairs of an inner and an outer contact, and of the outer arch, the least potential."""
     half = c.outer_grooves[0].offset
-    root = (c.outer_reach + (0.5 * push / c.outer.stiffness) ** (2.0 / 3.0)) ** 2 - half * half
+    root = (
+        c.outer_centre_distance + (0.5 * centrifugal_force / c.outer.stiffness) ** (2.0 / 3.0)
+    ) ** 2 - half * half
     x = (0.0 * centre[0], np.sqrt(np.maximum(root, 0.0)))
-    least = _energy(c, centre, x, push)
+    least = _energy(c, centre, x, centrifugal_force)
     for outer in c.outer_grooves:
         for inner in c.inner_grooves:
             near = vector_to(inner, centre, 1.0)
-            trial = _between(c, (near[0] - outer.offset, near[1]), push)
+            trial = _between(c, (near[0] - outer.offset, near[1]), centrifugal_force)
             trial = (trial[0] + outer.offset, trial[1])
-            energy = _energy(c, centre, trial, push)
+            energy = _energy(c, centre, trial, centrifugal_force)
             better = energy < least
             x = (where(better, trial[0], x[0]), where(better, trial[1], x[1]))
             least = where(better, energy, least)
     return x
 
 
-def _energy(c: Geometry, centre: Motion, ball: Pair, push: Any) -> Any:
+def _energy(c: Geometry, centre: Motion, ball: Pair, centrifugal_force: Any) -> Any:
     inner, outer = both_races(c, centre, ball)
-    return potential(c, inner, outer, ball, push)
+    return potential(c, inner, outer, ball, centrifugal_force)
 
 
-def _between(c: Geometry, centre: Pair, push: Any) -> Pair:
+def _between(c: Geometry, centre: Pair, centrifugal_force: Any) -> Pair:
     """Where each race carries Fc, on the side that Fc pushes to; as at rest where pressed more.
 
     A ball that Fc alone holds starts at its races: from the bottom of the groove, deep in the inner
@@ -170,8 +177,8 @@ def _between(c: Geometry, centre: Pair, push: Any) -> Pair:
     beyond 90° leaves the outer race, and is seated; a groove that goes on straight from there
     presses it along the axis alone.
     """
-    inner = c.inner_reach + (push / c.inner.stiffness) ** (2.0 / 3.0)
-    outer = riding_radius(c, push)
+    inner = c.inner_centre_distance + (centrifugal_force / c.inner.stiffness) ** (2.0 / 3.0)
+    outer = riding_radius(c, centrifugal_force)
     sin, cos, length = direction(centre)
     along = (length * length + outer * outer - inner * inner) / (2.0 * length)
     along = np.minimum(np.maximum(along, -outer), outer)
@@ -181,7 +188,7 @@ def _between(c: Geometry, centre: Pair, push: Any) -> Pair:
     axial = where(pressed, still[0], along * sin - across * where(sin < 0.0, -cos, cos))
     radial = where(pressed, still[1], along * cos + across * np.abs(sin))
     if c.inner_grooves[0].least < 0.0:
-        lifted = direction((centre[0], centre[1] + inner))[2] <= c.outer_reach
+        lifted = direction((centre[0], centre[1] + inner))[2] <= c.outer_centre_distance
         return where(lifted, centre[0], axial), where(lifted, centre[1] + inner, radial)
     beyond = (radial > centre[1]) & (length <= inner + outer)
     wall = centre[0] - where(sin < 0.0, -inner, inner)
@@ -194,7 +201,7 @@ class SeatStep(NamedTuple):
 
     ``step``: the Newton step from here; ``energy``: the potential, and ``most`` what it may be
     after the step, rounding granted; ``hold``: stiffness of its contacts [N/m]; ``moving``: not
-    yet settled.
+    yet at its seat.
     """
 
     step: Pair
@@ -204,24 +211,28 @@ class SeatStep(NamedTuple):
     moving: Any
 
 
-def seat_step(c: Geometry, centre: Motion, ball: Pair, push: Any) -> SeatStep:
+def seat_step(c: Geometry, centre: Motion, ball: Pair, centrifugal_force: Any) -> SeatStep:
     """Potential and Newton step at X."""
     inner, outer = both_races(c, centre, ball)
     both = stiffness(inner, outer)
     back = inverse(both)
-    gap = (inner.force[0] - outer.force[0], inner.force[1] - outer.force[1] + push)
-    size = np.sqrt(dot(inner.force, inner.force)) + np.sqrt(dot(outer.force, outer.force)) + push
-    reach = c.inner_reach + c.outer_reach
+    gap = (inner.force[0] - outer.force[0], inner.force[1] - outer.force[1] + centrifugal_force)
+    size = (
+        np.sqrt(dot(inner.force, inner.force))
+        + np.sqrt(dot(outer.force, outer.force))
+        + centrifugal_force
+    )
+    reach = c.inner_centre_distance + c.outer_centre_distance
     hold = both[0][0] + both[1][1]
     noise = 4.0 * EPS * reach * hold
-    energy = potential(c, inner, outer, ball, push)
+    energy = potential(c, inner, outer, ball, centrifugal_force)
     slack = 4.0 * EPS * (np.abs(energy) + inner.energy + outer.energy + reach * size)
     return SeatStep(
         step=(dot(back[0], gap), dot(back[1], gap)),
         energy=energy,
         most=energy + slack,
         hold=hold,
-        moving=np.sqrt(dot(gap, gap)) > SETTLED * size + noise,
+        moving=np.sqrt(dot(gap, gap)) > SEATED * size + noise,
     )
 
 

@@ -102,10 +102,10 @@ def facing(groove: Groove, vector: Motion) -> tuple[Any, Any, Any, Pair]:
     if groove.least < 0.0:
         sin, cos, length = direction((axial, radial))
         part = 1.0 / length
-        return sin, cos, np.maximum(length - groove.reach, 0.0), (cos * part, -sin * part)
+        return sin, cos, np.maximum(length - groove.centre_distance, 0.0), (cos * part, -sin * part)
     curved = np.maximum(radial, groove.least)
     length = np.sqrt(axial * axial + curved * curved)
-    approach = length - groove.reach
+    approach = length - groove.centre_distance
     least = FACED * np.maximum(-approach, 0.0) + groove.least
     approach = np.maximum(approach, 0.0)
     if some(radial < least):
@@ -191,7 +191,7 @@ def spring(groove: Groove, vector: Motion) -> Springs:
     length = np.maximum(length, NOWHERE)
     part = 1.0 / length
     sin, cos = vector[0] * part, radial * part
-    approach = np.maximum(length - groove.reach, 0.0)
+    approach = np.maximum(length - groove.centre_distance, 0.0)
     load, along = hertz(groove.stiffness, approach)
     across = load * part
     more = along - across

@@ -127,8 +127,8 @@ def _maps(geometry: Geometry, radius: float | None = None) -> tuple[Array, Array
             [zero, zero, zero, -sin, cos],
         ]
     )
-    seen = 2 if len(geometry.inner_grooves) == 1 else 3
-    return spread[:seen], spread.swapaxes(0, 1).copy()  # virtual work
+    parts = 2 if len(geometry.inner_grooves) == 1 else 3
+    return spread[:parts], spread.swapaxes(0, 1).copy()  # virtual work
 
 
 def _azimuth(geometry: Geometry) -> tuple[Array, Array]:

@@ -80,7 +80,7 @@ def condition(state: BearingState) -> Words:
 
 
 def endings(operation: Operation, index: Index) -> list[str]:
-    """Up to which speed questions that have no state have one, and what ends it."""
+    """For each point without equilibrium: the highest speed with one, and what ends it."""
     gaps = first_gaps(operation, index)
     last = solved(operation.repeated(index, np.array([gap.low for gap in gaps])))
     load = np.minimum(last.inner_load, last.outer_load)

@@ -51,7 +51,10 @@ def contacts(
     outer = _bearing(c.outer_grooves, (x[0], x[1]), -1.0, dx)
     joined = Contacts(*(np.concatenate(pair) for pair in zip(inner, outer, strict=True)))
     if not problem.turning:
-        least = c.inner.stiffness * (tol.IDLE * EPS * (c.inner_reach + c.outer_reach)) ** 1.5
+        least = (
+            c.inner.stiffness
+            * (tol.IDLE * EPS * (c.inner_centre_distance + c.outer_centre_distance)) ** 1.5
+        )
         joined = joined._replace(load=np.where(joined.load > least, joined.load, 0.0))
     split = len(c.inner_grooves)
     (qi, si, ci), (qo, so, co) = (
@@ -74,7 +77,7 @@ def _bearing(
     for groove in grooves:
         along = vector_to(groove, vector, side)
         sin, cos, length = direction(_met(groove, along))
-        load = hertz(groove.stiffness, np.maximum(length - groove.reach, 0.0)).load
+        load = hertz(groove.stiffness, np.maximum(length - groove.centre_distance, 0.0)).load
         load = _loaded(groove.stiffness, load, (sin, cos), (step[0], step[1]))
         moved = _met(groove, (along[0] + step[0], along[1] + step[1]))
         each.append((load, *direction(moved)[:2]))
@@ -85,7 +88,7 @@ def _bearing(
 def _met(groove: Groove, vector: Pair) -> Pair:
     """A vector as its groove meets it, straight beyond 90°; some direction where there is none."""
     axial, radial = vector[0], np.maximum(vector[1], groove.least)
-    return axial, np.where((axial == 0.0) & (radial == 0.0), groove.reach, radial)
+    return axial, np.where((axial == 0.0) & (radial == 0.0), groove.centre_distance, radial)
 
 
 def _resultant(c: Contacts, otherwise: Pair) -> tuple[Array, Array, Array]:

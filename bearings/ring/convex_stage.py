@@ -74,13 +74,15 @@ def _descended(problem: Problem, start: Array) -> tuple[Array, Array, Flags]:
 
 
 def _seated(problem: Problem, d: Array, near: Array | None) -> tuple[Array, Reaction]:
-    """Ball centres at displacement d under a fixed push, and what the balls do to the ring."""
+    """Ball centres at displacement d with Fc fixed, and what the balls do to the ring."""
     c, a = problem.geometry, problem.centres(d)
     centre = tuple(a)
     if problem.placed:
-        push = (c.orbit * c.nominal * problem.squared)[:, None]
-        x = seat(c, a, push, near)
-        each = reaction(c, centre, (x[0], x[1]), push)
+        centrifugal_force = (c.orbital_factor * c.nominal_orbit_ratio_squared * problem.squared)[
+            :, None
+        ]
+        x = seat(c, a, centrifugal_force, near)
+        each = reaction(c, centre, (x[0], x[1]), centrifugal_force)
     else:
         x, each = np.stack(resting_seat(c, (a[0], a[1]))), resting_reaction(c, centre)
     follow = np.stack([_filled(row, a[0]) for row in each.follow])
@@ -107,8 +109,13 @@ def _ring_balance(problem: Problem, balls: Reaction) -> tuple[Array, Array, Flag
     k = reduced(problem, problem.assembly.stiffness(balls.slope))
     carried = g.balls * np.hypot(*balls.action[:2]).max(axis=-1)
     size = np.abs(problem.load / problem.scale).max(axis=-1) + 1e-3 * carried
-    noise = tol.ROUNDING * EPS * (g.inner_reach + g.outer_reach) * np.abs(k).max(axis=(1, 2))
-    needed = tol.SETTLED if problem.turning else 0.1 * tol.TOLERANCE
+    noise = (
+        tol.ROUNDING
+        * EPS
+        * (g.inner_centre_distance + g.outer_centre_distance)
+        * np.abs(k).max(axis=(1, 2))
+    )
+    needed = tol.BALANCED if problem.turning else 0.1 * tol.TOLERANCE
     return gap, k, np.abs(gap).max(axis=-1) <= needed * size + noise
 
 
@@ -138,7 +145,11 @@ def _searched(
 
     before = total(balls.energy, d)
     largest = np.abs(problem.load / problem.scale).max(axis=-1)
-    slack = 64.0 * EPS * (np.abs(before) + largest * (g.inner_reach + g.outer_reach))
+    slack = (
+        64.0
+        * EPS
+        * (np.abs(before) + largest * (g.inner_centre_distance + g.outer_centre_distance))
+    )
     length, along = np.ones((len(d), 1)), followed_by(balls.follow, problem.assembly.moved(step))
     for _ in range(tol.HALVINGS):
         trial = d + length * step
@@ -150,13 +161,16 @@ def _searched(
     return trial, seats, moved
 
 
-def seat(c: Geometry, centre: Array, push: Array, start: Array | None = None) -> Array:
-    """Ball centre X (2, …) of least potential under ``push`` Fc ≥ 0 (…) [N], at A (m, …).
+def seat(c: Geometry, centre: Array, centrifugal_force: Array, start: Array | None = None) -> Array:
+    """Ball centre X (2, …) of least potential at A (m, …), under a ``centrifugal_force`` ≥ 0 (…).
 
     ``start``: a ball centre for a nearby A. Every ball takes Newton steps of its own length, halved
     where the potential rises.
     """
-    a, fc = centre.reshape(len(centre), -1), np.broadcast_to(push, centre.shape[1:]).reshape(-1)
+    a, fc = (
+        centre.reshape(len(centre), -1),
+        np.broadcast_to(centrifugal_force, centre.shape[1:]).reshape(-1),
+    )
 
     def at(todo: Index | slice, x: Array) -> SeatStep:
         return seat_step(c, tuple(a[:, todo]), (x[0], x[1]), fc[todo])

@@ -174,7 +174,7 @@ def _touch(c: Geometry, gap: Array, moving: Array, pressed: float) -> Array:
     """
     square = (moving * moving).sum(axis=0)
     line = (gap * moving).sum(axis=0)
-    short = (c.inner_reach + pressed) ** 2 - (gap * gap).sum(axis=0)
+    short = (c.inner_centre_distance + pressed) ** 2 - (gap * gap).sum(axis=0)
     root = line * line + square * short
     possible = (root > 0.0) & (square > 0.0) & (short > 0.0)
     way = (np.sqrt(np.maximum(root, 0.0)) - line) / np.where(square > 0.0, square, 1.0)

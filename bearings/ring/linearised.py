@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from bearings.arrays import Array
-from bearings.ball.balance import Balance, Settled, resting_balance, settled, turning_balance
+from bearings.ball.balance import Balance, Condensed, condensed, resting_balance, turning_balance
 from bearings.ball.plane import EPS, Pair
 from bearings.ball.race import facing
 from bearings.ring import tolerances as tol
@@ -29,7 +29,7 @@ class Linear:
     """
 
     balance: Balance
-    balls: Settled
+    balls: Condensed
     ring_load: Array
     fold: Array
     error: Array
@@ -44,7 +44,7 @@ def linearise(problem: Problem, d: Array, x: Array, blend: Array, *, vary: float
         balance = turning_balance(
             g, problem.law.numbers, centre, (x[0], x[1]), squared, blend[:, None], vary
         )
-        balls = settled(balance)
+        balls = condensed(balance)
     else:
         balance, balls = resting_balance(g, centre)
     ring_load = problem.assembly.load(np.stack(balance.action))
@@ -57,7 +57,7 @@ def linearise(problem: Problem, d: Array, x: Array, blend: Array, *, vary: float
     )
 
 
-def tangent(problem: Problem, balls: Settled) -> Array:
+def tangent(problem: Problem, balls: Condensed) -> Array:
     """∂f/∂d with the balls following the ring, all of Fc and Mg included (s, 5, 5)."""
     return problem.assembly.stiffness(rows(balls.tangent))
 
@@ -74,7 +74,7 @@ def scaled_error(
     """Largest scaled residual of balls and ring but for some roundings of the lengths."""
     g = problem.geometry
     largest = np.maximum(balance.outer_load, balance.inner_load).max(axis=-1)
-    reach = g.inner_reach + g.outer_reach
+    reach = g.inner_centre_distance + g.outer_centre_distance
     slope = 1.5 * (g.inner.stiffness**2 * np.maximum(largest, 1e-300)) ** (1.0 / 3.0)
     noise = rounding * EPS * reach * slope
     ball = np.maximum(*np.abs(balance.residual)).max(axis=-1) / (

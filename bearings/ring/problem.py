@@ -20,8 +20,8 @@ class Problem:
     """States to find: all at rest or all turning.
 
     ``origin`` (2, s): A at zero displacement; ``speed`` (s,) [rad/s]; ``load`` (s, 5) is met on
-    the DOF where ``free`` (5,) is true, the displacement is kept on the others. ``loose``: not
-    every motion of the ring need be held.
+    the DOF where ``free`` (5,) is true, the displacement is kept on the others. ``loose``: the
+    stiffness may be singular; the shortest step is taken.
     """
 
     geometry: Geometry
@@ -79,8 +79,8 @@ class Problem:
 def turns(g: Geometry, speed: Array) -> Flags:
     """False where the centrifugal force does not press a ball measurably into its race."""
     orbit = 0.5 * g.ball_mass * g.pitch_diameter
-    depth = (orbit * g.nominal * speed**2 / g.outer.stiffness) ** (2.0 / 3.0)
-    return np.asarray(depth > SLOW * g.outer_reach)
+    depth = (orbit * g.nominal_orbit_ratio_squared * speed**2 / g.outer.stiffness) ** (2.0 / 3.0)
+    return np.asarray(depth > SLOW * g.outer_centre_distance)
 
 
 def first_displacement(problem: Problem, given: Array) -> Array:

@@ -36,7 +36,7 @@ class Gap(NamedTuple):
 Search = Generator[Array, tuple[Flags, Flags], Gap]
 
 
-class Seen(NamedTuple):
+class Samples(NamedTuple):
     """Speeds (k,) in ascending order, whether there is a state, and which balls (k, n) touch."""
 
     speed: Array
@@ -54,11 +54,11 @@ class Seen(NamedTuple):
         there = np.flatnonzero(self.there)
         return there[there > self.last]
 
-    def joined(self, *more: NDArray[Any]) -> Seen:
+    def joined(self, *more: NDArray[Any]) -> Samples:
         """With more speeds, whether there is a state at each and which balls touch."""
         parts = [np.concatenate(pair) for pair in zip(self, more, strict=True)]
         order = np.argsort(parts[0], kind="stable")
-        return Seen(*(part[order] for part in parts))
+        return Samples(*(part[order] for part in parts))
 
     def between(self, places: Index, speed: float) -> Array:
         """Speeds that split the intervals from ``places`` up; the last one ends at ``speed``."""
@@ -74,25 +74,25 @@ def spin_up(speed: float, *, jumps: bool) -> Search:
     from a speed to the next, and these intervals are split like the one where the states end.
     """
     grid = speed * np.arange(PARTS) / PARTS
-    seen = Seen(grid[:CHUNK], *(yield grid[:CHUNK]))
-    if seen.there.all():
-        seen = seen.joined(grid[CHUNK:], *(yield grid[CHUNK:]))
-    if not seen.there[0]:
+    samples = Samples(grid[:CHUNK], *(yield grid[:CHUNK]))
+    if samples.there.all():
+        samples = samples.joined(grid[CHUNK:], *(yield grid[CHUNK:]))
+    if not samples.there[0]:
         return Gap(0.0)
-    first = np.append(seen.speed, speed)[seen.last + 1]
+    first = np.append(samples.speed, speed)[samples.last + 1]
     above = np.linspace(first, speed, ABOVE + 2)[1:-1]
     for _ in range(ROUNDS):
-        last = seen.last
-        changed = (seen.touch[1 : last + 1] != seen.touch[:last]).any(axis=1) & jumps
-        doubtful = seen.between(np.append(np.flatnonzero(changed), last), speed)
+        last = samples.last
+        changed = (samples.touch[1 : last + 1] != samples.touch[:last]).any(axis=1) & jumps
+        doubtful = samples.between(np.append(np.flatnonzero(changed), last), speed)
         asked = np.unique(np.concatenate([doubtful, above[above < speed]]))
-        seen = seen.joined(asked, *(yield asked))
-        again = seen.again  # where states begin again and end again
+        samples = samples.joined(asked, *(yield asked))
+        again = samples.again  # where states begin again and end again
         edges = np.array([again[0] - 1, again[-1]]) if again.size else again
-        above = seen.between(edges, speed)
-    low, again = float(seen.speed[seen.last]), seen.again
+        above = samples.between(edges, speed)
+    low, again = float(samples.speed[samples.last]), samples.again
     if not again.size:
         return Gap(low)
     begin, end = again[[0, -1]]
-    broken = not seen.there[begin : end + 1].all()
-    return Gap(low, (float(seen.speed[begin]), float(seen.speed[end])), broken=broken)
+    broken = not samples.there[begin : end + 1].all()
+    return Gap(low, (float(samples.speed[begin]), float(samples.speed[end])), broken=broken)

@@ -1,10 +1,10 @@
-"""What the solver of a bearing takes for small, near, singular or enough."""
+"""Tolerances and step limits of the bearing solver."""
 
 from __future__ import annotations
 
 TOLERANCE = 1e-11  # of the largest ball load (ball balance) and ring load (ring balance)
 ROUNDING = 16.0  # roundings of the lengths, granted above that
-SLOW = 2e-9  # of the groove reach: a ball pressed in less by its own motion is at rest
+SLOW = 2e-9  # of the distance of the centres: a ball pressed in less by its own motion is at rest
 LIGHT = 1.0  # N or N·m: a load below it overloads nothing
 TOGETHER = 8000  # balls in one batch: what it works on stays near the processor
 
@@ -21,7 +21,7 @@ NEUTRAL = 1e-13  # the same, of a motion that nothing holds
 CONVEX_STEPS = 100
 SEAT_STEPS = 200  # of one ball
 HALVINGS = 40
-SETTLED = 1e-6  # of the loads: enough to start the second stage from
+BALANCED = 1e-6  # of the loads: enough to start the second stage from
 LET_DOWN = 100.0  # times less load from one state to the next, on the way to a light one
 SOFTEST = 1e-7  # of the ring's stiffness, added to it while the whole load is missing
 HARDEST = 1e-4  # of that is added to the last

@@ -43,7 +43,7 @@ def test_films_of_a_state_are_those_of_its_contacts() -> None:
     state = VEX70.equilibrium(load=[600, 200, 0, 0, 0], speed=speed)
     found = film.film(state, OIL, 60.0, heating=False)
     g = state.operation.geometry
-    orbit = np.sqrt(state.centrifugal_force / g.orbit)
+    orbit = np.sqrt(state.centrifugal_force / g.orbital_factor)
     cosine = np.cos(state.contact_angle[:, 0])
     u = (speed - orbit) * 0.045 * (1.0 - g.size_ratio * cosine)
     modulus = 2.0 / (

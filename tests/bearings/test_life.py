@@ -92,7 +92,7 @@ def test_orbit_is_what_the_centrifugal_force_has() -> None:
     speed = 20_000 * RPM
     state = VEX70.equilibrium(load=[500, 100, 0, 0, 0], speed=speed)
     g = state.operation.geometry
-    orbit = np.sqrt(state.centrifugal_force / (g.orbit * speed**2))
+    orbit = np.sqrt(state.centrifugal_force / (g.orbital_factor * speed**2))
     assert life.frequencies(state).cage == pytest.approx(orbit.mean(), rel=1e-9)
 
 

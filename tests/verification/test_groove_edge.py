@@ -51,19 +51,19 @@ def test_large_clearance(clearance: float, speed: float, dynamics: str) -> None:
 def test_the_angle_a_free_ball_faces_is_continuous() -> None:
     """From contact over the whole groove, its centre included; derivatives against differences."""
     groove = geometry(loose(50e-6).grooves).inner_grooves[0]
-    grid = np.linspace(-0.999, 0.999, 41) * groove.reach
+    grid = np.linspace(-0.999, 0.999, 41) * groove.centre_distance
     axial, radial = (part.ravel() for part in np.meshgrid(grid, 1.7 * grid + 1e-9))
     sin, cos, approach, turn = facing(groove, (axial, radial))
     assert np.isfinite([sin, cos, approach, *turn]).all()
     assert (cos >= 0.0).all()
-    step = 1e-9 * groove.reach
+    step = 1e-9 * groove.centre_distance
     for k, slope in enumerate(turn):
         ways = [[axial, radial], [axial, radial]]
         ways[0][k], ways[1][k] = ways[0][k] + step, ways[1][k] - step
         one, two = (np.arctan2(*facing(groove, (a, r))[:2]) for a, r in ways)
-        assert (one - two) / (2.0 * step) == pytest.approx(slope, abs=1e-4 / groove.reach)
+        assert (one - two) / (2.0 * step) == pytest.approx(slope, abs=1e-4 / groove.centre_distance)
     touching = np.linspace(-89.0, 89.0, 90) * math.pi / 180.0
-    near = groove.reach * (1.0 - 1e-9)
+    near = groove.centre_distance * (1.0 - 1e-9)
     there = facing(groove, (near * np.sin(touching), near * np.cos(touching)))
     assert np.arctan2(*there[:2]) == pytest.approx(touching, abs=1e-6)
 

@@ -15,7 +15,7 @@ from bearings.ring import tolerances as tol
 from bearings.ring.compiled.one_state import (
     Evaluation,
     One,
-    Work,
+    Workspace,
     centre_of,
     evaluate,
     evaluate_convex,
@@ -24,7 +24,7 @@ from bearings.ring.compiled.one_state import (
 )
 
 
-def find(p: One, d: Array, x: Array, near: bool, w: Work) -> bool:
+def find(p: One, d: Array, x: Array, near: bool, w: Workspace) -> bool:
     """The physical state: d (5,) and X (n, 2) written anew from a start, and whether there is one.
 
     ``near``: the start is a state close by, which is tried first.
@@ -48,7 +48,7 @@ def find(p: One, d: Array, x: Array, near: bool, w: Work) -> bool:
     return blend >= 1.0
 
 
-def correct(p: One, d: Array, x: Array, blend: float, w: Work) -> tuple[bool, int]:
+def correct(p: One, d: Array, x: Array, blend: float, w: Workspace) -> tuple[bool, int]:
     """Plain Newton at ``blend`` from a point close by, taken back where it fails.
 
     Returns success, and the iterations used.
@@ -71,16 +71,16 @@ def correct(p: One, d: Array, x: Array, blend: float, w: Work) -> tuple[bool, in
     return good, used
 
 
-def convex(p: One, d: Array, x: Array, w: Work) -> bool:
+def convex(p: One, d: Array, x: Array, w: Workspace) -> bool:
     """(d, X) of the convex stage, written anew; whether it was reached."""
     there = evaluate_convex(p, d, x, w)
-    reach = p.geometry.inner_reach + p.geometry.outer_reach
+    reach = p.geometry.inner_centre_distance + p.geometry.outer_centre_distance
     soft = tol.SOFT * p.geometry.balls * p.geometry.series_stiffness * np.sqrt(1e-3 * reach)
     for _ in range(tol.CONVEX_STEPS if len(p.free) else 0):
         k, gap = _reduced(p, w.action, w)
         largest, missing = np.abs(k).max(), np.abs(gap).max()
         size = p.load_size + 1e-3 * p.geometry.balls * there.largest
-        needed = tol.SETTLED if p.turning else 0.1 * tol.TOLERANCE
+        needed = tol.BALANCED if p.turning else 0.1 * tol.TOLERANCE
         if missing <= needed * size + tol.ROUNDING * EPS * reach * largest:
             return True
         share = missing / (missing + p.load_size + 1e-300)
@@ -94,11 +94,17 @@ def convex(p: One, d: Array, x: Array, w: Work) -> bool:
     return len(p.free) == 0
 
 
-def error(p: One, there: Evaluation, w: Work) -> float:
+def error(p: One, there: Evaluation, w: Workspace) -> float:
     """Scaled residual of balls and ring; rounding of the lengths is not counted."""
     c = p.geometry
     slope = 1.5 * (c.inner.stiffness**2 * max(there.largest, 1e-300)) ** (1.0 / 3.0)
-    noise = tol.ROUNDING * EPS * (c.inner_reach + c.outer_reach) * slope / tol.TOLERANCE
+    noise = (
+        tol.ROUNDING
+        * EPS
+        * (c.inner_centre_distance + c.outer_centre_distance)
+        * slope
+        / tol.TOLERANCE
+    )
     worst = there.imbalance / (there.largest + noise + 1e-300)
     size = p.load_size + c.balls * (1e-3 * there.largest + noise) + 1e-300
     for j in p.free:
@@ -106,11 +112,11 @@ def error(p: One, there: Evaluation, w: Work) -> float:
     return worst
 
 
-def _newton(p: One, d: Array, x: Array, w: Work) -> None:
+def _newton(p: One, d: Array, x: Array, w: Workspace) -> None:
     """A Newton step of balls and ring together."""
     step = np.zeros(5)
     if len(p.free):
-        part = solve(*_reduced(p, w.settled, w))[0]
+        part = solve(*_reduced(p, w.condensed, w))[0]
         for i, j in enumerate(p.free):
             step[j] = part[i] / p.scale[j]
             d[j] += step[j]
@@ -120,7 +126,7 @@ def _newton(p: One, d: Array, x: Array, w: Work) -> None:
         x[ball, 1] += w.still[ball, 1] + radial
 
 
-def _reduced(p: One, carried: Array, w: Work) -> tuple[Array, Array]:
+def _reduced(p: One, carried: Array, w: Workspace) -> tuple[Array, Array]:
     """Tangent and missing load of the free DOF, as lengths."""
     size = len(p.free)
     k, gap = np.empty((size, size)), np.empty(size)
@@ -163,9 +169,11 @@ def solve(matrix: Array, right: Array) -> tuple[Array, float]:
     return x, determinant
 
 
-def _searched(p: One, d: Array, x: Array, step: Array, there: Evaluation, w: Work) -> Evaluation:
+def _searched(
+    p: One, d: Array, x: Array, step: Array, there: Evaluation, w: Workspace
+) -> Evaluation:
     """A step of the convex stage, halved until the potential falls."""
-    reach = p.geometry.inner_reach + p.geometry.outer_reach
+    reach = p.geometry.inner_centre_distance + p.geometry.outer_centre_distance
     before = there.energy - (p.load * d).sum()
     most = before + 64.0 * EPS * (abs(before) + p.load_size * reach)
     follow, length = w.follow.copy(), 1.0
@@ -182,7 +190,7 @@ def _searched(p: One, d: Array, x: Array, step: Array, there: Evaluation, w: Wor
     return there
 
 
-def _turned_little(p: One, d: Array, x: Array, w: Work) -> bool:
+def _turned_little(p: One, d: Array, x: Array, w: Workspace) -> bool:
     """Whether no direction to a groove centre has turned far since the stride began."""
     for ball in range(len(x)):
         before, now = centre_of(p, w.d, ball), centre_of(p, d, ball)
@@ -200,7 +208,7 @@ def _turned_little(p: One, d: Array, x: Array, w: Work) -> bool:
     return True
 
 
-def _jumped(p: One, largest: float, w: Work) -> bool:
+def _jumped(p: One, largest: float, w: Workspace) -> bool:
     """Whether an inner contact has opened or closed with a moment that does not fade."""
     for ball in range(len(w.grip)):
         before, now = w.first_grip[ball], w.grip[ball]

@@ -20,7 +20,7 @@ from typing import Any
 from bearings.ball.plane import some, where
 
 PACKAGE = "bearings"
-ROOM = 50e6  # bytes a disk must have free to keep compiled functions
+LEAST_DISK = 50e6  # bytes a disk must have free to keep compiled functions
 
 
 @cache
@@ -82,9 +82,9 @@ def _bound(function: Callable[..., Any]) -> FunctionType:
             names[name] = compiled(_itself)
         elif isinstance(other, FunctionType) and other.__module__.split(".")[0] == PACKAGE:
             names[name] = compiled(other)
-    twin = FunctionType(function.__code__, names, function.__name__, function.__defaults__)
-    twin.__module__, twin.__qualname__ = function.__module__, function.__qualname__
-    return twin
+    bound = FunctionType(function.__code__, names, function.__name__, function.__defaults__)
+    bound.__module__, bound.__qualname__ = function.__module__, function.__qualname__
+    return bound
 
 
 @cache
@@ -100,7 +100,7 @@ def _folder() -> Path | None:
             (root / name).mkdir(mode=0o700, exist_ok=True)
         except OSError:
             continue
-        if os.access(root / name, os.W_OK) and shutil.disk_usage(root).free > ROOM:
+        if os.access(root / name, os.W_OK) and shutil.disk_usage(root).free > LEAST_DISK:
             return root / name
     try:
         return Path(tempfile.mkdtemp(prefix=PACKAGE))

@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from bearings.arrays import Array, Index
-from bearings.ball.balance import settled, turning_balance
+from bearings.ball.balance import condensed, turning_balance
 from bearings.ball.law import LawNumbers
 from bearings.ball.plane import Motion, Pair, Triple, plus
 from bearings.ball.potential import (
@@ -48,13 +48,14 @@ class One(NamedTuple):
     full: float
 
 
-class Work(NamedTuple):
-    """Room for what an evaluation finds.
+class Workspace(NamedTuple):
+    """Arrays that an evaluation writes into.
 
     ``still`` (n, 2), ``follow`` (n, 6): how each ball moves with the ring. ``grip`` (n, 2): inner
     load and gyroscopic moment of each ball, ``first_grip`` where a stride began. ``action``,
-    ``settled`` (5,): load on the ring, as it is and with the balls settled. ``stiffness`` (5, 5);
-    ``local`` (3, 3): share of one ball. ``d``, ``x``: where the last stride began.
+    ``condensed`` (5,): load on the ring, as it is and with the balls condensed.
+    ``stiffness`` (5, 5); ``local`` (3, 3): share of one ball. ``d``, ``x``: where the last stride
+    began.
     """
 
     still: Array
@@ -62,7 +63,7 @@ class Work(NamedTuple):
     grip: Array
     first_grip: Array
     action: Array
-    settled: Array
+    condensed: Array
     stiffness: Array
     local: Array
     d: Array
@@ -83,20 +84,22 @@ class Evaluation(NamedTuple):
     energy: float
 
 
-def room(n: int) -> Work:
-    """Empty room for a ring of ``n`` balls."""
+def workspace(n: int) -> Workspace:
+    """Empty arrays for a ring of ``n`` balls."""
     x, five = np.zeros((n, 2)), np.zeros(5)
     k, local, follow = np.zeros((5, 5)), np.zeros((3, 3)), np.zeros((n, 6))
-    return Work(x.copy(), follow, x.copy(), x.copy(), five, five.copy(), k, local, five.copy(), x)
+    return Workspace(
+        x.copy(), follow, x.copy(), x.copy(), five, five.copy(), k, local, five.copy(), x
+    )
 
 
 def centre_of(p: One, d: Array, ball: int) -> Motion:
     """A of one ball."""
-    start = noticed(p.geometry.inner_grooves, (p.origin[0], p.origin[1], 0.0))
+    start = without_tilt(p.geometry.inner_grooves, (p.origin[0], p.origin[1], 0.0))
     return plus(moved(p, d, ball), start)
 
 
-def noticed(grooves: tuple[Groove, ...], motion: Triple) -> Motion:
+def without_tilt(grooves: tuple[Groove, ...], motion: Triple) -> Motion:
     """What a ball notices of a motion of its ring: of one groove not the tilt about its centre."""
     if len(grooves) == 1:
         return motion[0], motion[1]
@@ -108,7 +111,7 @@ def moved(p: One, d: Array, ball: int) -> Motion:
     c = p.azimuth[ball]
     tilt = d[4] * c[4] + d[3] * c[3]
     motion = (d[0] - p.geometry.centre_radius * tilt, d[1] * c[1] + d[2] * c[2], tilt)
-    return noticed(p.geometry.inner_grooves, motion)
+    return without_tilt(p.geometry.inner_grooves, motion)
 
 
 def followed(f: Array, step: Motion) -> Pair:
@@ -119,7 +122,7 @@ def followed(f: Array, step: Motion) -> Pair:
     return axial + f[2] * step[2], radial + f[5] * step[2]
 
 
-def evaluate(p: One, d: Array, x: Array, blend: float, w: Work) -> Evaluation:
+def evaluate(p: One, d: Array, x: Array, blend: float, w: Workspace) -> Evaluation:
     """The full problem at (d, X)."""
     largest, imbalance, fold, pressed = 0.0, 0.0, np.inf, True
     _clear(w)
@@ -133,7 +136,7 @@ def evaluate(p: One, d: Array, x: Array, blend: float, w: Work) -> Evaluation:
             continue
         here = (x[ball, 0], x[ball, 1])
         b = turning_balance(p.geometry, p.law, centre, here, p.squared, blend, 1.0)
-        s = settled(b)
+        s = condensed(b)
         largest = max(largest, b.inner_load, b.outer_load)
         imbalance = max(imbalance, abs(b.residual[0]), abs(b.residual[1]))
         fold, pressed = min(fold, s.fold), pressed and b.outer_load > 0.0
@@ -144,16 +147,16 @@ def evaluate(p: One, d: Array, x: Array, blend: float, w: Work) -> Evaluation:
     return Evaluation(largest, imbalance, fold, pressed, 0.0)
 
 
-def evaluate_convex(p: One, d: Array, x: Array, w: Work) -> Evaluation:
+def evaluate_convex(p: One, d: Array, x: Array, w: Workspace) -> Evaluation:
     """The convex stage at d, balls settled from X, which is written anew."""
     largest, energy, c = 0.0, 0.0, p.geometry
-    push = c.orbit * c.nominal * p.squared
+    centrifugal_force = c.orbital_factor * c.nominal_orbit_ratio_squared * p.squared
     _clear(w)
     for ball in range(len(x)):
         centre = centre_of(p, d, ball)
         if p.placed:
-            here = seat(c, centre, push, (x[ball, 0], x[ball, 1]))
-            each = reaction(c, centre, here, push)
+            here = seat(c, centre, centrifugal_force, (x[ball, 0], x[ball, 1]))
+            each = reaction(c, centre, here, centrifugal_force)
             _keep(each.follow[0], each.follow[1], w.follow[ball])
         else:
             here = resting_seat(c, (centre[0], centre[1]))
@@ -171,16 +174,16 @@ def _keep(first: Motion, second: Motion, f: Array) -> None:
         f[2], f[5] = first[2], second[2]
 
 
-def _clear(w: Work) -> None:
+def _clear(w: Workspace) -> None:
     w.action[:] = 0.0
-    w.settled[:] = 0.0
+    w.condensed[:] = 0.0
     w.stiffness[:] = 0.0
 
 
-def _add(p: One, ball: int, action: Triple, after: Triple, tangent: Any, w: Work) -> None:
+def _add(p: One, ball: int, action: Triple, after: Triple, tangent: Any, w: Workspace) -> None:
     """Add one ball to load and stiffness of the ring.
 
-    ``action`` as it is, ``after``: once the ball has settled. A tilt of the ring moves its groove
+    ``action`` as it is, ``after``: with the ball condensed. A tilt of the ring moves its groove
     axially by the lever −Ri, and turns it.
     """
     c, products, radius = p.azimuth[ball], p.products[ball], p.geometry.centre_radius
@@ -195,7 +198,7 @@ def _add(p: One, ball: int, action: Triple, after: Triple, tangent: Any, w: Work
     for i in range(5):
         row = (i + 1) // 2  # axial, radial twice, tilting twice
         w.action[i] += c[i] * here[row]
-        w.settled[i] += c[i] * there[row]
+        w.condensed[i] += c[i] * there[row]
         for j in range(5):
             w.stiffness[i, j] += products[i, j] * local[row, (j + 1) // 2]
 
@@ -207,19 +210,19 @@ def _by_motion(slopes: Motion, radius: float, row: Array) -> None:
         row[2] += slopes[2]
 
 
-def seat(c: Geometry, centre: Motion, push: float, start: Pair) -> Pair:
+def seat(c: Geometry, centre: Motion, centrifugal_force: float, start: Pair) -> Pair:
     """X of least potential, see ``seat`` in ``bearings.ring.convex_stage``."""
-    first = first_seat(c, centre, push)
+    first = first_seat(c, centre, centrifugal_force)
     x = (first[0] + 0.0, first[1] + 0.0)
-    now, length = seat_step(c, centre, x, push), 1.0
-    given = seat_step(c, centre, start, push)
+    now, length = seat_step(c, centre, x, centrifugal_force), 1.0
+    given = seat_step(c, centre, start, centrifugal_force)
     if given.energy < now.energy and given.hold > 0.0:
         x, now = start, given
     for _ in range(SEAT_STEPS):
         if not now.moving:
             break
         trial = (x[0] + length * now.step[0], x[1] + length * now.step[1])
-        then = seat_step(c, centre, trial, push)
+        then = seat_step(c, centre, trial, centrifugal_force)
         if improves(now, then):
             x, now, length = trial, then, 1.0
         else:

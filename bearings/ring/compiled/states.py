@@ -13,7 +13,7 @@ import numpy as np
 from bearings.arrays import Array, Flags
 from bearings.ring.compiled.follow import find
 from bearings.ring.compiled.jit import available, compiled, is_kept
-from bearings.ring.compiled.one_state import One, room
+from bearings.ring.compiled.one_state import One, workspace
 from bearings.ring.problem import Problem
 
 BALL = 6e-6  # s that a ball takes without compiling
@@ -105,7 +105,7 @@ def find_all(
     """
     origin, squared, load, scale = given
     d, x, carried, stiffness, exists = states
-    w = room(x.shape[1])
+    w = workspace(x.shape[1])
     for k in range(len(squared)):
         size = np.abs(load[k] / scale).max()
         p = One(origin[k], squared[k], load[k], scale, size, *shared)
@@ -127,6 +127,6 @@ def _near(p: One, squared: Array, load: Array, d: Array, k: int) -> bool:
     moved = np.abs(d[k] - d[k - 1]) * p.scale
     for j in p.free:
         moved[j] = 0.0
-    reach = p.geometry.inner_reach + p.geometry.outer_reach
+    reach = p.geometry.inner_centre_distance + p.geometry.outer_centre_distance
     near = np.abs((load[k] - load[k - 1]) / p.scale).max() <= NEAR * p.load_size
     return near and moved.max() <= 0.01 * NEAR * reach
