@@ -195,7 +195,7 @@ def test_an_interrupted_study_says_that_it_goes_on(tmp_path: Path) -> None:
     journal = tmp_path / "out" / "springs" / "points.jsonl"
     while not journal.exists() or journal.read_bytes().count(b"\n") < 3:
         time.sleep(0.01)
-    running.send_signal(signal.SIGINT)
+    running.send_signal(signal.SIGTERM)
     _, complaints = running.communicate()
     assert running.returncode == 130
     assert "the same command goes on" in complaints
