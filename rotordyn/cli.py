@@ -214,13 +214,18 @@ def _stopped(*_: object) -> None:
     raise KeyboardInterrupt
 
 
-def _run(arguments: argparse.Namespace) -> int:
-    from rotordyn.job import deliver, one_variant, restricted
-
-    for name in ("SIGTERM", "SIGHUP"):  # Windows has no SIGHUP; nohup ignores it
+def _heed_signals() -> None:
+    """Stop in good order when asked to; Windows has no SIGHUP, and nohup ignores it."""
+    for name in ("SIGTERM", "SIGHUP"):
         number = getattr(signal, name, None)
         if number is not None and signal.getsignal(number) == signal.SIG_DFL:
             signal.signal(number, _stopped)
+
+
+def _run(arguments: argparse.Namespace) -> int:
+    from rotordyn.job import deliver, one_variant, restricted
+
+    _heed_signals()
     case = rotordyn.load(arguments.case)
     if arguments.variant is not None:
         case = one_variant(case, arguments.variant)
@@ -253,7 +258,7 @@ def _sweep(arguments: argparse.Namespace) -> int:
     from rotordyn.study.deliver import deliver
     from rotordyn.study.read import read_study
 
-    signal.signal(signal.SIGTERM, _stopped)
+    _heed_signals()
     study = read_study(arguments.study)
     folder = Path("out") / study.case.name if arguments.output is None else Path(arguments.output)
     try:

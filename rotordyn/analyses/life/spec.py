@@ -74,9 +74,11 @@ class LifeSpec(Spec):
 
     def faults_on(self, setting: Setting) -> Faults:
         names = [seat.name for seat in setting.spindle.seats]
-        places = [("dynamic_ratings", name) for name in self.dynamic_ratings]
+        places: list[tuple[str | int, ...]] = [
+            ("dynamic_ratings", name) for name in self.dynamic_ratings
+        ]
         for index, step in enumerate(self.spectrum):
-            places += [("spectrum", index, "radial", name) for name in step.radial]  # type: ignore[misc]
+            places += [("spectrum", index, "radial", name) for name in step.radial]
         for path in places:
             if path[-1] not in names:
                 yield (
