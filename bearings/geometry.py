@@ -23,15 +23,15 @@ class Groove(NamedTuple):
     """One groove: k of Q = k δ^1.5 [N/m^1.5], distance ℓ of its centre
     from that of a ball that just touches, and axial place of its centre [m].
 
-    ``least`` [m]: radial distance of ball and groove centre below which the groove does not curve.
-    0: it spans ±90° and goes on straight, so that a ball beyond it is pressed along the axis alone;
-    −∞, of bearings whose displacement counts from touching: it is a whole circle.
+    ``walls``: sides (−1, +1) on which the groove goes on straight from 90°, where it presses a ball
+    along the axis alone; () of bearings whose displacement counts from touching, a whole circle. A
+    tuple, since its length is known when a function is compiled: the circle costs no choice.
     """
 
     stiffness: float
     centre_distance: float
     offset: float
-    least: float
+    walls: tuple[float, ...]
 
 
 class Geometry(NamedTuple):
@@ -92,7 +92,7 @@ def geometry(bearing: Grooves) -> Geometry:
         (outer_f - 0.5) * diameter,
     )
     inner_centres, outer_centres = bearing.centre_radii
-    least = -math.inf if bearing.touching else 0.0
+    walls = () if bearing.touching else (-1.0, 1.0)
     size_ratio = diameter / pitch
     return Geometry(
         ball_diameter=diameter,
@@ -102,10 +102,10 @@ def geometry(bearing: Grooves) -> Geometry:
         inner=inner,
         outer=outer,
         inner_grooves=tuple(
-            Groove(inner.stiffness, inner_centre_distance, x, least) for x in bearing.inner_offsets
+            Groove(inner.stiffness, inner_centre_distance, x, walls) for x in bearing.inner_offsets
         ),
         outer_grooves=tuple(
-            Groove(outer.stiffness, outer_centre_distance, x, least) for x in bearing.outer_offsets
+            Groove(outer.stiffness, outer_centre_distance, x, walls) for x in bearing.outer_offsets
         ),
         series_stiffness=(inner.stiffness ** (-2 / 3) + outer.stiffness ** (-2 / 3)) ** -1.5,
         free_distance=bearing.free_distance,

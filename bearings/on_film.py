@@ -20,6 +20,7 @@ from numpy.typing import ArrayLike
 from bearings.arrays import Array
 from bearings.ball.balance import condensed, turning_balance
 from bearings.ball.law import STANDARD, Law
+from bearings.ball.race import facing_radius
 from bearings.film import Film, film
 from bearings.geometry import Groove
 from bearings.ring.assembly import full_assembly
@@ -152,7 +153,7 @@ def softened(state: BearingState, films: Film) -> Array:
 def _softer(groove: Groove, vector: Array, spring: Array) -> Groove:
     """A contact of the same load at the same place, with the slope of it and ``spring`` in series
     (states, balls)."""
-    length = np.hypot(vector[0], np.maximum(vector[1], groove.least))
+    length = np.hypot(vector[0], facing_radius(groove, vector[1]))
     approach = np.maximum(length - groove.centre_distance, 0.0)
     load = groove.stiffness * approach**1.5
     loaded = load > 0.0

@@ -24,7 +24,7 @@ from bearings.ball.plane import (
     minus,
     where,
 )
-from bearings.ball.race import Springs, against, facing, spring, springs, vector_to
+from bearings.ball.race import Springs, against, facing, is_free, spring, springs, vector_to
 from bearings.geometry import Geometry, Groove
 
 SEATED = 1e-8  # of the ball's own loads
@@ -112,7 +112,7 @@ def _still(centre: Motion, none: Any) -> Motion:
 def both_grooves(c: Geometry) -> Groove:
     """The two grooves that a ball at rest stands between, in series."""
     reach = c.inner_centre_distance + c.outer_centre_distance
-    return Groove(c.series_stiffness, reach, 0.0, c.inner_grooves[0].least)
+    return Groove(c.series_stiffness, reach, 0.0, c.inner_grooves[0].walls)
 
 
 def resting_seat(c: Geometry, centre: Pair) -> Pair:
@@ -140,7 +140,7 @@ def first_seat(c: Geometry, centre: Motion, centrifugal_force: Any) -> Pair:
     if len(c.outer_grooves) == 2:
         return x
     riding = riding_radius(c, centrifugal_force)
-    free = both_races(c, centre, (0.0 * riding, riding))[0].energy == 0.0
+    free = is_free(c.inner_grooves, against(centre, (0.0 * riding, riding)))
     return where(free, 0.0, x[0]), where(free, riding, x[1])
 
 
@@ -187,7 +187,7 @@ def _between(c: Geometry, centre: Pair, centrifugal_force: Any) -> Pair:
     still = resting_seat(c, centre)
     axial = where(pressed, still[0], along * sin - across * where(sin < 0.0, -cos, cos))
     radial = where(pressed, still[1], along * cos + across * np.abs(sin))
-    if c.inner_grooves[0].least < 0.0:
+    if len(c.inner_grooves[0].walls) == 0:
         lifted = direction((centre[0], centre[1] + inner))[2] <= c.outer_centre_distance
         return where(lifted, centre[0], axial), where(lifted, centre[1] + inner, radial)
     beyond = (radial > centre[1]) & (length <= inner + outer)

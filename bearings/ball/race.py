@@ -99,14 +99,14 @@ def facing(groove: Groove, vector: Motion) -> tuple[Any, Any, Any, Pair]:
     """sin and cos of the angle at which ball and groove face each other, their approach δ ≥ 0, and
     the derivatives of the angle by the vector."""
     axial, radial = vector[0], vector[1]
-    if groove.least < 0.0:
+    if len(groove.walls) == 0:
         sin, cos, length = direction((axial, radial))
         part = 1.0 / length
         return sin, cos, np.maximum(length - groove.centre_distance, 0.0), (cos * part, -sin * part)
-    curved = np.maximum(radial, groove.least)
+    curved = np.maximum(radial, 0.0)
     length = np.sqrt(axial * axial + curved * curved)
     approach = length - groove.centre_distance
-    least = FACED * np.maximum(-approach, 0.0) + groove.least
+    least = FACED * np.maximum(-approach, 0.0)
     approach = np.maximum(approach, 0.0)
     if some(radial < least):
         seen = np.maximum(radial, least)
@@ -120,6 +120,27 @@ def facing(groove: Groove, vector: Motion) -> tuple[Any, Any, Any, Pair]:
     part = 1.0 / length
     sin, cos = axial * part, radial * part
     return sin, cos, approach, (cos * part, -sin * part)
+
+
+def facing_radius(groove: Groove, radial: Any) -> Any:
+    """Radial distance of the centres as the contact knows it: beyond 90° a straight wall has 0."""
+    if len(groove.walls) == 0:
+        return radial
+    return np.maximum(radial, 0.0)
+
+
+def is_free(grooves: tuple[Groove, ...], vector: Motion) -> Any:
+    """Whether a ball touches no groove of the inner ring; ``vector`` as for ``race``."""
+    free = _apart(grooves[0], vector)
+    if len(grooves) == 2:
+        free = free & _apart(grooves[1], vector)
+    return free
+
+
+def _apart(groove: Groove, vector: Motion) -> Any:
+    axial, radial = vector_to(groove, vector, 1.0)
+    radial = facing_radius(groove, radial)
+    return axial * axial + radial * radial <= groove.centre_distance**2
 
 
 def _resultant(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Race:
@@ -184,9 +205,7 @@ def springs(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Springs
 
 def spring(groove: Groove, vector: Motion) -> Springs:
     """One contact along its vector as a spring, without lever to the middle of the ring."""
-    radial = vector[1]
-    if groove.least >= 0.0:
-        radial = np.maximum(radial, groove.least)
+    radial = facing_radius(groove, vector[1])
     length = np.sqrt(vector[0] * vector[0] + radial * radial)
     length = np.maximum(length, NOWHERE)
     part = 1.0 / length
@@ -196,8 +215,8 @@ def spring(groove: Groove, vector: Motion) -> Springs:
     across = load * part
     more = along - across
     radially = across + more * cos * cos
-    if groove.least >= 0.0:
-        radially = where(vector[1] > groove.least, radially, 0.0)
+    if len(groove.walls) > 0:
+        radially = where(vector[1] > 0.0, radially, 0.0)
     slope = (across + more * sin * sin, more * sin * cos, radially)
     return Springs(0.4 * load * approach, (load * sin, load * cos), slope, 0.0, (0.0, 0.0, 0.0))
 

@@ -15,7 +15,7 @@ from bearings.arrays import Array
 from bearings.ball.balance import Balance
 from bearings.ball.plane import EPS, Motion, Pair, direction, dot
 from bearings.ball.potential import both_grooves
-from bearings.ball.race import against, facing, hertz, vector_to
+from bearings.ball.race import against, facing, facing_radius, hertz, vector_to
 from bearings.geometry import Groove
 from bearings.ring import tolerances as tol
 from bearings.ring.problem import Problem
@@ -87,7 +87,7 @@ def _bearing(
 
 def _met(groove: Groove, vector: Pair) -> Pair:
     """A vector as its groove meets it, straight beyond 90°; some direction where there is none."""
-    axial, radial = vector[0], np.maximum(vector[1], groove.least)
+    axial, radial = vector[0], facing_radius(groove, vector[1])
     return axial, np.where((axial == 0.0) & (radial == 0.0), groove.centre_distance, radial)
 
 

@@ -70,7 +70,7 @@ def _compiled(g: Geometry, operation: Operation) -> bool:
     from bearings.ring.compiled.states import pays
 
     balls = int(np.where(operation.axial, 1, g.balls).sum())
-    return pays(balls, (len(g.inner_grooves), len(g.outer_grooves)))
+    return pays(balls, g)
 
 
 def _groups(

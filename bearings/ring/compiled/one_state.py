@@ -215,9 +215,10 @@ def seat(c: Geometry, centre: Motion, centrifugal_force: float, start: Pair) -> 
     first = first_seat(c, centre, centrifugal_force)
     x = (first[0] + 0.0, first[1] + 0.0)
     now, length = seat_step(c, centre, x, centrifugal_force), 1.0
-    given = seat_step(c, centre, start, centrifugal_force)
-    if given.energy < now.energy and given.hold > 0.0:
-        x, now = start, given
+    if start[0] != 0.0 or start[1] != 0.0:
+        given = seat_step(c, centre, start, centrifugal_force)
+        if given.energy < now.energy and given.hold > 0.0:
+            x, now = start, given
     for _ in range(SEAT_STEPS):
         if not now.moving:
             break

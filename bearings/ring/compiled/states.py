@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from bearings.arrays import Array, Flags
+from bearings.geometry import Geometry
 from bearings.ring.compiled.follow import find
 from bearings.ring.compiled.jit import available, compiled, is_kept
 from bearings.ring.compiled.one_state import One, workspace
@@ -21,7 +22,7 @@ FROM_DISK = 2.0  # s to get the compiled solver from the disk
 COMPILING = 30.0  # s to compile it
 NEAR = 0.2  # relative change of speed and load from the last state that makes it a start
 
-_loaded: set[tuple[int, int]] = set()
+_loaded: set[tuple[int, int, int]] = set()
 
 
 class CompiledStates(NamedTuple):
@@ -34,17 +35,18 @@ class CompiledStates(NamedTuple):
     exists: Flags
 
 
-def pays(balls: int, grooves: tuple[int, int]) -> bool:
-    """Whether so many balls are found sooner with the compiled solver, its loading included.
-
-    ``grooves`` of the inner and the outer ring: for each pair of these numbers the solver is
-    compiled once.
-    """
-    if grooves in _loaded:
+def pays(balls: int, g: Geometry) -> bool:
+    """Whether so many balls are found sooner with the compiled solver, its loading included."""
+    if _type(g) in _loaded:
         return True
     seconds = BALL * balls
-    quick = seconds > FROM_DISK and grooves == (1, 1) and is_kept()
+    quick = seconds > FROM_DISK and _type(g) == (1, 1, 0) and is_kept()
     return (seconds > COMPILING or quick) and available()
+
+
+def _type(g: Geometry) -> tuple[int, int, int]:
+    """What the solver is compiled for, once each: numbers of inner and outer grooves, of walls."""
+    return len(g.inner_grooves), len(g.outer_grooves), len(g.inner_grooves[0].walls)
 
 
 @lru_cache(maxsize=1)
@@ -66,7 +68,7 @@ def compiled_states(
         x[: guess.shape[1]] = guess.transpose(1, 2, 0)
     arrays = (d, x, np.zeros((states, 5)), np.zeros((states, 5, 5)), np.zeros(states, dtype=bool))
     if available():
-        _loaded.add((len(g.inner_grooves), len(g.outer_grooves)))
+        _loaded.add(_type(g))
     shared = (
         g,
         problem.law.numbers,
