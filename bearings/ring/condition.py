@@ -56,7 +56,7 @@ def condition(state: BearingState) -> Words:
     ``"unloaded"``, ``"lost contact (balls 3–5)"``, ``"overloaded (pressure 4.6 GPa)"`` beyond the
     4.2 GPa of ISO 76, ``"beyond the groove (balls 2)"``, ``"contact ellipse passes the shoulder of
     the inner ring (balls 0–3), 12 % of its length lost"`` where its diameter is known,
-    ``"loaded on the open side (balls 0–3)"``, ``"an arc presses beyond the middle of its groove
+    ``"loaded on the open side (balls 0–3) …"``, ``"an arc presses beyond the middle of its groove
     …"``, ``"gross gyroscopic slip …"``, ``"slips on the inner race (balls 0–4)"``. Where there is
     no state: ``"no contact angle"``, ``"no equilibrium: stiffness vanishes above … rpm at this
     load"`` or ``"no equilibrium: balls 2–4 are thrown off a race above … rpm at this load"``: the
@@ -159,7 +159,12 @@ def _remarks(state: BearingState) -> list[tuple[Flags, str, Array]]:
             "for two arcs, give none or a larger one",
             angle,
         ),
-        (status == "open side", "loaded on the open side (balls {balls})", angle),
+        (
+            status == "open side",
+            "loaded on the open side (balls {balls}), where the rings have no shoulder: raise the "
+            "thrust, or turn the bearing round",
+            angle,
+        ),
         (
             (grip > tol.GROSS) & (state.operation.law.friction is None),
             "gross gyroscopic slip (balls {balls} need a friction of {most:.2g}): raise the load, "
