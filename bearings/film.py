@@ -25,12 +25,13 @@ _BY_LOAD = 0.067  # exponent of the load in the central film thickness
 
 @dataclass(frozen=True, eq=False)
 class Film:
-    """Films of a state, by contact (…, balls, contacts); 0 without load or speed.
+    """Films of a state, by contact (…, balls, contacts); NaN where there is no state.
 
-    ``least``, ``central``: thicknesses h_min and h_c [m], inlet heating in them; ``heating``: by
-    which factor it thins them; ``stiffness``: dQ/dh at constant speed [N/m], in series with that of
-    the contact. ``growth`` (…, balls) [m]: by which the films make a ball appear larger, hi + ho of
-    the most loaded contact of each race; with four contacts a ball grows along both its diagonals.
+    ``least``, ``central``: thicknesses h_min and h_c [m], inlet heating in them, 0 without load or
+    speed; ``heating``: by which factor it thins them; ``stiffness``: dQ/dh at constant speed [N/m],
+    in series with that of the contact. ``growth`` (…, balls) [m]: by which the films make a ball
+    appear larger, hi + ho of the most loaded contact of each race; with four contacts a ball grows
+    along both its diagonals.
     """
 
     least: Array
@@ -124,7 +125,8 @@ def film(
     if heating:
         parameter = eta * lubricant.thinning(celsius) * u**2 / lubricant.conductivity
         factor = inlet_heating(state.contact_pressure, modulus, parameter)
-    least, central = (each * factor * starvation for each in (least, central))
+    there = np.where(np.asarray(state.outcome) == "", 1.0, np.nan)[..., None, None]
+    least, central = (each * factor * starvation * there for each in (least, central))
     with np.errstate(divide="ignore", invalid="ignore"):
         stiffness = np.where(central > 0.0, load / (_BY_LOAD * central), np.inf)
     growth = _heaviest(load, central, inner) + _heaviest(load, central, ~inner)

@@ -65,7 +65,11 @@ def potential(
 
 
 def reaction(c: Geometry, centre: Motion, ball: Pair, centrifugal_force: Any) -> Reaction:
-    """Action and tangent of a ball that sits at its seat."""
+    """Action and tangent of a ball that sits at its seat.
+
+    What its own balance still misses is taken off to first order: under a light thrust at speed
+    that is more than the thrust.
+    """
     inner, outer = both_races(c, centre, ball)
     back, energy = (
         inverse(stiffness(inner, outer)),
@@ -82,8 +86,19 @@ def reaction(c: Geometry, centre: Motion, ball: Pair, centrifugal_force: Any) ->
         minus(second, combined(a12, follow[0], a22, follow[1])),
         minus(third, combined(t1, follow[0], t2, follow[1])),
     )
-    action = (inner.force[0], inner.force[1], inner.couple)
+    gap = _gap(inner, outer, centrifugal_force)
+    step = (dot(back[0], gap), dot(back[1], gap))
+    action = (
+        inner.force[0] - dot((a11, a12), step),
+        inner.force[1] - dot((a12, a22), step),
+        inner.couple - dot((t1, t2), step),
+    )
     return Reaction(energy, action, slope, follow)
+
+
+def _gap(inner: Springs, outer: Springs, centrifugal_force: Any) -> Pair:
+    """What pushes a ball on towards its seat."""
+    return inner.force[0] - outer.force[0], inner.force[1] - outer.force[1] + centrifugal_force
 
 
 def _rows(centre: Motion, inner: Springs) -> tuple[Motion, Motion, Motion]:
@@ -216,7 +231,7 @@ def seat_step(c: Geometry, centre: Motion, ball: Pair, centrifugal_force: Any) -
     inner, outer = both_races(c, centre, ball)
     both = stiffness(inner, outer)
     back = inverse(both)
-    gap = (inner.force[0] - outer.force[0], inner.force[1] - outer.force[1] + centrifugal_force)
+    gap = _gap(inner, outer, centrifugal_force)
     size = (
         np.sqrt(dot(inner.force, inner.force))
         + np.sqrt(dot(outer.force, outer.force))

@@ -145,11 +145,9 @@ def _searched(
 
     before = total(balls.energy, d)
     largest = np.abs(problem.load / problem.scale).max(axis=-1)
-    slack = (
-        64.0
-        * EPS
-        * (np.abs(before) + largest * (g.inner_centre_distance + g.outer_centre_distance))
-    )
+    reach = g.inner_centre_distance + g.outer_centre_distance
+    slack = 64.0 * EPS * (np.abs(before) + largest * reach)
+    slack += 4.0 * EPS * reach * centrifugal_load(g, problem.squared)
     length, along = np.ones((len(d), 1)), followed_by(balls.follow, problem.assembly.moved(step))
     for _ in range(tol.HALVINGS):
         trial = d + length * step
@@ -159,6 +157,11 @@ def _searched(
             break
         length = np.where(good[:, None], length, 0.5 * length)
     return trial, seats, moved
+
+
+def centrifugal_load(g: Geometry, squared: Any) -> Any:
+    """Centrifugal forces of all balls, whose work is known to a rounding of the lengths."""
+    return g.balls * g.orbital_factor * g.nominal_orbit_ratio_squared * squared
 
 
 def seat(c: Geometry, centre: Array, centrifugal_force: Array, start: Array | None = None) -> Array:

@@ -13,6 +13,7 @@ from bearings.ring.state import BearingState
 from tests.oracles.balance import ball_faults, ring_fault
 from tests.oracles.ball_bearing import BallBearingOracle
 from tests.oracles.known_bearings import HARRIS_218, HYPOTHESES, RPM, SHARINGS, VEX70
+from tests.oracles.random_states import draw_bearing
 
 OUTCOMES = {"", "unloaded", "no equilibrium", "no contact angle", "overloaded"}
 STATUS = {"loaded", "open side", "lost contact", "unloaded"}
@@ -151,3 +152,21 @@ def test_forces_of_the_rings_differ_by_the_centrifugal_force() -> None:
         assert axial.sum() == pytest.approx(state.load[0], rel=1e-10)
         assert spare @ np.cos(psi) == pytest.approx(state.load[1], rel=1e-8)
         assert spare @ np.sin(psi) == pytest.approx(state.load[2], rel=1e-8)
+
+
+@pytest.mark.parametrize("number", [5, 8, 12])
+@pytest.mark.parametrize("speed", [50.0, 1500.0])
+@pytest.mark.parametrize("dynamics", ["frozen", "resultant"])
+def test_light_thrust_at_speed(number: int, speed: float, dynamics: str) -> None:
+    """Balls thrown outward by up to ten thousand times the thrust still share it among them."""
+    bearing = draw_bearing(np.random.default_rng(number), number).bearing
+    thrust = 10.0 ** np.arange(-7.0, 1.0)
+    load = np.zeros((len(thrust), 5))
+    load[:, 0] = thrust
+    s = bearing.equilibrium(load=load, speed=speed, dynamics=dynamics)
+    assert (s.outcome == "").all()
+    assert (np.diff(s.displacement[:, 0]) > 0.0).all()
+    carried = (s.inner_load * np.sin(s.inner_angle)).sum(axis=-1)
+    if dynamics == "frozen":
+        rounding = 1e-11 * s.outer_load.sum(axis=-1).max()
+        np.testing.assert_allclose(carried, thrust, rtol=1e-9, atol=rounding)

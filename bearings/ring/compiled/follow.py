@@ -22,6 +22,7 @@ from bearings.ring.compiled.one_state import (
     followed,
     moved,
 )
+from bearings.ring.convex_stage import centrifugal_load
 
 
 def find(p: One, d: Array, x: Array, near: bool, w: Workspace) -> bool:
@@ -176,6 +177,7 @@ def _searched(
     reach = p.geometry.inner_centre_distance + p.geometry.outer_centre_distance
     before = there.energy - (p.load * d).sum()
     most = before + 64.0 * EPS * (abs(before) + p.load_size * reach)
+    most += 4.0 * EPS * reach * centrifugal_load(p.geometry, p.squared)
     follow, length = w.follow.copy(), 1.0
     w.d[:], w.x[:] = d, x
     for _ in range(tol.HALVINGS):
