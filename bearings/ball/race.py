@@ -149,7 +149,7 @@ def _resultant(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Race
     load = np.sqrt(axial * axial + radial * radial)
     bears, k = load > 0.0, grooves[0].stiffness
     part = 1.0 / where(bears, load, 1.0)
-    near_sin, near_cos, near = _nearer(grooves, vector, side)
+    near_sin, near_cos, near, offset = _nearer(grooves, vector, side)
     sin, cos = where(bears, axial * part, near_sin), where(bears, radial * part, near_cos)
     approach = (load / k) ** (2.0 / 3.0)
     slope = 1.5 * k * np.sqrt(approach)
@@ -165,7 +165,7 @@ def _resultant(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Race
         (sin * t1 + cos * t2) * soft,
     )
     lifted = where(radial != 0.0, radial, 1.0)
-    middle = all_.couple / lifted
+    middle = where(radial != 0.0, all_.couple / lifted, offset)
     middle_by = (
         (t1 - middle * a12) / lifted,
         (t2 - middle * a22) / lifted,
@@ -174,13 +174,16 @@ def _resultant(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Race
     return Race(sin, cos, approach, load, slope, middle, angle_by, approach_by, middle_by)
 
 
-def _nearer(grooves: tuple[Groove, ...], vector: Motion, side: float) -> tuple[Any, Any, Pair]:
-    """Angle to the groove that a ball without load is nearer to, and its derivatives."""
+def _nearer(grooves: tuple[Groove, ...], vector: Motion, side: float) -> tuple[Any, Any, Pair, Any]:
+    """Angle to the groove whose centre is farther from the ball, its derivatives, its offset.
+
+    The nearer groove to a ball without load, and the one whose straight wall carries a ball.
+    """
     one, two = vector_to(grooves[0], vector, side), vector_to(grooves[1], vector, side)
     first = dot(one, one) >= dot(two, two)
     vector = (where(first, one[0], two[0]), where(first, one[1], two[1]))
     sin, cos, _, turn = facing(grooves[0], vector)
-    return sin, cos, turn
+    return sin, cos, turn, where(first, grooves[0].offset, grooves[1].offset)
 
 
 def springs(grooves: tuple[Groove, ...], vector: Motion, side: float) -> Springs:

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from tests.oracles.four_point import MICROMETRE, GrooveOracle
 
 Array = NDArray[np.float64]
+LEVEL = 1e-12  # cosine of an angle that counts as 90°
 
 
 class Balanced(NamedTuple):
@@ -68,7 +69,11 @@ def balanced(oracle: GrooveOracle, state: Any, dynamics: str, shift: float = 0.0
 
 
 def _gap(oracle: GrooveOracle, q: Array, n: Array, d: Array) -> Array:
-    """How far apart the ball centres lie that the loaded contacts of one ball ask for [m]."""
+    """How far apart the ball centres lie that the loaded contacts of one ball ask for [m].
+
+    At ±90° a groove goes on straight: its contact says where the ball is along the axis alone, and
+    that it is beyond the level of the groove centre.
+    """
     ni = oracle.ni
     reach = oracle.free + (q / oracle.k) ** (2.0 / 3.0)
     centre = np.zeros(n.shape)
@@ -77,7 +82,12 @@ def _gap(oracle: GrooveOracle, q: Array, n: Array, d: Array) -> Array:
     centre[..., :ni, :] += np.einsum("jcak,...k->...jca", oracle.lean, d / oracle.scale)
     sign = np.where(np.arange(len(oracle.offset)) < ni, -1.0, 1.0)[:, None]
     ball = centre + sign * reach[..., None] * n
-    loaded = (q > 0.0)[..., None]
+    wall = (q > 0.0) & (np.abs(n[..., 1]) < LEVEL)
+    loaded = np.stack([q > 0.0, (q > 0.0) & ~wall], axis=-1)
     high = np.where(loaded, ball, -np.inf).max(-2)
     low = np.where(loaded, ball, np.inf).min(-2)
-    return np.maximum(high - low, 0.0).max((-1, -2)) * MICROMETRE
+    known = np.isfinite(high[..., 1])  # by a contact that is not straight
+    beyond = sign[:, 0] * (centre[..., 1] - np.where(known, low[..., 1], 0.0)[..., None])
+    short = np.where(wall & known[..., None], np.maximum(-beyond, 0.0), 0.0).max(-1)
+    apart = np.where(np.isfinite(high - low), np.maximum(high - low, 0.0), 0.0).max(-1)
+    return np.maximum(apart, short).max(-1) * MICROMETRE

@@ -21,6 +21,7 @@ from tests.oracles.known_grooves import (
     lever,
     mixed_loads,
 )
+from tests.oracles.random_kinds import draw
 
 Array = NDArray[np.float64]
 BOTH = pytest.mark.parametrize("dynamics", ["frozen", "resultant"])
@@ -224,3 +225,17 @@ def test_a_preloaded_bearing_is_loaded_and_free_of_load_when_centred(
         assert s.contact_load == pytest.approx(want.contact_load, abs=1e-8 * top)
     k = s.stiffness("complete") / unit / unit[:, None]
     assert np.linalg.eigvalsh(0.5 * (k + k.T)).min() > 0.0
+
+
+@pytest.mark.parametrize("number", [48, 94, 130, 139, 153])
+def test_balls_against_the_straight_wall_of_a_groove_are_in_balance(number: int) -> None:
+    """Beyond 90° a wall presses a ball along the axis; friction acts at the groove of that wall."""
+    asked = draw("four point", number, 50)
+    state = asked.solve()
+    found = balanced(asked.oracle, state, asked.dynamics, asked.shift)
+    solved = state.outcome == ""
+    walls = (state.contact_load > 0.0) & (np.cos(state.contact_angle) < 1e-12)
+    assert walls[solved].any()
+    for fault in (found.ball, found.ring, found.motion):
+        assert fault[solved].max() < 1e-9
+    assert found.gap[solved].max() < 1e-12 * asked.bearing.ball_diameter
