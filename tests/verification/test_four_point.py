@@ -233,9 +233,9 @@ def test_balls_against_the_straight_wall_of_a_groove_are_in_balance(number: int)
     asked = draw("four point", number, 50)
     state = asked.solve()
     found = balanced(asked.oracle, state, asked.dynamics, asked.shift)
-    solved = state.outcome == ""
     walls = (state.contact_load > 0.0) & (np.cos(state.contact_angle) < 1e-12)
-    assert walls[solved].any()
+    chosen = (state.outcome == "") & walls.any(axis=(-1, -2))
+    assert chosen.any()
     for fault in (found.ball, found.ring, found.motion):
-        assert fault[solved].max() < 1e-9
-    assert found.gap[solved].max() < 1e-12 * asked.bearing.ball_diameter
+        assert fault[chosen].max() < 1e-9
+    assert found.gap[chosen].max() < 1e-12 * asked.bearing.ball_diameter
