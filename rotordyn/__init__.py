@@ -14,14 +14,16 @@ if TYPE_CHECKING:
     from rotordyn.case.vary import vary
     from rotordyn.errors import InvalidInput, NoSolution, RotordynError
     from rotordyn.job import Results, open, run
-    from rotordyn.study import Span, sweep
+    from rotordyn.study import Goal, Limit, Span, optimise, sweep
 
 __version__ = "0.1.0"
 _ROOMS = ("analyses", "errors", "machine", "state")
 _MODULE_OF = {
     "Case": "rotordyn.case.case",
+    "Goal": "rotordyn.study",
     "InvalidInput": "rotordyn.errors",
     "NoSolution": "rotordyn.errors",
+    "Limit": "rotordyn.study",
     "Results": "rotordyn.job",
     "RotordynError": "rotordyn.errors",
     "Span": "rotordyn.study",
@@ -30,13 +32,16 @@ _MODULE_OF = {
     "model": "rotordyn.case.model",
     "models": "rotordyn.case.shipped",
     "open": "rotordyn.job",
+    "optimise": "rotordyn.study",
     "run": "rotordyn.job",
     "sweep": "rotordyn.study",
     "vary": "rotordyn.case.vary",
 }
 __all__ = [
     "Case",
+    "Goal",
     "InvalidInput",
+    "Limit",
     "NoSolution",
     "Results",
     "RotordynError",
@@ -50,6 +55,7 @@ __all__ = [
     "model",
     "models",
     "open",
+    "optimise",
     "run",
     "state",
     "sweep",

@@ -23,7 +23,7 @@ if TYPE_CHECKING:
     from rotordyn.job import Progress
 
 CASE = "case file (YAML), or the name of a case that comes with rotordyn"
-FILE = "case (default), spindle, tool, bearing, material or study"
+FILE = "case (default), spindle, tool, bearing, material, study or optimum"
 EXIT_CODES = """exit codes: 0 done; 2 bad input, nothing written; 3 no speed of the case has a
 physical solution (with --strict: one has not); 1 a bug of rotordyn"""
 
@@ -138,6 +138,15 @@ def _parser() -> argparse.ArgumentParser:
     sweep.add_argument("--no-figures", action="store_true", help="write numbers alone")
     sweep.add_argument("--quiet", action="store_true", help="print nothing but errors")
     sweep.set_defaults(command=_sweep)
+    best = commands.add_parser(
+        "optimise", help="find the best of what may be varied in a case", epilog=EXIT_CODES
+    )
+    best.add_argument("optimum", metavar="OPTIMUM", help="file of goals and limits (YAML)")
+    best.add_argument("-o", "--output", metavar="DIR", help="its folder (out/<file name>)")
+    best.add_argument("--workers", type=int, metavar="N", help="processes (one a processor)")
+    best.add_argument("--no-figures", action="store_true", help="write numbers alone")
+    best.add_argument("--quiet", action="store_true", help="print nothing but errors")
+    best.set_defaults(command=_optimise)
     check = commands.add_parser("check", help="read and validate a case, compute nothing")
     check.add_argument("case", metavar="CASE", help=CASE)
     check.set_defaults(command=_check)
@@ -279,6 +288,33 @@ def _sweep(arguments: argparse.Namespace) -> int:
         _say(left.summary)
         _say(f"results in {left.folder}")
     return 0 if left.solved else 3
+
+
+def _optimise(arguments: argparse.Namespace) -> int:
+    from rotordyn.study.optimum.deliver import deliver
+    from rotordyn.study.read import read_optimum
+
+    _heed_signals()
+    problem, how = read_optimum(arguments.optimum)
+    name = problem.case.name
+    folder = Path("out") / name if arguments.output is None else Path(arguments.output)
+    try:
+        with _time_left(quiet=arguments.quiet) as progress:
+            found, text = deliver(
+                problem,
+                folder,
+                **how,
+                workers=arguments.workers,
+                progress=progress,
+                draw=not arguments.no_figures,
+            )
+    except KeyboardInterrupt:
+        _complain(f"interrupted; what is tried is kept: the same command goes on in {folder}")
+        return 130
+    if not arguments.quiet:
+        _say(text)
+        _say(f"results in {folder}")
+    return 0 if found.best is not None else 3
 
 
 @contextmanager

@@ -15,7 +15,7 @@ from rotordyn.analyses.registry import analysis, built_in, place
 from rotordyn.case.case import Case
 from rotordyn.case.keys import Range, extra, keys_of
 from rotordyn.case.schema import about, title
-from rotordyn.case.study import StudyFile
+from rotordyn.case.study import OptimumFile, StudyFile
 from rotordyn.field import Field, descriptions
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
@@ -31,6 +31,7 @@ PAGES: dict[str, type] = {
     "material": Material,
     "reference": Reference,
     "study": StudyFile,
+    "optimum": OptimumFile,
 }
 
 

@@ -23,7 +23,7 @@ from rotordyn.case.estimated import NEEDED as ESTIMATED
 from rotordyn.case.forms import ENTRIES
 from rotordyn.case.keys import COMMON, Range, Variant, keys_of
 from rotordyn.case.library import known
-from rotordyn.case.study import StudyFile
+from rotordyn.case.study import OptimumFile, StudyFile
 from rotordyn.errors import InvalidInput
 from rotordyn.field import REQUIRED, Field, bare, members, metadata
 from rotordyn.machine.reference import Reference
@@ -41,6 +41,7 @@ FILES: dict[str, type] = {
     "bearing": BallBearing,
     "material": Material,
     "study": StudyFile,
+    "optimum": OptimumFile,
 }
 # Descriptions that stand in files of their own, and the folder of the library that holds these.
 _MODELS = {

@@ -1,9 +1,9 @@
-"""What a study file holds: a case, what is varied in it, and which points are solved (SI)."""
+"""What files of studies and optima hold: a case, what is varied in it, and what is sought (SI)."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Annotated, Any
 
 from rotordyn.quantity import Choice, Items, Key, Name, Whole
@@ -12,6 +12,8 @@ SAMPLED = ("latin-hypercube", "sobol")
 SAMPLINGS = ("grid", "list", *SAMPLED)
 SPACINGS = ("linear", "ratio")
 MOST_POINTS = 10_000_000
+MOST_TRIALS = 100_000
+ABSENT = ("breaks", "keeps")
 
 
 @dataclass(frozen=True, slots=True)
@@ -50,3 +52,45 @@ class StudyFile:
     results: Annotated[
         tuple[Name, ...], Items(0), "analyses whose results are kept whole, not only their numbers"
     ] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class GoalEntry:
+    """What is to be as high or as low as possible, at its worst: give one of the two."""
+
+    highest: Annotated[
+        str | None,
+        "`analysis: words`, headline numbers that begin so, or `analysis.variable` of a dataset",
+    ] = None
+    lowest: Annotated[str | None, "the same"] = None
+    where: Annotated[
+        Mapping[str, Any],
+        "of a variable: coordinate to a word (`*` any letters), a number, or [from, to]",
+    ] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class LimitEntry:
+    """What the best machine keeps; one bound or more."""
+
+    of: Annotated[str, "as of a goal"]
+    where: Annotated[Mapping[str, Any], "as of a goal"] = field(default_factory=dict)
+    at_least: Annotated[Any, "lowest value, with its unit"] = None
+    at_most: Annotated[Any, "highest value, with its unit"] = None
+    outside: Annotated[Any, "[from, to]: no value between these"] = None
+    absent: Annotated[
+        str, Choice(ABSENT), "whether a number that is absent, such as `none`, keeps the limit"
+    ] = ABSENT[0]
+
+
+@dataclass(frozen=True, slots=True)
+class OptimumFile:
+    """An optimum: the best of what may be varied in one case."""
+
+    title: Annotated[str, Key(default=""), "one line, shown in summary and figures"]
+    case: Annotated[str, "path of a case file, or the name of a case that comes with rotordyn"]
+    vary: Annotated[Mapping[str, Any], "dotted path to a list of choices, or to a span (from, to)"]
+    goals: Annotated[tuple[GoalEntry, ...], Items(), "one, or two whose trade-off is sought"]
+    limits: Annotated[tuple[LimitEntry, ...], Items(0), "that the best keeps"] = ()
+    trials: Annotated[int, Whole(1, MOST_TRIALS), "machines that are solved at most"] = 300
+    seed: Annotated[int, Whole(0, 2**31 - 1), "of the search"] = 0

@@ -2,10 +2,11 @@
 
 ``parameter`` what is varied, ``design`` which points, ``point`` one of them solved, ``journal``
 results on disk as they come, ``workers`` who solves, ``dataset`` all of them as one xarray Dataset,
-``solve`` the call that joins these.
+``solve`` the call that joins these; ``optimum`` the best of them.
 """
 
+from rotordyn.study.optimum import Goal, Limit, Optimum, optimise
 from rotordyn.study.parameter import Span
 from rotordyn.study.solve import sweep
 
-__all__ = ["Span", "sweep"]
+__all__ = ["Goal", "Limit", "Optimum", "Span", "optimise", "sweep"]

@@ -1,8 +1,8 @@
-"""The door for study files: a study held against its case, or every fault of the file."""
+"""The door for files of studies and optima: held against their case, or every fault of the file."""
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Any
 
@@ -14,10 +14,13 @@ from rotordyn.case.library import is_path
 from rotordyn.case.node import Node
 from rotordyn.case.read import in_order, load
 from rotordyn.case.reading import Reading
-from rotordyn.case.study import SPACINGS, SpanEntry, StudyFile
+from rotordyn.case.study import ABSENT, SPACINGS, OptimumFile, SpanEntry, StudyFile
 from rotordyn.case.varied import found_at
 from rotordyn.description import quantity_of
 from rotordyn.errors import InvalidInput
+from rotordyn.study.optimum.problem import Problem, as_it_stands
+from rotordyn.study.optimum.solve import problem_of
+from rotordyn.study.optimum.wish import Goal, Limit
 from rotordyn.study.parameter import Span, parameter
 from rotordyn.study.point import Study
 from rotordyn.study.solve import study_of
@@ -30,26 +33,83 @@ def read_study(path: str | Path) -> Study:
     ------
     InvalidInput : faults of the file, each with its line; or those of its case
     """
+    read = _opened(path, StudyFile)
+    how = {
+        name: read.asked[name] for name in ("sampling", "samples", "seed", "analyses", "results")
+    }
+    try:
+        return study_of(read.case, read.varied, **how)
+    except InvalidInput as refusal:
+        word = str(refusal).partition(":")[0]
+        raise read.refused((word,) if read.root.child(word) else (), str(refusal)) from None
+
+
+def read_optimum(path: str | Path) -> tuple[Problem, dict[str, Any]]:
+    """The problem in a YAML file, and how it is searched.
+
+    Raises
+    ------
+    InvalidInput : faults of the file, each with its line; or those of its case
+    NoSolution : the case as it stands has none
+    """
+    read = _opened(path, OptimumFile)
+    wishes: dict[str, list[Any]] = {"goals": [], "limits": []}
+    for key, kind in (("goals", Goal), ("limits", Limit)):
+        node = read.root.child(key)
+        for k, item in enumerate(node.value if node is not None else ()):
+            given = item.plain()
+            if "absent" in given:
+                given["absent"] = given["absent"] == ABSENT[1]
+            try:
+                wishes[key].append(kind(**given))
+            except InvalidInput as refusal:
+                raise read.refused((key, k), str(refusal)) from None
+    try:
+        problem = problem_of(read.case, read.varied, wishes["goals"], wishes["limits"])
+        as_it_stands(problem)
+    except InvalidInput as refusal:
+        places = [
+            (key, k)
+            for key, found in wishes.items()
+            for k, each in enumerate(found)
+            if each.criterion.of in str(refusal)
+        ]
+        raise read.refused(places[0] if places else (), str(refusal)) from None
+    return problem, {name: read.asked[name] for name in ("trials", "seed")}
+
+
+@dataclass(frozen=True)
+class _Opened:
+    """A file of a study or an optimum without faults so far."""
+
+    root: Node
+    asked: dict[str, Any]
+    case: Case
+    varied: dict[str, object]
+
+    def refused(self, at: tuple[Any, ...], why: str) -> InvalidInput:
+        """A fault at a place of the file."""
+        faults = Faults()
+        faults.at(self.root, at, why)
+        return InvalidInput(in_order(faults.reported, self.root.file))
+
+
+def _opened(path: str | Path, kind: type) -> _Opened:
     file = Path(path).expanduser()
     reader = Reader(Faults())
     root = reader.document(file)
     if root is None:
         raise InvalidInput(reader.faults.reported)
     reading = reading_of(reader)
-    asked = reading.fields(StudyFile, root, annotations={"vary": Any})
+    asked = reading.fields(kind, root, annotations={"vary": Any})
     if reader.faults:
         raise InvalidInput(in_order(reader.faults.reported, root.file))
     case = _case(asked["case"], file)
     case = replace(case, name=file.stem, title=asked["title"] or case.title)
     varied = _varied(reading, case, root.at("vary"))
-    if not reader.faults:
-        how = {name: asked[name] for name in ("sampling", "samples", "seed", "analyses", "results")}
-        try:
-            return study_of(case, varied, **how)
-        except InvalidInput as refusal:
-            word = str(refusal).partition(":")[0]
-            reader.faults.at(root, (word,) if root.child(word) else (), str(refusal))
-    raise InvalidInput(in_order(reader.faults.reported, root.file))
+    if reader.faults:
+        raise InvalidInput(in_order(reader.faults.reported, root.file))
+    return _Opened(root, asked, case, varied)
 
 
 def _case(reference: str, beside: Path) -> Case:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import suppress
-from typing import Any
+from typing import Any, Protocol, TypeVar
 
 from rotordyn.errors import InvalidInput, RotordynError
 from rotordyn.field import shown
@@ -14,15 +14,32 @@ ATTEMPTS = 3  # at points whose process was killed
 PATIENCE = "10s"  # for a scheduler to answer
 
 
-def solved_here(packed: bytes, points: Sequence[int], workers: int) -> Iterator[Outcome]:
+class Numbered(Protocol):
+    """What a point came to, which knows its ``number``."""
+
+    @property
+    def number(self) -> Any: ...
+
+
+N = TypeVar("N", bound=Numbered)
+
+
+def solved_here(
+    packed: bytes,
+    points: Sequence[Any],
+    workers: int,
+    task: Callable[[bytes, Any], N] = solve_point,  # type: ignore[assignment]
+) -> Iterator[N]:
     """Outcomes of ``points`` as they come, from ``workers`` processes; from this one if it is one.
+
+    ``task`` solves one of the points of what is ``packed``.
 
     Raises
     ------
     RotordynError : processes were killed again and again, as happens where memory runs out
     """
     if workers == 1 or len(points) < 2:
-        yield from (solve_point(packed, number) for number in points)
+        yield from (task(packed, number) for number in points)
         return
     from joblib import Parallel, delayed
     from joblib.externals.loky.process_executor import TerminatedWorkerError
@@ -31,7 +48,7 @@ def solved_here(packed: bytes, points: Sequence[int], workers: int) -> Iterator[
     for _ in range(ATTEMPTS):
         pool = Parallel(n_jobs=min(workers, len(left)), return_as="generator_unordered")
         with suppress(TerminatedWorkerError):
-            for found in pool(delayed(solve_point)(packed, number) for number in list(left)):
+            for found in pool(delayed(task)(packed, number) for number in list(left)):
                 del left[found.number]
                 yield found
             return

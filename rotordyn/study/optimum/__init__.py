@@ -1,0 +1,11 @@
+"""The best machine for stated goals within stated limits.
+
+``criterion`` what is read of a solved case, ``wish`` the goals and limits on it, ``problem`` the
+choices and what a trial of one comes to, ``trials`` those made so far, on disk as they come,
+``search`` which are made next, ``front`` the trade-off of two goals, ``solve`` the call.
+"""
+
+from rotordyn.study.optimum.solve import Optimum, optimise
+from rotordyn.study.optimum.wish import Goal, Limit
+
+__all__ = ["Goal", "Limit", "Optimum", "optimise"]

@@ -1,0 +1,155 @@
+"""What a goal or limit reads of a solved case: headline numbers, or a variable of a result."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fnmatch import fnmatchcase
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from rotordyn.analyses.registry import analysis
+from rotordyn.case.case import Case
+from rotordyn.errors import InvalidInput
+from rotordyn.field import shown
+from rotordyn.quantity import suggestion
+from rotordyn.results.declaration import declared
+from rotordyn.results.kinds import Array
+from rotordyn.units import parse_unit
+
+ALIKE = 1e-9  # of a coordinate: the same place
+
+
+class Reading(NamedTuple):
+    """Values that a criterion reads, as printed, without those that are absent; their unit."""
+
+    values: Array
+    unit: str
+
+
+@dataclass(frozen=True)
+class Criterion:
+    """What is read: ``of`` "analysis: words" all headline numbers that begin with these words, or
+    ``of`` "analysis.variable" a variable of its dataset, by its size where it is complex.
+
+    ``where``: entries of its coordinates, by name a word (``*`` any letters), a number, or a pair
+    of numbers that bound a range; numbers in SI units or text with a unit.
+    """
+
+    of: str
+    where: Mapping[str, object] = field(default_factory=dict)
+
+    @property
+    def analysis(self) -> str:
+        """The analysis that is asked."""
+        return self.of.replace(":", ".").partition(".")[0].strip()
+
+    def read(self, case: Case, results: Mapping[str, Any]) -> Reading:
+        """All values, those without a number left out.
+
+        Raises
+        ------
+        InvalidInput : no such number, variable, coordinate or entry; the sentence says which exist
+        """
+        result = results[self.analysis]
+        if ":" in self.of:
+            return self._numbers(case, result)
+        return self._variable(result)
+
+    def _numbers(self, case: Case, result: Any) -> Reading:
+        words = self.of.partition(":")[2].strip()
+        numbers = list(analysis(self.analysis).numbers(result, case))
+        found = [each for each in numbers if each.heading.startswith(words)]
+        if not found:
+            names = list(dict.fromkeys(each.name for each in numbers))
+            raise InvalidInput(
+                f"{shown(self.of)}: {self.analysis} has no such number; allowed: "
+                f"{', '.join(names)}{suggestion(words, names)}"
+            )
+        if self.where:
+            raise InvalidInput(f"{shown(self.of)}: where selects of a variable, not of a number")
+        return Reading(_known(np.array([each.value for each in found])), found[0].unit)
+
+    def _variable(self, result: Any) -> Reading:
+        name = self.of.partition(".")[2]
+        fields = {
+            key: each.metadata
+            for key, each in declared(result).items()
+            if each.metadata["role"] == "quantity" and _is_number(getattr(result, key))
+        }
+        if name not in fields:
+            raise InvalidInput(
+                f"{shown(self.of)}: {self.analysis} has no such variable; allowed: "
+                f"{', '.join(fields)}{suggestion(name, fields)}"
+            )
+        dims, printed = fields[name]["dims"], fields[name]["printed"]
+        values = np.asarray(getattr(result, name))
+        values = np.abs(values) if np.iscomplexobj(values) else values.astype(float)
+        for coordinate, asked in self.where.items():
+            if coordinate not in dims:
+                raise InvalidInput(
+                    f"{shown(self.of)}: no coordinate {shown(coordinate)}; allowed: "
+                    f"{', '.join(dims) or 'none'}{suggestion(coordinate, dims)}"
+                )
+            places = _places(self.of, coordinate, getattr(result, coordinate), asked)
+            values = values.take(places, axis=dims.index(coordinate))
+        return Reading(_known(values.reshape(-1) * printed.factor), printed.unit)
+
+
+def _is_number(values: Any) -> bool:
+    return np.asarray(values).dtype.kind in "fiubc"
+
+
+def _known(values: Array) -> Array:
+    return values[~np.isnan(values)]
+
+
+def _places(of: str, name: str, entries: Any, asked: object) -> list[int]:
+    """Which entries of a coordinate are meant."""
+    if not _is_number(entries):
+        words = [str(each) for each in entries]
+        found = [k for k, word in enumerate(words) if fnmatchcase(word, str(asked))]
+        if not found:
+            raise InvalidInput(
+                f"{shown(of)}: no {name} {shown(asked)}; allowed: {', '.join(words)}"
+                f"{suggestion(str(asked), words)}"
+            )
+        return found
+    values = np.asarray(entries, dtype=float)
+    ends = asked if isinstance(asked, list | tuple) else (asked, asked)
+    if len(ends) != 2:
+        raise InvalidInput(f"{shown(of)}: {name} takes one number or two, got {shown(asked)}")
+    low, high = (amount(each, "") for each in ends)
+    room = ALIKE * max(abs(low), abs(high))
+    inside = (values >= low - room) & (values <= high + room)
+    if not inside.any():
+        raise InvalidInput(
+            f"{shown(of)}: no {name} at {shown(asked)}; it goes from {values.min():g} to "
+            f"{values.max():g} in SI units"
+        )
+    return [int(k) for k in np.flatnonzero(inside)]
+
+
+def amount(given: object, unit: str) -> float:
+    """A number (SI), or text with a unit, counted in the printed ``unit``; SI where that is empty.
+
+    Raises
+    ------
+    InvalidInput : no number; a unit of another kind than ``unit``
+    """
+    word, _, its = str(given).strip().partition(" ")
+    try:
+        value = float(word)
+        own, to = parse_unit(its), parse_unit(unit) if unit not in ("", "-") else None
+    except (ValueError, InvalidInput):
+        if its and its == unit:
+            return float(word)
+        raise InvalidInput(
+            f"not a number with a unit: given {shown(given)}" + (f", in {unit}" if unit else "")
+        ) from None
+    if to is None:
+        return value * own.scale
+    if isinstance(given, str) and own.dimension != to.dimension:
+        raise InvalidInput(f"expected a number in {unit}: given {shown(given)}")
+    return value * (own.scale if isinstance(given, str) else 1.0) / to.scale

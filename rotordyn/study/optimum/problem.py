@@ -1,0 +1,167 @@
+"""The choices of a design, and what a trial of one of them comes to."""
+
+from __future__ import annotations
+
+import math
+import pickle
+import time
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property, lru_cache
+from typing import Any
+
+import numpy as np
+
+from bearings.errors import BearingError
+from rotordyn.case.case import Case
+from rotordyn.case.vary import vary
+from rotordyn.errors import InvalidInput, NoSolution
+from rotordyn.job.solving import solve, unsolved
+from rotordyn.report.warnings import result_warnings
+from rotordyn.results.kinds import Array, Flags
+from rotordyn.scene.stage import Memo
+from rotordyn.study.optimum.wish import LARGEST, Goal, Limit
+from rotordyn.study.parameter import Parameter
+
+LATEST = 2  # values of a stage kept beside the first
+DIGITS = 10  # of a share: trials closer than that are one
+KEPT = -1e-9  # margin of a limit that counts as kept
+
+Place = tuple[float, ...]
+
+
+@dataclass(frozen=True)
+class Problem:
+    """A case, what may be chosen in it, goals and limits.
+
+    A ``place`` has a number for each parameter: a share in [0, 1] of the way between its ends, or
+    the number of a value.
+    """
+
+    case: Case
+    parameters: tuple[Parameter, ...]
+    goals: tuple[Goal, ...]
+    limits: tuple[Limit, ...] = ()
+
+    @cached_property
+    def whole(self) -> Flags:
+        """Which parameters have numbered values."""
+        return np.array([p.ends is None or p.whole for p in self.parameters])
+
+    @cached_property
+    def last(self) -> Array:
+        """Highest number of each parameter; 1 of shares."""
+        return np.array([float(self._count(p) - 1) if w else 1.0 for p, w in self._each])
+
+    @property
+    def _each(self) -> Any:
+        return zip(self.parameters, self.whole, strict=True)
+
+    @staticmethod
+    def _count(p: Parameter) -> int:
+        return len(p.values) if p.ends is None else int(p.ends[1] - p.ends[0]) + 1
+
+    @property
+    def choices(self) -> float:
+        """How many choices there are; infinite with a parameter between ends."""
+        return math.prod(n + 1.0 for n in self.last) if self.whole.all() else math.inf
+
+    def place(self, x: Sequence[float] | Array) -> Place:
+        """The place next to x."""
+        pairs = zip(np.clip(x, 0.0, self.last), self.whole, strict=True)
+        return tuple(float(round(v)) if w else round(float(v), DIGITS) for v, w in pairs)
+
+    def values(self, place: Place) -> dict[str, Any]:
+        """Values by path, as ``vary`` takes them."""
+        return {p.path: self._value(p, w, s) for (p, w), s in zip(self._each, place, strict=True)}
+
+    def labels(self, place: Place) -> dict[str, Any]:
+        """The same as coordinates: numbers in SI units, or words."""
+        return {
+            p.path: p.labels[int(s)] if p.ends is None else self._value(p, w, s)
+            for (p, w), s in zip(self._each, place, strict=True)
+        }
+
+    @staticmethod
+    def _value(p: Parameter, whole: bool, share: float) -> Any:
+        if p.ends is None:
+            return p.values[int(share)]
+        return int(p.ends[0]) + int(share) if whole else p.at(share)
+
+
+@dataclass(frozen=True)
+class Trial:
+    """What a place came to: worst values of the goals, as printed, and margins of the limits with
+    the value read there; ``units`` of both in turn. ``sentence``: why there are none."""
+
+    number: Place
+    goals: tuple[float, ...] = ()
+    margins: tuple[float, ...] = ()
+    readings: tuple[float, ...] = ()
+    units: tuple[str, ...] = ()
+    sentence: str = ""
+    warnings: tuple[str, ...] = ()
+    seconds: float = 0.0
+
+    @property
+    def violation(self) -> float:
+        """By how much limits are broken, as shares of their bounds; 0 where all are kept."""
+        if not self.goals or self.sentence or any(math.isnan(v) for v in self.goals):
+            return LARGEST * (1.0 + len(self.margins))
+        return sum(-m for m in self.margins if m < KEPT)
+
+    @property
+    def feasible(self) -> bool:
+        """Whether it has all goals and keeps all limits."""
+        return self.violation == 0.0
+
+
+def solve_trial(packed: bytes, place: Place) -> Trial:
+    """Try a place of a pickled problem, in whatever process this is."""
+    problem, memo = _unpacked(packed)
+    begin = time.perf_counter()
+    try:
+        found = trial(problem, place, memo)
+    except (InvalidInput, BearingError, NoSolution) as error:
+        found = Trial(place, sentence=str(error))
+    for values in memo.values.values():
+        del values[1:-LATEST]
+    return replace(found, seconds=time.perf_counter() - begin)
+
+
+def trial(problem: Problem, place: Place, memo: Memo | None = None) -> Trial:
+    """A place solved and read.
+
+    Raises
+    ------
+    InvalidInput : its values contradict one another, or a goal or limit asks for what is not there
+    NoSolution : no speed has a solution
+    """
+    return _read(problem, place, vary(problem.case, problem.values(place)), memo)
+
+
+def as_it_stands(problem: Problem) -> Trial:
+    """The case without any change; raises what ``trial`` raises."""
+    return _read(problem, (), problem.case)
+
+
+def _read(problem: Problem, place: Place, case: Case, memo: Memo | None = None) -> Trial:
+    """A case solved, and what goals and limits read of it."""
+    answers = solve(case, memo=memo)
+    goals = [(goal, goal.criterion.read(case, answers.results)) for goal in problem.goals]
+    limits = [(limit, limit.criterion.read(case, answers.results)) for limit in problem.limits]
+    margins = [limit.margin(reading) for limit, reading in limits]
+    return Trial(
+        place,
+        goals=tuple(goal.worst(reading) for goal, reading in goals),
+        margins=tuple(margin for margin, _ in margins),
+        readings=tuple(value for _, value in margins),
+        units=tuple(reading.unit for _, reading in (*goals, *limits)),
+        sentence="; ".join(unsolved(answers.results)),
+        warnings=(*answers.warnings, *result_warnings(answers.results)),
+    )
+
+
+@lru_cache(maxsize=1)
+def _unpacked(packed: bytes) -> tuple[Problem, Memo]:
+    return pickle.loads(packed), Memo()

@@ -1,0 +1,137 @@
+"""Which places are tried: all of few choices, else differential evolution and a local search.
+
+Differential evolution (Storn & Price, J. Global Optimization 11 (1997) 341; ``scipy``) compares
+places by the rules of Deb (Comput. Methods Appl. Mech. Eng. 186 (2000) 311): what keeps the limits
+beats what does not, the lower cost wins among the former, the smaller violation among the others.
+The best combinations of whole numbers are then followed by a trust-region method that knows the
+limits (COBYQA, Ragonneau & Zhang, 2024).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from contextlib import suppress
+from itertools import product
+from typing import Any
+
+import numpy as np
+
+from rotordyn.results.kinds import Array
+from rotordyn.study.optimum.problem import Place, Problem, Trial
+from rotordyn.study.optimum.trials import Spent, Trials
+
+BROKEN = 1e9  # cost of a place that breaks a limit, its violation beside
+BROAD = 0.7  # of the trials of a search go to differential evolution
+POPULATION = (8, 12, 48)  # places a parameter has, least and most of all
+FOLLOWED = 3  # combinations of whole numbers that a local search follows
+STEP, LAST = 0.08, 1e-6  # of the way between the ends: first and last radius of a local search
+
+Cost = Callable[[Trial], float]
+
+
+def search(
+    problem: Problem, trials: Trials, cost: Cost, most: int, seed: int, known: Iterator[Place]
+) -> None:
+    """Make up to ``most`` trials where they lower ``cost``, starting from ``known`` places."""
+    with suppress(Spent):
+        if problem.choices <= most:
+            trials.at([tuple(map(float, x)) for x in product(*_numbers(problem))])
+            return
+        begin = len(trials.made)
+        _evolve(problem, trials, cost, int(BROAD * most), seed, list(known))
+        if not problem.whole.all():
+            _follow(problem, trials, cost, begin + most)
+
+
+def _numbers(problem: Problem) -> list[range]:
+    return [range(int(n) + 1) for n in problem.last]
+
+
+def _energy(trial: Trial, cost: Cost, scale: float) -> float:
+    return cost(trial) / scale if trial.feasible else BROKEN + trial.violation
+
+
+def _scale(trials: Trials, cost: Cost) -> float:
+    sizes = [abs(cost(t)) for t in trials.made.values() if t.goals and np.isfinite(cost(t))]
+    return max(sizes, default=1.0) or 1.0
+
+
+def _evolve(
+    problem: Problem, trials: Trials, cost: Cost, most: int, seed: int, known: list[Place]
+) -> None:
+    from scipy.optimize import differential_evolution
+    from scipy.stats import qmc
+
+    size = len(problem.parameters)
+    each, least, largest = POPULATION
+    count = int(np.clip(each * size, least, min(largest, max(most // 4, least))))
+    shares = qmc.LatinHypercube(size, rng=seed).random(count)
+    first = shares * np.where(problem.whole, problem.last + 1.0, 1.0)
+    first = np.where(problem.whole, np.minimum(np.floor(first), problem.last), first)
+    for k, place in enumerate(known[: count // 2]):
+        first[k] = place
+
+    def energies(x: Array) -> Array:
+        found = trials.at([problem.place(column) for column in np.atleast_2d(x.T)])
+        scale = _scale(trials, cost)
+        return np.array([_energy(each, cost, scale) for each in found])
+
+    differential_evolution(
+        energies,
+        [(0.0, float(n)) for n in problem.last],
+        init=first,
+        integrality=problem.whole,
+        maxiter=max(1, most // count - 1),
+        mutation=(0.4, 0.9),
+        tol=1e-6,
+        rng=seed,
+        polish=False,
+        vectorized=True,
+        updating="deferred",
+    )
+
+
+def _follow(problem: Problem, trials: Trials, cost: Cost, end: int) -> None:
+    """Local searches from the best combinations of whole numbers."""
+    ranked = sorted(trials.made.values(), key=lambda t: _energy(t, cost, 1.0))
+    starts: dict[tuple[float, ...], Trial] = {}
+    for each in ranked:
+        starts.setdefault(_combination(problem, each.number), each)
+    chosen = [t for t in list(starts.values())[:FOLLOWED] if t.goals]
+    for k, start in enumerate(chosen):
+        left = (end - len(trials.made)) // (len(chosen) - k)
+        if left > 2 * len(problem.parameters):
+            _local(problem, trials, cost, start, left)
+
+
+def _combination(problem: Problem, place: Place) -> tuple[float, ...]:
+    return tuple(np.array(place)[problem.whole])
+
+
+def _local(problem: Problem, trials: Trials, cost: Cost, start: Trial, most: int) -> None:
+    from scipy.optimize import NonlinearConstraint, minimize
+
+    free = ~problem.whole
+    base, scale = np.array(start.number), abs(cost(start)) or 1.0
+
+    def at(x: Array) -> Trial:
+        place = base.copy()
+        place[free] = x
+        return trials.at([problem.place(place)])[0]
+
+    def value(x: Array) -> float:
+        worth = cost(found) if (found := at(x)).goals else np.nan
+        return worth / scale if np.isfinite(worth) else BROKEN
+
+    def room(x: Array) -> Any:
+        found = at(x)
+        return np.clip(found.margins, -1.0, 1.0) if found.goals else -np.ones(len(problem.limits))
+
+    minimize(
+        value,
+        base[free],
+        method="COBYQA",
+        bounds=[(0.0, 1.0)] * int(free.sum()),
+        constraints=[NonlinearConstraint(room, 0.0, np.inf)] if problem.limits else [],
+        options={"maxfev": most, "initial_tr_radius": STEP, "final_tr_radius": LAST},
+    )

@@ -1,0 +1,114 @@
+"""The trials made so far, on disk as they come; no place is tried twice."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+import pickle
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, replace
+from pathlib import Path
+from typing import Any
+
+from rotordyn.errors import InvalidInput
+from rotordyn.study.optimum.problem import Place, Problem, Trial, solve_trial
+from rotordyn.study.workers import solved_here
+
+JOURNAL = "trials.jsonl"
+
+
+class Spent(Exception):
+    """All trials that were granted have been made."""
+
+
+class Trials:
+    """Trials of a problem: at most ``most``, on ``workers`` processes.
+
+    ``made``: by place, in the order in which they were asked for. With a ``folder``, trials of an
+    earlier call with the same problem are read from there instead of made again.
+    """
+
+    def __init__(
+        self,
+        problem: Problem,
+        most: int,
+        workers: int,
+        folder: Path | None,
+        progress: Callable[[int, int], None],
+    ) -> None:
+        self.problem, self.most, self.workers, self.progress = problem, most, workers, progress
+        self.made: dict[Place, Trial] = {}
+        self._packed = pickle.dumps(problem)
+        self._path = None if folder is None else folder / JOURNAL
+        self._kept = {} if self._path is None else _read(self._path, _signature(problem))
+
+    def at(self, places: Sequence[Place]) -> list[Trial]:
+        """What places come to.
+
+        Raises
+        ------
+        Spent : not all of them can be tried any more; those that could be are made
+        """
+        new = [place for place in dict.fromkeys(places) if place not in self.made]
+        granted = new[: self.most - len(self.made)]
+        missing = [place for place in granted if place not in self._kept]
+        known = len(self.made) + len(granted) - len(missing)
+        found = solved_here(self._packed, missing, self.workers, solve_trial)
+        for k, each in enumerate(found, start=1):
+            self._keep(each)
+            self.progress(known + k, self.most)
+        self.made |= {place: self._kept[place] for place in granted}
+        self.progress(len(self.made), self.most)
+        if len(granted) < len(new):
+            raise Spent
+        return [self.made[place] for place in places]
+
+    def _keep(self, found: Trial) -> None:
+        self._kept[found.number] = found
+        if self._path is not None:
+            try:
+                with self._path.open("a", encoding="utf-8") as file:
+                    file.write(json.dumps(asdict(found)) + "\n")
+            except OSError as error:
+                raise InvalidInput(f"{self._path}: cannot be written: {error.strerror}") from None
+
+
+def _signature(problem: Problem) -> str:
+    words = repr(replace(problem, case=replace(problem.case, files=())))
+    return hashlib.sha256(words.encode()).hexdigest()
+
+
+def _read(path: Path, signature: str) -> dict[Place, Trial]:
+    """Trials kept of this problem; a line that was cut short is cut away."""
+    head: dict[str, Any] = {"optimum": signature}
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        if not path.exists():
+            if any(path.parent.iterdir()):
+                raise InvalidInput(
+                    f"{path.parent}: is a folder with other things in it, and no optimum: choose "
+                    "another"
+                )
+            path.write_text(json.dumps(head) + "\n", encoding="utf-8")
+        raw = path.read_bytes()
+        whole = raw[: raw.rfind(b"\n") + 1]
+        if len(whole) < len(raw):
+            os.truncate(path, len(whole))
+    except OSError as error:
+        raise InvalidInput(f"{path}: cannot be written: {error.strerror}") from None
+    try:
+        first, *lines = [json.loads(line) for line in whole.splitlines()]
+        if first != head:
+            raise InvalidInput(
+                f"{path.parent}: holds the trials of another optimum: choose another folder, or "
+                "remove that one"
+            )
+        trials = [Trial(**{key: _tuple(value) for key, value in line.items()}) for line in lines]
+    except (ValueError, TypeError):
+        raise InvalidInput(f"{path}: is no record of trials: choose another folder") from None
+    return {each.number: each for each in trials}
+
+
+def _tuple(value: Any) -> Any:
+    return tuple(value) if isinstance(value, list) else value

@@ -1,0 +1,257 @@
+"""Optima: closed forms and brute force met, limits kept, honest where nothing keeps them."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+import rotordyn
+from rotordyn import Goal, Limit, Span, optimise
+from rotordyn.case.case import Case
+from rotordyn.cli import main
+from rotordyn.errors import InvalidInput
+from rotordyn.study.optimum.criterion import amount
+
+SPRING = "spindle.sleeves.rear.spring.preload"
+MIDDLE = "spindle.shaft.sections.middle.outer_diameter"
+MODEL = "spindle.bearings.*.model"
+STIFF = Goal(highest="stiffness.tangent", where={"variant": "nonlinear"})
+
+# A spindle on two springs with an overhang: the span of least deflection is known.
+OVERHANG, INNER, OUTER, FRONT, REAR = 0.12, 0.0, 0.08, 250e6, 120e6
+SPAN_CASE = """
+title: span of two springs
+spindle:
+  shaft:
+    start: 0 mm
+    shear_coefficient: none
+    material: {{name: steel, young_modulus: 210 GPa, poisson_ratio: 0.3, density: 7850 kg/m^3}}
+    sections: [{{name: all, length: 1.2 m, outer_diameter: {outer} m}}]
+  supports:
+    - {{name: front, x: {overhang} m, stiffness: {{yy: {front} N/m, zz: {front} N/m}}}}
+    - {{name: rear, x: 0.5 m, stiffness: {{yy: {rear} N/m, zz: {rear} N/m}}}}
+  points: {{nose: 0 m}}
+speeds: [0 rpm]
+analyses:
+  frf:
+    frequencies: [0.1 Hz]
+    pairs: [{{response: nose.y, excitation: nose.y}}]
+"""
+
+
+@pytest.fixture(scope="module")
+def case() -> Case:
+    whole = rotordyn.load("grinding_spindle")
+    return rotordyn.vary(whole, {"speeds": (0.0, 400.0 * math.pi)})
+
+
+def test_span_of_least_deflection(tmp_path: Path) -> None:
+    """An overhung beam on two springs: δ/F = a³/3EI + a²L/3EI + (1 + a/L)²/k₁ + (a/L)²/k₂."""
+    path = tmp_path / "span.yaml"
+    how = dict(outer=OUTER, overhang=OVERHANG, front=FRONT, rear=REAR)
+    path.write_text(SPAN_CASE.format(**how), encoding="utf-8")
+    case = rotordyn.load(path)
+    bending, a = 210e9 * math.pi * OUTER**4 / 64.0, OVERHANG
+
+    def slope(span: float) -> float:
+        springs = 2.0 * a / span**2 * ((1.0 + a / span) / FRONT + a / span / REAR)
+        return a * a / (3.0 * bending) - springs
+
+    best = brentq(slope, 0.01, 5.0)
+    springs = (1.0 + a / best) ** 2 / FRONT + (a / best) ** 2 / REAR
+    stiffness = 1.0 / (a * a * (a + best) / (3.0 * bending) + springs)
+    found = optimise(
+        case,
+        {"spindle.supports.rear.x": Span("150 mm", "1.1 m")},
+        [Goal(lowest="frf.receptance", where={"frequency": "0.1 Hz"})],
+        trials=80,
+        workers=1,
+    )
+    assert found.best is not None
+    assert found.best.goals[0] == pytest.approx(1.0 / stiffness, rel=1e-4)
+    assert found.values["spindle.supports.rear.x"] - a == pytest.approx(best, rel=0.02)
+    assert found.binding == []
+
+
+def test_brute_force_is_not_better(case: Case) -> None:
+    """Continuous and listed choices with an active limit, against every point of a grid."""
+    choices = {SPRING: Span("400 N", "2400 N"), MODEL: ["vex70", "kh6014e"]}
+    limits = [Limit("preload: sum", at_most="1900 N")]
+    goal = Goal(highest="preload.axial_load")
+    found = optimise(case, choices, [goal], limits, trials=80, workers=1)
+    grid = rotordyn.sweep(
+        case,
+        {**choices, SPRING: Span("400 N", "2400 N", 41)},
+        analyses=["preload"],
+        results=["preload"],
+        workers=1,
+    )
+    kept = (grid["preload: sum at 0 rpm"] <= 1900.0) & (grid["preload: sum at 12000 rpm"] <= 1900.0)
+    worst = grid["preload: axial_load"].min(("preload: speed", "preload: bearing"))
+    assert found.best is not None
+    assert found.best.feasible
+    assert found.best.goals[0] >= 0.999 * float(worst.where(kept).max())
+    assert found.binding == ["preload: sum at most 1900 N"]
+    assert len(found.trials) <= 80
+    alone = rotordyn.run(found.case)["preload"]["axial_load"]
+    assert float(alone.min()) == pytest.approx(found.best.goals[0], rel=1e-12)
+
+
+def test_few_choices_are_all_tried(case: Case) -> None:
+    choices = {MODEL: ["vex70", "s6014e", "kh6014e"], SPRING: ["800 N", "1600 N"]}
+    goal = Goal(lowest="preload.spring_force")
+    found = optimise(case, choices, [goal], trials=50, workers=1)
+    assert len(found.trials) == 6
+    assert found.values[SPRING] == 800.0
+    assert found.dataset().sizes["trial"] == 6
+
+
+def test_whole_numbers(case: Case) -> None:
+    """The number of balls is whole in every trial: more are stiffer at rest, fewer at speed."""
+    balls = "spindle.bearings.*.model.balls"
+    for rpm, best in (("0 rpm", 25), ("12000 rpm", 15)):
+        goal = Goal(highest="stiffness.tangent", where={"variant": "nonlinear", "speed": rpm})
+        found = optimise(case, {balls: Span(15, 25)}, [goal], trials=30, workers=1)
+        assert len(found.trials) == 11
+        assert found.values[balls] == best
+
+
+def test_nothing_keeps_the_limits(case: Case) -> None:
+    limits = [Limit("preload: sum", at_least="90 kN"), Limit("preload: sum", at_most="500 kN")]
+    goal = Goal(highest="preload.axial_load")
+    found = optimise(case, {SPRING: Span("1 kN", "2 kN")}, [goal], limits, trials=20, workers=1)
+    assert found.best is None
+    assert found.verdict[0] == "No trial keeps all limits."
+    assert "at least 90 kN: cannot be kept, the nearest reads" in found.verdict[1]
+    assert len(found.verdict) == 2
+    with pytest.raises(InvalidInput, match="at least 90 kN"):
+        _ = found.case
+
+
+def test_trade_off(case: Case) -> None:
+    """Stiffness against the preload that it costs: a front that is ordered and not beaten."""
+    goals = [Goal(highest="preload.axial_load"), Goal(lowest="preload: sum")]
+    choices = {SPRING: Span("400 N", "2400 N"), MODEL: ["vex70", "kh6014e"]}
+    found = optimise(case, choices, goals, trials=100, workers=1)
+    front = np.array([each.goals for each in found.front])
+    assert len(front) > 8
+    assert (np.diff(front[:, 0]) < 0.0).all()
+    assert (np.diff(front[:, 1]) < 0.0).all()
+    rest = np.array([each.goals for each in found.trials])
+    beaten = (front[:, None, 0] < rest[:, 0]) & (front[:, None, 1] > rest[:, 1])
+    assert not beaten.any()
+    assert np.ptp(front[:, 1]) > 0.8 * np.ptp(rest[:, 1])
+
+
+def test_goes_on_after_a_stop(case: Case, tmp_path: Path) -> None:
+    """What was tried is not tried again, a line cut short is; the answer is the same."""
+    how: Any = dict(
+        varied={SPRING: Span("400 N", "2400 N"), MIDDLE: Span("72 mm", "90 mm")},
+        goals=[Goal(highest="preload.axial_load")],
+        limits=[Limit("preload: sum", at_most="1900 N")],
+        trials=40,
+        workers=1,
+    )
+    whole = optimise(case, **how)
+
+    def stop(done: int, of: int) -> None:
+        if done == 20:
+            raise KeyboardInterrupt
+
+    folder = tmp_path / "best"
+    with pytest.raises(KeyboardInterrupt):
+        optimise(case, **how, folder=folder, progress=stop)
+    journal = folder / "trials.jsonl"
+    journal.write_bytes(journal.read_bytes()[:-7])
+    lines = journal.read_bytes().count(b"\n")
+    again = optimise(case, **how, folder=folder)
+    assert [t.number for t in again.trials] == [t.number for t in whole.trials]
+    assert [t.goals for t in again.trials] == [t.goals for t in whole.trials]
+    assert journal.read_bytes().count(b"\n") == 1 + len(whole.trials) > lines
+    other = {**how, "trials": 40, "goals": [Goal(lowest="preload: sum")]}
+    with pytest.raises(InvalidInput, match="another optimum"):
+        optimise(case, **other, folder=folder)
+
+
+FILE = """
+case: grinding_spindle
+vary:
+  spindle.sleeves.rear.spring.preload: {from: 400 N, to: 2400 N}
+  spindle.bearings.*.model: [vex70, kh6014e]
+goals:
+  - {highest: preload.axial_load}
+limits:
+  - {of: "preload: sum", at_most: 1900 N}
+  - {of: "preload: stop rear", at_least: 12000 rpm, absent: keeps}
+trials: 24
+"""
+
+
+def test_file_of_an_optimum(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    path = tmp_path / "springs.yaml"
+    path.write_text(FILE, encoding="utf-8")
+    folder = tmp_path / "out"
+    assert main(["optimise", str(path), "-o", str(folder), "--workers", "1"]) == 0
+    printed = capsys.readouterr().out
+    assert "at most 1900 N" in printed
+    assert {p.name for p in folder.iterdir()} == {
+        "best.yaml",
+        "optimum.png",
+        "summary.txt",
+        "trials.csv",
+        "trials.jsonl",
+    }
+    best = rotordyn.run(rotordyn.load(folder / "best.yaml"))["preload"]
+    rows = (folder / "trials.csv").read_text(encoding="utf-8-sig").splitlines()
+    kept = [row.split(",") for row in rows[1:] if ",yes," in row]
+    goal = rows[0].split(",").index("highest preload.axial_load [N]")
+    assert float(best["axial_load"].min()) == pytest.approx(max(float(r[goal]) for r in kept))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("preload.axial_load", "preload.axial_lod", "did you mean axial_load"),
+        ("preload.axial_load", "preloads.axial_load", "did you mean preload"),
+        ("preload.axial_load", "preload", "name a number, 'preload: words'"),
+        ('"preload: sum"', '"preload: total"', "has no such number; allowed: sum"),
+        ("1900 N", "1900 Hz", "expected a number in N: given '1900 Hz'"),
+        ("at_most: 1900 N", "absent: keeps", "give at_least, at_most or outside"),
+        ("highest: preload.axial_load", "where: {}", "either highest or lowest"),
+        ("trials: 24", "trials: 0", "trials"),
+        (
+            "highest: preload.axial_load",
+            "highest: preload.axial_load, where: {bearing: z}",
+            "no ",
+        ),
+    ],
+)
+def test_faults_of_a_file(tmp_path: Path, old: str, new: str, said: str) -> None:
+    path = tmp_path / "springs.yaml"
+    assert old in FILE
+    path.write_text(FILE.replace(old, new, 1), encoding="utf-8")
+    with pytest.raises(InvalidInput) as caught:
+        _ = main_of(path)
+    assert said in str(caught.value)
+
+
+def main_of(path: Path) -> Any:
+    from rotordyn.study.optimum.deliver import deliver
+    from rotordyn.study.read import read_optimum
+
+    problem, how = read_optimum(path)
+    return deliver(problem, path.parent / "out", **how, workers=1)
+
+
+def test_amounts() -> None:
+    assert amount("3 kN", "N") == 3000.0
+    assert amount(1e6, "N/µm") == 1.0
+    assert amount("12000 rpm", "rpm") == pytest.approx(12000.0)
+    assert amount("12000 rpm", "") == pytest.approx(400.0 * math.pi)
+    with pytest.raises(InvalidInput, match="expected a number in Hz"):
+        amount("3 N", "Hz")
