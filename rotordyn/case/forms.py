@@ -31,8 +31,9 @@ from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
 from rotordyn.field import Refused, bare
 from rotordyn.machine.housing import ReducedHousing
+from rotordyn.machine.matrix import DOFS, Matrix, entry_name
 from rotordyn.machine.reference import QUANTITIES, Reference
-from rotordyn.machine.support import DOFS, BearingSeat, Matrix, entry_name
+from rotordyn.machine.seat import BearingSeat
 from rotordyn.quantity import Quantity, Sweep, suggestion
 from rotordyn.scene.conditions import Conditions
 from rotordyn.scene.spec import Spec

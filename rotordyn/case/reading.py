@@ -26,7 +26,7 @@ from rotordyn.case.retired import RETIRED
 from rotordyn.description import Description, Path, filled, unchecked
 from rotordyn.errors import InvalidInput
 from rotordyn.field import REQUIRED, Field, Refused, bare, members, metadata, optional
-from rotordyn.machine.support import DOFS, Matrix
+from rotordyn.machine.matrix import DOFS, Matrix
 from rotordyn.quantity import Choice, Items, Named, Quantity, Whole, Words, suggestion
 
 LIMITS = (Quantity, Choice, Whole, Named, Words)

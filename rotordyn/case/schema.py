@@ -26,9 +26,9 @@ from rotordyn.case.library import known
 from rotordyn.case.study import StudyFile
 from rotordyn.errors import InvalidInput
 from rotordyn.field import REQUIRED, Field, bare, members, metadata
+from rotordyn.machine.matrix import DOFS, Matrix
 from rotordyn.machine.reference import Reference
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import DOFS, Matrix
 from rotordyn.machine.tool import Tool
 from rotordyn.quantity import Choice, Items, Named, Quantity, Sweep, Whole, Words, suggestion
 from rotordyn.scene.spec import Spec

@@ -11,7 +11,7 @@ from typing import Annotated, Any
 from rotordyn.case.case import Case
 from rotordyn.description import quantity_of
 from rotordyn.field import declared, found_in, metadata
-from rotordyn.machine.support import Matrix
+from rotordyn.machine.matrix import Matrix
 from rotordyn.quantity import HIDDEN, Quantity
 from rotordyn.units import KINDS, parse_unit
 

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike
 
 from rotordyn.equation.dofs import position
 from rotordyn.equation.term import Array, LinkMatrices, State
-from rotordyn.machine.support import BearingSeat
+from rotordyn.machine.seat import BearingSeat
 
 BEARING_DIRECTIONS = ("x", "y", "z", "thy", "thz")
 HALF_TURN_ABOUT_Y = np.array([-1.0, 1.0, -1.0, 1.0, -1.0])

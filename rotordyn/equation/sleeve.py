@@ -17,8 +17,8 @@ import numpy as np
 from rotordyn.equation.dofs import Dofs, Indices, Line
 from rotordyn.equation.fineness import Fineness
 from rotordyn.equation.term import Link, LinkMatrices, Part, State
+from rotordyn.machine.sleeve import Sleeve
 from rotordyn.machine.spindle import Spindle
-from rotordyn.machine.support import Sleeve
 
 CLOSED = 1e6  # stiffness of a closed stop over that of the bearings on its sleeve
 SOFT = 1e6  # N/m: a fictitious mass is not taken from less

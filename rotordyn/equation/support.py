@@ -11,7 +11,8 @@ import numpy as np
 
 from rotordyn.equation.dofs import position
 from rotordyn.equation.term import Array, LinkMatrices, State
-from rotordyn.machine.support import LinearSupport, Value
+from rotordyn.machine.matrix import Value
+from rotordyn.machine.support import LinearSupport
 
 ALIKE = 1e-9  # of an entry: below that its difference between the planes is rounding
 _QUARTER_TURN = np.zeros((6, 6))
