@@ -20,9 +20,9 @@ from rotordyn.analyses.registry import analysis, names
 from rotordyn.analyses.stability_lobes.workpiece import Workpiece
 from rotordyn.case.case import ByName, Case
 from rotordyn.case.estimated import NEEDED as ESTIMATED
-from rotordyn.case.forms import ENTRIES
 from rotordyn.case.keys import COMMON, Range, Variant, keys_of
 from rotordyn.case.library import known
+from rotordyn.case.matrices import ENTRIES
 from rotordyn.case.study import StudyFile
 from rotordyn.errors import InvalidInput
 from rotordyn.field import REQUIRED, Field, bare, members, metadata
