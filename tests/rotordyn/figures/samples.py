@@ -313,6 +313,8 @@ def frf(count: int = 49, points: int = 2000) -> FrfResult:
         resonance=np.arange(0),
         peak_frequency=none,
         peak_value=none + 0j,
+        peak_damping=none,
+        light_mode=("",) * 4,
         slice_speed=speed[rows],
         place=np.arange(points),
         slice_frequency=np.broadcast_to(frequency, (len(rows), points)),
