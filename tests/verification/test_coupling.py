@@ -146,7 +146,7 @@ def test_refusals():
     tool = beam(OMEGA, HOLDER)
     with pytest.raises(InvalidInput, match="unlike size"):
         couple(tool, np.zeros((len(OMEGA), 4, 4), dtype=complex))
-    with pytest.raises(InvalidInput, match="does not feel the base"):
+    with pytest.raises(InvalidInput, match="does not respond to the base"):
         uncouple(tool, tool.r11)
     with pytest.raises(InvalidInput, match="stiffness above 0"):
         joint_flexibility(OMEGA, -1.0, 1.0)
