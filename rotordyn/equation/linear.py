@@ -14,7 +14,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import accumulate, pairwise
-from typing import NamedTuple, TypeVar
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -92,7 +92,8 @@ class Linear:
         """Of a matrix (…, n, n) what acts in the motions that rigid supports allow (…, m, m)."""
         if self.allowed is None:
             return matrix
-        return np.asarray(self.allowed.T @ (matrix @ self.allowed))  # type: ignore[return-value]
+        held: Any = self.allowed.T @ (matrix @ self.allowed)  # of the type of ``matrix``
+        return held
 
     @property
     def basis(self) -> Array:

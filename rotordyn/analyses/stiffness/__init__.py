@@ -2,28 +2,19 @@
 
 from __future__ import annotations
 
-from functools import partial
-
-from rotordyn.analyses.contract import Analysis, Code
+from rotordyn.analyses.contract import in_folder
 from rotordyn.analyses.stiffness.spec import StiffnessSpec
 from rotordyn.analyses.stiffness.tables import LAYOUTS
 
-code = partial(Code, __name__)
-
-ANALYSIS = Analysis(
-    name="stiffness",
+ANALYSIS = in_folder(
+    __name__,
+    "warnings",
+    "known",
     machine="spindle",
     place=40,
     spec=StiffnessSpec,
-    solve=code("solve:answer"),
     bearings=True,
     ports=lambda spec: (spec.point,),
-    figures=code("figures:figures"),
-    curves=code("figures:headline_curves"),
     tables=LAYOUTS,
-    summary=code("summary:summary"),
-    warnings=code("summary:warnings"),
     heading="radial stiffness at no load",
-    numbers=code("summary:numbers"),
-    known=code("known:known"),
 )
