@@ -8,6 +8,7 @@ from typing import Any
 
 from rotordyn.errors import InvalidInput, RotordynError
 from rotordyn.field import shown
+from rotordyn.numerics.threads import side_by_side
 from rotordyn.study.point import Outcome, solve_point
 
 ATTEMPTS = 3  # at points whose process was killed
@@ -22,7 +23,7 @@ def solved_here(packed: bytes, points: Sequence[int], workers: int) -> Iterator[
     RotordynError : processes were killed again and again, as happens where memory runs out
     """
     if workers == 1 or len(points) < 2:
-        yield from (solve_point(packed, number) for number in points)
+        yield from (solve_point(packed, number, len(points)) for number in points)
         return
     from joblib import Parallel, delayed
     from joblib.externals.loky.process_executor import TerminatedWorkerError
@@ -31,7 +32,7 @@ def solved_here(packed: bytes, points: Sequence[int], workers: int) -> Iterator[
     for _ in range(ATTEMPTS):
         pool = Parallel(n_jobs=min(workers, len(left)), return_as="generator_unordered")
         with suppress(TerminatedWorkerError):
-            for found in pool(delayed(solve_point)(packed, number) for number in list(left)):
+            for found in pool(delayed(_beside)(packed, k, workers, len(left)) for k in list(left)):
                 del left[found.number]
                 yield found
             return
@@ -63,12 +64,19 @@ def solved_on_cluster(packed: bytes, points: Sequence[int], address: str) -> Ite
         ) from None
     with client:
         study = client.scatter(packed, broadcast=True, hash=False)
-        futures = client.map(_on_cluster, points, packed=study, pure=False, retries=ATTEMPTS)
+        share = len(points) // max(1, sum(client.ncores().values()))
+        how = dict(packed=study, points=share, pure=False, retries=ATTEMPTS)
+        futures = client.map(_on_cluster, points, **how)
         running = dask.as_completed(futures, with_results=True, loop=client.loop)
         for future, found in running:
             future.release()
             yield found
 
 
-def _on_cluster(number: int, packed: bytes) -> Outcome:
-    return solve_point(packed, number)
+def _beside(packed: bytes, number: int, workers: int, points: int) -> Outcome:
+    side_by_side(workers)
+    return solve_point(packed, number, points // workers)
+
+
+def _on_cluster(number: int, packed: bytes, points: int) -> Outcome:
+    return solve_point(packed, number, points)
