@@ -114,14 +114,10 @@ def _allowed(linear: Linear, connections: Sequence[Connection]) -> Array | None:
     """Motions that rigid supports allow, of which those that strain very stiff links stand apart;
     coordinates of components that none joins stay apart too."""
     size = np.concatenate([c.stiffness.diagonal() for c in linear.components])
-    least = STIFF * size[size > 0.0].min(initial=np.inf)
-    rigid, stiff = (
-        np.concatenate([np.zeros((0, linear.size)), *parts])
-        for parts in (
-            [each.motions[each.rigid > 0.0] for each in connections],
-            [each.strained(least) for each in connections],
-        )
-    )
+    least, none = STIFF * size[size > 0.0].min(initial=np.inf), np.zeros((0, linear.size))
+    stiff = np.concatenate([none, *(each.strained(least) for each in connections)])
+    held = [each.motions[each.rigid > 0.0] for each in connections if each.link.rigid]
+    rigid = np.concatenate([none, *held])
     rigid = rigid[rigid.any(axis=1)]
     rows = np.concatenate([rigid, stiff])
     if not len(rows):

@@ -50,8 +50,8 @@ class Connection(NamedTuple):
         first (k, n)."""
         own = np.abs(np.diagonal(self.matrices.stiffness, axis1=1, axis2=2)).max(axis=0)
         size = own * (self.motions**2).sum(axis=1)
-        order = np.argsort(-size, kind="stable")
-        return self.motions[order[size[order] >= least]]
+        chosen = np.flatnonzero(size >= least)
+        return self.motions[chosen[np.argsort(-size[chosen], kind="stable")]]
 
     def force(self, omega: Array, moved: Complex) -> Complex:
         """Of the link's springs and dampers on what it holds (s, k), by coordinates ``moved``
