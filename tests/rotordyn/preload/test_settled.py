@@ -17,7 +17,9 @@ from tests.oracles.spindles import RPM, mfw2310
 SPEED = np.linspace(0.0, 24000.0, 13) * RPM
 
 
-def _state(travel: float, known: set[tuple[int, int, int]], patch: pytest.MonkeyPatch) -> PreloadState:
+def _state(
+    travel: float, known: set[tuple[int, int, int]], patch: pytest.MonkeyPatch
+) -> PreloadState:
     patch.setattr(states, "_loaded", known)
     base = mfw2310()
     sleeves = tuple(replace(sleeve, stop_travel=travel) for sleeve in base.sleeves)
