@@ -303,13 +303,13 @@ def _optimise(arguments: argparse.Namespace) -> int:
     name = problem.case.name
     folder = Path("out") / name if arguments.output is None else Path(arguments.output)
     try:
-        with _time_left(quiet=arguments.quiet) as progress:
+        with _bar("trials", None, quiet=arguments.quiet, timed=True) as update:
             found, text = deliver(
                 problem,
                 folder,
                 **how,
                 workers=arguments.workers,
-                progress=progress,
+                progress=lambda done, of: update(completed=done, total=of),
                 draw=not arguments.no_figures,
             )
     except KeyboardInterrupt:
