@@ -120,6 +120,9 @@ def _parser() -> argparse.ArgumentParser:
     run.add_argument(
         "--explain", action="store_true", help="also print what was solved, spared and skipped, why"
     )
+    run.add_argument(
+        "--report", action="store_true", help="also write report.html, a page to hand on"
+    )
     run.add_argument("--quiet", action="store_true", help="print nothing but errors")
     run.add_argument(
         "--strict", action="store_true", help="exit with 3 if any speed has no physical solution"
@@ -138,6 +141,12 @@ def _parser() -> argparse.ArgumentParser:
     sweep.add_argument("--no-figures", action="store_true", help="write numbers alone")
     sweep.add_argument("--quiet", action="store_true", help="print nothing but errors")
     sweep.set_defaults(command=_sweep)
+    report = commands.add_parser(
+        "report", help="write the results of a run or a study as one HTML page"
+    )
+    report.add_argument("folder", metavar="DIR", help="results folder of run or sweep")
+    report.add_argument("-o", "--output", metavar="FILE", help="the page (DIR/report.html)")
+    report.set_defaults(command=_report)
     check = commands.add_parser("check", help="read and validate a case, compute nothing")
     check.add_argument("case", metavar="CASE", help=CASE)
     check.set_defaults(command=_check)
@@ -236,7 +245,12 @@ def _run(arguments: argparse.Namespace) -> int:
     steps = max(len(case.variants), 1) * len(case.analyses) + 1
     with _progress(steps, quiet=arguments.quiet) as progress:
         delivery = deliver(
-            case, target, progress, figures=not arguments.no_figures, formats=formats
+            case,
+            target,
+            progress,
+            figures=not arguments.no_figures,
+            formats=formats,
+            report=arguments.report,
         )
     if not arguments.quiet:
         _say(delivery.summary)
@@ -279,6 +293,15 @@ def _sweep(arguments: argparse.Namespace) -> int:
         _say(left.summary)
         _say(f"results in {left.folder}")
     return 0 if left.solved else 3
+
+
+def _report(arguments: argparse.Namespace) -> int:
+    from rotordyn.job.pages import REPORT
+
+    folder = Path(arguments.folder)
+    path = folder / REPORT if arguments.output is None else Path(arguments.output)
+    _say(rotordyn.write_report(folder, path))
+    return 0
 
 
 @contextmanager

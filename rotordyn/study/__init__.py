@@ -2,10 +2,11 @@
 
 ``parameter`` what is varied, ``design`` which points, ``point`` one of them solved, ``journal``
 results on disk as they come, ``workers`` who solves, ``dataset`` all of them as one xarray Dataset,
-``solve`` the call that joins these.
+``solve`` the call that joins these, ``page`` the page of a folder.
 """
 
+from rotordyn.study.page import write_report
 from rotordyn.study.parameter import Span
 from rotordyn.study.solve import sweep
 
-__all__ = ["Span", "sweep"]
+__all__ = ["Span", "sweep", "write_report"]

@@ -30,4 +30,6 @@ ANALYSIS = Analysis(
     heading="bending modes, backward/forward",
     numbers=code("summary:numbers"),
     known=code("known:known"),
+    title="Campbell diagram",
+    page=code("page:page"),
 )

@@ -31,4 +31,6 @@ ANALYSIS = Analysis(
     warnings=code("summary:warnings"),
     heading="FRAC of measured responses, 1 at best",
     numbers=code("summary:numbers"),
+    title="Frequency responses",
+    page=code("page:page"),
 )

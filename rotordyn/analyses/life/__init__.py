@@ -25,4 +25,6 @@ ANALYSIS = Analysis(
     warnings=code("summary:warnings"),
     heading="life and heat",
     numbers=code("summary:numbers"),
+    title="Life and heat",
+    page=code("page:page"),
 )

@@ -25,4 +25,6 @@ ANALYSIS = Analysis(
     heading="preload",
     numbers=code("summary:numbers"),
     known=code("known:known"),
+    title="Preload",
+    page=code("page:page"),
 )
