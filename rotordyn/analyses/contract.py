@@ -110,8 +110,8 @@ class Analysis:
 
     An HTML page shows of it, in a section named ``title`` (by default its name):
 
-    - ``page(spec, variants)``: blocks (``page.blocks``) made of the variants (``page.blocks.Shown``)
-      of a case, or of its only machine. Where it is left out: its ``curves``, or, without any,
+    - ``page(spec, variants)``: blocks (``page.blocks``) made of the variants of a case, or of its
+      only machine (``page.blocks.Shown``). Where it is left out: its ``curves``, or, without any,
       its declared quantities over speed.
 
     Beside what is published or measured:

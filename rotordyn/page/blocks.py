@@ -94,7 +94,7 @@ class Chart:
 
     Values may be numpy arrays. ``controls``: what the reader chooses; entries of a trace, or of the
     layout, under ``moving`` then have a leading axis for each control, or, written as ``{"by":
-    (0,), "values": …}``, for some. ``wide``: across the page; ``tall`` [px].
+    (0,), "values": …}``, for some. ``wide``: across the page; ``tall`` and ``least`` width [px].
     ``words``: what is said below it, one for every combination of the controls.
     """
 
@@ -106,6 +106,7 @@ class Chart:
     note: str = ""
     wide: bool = False
     tall: int = 340
+    least: int = 0
     section: str = ""
 
 

@@ -51,6 +51,10 @@ def _chart(held: Sequence[tuple[int, Curve]], variants: Sequence[Shown]) -> Char
         _trace(place, curve, series, [variant.title for variant in variants])
         for place, curve in held
     ]
+    seen: set[str] = set()
+    for trace in traces:
+        trace["showlegend"] = trace.get("showlegend", True) and trace["name"] not in seen
+        seen.add(trace["name"])
     traces += known_marks(held, variants)
     down, up = first.limits
     ordinate = logarithmic if first.log else axis

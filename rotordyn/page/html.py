@@ -25,6 +25,7 @@ from rotordyn.page.blocks import (
 )
 from rotordyn.page.packed import compressed, packed
 
+LONG = 50  # letters of a cell that needs room
 FEW_COLUMNS = 3  # of tables that stand side by side
 STARTS = "0123456789-+−<>. "
 _FRAME = """<!doctype html>
@@ -168,7 +169,7 @@ def _table(table: Table, section: str) -> Iterator[str]:
     if table.folded:
         yield f"<details><summary>{escape(table.title)}</summary>"
     columns = [[row[k] for row in table.rows] for k in range(len(table.head))]
-    kinds = ["n" if k and _numeric(column) else "" for k, column in enumerate(columns)]
+    kinds = ["", *map(_kind, columns[1:])]
     label = escape(table.title)
     shown = f'<span class="spoken">{label}</span>' if table.title == section else label
     caption = "" if table.folded else f"<caption>{shown}</caption>"
@@ -181,9 +182,7 @@ def _table(table: Table, section: str) -> Iterator[str]:
         cells = [
             f'<th scope="row">{escape(cell)}</th>'
             if k == 0
-            else f'<td class="n">{escape(cell)}</td>'
-            if kinds[k]
-            else f"<td>{escape(cell)}</td>"
+            else f"<td{kinds[k]}>{escape(cell)}</td>"
             for k, cell in enumerate(row)
         ]
         yield f"<tr>{''.join(cells)}</tr>"
@@ -194,14 +193,17 @@ def _table(table: Table, section: str) -> Iterator[str]:
         yield "</details>"
 
 
-def _numeric(column: Sequence[str]) -> bool:
+def _kind(column: Sequence[str]) -> str:
+    """The class of the cells of a column: numbers, long texts, or neither."""
     filled = [cell for cell in column if cell]
-    return bool(filled) and all(cell[0] in STARTS or cell == "none" for cell in filled)
+    if filled and all(cell[0] in STARTS or cell == "none" for cell in filled):
+        return ' class="n"'
+    return ' class="long"' if max(map(len, filled), default=0) > LONG else ""
 
 
 def _figure(name: str, block: Chart | Shapes) -> Iterator[str]:
     wide = " wide" if isinstance(block, Shapes) or block.wide else ""
-    tall = block.tall if isinstance(block, Chart) else 460
+    tall, least = (block.tall, block.least) if isinstance(block, Chart) else (460, 0)
     yield f'<figure class="chart{wide}" id="{name}">'
     yield f"<h3>{escape(block.title)}</h3>"
     numbers = count()
@@ -213,7 +215,9 @@ def _figure(name: str, block: Chart | Shapes) -> Iterator[str]:
             yield '<button type="button" class="play" aria-pressed="false">Play</button>'
         yield "</div>"
     label = escape(block.title, quote=True)
-    yield f'<div class="plot" role="img" aria-label="{label}" style="height:{tall}px"></div>'
+    style = f"height:{tall}px" + (f";min-width:{least}px" if least else "")
+    yield f'<div class="across"><div class="plot" role="img" aria-label="{label}" style="{style}">'
+    yield "</div></div>"
     if block.words:
         yield '<p class="words" aria-live="polite"></p>'
     if block.note:

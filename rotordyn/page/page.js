@@ -137,7 +137,7 @@
     showlegend: false, margin: { l: 0, r: 0, t: 0, b: 0 },
     scene: {
       aspectmode: "data", dragmode: "orbit",
-      camera: { up: { x: 0, y: 1, z: 0 }, eye: { x: -0.55, y: 0.5, z: 1.1 } },
+      camera: { up: { x: 0, y: 1, z: 0 }, eye: { x: -1, y: 0.9, z: 2.2 } },
       xaxis: { title: { text: "x [mm]" } }, yaxis: { title: { text: "y [mm]" } }, zaxis: { title: { text: "z [mm]" } },
     },
   });
@@ -161,10 +161,11 @@
     });
   };
 
-  const draw = async (chart) => {
+  const draw = async (chart, size = {}) => {
     const shapes = chart.spec.kind === "shapes";
     if (chart.spec.words.length) say(chart);
-    await Plotly.react(chart.plot, shapes ? shapeTraces(chart) : traces(chart), shapes ? shapeLayout() : layoutOf(chart.spec.layout), settings);
+    const layout = { ...(shapes ? shapeLayout() : layoutOf(chart.spec.layout)), ...size };
+    await Plotly.react(chart.plot, shapes ? shapeTraces(chart) : traces(chart), layout, settings);
     if (!shapes && chart.spec.layout.moving) await Plotly.relayout(chart.plot, axisTitles(chart));
     chart.drawn = true;
   };
@@ -210,8 +211,8 @@
   matchMedia("print").addEventListener("change", (event) => {
     look();
     for (const chart of all) {
-      const width = event.matches ? 680 : chart.plot.clientWidth;
-      draw(chart).then(() => Plotly.relayout(chart.plot, { width, autosize: !event.matches }));
+      const width = chart.figure.classList.contains("wide") ? 680 : 335; // of A4 within its margins
+      draw(chart, event.matches ? { width, autosize: false } : {});
     }
   });
   await drawAll();

@@ -16,11 +16,13 @@ from rotordyn.page.blocks import Block, Chart, Control, Printed, Table, Text, se
 from rotordyn.page.html import Page, html
 from rotordyn.page.looks import COLOURS, axis
 from rotordyn.results.kinds import Array
+from rotordyn.study.summary import NUMBER
 
 STUDY, TABLE, POINTS, SUMMARY = "study.nc", "points.csv", "points.jsonl", "summary.txt"
 MOST_ROWS = 500
 ACROSS = 6  # numbers beside the parameters of parallel coordinates
 MOST_REASONS = 12
+LEAST = 100  # px for each axis of parallel coordinates
 
 
 class Column(NamedTuple):
@@ -132,12 +134,7 @@ def _page(held: Held) -> Page:
 
 def _blocks(held: Held) -> Iterator[tuple[str, Block]]:
     for title, words in (("Not solved", held.sentences), ("Warnings", held.warnings)):
-        counted = {word: list(words).count(word) for word in words if word}
-        listed = sorted(counted, key=lambda word: -counted[word])
-        if listed:
-            said = [f"{counted[word]} points: {word}" for word in listed[:MOST_REASONS]]
-            rest = len(listed) - len(said)
-            said += [f"{rest} more, listed in {TABLE}"] if rest else []
+        if said := [*_counted(words)]:
             yield "Verdict", Text(said, listed=True, title=title)
     yield "Verdict", Printed("Summary", held.summary)
     yield "What was varied", Table("What was varied", ("path", "values"), [*_varied(held.varied)])
@@ -149,6 +146,19 @@ def _blocks(held: Held) -> Iterator[tuple[str, Block]]:
         yield "Trade-off", Text(["No number changes over what was varied."])
     yield "Points", _table(held)
     yield "Origin", Table("Origin", ("", ""), held.origin)
+
+
+def _counted(cells: Sequence[str]) -> Iterator[str]:
+    """Each sentence of the points once, those that differ by numbers alone together."""
+    alike: dict[str, list[str]] = {}
+    for sentence in (each for cell in cells for each in cell.split(" | ") if each):
+        alike.setdefault(NUMBER.sub("", sentence), []).append(sentence)
+    found = sorted(alike.values(), key=len, reverse=True)
+    for each in found[:MOST_REASONS]:
+        points = f"{len(each)} point{'s' if len(each) > 1 else ''}"
+        yield f"{points}{', such as' if len(set(each)) > 1 else ''}: {each[0]}"
+    if len(found) > MOST_REASONS:
+        yield f"{len(found) - MOST_REASONS} more kinds, listed in {TABLE}"
 
 
 def _varied(columns: Sequence[Column]) -> Iterator[tuple[str, str]]:
@@ -196,7 +206,8 @@ def _trade_off(varied: Sequence[Column], shown: Sequence[Column]) -> Chart:
             found = [each.get(key) for each in ticks]
             moving[f"{which}.{key}"] = {"by": (number,), "values": found}
     layout = {"xaxis": axis(""), "yaxis": axis(""), "showlegend": False, "moving": moving}
-    first, second = 0, len(varied)
+    first = next((k for k, each in enumerate(varied) if not each.kinds), 0)
+    second = len(varied)
     controls = [Control("across", names, start=first), Control("up", names, start=second)]
     note = "Choose two numbers to see what one costs in the other; point at a mark for its values."
     return Chart("Trade-off", [trace], layout, controls, note=note, wide=True, tall=480)
@@ -204,7 +215,7 @@ def _trade_off(varied: Sequence[Column], shown: Sequence[Column]) -> Chart:
 
 def _across(varied: Sequence[Column], shown: Sequence[Column]) -> Chart:
     """Parallel coordinates: every point a line over parameters and numbers."""
-    chosen = [*varied, *shown[:ACROSS]]
+    chosen = [*varied, *_different(shown)[:ACROSS]]
     known = np.isfinite([each.values for each in chosen]).all(axis=0)
     dimensions = []
     for each in chosen:
@@ -218,11 +229,22 @@ def _across(varied: Sequence[Column], shown: Sequence[Column]) -> Chart:
         "dimensions": dimensions,
         "line": {"color": chosen[-1].values[known], "colorscale": "Viridis"},
         "labelangle": -12,
-        "labelside": "bottom",
     }
-    layout = {"margin": {"l": 80, "r": 60, "t": 30, "b": 110}}
+    layout = {"margin": {"l": 90, "r": 90, "t": 120, "b": 30}}
     note = f"Drag along an axis to keep the points within; colour follows {chosen[-1].heading}."
-    return Chart("Points across", [trace], layout, note=note, wide=True, tall=460)
+    return Chart(
+        "Points across", [trace], layout, note=note, wide=True, tall=480, least=LEAST * len(chosen)
+    )
+
+
+def _different(columns: Sequence[Column]) -> list[Column]:
+    """Those that are not, but for rounding, a column before them."""
+    kept: list[Column] = []
+    for each in columns:
+        alike = (np.allclose(each.values, k.values, rtol=1e-4, equal_nan=True) for k in kept)
+        if not any(alike):
+            kept.append(each)
+    return kept
 
 
 def _table(held: Held) -> Table:

@@ -51,7 +51,8 @@ def page(spec: Any, variants: Sequence[Shown]) -> Iterator[Block]:
         yield from curve_charts(headline_curves, spec, variants)
     for variant in variants:
         title = f"{variant.title}: " if len(variants) > 1 else ""
-        yield from _criticals(variant.result, title)
+        if not title or len(variant.result.critical):
+            yield from _criticals(variant.result, title)
         yield from _modes(variant.result, title, folded=len(variants) > 1)
     yield from _shapes(variants[0], variants[0].title if len(variants) > 1 else "")
 

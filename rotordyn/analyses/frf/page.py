@@ -177,7 +177,7 @@ def _map(variants: Sequence[Shown]) -> Chart:
         "xaxis": axis("frequency", "Hz", autorange="reversed"),
         "yaxis": axis("speed", "rpm"),
         "zaxis": logarithmic("|H|", _units(first)[0]),
-        "camera": {"eye": {"x": 0.9, "y": -1.6, "z": 0.9}},
+        "camera": {"eye": {"x": 1.2, "y": -1.9, "z": 1.1}, "center": {"x": 0, "y": 0, "z": -0.2}},
         "aspectratio": {"x": 1.5, "y": 1.2, "z": 0.7},
     }
     layout = {
@@ -211,7 +211,7 @@ def _measured(result: FrequencyResponse, title: str) -> Iterator[Block]:
         known.append(np.abs(result.measured_response[row]) * factor)
         computed.append(np.abs(result.response[near, k]) * factor)
     marks = {"color": INK, "size": 4, "symbol": "circle-open"}
-    traces = [
+    traces: list[dict[str, Any]] = [
         {"x": frequency, "name": "computed", "mode": "lines", "line": line(0)}
         | {"moving": {"y": np.array(computed)}},
         {"name": "measured", "mode": "markers", "marker": marks}

@@ -24,7 +24,8 @@ def input_blocks(case: Case) -> Iterator[Block]:
     """Speeds, conditions, analyses, machine, sources; tables shown when asked for."""
     ends = " to ".join(dict.fromkeys(f"{case.speeds[k] * RPM.factor:.6g}" for k in (0, -1)))
     asked = ", ".join(name.replace("_", " ") for name in case.analyses)
-    yield Text([f"{len(case.speeds)} speeds, {ends} rpm; analyses: {asked}."])
+    says = "What follows differs from the defaults; numbers without a unit are in SI units."
+    yield Text([f"{len(case.speeds)} speeds, {ends} rpm; analyses: {asked}. {says}"])
     yield from _tables("Conditions", case.conditions)
     for name, spec in case.analyses.items():
         yield from _tables(f"Analysis {name.replace('_', ' ')}", spec)

@@ -12,8 +12,9 @@ from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import SPINDLE
 from rotordyn.page.blocks import BEARING, BEARINGS, Block, Chart, Table
-from rotordyn.page.looks import COLOURS, INK, MARKS, axis
+from rotordyn.page.looks import COLOURS, FAINT, INK, MARKS, axis
 from rotordyn.results.display import DEGREE, MILLIMETRE
+from rotordyn.results.text import unbroken
 from rotordyn.surface.rotor import bearing_width
 
 MM = MILLIMETRE.factor
@@ -39,17 +40,17 @@ def bearings_table(spindle: Spindle, title: str) -> Table:
     rows = []
     for seat in spindle.seats:
         b = seat.bearing
-        kind = kind_of(b).replace("_", " ")
+        kind, angle = kind_of(b).replace("_", " "), getattr(b, "contact_angle", None)
         thrust = "both ways" if b.both_ways else "+x" if seat.thrust > 0 else "−x"
         model = seat.model or getattr(b, "name", "") or kind
         rows.append(
             [
                 seat.name,
-                f"{model}{' (estimate)' if b.estimated else ''}",
+                unbroken(f"{model}{' (estimate)' if b.estimated else ''}"),
                 f"{b.balls}",
                 f"{b.ball_diameter * MM:.4g}",
                 f"{b.pitch_diameter * MM:.4g}",
-                f"{b.contact_angle * DEGREE.factor:.3g}" if hasattr(b, "contact_angle") else "",
+                f"{angle * DEGREE.factor:.3g}" if angle is not None else "",
                 f"{seat.x * MM:.1f}",
                 thrust,
             ]
@@ -69,6 +70,7 @@ def _section(spindle: Spindle) -> Chart:
             {"x": x, "y": y, "fill": "toself", "mode": "lines", "line": looks, "name": name}
             | {"hoverinfo": "name"}
         )
+    traces += [_disc(disc) for disc in spindle.discs]
     traces += [_bearing(seat, spindle.seats) for seat in spindle.seats]
     for word, symbol, held in _points(spindle):
         traces.append(
@@ -104,19 +106,28 @@ def _outline(shaft: Any) -> tuple[Any, Any]:
 
 
 def _bearing(seat: Any, seats: Sequence[Any]) -> dict[str, Any]:
-    """Squares of the width of its rings above and below."""
     b, half = seat.bearing, bearing_width(seat, seats) / 2.0
-    low, high = b.pitch_diameter / 2.0 - b.ball_diameter, b.pitch_diameter / 2.0 + b.ball_diameter
-    x = np.array([-half, -half, half, half, -half, np.nan] * 2) + seat.x
+    radii = (b.pitch_diameter / 2.0 - b.ball_diameter, b.pitch_diameter / 2.0 + b.ball_diameter)
+    hollow = {"fillcolor": "rgba(0,0,0,0)", "line": {"color": INK, "width": 1.6}}
+    return _frame(f"bearing {seat.name}", seat.x, half, *radii) | hollow
+
+
+def _disc(disc: Any) -> dict[str, Any]:
+    radii = (disc.inner_diameter / 2.0, disc.outer_diameter / 2.0)
+    looks = {"fillcolor": FAINT, "line": {"color": FAINT, "width": 1}, "opacity": 0.6}
+    return _frame(disc.name or "disc", disc.x, disc.width / 2.0, *radii) | looks
+
+
+def _frame(name: str, x: float, half: float, low: float, high: float) -> dict[str, Any]:
+    """Rectangles above and below the axis."""
+    along = np.array([-half, -half, half, half, -half, np.nan] * 2) + x
     up = np.array([low, high, high, low, low, np.nan])
     return {
-        "x": x * MM,
+        "x": along * MM,
         "y": np.concatenate([up, -up]) * MM,
         "fill": "toself",
-        "fillcolor": "rgba(0,0,0,0)",
         "mode": "lines",
-        "line": {"color": INK, "width": 1.6},
-        "name": f"bearing {seat.name}",
+        "name": name,
         "hoverinfo": "name",
     }
 
@@ -125,7 +136,6 @@ def _points(spindle: Spindle) -> Iterator[tuple[str, str, list[tuple[str, float]
     """Places on the axis by what they are, with their marks."""
     kinds = (
         ("support", [(each.name, each.x) for each in spindle.supports]),
-        ("disc", [(each.name or "disc", each.x) for each in spindle.discs]),
         ("mass", [(each.name or "mass", each.x) for each in spindle.masses]),
         ("named point", list(spindle.points.items())),
     )
