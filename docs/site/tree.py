@@ -23,7 +23,8 @@ GROUPS = {
     "Tutorial": _in("tutorial", "first_run own_spindle campbell"),
     "How to": _in(
         "howto",
-        "bearing_data preload compare studies measured_frf life stability_lobes hypotheses editor",
+        "bearing_data preload compare studies report measured_frf life stability_lobes hypotheses "
+        "editor",
     ),
     "Reference": (
         *_in("reference", "keys command results results_object python"),
