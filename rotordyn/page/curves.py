@@ -32,15 +32,15 @@ OPEN = {"measured": "circle-open", "published": "diamond-open"}
 
 def curve_charts(curves: Curves, spec: Any, variants: Sequence[Shown]) -> Iterator[Chart]:
     """A chart for every panel; a line for each curve of each variant."""
-    panels: dict[Panel, list[tuple[int, Curve]]] = {}
+    panels: dict[Panel, dict[tuple[int, str, str], Curve]] = {}
     for place, variant in enumerate(variants):
         for curve in curves(spec, variant):
             if curve.backdrop and place:
                 continue
-            key = (curve.figure, curve.panel, curve.label, curve.title)
-            panels.setdefault(key, []).append((place, curve))
+            held = panels.setdefault((curve.panel, curve.label, curve.title, curve.along), {})
+            held.setdefault((place, curve.series, curve.key), curve)  # once, of several figures
     for held in list(panels.values())[:MOST_CHARTS]:
-        yield _chart(held, variants)
+        yield _chart([(place, curve) for (place, _, _), curve in held.items()], variants)
 
 
 def _chart(held: Sequence[tuple[int, Curve]], variants: Sequence[Shown]) -> Chart:

@@ -137,7 +137,7 @@
     showlegend: false, margin: { l: 0, r: 0, t: 0, b: 0 },
     scene: {
       aspectmode: "data", dragmode: "orbit",
-      camera: { up: { x: 0, y: 1, z: 0 }, eye: { x: -1, y: 0.9, z: 2.2 } },
+      camera: { up: { x: 0, y: 1, z: 0 }, eye: { x: -0.9, y: 0.8, z: 2 } },
       xaxis: { title: { text: "x [mm]" } }, yaxis: { title: { text: "y [mm]" } }, zaxis: { title: { text: "z [mm]" } },
     },
   });

@@ -7,17 +7,19 @@ from typing import Any
 
 import numpy as np
 
+from bearings.bearing import BallBearing
 from bearings.kinds import kind_of
 from rotordyn.machine.inertia import rotor_inertia
 from rotordyn.machine.spindle import Spindle
 from rotordyn.machine.support import SPINDLE
 from rotordyn.page.blocks import BEARING, BEARINGS, Block, Chart, Table
 from rotordyn.page.looks import COLOURS, FAINT, INK, MARKS, axis
-from rotordyn.results.display import DEGREE, MILLIMETRE
+from rotordyn.results.display import DEGREE, MILLIMETRE, RPM
 from rotordyn.results.text import unbroken
 from rotordyn.surface.rotor import bearing_width
 
 MM = MILLIMETRE.factor
+_GEOMETRY = ("balls", "ball [mm]", "pitch circle [mm]", "free angle [deg]")
 
 
 def machine_blocks(spindle: Spindle) -> Iterator[Block]:
@@ -40,24 +42,38 @@ def bearings_table(spindle: Spindle, title: str) -> Table:
     rows = []
     for seat in spindle.seats:
         b = seat.bearing
-        kind, angle = kind_of(b).replace("_", " "), getattr(b, "contact_angle", None)
+        kind = kind_of(b).replace("_", " ")
         thrust = "both ways" if b.both_ways else "+x" if seat.thrust > 0 else "−x"
         model = seat.model or getattr(b, "name", "") or kind
         rows.append(
             [
                 seat.name,
                 unbroken(f"{model}{' (estimate)' if b.estimated else ''}"),
-                f"{b.balls}",
-                f"{b.ball_diameter * MM:.4g}",
-                f"{b.pitch_diameter * MM:.4g}",
-                f"{angle * DEGREE.factor:.3g}" if angle is not None else "",
+                *_geometry(b),
                 f"{seat.x * MM:.1f}",
                 thrust,
             ]
         )
-    heads = [BEARING, "model", "balls", "ball [mm]", "pitch circle [mm]", "free angle [deg]"]
-    heads += ["at x [mm]", "takes thrust towards"]
+    heads = [BEARING, "model", *_GEOMETRY, "at x [mm]", "takes thrust towards"]
     return Table(title, heads, rows, section=BEARINGS)
+
+
+def single_table(bearing: BallBearing, fastest: float, title: str) -> Table:
+    """A single bearing, and its speed factor at the ``fastest`` speed [rad/s]."""
+    factor = fastest * RPM.factor * bearing.pitch_diameter * MM / 1e6
+    name = unbroken(getattr(bearing, "name", "") or kind_of(bearing).replace("_", " "))
+    row = [name, *_geometry(bearing), f"{factor:.2f} · 10⁶"]
+    return Table(title, [BEARING, *_GEOMETRY, "n·dm [mm/min]"], [row], section=BEARINGS)
+
+
+def _geometry(b: BallBearing) -> list[str]:
+    angle = getattr(b, "contact_angle", None)
+    return [
+        str(b.balls),
+        f"{b.ball_diameter * MM:.4g}",
+        f"{b.pitch_diameter * MM:.4g}",
+        f"{angle * DEGREE.factor:.3g}" if angle is not None else "",
+    ]
 
 
 def _section(spindle: Spindle) -> Chart:

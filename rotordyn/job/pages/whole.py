@@ -2,18 +2,18 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from pathlib import Path
 
 import rotordyn
 from rotordyn.errors import InvalidInput
 from rotordyn.job.pages.asked import analysis_blocks, numbers_table
 from rotordyn.job.pages.inputs import input_blocks
-from rotordyn.job.pages.machine import bearings_table, machine_blocks
+from rotordyn.job.pages.machine import bearings_table, machine_blocks, single_table
 from rotordyn.job.pages.origin import known_table, origin_blocks
 from rotordyn.job.pages.variants import variant_blocks
-from rotordyn.job.results import Origin, Results
-from rotordyn.page.blocks import BEARINGS, Block, Printed, Text, sections
+from rotordyn.job.results import Origin, Part, Results
+from rotordyn.page.blocks import BEARINGS, Block, Printed, Table, Text, sections
 from rotordyn.page.html import Page, html
 
 
@@ -79,21 +79,24 @@ def _verdict(results: Results) -> Iterator[tuple[str, Block]]:
 
 def _blocks(results: Results, origin: Origin) -> Iterator[tuple[str, Block]]:
     parts = results.parts
-    first = next(iter(parts.values()))
+    first = next(iter(parts.values())).case
     if "" not in parts:
-        for block in variant_blocks(parts):
-            yield "Variants", block
-    if first.case.spindle is not None:
-        for block in machine_blocks(first.case.spindle):
-            yield "Machine", block
-    for block in input_blocks(first.case):
-        yield "Inputs", block
-    for part in parts.values():
-        if part.case.spindle is not None and part.case.spindle.seats:
-            title = f"{part.case.title}: bearings" if "" not in parts else BEARINGS
-            yield BEARINGS, bearings_table(part.case.spindle, title)
+        yield from (("Variants", block) for block in variant_blocks(parts))
+    if first.spindle is not None:
+        yield from (("Machine", block) for block in machine_blocks(first.spindle))
+    yield from (("Inputs", block) for block in input_blocks(first))
+    yield from ((BEARINGS, table) for table in _bearings(parts))
     yield from analysis_blocks(list(parts.values()))
     if (table := known_table(parts)) is not None:
         yield table.title, table
-    for block in origin_blocks(parts, origin):
-        yield "Accuracy and origin", block
+    yield from (("Accuracy and origin", block) for block in origin_blocks(parts, origin))
+
+
+def _bearings(parts: Mapping[str, Part]) -> Iterator[Table]:
+    """What the bearings of every part are."""
+    for part in parts.values():
+        case, title = part.case, BEARINGS if "" in parts else f"{part.case.title}: bearings"
+        if case.spindle is not None and case.spindle.seats:
+            yield bearings_table(case.spindle, title)
+        if case.bearing is not None:
+            yield single_table(case.bearing, case.speeds[-1], title)

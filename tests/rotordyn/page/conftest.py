@@ -58,7 +58,7 @@ def browser() -> Iterator[Any]:
         opened.close()
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def show(browser: Any) -> Iterator[Any]:
     """Opens a file offline; gives the page and what its console said."""
     contexts = []
@@ -78,6 +78,12 @@ def show(browser: Any) -> Iterator[Any]:
     yield opened
     for context in contexts:
         context.close()
+
+
+@pytest.fixture(scope="session")
+def opened(show: Any, flagship: Path) -> Any:
+    """The page of the flagship and what its console said; tests leave it usable."""
+    return show(flagship)
 
 
 def held(text: str) -> tuple[Any, bytes]:
