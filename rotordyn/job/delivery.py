@@ -139,7 +139,9 @@ def _plan(solution: Solution, seconds: Mapping[str, float], omitted: Omitted) ->
     """How every part was solved, and how long what surrounds it took."""
     from rotordyn.report.plan import plan
 
-    around = {name: answers for name, answers in seconds.items() if name in ("write", "draw", "report")}
+    around = {
+        name: answers for name, answers in seconds.items() if name in ("write", "draw", "report")
+    }
     texts = []
     for name, (_, answers) in solution.parts.items():
         last = not solution.case.variants
