@@ -14,7 +14,7 @@ if TYPE_CHECKING:
     from rotordyn.case.vary import vary
     from rotordyn.errors import InvalidInput, NoSolution, RotordynError
     from rotordyn.job import Results, open, run
-    from rotordyn.study import Goal, Limit, Span, optimise, sweep
+    from rotordyn.study import Goal, Limit, Span, optimise, sweep, write_report
 
 __version__ = "0.1.0"
 _ROOMS = ("analyses", "errors", "machine", "state")
@@ -36,6 +36,7 @@ _MODULE_OF = {
     "run": "rotordyn.job",
     "sweep": "rotordyn.study",
     "vary": "rotordyn.case.vary",
+    "write_report": "rotordyn.study",
 }
 __all__ = [
     "Case",
@@ -60,6 +61,7 @@ __all__ = [
     "state",
     "sweep",
     "vary",
+    "write_report",
 ]
 
 

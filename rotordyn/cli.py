@@ -120,6 +120,9 @@ def _parser() -> argparse.ArgumentParser:
     run.add_argument(
         "--explain", action="store_true", help="also print what was solved, spared and skipped, why"
     )
+    run.add_argument(
+        "--report", action="store_true", help="also write report.html, a page to hand on"
+    )
     run.add_argument("--quiet", action="store_true", help="print nothing but errors")
     run.add_argument(
         "--strict", action="store_true", help="exit with 3 if any speed has no physical solution"
@@ -147,6 +150,12 @@ def _parser() -> argparse.ArgumentParser:
     best.add_argument("--no-figures", action="store_true", help="write numbers alone")
     best.add_argument("--quiet", action="store_true", help="print nothing but errors")
     best.set_defaults(command=_optimise)
+    report = commands.add_parser(
+        "report", help="write the results of a run or a study as one HTML page"
+    )
+    report.add_argument("folder", metavar="DIR", help="results folder of run or sweep")
+    report.add_argument("-o", "--output", metavar="FILE", help="the page (DIR/report.html)")
+    report.set_defaults(command=_report)
     check = commands.add_parser("check", help="read and validate a case, compute nothing")
     check.add_argument("case", metavar="CASE", help=CASE)
     check.set_defaults(command=_check)
@@ -249,7 +258,12 @@ def _run(arguments: argparse.Namespace) -> int:
             update(description=name, advance=0 if name.endswith(" speeds") else 1)
 
         delivery = deliver(
-            case, target, progress, figures=not arguments.no_figures, formats=formats
+            case,
+            target,
+            progress,
+            figures=not arguments.no_figures,
+            formats=formats,
+            report=arguments.report,
         )
     if not arguments.quiet:
         _say(delivery.summary)
@@ -319,6 +333,15 @@ def _optimise(arguments: argparse.Namespace) -> int:
         _say(text)
         _say(f"results in {folder}")
     return 0 if found.best is not None else 3
+
+
+def _report(arguments: argparse.Namespace) -> int:
+    from rotordyn.job.pages import REPORT
+
+    folder = Path(arguments.folder)
+    path = folder / REPORT if arguments.output is None else Path(arguments.output)
+    _say(rotordyn.write_report(folder, path))
+    return 0
 
 
 @contextmanager

@@ -15,7 +15,8 @@ To add an analysis:
 6. ``figures/``: ``__init__`` says which figures a result has, further files draw them; only
    these import matplotlib. What draws the main figure does so onto axes that it is given.
 7. ``known.py``: what may be compared with published and measured values.
-8. The record in ``__init__.py``: ``in_folder(__name__, …)`` for code in the files above, under the
+8. ``page.py``: what an HTML page shows beyond curves and headline numbers.
+9. The record in ``__init__.py``: ``in_folder(__name__, …)`` for code in the files above, under the
    names of ``PLACES``. Code is named by text, ``Code(__name__, "uff:files")``, and imported when it
    is first called: reading a case imports specs alone.
 
@@ -36,6 +37,7 @@ from rotordyn.scene.spec import Spec
 
 if TYPE_CHECKING:
     from rotordyn.figures.draw import Pictures
+    from rotordyn.page.blocks import Block
     from rotordyn.results.headline import Curve, Number
 
 File = tuple[str, Callable[[], object]]
@@ -106,6 +108,12 @@ class Analysis:
     - ``numbers(result, case)``: headline numbers (``results.headline.Number``), a row of the table
       under ``heading``.
 
+    An HTML page shows of it, in a section named ``title`` (by default its name):
+
+    - ``page(spec, variants)``: blocks (``page.blocks``) made of the variants of a case, or of its
+      only machine (``page.blocks.Shown``). Where it is left out: its ``curves``, or, without any,
+      its declared quantities over speed.
+
     Beside what is published or measured:
 
     - ``known(reference, result, spindle)``: values (SI) to put beside a reference, NaN at speeds
@@ -136,6 +144,8 @@ class Analysis:
     heading: str = ""
     numbers: Callable[[Any, Any], Iterable[Number]] = _nothing
     known: Callable[[Any, Any, Any], Any] | None = None
+    title: str = ""
+    page: Callable[[Any, Any], Iterable[Block]] | None = None
 
 
 PLACES = {
@@ -148,6 +158,7 @@ PLACES = {
     "warnings": "summary:warnings",
     "numbers": "summary:numbers",
     "known": "known:known",
+    "page": "page:page",
 }
 
 

@@ -8,6 +8,7 @@ from rotordyn.analyses.contract import Code, in_folder
 
 ANALYSIS = in_folder(
     __name__,
+    "page",
     "panels",
     "accuracy",
     "warnings",
@@ -21,4 +22,5 @@ ANALYSIS = in_folder(
     costs={"mode_shapes": 8},
     tables=LAYOUTS,
     heading="bending modes, backward/forward",
+    title="Campbell diagram",
 )

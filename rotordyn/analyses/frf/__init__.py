@@ -8,6 +8,7 @@ from rotordyn.analyses.frf.tables import LAYOUTS
 
 ANALYSIS = in_folder(
     __name__,
+    "page",
     "panels",
     "accuracy",
     "warnings",
@@ -22,4 +23,5 @@ ANALYSIS = in_folder(
     costs={"frf_surface": 9, "frf_surfaces": 9, "frf_maps": 7},
     tables=LAYOUTS,
     heading="FRAC of measured responses, 1 at best",
+    title="Frequency responses",
 )

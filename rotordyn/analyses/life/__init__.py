@@ -8,6 +8,7 @@ from rotordyn.analyses.life.tables import LAYOUTS
 
 ANALYSIS = in_folder(
     __name__,
+    "page",
     "warnings",
     machine="spindle",
     place=35,
@@ -16,4 +17,5 @@ ANALYSIS = in_folder(
     costs={"life": 6, "heat": 6},
     tables=LAYOUTS,
     heading="life and heat",
+    title="Life and heat",
 )

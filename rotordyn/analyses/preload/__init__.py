@@ -8,6 +8,7 @@ from rotordyn.analyses.preload.tables import LAYOUTS
 
 ANALYSIS = in_folder(
     __name__,
+    "page",
     "known",
     machine="spindle",
     place=30,
@@ -16,4 +17,5 @@ ANALYSIS = in_folder(
     costs={"preload": 6, "contacts": 6},
     tables=LAYOUTS,
     heading="preload",
+    title="Preload",
 )
