@@ -27,6 +27,7 @@ from rotordyn.case.keys import MOST_STEPS, Range, bearing_class, keys_of
 from rotordyn.case.node import UNKNOWN, Node
 from rotordyn.case.reading import Reading, exact, leaf, unknown, unknown_key
 from rotordyn.case.reduced import ReducedModel
+from rotordyn.case.uncertain import AS_USUAL, Uncertain, Worded
 from rotordyn.description import unchecked
 from rotordyn.errors import InvalidInput
 from rotordyn.field import Refused, bare
@@ -418,6 +419,15 @@ def by_name(reading: Reading, annotation: Any, node: Node, others: tuple[type, .
     return specs
 
 
+def uncertain(reading: Reading, annotation: Any, node: Node, others: tuple[type, ...]) -> Any:
+    """What is uncertain, or the words ``as usual``."""
+    if node.value == AS_USUAL:
+        return Uncertain(as_usual=True)
+    if not isinstance(node.value, dict):
+        return reading.wrong_shape(annotation, node, f"{AS_USUAL}, or a mapping (key: value)")
+    return reading.description(Uncertain, node)
+
+
 def measured(files: Reader) -> Any:
     """The form of a measured response, whose values stand in a file of its own."""
 
@@ -466,4 +476,5 @@ FORMS: dict[type, Any] = {
     Matrix: matrix,
     ReducedHousing: reduced,
     Reference: reference,
+    Worded: uncertain,
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from functools import partial
 
 from rotordyn.analyses.campbell.spec import CampbellSpec
@@ -29,5 +30,6 @@ ANALYSIS = Analysis(
     warnings=code("summary:warnings"),
     heading="bending modes, backward/forward",
     numbers=code("summary:numbers"),
+    lean=lambda spec: replace(spec, shapes=False, shapes_3d=None),
     known=code("known:known"),
 )

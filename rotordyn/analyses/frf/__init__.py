@@ -31,4 +31,5 @@ ANALYSIS = Analysis(
     warnings=code("summary:warnings"),
     heading="FRAC of measured responses, 1 at best",
     numbers=code("summary:numbers"),
+    speeds=lambda spec: spec.slices,
 )

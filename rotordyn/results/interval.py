@@ -1,0 +1,69 @@
+"""How sure the answers to a case are: the range of every headline number and curve."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from rotordyn.results.declaration import coordinate, quantity
+from rotordyn.results.kinds import Array
+
+Whole = np.ndarray[tuple[int, ...], np.dtype[np.int64]]
+ENDS = ("lowest", "highest")
+
+
+@dataclass(frozen=True, eq=False, slots=True)
+class Interval:
+    """Ranges over hypotheses and over tolerances, and what rules them.
+
+    Numbers are in the units in which they are printed, ``unit``; NaN where there is none. Ranges
+    over hypotheses hold every combination; those over tolerances 95 of 100 machines whose numbers
+    lie anywhere within their tolerances, ``worst`` all of them. ``effect``: change of a number when
+    one source goes to its end. ``interaction``: what two corners of all tolerances differ from the
+    sum of their effects, over the range. Curves stand one after the other along ``point``.
+    """
+
+    number: tuple[str, ...] = coordinate("number", unit="", label="number")
+    source: tuple[str, ...] = coordinate("source", unit="", label="uncertain number")
+    end: tuple[str, ...] = coordinate("end", unit="", label="end of the range")
+    combination: tuple[str, ...] = coordinate("combination", unit="", label="hypotheses")
+    path: tuple[str, ...] = coordinate("path", unit="", label="number of the case")
+    curve: tuple[str, ...] = coordinate("curve", unit="", label="curve")
+    unit: tuple[str, ...] = quantity("number", unit="", label="unit")
+    nominal: Array = quantity("number", unit="", label="nominal")
+    by_combination: Array = quantity("number", "combination", unit="", label="value")
+    hypotheses: Array = quantity("number", "end", unit="", label="over hypotheses")
+    tolerances: Array = quantity("number", "end", unit="", label="95 % of tolerances")
+    worst: Array = quantity("number", "end", unit="", label="worst case of tolerances")
+    effect: Array = quantity("number", "source", "end", unit="", label="effect")
+    interaction: Array = quantity("number", unit="1", label="not the sum of effects, over range")
+    numerical_error: Array = quantity("number", unit="1", label="numerical error")
+    tolerance: tuple[str, ...] = quantity("source", unit="", label="tolerance")
+    derivative: Array = quantity("number", "path", unit="", label="derivative, by SI unit")
+    elasticity: Array = quantity("number", "path", unit="1", label="relative derivative")
+    range_effect: Array = quantity("number", "path", unit="", label="κ, change over the range")
+    curve_of: Whole = quantity("point", unit="", label="curve it belongs to")
+    x: Array = quantity("point", unit="", label="abscissa")
+    curve_nominal: Array = quantity("point", unit="", label="nominal")
+    curve_hypotheses: Array = quantity("point", "end", unit="", label="over hypotheses")
+    curve_tolerances: Array = quantity("point", "end", unit="", label="95 % of tolerances")
+    runs: int = quantity(unit="", label="machines solved")
+    lost: str = quantity(unit="", label="why some of them have no solution")
+
+    def spread(self) -> Array:
+        """Largest relative width of either range of every number (numbers,)."""
+        size = np.where(self.nominal == 0.0, 1.0, np.abs(self.nominal))
+        widths = [np.ptp(each, axis=1) for each in (self.hypotheses, self.tolerances)]
+        return np.nan_to_num(np.nanmax(np.stack([np.nan_to_num(w) for w in widths]), axis=0) / size)
+
+    def rows_of(self, curve: int) -> Whole:
+        """Points of a curve."""
+        return np.flatnonzero(self.curve_of == curve)
+
+    def ruling(self, number: int) -> list[tuple[str, float]]:
+        """Sources by the share of the range over tolerances that is theirs, largest first."""
+        widths = np.nan_to_num(np.abs(self.effect[number]).max(axis=1, initial=0.0)) ** 2
+        total = widths.sum()
+        order = np.argsort(-widths, kind="stable")
+        return [(self.source[k], float(widths[k] / total)) for k in order if total and widths[k]]

@@ -1,0 +1,240 @@
+"""The range of every headline number and curve over what is uncertain of a case.
+
+Hypotheses are combined, each combination solved as a machine of its own. Of tolerances each goes to
+its two ends alone, and ``quantiles`` joins the effects; two corners, where all go to their ends
+together, tell how far their sum holds. With ``samples`` machines are drawn at random instead.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from rotordyn.case.asked import Asked, asked_of
+from rotordyn.case.case import Case
+from rotordyn.case.tolerance import Tolerance
+from rotordyn.case.uncertain import Uncertain
+from rotordyn.results.headline import Curve
+from rotordyn.results.interval import ENDS, Interval
+from rotordyn.study import quantiles
+from rotordyn.study.machines import Machines, lean
+from rotordyn.study.sensitivity import Derivatives, derivatives
+from rotordyn.study.values import Values, difference, values_of
+
+Array = NDArray[np.float64]
+Progress = Callable[[str], None]
+UNIQUE = 1e-9  # relative range that nothing changes
+
+
+class Differences(NamedTuple):
+    """How far machines lie from the nominal one: ``numbers`` (machines, numbers) in printed units,
+    ``points`` (machines, points) of curves, logarithms where these are logarithmic."""
+
+    numbers: Array
+    points: Array
+
+
+class Nominal(NamedTuple):
+    """The machine of the case as solved for its results, and at the few speeds of the others."""
+
+    values: Values
+    base: Values
+
+    def of(self, machines: Sequence[Values]) -> Differences:
+        """Differences of machines from it; NaN where they have no such number."""
+        return Differences(
+            np.array([self._numbers(each) for each in machines]).reshape(len(machines), -1),
+            np.array([self._points(each) for each in machines]).reshape(len(machines), -1),
+        )
+
+    def _numbers(self, machine: Values) -> list[float]:
+        known, base = machine.numbers, self.base.numbers
+        return [
+            known[key].value - base[key].value if key in known and key in base else np.nan
+            for key in self.values.numbers
+        ]
+
+    def _points(self, machine: Values) -> Array:
+        parts = [self._curve(key, curve, machine) for key, curve in self.values.curves.items()]
+        return np.concatenate(parts) if parts else np.empty(0)
+
+    def _curve(self, key: str, curve: Curve, machine: Values) -> Array:
+        if key not in machine.curves or key not in self.base.curves:
+            return np.full(len(curve.x), np.nan)
+        return difference(curve, machine.curves[key], self.base.curves[key])
+
+
+def interval(
+    case: Case, results: Mapping[str, Any], progress: Progress = lambda name: None
+) -> Interval:
+    """How sure the ``results`` of ``case`` are, over what it says is uncertain.
+
+    Raises
+    ------
+    InvalidInput : what is uncertain contradicts the case; nothing is uncertain
+    NoSolution : the nominal machine has none
+    """
+    asked = asked_of(case)
+    machines = Machines(lean(case))
+    nominal = Nominal(values_of(case, results), machines.values({}))
+    total = _count(asked, case.uncertain)
+    progress(f"interval, {total} machines")
+    combined = nominal.of(machines.all(list(asked.combinations)))
+    toleranced = _toleranced(case, asked, machines, nominal)
+    found = derivatives(asked, machines, nominal.values.numbers)
+    return _joined(asked, nominal, combined, toleranced, found, machines, results)
+
+
+def _count(asked: Asked, given: Uncertain | None) -> int:
+    combinations = sum(1 for _ in asked.combinations)
+    return combinations + 2 * len(asked.tolerances) + (given.samples or 0 if given else 0)
+
+
+class Toleranced(NamedTuple):
+    """Changes over tolerances: ``numbers`` and ``points`` (…, 2) of 95 %, ``worst`` of all;
+    ``effect`` (numbers, sources, 2); ``interaction`` (numbers,)."""
+
+    numbers: Array
+    points: Array
+    worst: Array
+    effect: Array
+    interaction: Array
+
+
+def _toleranced(case: Case, asked: Asked, machines: Machines, nominal: Nominal) -> Toleranced:
+    given = asked.tolerances
+    low, high = (nominal.of([machines.values(t.at(end)) for t in given]) for end in (0.0, 1.0))
+    shares = [each.nominal for each in given]
+    count = len(nominal.values.numbers)
+    effect = np.stack([low.numbers.T, high.numbers.T], axis=2).reshape(count, len(given), 2)
+    numbers = quantiles.spread(effect[..., 0], effect[..., 1], shares)
+    points = quantiles.spread(low.points.T.reshape(-1, len(given)), high.points.T.reshape(-1, len(given)), shares)
+    worst = quantiles.worst(effect[..., 0], effect[..., 1])
+    interaction = np.full(count, np.nan)
+    if len(given) > 1:
+        interaction = _interaction(given, machines, nominal, effect)
+    if case.uncertain is not None and case.uncertain.samples:
+        drawn = nominal.of(
+            machines.all(sampled(given, case.uncertain.samples, case.uncertain.seed))
+        )
+        numbers, points = (_tails(each) for each in drawn)
+        worst = np.stack([_least(drawn.numbers), -_least(-drawn.numbers)], axis=1)
+    return Toleranced(numbers, points, worst, effect, interaction)
+
+
+def sampled(given: Sequence[Tolerance], count: int, seed: int) -> list[dict[str, Any]]:
+    """Machines drawn within tolerances, each evenly (Latin hypercube): values by path."""
+    from scipy.stats import qmc
+
+    shares = qmc.LatinHypercube(len(given), rng=seed).random(count)
+    return [
+        {path: value for t, s in zip(given, row, strict=True) for path, value in t.at(float(s)).items()}
+        for row in shares
+    ]
+
+
+def _tails(drawn: Array) -> Array:
+    """Ends of what 95 of 100 machines (machines, n) have, (n, 2)."""
+    known = np.isfinite(drawn).any(axis=0)
+    ends = np.zeros((drawn.shape[1], 2))
+    half = quantiles.COVERED / 2.0
+    ends[known] = np.nanpercentile(drawn[:, known], (50.0 - half, 50.0 + half), axis=0).T
+    return ends
+
+
+def _least(values: Array) -> Array:
+    return np.nanmin(np.vstack([values, np.zeros(values.shape[1])]), axis=0)
+
+
+def _interaction(
+    given: Sequence[Tolerance], machines: Machines, nominal: Nominal, effect: Array
+) -> Array:
+    """What two corners differ from the sum of effects, over the range (numbers,).
+
+    The corners are those towards which most numbers change together.
+    """
+    scale = np.nanmax(np.abs(effect), axis=(1, 2), initial=0.0)
+    scaled = np.nan_to_num(effect / np.where(scale > 0.0, scale, 1.0)[:, None, None])
+    slope = scaled[..., 1] - scaled[..., 0]
+    towards = np.linalg.svd(slope, full_matrices=False)[2][0] if len(slope) else np.ones(len(given))
+    up = (towards >= 0.0).astype(int)
+    found = []
+    for ends in (up, 1 - up):
+        changes = {p: v for t, end in zip(given, ends, strict=True) for p, v in t.at(float(end)).items()}
+        corner = nominal.of([machines.values(changes)]).numbers[0]
+        total = np.nan_to_num(effect[:, np.arange(len(given)), ends]).sum(axis=1)
+        found.append(np.abs(corner - total))
+    width = np.ptp(quantiles.worst(effect[..., 0], effect[..., 1]), axis=1)
+    return np.max(found, axis=0) / np.where(width > 0.0, width, np.inf)
+
+
+def _joined(
+    asked: Asked,
+    nominal: Nominal,
+    combined: Differences,
+    toleranced: Toleranced,
+    found: Derivatives,
+    machines: Machines,
+    results: Mapping[str, Any],
+) -> Interval:
+    numbers, curves = nominal.values.numbers, nominal.values.curves
+    value = np.array([each.value for each in numbers.values()], dtype=float)
+    length = [len(curve.x) for curve in curves.values()]
+    y = np.concatenate([np.asarray(c.y, float) for c in curves.values()]) if curves else np.empty(0)
+    log = np.repeat([curve.log for curve in curves.values()], length).astype(bool)
+    over = _ends(combined.points)
+    return Interval(
+        number=tuple(numbers),
+        source=tuple(each.path for each in asked.tolerances),
+        end=ENDS,
+        combination=tuple(_said(asked, each) for each in asked.combinations),
+        path=asked.paths,
+        curve=tuple(curves),
+        unit=tuple(each.unit for each in numbers.values()),
+        nominal=value,
+        by_combination=value[:, None] + combined.numbers.T,
+        hypotheses=value[:, None] + _ends(combined.numbers),
+        tolerances=value[:, None] + toleranced.numbers,
+        worst=value[:, None] + toleranced.worst,
+        effect=toleranced.effect,
+        interaction=toleranced.interaction,
+        numerical_error=np.array([_numerical(key, results) for key in numbers]),
+        tolerance=tuple(each.text for each in asked.tolerances),
+        derivative=found.derivative,
+        elasticity=found.elasticity,
+        range_effect=found.over_range,
+        curve_of=np.repeat(np.arange(len(curves)), length),
+        x=np.concatenate([np.asarray(c.x, float) for c in curves.values()]) if curves else y,
+        curve_nominal=y,
+        curve_hypotheses=_moved(y, log, over),
+        curve_tolerances=_moved(y, log, toleranced.points),
+        runs=machines.solved,
+        lost="; ".join(dict.fromkeys(machines.lost)),
+    )
+
+
+def _ends(changes: Array) -> Array:
+    """Lowest and highest change (n, 2), that of the case itself, 0, among them."""
+    return np.stack([_least(changes), -_least(-changes)], axis=1)
+
+
+def _moved(y: Array, log: NDArray[np.bool_], changes: Array) -> Array:
+    """Points of curves moved by changes, of logarithms where they are logarithmic."""
+    changes = np.nan_to_num(changes)
+    with np.errstate(over="ignore", invalid="ignore"):
+        return np.where(log[:, None], y[:, None] * np.exp(np.where(log[:, None], changes, 0.0)), y[:, None] + changes)
+
+
+def _said(asked: Asked, combination: Mapping[str, Any]) -> str:
+    """A combination in a few words."""
+    return ", ".join(f"{each.name} {combination[each.path]}" for each in asked.hypotheses) or "as in the case"
+
+
+def _numerical(key: str, results: Mapping[str, Any]) -> float:
+    """Relative error that the analysis of a number reports, NaN where it reports none."""
+    error = getattr(results.get(key.partition(":")[0]), "error", None)
+    known = np.asarray(error, dtype=float) if error is not None else np.empty(0)
+    return float(np.nanmax(known)) if np.isfinite(known).any() else np.nan
