@@ -120,6 +120,11 @@ def _parser() -> argparse.ArgumentParser:
     run.add_argument(
         "--explain", action="store_true", help="also print what was solved, spared and skipped, why"
     )
+    run.add_argument(
+        "--interval",
+        action="store_true",
+        help="also the range of every result over what is uncertain of the case",
+    )
     run.add_argument("--quiet", action="store_true", help="print nothing but errors")
     run.add_argument(
         "--strict", action="store_true", help="exit with 3 if any speed has no physical solution"
@@ -232,7 +237,10 @@ def _heed_signals() -> None:
 
 
 def _run(arguments: argparse.Namespace) -> int:
-    from rotordyn.job import deliver, one_variant, restricted
+    from rotordyn.job import one_variant, restricted
+    from rotordyn.job.delivery import write
+    from rotordyn.report.folder import check_target
+    from rotordyn.study.run import run
 
     _heed_signals()
     case = rotordyn.load(arguments.case)
@@ -244,8 +252,10 @@ def _run(arguments: argparse.Namespace) -> int:
     target = Path("out") / case.name if arguments.output is None else Path(arguments.output)
     steps = max(len(case.variants), 1) * len(case.analyses) + 1
     with _progress(steps, quiet=arguments.quiet) as progress:
-        delivery = deliver(
-            case, target, progress, figures=not arguments.no_figures, formats=formats
+        check_target(target)
+        results = run(case, progress, interval=arguments.interval)
+        delivery = write(
+            results, target, progress, figures=not arguments.no_figures, formats=formats
         )
     if not arguments.quiet:
         _say(delivery.summary)

@@ -1,4 +1,4 @@
-"""What a case says is uncertain, held against the case: hypotheses, tolerances, and their faults."""
+"""What a case says is uncertain, held against the case: hypotheses, tolerances, their faults."""
 
 from __future__ import annotations
 

@@ -1,7 +1,7 @@
 """A tolerance as people write it, held against the value that a case has at its path.
 
-``± 5 %`` is a share of the value, ``± 2 um`` and ``+3/-2 deg`` are differences, ``24..28 deg`` ends,
-``factor 2`` half to double, ``least..most`` words.
+``± 5 %`` is a share of the value, ``± 2 um`` and ``+3/-2 deg`` are differences, ``24..28 deg``
+ends, ``factor 2`` half to double, ``least..most`` words.
 """
 
 from __future__ import annotations
@@ -67,6 +67,14 @@ class Tolerance:
         return low + share * (high - low)
 
     @property
+    def levels(self) -> int:
+        """How many values there are, each as likely; 0: any number between the ends."""
+        low, _, high = next(iter(self.ends.values()))
+        if isinstance(low, str):
+            return 3
+        return high - low + 1 if isinstance(low, int) else 0
+
+    @property
     def width(self) -> float:
         """From the lowest to the highest value [SI], of the first path; NaN of words."""
         low, _, high = next(iter(self.ends.values()))
@@ -121,6 +129,17 @@ def _ends(value: Any, annotation: Any, text: str) -> tuple[tuple[Any, Any, Any],
         return (low, nominal, high), rows[0][1], rows[0][2]
     if isinstance(value, str) and found_in(annotation, Choice) is not None:
         return _words(value, annotation, text), 0.5, False
+    low, high, log = _limits(value, annotation, text)
+    if isinstance(value, int):
+        if low != round(low) or high != round(high):
+            raise InvalidInput(f"'{text}': whole numbers are needed, such as ± 1")
+        return (int(low), value, int(high)), (value - low) / (high - low), False
+    way = math.log(value / low) / math.log(high / low) if log else (value - low) / (high - low)
+    return (low, value, high), way, log
+
+
+def _limits(value: Any, annotation: Any, text: str) -> tuple[float, float, bool]:
+    """Lowest and highest number, held against the value and its range."""
     if isinstance(value, bool) or not isinstance(value, float | int):
         what = "is not given in this case" if value is None else f"is no number: {shown(value)}"
         raise InvalidInput(f"{what}; a tolerance needs one")
@@ -135,17 +154,9 @@ def _ends(value: Any, annotation: Any, text: str) -> tuple[tuple[Any, Any, Any],
         if why := quantity.refusal(end):
             raise InvalidInput(f"'{text}' leads out of what is allowed: {why}")
     if not low <= value <= high:
-        raise InvalidInput(f"'{text}' does not hold the value of the case, {_written(quantity, value)}")
-    if isinstance(value, int):
-        if low != round(low) or high != round(high):
-            raise InvalidInput(f"'{text}': whole numbers are needed, such as ± 1")
-        return (int(low), value, int(high)), (value - low) / (high - low), False
-    way = math.log(value / low) / math.log(high / low) if log else (value - low) / (high - low)
-    return (low, value, high), way, log
-
-
-def _written(quantity: Quantity, value: float) -> str:
-    return quantity.written(value)
+        written = quantity.written(value)
+        raise InvalidInput(f"'{text}' does not hold the value of the case, {written}")
+    return low, high, log
 
 
 def _words(value: str, annotation: Any, text: str) -> tuple[str, str, str]:
@@ -178,7 +189,9 @@ def _numbers(value: float, quantity: Quantity, text: str) -> tuple[float, float,
         return value - down, value + up, False
     if match := ENDS.fullmatch(text):
         first, last = match[2] or match[4], match[4]
-        ends = [units.parse(f"{n} {u}", quantity.kind) for n, u in ((match[1], first), (match[3], last))]
+        ends = [
+            units.parse(f"{n} {u}", quantity.kind) for n, u in ((match[1], first), (match[3], last))
+        ]
         return ends[0], ends[1], False
     raise InvalidInput(f"no tolerance: given {units.shown(text)}; {FORMS}")
 

@@ -22,8 +22,9 @@ class Worded:
 class Uncertain(Description):
     """What of a case is uncertain: ``rotordyn run --interval`` says what comes of it.
 
-    Paths are dotted, as ``vary`` takes them; ``*`` moves every item together. A tolerance is text:
-    ``± 5 %`` of the value, ``± 2 um``, ``+3/-2 deg``, ``24..28 deg``, ``factor 2``, ``least..most``.
+    Paths are dotted, as ``vary`` takes them; ``*`` moves every item together. A tolerance is a
+    text: ``± 5 %`` of the value, ``± 2 um``, ``+3/-2 deg``, ``24..28 deg``, ``factor 2``, or words,
+    ``least..most``.
     """
 
     as_usual: Annotated[

@@ -34,8 +34,12 @@ OF_SPINDLE = (
     Usual("spindle.bearings.*.model.contact_angle", "+3/-2 deg", f"{THESIS} (the maker's)"),
     Usual("spindle.bearings.*.model.inner_conformity", "± 1 %", THESIS),
     Usual("spindle.bearings.*.model.outer_conformity", "± 1 %", THESIS),
-    Usual("spindle.bearings.*.fits.taken", "least..most", "ISO 286, ISO 492: limits of the classes"),
-    Usual("spindle.bearings.*.growth.static", "± 3 um", "ISO 286, ISO 492: k5 on 70 mm of class P4"),
+    Usual(
+        "spindle.bearings.*.fits.taken", "least..most", "ISO 286, ISO 492: limits of the classes"
+    ),
+    Usual(
+        "spindle.bearings.*.growth.static", "± 3 um", "ISO 286, ISO 492: k5 on 70 mm of class P4"
+    ),
     Usual("spindle.sleeves.*.spring.preload", "± 10 %", ASSUMED),
     Usual("spindle.sleeves.*.spring.stiffness", "± 10 %", ASSUMED),
     Usual("spindle.sleeves.*.spring.offset", "± 1 um", ASSUMED),

@@ -150,6 +150,7 @@ def _write_numbers(results: SolvedResults, folder: Path, seconds: dict[str, floa
     """Numbers, tables, further files of the analyses; returns what lacks a package."""
     from rotordyn.job.side_by_side import write_comparison
     from rotordyn.report.cf import about
+    from rotordyn.report.interval import keep, write_interval
     from rotordyn.report.netcdf import write_results
     from rotordyn.report.tables import write_tables
 
@@ -166,6 +167,10 @@ def _write_numbers(results: SolvedResults, folder: Path, seconds: dict[str, floa
                     omitted |= _attempted(file, write)
         if case.variants:
             write_comparison(folder, results.parts)
+        if results.solution.intervals:
+            omitted |= _attempted("interval.nc", partial(keep, folder, results.solution.intervals))
+        for name, held in results.solution.intervals.items():
+            write_interval(folder / name, held)
     return omitted
 
 

@@ -17,6 +17,8 @@ from rotordyn.job.results import Part, Results, labelled
 if TYPE_CHECKING:
     import xarray as xr
 
+    from rotordyn.results.interval import Interval
+
 
 def open(folder: str | Path) -> Results:
     """Results of the folder that ``rotordyn run`` or ``Results.save`` has written.
@@ -76,6 +78,12 @@ class StoredResults(Results):
     @property
     def notes(self) -> tuple[str, ...]:
         return tuple(self._record["notes"])
+
+    @cached_property
+    def _intervals(self) -> Mapping[str, Interval]:
+        from rotordyn.report.interval import kept
+
+        return kept(self._folder)
 
     @property
     def unsolved(self) -> tuple[str, ...]:

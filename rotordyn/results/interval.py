@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -11,11 +12,15 @@ from rotordyn.results.kinds import Array
 
 Whole = np.ndarray[tuple[int, ...], np.dtype[np.int64]]
 ENDS = ("lowest", "highest")
+NARROW = 1e-6  # relative width: nothing changes the number
+ALIKE = 0.05  # of the largest change of two numbers
 
 
 @dataclass(frozen=True, eq=False, slots=True)
 class Interval:
     """Ranges over hypotheses and over tolerances, and what rules them.
+
+    ``without``: of how many combinations there is no such number, a stop that is not met.
 
     Numbers are in the units in which they are printed, ``unit``; NaN where there is none. Ranges
     over hypotheses hold every combination; those over tolerances 95 of 100 machines whose numbers
@@ -38,6 +43,7 @@ class Interval:
     worst: Array = quantity("number", "end", unit="", label="worst case of tolerances")
     effect: Array = quantity("number", "source", "end", unit="", label="effect")
     interaction: Array = quantity("number", unit="1", label="not the sum of effects, over range")
+    without: Whole = quantity("number", unit="", label="combinations without it")
     numerical_error: Array = quantity("number", unit="1", label="numerical error")
     tolerance: tuple[str, ...] = quantity("source", unit="", label="tolerance")
     derivative: Array = quantity("number", "path", unit="", label="derivative, by SI unit")
@@ -56,6 +62,28 @@ class Interval:
         size = np.where(self.nominal == 0.0, 1.0, np.abs(self.nominal))
         widths = [np.ptp(each, axis=1) for each in (self.hypotheses, self.tolerances)]
         return np.nan_to_num(np.nanmax(np.stack([np.nan_to_num(w) for w in widths]), axis=0) / size)
+
+    def varying(self) -> list[int]:
+        """Numbers by how much they vary, the widest first; those that nothing changes left out."""
+        spread = self.spread()
+        return [int(k) for k in np.argsort(-spread, kind="stable") if spread[k] > NARROW]
+
+    def apart(self, order: Sequence[int]) -> list[int]:
+        """Of numbers that change by the same, such as both whirls of a mode, the first alone."""
+        kept: list[int] = []
+        for k in order:
+            if not any(self._alike(k, other) for other in kept):
+                kept.append(k)
+        return kept
+
+    def _alike(self, one: int, other: int) -> bool:
+        first, second = (
+            np.nan_to_num(np.append(self.effect[k], self.hypotheses[k] - self.nominal[k]))
+            for k in (one, other)
+        )
+        size = float(np.abs(first).max(initial=0.0))
+        apart = float(np.abs(first - second).max(initial=0.0))
+        return self.unit[one] == self.unit[other] and apart < ALIKE * size
 
     def rows_of(self, curve: int) -> Whole:
         """Points of a curve."""

@@ -17,16 +17,17 @@ from rotordyn.case.asked import Asked, asked_of
 from rotordyn.case.case import Case
 from rotordyn.case.tolerance import Tolerance
 from rotordyn.case.uncertain import Uncertain
+from rotordyn.job.values import Values, difference, values_of
 from rotordyn.results.headline import Curve
 from rotordyn.results.interval import ENDS, Interval
 from rotordyn.study import quantiles
 from rotordyn.study.machines import Machines, lean
 from rotordyn.study.sensitivity import Derivatives, derivatives
-from rotordyn.study.values import Values, difference, values_of
 
 Array = NDArray[np.float64]
 Progress = Callable[[str], None]
-UNIQUE = 1e-9  # relative range that nothing changes
+RULES = 0.1  # share of the range from which a tolerance rules a number
+BENT = 0.05  # of the change from end to end: how far from a straight line it is not seen
 
 
 class Differences(NamedTuple):
@@ -45,9 +46,11 @@ class Nominal(NamedTuple):
 
     def of(self, machines: Sequence[Values]) -> Differences:
         """Differences of machines from it; NaN where they have no such number."""
+        points = sum(len(curve.x) for curve in self.values.curves.values())
+        size, count = len(machines), len(self.values.numbers)
         return Differences(
-            np.array([self._numbers(each) for each in machines]).reshape(len(machines), -1),
-            np.array([self._points(each) for each in machines]).reshape(len(machines), -1),
+            np.array([self._numbers(each) for each in machines], float).reshape(size, count),
+            np.array([self._points(each) for each in machines], float).reshape(size, points),
         )
 
     def _numbers(self, machine: Values) -> list[float]:
@@ -106,23 +109,66 @@ class Toleranced(NamedTuple):
 
 def _toleranced(case: Case, asked: Asked, machines: Machines, nominal: Nominal) -> Toleranced:
     given = asked.tolerances
-    low, high = (nominal.of([machines.values(t.at(end)) for t in given]) for end in (0.0, 1.0))
-    shares = [each.nominal for each in given]
     count = len(nominal.values.numbers)
-    effect = np.stack([low.numbers.T, high.numbers.T], axis=2).reshape(count, len(given), 2)
-    numbers = quantiles.spread(effect[..., 0], effect[..., 1], shares)
-    points = quantiles.spread(low.points.T.reshape(-1, len(given)), high.points.T.reshape(-1, len(given)), shares)
-    worst = quantiles.worst(effect[..., 0], effect[..., 1])
+    if not given:
+        none, flat = np.zeros((count, 2)), np.zeros((len(nominal.of([]).points.T), 2))
+        return Toleranced(none, flat, none, np.zeros((count, 0, 2)), np.full(count, np.nan))
+    solved = [_along(each, (0.0, 1.0), machines, nominal) for each in given]
+    solved = _refined(given, solved, machines, nominal)
+    numbers, points = ([each.of_what(k) for each in solved] for k in range(2))
+    effect = np.stack([each.change[[0, -1]].T for each in numbers], axis=1)
     interaction = np.full(count, np.nan)
     if len(given) > 1:
         interaction = _interaction(given, machines, nominal, effect)
+    worst, ranges = quantiles.worst(numbers), [quantiles.spread(each) for each in (numbers, points)]
     if case.uncertain is not None and case.uncertain.samples:
-        drawn = nominal.of(
-            machines.all(sampled(given, case.uncertain.samples, case.uncertain.seed))
-        )
-        numbers, points = (_tails(each) for each in drawn)
-        worst = np.stack([_least(drawn.numbers), -_least(-drawn.numbers)], axis=1)
-    return Toleranced(numbers, points, worst, effect, interaction)
+        changes = sampled(given, case.uncertain.samples, case.uncertain.seed)
+        drawn = nominal.of(machines.all(changes))
+        ranges = [_tails(each) for each in drawn]
+        worst = _ends(drawn.numbers)
+    return Toleranced(*ranges, worst, effect, interaction)
+
+
+class Along(NamedTuple):
+    """Machines along one tolerance: shares of its way, differences there."""
+
+    given: Tolerance
+    share: tuple[float, ...]
+    found: Differences
+
+    def of_what(self, place: int) -> quantiles.Effect:
+        """The effect on numbers (0) or on points of curves (1)."""
+        change, nominal = self.found[place], self.given.nominal
+        return quantiles.Effect(np.array(self.share), change, nominal, self.given.levels)
+
+
+def _along(
+    given: Tolerance, shares: Sequence[float], machines: Machines, nominal: Nominal
+) -> Along:
+    """The machines at some shares of the way, and the nominal one."""
+    every = sorted({*shares, given.nominal})
+    changes = [{} if share == given.nominal else given.at(share) for share in every]
+    return Along(given, tuple(every), nominal.of(machines.all(changes)))
+
+
+def _refined(
+    given: Sequence[Tolerance], solved: list[Along], machines: Machines, nominal: Nominal
+) -> list[Along]:
+    """The same with two machines more along tolerances that rule a number and bend it."""
+    ends = np.array([np.nan_to_num(each.found.numbers[[0, -1]]) for each in solved])
+    share = (ends**2).max(axis=1)
+    share = share / np.maximum(share.sum(axis=0), 1e-300)
+    middle = [each.nominal for each in given]
+    low, high = ends[:, 0], ends[:, 1]
+    half = np.clip(middle, quantiles.EDGE, 1.0 - quantiles.EDGE)[:, None]
+    bend = np.abs(low * (1.0 - half) + high * half)  # of the chord, at the nominal value
+    bent = bend > BENT * np.maximum(np.abs(high - low), 1e-300)
+    chosen = ((share > RULES) & bent).any(axis=1)
+    for k in np.flatnonzero(chosen):
+        if not given[k].levels:
+            inner = (middle[k] / 2.0, (1.0 + middle[k]) / 2.0)
+            solved[k] = _along(given[k], (0.0, *inner, 1.0), machines, nominal)
+    return solved
 
 
 def sampled(given: Sequence[Tolerance], count: int, seed: int) -> list[dict[str, Any]]:
@@ -131,7 +177,11 @@ def sampled(given: Sequence[Tolerance], count: int, seed: int) -> list[dict[str,
 
     shares = qmc.LatinHypercube(len(given), rng=seed).random(count)
     return [
-        {path: value for t, s in zip(given, row, strict=True) for path, value in t.at(float(s)).items()}
+        {
+            path: value
+            for t, s in zip(given, row, strict=True)
+            for path, value in t.at(float(s)).items()
+        }
         for row in shares
     ]
 
@@ -163,11 +213,13 @@ def _interaction(
     up = (towards >= 0.0).astype(int)
     found = []
     for ends in (up, 1 - up):
-        changes = {p: v for t, end in zip(given, ends, strict=True) for p, v in t.at(float(end)).items()}
+        changes = {
+            p: v for t, end in zip(given, ends, strict=True) for p, v in t.at(float(end)).items()
+        }
         corner = nominal.of([machines.values(changes)]).numbers[0]
         total = np.nan_to_num(effect[:, np.arange(len(given)), ends]).sum(axis=1)
         found.append(np.abs(corner - total))
-    width = np.ptp(quantiles.worst(effect[..., 0], effect[..., 1]), axis=1)
+    width = np.abs(effect).max(axis=2).sum(axis=1)
     return np.max(found, axis=0) / np.where(width > 0.0, width, np.inf)
 
 
@@ -201,6 +253,7 @@ def _joined(
         worst=value[:, None] + toleranced.worst,
         effect=toleranced.effect,
         interaction=toleranced.interaction,
+        without=np.isnan(value + combined.numbers).sum(axis=0),
         numerical_error=np.array([_numerical(key, results) for key in numbers]),
         tolerance=tuple(each.text for each in asked.tolerances),
         derivative=found.derivative,
@@ -225,16 +278,24 @@ def _moved(y: Array, log: NDArray[np.bool_], changes: Array) -> Array:
     """Points of curves moved by changes, of logarithms where they are logarithmic."""
     changes = np.nan_to_num(changes)
     with np.errstate(over="ignore", invalid="ignore"):
-        return np.where(log[:, None], y[:, None] * np.exp(np.where(log[:, None], changes, 0.0)), y[:, None] + changes)
+        return np.where(
+            log[:, None],
+            y[:, None] * np.exp(np.where(log[:, None], changes, 0.0)),
+            y[:, None] + changes,
+        )
 
 
 def _said(asked: Asked, combination: Mapping[str, Any]) -> str:
     """A combination in a few words."""
-    return ", ".join(f"{each.name} {combination[each.path]}" for each in asked.hypotheses) or "as in the case"
+    return (
+        ", ".join(f"{each.name} {combination[each.path]}" for each in asked.hypotheses)
+        or "as in the case"
+    )
 
 
 def _numerical(key: str, results: Mapping[str, Any]) -> float:
     """Relative error that the analysis of a number reports, NaN where it reports none."""
-    error = getattr(results.get(key.partition(":")[0]), "error", None)
+    result = results.get(key.partition(":")[0])
+    error = getattr(result, "largest_error", getattr(result, "error", None))
     known = np.asarray(error, dtype=float) if error is not None else np.empty(0)
     return float(np.nanmax(known)) if np.isfinite(known).any() else np.nan

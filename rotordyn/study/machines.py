@@ -19,8 +19,8 @@ from rotordyn.case.case import Case
 from rotordyn.case.vary import vary
 from rotordyn.errors import InvalidInput, NoSolution
 from rotordyn.job.solving import solve
+from rotordyn.job.values import Values, values_of
 from rotordyn.scene.stage import Memo
-from rotordyn.study.values import Values, values_of
 
 MOST_SPEEDS = 9
 LATEST = 2  # values of a stage kept beside the first

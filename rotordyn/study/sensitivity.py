@@ -91,7 +91,11 @@ def sensitivities(case: Case, paths: Iterable[str] | Mapping[str, str | None]) -
     return xr.Dataset(
         {
             "derivative": (dims, found.derivative, {"long_name": "derivative, by SI unit"}),
-            "elasticity": (dims, found.elasticity, {"long_name": "relative derivative", "units": "1"}),
+            "elasticity": (
+                dims,
+                found.elasticity,
+                {"long_name": "relative derivative", "units": "1"},
+            ),
             "range_effect": (dims, found.over_range, {"long_name": "κ, change over the range"}),
             "nominal": ("number", [each.value for each in numbers.values()]),
             "unit": ("number", [each.unit for each in numbers.values()]),

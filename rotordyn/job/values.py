@@ -53,7 +53,7 @@ def named_curves(case: Case, name: str, result: Any) -> Iterator[tuple[str, Curv
 
 
 def difference(curve: Curve, other: Curve, base: Curve) -> Array:
-    """How far ``other`` lies from ``base``, at the points of ``curve``; of logarithms of amplitudes.
+    """How far ``other`` lies from ``base`` at the points of ``curve``; logarithms of amplitudes.
 
     The difference is followed between the points of the two where these are the same.
     """
