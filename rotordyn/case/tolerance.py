@@ -125,8 +125,8 @@ def _ends(value: Any, annotation: Any, text: str) -> tuple[tuple[Any, Any, Any],
     """Lowest, nominal and highest value, the share of the nominal one, whether along ratios."""
     if isinstance(value, tuple) and value and all(isinstance(each, float) for each in value):
         rows = [_ends(each, annotation, text) for each in value]
-        low, nominal, high = zip(*(row[0] for row in rows), strict=True)
-        return (low, nominal, high), rows[0][1], rows[0][2]
+        columns = tuple(zip(*(row[0] for row in rows), strict=True))
+        return (columns[0], columns[1], columns[2]), rows[0][1], rows[0][2]
     if isinstance(value, str) and found_in(annotation, Choice) is not None:
         return _words(value, annotation, text), 0.5, False
     low, high, log = _limits(value, annotation, text)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -24,6 +24,7 @@ from rotordyn.figures.style import (
 )
 from rotordyn.results.headline import Curve
 from rotordyn.results.interval import Interval
+from rotordyn.results.kinds import Array
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -147,16 +148,19 @@ def _band(axes: Axes, held: Interval, place: int, curve: Curve, series: Sequence
     if curve.log:
         y = np.where(y > 0.0, y, np.nan)
     colour = CYCLE[series.index(curve.series) % len(CYCLE)]
-    for ends, words, look in (
-        (held.curve_hypotheses[rows], OVER_HYPOTHESES, {"color": GREY, "alpha": 0.35}),
-        (held.curve_tolerances[rows], OVER_TOLERANCES, {"color": BLUE, "alpha": 0.25}),
-    ):
+    bands: tuple[tuple[Array, str, str, float], ...] = (
+        (held.curve_hypotheses[rows], OVER_HYPOTHESES, GREY, 0.35),
+        (held.curve_tolerances[rows], OVER_TOLERANCES, BLUE, 0.25),
+    )
+    for ends, words, shade, alpha in bands:
         if len(x) > 1:
-            axes.fill_between(x, *ends.T, lw=0.0, label=words, zorder=1.2, **look)
+            axes.fill_between(
+                x, *ends.T, lw=0.0, label=words, zorder=1.2, color=shade, alpha=alpha
+            )
         else:
-            axes.vlines(x, *ends.T, lw=3.0, label=words, **look)
-    look: dict[str, Any] = {"ls": DASHES[series.index(curve.series) % len(DASHES)], "lw": 1.0}
-    axes.plot(x, y, color=colour, label=curve.series or "as in the case", **look)
+            axes.vlines(x, *ends.T, lw=3.0, label=words, color=shade, alpha=alpha)
+    dashes = DASHES[series.index(curve.series) % len(DASHES)]
+    axes.plot(x, y, color=colour, label=curve.series or "as in the case", ls=dashes, lw=1.0)
 
 
 def _finish(axes: Axes, curve: Curve) -> None:

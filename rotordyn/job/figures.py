@@ -14,6 +14,7 @@ from rotordyn.figures.panels import Shown, pages
 from rotordyn.job.values import named_curves
 from rotordyn.results.described import Described
 from rotordyn.results.frames import turning
+from rotordyn.results.headline import Curve
 from rotordyn.results.interval import Interval
 
 MACHINE = Code("rotordyn.figures", "machine:machine_figure")
@@ -46,7 +47,8 @@ def interval_figures(parts: Mapping[str, Variant], held: Mapping[str, Interval])
     for part, sure in held.items():
         case, results = parts[part]
         curves = {k: c for name in results for k, c in named_curves(case, name, results[name])}
-        after, found = (f"_{part}" if part else ""), {}
+        after = f"_{part}" if part else ""
+        found: dict[str, dict[str, Curve]] = {}
         for key, curve in curves.items():
             found.setdefault(curve.figure, {})[key] = curve
         made: list[Job] = [(f"interval_rules{after}", partial(RULES, sure))]

@@ -11,8 +11,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from rotordyn.analyses.registry import analysis, place
-from rotordyn.case.case import Case
 from rotordyn.figures.panels import Shown
+from rotordyn.results.described import Described
 from rotordyn.results.headline import Curve, Number
 
 Array = NDArray[np.float64]
@@ -27,7 +27,7 @@ class Values:
     sentence: str = ""
 
 
-def values_of(case: Case, results: Mapping[str, Any]) -> Values:
+def values_of(case: Described, results: Mapping[str, Any]) -> Values:
     """The values of the results of ``case``."""
     names = sorted(results, key=place)
     numbers = {
@@ -39,7 +39,7 @@ def values_of(case: Case, results: Mapping[str, Any]) -> Values:
     return Values(numbers, curves)
 
 
-def named_curves(case: Case, name: str, result: Any) -> Iterator[tuple[str, Curve]]:
+def named_curves(case: Described, name: str, result: Any) -> Iterator[tuple[str, Curve]]:
     """Curves of an analysis by what tells them from the others."""
     shown = Shown(case.title, result, (), case.spindle)
     count: Counter[str] = Counter()

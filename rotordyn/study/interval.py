@@ -120,13 +120,14 @@ def _toleranced(case: Case, asked: Asked, machines: Machines, nominal: Nominal) 
     interaction = np.full(count, np.nan)
     if len(given) > 1:
         interaction = _interaction(given, machines, nominal, effect)
-    worst, ranges = quantiles.worst(numbers), [quantiles.spread(each) for each in (numbers, points)]
+    worst = quantiles.worst(numbers)
+    of_numbers, of_points = (quantiles.spread(each) for each in (numbers, points))
     if case.uncertain is not None and case.uncertain.samples:
         changes = sampled(given, case.uncertain.samples, case.uncertain.seed)
         drawn = nominal.of(machines.all(changes))
-        ranges = [_tails(each) for each in drawn]
+        of_numbers, of_points = (_tails(each) for each in drawn)
         worst = _ends(drawn.numbers)
-    return Toleranced(*ranges, worst, effect, interaction)
+    return Toleranced(of_numbers, of_points, worst, effect, interaction)
 
 
 class Along(NamedTuple):
@@ -164,7 +165,7 @@ def _refined(
     bend = np.abs(low * (1.0 - half) + high * half)  # of the chord, at the nominal value
     bent = bend > BENT * np.maximum(np.abs(high - low), 1e-300)
     chosen = ((share > RULES) & bent).any(axis=1)
-    for k in np.flatnonzero(chosen):
+    for k in np.flatnonzero(chosen).tolist():
         if not given[k].levels:
             inner = (middle[k] / 2.0, (1.0 + middle[k]) / 2.0)
             solved[k] = _along(given[k], (0.0, *inner, 1.0), machines, nominal)
